@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// behaviour: the host of the embedded Python. Calls decide(world) once per camera frame, validates
+// and clamps the Command, and answers with a safe one (stand and scan) when the script cannot.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "behaviour/BehaviourParams.h"
+#include "robot/core/Command.h"
+#include "robot/core/FrameInput.h"
+#include "robot/core/Percepts.h"
+#include "robot/core/WorldModel.h"
+
+namespace kelpie::behaviour {
+
+struct BehaviourIn {
+  const FrameInput& input;
+  const Percepts& percepts;
+  const WorldModel& world;
+};
+
+class PythonHost;  // the only owner of Python objects
+
+// Holds the interpreter and the loaded script. One per process: CPython allows no more.
+class BehaviourState {
+ public:
+  // `scripts`: folder or zip with the behaviours (pycode/). A script that does not load leaves the
+  // state usable: every step answers with the fallback and tries again when the file has changed.
+  explicit BehaviourState(const std::string& scripts);
+  ~BehaviourState();
+  BehaviourState(const BehaviourState&) = delete;
+  BehaviourState& operator=(const BehaviourState&) = delete;
+
+  PythonHost& host() { return *host_; }
+  // First line of the last script error with file and line, empty if the last call went well.
+  const std::string& lastError() const;
+
+ private:
+  std::unique_ptr<PythonHost> host_;
+};
+
+Command step(const BehaviourIn& in, const BehaviourParams& params, BehaviourState& state);
+
+}  // namespace kelpie::behaviour

@@ -1,0 +1,39 @@
+# SPDX-License-Identifier: Apache-2.0
+# kelpie_subdirectory(folder)         adds a folder that has a CMakeLists.txt
+# kelpie_library(name sources... )    a static library with the house's warnings; link with
+#                                     target_link_libraries as usual
+# kelpie_executable(name sources...)  the same for a program
+# kelpie_tests(name libraries...)     one GoogleTest program of all *.cpp in the current folder
+
+set(KELPIE_WARNINGS -Wall -Wextra -Werror -Wconversion -Wshadow -Wdouble-promotion)
+
+function(kelpie_flags target)
+  target_compile_options(${target} PRIVATE ${KELPIE_WARNINGS} -ffp-contract=off)
+  target_compile_definitions(${target} PRIVATE EIGEN_DONT_VECTORIZE)
+  target_include_directories(${target} PUBLIC ${CMAKE_SOURCE_DIR})
+endfunction()
+
+function(kelpie_library target)
+  add_library(${target} STATIC ${ARGN})
+  kelpie_flags(${target})
+endfunction()
+
+function(kelpie_executable target)
+  add_executable(${target} ${ARGN})
+  kelpie_flags(${target})
+endfunction()
+
+macro(kelpie_subdirectory folder)
+  if(EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/${folder}/CMakeLists.txt)
+    add_subdirectory(${folder})
+  endif()
+endmacro()
+
+function(kelpie_tests target)
+  file(GLOB sources CONFIGURE_DEPENDS *.cpp)
+  add_executable(${target} ${sources})
+  kelpie_flags(${target})
+  target_link_libraries(${target} PRIVATE ${ARGN} GTest::gtest_main)
+  target_compile_definitions(${target} PRIVATE KELPIE_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
+  gtest_discover_tests(${target} DISCOVERY_MODE PRE_TEST PROPERTIES TIMEOUT 300)
+endfunction()

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// gps: odometry and Percepts become the WorldModel, by an extended Kalman filter with several modes
+// (thesis 2004 chapter 2) and a ball filter.
+#pragma once
+
+#include "gps/GpsParams.h"
+#include "gps/GpsState.h"
+#include "robot/core/FrameInput.h"
+#include "robot/core/Percepts.h"
+#include "robot/core/WorldModel.h"
+
+namespace kelpie::gps {
+
+struct GpsIn {
+  const FrameInput& input;
+  const Percepts& percepts;
+};
+
+WorldModel step(const GpsIn& in, const GpsParams& params, GpsState& state);
+
+}  // namespace kelpie::gps

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+// The playing field as data: sizes, lines, landmarks. Three are shipped: "2006", "osaka2005" and
+// "2004" (spec: checklist K01..K08; numbers of osaka2005 measured, facts-2005 section 1).
+#pragma once
+
+#include <string_view>
+
+#include "robot/core/Expected.h"
+#include "robot/core/FixedVector.h"
+#include "robot/core/FrameInput.h"
+#include "robot/core/Geometry.h"
+#include "robot/core/Percepts.h"
+
+namespace kelpie::body {
+
+constexpr double kBallRadius = 4.2;
+
+struct FieldLine {
+  Point2<Field> from;
+  Point2<Field> to;
+
+  static constexpr auto fields() {
+    return fieldList(field("from", &FieldLine::from), field("to", &FieldLine::to));
+  }
+};
+
+// A beacon or the middle of a goal mouth.
+struct Landmark {
+  LandmarkKind kind = LandmarkKind::goalBlue;
+  Point2<Field> position;
+
+  static constexpr auto fields() {
+    return fieldList(field("kind", &Landmark::kind, "", 0, 5),
+                     field("position", &Landmark::position));
+  }
+};
+
+struct FieldDescription {
+  double width = 360.0;   // between the outer edges of the side lines
+  double length = 540.0;  // between the outer edges of the goal lines
+  double goalWidth = 80.0;
+  double goalDepth = 30.0;
+  double goalHeight = 30.0;
+  double boxWidth = 130.0;
+  double boxDepth = 65.0;
+  double circleDiameter = 36.0;
+  double lineWidth = 2.5;
+  double sideFringe = 20.0;   // green carpet beyond the side lines
+  double endFringe = 30.0;    // green carpet beyond the goal lines
+  double borderWidth = 0.0;   // 45 degree white border, 0 = none
+  double borderCorner = 0.0;  // legs of the border's corner triangles
+  double beaconRadius = 5.0;
+  double beaconHeight = 40.0;  // four equal bands, the upper two coloured, the lower two white
+  FixedVector<FieldLine, 24> lines;  // centre lines of the painted lines, without the circle
+  FixedVector<Landmark, kLandmarkKindCount> landmarks;  // as the red team sees them
+
+  static constexpr auto fields() {
+    return fieldList(field("width", &FieldDescription::width, "cm", 100, 1000),
+                     field("length", &FieldDescription::length, "cm", 100, 1500),
+                     field("goalWidth", &FieldDescription::goalWidth, "cm", 10, 200),
+                     field("goalDepth", &FieldDescription::goalDepth, "cm", 0, 100),
+                     field("goalHeight", &FieldDescription::goalHeight, "cm", 0, 100),
+                     field("boxWidth", &FieldDescription::boxWidth, "cm", 10, 500),
+                     field("boxDepth", &FieldDescription::boxDepth, "cm", 10, 300),
+                     field("circleDiameter", &FieldDescription::circleDiameter, "cm", 0, 300),
+                     field("lineWidth", &FieldDescription::lineWidth, "cm", 0, 10),
+                     field("sideFringe", &FieldDescription::sideFringe, "cm", 0, 200),
+                     field("endFringe", &FieldDescription::endFringe, "cm", 0, 200),
+                     field("borderWidth", &FieldDescription::borderWidth, "cm", 0, 50),
+                     field("borderCorner", &FieldDescription::borderCorner, "cm", 0, 200),
+                     field("beaconRadius", &FieldDescription::beaconRadius, "cm", 1, 30),
+                     field("beaconHeight", &FieldDescription::beaconHeight, "cm", 10, 100),
+                     field("lines", &FieldDescription::lines),
+                     field("landmarks", &FieldDescription::landmarks));
+  }
+};
+
+// "2006", "osaka2005" or "2004"; an error names the three for anything else.
+Expected<FieldDescription> fieldDescription(std::string_view name);
+
+// The landmarks with coordinates for the given team: the blue team's field is turned by 180 deg.
+FixedVector<Landmark, kLandmarkKindCount> landmarksFor(const FieldDescription& field,
+                                                       TeamColour team);
+
+}  // namespace kelpie::body

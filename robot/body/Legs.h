@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// The ERS-7's legs: where a foot is for given joint angles, and which angles bring it to a place.
+// Torso frame: origin at the middle of the front shoulder axis; x right, y forward along the body,
+// z up from the back; it leans with the body (facts-2005 section 2.4).
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "robot/core/Geometry.h"
+#include "robot/core/Joints.h"
+#include "robot/core/Motion.h"
+
+namespace kelpie {
+struct Torso {};
+}  // namespace kelpie
+
+namespace kelpie::body {
+
+struct LegAngles {
+  Angle rotator;   // J1, swings the leg forward (positive)
+  Angle shoulder;  // J2, lifts the leg outwards (positive)
+  Angle knee;      // J3, bends the lower leg (positive)
+};
+
+LegAngles legAngles(const JointAngles& joints, LegId leg);
+void setLegAngles(JointAngles& joints, LegId leg, const LegAngles& angles);
+
+// Where the leg touches the ground (the tip of the lower leg).
+Point3<Torso> footPosition(LegId leg, const LegAngles& angles);
+
+// The angles that bring the foot to a place; the nearest reachable ones (cosines clamped) and
+// `reached` = false when it is out of reach or a joint limit is in the way.
+struct LegSolution {
+  LegAngles angles;
+  bool reached = true;
+};
+LegSolution reachFoot(LegId leg, Point3<Torso> foot);
+
+// Height of the front shoulder axis and lean of the body, when it stands on its lowest front and
+// lowest hind foot.
+Stance stanceFromLegs(const JointAngles& joints);
+
+// The angle kept inside the joint's soft limits (OPEN-R spec 5.6), the shoulder's coupling to the
+// rotator included.
+JointAngles withinLimits(const JointAngles& joints);
+
+}  // namespace kelpie::body

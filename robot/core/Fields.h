@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+// One field list per struct: name, member, unit and range, in ordinary templates. The list feeds
+// the log's schema and encoding, the parameter reader, the Python view, range checks, the replay
+// comparison and the viewer, so that a struct is described once.
+//
+//   struct Odometry {
+//     double forward = 0.0;
+//     static constexpr auto fields() {
+//       return fieldList(field("forward", &Odometry::forward, "cm", -20, 20));
+//     }
+//   };
+//
+// A member may be a number, bool, enum with a fixed type, Angle, TimeUs, std::array, FixedVector or
+// a struct with a list of its own. Absent is a bool named `present`, never a magic number. The
+// range limits each scalar inside the member; Angle ranges are given in degrees.
+#pragma once
+
+#include <limits>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+
+namespace kelpie {
+
+template <class Struct, class Member>
+struct FieldOf {
+  const char* name;
+  Member Struct::*member;
+  const char* unit;
+  double min;
+  double max;
+};
+
+template <class Struct, class Member>
+constexpr FieldOf<Struct, Member> field(const char* name, Member Struct::*member,
+                                        const char* unit = "",
+                                        double min = -std::numeric_limits<double>::infinity(),
+                                        double max = std::numeric_limits<double>::infinity()) {
+  return {name, member, unit, min, max};
+}
+
+template <class... Fields>
+constexpr std::tuple<Fields...> fieldList(Fields... fields) {
+  return {fields...};
+}
+
+template <class T, class = void>
+struct HasFields : std::false_type {};
+template <class T>
+struct HasFields<T, std::void_t<decltype(T::fields())>> : std::true_type {};
+
+// Calls f(field, object.member) for every field in order. Object may be const.
+template <class Struct, class F>
+void forEachField(Struct& object, F&& f) {
+  std::apply([&](const auto&... fs) { (f(fs, object.*(fs.member)), ...); },
+             std::remove_const_t<Struct>::fields());
+}
+
+// Calls f(field) for every field of the type, without an object.
+template <class Struct, class F>
+void forEachFieldOf(F&& f) {
+  std::apply([&](const auto&... fs) { (f(fs), ...); }, Struct::fields());
+}
+
+template <class Struct, class Member>
+Member memberType(const FieldOf<Struct, Member>&);  // for decltype only
+
+}  // namespace kelpie

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+// Everything the camera loop gets to know: image, body, sensors, odometry, game and the last
+// Command. It is logged whole, so that a replay of inputs gives the same outputs.
+#pragma once
+
+#include <cstdint>
+
+#include "robot/core/Command.h"
+#include "robot/core/Image.h"
+#include "robot/core/Motion.h"
+#include "robot/core/Time.h"
+
+namespace kelpie {
+
+enum class TeamColour : std::uint8_t { red, blue };  // red defends the yellow goal
+enum class PlayState : std::uint8_t { initial, ready, set, playing, finished };
+
+struct GameState {
+  PlayState state = PlayState::playing;
+  TeamColour team = TeamColour::red;
+  std::uint8_t player = 1;
+  bool penalised = false;
+  std::uint8_t ownScore = 0;
+  std::uint8_t opponentScore = 0;
+
+  static constexpr auto fields() {
+    return fieldList(
+        field("state", &GameState::state, "", 0, 4), field("team", &GameState::team, "", 0, 1),
+        field("player", &GameState::player, "", 1, 4), field("penalised", &GameState::penalised),
+        field("ownScore", &GameState::ownScore), field("opponentScore", &GameState::opponentScore));
+  }
+};
+
+// How fast the head joints turned during the exposure.
+struct HeadRate {
+  double neckTilt = 0.0;  // rad/s
+  double headPan = 0.0;   // rad/s
+  double headNod = 0.0;   // rad/s
+
+  static constexpr auto fields() {
+    return fieldList(field("neckTilt", &HeadRate::neckTilt, "rad/s", -60, 60),
+                     field("headPan", &HeadRate::headPan, "rad/s", -60, 60),
+                     field("headNod", &HeadRate::headNod, "rad/s", -60, 60));
+  }
+};
+
+struct FrameInput {
+  std::uint32_t frame = 0;  // counts camera frames of this robot from 0
+  TimeUs time;              // middle of the exposure
+  double elapsed = 0.0;     // s since the previous frame; 0 for the first
+  SensorFrame sensors;      // joints at the middle of the exposure, latest of everything else
+  HeadRate headRate;
+  Stance stance;
+  Odometry odometry;  // since the previous frame
+  MotionStatus motion;
+  GameState game;
+  Command lastCommand;
+  Image image;
+
+  static constexpr auto fields() {
+    return fieldList(
+        field("frame", &FrameInput::frame), field("time", &FrameInput::time, "us"),
+        field("elapsed", &FrameInput::elapsed, "s", 0, 10), field("sensors", &FrameInput::sensors),
+        field("headRate", &FrameInput::headRate), field("stance", &FrameInput::stance),
+        field("odometry", &FrameInput::odometry), field("motion", &FrameInput::motion),
+        field("game", &FrameInput::game), field("lastCommand", &FrameInput::lastCommand),
+        field("image", &FrameInput::image));
+  }
+};
+
+}  // namespace kelpie

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+// What passes the motion loop: sensor frames and the current Command in; joint targets, odometry
+// and stance out. One message holds four ticks of 8 ms, as an OPEN-R sensor vector does.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "robot/core/Command.h"
+#include "robot/core/Joints.h"
+#include "robot/core/Time.h"
+
+namespace kelpie {
+
+// How the body stands: height of the front shoulder axis above the ground and how far the body
+// leans forward. Positive tilt = nose down (the hind legs are longer: default 14.25 deg).
+struct Stance {
+  double shoulderHeight = 10.0;
+  Angle bodyTilt;
+
+  static constexpr auto fields() {
+    return fieldList(field("shoulderHeight", &Stance::shoulderHeight, "cm", 0, 30),
+                     field("bodyTilt", &Stance::bodyTilt, "rad", -90, 90));
+  }
+};
+
+// Everything but the camera that the robot senses in one 8 ms tick.
+struct SensorFrame {
+  JointAngles joints;
+  std::array<double, kJointCount> duty{};  // motor duty, -1..1
+  double headNearDistance = 50.0;
+  double headFarDistance = 150.0;
+  double chestDistance = 90.0;
+  std::array<double, 3> acceleration{};  // forward, left, up; up reads +981 standing still
+  std::array<bool, kLegCount> paw{};
+  bool chin = false;
+  double headTouch = 0.0;
+  std::array<bool, 3> back{};  // front, middle, rear
+
+  static constexpr auto fields() {
+    return fieldList(
+        field("joints", &SensorFrame::joints), field("duty", &SensorFrame::duty, "", -1, 1),
+        field("headNearDistance", &SensorFrame::headNearDistance, "cm", 0, 60),
+        field("headFarDistance", &SensorFrame::headFarDistance, "cm", 0, 200),
+        field("chestDistance", &SensorFrame::chestDistance, "cm", 0, 100),
+        field("acceleration", &SensorFrame::acceleration, "cm/s2", -4000, 4000),
+        field("paw", &SensorFrame::paw), field("chin", &SensorFrame::chin),
+        field("headTouch", &SensorFrame::headTouch, "", 0, 100), field("back", &SensorFrame::back));
+  }
+};
+
+// How far the robot frame moved on the ground: along and across its own axis, then turned.
+struct Odometry {
+  double forward = 0.0;
+  double left = 0.0;
+  Angle turn;
+
+  static constexpr auto fields() {
+    return fieldList(field("forward", &Odometry::forward, "cm", -100, 100),
+                     field("left", &Odometry::left, "cm", -100, 100),
+                     field("turn", &Odometry::turn, "rad", -180, 180));
+  }
+};
+
+struct MotionInput {
+  TimeUs time;  // of the last tick in the message
+  std::array<SensorFrame, kTicksPerMessage> sensors{};
+  Command command;
+
+  static constexpr auto fields() {
+    return fieldList(field("time", &MotionInput::time, "us"),
+                     field("sensors", &MotionInput::sensors),
+                     field("command", &MotionInput::command));
+  }
+};
+
+struct JointFrame {
+  JointAngles target;
+  std::uint32_t leds = 0;
+
+  static constexpr auto fields() {
+    return fieldList(field("target", &JointFrame::target), field("leds", &JointFrame::leds));
+  }
+};
+
+// What the actuator is doing, for the behaviours.
+struct MotionStatus {
+  MotionKind running = MotionKind::none;  // the special motion under way
+  double secondsLeft = 0.0;
+  bool ready = false;  // the start ramp has ended
+
+  static constexpr auto fields() {
+    return fieldList(field("running", &MotionStatus::running),
+                     field("secondsLeft", &MotionStatus::secondsLeft, "s", 0, 10),
+                     field("ready", &MotionStatus::ready));
+  }
+};
+
+struct MotionOutput {
+  std::array<JointFrame, kTicksPerMessage> joints{};
+  Odometry odometry;  // over the message, as commanded and calibrated
+  Stance stance;      // from the sensed legs
+  MotionStatus status;
+
+  static constexpr auto fields() {
+    return fieldList(
+        field("joints", &MotionOutput::joints), field("odometry", &MotionOutput::odometry),
+        field("stance", &MotionOutput::stance), field("status", &MotionOutput::status));
+  }
+};
+
+}  // namespace kelpie

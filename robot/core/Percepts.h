@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: Apache-2.0
+// What one image shows, in the robot frame. Distances are along the ground from the robot frame's
+// origin; headings are left positive; variances are of the measurement, not of its history.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "robot/core/FixedVector.h"
+#include "robot/core/Geometry.h"
+
+namespace kelpie {
+
+// Position of the camera and direction of its axes, in the robot frame. Columns of `axes` (row by
+// row: axes[3 * row + column]) are the camera's x, y and z axes in the robot frame.
+struct CameraPose {
+  Point3<Robot> position;
+  std::array<double, 9> axes{};
+
+  static constexpr auto fields() {
+    return fieldList(field("position", &CameraPose::position),
+                     field("axes", &CameraPose::axes, "", -1.000001, 1.000001));
+  }
+};
+
+// Line of equal elevation with the camera, y = atLeft + (atRight - atLeft) * x / 208.
+struct Horizon {
+  double atLeft = 0.0;
+  double atRight = 0.0;
+
+  static constexpr auto fields() {
+    return fieldList(field("atLeft", &Horizon::atLeft, "px"),
+                     field("atRight", &Horizon::atRight, "px"));
+  }
+};
+
+struct BodyState {
+  CameraPose camera;
+  Horizon horizon;
+  double headSpeed = 0.0;  // rad per frame, largest of the three head joints
+  bool fallen = false;
+
+  static constexpr auto fields() {
+    return fieldList(field("camera", &BodyState::camera), field("horizon", &BodyState::horizon),
+                     field("headSpeed", &BodyState::headSpeed, "rad/frame", 0, 10),
+                     field("fallen", &BodyState::fallen));
+  }
+};
+
+enum class LandmarkKind : std::uint8_t {
+  goalBlue,
+  goalYellow,
+  beaconBlueOnPink,  // blue above pink
+  beaconPinkOnBlue,
+  beaconYellowOnPink,
+  beaconPinkOnYellow,
+};
+constexpr std::size_t kLandmarkKindCount = 6;
+
+// Where in the image an object was found.
+struct PixelBox {
+  double left = 0.0;
+  double top = 0.0;
+  double right = 0.0;
+  double bottom = 0.0;
+
+  static constexpr auto fields() {
+    return fieldList(field("left", &PixelBox::left, "px"), field("top", &PixelBox::top, "px"),
+                     field("right", &PixelBox::right, "px"),
+                     field("bottom", &PixelBox::bottom, "px"));
+  }
+};
+
+struct BallPercept {
+  bool present = false;
+  double distance = 0.0;
+  Angle heading;
+  Angle elevation;
+  double distanceVariance = 0.0;  // cm2
+  double headingVariance = 0.0;   // rad2
+  PixelPoint centre;
+  double radius = 0.0;  // px
+
+  static constexpr auto fields() {
+    return fieldList(field("present", &BallPercept::present),
+                     field("distance", &BallPercept::distance, "cm", 0, 1000),
+                     field("heading", &BallPercept::heading, "rad", -180, 180),
+                     field("elevation", &BallPercept::elevation, "rad", -90, 90),
+                     field("distanceVariance", &BallPercept::distanceVariance, "cm2", 0),
+                     field("headingVariance", &BallPercept::headingVariance, "rad2", 0),
+                     field("centre", &BallPercept::centre),
+                     field("radius", &BallPercept::radius, "px", 0, 2000));
+  }
+};
+
+struct LandmarkPercept {
+  LandmarkKind kind = LandmarkKind::goalBlue;
+  double distance = 0.0;
+  Angle heading;
+  Angle elevation;
+  double distanceVariance = 0.0;  // cm2
+  double headingVariance = 0.0;   // rad2
+  // Directions of a goal's two visible edges; for a beacon both equal its heading.
+  Angle leftEdge;
+  Angle rightEdge;
+  bool leftEdgeCut = false;  // the image border cuts the object on that side
+  bool rightEdgeCut = false;
+  PixelBox box;
+
+  static constexpr auto fields() {
+    return fieldList(field("kind", &LandmarkPercept::kind, "", 0, 5),
+                     field("distance", &LandmarkPercept::distance, "cm", 0, 1000),
+                     field("heading", &LandmarkPercept::heading, "rad", -180, 180),
+                     field("elevation", &LandmarkPercept::elevation, "rad", -90, 90),
+                     field("distanceVariance", &LandmarkPercept::distanceVariance, "cm2", 0),
+                     field("headingVariance", &LandmarkPercept::headingVariance, "rad2", 0),
+                     field("leftEdge", &LandmarkPercept::leftEdge, "rad", -180, 180),
+                     field("rightEdge", &LandmarkPercept::rightEdge, "rad", -180, 180),
+                     field("leftEdgeCut", &LandmarkPercept::leftEdgeCut),
+                     field("rightEdgeCut", &LandmarkPercept::rightEdgeCut),
+                     field("box", &LandmarkPercept::box));
+  }
+};
+
+struct FieldEdgePercept {
+  bool present = false;
+  double atLeft = 0.0;   // row where the edge meets the left image border
+  double atRight = 0.0;  // row where it meets the right one
+
+  static constexpr auto fields() {
+    return fieldList(field("present", &FieldEdgePercept::present),
+                     field("atLeft", &FieldEdgePercept::atLeft, "px"),
+                     field("atRight", &FieldEdgePercept::atRight, "px"));
+  }
+};
+
+enum class LinePointKind : std::uint8_t { line, border, field };
+
+struct LinePoint {
+  LinePointKind kind = LinePointKind::line;
+  Point2<Robot> position;
+  double weight = 0.0;
+  PixelPoint pixel;
+
+  static constexpr auto fields() {
+    return fieldList(
+        field("kind", &LinePoint::kind, "", 0, 2), field("position", &LinePoint::position),
+        field("weight", &LinePoint::weight, "", 0, 1), field("pixel", &LinePoint::pixel));
+  }
+};
+
+// How many candidates each check refused, in the order of vision's reasons (docs in vision/).
+struct VisionCounts {
+  std::uint32_t sampledPixels = 0;
+  std::uint32_t runs = 0;
+  std::uint32_t blobs = 0;
+  std::array<std::uint16_t, 32> refused{};
+
+  static constexpr auto fields() {
+    return fieldList(field("sampledPixels", &VisionCounts::sampledPixels),
+                     field("runs", &VisionCounts::runs), field("blobs", &VisionCounts::blobs),
+                     field("refused", &VisionCounts::refused));
+  }
+};
+
+struct Percepts {
+  BallPercept ball;
+  FixedVector<LandmarkPercept, 8> landmarks;
+  FieldEdgePercept fieldEdge;
+  FixedVector<LinePoint, 256> linePoints;
+  VisionCounts counts;
+
+  static constexpr auto fields() {
+    return fieldList(field("ball", &Percepts::ball), field("landmarks", &Percepts::landmarks),
+                     field("fieldEdge", &Percepts::fieldEdge),
+                     field("linePoints", &Percepts::linePoints),
+                     field("counts", &Percepts::counts));
+  }
+};
+
+}  // namespace kelpie

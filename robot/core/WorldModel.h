@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the robot believes: its own pose with covariance, the other hypotheses, and the ball.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "robot/core/FixedVector.h"
+#include "robot/core/Geometry.h"
+
+namespace kelpie {
+
+// One Gaussian over (x, y, heading): covariance row by row in cm and rad.
+struct PoseMode {
+  double weight = 0.0;
+  Pose2 pose;
+  std::array<double, 9> covariance{};
+
+  static constexpr auto fields() {
+    return fieldList(field("weight", &PoseMode::weight, "", 0, 1), field("pose", &PoseMode::pose),
+                     field("covariance", &PoseMode::covariance, "cm2, cm rad, rad2"));
+  }
+};
+
+struct BallEstimate {
+  bool present = false;  // seen at least once since the reset and not given up
+  Point2<Field> position;
+  Point2<Field> velocity;              // cm/s
+  std::array<double, 4> covariance{};  // of the position relative to the robot, cm2
+  Point2<Robot> relative;              // position in the robot frame
+  double distance = 0.0;
+  Angle heading;
+  double secondsSinceSeen = 0.0;
+
+  static constexpr auto fields() {
+    return fieldList(field("present", &BallEstimate::present),
+                     field("position", &BallEstimate::position),
+                     field("velocity", &BallEstimate::velocity),
+                     field("covariance", &BallEstimate::covariance, "cm2"),
+                     field("relative", &BallEstimate::relative),
+                     field("distance", &BallEstimate::distance, "cm", 0, 1500),
+                     field("heading", &BallEstimate::heading, "rad", -180, 180),
+                     field("secondsSinceSeen", &BallEstimate::secondsSinceSeen, "s", 0, 1e6));
+  }
+};
+
+struct GpsCounts {
+  std::uint32_t updates = 0;
+  std::array<std::uint16_t, 16> refused{};
+
+  static constexpr auto fields() {
+    return fieldList(field("updates", &GpsCounts::updates), field("refused", &GpsCounts::refused));
+  }
+};
+
+constexpr std::size_t kMaxModes = 8;
+
+struct WorldModel {
+  Pose2 pose;                          // mean of the heaviest mode
+  std::array<double, 9> covariance{};  // of that mode
+  double positionSd = 0.0;             // cm, root of the larger position eigenvalue
+  Angle headingSd;
+  double secondsSinceLandmark = 0.0;
+  FixedVector<PoseMode, kMaxModes> modes;  // heaviest first
+  BallEstimate ball;
+  GpsCounts counts;
+
+  static constexpr auto fields() {
+    return fieldList(field("pose", &WorldModel::pose),
+                     field("covariance", &WorldModel::covariance, "cm2, cm rad, rad2"),
+                     field("positionSd", &WorldModel::positionSd, "cm", 0, 1e4),
+                     field("headingSd", &WorldModel::headingSd, "rad", 0, 180),
+                     field("secondsSinceLandmark", &WorldModel::secondsSinceLandmark, "s", 0, 1e6),
+                     field("modes", &WorldModel::modes), field("ball", &WorldModel::ball),
+                     field("counts", &WorldModel::counts));
+  }
+};
+
+}  // namespace kelpie

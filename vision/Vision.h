@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// Vision: one image and the camera's pose become Percepts. Pure but for VisionState, which keeps
+// work buffers and no memory of earlier images.
+#pragma once
+
+#include "robot/body/FieldDescription.h"
+#include "robot/core/FrameInput.h"
+#include "robot/core/Percepts.h"
+#include "vision/VisionParams.h"
+#include "vision/VisionState.h"
+
+namespace kelpie::vision {
+
+struct VisionIn {
+  const FrameInput& input;
+  const BodyState& body;
+};
+
+Percepts step(const VisionIn& in, const VisionParams& params, VisionState& state);
+
+}  // namespace kelpie::vision
