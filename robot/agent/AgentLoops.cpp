@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "robot/agent/AgentLoops.h"
+
+namespace kelpie::agent {
+
+AgentLoops::AgentLoops(const AgentConfig& config, const std::string& scripts, LogSink& log)
+    : frameLoop_(config, scripts), motionLoop_(config), log_(log) {
+  game_.team = config.team;
+  game_.player = config.player;
+}
+
+const MotionOutput& AgentLoops::motion(const MotionInput& withoutCommand) {
+  motionInput_.time = withoutCommand.time;
+  motionInput_.sensors = withoutCommand.sensors;
+  motionInput_.command = frame_ != nullptr ? frame_->command : Command{};
+  for (std::size_t tick = 0; tick < motionInput_.sensors.size(); ++tick) {
+    const auto back = static_cast<std::int64_t>(motionInput_.sensors.size() - 1 - tick) * 8000;
+    joints_.add({motionInput_.time.us - back}, motionInput_.sensors[tick]);
+  }
+  motionOutput_ = &motionLoop_.step(motionInput_, silent_);
+  odometry_.add(motionInput_.time, motionOutput_->odometry);
+  log_.motion(motionInput_, *motionOutput_);
+  return *motionOutput_;
+}
+
+void AgentLoops::camera(const Image& image, TimeUs exposureMiddle) {
+  if (motionOutput_ == nullptr) return;  // no joints known yet: the image cannot be used
+  input_.elapsed = frameCount_ == 0 ? 0.0 : (exposureMiddle - input_.time).seconds();
+  input_.frame = frameCount_++;
+  input_.time = exposureMiddle;
+  input_.sensors = joints_.at(exposureMiddle);
+  input_.headRate = joints_.headRate(exposureMiddle);
+  input_.stance = motionOutput_->stance;
+  input_.odometry = odometry_.until(exposureMiddle);
+  input_.motion = motionOutput_->status;
+  input_.game = game_;
+  input_.lastCommand = frame_ != nullptr ? frame_->command : Command{};
+  input_.image = image;
+  frame_ = &frameLoop_.step(input_, silent_);
+  log_.frame(input_, *frame_);
+}
+
+}  // namespace kelpie::agent

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// The two loops behind the OPEN-R object: assembles MotionInput and FrameInput from what arrives
+// (joints at the exposure, odometry since the last image, last Command) and hands results on. Keeps
+// only what the next input needs, so a log of the inputs replays to the same outputs.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "robot/agent/FrameLoop.h"
+#include "robot/agent/JointTrack.h"
+#include "robot/agent/LogSink.h"
+#include "robot/agent/Loops.h"
+#include "robot/agent/MotionLoop.h"
+#include "robot/agent/OdometryTrack.h"
+
+namespace kelpie::agent {
+
+class AgentLoops : public Loops {
+ public:
+  AgentLoops(const AgentConfig& config, const std::string& scripts, LogSink& log);
+
+  const MotionOutput& motion(const MotionInput& withoutCommand) override;
+  void camera(const Image& image, TimeUs exposureMiddle) override;
+
+  void setGame(const GameState& game) { game_ = game; }
+  const FrameOutput* lastFrame() const { return frame_; }
+  std::uint32_t frames() const { return frameCount_; }
+  const std::string& scriptError() const { return frameLoop_.scriptError(); }
+
+ private:
+  FrameLoop frameLoop_;
+  MotionLoop motionLoop_;
+  LogSink& log_;
+  StageObserver silent_;
+  GameState game_;
+  MotionInput motionInput_;
+  const MotionOutput* motionOutput_ = nullptr;
+  FrameInput input_;  // a member because of its size
+  const FrameOutput* frame_ = nullptr;
+  std::uint32_t frameCount_ = 0;
+  JointTrack joints_;
+  OdometryTrack odometry_;
+};
+
+}  // namespace kelpie::agent

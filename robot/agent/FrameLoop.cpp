@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "robot/agent/FrameLoop.h"
+
+#include "robot/body/Camera.h"
+
+namespace kelpie::agent {
+
+FrameLoop::FrameLoop(const AgentConfig& config, const std::string& scripts)
+    : config_(config), vision_(config.calibration), behaviour_(scripts) {}
+
+const FrameOutput& FrameLoop::step(const FrameInput& input, StageObserver& observer) {
+  output_.frame = input.frame;
+  output_.time = input.time;
+
+  observer.begin(Stage::body);
+  output_.body = body::step(input, config_.body);
+  observer.end(Stage::body);
+
+  observer.begin(Stage::vision);
+  output_.percepts = vision::step({input, output_.body}, config_.vision, vision_);
+  observer.end(Stage::vision);
+
+  observer.begin(Stage::gps);
+  output_.world = gps::step({input, output_.percepts}, config_.gps, gps_);
+  observer.end(Stage::gps);
+
+  observer.begin(Stage::behaviour);
+  output_.command =
+      behaviour::step({input, output_.percepts, output_.world}, config_.behaviour, behaviour_);
+  observer.end(Stage::behaviour);
+  return output_;
+}
+
+}  // namespace kelpie::agent

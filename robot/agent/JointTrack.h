@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// The last sixteen sensed ticks, to tell where the joints were in the middle of an exposure and how
+// fast the head turned. Beyond the newest tick the angles are extrapolated for at most 20 ms.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "robot/core/FrameInput.h"
+
+namespace kelpie::agent {
+
+class JointTrack {
+ public:
+  void add(TimeUs time, const SensorFrame& sensors) {
+    times_[next_ % kTicks] = time;
+    frames_[next_ % kTicks] = sensors;
+    ++next_;
+  }
+  bool empty() const { return next_ == 0; }
+  // Latest tick with its joints replaced by those at `time`; default values when empty.
+  SensorFrame at(TimeUs time) const;
+  HeadRate headRate(TimeUs time) const;
+
+ private:
+  static constexpr std::size_t kTicks = 16;
+  struct Span {
+    const SensorFrame* older;
+    const SensorFrame* newer;
+    double seconds;   // between the two
+    double fraction;  // of the way from older to newer; above 1 = extrapolated
+  };
+  Span spanAt(TimeUs time) const;
+
+  std::array<TimeUs, kTicks> times_{};
+  std::array<SensorFrame, kTicks> frames_{};
+  std::size_t next_ = 0;
+};
+
+}  // namespace kelpie::agent
