@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// All that the OPEN-R object knows of the code above it: it hands over what the robot delivered, in
+// Kelpie's units, and gets joint targets back.
+#pragma once
+
+#include "robot/core/Image.h"
+#include "robot/core/Motion.h"
+
+namespace kelpie::agent {
+
+class Loops {
+ public:
+  virtual ~Loops() = default;
+
+  // Every 32 ms. Time is that of the last of the four ticks; the command is left for the loops to
+  // fill in. The result is valid until the next call.
+  virtual const MotionOutput& motion(const MotionInput& withoutCommand) = 0;
+
+  // Every image. The image is valid during the call only.
+  virtual void camera(const Image& image, TimeUs exposureMiddle) = 0;
+};
+
+}  // namespace kelpie::agent
