@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// How the ball's state in the robot frame changes when the robot moves and the ball rolls.
+#pragma once
+
+#include "gps/GpsParams.h"
+#include "gps/GpsState.h"
+#include "gps/Predict.h"
+
+namespace kelpie::gps {
+
+// Where a resting point of the ground is seen after the step.
+Point2<Robot> seenAfter(Point2<Robot> point, const Odometry& odometry);
+
+void moveRobot(BallTrack& ball, const Odometry& odometry, const StepNoise& noise);
+
+// Rolls on for `elapsed` seconds, slowed by the carpet.
+void roll(BallTrack& ball, double elapsed, const BallParams& params);
+
+}  // namespace kelpie::gps

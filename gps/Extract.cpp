@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gps/Extract.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace kelpie::gps {
+namespace {
+
+// Root of the larger eigenvalue of the position's 2 x 2 block.
+double positionSd(const std::array<double, 9>& c) {
+  const double mean = 0.5 * (c[0] + c[4]);
+  const double half = 0.5 * (c[0] - c[4]);
+  return std::sqrt(std::max(0.0, mean + std::sqrt(half * half + c[1] * c[1])));
+}
+
+BallEstimate extractBall(const BallTrack& track, const Pose2& pose) {
+  BallEstimate ball;
+  ball.present = track.present;
+  ball.secondsSinceSeen = track.secondsSinceSeen;
+  if (!track.present) return ball;
+  ball.relative = {track.mean[0], track.mean[1]};
+  ball.distance = ball.relative.norm();
+  ball.heading = bearing(ball.relative);
+  ball.covariance = {track.covariance[0], track.covariance[1], track.covariance[4],
+                     track.covariance[5]};
+  ball.position = fieldFromRobot(pose, ball.relative);
+  const Pose2 turnOnly{{}, pose.heading};
+  ball.velocity = fieldFromRobot(turnOnly, {track.mean[2], track.mean[3]});
+  return ball;
+}
+
+}  // namespace
+
+WorldModel extract(const GpsState& state) {
+  WorldModel world;
+  for (const PoseMode& mode : state.modes) world.modes.push_back(mode);
+  world.pose = state.modes[0].pose;
+  world.covariance = state.modes[0].covariance;
+  world.positionSd = positionSd(world.covariance);
+  const double headingSd = std::sqrt(std::max(0.0, world.covariance[8]));
+  world.headingSd = Angle::rad(std::min(headingSd, maths::kPi));
+  world.secondsSinceLandmark = state.secondsSinceLandmark;
+  world.ball = extractBall(state.ball, world.pose);
+  world.counts = state.counts;
+  return world;
+}
+
+}  // namespace kelpie::gps

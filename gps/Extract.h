@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
+// What of the state the rest of the agent gets to see: the heaviest mode as the pose (thesis 2004
+// section 2.1.5), the other modes, the ball on the field.
+#pragma once
+
+#include "gps/GpsState.h"
+
+namespace kelpie::gps {
+
+WorldModel extract(const GpsState& state);
+
+}  // namespace kelpie::gps

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the localiser remembers between frames: the modes of the pose, the ball and the counts.
+// Plain data: a copy is a snapshot, and GpsState{} is the state before the first frame.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "robot/core/WorldModel.h"
+
+namespace kelpie::gps {
+
+// Why something was not used; the index into GpsCounts::refused.
+enum class Refusal : std::uint8_t {
+  odometryNotFinite,  // or farther than a robot can walk in one frame
+  landmarkNotFinite,  // or without a positive variance
+  landmarkUnknown,    // the field has no such landmark
+  headingUncertain,
+  goalTooClose,
+  goalTooOblique,   // seen from next to its own goal line
+  nothingMeasured,  // neither distance nor heading passed its gate
+  seedOffField,     // no place on the field explains the first landmark
+  modeNotFinite,    // a hypothesis was removed
+  ballNotFinite,
+  ballOutsideGate,  // waits for a second sighting like it
+};
+constexpr std::size_t kRefusalCount = 11;
+
+// Each of the modes and the wide one may be split in two.
+constexpr std::size_t kWorkModes = 2 * (kMaxModes + 1);
+using Modes = FixedVector<PoseMode, kWorkModes>;
+
+// Position and velocity in the robot frame: x right, y forward, vx, vy; covariance row by row.
+struct BallTrack {
+  bool present = false;
+  std::array<double, 4> mean{};
+  std::array<double, 16> covariance{};
+  double secondsSinceSeen = 0.0;
+  double doubt = 0.0;             // s unseen, those counting more in which it should be seen
+  std::uint32_t missed = 0;       // frames in a row in which it should have been seen
+  bool candidatePresent = false;  // a sighting outside the gate
+  std::array<double, 2> candidate{};
+};
+
+struct GpsState {
+  bool started = false;
+  bool lost = true;  // no landmark has been used since the start or the last loss of all modes
+  Modes modes;
+  double secondsSinceLandmark = 0.0;
+  BallTrack ball;
+  GpsCounts counts;
+
+  void count(Refusal reason) { ++counts.refused[static_cast<std::size_t>(reason)]; }
+};
+
+}  // namespace kelpie::gps

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gps/Landmarks.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace kelpie::gps {
+namespace {
+
+bool isGoal(LandmarkKind kind) {
+  return kind == LandmarkKind::goalBlue || kind == LandmarkKind::goalYellow;
+}
+
+bool usable(const LandmarkPercept& p) {
+  return std::isfinite(p.distance) && p.distance > 0.0 && std::isfinite(p.heading.rad()) &&
+         std::isfinite(p.distanceVariance) && p.distanceVariance > 0.0 &&
+         std::isfinite(p.headingVariance) && p.headingVariance > 0.0;
+}
+
+// The goal looks like a line from next to its own line (thesis 2004 Fig 2.9). Only asked when there
+// is an estimate to ask.
+bool oblique(Point2<Field> goal, const GpsParams& params, const GpsState& state) {
+  if (state.lost || state.modes.empty()) return false;
+  const double away = std::fabs(state.modes[0].pose.position.y - goal.y);
+  return away < params.gates.goalLineShare * params.field.length;
+}
+
+const body::Landmark* find(const LandmarkMap& map, LandmarkKind kind) {
+  const auto it = std::find_if(map.begin(), map.end(),
+                               [kind](const body::Landmark& l) { return l.kind == kind; });
+  return it == map.end() ? nullptr : it;
+}
+
+std::optional<Refusal> refusal(const LandmarkPercept& percept, const LandmarkMap& map,
+                               const GpsParams& params, const GpsState& state) {
+  if (!usable(percept)) return Refusal::landmarkNotFinite;
+  const body::Landmark* landmark = find(map, percept.kind);
+  if (landmark == nullptr) return Refusal::landmarkUnknown;
+  const double maxSd = params.gates.maxHeadingSd.rad();
+  if (percept.headingVariance > maxSd * maxSd) return Refusal::headingUncertain;
+  if (!isGoal(percept.kind)) return std::nullopt;
+  if (percept.distance < params.gates.goalMin) return Refusal::goalTooClose;
+  if (oblique(landmark->position, params, state)) return Refusal::goalTooOblique;
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Measurement> measurement(const LandmarkPercept& percept, const LandmarkMap& map,
+                                       const GpsParams& params, GpsState& state) {
+  if (const auto reason = refusal(percept, map, params, state)) {
+    state.count(*reason);
+    return std::nullopt;
+  }
+  const LandmarkGates& gates = params.gates;
+  const bool goal = isGoal(percept.kind);
+  const double farthest = goal ? gates.goalMaxDistance : gates.beaconMaxDistance;
+  Measurement m;
+  m.landmark = find(map, percept.kind)->position;
+  m.distance = percept.distance;
+  m.heading = percept.heading;
+  m.distanceVariance = std::max(gates.distanceVarianceFactor * percept.distanceVariance,
+                                maths::square(gates.minDistanceSd));
+  m.headingVariance = std::max(gates.headingVarianceFactor * percept.headingVariance,
+                               maths::square(gates.minHeadingSd.rad()));
+  m.useDistance =
+      percept.distance <= farthest && percept.distanceVariance <= gates.maxDistanceVariance;
+  // The middle of a goal that the image cuts is not where it seems to be.
+  m.useHeading = !goal || (!percept.leftEdgeCut && !percept.rightEdgeCut);
+  if (!m.useDistance && !m.useHeading) {
+    state.count(Refusal::nothingMeasured);
+    return std::nullopt;
+  }
+  return m;
+}
+
+}  // namespace kelpie::gps

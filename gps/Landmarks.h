@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// From a landmark percept to a measurement: which parts pass the gates, and with which variance
+// (thesis 2004 section 2.2.2). A percept of which nothing can be used is counted by reason.
+#pragma once
+
+#include <optional>
+
+#include "gps/GpsParams.h"
+#include "gps/GpsState.h"
+#include "robot/core/Percepts.h"
+
+namespace kelpie::gps {
+
+struct Measurement {
+  Point2<Field> landmark;
+  bool useDistance = false;
+  bool useHeading = false;
+  double distance = 0.0;
+  Angle heading;
+  double distanceVariance = 0.0;  // cm2
+  double headingVariance = 0.0;   // rad2
+};
+
+using LandmarkMap = FixedVector<body::Landmark, kLandmarkKindCount>;
+
+std::optional<Measurement> measurement(const LandmarkPercept& percept, const LandmarkMap& map,
+                                       const GpsParams& params, GpsState& state);
+
+}  // namespace kelpie::gps

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gps/Localiser.h"
+
+#include <algorithm>
+
+#include "gps/BallFilter.h"
+#include "gps/Extract.h"
+#include "gps/Landmarks.h"
+#include "gps/Modes.h"
+#include "gps/Predict.h"
+
+namespace kelpie::gps {
+namespace {
+
+// Nobody can stand farther out than the carpet and a body's length.
+void keepNearField(const body::FieldDescription& field, Modes& modes) {
+  for (PoseMode& mode : modes) {
+    Point2<Field>& p = mode.pose.position;
+    p.x = maths::clamp(p.x, -field.sideFringe, field.width + field.sideFringe);
+    p.y = maths::clamp(p.y, -field.endFringe, field.length + field.endFringe);
+  }
+}
+
+void useLandmarks(const GpsIn& in, const GpsParams& params, GpsState& state) {
+  const LandmarkMap map = body::landmarksFor(params.field, in.input.game.team);
+  for (const LandmarkPercept& percept : in.percepts.landmarks) {
+    const auto m = measurement(percept, map, params, state);
+    if (!m) continue;
+    if (state.lost) {
+      seedAround(*m, params, state);
+    } else {
+      updateAll(*m, params, state);
+    }
+    tidy(params, state);
+    keepNearField(params.field, state.modes);
+    ++state.counts.updates;
+    state.secondsSinceLandmark = 0.0;
+  }
+}
+
+}  // namespace
+
+WorldModel step(const GpsIn& in, const GpsParams& params, GpsState& state) {
+  if (!state.started) start(params, state);
+  state.secondsSinceLandmark += in.input.elapsed;
+  Odometry odometry = in.input.odometry;
+  if (!plausible(odometry)) {
+    odometry = Odometry{};
+    state.count(Refusal::odometryNotFinite);
+  }
+  const StepNoise noise = stepNoise(odometry, in.input.elapsed, params.motion);
+  for (PoseMode& mode : state.modes) predict(mode, odometry, noise);
+  keepNearField(params.field, state.modes);
+  useLandmarks(in, params, state);
+  stepBall(in.input, in.percepts.ball, noise, params, state);
+  return extract(state);
+}
+
+}  // namespace kelpie::gps

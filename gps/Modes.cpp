@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gps/Modes.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "gps/Gaussian.h"
+#include "gps/Update.h"
+
+namespace kelpie::gps {
+namespace {
+
+constexpr double kDegrees = 180.0 / maths::kPi;
+
+bool finite(const PoseMode& mode) {
+  const Vector3 mean = meanOf(mode);
+  const Matrix3 c = covarianceOf(mode);
+  return std::isfinite(mode.weight) && mode.weight >= 0.0 && mean.allFinite() && c.allFinite() &&
+         c(0, 0) > 0.0 && c(1, 1) > 0.0 && c(2, 2) > 0.0;
+}
+
+void removeBroken(GpsState& state) {
+  Modes kept;
+  for (const PoseMode& mode : state.modes) {
+    if (finite(mode)) {
+      kept.push_back(mode);
+    } else {
+      state.count(Refusal::modeNotFinite);
+    }
+  }
+  state.modes = kept;
+}
+
+bool normalise(Modes& modes) {
+  double total = 0.0;
+  for (const PoseMode& mode : modes) total += mode.weight;
+  if (!(total > 0.0) || !std::isfinite(total)) return false;
+  for (PoseMode& mode : modes) mode.weight /= total;
+  return true;
+}
+
+// Largest difference of the covariances, heading in degrees so that one threshold fits all.
+double covarianceDifference(const PoseMode& a, const PoseMode& b) {
+  double largest = 0.0;
+  for (std::size_t i = 0; i < 9; ++i) {
+    const double scale = (i / 3 == 2 ? kDegrees : 1.0) * (i % 3 == 2 ? kDegrees : 1.0);
+    largest = std::max(largest, scale * std::fabs(a.covariance[i] - b.covariance[i]));
+  }
+  return largest;
+}
+
+bool alike(const PoseMode& a, const PoseMode& b, const ModeParams& params) {
+  const Point2<Field> d = a.pose.position - b.pose.position;
+  if (std::fabs(d.x) > params.mergeDistance || std::fabs(d.y) > params.mergeDistance) return false;
+  if ((a.pose.heading - b.pose.heading).abs().deg() > params.mergeDistance) return false;
+  return covarianceDifference(a, b) <= params.mergeCovariance;
+}
+
+void mergeAll(Modes& modes, const ModeParams& params) {
+  for (std::size_t i = 0; i < modes.size(); ++i) {
+    for (std::size_t j = i + 1; j < modes.size();) {
+      if (!alike(modes[i], modes[j], params)) {
+        ++j;
+        continue;
+      }
+      modes[i] = merged(modes[i], modes[j]);
+      modes[j] = modes.back();
+      modes.resize(modes.size() - 1);
+    }
+  }
+}
+
+// Insertion sort: stable, and the list is nearly sorted already.
+void sortByWeight(Modes& modes) {
+  for (std::size_t i = 1; i < modes.size(); ++i) {
+    const PoseMode mode = modes[i];
+    std::size_t j = i;
+    for (; j > 0 && modes[j - 1].weight < mode.weight; --j) modes[j] = modes[j - 1];
+    modes[j] = mode;
+  }
+}
+
+// The pose at the angle `around` of the landmark, and how it varies with the three things it was
+// made of: distance, heading and that angle.
+PoseMode seed(const Measurement& m, double around, double aroundSd) {
+  const Angle out = Angle::rad(around);
+  PoseMode mode;
+  mode.weight = 1.0;
+  mode.pose.position = m.landmark + Point2<Field>{out.cos(), out.sin()} * m.distance;
+  mode.pose.heading = out + Angle::rad(maths::kPi) - m.heading;
+  Matrix3 j;
+  j << out.cos(), 0, -m.distance * out.sin(), out.sin(), 0, m.distance * out.cos(), 0, -1, 1;
+  // A heading alone says little about the distance that came with it.
+  const double distanceFactor = m.useDistance ? 1.0 : 4.0;
+  const double headingFactor = m.useHeading ? 1.0 : 16.0;
+  const Vector3 variances(distanceFactor * m.distanceVariance, headingFactor * m.headingVariance,
+                          aroundSd * aroundSd);
+  setCovariance(mode, j * variances.asDiagonal() * j.transpose());
+  return mode;
+}
+
+bool onCarpet(Point2<Field> p, const body::FieldDescription& field) {
+  return p.x > -field.sideFringe && p.x < field.width + field.sideFringe &&
+         p.y > -field.endFringe && p.y < field.length + field.endFringe;
+}
+
+}  // namespace
+
+PoseMode wideMode(const GpsParams& params, double weight) {
+  PoseMode mode;
+  mode.weight = weight;
+  mode.pose.position = {0.5 * params.field.width, 0.5 * params.field.length};
+  mode.pose.heading = Angle::deg(90.0);
+  const double position = maths::square(params.modes.widePositionSd);
+  mode.covariance = {
+      position, 0, 0, 0, position, 0, 0, 0, maths::square(params.modes.wideHeadingSd.rad())};
+  return mode;
+}
+
+void start(const GpsParams& params, GpsState& state) {
+  const InitialPose& initial = params.initialPose;
+  const bool known = initial.present && !state.started;
+  PoseMode mode = wideMode(params, 1.0);
+  if (known) {
+    const double position = maths::square(initial.positionSd);
+    mode.pose = initial.pose;
+    mode.covariance = {
+        position, 0, 0, 0, position, 0, 0, 0, maths::square(initial.headingSd.rad())};
+  }
+  state.modes.clear();
+  state.modes.push_back(mode);
+  state.lost = !known;
+  state.started = true;
+}
+
+void seedAround(const Measurement& measurement, const GpsParams& params, GpsState& state) {
+  const double spacing = params.modes.seedSpacing / kDegrees;
+  const int count = static_cast<int>(2.0 * maths::kPi / spacing + 0.5);
+  Modes seeds;
+  for (int i = 0; i < count; ++i) {
+    const PoseMode mode = seed(measurement, (i + 0.5) * spacing, 0.5 * spacing);
+    if (onCarpet(mode.pose.position, params.field)) seeds.push_back(mode);
+  }
+  if (seeds.empty()) {
+    state.count(Refusal::seedOffField);
+    return;
+  }
+  state.modes = seeds;
+  state.lost = false;
+}
+
+void updateAll(const Measurement& measurement, const GpsParams& params, GpsState& state) {
+  Modes& modes = state.modes;
+  modes.push_back(wideMode(params, params.modes.wideWeight));
+  const std::size_t before = modes.size();
+  for (std::size_t i = 0; i < before; ++i) {
+    PoseMode copy = modes[i];
+    copy.weight *= params.modes.noiseWeight;
+    modes.push_back(copy);
+    update(modes[i], measurement, params.modes.determinant);
+  }
+}
+
+void tidy(const GpsParams& params, GpsState& state) {
+  removeBroken(state);
+  mergeAll(state.modes, params.modes);
+  sortByWeight(state.modes);
+  state.modes.resize(std::min(state.modes.size(), kMaxModes));
+  if (!state.modes.empty() && normalise(state.modes)) return;
+  start(params, state);
+}
+
+PoseMode merged(const PoseMode& a, const PoseMode& b) {
+  const double total = a.weight + b.weight;
+  const double shareB = total > 0.0 ? b.weight / total : 0.5;
+  Vector3 apart = meanOf(b) - meanOf(a);
+  apart(2) = (b.pose.heading - a.pose.heading).rad();  // the short way round
+  PoseMode mode;
+  mode.weight = total;
+  mode.pose = poseOf(meanOf(a) + shareB * apart);
+  setCovariance(mode, (1.0 - shareB) * covarianceOf(a) + shareB * covarianceOf(b) +
+                          shareB * (1.0 - shareB) * apart * apart.transpose());
+  return mode;
+}
+
+}  // namespace kelpie::gps

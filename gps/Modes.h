@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// The mixture of pose hypotheses (thesis 2004 sections 2.1.2 to 2.1.4 and 2.2.3): starting,
+// splitting against false sightings, merging, sorting and pruning.
+#pragma once
+
+#include "gps/GpsParams.h"
+#include "gps/GpsState.h"
+#include "gps/Landmarks.h"
+
+namespace kelpie::gps {
+
+// A mode at the middle of the field that fits nearly everything.
+PoseMode wideMode(const GpsParams& params, double weight);
+
+// Before the first frame, or when no hypothesis is left.
+void start(const GpsParams& params, GpsState& state);
+
+// Modes around the landmark at the measured distance, each looking so that the measured heading
+// fits: the places where a linearised filter can start from one sighting.
+void seedAround(const Measurement& measurement, const GpsParams& params, GpsState& state);
+
+// Noise method 3 of the thesis: adds the wide mode; then corrects each mode, keeping a copy that
+// is not corrected with its weight times 1e-2.
+void updateAll(const Measurement& measurement, const GpsParams& params, GpsState& state);
+
+// Drops what is not finite (counted), merges, sorts by weight, cuts to kMaxModes, makes the weights
+// sum to 1. Starts anew when nothing is left.
+void tidy(const GpsParams& params, GpsState& state);
+
+// One Gaussian with the mean and the covariance of both, their distance included.
+PoseMode merged(const PoseMode& a, const PoseMode& b);
+
+}  // namespace kelpie::gps

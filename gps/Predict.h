@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+// Moves a pose mode with the odometry (thesis 2004 section 2.2.4): the mean along its own heading,
+// the covariance through the Jacobian, the noise turned from the robot's frame into the field's.
+#pragma once
+
+#include "gps/GpsParams.h"
+#include "gps/GpsState.h"
+#include "robot/core/Motion.h"
+
+namespace kelpie::gps {
+
+// Variances of one odometry step in the robot's frame.
+struct StepNoise {
+  double forward = 0.0;  // cm2
+  double left = 0.0;     // cm2
+  double turn = 0.0;     // rad2
+};
+
+// False for what no walk can do in one frame (30 cm) and for what is not a number.
+bool plausible(const Odometry& odometry);
+
+StepNoise stepNoise(const Odometry& odometry, double elapsed, const MotionNoise& noise);
+
+Pose2 moved(const Pose2& pose, const Odometry& odometry);
+
+// d moved(pose) / d pose, row by row.
+std::array<double, 9> movedJacobian(const Pose2& pose, const Odometry& odometry);
+
+void predict(PoseMode& mode, const Odometry& odometry, const StepNoise& noise);
+
+}  // namespace kelpie::gps
