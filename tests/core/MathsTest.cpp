@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "robot/core/Maths.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "robot/core/Angle.h"
+#include "robot/core/Maths.h"
 #include "robot/core/Random.h"
 
 namespace kelpie {
