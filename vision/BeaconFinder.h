@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// Beacons: a pink band with a blue or yellow one right above or below. Both are measured along the
+// image's upward direction, so a neighbouring goal of the same colour does no harm. Distance from
+// the angle that the 20 cm of both bands fill, whatever the camera's height and tilt.
+#pragma once
+
+#include "robot/core/Percepts.h"
+#include "vision/Scene.h"
+#include "vision/SpanWalk.h"
+#include "vision/VisionParams.h"
+
+namespace kelpie::vision {
+
+struct BeaconCandidate {
+  const Blob* pink = nullptr;
+  ColourClass partner = ColourClass::none;
+  bool pinkIsLower = false;
+  bool bothSides = false;
+  PixelPoint top;     // of the coloured part
+  PixelPoint middle;  // where the colours meet
+  PixelPoint bottom;
+  bool topCut = false;
+  bool bottomCut = false;
+  double upper = 0.0;  // px, height of the upper band
+  double lower = 0.0;
+  double width = 0.0;  // px, of the pink band
+  bool widthCut = false;
+  double distance = 0.0;  // cm on the ground, camera to the beacon's axis
+};
+
+// The checks: true = keep.
+bool beaconHasPartner(const BeaconCandidate& c);
+bool beaconHasOnePartner(const BeaconCandidate& c);
+bool beaconBandsAreEqual(const BeaconCandidate& c, const BeaconParams& p);
+bool beaconBandIsSquare(const BeaconCandidate& c, const BeaconParams& p);
+bool beaconReachesHorizon(const Scene& scene, const BeaconCandidate& c, const BeaconParams& p);
+bool beaconHasWhiteBelow(const Scene& scene, const BeaconCandidate& c, const BeaconParams& p);
+bool beaconHeightFitsSize(const Scene& scene, const BeaconCandidate& c, const BeaconParams& p);
+bool beaconIsNear(const BeaconCandidate& c, const BeaconParams& p);
+
+using Landmarks = FixedVector<LandmarkPercept, 8>;
+void findBeacons(const Scene& scene, const BeaconParams& params, VisionCounts& counts,
+                 Landmarks& landmarks);
+
+}  // namespace kelpie::vision

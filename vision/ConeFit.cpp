@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "vision/ConeFit.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "robot/body/Camera.h"
+#include "robot/core/Maths.h"
+
+namespace kelpie::vision {
+namespace {
+
+using Ray = std::array<double, 3>;
+using Kept = std::array<bool, kMaxEdgePoints>;
+
+Ray rayOf(PixelPoint p) {
+  const double x = p.x - body::kPrincipalX;
+  const double y = p.y - body::kPrincipalY;
+  const double norm = std::sqrt(x * x + y * y + maths::square(body::kFocalLength));
+  return {x / norm, y / norm, body::kFocalLength / norm};
+}
+
+double det(const Ray& a, const Ray& b, const Ray& c) {
+  return a[0] * (b[1] * c[2] - b[2] * c[1]) - b[0] * (a[1] * c[2] - a[2] * c[1]) +
+         c[0] * (a[1] * b[2] - a[2] * b[1]);
+}
+
+// Solves sum(u u^T) n = sum(u) by Cramer's rule; false when the points do not span a cone.
+bool solve(const EdgePoints& points, const Kept& kept, Ray& n) {
+  std::array<Ray, 3> columns{};
+  Ray right{};
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (!kept[i]) continue;
+    const Ray u = rayOf(points[i]);
+    for (std::size_t c = 0; c < 3; ++c) {
+      for (std::size_t r = 0; r < 3; ++r) columns[c][r] += u[r] * u[c];
+      right[c] += u[c];
+    }
+  }
+  const double whole = det(columns[0], columns[1], columns[2]);
+  if (!(whole > 1e-12)) return false;
+  n = {det(right, columns[1], columns[2]) / whole, det(columns[0], right, columns[2]) / whole,
+       det(columns[0], columns[1], right) / whole};
+  return true;
+}
+
+Cone coneOf(const Ray& n) {
+  Cone cone;
+  const double norm = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+  // The cosine of the half angle is 1 / norm; 1.02 is a ball of 38 px radius at least 11 deg.
+  if (!(norm > 1.0) || !(n[2] > 0.1)) return cone;
+  cone.valid = true;
+  cone.axis = {n[0] / norm, n[1] / norm, n[2] / norm};
+  cone.sinHalf = std::sqrt(1.0 - 1.0 / (norm * norm));
+  cone.radius = body::kFocalLength * cone.sinHalf * norm;
+  cone.centre = {body::kPrincipalX + body::kFocalLength * n[0] / n[2],
+                 body::kPrincipalY + body::kFocalLength * n[1] / n[2]};
+  return cone;
+}
+
+// Distance of an edge point from the cone, in pixels at the middle of the image; outside positive.
+double offCone(const Cone& cone, PixelPoint p) {
+  const Ray u = rayOf(p);
+  const double cosine = u[0] * cone.axis.x + u[1] * cone.axis.y + u[2] * cone.axis.z;
+  const double sine = std::sqrt(std::max(0.0, 1.0 - cosine * cosine));
+  return body::kFocalLength * sine / cosine - cone.radius;
+}
+
+// Keeps the points near the cone and notes their rms; the number dropped.
+std::size_t trim(const EdgePoints& points, Cone& cone, Kept& kept) {
+  const double limit = std::max(1.0, 0.12 * cone.radius);
+  double sum = 0.0;
+  std::size_t dropped = 0;
+  cone.kept = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double off = offCone(cone, points[i]);
+    const bool near = std::fabs(off) <= limit;
+    if (kept[i] != near) ++dropped;
+    kept[i] = near;
+    if (!near) continue;
+    sum += off * off;
+    ++cone.kept;
+  }
+  cone.rms = cone.kept > 0 ? std::sqrt(sum / static_cast<double>(cone.kept)) : 0.0;
+  return dropped;
+}
+
+}  // namespace
+
+Cone fitCone(const EdgePoints& points) {
+  Kept kept;
+  kept.fill(true);
+  Cone cone;
+  constexpr int kRounds = 4;
+  for (int round = 0; round < kRounds; ++round) {
+    Ray n{};
+    if (!solve(points, kept, n)) return {};
+    cone = coneOf(n);
+    if (!cone.valid || trim(points, cone, kept) == 0) return cone;
+  }
+  return cone;
+}
+
+}  // namespace kelpie::vision

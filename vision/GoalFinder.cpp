@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "vision/GoalFinder.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "vision/GoalColumns.h"
+#include "vision/Refusal.h"
+#include "vision/Sight.h"
+#include "vision/SpanWalk.h"
+
+namespace kelpie::vision {
+namespace {
+
+constexpr double kHalfMouth = 40.0;      // cm
+constexpr std::uint32_t kLeastPart = 6;  // samples of a blob worth joining
+
+bool contains(const PixelBox& box, PixelPoint p, double margin) {
+  return p.x >= box.left - margin && p.x <= box.right + margin && p.y >= box.top - margin &&
+         p.y <= box.bottom + margin;
+}
+
+bool isBandOf(const LandmarkPercept& beacon, ColourClass colour) {
+  switch (beacon.kind) {
+    case LandmarkKind::beaconBlueOnPink:
+    case LandmarkKind::beaconPinkOnBlue: return colour == ColourClass::blue;
+    case LandmarkKind::beaconYellowOnPink:
+    case LandmarkKind::beaconPinkOnYellow: return colour == ColourClass::yellow;
+    default: return false;
+  }
+}
+
+bool isBeaconBand(const Blob& blob, const Landmarks& landmarks) {
+  return std::any_of(landmarks.begin(), landmarks.end(), [&blob](const LandmarkPercept& l) {
+    return isBandOf(l, blob.colour) && contains(l.box, blob.centre, 2.0);
+  });
+}
+
+double overlap(double a0, double a1, double b0, double b1) {
+  return std::min(a1, b1) - std::max(a0, b0);
+}
+
+// Parts of one goal stand side by side (a goalie between) or touch.
+bool belongs(const PixelBox& goal, const PixelBox& part) {
+  const double height = std::min(goal.bottom - goal.top, part.bottom - part.top);
+  const double gap = -overlap(goal.left, goal.right, part.left, part.right);
+  const double rows = overlap(goal.top, goal.bottom, part.top, part.bottom);
+  return rows >= 0.5 * height && gap <= 0.8 * (goal.right - goal.left);
+}
+
+PixelBox hull(const PixelBox& a, const PixelBox& b) {
+  return {std::min(a.left, b.left), std::min(a.top, b.top), std::max(a.right, b.right),
+          std::max(a.bottom, b.bottom)};
+}
+
+const Blob* largestOf(const Scene& scene, ColourClass colour, const Landmarks& landmarks) {
+  const Blob* largest = nullptr;
+  for (const Blob& blob : scene.blobs) {
+    if (blob.colour != colour || isBeaconBand(blob, landmarks)) continue;
+    if (largest == nullptr || blob.samples > largest->samples) largest = &blob;
+  }
+  return largest;
+}
+
+GoalCandidate grouped(const Scene& scene, const Blob& largest, const Landmarks& landmarks) {
+  GoalCandidate c;
+  c.colour = largest.colour;
+  c.box = largest.box;
+  c.samples = largest.samples;
+  for (const Blob& blob : scene.blobs) {
+    if (&blob == &largest || blob.colour != c.colour || blob.samples < kLeastPart) continue;
+    if (isBeaconBand(blob, landmarks) || !belongs(c.box, blob.box)) continue;
+    c.box = hull(c.box, blob.box);
+    c.samples += blob.samples;
+  }
+  return c;
+}
+
+// Places on the ground, relative to the robot: the two ends seen and the middle of the mouth.
+struct GoalPlaces {
+  Point2<Robot> left;
+  Point2<Robot> right;
+  Point2<Robot> middle;
+  double hidden = 0.0;  // cm, how much of the mouth is outside the image
+};
+
+Point2<Robot> sideways(Point2<Robot> from, const Sight& sight, double toRight) {
+  return {from.x + toRight * sight.forward, from.y - toRight * sight.right};
+}
+
+GoalPlaces placesOf(const Scene& scene, const GoalCandidate& c) {
+  const CameraPose& camera = scene.body.camera;
+  const Sight l = sightOf(camera, c.leftEdge);
+  const Sight r = sightOf(camera, c.rightEdge);
+  GoalPlaces places;
+  places.left = placeAt(camera, l, c.distance);
+  places.right = placeAt(camera, r, c.distance);
+  places.middle = (places.left + places.right) * 0.5;
+  const double seen = distance(places.left, places.right);
+  if (!c.leftCut && !c.rightCut) return places;
+  places.hidden = std::max(0.0, 2.0 * kHalfMouth - seen);
+  if (seen >= 2.0 * kHalfMouth || c.leftCut == c.rightCut) return places;
+  places.middle =
+      c.leftCut ? sideways(places.right, r, -kHalfMouth) : sideways(places.left, l, kHalfMouth);
+  return places;
+}
+
+LandmarkPercept perceptOf(const Scene& scene, const GoalCandidate& c, const GoalParams& p) {
+  const GoalPlaces places = placesOf(scene, c);
+  LandmarkPercept percept;
+  percept.kind = c.colour == ColourClass::blue ? LandmarkKind::goalBlue : LandmarkKind::goalYellow;
+  percept.distance = places.middle.norm();
+  percept.heading = bearing(places.middle);
+  const PixelPoint middle{0.5 * (c.box.left + c.box.right), 0.5 * (c.box.top + c.box.bottom)};
+  percept.elevation = Angle::rad(maths::atan(sightOf(scene.body.camera, middle).slope));
+  percept.distanceVariance = maths::square(c.distanceSd) + maths::square(0.05 * percept.distance) +
+                             maths::square(0.25 * places.hidden);
+  percept.headingVariance = maths::square(p.headingSd.rad()) +
+                            maths::square(0.25 * places.hidden / std::max(percept.distance, 20.0));
+  percept.leftEdge = bearing(places.left);
+  percept.rightEdge = bearing(places.right);
+  percept.leftEdgeCut = c.leftCut;
+  percept.rightEdgeCut = c.rightCut;
+  percept.box = c.box;
+  return percept;
+}
+
+bool accepted(const Scene& scene, const GoalCandidate& c, const GoalParams& p,
+              VisionCounts& counts) {
+  const auto check = [&counts](bool keep, Refusal reason) {
+    if (!keep) refuse(counts, reason);
+    return keep;
+  };
+  return check(goalHasShape(c, p), Refusal::goalAspect) &&
+         check(goalStandsBelowHorizon(scene, c, p), Refusal::goalAboveHorizon) &&
+         check(goalStandsInsideFieldEdge(scene, c, p), Refusal::goalAboveFieldEdge) &&
+         check(goalHasNoPinkBeside(scene, c), Refusal::goalIsBeacon) &&
+         check(goalHasFieldBelow(scene, c, p), Refusal::goalNoField) &&
+         check(goalIsMeasured(c), Refusal::goalNoHeight) &&
+         check(goalIsNear(c, p), Refusal::goalTooFar);
+}
+
+double middleX(const GoalCandidate& c) { return 0.5 * (c.box.left + c.box.right); }
+
+}  // namespace
+
+bool goalIsLarge(const GoalCandidate& c, const GoalParams& p) {
+  return c.samples >= p.minSamples && c.box.right - c.box.left >= p.minWidth &&
+         c.box.bottom - c.box.top >= p.minHeight;
+}
+
+bool goalHasShape(const GoalCandidate& c, const GoalParams& p) {
+  const double width = c.box.right - c.box.left;
+  const double height = c.box.bottom - c.box.top;
+  const bool sideCut = c.leftCut || c.rightCut;
+  const bool tall = !sideCut && height > p.maxTall * width;
+  const bool flat = !c.topCut && !c.bottomCut && width > p.maxFlat * height;
+  return !tall && !flat;
+}
+
+bool goalStandsBelowHorizon(const Scene& scene, const GoalCandidate& c, const GoalParams& p) {
+  return c.box.bottom >= horizonRow(scene, middleX(c)) - p.maxAboveHorizon;
+}
+
+bool goalStandsInsideFieldEdge(const Scene& scene, const GoalCandidate& c, const GoalParams& p) {
+  return c.box.bottom >= fieldEdgeRow(scene, middleX(c)) - p.maxAboveFieldEdge;
+}
+
+// Below most columns the carpet follows within a third of the goal's height (the wall's foot, a
+// line and the ball may lie between). Columns that reach the image's lower border count as green.
+bool goalHasFieldBelow(const Scene& scene, const GoalCandidate& c, const GoalParams& p) {
+  constexpr int kColumns = 12;
+  constexpr int kProbes = 4;
+  const double reach = 4.0 + 0.33 * (c.box.bottom - c.box.top);
+  int field = 0;
+  for (int i = 0; i < kColumns; ++i) {
+    const double x = c.box.left + (c.box.right - c.box.left) * (i + 0.5) / kColumns;
+    for (int probe = 1; probe <= kProbes; ++probe) {
+      const PixelPoint at{x, c.box.bottom + reach * probe / kProbes};
+      if (Sampler::usable(at) && scene.sampler.classAt(at) != ColourClass::green) continue;
+      ++field;
+      break;
+    }
+  }
+  return field >= p.minFieldColumns * kColumns;
+}
+
+// A beacon that was not recognised has its pink right above or below.
+bool goalHasNoPinkBeside(const Scene& scene, const GoalCandidate& c) {
+  const double height = c.box.bottom - c.box.top;
+  for (const double share : {0.15, 0.35, 0.55}) {
+    const double away = 1.0 + share * height;
+    for (const double y : {c.box.top - away, c.box.bottom + away}) {
+      const PixelPoint at{middleX(c), y};
+      if (Sampler::usable(at) && scene.sampler.classAt(at) == ColourClass::pink) return false;
+    }
+  }
+  return true;
+}
+
+bool goalIsMeasured(const GoalCandidate& c) { return c.distance > 0.0; }
+
+bool goalIsNear(const GoalCandidate& c, const GoalParams& p) { return c.distance <= p.maxDistance; }
+
+void findGoals(const Scene& scene, const GoalParams& params, VisionCounts& counts,
+               Landmarks& landmarks) {
+  const Landmarks beacons = landmarks;
+  for (const ColourClass colour : {ColourClass::blue, ColourClass::yellow}) {
+    const Blob* largest = largestOf(scene, colour, beacons);
+    if (largest == nullptr) continue;
+    GoalCandidate candidate = grouped(scene, *largest, beacons);
+    if (!goalIsLarge(candidate, params)) {
+      refuse(counts, Refusal::goalTooSmall);
+      continue;
+    }
+    measureGoal(scene, params, candidate);
+    if (accepted(scene, candidate, params, counts)) {
+      landmarks.push_back(perceptOf(scene, candidate, params));
+    }
+  }
+}
+
+}  // namespace kelpie::vision

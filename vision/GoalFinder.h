@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// Goals: the largest blue and the largest yellow group of blobs that is no beacon's band. Distance
+// from the angle that the goal's 30 cm of height fill in several columns, or from where its foot
+// meets the ground when the top is cut. What is measured is the back wall; the percept is the
+// middle of the mouth, a goal's depth nearer. Weak when one post is outside the image.
+#pragma once
+
+#include "robot/core/Percepts.h"
+#include "vision/BeaconFinder.h"
+#include "vision/Scene.h"
+#include "vision/VisionParams.h"
+
+namespace kelpie::vision {
+
+struct GoalCandidate {
+  ColourClass colour = ColourClass::none;
+  std::uint32_t samples = 0;
+  PixelBox box;
+  PixelPoint leftEdge;
+  PixelPoint rightEdge;
+  bool leftCut = false;  // the image ends before the goal does
+  bool rightCut = false;
+  bool topCut = false;
+  bool bottomCut = false;
+  double distance = 0.0;    // cm on the ground from the camera to the mouth, 0 = not measured
+  double distanceSd = 0.0;  // cm
+};
+
+// The checks: true = keep.
+bool goalIsLarge(const GoalCandidate& c, const GoalParams& p);
+bool goalHasShape(const GoalCandidate& c, const GoalParams& p);
+bool goalStandsBelowHorizon(const Scene& scene, const GoalCandidate& c, const GoalParams& p);
+bool goalStandsInsideFieldEdge(const Scene& scene, const GoalCandidate& c, const GoalParams& p);
+bool goalHasFieldBelow(const Scene& scene, const GoalCandidate& c, const GoalParams& p);
+bool goalHasNoPinkBeside(const Scene& scene, const GoalCandidate& c);
+bool goalIsMeasured(const GoalCandidate& c);
+bool goalIsNear(const GoalCandidate& c, const GoalParams& p);
+
+// Call after findBeacons: `landmarks` holds the beacons found, whose bands are left out.
+void findGoals(const Scene& scene, const GoalParams& params, VisionCounts& counts,
+               Landmarks& landmarks);
+
+}  // namespace kelpie::vision

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+// Why a candidate was refused. The number is the place in VisionCounts::refused and in recorded
+// logs: append, never reorder.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "robot/core/Percepts.h"
+
+namespace kelpie::vision {
+
+enum class Refusal : std::uint8_t {
+  ballTooSmall,
+  ballFewEdges,     // too few edge points for a circle
+  ballPoorCircle,   // edge points do not lie on one
+  ballFewOrange,    // the circle is not filled with orange
+  ballOtherColour,  // too much pink, red or yellow inside
+  ballAboveHorizon,
+  ballAboveFieldEdge,
+  ballNoField,    // nothing green around it
+  ballOffGround,  // size and direction do not fit a ball that lies on the ground
+  ballTooFar,
+  beaconTooSmall,
+  beaconNoPartner,  // neither blue nor yellow right above or below the pink
+  beaconBothSides,  // partner colour above and below
+  beaconSizeRatio,
+  beaconAspect,
+  beaconBelowHorizon,
+  beaconNoWhiteBelow,
+  beaconElevation,  // its height does not fit its size
+  beaconTooFar,
+  goalTooSmall,
+  goalAspect,
+  goalAboveHorizon,
+  goalNoField,
+  goalIsBeacon,
+  goalTooFar,
+  goalNoHeight,  // neither upper nor lower edge inside the image
+  goalAboveFieldEdge,
+  bufferFull,
+};
+constexpr std::size_t kRefusalCount = 28;
+
+constexpr std::array<const char*, kRefusalCount> kRefusalNames = {
+    "ballTooSmall",       "ballFewEdges",     "ballPoorCircle",     "ballFewOrange",
+    "ballOtherColour",    "ballAboveHorizon", "ballAboveFieldEdge", "ballNoField",
+    "ballOffGround",      "ballTooFar",       "beaconTooSmall",     "beaconNoPartner",
+    "beaconBothSides",    "beaconSizeRatio",  "beaconAspect",       "beaconBelowHorizon",
+    "beaconNoWhiteBelow", "beaconElevation",  "beaconTooFar",       "goalTooSmall",
+    "goalAspect",         "goalAboveHorizon", "goalNoField",        "goalIsBeacon",
+    "goalTooFar",         "goalNoHeight",     "goalAboveFieldEdge", "bufferFull"};
+
+inline void refuse(VisionCounts& counts, Refusal reason) {
+  ++counts.refused[static_cast<std::size_t>(reason)];
+}
+
+}  // namespace kelpie::vision

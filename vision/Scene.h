@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// What every finder reads: the classified image, its blobs and the camera's place.
+#pragma once
+
+#include "robot/core/Percepts.h"
+#include "vision/Blobs.h"
+#include "vision/Sampler.h"
+
+namespace kelpie::vision {
+
+struct Scene {
+  const Sampler& sampler;
+  const BlobBuffer& blobs;
+  const BodyState& body;
+  FieldEdgePercept fieldEdge;
+};
+
+inline double horizonRow(const Scene& scene, double x) {
+  const Horizon& h = scene.body.horizon;
+  return h.atLeft + (h.atRight - h.atLeft) * x / kImageWidth;
+}
+
+// Row of the field edge, above the image when no edge was found.
+inline double fieldEdgeRow(const Scene& scene, double x) {
+  const FieldEdgePercept& e = scene.fieldEdge;
+  return e.present ? e.atLeft + (e.atRight - e.atLeft) * x / kImageWidth : -1e6;
+}
+
+}  // namespace kelpie::vision

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// Directions of pixels seen from the robot: what beacons and goals need of the camera geometry.
+#pragma once
+
+#include "robot/body/Camera.h"
+#include "robot/core/Geometry.h"
+#include "robot/core/Maths.h"
+
+namespace kelpie::vision {
+
+struct Sight {
+  double right = 0.0;  // unit vector on the ground towards the pixel
+  double forward = 1.0;
+  double slope = 0.0;  // tangent of the elevation
+};
+
+inline Sight sightOf(const CameraPose& camera, PixelPoint pixel) {
+  const Point3<Robot> ray = body::rayThrough(camera, pixel);
+  const double along = std::sqrt(ray.x * ray.x + ray.y * ray.y);
+  if (along < 1e-6) return {0.0, 1.0, ray.z > 0.0 ? 1e6 : -1e6};
+  return {ray.x / along, ray.y / along, ray.z / along};
+}
+
+// The ground point at a distance from the camera in the sight's direction.
+inline Point2<Robot> placeAt(const CameraPose& camera, const Sight& sight, double distance) {
+  return {camera.position.x + distance * sight.right, camera.position.y + distance * sight.forward};
+}
+
+// Standard deviation of a distance d from the angle that `height` fills, each end uncertain by
+// `edgeSd` pixels.
+inline double sizeSd(double d, double height, double edgeSd) {
+  return d * d / height * 1.414 * edgeSd / body::kFocalLength;
+}
+
+}  // namespace kelpie::vision
