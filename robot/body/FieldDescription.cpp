@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "robot/body/FieldDescription.h"
+
+#include <string>
+
+namespace kelpie::body {
+namespace {
+
+void addGoalBox(FieldDescription& f, double goalLine, double boxLine) {
+  const double left = (f.width - f.boxWidth) / 2;
+  const double right = (f.width + f.boxWidth) / 2;
+  f.lines.push_back({{left, goalLine}, {left, boxLine}});
+  f.lines.push_back({{left, boxLine}, {right, boxLine}});
+  f.lines.push_back({{right, boxLine}, {right, goalLine}});
+}
+
+// Sizes are between outer edges, so the middle of a border line is half a line width inside.
+void addLines(FieldDescription& f) {
+  const double half = f.lineWidth / 2;
+  const double left = half;
+  const double right = f.width - half;
+  const double bottom = half;
+  const double top = f.length - half;
+  f.lines.push_back({{left, bottom}, {right, bottom}});
+  f.lines.push_back({{right, bottom}, {right, top}});
+  f.lines.push_back({{right, top}, {left, top}});
+  f.lines.push_back({{left, top}, {left, bottom}});
+  f.lines.push_back({{left, f.length / 2}, {right, f.length / 2}});
+  addGoalBox(f, bottom, f.boxDepth - half);
+  addGoalBox(f, top, f.length - f.boxDepth + half);
+}
+
+// The red team's view (facts-2005 section 1): its own goal is yellow; "X on Y" = X above Y.
+void addLandmarks(FieldDescription& f, double beaconX, double beaconY) {
+  const double middle = f.width / 2;
+  f.landmarks.push_back({LandmarkKind::goalBlue, {middle, f.length}});
+  f.landmarks.push_back({LandmarkKind::goalYellow, {middle, 0.0}});
+  f.landmarks.push_back({LandmarkKind::beaconBlueOnPink, {-beaconX, f.length - beaconY}});
+  f.landmarks.push_back({LandmarkKind::beaconPinkOnBlue, {f.width + beaconX, f.length - beaconY}});
+  f.landmarks.push_back({LandmarkKind::beaconYellowOnPink, {-beaconX, beaconY}});
+  f.landmarks.push_back({LandmarkKind::beaconPinkOnYellow, {f.width + beaconX, beaconY}});
+}
+
+FieldDescription field2006() {
+  FieldDescription f;
+  addLines(f);
+  addLandmarks(f, 15.0, 135.0);
+  return f;
+}
+
+// Measured at the venue: data/field/field_2005.csv.
+FieldDescription fieldOsaka2005() {
+  FieldDescription f;
+  f.width = 363.0;
+  f.length = 542.0;
+  f.boxWidth = 128.0;
+  f.lineWidth = 2.4;
+  f.sideFringe = 19.0;
+  f.endFringe = 29.0;
+  addLines(f);
+  addLandmarks(f, 13.0, 136.0);
+  return f;
+}
+
+// The smaller field before 2005: 45 degree border, beacons at the corners.
+FieldDescription field2004() {
+  FieldDescription f;
+  f.width = 290.0;
+  f.length = 440.0;
+  f.goalWidth = 60.0;
+  f.boxWidth = 100.0;
+  f.boxDepth = 50.0;
+  f.circleDiameter = 30.0;
+  f.lineWidth = 2.4;
+  f.sideFringe = 0.0;
+  f.endFringe = 0.0;
+  f.borderWidth = 10.0;
+  f.borderCorner = 50.0;
+  addLines(f);
+  addLandmarks(f, 5.0, -5.0);
+  return f;
+}
+
+}  // namespace
+
+Expected<FieldDescription> fieldDescription(std::string_view name) {
+  if (name == "2006") return field2006();
+  if (name == "osaka2005") return fieldOsaka2005();
+  if (name == "2004") return field2004();
+  return Error{"no field '" + std::string(name) + "'; there are 2006, osaka2005 and 2004"};
+}
+
+FixedVector<Landmark, kLandmarkKindCount> landmarksFor(const FieldDescription& field,
+                                                       TeamColour team) {
+  auto landmarks = field.landmarks;
+  if (team == TeamColour::red) return landmarks;
+  for (auto& landmark : landmarks)
+    landmark.position = {field.width - landmark.position.x, field.length - landmark.position.y};
+  return landmarks;
+}
+
+}  // namespace kelpie::body
