@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+// Reads a log message by message. A log without its end, cut off anywhere, gives all its whole
+// messages and then says truncated(). Reads MCAP files of others as well, as long as they are not
+// compressed; decodeAs() then says whether a message is one of ours.
+//
+//   LogMessage message;
+//   while (reader.next(message)) ...
+//   if (!reader.status()) ...
+#pragma once
+
+#include <cstdint>
+#include <fstream>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "robot/core/Encoding.h"
+#include "robot/core/Expected.h"
+#include "robot/core/LogFormat.h"
+
+namespace kelpie {
+
+struct LogSchema {
+  std::string name;
+  std::string encoding;  // "ros1msg"
+  std::string text;
+  mutable std::string (*knownAs)() = nullptr;  // the last type found to have this text
+};
+
+struct LogChannel {
+  std::string topic;
+  std::string messageEncoding;        // "ros1"
+  const LogSchema* schema = nullptr;  // never null in a message
+};
+
+// Points into the reader: valid until its next call of next().
+struct LogMessage {
+  const LogChannel* channel = nullptr;
+  TimeUs time;
+  const std::uint8_t* data = nullptr;
+  std::size_t size = 0;
+  std::uint64_t offset = 0;  // of its record (or of the chunk around it) in the file
+
+  const std::string& topic() const { return channel->topic; }
+  const LogSchema& schema() const { return *channel->schema; }
+};
+
+struct LogMetadata {
+  std::string name;
+  LogMap entries;
+};
+
+struct LogAttachment {
+  std::string name;
+  std::string mediaType;
+  std::vector<std::uint8_t> data;
+};
+
+class LogReader {
+ public:
+  static Expected<LogReader> open(const std::string& path);
+
+  // False at the end and after an error.
+  bool next(LogMessage& message);
+  Status status() const;  // "path: byte 1234: what is wrong"
+  // The file ends without footer; known when next() has returned false.
+  bool truncated() const { return truncated_; }
+  // Where the last whole record ends.
+  std::uint64_t offset() const { return offset_; }
+
+  // Those met so far.
+  const std::map<std::uint16_t, LogChannel>& channels() const { return channels_; }
+  const std::vector<LogMetadata>& metadata() const { return metadata_; }
+  const std::vector<LogAttachment>& attachments() const { return attachments_; }
+
+ private:
+  struct Record {
+    mcap::Op op{};
+    const std::uint8_t* data = nullptr;
+    std::size_t size = 0;
+  };
+
+  LogReader(std::string path, std::ifstream file, std::uint64_t size);
+  bool readRecord(Record& record);
+  bool readChunkRecord(Record& record);
+  bool cutOff();
+  bool take(const Record& record, LogMessage& message);
+  void takeSchema(mcap::ContentReader content);
+  void takeChannel(mcap::ContentReader content);
+  bool takeMessage(mcap::ContentReader content, LogMessage& message);
+  void takeChunk(mcap::ContentReader content);
+  void takeAttachment(const Record& record);
+  void takeMetadata(mcap::ContentReader content);
+  void takeEnd();
+  void fail(const std::string& what);
+
+  std::string path_;
+  std::ifstream file_;
+  std::uint64_t fileSize_ = 0;
+  std::uint64_t offset_ = 0;        // behind the last whole record
+  std::uint64_t recordOffset_ = 0;  // of the record being taken
+  bool truncated_ = false;
+  bool ended_ = false;
+  std::string error_;
+  std::vector<std::uint8_t> record_;  // content of the record read last
+  std::vector<std::uint8_t> chunk_;   // records of the chunk being read
+  std::size_t chunkAt_ = 0;
+  std::map<std::uint16_t, LogSchema> schemas_;
+  std::map<std::uint16_t, LogChannel> channels_;
+  std::vector<LogMetadata> metadata_;
+  std::vector<LogAttachment> attachments_;
+};
+
+// How the recorded schema differs from ours: names the topic and the first line.
+Status schemaMismatch(const LogMessage& message, const std::string& ours);
+
+// Decodes a message recorded with exactly T's field list.
+template <class T>
+Status decodeAs(const LogMessage& message, T& out) {
+  const LogSchema& schema = message.schema();
+  if (schema.knownAs != &schemaText<T>) {
+    const std::string ours = schemaText<T>();
+    if (schema.text != ours || message.channel->messageEncoding != "ros1") {
+      return schemaMismatch(message, ours);
+    }
+    schema.knownAs = &schemaText<T>;
+  }
+  if (decode(message.data, message.size, out)) return Done{};
+  return Error{"topic " + message.topic() + ", byte " + std::to_string(message.offset) +
+               ": damaged message"};
+}
+
+}  // namespace kelpie

@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <fstream>
+#include <iterator>
+
+#include "robot/core/LogReader.h"
+#include "robot/core/LogWriter.h"
+#include "tests/core/SampleLog.h"
+
+namespace kelpie {
+namespace {
+
+std::string pathOf(const std::string& name) {
+  const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+  return testing::TempDir() + "kelpie_" + test->name() + "_" + name;
+}
+
+std::string contentOf(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+std::string fileWith(const std::string& name, const std::string& content) {
+  const std::string path = pathOf(name);
+  std::ofstream(path, std::ios::binary) << content;
+  return path;
+}
+
+// Two topics, three messages; the sizes of what was written after each record.
+std::vector<std::size_t> writeSmallLog(const std::string& path) {
+  LogWriter log = std::move(*LogWriter::open(path));
+  std::vector<std::size_t> ends;
+  for (int i = 0; i < 3; ++i) {
+    WalkRequest walk;
+    walk.forward = i;
+    if (i == 1) {
+      log.write("head", TimeUs{i * 1000}, HeadRequest{});
+    } else {
+      log.write("walk", TimeUs{i * 1000}, walk);
+    }
+    ends.push_back(log.bytes());
+  }
+  EXPECT_TRUE(log.close());
+  return ends;
+}
+
+struct Reading {
+  int messages = 0;
+  bool truncated = false;
+  std::uint64_t offset = 0;
+  std::string error;
+};
+
+Reading readAll(const std::string& path) {
+  Reading reading;
+  auto reader = LogReader::open(path);
+  if (!reader) return {0, false, 0, reader.error()};
+  LogMessage message;
+  while (reader->next(message)) ++reading.messages;
+  reading.truncated = reader->truncated();
+  reading.offset = reader->offset();
+  reading.error = reader->status().error();
+  return reading;
+}
+
+TEST(Log, GivesBackEveryMessageOfEveryType) {
+  const std::string path = pathOf("log");
+  ASSERT_TRUE(writeSampleLog(path, 3));
+  auto reader = LogReader::open(path);
+  ASSERT_TRUE(reader) << reader.error();
+  Random random(1);
+  LogMessage message;
+  int inputs = 0;
+  while (reader->next(message)) {
+    const auto in = std::make_unique<FrameInput>();
+    if (message.topic() != "input") continue;
+    EXPECT_EQ(message.time.us, 33333 * inputs++);
+    EXPECT_EQ(message.schema().name, "kelpie/FrameInput");
+    const Status status = decodeAs(message, *in);
+    ASSERT_TRUE(status) << status.error();
+    EXPECT_TRUE(verify(*in, nullptr));
+  }
+  EXPECT_EQ(inputs, 3);
+  EXPECT_FALSE(reader->truncated());
+  EXPECT_EQ(reader->offset(), contentOf(path).size());
+}
+
+TEST(Log, KeepsTheValueBitForBit) {
+  const std::string path = pathOf("log");
+  ASSERT_TRUE(writeSampleLog(path, 1));
+  Random random(1);
+  const auto expected = std::make_unique<FrameInput>();
+  randomise(*expected, random);
+  auto reader = LogReader::open(path);
+  LogMessage message;
+  ASSERT_TRUE(reader->next(message));
+  const auto read = std::make_unique<FrameInput>();
+  ASSERT_TRUE(decodeAs(message, *read));
+  std::string difference;
+  EXPECT_FALSE(firstDifference(*expected, *read, &difference)) << difference;
+}
+
+TEST(Log, KeepsMetadataAndAttachments) {
+  const std::string path = pathOf("log");
+  ASSERT_TRUE(writeSampleLog(path, 0));
+  auto reader = LogReader::open(path);
+  LogMessage message;
+  EXPECT_FALSE(reader->next(message));
+  ASSERT_EQ(reader->metadata().size(), 1U);
+  EXPECT_EQ(reader->metadata()[0].entries.at("robot"), "sample");
+  ASSERT_EQ(reader->attachments().size(), 1U);
+  EXPECT_EQ(reader->attachments()[0].data.size(), 4U);
+}
+
+TEST(Log, CutAtAnyByteGivesAllWholeMessages) {
+  const std::string path = pathOf("log");
+  const std::vector<std::size_t> ends = writeSmallLog(path);
+  const std::string whole = contentOf(path);
+  for (std::size_t size = 8; size < whole.size(); ++size) {
+    const Reading reading = readAll(fileWith("cut", whole.substr(0, size)));
+    const auto expected = std::upper_bound(ends.begin(), ends.end(), size) - ends.begin();
+    ASSERT_EQ(reading.error, "") << size;
+    ASSERT_EQ(reading.messages, expected) << size;
+    ASSERT_TRUE(reading.truncated) << size;
+    ASSERT_LE(reading.offset, size);
+  }
+  EXPECT_FALSE(readAll(path).truncated);
+}
+
+TEST(Log, ZerosAtTheEndAreACut) {
+  const std::string path = pathOf("log");
+  const std::vector<std::size_t> ends = writeSmallLog(path);
+  const std::string cut = contentOf(path).substr(0, ends[1]) + std::string(4096, '\0');
+  const Reading reading = readAll(fileWith("cut", cut));
+  EXPECT_EQ(reading.messages, 2);
+  EXPECT_TRUE(reading.truncated);
+  EXPECT_EQ(reading.offset, ends[1]);
+}
+
+TEST(Log, AnyByteBrokenNeverCrashes) {
+  const std::string path = pathOf("log");
+  writeSmallLog(path);
+  const std::string whole = contentOf(path);
+  Random random(3);
+  for (std::size_t at = 0; at < whole.size(); ++at) {
+    std::string broken = whole;
+    broken[at] = static_cast<char>(broken[at] ^ static_cast<int>(1 + random.index(255)));
+    EXPECT_LE(readAll(fileWith("broken", broken)).messages, 3);
+  }
+}
+
+TEST(Log, ForeignFileIsRefusedByName) {
+  const std::string text = fileWith("foreign", "This is not a log, it is a text file.\n");
+  EXPECT_EQ(readAll(text).error, text + ": byte 0: not an MCAP log");
+  const std::string empty = fileWith("empty", "");
+  EXPECT_EQ(readAll(empty).error, empty + ": byte 0: not an MCAP log");
+  EXPECT_EQ(readAll("/nowhere/log").error, "/nowhere/log: No such file or directory");
+}
+
+std::string chunked(const std::string& compression, const std::string& records) {
+  std::vector<std::uint8_t> bytes(mcap::kMagic.begin(), mcap::kMagic.end());
+  mcap::RecordWriter record(bytes);
+  record.begin(mcap::Op::chunk);
+  for (int i = 0; i < 3; ++i) record.number(std::uint64_t{0});
+  record.number(std::uint32_t{0});
+  record.string(compression);
+  record.number(static_cast<std::uint64_t>(records.size()));
+  record.bytes(records.data(), records.size());
+  record.end();
+  return {bytes.begin(), bytes.end()};
+}
+
+TEST(Log, UncompressedChunksAreRead) {
+  const std::string path = pathOf("log");
+  const std::vector<std::size_t> ends = writeSmallLog(path);
+  const std::string records = contentOf(path).substr(8, ends[2] - 8);
+  EXPECT_EQ(readAll(fileWith("chunked", chunked("", records))).messages, 3);
+}
+
+TEST(Log, CompressedChunksAreRefusedWithThePlace) {
+  const std::string path = fileWith("chunked", chunked("zstd", "xxxx"));
+  EXPECT_EQ(readAll(path).error, path + ": byte 8: compressed with zstd, which we cannot read");
+}
+
+TEST(Log, AnotherFieldListIsNamedWithTopicAndLine) {
+  const std::string path = pathOf("log");
+  writeSmallLog(path);
+  auto reader = LogReader::open(path);
+  LogMessage message;
+  ASSERT_TRUE(reader->next(message));
+  Odometry odometry;
+  const Status status = decodeAs(message, odometry);
+  ASSERT_FALSE(status);
+  EXPECT_EQ(status.error(),
+            "topic walk (kelpie/WalkRequest): recorded with another field list; schema line 1 is "
+            "\"float64 forward  # cm/s, -30..42\", expected \"float64 forward  # cm, -100..100\"");
+}
+
+TEST(Log, FullDiskIsReportedOnceAndEndsTheWriting) {
+  struct stat info {};
+  if (stat("/dev/full", &info) != 0) GTEST_SKIP() << "no /dev/full here";
+  auto log = LogWriter::open("/dev/full");
+  EXPECT_FALSE(log);
+  EXPECT_EQ(log.error(), "/dev/full: byte 0: cannot write the log: No space left on device");
+  EXPECT_EQ(LogWriter::open("/nowhere/log").error(), "/nowhere/log: No such file or directory");
+}
+
+TEST(Log, TopicKeepsItsType) {
+  LogWriter log = std::move(*LogWriter::open(pathOf("log")));
+  log.write("walk", TimeUs{0}, WalkRequest{});
+  log.write("walk", TimeUs{1}, HeadRequest{});
+  EXPECT_NE(log.close().error().find("topic walk holds kelpie/WalkRequest, not kelpie/HeadRequest"),
+            std::string::npos);
+  EXPECT_EQ(readAll(pathOf("log")).messages, 1);
+}
+
+TEST(Log, ChecksumIsThatOfZip) {
+  const std::string text = "123456789";  // check value of CRC-32/ISO-HDLC
+  EXPECT_EQ(mcap::crc32(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()),
+            0xcbf43926U);
+}
+
+}  // namespace
+}  // namespace kelpie
