@@ -48,7 +48,6 @@ bool solve(const EdgePoints& points, const Kept& kept, Ray& n) {
 Cone coneOf(const Ray& n) {
   Cone cone;
   const double norm = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
-  // The cosine of the half angle is 1 / norm; 1.02 is a ball of 38 px radius at least 11 deg.
   if (!(norm > 1.0) || !(n[2] > 0.1)) return cone;
   cone.valid = true;
   cone.axis = {n[0] / norm, n[1] / norm, n[2] / norm};
@@ -67,9 +66,9 @@ double offCone(const Cone& cone, PixelPoint p) {
   return body::kFocalLength * sine / cosine - cone.radius;
 }
 
-// Keeps the points near the cone and notes their rms; the number dropped.
+// Keeps the points near the cone and notes their rms; the number that changed sides.
 std::size_t trim(const EdgePoints& points, Cone& cone, Kept& kept) {
-  const double limit = std::max(1.0, 0.12 * cone.radius);
+  const double limit = std::max(0.8, 0.07 * cone.radius);
   double sum = 0.0;
   std::size_t dropped = 0;
   cone.kept = 0;
@@ -86,11 +85,8 @@ std::size_t trim(const EdgePoints& points, Cone& cone, Kept& kept) {
   return dropped;
 }
 
-}  // namespace
-
-Cone fitCone(const EdgePoints& points) {
-  Kept kept;
-  kept.fill(true);
+// Fits the kept points, then whatever lies near that cone, until nothing changes.
+Cone refined(const EdgePoints& points, Kept kept) {
   Cone cone;
   constexpr int kRounds = 4;
   for (int round = 0; round < kRounds; ++round) {
@@ -100,6 +96,34 @@ Cone fitCone(const EdgePoints& points) {
     if (!cone.valid || trim(points, cone, kept) == 0) return cone;
   }
   return cone;
+}
+
+// The cone through three points with the most others near it: for an outline that something hides
+// in part, where the fit of all points lies between both outlines.
+Cone bestOfTriples(const EdgePoints& points) {
+  Cone best;
+  const std::size_t n = points.size();
+  for (const std::size_t gap : {2U, 3U, 5U}) {
+    if (2 * gap >= n) break;
+    for (std::size_t i = 0; i < n; ++i) {
+      Kept kept{};
+      kept[i] = kept[(i + gap) % n] = kept[(i + 2 * gap) % n] = true;
+      const Cone cone = refined(points, kept);
+      if (cone.valid && cone.kept > best.kept) best = cone;
+    }
+  }
+  return best;
+}
+
+}  // namespace
+
+Cone fitCone(const EdgePoints& points) {
+  Kept all;
+  all.fill(true);
+  const Cone cone = refined(points, all);
+  if (cone.valid && cone.kept + 2 >= points.size()) return cone;
+  const Cone other = bestOfTriples(points);
+  return other.kept > cone.kept ? other : cone;
 }
 
 }  // namespace kelpie::vision

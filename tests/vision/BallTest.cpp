@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/vision/Painting.h"
+#include "vision/BallFinder.h"
+#include "vision/Refusal.h"
+
+namespace kelpie::vision {
+namespace {
+
+constexpr double kDegree = 3.14159265358979 / 180.0;
+
+Painting ballAt(double distance, double left) {
+  Painting p;
+  p.balls.push_back({-distance * std::sin(left * kDegree), distance * std::cos(left * kDegree)});
+  return p;
+}
+
+int refused(const Seen& seen, Refusal reason) {
+  return seen.percepts.counts.refused[static_cast<std::size_t>(reason)];
+}
+
+TEST(Ball, DistanceAndHeadingAreThoseOfThePaintedBall) {
+  for (const double d : {25.0, 40.0, 70.0, 110.0, 160.0, 200.0}) {
+    Painting p = ballAt(d, 12.0);
+    p.noise = 3.0;
+    const Seen seen = look(p, cameraAt(16, 10, d < 60 ? -30 : -8));
+    ASSERT_TRUE(seen.percepts.ball.present) << d;
+    EXPECT_NEAR(seen.percepts.ball.distance, d, 0.5 + 0.02 * d);
+    EXPECT_NEAR(seen.percepts.ball.heading.deg(), 12.0, 0.3);
+  }
+}
+
+TEST(Ball, IsStillSeenAt350Centimetres) {
+  Painting p = ballAt(350, 0);
+  p.noise = 3.0;
+  const Seen seen = look(p, cameraAt(16, 3, -6));
+  ASSERT_TRUE(seen.percepts.ball.present);
+  EXPECT_NEAR(seen.percepts.ball.distance, 350, 40);
+  EXPECT_GT(seen.percepts.ball.distanceVariance, 400.0);
+}
+
+TEST(Ball, CutByTheImageBorderKeepsItsDistance) {
+  const Seen seen = look(ballAt(45, 33), cameraAt(16, 5, -20));
+  ASSERT_TRUE(seen.percepts.ball.present);
+  EXPECT_LT(seen.percepts.ball.centre.x, 20.0);
+  EXPECT_NEAR(seen.percepts.ball.distance, 45, 3);
+}
+
+TEST(Ball, HalfHiddenBehindAWhiteBoxKeepsItsDistance) {
+  Painting p = ballAt(80, 0);
+  p.walls.push_back({{1.0, 60}, {20, 60}, 0, 20, kWhitePaint});
+  const Seen seen = look(p, cameraAt(16, 0, -8));
+  ASSERT_TRUE(seen.percepts.ball.present);
+  EXPECT_NEAR(seen.percepts.ball.distance, 80, 8);
+}
+
+TEST(Ball, SeenWithTheCameraRolledIsInTheSamePlace) {
+  const Seen seen = look(ballAt(90, 8), cameraAt(16, 4, -10, 25));
+  ASSERT_TRUE(seen.percepts.ball.present);
+  EXPECT_NEAR(seen.percepts.ball.distance, 90, 2);
+  EXPECT_NEAR(seen.percepts.ball.heading.deg(), 8, 0.3);
+}
+
+TEST(Ball, NoneIsSeenOnAnEmptyField) {
+  Painting p;
+  p.noise = 3.0;
+  EXPECT_FALSE(look(p, cameraAt(16, 0, -10)).percepts.ball.present);
+}
+
+TEST(Ball, OrangeBallHeldUpInTheAirIsRefused) {
+  Painting p;
+  p.balls.push_back({0, 100, 45});
+  const Seen seen = look(p, cameraAt(16, 0, 0));
+  EXPECT_FALSE(seen.percepts.ball.present);
+  EXPECT_EQ(refused(seen, Refusal::ballAboveHorizon), 1);
+}
+
+TEST(Ball, BigOrangeBalloonBeyondTheFieldIsRefusedByItsSize) {
+  Painting p;
+  p.carpetEnd = 260;
+  p.balls.push_back({0, 400, 20, 20});
+  const Seen seen = look(p, cameraAt(16, 0, 0));
+  EXPECT_FALSE(seen.percepts.ball.present);
+  EXPECT_GE(refused(seen, Refusal::ballOffGround) + refused(seen, Refusal::ballAboveFieldEdge), 1);
+}
+
+TEST(Ball, OrangeBoxIsRefused) {
+  Painting p;
+  p.walls.push_back({{-25, 90}, {25, 90}, 0, 12, kOrangePaint});
+  EXPECT_FALSE(look(p, cameraAt(16, 0, -5)).percepts.ball.present);
+}
+
+TEST(Ball, OnAFloorWithoutGreenIsRefused) {
+  Painting p = ballAt(90, 0);
+  p.carpet = kFloorPaint;
+  const Seen seen = look(p, cameraAt(16, 0, -8));
+  EXPECT_FALSE(seen.percepts.ball.present);
+  EXPECT_EQ(refused(seen, Refusal::ballNoField), 1);
+}
+
+TEST(Ball, FarSpeckBeyondTheLimitIsRefused) {
+  VisionParams params;
+  params.ball.maxDistance = 150;
+  const Seen seen = look(ballAt(200, 0), cameraAt(16, 0, -8), params);
+  EXPECT_FALSE(seen.percepts.ball.present);
+  EXPECT_EQ(refused(seen, Refusal::ballTooFar), 1);
+}
+
+TEST(Ball, SmallerBlobIsTakenWhenTheLargestIsNoBall) {
+  Painting p = ballAt(90, -8);
+  p.walls.push_back({{-60, 90}, {-20, 90}, 0, 12, kOrangePaint});
+  const Seen seen = look(p, cameraAt(16, 0, -5));
+  ASSERT_TRUE(seen.percepts.ball.present);
+  EXPECT_NEAR(seen.percepts.ball.heading.deg(), -8, 0.5);
+}
+
+TEST(BallChecks, EdgesRoundnessAndRangeDecideAtTheirLimits) {
+  const BallParams p;
+  BallCandidate c;
+  EXPECT_FALSE(ballHasEdges(c, p));
+  c.cone.valid = true;
+  c.cone.kept = 5;
+  EXPECT_TRUE(ballHasEdges(c, p));
+  c.cone.radius = 10;
+  c.cone.rms = 1.7;
+  EXPECT_TRUE(ballIsRound(c, p));
+  c.cone.rms = 1.9;
+  EXPECT_FALSE(ballIsRound(c, p));
+  c.range = 449;
+  EXPECT_TRUE(ballIsNear(c, p));
+  c.range = 451;
+  EXPECT_FALSE(ballIsNear(c, p));
+}
+
+TEST(BallChecks, PinkInsideTheCircleIsCounted) {
+  Painting p = ballAt(60, 0);
+  p.walls.push_back({{-2.2, 54}, {2.2, 54}, 2.2, 7.2, kPinkPaint});
+  const Seen seen = look(p, cameraAt(16, 0, -12));
+  EXPECT_FALSE(seen.percepts.ball.present);
+  EXPECT_EQ(refused(seen, Refusal::ballOtherColour), 1);
+}
+
+}  // namespace
+}  // namespace kelpie::vision

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+// Three frames of a real ERS-7 (Tekkotsu) through the 2005 team's table: another robot, another
+// room, so shares are only plausible. Pictures of the classes are written to the build folder.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <memory>
+#include <opencv2/imgcodecs.hpp>
+
+#include "tests/vision/Painting.h"
+#include "vision/ClassPicture.h"
+#include "vision/TableFile.h"
+#include "vision/Vision.h"
+
+namespace kelpie::vision {
+namespace {
+
+const std::string kData = KELPIE_SOURCE_DIR "/../shared/data/";
+
+bool readFrame(int number, Image& image) {
+  auto bytes =
+      readBytes(kData + "frames-ers7/frame" + std::to_string(number) + "_y_cr_cb_rows.bin");
+  if (!bytes || bytes->size() != 3 * kImagePixels) return false;
+  for (int y = 0; y < kImageHeight; ++y) {
+    for (int x = 0; x < kImageWidth; ++x) {
+      const std::size_t at = static_cast<std::size_t>(y) * 3 * kImageWidth;
+      const auto in = [&](std::size_t row) {
+        return (*bytes)[at + row * kImageWidth + static_cast<std::size_t>(x)];
+      };
+      image.set(x, y, {in(0), in(1), in(2)});
+    }
+  }
+  return true;
+}
+
+void writePicture(const ClassPlane& plane, const std::string& path) {
+  cv::Mat picture(kImageHeight, kImageWidth, CV_8UC3);
+  for (int y = 0; y < kImageHeight; ++y) {
+    for (int x = 0; x < kImageWidth; ++x) {
+      const Rgb c = kColourPalette[plane[Image::at(x, y)]];
+      picture.at<cv::Vec3b>(y, x) = {c.b, c.g, c.r};
+    }
+  }
+  EXPECT_TRUE(cv::imwrite(path, picture)) << path;
+}
+
+using Shares = std::array<double, kColourClassCount>;
+
+Shares sharesOf(const ClassPlane& plane) {
+  Shares shares{};
+  for (const std::uint8_t c : plane) shares[c] += 1.0 / static_cast<double>(kImagePixels);
+  return shares;
+}
+
+class GenuineFrames : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    auto loaded = loadCalibration(kData + "colour/nnmc_2005.bin", "2006");
+    if (!loaded) GTEST_SKIP() << "without ../shared/data: " << loaded.error();
+    calibration_ = std::make_unique<VisionCalibration>(*loaded);
+  }
+  // Classes of a whole frame, and its picture.
+  Shares shares(int number) {
+    EXPECT_TRUE(readFrame(number, *image_));
+    classifyWhole(*image_, *calibration_, *plane_);
+    writePicture(*plane_, KELPIE_PICTURES "/frame" + std::to_string(number) + "_classes.png");
+    return sharesOf(*plane_);
+  }
+  std::unique_ptr<VisionCalibration> calibration_;
+  std::unique_ptr<Image> image_ = std::make_unique<Image>();
+  std::unique_ptr<ClassPlane> plane_ = std::make_unique<ClassPlane>();
+};
+
+TEST_F(GenuineFrames, CarpetAndColouredThingsHavePlausibleShares) {
+  const Shares third = shares(3);
+  const Shares fourth = shares(4);
+  EXPECT_GT(third[index(ColourClass::green)], 0.02);
+  EXPECT_GT(fourth[index(ColourClass::green)], 0.08);
+  for (const Shares& s : {third, fourth}) {
+    EXPECT_GT(s[index(ColourClass::orange)], 0.08);
+    EXPECT_GT(s[index(ColourClass::blue)], 0.02);
+    EXPECT_LT(s[index(ColourClass::white)], 0.2);
+  }
+}
+
+TEST_F(GenuineFrames, CartonWithoutCarpetHasLessGreenThanTheCarpet) {
+  EXPECT_LT(shares(1)[index(ColourClass::green)], shares(4)[index(ColourClass::green)]);
+}
+
+TEST_F(GenuineFrames, WholeStepRunsAndFindsNoBeacon) {
+  const auto state = std::make_unique<VisionState>(*calibration_);
+  const auto input = std::make_unique<FrameInput>();
+  for (const int number : {1, 3, 4}) {
+    ASSERT_TRUE(readFrame(number, input->image));
+    const Percepts seen = step({*input, bodyOf(cameraAt(20, 0, -20))}, {}, *state);
+    EXPECT_GT(seen.counts.sampledPixels, 7000U);
+    EXPECT_GT(seen.counts.blobs, 3U);
+    for (const auto& landmark : seen.landmarks) {
+      EXPECT_LE(landmark.kind, LandmarkKind::goalYellow) << "there is no beacon in these frames";
+    }
+  }
+}
+
+}  // namespace
+}  // namespace kelpie::vision

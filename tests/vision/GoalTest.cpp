@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/vision/Painting.h"
+#include "vision/GoalFinder.h"
+#include "vision/Refusal.h"
+
+namespace kelpie::vision {
+namespace {
+
+constexpr double kDegrees = 180.0 / 3.14159265358979;
+
+Painting goalAt(double x, double y, Paint colour) {
+  Painting p;
+  p.carpetEnd = y + 30.0;
+  addGoal(p, x, y, colour);
+  return p;
+}
+
+int refused(const Seen& seen, Refusal reason) {
+  return seen.percepts.counts.refused[static_cast<std::size_t>(reason)];
+}
+
+TEST(Goal, DistanceHeadingAndPostsAreThoseOfThePaintedOne) {
+  for (const double y : {200.0, 300.0, 400.0, 480.0}) {
+    Painting p = goalAt(20, y, kYellowPaint);
+    p.noise = 3.0;
+    const Seen seen = look(p, cameraAt(16, 0, -4));
+    const auto* goal = find(seen.percepts, LandmarkKind::goalYellow);
+    ASSERT_NE(goal, nullptr) << y;
+    EXPECT_NEAR(goal->distance, std::hypot(20, y), 0.05 * y);
+    EXPECT_NEAR(goal->heading.deg(), std::atan2(-20, y) * kDegrees, 0.8);
+    EXPECT_NEAR(goal->leftEdge.deg(), std::atan2(20, y) * kDegrees, 0.8);
+    EXPECT_NEAR(goal->rightEdge.deg(), std::atan2(-60, y) * kDegrees, 0.8);
+    EXPECT_FALSE(goal->leftEdgeCut || goal->rightEdgeCut);
+  }
+}
+
+TEST(Goal, SeenFromTheSideIsPlacedWithinASixth) {
+  Painting p = goalAt(180, 180, kBluePaint);
+  const Seen seen = look(p, cameraAt(16, -45, -4));
+  const auto* goal = find(seen.percepts, LandmarkKind::goalBlue);
+  ASSERT_NE(goal, nullptr);
+  EXPECT_NEAR(goal->distance, 254.6, 42);
+  EXPECT_NEAR(goal->heading.deg(), -45, 4);
+}
+
+TEST(Goal, PostBeyondTheImageBorderIsMarkedAsCut) {
+  const Seen seen = look(goalAt(60, 120, kBluePaint), cameraAt(16, 0, -5));
+  const auto* goal = find(seen.percepts, LandmarkKind::goalBlue);
+  ASSERT_NE(goal, nullptr);
+  EXPECT_TRUE(goal->rightEdgeCut);
+  EXPECT_FALSE(goal->leftEdgeCut);
+  EXPECT_NEAR(goal->heading.deg(), std::atan2(-60, 120) * kDegrees, 7);
+}
+
+TEST(Goal, SplitByAWhiteGoalieIsOne) {
+  Painting p = goalAt(0, 250, kYellowPaint);
+  p.walls.push_back({{-8, 230}, {8, 230}, 0, 40, kWhitePaint});
+  const Seen seen = look(p, cameraAt(16, 0, -4));
+  const auto* goal = find(seen.percepts, LandmarkKind::goalYellow);
+  ASSERT_NE(goal, nullptr);
+  EXPECT_NEAR(goal->heading.deg(), 0, 1);
+  EXPECT_NEAR(goal->leftEdge.deg() - goal->rightEdge.deg(), 18.2, 1.5);
+}
+
+TEST(Goal, BothGoalsHaveTheirOwnKind) {
+  EXPECT_NE(
+      find(look(goalAt(0, 200, kBluePaint), cameraAt(16, 0, 0)).percepts, LandmarkKind::goalBlue),
+      nullptr);
+  EXPECT_EQ(
+      find(look(goalAt(0, 200, kBluePaint), cameraAt(16, 0, 0)).percepts, LandmarkKind::goalYellow),
+      nullptr);
+}
+
+TEST(Goal, BlueWindowHighOnTheWallIsRefused) {
+  Painting p;
+  p.carpetEnd = 300;
+  p.walls.push_back({{-60, 600}, {60, 600}, 120, 180, kBluePaint});
+  const Seen seen = look(p, cameraAt(16, 0, 8));
+  EXPECT_TRUE(seen.percepts.landmarks.empty());
+  EXPECT_EQ(refused(seen, Refusal::goalAboveHorizon), 1);
+}
+
+TEST(Goal, BlueTrousersAreRefusedByTheirShape) {
+  Painting p;
+  p.carpetEnd = 250;
+  p.walls.push_back({{-10, 330}, {10, 330}, 0, 85, kBluePaint});
+  const Seen seen = look(p, cameraAt(16, 0, 5));
+  EXPECT_TRUE(seen.percepts.landmarks.empty());
+  EXPECT_EQ(refused(seen, Refusal::goalAspect), 1);
+}
+
+TEST(Goal, WithoutGreenBelowIsRefused) {
+  Painting p = goalAt(0, 200, kBluePaint);
+  p.carpet = kFloorPaint;
+  const Seen seen = look(p, cameraAt(16, 0, -2));
+  EXPECT_TRUE(seen.percepts.landmarks.empty());
+  EXPECT_EQ(refused(seen, Refusal::goalNoField), 1);
+}
+
+TEST(Goal, BandOfABeaconIsNoGoal) {
+  Painting p;
+  p.carpetEnd = 110;
+  p.beacons.push_back({{0, 110}, kBluePaint, kPinkPaint});
+  const Seen seen = look(p, cameraAt(16, 0, 0));
+  EXPECT_EQ(find(seen.percepts, LandmarkKind::goalBlue), nullptr);
+  ASSERT_EQ(seen.percepts.landmarks.size(), 1U);
+}
+
+TEST(Goal, BandUnderPinkIsNoGoalEither) {
+  Painting p;
+  p.beacons.push_back({{0, 110}, kPinkPaint, kBluePaint});
+  p.beacons[0].lift = -20;  // sunk to its blue band
+  const Seen seen = look(p, cameraAt(16, 0, 0));
+  EXPECT_TRUE(seen.percepts.landmarks.empty());
+  EXPECT_EQ(refused(seen, Refusal::goalIsBeacon), 1);
+}
+
+TEST(Goal, FarPatchOfAFewPixelsIsRefused) {
+  Painting p;
+  p.walls.push_back({{-8, 500}, {8, 500}, 0, 10, kYellowPaint});
+  const Seen seen = look(p, cameraAt(16, 0, 0));
+  EXPECT_TRUE(seen.percepts.landmarks.empty());
+  EXPECT_EQ(refused(seen, Refusal::goalTooSmall), 1);
+}
+
+TEST(GoalChecks, ShapeAndDistanceDecideAtTheirLimits) {
+  const GoalParams p;
+  GoalCandidate c;
+  c.box = {50, 50, 90, 65};
+  EXPECT_TRUE(goalHasShape(c, p));
+  c.box.bottom = 110;
+  EXPECT_FALSE(goalHasShape(c, p));
+  c.leftCut = true;
+  EXPECT_TRUE(goalHasShape(c, p));
+  c.box = {10, 50, 190, 80};
+  EXPECT_FALSE(goalHasShape(c, p));
+  EXPECT_FALSE(goalIsMeasured(c));
+  c.distance = 619;
+  EXPECT_TRUE(goalIsMeasured(c));
+  EXPECT_TRUE(goalIsNear(c, p));
+  c.distance = 621;
+  EXPECT_FALSE(goalIsNear(c, p));
+}
+
+}  // namespace
+}  // namespace kelpie::vision

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+
+#include "vision/RingTable.h"
+
+namespace kelpie::vision {
+namespace {
+
+std::unique_ptr<RingTable> published() {
+  return std::make_unique<RingTable>(buildRingTable(ringModel2006()));
+}
+
+// Checklist E3, recomputed there from the printed coefficients.
+TEST(RingModel, PublishedPolynomialGivesTheValuesOfChecklistE3) {
+  const RingModel m = ringModel2006();
+  EXPECT_NEAR(ringDistort(m.channel[0], 200, 131) - 200, -86.47, 0.01);
+  EXPECT_NEAR(ringDistort(m.channel[0], 128, 50) - 128, -12.15, 0.01);
+  EXPECT_NEAR(ringDistort(m.channel[1], 50, 100) - 50, 22.45, 0.01);
+  EXPECT_NEAR(ringDistort(m.channel[2], 128, 131) - 128, 21.66, 0.01);
+}
+
+TEST(RingModel, InverseUndoesTheModelEverywhere) {
+  for (const RingChannel& c : ringModel2006().channel) {
+    for (double d = 0; d <= 132; d += 1) {
+      for (double v = 0; v < 256; v += 5) {
+        EXPECT_NEAR(ringCorrect(c, ringDistort(c, v, d), d), v, 1e-9);
+      }
+    }
+  }
+}
+
+TEST(RingTable, UndoesTheDistortionToOneGreyLevelInTheMiddle) {
+  const auto table = published();
+  const RingModel m = ringModel2006();
+  for (std::size_t d = 0; d < 60; ++d) {
+    for (double v = 40; v < 215; v += 1) {
+      const auto raw = [&](std::size_t channel) {
+        const double far = ringDistort(m.channel[channel], v, static_cast<double>(d));
+        return static_cast<std::uint8_t>(std::lround(far));
+      };
+      const Yuv c = (*table)({raw(0), raw(1), raw(2)}, d);
+      EXPECT_NEAR(c.y, v, 1.0);
+      EXPECT_NEAR(c.cr, v, 1.0);
+      EXPECT_NEAR(c.cb, v, 1.0);
+    }
+  }
+}
+
+TEST(RingTable, ValuesTheMiddleCannotShowAreClamped) {
+  const auto table = published();
+  const Yuv bright = (*table)({250, 250, 250}, 131);
+  EXPECT_EQ(bright.y, 255);
+  EXPECT_EQ(bright.cr, 255);
+  const Yuv dark = (*table)({0, 0, 0}, 131);
+  EXPECT_EQ(dark.cr, 0);
+  EXPECT_EQ(dark.cb, 0);
+}
+
+// Checklist: of 34,048 entries Y is clamped 482 times low and 5909 times high.
+TEST(RingTable, AsManyEntriesSaturateAsTheChecklistCounts) {
+  const RingChannel c = ringModel2006().channel[0];
+  int low = 0;
+  int high = 0;
+  for (int d = 0; d < 133; ++d) {
+    for (int v = 0; v < 256; ++v) {
+      const double x = ringCorrect(c, v, d);
+      low += x < -0.5 ? 1 : 0;
+      high += x >= 255.5 ? 1 : 0;
+    }
+  }
+  EXPECT_EQ(low, 482);
+  EXPECT_EQ(high, 5909);
+}
+
+TEST(RingTable, NoneChangesNothing) {
+  const auto table = std::make_unique<Expected<RingTable>>(loadRingTable("none"));
+  for (int v = 0; v < 256; ++v) {
+    const auto b = static_cast<std::uint8_t>(v);
+    EXPECT_EQ((**table)({b, b, b}, 132).cr, b);
+  }
+}
+
+TEST(RingTable, SavedTableIsReadBackTheSame) {
+  const std::string path = KELPIE_PICTURES "/ring.kt";
+  const auto table = published();
+  ASSERT_TRUE(saveRingTable(*table, path, "2006 polynomial"));
+  auto back = loadRingTable(path);
+  ASSERT_TRUE(back) << back.error();
+  EXPECT_EQ(back->y, table->y);
+  EXPECT_EQ(back->cb, table->cb);
+}
+
+TEST(RingTable, UnknownSourceIsOneLineThatNamesTheChoices) {
+  EXPECT_EQ(loadRingTable("2007").error(),
+            "2007: cannot be opened (ring correction: \"none\", \"2006\" or a file)");
+}
+
+TEST(RingDistances, AreThoseOfPixelCentresToTheImageCentre) {
+  const RingDistances d;
+  for (int y = 0; y < kImageHeight; y += 7) {
+    for (int x = 0; x < kImageWidth; ++x) {
+      EXPECT_EQ(static_cast<long>(d(x, y)), std::lround(std::hypot(x - 103.5, y - 79.5)));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace kelpie::vision
