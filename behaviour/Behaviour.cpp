@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "behaviour/Behaviour.h"
+
+#include "behaviour/PythonHost.h"
+
+namespace kelpie::behaviour {
+namespace {
+
+// Stands and looks left and right: harmless, and the ball may come into view.
+Command standAndScan(const FrameInput& input, const BehaviourParams& params, Fallback reason) {
+  const double phase = 2.0 * maths::kPi * input.time.seconds() / params.scanPeriod;
+  Command command;
+  command.head.neckTilt = params.scanTilt;
+  command.head.headPan = params.scanPan * maths::sin(phase);
+  command.fallback = reason;
+  return command;
+}
+
+}  // namespace
+
+void fill(WorldFrame& frame, const FrameInput& input, const Percepts& percepts,
+          const WorldModel& world) {
+  frame.time = input.time;
+  frame.frame = input.frame;
+  frame.elapsed = input.elapsed;
+  const JointAngles& joints = input.sensors.joints;
+  frame.head = {joints[Joint::neckTilt], joints[Joint::headPan], joints[Joint::headNod]};
+  frame.sensors = input.sensors;
+  frame.stance = input.stance;
+  frame.odometry = input.odometry;
+  frame.motion = input.motion;
+  frame.game = input.game;
+  frame.lastCommand = input.lastCommand;
+  frame.percepts = percepts;
+  frame.pose = world.pose;
+  frame.positionSd = world.positionSd;
+  frame.headingSd = world.headingSd;
+  frame.secondsSinceLandmark = world.secondsSinceLandmark;
+  frame.modes = world.modes;
+  frame.ball = world.ball;
+}
+
+BehaviourState::BehaviourState(const std::string& scripts)
+    : host_(std::make_unique<PythonHost>(scripts)) {}
+
+BehaviourState::~BehaviourState() = default;
+
+const std::string& BehaviourState::lastError() const { return host_->lastError(); }
+
+Command step(const BehaviourIn& in, const BehaviourParams& params, BehaviourState& state) {
+  Command command;
+  const Fallback reason = state.host().decide(in, params, command);
+  return reason == Fallback::none ? command : standAndScan(in.input, params, reason);
+}
+
+}  // namespace kelpie::behaviour

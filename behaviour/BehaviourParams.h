@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+// What can be tuned in the host of the behaviours: not how the robot plays, which is in pycode/.
+#pragma once
+
+#include "robot/core/Angle.h"
+#include "robot/core/Fields.h"
+
+namespace kelpie::behaviour {
+
+struct BehaviourParams {
+  // CPU seconds of one decide(). A sane script needs under a millisecond, so that a replay never
+  // meets the limit; it only catches endless loops.
+  double timeLimit = 0.25;
+  bool reload = true;               // take over edited files; off on the robot
+  std::uint32_t reloadFrames = 15;  // frames between two looks at the files
+  // The head of the fallback Command.
+  double scanPeriod = 3.0;
+  Angle scanPan = Angle::deg(60.0);
+  Angle scanTilt = Angle::deg(-20.0);
+
+  static constexpr auto fields() {
+    using P = BehaviourParams;
+    return fieldList(field("timeLimit", &P::timeLimit, "s", 0.01, 10), field("reload", &P::reload),
+                     field("reloadFrames", &P::reloadFrames, "", 1, 1000),
+                     field("scanPeriod", &P::scanPeriod, "s", 0.5, 60),
+                     field("scanPan", &P::scanPan, "rad", 0, 88),
+                     field("scanTilt", &P::scanTilt, "rad", -75, 0));
+  }
+};
+
+}  // namespace kelpie::behaviour

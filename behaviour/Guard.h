@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: Apache-2.0
+// The host's own Python: loads the behaviours into a closed world of modules and describes errors.
+#pragma once
+
+namespace kelpie::behaviour {
+
+const char* guardText();  // of behaviour/guard.py
+
+}  // namespace kelpie::behaviour

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "behaviour/Interpreter.h"
+
+#include <Python.h>
+
+#include <initializer_list>
+
+namespace kelpie::behaviour {
+namespace {
+
+// An absolute place that does not exist. Where these are empty or relative, CPython's getpath looks
+// for a Python on the machine (cross.md section 2).
+constexpr const char* kNowhere = "/aibo";
+
+PyStatus setPaths(PyConfig& config, const std::string& extraPath) {
+  wchar_t** const places[] = {
+      &config.program_name,     &config.executable,  &config.base_executable,
+      &config.prefix,           &config.exec_prefix, &config.base_prefix,
+      &config.base_exec_prefix, &config.platlibdir,  &config.home};
+  for (wchar_t** place : places) {
+    const PyStatus status = PyConfig_SetBytesString(&config, place, kNowhere);
+    if (PyStatus_Exception(status)) return status;
+  }
+  config.module_search_paths_set = 1;
+  for (const std::string& path : {std::string(KELPIE_PYTHON_STDLIB), extraPath}) {
+    if (path.empty()) continue;
+    const std::wstring wide(path.begin(), path.end());
+    const PyStatus status = PyWideStringList_Append(&config.module_search_paths, wide.c_str());
+    if (PyStatus_Exception(status)) return status;
+  }
+  return PyStatus_Ok();
+}
+
+}  // namespace
+
+Interpreter::Interpreter(const std::string& extraPath) {
+  PyConfig config;
+  PyConfig_InitIsolatedConfig(&config);
+  config.site_import = 0;
+  config.use_hash_seed = 1;
+  config.hash_seed = 0;
+  config.write_bytecode = 0;
+  config.install_signal_handlers = 0;
+  config.optimization_level = 2;
+  config.pathconfig_warnings = 0;
+  PyStatus status = setPaths(config, extraPath);
+  if (!PyStatus_Exception(status)) status = Py_InitializeFromConfig(&config);
+  PyConfig_Clear(&config);
+  if (!PyStatus_Exception(status)) return;
+  error_ = "Python did not start: ";
+  error_ += status.err_msg != nullptr ? status.err_msg : "no reason given";
+}
+
+Interpreter::~Interpreter() {
+  if (error_.empty()) Py_FinalizeEx();
+}
+
+}  // namespace kelpie::behaviour

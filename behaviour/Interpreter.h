@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// Starts and ends CPython, cut off from the machine: no environment, no site, no search for a
+// standard library (of which only `encodings` is needed), fixed hashes, no signal handlers.
+#pragma once
+
+#include <string>
+
+#include "robot/core/Expected.h"
+
+namespace kelpie::behaviour {
+
+class Interpreter {
+ public:
+  // `extraPath` is searched for `encodings` besides the compiled-in place: the zip on the stick.
+  explicit Interpreter(const std::string& extraPath);
+  ~Interpreter();
+  Interpreter(const Interpreter&) = delete;
+  Interpreter& operator=(const Interpreter&) = delete;
+
+  const std::string& error() const { return error_; }  // empty when it runs
+
+ private:
+  std::string error_;
+};
+
+}  // namespace kelpie::behaviour

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "behaviour/KelpieModule.h"
+
+#include <set>
+#include <sstream>
+#include <string_view>
+#include <vector>
+
+#include "behaviour/PythonNames.h"
+#include "behaviour/WorldFrame.h"
+
+namespace kelpie::behaviour {
+namespace {
+
+// C++ cannot list an enum's names; each list is in the order of its enum.
+constexpr const char* kEnums =
+    "GOAL_BLUE, GOAL_YELLOW, BEACON_BLUE_ON_PINK, BEACON_PINK_ON_BLUE, BEACON_YELLOW_ON_PINK, \\\n"
+    "    BEACON_PINK_ON_YELLOW = range(6)\n"
+    "NO_MOTION, STAND, KICK_FORWARD = range(3)\n"
+    "RED, BLUE = range(2)\n"
+    "INITIAL, READY, SET, PLAYING, FINISHED = range(5)\n"
+    "LINE, BORDER, FIELD = range(3)\n"
+    "NECK_TILT, HEAD_PAN, HEAD_NOD, MOUTH = range(4)\n";
+static_assert(kLandmarkKindCount == 6 && kMotionKindCount == 3, "kEnums must follow its enums");
+
+std::string number(double value) {
+  const std::string text = numberText(value);
+  return text.find_first_of(".en") == std::string::npos ? text + ".0" : text;
+}
+
+// `WalkRequest`, and `Point2` for all its frames.
+template <class T>
+std::string className() {
+  const std::string name = schemaName<T>();
+  return name.substr(name.find('/') + 1);
+}
+
+template <class T>
+std::string defaultText(const T& value, const char* unit) {
+  if constexpr (kIsSequence<T>) {
+    // In these structs all elements of an array begin alike.
+    if (value.size() == 0) return "[]";
+    return "[" + defaultText(value[0], unit) + "] * " + std::to_string(value.size());
+  } else if constexpr (HasFields<T>::value) {
+    return className<T>() + "()";
+  } else if constexpr (std::is_same_v<T, bool>) {
+    return value ? "True" : "False";
+  } else if constexpr (std::is_same_v<T, Angle>) {
+    return number(value.deg());
+  } else if constexpr (std::is_same_v<T, TimeUs>) {
+    return number(value.seconds());
+  } else if constexpr (std::is_enum_v<T> || std::is_integral_v<T>) {
+    return std::to_string(static_cast<std::uint32_t>(value));
+  } else {
+    return number(value * shownFactor(unit));
+  }
+}
+
+class ClassWriter {
+ public:
+  template <class T>
+  void write() {
+    if (!done_.insert(className<T>()).second) return;
+    writeParts<T>();
+    std::string names, defaults;
+    const T sample{};
+    forEachField(sample, [&](const auto& f, const auto& member) {
+      using Member = std::decay_t<decltype(member)>;
+      if (std::is_same_v<Member, Fallback>) return;
+      const std::string name = pythonName<Member>(f.name, f.unit);
+      names += "        '" + name + "',\n";
+      defaults += "        self." + name + " = " + defaultText(member, f.unit) + "\n";
+    });
+    text_ << "\n\nclass " << className<T>() << "(Fields):\n    __slots__ = (\n"
+          << names << "    )\n\n    def __init__(self, **given):\n"
+          << defaults << "        self._take(given)\n";
+  }
+
+  std::string text() const { return text_.str(); }
+
+ private:
+  template <class T>
+  void writeParts() {
+    const T sample{};
+    forEachField(sample, [&](const auto&, const auto& member) {
+      using Part = typename ScalarOf<std::decay_t<decltype(member)>>::type;
+      if constexpr (HasFields<Part>::value) write<Part>();
+    });
+  }
+
+  std::ostringstream text_;
+  std::set<std::string> done_;
+};
+
+// A wrong name is an error at once, not a wish that nobody reads.
+constexpr const char* kFields =
+    "\n\nclass Fields:\n"
+    "    __slots__ = ()\n\n"
+    "    def _take(self, given):\n"
+    "        for name, value in given.items():\n"
+    "            setattr(self, name, value)\n";
+
+}  // namespace
+
+std::string kelpieModuleText() {
+  ClassWriter writer;
+  writer.write<Command>();
+  return std::string(kEnums) + kFields + writer.text();
+}
+
+std::string kelpieStandInText() {
+  ClassWriter writer;
+  writer.write<Command>();
+  writer.write<WorldFrame>();
+  return std::string(
+             "# SPDX-License-Identifier: Apache-2.0\n"
+             "# Stands in for the host's module `kelpie` under a plain python3. Written "
+             "from the field lists:\n"
+             "# behaviour_names > tests/py/kelpie.py; a test compares.\n") +
+         kEnums + kFields + writer.text();
+}
+
+}  // namespace kelpie::behaviour

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "behaviour/PythonHost.h"
+
+#include <cstdio>
+#include <filesystem>
+
+#include "behaviour/CommandReader.h"
+#include "behaviour/Guard.h"
+#include "behaviour/KelpieModule.h"
+#include "behaviour/Sources.h"
+#include "behaviour/Watchdog.h"
+
+namespace kelpie::behaviour {
+namespace {
+
+constexpr std::size_t kMostReports = 64;  // different errors remembered as already reported
+constexpr double kLoadLimit = 3.0;        // CPU seconds; loading compiles every file
+
+std::string absolute(const std::string& path) {
+  std::error_code error;
+  const auto whole = std::filesystem::absolute(path, error).lexically_normal().string();
+  return error ? path : whole;
+}
+
+// The pending Python exception, taken over.
+PythonRef takeError() {
+  PyObject* type = nullptr;
+  PyObject* value = nullptr;
+  PyObject* trace = nullptr;
+  PyErr_Fetch(&type, &value, &trace);
+  PyErr_NormalizeException(&type, &value, &trace);
+  if (value != nullptr && trace != nullptr) PyException_SetTraceback(value, trace);
+  Py_XDECREF(type);
+  Py_XDECREF(trace);
+  return PythonRef(value);
+}
+
+std::string textOf(PyObject* object) {
+  const char* text = object != nullptr ? PyUnicode_AsUTF8(object) : nullptr;
+  if (text == nullptr) PyErr_Clear();
+  return text != nullptr ? text : "";
+}
+
+}  // namespace
+
+PythonHost::PythonHost(const std::string& scripts)
+    : scripts_(absolute(scripts)),
+      interpreter_(isZip(scripts_) ? scripts_ : std::string()),
+      frame_(std::make_unique<WorldFrame>()) {
+  if (!interpreter_.error().empty()) {
+    report(interpreter_.error(), interpreter_.error());
+    return;
+  }
+  prepare();
+  if (!world_) fail(Fallback::notLoaded);
+  if (world_) load();
+}
+
+void PythonHost::prepare() {
+  guard_ = PythonRef(PyModule_New("guard"));
+  PyObject* names = guard_ ? PyModule_GetDict(guard_.get()) : nullptr;
+  if (names == nullptr) return;
+  PyDict_SetItemString(names, "__builtins__", PyEval_GetBuiltins());
+  const PythonRef code(Py_CompileString(guardText(), "<guard>", Py_file_input));
+  const PythonRef ran(code ? PyEval_EvalCode(code.get(), names, names) : nullptr);
+  if (!ran) return;
+  kelpie_ =
+      PythonRef(PyObject_CallMethod(guard_.get(), "make_kelpie", "s", kelpieModuleText().c_str()));
+  if (!kelpie_) return;
+  commandType_ = PythonRef(PyObject_GetAttrString(kelpie_.get(), "Command"));
+  const PythonRef watched(PyObject_CallMethod(guard_.get(), "watch", nullptr));
+  types_ = std::make_unique<ViewTypes>();
+  PythonRef world = types_->view(*frame_);
+  if (watched && commandType_ && types_->good()) world_ = std::move(world);
+}
+
+void PythonHost::load() {
+  stamp_ = sourceStamp(scripts_);
+  PyObject* zip = isZip(scripts_) ? Py_True : Py_False;
+  PythonRef version;
+  {
+    const Watchdog watchdog(kLoadLimit);
+    version = PythonRef(
+        PyObject_CallMethod(guard_.get(), "load", "sOO", scripts_.c_str(), zip, kelpie_.get()));
+  }
+  PythonRef decide(version ? PyObject_GetAttrString(version.get(), "decide") : nullptr);
+  broken_ = !decide;
+  if (broken_) {
+    fail(Fallback::notLoaded);
+    return;
+  }
+  version_ = std::move(version);
+  decide_ = std::move(decide);
+  reported_.clear();
+  lastError_.clear();
+}
+
+void PythonHost::reloadIfEdited(const BehaviourParams& params) {
+  if (!params.reload || framesToLook_-- > 0) return;
+  framesToLook_ = params.reloadFrames - 1;
+  if (sourceStamp(scripts_) != stamp_) load();
+}
+
+Fallback PythonHost::decide(const BehaviourIn& in, const BehaviourParams& params,
+                            Command& command) {
+  if (!world_) return Fallback::notLoaded;
+  reloadIfEdited(params);
+  if (!decide_) return Fallback::notLoaded;
+  fill(*frame_, in.input, in.percepts, in.world);
+  return call(params.timeLimit, command);
+}
+
+Fallback PythonHost::call(double timeLimit, Command& command) {
+  PythonRef answer;
+  {
+    const Watchdog watchdog(timeLimit);
+    answer = PythonRef(PyObject_CallOneArg(decide_.get(), world_.get()));
+  }
+  if (!answer) return fail(Fallback::scriptError);
+  return read(answer.get(), command);
+}
+
+Fallback PythonHost::read(PyObject* answer, Command& command) {
+  std::string why;
+  const int isCommand = PyObject_IsInstance(answer, commandType_.get());
+  if (isCommand != 1) {
+    PyErr_Clear();
+    why = std::string("decide returned a ") + Py_TYPE(answer)->tp_name + ", not a kelpie.Command";
+  } else if (readCommand(answer, command, why)) {
+    if (!broken_) lastError_.clear();
+    return Fallback::none;
+  }
+  report(scripts_ + ": " + why, scripts_ + ": " + why);
+  return Fallback::badCommand;
+}
+
+Fallback PythonHost::fail(Fallback reason) {
+  const PythonRef error = takeError();
+  const PythonRef calm(PyObject_CallMethod(guard_.get(), "calm", nullptr));
+  std::string line, all;
+  if (!error || !describe(error.get(), line, all)) line = all = scripts_ + ": unknown error";
+  PyErr_Clear();
+  report(line, all);
+  const PythonRef limit(PyObject_GetAttrString(guard_.get(), "TimeLimit"));
+  const bool late = error && limit && PyObject_IsInstance(error.get(), limit.get()) == 1;
+  PyErr_Clear();
+  return late && reason == Fallback::scriptError ? Fallback::timeLimit : reason;
+}
+
+bool PythonHost::describe(PyObject* error, std::string& line, std::string& all) {
+  const PythonRef texts(PyObject_CallMethod(guard_.get(), "describe", "O", error));
+  if (!texts || !PyTuple_Check(texts.get()) || PyTuple_GET_SIZE(texts.get()) != 2) return false;
+  line = textOf(PyTuple_GET_ITEM(texts.get(), 0));
+  all = textOf(PyTuple_GET_ITEM(texts.get(), 1));
+  return true;
+}
+
+// Each different error goes to stderr once per loaded version.
+void PythonHost::report(const std::string& line, const std::string& all) {
+  lastError_ = line;
+  if (reported_.size() >= kMostReports || !reported_.insert(line).second) return;
+  std::fprintf(stderr, "behaviour: %s\n", all.c_str());
+}
+
+}  // namespace kelpie::behaviour

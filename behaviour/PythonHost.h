@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// Owns the interpreter, the loaded version of the behaviours and the frame they look at.
+#pragma once
+
+#include <memory>
+#include <set>
+#include <string>
+
+#include "behaviour/Behaviour.h"
+#include "behaviour/Interpreter.h"
+#include "behaviour/ViewTypes.h"
+#include "behaviour/WorldFrame.h"
+
+namespace kelpie::behaviour {
+
+class PythonHost {
+ public:
+  explicit PythonHost(const std::string& scripts);
+
+  // Takes over edited files, calls decide() and reads its answer. The Fallback tells what went
+  // wrong; `command` is the script's only when it is none.
+  Fallback decide(const BehaviourIn& in, const BehaviourParams& params, Command& command);
+
+  const std::string& lastError() const { return lastError_; }
+
+ private:
+  void prepare();
+  void load();
+  void reloadIfEdited(const BehaviourParams& params);
+  Fallback call(double timeLimit, Command& command);
+  Fallback read(PyObject* answer, Command& command);
+  Fallback fail(Fallback reason);
+  void report(const std::string& line, const std::string& all);
+  bool describe(PyObject* error, std::string& line, std::string& all);
+
+  std::string scripts_;
+  std::string lastError_;
+  std::set<std::string> reported_;
+  std::uint64_t stamp_ = 0;
+  std::uint32_t framesToLook_ = 0;
+  bool broken_ = false;  // an edit failed to load; an older version may still be running
+
+  Interpreter interpreter_;  // before everything that holds references
+  std::unique_ptr<ViewTypes> types_;
+  std::unique_ptr<WorldFrame> frame_;
+  PythonRef guard_;
+  PythonRef kelpie_;
+  PythonRef commandType_;
+  PythonRef world_;
+  PythonRef version_;
+  PythonRef decide_;
+};
+
+}  // namespace kelpie::behaviour

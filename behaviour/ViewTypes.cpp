@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "behaviour/ViewTypes.h"
+
+#include <cstdint>
+#include <cstring>
+
+namespace kelpie::behaviour {
+namespace {
+
+struct View {
+  PyObject_HEAD;
+  const char* data;
+};
+
+struct Sequence {
+  PyObject_HEAD;
+  const char* data;
+  const Item* item;  // of the whole sequence
+};
+
+template <class T>
+T read(const char* at) {
+  T value;
+  std::memcpy(&value, at, sizeof value);
+  return value;
+}
+
+PyObject* make(const Item& item, const char* at);
+
+PyObject* makeView(PyTypeObject* type, const char* data) {
+  auto* view = reinterpret_cast<View*>(PyType_GenericAlloc(type, 0));
+  if (view != nullptr) view->data = data;
+  return reinterpret_cast<PyObject*>(view);
+}
+
+PyObject* makeSequence(const Item& item, const char* data) {
+  auto* sequence = reinterpret_cast<Sequence*>(PyType_GenericAlloc(item.sequenceType, 0));
+  if (sequence == nullptr) return nullptr;
+  sequence->data = data;
+  sequence->item = &item;
+  return reinterpret_cast<PyObject*>(sequence);
+}
+
+PyObject* make(const Item& item, const char* at) {
+  switch (item.kind) {
+    case ItemKind::real: return PyFloat_FromDouble(item.factor * read<double>(at));
+    case ItemKind::boolean: return PyBool_FromLong(read<std::uint8_t>(at));
+    case ItemKind::byte: return PyLong_FromUnsignedLong(read<std::uint8_t>(at));
+    case ItemKind::word: return PyLong_FromUnsignedLong(read<std::uint16_t>(at));
+    case ItemKind::number: return PyLong_FromUnsignedLong(read<std::uint32_t>(at));
+    case ItemKind::big:
+      return PyFloat_FromDouble(item.factor * static_cast<double>(read<std::int64_t>(at)));
+    case ItemKind::view: return makeView(item.viewType, at);
+    case ItemKind::sequence: return makeSequence(item, at);
+  }
+  Py_RETURN_NONE;
+}
+
+PyObject* getMember(PyObject* self, void* closure) {
+  const Item& item = *static_cast<const Item*>(closure);
+  return make(item, reinterpret_cast<View*>(self)->data + item.offset);
+}
+
+Py_ssize_t sequenceLength(PyObject* self) {
+  const auto* sequence = reinterpret_cast<Sequence*>(self);
+  return static_cast<Py_ssize_t>(sequence->item->size(sequence->data));
+}
+
+PyObject* sequenceItem(PyObject* self, Py_ssize_t index) {
+  const auto* sequence = reinterpret_cast<Sequence*>(self);
+  if (index < 0 || index >= sequenceLength(self)) {
+    PyErr_SetString(PyExc_IndexError, "beyond the last element");
+    return nullptr;
+  }
+  const auto step = static_cast<std::size_t>(index) * sequence->item->stride;
+  return make(*sequence->item->element, sequence->data + step);
+}
+
+// Heap types own a reference from each of their objects.
+void dealloc(PyObject* self) {
+  PyTypeObject* type = Py_TYPE(self);
+  type->tp_free(self);
+  Py_DECREF(type);
+}
+
+template <class Function>
+void* slot(Function* function) {
+  return reinterpret_cast<void*>(function);
+}
+
+constexpr unsigned kTypeFlags =
+    Py_TPFLAGS_DEFAULT | Py_TPFLAGS_DISALLOW_INSTANTIATION | Py_TPFLAGS_IMMUTABLETYPE;
+
+}  // namespace
+
+ViewTypes::ViewTypes() {
+  PyType_Slot slots[] = {{Py_tp_dealloc, slot(dealloc)},
+                         {Py_sq_length, slot(sequenceLength)},
+                         {Py_sq_item, slot(sequenceItem)},
+                         {0, nullptr}};
+  PyType_Spec spec{"kelpie.Sequence", static_cast<int>(sizeof(Sequence)), 0, kTypeFlags, slots};
+  sequence_ = PythonRef(PyType_FromSpec(&spec));
+}
+
+PythonRef ViewTypes::newView(PyTypeObject* type, const char* data) {
+  return PythonRef(type == nullptr ? nullptr : makeView(type, data));
+}
+
+PyTypeObject* ViewTypes::finish(ViewType& type) {
+  for (std::size_t i = 0; i < type.items.size(); ++i) {
+    type.getters.push_back({type.names[i].c_str(), getMember, nullptr, nullptr, &type.items[i]});
+  }
+  type.getters.push_back({nullptr, nullptr, nullptr, nullptr, nullptr});
+  for (char& c : type.name) {
+    if (c == '/') c = '.';
+  }
+  PyType_Slot slots[] = {
+      {Py_tp_dealloc, slot(dealloc)}, {Py_tp_getset, type.getters.data()}, {0, nullptr}};
+  PyType_Spec spec{type.name.c_str(), static_cast<int>(sizeof(View)), 0, kTypeFlags, slots};
+  type.type = PythonRef(PyType_FromSpec(&spec));
+  if (!type.type) failed_ = true;
+  return reinterpret_cast<PyTypeObject*>(type.type.get());
+}
+
+}  // namespace kelpie::behaviour

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+// The Python types through which scripts read the frame structs in place: one read-only type per
+// struct, made from its field list; a member is found by its offset. Nothing is written per member.
+#pragma once
+
+#include <deque>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "behaviour/PythonNames.h"
+#include "behaviour/PythonRef.h"
+
+namespace kelpie::behaviour {
+
+enum class ItemKind : std::uint8_t { real, boolean, byte, word, number, big, view, sequence };
+
+// How to make a Python object from bytes at an address.
+struct Item {
+  ItemKind kind = ItemKind::real;
+  std::size_t offset = 0;
+  double factor = 1.0;  // real: from stored to shown; big: seconds per count
+  PyTypeObject* viewType = nullptr;
+  PyTypeObject* sequenceType = nullptr;
+  std::size_t stride = 0;  // sequence: bytes from one element to the next
+  std::size_t (*size)(const char*) = nullptr;
+  std::shared_ptr<Item> element;
+};
+
+class ViewTypes {
+ public:
+  ViewTypes();
+
+  // A read-only view of the object, which must outlive it. Null with a Python error set on failure.
+  template <class T>
+  PythonRef view(const T& object) {
+    return newView(typeFor<T>(), reinterpret_cast<const char*>(&object));
+  }
+  bool good() const { return sequence_ && !failed_; }
+
+ private:
+  struct ViewType {
+    std::string name;
+    std::deque<std::string> names;  // deques: the getters point into them
+    std::deque<Item> items;
+    std::vector<PyGetSetDef> getters;
+    PythonRef type;
+  };
+
+  template <class T>
+  PyTypeObject* typeFor();
+  template <class T>
+  Item itemFor(const char* unit);
+  static PythonRef newView(PyTypeObject* type, const char* data);
+  PyTypeObject* finish(ViewType& type);
+
+  PythonRef sequence_;
+  std::map<std::string, std::unique_ptr<ViewType>> types_;
+  bool failed_ = false;
+};
+
+template <class T>
+Item ViewTypes::itemFor(const char* unit) {
+  Item item;
+  if constexpr (std::is_same_v<T, bool>) {
+    item.kind = ItemKind::boolean;
+  } else if constexpr (std::is_enum_v<T>) {
+    return itemFor<std::underlying_type_t<T>>(unit);
+  } else if constexpr (std::is_same_v<T, double>) {
+    item.factor = shownFactor(unit);
+  } else if constexpr (std::is_same_v<T, Angle>) {
+    static_assert(sizeof(Angle) == sizeof(double));
+    item.factor = shownFactor("rad");
+  } else if constexpr (std::is_same_v<T, TimeUs>) {
+    item.kind = ItemKind::big;
+    item.factor = 1e-6;
+  } else if constexpr (std::is_integral_v<T>) {
+    static_assert(std::is_unsigned_v<T> && sizeof(T) <= 4);
+    item.kind = sizeof(T) == 1   ? ItemKind::byte
+                : sizeof(T) == 2 ? ItemKind::word
+                                 : ItemKind::number;
+  } else if constexpr (kIsSequence<T>) {
+    item.kind = ItemKind::sequence;
+    item.sequenceType = reinterpret_cast<PyTypeObject*>(sequence_.get());
+    item.stride = sizeof(typename T::value_type);
+    item.size = [](const char* at) { return reinterpret_cast<const T*>(at)->size(); };
+    item.element = std::make_shared<Item>(itemFor<typename T::value_type>(unit));
+  } else {
+    item.kind = ItemKind::view;
+    item.viewType = typeFor<T>();
+  }
+  return item;
+}
+
+template <class T>
+PyTypeObject* ViewTypes::typeFor() {
+  auto& type = types_[schemaName<T>()];
+  if (type) return reinterpret_cast<PyTypeObject*>(type->type.get());
+  type = std::make_unique<ViewType>();
+  type->name = schemaName<T>();
+  const auto sample = std::make_unique<T>();
+  forEachField(*sample, [&](const auto& f, const auto& member) {
+    using Member = std::decay_t<decltype(member)>;
+    Item item = itemFor<Member>(f.unit);
+    item.offset = static_cast<std::size_t>(reinterpret_cast<const char*>(&member) -
+                                           reinterpret_cast<const char*>(sample.get()));
+    type->names.push_back(pythonName<Member>(f.name, f.unit));
+    type->items.push_back(item);
+  });
+  return finish(*type);
+}
+
+}  // namespace kelpie::behaviour

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a behaviour sees as `world`: the parts of one frame that it may decide on, copied so that a
+// reference kept by a script never dangles (it then shows the newest frame).
+#pragma once
+
+#include "robot/core/FrameInput.h"
+#include "robot/core/Percepts.h"
+#include "robot/core/WorldModel.h"
+
+namespace kelpie::behaviour {
+
+struct HeadAngles {
+  Angle neckTilt;
+  Angle headPan;
+  Angle headNod;
+
+  static constexpr auto fields() {
+    return fieldList(field("neckTilt", &HeadAngles::neckTilt, "rad"),
+                     field("headPan", &HeadAngles::headPan, "rad"),
+                     field("headNod", &HeadAngles::headNod, "rad"));
+  }
+};
+
+struct WorldFrame {
+  TimeUs time;
+  std::uint32_t frame = 0;
+  double elapsed = 0.0;
+  HeadAngles head;  // as sensed at the exposure
+  SensorFrame sensors;
+  Stance stance;
+  Odometry odometry;
+  MotionStatus motion;
+  GameState game;
+  Command lastCommand;
+  Percepts percepts;
+  Pose2 pose;
+  double positionSd = 0.0;
+  Angle headingSd;
+  double secondsSinceLandmark = 0.0;
+  FixedVector<PoseMode, kMaxModes> modes;
+  BallEstimate ball;
+
+  static constexpr auto fields() {
+    using W = WorldFrame;
+    return fieldList(
+        field("time", &W::time, "us"), field("frame", &W::frame),
+        field("elapsed_s", &W::elapsed, "s"), field("head", &W::head),
+        field("sensors", &W::sensors), field("stance", &W::stance), field("odometry", &W::odometry),
+        field("motion", &W::motion), field("game", &W::game), field("lastCommand", &W::lastCommand),
+        field("percepts", &W::percepts), field("pose", &W::pose),
+        field("positionSd", &W::positionSd, "cm"), field("headingSd", &W::headingSd, "rad"),
+        field("secondsSinceLandmark", &W::secondsSinceLandmark, "s"), field("modes", &W::modes),
+        field("ball", &W::ball));
+  }
+};
+
+void fill(WorldFrame& frame, const FrameInput& input, const Percepts& percepts,
+          const WorldModel& world);
+
+}  // namespace kelpie::behaviour

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <ctime>
+
+#include "tests/behaviour/Scripts.h"
+
+namespace kelpie::behaviour {
+namespace {
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+TEST(Host, ScriptsCommandReachesTheBody) {
+  const Scripts scripts(
+      "return kelpie.Command(walk=kelpie.WalkRequest(forward=12.0, turn_deg=90), motion=2)");
+  HostRun run(scripts);
+  const Command command = run.step();
+  EXPECT_EQ(command.fallback, Fallback::none) << run.state.lastError();
+  EXPECT_EQ(command.walk.forward, 12.0);
+  EXPECT_NEAR(command.walk.turn, 1.5707963, 1e-6);
+  EXPECT_EQ(command.motion, MotionKind::kickForward);
+}
+
+TEST(Host, SyntaxErrorNamesFileAndLineAndFallsBack) {
+  const Scripts scripts;
+  scripts.write("main.py", "import kelpie\n\ndef decide(world)\n    return 1\n");
+  HostRun run(scripts);
+  EXPECT_EQ(run.step().fallback, Fallback::notLoaded);
+  EXPECT_TRUE(contains(run.state.lastError(), "main.py:3:")) << run.state.lastError();
+}
+
+TEST(Host, MissingFolderFallsBack) {
+  BehaviourState state("/nonexistent/pycode");
+  const FrameInput input;
+  const Command command = step(BehaviourIn{input, {}, {}}, {}, state);
+  EXPECT_EQ(command.fallback, Fallback::notLoaded);
+  EXPECT_NE(state.lastError(), "");
+}
+
+TEST(Host, RaisedErrorNamesTheLineAndIsRetried) {
+  const Scripts scripts("return kelpie.Command() if world.frame > 1 else world.nothing");
+  HostRun run(scripts);
+  EXPECT_EQ(run.step().fallback, Fallback::scriptError);
+  EXPECT_TRUE(contains(run.state.lastError(), "main.py:5: AttributeError"));
+  EXPECT_EQ(run.step().fallback, Fallback::none);
+  EXPECT_EQ(run.state.lastError(), "");
+}
+
+TEST(Host, SameErrorIsPrintedOnce) {
+  const Scripts scripts("raise ValueError('sour')");
+  HostRun run(scripts);
+  testing::internal::CaptureStderr();
+  for (int i = 0; i < 5; ++i) run.step();
+  const std::string printed = testing::internal::GetCapturedStderr();
+  EXPECT_EQ(printed.find("sour"), printed.rfind("sour"));
+  EXPECT_TRUE(contains(printed, "sour"));
+}
+
+TEST(Host, SystemExitIsAScriptError) {
+  const Scripts scripts("raise SystemExit(3)");
+  HostRun run(scripts);
+  EXPECT_EQ(run.step().fallback, Fallback::scriptError);
+}
+
+TEST(Host, EndlessRecursionIsAScriptError) {
+  const Scripts scripts("return decide(world)");
+  HostRun run(scripts);
+  EXPECT_EQ(run.step().fallback, Fallback::scriptError);
+}
+
+TEST(Host, EndlessLoopIsCutOffAndTheEditedFileWorks) {
+  const Scripts scripts("while True: pass");
+  HostRun run(scripts);
+  const std::clock_t start = std::clock();
+  EXPECT_EQ(run.step().fallback, Fallback::timeLimit);
+  EXPECT_LT(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC, 0.5);
+  EXPECT_TRUE(contains(run.state.lastError(), "main.py:5: TimeLimit")) << run.state.lastError();
+  scripts.writeDecide("return kelpie.Command(walk=kelpie.WalkRequest(forward=5))");
+  EXPECT_EQ(run.step().walk.forward, 5.0);
+}
+
+TEST(Host, EndlessLoopThatCatchesEverythingIsCutOffToo) {
+  const Scripts scripts(
+      "while True:\n        try:\n            x = 1\n        except:\n            pass");
+  HostRun run(scripts);
+  EXPECT_EQ(run.step().fallback, Fallback::timeLimit);
+  EXPECT_EQ(run.step().fallback, Fallback::timeLimit);
+}
+
+TEST(Host, EndlessLoopWhileLoadingIsCutOff) {
+  const Scripts scripts;
+  scripts.write("main.py", "while True:\n    pass\n");
+  HostRun run(scripts);
+  EXPECT_EQ(run.step().fallback, Fallback::notLoaded);
+}
+
+TEST(Host, FallbackStandsAndTurnsTheHead) {
+  const Scripts scripts("raise ValueError()");
+  HostRun run(scripts);
+  double least = 0.0, most = 0.0;
+  for (int i = 0; i < 120; ++i) {
+    const Command command = run.step();
+    EXPECT_EQ(command.walk.forward, 0.0);
+    least = std::min(least, command.head.headPan.deg());
+    most = std::max(most, command.head.headPan.deg());
+  }
+  EXPECT_NEAR(least, -60.0, 1.0);
+  EXPECT_NEAR(most, 60.0, 1.0);
+}
+
+TEST(Host, EditReplacesEverything) {
+  const Scripts scripts;
+  scripts.write("main.py",
+                "import kelpie\nfrom skills import go\n\ndef decide(world):\n"
+                "    return kelpie.Command(walk=kelpie.WalkRequest(forward=go.SPEED))\n");
+  scripts.write("skills/go.py", "SPEED = 3\n");
+  HostRun run(scripts);
+  EXPECT_EQ(run.step().walk.forward, 3.0) << run.state.lastError();
+  scripts.write("skills/go.py", "SPEED = 17\n");
+  EXPECT_EQ(run.step().walk.forward, 17.0);
+}
+
+TEST(Host, BrokenEditKeepsTheOldRunningAndReports) {
+  const Scripts scripts("return kelpie.Command(walk=kelpie.WalkRequest(forward=7))");
+  HostRun run(scripts);
+  run.step();
+  scripts.write("main.py", "import kelpie\nboom(\n");
+  const Command command = run.step();
+  EXPECT_EQ(command.walk.forward, 7.0);
+  EXPECT_TRUE(contains(run.state.lastError(), "main.py:2:")) << run.state.lastError();
+}
+
+TEST(Host, ReloadCanBeSwitchedOff) {
+  const Scripts scripts("return kelpie.Command(walk=kelpie.WalkRequest(forward=7))");
+  HostRun run(scripts);
+  run.params.reload = false;
+  run.step();
+  scripts.writeDecide("return kelpie.Command()");
+  EXPECT_EQ(run.step().walk.forward, 7.0);
+}
+
+class Forbidden : public testing::TestWithParam<const char*> {};
+
+TEST_P(Forbidden, CannotBeReachedByAScript) {
+  const Scripts scripts(std::string(GetParam()) + "; return kelpie.Command()");
+  HostRun run(scripts);
+  EXPECT_EQ(run.step().fallback, Fallback::scriptError) << GetParam();
+}
+
+INSTANTIATE_TEST_SUITE_P(Host, Forbidden,
+                         testing::Values("import os", "import time", "import socket",
+                                         "import random", "import sys", "open('/etc/passwd')",
+                                         "eval('1')", "__import__('posix')", "import main.os",
+                                         "from math import os", "print(1)"));
+
+TEST(Host, ZipOfBehavioursWorks) {
+  const Scripts scripts(
+      "from skills.go import SPEED\n"
+      "    return kelpie.Command(walk=kelpie.WalkRequest(forward=SPEED))");
+  scripts.write("skills/go.py", "SPEED = 3\n");
+  const Scripts other;
+  const std::string zip = other.path() + "/pycode.zip";
+  const std::string make =
+      "cd " + scripts.path() + " && /usr/bin/python3 -m zipfile -c " + zip + " main.py skills";
+  ASSERT_EQ(std::system(make.c_str()), 0);
+  BehaviourState state(zip);
+  const FrameInput input;
+  EXPECT_EQ(step(BehaviourIn{input, {}, {}}, {}, state).walk.forward, 3.0) << state.lastError();
+}
+
+TEST(Host, TheShippedBehavioursDecide) {
+  BehaviourState state(KELPIE_SOURCE_DIR "/pycode");
+  const FrameInput input;
+  EXPECT_EQ(step(BehaviourIn{input, {}, {}}, {}, state).fallback, Fallback::none)
+      << state.lastError();
+}
+
+TEST(Host, EmptyDecideCostsLessThanTwentyMicroseconds) {
+  const Scripts scripts("return kelpie.Command()");
+  HostRun run(scripts);
+  run.params.reload = false;
+  run.step();
+  const std::clock_t start = std::clock();
+  for (int i = 0; i < 2000; ++i) ASSERT_EQ(run.step().fallback, Fallback::none);
+  const double each = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC / 2000;
+  RecordProperty("microseconds", std::to_string(each * 1e6));
+  std::printf("empty decide: %.2f us\n", each * 1e6);
+  EXPECT_LT(each, 20e-6 * (getenv("ASAN_OPTIONS") != nullptr ? 10 : 1));
+}
+
+}  // namespace
+}  // namespace kelpie::behaviour

@@ -1,0 +1,428 @@
+# SPDX-License-Identifier: Apache-2.0
+# Stands in for the host's module `kelpie` under a plain python3. Written from the field lists:
+# behaviour_names > tests/py/kelpie.py; a test compares.
+GOAL_BLUE, GOAL_YELLOW, BEACON_BLUE_ON_PINK, BEACON_PINK_ON_BLUE, BEACON_YELLOW_ON_PINK, \
+    BEACON_PINK_ON_YELLOW = range(6)
+NO_MOTION, STAND, KICK_FORWARD = range(3)
+RED, BLUE = range(2)
+INITIAL, READY, SET, PLAYING, FINISHED = range(5)
+LINE, BORDER, FIELD = range(3)
+NECK_TILT, HEAD_PAN, HEAD_NOD, MOUTH = range(4)
+
+
+class Fields:
+    __slots__ = ()
+
+    def _take(self, given):
+        for name, value in given.items():
+            setattr(self, name, value)
+
+
+class WalkRequest(Fields):
+    __slots__ = (
+        'forward',
+        'left',
+        'turn_deg',
+    )
+
+    def __init__(self, **given):
+        self.forward = 0.0
+        self.left = 0.0
+        self.turn_deg = 0.0
+        self._take(given)
+
+
+class HeadRequest(Fields):
+    __slots__ = (
+        'neck_tilt_deg',
+        'head_pan_deg',
+        'head_nod_deg',
+        'speed_deg',
+    )
+
+    def __init__(self, **given):
+        self.neck_tilt_deg = 0.0
+        self.head_pan_deg = 0.0
+        self.head_nod_deg = 0.0
+        self.speed_deg = 0.0
+        self._take(given)
+
+
+class Command(Fields):
+    __slots__ = (
+        'walk',
+        'head',
+        'mouth_open',
+        'motion',
+        'leds',
+    )
+
+    def __init__(self, **given):
+        self.walk = WalkRequest()
+        self.head = HeadRequest()
+        self.mouth_open = False
+        self.motion = 0
+        self.leds = 0
+        self._take(given)
+
+
+class HeadAngles(Fields):
+    __slots__ = (
+        'neck_tilt_deg',
+        'head_pan_deg',
+        'head_nod_deg',
+    )
+
+    def __init__(self, **given):
+        self.neck_tilt_deg = 0.0
+        self.head_pan_deg = 0.0
+        self.head_nod_deg = 0.0
+        self._take(given)
+
+
+class JointAngles(Fields):
+    __slots__ = (
+        'angle_deg',
+    )
+
+    def __init__(self, **given):
+        self.angle_deg = [0.0] * 18
+        self._take(given)
+
+
+class SensorFrame(Fields):
+    __slots__ = (
+        'joints',
+        'duty',
+        'head_near_distance',
+        'head_far_distance',
+        'chest_distance',
+        'acceleration',
+        'paw',
+        'chin',
+        'head_touch',
+        'back',
+    )
+
+    def __init__(self, **given):
+        self.joints = JointAngles()
+        self.duty = [0.0] * 18
+        self.head_near_distance = 50.0
+        self.head_far_distance = 150.0
+        self.chest_distance = 90.0
+        self.acceleration = [0.0] * 3
+        self.paw = [False] * 4
+        self.chin = False
+        self.head_touch = 0.0
+        self.back = [False] * 3
+        self._take(given)
+
+
+class Stance(Fields):
+    __slots__ = (
+        'shoulder_height',
+        'body_tilt_deg',
+    )
+
+    def __init__(self, **given):
+        self.shoulder_height = 10.0
+        self.body_tilt_deg = 0.0
+        self._take(given)
+
+
+class Odometry(Fields):
+    __slots__ = (
+        'forward',
+        'left',
+        'turn_deg',
+    )
+
+    def __init__(self, **given):
+        self.forward = 0.0
+        self.left = 0.0
+        self.turn_deg = 0.0
+        self._take(given)
+
+
+class MotionStatus(Fields):
+    __slots__ = (
+        'running',
+        'seconds_left',
+        'ready',
+    )
+
+    def __init__(self, **given):
+        self.running = 0
+        self.seconds_left = 0.0
+        self.ready = False
+        self._take(given)
+
+
+class GameState(Fields):
+    __slots__ = (
+        'state',
+        'team',
+        'player',
+        'penalised',
+        'own_score',
+        'opponent_score',
+    )
+
+    def __init__(self, **given):
+        self.state = 3
+        self.team = 0
+        self.player = 1
+        self.penalised = False
+        self.own_score = 0
+        self.opponent_score = 0
+        self._take(given)
+
+
+class PixelPoint(Fields):
+    __slots__ = (
+        'x',
+        'y',
+    )
+
+    def __init__(self, **given):
+        self.x = 0.0
+        self.y = 0.0
+        self._take(given)
+
+
+class BallPercept(Fields):
+    __slots__ = (
+        'present',
+        'distance',
+        'heading_deg',
+        'elevation_deg',
+        'distance_variance',
+        'heading_variance_deg2',
+        'centre',
+        'radius',
+    )
+
+    def __init__(self, **given):
+        self.present = False
+        self.distance = 0.0
+        self.heading_deg = 0.0
+        self.elevation_deg = 0.0
+        self.distance_variance = 0.0
+        self.heading_variance_deg2 = 0.0
+        self.centre = PixelPoint()
+        self.radius = 0.0
+        self._take(given)
+
+
+class PixelBox(Fields):
+    __slots__ = (
+        'left',
+        'top',
+        'right',
+        'bottom',
+    )
+
+    def __init__(self, **given):
+        self.left = 0.0
+        self.top = 0.0
+        self.right = 0.0
+        self.bottom = 0.0
+        self._take(given)
+
+
+class LandmarkPercept(Fields):
+    __slots__ = (
+        'kind',
+        'distance',
+        'heading_deg',
+        'elevation_deg',
+        'distance_variance',
+        'heading_variance_deg2',
+        'left_edge_deg',
+        'right_edge_deg',
+        'left_edge_cut',
+        'right_edge_cut',
+        'box',
+    )
+
+    def __init__(self, **given):
+        self.kind = 0
+        self.distance = 0.0
+        self.heading_deg = 0.0
+        self.elevation_deg = 0.0
+        self.distance_variance = 0.0
+        self.heading_variance_deg2 = 0.0
+        self.left_edge_deg = 0.0
+        self.right_edge_deg = 0.0
+        self.left_edge_cut = False
+        self.right_edge_cut = False
+        self.box = PixelBox()
+        self._take(given)
+
+
+class FieldEdgePercept(Fields):
+    __slots__ = (
+        'present',
+        'at_left',
+        'at_right',
+    )
+
+    def __init__(self, **given):
+        self.present = False
+        self.at_left = 0.0
+        self.at_right = 0.0
+        self._take(given)
+
+
+class Point2(Fields):
+    __slots__ = (
+        'x',
+        'y',
+    )
+
+    def __init__(self, **given):
+        self.x = 0.0
+        self.y = 0.0
+        self._take(given)
+
+
+class LinePoint(Fields):
+    __slots__ = (
+        'kind',
+        'position',
+        'weight',
+        'pixel',
+    )
+
+    def __init__(self, **given):
+        self.kind = 0
+        self.position = Point2()
+        self.weight = 0.0
+        self.pixel = PixelPoint()
+        self._take(given)
+
+
+class VisionCounts(Fields):
+    __slots__ = (
+        'sampled_pixels',
+        'runs',
+        'blobs',
+        'refused',
+    )
+
+    def __init__(self, **given):
+        self.sampled_pixels = 0
+        self.runs = 0
+        self.blobs = 0
+        self.refused = [0] * 32
+        self._take(given)
+
+
+class Percepts(Fields):
+    __slots__ = (
+        'ball',
+        'landmarks',
+        'field_edge',
+        'line_points',
+        'counts',
+    )
+
+    def __init__(self, **given):
+        self.ball = BallPercept()
+        self.landmarks = []
+        self.field_edge = FieldEdgePercept()
+        self.line_points = []
+        self.counts = VisionCounts()
+        self._take(given)
+
+
+class Pose2(Fields):
+    __slots__ = (
+        'position',
+        'heading_deg',
+    )
+
+    def __init__(self, **given):
+        self.position = Point2()
+        self.heading_deg = 0.0
+        self._take(given)
+
+
+class PoseMode(Fields):
+    __slots__ = (
+        'weight',
+        'pose',
+        'covariance',
+    )
+
+    def __init__(self, **given):
+        self.weight = 0.0
+        self.pose = Pose2()
+        self.covariance = [0.0] * 9
+        self._take(given)
+
+
+class BallEstimate(Fields):
+    __slots__ = (
+        'present',
+        'position',
+        'velocity',
+        'covariance',
+        'relative',
+        'distance',
+        'heading_deg',
+        'seconds_since_seen',
+    )
+
+    def __init__(self, **given):
+        self.present = False
+        self.position = Point2()
+        self.velocity = Point2()
+        self.covariance = [0.0] * 4
+        self.relative = Point2()
+        self.distance = 0.0
+        self.heading_deg = 0.0
+        self.seconds_since_seen = 0.0
+        self._take(given)
+
+
+class WorldFrame(Fields):
+    __slots__ = (
+        'time_s',
+        'frame',
+        'elapsed_s',
+        'head',
+        'sensors',
+        'stance',
+        'odometry',
+        'motion',
+        'game',
+        'last_command',
+        'percepts',
+        'pose',
+        'position_sd',
+        'heading_sd_deg',
+        'seconds_since_landmark',
+        'modes',
+        'ball',
+    )
+
+    def __init__(self, **given):
+        self.time_s = 0.0
+        self.frame = 0
+        self.elapsed_s = 0.0
+        self.head = HeadAngles()
+        self.sensors = SensorFrame()
+        self.stance = Stance()
+        self.odometry = Odometry()
+        self.motion = MotionStatus()
+        self.game = GameState()
+        self.last_command = Command()
+        self.percepts = Percepts()
+        self.pose = Pose2()
+        self.position_sd = 0.0
+        self.heading_sd_deg = 0.0
+        self.seconds_since_landmark = 0.0
+        self.modes = []
+        self.ball = BallEstimate()
+        self._take(given)
