@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+// Everything that is set before the first frame: who plays, every stage's parameters, the colour
+// and ring table. Logged whole as /config, so that a log replays without any other file but the
+// scripts.
+#pragma once
+
+#include "actuator/ActuatorParams.h"
+#include "behaviour/BehaviourParams.h"
+#include "gps/GpsParams.h"
+#include "robot/body/Camera.h"
+#include "robot/core/FrameInput.h"
+#include "vision/VisionCalibration.h"
+#include "vision/VisionParams.h"
+
+namespace kelpie::agent {
+
+struct AgentConfig {
+  TeamColour team = TeamColour::red;
+  std::uint8_t player = 1;
+  body::BodyParams body;
+  vision::VisionParams vision;
+  gps::GpsParams gps;
+  behaviour::BehaviourParams behaviour;
+  actuator::ActuatorParams actuator;
+  vision::VisionCalibration calibration;
+
+  static constexpr auto fields() {
+    return fieldList(field("team", &AgentConfig::team, "", 0, 1),
+                     field("player", &AgentConfig::player, "", 1, 4),
+                     field("body", &AgentConfig::body), field("vision", &AgentConfig::vision),
+                     field("gps", &AgentConfig::gps), field("behaviour", &AgentConfig::behaviour),
+                     field("actuator", &AgentConfig::actuator),
+                     field("calibration", &AgentConfig::calibration));
+  }
+};
+
+}  // namespace kelpie::agent

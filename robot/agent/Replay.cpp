@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "robot/agent/Replay.h"
+
+namespace kelpie::agent {
+namespace {
+
+constexpr std::size_t kShownDifferences = 5;
+
+// One replay: the loops are made when the configuration has been read.
+class Player {
+ public:
+  Player(const ReplayOptions& options, StageObserver& observer, ReplayResult& result)
+      : options_(options), observer_(observer), result_(result) {}
+
+  Status take(const LogMessage& message) {
+    const std::string& topic = message.topic();
+    if (topic == kConfigTopic) return configure(message);
+    const bool ours = topic == kFrameInputTopic || topic == kFrameOutputTopic ||
+                      topic == kMotionInputTopic || topic == kMotionOutputTopic;
+    if (!ours) return Done{};
+    if (!frameLoop_)
+      return Error{topic + " comes before " + kConfigTopic + ": not a log of an agent"};
+    if (topic == kFrameInputTopic) return frameIn(message);
+    if (topic == kFrameOutputTopic) return frameOut(message);
+    if (topic == kMotionInputTopic) return motionIn(message);
+    return motionOut(message);
+  }
+  bool enough() const {
+    return options_.maxFrames > 0 && result_.frames >= options_.maxFrames && !frameOutput_;
+  }
+  void finish() {
+    if (frameLoop_) result_.scriptError = frameLoop_->scriptError();
+  }
+
+ private:
+  Status configure(const LogMessage& message) {
+    const auto config = std::make_unique<AgentConfig>();
+    const Status read = decodeAs(message, *config);
+    if (!read) return read;
+    if (frameLoop_) return Error{std::string("a second ") + kConfigTopic};
+    if (options_.adjust) options_.adjust(*config);
+    config->behaviour.reload = false;  // the scripts of the recording, unchanged to its end
+    frameLoop_ = std::make_unique<FrameLoop>(*config, options_.scripts);
+    motionLoop_ = std::make_unique<MotionLoop>(*config);
+    return Done{};
+  }
+  Status frameIn(const LogMessage& message) {
+    const Status read = decodeAs(message, input_);
+    if (!read) return read;
+    observer_.beginFrame();
+    frameOutput_ = &frameLoop_->step(input_, observer_);
+    observer_.endFrame();
+    ++result_.frames;
+    if (options_.onFrame) options_.onFrame(input_, *frameOutput_);
+    return Done{};
+  }
+  Status frameOut(const LogMessage& message) {
+    const Status read = decodeAs(message, recordedFrame_);
+    if (!read || frameOutput_ == nullptr) return read;
+    compare("frame " + std::to_string(input_.frame), recordedFrame_, *frameOutput_);
+    frameOutput_ = nullptr;
+    return Done{};
+  }
+  Status motionIn(const LogMessage& message) {
+    const Status read = decodeAs(message, motionInput_);
+    if (!read) return read;
+    motionOutput_ = &motionLoop_->step(motionInput_, observer_);
+    ++result_.motionSteps;
+    return Done{};
+  }
+  Status motionOut(const LogMessage& message) {
+    const Status read = decodeAs(message, recordedMotion_);
+    if (!read || motionOutput_ == nullptr) return read;
+    compare("motion at " + std::to_string(motionInput_.time.us) + " us", recordedMotion_,
+            *motionOutput_);
+    motionOutput_ = nullptr;
+    return Done{};
+  }
+  template <class T>
+  void compare(const std::string& what, const T& recorded, const T& now) {
+    std::string path;
+    ++result_.compared;
+    if (!firstDifference(recorded, now, &path)) return;
+    ++result_.differing;
+    if (result_.differences.size() < kShownDifferences)
+      result_.differences.push_back(what + ": " + path);
+  }
+
+  const ReplayOptions& options_;
+  StageObserver& observer_;
+  ReplayResult& result_;
+  std::unique_ptr<FrameLoop> frameLoop_;
+  std::unique_ptr<MotionLoop> motionLoop_;
+  FrameInput input_;
+  MotionInput motionInput_;
+  FrameOutput recordedFrame_;
+  MotionOutput recordedMotion_;
+  const FrameOutput* frameOutput_ = nullptr;    // made, not yet compared
+  const MotionOutput* motionOutput_ = nullptr;  // made, not yet compared
+};
+
+}  // namespace
+
+Expected<ReplayResult> replay(const std::string& log, const ReplayOptions& options,
+                              StageObserver& observer) {
+  auto reader = LogReader::open(log);
+  if (!reader) return Error{reader.error()};
+  ReplayResult result;
+  const auto player = std::make_unique<Player>(options, observer, result);
+  LogMessage message;
+  while (!player->enough() && reader->next(message)) {
+    const Status taken = player->take(message);
+    if (!taken) return Error{log + ": " + taken.error()};
+  }
+  if (!reader->status()) return Error{reader->status().error()};
+  player->finish();
+  result.truncated = reader->truncated();
+  result.offset = reader->offset();
+  if (result.frames + result.motionSteps == 0) return Error{log + ": holds no frames of an agent"};
+  return result;
+}
+
+}  // namespace kelpie::agent

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+// Runs the loops again on the inputs of a log and compares every output with the recorded one, bit
+// for bit. The same code on the PC and on the emulated target.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "robot/agent/FrameLoop.h"
+#include "robot/agent/MotionLoop.h"
+#include "robot/core/LogReader.h"
+
+namespace kelpie::agent {
+
+// Topics of a log.
+constexpr const char* kConfigTopic = "/config";
+constexpr const char* kFrameInputTopic = "/frame/input";
+constexpr const char* kFrameOutputTopic = "/frame/output";
+constexpr const char* kMotionInputTopic = "/motion/input";
+constexpr const char* kMotionOutputTopic = "/motion/output";
+
+struct ReplayOptions {
+  std::string scripts;          // folder or zip of behaviours
+  std::uint32_t maxFrames = 0;  // 0: all
+  // Changes the recorded configuration before the loops are made.
+  std::function<void(AgentConfig&)> adjust;
+  // Sees every frame; what it is given is valid during the call only.
+  std::function<void(const FrameInput&, const FrameOutput&)> onFrame;
+};
+
+struct ReplayResult {
+  std::uint32_t frames = 0;
+  std::uint32_t motionSteps = 0;
+  std::uint32_t compared = 0;  // outputs found in the log and compared
+  std::uint32_t differing = 0;
+  std::vector<std::string> differences;  // the first few, "frame 12: world.pose.x: 1 != 2"
+  bool truncated = false;                // the log ends without its footer
+  std::uint64_t offset = 0;              // where its last whole record ends
+  std::string scriptError;
+};
+
+// An error names file and place. Frames before it have been seen by onFrame.
+Expected<ReplayResult> replay(const std::string& log, const ReplayOptions& options,
+                              StageObserver& observer);
+
+}  // namespace kelpie::agent

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "robot/body/Ers7.h"
+
+namespace kelpie::body {
+namespace {
+
+// Up to `rotator` degrees from the middle the shoulder may go down to `lowest`.
+struct Step {
+  double rotator;
+  double lowest;
+};
+
+// Rotator forward of the middle for front legs, backward for hind legs; spec openr.md 5.6.
+constexpr std::array<Step, 9> kFrontAhead = {
+    {{20, -10}, {25, -9}, {30, -8}, {40, -7}, {45, -6}, {50, -5}, {55, -4}, {65, -3}, {180, -2}}};
+constexpr std::array<Step, 10> kFrontBehind = {{{10, -10},
+                                                {15, -9},
+                                                {20, -8},
+                                                {25, -7},
+                                                {30, -6},
+                                                {35, -5},
+                                                {45, -4},
+                                                {55, -3},
+                                                {75, -2},
+                                                {180, -1}}};
+constexpr std::array<Step, 11> kHindAhead = {{{15, -10},
+                                              {20, -9},
+                                              {25, -8},
+                                              {30, -7},
+                                              {35, -6},
+                                              {40, -5},
+                                              {45, -4},
+                                              {50, -3},
+                                              {60, -2},
+                                              {70, -1},
+                                              {180, 0}}};
+constexpr std::array<Step, 11> kHindBehind = {{{10, -10},
+                                               {15, -9},
+                                               {20, -8},
+                                               {25, -7},
+                                               {30, -6},
+                                               {35, -5},
+                                               {40, -4},
+                                               {45, -3},
+                                               {55, -2},
+                                               {70, -1},
+                                               {180, 0}}};
+
+template <class Steps>
+double lowestAt(const Steps& steps, double rotator) {
+  for (const Step& step : steps)
+    if (rotator <= step.rotator) return step.lowest;
+  return steps.back().lowest;
+}
+
+}  // namespace
+
+double lowestShoulder(LegId leg, double rotator) {
+  const bool front = leg == LegId::leftFront || leg == LegId::rightFront;
+  if (front)
+    return rotator >= 0 ? lowestAt(kFrontAhead, rotator) : lowestAt(kFrontBehind, -rotator);
+  return rotator >= 0 ? lowestAt(kHindAhead, rotator) : lowestAt(kHindBehind, -rotator);
+}
+
+}  // namespace kelpie::body

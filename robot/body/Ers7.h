@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+// The ERS-7's body in numbers: sizes (facts-2005 section 2, data/robot/geometry.csv), soft joint
+// limits, gains and OPEN-R locators (spec openr.md 5.6). Lengths in cm, angles in degrees.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "robot/core/Joints.h"
+
+namespace kelpie::body {
+
+constexpr double kUpperLeg = 6.95;    // shoulder axis to knee axis, down the leg
+constexpr double kKneeForward = 0.9;  // knee axis ahead of that line (behind it for hind legs)
+constexpr double kKneeOut = 0.47;     // and outside it
+constexpr double kLowerLegFront = 7.736;
+constexpr double kLowerLegHind = 8.314;
+constexpr double kBodyLength = 13.0;  // front to hind shoulder axis
+constexpr double kBodyWidth = 13.44;  // left to right shoulder axis
+
+struct JointRange {
+  double min;
+  double max;
+};
+
+// In the order of Joint. Front and hind rotators are mirrored.
+constexpr std::array<JointRange, kJointCount> kJointRanges = {{
+    {-75, 0},
+    {-88, 88},
+    {-15, 45},  // head
+    {-55, -3},  // mouth
+    {-115, 130},
+    {-10, 88},
+    {-25, 122},  // left front
+    {-130, 115},
+    {-10, 88},
+    {-25, 122},  // left hind
+    {-115, 130},
+    {-10, 88},
+    {-25, 122},  // right front
+    {-130, 115},
+    {-10, 88},
+    {-25, 122},  // right hind
+    {5, 60},
+    {-45, 45},  // tail
+}};
+
+// The body is in the way of the shoulder: its lower limit rises as the rotator leaves the middle.
+double lowestShoulder(LegId leg, double rotator);
+
+struct JointGain {
+  std::uint8_t p;
+  std::uint8_t i;
+  std::uint8_t d;
+};
+constexpr JointGain kNeckTiltGain = {0x0A, 0x04, 0x02};
+constexpr JointGain kHeadPanGain = {0x08, 0x02, 0x04};
+constexpr JointGain kHeadNodGain = {0x08, 0x04, 0x02};
+constexpr JointGain kMouthGain = {0x08, 0x00, 0x04};
+constexpr JointGain kLegGain = {0x1C, 0x08, 0x01};  // rotator and knee
+constexpr JointGain kShoulderGain = {0x14, 0x04, 0x01};
+constexpr JointGain kTailGain = {0x0A, 0x04, 0x04};
+constexpr JointGain kGainShift = {0x0E, 0x02, 0x0F};  // shift exponents of all joints
+
+}  // namespace kelpie::body
