@@ -37,6 +37,7 @@ std::optional<PixelPoint> insideColumn(const Scene& scene, const GoalCandidate& 
 struct ColumnDistance {
   double distance = 0.0;
   double sd = 0.0;
+  double footError = 0.0;
 };
 
 // By height when both ends are in the image, else by the foot on the ground.
@@ -47,11 +48,13 @@ std::optional<ColumnDistance> distanceIn(const Scene& scene, const GoalParams& p
   const double low = sightOf(camera, bottom.point).slope;
   if (!top.cut) {
     const double d = kGoalHeight / std::max(sightOf(camera, top.point).slope - low, 1e-3);
-    return ColumnDistance{d, sizeSd(d, kGoalHeight, p.edgeSd)};
+    const double ground = -camera.position.z / d;
+    return ColumnDistance{d, sizeSd(d, kGoalHeight, p.edgeSd),
+                          maths::atan(low) - maths::atan(ground)};
   }
   if (low > -0.03) return std::nullopt;
   const double d = -camera.position.z / low;
-  return ColumnDistance{d, d * d / camera.position.z * p.directionSd.rad()};
+  return ColumnDistance{d, d * d / camera.position.z * p.directionSd.rad(), 0.0};
 }
 
 void measureDistance(const Scene& scene, const GoalParams& p, GoalCandidate& c) {
@@ -74,6 +77,7 @@ void measureDistance(const Scene& scene, const GoalParams& p, GoalCandidate& c) 
   const ColumnDistance& median = found[found.size() / 2];
   c.distance = std::max(median.distance - p.depth, 5.0);
   c.distanceSd = median.sd;
+  c.footError = median.footError;
 }
 
 // The post: outwards from the outermost lattice columns that show the goal.

@@ -137,6 +137,8 @@ bool accepted(const Scene& scene, const GoalCandidate& c, const GoalParams& p,
          check(goalHasNoPinkBeside(scene, c), Refusal::goalIsBeacon) &&
          check(goalHasFieldBelow(scene, c, p), Refusal::goalNoField) &&
          check(goalIsMeasured(c), Refusal::goalNoHeight) &&
+         check(goalHasWidth(scene, c, p), Refusal::goalWidth) &&
+         check(goalStandsOnGround(c, p), Refusal::goalOffGround) &&
          check(goalIsNear(c, p), Refusal::goalTooFar);
 }
 
@@ -199,6 +201,17 @@ bool goalHasNoPinkBeside(const Scene& scene, const GoalCandidate& c) {
 }
 
 bool goalIsMeasured(const GoalCandidate& c) { return c.distance > 0.0; }
+
+bool goalHasWidth(const Scene& scene, const GoalCandidate& c, const GoalParams& p) {
+  const GoalPlaces places = placesOf(scene, c);
+  const double seen = distance(places.left, places.right);
+  const bool narrow = !c.leftCut && !c.rightCut && seen < p.minSeenWidth;
+  return !narrow && seen <= p.maxSeenWidth;
+}
+
+bool goalStandsOnGround(const GoalCandidate& c, const GoalParams& p) {
+  return std::fabs(c.footError) <= p.directionError.rad();
+}
 
 bool goalIsNear(const GoalCandidate& c, const GoalParams& p) { return c.distance <= p.maxDistance; }
 

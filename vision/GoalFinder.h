@@ -24,6 +24,7 @@ struct GoalCandidate {
   bool bottomCut = false;
   double distance = 0.0;    // cm on the ground from the camera to the mouth, 0 = not measured
   double distanceSd = 0.0;  // cm
+  double footError = 0.0;   // rad, elevation of the foot less that of the ground there
 };
 
 // The checks: true = keep.
@@ -34,6 +35,8 @@ bool goalStandsInsideFieldEdge(const Scene& scene, const GoalCandidate& c, const
 bool goalHasFieldBelow(const Scene& scene, const GoalCandidate& c, const GoalParams& p);
 bool goalHasNoPinkBeside(const Scene& scene, const GoalCandidate& c);
 bool goalIsMeasured(const GoalCandidate& c);
+bool goalHasWidth(const Scene& scene, const GoalCandidate& c, const GoalParams& p);
+bool goalStandsOnGround(const GoalCandidate& c, const GoalParams& p);
 bool goalIsNear(const GoalCandidate& c, const GoalParams& p);
 
 // Call after findBeacons: `landmarks` holds the beacons found, whose bands are left out.

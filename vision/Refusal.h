@@ -40,8 +40,10 @@ enum class Refusal : std::uint8_t {
   goalNoHeight,  // neither upper nor lower edge inside the image
   goalAboveFieldEdge,
   bufferFull,
+  goalWidth,      // its angle and distance make no 80 cm
+  goalOffGround,  // its foot is not on the ground at its distance
 };
-constexpr std::size_t kRefusalCount = 28;
+constexpr std::size_t kRefusalCount = 30;
 
 constexpr std::array<const char*, kRefusalCount> kRefusalNames = {
     "ballTooSmall",       "ballFewEdges",     "ballPoorCircle",     "ballFewOrange",
@@ -50,7 +52,8 @@ constexpr std::array<const char*, kRefusalCount> kRefusalNames = {
     "beaconBothSides",    "beaconSizeRatio",  "beaconAspect",       "beaconBelowHorizon",
     "beaconNoWhiteBelow", "beaconElevation",  "beaconTooFar",       "goalTooSmall",
     "goalAspect",         "goalAboveHorizon", "goalNoField",        "goalIsBeacon",
-    "goalTooFar",         "goalNoHeight",     "goalAboveFieldEdge", "bufferFull"};
+    "goalTooFar",         "goalNoHeight",     "goalAboveFieldEdge", "bufferFull",
+    "goalWidth",          "goalOffGround"};
 
 inline void refuse(VisionCounts& counts, Refusal reason) {
   ++counts.refused[static_cast<std::size_t>(reason)];

@@ -68,14 +68,17 @@ struct BeaconParams {
 };
 
 struct GoalParams {
-  double minSamples = 20;         // lattice samples
-  double minWidth = 8;            // px
-  double minHeight = 5;           // px
-  double maxTall = 1.3;           // height to width of a goal that no image border cuts
-  double maxFlat = 4.5;           // width to height; 80 : 30 seen from the front is 2.7
-  double maxAboveHorizon = 20;    // px, of the lower edge: facts-2005 4.5 check 7
-  double maxAboveFieldEdge = 12;  // px, of the lower edge
-  double minFieldColumns = 0.3;   // share of columns with green below, check 8
+  double minSamples = 20;                // lattice samples
+  double minWidth = 8;                   // px
+  double minHeight = 5;                  // px
+  double maxTall = 1.3;                  // height to width of a goal that no image border cuts
+  double maxFlat = 4.5;                  // width to height; 80 : 30 seen from the front is 2.7
+  double maxAboveHorizon = 12;           // px, of the lower edge: facts-2005 4.5 check 7 has 20
+  double maxAboveFieldEdge = 12;         // px, of the lower edge
+  double minFieldColumns = 0.3;          // share of columns with green below, check 8
+  double minSeenWidth = 40;              // cm between the posts, seen half from the side
+  double maxSeenWidth = 125;             // cm, with a side wall seen from outside
+  Angle directionError = Angle::deg(4);  // camera against ground, for goalOffGround
   double maxDistance = 620;
   double depth = 30;                  // cm from the back wall, which is measured, to the mouth
   double edgeSd = 0.5;                // px, of the upper and of the lower edge
@@ -91,6 +94,9 @@ struct GoalParams {
                      field("maxAboveHorizon", &GoalParams::maxAboveHorizon, "px", -160, 160),
                      field("maxAboveFieldEdge", &GoalParams::maxAboveFieldEdge, "px", -160, 160),
                      field("minFieldColumns", &GoalParams::minFieldColumns, "", 0, 1),
+                     field("minSeenWidth", &GoalParams::minSeenWidth, "cm", 0, 200),
+                     field("maxSeenWidth", &GoalParams::maxSeenWidth, "cm", 0, 500),
+                     field("directionError", &GoalParams::directionError, "rad", 0, 20),
                      field("maxDistance", &GoalParams::maxDistance, "cm", 50, 1000),
                      field("depth", &GoalParams::depth, "cm", 0, 60),
                      field("edgeSd", &GoalParams::edgeSd, "px", 0.01, 5),

@@ -137,7 +137,7 @@ TEST(BallChecks, EdgesRoundnessAndRangeDecideAtTheirLimits) {
 
 TEST(BallChecks, PinkInsideTheCircleIsCounted) {
   Painting p = ballAt(60, 0);
-  p.walls.push_back({{-2.2, 54}, {2.2, 54}, 2.2, 7.2, kPinkPaint});
+  p.walls.push_back({{-4.5, 54}, {-0.4, 54}, 0, 12, kPinkPaint});
   const Seen seen = look(p, cameraAt(16, 0, -12));
   EXPECT_FALSE(seen.percepts.ball.present);
   EXPECT_EQ(refused(seen, Refusal::ballOtherColour), 1);
