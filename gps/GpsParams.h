@@ -97,7 +97,7 @@ struct ModeParams {
 
 struct BallParams {
   double deceleration = 30.0;      // cm/s2 of a rolling ball
-  double velocityNoise = 150.0;    // (cm/s)2 per s
+  double velocityNoise = 60.0;     // (cm/s)2 per s
   double positionNoise = 4.0;      // cm2/s
   double unseenNoise = 60.0;       // cm2/s more while it is not seen
   double minSd = 1.5;              // cm, least error of one sighting

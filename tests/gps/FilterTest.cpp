@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: Apache-2.0
+// The laws of the filter's parts: prediction, update, merging, gates.
+#include <gtest/gtest.h>
+
+#include "gps/Gaussian.h"
+#include "gps/Landmarks.h"
+#include "gps/Modes.h"
+#include "gps/Predict.h"
+#include "gps/Update.h"
+#include "tests/gps/SimulatedRobot.h"
+
+namespace kelpie::gps {
+namespace {
+
+PoseMode modeAt(double x, double y, double heading) {
+  PoseMode mode;
+  mode.weight = 1.0;
+  mode.pose = {{x, y}, Angle::rad(heading)};
+  Matrix3 c;
+  c << 120, 15, 0.4, 15, 80, -0.3, 0.4, -0.3, 0.05;
+  setCovariance(mode, c);
+  return mode;
+}
+
+Measurement seenAt(Point2<Field> landmark, double distance, double heading) {
+  return {landmark, true, true, distance, Angle::rad(heading), 400.0, 0.004};
+}
+
+TEST(Predict, JacobianMatchesDifferences) {
+  const Odometry odometry{1.3, -0.4, Angle::rad(0.2)};
+  const Pose2 pose{{100, 200}, Angle::rad(0.7)};
+  const auto jacobian = movedJacobian(pose, odometry);
+  constexpr double kStep = 1e-6;
+  const Pose2 turned{pose.position, Angle::rad(0.7 + kStep)};
+  const Point2<Field> d = moved(turned, odometry).position - moved(pose, odometry).position;
+  EXPECT_NEAR(jacobian[2], d.x / kStep, 1e-5);
+  EXPECT_NEAR(jacobian[5], d.y / kStep, 1e-5);
+}
+
+TEST(Predict, ForwardNoiseLiesAlongTheHeading) {
+  PoseMode mode;
+  mode.pose.heading = Angle::deg(30);
+  predict(mode, {}, {9.0, 1.0, 0.0});
+  // cos^2 30 * 9 + sin^2 30 * 1 = 7; (9 - 1) sin 30 cos 30 = 3.4641.
+  EXPECT_NEAR(mode.covariance[0], 7.0, 1e-9);
+  EXPECT_NEAR(mode.covariance[4], 3.0, 1e-9);
+  EXPECT_NEAR(mode.covariance[1], 3.46410161514, 1e-9);
+}
+
+TEST(Update, JacobianMatchesDifferences) {
+  const Point2<Field> landmark{375, 405};
+  const Pose2 pose{{100, 200}, Angle::rad(2.9)};
+  const Expectation e = expected(pose, landmark);
+  constexpr double kStep = 1e-5;
+  for (int i = 0; i < 3; ++i) {
+    Pose2 other = pose;
+    if (i == 0) other.position.x += kStep;
+    if (i == 1) other.position.y += kStep;
+    if (i == 2) other.heading = Angle::rad(2.9 + kStep);
+    const Expectation f = expected(other, landmark);
+    const auto column = static_cast<std::size_t>(i);
+    EXPECT_NEAR(e.jacobian[column], (f.distance - e.distance) / kStep, 1e-6);
+    EXPECT_NEAR(e.jacobian[3 + column], (f.heading - e.heading).rad() / kStep, 1e-6);
+  }
+}
+
+// The textbook's form, with another inverse and without Joseph's, on the same numbers.
+TEST(Update, OneModeEqualsATextbookFilter) {
+  PoseMode mode = modeAt(150, 220, 1.2);
+  const Measurement m = seenAt({375, 405}, 300, -0.4);
+  const double dx = 225, dy = 185, r = std::sqrt(dx * dx + dy * dy);
+  Eigen::Matrix<double, 2, 3> h;
+  h << -dx / r, -dy / r, 0, dy / (r * r), -dx / (r * r), -1;
+  const Matrix3 p = covarianceOf(mode);
+  const Matrix2 s = h * p * h.transpose() + Vector2(400, 0.004).asDiagonal().toDenseMatrix();
+  const Eigen::Matrix<double, 3, 2> k = (s.ldlt().solve(h * p)).transpose();
+  const Vector2 innovation(300 - r, -0.4 - (std::atan2(dy, dx) - 1.2));
+  const Vector3 mean = Vector3(150, 220, 1.2) + k * innovation;
+  const Matrix3 covariance = (Matrix3::Identity() - k * h) * p;
+  update(mode, m, false);
+  EXPECT_LT((meanOf(mode) - mean).norm(), 1e-9);
+  EXPECT_LT((covarianceOf(mode) - covariance).norm(), 1e-8);
+  EXPECT_NEAR(mode.weight, std::exp(-0.5 * innovation.dot(s.ldlt().solve(innovation))), 1e-12);
+}
+
+TEST(Update, NeverGrowsTheTraceAndStaysPositive) {
+  Random random(7);
+  for (int i = 0; i < 500; ++i) {
+    PoseMode mode = modeAt(random.uniform(0, 360), random.uniform(0, 540), random.uniform(-3, 3));
+    const double before = covarianceOf(mode).trace();
+    update(mode, seenAt({-15, 135}, random.uniform(20, 500), random.uniform(-3, 3)), i % 2 == 0);
+    EXPECT_LE(covarianceOf(mode).trace(), before);
+    EXPECT_GT(covarianceOf(mode).selfadjointView<Eigen::Lower>().eigenvalues().minCoeff(), 0.0);
+    EXPECT_LE(mode.weight, 1.0);
+    EXPECT_EQ(mode.covariance[1], mode.covariance[3]);
+  }
+}
+
+TEST(Update, PerfectForecastKeepsTheWeight) {
+  PoseMode mode = modeAt(0, 0, 0);
+  update(mode, seenAt({30, 40}, 50, std::atan2(40.0, 30.0)), false);
+  EXPECT_NEAR(mode.weight, 1.0, 1e-12);
+}
+
+TEST(Modes, MergeAcrossTheHeadingWrapGoesTheShortWay) {
+  PoseMode a = modeAt(100, 100, maths::kPi - 0.02), b = modeAt(104, 100, -maths::kPi + 0.02);
+  a.weight = b.weight = 0.5;
+  const PoseMode one = merged(a, b);
+  EXPECT_NEAR(one.pose.heading.abs().rad(), maths::kPi, 1e-9);
+  EXPECT_NEAR(one.pose.position.x, 102.0, 1e-9);
+  EXPECT_NEAR(one.covariance[0], 120.0 + 4.0, 1e-9);  // the spread of the means
+  EXPECT_NEAR(one.covariance[8], 0.05 + 0.02 * 0.02, 1e-9);
+  EXPECT_NEAR(one.weight, 1.0, 1e-12);
+}
+
+TEST(Modes, BrokenModeIsRemovedAndTheLastOneReplaced) {
+  SimulatedRobot robot({180, 200, 1.0});
+  robot.step();
+  robot.state.modes[0].pose.position.x = std::nan("");
+  robot.state.modes.push_back(modeAt(50, 60, 1.0));
+  tidy(robot.params, robot.state);
+  ASSERT_EQ(robot.state.modes.size(), 1u);
+  EXPECT_EQ(robot.state.modes[0].pose.position.x, 50.0);
+  robot.state.modes[0].covariance[4] = -1.0;
+  tidy(robot.params, robot.state);
+  EXPECT_TRUE(robot.state.lost);
+  EXPECT_EQ(robot.state.modes[0].pose.position.x, 180.0);
+}
+
+struct GateCase {
+  LandmarkKind kind;
+  double distance;
+  bool used;
+  bool distanceUsed;
+};
+
+class Gates : public testing::TestWithParam<GateCase> {};
+
+TEST_P(Gates, HoldAtTheirBounds) {
+  SimulatedRobot robot({180, 270, 1.57});
+  LandmarkPercept p = robot.look({GetParam().kind, {180, 540}});
+  p.distance = GetParam().distance;
+  const auto map = body::landmarksFor(robot.params.field, TeamColour::red);
+  const auto m = measurement(p, map, robot.params, robot.state);
+  ASSERT_EQ(m.has_value(), GetParam().used);
+  EXPECT_EQ(m && m->useDistance, GetParam().distanceUsed);
+}
+
+INSTANTIATE_TEST_SUITE_P(Landmarks, Gates,
+                         testing::Values(GateCase{LandmarkKind::goalBlue, 69, false, false},
+                                         GateCase{LandmarkKind::goalBlue, 71, true, true},
+                                         GateCase{LandmarkKind::goalBlue, 249, true, true},
+                                         GateCase{LandmarkKind::goalBlue, 251, true, false},
+                                         GateCase{LandmarkKind::beaconBlueOnPink, 449, true, true},
+                                         GateCase{LandmarkKind::beaconBlueOnPink, 451, true,
+                                                  false}));
+
+TEST(Landmarks, GoalCutByTheImageGivesNoHeading) {
+  SimulatedRobot robot({180, 400, 1.57});
+  LandmarkPercept p = robot.look({LandmarkKind::goalBlue, {180, 540}});
+  p.rightEdgeCut = true;
+  const auto map = body::landmarksFor(robot.params.field, TeamColour::red);
+  const auto m = measurement(p, map, robot.params, robot.state);
+  ASSERT_TRUE(m.has_value());
+  EXPECT_FALSE(m->useHeading);
+  EXPECT_TRUE(m->useDistance);
+}
+
+}  // namespace
+}  // namespace kelpie::gps

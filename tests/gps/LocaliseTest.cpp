@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: Apache-2.0
+// The localiser as a whole: from an unknown start, after a kidnapping, with false and broken input.
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "tests/gps/SimulatedRobot.h"
+
+namespace kelpie::gps {
+namespace {
+
+struct Errors {
+  double cm = 0.0;
+  double deg = 0.0;
+};
+
+double panAt(int frame) { return 1.2 * std::sin(2 * maths::kPi * frame / 60.0); }
+
+// Mean errors over the last 60 of 120 frames of a walk with panning head, over 20 runs.
+Errors walkErrors(double heading, double falseShare = 0.0) {
+  Errors sum;
+  for (std::uint64_t run = 0; run < 20; ++run) {
+    Random random(run + 100);
+    SimulatedRobot robot({180, 270, heading}, run);
+    for (int i = 0; i < 120; ++i) {
+      robot.walk(0.7, 0.0, 0.008 * std::sin(i / 20.0));
+      robot.lookAround(panAt(i));
+      for (LandmarkPercept& p : robot.percepts.landmarks) {
+        if (random.chance(falseShare)) p.heading = p.heading + Angle::deg(random.uniform(20, 340));
+      }
+      const WorldModel world = robot.step();
+      if (i < 60) continue;
+      sum.cm += robot.error(world) / 60 / 20;
+      sum.deg += robot.headingError(world) / 60 / 20;
+    }
+  }
+  std::printf("walk heading %.0f false %.2f: %.2f cm %.2f deg\n", heading * 180 / maths::kPi,
+              falseShare, sum.cm, sum.deg);
+  return sum;
+}
+
+TEST(Localise, WalkFromAnUnknownStartIsFollowedAtEveryHeading) {
+  for (const double heading : {0.0, 0.5, 1.0, 1.5}) {
+    const Errors errors = walkErrors(heading * maths::kPi);
+    EXPECT_LT(errors.cm, 4.0) << heading;
+    EXPECT_LT(errors.deg, 1.0) << heading;
+  }
+}
+
+TEST(Localise, OneFalseSightingInTwentyCostsLittle) {
+  EXPECT_LT(walkErrors(maths::kPi / 2, 0.05).cm, 5.0);
+}
+
+// Frames from the kidnapping until the estimate is within 30 cm and 15 deg for good.
+int recovery(std::uint64_t seed) {
+  Random random(seed);
+  SimulatedRobot robot({180, 200, maths::kPi / 2}, seed);
+  int last = 0;
+  for (int i = 0; i < 400; ++i) {
+    if (i == 100) {
+      robot.truth = {random.uniform(40, 320), random.uniform(60, 480), random.uniform(0, 6.28)};
+    }
+    robot.walk(0.5, 0.0, 0.02);
+    robot.lookAround(panAt(i));
+    const WorldModel world = robot.step();
+    const bool good = robot.error(world) < 30.0 && robot.headingError(world) < 15.0;
+    if (i >= 100 && !good) last = i - 99;
+  }
+  return last;
+}
+
+TEST(Localise, KidnappedRobotFindsItselfAgain) {
+  std::vector<int> frames;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) frames.push_back(recovery(seed));
+  std::sort(frames.begin(), frames.end());
+  std::printf("kidnapped: median %d, worst %d frames\n", frames[10], frames[19]);
+  EXPECT_LT(frames[10], 30);
+  EXPECT_LT(frames[18], 150);
+}
+
+TEST(Localise, KnownStartIsKeptWhileNothingIsSeen) {
+  SimulatedRobot robot({60, 100, 0.4});
+  robot.params.initialPose = {true, {{60, 100}, Angle::rad(0.4)}, 5.0, Angle::deg(3)};
+  WorldModel world;
+  for (int i = 0; i < 90; ++i) {
+    robot.walk(0.7, 0.2, 0.01);
+    world = robot.step();
+  }
+  EXPECT_LT(robot.error(world), 0.1);
+  EXPECT_LT(robot.headingError(world), 0.01);
+  EXPECT_NEAR(world.secondsSinceLandmark, 3.0, 1e-9);
+}
+
+TEST(Localise, WeightsSumToOneAndAreSorted) {
+  SimulatedRobot robot({100, 300, 2.0}, 5);
+  for (int i = 0; i < 200; ++i) {
+    robot.walk(0.5, 0.0, 0.01);
+    robot.lookAround(panAt(i));
+    const WorldModel world = robot.step();
+    double sum = 0.0, previous = 1.0;
+    for (const PoseMode& mode : world.modes) {
+      EXPECT_LE(mode.weight, previous);
+      sum += previous = mode.weight;
+    }
+    ASSERT_NEAR(sum, 1.0, 1e-9);
+  }
+}
+
+// The mirrored robot: left and right swapped, beacons swapped, same noise.
+TEST(Localise, MirroredSightingsGiveTheMirroredPose) {
+  SimulatedRobot left({100, 250, 1.9}), right({260, 250, maths::kPi - 1.9});
+  const auto map = body::landmarksFor(left.params.field, TeamColour::red);
+  const auto& mirrored = map;
+  for (int i = 0; i < 30; ++i) {
+    left.percepts.landmarks.clear();
+    right.percepts.landmarks.clear();
+    for (std::size_t k = 0; k < map.size(); ++k) {
+      for (std::size_t j = 0; j < map.size(); ++j) {
+        const bool twin = std::fabs(map[k].position.x + mirrored[j].position.x - 360) < 1e-9 &&
+                          map[k].position.y == mirrored[j].position.y;
+        if (!twin) continue;
+        left.percepts.landmarks.push_back(left.look(map[k], false));
+        right.percepts.landmarks.push_back(right.look(mirrored[j], false));
+      }
+    }
+    const Pose2 a = left.step().pose, b = right.step().pose;
+    ASSERT_NEAR(a.position.x, 360.0 - b.position.x, 1e-6);
+    ASSERT_NEAR(a.position.y, b.position.y, 1e-6);
+    ASSERT_NEAR((a.heading + b.heading - Angle::rad(maths::kPi)).rad(), 0.0, 1e-9);
+  }
+}
+
+TEST(Localise, BlueTeamSeesTheFieldTurnedRound) {
+  SimulatedRobot robot({180, 200, maths::kPi / 2});
+  robot.input.game.team = TeamColour::blue;
+  WorldModel world;
+  for (int i = 0; i < 120; ++i) {
+    robot.lookAround(panAt(i));
+    world = robot.step();
+  }
+  EXPECT_LT(robot.error(world), 15.0);
+}
+
+TEST(Localise, BrokenInputLeavesAFiniteWideEstimateAndIsCounted) {
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  constexpr double kInf = std::numeric_limits<double>::infinity();
+  SimulatedRobot robot({180, 200, 1.0});
+  robot.input.odometry.forward = 1000.0;
+  for (const double bad : {kNan, kInf, -kInf, -1.0, 0.0}) {
+    LandmarkPercept p = robot.look({LandmarkKind::goalBlue, {180, 540}});
+    p.distance = bad;
+    robot.percepts.landmarks.push_back(p);
+  }
+  LandmarkPercept p = robot.look({LandmarkKind::goalBlue, {180, 540}});
+  p.headingVariance = kInf;
+  robot.percepts.landmarks.push_back(p);
+  robot.percepts.ball = {true, kNan, {}, {}, 1.0, 1.0, {}, 0.0};
+  const WorldModel world = robot.step();
+  EXPECT_TRUE(std::isfinite(world.pose.position.x));
+  EXPECT_GT(world.positionSd, 100.0);
+  EXPECT_FALSE(world.ball.present);
+  const auto count = [&](Refusal r) { return world.counts.refused[static_cast<std::size_t>(r)]; };
+  EXPECT_EQ(count(Refusal::landmarkNotFinite), 6);
+  EXPECT_EQ(count(Refusal::odometryNotFinite), 1);
+  EXPECT_EQ(count(Refusal::ballNotFinite), 1);
+}
+
+}  // namespace
+}  // namespace kelpie::gps

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+// A robot on the field with a true pose, and the noisy percepts and odometry it would have. The
+// truth uses its own trigonometry (std::) and geometry, not the code under test.
+#pragma once
+
+#include <cmath>
+
+#include "gps/Localiser.h"
+#include "robot/core/Random.h"
+
+namespace kelpie::gps {
+
+struct Truth {
+  double x = 180.0;
+  double y = 200.0;
+  double heading = maths::kPi / 2;
+};
+
+class SimulatedRobot {
+ public:
+  explicit SimulatedRobot(Truth start, std::uint64_t seed = 1) : truth(start), random_(seed) {
+    params.field = *body::fieldDescription("2006");
+    input.elapsed = kFrameSeconds;
+  }
+
+  // Walks one frame in small steps: speeds in cm and rad per frame.
+  void walk(double forward, double left, double turn) {
+    constexpr int kSteps = 20;
+    for (int i = 0; i < kSteps; ++i) {
+      truth.heading += turn / kSteps;
+      truth.x += (forward * std::cos(truth.heading) - left * std::sin(truth.heading)) / kSteps;
+      truth.y += (forward * std::sin(truth.heading) + left * std::cos(truth.heading)) / kSteps;
+    }
+    input.odometry = {forward, left, Angle::rad(turn)};
+  }
+
+  // What the landmark looks like from the true pose, with 6 % and 2 deg of noise when noisy.
+  LandmarkPercept look(const body::Landmark& landmark, bool noisy = true) {
+    const double dx = landmark.position.x - truth.x;
+    const double dy = landmark.position.y - truth.y;
+    const double r = std::sqrt(dx * dx + dy * dy);
+    LandmarkPercept p;
+    p.kind = landmark.kind;
+    p.distance = r * (noisy ? random_.gaussian(1.0, 0.06) : 1.0);
+    p.heading = Angle::rad(std::atan2(dy, dx) - truth.heading +
+                           (noisy ? random_.gaussian(0.0, 2.0 * maths::kPi / 180.0) : 0.0));
+    p.distanceVariance = maths::square(0.06 * r) + 1.0;
+    p.headingVariance = maths::square(2.0 * maths::kPi / 180.0);
+    return p;
+  }
+
+  // All landmarks within 28 deg of the pan direction, as the camera would see them.
+  void lookAround(double pan) {
+    percepts.landmarks.clear();
+    for (const body::Landmark& landmark : body::landmarksFor(params.field, input.game.team)) {
+      const LandmarkPercept p = look(landmark);
+      if ((p.heading - Angle::rad(pan)).abs().deg() < 28.0) percepts.landmarks.push_back(p);
+    }
+  }
+
+  WorldModel step() {
+    input.frame += 1;
+    input.time = TimeUs::fromSeconds(input.frame * kFrameSeconds);
+    return gps::step(GpsIn{input, percepts}, params, state);
+  }
+
+  double error(const WorldModel& world) const {
+    return std::hypot(world.pose.position.x - truth.x, world.pose.position.y - truth.y);
+  }
+  double headingError(const WorldModel& world) const {
+    return (world.pose.heading - Angle::rad(truth.heading)).abs().deg();
+  }
+
+  Truth truth;
+  FrameInput input;
+  Percepts percepts;
+  GpsParams params;
+  GpsState state;
+
+ private:
+  Random random_;
+};
+
+}  // namespace kelpie::gps
