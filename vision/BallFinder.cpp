@@ -15,7 +15,9 @@ namespace kelpie::vision {
 namespace {
 
 constexpr int kSpokes = 16;
-constexpr int kAround = 12;
+constexpr int kAround = 6;  // steps of 30 deg along the lower half
+// Points outside the image count as carpet below this row: half the image.
+constexpr double kLowerPart = 80.0;
 constexpr std::size_t kMaxCandidates = 4;
 
 double turn(int step, int steps) { return 2.0 * maths::kPi * step / steps; }
@@ -174,10 +176,12 @@ bool ballIsInsideFieldEdge(const Scene& scene, const BallCandidate& c, const Bal
 bool ballHasFieldAround(const Scene& scene, const BallCandidate& c, const BallParams& p) {
   int field = 0;
   const double r = 1.3 * c.cone.radius + 2.0;
-  for (int i = 0; i < kAround; ++i) {
-    const auto direction = maths::sinCos(turn(i, kAround));
+  for (int i = 0; i <= kAround; ++i) {
+    const auto direction = maths::sinCos(maths::kPi * i / kAround);
     const PixelPoint at{c.cone.centre.x + r * direction.cos, c.cone.centre.y + r * direction.sin};
-    if (!Sampler::usable(at) || scene.sampler.classAt(at) == ColourClass::green) ++field;
+    const bool green =
+        Sampler::usable(at) ? scene.sampler.classAt(at) == ColourClass::green : at.y > kLowerPart;
+    field += green ? 1 : 0;
   }
   return field >= p.minFieldPoints;
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "vision/Refusal.h"
 #include "vision/Sight.h"
@@ -30,10 +31,10 @@ struct Band {
 };
 
 // Looks past the pink band's edge for blue or yellow; up to two mixed pixels lie between.
-Band bandBeyond(const Scene& scene, const Blob& pink, ImageUp direction) {
+Band bandBeyond(const Scene& scene, PixelPoint pink, ImageUp direction) {
   Band band;
   band.pinkEdge =
-      walkToEdge(scene.sampler, {pink.centre, direction.dx, direction.dy, ColourClass::pink, 1});
+      walkToEdge(scene.sampler, {pink, direction.dx, direction.dy, ColourClass::pink, 1});
   if (band.pinkEdge.cut) return band;
   for (const double gap : {1.5, 2.5}) {
     const PixelPoint start = moved(band.pinkEdge.point, direction, gap);
@@ -50,14 +51,26 @@ Band bandBeyond(const Scene& scene, const Blob& pink, ImageUp direction) {
   return band;
 }
 
-void measureWidth(const Scene& scene, ImageUp up, BeaconCandidate& c) {
+struct Width {
+  double value = 0.0;
+  bool cut = false;
+};
+
+Width widthAt(const Scene& scene, ImageUp up, PixelPoint at, ColourClass colour) {
   const ImageUp right{-up.dy, up.dx};
-  const EdgeHit r =
-      walkToEdge(scene.sampler, {c.pink->centre, right.dx, right.dy, ColourClass::pink, 1});
-  const EdgeHit l =
-      walkToEdge(scene.sampler, {c.pink->centre, -right.dx, -right.dy, ColourClass::pink, 1});
-  c.width = r.length + l.length;
-  c.widthCut = r.cut || l.cut;
+  const EdgeHit r = walkToEdge(scene.sampler, {at, right.dx, right.dy, colour, 1});
+  const EdgeHit l = walkToEdge(scene.sampler, {at, -right.dx, -right.dy, colour, 1});
+  return {r.length + l.length, r.cut || l.cut};
+}
+
+// Of both bands; the narrower counts, because clothes or a goal may touch the other.
+void measureWidth(const Scene& scene, ImageUp up, BeaconCandidate& c) {
+  const double half = 0.5 * (c.pinkIsLower ? c.upper : -c.lower);
+  const Width pink = widthAt(scene, up, c.pink, ColourClass::pink);
+  const Width partner = widthAt(scene, up, moved(c.middle, up, half), c.partner);
+  const bool usePink = pink.value <= partner.value || partner.value < 1.0;
+  c.width = usePink ? pink.value : partner.value;
+  c.widthCut = pink.cut || partner.cut;
 }
 
 // Two of the heights 40, 30 and 20 cm that lie inside the image, as far apart as possible.
@@ -70,9 +83,9 @@ double measureDistance(const Scene& scene, const BeaconCandidate& c) {
   return high - low > 1e-4 ? height / (high - low) + kBeaconRadius : 1e6;
 }
 
-BeaconCandidate measured(const Scene& scene, const Blob& pink, ImageUp up) {
+BeaconCandidate measured(const Scene& scene, PixelPoint pink, ImageUp up) {
   BeaconCandidate c;
-  c.pink = &pink;
+  c.pink = pink;
   const Band above = bandBeyond(scene, pink, up);
   const Band below = bandBeyond(scene, pink, reversed(up));
   c.bothSides = above.colour != ColourClass::none && below.colour != ColourClass::none;
@@ -89,9 +102,27 @@ BeaconCandidate measured(const Scene& scene, const Blob& pink, ImageUp up) {
   c.upper = c.pinkIsLower ? partner.height : pinkHeight;
   c.lower = c.pinkIsLower ? pinkHeight : partner.height;
   if (c.partner == ColourClass::none) return c;
-  measureWidth(scene, up, c);
   c.distance = measureDistance(scene, c);
+  measureWidth(scene, up, c);
   return c;
+}
+
+// Where to look for a pink band: in a pink blob, or next to a blue or yellow one that is no longer
+// or wider than a band can be.
+std::optional<PixelPoint> pinkStart(const Scene& scene, const Blob& blob, ImageUp up) {
+  if (blob.colour == ColourClass::pink) return blob.centre;
+  if (blob.colour == ColourClass::orange) return std::nullopt;
+  const double width = blob.box.right - blob.box.left;
+  const double height = blob.box.bottom - blob.box.top;
+  if (width > 2.5 * height || height > 2.5 * width) return std::nullopt;
+  for (const ImageUp direction : {up, reversed(up)}) {
+    const EdgeHit edge =
+        walkToEdge(scene.sampler, {blob.centre, direction.dx, direction.dy, blob.colour, 1});
+    const PixelPoint next = moved(edge.point, direction, std::max(2.0, 0.5 * edge.length));
+    if (edge.cut || !Sampler::usable(next)) continue;
+    if (scene.sampler.classAt(next) == ColourClass::pink) return next;
+  }
+  return std::nullopt;
 }
 
 LandmarkKind kindOf(const BeaconCandidate& c) {
@@ -103,7 +134,7 @@ LandmarkKind kindOf(const BeaconCandidate& c) {
 
 LandmarkPercept perceptOf(const Scene& scene, const BeaconCandidate& c, const BeaconParams& p) {
   const CameraPose& camera = scene.body.camera;
-  const Sight sight = sightOf(camera, c.pink->centre);
+  const Sight sight = sightOf(camera, c.middle);
   const Point2<Robot> place = placeAt(camera, sight, c.distance);
   const double height = c.topCut || c.bottomCut ? kBandHeight : 2.0 * kBandHeight;
   LandmarkPercept percept;
@@ -115,10 +146,11 @@ LandmarkPercept perceptOf(const Scene& scene, const BeaconCandidate& c, const Be
   percept.headingVariance = maths::square(p.headingSd.rad());
   percept.leftEdge = percept.heading;
   percept.rightEdge = percept.heading;
-  percept.leftEdgeCut = c.pink->box.left <= kLatticeLeft;
-  percept.rightEdgeCut = c.pink->box.right >= kUsableRight - 1;
-  percept.box = {std::min({c.pink->box.left, c.top.x, c.bottom.x}), std::min(c.top.y, c.bottom.y),
-                 std::max({c.pink->box.right, c.top.x, c.bottom.x}), std::max(c.top.y, c.bottom.y)};
+  const double half = 0.5 * c.width;
+  percept.box = {std::min(c.top.x, c.bottom.x) - half, std::min(c.top.y, c.bottom.y),
+                 std::max(c.top.x, c.bottom.x) + half, std::max(c.top.y, c.bottom.y)};
+  percept.leftEdgeCut = percept.box.left <= kLatticeLeft;
+  percept.rightEdgeCut = percept.box.right >= kUsableRight - 1;
   return percept;
 }
 
@@ -168,7 +200,10 @@ bool beaconBandIsSquare(const BeaconCandidate& c, const BeaconParams& p) {
   const bool cut = c.pinkIsLower ? c.bottomCut : c.topCut;
   const bool tooWide = !cut && c.width > p.maxAspect * height + 1.0;
   const bool tooTall = !c.widthCut && height > p.maxAspect * c.width + 1.0;
-  return !tooWide && !tooTall;
+  const double cm = c.width * (c.distance - kBeaconRadius) / body::kFocalLength;
+  const double pixel = c.distance / body::kFocalLength;
+  const bool wrongWidth = cm > p.maxWidth + pixel || (!c.widthCut && cm < p.minWidth - pixel);
+  return !tooWide && !tooTall && !wrongWidth;
 }
 
 bool beaconReachesHorizon(const Scene& scene, const BeaconCandidate& c, const BeaconParams& p) {
@@ -206,13 +241,14 @@ void findBeacons(const Scene& scene, const BeaconParams& params, VisionCounts& c
   const ImageUp up = imageUp(scene.body.camera);
   std::size_t candidates = 0;
   for (const Blob& blob : scene.blobs) {
-    if (blob.colour != ColourClass::pink) continue;
+    const auto start = pinkStart(scene, blob, up);
+    if (!start) continue;
     if (static_cast<double>(blob.samples) < params.minSamples || candidates == kMaxCandidates) {
       refuse(counts, Refusal::beaconTooSmall);
       continue;
     }
     ++candidates;
-    const BeaconCandidate candidate = measured(scene, blob, up);
+    const BeaconCandidate candidate = measured(scene, *start, up);
     if (!accepted(scene, candidate, params, counts)) continue;
     keep(landmarks, perceptOf(scene, candidate, params));
   }

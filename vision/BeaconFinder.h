@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Beacons: a pink band with a blue or yellow one right above or below. Both are measured along the
-// image's upward direction, so a neighbouring goal of the same colour does no harm. Distance from
-// the angle that the 20 cm of both bands fill, whatever the camera's height and tilt.
+// image's upward direction, so a neighbouring goal of the same colour does no harm. Sought from the
+// middle of every pink blob, and from small blue and yellow ones in case pink clothes touch the
+// pink. Distance from the angle that the 20 cm of both bands fill, whatever the camera's height and
+// tilt.
 #pragma once
 
 #include "robot/core/Percepts.h"
@@ -12,7 +14,7 @@
 namespace kelpie::vision {
 
 struct BeaconCandidate {
-  const Blob* pink = nullptr;
+  PixelPoint pink;  // a point inside the pink band
   ColourClass partner = ColourClass::none;
   bool pinkIsLower = false;
   bool bothSides = false;
@@ -23,7 +25,7 @@ struct BeaconCandidate {
   bool bottomCut = false;
   double upper = 0.0;  // px, height of the upper band
   double lower = 0.0;
-  double width = 0.0;  // px, of the pink band
+  double width = 0.0;  // px, of the narrower band
   bool widthCut = false;
   double distance = 0.0;  // cm on the ground, camera to the beacon's axis
 };

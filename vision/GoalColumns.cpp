@@ -40,14 +40,19 @@ struct ColumnDistance {
   double footError = 0.0;
 };
 
+struct ColumnSpan {
+  EdgeHit top;
+  EdgeHit bottom;
+};
+
 // By height when both ends are in the image, else by the foot on the ground.
 std::optional<ColumnDistance> distanceIn(const Scene& scene, const GoalParams& p,
-                                         const EdgeHit& top, const EdgeHit& bottom) {
+                                         const ColumnSpan& span) {
   const CameraPose& camera = scene.body.camera;
-  if (bottom.cut) return std::nullopt;
-  const double low = sightOf(camera, bottom.point).slope;
-  if (!top.cut) {
-    const double d = kGoalHeight / std::max(sightOf(camera, top.point).slope - low, 1e-3);
+  if (span.bottom.cut) return std::nullopt;
+  const double low = sightOf(camera, span.bottom.point).slope;
+  if (!span.top.cut) {
+    const double d = kGoalHeight / std::max(sightOf(camera, span.top.point).slope - low, 1e-3);
     const double ground = -camera.position.z / d;
     return ColumnDistance{d, sizeSd(d, kGoalHeight, p.edgeSd),
                           maths::atan(low) - maths::atan(ground)};
@@ -57,18 +62,44 @@ std::optional<ColumnDistance> distanceIn(const Scene& scene, const GoalParams& p
   return ColumnDistance{d, d * d / camera.position.z * p.directionSd.rad(), 0.0};
 }
 
-void measureDistance(const Scene& scene, const GoalParams& p, GoalCandidate& c) {
+// The image's top cuts it although 30 cm at the distance of its foot would end below that.
+bool isTooTall(const Scene& scene, const ColumnSpan& span) {
+  if (!span.top.cut || span.bottom.cut) return false;
+  const CameraPose& camera = scene.body.camera;
+  const double low = sightOf(camera, span.bottom.point).slope;
+  const double high = sightOf(camera, span.top.point).slope;
+  constexpr double kLeastSlope = 0.01;  // a foot at the horizon: nothing of 30 cm fills the view
+  const double d = camera.position.z / std::max(-low, kLeastSlope);
+  return (high - low) * d > 1.4 * kGoalHeight;
+}
+
+// The carpet follows within two pixels and a tenth of the height. Cut below: nothing speaks
+// against.
+bool hasGreenBelow(const Scene& scene, const ColumnSpan& span, ImageUp up) {
+  if (span.bottom.cut) return true;
+  const double height = span.top.length + span.bottom.length;
+  for (const double away : {1.5, 2.5, 2.5 + 0.1 * height}) {
+    const PixelPoint at{span.bottom.point.x - away * up.dx, span.bottom.point.y - away * up.dy};
+    if (!Sampler::usable(at) || scene.sampler.classAt(at) == ColourClass::green) return true;
+  }
+  return false;
+}
+
+void measureColumns(const Scene& scene, const GoalParams& p, GoalCandidate& c) {
   const ImageUp up = imageUp(scene.body.camera);
   FixedVector<ColumnDistance, kColumns> found;
   for (int i = 0; i < kColumns; ++i) {
-    const double share = 0.2 + 0.6 * i / (kColumns - 1);
+    const double share = 0.15 + 0.7 * i / (kColumns - 1);
     const auto start = insideColumn(scene, c, c.box.left + share * (c.box.right - c.box.left));
     if (!start) continue;
-    const EdgeHit top = walkToEdge(scene.sampler, {*start, up.dx, up.dy, c.colour, kHoles});
-    const EdgeHit bottom = walkToEdge(scene.sampler, {*start, -up.dx, -up.dy, c.colour, kHoles});
-    c.topCut = c.topCut || top.cut;
-    c.bottomCut = c.bottomCut || bottom.cut;
-    const auto distance = distanceIn(scene, p, top, bottom);
+    const ColumnSpan span{walkToEdge(scene.sampler, {*start, up.dx, up.dy, c.colour, kHoles}),
+                          walkToEdge(scene.sampler, {*start, -up.dx, -up.dy, c.colour, kHoles})};
+    ++c.columns;
+    c.fieldColumns += hasGreenBelow(scene, span, up) ? 1 : 0;
+    c.tallColumns += isTooTall(scene, span) ? 1 : 0;
+    c.topCut = c.topCut || span.top.cut;
+    c.bottomCut = c.bottomCut || span.bottom.cut;
+    const auto distance = distanceIn(scene, p, span);
     if (distance) found.push_back(*distance);
   }
   if (found.empty()) return;
@@ -98,7 +129,7 @@ void measureGoal(const Scene& scene, const GoalParams& params, GoalCandidate& c)
   c.rightCut = c.box.right >= kUsableRight - 1;
   c.leftEdge = edgeOf(scene, c, c.box.left + inset, -1.0, c.leftCut);
   c.rightEdge = edgeOf(scene, c, c.box.right - inset, 1.0, c.rightCut);
-  measureDistance(scene, params, c);
+  measureColumns(scene, params, c);
 }
 
 }  // namespace kelpie::vision

@@ -53,23 +53,37 @@ PixelBox hull(const PixelBox& a, const PixelBox& b) {
           std::max(a.bottom, b.bottom)};
 }
 
-const Blob* largestOf(const Scene& scene, ColourClass colour, const Landmarks& landmarks) {
-  const Blob* largest = nullptr;
+constexpr std::size_t kMaxSeeds = 4;
+using Seeds = FixedVector<const Blob*, kMaxSeeds>;
+
+// The largest blobs of a colour, largest first.
+Seeds seedsOf(const Scene& scene, ColourClass colour, const Landmarks& beacons) {
+  Seeds found;
   for (const Blob& blob : scene.blobs) {
-    if (blob.colour != colour || isBeaconBand(blob, landmarks)) continue;
-    if (largest == nullptr || blob.samples > largest->samples) largest = &blob;
+    if (blob.colour != colour || isBeaconBand(blob, beacons)) continue;
+    const Blob* item = &blob;
+    for (const Blob*& kept : found) {
+      if (item->samples > kept->samples) std::swap(item, kept);
+    }
+    found.push_back(item);
   }
-  return largest;
+  return found;
 }
 
-GoalCandidate grouped(const Scene& scene, const Blob& largest, const Landmarks& landmarks) {
+GoalCandidate alone(const Blob& seed) {
   GoalCandidate c;
-  c.colour = largest.colour;
-  c.box = largest.box;
-  c.samples = largest.samples;
+  c.colour = seed.colour;
+  c.box = seed.box;
+  c.samples = seed.samples;
+  return c;
+}
+
+// The seed with what stands beside it, a goalie between; the same as alone when nothing does.
+GoalCandidate grouped(const Scene& scene, const Blob& seed, const Landmarks& beacons) {
+  GoalCandidate c = alone(seed);
   for (const Blob& blob : scene.blobs) {
-    if (&blob == &largest || blob.colour != c.colour || blob.samples < kLeastPart) continue;
-    if (isBeaconBand(blob, landmarks) || !belongs(c.box, blob.box)) continue;
+    if (&blob == &seed || blob.colour != c.colour || blob.samples < kLeastPart) continue;
+    if (isBeaconBand(blob, beacons) || !belongs(c.box, blob.box)) continue;
     c.box = hull(c.box, blob.box);
     c.samples += blob.samples;
   }
@@ -135,11 +149,29 @@ bool accepted(const Scene& scene, const GoalCandidate& c, const GoalParams& p,
          check(goalStandsBelowHorizon(scene, c, p), Refusal::goalAboveHorizon) &&
          check(goalStandsInsideFieldEdge(scene, c, p), Refusal::goalAboveFieldEdge) &&
          check(goalHasNoPinkBeside(scene, c), Refusal::goalIsBeacon) &&
-         check(goalHasFieldBelow(scene, c, p), Refusal::goalNoField) &&
+         check(goalHasFieldBelow(c, p), Refusal::goalNoField) &&
          check(goalIsMeasured(c), Refusal::goalNoHeight) &&
          check(goalHasWidth(scene, c, p), Refusal::goalWidth) &&
          check(goalStandsOnGround(c, p), Refusal::goalOffGround) &&
          check(goalIsNear(c, p), Refusal::goalTooFar);
+}
+
+bool tried(const Scene& scene, GoalCandidate& c, const GoalParams& p, VisionCounts& counts) {
+  if (!goalIsLarge(c, p)) {
+    refuse(counts, Refusal::goalTooSmall);
+    return false;
+  }
+  measureGoal(scene, p, c);
+  return accepted(scene, c, p, counts);
+}
+
+// The one whose width is nearer to a goal's; a part of one that an image border cuts counts as far.
+void keepBetter(const Scene& scene, const GoalCandidate& c, GoalCandidate& best) {
+  const auto misfit = [&scene](const GoalCandidate& g) {
+    const GoalPlaces places = placesOf(scene, g);
+    return std::fabs(distance(places.left, places.right) - 2.0 * kHalfMouth);
+  };
+  if (!goalIsMeasured(best) || misfit(c) < misfit(best)) best = c;
 }
 
 double middleX(const GoalCandidate& c) { return 0.5 * (c.box.left + c.box.right); }
@@ -157,7 +189,8 @@ bool goalHasShape(const GoalCandidate& c, const GoalParams& p) {
   const bool sideCut = c.leftCut || c.rightCut;
   const bool tall = !sideCut && height > p.maxTall * width;
   const bool flat = !c.topCut && !c.bottomCut && width > p.maxFlat * height;
-  return !tall && !flat;
+  const bool beyondTop = 3 * c.tallColumns > c.columns;
+  return !tall && !flat && !beyondTop;
 }
 
 bool goalStandsBelowHorizon(const Scene& scene, const GoalCandidate& c, const GoalParams& p) {
@@ -168,23 +201,8 @@ bool goalStandsInsideFieldEdge(const Scene& scene, const GoalCandidate& c, const
   return c.box.bottom >= fieldEdgeRow(scene, middleX(c)) - p.maxAboveFieldEdge;
 }
 
-// Below most columns the carpet follows within a third of the goal's height (the wall's foot, a
-// line and the ball may lie between). Columns that reach the image's lower border count as green.
-bool goalHasFieldBelow(const Scene& scene, const GoalCandidate& c, const GoalParams& p) {
-  constexpr int kColumns = 12;
-  constexpr int kProbes = 4;
-  const double reach = 4.0 + 0.33 * (c.box.bottom - c.box.top);
-  int field = 0;
-  for (int i = 0; i < kColumns; ++i) {
-    const double x = c.box.left + (c.box.right - c.box.left) * (i + 0.5) / kColumns;
-    for (int probe = 1; probe <= kProbes; ++probe) {
-      const PixelPoint at{x, c.box.bottom + reach * probe / kProbes};
-      if (Sampler::usable(at) && scene.sampler.classAt(at) != ColourClass::green) continue;
-      ++field;
-      break;
-    }
-  }
-  return field >= p.minFieldColumns * kColumns;
+bool goalHasFieldBelow(const GoalCandidate& c, const GoalParams& p) {
+  return c.fieldColumns >= p.minFieldColumns * c.columns;
 }
 
 // A beacon that was not recognised has its pink right above or below.
@@ -205,7 +223,8 @@ bool goalIsMeasured(const GoalCandidate& c) { return c.distance > 0.0; }
 bool goalHasWidth(const Scene& scene, const GoalCandidate& c, const GoalParams& p) {
   const GoalPlaces places = placesOf(scene, c);
   const double seen = distance(places.left, places.right);
-  const bool narrow = !c.leftCut && !c.rightCut && seen < p.minSeenWidth;
+  const double least = c.leftCut || c.rightCut ? p.minCutWidth : p.minSeenWidth;
+  const bool narrow = seen < least;
   return !narrow && seen <= p.maxSeenWidth;
 }
 
@@ -219,17 +238,15 @@ void findGoals(const Scene& scene, const GoalParams& params, VisionCounts& count
                Landmarks& landmarks) {
   const Landmarks beacons = landmarks;
   for (const ColourClass colour : {ColourClass::blue, ColourClass::yellow}) {
-    const Blob* largest = largestOf(scene, colour, beacons);
-    if (largest == nullptr) continue;
-    GoalCandidate candidate = grouped(scene, *largest, beacons);
-    if (!goalIsLarge(candidate, params)) {
-      refuse(counts, Refusal::goalTooSmall);
-      continue;
+    GoalCandidate best;
+    for (const Blob* seed : seedsOf(scene, colour, beacons)) {
+      GoalCandidate group = grouped(scene, *seed, beacons);
+      const bool same = group.samples == seed->samples;
+      GoalCandidate single = alone(*seed);
+      if (tried(scene, group, params, counts)) keepBetter(scene, group, best);
+      if (!same && tried(scene, single, params, counts)) keepBetter(scene, single, best);
     }
-    measureGoal(scene, params, candidate);
-    if (accepted(scene, candidate, params, counts)) {
-      landmarks.push_back(perceptOf(scene, candidate, params));
-    }
+    if (goalIsMeasured(best)) landmarks.push_back(perceptOf(scene, best, params));
   }
 }
 

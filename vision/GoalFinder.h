@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Goals: the largest blue and the largest yellow group of blobs that is no beacon's band. Distance
-// from the angle that the goal's 30 cm of height fill in several columns, or from where its foot
-// meets the ground when the top is cut. What is measured is the back wall; the percept is the
-// middle of the mouth, a goal's depth nearer. Weak when one post is outside the image.
+// Goals: of the large blue and yellow blobs, alone and with their neighbours, the one that fits
+// best. Distance from the angle that the goal's 30 cm of height fill in several columns, or from
+// where its foot meets the ground when the top is cut. What is measured is the back wall; the
+// percept is the middle of the mouth, a goal's depth nearer. Weak when one post is outside the
+// image.
 #pragma once
 
 #include "robot/core/Percepts.h"
@@ -24,6 +25,9 @@ struct GoalCandidate {
   bool bottomCut = false;
   double distance = 0.0;    // cm on the ground from the camera to the mouth, 0 = not measured
   double distanceSd = 0.0;  // cm
+  int columns = 0;          // in which it was measured
+  int fieldColumns = 0;     // of these, with green right below
+  int tallColumns = 0;      // of these, reaching the image's top at more than 30 cm
   double footError = 0.0;   // rad, elevation of the foot less that of the ground there
 };
 
@@ -32,7 +36,7 @@ bool goalIsLarge(const GoalCandidate& c, const GoalParams& p);
 bool goalHasShape(const GoalCandidate& c, const GoalParams& p);
 bool goalStandsBelowHorizon(const Scene& scene, const GoalCandidate& c, const GoalParams& p);
 bool goalStandsInsideFieldEdge(const Scene& scene, const GoalCandidate& c, const GoalParams& p);
-bool goalHasFieldBelow(const Scene& scene, const GoalCandidate& c, const GoalParams& p);
+bool goalHasFieldBelow(const GoalCandidate& c, const GoalParams& p);
 bool goalHasNoPinkBeside(const Scene& scene, const GoalCandidate& c);
 bool goalIsMeasured(const GoalCandidate& c);
 bool goalHasWidth(const Scene& scene, const GoalCandidate& c, const GoalParams& p);

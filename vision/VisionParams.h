@@ -10,15 +10,15 @@
 namespace kelpie::vision {
 
 struct BallParams {
-  double minSamples = 2;                 // lattice samples of orange
-  double minEdgePoints = 5;              // of 16 spokes
-  double maxCircleError = 0.15;          // rms of the edge points, in radii (and 0.7 px)
-  double minOrangeShare = 0.5;           // of the circle
-  double maxOtherShare = 0.35;           // of pink, yellow and robot red together, of the circle
-  double maxAboveHorizon = 10;           // facts-2005 4.5 check 1
-  double maxAboveFieldEdge = 4;          // of the ball's lowest point
-  double minFieldPoints = 2;             // green or image border among 12 points around it
-  double maxDistance = 450;              // 2006 field: 420 is the far corner seen from the middle
+  double minSamples = 2;         // lattice samples of orange
+  double minEdgePoints = 5;      // of 16 spokes
+  double maxCircleError = 0.15;  // rms of the edge points, in radii (and 0.7 px)
+  double minOrangeShare = 0.5;   // of the circle
+  double maxOtherShare = 0.35;   // of pink, yellow and robot red together, of the circle
+  double maxAboveHorizon = 10;   // facts-2005 4.5 check 1
+  double maxAboveFieldEdge = 4;  // of the ball's lowest point
+  double minFieldPoints = 2;     // green or lower image border among 7 points beside and below
+  double maxDistance = 450;      // 2006 field: 420 is the far corner seen from the middle
   Angle directionError = Angle::deg(3);  // camera against ground, for ballOffGround
   Angle directionSd = Angle::deg(1);     // the same as a standard deviation, while walking
   double edgeSd = 0.3;                   // px, of the radius
@@ -32,7 +32,7 @@ struct BallParams {
                      field("maxOtherShare", &BallParams::maxOtherShare, "", 0, 1),
                      field("maxAboveHorizon", &BallParams::maxAboveHorizon, "px", -160, 160),
                      field("maxAboveFieldEdge", &BallParams::maxAboveFieldEdge, "px", -160, 160),
-                     field("minFieldPoints", &BallParams::minFieldPoints, "", 0, 12),
+                     field("minFieldPoints", &BallParams::minFieldPoints, "", 0, 7),
                      field("maxDistance", &BallParams::maxDistance, "cm", 50, 1000),
                      field("directionError", &BallParams::directionError, "rad", 0, 20),
                      field("directionSd", &BallParams::directionSd, "rad", 0.05, 20),
@@ -42,10 +42,12 @@ struct BallParams {
 };
 
 struct BeaconParams {
-  double minSamples = 2;        // lattice samples of pink
-  double minBand = 2.5;         // px, each coloured band
-  double maxRatio = 2.0;        // of the two bands' heights
-  double maxAspect = 2.2;       // width to height of the pink band, and its inverse
+  double minSamples = 2;   // lattice samples of pink
+  double minBand = 2.5;    // px, each coloured band
+  double maxRatio = 2.0;   // of the two bands' heights
+  double maxAspect = 2.2;  // width to height of the pink band, and its inverse
+  double minWidth = 5;     // cm at the measured distance; the rule is 10
+  double maxWidth = 16;
   double maxBelowHorizon = 25;  // px, facts-2005 4.5 check 5
   double minWhiteProbes = 1;    // of three below the coloured part
   Angle elevationError = Angle::deg(6);
@@ -58,6 +60,8 @@ struct BeaconParams {
                      field("minBand", &BeaconParams::minBand, "px", 1, 50),
                      field("maxRatio", &BeaconParams::maxRatio, "", 1, 10),
                      field("maxAspect", &BeaconParams::maxAspect, "", 1, 10),
+                     field("minWidth", &BeaconParams::minWidth, "cm", 0, 50),
+                     field("maxWidth", &BeaconParams::maxWidth, "cm", 0, 50),
                      field("maxBelowHorizon", &BeaconParams::maxBelowHorizon, "px", -160, 160),
                      field("minWhiteProbes", &BeaconParams::minWhiteProbes, "", 0, 3),
                      field("elevationError", &BeaconParams::elevationError, "rad", 0, 45),
@@ -74,9 +78,10 @@ struct GoalParams {
   double maxTall = 1.3;                  // height to width of a goal that no image border cuts
   double maxFlat = 4.5;                  // width to height; 80 : 30 seen from the front is 2.7
   double maxAboveHorizon = 12;           // px, of the lower edge: facts-2005 4.5 check 7 has 20
-  double maxAboveFieldEdge = 12;         // px, of the lower edge
-  double minFieldColumns = 0.3;          // share of columns with green below, check 8
+  double maxAboveFieldEdge = 6;          // px, of the lower edge
+  double minFieldColumns = 0.4;          // share of columns with green below, check 8
   double minSeenWidth = 40;              // cm between the posts, seen half from the side
+  double minCutWidth = 25;               // cm of a goal that the image border cuts
   double maxSeenWidth = 125;             // cm, with a side wall seen from outside
   Angle directionError = Angle::deg(4);  // camera against ground, for goalOffGround
   double maxDistance = 620;
@@ -95,6 +100,7 @@ struct GoalParams {
                      field("maxAboveFieldEdge", &GoalParams::maxAboveFieldEdge, "px", -160, 160),
                      field("minFieldColumns", &GoalParams::minFieldColumns, "", 0, 1),
                      field("minSeenWidth", &GoalParams::minSeenWidth, "cm", 0, 200),
+                     field("minCutWidth", &GoalParams::minCutWidth, "cm", 0, 200),
                      field("maxSeenWidth", &GoalParams::maxSeenWidth, "cm", 0, 500),
                      field("directionError", &GoalParams::directionError, "rad", 0, 20),
                      field("maxDistance", &GoalParams::maxDistance, "cm", 50, 1000),

@@ -74,12 +74,12 @@ TEST(Beacon, PinkAloneIsRefused) {
   EXPECT_EQ(refused(seen, Refusal::beaconNoPartner), 1);
 }
 
-TEST(Beacon, WithAnOrangeFootIsRefused) {
+TEST(Beacon, WithoutItsWhiteFootIsRefused) {
   Painting p = beaconAt(150, 0, kBluePaint, kPinkPaint);
   p.beacons[0].foot = kGreenPaint;
   const Seen seen = look(p, cameraAt(16, 0, 0));
   EXPECT_TRUE(seen.percepts.landmarks.empty());
-  EXPECT_EQ(refused(seen, Refusal::beaconNoWhiteBelow), 1);
+  EXPECT_GE(refused(seen, Refusal::beaconNoWhiteBelow), 1);
 }
 
 TEST(Beacon, PinkShirtOverBlueTrousersIsRefused) {
@@ -96,7 +96,7 @@ TEST(Beacon, HoveringHighInTheAirIsRefused) {
   p.beacons[0].lift = 60;
   const Seen seen = look(p, cameraAt(16, 0, 10));
   EXPECT_TRUE(seen.percepts.landmarks.empty());
-  EXPECT_EQ(refused(seen, Refusal::beaconElevation), 1);
+  EXPECT_GE(refused(seen, Refusal::beaconElevation), 1);
 }
 
 TEST(Beacon, LyingFarBelowTheHorizonIsRefused) {
@@ -111,6 +111,7 @@ TEST(Beacon, LyingFarBelowTheHorizonIsRefused) {
 TEST(BeaconChecks, BandsAndAspectDecideAtTheirLimits) {
   const BeaconParams p;
   BeaconCandidate c;
+  c.distance = 150;
   c.upper = 10;
   c.lower = 20;
   EXPECT_TRUE(beaconBandsAreEqual(c, p));
@@ -118,10 +119,10 @@ TEST(BeaconChecks, BandsAndAspectDecideAtTheirLimits) {
   EXPECT_FALSE(beaconBandsAreEqual(c, p));
   c.topCut = true;
   EXPECT_TRUE(beaconBandsAreEqual(c, p));
-  c.width = 22;  // of the pink upper band, 10 high
+  c.width = 17;  // of the pink upper band, 10 high; 13 cm at 150
   c.topCut = false;
   EXPECT_TRUE(beaconBandIsSquare(c, p));
-  c.width = 24;
+  c.width = 24;  // 18 cm
   EXPECT_FALSE(beaconBandIsSquare(c, p));
   c.width = 3;
   EXPECT_FALSE(beaconBandIsSquare(c, p));
