@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the ERS-7's camera does to colours: blur, the difference between robots, the ring effect and
+// noise, in that order. Each can be switched off.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "robot/core/Fields.h"
+#include "robot/core/Image.h"
+#include "robot/core/Random.h"
+
+namespace kelpie::sim {
+
+// The image before it becomes bytes: three planes column by column (plane[160 * x + y]).
+struct RawImage {
+  using Plane = std::array<float, kImagePixels>;
+  std::array<Plane, 3> plane{};
+};
+
+// A robot's own colours: out = gain * in + offset for Y, Cr, Cb.
+struct ColourShift {
+  std::array<double, 3> gain{1.0, 1.0, 1.0};
+  std::array<double, 3> offset{0.0, 0.0, 0.0};
+
+  static constexpr auto fields() {
+    return fieldList(field("gain", &ColourShift::gain, "", 0.898, 1.117),
+                     field("offset", &ColourShift::offset, "", -13.6, 10.1));
+  }
+};
+
+struct ArtefactParams {
+  bool ring = true;
+  bool noise = true;
+  bool blur = true;
+  bool shift = true;
+  double noiseSdY = 2.5;       // grey levels
+  double noiseSdChroma = 2.0;  // grey levels
+  double blurShare = 0.08;     // of each of the four neighbours
+
+  static constexpr auto fields() {
+    return fieldList(field("ring", &ArtefactParams::ring), field("noise", &ArtefactParams::noise),
+                     field("blur", &ArtefactParams::blur), field("shift", &ArtefactParams::shift),
+                     field("noiseSdY", &ArtefactParams::noiseSdY, "levels", 0, 20),
+                     field("noiseSdChroma", &ArtefactParams::noiseSdChroma, "levels", 0, 20),
+                     field("blurShare", &ArtefactParams::blurShare, "", 0, 0.2));
+  }
+};
+
+// A robot drawn at random, inside the range measured on 16 robots (facts-2005 section 3): chroma
+// turns about 128 there, because grey stays grey.
+ColourShift randomShift(Random& random);
+
+// Value after the ring effect: the published forward polynomial (thesis 2006 equations 2.1 and 2.2,
+// checklist A-2.3.2.6) for channel 0 Y, 1 Cr, 2 Cb at `distance` px from the image centre.
+double ringValue(std::size_t channel, double value, double distance);
+
+class Artefacts {
+ public:
+  Artefacts(const ArtefactParams& params, const ColourShift& shift);
+
+  // Makes bytes of the raw image, which is used up.
+  void apply(RawImage& raw, Random& random, Image& image);
+
+ private:
+  void prepareGains();
+  void prepareNoise();
+  void blur(RawImage::Plane& plane);
+  void finish(const RawImage::Plane& plane, std::size_t channel, Random& random,
+              Image::Plane& out) const;
+
+  ArtefactParams params_;
+  ColourShift shift_;
+  // Ring effect and shift together are linear in the value: gain and offset for each pixel.
+  std::array<std::vector<float>, 3> gain_;
+  std::array<std::vector<float>, 3> offset_;
+  std::vector<float> noise_;     // normal numbers with sd 1
+  std::vector<float> previous_;  // two columns, for the blur
+};
+
+}  // namespace kelpie::sim

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+// The ERS-7's camera: renders a Scene into an Image, column by column, each column from its own
+// camera pose (the sensor exposes columns left to right over the frame time, facts-2005 section
+// 2.1). Edges are anti-aliased: exact along a column, by `slices` cuts across it. The same scene,
+// poses and random state give the same bytes on every machine.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "tools/sim/Artefacts.h"
+#include "tools/sim/Scene.h"
+#include "tools/sim/Slice.h"
+
+namespace kelpie::sim {
+
+using ColumnCameras = std::array<FieldCamera, kImageWidth>;
+
+struct CameraParams {
+  ArtefactParams artefacts;
+  int slices = 3;              // cuts for each column
+  bool texture = true;         // of the carpet
+  double textureAmount = 5.0;  // grey levels, sd about a third of it
+
+  static constexpr auto fields() {
+    return fieldList(field("artefacts", &CameraParams::artefacts),
+                     field("slices", &CameraParams::slices, "", 1, 16),
+                     field("texture", &CameraParams::texture),
+                     field("textureAmount", &CameraParams::textureAmount, "levels", 0, 30));
+  }
+};
+
+// No artefacts, no texture, 8 cuts: for measuring geometry.
+CameraParams idealCamera();
+
+class Camera {
+ public:
+  Camera(const CameraParams& params, const ColourShift& shift);
+
+  void render(const Scene& scene, const ColumnCameras& cameras, Random& random, Image& image);
+
+ private:
+  struct Column {
+    std::array<float, kImageHeight> y, cr, cb, carpet;
+  };
+  void selectShapes(const Scene& scene, const FieldCamera& camera, double middle);
+  void renderSlice(const Scene& scene, const Slice& slice);
+  void collectSolids(const Scene& scene, const Slice& slice);
+  void paintGround(const Scene& scene, const Slice& slice);
+  void paint(const Span& span);
+  void addTexture(const FieldCamera& camera, double middle);
+  void addSlice(float share);
+  void keepColumn(std::size_t x);
+
+  CameraParams params_;
+  Artefacts artefacts_;
+  RawImage raw_;
+  std::vector<float> texture_;
+  Column slice_;
+  Column column_;
+  std::vector<const Solid*> solids_;  // that may meet the column
+  std::vector<const Cylinder*> beacons_;
+  std::vector<const Quad*> lines_;
+  std::vector<Span> spans_;
+};
+
+}  // namespace kelpie::sim

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/sim/Scene.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace kelpie::sim {
+namespace {
+
+constexpr double kRoomMargin = 320.0;  // cm from the field to the walls of the room
+constexpr double kRoomHeight = 420.0;
+
+struct Boundary {
+  Point2<Field> low;
+  Point2<Field> high;
+};
+
+void addGoal(Scene& scene, const body::FieldDescription& field, const body::Landmark& goal) {
+  const Colour colour = goal.kind == LandmarkKind::goalBlue ? colours::kBlue : colours::kYellow;
+  const double half = field.goalWidth / 2.0;
+  const double y = goal.position.y;
+  const double back = y < field.length / 2.0 ? y - field.goalDepth : y + field.goalDepth;
+  const Point2<Field> left{goal.position.x - half, y};
+  const Point2<Field> right{goal.position.x + half, y};
+  const std::array<double, 2> walls{0.0, field.goalHeight};
+  Solid solid;
+  solid.quads.push_back(uprightQuad({left.x, back}, {right.x, back}, walls, colour));
+  solid.quads.push_back(uprightQuad(left, {left.x, back}, walls, brighter(colour, 0.92)));
+  solid.quads.push_back(uprightQuad(right, {right.x, back}, walls, brighter(colour, 1.06)));
+  for (Quad& quad : solid.quads) quad.slope = 0.12;
+  enclose(solid);
+  scene.fixtures.push_back(solid);
+}
+
+Colour upperColour(LandmarkKind kind) {
+  switch (kind) {
+    case LandmarkKind::beaconBlueOnPink: return colours::kBlue;
+    case LandmarkKind::beaconYellowOnPink: return colours::kYellow;
+    default: return colours::kPink;
+  }
+}
+
+Colour lowerColour(LandmarkKind kind) {
+  switch (kind) {
+    case LandmarkKind::beaconPinkOnBlue: return colours::kBlue;
+    case LandmarkKind::beaconPinkOnYellow: return colours::kYellow;
+    default: return colours::kPink;
+  }
+}
+
+void addBeacon(Scene& scene, const body::FieldDescription& field, const body::Landmark& mark) {
+  Cylinder cylinder;
+  cylinder.centre = mark.position;
+  cylinder.radius = field.beaconRadius;
+  for (std::size_t i = 0; i < cylinder.height.size(); ++i) {
+    cylinder.height[i] = field.beaconHeight * static_cast<double>(i) / 4.0;
+  }
+  cylinder.band = {colours::kWhite, colours::kWhite, lowerColour(mark.kind),
+                   upperColour(mark.kind)};
+  scene.beacons.push_back(cylinder);
+}
+
+// A painted line as a strip of the line's width around its centre line.
+Quad strip(const body::FieldLine& line, double width) {
+  const Point2<Field> along = line.to - line.from;
+  const double length = along.norm() > 0.0 ? along.norm() : 1.0;
+  const Point2<Field> unit = along * (1.0 / length);
+  const Point2<Field> side{-unit.y * width / 2.0, unit.x * width / 2.0};
+  const Point2<Field> from = line.from - unit * (width / 2.0);
+  const Point2<Field> to = line.to + unit * (width / 2.0);
+  Quad quad;
+  quad.colour = colours::kWhite;
+  quad.corner = {FieldPoint3{from.x + side.x, from.y + side.y, 0.0},
+                 FieldPoint3{to.x + side.x, to.y + side.y, 0.0},
+                 FieldPoint3{to.x - side.x, to.y - side.y, 0.0},
+                 FieldPoint3{from.x - side.x, from.y - side.y, 0.0}};
+  return quad;
+}
+
+void addLines(Scene& scene, const body::FieldDescription& field) {
+  const Point2<Field> centre{field.width / 2.0, field.length / 2.0};
+  const double radius = field.circleDiameter / 2.0;
+  if (radius > 0.0) {
+    scene.circle.push_back({centre, radius, colours::kWhite, 0.0});
+    scene.circle.push_back({centre, radius - field.lineWidth, colours::kGreen, 0.0});
+  }
+  for (const body::FieldLine& line : field.lines) {
+    scene.lines.push_back(strip(line, field.lineWidth));
+  }
+}
+
+void addRoom(Scene& scene, const body::FieldDescription& field) {
+  const Point2<Field> low{-kRoomMargin, -kRoomMargin};
+  const Point2<Field> high{field.width + kRoomMargin, field.length + kRoomMargin};
+  const std::array<double, 2> walls{0.0, kRoomHeight};
+  const std::array<Point2<Field>, 5> corners{low, Point2<Field>{high.x, low.y}, high,
+                                             Point2<Field>{low.x, high.y}, low};
+  constexpr std::array<double, 4> kLight{1.0, 0.9, 1.05, 0.85};
+  for (std::size_t i = 0; i < 4; ++i) {
+    Solid wall;
+    wall.quads.push_back(
+        uprightQuad(corners[i], corners[i + 1], walls, brighter(colours::kWall, kLight[i])));
+    wall.quads.back().slope = 0.15;
+    enclose(wall);
+    scene.fixtures.push_back(wall);
+  }
+}
+
+// The 45 degree white border of the 2004 field, rising outwards from the carpet's edge.
+void addBorder(Scene& scene, const body::FieldDescription& field) {
+  if (field.borderWidth <= 0.0) return;
+  const double b = field.borderWidth;
+  const double w = field.width;
+  const double l = field.length;
+  const std::array<Point2<Field>, 5> inner{Point2<Field>{0, 0}, {w, 0}, {w, l}, {0, l}, {0, 0}};
+  const std::array<Point2<Field>, 5> outer{
+      Point2<Field>{-b, -b}, {w + b, -b}, {w + b, l + b}, {-b, l + b}, {-b, -b}};
+  for (std::size_t i = 0; i < 4; ++i) {
+    Quad quad;
+    quad.colour = colours::kWhite;
+    quad.corner = {
+        FieldPoint3{inner[i].x, inner[i].y, 0.0}, FieldPoint3{inner[i + 1].x, inner[i + 1].y, 0.0},
+        FieldPoint3{outer[i + 1].x, outer[i + 1].y, b}, FieldPoint3{outer[i].x, outer[i].y, b}};
+    Solid solid;
+    solid.quads.push_back(quad);
+    enclose(solid);
+    scene.fixtures.push_back(solid);
+  }
+}
+
+}  // namespace
+
+Quad uprightQuad(Point2<Field> a, Point2<Field> b, std::array<double, 2> lowHigh, Colour colour) {
+  Quad quad;
+  quad.corner = {FieldPoint3{a.x, a.y, lowHigh[0]}, FieldPoint3{b.x, b.y, lowHigh[0]},
+                 FieldPoint3{b.x, b.y, lowHigh[1]}, FieldPoint3{a.x, a.y, lowHigh[1]}};
+  quad.colour = colour;
+  return quad;
+}
+
+Quad groundQuad(Point2<Field> low, Point2<Field> high, Colour colour) {
+  Quad quad;
+  quad.corner = {FieldPoint3{low.x, low.y, 0.0}, FieldPoint3{high.x, low.y, 0.0},
+                 FieldPoint3{high.x, high.y, 0.0}, FieldPoint3{low.x, high.y, 0.0}};
+  quad.colour = colour;
+  return quad;
+}
+
+void enclose(Solid& solid) {
+  FieldPoint3 sum;
+  double count = 0.0;
+  for (const Quad& quad : solid.quads) {
+    for (const FieldPoint3& corner : quad.corner) {
+      sum = sum + corner;
+      count += 1.0;
+    }
+  }
+  if (count > 0.0) solid.centre = {sum.x / count, sum.y / count, sum.z / count};
+  solid.radius = 0.0;
+  for (const Quad& quad : solid.quads) {
+    for (const FieldPoint3& corner : quad.corner) {
+      const FieldPoint3 d = corner - solid.centre;
+      solid.radius = std::max(solid.radius, std::sqrt(d.x * d.x + d.y * d.y + d.z * d.z));
+    }
+  }
+}
+
+Scene fieldScene(const body::FieldDescription& field, std::uint64_t crowdSeed) {
+  Scene scene;
+  scene.carpet = {Point2<Field>{-field.sideFringe, -field.endFringe},
+                  Point2<Field>{field.width + field.sideFringe, field.length + field.endFringe}};
+  addLines(scene, field);
+  for (const body::Landmark& mark : field.landmarks) {
+    if (mark.kind == LandmarkKind::goalBlue || mark.kind == LandmarkKind::goalYellow) {
+      addGoal(scene, field, mark);
+    } else {
+      addBeacon(scene, field, mark);
+    }
+  }
+  addBorder(scene, field);
+  addRoom(scene, field);
+  if (crowdSeed != 0) addCrowd(scene, crowdSeed);
+  return scene;
+}
+
+void setBall(Scene& scene, Point2<Field> position) {
+  scene.balls.clear();
+  scene.balls.push_back(
+      {{position.x, position.y, body::kBallRadius}, body::kBallRadius, colours::kOrange});
+}
+
+}  // namespace kelpie::sim

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the camera can see, as flat shapes, upright cylinders and spheres in the field frame. The
+// field, goals, beacons, room and spectators are built once per match; ball, robots and markers are
+// set again for each image. Shapes may touch but must not cut through each other: the camera sorts
+// them by depth.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "robot/body/FieldDescription.h"
+#include "robot/core/Geometry.h"
+#include "tools/sim/Colours.h"
+
+namespace kelpie::sim {
+
+using FieldPoint3 = Point3<Field>;
+
+// A convex four-cornered flat shape. `lit` is its brightness, `slope` the change of brightness from
+// its lowest to its highest corner.
+struct Quad {
+  std::array<FieldPoint3, 4> corner{};
+  Colour colour;
+  double lit = 1.0;
+  double slope = 0.0;
+  double depthBias = 0.0;  // cm nearer than it is, for a patch on another shape
+  bool oneSided = false;   // seen only from the side its normal points to
+  FieldPoint3 normal;
+};
+
+// Shapes that belong together, inside one sphere.
+struct Solid {
+  FieldPoint3 centre;
+  double radius = 0.0;
+  std::vector<Quad> quads;
+};
+
+struct Cylinder {
+  Point2<Field> centre;
+  double radius = 5.0;
+  std::array<double, 5> height{};  // borders of the bands, rising
+  std::array<Colour, 4> band{};
+};
+
+struct Sphere {
+  FieldPoint3 centre;
+  double radius = body::kBallRadius;
+  Colour colour = colours::kOrange;
+};
+
+// A disc on the ground. `darkens` 0 = painted; otherwise what is below it loses that share of
+// light.
+struct Disc {
+  Point2<Field> centre;
+  double radius = 0.0;
+  Colour colour;
+  double darkens = 0.0;
+};
+
+// How another robot looks: place, size of the body by its stance, team.
+struct RobotLook {
+  Pose2 pose;
+  double shoulderHeight = 10.0;
+  TeamColour team = TeamColour::blue;
+};
+
+struct Scene {
+  Colour ceiling = colours::kCeiling;
+  Colour floor = colours::kFloor;
+  std::array<Point2<Field>, 2> carpet{};  // opposite corners
+  std::vector<Quad> lines;
+  std::vector<Disc> circle;  // painted in order, under the lines' intersections
+  std::vector<Solid> fixtures;
+  std::vector<Cylinder> beacons;
+  // Set for each image:
+  std::vector<Disc> markers;
+  std::vector<Sphere> balls;
+  std::vector<Solid> robots;
+};
+
+// Carpet, lines, goals, beacons and the room around them. With `crowdSeed` not 0 people and
+// coloured things stand around the field.
+Scene fieldScene(const body::FieldDescription& field, std::uint64_t crowdSeed);
+
+// Seeded people and coloured things 30..150 cm beyond the carpet (tools/sim/Crowd.cpp).
+void addCrowd(Scene& scene, std::uint64_t seed);
+
+// Replaces what moves. A ball's shadow comes with it.
+void setBall(Scene& scene, Point2<Field> position);
+void setRobots(Scene& scene, const std::vector<RobotLook>& robots);
+
+// Upright rectangle from a to b, from `low` to `high` above the ground.
+Quad uprightQuad(Point2<Field> a, Point2<Field> b, std::array<double, 2> lowHigh, Colour colour);
+Quad groundQuad(Point2<Field> low, Point2<Field> high, Colour colour);
+// The centre and radius of a sphere around all its quads.
+void enclose(Solid& solid);
+
+}  // namespace kelpie::sim

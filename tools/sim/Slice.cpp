@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/sim/Slice.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "robot/body/Camera.h"
+
+namespace kelpie::sim {
+namespace {
+
+constexpr double kNear = 1.0;    // cm: what is nearer than this is not drawn
+constexpr double kFarRow = 1e5;  // a row beyond every image
+constexpr double kFlat = 1e-9;
+
+double dot(FieldPoint3 a, FieldPoint3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+
+double rowOf(double down, double depth) {
+  return body::kPrincipalY + body::kFocalLength * (down / depth);
+}
+
+}  // namespace
+
+FieldCamera fieldCamera(const Pose2& robot, const CameraPose& camera) {
+  const double s = robot.heading.sin();
+  const double c = robot.heading.cos();
+  const auto axis = [&](std::size_t column) {
+    const double x = camera.axes[column];
+    const double y = camera.axes[3 + column];
+    return FieldPoint3{s * x + c * y, s * y - c * x, camera.axes[6 + column]};
+  };
+  const Point3<Robot> p = camera.position;
+  return {{robot.position.x + s * p.x + c * p.y, robot.position.y + s * p.y - c * p.x, p.z},
+          axis(0),
+          axis(1),
+          axis(2)};
+}
+
+Slice::Slice(const FieldCamera& camera, double x)
+    : camera_(camera), u_((x - body::kPrincipalX) / body::kFocalLength) {
+  const FieldPoint3& r = camera.right;
+  const FieldPoint3& f = camera.forward;
+  normal_ = {r.x - u_ * f.x, r.y - u_ * f.y, r.z - u_ * f.z};
+  inverseNormal_ = 1.0 / std::sqrt(1.0 + u_ * u_);
+}
+
+bool Slice::mayMeet(FieldPoint3 centre, double radius, double margin) const {
+  const FieldPoint3 d = centre - camera_.position;
+  const double depth = dot(camera_.forward, d);
+  if (depth + radius < kNear) return false;
+  const double off = std::fabs(dot(normal_, d)) * inverseNormal_;
+  return off <= radius + margin * (depth + radius);
+}
+
+Slice::Seen Slice::seen(FieldPoint3 p) const {
+  const FieldPoint3 d = p - camera_.position;
+  return {dot(camera_.down, d), dot(camera_.forward, d), p.z};
+}
+
+std::optional<Span> Slice::stretch(Seen a, Seen b) const {
+  if (a.depth < kNear && b.depth < kNear) return std::nullopt;
+  if (a.depth < kNear) std::swap(a, b);
+  if (b.depth < kNear) {
+    const double t = (a.depth - kNear) / (a.depth - b.depth);
+    b = {a.down + t * (b.down - a.down), kNear, a.height + t * (b.height - a.height)};
+  }
+  Span span;
+  span.top = rowOf(a.down, a.depth);
+  span.bottom = rowOf(b.down, b.depth);
+  span.litTop = a.height;  // heights for now; the caller turns them into light
+  span.litBottom = b.height;
+  if (span.top > span.bottom) {
+    std::swap(span.top, span.bottom);
+    std::swap(span.litTop, span.litBottom);
+  }
+  span.depth = 0.5 * (a.depth + b.depth);
+  return span;
+}
+
+std::optional<Span> Slice::quad(const Quad& shape) const {
+  std::array<double, 4> side;
+  for (std::size_t i = 0; i < 4; ++i) {
+    side[i] = dot(normal_, shape.corner[i] - camera_.position);
+  }
+  std::array<Seen, 2> ends{};
+  std::size_t found = 0;
+  for (std::size_t i = 0; i < 4 && found < 2; ++i) {
+    const std::size_t next = (i + 1) & 3;
+    if ((side[i] < 0.0) == (side[next] < 0.0)) continue;
+    const double t = side[i] / (side[i] - side[next]);
+    const FieldPoint3& p = shape.corner[i];
+    const FieldPoint3& q = shape.corner[next];
+    ends[found++] = seen({p.x + t * (q.x - p.x), p.y + t * (q.y - p.y), p.z + t * (q.z - p.z)});
+  }
+  if (found < 2) return std::nullopt;
+  if (shape.oneSided && dot(shape.normal, camera_.position - shape.corner[0]) <= 0.0) {
+    return std::nullopt;
+  }
+  std::optional<Span> span = stretch(ends[0], ends[1]);
+  if (!span) return span;
+  const double low = std::min(shape.corner[0].z, shape.corner[2].z);
+  const double height = std::fabs(shape.corner[2].z - shape.corner[0].z);
+  const double perCm = height > kFlat ? shape.slope / height : 0.0;
+  const double base = shape.lit - shape.slope / 2.0;
+  span->litTop = base + perCm * (span->litTop - low);
+  span->litBottom = base + perCm * (span->litBottom - low);
+  span->depth -= shape.depthBias;
+  span->colour = shape.colour;
+  return span;
+}
+
+std::optional<Span> Slice::disc(const Disc& shape) const {
+  const FieldPoint3 centre{shape.centre.x, shape.centre.y, 0.0};
+  const double flat = std::sqrt(normal_.x * normal_.x + normal_.y * normal_.y);
+  if (flat < kFlat) return std::nullopt;
+  const double off = dot(normal_, centre - camera_.position) / flat;
+  if (std::fabs(off) >= shape.radius) return std::nullopt;
+  const double half = std::sqrt(shape.radius * shape.radius - off * off);
+  const Point2<Field> n{normal_.x / flat, normal_.y / flat};
+  const Point2<Field> middle = shape.centre - n * off;
+  std::optional<Span> span = stretch(seen({middle.x - n.y * half, middle.y + n.x * half, 0.0}),
+                                     seen({middle.x + n.y * half, middle.y - n.x * half, 0.0}));
+  if (!span) return span;
+  span->litTop = span->litBottom = 1.0;
+  span->colour = shape.colour;
+  span->darkens = shape.darkens;
+  return span;
+}
+
+std::optional<Span> Slice::sphere(const Sphere& shape) const {
+  const FieldPoint3 d = shape.centre - camera_.position;
+  const double off = dot(normal_, d) * inverseNormal_;
+  const double rho2 = shape.radius * shape.radius - off * off;
+  const double depth = dot(camera_.forward, d);
+  if (rho2 <= 0.0 || depth < kNear) return std::nullopt;
+  // Along the ray of row 80 (a) and down (b), inside the plane; tangents by the sum of angles.
+  const double stretchX = 1.0 / inverseNormal_;
+  const double a = (u_ * dot(camera_.right, d) + depth) * inverseNormal_;
+  const double b = dot(camera_.down, d);
+  const double rho = std::sqrt(rho2);
+  const double tangent2 = a * a + b * b - rho2;
+  if (tangent2 <= 0.0) return std::nullopt;
+  const double tangent = std::sqrt(tangent2);
+  const double below = a * tangent - b * rho;
+  const double above = a * tangent + b * rho;
+  Span span;
+  span.bottom = below > kFlat ? rowOf((b * tangent + a * rho) / below * stretchX, 1.0) : kFarRow;
+  span.top = above > kFlat ? rowOf((b * tangent - a * rho) / above * stretchX, 1.0) : -kFarRow;
+  span.depth = depth;
+  span.colour = shape.colour;
+  // Light from above: the top of the whole ball at +14 %, its foot at -16 %.
+  const double share = rho / shape.radius;
+  const double side = 1.0 - 0.05 * (1.0 - share);
+  span.litTop = side + 0.14 * share;
+  span.litBottom = side - 0.16 * share;
+  return span;
+}
+
+std::optional<FieldPoint3> Slice::frontAt(const Cylinder& shape, double height) const {
+  const double flat = std::sqrt(normal_.x * normal_.x + normal_.y * normal_.y);
+  if (flat < kFlat) return std::nullopt;
+  const FieldPoint3 centre{shape.centre.x, shape.centre.y, height};
+  const double off = dot(normal_, centre - camera_.position) / flat;
+  const double half2 = shape.radius * shape.radius - off * off;
+  if (half2 < -1e-6) return std::nullopt;
+  const double half = half2 > 0.0 ? std::sqrt(half2) : 0.0;
+  const Point2<Field> n{normal_.x / flat, normal_.y / flat};
+  const Point2<Field> middle{centre.x - n.x * off, centre.y - n.y * off};
+  const double nearer = camera_.forward.x * -n.y + camera_.forward.y * n.x > 0.0 ? -half : half;
+  return FieldPoint3{middle.x - n.y * nearer, middle.y + n.x * nearer, height};
+}
+
+std::optional<Span> Slice::band(const Cylinder& shape, std::size_t index) const {
+  const double flat = std::sqrt(normal_.x * normal_.x + normal_.y * normal_.y);
+  if (flat < kFlat) return std::nullopt;
+  // Distance of the axis from the plane, linear in height: only where it is within the radius.
+  const FieldPoint3 foot{shape.centre.x, shape.centre.y, 0.0};
+  const double atGround = dot(normal_, foot - camera_.position) / flat;
+  const double perCm = normal_.z / flat;
+  double low = shape.height[index];
+  double high = shape.height[index + 1];
+  if (std::fabs(perCm) > kFlat) {
+    const double one = (-shape.radius - atGround) / perCm;
+    const double two = (shape.radius - atGround) / perCm;
+    low = std::max(low, std::min(one, two));
+    high = std::min(high, std::max(one, two));
+  }
+  if (low >= high) return std::nullopt;
+  const std::optional<FieldPoint3> a = frontAt(shape, low);
+  const std::optional<FieldPoint3> b = frontAt(shape, high);
+  if (!a || !b) return std::nullopt;
+  std::optional<Span> span = stretch(seen(*a), seen(*b));
+  if (!span) return span;
+  const double aside = (atGround + perCm * 0.5 * (low + high)) / shape.radius;
+  const double lit = 1.04 - 0.12 * aside * aside + 0.05 * aside;
+  span->litTop = span->litBottom = lit;
+  span->colour = shape.band[index];
+  return span;
+}
+
+std::optional<Span> Slice::ground(Colour colour) const {
+  const double down = camera_.down.z;
+  if (down > -kFlat) return std::nullopt;  // on its side or upside down: no ground is drawn
+  const double ahead = camera_.forward.z + u_ * camera_.right.z;
+  Span span;
+  span.top = rowOf(-ahead / down, 1.0);
+  span.bottom = kFarRow;
+  span.colour = colour;
+  return span;
+}
+
+std::optional<Slice::GroundHit> Slice::groundAt(double row) const {
+  const double v = (row - body::kPrincipalY) / body::kFocalLength;
+  const double z = camera_.forward.z + u_ * camera_.right.z + v * camera_.down.z;
+  if (z > -kFlat) return std::nullopt;
+  const double t = -camera_.position.z / z;
+  const double x = camera_.forward.x + u_ * camera_.right.x + v * camera_.down.x;
+  const double y = camera_.forward.y + u_ * camera_.right.y + v * camera_.down.y;
+  return GroundHit{camera_.position.x + t * x, camera_.position.y + t * y, t};
+}
+
+}  // namespace kelpie::sim

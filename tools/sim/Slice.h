@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+// One narrow upright cut through the scene: the plane of all rays of an image column at one x.
+// Every shape meets it in at most one stretch of rows whose ends are exact, so that edges can be
+// anti-aliased by coverage.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "robot/core/Percepts.h"
+#include "tools/sim/Scene.h"
+
+namespace kelpie::sim {
+
+// A camera placed on the field: where it is and its x, y, z axes in the field frame.
+struct FieldCamera {
+  FieldPoint3 position;
+  FieldPoint3 right;
+  FieldPoint3 down;
+  FieldPoint3 forward;
+};
+
+FieldCamera fieldCamera(const Pose2& robot, const CameraPose& camera);
+
+// Rows [top, bottom) show one colour, brightened from litTop to litBottom.
+struct Span {
+  double top = 0.0;
+  double bottom = 0.0;
+  double depth = 0.0;  // cm along the optical axis
+  Colour colour;
+  double litTop = 1.0;
+  double litBottom = 1.0;
+  float carpet = 0.0F;   // share of the carpet's texture that shows
+  double darkens = 0.0;  // > 0: no paint, what is below loses this share of its light
+};
+
+class Slice {
+ public:
+  // The column plane through image coordinate x (0..208).
+  Slice(const FieldCamera& camera, double x);
+
+  // Whether a sphere can touch the plane within `margin` (share of its depth) to both sides.
+  bool mayMeet(FieldPoint3 centre, double radius, double margin) const;
+
+  std::optional<Span> quad(const Quad& shape) const;
+  std::optional<Span> disc(const Disc& shape) const;
+  std::optional<Span> sphere(const Sphere& shape) const;
+  std::optional<Span> band(const Cylinder& shape, std::size_t index) const;
+  // The ground up to the line of equal elevation.
+  std::optional<Span> ground(Colour colour) const;
+  // Where the ray through a row meets the ground, with its depth; nothing above the horizon.
+  struct GroundHit {
+    double x;
+    double y;
+    double depth;
+  };
+  std::optional<GroundHit> groundAt(double row) const;
+
+ private:
+  struct Seen {  // a point of the plane: down and forward of the camera
+    double down;
+    double depth;
+    double height;
+  };
+  Seen seen(FieldPoint3 p) const;
+  std::optional<Span> stretch(Seen a, Seen b) const;
+  std::optional<FieldPoint3> frontAt(const Cylinder& shape, double height) const;
+
+  FieldCamera camera_;
+  double u_ = 0.0;              // x of the rays at depth 1
+  FieldPoint3 normal_;          // of the plane, not normalised
+  double inverseNormal_ = 1.0;  // 1 / length of the normal
+};
+
+}  // namespace kelpie::sim

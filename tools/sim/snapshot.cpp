@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+// sim_snapshot: one image of a seeded scene as PNG, to look at. Place and head can be given; what
+// is not given comes from the seed.
+#include <fmt/core.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "robot/body/Camera.h"
+#include "tools/sim/Camera.h"
+
+namespace kelpie::sim {
+namespace {
+
+struct Options {
+  std::uint64_t seed = 1;
+  std::string out = "snapshot.png";
+  std::vector<double> pose;  // cm, cm, deg
+  std::vector<double> head;  // neck tilt, pan, nod in deg
+  std::vector<double> ball;  // cm, cm
+  double panRate = 0.0;      // deg/s
+  int robots = 4;
+  bool ideal = false;
+};
+
+Pose2 chosenPose(const Options& options, Random& random) {
+  const double x = random.uniform(40.0, 320.0);
+  const double y = random.uniform(60.0, 480.0);
+  const double heading = random.uniform(0.0, 360.0);
+  if (options.pose.size() == 3) {
+    return {{options.pose[0], options.pose[1]}, Angle::deg(options.pose[2])};
+  }
+  return {{x, y}, Angle::deg(heading)};
+}
+
+ColumnCameras cameras(const Options& options, const Pose2& pose) {
+  std::vector<double> head = options.head;
+  if (head.size() != 3) head = {-5.0, 0.0, 0.0};
+  ColumnCameras columns;
+  for (std::size_t x = 0; x < columns.size(); ++x) {
+    const double late = (static_cast<double>(x) + 0.5) / kImageWidth * kFrameSeconds;
+    JointAngles joints;
+    joints[Joint::neckTilt] = Angle::deg(head[0]);
+    joints[Joint::headPan] = Angle::deg(head[1] + options.panRate * late);
+    joints[Joint::headNod] = Angle::deg(head[2]);
+    columns[x] = fieldCamera(pose, body::cameraPose(joints, {10.0, Angle::deg(14.25)}));
+  }
+  return columns;
+}
+
+bool writePng(const std::string& path, const Image& image) {
+  cv::Mat planes(kImageHeight, kImageWidth, CV_8UC3);
+  for (int y = 0; y < kImageHeight; ++y) {
+    for (int x = 0; x < kImageWidth; ++x) {
+      const Yuv p = image.pixel(x, y);
+      planes.at<cv::Vec3b>(y, x) = {p.y, p.cr, p.cb};
+    }
+  }
+  cv::Mat rgb;
+  cv::cvtColor(planes, rgb, cv::COLOR_YCrCb2BGR);
+  cv::resize(rgb, rgb, {}, 3.0, 3.0, cv::INTER_NEAREST);
+  return cv::imwrite(path, rgb);
+}
+
+int run(const Options& options) {
+  const auto field = body::fieldDescription("2006");
+  if (!field) {
+    fmt::print(stderr, "sim_snapshot: {}\n", field.error());
+    return 1;
+  }
+  Random random(options.seed);
+  Scene scene = fieldScene(*field, random.next() | 1U);
+  const Pose2 pose = chosenPose(options, random);
+  const Point2<Field> ahead = fieldFromRobot(pose, {random.uniform(-30, 30), 80.0});
+  setBall(scene,
+          options.ball.size() == 2 ? Point2<Field>{options.ball[0], options.ball[1]} : ahead);
+  std::vector<RobotLook> looks;
+  for (int i = 0; i < options.robots; ++i) {
+    looks.push_back(
+        {{{random.uniform(20, 340), random.uniform(20, 520)}, Angle::deg(random.uniform(0, 360))},
+         10.0,
+         i % 2 == 0 ? TeamColour::red : TeamColour::blue});
+  }
+  setRobots(scene, looks);
+  const auto camera =
+      std::make_unique<Camera>(options.ideal ? idealCamera() : CameraParams{}, randomShift(random));
+  const auto image = std::make_unique<Image>();
+  camera->render(scene, cameras(options, pose), random, *image);
+  if (!writePng(options.out, *image)) {
+    fmt::print(stderr, "sim_snapshot: cannot write {}\n", options.out);
+    return 1;
+  }
+  fmt::print("{}: seen from ({:.0f}, {:.0f}), heading {:.0f} deg\n", options.out, pose.position.x,
+             pose.position.y, pose.heading.deg());
+  return 0;
+}
+
+}  // namespace
+}  // namespace kelpie::sim
+
+int main(int argc, char** argv) {
+  kelpie::sim::Options options;
+  CLI::App app("One image of the simulated field as PNG");
+  app.add_option("--seed", options.seed, "scene, place and colours");
+  app.add_option("--out", options.out, "PNG file");
+  app.add_option("--pose", options.pose, "x y in cm, heading in deg")->expected(3);
+  app.add_option("--head", options.head, "neck tilt, pan, nod in deg")->expected(3);
+  app.add_option("--ball", options.ball, "x y in cm")->expected(2);
+  app.add_option("--pan-rate", options.panRate, "deg/s during the exposure");
+  app.add_option("--others", options.robots, "other robots on the field");
+  app.add_flag("--ideal", options.ideal, "no artefacts");
+  CLI11_PARSE(app, argc, argv);
+  return kelpie::sim::run(options);
+}
