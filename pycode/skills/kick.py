@@ -1,0 +1,22 @@
+# SPDX-License-Identifier: Apache-2.0
+# Asks for the forward kick until it runs, then waits for its end.
+import kelpie
+from lib.tune import Kick
+
+
+class KickForward:
+    def __init__(self, world):
+        self.start_s = world.time_s
+        self.ran = False
+
+    def done(self, world):
+        passed = world.time_s - self.start_s
+        if self.ran:
+            return world.motion.running != kelpie.KICK_FORWARD or passed > Kick.TIME
+        return passed > Kick.START_TIME
+
+    def tick(self, world):
+        """The motion to ask for."""
+        if world.motion.running == kelpie.KICK_FORWARD:
+            self.ran = True
+        return kelpie.NO_MOTION if self.ran else kelpie.KICK_FORWARD

@@ -1,0 +1,142 @@
+# SPDX-License-Identifier: Apache-2.0
+# An ideal world in the plane: the robot moves as asked, sees what its head looks at without noise,
+# and a kick sends a ball in the strike zone 150 cm ahead. Its geometry is its own, in complex
+# numbers: the field is the complex plane, a heading is a unit number.
+import cmath
+import math
+import random
+
+import kelpie
+
+FRAME_S = 1.0 / 30.0
+GOAL = 180 + 540j
+HALF_WIDTH, HALF_HEIGHT = 28.0, 22.5  # of the image, degrees
+KICK_S, KICK_CM = 1.0, 150.0
+
+
+class IdealWorld:
+    def __init__(self, seed):
+        chance = random.Random(seed)
+        self.at = complex(chance.uniform(40, 320), chance.uniform(60, 400))
+        self.ball = complex(chance.uniform(60, 300), chance.uniform(100, 440))
+        self.facing = cmath.rect(1, chance.uniform(0, 2 * math.pi))
+        self.world = kelpie.WorldFrame()
+        self.world.stance.body_tilt_deg = 14.25
+        self.world.ball.seconds_since_seen = 0.0
+        self.world.heading_sd_deg, self.world.position_sd = 5.0, 10.0
+        self.kick_left_s = 0.0
+        self.scored = False
+        self.kicks = 0
+
+    def robot_frame(self, point):
+        """(x right, y forward) of a field point."""
+        ahead = (point - self.at) / self.facing
+        return -ahead.imag, ahead.real
+
+    def in_view(self, point, height):
+        x, y = self.robot_frame(point)
+        head = self.world.head
+        aside = math.degrees(math.atan2(-x, y)) - head.head_pan_deg
+        lean = math.radians(14.25 - head.neck_tilt_deg)
+        down = math.radians(14.25 - head.neck_tilt_deg - head.head_nod_deg)
+        ahead = 8.0 * math.sin(lean) + 8.1 * math.cos(down) - 1.46 * math.sin(down)
+        above = 11.95 + 8.0 * math.cos(lean) - 8.1 * math.sin(down) - 1.46 * math.cos(down)
+        along = math.hypot(x, y) - ahead
+        pitch = math.degrees(math.atan2(above - height, along) - down)
+        return abs(aside) < HALF_WIDTH and abs(pitch) < HALF_HEIGHT
+
+    def step(self, command):
+        self.move_head(command.head)
+        self.kick(command)
+        if self.kick_left_s <= 0.0:
+            self.walk(command.walk)
+        self.roll()
+        self.see()
+
+    def move_head(self, wish):
+        head = self.world.head
+        for name in ('neck_tilt_deg', 'head_pan_deg', 'head_nod_deg'):
+            step = getattr(wish, name) - getattr(head, name)
+            step = max(-12.0, min(12.0, step))  # 360 deg/s
+            setattr(head, name, getattr(head, name) + step)
+
+    def walk(self, wish):
+        turn = math.radians(max(-218.0, min(218.0, wish.turn_deg))) * FRAME_S
+        step = complex(max(-30.0, min(42.0, wish.forward)), max(-20.0, min(20.0, wish.left)))
+        step *= FRAME_S
+        self.at += step * self.facing * cmath.rect(1, turn / 2)
+        self.facing *= cmath.rect(1, turn)
+        odometry = self.world.odometry
+        odometry.forward, odometry.left = step.real, step.imag
+        odometry.turn_deg = math.degrees(turn)
+        x, y = self.robot_frame(self.ball)
+        if abs(x) < 7.0 and -5.0 < y < 5.0:  # the chest pushes the ball
+            self.ball += (5.0 - y) * self.facing
+
+    def kick(self, command):
+        odometry = self.world.odometry
+        odometry.forward = odometry.left = odometry.turn_deg = 0.0
+        self.kick_left_s -= FRAME_S
+        if command.motion == kelpie.KICK_FORWARD and self.kick_left_s <= 0.0:
+            self.kick_left_s = KICK_S
+            self.kicks += 1
+            x, y = self.robot_frame(self.ball)
+            if abs(x) < 2.5 and 4.0 < y < 11.0:
+                self.shoot(self.ball + KICK_CM * self.facing)
+        running = self.kick_left_s > 0.0
+        self.world.motion.running = kelpie.KICK_FORWARD if running else kelpie.NO_MOTION
+
+    def shoot(self, end):
+        start, self.ball = self.ball, end
+        if start.imag < 540.0 <= end.imag:
+            crossing = start + (end - start) * (540.0 - start.imag) / (end.imag - start.imag)
+            self.scored = abs(crossing.real - 180.0) < 40.0
+
+    def roll(self):
+        if not self.scored:  # the referee puts a ball that left the field back inside
+            self.ball = complex(max(30.0, min(330.0, self.ball.real)),
+                                max(40.0, min(500.0, self.ball.imag)))
+
+    def see(self):
+        world = self.world
+        world.frame += 1
+        world.time_s += FRAME_S
+        world.elapsed_s = FRAME_S
+        world.pose.position.x, world.pose.position.y = self.at.real, self.at.imag
+        world.pose.heading_deg = math.degrees(cmath.phase(self.facing))
+        self.see_ball()
+        goal = GOAL
+        world.percepts.landmarks = []
+        if self.in_view(goal, 15.0) and abs(goal - self.at) < 400.0:
+            x, y = self.robot_frame(goal)
+            world.percepts.landmarks.append(kelpie.LandmarkPercept(
+                kind=kelpie.GOAL_BLUE, distance=abs(goal - self.at),
+                heading_deg=math.degrees(math.atan2(-x, y))))
+
+    def see_ball(self):
+        ball = self.world.ball
+        x, y = self.robot_frame(self.ball)
+        # Nearer than 6 cm the chin is in the way.
+        seen = self.in_view(self.ball, 4.2) and abs(self.ball - self.at) < 250.0 and y > 6.0
+        ball.seconds_since_seen += FRAME_S
+        if seen:
+            ball.present, ball.seconds_since_seen = True, 0.0
+            self.believed = self.ball
+        if ball.seconds_since_seen > 5.0:
+            ball.present = False
+        if not ball.present:
+            return
+        x, y = self.robot_frame(self.believed)
+        ball.relative.x, ball.relative.y = x, y
+        ball.distance = math.hypot(x, y)
+        ball.heading_deg = math.degrees(math.atan2(-x, y))
+        ball.position.x, ball.position.y = self.believed.real, self.believed.imag
+
+
+def play(decide, seed, seconds):
+    """The world after that many seconds or the first goal."""
+    ideal = IdealWorld(seed)
+    ideal.see()
+    while ideal.world.time_s < seconds and not ideal.scored:
+        ideal.step(decide(ideal.world))
+    return ideal
