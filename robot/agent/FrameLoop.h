@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The camera loop: one FrameInput becomes BodyState, Percepts, WorldModel and Command. This file and
-// MotionLoop.h are the only code that knows the stages and their order.
+// The camera loop: one FrameInput becomes BodyState, Percepts, WorldModel and Command. This file
+// and MotionLoop.h are the only code that knows the stages and their order.
 #pragma once
 
 #include <memory>

@@ -3,12 +3,12 @@
 
 #include <cmath>
 
+#include "robot/body/Ers7.h"
+
 namespace kelpie::body {
 namespace {
 
 // facts-2005 section 2.2, in cm.
-constexpr double kNeckAboveShoulder = 1.95;
-constexpr double kNeckBehindShoulder = 0.25;
 constexpr double kNeckLength = 8.0;
 constexpr double kFaceLength = 8.106;
 constexpr double kCameraDrop = 1.46;

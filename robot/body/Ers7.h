@@ -15,8 +15,10 @@ constexpr double kKneeForward = 0.9;  // knee axis ahead of that line (behind it
 constexpr double kKneeOut = 0.47;     // and outside it
 constexpr double kLowerLegFront = 7.736;
 constexpr double kLowerLegHind = 8.314;
-constexpr double kBodyLength = 13.0;  // front to hind shoulder axis
-constexpr double kBodyWidth = 13.44;  // left to right shoulder axis
+constexpr double kBodyLength = 13.0;          // front to hind shoulder axis
+constexpr double kBodyWidth = 13.44;          // left to right shoulder axis
+constexpr double kNeckAboveShoulder = 1.95;   // neck tilt axis above the front shoulder axis
+constexpr double kNeckBehindShoulder = 0.25;  // and behind it
 
 struct JointRange {
   double min;

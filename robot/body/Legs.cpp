@@ -44,13 +44,34 @@ PlaneFoot planeFoot(LegId leg, double knee) {
   return {kKneeForward + length * k.sin, kUpperLeg + length * k.cos};
 }
 
-double lowestFoot(const JointAngles& joints, LegId left, LegId right, const maths::SinCos& lean,
-                  Point3<Torso>& foot) {
-  const auto height = [&](const Point3<Torso>& p) { return p.z * lean.cos - p.y * lean.sin; };
-  const Point3<Torso> a = footPosition(left, legAngles(joints, left));
-  const Point3<Torso> b = footPosition(right, legAngles(joints, right));
-  foot = height(a) < height(b) ? a : b;
-  return height(foot);
+// What can touch the ground, in the sagittal plane of the torso: feet, chest and belly.
+struct Contact {
+  double y;
+  double z;
+};
+constexpr std::size_t kContactCount = 6;  // three in front, then three behind
+using Contacts = std::array<Contact, kContactCount>;
+
+Contacts contacts(const JointAngles& joints) {
+  const auto foot = [&](LegId leg) {
+    const Point3<Torso> p = footPosition(leg, legAngles(joints, leg));
+    return Contact{p.y, p.z};
+  };
+  return {{foot(LegId::leftFront),
+           foot(LegId::rightFront),
+           {0.0, -kChestDepth},
+           foot(LegId::leftHind),
+           foot(LegId::rightHind),
+           {-kBodyLength, -kChestDepth}}};
+}
+
+// How far the lowest contact is below the line through a hind and a front one; 0 = none is.
+double deepestBelow(const Contacts& all, const Contact& hind, const Contact& front) {
+  const double slope = (front.z - hind.z) / (front.y - hind.y);
+  double deepest = 0.0;
+  for (const Contact& c : all)
+    deepest = std::fmax(deepest, hind.z + slope * (c.y - hind.y) - c.z);
+  return deepest;
 }
 
 }  // namespace
@@ -107,18 +128,38 @@ LegSolution reachFoot(LegId leg, Point3<Torso> foot) {
 }
 
 Stance stanceFromLegs(const JointAngles& joints) {
-  Stance stance;
-  // Which foot is lowest depends a little on the lean: the second round settles it.
-  for (int round = 0; round < 2; ++round) {
-    const maths::SinCos lean = maths::sinCos(stance.bodyTilt.rad());
-    Point3<Torso> front;
-    Point3<Torso> hind;
-    lowestFoot(joints, LegId::leftFront, LegId::rightFront, lean, front);
-    lowestFoot(joints, LegId::leftHind, LegId::rightHind, lean, hind);
-    stance.bodyTilt = Angle::rad(maths::atan((front.z - hind.z) / (front.y - hind.y)));
-    stance.shoulderHeight = front.y * stance.bodyTilt.sin() - front.z * stance.bodyTilt.cos();
+  constexpr double kShortestBase = 1.0;  // cm; contacts nearer than that carry no body
+  const Contacts all = contacts(joints);
+  Contact front = all[2];
+  Contact hind = all[5];
+  double best = deepestBelow(all, hind, front);
+  for (std::size_t f = 0; f < 3; ++f) {
+    for (std::size_t h = 3; h < kContactCount; ++h) {
+      if (all[f].y - all[h].y < kShortestBase) continue;
+      const double below = deepestBelow(all, all[h], all[f]);
+      if (below >= best) continue;
+      best = below;
+      front = all[f];
+      hind = all[h];
+    }
   }
-  return stance;
+  const Angle tilt = Angle::rad(maths::atan2(front.z - hind.z, front.y - hind.y));
+  return {front.y * tilt.sin() - front.z * tilt.cos(), tilt};
+}
+
+Point3<Robot> robotFromTorso(const Stance& stance, const Point3<Torso>& p) {
+  const maths::SinCos lean = maths::sinCos(stance.bodyTilt.rad());
+  const double y = p.y + kNeckBehindShoulder;
+  const double z = p.z - kNeckAboveShoulder;
+  const double up = p.z * lean.cos - p.y * lean.sin;
+  return {p.x, y * lean.cos + z * lean.sin, stance.shoulderHeight + up};
+}
+
+Point3<Torso> torsoFromRobot(const Stance& stance, const Point3<Robot>& p) {
+  const maths::SinCos lean = maths::sinCos(stance.bodyTilt.rad());
+  const double forward = p.y + kNeckBehindShoulder * lean.cos - kNeckAboveShoulder * lean.sin;
+  const double up = p.z - stance.shoulderHeight;
+  return {p.x, forward * lean.cos - up * lean.sin, forward * lean.sin + up * lean.cos};
 }
 
 JointAngles withinLimits(const JointAngles& joints) {

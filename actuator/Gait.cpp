@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "actuator/Gait.h"
+
+#include <cmath>
+
+#include "robot/body/Ers7.h"
+#include "robot/body/Legs.h"
+
+namespace kelpie::actuator {
+namespace {
+
+constexpr double kTick = kTickSeconds;
+constexpr double kAtHome = 0.15;  // cm; nearer than this a foot need not step again
+
+bool isFront(LegId leg) { return leg == LegId::leftFront || leg == LegId::rightFront; }
+
+// The pair that swings in the first half step.
+bool isFirstPair(LegId leg) { return leg == LegId::leftFront || leg == LegId::rightHind; }
+
+double finite(double value) { return std::isfinite(value) ? value : 0.0; }
+
+// Speed of the ground below a point of the robot frame, seen from the robot, with the sign turned.
+Point2<Robot> groundVelocity(const Velocity& v, Point2<Robot> at) {
+  return {-v.left - v.turn * at.y, v.forward + v.turn * at.x};
+}
+
+double stanceSeconds(const GaitParams& gait) {
+  return kTick * static_cast<double>(2 * gait.halfStepTicks - gait.swingTicks);
+}
+
+// Share of the request that no foot's ground stroke is too long for.
+double affordable(const Velocity& wish, const ActuatorParams& params) {
+  double longest = 0.0;
+  for (std::size_t leg = 0; leg < kLegCount; ++leg) {
+    const Point3<Robot> home = footHome(static_cast<LegId>(leg), params.stance);
+    longest = std::fmax(longest, groundVelocity(wish, {home.x, home.y}).norm());
+  }
+  const double stroke = longest * stanceSeconds(params.gait);
+  return stroke > params.gait.maxStroke ? params.gait.maxStroke / stroke : 1.0;
+}
+
+double approach(double now, double wish, double most) {
+  return now + maths::clamp(wish - now, -most, most);
+}
+
+// How far a leg's swing has come, 0..1; negative while it is on the ground.
+double swingPhase(LegId leg, const GaitState& state, const GaitParams& gait) {
+  const std::uint32_t start = isFirstPair(leg) ? 0 : gait.halfStepTicks;
+  if (state.standing || state.tick < start || state.tick >= start + gait.swingTicks) return -1.0;
+  return static_cast<double>(state.tick - start + 1) / static_cast<double>(gait.swingTicks);
+}
+
+// A foot on the ground: carried backwards under the body, turned against the body's turn.
+void carry(Foot& foot, const Velocity& v) {
+  const Point2<Robot> at{foot.position.x, foot.position.y};
+  const maths::SinCos turn = maths::sinCos(-v.turn * kTick);
+  const Point2<Robot> moved{at.x + v.left * kTick, at.y - v.forward * kTick};
+  foot.position = {turn.cos * moved.x - turn.sin * moved.y, turn.sin * moved.x + turn.cos * moved.y,
+                   0.0};
+}
+
+// A foot in the air: smooth along the way; up and down quickly, so that it touches nothing between.
+void swing(LegId leg, double phase, const ActuatorParams& params, GaitState& state) {
+  Foot& foot = state.feet[index(leg)];
+  const bool first = phase * params.gait.swingTicks < 1.5;
+  if (first) foot.liftedAt = {foot.position.x, foot.position.y};
+  const Point3<Robot> home = footHome(leg, params.stance);
+  const Point2<Robot> ahead =
+      groundVelocity(state.velocity, {home.x, home.y}) * (0.5 * stanceSeconds(params.gait));
+  const double way = phase * phase * (3.0 - 2.0 * phase);
+  const double peak = isFront(leg) ? params.gait.frontLift : params.gait.hindLift;
+  const double side = 2.0 * phase - 1.0;
+  foot.position.x = foot.liftedAt.x + way * (home.x + ahead.x - foot.liftedAt.x);
+  foot.position.y = foot.liftedAt.y + way * (home.y + ahead.y - foot.liftedAt.y);
+  foot.position.z = peak * (1.0 - side * side * side * side);
+}
+
+bool feetAtHome(const GaitState& state, const StanceParams& stance) {
+  for (std::size_t leg = 0; leg < kLegCount; ++leg) {
+    const Point3<Robot> d = state.feet[leg].position - footHome(static_cast<LegId>(leg), stance);
+    if (maths::hypot(d.x, d.y) > kAtHome) return false;
+  }
+  return true;
+}
+
+bool still(const Velocity& v) { return v.forward == 0.0 && v.left == 0.0 && v.turn == 0.0; }
+
+void placeFeet(const StanceParams& stance, GaitState& state) {
+  for (std::size_t leg = 0; leg < kLegCount; ++leg)
+    state.feet[leg].position = footHome(static_cast<LegId>(leg), stance);
+  state.placed = true;
+}
+
+}  // namespace
+
+Point3<Robot> footHome(LegId leg, const StanceParams& stance) {
+  const bool left = leg == LegId::leftFront || leg == LegId::leftHind;
+  const double aside = isFront(leg) ? stance.frontAside : stance.hindAside;
+  return {left ? -aside : aside, isFront(leg) ? stance.frontAhead : -stance.hindBehind, 0.0};
+}
+
+Velocity slewed(const Velocity& now, const WalkRequest& request, const ActuatorParams& params) {
+  const Velocity wish{maths::clamp(finite(request.forward), -30.0, 42.0),
+                      maths::clamp(finite(request.left), -20.0, 20.0),
+                      maths::clamp(finite(request.turn), -3.8, 3.8)};
+  const double share = affordable(wish, params);
+  const double most = params.gait.acceleration * kTick;
+  return {approach(now.forward, share * wish.forward, most),
+          approach(now.left, share * wish.left, most),
+          approach(now.turn, share * wish.turn, params.gait.turnAcceleration * kTick)};
+}
+
+void stepGait(const WalkRequest& request, const ActuatorParams& params, GaitState& state) {
+  if (!state.placed) placeFeet(params.stance, state);
+  state.velocity = slewed(state.velocity, request, params);
+  const bool boundary = state.tick % params.gait.halfStepTicks == 0;
+  if (boundary) state.standing = still(state.velocity) && feetAtHome(state, params.stance);
+  if (state.standing) {
+    state.velocity = {};  // feet that do not step cannot carry the body on
+    return;
+  }
+  for (std::size_t leg = 0; leg < kLegCount; ++leg) {
+    const double phase = swingPhase(static_cast<LegId>(leg), state, params.gait);
+    if (phase < 0.0)
+      carry(state.feet[leg], state.velocity);
+    else
+      swing(static_cast<LegId>(leg), phase, params, state);
+  }
+  state.tick = (state.tick + 1) % (2 * params.gait.halfStepTicks);
+}
+
+void legsForFeet(const GaitState& state, const StanceParams& stance, JointAngles& joints) {
+  // The torso's origin, the front shoulder axis, lies a little behind the neck base (Ers7.h).
+  const maths::SinCos lean = maths::sinCos(stance.bodyTilt.rad());
+  const double originY = body::kNeckBehindShoulder * lean.cos - body::kNeckAboveShoulder * lean.sin;
+  for (std::size_t leg = 0; leg < kLegCount; ++leg) {
+    const Point3<Robot> foot = state.feet[leg].position;
+    const double forward = foot.y - originY;
+    const double up = foot.z - stance.shoulderHeight;
+    const Point3<Torso> inTorso{foot.x, forward * lean.cos - up * lean.sin,
+                                forward * lean.sin + up * lean.cos};
+    body::setLegAngles(joints, static_cast<LegId>(leg),
+                       body::reachFoot(static_cast<LegId>(leg), inTorso).angles);
+  }
+}
+
+}  // namespace kelpie::actuator
