@@ -18,7 +18,7 @@ constexpr int kSpokes = 16;
 constexpr int kAround = 6;  // steps of 30 deg along the lower half
 // Points outside the image count as carpet below this row: half the image.
 constexpr double kLowerPart = 80.0;
-constexpr std::size_t kMaxCandidates = 4;
+constexpr std::size_t kMaxCandidates = 6;
 
 double turn(int step, int steps) { return 2.0 * maths::kPi * step / steps; }
 
@@ -128,11 +128,26 @@ bool accepted(const Scene& scene, const BallCandidate& c, const BallParams& p,
          check(ballHasFieldAround(scene, c, p), Refusal::ballNoField);
 }
 
-// The largest orange blobs, largest first.
-FixedVector<const Blob*, kMaxCandidates> largestOrange(const BlobBuffer& blobs) {
+// Cheap forms of two checks, so that orange shirts do not use up the candidates.
+bool mayLieOnField(const Scene& scene, const Blob& blob, const BallParams& p,
+                   VisionCounts& counts) {
+  if (blob.box.bottom < horizonRow(scene, blob.centre.x) - p.maxAboveHorizon) {
+    refuse(counts, Refusal::ballAboveHorizon);
+    return false;
+  }
+  if (blob.box.bottom < fieldEdgeRow(scene, blob.centre.x) - p.maxAboveFieldEdge) {
+    refuse(counts, Refusal::ballAboveFieldEdge);
+    return false;
+  }
+  return true;
+}
+
+// The largest orange blobs that may be on the field, largest first.
+FixedVector<const Blob*, kMaxCandidates> largestOrange(const Scene& scene, const BallParams& p,
+                                                       VisionCounts& counts) {
   FixedVector<const Blob*, kMaxCandidates> found;
-  for (const Blob& blob : blobs) {
-    if (blob.colour != ColourClass::orange) continue;
+  for (const Blob& blob : scene.blobs) {
+    if (blob.colour != ColourClass::orange || !mayLieOnField(scene, blob, p, counts)) continue;
     const Blob* item = &blob;
     for (const Blob*& kept : found) {
       if (item->samples > kept->samples) std::swap(item, kept);
@@ -198,7 +213,7 @@ bool ballIsOnGround(const Scene& scene, const BallCandidate& c, const BallParams
 bool ballIsNear(const BallCandidate& c, const BallParams& p) { return c.range <= p.maxDistance; }
 
 BallPercept findBall(const Scene& scene, const BallParams& params, VisionCounts& counts) {
-  for (const Blob* blob : largestOrange(scene.blobs)) {
+  for (const Blob* blob : largestOrange(scene, params, counts)) {
     if (static_cast<double>(blob->samples) < params.minSamples) {
       refuse(counts, Refusal::ballTooSmall);
       continue;

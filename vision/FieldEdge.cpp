@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "vision/FieldEdge.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "robot/core/Random.h"
@@ -10,6 +11,7 @@ namespace {
 
 constexpr int kColumnStep = 4;
 constexpr int kRunSamples = 3;    // greens in a row that begin the field
+constexpr int kWidestLine = 24;   // px, of a white line before the robot's feet
 constexpr int kBelowSamples = 8;  // samples below that must be mostly green
 
 bool isGreen(const Sampler& sampler, int px, int py) {
@@ -26,6 +28,18 @@ bool fieldBegins(const Sampler& sampler, int px, int py, double minGreen) {
     green += isGreen(sampler, px, py + i * kLatticeStep) ? 1 : 0;
   }
   return green >= minGreen * seen;
+}
+
+// A ball, or a line that leaves through the image's top, hides carpet, not its end.
+bool onlyHidesCarpet(const Sampler& sampler, int px, int py) {
+  const ColourClass above = sampler.classAt(px, py - kLatticeStep);
+  const ColourClass further = sampler.classAt(px, std::max(py - 2 * kLatticeStep, kLatticeTop));
+  if (above == ColourClass::orange || further == ColourClass::orange) return true;
+  if (py - kLatticeTop > kWidestLine) return false;
+  for (int row = kLatticeTop; row < py - kLatticeStep; row += kLatticeStep) {
+    if (sampler.classAt(px, row) != ColourClass::white) return false;
+  }
+  return true;
 }
 
 struct Line {
@@ -71,7 +85,8 @@ EdgeFeatures fieldEdgeFeatures(const Sampler& sampler, const FieldEdgeParams& pa
     int py = kLatticeTop;
     while (py < kUsableBottom && !fieldBegins(sampler, px, py, params.minGreen)) py += kLatticeStep;
     // Green from the first row on: the edge is above the image.
-    if (py > kLatticeTop && py < kUsableBottom) features.push_back({px + 0.5, py - 0.5});
+    if (py == kLatticeTop || py >= kUsableBottom || onlyHidesCarpet(sampler, px, py)) continue;
+    features.push_back({px + 0.5, py - 0.5});
   }
   return features;
 }

@@ -38,6 +38,13 @@ TEST(FieldEdge, WhiteLineOnTheFieldIsNotTheEdge) {
   EXPECT_LT(seen.percepts.fieldEdge.atLeft, 84.0);
 }
 
+TEST(FieldEdge, BallThatFillsTheUpperImageIsNotTheEdge) {
+  Painting p;
+  p.balls.push_back({0, 31});
+  p.lineAt = 32;
+  EXPECT_FALSE(look(p, cameraAt(16, 0, -45)).percepts.fieldEdge.present);
+}
+
 TEST(FieldEdge, GoalAndBallBeforeItDoNotBendIt) {
   Painting p;
   p.carpetEnd = 230;
