@@ -1,0 +1,200 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What the command line does with good and with bad input."""
+
+import json
+import os
+import signal
+import subprocess
+import time
+
+from conftest import BIN, HEADER, PLANE, ROOT, complaint, kelpie, make_recording
+
+
+def test_help_teaches_the_first_command():
+    result = kelpie("--help")
+    assert result.returncode == 0
+    assert "kelpie play" in result.stdout
+
+
+def test_no_command_is_a_usage_error():
+    assert kelpie().returncode == 2
+
+
+def test_unknown_command_is_a_usage_error():
+    assert kelpie("dance").returncode == 2
+
+
+def test_evaluate_lists_what_it_measures():
+    result = kelpie("evaluate", "--list")
+    assert result.returncode == 0
+    assert "score-empty-goal" in result.stdout and "projection" in result.stdout
+
+
+def test_unknown_experiment_points_to_the_list():
+    result = kelpie("evaluate", "love")
+    assert result.returncode == 2
+    assert "--list" in complaint(result)
+
+
+def test_projection_agrees_with_the_renderer(tmp_path):
+    figures = tmp_path / "f.json"
+    assert kelpie("evaluate", "projection", "--trials", "40", "--seed", "77", "--json",
+                  figures).returncode == 0
+    values = json.loads(figures.read_text())
+    assert values["discs"] > 200
+    assert values["max_px"] < 0.5 and values["max_cm_at_1m"] < 1.0
+
+
+def test_replay_repeats_a_match_bit_for_bit(match):
+    result = kelpie("replay", match, "--check")
+    assert result.returncode == 0, result.stderr
+    assert " 0 differ" in result.stdout
+
+
+def test_replay_with_another_colour_table_is_noticed(match, tmp_path):
+    table = tmp_path / "all_orange.bin"
+    table.write_bytes(bytes(128 ** 3))
+    result = kelpie("replay", match, "--check", "--colour-table", table)
+    assert result.returncode == 1
+    assert "frame 0" in result.stderr
+
+
+def test_jsonl_has_one_object_a_frame(match, tmp_path):
+    out = tmp_path / "frames.jsonl"
+    assert kelpie("replay", match, "--jsonl", out).returncode == 0
+    objects = [json.loads(line) for line in out.read_text().splitlines()]
+    assert [o["frame"] for o in objects] == list(range(len(objects)))
+    assert set(objects[-1]) == {"frame", "t_s", "percepts", "field_edge", "line_points", "pose",
+                                "ball"}
+    assert set(objects[-1]["pose"]) == {"x_cm", "y_cm", "heading_deg", "sd_cm", "sd_deg"}
+
+
+def test_info_counts_topics(match):
+    result = kelpie("info", match)
+    assert result.returncode == 0
+    assert "/frame/input" in result.stdout and "/truth" in result.stdout
+
+
+def test_foreign_file_is_named(tmp_path):
+    foreign = tmp_path / "foreign.mcap"
+    foreign.write_bytes(b"this is no log" * 100)
+    for command in (["info"], ["replay"], ["film"]):
+        words = [*command, foreign] + ([tmp_path / "x.mp4"] if command == ["film"] else [])
+        result = kelpie(*words)
+        assert result.returncode == 2
+        assert "foreign.mcap" in complaint(result)
+    assert [p.name for p in tmp_path.iterdir()] == ["foreign.mcap"]
+
+
+def test_missing_log_is_named(tmp_path):
+    result = kelpie("replay", tmp_path / "none.mcap")
+    assert result.returncode == 2
+    assert "none.mcap" in complaint(result)
+
+
+def test_cut_log_is_replayed_to_its_last_whole_frame(match, tmp_path):
+    cut = tmp_path / "cut.mcap"
+    cut.write_bytes(match.read_bytes()[:5_000_000])
+    result = kelpie("replay", cut, "--check")
+    assert result.returncode == 2
+    assert "cut off at byte" in complaint(result) and "cut.mcap" in complaint(result)
+    assert " 0 differ" in result.stdout
+
+
+def test_wrong_colour_table_size_is_named(match, tmp_path):
+    table = tmp_path / "table.bin"
+    table.write_bytes(b"x" * 1234)
+    result = kelpie("replay", match, "--colour-table", table)
+    assert result.returncode == 2
+    assert "table.bin" in complaint(result) and "1234" in complaint(result)
+
+
+def test_unknown_parameter_is_named_with_its_line(match, tmp_path):
+    params = tmp_path / "p.toml"
+    params.write_text("[gps.ball]\ngate = 4.0\nwobble = 3\n")
+    result = kelpie("replay", match, "--params", params)
+    assert result.returncode == 2
+    assert "p.toml:3" in complaint(result) and "wobble" in complaint(result)
+
+
+def test_parameter_without_its_unit_is_named(match, tmp_path):
+    params = tmp_path / "p.toml"
+    params.write_text("[gps.ball]\nkeep = 4.0\n")
+    result = kelpie("replay", match, "--params", params)
+    assert result.returncode == 2
+    assert "p.toml:2" in complaint(result)
+
+
+def test_script_with_a_syntax_error_is_named_before_the_match(tmp_path):
+    (tmp_path / "main.py").write_text("def decide(world):\n    return (\n")
+    result = kelpie("play", "--seconds", "2", "--pycode", tmp_path, "--out", tmp_path / "out")
+    assert result.returncode == 2
+    assert "main.py" in result.stderr and "2" in result.stderr
+    assert not (tmp_path / "out" / "match.mp4").exists()
+
+
+def processes_of(parent):
+    listing = subprocess.run(["ps", "--ppid", str(parent), "-o", "pid=,comm="],
+                             capture_output=True, text=True, check=False).stdout
+    return {name: int(pid) for pid, name in (line.split() for line in listing.splitlines())}
+
+
+def wait_for_log(folder, parent):
+    """Until the world and the agent of that play run and the match is a second old."""
+    for _ in range(100):
+        children = processes_of(parent)
+        if {"kelpie-world", "kelpie-agent"} <= set(children):
+            time.sleep(1.0)
+            return children
+        time.sleep(0.1)
+    raise AssertionError(f"no match started in {folder}")
+
+
+def test_a_world_that_dies_ends_the_match_and_keeps_the_log(tmp_path):
+    out = tmp_path / "out"
+    env = dict(os.environ, TMPDIR=str(tmp_path))
+    play = subprocess.Popen([BIN / "kelpie", "play", "--seconds", "600", "--goals", "99", "--out",
+                             out], stderr=subprocess.PIPE, stdout=subprocess.DEVNULL, text=True,
+                            cwd=ROOT, env=env)
+    os.kill(wait_for_log(out, play.pid)["kelpie-world"], signal.SIGKILL)
+    _, errors = play.communicate(timeout=60)
+    assert play.returncode == 1
+    assert "the world died (signal 9)" in errors
+    assert sorted(p.name for p in out.iterdir()) == ["match.mcap"]
+    assert [p.name for p in tmp_path.iterdir()] == ["out"]
+    assert kelpie("replay", out / "match.mcap", "--check").returncode == 0
+
+
+def test_import_wants_the_exact_header(tmp_path):
+    folder = make_recording(tmp_path / "r", [bytes(3 * PLANE)])
+    (folder / "sensors.csv").write_text("t,pan\n0,1\n")
+    result = kelpie("import", folder, "--out", tmp_path / "r.mcap")
+    assert result.returncode == 2
+    assert "sensors.csv:1" in complaint(result)
+    assert not list(tmp_path.glob("*.mcap*"))
+
+
+def test_import_names_the_row_that_is_no_numbers(tmp_path):
+    folder = make_recording(tmp_path / "r", [bytes(3 * PLANE)] * 2)
+    (folder / "sensors.csv").write_text(HEADER + "\n0,0,0,0,0,100,0,0,0\n0.03,0,oops,0,0,1,0,0,0\n")
+    result = kelpie("import", folder, "--out", tmp_path / "r.mcap")
+    assert result.returncode == 2
+    assert "sensors.csv:3" in complaint(result)
+
+
+def test_import_names_the_frame_of_a_wrong_size(tmp_path):
+    folder = make_recording(tmp_path / "r", [bytes(3 * PLANE), bytes(100)])
+    result = kelpie("import", folder, "--out", tmp_path / "r.mcap")
+    assert result.returncode == 2
+    assert "000001.yuv" in complaint(result)
+    assert not list(tmp_path.glob("*.mcap*"))
+
+
+def test_imported_frames_replay(tmp_path):
+    folder = make_recording(tmp_path / "r", [bytes([90]) * PLANE + bytes([128]) * (2 * PLANE)] * 3)
+    log = tmp_path / "r.mcap"
+    assert kelpie("import", folder, "--out", log).returncode == 0
+    result = kelpie("replay", log, "--jsonl", "-", "--init", "180,100,90")
+    assert result.returncode == 0, result.stderr
+    first = json.loads(result.stdout.splitlines()[0])
+    assert abs(first["pose"]["x_cm"] - 180) < 1 and first["percepts"] == []

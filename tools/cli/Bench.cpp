@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/core.h>
+
+#include <chrono>
+#include <memory>
+
+#include "robot/agent/Replay.h"
+#include "tools/cli/Commands.h"
+#include "tools/cli/Config.h"
+#include "tools/cli/experiments/Experiment.h"
+
+namespace kelpie::cli {
+namespace {
+
+struct BenchOptions {
+  std::string log = "out/match.mcap";
+  std::string json = "-";
+  std::string pycode = defaultScripts();
+};
+
+class StopWatch : public agent::StageObserver {
+ public:
+  void begin(agent::Stage) override { stageStart_ = Clock::now(); }
+  void end(agent::Stage stage) override {
+    stages_[static_cast<std::size_t>(stage)].push_back(since(stageStart_));
+  }
+  void beginFrame() override { frameStart_ = Clock::now(); }
+  void endFrame() override { frames_.push_back(since(frameStart_)); }
+
+  Json figures() const {
+    Json stages = Json::object();
+    for (std::size_t i = 0; i < agent::kStageCount; ++i)
+      stages[agent::kStageNames[i]] = summary(stages_[i]);
+    return {{"frame", summary(frames_)}, {"stages", stages}, {"frames", frames_.size()}};
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  static double since(Clock::time_point start) {
+    return std::chrono::duration<double, std::nano>(Clock::now() - start).count();
+  }
+  static Json summary(const std::vector<double>& times) {
+    double sum = 0.0;
+    for (const double t : times) sum += t;
+    return {{"mean_ns", times.empty() ? 0.0 : sum / static_cast<double>(times.size())},
+            {"median_ns", percentile(times, 0.5)},
+            {"p99_ns", percentile(times, 0.99)},
+            {"max_ns", percentile(times, 1.0)}};
+  }
+
+  Clock::time_point stageStart_;
+  Clock::time_point frameStart_;
+  std::array<std::vector<double>, agent::kStageCount> stages_;
+  std::vector<double> frames_;
+};
+
+int bench(const BenchOptions& options) {
+  StopWatch watch;
+  agent::ReplayOptions request;
+  request.scripts = options.pycode;
+  const auto result = agent::replay(options.log, request, watch);
+  if (!result) return complain(result.error(), kBadInput);
+  if (!writeWhole(options.json, watch.figures().dump(2) + "\n"))
+    return complain(options.json + ": cannot be written", kBadInput);
+  return kDone;
+}
+
+}  // namespace
+
+void addBench(CLI::App& app, int& code) {
+  auto* command = app.add_subcommand(
+      "bench", "Nanoseconds of each stage and of the whole frame, over the frames of a log");
+  auto options = std::make_shared<BenchOptions>();
+  command->add_option("LOG", options->log, "The log to run on")->capture_default_str();
+  command->add_option("--json", options->json, "File for the figures, - for standard output");
+  command->add_option("--pycode", options->pycode, "Behaviours (default: pycode/)")
+      ->check(CLI::ExistingPath);
+  command->callback([options, &code] { code = bench(*options); });
+}
+
+}  // namespace kelpie::cli

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/cli/Config.h"
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <cmath>
+
+#include "robot/body/FieldDescription.h"
+#include "robot/core/ParameterFile.h"
+
+namespace kelpie::cli {
+namespace {
+
+Status setInitialPose(const std::string& text, gps::InitialPose& initial) {
+  double numbers[3] = {};
+  const char* next = text.data();
+  const char* const end = text.data() + text.size();
+  for (int i = 0; i < 3; ++i) {
+    if (i > 0 && (next == end || *next++ != ',')) next = nullptr;
+    if (next == nullptr) break;
+    const auto [rest, error] = std::from_chars(next, end, numbers[i]);
+    next = error == std::errc() && std::isfinite(numbers[i]) ? rest : nullptr;
+    if (next == nullptr) break;
+  }
+  if (next != end) return Error{"--init " + text + ": expected x,y,heading in cm and degrees"};
+  initial.present = true;
+  initial.pose = {{numbers[0], numbers[1]}, Angle::deg(numbers[2])};
+  return Done{};
+}
+
+Status overlayParameters(const std::vector<std::string>& files, agent::AgentConfig& config) {
+  ParameterSet set;
+  set.add("body", config.body);
+  set.add("vision", config.vision);
+  set.add("gps", config.gps);
+  set.add("behaviour", config.behaviour);
+  set.add("actuator", config.actuator);
+  for (const auto& file : files) {
+    const Status read = set.overlay(file);
+    if (!read) return read;
+  }
+  return Done{};
+}
+
+Status applyCalibration(const ConfigOptions& options, vision::VisionCalibration& calibration) {
+  if (!options.colourTable.empty()) {
+    const auto table = vision::loadColourTable(options.colourTable);
+    if (!table) return Error{table.error()};
+    calibration.colour = *table;
+  }
+  if (!options.ring.empty()) {
+    const auto ring = vision::loadRingTable(options.ring);
+    if (!ring) return Error{ring.error()};
+    calibration.ring = *ring;
+  }
+  return Done{};
+}
+
+}  // namespace
+
+void addConfigOptions(CLI::App& command, ConfigOptions& options) {
+  command.add_option("--field", options.field, "2006, osaka2005 or 2004");
+  command.add_option("--team", options.team, "red (attacks the blue goal) or blue")
+      ->check(CLI::IsMember({"red", "blue"}));
+  command.add_option("--colour-table", options.colourTable,
+                     "Colour table: Kelpie's own or the 128^3 bytes of 2005");
+  command.add_option("--ring", options.ring, "Ring correction: none, 2006 or a file");
+  command.add_option("--init", options.initial, "Known start: x,y,heading in cm and degrees");
+  command.add_option("--params", options.params, "TOML files, general to specific");
+}
+
+Status applyConfig(const ConfigOptions& options, agent::AgentConfig& config) {
+  if (!options.field.empty()) {
+    const auto field = body::fieldDescription(options.field);
+    if (!field) return Error{field.error()};
+    config.gps.field = *field;
+  }
+  if (!options.team.empty())
+    config.team = options.team == "blue" ? TeamColour::blue : TeamColour::red;
+  if (options.player > 0) config.player = static_cast<std::uint8_t>(options.player);
+  const Status calibration = applyCalibration(options, config.calibration);
+  if (!calibration) return calibration;
+  const Status overlaid = overlayParameters(options.params, config);
+  if (!overlaid) return overlaid;
+  if (options.initial.empty()) return Done{};
+  return setInitialPose(options.initial, config.gps.initialPose);
+}
+
+Expected<agent::AgentConfig> makeConfig(const ConfigOptions& options) {
+  agent::AgentConfig config;
+  config.calibration = vision::nominalCalibration();
+  ConfigOptions request = options;
+  if (request.field.empty()) request.field = "2006";
+  if (request.ring.empty()) request.ring = "2006";
+  const Status applied = applyConfig(request, config);
+  if (!applied) return Error{applied.error()};
+  return config;
+}
+
+std::string defaultScripts() { return KELPIE_SOURCE_DIR "/pycode"; }
+
+}  // namespace kelpie::cli

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// The options that make an agent's configuration, the same for kelpie-agent, import and replay.
+#pragma once
+
+#include <CLI/App.hpp>
+#include <string>
+#include <vector>
+
+#include "robot/agent/AgentConfig.h"
+
+namespace kelpie::cli {
+
+struct ConfigOptions {
+  std::string field;                // empty: as it is (2006 for a new one)
+  std::string team;                 // red or blue; empty: as it is
+  int player = 0;                   // 1 to 4; 0: as it is
+  std::string colourTable;          // file
+  std::string ring;                 // none, 2006 or a file
+  std::string initial;              // "x,y,heading" in cm and degrees
+  std::vector<std::string> params;  // TOML files, general to specific
+};
+
+// Registers --field, --team, --colour-table, --ring, --init and --params.
+void addConfigOptions(CLI::App& command, ConfigOptions& options);
+
+// Changes `config` as asked. On an error (one line, file and place) it is left half changed.
+Status applyConfig(const ConfigOptions& options, agent::AgentConfig& config);
+
+// The default configuration: field 2006, red player 1, nominal colours, ring 2006.
+Expected<agent::AgentConfig> makeConfig(const ConfigOptions& options);
+
+// pycode/ of the source tree that the program was built from.
+std::string defaultScripts();
+
+}  // namespace kelpie::cli

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/cli/Draw.h"
+
+#include <fmt/core.h>
+
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+
+namespace kelpie::cli {
+namespace {
+
+const cv::Scalar kOrange(0, 128, 255);
+const cv::Scalar kBlue(255, 96, 32);
+const cv::Scalar kYellow(0, 220, 255);
+const cv::Scalar kPink(190, 100, 255);
+const cv::Scalar kWhite(255, 255, 255);
+const cv::Scalar kGrey(170, 170, 170);
+const cv::Scalar kBlack(0, 0, 0);
+const cv::Scalar kCarpet(60, 110, 40);
+const cv::Scalar kRed(60, 60, 230);
+constexpr double kMargin = 45.0;  // cm of carpet and goal round the lines
+
+cv::Scalar colourOf(LandmarkKind kind) {
+  switch (kind) {
+    case LandmarkKind::goalBlue: return kBlue;
+    case LandmarkKind::goalYellow: return kYellow;
+    default: return kPink;
+  }
+}
+
+const char* nameOf(LandmarkKind kind) {
+  switch (kind) {
+    case LandmarkKind::goalBlue: return "blue goal";
+    case LandmarkKind::goalYellow: return "yellow goal";
+    case LandmarkKind::beaconBlueOnPink: return "blue/pink";
+    case LandmarkKind::beaconPinkOnBlue: return "pink/blue";
+    case LandmarkKind::beaconYellowOnPink: return "yellow/pink";
+    default: return "pink/yellow";
+  }
+}
+
+cv::Point at(PixelPoint p, int scale) {
+  return {static_cast<int>(std::lround(p.x * scale)), static_cast<int>(std::lround(p.y * scale))};
+}
+
+void label(cv::Mat& picture, const std::string& text, cv::Point where, const cv::Scalar& colour) {
+  where.x = std::max(2, std::min(where.x, picture.cols - 10 * static_cast<int>(text.size())));
+  where.y = std::max(12, std::min(where.y, picture.rows - 4));
+  cv::putText(picture, text, where, cv::FONT_HERSHEY_SIMPLEX, 0.45, kBlack, 3, cv::LINE_AA);
+  cv::putText(picture, text, where, cv::FONT_HERSHEY_SIMPLEX, 0.45, colour, 1, cv::LINE_AA);
+}
+
+cv::Mat colourPicture(const Image& image) {
+  const auto plane = [](const Image::Plane& p) {
+    return cv::Mat(kImageHeight, kImageWidth, CV_8UC1, const_cast<std::uint8_t*>(p.data()));
+  };
+  cv::Mat joined;
+  cv::merge(std::vector<cv::Mat>{plane(image.y), plane(image.cr), plane(image.cb)}, joined);
+  cv::Mat bgr;
+  cv::cvtColor(joined, bgr, cv::COLOR_YCrCb2BGR);
+  return bgr;
+}
+
+void drawLine(cv::Mat& picture, double left, double right, int scale, const cv::Scalar& colour) {
+  const auto clip = [](double v) { return maths::clamp(v, -2000.0, 2000.0); };
+  cv::line(picture, at({0.0, clip(left)}, scale), at({kImageWidth, clip(right)}, scale), colour, 1,
+           cv::LINE_AA);
+}
+
+void drawBall(cv::Mat& picture, const BallPercept& ball, int scale) {
+  if (!ball.present) return;
+  const int radius = std::max(2, static_cast<int>(std::lround(ball.radius * scale)));
+  cv::circle(picture, at(ball.centre, scale), radius, kBlack, 3, cv::LINE_AA);
+  cv::circle(picture, at(ball.centre, scale), radius, kOrange, 2, cv::LINE_AA);
+  label(picture, fmt::format("ball {:.0f} cm {:.0f} deg", ball.distance, ball.heading.deg()),
+        at(ball.centre, scale) + cv::Point(radius + 4, 4), kOrange);
+}
+
+void drawLandmark(cv::Mat& picture, const LandmarkPercept& seen, int scale) {
+  const cv::Point corner = at({seen.box.left, seen.box.top}, scale);
+  cv::rectangle(picture, corner, at({seen.box.right, seen.box.bottom}, scale), colourOf(seen.kind),
+                2);
+  label(
+      picture,
+      fmt::format("{} {:.0f} cm {:.0f} deg", nameOf(seen.kind), seen.distance, seen.heading.deg()),
+      corner + cv::Point(0, -4), colourOf(seen.kind));
+}
+
+// From field centimetres to picture pixels; up-field is up.
+cv::Point onPicture(const body::FieldDescription& field, double scale, Point2<Field> p) {
+  return {static_cast<int>(std::lround((p.x + kMargin) * scale)),
+          static_cast<int>(std::lround((field.length + kMargin - p.y) * scale))};
+}
+
+void drawGoal(cv::Mat& picture, const body::FieldDescription& field, double scale, bool own) {
+  const double middle = field.width / 2;
+  const double line = own ? 0.0 : field.length;
+  const double back = own ? -field.goalDepth : field.length + field.goalDepth;
+  const auto corner = onPicture(field, scale, {middle - field.goalWidth / 2, line});
+  const auto opposite = onPicture(field, scale, {middle + field.goalWidth / 2, back});
+  cv::rectangle(picture, corner, opposite, own ? kYellow : kBlue, cv::FILLED);
+}
+
+void drawRobot(cv::Mat& picture, const body::FieldDescription& field, double scale,
+               const Pose2& pose, const cv::Scalar& colour) {
+  // Neck base in front, body 20 cm behind it, 14 cm wide.
+  const std::array<Point2<Robot>, 5> outline = {
+      {{0.0, 5.0}, {7.0, 0.0}, {7.0, -20.0}, {-7.0, -20.0}, {-7.0, 0.0}}};
+  std::vector<cv::Point> corners;
+  for (const auto& corner : outline)
+    corners.push_back(onPicture(field, scale, fieldFromRobot(pose, corner)));
+  cv::polylines(picture, corners, true, colour, 2, cv::LINE_AA);
+}
+
+void drawBelief(cv::Mat& picture, const body::FieldDescription& field, double scale,
+                const WorldModel& world) {
+  const auto& c = world.covariance;
+  const double middle = 0.5 * (c[0] + c[4]);
+  const double spread = std::sqrt(maths::square(0.5 * (c[0] - c[4])) + c[1] * c[1]);
+  const double major = std::sqrt(std::max(0.0, middle + spread)) * scale;
+  const double minor = std::sqrt(std::max(0.0, middle - spread)) * scale;
+  const double angle = 0.5 * std::atan2(2.0 * c[1], c[0] - c[4]) * 180.0 / maths::kPi;
+  const auto centre = onPicture(field, scale, world.pose.position);
+  const cv::Size axes(static_cast<int>(maths::clamp(2 * major, 1.0, 3000.0)),
+                      static_cast<int>(maths::clamp(2 * minor, 1.0, 3000.0)));
+  cv::ellipse(picture, centre, axes, -angle, 0, 360, kPink, 1, cv::LINE_AA);
+  const auto tip = onPicture(field, scale, fieldFromRobot(world.pose, Point2<Robot>{0.0, 20.0}));
+  cv::arrowedLine(picture, centre, tip, kPink, 2, cv::LINE_AA, 0, 0.3);
+  if (world.ball.present)
+    cv::circle(picture, onPicture(field, scale, world.ball.position),
+               std::max(3, static_cast<int>(6 * scale)), kPink, 2, cv::LINE_AA);
+}
+
+}  // namespace
+
+cv::Mat drawCamera(const FrameInput& input, const FrameOutput& output, int scale) {
+  cv::Mat picture;
+  cv::resize(colourPicture(input.image), picture, {}, scale, scale, cv::INTER_NEAREST);
+  drawLine(picture, output.body.horizon.atLeft, output.body.horizon.atRight, scale, kGrey);
+  if (output.percepts.fieldEdge.present)
+    drawLine(picture, output.percepts.fieldEdge.atLeft, output.percepts.fieldEdge.atRight, scale,
+             kRed);
+  for (const auto& point : output.percepts.linePoints)
+    cv::circle(picture, at(point.pixel, scale), 2, kYellow, cv::FILLED);
+  for (const auto& seen : output.percepts.landmarks) drawLandmark(picture, seen, scale);
+  drawBall(picture, output.percepts.ball, scale);
+  return picture;
+}
+
+cv::Mat drawField(const body::FieldDescription& field, double scale) {
+  const cv::Size size(static_cast<int>((field.width + 2 * kMargin) * scale),
+                      static_cast<int>((field.length + 2 * kMargin) * scale));
+  cv::Mat picture(size, CV_8UC3, kCarpet);
+  drawGoal(picture, field, scale, true);
+  drawGoal(picture, field, scale, false);
+  const int width = std::max(1, static_cast<int>(std::lround(field.lineWidth * scale)));
+  for (const auto& line : field.lines)
+    cv::line(picture, onPicture(field, scale, line.from), onPicture(field, scale, line.to), kWhite,
+             width, cv::LINE_AA);
+  cv::circle(picture, onPicture(field, scale, {field.width / 2, field.length / 2}),
+             static_cast<int>(field.circleDiameter / 2 * scale), kWhite, width, cv::LINE_AA);
+  for (const auto& landmark : field.landmarks)
+    if (landmark.kind > LandmarkKind::goalYellow)
+      cv::circle(picture, onPicture(field, scale, landmark.position),
+                 static_cast<int>(field.beaconRadius * scale) + 2, kPink, cv::FILLED, cv::LINE_AA);
+  return picture;
+}
+
+void drawPaths(cv::Mat& picture, const body::FieldDescription& field, double scale,
+               const Paths& paths) {
+  const auto draw = [&](const std::vector<Point2<Field>>& path, const cv::Scalar& colour) {
+    std::vector<cv::Point> points;
+    points.reserve(path.size());
+    for (const auto& p : path) points.push_back(onPicture(field, scale, p));
+    cv::polylines(picture, points, false, colour, 2, cv::LINE_AA);
+  };
+  draw(paths.belief, kPink);
+  draw(paths.ball, kOrange);
+  draw(paths.robot, kWhite);
+}
+
+void drawPlaces(cv::Mat& picture, const body::FieldDescription& field, double scale,
+                const Moment& moment) {
+  drawBelief(picture, field, scale, moment.output.world);
+  if (!moment.truth.present) return;
+  drawRobot(picture, field, scale, moment.truth.robot, kWhite);
+  cv::circle(picture, onPicture(field, scale, moment.truth.ball),
+             std::max(3, static_cast<int>(body::kBallRadius * scale)), kOrange, cv::FILLED,
+             cv::LINE_AA);
+}
+
+}  // namespace kelpie::cli

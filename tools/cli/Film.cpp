@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/cli/Film.h"
+
+#include <fmt/core.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+#include <opencv2/videoio.hpp>
+
+#include "tools/cli/Commands.h"
+#include "tools/cli/Describe.h"
+#include "tools/cli/Draw.h"
+#include "tools/cli/Match.h"
+
+namespace kelpie::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kCameraScale = 4;         // 832 x 640
+constexpr double kFieldScale = 1.0;     // pixels per cm
+constexpr int kCaption = 32;            // px below the pictures
+constexpr int kPictureFrames = 6;       // camera frames in the picture
+constexpr int kPictureCameraScale = 2;  // 416 x 320
+constexpr double kPictureFieldScale = 1.5;
+const cv::Scalar kInk(235, 235, 235);
+
+void follow(Paths& paths, const Moment& moment) {
+  paths.belief.push_back(moment.output.world.pose.position);
+  if (!moment.truth.present) return;
+  paths.robot.push_back(moment.truth.robot.position);
+  paths.ball.push_back(moment.truth.ball);
+}
+
+void write(cv::Mat& picture, const std::string& text, cv::Point where) {
+  cv::putText(picture, text, where, cv::FONT_HERSHEY_SIMPLEX, 0.5, kInk, 1, cv::LINE_AA);
+}
+
+// Pastes `part` at a place of the canvas, cut to what fits.
+void paste(cv::Mat& canvas, const cv::Mat& part, int x, int y) {
+  const int width = std::min(part.cols, canvas.cols - x);
+  const int height = std::min(part.rows, canvas.rows - y);
+  part(cv::Rect(0, 0, width, height)).copyTo(canvas(cv::Rect(x, y, width, height)));
+}
+
+int even(int n) { return n + n % 2; }  // H.264 wants even sizes
+
+class FilmWriter {
+ public:
+  FilmWriter(const std::string& path, const body::FieldDescription& field)
+      : field_(field), ground_(drawField(field, kFieldScale)) {
+    const int width = kCameraScale * kImageWidth + ground_.cols;
+    const int height = std::max(kCameraScale * kImageHeight, ground_.rows) + kCaption;
+    canvas_ = cv::Mat(even(height), even(width), CV_8UC3, cv::Scalar(30, 30, 30));
+    const int codec = cv::VideoWriter::fourcc('a', 'v', 'c', '1');
+    video_.open(path, cv::CAP_FFMPEG, codec, 1.0 / kFrameSeconds, canvas_.size());
+  }
+  bool ready() const { return video_.isOpened(); }
+
+  void add(const Moment& moment) {
+    follow(paths_, moment);
+    canvas_.setTo(cv::Scalar(30, 30, 30));
+    paste(canvas_, drawCamera(moment.input, moment.output, kCameraScale), 0, 0);
+    cv::Mat ground = ground_.clone();
+    drawPaths(ground, field_, kFieldScale, paths_);
+    drawPlaces(ground, field_, kFieldScale, moment);
+    paste(canvas_, ground, kCameraScale * kImageWidth, 0);
+    write(canvas_, describe(moment.output), {8, canvas_.rows - 10});
+    video_.write(canvas_);
+  }
+  void close() { video_.release(); }
+
+ private:
+  body::FieldDescription field_;
+  cv::Mat ground_;
+  cv::Mat canvas_;
+  cv::VideoWriter video_;
+  Paths paths_;
+};
+
+// Name for the unfinished file; keeps the ending, which tells the container.
+std::string partName(const std::string& out) {
+  const fs::path path(out);
+  return (path.parent_path() / (path.stem().string() + ".part" + path.extension().string()))
+      .string();
+}
+
+Status finish(const std::string& part, const std::string& out) {
+  if (std::rename(part.c_str(), out.c_str()) == 0) return Done{};
+  std::remove(part.c_str());
+  return Error{out + ": cannot be written"};
+}
+
+// The frames shown in the picture: evenly spread, the first and the last whole one included.
+bool isShown(std::size_t frame, std::size_t all) {
+  if (all <= kPictureFrames) return true;
+  for (std::size_t k = 0; k < kPictureFrames; ++k)
+    if (frame == k * (all - 1) / (kPictureFrames - 1)) return true;
+  return false;
+}
+
+cv::Mat arrange(const cv::Mat& ground, const std::vector<cv::Mat>& frames) {
+  const int tileWidth = kPictureCameraScale * kImageWidth;
+  const int tileHeight = kPictureCameraScale * kImageHeight + 22;
+  const int height = std::max(ground.rows, 3 * tileHeight) + kCaption;
+  cv::Mat canvas(height, ground.cols + 2 * tileWidth + 16, CV_8UC3, cv::Scalar(30, 30, 30));
+  paste(canvas, ground, 0, 0);
+  for (std::size_t i = 0; i < frames.size(); ++i)
+    paste(canvas, frames[i], ground.cols + 8 + static_cast<int>(i % 2) * (tileWidth + 8),
+          static_cast<int>(i / 2) * tileHeight);
+  write(canvas, "white: robot   orange: ball   pink: where the robot believed it was",
+        {8, height - 10});
+  return canvas;
+}
+
+cv::Mat tile(const Moment& moment) {
+  const cv::Mat camera = drawCamera(moment.input, moment.output, kPictureCameraScale);
+  cv::Mat result(camera.rows + 22, camera.cols, CV_8UC3, cv::Scalar(30, 30, 30));
+  paste(result, camera, 0, 0);
+  std::string text = describe(moment.output);
+  cv::putText(result, text, {2, camera.rows + 15}, cv::FONT_HERSHEY_SIMPLEX, 0.38, kInk, 1,
+              cv::LINE_AA);
+  return result;
+}
+
+}  // namespace
+
+Status filmMatch(const std::string& log, const std::string& out, const Progress& progress) {
+  const auto match = Match::open(log);
+  if (!match) return Error{match.error()};
+  const std::string part = partName(out);
+  FilmWriter film(part, match->field());
+  if (!film.ready()) return Error{out + ": the film cannot be written"};
+  std::size_t done = 0;
+  match->forEachMoment([&](const Moment& moment) {
+    film.add(moment);
+    if (progress) progress(++done, match->frames());
+  });
+  film.close();
+  return finish(part, out);
+}
+
+Status drawMatchPicture(const std::string& log, const std::string& out) {
+  const auto match = Match::open(log);
+  if (!match) return Error{match.error()};
+  const auto& field = match->field();
+  cv::Mat ground = drawField(field, kPictureFieldScale);
+  Paths paths;
+  std::vector<cv::Mat> frames;
+  std::size_t number = 0;
+  match->forEachMoment([&](const Moment& moment) {
+    follow(paths, moment);
+    if (isShown(number++, match->frames())) frames.push_back(tile(moment));
+    if (number == match->frames()) {
+      drawPaths(ground, field, kPictureFieldScale, paths);
+      drawPlaces(ground, field, kPictureFieldScale, moment);
+    }
+  });
+  const std::string part = partName(out);
+  if (!cv::imwrite(part, arrange(ground, frames))) return Error{out + ": cannot be written"};
+  return finish(part, out);
+}
+
+namespace {
+
+struct FilmOptions {
+  std::string log;
+  std::string out;
+};
+
+int film(const FilmOptions& options) {
+  Progress progress;
+  if (onTerminal())
+    progress = [](std::size_t done, std::size_t all) {
+      if (done % 10 == 0 || done == all)
+        fmt::print(stderr, "\r{} of {} frames{}", done, all, done == all ? "\n" : "");
+    };
+  const Status made = filmMatch(options.log, options.out, progress);
+  return made ? kDone : complain(made.error(), kBadInput);
+}
+
+}  // namespace
+
+void addFilm(CLI::App& app, int& code) {
+  auto* command = app.add_subcommand("film", "A film: camera with overlays beside the field");
+  auto options = std::make_shared<FilmOptions>();
+  command->add_option("LOG", options->log, "The log")->required();
+  command->add_option("OUT", options->out, "The film, for example match.mp4")->required();
+  command->callback([options, &code] { code = film(*options); });
+}
+
+}  // namespace kelpie::cli

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/core.h>
+
+#include <map>
+#include <memory>
+
+#include "robot/core/LogReader.h"
+#include "tools/cli/Commands.h"
+
+namespace kelpie::cli {
+namespace {
+
+struct TopicCount {
+  std::string schema;
+  std::size_t messages = 0;
+  std::size_t bytes = 0;
+  TimeUs first;
+  TimeUs last;
+};
+
+void printTopics(const std::map<std::string, TopicCount>& topics) {
+  fmt::print("{:18} {:28} {:>9} {:>10} {:>9} {:>9}\n", "topic", "type", "messages", "KB", "from s",
+             "to s");
+  for (const auto& [topic, count] : topics)
+    fmt::print("{:18} {:28} {:>9} {:>10.1f} {:>9.3f} {:>9.3f}\n", topic, count.schema,
+               count.messages, static_cast<double>(count.bytes) / 1024.0, count.first.seconds(),
+               count.last.seconds());
+}
+
+int info(const std::string& log) {
+  auto reader = LogReader::open(log);
+  if (!reader) return complain(reader.error(), kBadInput);
+  std::map<std::string, TopicCount> topics;
+  LogMessage message;
+  while (reader->next(message)) {
+    auto& count = topics[message.topic()];
+    if (count.messages++ == 0) count.first = message.time;
+    count.schema = message.schema().name;
+    count.last = message.time;
+    count.bytes += message.size;
+  }
+  if (!reader->status()) return complain(reader->status().error(), kBadInput);
+  printTopics(topics);
+  for (const auto& metadata : reader->metadata())
+    for (const auto& [key, value] : metadata.entries)
+      fmt::print("{}.{} = {}\n", metadata.name, key, value);
+  if (reader->truncated())
+    return complain(fmt::format("{}: cut off at byte {}; whole up to there", log, reader->offset()),
+                    kBadInput);
+  return kDone;
+}
+
+}  // namespace
+
+void addInfo(CLI::App& app, int& code) {
+  auto* command = app.add_subcommand("info", "What is in a log: topics, types, counts, times");
+  auto log = std::make_shared<std::string>();
+  command->add_option("LOG", *log, "The log")->required();
+  command->callback([log, &code] { code = info(*log); });
+}
+
+}  // namespace kelpie::cli

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+// One JSON object a frame: what was seen and what is believed, in centimetres and degrees.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "robot/core/FrameInput.h"
+#include "robot/core/FrameOutput.h"
+
+namespace kelpie::cli {
+
+nlohmann::ordered_json frameObject(const FrameInput& input, const FrameOutput& output);
+const char* landmarkName(LandmarkKind kind);  // "goal_blue", "beacon_pb", ...
+
+}  // namespace kelpie::cli

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/cli/Logs.h"
+
+#include <array>
+#include <cstdio>
+#include <memory>
+#include <optional>
+
+#include "robot/agent/Replay.h"
+#include "tools/sim/Truth.h"
+
+namespace kelpie::cli {
+namespace {
+
+// Reads one log ahead by one message.
+struct Source {
+  LogReader reader;
+  LogMessage message;
+  bool more = false;
+
+  void advance() { more = reader.next(message); }
+};
+
+template <class T>
+Status copyAs(const LogMessage& message, LogWriter& out) {
+  const auto value = std::make_unique<T>();
+  const Status read = decodeAs(message, *value);
+  if (read) out.write(message.topic(), message.time, *value);
+  return read;
+}
+
+struct TopicCopy {
+  const char* topic;
+  Status (*copy)(const LogMessage&, LogWriter&);
+};
+constexpr std::array<TopicCopy, 7> kCopies = {{
+    {agent::kConfigTopic, copyAs<agent::AgentConfig>},
+    {agent::kFrameInputTopic, copyAs<FrameInput>},
+    {agent::kFrameOutputTopic, copyAs<FrameOutput>},
+    {agent::kMotionInputTopic, copyAs<MotionInput>},
+    {agent::kMotionOutputTopic, copyAs<MotionOutput>},
+    {sim::kTruthTopic, copyAs<sim::TruthFrame>},
+    {sim::kEventTopic, copyAs<sim::MatchEvent>},
+}};
+
+Status copyMessage(const LogMessage& message, LogWriter& out) {
+  for (const auto& entry : kCopies)
+    if (message.topic() == entry.topic) return entry.copy(message, out);
+  return Done{};
+}
+
+// The source whose next message is the oldest; the first of equals, so that order is kept.
+Source* oldest(std::vector<Source>& sources) {
+  Source* best = nullptr;
+  for (auto& source : sources)
+    if (source.more && (best == nullptr || source.message.time < best->message.time))
+      best = &source;
+  return best;
+}
+
+Status joinInto(std::vector<Source>& sources, LogWriter& out) {
+  for (auto& source : sources) source.advance();
+  for (Source* next = oldest(sources); next != nullptr; next = oldest(sources)) {
+    const Status copied = copyMessage(next->message, out);
+    if (!copied) return copied;
+    next->advance();
+  }
+  return out.close();
+}
+
+}  // namespace
+
+Expected<LogFile> LogFile::create(const std::string& path, const agent::AgentConfig& config) {
+  auto writer = LogWriter::open(path);
+  if (!writer) return Error{writer.error()};
+  writer->write(agent::kConfigTopic, TimeUs{}, config);
+  return LogFile(std::move(*writer));
+}
+
+void LogFile::motion(const MotionInput& input, const MotionOutput& output) {
+  writer_.write(agent::kMotionInputTopic, input.time, input);
+  writer_.write(agent::kMotionOutputTopic, input.time, output);
+}
+
+void LogFile::frame(const FrameInput& input, const FrameOutput& output) {
+  writer_.write(agent::kFrameInputTopic, input.time, input);
+  writer_.write(agent::kFrameOutputTopic, input.time, output);
+}
+
+Status mergeLogs(const std::vector<std::string>& logs, const std::string& out) {
+  std::vector<Source> sources;
+  for (const auto& path : logs) {
+    auto reader = LogReader::open(path);
+    if (reader) sources.push_back({std::move(*reader), {}, false});
+  }
+  const std::string part = out + ".part";
+  auto writer = LogWriter::open(part);
+  if (!writer) return Error{writer.error()};
+  const Status joined = joinInto(sources, *writer);
+  if (joined && std::rename(part.c_str(), out.c_str()) == 0) return Done{};
+  std::remove(part.c_str());
+  return joined ? Status(Error{out + ": cannot be written"}) : joined;
+}
+
+}  // namespace kelpie::cli

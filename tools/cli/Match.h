@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// A log of a match as moments: each frame's input and output with the true places of that time.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "robot/body/FieldDescription.h"
+#include "robot/core/Expected.h"
+#include "tools/cli/Draw.h"
+
+namespace kelpie::cli {
+
+class Match {
+ public:
+  // An error when the file is no log, or holds no frames with outputs.
+  static Expected<Match> open(const std::string& path);
+
+  const body::FieldDescription& field() const { return field_; }
+  std::size_t frames() const { return frames_; }
+  void forEachMoment(const std::function<void(const Moment&)>& show) const;
+
+ private:
+  std::string path_;
+  body::FieldDescription field_;
+  std::size_t frames_ = 0;
+};
+
+}  // namespace kelpie::cli

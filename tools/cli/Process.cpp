@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/cli/Process.h"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <signal.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <utility>
+
+namespace kelpie::cli {
+namespace {
+
+constexpr const char* kTunables = "glibc.cpu.hwcaps=-FMA,-AVX2,-FMA4";
+
+// Runs in the child between fork and exec: only async-signal-safe calls.
+[[noreturn]] void becomeProgram(char* const* argv, int output, pid_t parent) {
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (getppid() != parent) _exit(127);
+  if (output >= 0) dup2(output, STDOUT_FILENO);
+  execv(argv[0], argv);
+  _exit(127);
+}
+
+}  // namespace
+
+Expected<Process> Process::start(const std::vector<std::string>& argv, bool readOutput) {
+  if (access(argv[0].c_str(), X_OK) != 0)
+    return Error{argv[0] + ": no such program; build it with tools/build host"};
+  int ends[2] = {-1, -1};
+  if (readOutput && pipe2(ends, O_CLOEXEC) != 0)
+    return Error{std::string("pipe: ") + std::strerror(errno)};
+  std::vector<char*> words;
+  words.reserve(argv.size() + 1);
+  for (const auto& word : argv) words.push_back(const_cast<char*>(word.c_str()));
+  words.push_back(nullptr);
+  const pid_t parent = getpid();
+  const pid_t pid = fork();
+  if (pid == 0) becomeProgram(words.data(), ends[1], parent);
+  if (ends[1] >= 0) close(ends[1]);
+  if (pid < 0) return Error{std::string("fork: ") + std::strerror(errno)};
+  return Process(pid, ends[0]);
+}
+
+Process::Process(Process&& other) noexcept
+    : pid_(std::exchange(other.pid_, -1)),
+      output_(std::exchange(other.output_, -1)),
+      ended_(other.ended_),
+      code_(other.code_),
+      pending_(std::move(other.pending_)) {}
+
+Process::~Process() {
+  if (pid_ > 0 && !ended_) {
+    kill(pid_, SIGKILL);
+    wait();
+  }
+  if (output_ >= 0) close(output_);
+}
+
+bool Process::readLine(std::string& line, int milliseconds) {
+  for (;;) {
+    const auto end = pending_.find('\n');
+    if (end != std::string::npos) {
+      line = pending_.substr(0, end);
+      pending_.erase(0, end + 1);
+      return true;
+    }
+    pollfd wanted{output_, POLLIN, 0};
+    if (output_ < 0 || poll(&wanted, 1, milliseconds) <= 0) return false;
+    char buffer[4096];
+    const ssize_t got = read(output_, buffer, sizeof buffer);
+    if (got <= 0) {
+      close(std::exchange(output_, -1));
+      return false;
+    }
+    pending_.append(buffer, static_cast<std::size_t>(got));
+  }
+}
+
+void Process::reap(int status) {
+  ended_ = true;
+  code_ = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+}
+
+bool Process::ended() {
+  int status = 0;
+  if (!ended_ && waitpid(pid_, &status, WNOHANG) == pid_) reap(status);
+  return ended_;
+}
+
+int Process::wait() {
+  int status = 0;
+  while (!ended_ && waitpid(pid_, &status, 0) < 0 && errno == EINTR) {
+  }
+  if (!ended_) reap(status);
+  return code_;
+}
+
+void Process::terminate() {
+  if (!ended_) kill(pid_, SIGTERM);
+}
+
+std::string programFolder() {
+  char path[4096];
+  const ssize_t size = readlink("/proc/self/exe", path, sizeof path - 1);
+  if (size <= 0) return ".";
+  const std::string whole(path, static_cast<std::size_t>(size));
+  return whole.substr(0, whole.rfind('/'));
+}
+
+void useTargetMaths(char** argv) {
+  const char* now = std::getenv("GLIBC_TUNABLES");
+  if (now != nullptr && std::strcmp(now, kTunables) == 0) return;
+  setenv("GLIBC_TUNABLES", kTunables, 1);
+  execv("/proc/self/exe", argv);  // on failure go on: only the last bit of Python's math differs
+}
+
+}  // namespace kelpie::cli

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+// A child process that never outlives its parent: killed when the object goes, and by the kernel
+// when the parent is killed. Its standard output can be read line by line.
+#pragma once
+
+#include <sys/types.h>
+
+#include <string>
+#include <vector>
+
+#include "robot/core/Expected.h"
+
+namespace kelpie::cli {
+
+class Process {
+ public:
+  // argv[0] is the program's path. With `readOutput` its standard output goes to readLine().
+  static Expected<Process> start(const std::vector<std::string>& argv, bool readOutput);
+  Process(Process&& other) noexcept;
+  Process& operator=(Process&&) = delete;
+  Process(const Process&) = delete;
+  Process& operator=(const Process&) = delete;
+  ~Process();
+
+  // Next line of output; waits at most `milliseconds`. False: nothing yet, or ended().
+  bool readLine(std::string& line, int milliseconds);
+  bool ended();      // has exited; its status is then known
+  int wait();        // waits for the end; the exit code, or 128 + signal
+  void terminate();  // asks it to stop
+
+ private:
+  Process(pid_t pid, int output) : pid_(pid), output_(output) {}
+  void reap(int status);
+
+  pid_t pid_ = -1;
+  int output_ = -1;
+  bool ended_ = false;
+  int code_ = 0;
+  std::string pending_;
+};
+
+// Folder of the running program, where its sister programs are.
+std::string programFolder();
+
+// Starts the program again with a C library whose double functions (and so Python's math) give the
+// same bits as the target's, unless that is already so: glibc's FMA variants differ in the last bit
+// from its plain ones (spec cross.md section 7). Returns only when nothing had to be done.
+void useTargetMaths(char** argv);
+
+}  // namespace kelpie::cli

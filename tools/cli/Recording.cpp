@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/cli/Recording.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+
+namespace kelpie::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kHeader =
+    "t_s,neck_tilt_deg,head_pan_deg,head_nod_deg,body_tilt_deg,shoulder_height_mm,"
+    "odo_forward_cm,odo_left_cm,odo_turn_deg";
+constexpr std::size_t kColumns = 9;
+
+void dropCarriageReturn(std::string& line) {
+  if (!line.empty() && line.back() == '\r') line.pop_back();
+}
+
+// The nine numbers of a row; nothing when there are fewer, more, or one is not a finite number.
+bool parseNumbers(const std::string& line, std::array<double, kColumns>& numbers) {
+  const char* next = line.data();
+  const char* const end = line.data() + line.size();
+  for (std::size_t i = 0; i < kColumns; ++i) {
+    if (i > 0 && (next == end || *next++ != ',')) return false;
+    while (next != end && *next == ' ') ++next;
+    const auto [rest, error] = std::from_chars(next, end, numbers[i]);
+    if (error != std::errc() || !std::isfinite(numbers[i])) return false;
+    next = rest;
+  }
+  return next == end;
+}
+
+RecordedRow rowOf(const std::array<double, kColumns>& n) {
+  RecordedRow row;
+  row.time = n[0];
+  row.neckTilt = Angle::deg(n[1]);
+  row.headPan = Angle::deg(n[2]);
+  row.headNod = Angle::deg(n[3]);
+  row.stance = {n[5] / 10.0, Angle::deg(n[4])};
+  row.odometry = {n[6], n[7], Angle::deg(n[8])};
+  return row;
+}
+
+Expected<Image> readPlanes(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  const auto size = fs::file_size(path);
+  if (size != 3 * kImagePixels)
+    return Error{fmt::format("{}: {} bytes, expected {} (planes Y, Cr, Cb of 208 x 160)", path,
+                             size, 3 * kImagePixels)};
+  Image image;
+  for (auto* plane : {&image.y, &image.cr, &image.cb})
+    file.read(reinterpret_cast<char*>(plane->data()), static_cast<std::streamsize>(plane->size()));
+  if (!file) return Error{path + ": cannot be read"};
+  return image;
+}
+
+Expected<Image> readPicture(const std::string& path) {
+  const cv::Mat picture = cv::imread(path, cv::IMREAD_COLOR);
+  if (picture.empty()) return Error{path + ": not a picture that can be read"};
+  if (picture.cols != kImageWidth || picture.rows != kImageHeight)
+    return Error{
+        fmt::format("{}: {} x {} pixels, expected 208 x 160", path, picture.cols, picture.rows)};
+  cv::Mat converted;
+  cv::cvtColor(picture, converted, cv::COLOR_BGR2YCrCb);
+  Image image;
+  for (int y = 0; y < kImageHeight; ++y)
+    for (int x = 0; x < kImageWidth; ++x) {
+      const auto pixel = converted.at<cv::Vec3b>(y, x);
+      image.set(x, y, {pixel[0], pixel[1], pixel[2]});
+    }
+  return image;
+}
+
+}  // namespace
+
+Expected<std::vector<RecordedRow>> readSensorRows(const std::string& path) {
+  std::ifstream file(path);
+  if (!file) return Error{path + ": cannot be opened"};
+  std::string line;
+  std::getline(file, line);
+  dropCarriageReturn(line);
+  if (line != kHeader) return Error{path + ":1: the header must be " + kHeader};
+  std::vector<RecordedRow> rows;
+  for (int number = 2; std::getline(file, line); ++number) {
+    dropCarriageReturn(line);
+    if (line.empty()) continue;
+    std::array<double, kColumns> numbers{};
+    if (!parseNumbers(line, numbers))
+      return Error{fmt::format("{}:{}: expected {} numbers", path, number, kColumns)};
+    if (!rows.empty() && numbers[0] <= rows.back().time)
+      return Error{fmt::format("{}:{}: time does not increase", path, number)};
+    rows.push_back(rowOf(numbers));
+  }
+  return rows;
+}
+
+Expected<std::vector<std::string>> listFrames(const std::string& folder) {
+  std::error_code error;
+  std::vector<std::string> files;
+  for (const auto& entry : fs::directory_iterator(folder, error)) {
+    const auto extension = entry.path().extension();
+    if (extension == ".yuv" || extension == ".png") files.push_back(entry.path().string());
+  }
+  if (error) return Error{folder + ": " + error.message()};
+  if (files.empty()) return Error{folder + ": no .yuv or .png frames"};
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+Expected<Image> readFrame(const std::string& path) {
+  return fs::path(path).extension() == ".png" ? readPicture(path) : readPlanes(path);
+}
+
+FrameInput frameInput(std::uint32_t frame, const RecordedRow& row, const RecordedRow* previous) {
+  FrameInput input;
+  input.frame = frame;
+  input.time = TimeUs::fromSeconds(row.time);
+  input.sensors.joints[Joint::neckTilt] = row.neckTilt;
+  input.sensors.joints[Joint::headPan] = row.headPan;
+  input.sensors.joints[Joint::headNod] = row.headNod;
+  input.stance = row.stance;
+  input.odometry = row.odometry;
+  input.motion.ready = true;
+  if (previous == nullptr) return input;
+  input.elapsed = row.time - previous->time;
+  input.headRate = {(row.neckTilt - previous->neckTilt).rad() / input.elapsed,
+                    (row.headPan - previous->headPan).rad() / input.elapsed,
+                    (row.headNod - previous->headNod).rad() / input.elapsed};
+  return input;
+}
+
+}  // namespace kelpie::cli

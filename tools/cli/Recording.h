@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// Foreign recordings in a folder: frames/NNNNNN.yuv (planes Y, Cr, Cb of 208 x 160 bytes) or .png
+// (RGB), and sensors.csv with one row a frame.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "robot/core/Expected.h"
+#include "robot/core/FrameInput.h"
+
+namespace kelpie::cli {
+
+// One row of sensors.csv as a FrameInput without its image.
+struct RecordedRow {
+  double time = 0.0;  // s
+  Angle neckTilt;
+  Angle headPan;
+  Angle headNod;
+  Stance stance;
+  Odometry odometry;  // since the row before
+};
+
+// Errors name the file and the line.
+Expected<std::vector<RecordedRow>> readSensorRows(const std::string& path);
+// The frame files in order; an error when a number is missing or nothing is there.
+Expected<std::vector<std::string>> listFrames(const std::string& folder);
+Expected<Image> readFrame(const std::string& path);
+// Fills everything but the image; `previous` is null for the first row.
+FrameInput frameInput(std::uint32_t frame, const RecordedRow& row, const RecordedRow* previous);
+
+}  // namespace kelpie::cli

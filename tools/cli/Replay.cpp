@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "robot/agent/Replay.h"
+
+#include <fmt/core.h>
+
+#include <memory>
+
+#include "tools/cli/Commands.h"
+#include "tools/cli/Config.h"
+#include "tools/cli/Jsonl.h"
+
+namespace kelpie::cli {
+namespace {
+
+struct ReplayCommand {
+  std::string log;
+  bool check = false;
+  std::string jsonl;
+  std::string pycode = defaultScripts();
+  ConfigOptions config;
+};
+
+int report(const ReplayCommand& command, const agent::ReplayResult& result) {
+  // With --jsonl - the figures must not mix with the objects.
+  std::FILE* const to = command.jsonl == "-" ? stderr : stdout;
+  if (!result.scriptError.empty()) fmt::print(stderr, "kelpie: {}\n", result.scriptError);
+  for (const auto& line : result.differences) fmt::print(stderr, "{}\n", line);
+  fmt::print(to, "replayed {} frames and {} motion steps", result.frames, result.motionSteps);
+  if (command.check)
+    fmt::print(to, ": {} outputs compared, {} differ", result.compared, result.differing);
+  fmt::print(to, "\n");
+  if (result.truncated)
+    return complain(fmt::format("{}: cut off at byte {}; all whole frames before it were replayed",
+                                command.log, result.offset),
+                    kBadInput);
+  if (command.check && result.compared == 0)
+    return complain(command.log + ": holds no outputs to compare with", kCheckFailed);
+  return command.check && result.differing > 0 ? kCheckFailed : kDone;
+}
+
+int replayLog(const ReplayCommand& command) {
+  std::string objects;
+  agent::ReplayOptions options;
+  options.scripts = command.pycode;
+  options.adjust = [&](agent::AgentConfig& config) {
+    static_cast<void>(applyConfig(command.config, config));  // was checked below
+  };
+  if (!command.jsonl.empty())
+    options.onFrame = [&](const FrameInput& input, const FrameOutput& output) {
+      objects += frameObject(input, output).dump() + "\n";
+    };
+  agent::AgentConfig trial;  // options are checked before a long replay, not after it
+  const Status applied = applyConfig(command.config, trial);
+  if (!applied) return complain(applied.error(), kBadInput);
+  agent::StageObserver silent;
+  const auto result = agent::replay(command.log, options, silent);
+  if (!result) return complain(result.error(), kBadInput);
+  if (!command.jsonl.empty() && !writeWhole(command.jsonl, objects))
+    return complain(command.jsonl + ": cannot be written", kBadInput);
+  return report(command, *result);
+}
+
+}  // namespace
+
+void addReplay(CLI::App& app, int& code) {
+  auto* sub = app.add_subcommand("replay", "Run the stages again on the inputs of a log");
+  auto command = std::make_shared<ReplayCommand>();
+  sub->add_option("LOG", command->log, "The log")->required();
+  sub->add_flag(
+      "--check", command->check,
+      "Compare every output with the recorded one, bit for bit; exit code 1 if any differs");
+  sub->add_option("--jsonl", command->jsonl, "One JSON object a frame; - for standard output");
+  sub->add_option("--pycode", command->pycode, "Behaviours (default: pycode/)")
+      ->check(CLI::ExistingPath);
+  addConfigOptions(*sub, command->config);
+  sub->callback([command, &code] { code = replayLog(*command); });
+}
+
+}  // namespace kelpie::cli

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// An experiment measures the whole or a part of the robot and answers with plain numbers under
+// snake_case keys that end in their unit. The same trials and seed give the same figures.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "robot/core/Expected.h"
+
+namespace kelpie::cli {
+
+using Json = nlohmann::ordered_json;
+
+struct ExperimentOptions {
+  int trials = 0;  // 0: the experiment's own number
+  std::uint64_t seed = 1;
+  std::function<void(int done, int all)> progress;
+};
+
+struct Experiment {
+  const char* name;
+  const char* measures;  // one line for --list
+  int trials;            // when none are asked for
+  Expected<Json> (*run)(const ExperimentOptions& options);
+};
+
+const std::vector<Experiment>& experiments();
+
+Expected<Json> scoreEmptyGoal(const ExperimentOptions& options);
+Expected<Json> projection(const ExperimentOptions& options);
+
+// p in 0..1; linear between neighbours; 0 for no values.
+double percentile(std::vector<double> values, double p);
+
+}  // namespace kelpie::cli

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+// kelpie: play, replay, look at, measure.
+#include <fmt/core.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+
+#include "tools/cli/Commands.h"
+#include "tools/cli/Process.h"
+
+namespace kelpie::cli {
+
+int complain(const std::string& message, int code) {
+  fmt::print(stderr, "kelpie: {}\n", message);
+  return code;
+}
+
+bool onTerminal() { return isatty(STDERR_FILENO) != 0; }
+
+bool writeWhole(const std::string& path, const std::string& text) {
+  if (path == "-") return std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
+  const std::string part = path + ".part";
+  std::FILE* file = std::fopen(part.c_str(), "wb");
+  if (file == nullptr) return false;
+  const bool written = std::fwrite(text.data(), 1, text.size(), file) == text.size();
+  const bool closed = std::fclose(file) == 0;
+  if (written && closed && std::rename(part.c_str(), path.c_str()) == 0) return true;
+  std::remove(part.c_str());
+  return false;
+}
+
+}  // namespace kelpie::cli
+
+int main(int argc, char** argv) {
+  kelpie::cli::useTargetMaths(argv);
+  CLI::App app{
+      "Kelpie makes the AIBO ERS-7 play soccer. Start with `kelpie play`: one robot in the\n"
+      "simulated world looks for the ball and scores; then look at out/match.png, or replay,\n"
+      "film and measure what it did.",
+      "kelpie"};
+  app.require_subcommand(1);
+  app.footer("Exit codes: 0 done, 1 the check failed, 2 usage or bad input.");
+  int code = kelpie::cli::kDone;
+  kelpie::cli::addPlay(app, code);
+  kelpie::cli::addReplay(app, code);
+  kelpie::cli::addInfo(app, code);
+  kelpie::cli::addImport(app, code);
+  kelpie::cli::addEvaluate(app, code);
+  kelpie::cli::addFilm(app, code);
+  kelpie::cli::addBench(app, code);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? kelpie::cli::kDone : kelpie::cli::kBadInput;
+  }
+  return code;
+}
