@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # The host's side of the behaviours. A Version is one loading of all their files: it has modules of
-# its own (nothing is shared with sys.modules), so that an edited file replaces everything at once or
+# its own (nothing is shared with sys.modules), so that an edited file replaces everything or
 # nothing. What a behaviour can import is other behaviours, `kelpie` and `math`: no files, sockets,
 # clocks or randomness. This keeps honest code repeatable; it is no prison for hostile code.
 import _signal

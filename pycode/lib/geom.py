@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# Plane geometry in cm and degrees. Robot frame: x right, y forward, headings left positive, 0 ahead.
+# Plane geometry in cm and degrees. Robot frame: x right, y forward, headings left positive.
 # Field frame: x across, y up-field, headings counter-clockwise from +x.
 import math
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# Every number of the behaviours that can be tuned, by who uses it. cm, cm/s, degrees, deg/s, seconds.
+# Every number of the behaviours that can be tuned, by who uses it. In cm, degrees and seconds.
 
 
 class Field:
@@ -13,9 +13,10 @@ class Search:
     BACK_OFF_TIME = 1.2
     SCAN_TIME = 2.0          # with the head only; then turn on the spot
     TURN_SPEED = 50.0
-    TURN_TIME = 9.0          # more than once round
-    ROAM_SPEED = 15.0
-    ROAM_TIME = 3.0
+    TURN_TIME = 7.5          # once round
+    ROAM_SPEED = 22.0
+    ROAM_TIME = 9.0
+    ROAM_NEAR = 30.0
 
 
 class Approach:

@@ -6,7 +6,7 @@ from lib.tune import LineUp
 
 
 def aim_error(ball, goal):
-    """Degrees from the ball's direction to the direction from the ball to the goal, left positive."""
+    """Degrees from the direction of the ball to that from the ball to the goal."""
     return wrap(heading(goal[0] - ball[0], goal[1] - ball[1]) - heading(*ball))
 
 

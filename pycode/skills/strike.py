@@ -21,8 +21,9 @@ class StepToKick:
 
     def lost(self, world, goal):
         ball = world.ball
-        return (ball.seconds_since_seen > Strike.UNSEEN or abs(ball.relative.x) > Strike.LOST_SIDE or
-                abs(self.aim(world, goal)) > Strike.LOST_AIM or ball.relative.y < 0.0)
+        return (ball.seconds_since_seen > Strike.UNSEEN or ball.relative.y < 0.0 or
+                abs(ball.relative.x) > Strike.LOST_SIDE or
+                abs(self.aim(world, goal)) > Strike.LOST_AIM)
 
     def can_kick(self, world, goal):
         ball = world.ball.relative

@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 # An ideal world in the plane: the robot moves as asked, sees what its head looks at without noise,
 # and a kick sends a ball in the strike zone 150 cm ahead. Its geometry is its own, in complex
-# numbers: the field is the complex plane, a heading is a unit number.
+# numbers: the field is the complex plane, a heading is a unit number. With `noise` the ball is seen
+# 4 % and 1 deg wrong, the pose is off by 15 cm and 6 deg, the goal by 2 deg, and the legs do 10 %
+# less than asked or odometry believes.
 import cmath
 import math
 import random
@@ -15,8 +17,9 @@ KICK_S, KICK_CM = 1.0, 150.0
 
 
 class IdealWorld:
-    def __init__(self, seed):
+    def __init__(self, seed, noise=0.0):
         chance = random.Random(seed)
+        self.noise, self.chance = noise, chance
         self.at = complex(chance.uniform(40, 320), chance.uniform(60, 400))
         self.ball = complex(chance.uniform(60, 300), chance.uniform(100, 440))
         self.facing = cmath.rect(1, chance.uniform(0, 2 * math.pi))
@@ -26,6 +29,7 @@ class IdealWorld:
         self.world.heading_sd_deg, self.world.position_sd = 5.0, 10.0
         self.kick_left_s = 0.0
         self.scored = False
+        self.hidden = False  # nobody sees the ball any more
         self.kicks = 0
 
     def robot_frame(self, point):
@@ -64,8 +68,8 @@ class IdealWorld:
         turn = math.radians(max(-218.0, min(218.0, wish.turn_deg))) * FRAME_S
         step = complex(max(-30.0, min(42.0, wish.forward)), max(-20.0, min(20.0, wish.left)))
         step *= FRAME_S
-        self.at += step * self.facing * cmath.rect(1, turn / 2)
-        self.facing *= cmath.rect(1, turn)
+        self.at += (1 - 0.1 * self.noise) * step * self.facing * cmath.rect(1, turn / 2)
+        self.facing *= cmath.rect(1, (1 - 0.1 * self.noise) * turn)
         odometry = self.world.odometry
         odometry.forward, odometry.left = step.real, step.imag
         odometry.turn_deg = math.degrees(turn)
@@ -102,8 +106,10 @@ class IdealWorld:
         world.frame += 1
         world.time_s += FRAME_S
         world.elapsed_s = FRAME_S
-        world.pose.position.x, world.pose.position.y = self.at.real, self.at.imag
-        world.pose.heading_deg = math.degrees(cmath.phase(self.facing))
+        drift = self.noise * math.sin(world.time_s)
+        world.pose.position.x = self.at.real + 15.0 * drift
+        world.pose.position.y = self.at.imag
+        world.pose.heading_deg = math.degrees(cmath.phase(self.facing)) + 6.0 * drift
         self.see_ball()
         goal = GOAL
         world.percepts.landmarks = []
@@ -111,17 +117,22 @@ class IdealWorld:
             x, y = self.robot_frame(goal)
             world.percepts.landmarks.append(kelpie.LandmarkPercept(
                 kind=kelpie.GOAL_BLUE, distance=abs(goal - self.at),
-                heading_deg=math.degrees(math.atan2(-x, y))))
+                heading_deg=math.degrees(math.atan2(-x, y)) + self.wrong(2.0)))
+
+    def wrong(self, sd):
+        return self.noise * self.chance.gauss(0.0, sd)
 
     def see_ball(self):
         ball = self.world.ball
         x, y = self.robot_frame(self.ball)
         # Nearer than 6 cm the chin is in the way.
-        seen = self.in_view(self.ball, 4.2) and abs(self.ball - self.at) < 250.0 and y > 6.0
+        near = abs(self.ball - self.at) < 250.0 and y > 6.0
+        seen = near and not self.hidden and self.in_view(self.ball, 4.2)
         ball.seconds_since_seen += FRAME_S
         if seen:
             ball.present, ball.seconds_since_seen = True, 0.0
-            self.believed = self.ball
+            seen_at = (self.ball - self.at) * (1.0 + self.wrong(0.04))
+            self.believed = self.at + seen_at * cmath.rect(1, math.radians(self.wrong(1.0)))
         if ball.seconds_since_seen > 5.0:
             ball.present = False
         if not ball.present:
@@ -133,9 +144,9 @@ class IdealWorld:
         ball.position.x, ball.position.y = self.believed.real, self.believed.imag
 
 
-def play(decide, seed, seconds):
+def play(decide, seed, seconds, noise=0.0):
     """The world after that many seconds or the first goal."""
-    ideal = IdealWorld(seed)
+    ideal = IdealWorld(seed, noise)
     ideal.see()
     while ideal.world.time_s < seconds and not ideal.scored:
         ideal.step(decide(ideal.world))

@@ -1,0 +1,65 @@
+# SPDX-License-Identifier: Apache-2.0
+import pathlib
+
+import kelpie
+from idealwld import IdealWorld, play
+from players.striker import Striker
+
+PYCODE = pathlib.Path(__file__).resolve().parent.parent.parent / 'pycode'
+
+
+def test_scores_from_19_of_20_starts_in_a_minute():
+    goals = [play(Striker().tick, seed, 60.0).scored for seed in range(20)]
+    assert sum(goals) >= 19
+
+
+def test_scores_with_noise_and_a_wrong_pose():
+    goals = [play(Striker().tick, seed, 60.0, noise=1.0).scored for seed in range(20)]
+    assert sum(goals) >= 17
+
+
+def test_ball_never_seen_is_searched_for_without_end():
+    ideal = IdealWorld(3)
+    ideal.hidden = True
+    player = Striker()
+    turned = walked = 0.0
+    for _ in range(30 * 60):
+        ideal.see()
+        command = player.tick(ideal.world)
+        turned += abs(command.walk.turn_deg) / 30
+        walked += abs(command.walk.forward) / 30
+        ideal.move_head(command.head)
+        ideal.walk(command.walk)
+    assert turned > 720 and walked > 100
+
+
+def test_ball_that_vanishes_in_any_state_is_searched_for():
+    left = set()
+    for vanish_s in range(2, 40, 3):
+        ideal = IdealWorld(vanish_s)
+        player = Striker()
+        ideal.see()
+        while ideal.world.time_s < vanish_s + 10:
+            if not ideal.hidden and ideal.world.time_s > vanish_s:
+                ideal.hidden = True
+                left.add(player.state.__name__)
+            ideal.step(player.tick(ideal.world))
+        assert player.state == player.search
+    assert {'approach', 'line_up', 'strike'} <= left
+
+
+def test_nobody_walks_before_the_game_is_on():
+    ideal = IdealWorld(4)
+    ideal.world.game.state = kelpie.SET
+    player = Striker()
+    for _ in range(150):
+        ideal.see()
+        command = player.tick(ideal.world)
+        assert (command.walk.forward, command.walk.turn_deg, command.motion) == (0, 0, 0)
+
+
+def test_file_names_fit_a_memory_stick():
+    names = [p.relative_to(PYCODE) for p in PYCODE.rglob('*.py')]
+    assert names
+    for name in names:
+        assert all(len(part.split('.')[0]) <= 8 for part in name.parts), name
