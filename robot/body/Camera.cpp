@@ -30,6 +30,22 @@ Point3<Camera> inCamera(const CameraPose& camera, const Point3<Robot>& v) {
           a[2] * v.x + a[5] * v.y + a[8] * v.z};
 }
 
+// facts-2005 section 6.4 (there confirmed over five frames, which needs a memory). Instead gravity
+// must have left the body's vertical: below 500 of 981 cm/s2 fits any reading of 850 along or
+// across (root of 981^2 - 850^2 = 490), and a jolt of the walk leaves it above.
+bool lies(const std::array<double, 3>& acceleration) {
+  constexpr double kOnItsTail = 860.0;
+  constexpr double kOnItsNose = -850.0;
+  constexpr double kOnItsRight = 900.0;
+  constexpr double kOnItsLeft = -860.0;
+  constexpr double kUpsideDown = -650.0;
+  constexpr double kUpright = 500.0;
+  const auto [forward, left, up] = acceleration;
+  if (up > kUpright) return false;
+  return up < kUpsideDown || forward > kOnItsTail || forward < kOnItsNose || left > kOnItsRight ||
+         left < kOnItsLeft;
+}
+
 double clampedRow(double row) { return maths::clamp(row, -kFarRow, kFarRow); }
 
 }  // namespace
@@ -72,7 +88,7 @@ std::optional<Point2<Robot>> groundPoint(const CameraPose& camera, PixelPoint pi
                                          double height) {
   const Point3<Robot> ray = rayThrough(camera, pixel);
   const double drop = height - camera.position.z;
-  if (!(ray.z * drop > 0.0)) return std::nullopt;
+  if (!(ray.z < 0.0 && drop < 0.0)) return std::nullopt;
   const double way = drop / ray.z;
   return Point2<Robot>{camera.position.x + way * ray.x, camera.position.y + way * ray.y};
 }
@@ -115,7 +131,6 @@ Horizon horizon(const CameraPose& camera) {
 }
 
 BodyState step(const FrameInput& input, const BodyParams& params) {
-  constexpr double kFallenForward = 860.0;  // cm/s2, facts-2005 section 6.4
   JointAngles joints = input.sensors.joints;
   joints[Joint::neckTilt] = joints[Joint::neckTilt] + params.neckTiltOffset;
   joints[Joint::headPan] = joints[Joint::headPan] + params.headPanOffset;
@@ -130,8 +145,7 @@ BodyState step(const FrameInput& input, const BodyParams& params) {
   state.headSpeed =
       kFrameSeconds * std::fmax(std::fabs(rate.neckTilt),
                                 std::fmax(std::fabs(rate.headPan), std::fabs(rate.headNod)));
-  state.fallen = std::fabs(input.sensors.acceleration[0]) > kFallenForward ||
-                 std::fabs(input.sensors.acceleration[1]) > kFallenForward;
+  state.fallen = lies(input.sensors.acceleration);
   return state;
 }
 

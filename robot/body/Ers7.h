@@ -18,6 +18,7 @@ constexpr double kLowerLegHind = 8.314;
 constexpr double kBodyLength = 13.0;          // front to hind shoulder axis
 constexpr double kBodyWidth = 13.44;          // left to right shoulder axis
 constexpr double kNeckAboveShoulder = 1.95;   // neck tilt axis above the front shoulder axis
+constexpr double kChestDepth = 5.0;           // chest and belly below the line of the shoulder axes
 constexpr double kNeckBehindShoulder = 0.25;  // and behind it
 
 struct JointRange {

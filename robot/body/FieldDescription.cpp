@@ -7,27 +7,39 @@ namespace kelpie::body {
 namespace {
 
 void addGoalBox(FieldDescription& f, double goalLine, double boxLine) {
-  const double left = (f.width - f.boxWidth) / 2;
-  const double right = (f.width + f.boxWidth) / 2;
+  const double half = f.lineWidth / 2;
+  const double left = (f.width - f.boxWidth) / 2 + half;
+  const double right = (f.width + f.boxWidth) / 2 - half;
   f.lines.push_back({{left, goalLine}, {left, boxLine}});
   f.lines.push_back({{left, boxLine}, {right, boxLine}});
   f.lines.push_back({{right, boxLine}, {right, goalLine}});
 }
 
-// Sizes are between outer edges, so the middle of a border line is half a line width inside.
+// A border takes the place of the side lines, and of the goal lines outside the mouth.
+void addEdges(FieldDescription& f, double left, double bottom) {
+  const double right = f.width - left;
+  const double top = f.length - bottom;
+  const bool border = f.borderWidth > 0.0;
+  const double from = border ? (f.width - f.goalWidth) / 2 : left;
+  const double to = border ? (f.width + f.goalWidth) / 2 : right;
+  f.lines.push_back({{from, bottom}, {to, bottom}});
+  f.lines.push_back({{to, top}, {from, top}});
+  if (border) return;
+  f.lines.push_back({{right, bottom}, {right, top}});
+  f.lines.push_back({{left, top}, {left, bottom}});
+}
+
+// Sizes are between outer edges, so the middle of a line is half a line width inside. The border
+// stands inside width and length, its foot on the outer edge of the goal lines.
 void addLines(FieldDescription& f) {
   const double half = f.lineWidth / 2;
-  const double left = half;
-  const double right = f.width - half;
-  const double bottom = half;
-  const double top = f.length - half;
-  f.lines.push_back({{left, bottom}, {right, bottom}});
-  f.lines.push_back({{right, bottom}, {right, top}});
-  f.lines.push_back({{right, top}, {left, top}});
-  f.lines.push_back({{left, top}, {left, bottom}});
-  f.lines.push_back({{left, f.length / 2}, {right, f.length / 2}});
-  addGoalBox(f, bottom, f.boxDepth - half);
-  addGoalBox(f, top, f.length - f.boxDepth + half);
+  const double bottom = f.borderWidth + half;
+  addEdges(f, half, bottom);
+  const double side = f.borderWidth > 0.0 ? f.borderWidth : half;
+  f.lines.push_back({{side, f.length / 2}, {f.width - side, f.length / 2}});
+  const double box = f.borderWidth + f.boxDepth - half;
+  addGoalBox(f, bottom, box);
+  addGoalBox(f, f.length - bottom, f.length - box);
 }
 
 // The red team's view (facts-2005 section 1): its own goal is yellow; "X on Y" = X above Y.

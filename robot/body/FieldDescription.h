@@ -47,7 +47,7 @@ struct FieldDescription {
   double lineWidth = 2.5;
   double sideFringe = 20.0;   // green carpet beyond the side lines
   double endFringe = 30.0;    // green carpet beyond the goal lines
-  double borderWidth = 0.0;   // 45 degree white border, 0 = none
+  double borderWidth = 0.0;   // 45 degree white border inside width and length, 0 = none
   double borderCorner = 0.0;  // legs of the border's corner triangles
   double beaconRadius = 5.0;
   double beaconHeight = 40.0;  // four equal bands, the upper two coloured, the lower two white

@@ -69,8 +69,7 @@ Contacts contacts(const JointAngles& joints) {
 double deepestBelow(const Contacts& all, const Contact& hind, const Contact& front) {
   const double slope = (front.z - hind.z) / (front.y - hind.y);
   double deepest = 0.0;
-  for (const Contact& c : all)
-    deepest = std::fmax(deepest, hind.z + slope * (c.y - hind.y) - c.z);
+  for (const Contact& c : all) deepest = std::fmax(deepest, hind.z + slope * (c.y - hind.y) - c.z);
   return deepest;
 }
 
@@ -157,7 +156,7 @@ Point3<Robot> robotFromTorso(const Stance& stance, const Point3<Torso>& p) {
 
 Point3<Torso> torsoFromRobot(const Stance& stance, const Point3<Robot>& p) {
   const maths::SinCos lean = maths::sinCos(stance.bodyTilt.rad());
-  const double forward = p.y + kNeckBehindShoulder * lean.cos - kNeckAboveShoulder * lean.sin;
+  const double forward = p.y - kNeckBehindShoulder * lean.cos + kNeckAboveShoulder * lean.sin;
   const double up = p.z - stance.shoulderHeight;
   return {p.x, forward * lean.cos - up * lean.sin, forward * lean.sin + up * lean.cos};
 }

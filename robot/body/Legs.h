@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The ERS-7's legs: where a foot is for given joint angles, and which angles bring it to a place.
+// Front and hind legs are mirror images in shape: a bent front knee brings the paw forward, a bent
+// hind knee brings it backward; rotators swing all four forward for positive angles.
 // Torso frame: origin at the middle of the front shoulder axis; x right, y forward along the body,
 // z up from the back; it leans with the body (facts-2005 section 2.4).
 #pragma once
@@ -37,9 +39,13 @@ struct LegSolution {
 };
 LegSolution reachFoot(LegId leg, Point3<Torso> foot);
 
-// Height of the front shoulder axis and lean of the body, when it stands on its lowest front and
-// lowest hind foot.
+// Height of the front shoulder axis and lean of the body, when it stands on the lower of what is in
+// front (feet, chest) and the lower of what is behind (feet, belly). Roll is left out.
 Stance stanceFromLegs(const JointAngles& joints);
+
+// Between the leaning torso and the ground: the robot frame's origin is below the neck base.
+Point3<Robot> robotFromTorso(const Stance& stance, const Point3<Torso>& p);
+Point3<Torso> torsoFromRobot(const Stance& stance, const Point3<Robot>& p);
 
 // The angle kept inside the joint's soft limits (OPEN-R spec 5.6), the shoulder's coupling to the
 // rotator included.

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "robot/body/Camera.h"
+#include "robot/core/Random.h"
+
+namespace kelpie::body {
+namespace {
+
+constexpr double kDegree = maths::kPi / 180.0;
+
+CameraPose posed(double neck, double pan, double nod, double tilt = 0.0) {
+  JointAngles joints;
+  joints[Joint::neckTilt] = Angle::deg(neck);
+  joints[Joint::headPan] = Angle::deg(pan);
+  joints[Joint::headNod] = Angle::deg(nod);
+  return cameraPose(joints, {10.0, Angle::deg(tilt)});
+}
+
+CameraPose randomPose(Random& random) {
+  return posed(random.uniform(-75, 0), random.uniform(-88, 88), random.uniform(-15, 45),
+               random.uniform(0, 25));
+}
+
+PixelPoint randomPixel(Random& random) {
+  return {random.uniform(0, kImageWidth), random.uniform(0, kImageHeight)};
+}
+
+// Neck 8 cm straight up from 10 + 1.95, then 8.106 forward and 1.46 down.
+TEST(Camera, LevelHeadIsWhereTheDrawingHasIt) {
+  const CameraPose camera = posed(0, 0, 0);
+  EXPECT_NEAR(camera.position.x, 0.0, 1e-12);
+  EXPECT_NEAR(camera.position.y, 8.106, 1e-12);
+  EXPECT_NEAR(camera.position.z, 10.0 + 1.95 + 8.0 - 1.46, 1e-12);
+  EXPECT_NEAR(camera.axes[5], 1.0, 1e-12);  // looks along robot y
+}
+
+TEST(Camera, HeadTurnedLeftLooksAlongNegativeX) {
+  const CameraPose camera = posed(0, 88, 0);
+  EXPECT_NEAR(camera.position.x, -8.106 * std::sin(88 * kDegree), 1e-9);
+  EXPECT_NEAR(camera.axes[2], -std::sin(88 * kDegree), 1e-12);
+}
+
+TEST(Camera, NeckDownBringsTheHeadForwardAndDown) {
+  const CameraPose camera = posed(-60, 0, 0);
+  const double c = std::cos(60 * kDegree);
+  const double s = std::sin(60 * kDegree);
+  EXPECT_NEAR(camera.position.y, 8.0 * s + 8.106 * c - 1.46 * s, 1e-9);
+  EXPECT_NEAR(camera.position.z, 11.95 + 8.0 * c - 8.106 * s - 1.46 * c, 1e-9);
+}
+
+TEST(Camera, LeaningBodyTurnsTheWholeChainNoseDown) {
+  const CameraPose leaning = posed(0, 30, 20, 14.25);
+  const CameraPose level = posed(-14.25, 30, 20, 0);
+  for (std::size_t i = 0; i < 9; ++i) EXPECT_NEAR(leaning.axes[i], level.axes[i], 1e-12);
+  const double rise = 1.95 * std::cos(14.25 * kDegree) + 0.25 * std::sin(14.25 * kDegree) - 1.95;
+  EXPECT_NEAR(leaning.position.z - level.position.z, rise, 1e-12);
+  EXPECT_NEAR(leaning.position.y, level.position.y, 1e-12);
+}
+
+TEST(Camera, AxesAreOrthonormalAndRightHanded) {
+  Random random(21);
+  for (int i = 0; i < 200; ++i) {
+    const auto a = randomPose(random).axes;
+    for (int c = 0; c < 3; ++c)
+      for (int d = 0; d < 3; ++d)
+        ASSERT_NEAR(a[c] * a[d] + a[3 + c] * a[3 + d] + a[6 + c] * a[6 + d], c == d, 1e-12);
+    ASSERT_NEAR(a[3] * a[7] - a[6] * a[4], a[2], 1e-12);
+  }
+}
+
+TEST(Camera, PixelComesBackFromAnyPointOfItsRay) {
+  Random random(22);
+  for (int i = 0; i < 1000; ++i) {
+    const CameraPose camera = randomPose(random);
+    const PixelPoint pixel = randomPixel(random);
+    const Point3<Robot> ray = rayThrough(camera, pixel);
+    const double way = random.uniform(5, 500);
+    const auto back =
+        project(camera, camera.position + Point3<Robot>{ray.x * way, ray.y * way, ray.z * way});
+    ASSERT_TRUE(back.has_value());
+    ASSERT_NEAR(back->x, pixel.x, 1e-6);
+    ASSERT_NEAR(back->y, pixel.y, 1e-6);
+  }
+}
+
+TEST(Camera, GroundPointProjectsToItsPixel) {
+  Random random(23);
+  int met = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const CameraPose camera = randomPose(random);
+    const PixelPoint pixel = randomPixel(random);
+    const auto ground = groundPoint(camera, pixel, 4.2);
+    if (!ground) continue;
+    ++met;
+    const auto back = project(camera, {ground->x, ground->y, 4.2});
+    ASSERT_TRUE(back.has_value());
+    ASSERT_NEAR(back->x, pixel.x, 1e-6);
+    ASSERT_NEAR(back->y, pixel.y, 1e-6);
+  }
+  EXPECT_GT(met, 500);
+}
+
+TEST(Camera, RayThatDoesNotDescendMeetsNoGround) {
+  const CameraPose camera = posed(0, 0, 0);
+  EXPECT_FALSE(groundPoint(camera, {104, 79.9}).has_value());
+  EXPECT_TRUE(groundPoint(camera, {104, 80.1}).has_value());
+  EXPECT_FALSE(groundPoint(camera, {104, 100}, 40.0).has_value());
+  EXPECT_FALSE(groundPoint(camera, {104, 20}, 40.0).has_value());  // it rises to that plane
+}
+
+TEST(Camera, BatchesGiveTheSameBitsAsSinglePoints) {
+  Random random(24);
+  const CameraPose camera = posed(-30, 20, 10, 13);
+  std::array<PixelPoint, 64> pixels;
+  for (auto& p : pixels) p = randomPixel(random);
+  std::array<Point2<Robot>, 64> grounds{};
+  std::array<bool, 64> valid{};
+  groundPoints(camera, pixels.data(), pixels.size(), grounds.data(), valid.data());
+  for (std::size_t i = 0; i < pixels.size(); ++i) {
+    const auto single = groundPoint(camera, pixels[i]);
+    ASSERT_EQ(single.has_value(), valid[i]);
+    if (!single) continue;
+    ASSERT_EQ(single->x, grounds[i].x);
+    ASSERT_EQ(single->y, grounds[i].y);
+  }
+}
+
+TEST(Camera, BatchProjectionGivesTheSameBitsAsSinglePoints) {
+  Random random(25);
+  const CameraPose camera = posed(-30, 20, 10, 13);
+  std::array<Point3<Robot>, 64> points;
+  for (auto& p : points) p = {random.uniform(-90, 90), random.uniform(-90, 90), 3.0};
+  std::array<PixelPoint, 64> pixels{};
+  std::array<bool, 64> valid{};
+  project(camera, points.data(), points.size(), pixels.data(), valid.data());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const auto single = project(camera, points[i]);
+    ASSERT_EQ(single.has_value(), valid[i]);
+    if (!single) continue;
+    ASSERT_EQ(single->x, pixels[i].x);
+    ASSERT_EQ(single->y, pixels[i].y);
+  }
+}
+
+TEST(Horizon, LiesAtTheImageCentreForALevelCamera) {
+  const Horizon level = horizon(posed(0, 0, 0));
+  EXPECT_NEAR(level.atLeft, 80.0, 1e-9);
+  EXPECT_NEAR(level.atRight, 80.0, 1e-9);
+}
+
+TEST(Horizon, RaysAtBothBordersHaveNoVerticalPart) {
+  Random random(26);
+  for (int i = 0; i < 500; ++i) {
+    const CameraPose camera = randomPose(random);
+    const Horizon line = horizon(camera);
+    if (std::fabs(line.atLeft) > 5000 || std::fabs(line.atRight) > 5000) continue;
+    ASSERT_NEAR(rayThrough(camera, {0, line.atLeft}).z, 0.0, 1e-9);
+    ASSERT_NEAR(rayThrough(camera, {kImageWidth, line.atRight}).z, 0.0, 1e-9);
+  }
+}
+
+TEST(Horizon, StaysFiniteAndAboveTheImageWhenLookingStraightDown) {
+  const Horizon line = horizon(posed(-75, 0, -15, 0));
+  EXPECT_LE(line.atLeft, -1000.0);
+  EXPECT_LE(line.atRight, -1000.0);
+  EXPECT_TRUE(std::isfinite(line.atLeft) && std::isfinite(line.atRight));
+}
+
+FrameInput standing() {
+  FrameInput input;
+  input.sensors.acceleration = {0, 0, 981};
+  return input;
+}
+
+TEST(BodyStep, OffsetsAreAddedToWhatIsSensed) {
+  BodyParams params;
+  params.neckTiltOffset = Angle::deg(-2);
+  params.headPanOffset = Angle::deg(3);
+  const BodyState state = step(standing(), params);
+  EXPECT_EQ(state.camera.axes, posed(-2, 3, 0).axes);
+}
+
+TEST(BodyStep, HeadSpeedIsThatOfTheFastestHeadJointPerFrame) {
+  FrameInput input = standing();
+  input.headRate = {0.5, -3.0, 1.0};
+  EXPECT_NEAR(step(input, {}).headSpeed, 3.0 / 30.0, 1e-12);
+}
+
+// facts-2005 section 6.4.
+TEST(BodyStep, LyingOnAnySideIsFallenAndWalkingShakesAreNot) {
+  const std::array<std::array<double, 3>, 5> lying = {
+      {{981, 0, 0}, {-981, 0, 0}, {0, 981, 0}, {0, -981, 0}, {0, 0, -981}}};
+  for (const auto& acceleration : lying) {
+    FrameInput input;
+    input.sensors.acceleration = acceleration;
+    EXPECT_TRUE(step(input, {}).fallen);
+  }
+  FrameInput shaken = standing();
+  EXPECT_FALSE(step(shaken, {}).fallen);
+  shaken.sensors.acceleration = {900, 300, 1100};
+  EXPECT_FALSE(step(shaken, {}).fallen);
+}
+
+}  // namespace
+}  // namespace kelpie::body
