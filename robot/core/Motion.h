@@ -90,7 +90,7 @@ struct MotionStatus {
   bool ready = false;  // the start ramp has ended
 
   static constexpr auto fields() {
-    return fieldList(field("running", &MotionStatus::running),
+    return fieldList(field("running", &MotionStatus::running, "", 0, kMotionKindCount - 1),
                      field("secondsLeft", &MotionStatus::secondsLeft, "s", 0, 10),
                      field("ready", &MotionStatus::ready));
   }

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+// Reads parameter structs from TOML files laid over each other by key: compiled default, field,
+// robot, game. Host only (toml++); the robot gets its parameters compiled by `kelpie stick`.
+//
+//   [vision.ball]              a section, and the nested structs in it
+//   minSamples = 6             no unit: a bare number
+//   maxDistance = "450cm"      with unit: number and unit in quotes
+//   directionError = "2.5deg"  angles in deg or rad, times in s or ms
+//
+// Strict: an unknown section or key, a wrong type, a missing or wrong unit, a number out of range,
+// a key given twice are errors "file:line: key: what is wrong", and nothing of that file is
+// applied. Enums are numbers. Lists of structs (a field's lines) cannot be set.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "robot/core/Encoding.h"
+#include "robot/core/Expected.h"
+#include "robot/core/Parameter.h"
+
+namespace kelpie {
+
+// A parameter that is not at its default.
+struct ParameterChange {
+  std::string key;
+  std::string value;
+  std::string defaultValue;
+  std::string source;  // "file:line"; "program" when no file set it
+
+  std::string text() const {
+    return key + " = " + value + " (default " + defaultValue + ") from " + source;
+  }
+};
+
+class ParameterSet {
+ public:
+  // The values of `params` now are its defaults. It must live as long as the set.
+  template <class P>
+  void add(const std::string& section, P& params) {
+    addStruct(section, params);
+    sections_.push_back({section, schemaText<P>(),
+                         [&params](std::vector<std::uint8_t>& out) { encode(params, out); }});
+  }
+
+  Status overlay(const std::string& path);
+  std::vector<ParameterChange> changes() const;
+  // Of all names, units, ranges and values: equal hashes, equal parameters.
+  std::uint64_t hash() const;
+
+ private:
+  struct Section {
+    std::string name;
+    std::string schema;
+    std::function<void(std::vector<std::uint8_t>&)> bytes;
+  };
+
+  template <class S>
+  void addStruct(const std::string& key, S& value) {
+    forEachField(value, [&](const auto& f, auto& member) {
+      addMember(Parameter{key + '.' + f.name, f.unit, {}, f.min, f.max}, member);
+    });
+  }
+
+  template <class M>
+  void addMember(Parameter parameter, M& member) {
+    if constexpr (HasFields<M>::value) {
+      return addStruct(parameter.key, member);
+    } else if constexpr (kIsSequence<M>) {
+      if constexpr (HasFields<typename M::value_type>::value) {
+        parameter.kind = Parameter::Kind::list;
+      } else {
+        detail::bindSequence(parameter, member);
+      }
+    } else {
+      detail::bindScalar(parameter, member);
+    }
+    if (parameter.get) parameter.defaults = parameter.get();
+    parameters_.push_back(std::move(parameter));
+  }
+
+  std::vector<Parameter> parameters_;
+  std::vector<Section> sections_;
+};
+
+}  // namespace kelpie
