@@ -7,14 +7,12 @@ namespace kelpie::vision {
 namespace {
 
 constexpr std::size_t k2005Size = std::size_t{1} << 21;
-constexpr std::uint8_t k2005None = 127;
 constexpr std::uint8_t kMaybeBit = 0x10;
 constexpr int k2005Bits = 7;
 
-// Class ids of the 2005 release; 2 (an unused green) and 11, 12 (drawing markers) mean nothing.
-// None is tested first: its id contains the "maybe" bit.
+// Class ids of the 2005 release; 2 (an unused green), 11, 12 (drawing markers) and 127 mean
+// nothing.
 ColourClass classOf2005(std::uint8_t id) {
-  if (id == k2005None) return ColourClass::none;
   switch (id & static_cast<std::uint8_t>(~kMaybeBit)) {
     case 0: return ColourClass::orange;
     case 1: return ColourClass::blue;

@@ -2,6 +2,8 @@
 // Directions of pixels seen from the robot: what beacons and goals need of the camera geometry.
 #pragma once
 
+#include <cmath>
+
 #include "robot/body/Camera.h"
 #include "robot/core/Geometry.h"
 #include "robot/core/Maths.h"

@@ -2,10 +2,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
 
 #include "tests/vision/Painting.h"
 #include "vision/BallFinder.h"
 #include "vision/Refusal.h"
+#include "vision/Vision.h"
 
 namespace kelpie::vision {
 namespace {
@@ -62,6 +64,17 @@ TEST(Ball, SeenWithTheCameraRolledIsInTheSamePlace) {
   ASSERT_TRUE(seen.percepts.ball.present);
   EXPECT_NEAR(seen.percepts.ball.distance, 90, 2);
   EXPECT_NEAR(seen.percepts.ball.heading.deg(), 8, 0.3);
+}
+
+TEST(Ball, NeckErrorOfOneDegreeHardlyMovesIt) {
+  const auto input = std::make_unique<FrameInput>();
+  const auto state = std::make_unique<VisionState>();
+  paint(ballAt(160, 0), cameraAt(16, 0, -8), input->image);
+  for (const double up : {-9.0, -7.0}) {
+    const BallPercept ball = step({*input, bodyOf(cameraAt(16, 0, up))}, {}, *state).ball;
+    ASSERT_TRUE(ball.present);
+    EXPECT_NEAR(ball.distance, 160, 12);  // by the ground alone it would be 124 or 226
+  }
 }
 
 TEST(Ball, NoneIsSeenOnAnEmptyField) {

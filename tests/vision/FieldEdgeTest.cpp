@@ -38,10 +38,9 @@ TEST(FieldEdge, WhiteLineOnTheFieldIsNotTheEdge) {
   EXPECT_LT(seen.percepts.fieldEdge.atLeft, 84.0);
 }
 
-TEST(FieldEdge, BallThatFillsTheUpperImageIsNotTheEdge) {
+TEST(FieldEdge, OrangeThatFillsTheUpperImageIsNotTheEdge) {
   Painting p;
-  p.balls.push_back({0, 31});
-  p.lineAt = 32;
+  p.walls.push_back({{-60, 35}, {60, 35}, 0, 60, kOrangePaint});
   EXPECT_FALSE(look(p, cameraAt(16, 0, -45)).percepts.fieldEdge.present);
 }
 

@@ -119,6 +119,30 @@ TEST(Goal, BandUnderPinkIsNoGoalEither) {
   EXPECT_EQ(refused(seen, Refusal::goalIsBeacon), 1);
 }
 
+TEST(Goal, NarrowBlueBoxAsHighAsAGoalIsRefusedByItsWidth) {
+  Painting p;
+  p.walls.push_back({{-14, 200}, {14, 200}, 0, 30, kBluePaint});
+  const Seen seen = look(p, cameraAt(16, 0, 0));
+  EXPECT_TRUE(seen.percepts.landmarks.empty());
+  EXPECT_EQ(refused(seen, Refusal::goalWidth), 1);
+}
+
+TEST(Goal, HalfSizeBoxNearByIsRefusedByItsFoot) {
+  Painting p;  // half as large and near, so that its size says 200 cm, its foot 90
+  p.walls.push_back({{-20, 100}, {20, 100}, 0, 15, kBluePaint});
+  const Seen seen = look(p, cameraAt(24, 0, -6));
+  EXPECT_TRUE(seen.percepts.landmarks.empty());
+  EXPECT_EQ(refused(seen, Refusal::goalOffGround), 1);
+}
+
+TEST(Goal, BlueWallThatLeavesTheImageAtTheTopIsRefused) {
+  Painting p;
+  p.walls.push_back({{-40, 250}, {40, 250}, 0, 200, kBluePaint});
+  const Seen seen = look(p, cameraAt(16, 0, -5));
+  EXPECT_TRUE(seen.percepts.landmarks.empty());
+  EXPECT_EQ(refused(seen, Refusal::goalAspect), 1);
+}
+
 TEST(Goal, FarPatchOfAFewPixelsIsRefused) {
   Painting p;
   p.walls.push_back({{-8, 500}, {8, 500}, 0, 10, kYellowPaint});

@@ -41,6 +41,19 @@ TEST(LinePoints, WhiteWallBeyondTheCarpetGivesNone) {
   EXPECT_TRUE(look(p, cameraAt(16, 0, -10)).percepts.linePoints.empty());
 }
 
+TEST(LinePoints, WhiteBetweenCarpetAndFloorGivesNone) {
+  Painting p = lineAt(70);
+  p.carpetEnd = 71.25;
+  EXPECT_TRUE(look(p, cameraAt(16, 0, -10)).percepts.linePoints.empty());
+}
+
+TEST(LinePoints, WhiteFootUnderABlackBodyGivesNone) {
+  Painting p;
+  p.walls.push_back({{-15, 60}, {15, 60}, 0, 3, kWhitePaint});
+  p.walls.push_back({{-15, 60}, {15, 60}, 3, 9, {20, 126, 128}});
+  EXPECT_TRUE(look(p, cameraAt(16, 0, -15)).percepts.linePoints.empty());
+}
+
 TEST(LinePoints, NoneAreTakenWhileTheHeadTurnsFast) {
   const auto input = std::make_unique<FrameInput>();
   const auto state = std::make_unique<VisionState>();
