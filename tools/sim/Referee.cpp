@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/sim/Referee.h"
+
+#include <cmath>
+#include <utility>
+
+namespace kelpie::sim {
+
+std::optional<TeamColour> goalFor(const body::FieldDescription& field, Point2<Field> ball) {
+  if (std::fabs(ball.x - field.width / 2.0) > field.goalWidth / 2.0) return std::nullopt;
+  if (ball.y < -body::kBallRadius) return TeamColour::blue;
+  if (ball.y > field.length + body::kBallRadius) return TeamColour::red;
+  return std::nullopt;
+}
+
+bool ballOut(const body::FieldDescription& field, Point2<Field> ball) {
+  if (goalFor(field, ball)) return false;
+  const double r = body::kBallRadius;
+  return ball.x < -r || ball.x > field.width + r || ball.y < -r || ball.y > field.length + r;
+}
+
+Referee::Referee(const RefereeParams& params, const body::FieldDescription& field)
+    : params_(params), field_(field) {}
+
+void Referee::record(TimeUs now, EventKind kind, TeamColour team, Point2<Field> ball) {
+  MatchEvent event;
+  event.time = now;
+  event.kind = kind;
+  event.team = team;
+  event.ball = ball;
+  events_.push_back(event);
+}
+
+Point2<Field> Referee::throwIn(Point2<Field> ball) const {
+  const double x = ball.x < field_.width / 2.0 ? params_.throwInFromSide
+                                               : field_.width - params_.throwInFromSide;
+  return {x, maths::clamp(ball.y, params_.throwInFromEnd, field_.length - params_.throwInFromEnd)};
+}
+
+void Referee::tick(TimeUs now, Ball& ball) {
+  if (!started_) record({0}, EventKind::start, TeamColour::red, ball.position);
+  started_ = true;
+  if (finished_) return;
+  if (const auto team = goalFor(field_, ball.position)) {
+    record(now, EventKind::goal, *team, ball.position);
+    int& goals = *team == TeamColour::red ? score_.red : score_.blue;
+    ++goals;
+    if (*team == TeamColour::red && !score_.firstGoal) score_.firstGoal = now.seconds();
+    finished_ = params_.goals > 0 && goals >= params_.goals;
+    if (!finished_) ball = {{field_.width / 2.0, field_.length / 2.0}, {}};
+  } else if (ballOut(field_, ball.position)) {
+    record(now, EventKind::out, TeamColour::red, ball.position);
+    ++score_.outs;
+    ball = {throwIn(ball.position), {}};
+  }
+  finished_ = finished_ || now.seconds() >= params_.seconds;
+  if (finished_) record(now, EventKind::end, TeamColour::red, ball.position);
+}
+
+std::vector<MatchEvent> Referee::takeEvents() { return std::exchange(events_, {}); }
+
+}  // namespace kelpie::sim

@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/sim/RobotModel.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "robot/body/Camera.h"
+#include "robot/body/Ers7.h"
+
+namespace kelpie::sim {
+namespace {
+
+// A command queue deeper than this is a runaway agent; OPEN-R programs keep two.
+constexpr std::size_t kMaxQueue = 16;
+constexpr double kFootRadius = 1.6;
+constexpr double kKneeRadius = 2.0;
+constexpr double kShinRadius = 1.8;
+constexpr double kHeadRadius = 3.8;
+constexpr double kHeadBehindCamera = 3.0;
+
+FieldPoint3 onField(const Pose2& pose, Point3<Robot> p) {
+  const Point2<Field> ground = fieldFromRobot(pose, {p.x, p.y});
+  return {ground.x, ground.y, p.z};
+}
+
+std::array<Point3<Robot>, kLegCount> feetOf(const JointAngles& joints, const Stance& stance) {
+  std::array<Point3<Robot>, kLegCount> feet;
+  for (std::size_t i = 0; i < kLegCount; ++i) {
+    const auto leg = static_cast<LegId>(i);
+    feet[i] = robotFromTorso(body::footPosition(leg, body::legAngles(joints, leg)), stance);
+  }
+  return feet;
+}
+
+struct Parts {
+  std::array<Point3<Robot>, 9> centre;
+  std::array<double, 9> radius;
+};
+
+// Feet, front knees, the middle of the front lower legs, head.
+Parts partsOf(const BodyPlace& place) {
+  Parts parts{};
+  const auto feet = feetOf(place.joints, place.stance);
+  for (std::size_t i = 0; i < kLegCount; ++i) {
+    parts.centre[i] = feet[i] + Point3<Robot>{0.0, 0.0, kFootRadius};
+    parts.radius[i] = kFootRadius;
+  }
+  std::size_t next = kLegCount;
+  for (const LegId leg : {LegId::leftFront, LegId::rightFront}) {
+    const Point3<Robot> knee =
+        robotFromTorso(kneePosition(leg, body::legAngles(place.joints, leg)), place.stance);
+    const Point3<Robot> foot = parts.centre[index(leg)];
+    parts.centre[next] = knee;
+    parts.radius[next++] = kKneeRadius;
+    parts.centre[next] = {0.5 * (knee.x + foot.x), 0.5 * (knee.y + foot.y),
+                          0.5 * (knee.z + foot.z)};
+    parts.radius[next++] = kShinRadius;
+  }
+  const CameraPose camera = body::cameraPose(place.joints, place.stance);
+  const Point3<Robot> back{-kHeadBehindCamera * camera.axes[2], -kHeadBehindCamera * camera.axes[5],
+                           -kHeadBehindCamera * camera.axes[8]};
+  parts.centre[next] = camera.position + back;
+  parts.radius[next] = kHeadRadius;
+  return parts;
+}
+
+}  // namespace
+
+JointAngles startingPose() {
+  JointAngles joints;
+  for (std::size_t i = 0; i < kLegCount; ++i) {
+    const auto leg = static_cast<LegId>(i);
+    const bool front = leg == LegId::leftFront || leg == LegId::rightFront;
+    const bool right = leg == LegId::rightFront || leg == LegId::rightHind;
+    const double side = right ? 8.5 : -8.5;
+    const Point3<Torso> foot =
+        front ? Point3<Torso>{side, 1.0, -8.5} : Point3<Torso>{side, -14.0, -9.5};
+    body::setLegAngles(joints, leg, body::reachFoot(leg, foot).angles);
+  }
+  joints[Joint::mouth] = Angle::deg(-3.0);
+  joints[Joint::tailTilt] = Angle::deg(20.0);
+  return body::withinLimits(joints);
+}
+
+Point3<Robot> robotFromTorso(Point3<Torso> p, const Stance& stance) {
+  const double s = stance.bodyTilt.sin();
+  const double c = stance.bodyTilt.cos();
+  const double neck = -body::kNeckBehindShoulder * c + body::kNeckAboveShoulder * s;
+  return {p.x, p.y * c + p.z * s - neck, stance.shoulderHeight - p.y * s + p.z * c};
+}
+
+Point3<Torso> kneePosition(LegId leg, const body::LegAngles& angles) {
+  const bool front = leg == LegId::leftFront || leg == LegId::rightFront;
+  const double mirror = front ? 1.0 : -1.0;
+  const double side = leg == LegId::rightFront || leg == LegId::rightHind ? 1.0 : -1.0;
+  const double so = angles.shoulder.sin();
+  const double co = angles.shoulder.cos();
+  const double down = body::kUpperLeg * co - body::kKneeOut * so;
+  const double out = body::kUpperLeg * so + body::kKneeOut * co;
+  const double sr = mirror * angles.rotator.sin();
+  const double cr = angles.rotator.cos();
+  const double ahead = body::kKneeForward * cr + down * sr;
+  const double below = down * cr - body::kKneeForward * sr;
+  return {side * (body::kBodyWidth / 2.0 + out),
+          (front ? 0.0 : -body::kBodyLength) + mirror * ahead, -below};
+}
+
+PlanarMotion rigidMotion(const std::vector<Point2<Robot>>& from,
+                         const std::vector<Point2<Robot>>& to) {
+  PlanarMotion motion;
+  if (from.empty()) return motion;
+  const double share = 1.0 / static_cast<double>(from.size());
+  Point2<Robot> a;
+  Point2<Robot> b;
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    a = a + from[i] * share;
+    b = b + to[i] * share;
+  }
+  double along = 0.0;
+  double across = 0.0;
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    const Point2<Robot> p = from[i] - a;
+    const Point2<Robot> q = to[i] - b;
+    along += p.x * q.x + p.y * q.y;
+    across += p.x * q.y - p.y * q.x;
+  }
+  motion.turn = from.size() > 1 ? maths::atan2(across, along) : 0.0;
+  const maths::SinCos r = maths::sinCos(motion.turn);
+  motion.x = b.x - (r.cos * a.x - r.sin * a.y);
+  motion.y = b.y - (r.sin * a.x + r.cos * a.y);
+  return motion;
+}
+
+RobotModel::RobotModel(const RobotParams& params, const Pose2& start, std::uint64_t seed)
+    : params_(params), random_(seed) {
+  place_.pose = start;
+  place_.joints = startingPose();
+  place_.stance = body::stanceFromLegs(place_.joints);
+  before_ = place_;
+  target_ = sensed_ = place_.joints;
+  feet_ = feetOf(place_.joints, place_.stance);
+  for (std::size_t i = 0; i < kLegCount; ++i) onGround_[i] = feet_[i].z < params_.contactHeight;
+}
+
+void RobotModel::command(const host::AgentReply& reply) {
+  motorPower_ = reply.motorPower;
+  gains_ = reply.gains;
+  for (const host::EffectorVector& vector : reply.vectors) {
+    if (queue_.size() < kMaxQueue && vector.ticks > 0) queue_.push_back(vector);
+  }
+}
+
+void RobotModel::playQueue() {
+  if (queue_.empty()) return;
+  const host::EffectorVector& vector = queue_.front();
+  const JointAngles& wanted =
+      vector.targets[std::min<std::size_t>(played_, host::kMaxVectorTicks - 1)];
+  for (std::size_t j = 0; j < kJointCount; ++j) {
+    if ((vector.joints >> j & 1U) != 0) target_.angle[j] = wanted.angle[j];
+  }
+  target_ = body::withinLimits(target_);
+  if (++played_ < vector.ticks) return;
+  queue_.pop_front();
+  played_ = 0;
+  ++done_;
+}
+
+void RobotModel::moveJoints() {
+  const double share = params_.lagTicks > 0.0 ? 1.0 - maths::exp(-1.0 / params_.lagTicks) : 1.0;
+  for (std::size_t j = 0; j < kJointCount; ++j) {
+    if (!motorPower_ || (gains_ >> j & 1U) == 0) continue;
+    const bool head = j < index(Joint::leftFrontRotator);
+    const double most = (head ? params_.headRate : params_.legRate) * kTickSeconds;
+    const double now = place_.joints.angle[j].rad();
+    const double step = share * (target_.angle[j].rad() - now);
+    place_.joints.angle[j] = Angle::rad(now + maths::clamp(step, -most, most));
+  }
+}
+
+void RobotModel::senseJoints() {
+  for (std::size_t j = 0; j < kJointCount; ++j) {
+    const double noise = random_.gaussian(0.0, params_.jointNoiseSd);
+    sensed_.angle[j] = Angle::rad(place_.joints.angle[j].rad() + noise);
+  }
+}
+
+// A new step has a new slip; it begins when a foot comes down.
+void RobotModel::drawSlip(const std::array<bool, kLegCount>& standing) {
+  bool landed = false;
+  for (std::size_t i = 0; i < kLegCount; ++i) landed = landed || (standing[i] && !onGround_[i]);
+  if (!landed) return;
+  slipForward_ = random_.gaussian(params_.slipMean, params_.slipSd);
+  slipAside_ = random_.gaussian(params_.slipMean, params_.slipSd);
+  slipTurn_ = random_.gaussian(params_.slipMean, params_.slipSd);
+  drift_ = random_.gaussian(0.0, params_.driftSd);
+}
+
+void RobotModel::moveBody() {
+  place_.stance = body::stanceFromLegs(place_.joints);
+  const Feet feet = feetOf(place_.joints, place_.stance);
+  std::array<bool, kLegCount> standing{};
+  std::vector<Point2<Robot>> from;
+  std::vector<Point2<Robot>> to;
+  for (std::size_t i = 0; i < kLegCount; ++i) {
+    standing[i] = feet[i].z < params_.contactHeight;
+    if (!standing[i] || !onGround_[i]) continue;
+    from.push_back({feet[i].x, feet[i].y});
+    to.push_back({feet_[i].x, feet_[i].y});
+  }
+  drawSlip(standing);
+  const PlanarMotion motion = rigidMotion(from, to);
+  const double x = motion.x * (1.0 - slipAside_);
+  const double y = motion.y * (1.0 - slipForward_);
+  const double turn = motion.turn * (1.0 - slipTurn_) + drift_ * maths::hypot(x, y);
+  place_.pose.position = fieldFromRobot(place_.pose, {x, y});
+  place_.pose.heading = place_.pose.heading + Angle::rad(turn);
+  feet_ = feet;
+  onGround_ = standing;
+}
+
+void RobotModel::tick() {
+  before_ = place_;
+  playQueue();
+  moveJoints();
+  moveBody();
+  senseJoints();
+}
+
+std::array<BodySphere, 9> RobotModel::spheres() const {
+  const Parts was = partsOf(before_);
+  const Parts is = partsOf(place_);
+  std::array<BodySphere, 9> spheres;
+  for (std::size_t i = 0; i < spheres.size(); ++i) {
+    spheres[i] = {onField(before_.pose, was.centre[i]), onField(place_.pose, is.centre[i]),
+                  is.radius[i]};
+  }
+  return spheres;
+}
+
+std::uint32_t RobotModel::takeVectorsDone() {
+  const std::uint32_t done = done_;
+  done_ = 0;
+  return done;
+}
+
+}  // namespace kelpie::sim

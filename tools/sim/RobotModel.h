@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+// A robot's body in the world: servos that follow their targets late, and a body that the feet on
+// the ground carry. Kinematic: the body moves so that the feet that stand keep their place (least
+// squares), with a seeded slip for each step. It cannot fall over, roll sideways or be lifted.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <deque>
+#include <vector>
+
+#include "robot/body/Legs.h"
+#include "robot/core/FrameInput.h"
+#include "robot/core/Random.h"
+#include "robot/host/WorldProtocol.h"
+#include "tools/sim/Scene.h"
+
+namespace kelpie::sim {
+
+struct RobotParams {
+  double lagTicks = 2.0;         // first-order lag of every joint
+  double headRate = 6.5;         // rad/s
+  double legRate = 10.0;         // rad/s; the chest push of 72 ms needs about 9
+  double jointNoiseSd = 0.0015;  // rad, of the sensed angles
+  double contactHeight = 0.4;    // cm; lower feet carry the body
+  double slipMean = 0.02;        // share of the way that is lost
+  double slipSd = 0.03;          // its spread from step to step
+  double driftSd = 0.0006;       // rad per cm of way, from step to step
+
+  static constexpr auto fields() {
+    using P = RobotParams;
+    return fieldList(field("lagTicks", &P::lagTicks, "", 0, 20),
+                     field("headRate", &P::headRate, "rad/s", 0.1, 100),
+                     field("legRate", &P::legRate, "rad/s", 0.1, 100),
+                     field("jointNoiseSd", &P::jointNoiseSd, "rad", 0, 0.1),
+                     field("contactHeight", &P::contactHeight, "cm", 0, 3),
+                     field("slipMean", &P::slipMean, "", -0.5, 0.5),
+                     field("slipSd", &P::slipSd, "", 0, 0.5),
+                     field("driftSd", &P::driftSd, "rad/cm", 0, 0.1));
+  }
+};
+
+// What of the body matters to camera and contacts at one time.
+struct BodyPlace {
+  Pose2 pose;
+  Stance stance;
+  JointAngles joints;
+};
+
+// A part of the body that the ball can meet: a sphere that moved during the tick.
+struct BodySphere {
+  FieldPoint3 before;
+  FieldPoint3 now;
+  double radius = 0.0;
+};
+
+// The trunk seen from above, in the robot frame. The chest is 1.8 cm ahead of the neck base
+// (facts-2005 data geometry.csv).
+constexpr double kChestAhead = 1.8;
+constexpr double kTrunkBack = -16.0;
+constexpr double kTrunkHalfWidth = 4.5;
+
+class RobotModel {
+ public:
+  RobotModel(const RobotParams& params, const Pose2& start, std::uint64_t seed);
+
+  // What the agent sent to the effectors.
+  void command(const host::AgentReply& reply);
+  // One tick of 8 ms.
+  void tick();
+  // Moves the body by force, as an obstacle does.
+  void push(Point2<Field> way) { place_.pose.position = place_.pose.position + way; }
+
+  const BodyPlace& place() const { return place_; }
+  const BodyPlace& placeBefore() const { return before_; }
+  const JointAngles& target() const { return target_; }
+  const JointAngles& sensed() const { return sensed_; }
+  const std::array<bool, kLegCount>& onGround() const { return onGround_; }
+  std::array<BodySphere, 9> spheres() const;
+  // Vectors whose output ended since the last call.
+  std::uint32_t takeVectorsDone();
+  std::size_t vectorsWaiting() const { return queue_.size(); }
+
+ private:
+  using Feet = std::array<Point3<Robot>, kLegCount>;
+  void playQueue();
+  void moveJoints();
+  void senseJoints();
+  void moveBody();
+  void drawSlip(const std::array<bool, kLegCount>& standing);
+
+  RobotParams params_;
+  Random random_;
+  BodyPlace place_;
+  BodyPlace before_;
+  JointAngles target_;
+  JointAngles sensed_;
+  Feet feet_;
+  std::array<bool, kLegCount> onGround_{};
+  bool motorPower_ = false;
+  std::uint32_t gains_ = 0;
+  std::deque<host::EffectorVector> queue_;
+  std::uint32_t played_ = 0;  // ticks of the first vector
+  std::uint32_t done_ = 0;
+  double slipForward_ = 0.0;
+  double slipAside_ = 0.0;
+  double slipTurn_ = 0.0;
+  double drift_ = 0.0;
+};
+
+// The pose a robot is switched on in: lying low on bent legs.
+JointAngles startingPose();
+
+// From the torso to the robot frame for a body that stands as `stance` says.
+Point3<Robot> robotFromTorso(Point3<Torso> p, const Stance& stance);
+Point3<Torso> kneePosition(LegId leg, const body::LegAngles& angles);
+
+// The rigid motion of the ground plane that brings points `from` to `to` with the least squares.
+struct PlanarMotion {
+  double x = 0.0;
+  double y = 0.0;
+  double turn = 0.0;
+};
+PlanarMotion rigidMotion(const std::vector<Point2<Robot>>& from,
+                         const std::vector<Point2<Robot>>& to);
+
+}  // namespace kelpie::sim

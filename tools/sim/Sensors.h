@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a robot's own sensors tell of the world in one tick: joints, motor duty, three distance
+// sensors, acceleration, paw and chin switches.
+#pragma once
+
+#include "robot/core/Motion.h"
+#include "robot/core/Random.h"
+#include "tools/sim/Ball.h"
+#include "tools/sim/RobotModel.h"
+
+namespace kelpie::sim {
+
+struct SensorParams {
+  double distanceNoise = 0.03;  // share of the distance, sd
+  double accelerationSd = 25.0;
+  double dutyPerRad = 2.5;  // motor duty for a following error
+
+  static constexpr auto fields() {
+    using P = SensorParams;
+    return fieldList(field("distanceNoise", &P::distanceNoise, "", 0, 0.5),
+                     field("accelerationSd", &P::accelerationSd, "cm/s2", 0, 500),
+                     field("dutyPerRad", &P::dutyPerRad, "1/rad", 0, 100));
+  }
+};
+
+// What the sensors of one robot can meet.
+struct Surroundings {
+  Ball ball;
+  const std::vector<Obstacle>& obstacles;
+  const std::vector<RobotModel>& robots;
+  std::size_t self;
+};
+
+SensorFrame sense(const Surroundings& around, const SensorParams& params, Random& random);
+
+// Distance along a ray to the first of ground, ball, obstacle up to 30 cm high, other robot.
+double rayDistance(const Surroundings& around, FieldPoint3 from, FieldPoint3 direction);
+
+}  // namespace kelpie::sim

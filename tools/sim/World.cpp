@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/sim/World.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "robot/body/Camera.h"
+
+namespace kelpie::sim {
+namespace {
+
+constexpr double kTickUs = 8000.0;
+constexpr double kExposureUs = 1e6 / 30.0;
+// A robot seen from above: two discs, cm ahead of the neck base.
+constexpr std::array<double, 2> kBodyDiscs{-2.0, -11.0};
+constexpr double kBodyRadius = 7.0;
+constexpr double kRoom = 60.0;  // cm beyond the carpet that robots may walk
+
+double mixed(double a, double b, double t) { return a + t * (b - a); }
+Angle mixed(Angle a, Angle b, double t) { return a + (b - a) * t; }
+Point2<Field> mixed(Point2<Field> a, Point2<Field> b, double t) { return a + (b - a) * t; }
+
+BodyPlace mixed(const BodyPlace& a, const BodyPlace& b, double t) {
+  BodyPlace place;
+  place.pose = {mixed(a.pose.position, b.pose.position, t),
+                mixed(a.pose.heading, b.pose.heading, t)};
+  place.stance = {mixed(a.stance.shoulderHeight, b.stance.shoulderHeight, t),
+                  mixed(a.stance.bodyTilt, b.stance.bodyTilt, t)};
+  for (std::size_t j = 0; j < kJointCount; ++j) {
+    place.joints.angle[j] = mixed(a.joints.angle[j], b.joints.angle[j], t);
+  }
+  return place;
+}
+
+// Seeds of parts that must not share a stream.
+std::uint64_t partSeed(std::uint64_t seed, std::uint64_t part) {
+  return Random(seed ^ (part * 0x9e3779b97f4a7c15ULL)).next();
+}
+
+void pushOff(RobotModel& robot, double disc, Point2<Field> from, double reach) {
+  const Point2<Field> centre = fieldFromRobot(robot.place().pose, {0.0, disc});
+  const Point2<Field> away = centre - from;
+  const double gap = away.norm();
+  if (gap >= reach || gap <= 0.0) return;
+  robot.push(away * ((reach - gap) / gap));
+}
+
+}  // namespace
+
+World::World(const WorldParams& params, const body::FieldDescription& field, const Setup& setup,
+             std::uint64_t seed)
+    : params_(params),
+      field_(field),
+      obstacles_(obstaclesOf(field)),
+      players_(setup.players),
+      scene_(fieldScene(field, params.spectators ? partSeed(seed, 1) | 1U : 0)),
+      ball_{setup.ball, {}},
+      referee_(params.referee, field) {
+  for (std::size_t i = 0; i < players_.size(); ++i) {
+    const std::uint64_t part = 10 * (i + 1);
+    Random colours(partSeed(seed, part));
+    robots_.emplace_back(params_.robot, players_[i].start, partSeed(seed, part + 1));
+    sensorRandom_.emplace_back(partSeed(seed, part + 2));
+    cameraRandom_.emplace_back(partSeed(seed, part + 3));
+    cameras_.push_back(std::make_unique<Camera>(params_.camera, randomShift(colours)));
+  }
+  sensors_.resize(players_.size());
+  remember();
+}
+
+void World::remember() {
+  Moment& moment = history_[ticks_ % kHistory];
+  moment.ball = ball_;
+  moment.robots.clear();
+  for (const RobotModel& robot : robots_) moment.robots.push_back(robot.place());
+}
+
+const World::Moment& World::momentAt(std::int64_t tick) const {
+  const std::int64_t last = ticks_;
+  const std::int64_t oldest = std::max<std::int64_t>(0, last - static_cast<int>(kHistory) + 1);
+  return history_[static_cast<std::size_t>(std::min(std::max(tick, oldest), last)) % kHistory];
+}
+
+BodyPlace World::placeAt(std::size_t robot, double ticks) const {
+  const double whole = std::floor(ticks);
+  const auto tick = static_cast<std::int64_t>(whole);
+  return mixed(momentAt(tick).robots[robot], momentAt(tick + 1).robots[robot], ticks - whole);
+}
+
+Point2<Field> World::ballAt(double ticks) const {
+  const double whole = std::floor(ticks);
+  const auto tick = static_cast<std::int64_t>(whole);
+  const Ball& before = momentAt(tick).ball;
+  const Ball& after = momentAt(tick + 1).ball;
+  const bool moved = distance(before.position, after.position) > 10.0;  // by the referee
+  return moved ? before.position : mixed(before.position, after.position, ticks - whole);
+}
+
+// Out of goals, beacons and each other.
+void World::keepApart() {
+  for (std::size_t i = 0; i < robots_.size(); ++i) {
+    for (const double disc : kBodyDiscs) {
+      const Point2<Field> centre = fieldFromRobot(robots_[i].place().pose, {0.0, disc});
+      for (const Obstacle& obstacle : obstacles_) {
+        pushOff(robots_[i], disc, nearestOn(obstacle, centre), kBodyRadius + obstacle.radius);
+      }
+      for (std::size_t k = 0; k < robots_.size(); ++k) {
+        if (k == i) continue;
+        for (const double other : kBodyDiscs) {
+          pushOff(robots_[i], disc, fieldFromRobot(robots_[k].place().pose, {0.0, other}),
+                  2.0 * kBodyRadius);
+        }
+      }
+    }
+    const Point2<Field> p = robots_[i].place().pose.position;
+    const double side = field_.sideFringe + kRoom;
+    const double end = field_.endFringe + kRoom;
+    robots_[i].push(Point2<Field>{maths::clamp(p.x, -side, field_.width + side),
+                                  maths::clamp(p.y, -end, field_.length + end)} -
+                    p);
+  }
+}
+
+void World::senseAll() {
+  for (std::size_t i = 0; i < robots_.size(); ++i) {
+    const Surroundings around{ball_, obstacles_, robots_, i};
+    std::rotate(sensors_[i].begin(), sensors_[i].begin() + 1, sensors_[i].end());
+    sensors_[i].back() = sense(around, params_.sensors, sensorRandom_[i]);
+  }
+}
+
+void World::tick() {
+  for (RobotModel& robot : robots_) robot.tick();
+  keepApart();
+  tickBall(ball_, robots_, obstacles_, params_.ball);
+  ++ticks_;
+  referee_.tick(time(), ball_);
+  remember();
+  senseAll();
+}
+
+ColumnCameras World::cameras(std::size_t robot, TimeUs end) const {
+  ColumnCameras cameras;
+  for (std::size_t x = 0; x < kImageWidth; ++x) {
+    const double share = params_.rolling ? (static_cast<double>(x) + 0.5) / kImageWidth : 0.5;
+    const double when = static_cast<double>(end.us) - kExposureUs * (1.0 - share);
+    const BodyPlace place = placeAt(robot, std::max(0.0, when / kTickUs));
+    cameras[x] = fieldCamera(place.pose, body::cameraPose(place.joints, place.stance));
+  }
+  return cameras;
+}
+
+void World::render(std::size_t robot, TimeUs end, Image& image) {
+  const double middle = (static_cast<double>(end.us) - 0.5 * kExposureUs) / kTickUs;
+  setBall(scene_, ballAt(std::max(0.0, middle)));
+  std::vector<RobotLook> others;
+  for (std::size_t i = 0; i < robots_.size(); ++i) {
+    if (i == robot) continue;
+    const BodyPlace place = placeAt(i, std::max(0.0, middle));
+    others.push_back({place.pose, place.stance.shoulderHeight, players_[i].team});
+  }
+  setRobots(scene_, others);
+  cameras_[robot]->render(scene_, cameras(robot, end), cameraRandom_[robot], image);
+}
+
+GameState World::gameFor(std::size_t robot) const {
+  const Score& now = score();
+  const bool red = players_[robot].team == TeamColour::red;
+  GameState game;
+  game.state = finished() ? PlayState::finished : PlayState::playing;
+  game.team = players_[robot].team;
+  game.player = players_[robot].number;
+  game.ownScore = static_cast<std::uint8_t>(std::min(255, red ? now.red : now.blue));
+  game.opponentScore = static_cast<std::uint8_t>(std::min(255, red ? now.blue : now.red));
+  return game;
+}
+
+TruthFrame World::truth(TimeUs time) const {
+  const double ticks = static_cast<double>(time.us) / kTickUs;
+  TruthFrame truth;
+  truth.time = time;
+  for (std::size_t i = 0; i < robots_.size(); ++i) {
+    const BodyPlace place = placeAt(i, ticks);
+    truth.robots.push_back({players_[i].team, players_[i].number, place.pose, place.stance});
+  }
+  truth.ball = ballAt(ticks);
+  truth.ballVelocity = ball_.velocity;
+  truth.redScore = static_cast<std::uint8_t>(std::min(255, score().red));
+  truth.blueScore = static_cast<std::uint8_t>(std::min(255, score().blue));
+  return truth;
+}
+
+}  // namespace kelpie::sim

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+// The simulated world in one process, without sockets: robots, ball, referee and each robot's
+// camera, in ticks of 8 ms. Everything random comes from the seed: the same seed and the same
+// commands give the same match, byte for byte.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "robot/body/FieldDescription.h"
+#include "robot/host/WorldProtocol.h"
+#include "tools/sim/Ball.h"
+#include "tools/sim/Camera.h"
+#include "tools/sim/Referee.h"
+#include "tools/sim/RobotModel.h"
+#include "tools/sim/Sensors.h"
+#include "tools/sim/Truth.h"
+
+namespace kelpie::sim {
+
+struct WorldParams {
+  CameraParams camera;
+  RobotParams robot;
+  BallParams ball;
+  SensorParams sensors;
+  RefereeParams referee;
+  bool rolling = true;     // each image column is exposed at its own time
+  bool spectators = true;  // people and coloured things around the field
+
+  static constexpr auto fields() {
+    using P = WorldParams;
+    return fieldList(field("camera", &P::camera), field("robot", &P::robot),
+                     field("ball", &P::ball), field("sensors", &P::sensors),
+                     field("referee", &P::referee), field("rolling", &P::rolling),
+                     field("spectators", &P::spectators));
+  }
+};
+
+struct Player {
+  TeamColour team = TeamColour::red;
+  std::uint8_t number = 1;
+  Pose2 start;
+};
+
+// Who starts where.
+struct Setup {
+  std::vector<Player> players;
+  Point2<Field> ball;
+};
+
+// "empty-goal": one robot and the ball anywhere. "kickoff": ball in the middle, robots in their own
+// halves. Teams are filled in by the caller, in the order of the agents.
+Expected<Setup> scenario(const std::string& name, const body::FieldDescription& field,
+                         const std::vector<host::AgentHello>& agents, std::uint64_t seed);
+
+class World {
+ public:
+  World(const WorldParams& params, const body::FieldDescription& field, const Setup& setup,
+        std::uint64_t seed);
+
+  void tick();
+  std::uint32_t ticks() const { return ticks_; }
+  TimeUs time() const { return {static_cast<std::int64_t>(ticks_) * 8000}; }
+  bool finished() const { return referee_.finished(); }
+
+  std::size_t robotCount() const { return robots_.size(); }
+  RobotModel& robot(std::size_t i) { return robots_[i]; }
+  // Sensor frames of the last four ticks, oldest first.
+  const std::array<SensorFrame, kTicksPerMessage>& sensors(std::size_t robot) const {
+    return sensors_[robot];
+  }
+  // The image whose exposure of 1/30 s ends at `end`; ticks() must have reached it, by at most one
+  // tick.
+  void render(std::size_t robot, TimeUs end, Image& image);
+  // The camera's place on the field for each column of that image.
+  ColumnCameras cameras(std::size_t robot, TimeUs end) const;
+
+  GameState gameFor(std::size_t robot) const;
+  TruthFrame truth(TimeUs time) const;
+  Ball& ball() { return ball_; }
+  const Score& score() const { return referee_.score(); }
+  std::vector<MatchEvent> takeEvents() { return referee_.takeEvents(); }
+
+ private:
+  static constexpr std::size_t kHistory = 8;  // ticks; an exposure spans 4.2
+  struct Moment {
+    std::vector<BodyPlace> robots;
+    Ball ball;
+  };
+  const Moment& momentAt(std::int64_t tick) const;
+  BodyPlace placeAt(std::size_t robot, double ticks) const;
+  Point2<Field> ballAt(double ticks) const;
+  void remember();
+  void senseAll();
+  void keepApart();
+
+  WorldParams params_;
+  body::FieldDescription field_;
+  std::vector<Obstacle> obstacles_;
+  std::vector<Player> players_;
+  std::vector<RobotModel> robots_;
+  std::vector<std::array<SensorFrame, kTicksPerMessage>> sensors_;
+  std::vector<Random> sensorRandom_;
+  std::vector<Random> cameraRandom_;
+  std::vector<std::unique_ptr<Camera>> cameras_;
+  Scene scene_;
+  Ball ball_;
+  Referee referee_;
+  std::array<Moment, kHistory> history_;
+  std::uint32_t ticks_ = 0;
+};
+
+}  // namespace kelpie::sim

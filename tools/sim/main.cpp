@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+// kelpie-world: the simulated match as a process. Waits for its agents at a Unix socket, plays one
+// match with them in lock step, writes what really happened, and ends.
+#include <fmt/core.h>
+
+#include <CLI/CLI.hpp>
+#include <fstream>
+
+#include "tools/sim/Server.h"
+
+namespace kelpie::sim {
+namespace {
+
+struct Options {
+  std::string socket;
+  std::size_t robots = 1;
+  std::uint64_t seed = 1;
+  std::string field = "2006";
+  std::string scenario = "empty-goal";
+  std::string truth;
+  std::string result;
+  double wait = 60.0;  // s for the agents to come
+  bool noRing = false, noNoise = false, noShift = false, noRolling = false;
+  bool noBlur = false, noSlip = false, noSpectators = false;
+  WorldParams world;
+};
+
+WorldParams worldParams(const Options& options) {
+  WorldParams params = options.world;
+  ArtefactParams& artefacts = params.camera.artefacts;
+  artefacts.ring = !options.noRing;
+  artefacts.noise = !options.noNoise;
+  artefacts.shift = !options.noShift;
+  artefacts.blur = !options.noBlur;
+  params.rolling = !options.noRolling;
+  params.spectators = !options.noSpectators;
+  if (options.noSlip) params.robot.slipMean = params.robot.slipSd = params.robot.driftSd = 0.0;
+  return params;
+}
+
+Status writeResult(const Options& options, const World& world) {
+  if (options.result.empty()) return Done{};
+  const Score& score = world.score();
+  std::ofstream file(options.result);
+  file << fmt::format(
+      "{{\"goals\":{},\"own_goals\":{},\"first_goal_s\":{},\"seconds\":{:.3f},\"outs\":{},"
+      "\"seed\":{}}}\n",
+      score.red, score.blue, score.firstGoal ? fmt::format("{:.3f}", *score.firstGoal) : "null",
+      world.time().seconds(), score.outs, options.seed);
+  file.close();
+  if (!file) return Error{"cannot write " + options.result};
+  return Done{};
+}
+
+Status play(const Options& options) {
+  const auto field = body::fieldDescription(options.field);
+  if (!field) return Error{field.error()};
+  std::optional<LogWriter> log;
+  if (!options.truth.empty()) {
+    auto opened = LogWriter::open(options.truth);
+    if (!opened) return Error{opened.error()};
+    log = std::move(*opened);
+  }
+  auto listener = host::Listener::open(options.socket);
+  if (!listener) return Error{listener.error()};
+  auto agents = gatherAgents(*listener, options.robots, options.wait);
+  if (!agents) return Error{agents.error()};
+  std::vector<host::AgentHello> hellos;
+  for (const Agent& agent : *agents) hellos.push_back(agent.hello);
+  const auto setup = scenario(options.scenario, *field, hellos, options.seed);
+  if (!setup) return Error{setup.error()};
+  World world(worldParams(options), *field, *setup, options.seed);
+  const Status played = Server(world, *agents, log ? &*log : nullptr).run();
+  if (!played) return played;
+  if (log) {
+    const Status closed = log->close();
+    if (!closed) return closed;
+  }
+  return writeResult(options, world);
+}
+
+void describe(CLI::App& app, Options& options) {
+  app.add_option("--socket", options.socket, "Unix socket the agents come to")->required();
+  app.add_option("--robots", options.robots, "agents to wait for")->check(CLI::Range(1, 8));
+  app.add_option("--seed", options.seed, "of everything random");
+  app.add_option("--field", options.field, "2006, osaka2005 or 2004");
+  app.add_option("--scenario", options.scenario, "empty-goal or kickoff");
+  app.add_option("--seconds", options.world.referee.seconds, "length of the match")
+      ->check(CLI::Range(0.0, 1e5));
+  app.add_option("--goals", options.world.referee.goals, "of one team end the match; 0 = never")
+      ->check(CLI::Range(0, 100));
+  app.add_option("--truth", options.truth, "log of what really happened (MCAP)");
+  app.add_option("--result", options.result, "result file (JSON)");
+  app.add_option("--wait", options.wait, "seconds until the agents must be there");
+  app.add_flag("--no-ring", options.noRing, "no ring effect");
+  app.add_flag("--no-noise", options.noNoise, "no sensor noise");
+  app.add_flag("--no-shift", options.noShift, "no colour difference between robots");
+  app.add_flag("--no-blur", options.noBlur, "no blur");
+  app.add_flag("--no-rolling", options.noRolling, "all columns exposed at once");
+  app.add_flag("--no-slip", options.noSlip, "feet do not slip");
+  app.add_flag("--no-spectators", options.noSpectators, "nobody around the field");
+}
+
+}  // namespace
+}  // namespace kelpie::sim
+
+int main(int argc, char** argv) {
+  kelpie::sim::Options options;
+  CLI::App app("The simulated world of one match");
+  kelpie::sim::describe(app, options);
+  CLI11_PARSE(app, argc, argv);
+  const kelpie::Status played = kelpie::sim::play(options);
+  if (played) return 0;
+  fmt::print(stderr, "kelpie-world: {}\n", played.error());
+  return 1;
+}
