@@ -37,3 +37,12 @@ function(kelpie_tests target)
   target_compile_definitions(${target} PRIVATE KELPIE_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
   gtest_discover_tests(${target} DISCOVERY_MODE PRE_TEST PROPERTIES TIMEOUT 300)
 endfunction()
+
+# kelpie_link_opencv(target modules...): Debian's libopencv-*-dev packages ship neither a CMake nor a
+# pkg-config file.
+function(kelpie_link_opencv target)
+  find_path(KELPIE_OPENCV_INCLUDE opencv2/core.hpp PATH_SUFFIXES opencv4 REQUIRED)
+  target_include_directories(${target} SYSTEM PRIVATE ${KELPIE_OPENCV_INCLUDE})
+  list(TRANSFORM ARGN PREPEND opencv_)
+  target_link_libraries(${target} PRIVATE ${ARGN})
+endfunction()

@@ -9,6 +9,7 @@
 
 #include "robot/agent/AgentLoops.h"
 #include "robot/host/RunAgent.h"
+#include "robot/host/WorldSource.h"
 #include "tools/cli/Config.h"
 #include "tools/cli/Describe.h"
 #include "tools/cli/Logs.h"
@@ -53,6 +54,20 @@ int fail(const std::string& message, int code) {
   return code;
 }
 
+Status play(const AgentOptions& options, agent::AgentLoops& loops,
+            const agent::AgentConfig& config) {
+  auto world = host::WorldSource::connect(options.socket, {config.team, config.player}, {});
+  if (!world) return Error{world.error()};
+  host::HostParams params;
+  params.dropRate = options.dropRate;
+  params.seed = options.seed;
+  const auto summary = host::runAgent(*world, loops, params,
+                                      [&loops](const GameState& game) { loops.setGame(game); });
+  if (!summary) return Error{summary.error()};
+  return Done{};
+}
+
+// A script that does not load is bad input: told before the match, not during it.
 int run(const AgentOptions& options) {
   const auto config = makeConfig(options.config);
   if (!config) return fail(config.error(), 2);
@@ -64,7 +79,8 @@ int run(const AgentOptions& options) {
   }
   AgentSink sink(log ? &*log : nullptr, options.status);
   agent::AgentLoops loops(*config, options.pycode, sink);
-  const Status played = play(options, *config, loops);
+  if (!loops.scriptError().empty()) return fail(loops.scriptError(), 2);
+  const Status played = play(options, loops, *config);
   const Status closed = log ? log->close() : Status(Done{});
   if (!played) return fail(played.error(), 1);
   return closed ? 0 : fail(closed.error(), 1);
@@ -72,3 +88,21 @@ int run(const AgentOptions& options) {
 
 }  // namespace
 }  // namespace kelpie::cli
+
+int main(int argc, char** argv) {
+  using kelpie::cli::AgentOptions;
+  kelpie::cli::useTargetMaths(argv);
+  CLI::App app{"One robot's brain: joins a simulated world and plays", "kelpie-agent"};
+  AgentOptions options;
+  app.add_option("--socket", options.socket, "Socket of the world")->required();
+  app.add_option("--log", options.log, "Log to write");
+  app.add_option("--pycode", options.pycode, "Behaviours, folder or zip");
+  app.add_option("--player", options.config.player, "Number in the team")->check(CLI::Range(1, 4));
+  app.add_option("--drop-rate", options.dropRate, "Share of images lost on the way")
+      ->check(CLI::Range(0.0, 1.0));
+  app.add_option("--seed", options.seed, "Of the losses");
+  app.add_flag("--status", options.status, "Says twice a second what the robot believes");
+  addConfigOptions(app, options.config);
+  CLI11_PARSE(app, argc, argv);
+  return kelpie::cli::run(options);
+}

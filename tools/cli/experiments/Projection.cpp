@@ -3,6 +3,7 @@
 // the simulated camera draws them without artefacts, and the centre of light of each is compared
 // with where robot/body says it should be, in the image and back on the ground. Renderer and
 // projection share the head chain only; drawing and projecting are separate code.
+#include <array>
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -17,12 +18,21 @@ namespace kelpie::cli {
 namespace {
 
 constexpr double kBorder = 2.0;      // px; a disc nearer to the image border is left out
-constexpr double kGrowth = 1.45;     // from one ring of discs to the next
 constexpr double kRadiusShare = 60;  // a disc's radius is its distance over this
+
+constexpr double kMargin = 3.0;  // px round a disc, six times the allowed error
+constexpr std::array<double, 5> kRings = {36.0, 60.0, 100.0, 160.0, 260.0};  // cm
 
 struct Marker {
   Point2<Robot> place;
   double radius = 0.0;
+};
+
+// A disc in the image: where its centre should be, and how far from it light is looked for.
+struct Sight {
+  const Marker* marker = nullptr;
+  PixelPoint centre;
+  double reach = 0.0;
 };
 
 struct HeadPose {
@@ -39,10 +49,10 @@ HeadPose randomHead(Random& random) {
   return head;
 }
 
-// Discs on rings round the robot, far enough apart that their windows do not touch.
+// Discs on rings round the robot.
 std::vector<Marker> markerGrid() {
   std::vector<Marker> markers;
-  for (double distance = 33.0; distance < 220.0; distance *= kGrowth)
+  for (const double distance : kRings)
     for (double heading = -165.0; heading <= 180.0; heading += 15.0)
       markers.push_back({robotPolar(distance, Angle::deg(heading)), distance / kRadiusShare});
   return markers;
@@ -57,22 +67,47 @@ sim::Scene markedScene(const Pose2& pose, const std::vector<Marker>& markers) {
   return scene;
 }
 
-// Centre of the light that a disc adds to the carpet, in a window round where it is expected; the
-// window is several times the allowed error larger than the disc. Nothing if it is not all in view.
-std::optional<PixelPoint> centreOfLight(const Image& image, PixelPoint expected, PixelPoint half) {
-  const int left = static_cast<int>(std::floor(expected.x - half.x));
-  const int right = static_cast<int>(std::ceil(expected.x + half.x));
-  const int top = static_cast<int>(std::floor(expected.y - half.y));
-  const int bottom = static_cast<int>(std::ceil(expected.y + half.y));
+std::vector<Sight> sightsOf(const CameraPose& camera, const std::vector<Marker>& markers) {
+  std::vector<Sight> sights;
+  for (const auto& marker : markers) {
+    const auto centre = body::project(camera, {marker.place.x, marker.place.y, 0.0});
+    if (!centre) continue;
+    const double range = maths::hypot(
+        maths::hypot(marker.place.x - camera.position.x, marker.place.y - camera.position.y),
+        camera.position.z);
+    sights.push_back({&marker, *centre, body::kFocalLength * marker.radius / range + kMargin});
+  }
+  return sights;
+}
+
+// Whether the light of another disc may fall into this one's window.
+bool alone(const Sight& sight, const std::vector<Sight>& all) {
+  for (const auto& other : all) {
+    const double apart = sight.reach + other.reach;
+    if (other.marker != sight.marker && std::fabs(other.centre.x - sight.centre.x) < apart &&
+        std::fabs(other.centre.y - sight.centre.y) < apart)
+      return false;
+  }
+  return true;
+}
+
+// Centre of the light that a disc adds to the carpet, in its window. Nothing if the window is not
+// all in the image.
+std::optional<PixelPoint> centreOfLight(const Image& image, const Sight& sight) {
+  const int left = static_cast<int>(std::floor(sight.centre.x - sight.reach));
+  const int right = static_cast<int>(std::ceil(sight.centre.x + sight.reach));
+  const int top = static_cast<int>(std::floor(sight.centre.y - sight.reach));
+  const int bottom = static_cast<int>(std::ceil(sight.centre.y + sight.reach));
   if (left < kBorder || top < kBorder || right > kImageWidth - kBorder ||
       bottom > kImageHeight - kBorder)
     return std::nullopt;
-  const double carpet = image.y[Image::at(left, top)];
+  const double carpet = image.y[Image::at(left, bottom - 1)];
   double sum = 0.0;
   PixelPoint centre;
   for (int y = top; y < bottom; ++y)
     for (int x = left; x < right; ++x) {
       const double light = image.y[Image::at(x, y)] - carpet;
+      if (light < 0.0) continue;  // above the horizon
       sum += light;
       centre.x += light * (x + 0.5);
       centre.y += light * (y + 0.5);
@@ -87,22 +122,16 @@ struct Errors {
   std::size_t discs = 0;
 };
 
-void compare(const Image& image, const CameraPose& camera, const Marker& marker, Errors& worst) {
-  const Point3<Robot> place{marker.place.x, marker.place.y, 0.0};
-  const auto expected = body::project(camera, place);
-  if (!expected) return;
-  const double range = maths::hypot(
-      maths::hypot(place.x - camera.position.x, place.y - camera.position.y), camera.position.z);
-  const double across = body::kFocalLength * marker.radius / range + 4.0;
-  const auto found = centreOfLight(image, *expected, {across, across});
+void compare(const Image& image, const CameraPose& camera, const Sight& sight, Errors& worst) {
+  const auto found = centreOfLight(image, sight);
   if (!found) return;
   ++worst.discs;
   worst.pixels =
-      std::fmax(worst.pixels, maths::hypot(found->x - expected->x, found->y - expected->y));
-  const double distance = marker.place.norm();
+      std::fmax(worst.pixels, maths::hypot(found->x - sight.centre.x, found->y - sight.centre.y));
+  const double distance = sight.marker->place.norm();
   const auto ground = body::groundPoint(camera, *found);
   if (ground && distance > 90.0 && distance < 110.0)
-    worst.atOneMetre = std::fmax(worst.atOneMetre, kelpie::distance(*ground, marker.place));
+    worst.atOneMetre = std::fmax(worst.atOneMetre, kelpie::distance(*ground, sight.marker->place));
 }
 
 }  // namespace
@@ -121,7 +150,9 @@ Expected<Json> projection(const ExperimentOptions& options) {
     sim::ColumnCameras columns;
     columns.fill(sim::fieldCamera(pose, camera));
     renderer.render(markedScene(pose, markers), columns, random, *image);
-    for (const auto& marker : markers) compare(*image, camera, marker, worst);
+    const auto sights = sightsOf(camera, markers);
+    for (const auto& sight : sights)
+      if (alone(sight, sights)) compare(*image, camera, sight, worst);
     if (options.progress) options.progress(trial + 1, options.trials);
   }
   if (worst.discs == 0) return Error{"no disc was in view"};
