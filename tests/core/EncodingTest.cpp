@@ -94,7 +94,13 @@ void expectRefusedWith(std::size_t at, std::uint8_t value) {
 }
 
 TEST(Encoding, LengthOverTheCapacityIsRefused) {
-  expectRefusedWith(20, 4);
+  auto bytes = kSampleBytes;
+  for (int i = 0; i < 2; ++i) bytes.insert(bytes.end(), kSampleBytes.end() - 9, kSampleBytes.end());
+  bytes[20] = 3;
+  Outer outer;
+  EXPECT_TRUE(decode(bytes.data(), bytes.size(), outer)) << "as many as fit";
+  bytes[20] = 4;
+  EXPECT_FALSE(decode(bytes.data(), bytes.size(), outer)) << "the surplus one cut off";
   expectRefusedWith(23, 0xff);
 }
 

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 
+#include <algorithm>
+#include <csignal>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 
@@ -117,16 +121,16 @@ TEST(Log, KeepsMetadataAndAttachments) {
 TEST(Log, CutAtAnyByteGivesAllWholeMessages) {
   const std::string path = pathOf("log");
   const std::vector<std::size_t> ends = writeSmallLog(path);
-  const std::string whole = contentOf(path);
-  for (std::size_t size = 8; size < whole.size(); ++size) {
-    const Reading reading = readAll(fileWith("cut", whole.substr(0, size)));
+  EXPECT_FALSE(readAll(path).truncated);
+  for (std::size_t size = std::filesystem::file_size(path) - 1; size >= 8; --size) {
+    std::filesystem::resize_file(path, size);
+    const Reading reading = readAll(path);
     const auto expected = std::upper_bound(ends.begin(), ends.end(), size) - ends.begin();
     ASSERT_EQ(reading.error, "") << size;
     ASSERT_EQ(reading.messages, expected) << size;
     ASSERT_TRUE(reading.truncated) << size;
     ASSERT_LE(reading.offset, size);
   }
-  EXPECT_FALSE(readAll(path).truncated);
 }
 
 TEST(Log, ZerosAtTheEndAreACut) {
@@ -143,12 +147,16 @@ TEST(Log, AnyByteBrokenNeverCrashes) {
   const std::string path = pathOf("log");
   writeSmallLog(path);
   const std::string whole = contentOf(path);
+  std::fstream file(path, std::ios::binary | std::ios::in | std::ios::out);
   Random random(3);
   for (std::size_t at = 0; at < whole.size(); ++at) {
-    std::string broken = whole;
-    broken[at] = static_cast<char>(broken[at] ^ static_cast<int>(1 + random.index(255)));
-    EXPECT_LE(readAll(fileWith("broken", broken)).messages, 3);
+    const auto place = static_cast<std::streamoff>(at);
+    const int broken = whole[at] ^ static_cast<int>(1 + random.index(255));
+    file.seekp(place).put(static_cast<char>(broken)).flush();
+    EXPECT_LE(readAll(path).messages, 3);
+    file.seekp(place).put(whole[at]).flush();
   }
+  EXPECT_EQ(readAll(path).messages, 3);
 }
 
 TEST(Log, ForeignFileIsRefusedByName) {
@@ -205,6 +213,27 @@ TEST(Log, FullDiskIsReportedOnceAndEndsTheWriting) {
   EXPECT_FALSE(log);
   EXPECT_EQ(log.error(), "/dev/full: byte 0: cannot write the log: No space left on device");
   EXPECT_EQ(LogWriter::open("/nowhere/log").error(), "/nowhere/log: No such file or directory");
+}
+
+// The limit on file size stands for the full disk: it too lets a write end half way.
+TEST(Log, RecordThatDoesNotFitIsTakenBack) {
+  const std::string path = pathOf("log");
+  LogWriter log = std::move(*LogWriter::open(path));
+  struct rlimit old {};
+  getrlimit(RLIMIT_FSIZE, &old);
+  struct rlimit tight = old;
+  tight.rlim_cur = 1000;
+  const auto oldHandler = std::signal(SIGXFSZ, SIG_IGN);
+  setrlimit(RLIMIT_FSIZE, &tight);
+  for (int i = 0; i < 50; ++i) log.write("walk", TimeUs{i}, WalkRequest{});
+  const Status status = log.close();
+  setrlimit(RLIMIT_FSIZE, &old);
+  std::signal(SIGXFSZ, oldHandler);
+  const std::string place = path + ": byte " + std::to_string(log.bytes());
+  EXPECT_EQ(status.error(), place + ": cannot write the log: File too large");
+  EXPECT_EQ(std::filesystem::file_size(path), log.bytes());
+  EXPECT_GT(readAll(path).messages, 0);
+  EXPECT_EQ(readAll(path).offset, log.bytes());
 }
 
 TEST(Log, TopicKeepsItsType) {
