@@ -82,11 +82,10 @@ void Camera::selectShapes(const Scene& scene, const FieldCamera& camera, double 
 
 void Camera::paintGround(const Scene& scene, const Slice& slice) {
   if (const auto floor = slice.ground(scene.floor)) paint(*floor);
-  const auto carpet = slice.quad(groundQuad(scene.carpet[0], scene.carpet[1], colours::kGreen));
-  if (!carpet) return;
-  Span green = *carpet;
-  green.carpet = 1.0F;
-  paint(green);
+  if (auto carpet = slice.quad(groundQuad(scene.carpet[0], scene.carpet[1], colours::kGreen))) {
+    carpet->carpet = 1.0F;
+    paint(*carpet);
+  }
   for (const Disc& disc : scene.circle) {
     auto span = slice.disc(disc);
     if (!span) continue;

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tools/sim/Ball.h"
+#include "tools/sim/Referee.h"
+
+namespace kelpie::sim {
+namespace {
+
+TEST(Ball, RollsToAStopAtTheAnalyticDistance) {
+  const BallParams params;
+  Ball ball{{100, 100}, {120, 160}};  // 200 cm/s
+  for (int i = 0; i < 2000; ++i) tickBall(ball, {}, {}, params);
+  // dv/dt = -(k v + c): the way is v/k - c/k2 ln(1 + k v / c).
+  const double k = -std::log(0.975) * 30.0;
+  const double way = 200.0 / k - 6.0 / (k * k) * std::log(1.0 + k * 200.0 / 6.0);
+  EXPECT_NEAR(distance(ball.position, Point2<Field>{100, 100}), way, 1e-6 * way);
+  EXPECT_EQ(ball.velocity.norm(), 0.0);
+}
+
+TEST(Ball, LosesAFortiethOfItsSpeedPerFrame) {
+  BallParams params;
+  params.friction = 0.0;
+  Ball ball{{0, 0}, {200, 0}};
+  roll(ball, 1.0 / 30.0, params);
+  EXPECT_NEAR(ball.velocity.x, 195.0, 1e-9);
+}
+
+TEST(Ball, BouncesOffAPost) {
+  const auto field = *body::fieldDescription("2006");
+  const auto obstacles = obstaclesOf(field);
+  Ball ball{{140, 500}, {0, 150}};  // straight at the blue goal's left post, x = 140, y = 540
+  for (int i = 0; i < 60; ++i) tickBall(ball, {}, obstacles, {});
+  EXPECT_LT(ball.velocity.y, -20.0);
+  EXPECT_NEAR(ball.position.x, 140.0, 0.5);
+  EXPECT_LT(ball.position.y, 540.0 - 5.2 + 1e-6);
+}
+
+TEST(Ball, StaysInsideTheGoal) {
+  const auto obstacles = obstaclesOf(*body::fieldDescription("2006"));
+  Ball ball{{180, 530}, {60, 90}};  // too slow to come out again
+  for (int i = 0; i < 400; ++i) tickBall(ball, {}, obstacles, {});
+  EXPECT_GT(ball.position.x, 140.0);
+  EXPECT_LT(ball.position.x, 220.0);
+  EXPECT_LT(ball.position.y, 570.0);
+}
+
+TEST(Ball, PushedByTheChestItRunsAhead) {
+  RobotParams params;
+  std::vector<RobotModel> robots;
+  robots.emplace_back(params, Pose2{{180, 200}, Angle::deg(90)}, 1);
+  Ball ball{{180, 200 + kChestAhead + body::kBallRadius - 0.5}, {}};
+  tickBall(ball, robots, {}, {});
+  EXPECT_NEAR(ball.position.y, 200 + kChestAhead + body::kBallRadius, 0.05);
+  EXPECT_NEAR(ball.position.x, 180.0, 1e-6);
+}
+
+TEST(Ball, NeverRunsFasterThanTheLimit) {
+  Ball ball{{180, 200}, {900, 0}};
+  tickBall(ball, {}, {}, {});
+  EXPECT_LE(ball.velocity.norm(), 300.0 + 1e-9);
+}
+
+TEST(Referee, GoalNeedsTheWholeBallBehindTheLineBetweenThePosts) {
+  const auto field = *body::fieldDescription("2006");
+  EXPECT_EQ(goalFor(field, {180, 544.3}), TeamColour::red);
+  EXPECT_EQ(goalFor(field, {180, -4.3}), TeamColour::blue);
+  EXPECT_FALSE(goalFor(field, {180, 544.1}));
+  EXPECT_FALSE(goalFor(field, {221, 546}));
+  EXPECT_FALSE(goalFor(field, {100, -6}));
+  EXPECT_TRUE(ballOut(field, {100, -6}));
+  EXPECT_TRUE(ballOut(field, {364.3, 300}));
+  EXPECT_FALSE(ballOut(field, {364.1, 300}));
+  EXPECT_FALSE(ballOut(field, {180, 550}));
+}
+
+TEST(Referee, BallOutComesBackToTheThrowInPlace) {
+  const auto field = *body::fieldDescription("2006");
+  Referee referee({}, field);
+  Ball ball{{370, 530}, {50, 0}};
+  referee.tick({8000}, ball);
+  EXPECT_EQ(ball.position.x, 320.0);
+  EXPECT_EQ(ball.position.y, 440.0);
+  EXPECT_EQ(ball.velocity.norm(), 0.0);
+  EXPECT_EQ(referee.score().outs, 1);
+  EXPECT_EQ(referee.takeEvents().size(), 2U);  // start, out
+}
+
+TEST(Referee, MatchEndsAtTheGoalLimitAndAtTheTimeLimit) {
+  const auto field = *body::fieldDescription("2006");
+  RefereeParams params;
+  params.goals = 2;
+  params.seconds = 10;
+  Referee referee(params, field);
+  Ball ball{{180, 550}, {}};
+  referee.tick({8000}, ball);
+  EXPECT_FALSE(referee.finished());
+  EXPECT_EQ(ball.position.y, 270.0);
+  ball.position.y = 550;
+  referee.tick({16000}, ball);
+  EXPECT_TRUE(referee.finished());
+  EXPECT_DOUBLE_EQ(*referee.score().firstGoal, 0.008);
+  Referee timed(params, field);
+  Ball still{{180, 270}, {}};
+  timed.tick({10000000}, still);
+  EXPECT_TRUE(timed.finished());
+}
+
+}  // namespace
+}  // namespace kelpie::sim
