@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+// Builds the sensor and image vectors that the robot would send, and reads the command vectors that
+// an object sends. All in the layouts of OPENR/ODataFormats.h.
+#pragma once
+
+#include <OPENR/ODataFormats.h>
+#include <OPENR/RCRegion.h>
+
+#include <string>
+#include <vector>
+
+#include "robot/core/Image.h"
+#include "robot/host/WorldProtocol.h"
+
+namespace kelpie::host {
+
+class RobotPrimitives;
+
+template <class Info>
+std::size_t vectorBytes(std::size_t count, std::size_t dataBytes) {
+  return sizeof(ODataVectorInfo) + count * (sizeof(Info) + dataBytes);
+}
+
+// Fills the header, and where the data of each info are. The memory is zero before.
+template <class Info, class Data>
+void layOut(ODataVector<Info, Data>& vector, ODataType type, std::size_t count,
+            std::size_t dataBytes) {
+  ODataVectorInfo& header = vector.vectorInfo;
+  header.type = type;
+  header.totalSize = static_cast<longword>(vectorBytes<Info>(count, dataBytes));
+  header.infoOffset = sizeof(ODataVectorInfo);
+  header.infoSize = sizeof(Info);
+  header.maxNumData = static_cast<longword>(count);
+  const std::size_t dataStart = sizeof(ODataVectorInfo) + count * sizeof(Info);
+  for (std::size_t i = 0; i < count; ++i) {
+    vector.GetInfo(i)->dataOffset = static_cast<longword>(dataStart + i * dataBytes);
+    vector.GetInfo(i)->dataSize = static_cast<longword>(dataBytes);
+  }
+}
+
+// Joints and sensors in an order that only the seed knows (0: the order of the tables), as the
+// robot's is not documented either.
+RCRegion* newSensorRegion(std::uint64_t orderSeed);
+void fillSensors(RCRegion& region, std::uint32_t firstTick,
+                 const std::array<SensorFrame, kTicksPerMessage>& frames);
+
+// Layer H alone; highPass: six rows per line instead of three.
+RCRegion* newImageRegion(bool highPass);
+// The last line becomes the tag with the field counter, as on the robot.
+void fillImage(RCRegion& region, const Image& image, std::uint32_t fieldCounter);
+
+// What a command vector orders. Empty text: all of it was understood; otherwise the first complaint
+// about a part that was left out.
+std::string readCommands(const RCRegion& region, const RobotPrimitives& primitives,
+                         EffectorVector& out);
+
+}  // namespace kelpie::host

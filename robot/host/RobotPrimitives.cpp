@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "robot/host/RobotPrimitives.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "robot/host/DataVectors.h"
+
+namespace kelpie::host {
+namespace {
+
+using openr::kJointLocators;
+using openr::kLedLocators;
+using openr::kSensorLocators;
+using openr::Sensor;
+
+constexpr OPrimitiveID kKindStep = 0x100;
+constexpr std::size_t kMaxCommands = 64;  // infos in a vector; the ERS-7 has 46 effectors
+constexpr slongword kPressedBack = 40;    // above every on threshold of the back sensors (14)
+
+slongword rounded(double value) { return static_cast<slongword>(std::floor(value + 0.5)); }
+
+template <std::size_t N>
+std::optional<Primitive> lookUp(const std::array<const char*, N>& table, PrimitiveKind kind,
+                                const char* locator) {
+  for (std::size_t i = 0; i < N; ++i) {
+    if (std::strcmp(table[i], locator) == 0) return Primitive{kind, i};
+  }
+  return std::nullopt;
+}
+
+std::optional<Primitive> withLocator(const char* locator) {
+  auto found = lookUp(kJointLocators, PrimitiveKind::joint, locator);
+  if (!found) found = lookUp(kSensorLocators, PrimitiveKind::sensor, locator);
+  if (!found) found = lookUp(kLedLocators, PrimitiveKind::led, locator);
+  if (!found && std::strcmp(openr::kCameraLocator, locator) == 0) {
+    found = Primitive{PrimitiveKind::camera, 0};
+  }
+  return found;
+}
+
+double saturated(double value, const openr::SensorRange& range) {
+  return std::clamp(value, range.min, range.max);
+}
+
+double lengthOf(Sensor sensor, const SensorFrame& frame) {
+  if (sensor == Sensor::headNear) return saturated(frame.headNearDistance, openr::kHeadNearRange);
+  if (sensor == Sensor::headFar) return saturated(frame.headFarDistance, openr::kHeadFarRange);
+  return saturated(frame.chestDistance, openr::kChestRange);
+}
+
+double accelerationOf(Sensor sensor, const SensorFrame& frame) {
+  if (sensor == Sensor::accelerationBack) {
+    return saturated(-frame.acceleration[0], openr::kAccelerationRange);
+  }
+  const double value =
+      sensor == Sensor::accelerationLeft ? frame.acceleration[1] : frame.acceleration[2];
+  return saturated(value, openr::kAccelerationRange);
+}
+
+slongword touchOf(Sensor sensor, const SensorFrame& frame) {
+  switch (sensor) {
+    case Sensor::chin: return frame.chin ? 1 : 0;
+    case Sensor::headTouch: return rounded(saturated(frame.headTouch, openr::kHeadTouchRange));
+    case Sensor::backFront: return frame.back[0] ? kPressedBack : 0;
+    case Sensor::backMiddle: return frame.back[1] ? kPressedBack : 0;
+    case Sensor::backRear: return frame.back[2] ? kPressedBack : 0;
+    default: return frame.paw[index(sensor) - index(Sensor::pawLeftFront)] ? 1 : 0;
+  }
+}
+
+}  // namespace
+
+OPrimitiveID identifier(Primitive primitive) {
+  const auto kind = static_cast<OPrimitiveID>(primitive.kind) + 1;
+  return kind * kKindStep + static_cast<OPrimitiveID>(primitive.index);
+}
+
+OSensorValue rawSensor(Sensor sensor, const SensorFrame& frame) {
+  OSensorValue raw{};
+  if (sensor <= Sensor::chest) {
+    raw.value = rounded(lengthOf(sensor, frame) / openr::kMicrometre);
+  } else if (sensor <= Sensor::accelerationUp) {
+    raw.value = rounded(accelerationOf(sensor, frame) / openr::kMicrometre);
+  } else {
+    raw.value = touchOf(sensor, frame);
+  }
+  return raw;
+}
+
+OJointValue rawJoint(std::size_t joint, const SensorFrame& frame) {
+  OJointValue raw{};
+  raw.value = rounded(frame.joints.angle[joint].rad() / openr::kMicroradian);
+  raw.pwmDuty =
+      static_cast<sword>(rounded(std::clamp(frame.duty[joint], -1.0, 1.0) * openr::kFullDuty));
+  return raw;
+}
+
+std::optional<Primitive> RobotPrimitives::find(OPrimitiveID id) const {
+  if (std::find(opened_.begin(), opened_.end(), id) == opened_.end()) return std::nullopt;
+  return Primitive{static_cast<PrimitiveKind>(id / kKindStep - 1), id % kKindStep};
+}
+
+OStatus RobotPrimitives::openPrimitive(const char* locator, OPrimitiveID* id) {
+  *id = oprimitiveID_UNDEF;
+  const auto primitive = withLocator(locator);
+  if (!primitive) return oNOT_FOUND;
+  *id = identifier(*primitive);
+  if (!find(*id)) opened_.push_back(*id);
+  return oSUCCESS;
+}
+
+OStatus RobotPrimitives::closePrimitive(OPrimitiveID id) {
+  const auto place = std::find(opened_.begin(), opened_.end(), id);
+  if (place == opened_.end()) return oINVALID_PRIMITIVE_ID;
+  enableGain(id, false);
+  opened_.erase(place);
+  return oSUCCESS;
+}
+
+OStatus RobotPrimitives::controlPrimitive(OPrimitiveID id, OPrimitiveRequest request,
+                                          longword parameter) {
+  const auto primitive = find(id);
+  if (!primitive) return oINVALID_PRIMITIVE_ID;
+  if (primitive->kind != PrimitiveKind::camera) return oINVALID_REQUEST;
+  longword* setting = nullptr;
+  if (request == oprmreqCAM_SET_WHITE_BALANCE) setting = &camera_.whiteBalance;
+  if (request == oprmreqCAM_SET_GAIN) setting = &camera_.gain;
+  if (request == oprmreqCAM_SET_SHUTTER_SPEED) setting = &camera_.shutter;
+  if (setting == nullptr) return oINVALID_REQUEST;
+  if (parameter < 1 || parameter > 3) return oINVALID_ARG;
+  *setting = parameter;
+  return oSUCCESS;
+}
+
+OStatus RobotPrimitives::newCommandVector(std::size_t count, MemoryRegionID* memID,
+                                          OCommandVectorData** data) {
+  if (count > kMaxCommands) return oSIZE_TOO_LARGE;
+  const std::size_t bytes = vectorBytes<OCommandInfo>(count, sizeof(OCommandData));
+  auto memory = std::make_unique<longword[]>(bytes / sizeof(longword));
+  auto* vector = reinterpret_cast<OCommandVectorData*>(memory.get());
+  *memID = ++lastRegion_;
+  layOut(*vector, odataCOMMAND_VECTOR, count, sizeof(OCommandData));
+  vector->vectorInfo.memRegionID = *memID;
+  for (std::size_t i = 0; i < count; ++i) {
+    vector->GetInfo(i)->frameSize = sizeof(OCommandValue);
+    vector->GetInfo(i)->primitiveID = oprimitiveID_UNDEF;
+  }
+  *data = vector;
+  vectors_[*memID] = std::move(memory);
+  return oSUCCESS;
+}
+
+OStatus RobotPrimitives::deleteCommandVector(MemoryRegionID memID) {
+  return vectors_.erase(memID) == 1 ? oSUCCESS : oINVALID_DATA_VECTOR_ID;
+}
+
+std::uint32_t RobotPrimitives::jointsNamed(OPrimitiveID id) const {
+  std::uint32_t joints = 0;
+  for (const OPrimitiveID open : opened_) {
+    const auto primitive = find(open);
+    const bool named = id == oprimitiveID_UNDEF || id == open;
+    if (named && primitive->kind == PrimitiveKind::joint) joints |= 1U << primitive->index;
+  }
+  return joints;
+}
+
+OStatus RobotPrimitives::enableGain(OPrimitiveID id, bool enable) {
+  const std::uint32_t joints = jointsNamed(id);
+  if (joints == 0) return oINVALID_PRIMITIVE_ID;
+  gainsEnabled_ = enable ? gainsEnabled_ | joints : gainsEnabled_ & ~joints;
+  return oSUCCESS;
+}
+
+OStatus RobotPrimitives::setGain(OPrimitiveID id, const openr::GainSettings& gain) {
+  const std::uint32_t joints = jointsNamed(id);
+  if (joints == 0) return oINVALID_PRIMITIVE_ID;
+  if ((joints & ~gainsEnabled_) != 0) return oGAIN_DISABLED;
+  for (std::size_t i = 0; i < kJointCount; ++i) {
+    if ((joints >> i & 1U) != 0) gains_[i] = gain;
+  }
+  return oSUCCESS;
+}
+
+OStatus RobotPrimitives::getGain(OPrimitiveID id, openr::GainSettings* gain) {
+  const auto primitive = find(id);
+  if (!primitive || primitive->kind != PrimitiveKind::joint) return oINVALID_PRIMITIVE_ID;
+  *gain = gains_[primitive->index];
+  return (gainsEnabled_ >> primitive->index & 1U) != 0 ? oSUCCESS : oGAIN_DISABLED;
+}
+
+OStatus RobotPrimitives::jointValue(OPrimitiveID id, OJointValue* value) {
+  const auto primitive = find(id);
+  if (!primitive || primitive->kind != PrimitiveKind::joint) return oINVALID_PRIMITIVE_ID;
+  if (!latest_) return oNOT_AVAILABLE;
+  *value = rawJoint(primitive->index, *latest_);
+  return oSUCCESS;
+}
+
+OStatus RobotPrimitives::sensorValue(OPrimitiveID id, OSensorValue* value) {
+  const auto primitive = find(id);
+  if (!primitive || primitive->kind != PrimitiveKind::sensor) return oINVALID_PRIMITIVE_ID;
+  if (!latest_) return oNOT_AVAILABLE;
+  *value = rawSensor(static_cast<Sensor>(primitive->index), *latest_);
+  return oSUCCESS;
+}
+
+OStatus RobotPrimitives::setMotorPower(OPower power) {
+  power_ = power;
+  return oSUCCESS;
+}
+
+}  // namespace kelpie::host

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+// The half of the system calls that concerns the body: which primitives are open, motor power and
+// gains, the latest sensor values, camera settings, the memory of command vectors. Unknown locators
+// and identifiers are refused with the documented status.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "robot/core/Motion.h"
+#include "robot/openr/Ers7Primitives.h"
+#include "robot/openr/System.h"
+
+namespace kelpie::host {
+
+enum class PrimitiveKind : std::uint8_t { joint, sensor, led, camera };
+
+struct Primitive {
+  PrimitiveKind kind = PrimitiveKind::joint;
+  std::size_t index = 0;  // Joint, Sensor or number of the LED
+};
+
+// The identifier that a primitive gets when it is opened.
+OPrimitiveID identifier(Primitive primitive);
+
+// A raw sensor value as the robot gives it, rounded to its integer units.
+OSensorValue rawSensor(openr::Sensor sensor, const SensorFrame& frame);
+OJointValue rawJoint(std::size_t joint, const SensorFrame& frame);
+
+struct CameraSettings {
+  longword whiteBalance = ocamparamWB_FL_MODE;  // the robot's defaults
+  longword gain = ocamparamGAIN_MID;
+  longword shutter = ocamparamSHUTTER_SPEED_MID;
+};
+
+class RobotPrimitives : public openr::System {
+ public:
+  // An opened primitive, or nothing.
+  std::optional<Primitive> find(OPrimitiveID id) const;
+  bool cameraOpen() const { return find(identifier({PrimitiveKind::camera, 0})).has_value(); }
+  bool motorPower() const { return power_; }
+  std::uint32_t gains() const { return gainsEnabled_; }  // bit i: joint i
+  const CameraSettings& camera() const { return camera_; }
+
+  // The latest sensor values, for GetJointValue and GetSensorValue.
+  void setLatest(const SensorFrame& frame) { latest_ = frame; }
+
+  OStatus openPrimitive(const char* locator, OPrimitiveID* id) override;
+  OStatus closePrimitive(OPrimitiveID id) override;
+  OStatus controlPrimitive(OPrimitiveID id, OPrimitiveRequest request, longword parameter) override;
+  OStatus newCommandVector(std::size_t count, MemoryRegionID* memID,
+                           OCommandVectorData** data) override;
+  OStatus deleteCommandVector(MemoryRegionID memID) override;
+  OStatus enableGain(OPrimitiveID id, bool enable) override;
+  OStatus setGain(OPrimitiveID id, const openr::GainSettings& gain) override;
+  OStatus getGain(OPrimitiveID id, openr::GainSettings* gain) override;
+  OStatus jointValue(OPrimitiveID id, OJointValue* value) override;
+  OStatus sensorValue(OPrimitiveID id, OSensorValue* value) override;
+  OStatus setMotorPower(OPower power) override;
+
+ private:
+  std::uint32_t jointsNamed(OPrimitiveID id) const;  // bits; UNDEF names all opened joints
+
+  std::vector<OPrimitiveID> opened_;
+  bool power_ = false;
+  std::uint32_t gainsEnabled_ = 0;
+  std::array<openr::GainSettings, kJointCount> gains_{};
+  CameraSettings camera_;
+  std::optional<SensorFrame> latest_;
+  std::map<MemoryRegionID, std::unique_ptr<longword[]>> vectors_;
+  MemoryRegionID lastRegion_ = 0;
+};
+
+}  // namespace kelpie::host

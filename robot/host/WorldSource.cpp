@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "robot/host/WorldSource.h"
+
+#include <cmath>
+#include <cstdio>
+
+#include "robot/host/Messages.h"
+
+namespace kelpie::host {
+namespace {
+
+// Values out of range are the sensors' business (they saturate); not a number is the world's fault.
+bool isFinite(const SensorFrame& frame) {
+  bool good = std::isfinite(frame.headNearDistance) && std::isfinite(frame.headFarDistance) &&
+              std::isfinite(frame.chestDistance) && std::isfinite(frame.headTouch);
+  for (std::size_t i = 0; i < kJointCount; ++i) {
+    good = good && std::isfinite(frame.joints.angle[i].rad()) && std::isfinite(frame.duty[i]);
+  }
+  for (const double a : frame.acceleration) good = good && std::isfinite(a);
+  return good;
+}
+
+}  // namespace
+
+Expected<WorldSource> WorldSource::connect(const std::string& path, const AgentHello& hello,
+                                           const ConnectionParams& params) {
+  Expected<Connection> connection = Connection::connect(path, params);
+  if (!connection) return Error{"world socket: " + connection.error()};
+  return join(std::move(*connection), hello);
+}
+
+Expected<WorldSource> WorldSource::join(Connection connection, const AgentHello& hello) {
+  WorldSource source(std::move(connection));
+  const Status sent = sendMessage(source.connection_, MessageType::hello, hello, source.body_);
+  if (!sent) return source.complaint(sent.error());
+  return source;
+}
+
+Expected<bool> WorldSource::next(WorldEvent& event) {
+  const Expected<MessageType> type = connection_.receive(body_);
+  if (!type) return complaint(type.error());
+  if (*type == MessageType::step) return readStep(event);
+  if (*type != MessageType::goodbye) {
+    return complaint(std::string(messageName(*type)) +
+                     " message where step or goodbye was expected");
+  }
+  Goodbye goodbye;
+  const Status read = readBody(*type, body_, goodbye);
+  if (!read) return complaint(read.error());
+  return false;
+}
+
+Expected<bool> WorldSource::readStep(WorldEvent& event) {
+  const Status read = readBody(MessageType::step, body_, event.step);
+  if (!read) return complaint(read.error());
+  if (event.step.time < time_) return complaint("the time of a step runs backwards");
+  time_ = event.step.time;
+  for (const SensorFrame& frame : event.step.sensors) {
+    if (!isFinite(frame)) return complaint("a sensor value of a step is not a number");
+  }
+  if (!event.step.imagePresent) return true;
+  const Status image = receiveMessage(connection_, MessageType::image, event.image, body_);
+  if (!image) return complaint(image.error());
+  return true;
+}
+
+Status WorldSource::reply(const AgentReply& reply) {
+  const Status sent = sendMessage(connection_, MessageType::reply, reply, body_);
+  if (!sent) return complaint(sent.error());
+  return Done{};
+}
+
+Error WorldSource::complaint(const std::string& what) const {
+  char time[32];
+  std::snprintf(time, sizeof time, " at %.3f s", time_.seconds());
+  return {"world socket: " + what + time};
+}
+
+}  // namespace kelpie::host
