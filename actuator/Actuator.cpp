@@ -23,6 +23,8 @@ std::uint32_t rampTicks(const ActuatorParams& params) {
 void begin(const MotionInput& in, ActuatorState& state) {
   state.started = true;
   state.rampFrom = in.sensors.back().joints;
+  for (Angle& angle : state.rampFrom.angle)
+    if (!std::isfinite(angle.rad())) angle = Angle();
   state.target = state.rampFrom;
 }
 
@@ -47,8 +49,8 @@ void stepMotion(const ActuatorParams& params, ActuatorState& state) {
     stepChestKick(state.motion.tick, params, state.gait);
   else
     stepGait({}, params, state.gait);
-  if (++state.motion.tick >= motionTicks(state.motion.kind, params))
-    state.motion = {MotionKind::none, 0, true};
+  if (++state.motion.tick < motionTicks(state.motion.kind, params)) return;
+  state.motion = {MotionKind::none, 0, true};
 }
 
 void stepLegs(const Command& command, const ActuatorParams& params, ActuatorState& state) {
@@ -104,25 +106,34 @@ bool ready(const ActuatorParams& params, const ActuatorState& state) {
   return state.rampTick >= rampTicks(params);
 }
 
+void record(ActuatorState& state) {
+  state.walked[state.walkedNext % state.walked.size()] = state.gait.velocity;
+  ++state.walkedNext;
+}
+
 void tick(const Command& command, const ActuatorParams& params, ActuatorState& state) {
+  const bool moving = motionRunning(state);
   if (ready(params, state))
     stepLegs(command, params, state);
   else
     stepGait({}, params, state.gait);
   guard(ramped(wished(command, params, state), params, state), params, state);
-  state.walked[state.walkedNext % state.walked.size()] = state.gait.velocity;
-  ++state.walkedNext;
+  record(state);
+  // A motion ends at rest: what its last tick leaves of speed would cost two half steps.
+  if (moving && !motionRunning(state)) state.gait.velocity = {};
 }
 
 // What the body did in the last four ticks: commanded velocity some ticks ago, calibrated.
 Odometry odometry(const OdometryParams& params, const ActuatorState& state) {
   Odometry sum;
-  for (std::uint32_t i = 1; i <= kTicksPerMessage; ++i) {
+  for (std::uint32_t i = kTicksPerMessage; i >= 1; --i) {
     if (state.walkedNext < i + params.delayTicks) continue;
     const Velocity& v =
         state.walked[(state.walkedNext - i - params.delayTicks) % state.walked.size()];
-    sum.forward += v.forward * params.forwardScale * kTickSeconds;
-    sum.left += v.left * params.leftScale * kTickSeconds;
+    const double forward = v.forward * params.forwardScale * kTickSeconds;
+    const double left = v.left * params.leftScale * kTickSeconds;
+    sum.forward += forward * sum.turn.cos() - left * sum.turn.sin();
+    sum.left += forward * sum.turn.sin() + left * sum.turn.cos();
     sum.turn = sum.turn + Angle::rad(v.turn * params.turnScale * kTickSeconds);
   }
   return sum;

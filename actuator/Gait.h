@@ -20,6 +20,6 @@ Velocity slewed(const Velocity& now, const WalkRequest& request, const ActuatorP
 void stepGait(const WalkRequest& request, const ActuatorParams& params, GaitState& state);
 
 // Joint angles that bring the feet to their positions with the body carried as `stance` says.
-void legsForFeet(const GaitState& state, const StanceParams& stance, JointAngles& joints);
+void legsForFeet(const GaitState& state, const StanceParams& params, JointAngles& joints);
 
 }  // namespace kelpie::actuator

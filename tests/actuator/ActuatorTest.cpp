@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "actuator/Actuator.h"
+#include "robot/body/Ers7.h"
+#include "robot/core/Random.h"
+#include "tests/actuator/Walker.h"
+
+namespace kelpie::actuator {
+namespace {
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+double largestStep(const JointAngles& a, const JointAngles& b) {
+  double largest = 0.0;
+  for (std::size_t j = 0; j < kJointCount; ++j)
+    largest = std::fmax(largest, std::fabs((a.angle[j] - b.angle[j]).deg()));
+  return largest;
+}
+
+bool insideLimits(const JointAngles& joints) {
+  for (std::size_t j = 0; j < kJointCount; ++j) {
+    const double a = joints.angle[j].deg();
+    if (!(a >= body::kJointRanges[j].min - 1e-9 && a <= body::kJointRanges[j].max + 1e-9))
+      return false;
+  }
+  return true;
+}
+
+JointAngles randomPose(Random& random) {
+  JointAngles joints;
+  for (std::size_t j = 0; j < kJointCount; ++j)
+    joints.angle[j] =
+        Angle::deg(random.uniform(body::kJointRanges[j].min, body::kJointRanges[j].max));
+  return joints;
+}
+
+Command randomCommand(Random& random) {
+  Command command;
+  command.walk = {random.uniform(-60, 60), random.uniform(-60, 60), random.uniform(-6, 6)};
+  command.head.neckTilt = Angle::deg(random.uniform(-170, 170));
+  command.head.headPan = Angle::deg(random.uniform(-170, 170));
+  command.head.headNod = Angle::deg(random.uniform(-170, 170));
+  command.head.speed = random.uniform(-1, 10);
+  command.mouthOpen = random.chance(0.5);
+  if (random.chance(0.1)) command.motion = static_cast<MotionKind>(random.index(3));
+  return command;
+}
+
+TEST(Start, RampNeverJumpsAndEndsInTheStanceAfterASecond) {
+  Random random(31);
+  for (int i = 0; i < 50; ++i) {
+    Walker w;
+    JointAngles last = randomPose(random);
+    for (SensorFrame& sensors : w.input.sensors) sensors.joints = last;
+    w.run(Command{}, 30);
+    EXPECT_FALSE(w.out.status.ready);
+    w.run(Command{}, 10);
+    EXPECT_TRUE(w.out.status.ready);
+    for (const JointAngles& joints : w.ticks) {
+      ASSERT_LE(largestStep(joints, last), 4.0 + 1e-9);
+      last = joints;
+    }
+    const Stance stance = body::stanceFromLegs(last);
+    EXPECT_NEAR(stance.shoulderHeight, 9.5, 1e-6);
+    EXPECT_NEAR(stance.bodyTilt.deg(), 11.7, 1e-6);
+  }
+}
+
+TEST(Start, WalkRequestWaitsForTheRamp) {
+  Walker w;
+  w.run(WalkRequest{30, 0, 0}, 20);
+  EXPECT_EQ(w.state.gait.velocity.forward, 0.0);
+}
+
+TEST(Joints, StayInsideLimitsAndSlewForAThousandRandomCommands) {
+  Random random(32);
+  Walker w;
+  w.standUp();
+  JointAngles last = w.state.target;
+  for (int i = 0; i < 1000; ++i) {
+    w.ticks.clear();
+    w.run(randomCommand(random), 1 + static_cast<int>(random.index(6)));
+    for (const JointAngles& joints : w.ticks) {
+      ASSERT_TRUE(insideLimits(joints));
+      ASSERT_LE(largestStep(joints, last), 20.0 + 1e-9);
+      for (std::size_t j = 0; j < 4; ++j)
+        ASSERT_LE(std::fabs((joints.angle[j] - last.angle[j]).deg()), 4.0 + 1e-9);
+      last = joints;
+    }
+  }
+}
+
+TEST(Joints, WalkingChangesNoJointByMoreThanFourDegreesATick) {
+  Random random(33);
+  Walker w;
+  w.standUp();
+  JointAngles last = w.state.target;
+  for (int i = 0; i < 200; ++i) {
+    Command command = randomCommand(random);
+    command.motion = MotionKind::none;
+    w.ticks.clear();
+    w.run(command, 5);
+    for (const JointAngles& joints : w.ticks) {
+      ASSERT_LE(largestStep(joints, last), 4.0 + 1e-9);
+      last = joints;
+    }
+  }
+}
+
+TEST(Joints, NotANumberAndInfinityInTheCommandReachNoJoint) {
+  for (const double bad : {kNan, std::numeric_limits<double>::infinity(), -1e300}) {
+    Walker w;
+    w.standUp();
+    Command command;
+    command.walk = {bad, bad, bad};
+    command.head = {Angle::rad(bad), Angle::rad(bad), Angle::rad(bad), bad};
+    w.run(command, 30);
+    for (const JointAngles& joints : w.ticks) ASSERT_TRUE(insideLimits(joints));
+    for (const Odometry& odometry : w.travelled) ASSERT_TRUE(std::isfinite(odometry.forward));
+  }
+}
+
+TEST(Joints, NotANumberFromTheSensorsReachesNoJoint) {
+  Walker w;
+  for (SensorFrame& sensors : w.input.sensors)
+    for (Angle& angle : sensors.joints.angle) angle = Angle::rad(kNan);
+  w.run(Command{}, 40);
+  for (const JointAngles& joints : w.ticks)
+    for (const Angle angle : joints.angle) ASSERT_TRUE(std::isfinite(angle.rad()));
+  EXPECT_NEAR(body::stanceFromLegs(w.ticks.back()).shoulderHeight, 9.5, 1e-6);
+}
+
+TEST(Odometry, OfAStraightWalkIsTheIntegralOfTheSpeedSomeTicksLate) {
+  ActuatorParams params;
+  params.odometry.delayTicks = 8;  // two whole messages
+  Walker w(params);
+  w.standUp();
+  double walked = 0.0;
+  double told = 0.0;
+  for (int i = 0; i < 100; ++i) {
+    for (int tick = 0; tick < 4; ++tick)  // 90 cm/s2 up to 20 cm/s
+      walked += 0.008 * std::fmin(20.0, 90.0 * 0.008 * (4 * i + tick + 1));
+    w.run(WalkRequest{20, 0, 0}, 1);
+    told += w.out.odometry.forward;
+    ASSERT_EQ(w.out.odometry.left, 0.0);
+  }
+  EXPECT_NEAR(walked - told, 8 * 0.008 * 20.0, 1e-9);
+}
+
+TEST(Odometry, ScalesCalibrateEachDirection) {
+  ActuatorParams params;
+  params.odometry = {0.5, 0.7, 0.9, 0};
+  Walker w(params);
+  w.standUp();
+  w.run(WalkRequest{10, 5, 0}, 60);
+  EXPECT_NEAR(w.out.odometry.forward, 0.5 * 10 * 0.032, 1e-9);
+  EXPECT_NEAR(w.out.odometry.left, 0.7 * 5 * 0.032, 1e-9);
+  w.run(WalkRequest{0, 0, 1}, 60);
+  EXPECT_NEAR(w.out.odometry.turn.rad(), 0.9 * 1 * 0.032, 1e-9);
+}
+
+// A full circle at constant speed and turn ends where it began.
+TEST(Odometry, CirclesClose) {
+  ActuatorParams params;
+  params.odometry.delayTicks = 0;
+  Walker w(params);
+  w.standUp();
+  const double turn = 2.0 * maths::kPi / (125 * 0.032);
+  w.run(WalkRequest{5, 0, turn}, 50);
+  Pose2 pose;
+  for (int i = 0; i < 125; ++i) {
+    w.run(WalkRequest{5, 0, turn}, 1);
+    const Odometry& o = w.out.odometry;
+    pose.position = fieldFromRobot(pose, {-o.left, o.forward});
+    pose.heading = pose.heading + o.turn;
+  }
+  EXPECT_NEAR(pose.position.norm(), 0.0, 1e-6);
+  EXPECT_NEAR(pose.heading.rad(), 0.0, 1e-9);
+}
+
+TEST(Status, TellsTheMotionAndHowLongItStillTakes) {
+  Walker w;
+  w.standUp();
+  Command kick;
+  kick.motion = MotionKind::kickForward;
+  w.run(kick, 1);
+  EXPECT_EQ(w.out.status.running, MotionKind::kickForward);
+  const double left = w.out.status.secondsLeft;
+  EXPECT_GT(left, 0.2);
+  w.run(kick, 2);
+  EXPECT_NEAR(w.out.status.secondsLeft, left - 0.064, 1e-9);
+  w.run(kick, 40);
+  EXPECT_EQ(w.out.status.running, MotionKind::none);  // one request, one kick
+  w.run(Command{}, 1);
+  w.run(kick, 1);
+  EXPECT_EQ(w.out.status.running, MotionKind::kickForward);
+}
+
+TEST(Outputs, LedsPassAndTheStanceIsThatOfTheSensedLegs) {
+  Walker w;
+  w.standUp();
+  Command command;
+  command.leds = 0x5a5a;
+  w.run(command, 1);
+  for (const JointFrame& frame : w.out.joints) EXPECT_EQ(frame.leds, 0x5a5au);
+  EXPECT_NEAR(w.out.stance.shoulderHeight, w.params.stance.shoulderHeight, 1e-9);
+  EXPECT_NEAR(w.out.stance.bodyTilt.rad(), w.params.stance.bodyTilt.rad(), 1e-9);
+}
+
+TEST(Outputs, TheSameInputsGiveTheSameBits) {
+  Walker a;
+  Walker b;
+  for (const WalkRequest& walk : {WalkRequest{}, {20, 3, 1}, {0, 0, -2}}) {
+    a.run(walk, 40);
+    b.run(walk, 40);
+  }
+  for (std::size_t t = 0; t < a.ticks.size(); ++t) ASSERT_EQ(a.ticks[t].angle, b.ticks[t].angle);
+}
+
+}  // namespace
+}  // namespace kelpie::actuator
