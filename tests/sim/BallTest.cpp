@@ -68,6 +68,7 @@ TEST(Referee, GoalNeedsTheWholeBallBehindTheLineBetweenThePosts) {
   EXPECT_EQ(goalFor(field, {180, 544.3}), TeamColour::red);
   EXPECT_EQ(goalFor(field, {180, -4.3}), TeamColour::blue);
   EXPECT_FALSE(goalFor(field, {180, 544.1}));
+  EXPECT_FALSE(goalFor(field, {180, -4.1}));
   EXPECT_FALSE(goalFor(field, {221, 546}));
   EXPECT_FALSE(goalFor(field, {100, -6}));
   EXPECT_TRUE(ballOut(field, {100, -6}));
