@@ -12,7 +12,14 @@ namespace kelpie::gps {
 namespace {
 
 constexpr double kImageMargin = 12.0;     // px; a ball cut by the image border may be missed
-constexpr double kCandidateReach = 25.0;  // cm between two sightings of one jump
+constexpr double kCandidateReach = 15.0;  // cm between two sightings of a new ball, and
+constexpr double kCandidateShare = 0.1;   // of its distance more
+constexpr double kCandidateTime = 0.35;   // s between them
+constexpr double kCutSd = 4.0;            // cm, of a ball that the image border cuts
+// Where no ball can be: the trunk and what is between the paws, in the robot frame.
+constexpr double kBodyFront = 5.5;
+constexpr double kBodyBack = -18.0;
+constexpr double kBodyHalfWidth = 8.0;
 
 struct Sighting {
   Vector2 position;
@@ -25,11 +32,16 @@ bool usable(const BallPercept& p) {
          p.distanceVariance > 0.0 && std::isfinite(p.headingVariance) && p.headingVariance > 0.0;
 }
 
+bool cut(const BallPercept& p) {
+  return p.centre.x < p.radius || p.centre.x > kImageWidth - p.radius || p.centre.y < p.radius ||
+         p.centre.y > kImageHeight - p.radius;
+}
+
 Sighting sighting(const BallPercept& p, const BallParams& params) {
   const Point2<Robot> at = robotPolar(p.distance, p.heading);
   const Vector2 along(at.x / p.distance, at.y / p.distance);
   const Vector2 across(-along(1), along(0));
-  const double least = maths::square(params.minSd);
+  const double least = maths::square(cut(p) ? kCutSd : params.minSd);
   const double radial = std::max(p.distanceVariance, least);
   const double sideways = std::max(maths::square(p.distance) * p.headingVariance, least);
   return {Vector2(at.x, at.y),
@@ -44,6 +56,12 @@ void begin(BallTrack& ball, const Sighting& z, double speedSd) {
   covariance(2, 2) = covariance(3, 3) = maths::square(speedSd);
   set(ball, mean, covariance);
   ball.present = true;
+}
+
+void seenNow(BallTrack& ball) {
+  ball.candidatePresent = false;
+  ball.secondsSinceSeen = ball.doubt = 0.0;
+  ball.missed = 0;
 }
 
 // False when the sighting lies outside the gate; nothing is changed then.
@@ -61,20 +79,19 @@ bool correct(BallTrack& ball, const Sighting& z, double gate) {
   return true;
 }
 
-// A sighting outside the gate: the second one near the first starts the track anew.
-void jump(const Sighting& z, const BallParams& params, GpsState& state) {
-  BallTrack& ball = state.ball;
-  state.count(Refusal::ballOutsideGate);
+// A sighting that fits nothing known: the second one near the first begins a track. One alone may
+// be a shoe beyond the carpet.
+void consider(const Sighting& z, double speedSd, BallTrack& ball) {
   const double apart =
       maths::hypot(z.position(0) - ball.candidate[0], z.position(1) - ball.candidate[1]);
-  if (ball.candidatePresent && apart < kCandidateReach) {
-    begin(ball, z, params.kickSpeedSd);
-    ball.candidatePresent = false;
-    ball.secondsSinceSeen = ball.doubt = 0.0;
-    ball.missed = 0;
+  const double reach = kCandidateReach + kCandidateShare * z.position.norm();
+  if (ball.candidatePresent && ball.candidateAge < kCandidateTime && apart < reach) {
+    begin(ball, z, speedSd);
+    seenNow(ball);
     return;
   }
   ball.candidatePresent = true;
+  ball.candidateAge = 0.0;
   ball.candidate = {z.position(0), z.position(1)};
 }
 
@@ -82,14 +99,13 @@ void see(const BallPercept& percept, const BallParams& params, GpsState& state) 
   BallTrack& ball = state.ball;
   const Sighting z = sighting(percept, params);
   if (!ball.present) {
-    begin(ball, z, params.startSpeedSd);
-  } else if (!correct(ball, z, params.gate)) {
-    jump(z, params, state);
-    return;
+    consider(z, params.startSpeedSd, ball);
+  } else if (correct(ball, z, params.gate)) {
+    seenNow(ball);
+  } else {
+    state.count(Refusal::ballOutsideGate);
+    consider(z, params.kickSpeedSd, ball);
   }
-  ball.candidatePresent = false;
-  ball.secondsSinceSeen = ball.doubt = 0.0;
-  ball.missed = 0;
 }
 
 bool shouldBeSeen(const FrameInput& input, const BallTrack& ball, const BallParams& params) {
@@ -119,6 +135,15 @@ void expectKick(const FrameInput& input, const BallParams& params, BallTrack& ba
   }
 }
 
+// A track that has run into the body is put before it, at rest.
+void keepOutOfBody(BallTrack& ball) {
+  const bool inside = std::fabs(ball.mean[0]) < kBodyHalfWidth && ball.mean[1] < kBodyFront &&
+                      ball.mean[1] > kBodyBack;
+  if (!inside) return;
+  ball.mean[1] = kBodyFront;
+  ball.mean[2] = ball.mean[3] = 0.0;
+}
+
 void checkFinite(GpsState& state) {
   const BallTrack& ball = state.ball;
   if (meanOf(ball).allFinite() && covarianceOf(ball).allFinite()) return;
@@ -132,10 +157,12 @@ void stepBall(const FrameInput& input, const BallPercept& percept, const StepNoi
               const GpsParams& params, GpsState& state) {
   BallTrack& ball = state.ball;
   ball.secondsSinceSeen += input.elapsed;
+  ball.candidateAge += input.elapsed;
   if (ball.present) {
     if (plausible(input.odometry)) moveRobot(ball, input.odometry, noise);
     expectKick(input, params.ball, ball);
     roll(ball, input.elapsed, params.ball);
+    keepOutOfBody(ball);
   }
   const bool good = percept.present && usable(percept);
   if (percept.present && !good) state.count(Refusal::ballNotFinite);

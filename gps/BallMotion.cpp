@@ -45,7 +45,7 @@ void moveRobot(BallTrack& ball, const Odometry& odometry, const StepNoise& noise
 void roll(BallTrack& ball, double elapsed, const BallParams& params) {
   BallVector mean = meanOf(ball);
   const double speed = maths::hypot(mean(2), mean(3));
-  const double slower = params.deceleration * elapsed;
+  const double slower = (params.deceleration + params.drag * speed) * elapsed;
   const double factor = speed > slower ? (speed - slower) / speed : 0.0;
   BallMatrix f = BallMatrix::Identity();
   f(0, 2) = f(1, 3) = 0.5 * (1.0 + factor) * elapsed;

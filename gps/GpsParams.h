@@ -96,7 +96,8 @@ struct ModeParams {
 };
 
 struct BallParams {
-  double deceleration = 30.0;      // cm/s2 of a rolling ball
+  double deceleration = 6.0;       // cm/s2 of a slow rolling ball
+  double drag = 0.8;               // 1/s more: keeps 0.975 a frame (checklist G52)
   double velocityNoise = 60.0;     // (cm/s)2 per s
   double positionNoise = 4.0;      // cm2/s
   double unseenNoise = 60.0;       // cm2/s more while it is not seen
@@ -113,6 +114,7 @@ struct BallParams {
   static constexpr auto fields() {
     using B = BallParams;
     return fieldList(field("deceleration", &B::deceleration, "cm/s2", 0, 1000),
+                     field("drag", &B::drag, "1/s", 0, 10),
                      field("velocityNoise", &B::velocityNoise, "cm2/s3", 0, 1e6),
                      field("positionNoise", &B::positionNoise, "cm2/s", 0, 1e5),
                      field("unseenNoise", &B::unseenNoise, "cm2/s", 0, 1e6),

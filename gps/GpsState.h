@@ -38,8 +38,9 @@ struct BallTrack {
   double secondsSinceSeen = 0.0;
   double doubt = 0.0;             // s unseen, those counting more in which it should be seen
   std::uint32_t missed = 0;       // frames in a row in which it should have been seen
-  bool candidatePresent = false;  // a sighting outside the gate
+  bool candidatePresent = false;  // a sighting that waits for a second one like it
   std::array<double, 2> candidate{};
+  double candidateAge = 0.0;  // s
 };
 
 struct GpsState {

@@ -11,14 +11,16 @@ NECK_ABOVE_SHOULDER = 1.95
 NECK = 8.0
 CAMERA_BELOW = 1.46
 NOD_SHARE = 0.35
+LEAST_NECK = -32.0  # lower, and the chin touches a ball at the feet (8.4 cm high)
+LEAST_NOD = -5.0    # with the neck that high (openr.md 5.6: head collision limits)
 
 
 def split(pitch):
     """Neck tilt and nod that add up to a pitch relative to the body, up positive."""
     if pitch >= 0.0:
         return 0.0, min(pitch, 45.0)
-    nod = max(-15.0, NOD_SHARE * pitch)
-    return clamp(pitch - nod, -75.0, 0.0), nod
+    nod = max(LEAST_NOD, NOD_SHARE * pitch)
+    return clamp(pitch - nod, LEAST_NECK, 0.0), nod
 
 
 def pitch_to(distance, height, stance):

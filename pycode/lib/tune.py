@@ -47,13 +47,13 @@ class LineUp:
 
 class Strike:
     # The ball's place in the robot frame from which the kick hits it.
-    KICK_NEAR = 6.0
-    KICK_FAR = 9.0
-    KICK_SIDE = 1.5
+    KICK_NEAR = 6.0          # chest against the ball
+    KICK_FAR = 9.6           # 190 ms pass until the push begins: 1.5 cm at LEAST_SPEED
+    KICK_SIDE = 2.5          # the chest is flat, the paws are 18 cm apart
     KICK_AIM = 14.0          # deg between the robot's and the goal's direction
-    FORWARD_GAIN = 1.2
-    FORWARD_SPEED = 9.0
-    LEAST_SPEED = 3.0
+    FORWARD_GAIN = 1.5
+    FORWARD_SPEED = 18.0
+    LEAST_SPEED = 8.0
     SIDE_GAIN = 1.5
     SIDE_SPEED = 7.0
     SIDE_FIRST = 3.0         # the ball farther aside: do not go closer than STAND_OFF

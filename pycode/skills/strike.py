@@ -33,7 +33,7 @@ class StepToKick:
     def tick(self, world, goal):
         ball = world.ball.relative
         centred = abs(ball.x) <= Strike.SIDE_FIRST
-        target = 0.5 * (Strike.KICK_NEAR + Strike.KICK_FAR) if centred else Strike.STAND_OFF
+        target = Strike.KICK_NEAR if centred else Strike.STAND_OFF
         ahead = ball.y - target
         forward = clamp(Strike.FORWARD_GAIN * ahead, -Strike.FORWARD_SPEED, Strike.FORWARD_SPEED)
         if centred and 0.0 < forward < Strike.LEAST_SPEED:
