@@ -57,8 +57,7 @@ Expected<RunSummary> HostSystem::run(const openr::ObjectStub& object, const Game
   while (more && *more) {
     if (onGame) onGame(event->step.game);
     const Status done = handle(*event, object);
-    if (!done) return Error{done.error()};
-    more = source_.next(*event);
+    more = done ? source_.next(*event) : Expected<bool>(Error{done.error()});
   }
   const Status stopped = shutDown();
   if (!more) return Error{more.error()};

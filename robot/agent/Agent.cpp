@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "robot/agent/Agent.h"
+
+#include <MCOOP.h>
+#include <OPENR/OPENRAPI.h>
+#include <OPENR/OSyslog.h>
+
+#include "entry.h"
+#include "robot/body/Ers7.h"
+// After entry.h, which its macros need.
+#include <OPENR/core_macro.h>
+
+namespace kelpie::agent {
+namespace {
+
+constexpr std::int64_t kTickUs = 8000;
+constexpr std::int64_t kExposureUs = 33333;  // of one image, from the first column to the last
+
+TimeUs now() {
+  SystemTime time;
+  GetSystemTime(&time);
+  return {static_cast<std::int64_t>(time.seconds) * 1000000 + time.useconds};
+}
+
+template <std::size_t N>
+OStatus openAll(const std::array<const char*, N>& locators, std::array<OPrimitiveID, N>& ids) {
+  OStatus result = oSUCCESS;
+  for (std::size_t i = 0; i < N; ++i) {
+    const OStatus status = OPENR::OpenPrimitive(locators[i], &ids[i]);
+    if (status == oSUCCESS) continue;
+    OSYSLOG1((osyslogERROR, "%s cannot be opened: %u", locators[i], unsigned(status)));
+    result = status;
+  }
+  return result;
+}
+
+body::JointGain gainOf(std::size_t joint) {
+  constexpr auto kFirstLeg = index(Joint::leftFrontRotator);
+  switch (static_cast<Joint>(joint)) {
+    case Joint::neckTilt: return body::kNeckTiltGain;
+    case Joint::headPan: return body::kHeadPanGain;
+    case Joint::headNod: return body::kHeadNodGain;
+    case Joint::mouth: return body::kMouthGain;
+    case Joint::tailTilt:
+    case Joint::tailPan: return body::kTailGain;
+    default: return (joint - kFirstLeg) % 3 == 1 ? body::kShoulderGain : body::kLegGain;
+  }
+}
+
+}  // namespace
+
+OStatus Agent::DoInit(const OSystemEvent&) {
+  NEW_ALL_SUBJECT_AND_OBSERVER;
+  REGISTER_ALL_ENTRY;
+  SET_ALL_READY_AND_NOTIFY_ENTRY;
+  const OStatus opened = openPrimitives();
+  if (opened != oSUCCESS) return opened;
+  setCamera();
+  return newVectors();
+}
+
+OStatus Agent::DoStart(const OSystemEvent&) {
+  OStatus status = OPENR::SetMotorPower(opowerON);
+  if (status == oSUCCESS) status = enableGains();
+  if (status == oSUCCESS) status = readPose();
+  if (status != oSUCCESS) return status;
+  ENABLE_ALL_SUBJECT;
+  ASSERT_READY_TO_ALL_OBSERVER;
+  return oSUCCESS;
+}
+
+OStatus Agent::DoStop(const OSystemEvent&) {
+  DISABLE_ALL_SUBJECT;
+  DEASSERT_READY_TO_ALL_OBSERVER;
+  return oSUCCESS;
+}
+
+OStatus Agent::DoDestroy(const OSystemEvent&) {
+  DELETE_ALL_SUBJECT_AND_OBSERVER;
+  for (CommandVector& vector : vectors_) {
+    if (vector.region == nullptr) continue;
+    vector.region->RemoveReference();
+    vector.region = nullptr;
+    OPENR::DeleteCommandVectorData(vector.memory);
+  }
+  return oSUCCESS;
+}
+
+OStatus Agent::openPrimitives() {
+  const OStatus joints = openAll(openr::kJointLocators, ids_.joints);
+  const OStatus sensors = openAll(openr::kSensorLocators, ids_.sensors);
+  const OStatus leds = openAll(openr::kLedLocators, ids_.leds);
+  const OStatus camera = OPENR::OpenPrimitive(openr::kCameraLocator, &ids_.camera);
+  if (camera != oSUCCESS) OSYSLOG1((osyslogERROR, "no camera: %u", unsigned(camera)));
+  for (const OStatus status : {joints, sensors, leds}) {
+    if (status != oSUCCESS) return status;
+  }
+  return camera;
+}
+
+// As in 2005: fluorescent light, high gain, fast shutter, so that little is smeared
+// (facts-2005 2.1).
+void Agent::setCamera() {
+  const OPrimitiveRequest requests[] = {oprmreqCAM_SET_WHITE_BALANCE, oprmreqCAM_SET_GAIN,
+                                        oprmreqCAM_SET_SHUTTER_SPEED};
+  OPrimitiveControl_CameraParam values[] = {
+      OPrimitiveControl_CameraParam(ocamparamWB_FL_MODE),
+      OPrimitiveControl_CameraParam(ocamparamGAIN_HIGH),
+      OPrimitiveControl_CameraParam(ocamparamSHUTTER_SPEED_FAST)};
+  for (std::size_t i = 0; i < std::size(values); ++i) {
+    const OStatus status =
+        OPENR::ControlPrimitive(ids_.camera, requests[i], &values[i], sizeof values[i], nullptr, 0);
+    if (status == oSUCCESS) continue;
+    OSYSLOG1(
+        (osyslogWARNING, "camera setting %u refused: %u", unsigned(requests[i]), unsigned(status)));
+  }
+}
+
+OStatus Agent::newVectors() {
+  for (CommandVector& vector : vectors_) {
+    const OStatus status = OPENR::NewCommandVectorData(kCommandCount, &vector.memory, &vector.data);
+    if (status != oSUCCESS) return status;
+    const ODataVectorInfo& info = vector.data->vectorInfo;
+    vector.region = new RCRegion(info.memRegionID, info.offset, vector.data, info.totalSize);
+    prepareCommands(*vector.data, ids_);
+  }
+  return oSUCCESS;
+}
+
+OStatus Agent::enableGains() {
+  const body::JointGain shift = body::kGainShift;
+  for (std::size_t i = 0; i < kJointCount; ++i) {
+    const body::JointGain gain = gainOf(i);
+    OStatus status = OPENR::EnableJointGain(ids_.joints[i]);
+    if (status == oSUCCESS) {
+      status =
+          OPENR::SetJointGain(ids_.joints[i], gain.p, gain.i, gain.d, shift.p, shift.i, shift.d);
+    }
+    if (status != oSUCCESS) return status;
+  }
+  return oSUCCESS;
+}
+
+// The joints are held where they are until the loops order something else.
+OStatus Agent::readPose() {
+  JointFrame pose;
+  for (std::size_t i = 0; i < kJointCount; ++i) {
+    OJointValue value;
+    const OStatus status = OPENR::GetJointValue(ids_.joints[i], &value);
+    if (status != oSUCCESS) return status;
+    pose.target.angle[i] = Angle::rad(value.value * openr::kMicroradian);
+  }
+  held_.fill(pose);
+  return oSUCCESS;
+}
+
+void Agent::NotifySensor(const ONotifyEvent& event) {
+  const auto& vector = *static_cast<const OSensorFrameVectorData*>(event.Data(0));
+  if (readSensors(vector)) {
+    motionInput_.time = lastTick(vector);
+    const MotionOutput& output = loops_.motion(motionInput_);
+    // At the start, or when the joints ran dry: a second vector ahead.
+    if (inFlight() == 0) sendHeld();
+    send(output.joints);
+  }
+  observer[event.ObsIndex()]->AssertReady();
+}
+
+bool Agent::readSensors(const OSensorFrameVectorData& vector) {
+  if (!sensorReader_.matched()) {
+    const std::size_t lacking = sensorReader_.match(vector, ids_);
+    if (lacking > 0) OSYSLOG1((osyslogERROR, "%u sensors do not report", unsigned(lacking)));
+  }
+  if (sensorReader_.read(vector, motionInput_.sensors)) return true;
+  OSYSLOG1((osyslogERROR, "a sensor vector unlike the first is left out"));
+  return false;
+}
+
+// Sensor ticks are regular, their messages may be late: the least late one tells when tick 0 was.
+TimeUs Agent::lastTick(const OSensorFrameVectorData& vector) {
+  const std::int64_t last = vector.GetInfo(0)->frameNumber + kTicksPerMessage - 1;
+  const TimeUs zero = {now().us - last * kTickUs};
+  if (!clockKnown_ || zero < tickZero_) tickZero_ = zero;
+  clockKnown_ = true;
+  return {tickZero_.us + last * kTickUs};
+}
+
+void Agent::sendHeld() {
+  held_.fill(held_.back());
+  send(std::array<JointFrame, kTicksPerMessage>(held_));
+}
+
+void Agent::send(const std::array<JointFrame, kTicksPerMessage>& frames) {
+  held_ = frames;
+  for (CommandVector& vector : vectors_) {
+    if (vector.region->NumberOfReference() != 1) continue;
+    writeCommands(frames, *vector.data);
+    subject[sbjEffector]->SetData(vector.region);
+    subject[sbjEffector]->NotifyObservers();
+    return;
+  }
+  OSYSLOG1((osyslogWARNING, "no free command vector: 32 ms of joint targets are lost"));
+}
+
+std::size_t Agent::inFlight() const {
+  std::size_t count = 0;
+  for (const CommandVector& vector : vectors_) {
+    if (vector.region->NumberOfReference() > 1) ++count;
+  }
+  return count;
+}
+
+void Agent::NotifyImage(const ONotifyEvent& event) {
+  const auto& vector = *static_cast<const OFbkImageVectorData*>(event.Data(0));
+  if (readImage(vector, image_)) {
+    loops_.camera(image_, {now().us - kExposureUs / 2});
+  } else {
+    OSYSLOG1((osyslogERROR, "an image of another type or size is left out"));
+  }
+  observer[event.ObsIndex()]->AssertReady();
+}
+
+}  // namespace kelpie::agent

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "robot/agent/AgentIo.h"
+
+#include <OPENR/OFbkImage.h>
+
+#include <cmath>
+#include <cstring>
+
+namespace kelpie::agent {
+namespace {
+
+using openr::Sensor;
+
+constexpr std::size_t kTicks = kTicksPerMessage;
+
+std::size_t placeOf(OPrimitiveID id, const OSensorFrameVectorData& vector) {
+  for (std::size_t i = 0; i < vector.vectorInfo.numData; ++i) {
+    const OSensorFrameInfo& info = *vector.GetInfo(i);
+    if (info.primitiveID == id && info.numFrames >= kTicks) return i;
+  }
+  return SensorReader::kAbsent;
+}
+
+template <std::size_t N>
+std::size_t findAll(const OSensorFrameVectorData& vector, const std::array<OPrimitiveID, N>& ids,
+                    std::array<std::size_t, N>& places) {
+  std::size_t lacking = 0;
+  for (std::size_t i = 0; i < N; ++i) {
+    places[i] = placeOf(ids[i], vector);
+    if (places[i] == SensorReader::kAbsent) ++lacking;
+  }
+  return lacking;
+}
+
+void setLength(const OSensorValue* raw, double& length) {
+  if (raw != nullptr) length = raw->value * openr::kMicrometre;
+}
+
+slongword toMicroradians(Angle angle) {
+  return static_cast<slongword>(std::floor(angle.rad() / openr::kMicroradian + 0.5));
+}
+
+OCommandValue ledCommand(std::size_t led, bool on) {
+  constexpr sword kFullIntensity = 255;
+  const OLEDCommandValue2 switched = {on ? oledON : oledOFF, 1, 0};
+  const OLEDCommandValue3 bright = {on ? kFullIntensity : sword{0}, oled3_MODE_A, 1, 0};
+  OCommandValue value;
+  if (led < openr::kSwitchedLeds) {
+    std::memcpy(&value, &switched, sizeof value);
+  } else {
+    std::memcpy(&value, &bright, sizeof value);
+  }
+  return value;
+}
+
+void copyBand(const OFbkImage& band, Image::Plane& plane) {
+  constexpr std::size_t kWidth = kImageWidth;
+  const std::size_t stride = kWidth + static_cast<std::size_t>(band.Skip());
+  for (std::size_t line = 0; line < kImageHeight; ++line) {
+    const std::size_t source = line + 1 < kImageHeight ? line : line - 1;
+    std::memcpy(plane.data() + line * kWidth, band.Pointer() + source * stride, kWidth);
+  }
+}
+
+}  // namespace
+
+std::size_t SensorReader::match(const OSensorFrameVectorData& vector, const PrimitiveIds& ids) {
+  matched_ = true;
+  count_ = vector.vectorInfo.numData;
+  return findAll(vector, ids.joints, joints_) + findAll(vector, ids.sensors, sensors_);
+}
+
+bool SensorReader::read(const OSensorFrameVectorData& vector,
+                        std::array<SensorFrame, kTicksPerMessage>& frames) {
+  if (!matched_ || vector.vectorInfo.numData != count_) return false;
+  for (std::size_t tick = 0; tick < kTicks; ++tick) readTick(vector, tick, frames[tick]);
+  return true;
+}
+
+const OSensorValue* SensorReader::value(const OSensorFrameVectorData& vector, Sensor sensor,
+                                        std::size_t tick) const {
+  const std::size_t place = sensors_[openr::index(sensor)];
+  return place == kAbsent ? nullptr : &vector.GetData(place)->frame[tick];
+}
+
+void SensorReader::readTick(const OSensorFrameVectorData& vector, std::size_t tick,
+                            SensorFrame& frame) {
+  for (std::size_t i = 0; i < kJointCount; ++i) {
+    if (joints_[i] == kAbsent) continue;
+    OJointValue raw;
+    std::memcpy(&raw, &vector.GetData(joints_[i])->frame[tick], sizeof raw);
+    frame.joints.angle[i] = Angle::rad(raw.value * openr::kMicroradian);
+    frame.duty[i] = raw.pwmDuty / openr::kFullDuty;
+  }
+  setLength(value(vector, Sensor::headNear, tick), frame.headNearDistance);
+  setLength(value(vector, Sensor::headFar, tick), frame.headFarDistance);
+  setLength(value(vector, Sensor::chest, tick), frame.chestDistance);
+  setLength(value(vector, Sensor::accelerationBack, tick), frame.acceleration[0]);
+  frame.acceleration[0] = -frame.acceleration[0];
+  setLength(value(vector, Sensor::accelerationLeft, tick), frame.acceleration[1]);
+  setLength(value(vector, Sensor::accelerationUp, tick), frame.acceleration[2]);
+  readTouch(vector, tick, frame);
+}
+
+void SensorReader::readTouch(const OSensorFrameVectorData& vector, std::size_t tick,
+                             SensorFrame& frame) {
+  const auto pressed = [&](Sensor sensor) {
+    const OSensorValue* raw = value(vector, sensor, tick);
+    return raw != nullptr && raw->value != 0;
+  };
+  constexpr std::array<Sensor, kLegCount> kPaws = {Sensor::pawLeftFront, Sensor::pawLeftHind,
+                                                   Sensor::pawRightFront, Sensor::pawRightHind};
+  for (std::size_t i = 0; i < kLegCount; ++i) frame.paw[i] = pressed(kPaws[i]);
+  frame.chin = pressed(Sensor::chin);
+  const OSensorValue* head = value(vector, Sensor::headTouch, tick);
+  if (head != nullptr) frame.headTouch = head->value;
+  const auto touch = [&](Sensor sensor, const openr::TouchThresholds& limits, bool before) {
+    const OSensorValue* raw = value(vector, sensor, tick);
+    return raw != nullptr && raw->value >= (before ? limits.off : limits.on);
+  };
+  back_[0] = touch(Sensor::backFront, openr::kBackFrontTouch, back_[0]);
+  back_[1] = touch(Sensor::backMiddle, openr::kBackMiddleTouch, back_[1]);
+  back_[2] = touch(Sensor::backRear, openr::kBackRearTouch, back_[2]);
+  frame.back = back_;
+}
+
+void prepareCommands(OCommandVectorData& vector, const PrimitiveIds& ids) {
+  vector.SetNumData(kCommandCount);
+  for (std::size_t i = 0; i < kJointCount; ++i) {
+    vector.GetInfo(i)->Set(odataJOINT_COMMAND2, ids.joints[i], kTicks);
+  }
+  for (std::size_t i = 0; i < openr::kLedCount; ++i) {
+    const bool switched = i < openr::kSwitchedLeds;
+    vector.GetInfo(kJointCount + i)
+        ->Set(switched ? odataLED_COMMAND2 : odataLED_COMMAND3, ids.leds[i], kTicks);
+  }
+}
+
+void writeCommands(const std::array<JointFrame, kTicksPerMessage>& frames,
+                   OCommandVectorData& vector) {
+  for (std::size_t tick = 0; tick < kTicks; ++tick) {
+    for (std::size_t i = 0; i < kJointCount; ++i) {
+      const OJointCommandValue2 order = {toMicroradians(frames[tick].target.angle[i]), 0};
+      std::memcpy(&vector.GetData(i)->value[tick], &order, sizeof order);
+    }
+    for (std::size_t i = 0; i < openr::kLedCount; ++i) {
+      const bool on = (frames[tick].leds >> i & 1U) != 0;
+      vector.GetData(kJointCount + i)->value[tick] = ledCommand(i, on);
+    }
+  }
+}
+
+bool readImage(const OFbkImageVectorData& vector, Image& image) {
+  if (vector.vectorInfo.numData <= ofbkimageLAYER_H) return false;
+  OFbkImageInfo* info = vector.GetInfo(ofbkimageLAYER_H);
+  byte* data = vector.GetData(ofbkimageLAYER_H);
+  if (info->width != kImageWidth || info->height != kImageHeight) return false;
+  const OFbkImage y(info, data, ofbkimageBAND_Y);
+  const OFbkImage cr(info, data, ofbkimageBAND_Cr);
+  const OFbkImage cb(info, data, ofbkimageBAND_Cb);
+  if (!y.IsValid() || !cr.IsValid() || !cb.IsValid()) return false;
+  copyBand(y, image.y);
+  copyBand(cr, image.cr);
+  copyBand(cb, image.cb);
+  return true;
+}
+
+}  // namespace kelpie::agent

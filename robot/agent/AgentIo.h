@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+// Between OPEN-R's data vectors and Kelpie's frame structs: microradians and micrometres become
+// radians and centimetres here and nowhere else. Vectors come from outside, so that a wrong type,
+// size or count is refused, not read.
+#pragma once
+
+#include <OPENR/ODataFormats.h>
+
+#include <array>
+
+#include "robot/core/Image.h"
+#include "robot/core/Motion.h"
+#include "robot/openr/Ers7Primitives.h"
+
+namespace kelpie::agent {
+
+// What OpenPrimitive gave, in the order of the tables of Ers7Primitives.h.
+struct PrimitiveIds {
+  std::array<OPrimitiveID, kJointCount> joints;
+  std::array<OPrimitiveID, openr::kSensorCount> sensors;
+  std::array<OPrimitiveID, openr::kLedCount> leds;
+  OPrimitiveID camera;
+};
+
+// Finds the primitives in a sensor vector, whose order is not specified: once, because it stays.
+class SensorReader {
+ public:
+  static constexpr std::size_t kAbsent = ~std::size_t{0};
+
+  // The number of primitives that the vector lacks; their values keep their defaults.
+  std::size_t match(const OSensorFrameVectorData& vector, const PrimitiveIds& ids);
+  bool matched() const { return matched_; }
+
+  // False: the vector is not like the one that was matched.
+  bool read(const OSensorFrameVectorData& vector,
+            std::array<SensorFrame, kTicksPerMessage>& frames);
+
+ private:
+  void readTick(const OSensorFrameVectorData& vector, std::size_t tick, SensorFrame& frame);
+  void readTouch(const OSensorFrameVectorData& vector, std::size_t tick, SensorFrame& frame);
+  const OSensorValue* value(const OSensorFrameVectorData& vector, openr::Sensor sensor,
+                            std::size_t tick) const;
+
+  bool matched_ = false;
+  std::size_t count_ = 0;
+  std::array<std::size_t, kJointCount> joints_{};
+  std::array<std::size_t, openr::kSensorCount> sensors_{};
+  std::array<bool, 3> back_{};  // pressed or not: their thresholds have a memory
+};
+
+// Commands of one vector: all joints and LEDs.
+constexpr std::size_t kCommandCount = kJointCount + openr::kLedCount;
+// Type, primitive and number of frames of each command; these never change.
+void prepareCommands(OCommandVectorData& vector, const PrimitiveIds& ids);
+void writeCommands(const std::array<JointFrame, kTicksPerMessage>& frames,
+                   OCommandVectorData& vector);
+
+// Layer H with rows Y Cr Cb, or Y Cr Cb and three of high-pass. The last line carries a tag in
+// place of pixels and becomes a copy of the line above. False: another type or size.
+bool readImage(const OFbkImageVectorData& vector, Image& image);
+
+}  // namespace kelpie::agent

@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: Apache-2.0
+// The whole object against a source without a world.
+#include <gtest/gtest.h>
+
+#include "FakeWorld.h"
+#include "robot/agent/Agent.h"
+#include "robot/host/RunAgent.h"
+#include "robot/openr/stub/AgentStub.h"
+
+namespace kelpie::host {
+namespace {
+
+HostParams quiet() {
+  HostParams params;
+  params.printTo = nullptr;
+  return params;
+}
+
+double panOf(const EffectorVector& vector, std::size_t tick = 0) {
+  return vector.targets[tick][Joint::headPan].deg();
+}
+
+TEST(RunAgentTest, PowersMotorsAndEnablesAllGainsInTheFirstStep) {
+  FakeSource source;
+  source.addSensors(1);
+  FakeLoops loops;
+  ASSERT_TRUE(runAgent(source, loops, quiet(), {}));
+  EXPECT_TRUE(source.replies.at(0).motorPower);
+  EXPECT_EQ((1U << kJointCount) - 1, source.replies.at(0).gains);
+}
+
+TEST(RunAgentTest, StartsWithTheSensedPoseAndKeepsTwoVectorsInFlight) {
+  FakeSource source;
+  source.addSensors(4);
+  FakeLoops loops;
+  ASSERT_TRUE(runAgent(source, loops, quiet(), {}));
+  ASSERT_EQ(2U, source.replies.at(0).vectors.size());
+  EXPECT_NEAR(11.0, panOf(source.replies[0].vectors[0]), 1e-4);
+  EXPECT_NEAR(1.0, panOf(source.replies[0].vectors[1], 3), 1e-4);
+  EXPECT_EQ(4U, source.replies[0].vectors[1].ticks);
+  for (std::size_t i = 1; i < 4; ++i) {
+    ASSERT_EQ(1U, source.replies.at(i).vectors.size());
+    EXPECT_NEAR(static_cast<double>(i + 1), panOf(source.replies[i].vectors[0]), 1e-4);
+  }
+}
+
+TEST(RunAgentTest, SendsTwoAgainAfterTheJointsRanDry) {
+  FakeSource source;
+  source.addSensors(3);
+  source.steps[2].vectorsDone = 2;
+  FakeLoops loops;
+  ASSERT_TRUE(runAgent(source, loops, quiet(), {}));
+  ASSERT_EQ(2U, source.replies.at(2).vectors.size());
+  EXPECT_NEAR(2.0, panOf(source.replies[2].vectors[0]), 1e-4);  // the last target is held
+  EXPECT_NEAR(3.0, panOf(source.replies[2].vectors[1]), 1e-4);
+}
+
+TEST(RunAgentTest, VectorWaitsForRoomWhenTheWorldPlaysLate) {
+  FakeSource source;
+  source.addSensors(3);
+  source.steps[1].vectorsDone = 0;
+  FakeLoops loops;
+  ASSERT_TRUE(runAgent(source, loops, quiet(), {}));
+  EXPECT_EQ(0U, source.replies.at(1).vectors.size());
+  ASSERT_EQ(1U, source.replies.at(2).vectors.size());
+  EXPECT_NEAR(2.0, panOf(source.replies[2].vectors[0]), 1e-4);  // none is lost
+}
+
+TEST(RunAgentTest, MoreVectorsPlayedThanSentIsAnError) {
+  FakeSource source;
+  source.addSensors(2);
+  source.steps[1].vectorsDone = 3;
+  FakeLoops loops;
+  EXPECT_EQ("the world has played 3 command vectors, but got 2",
+            runAgent(source, loops, quiet(), {}).error());
+}
+
+TEST(RunAgentTest, SensorTimeIsThatOfTheLastTick) {
+  FakeSource source;
+  source.addSensors(3);
+  source.steps[1].time.us += 5000;  // delivered late, sensed in time
+  FakeLoops loops;
+  ASSERT_TRUE(runAgent(source, loops, quiet(), {}));
+  EXPECT_EQ(32000, loops.inputs.at(0).time.us);
+  EXPECT_EQ(64000, loops.inputs.at(1).time.us);
+  EXPECT_EQ(96000, loops.inputs.at(2).time.us);
+}
+
+TEST(RunAgentTest, ExposureIsInTheMiddleOfTheLastThirtiethOfASecond) {
+  FakeSource source;
+  source.addSensors(1);
+  source.addImage(100000);
+  FakeLoops loops;
+  ASSERT_TRUE(runAgent(source, loops, quiet(), {}));
+  ASSERT_EQ(1U, loops.exposures.size());
+  EXPECT_NEAR(100000 - 1e6 / 60, static_cast<double>(loops.exposures[0].us), 1.0);
+}
+
+TEST(RunAgentTest, ImagePassesUnchangedButForTheTagLine) {
+  for (const bool highPass : {false, true}) {
+    FakeSource source;
+    source.addSensors(1);
+    source.addImage(50000);
+    Random random(3);
+    for (std::size_t i = 0; i < kImagePixels; ++i) {
+      source.image.y[i] = static_cast<std::uint8_t>(random.next());
+      source.image.cr[i] = static_cast<std::uint8_t>(random.next());
+      source.image.cb[i] = static_cast<std::uint8_t>(random.next());
+    }
+    FakeLoops loops;
+    HostParams params = quiet();
+    params.highPassRows = highPass;
+    ASSERT_TRUE(runAgent(source, loops, params, {}));
+    for (int x = 0; x < kImageWidth; ++x) {
+      const Yuv above = source.image.pixel(x, kImageHeight - 2);
+      source.image.set(x, kImageHeight - 1, above);
+    }
+    EXPECT_EQ(source.image.y, loops.lastImage.y);
+    EXPECT_EQ(source.image.cr, loops.lastImage.cr);
+    EXPECT_EQ(source.image.cb, loops.lastImage.cb);
+  }
+}
+
+TEST(RunAgentTest, LedsArriveBitByBit) {
+  FakeSource source;
+  source.addSensors(1);
+  FakeLoops loops;
+  loops.leds = 0x2a5a5a5;
+  ASSERT_TRUE(runAgent(source, loops, quiet(), {}));
+  EXPECT_EQ(0U, source.replies.at(0).vectors[0].leds);
+  EXPECT_EQ(0x2a5a5a5U, source.replies.at(0).vectors[1].leds);
+}
+
+TEST(RunAgentTest, EveryVectorCommandsAllJoints) {
+  FakeSource source;
+  source.addSensors(1);
+  FakeLoops loops;
+  ASSERT_TRUE(runAgent(source, loops, quiet(), {}));
+  for (const EffectorVector& vector : source.replies.at(0).vectors) {
+    EXPECT_EQ((1U << kJointCount) - 1, vector.joints);
+    EXPECT_NEAR(vector.targets[0][Joint::mouth].deg(),
+                &vector == &source.replies[0].vectors[0] ? -20 : 0, 1e-4);
+  }
+}
+
+TEST(RunAgentTest, DropsExactlyTheImagesThatTheSeedChooses) {
+  FakeSource source;
+  source.addSensors(1);
+  Random expected(42);
+  std::uint32_t kept = 0;
+  for (std::uint32_t i = 0; i < 300; ++i) {
+    source.addImage(40000 + 1000 * i);
+    kept += expected.chance(0.25) ? 0U : 1U;
+  }
+  FakeLoops loops;
+  HostParams params = quiet();
+  params.dropRate = 0.25;
+  params.seed = 42;
+  const auto summary = runAgent(source, loops, params, {});
+  ASSERT_TRUE(summary) << summary.error();
+  EXPECT_EQ(kept, loops.exposures.size());
+  EXPECT_EQ(kept, summary->images);
+  EXPECT_EQ(300U, summary->images + summary->droppedImages);
+  EXPECT_NEAR(225, kept, 25);
+}
+
+TEST(RunAgentTest, NothingIsDroppedUnasked) {
+  FakeSource source;
+  source.addSensors(1);
+  for (int i = 0; i < 100; ++i) source.addImage(40000 + 1000 * i);
+  source.addSensors(100);
+  for (std::size_t i = 101; i < source.steps.size(); ++i) source.steps[i].time.us += 200000;
+  FakeLoops loops;
+  ASSERT_TRUE(runAgent(source, loops, quiet(), {}));
+  EXPECT_EQ(100U, loops.exposures.size());
+  EXPECT_EQ(101U, loops.inputs.size());
+}
+
+TEST(RunAgentTest, EventsBeforeTheFirstSensorsAreAnsweredWithoutPower) {
+  FakeSource source;
+  source.addImage(1000);
+  source.addSensors(1);
+  FakeLoops loops;
+  ASSERT_TRUE(runAgent(source, loops, quiet(), {}));
+  ASSERT_EQ(2U, source.replies.size());
+  EXPECT_FALSE(source.replies[0].motorPower);
+  EXPECT_TRUE(source.replies[1].motorPower);
+}
+
+TEST(RunAgentTest, GameStateComesBeforeTheSensorsOfItsStep) {
+  FakeSource source;
+  source.addSensors(2);
+  source.steps[1].game.ownScore = 3;
+  FakeLoops loops;
+  std::vector<std::size_t> inputsBefore;
+  int score = -1;
+  ASSERT_TRUE(runAgent(source, loops, quiet(), [&](const GameState& game) {
+    inputsBefore.push_back(loops.inputs.size());
+    score = game.ownScore;
+  }));
+  EXPECT_EQ((std::vector<std::size_t>{0, 1}), inputsBefore);
+  EXPECT_EQ(3, score);
+}
+
+TEST(RunAgentTest, BrokenSourceIsReportedAfterTheObjectWasStopped) {
+  FakeSource source;
+  source.addSensors(2);
+  source.failure = "world socket: gone";
+  FakeLoops loops;
+  EXPECT_EQ("world socket: gone", runAgent(source, loops, quiet(), {}).error());
+}
+
+TEST(AgentTest, UsesTheCameraAndTheStandardGainsOf2005) {
+  FakeSource source;
+  source.addSensors(1);
+  FakeLoops loops;
+  const auto object = std::make_unique<agent::Agent>(loops);
+  HostSystem system(source, quiet());
+  ASSERT_TRUE(system.run(openr::agentStub(*object), {}));
+  EXPECT_EQ(ocamparamWB_FL_MODE, system.camera().whiteBalance);
+  EXPECT_EQ(ocamparamGAIN_HIGH, system.camera().gain);
+  EXPECT_EQ(ocamparamSHUTTER_SPEED_FAST, system.camera().shutter);
+  openr::GainSettings gain{};
+  const auto knee = index(Joint::rightHindKnee);
+  ASSERT_EQ(oSUCCESS, system.getGain(identifier({PrimitiveKind::joint, knee}), &gain));
+  EXPECT_EQ(0x1C, gain.p);
+  ASSERT_EQ(oSUCCESS, system.getGain(identifier({PrimitiveKind::joint, knee - 1}), &gain));
+  EXPECT_EQ(0x14, gain.p);
+  EXPECT_EQ(0x0E, gain.pShift);
+}
+
+}  // namespace
+}  // namespace kelpie::host
