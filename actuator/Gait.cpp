@@ -54,37 +54,44 @@ double swingPhase(LegId leg, const GaitState& state, const GaitParams& gait) {
   return static_cast<double>(state.tick - start + 1) / static_cast<double>(swingTicks(gait));
 }
 
-// A foot on the ground: carried backwards under the body, turned against the body's turn.
-void carry(Foot& foot, const Velocity& v) {
-  const Point2<Robot> at{foot.position.x, foot.position.y};
+// Where a place on the ground is one tick later: carried backwards under the body, turned against
+// the body's turn.
+Point2<Robot> carried(Point2<Robot> at, const Velocity& v) {
   const maths::SinCos turn = maths::sinCos(-v.turn * kTick);
   const Point2<Robot> moved{at.x + v.left * kTick, at.y - v.forward * kTick};
-  foot.position = {turn.cos * moved.x - turn.sin * moved.y, turn.sin * moved.x + turn.cos * moved.y,
-                   0.0};
+  return {turn.cos * moved.x - turn.sin * moved.y, turn.sin * moved.x + turn.cos * moved.y};
 }
 
-// Share of the way along at a share of the time: constant speed but for the first and last fifth.
+void carry(Foot& foot, const Velocity& v) {
+  const Point2<Robot> moved = carried({foot.position.x, foot.position.y}, v);
+  foot.position = {moved.x, moved.y, 0.0};
+}
+
+// Share of the way at a share of the time: constant speed but for the first and last quarter.
 double flown(double phase) {
-  constexpr double kEase = 0.2;
+  constexpr double kEase = 0.25;
   const double early = phase < 0.5 ? phase : 1.0 - phase;
   const double part = early < kEase ? early * early / (2.0 * kEase) : early - 0.5 * kEase;
   return (phase < 0.5 ? part : 1.0 - kEase - part) / (1.0 - kEase);
 }
 
-// A foot in the air: gentle at both ends and fastest along where it rises least. A steeper lift
-// asks the knee for 8 to 16 deg a tick; the slew limit of 4 then lands the foot late by over 1 cm.
+// A foot in the air goes from the place it left to the place where it will land, both moving with
+// the ground, so that it hardly slides while it is still low (measured with feet that carry below
+// 0.4 cm: 6 % of the way is lost, 23 % when it starts from rest in the body's frame). The lift is a
+// parabola: a steeper one asks the knee for over 4 deg a tick and the foot lands late.
 void swing(LegId leg, double phase, const ActuatorParams& params, GaitState& state) {
   Foot& foot = state.feet[index(leg)];
-  const bool first = phase * swingTicks(params.gait) < 1.5;
-  if (first) foot.liftedAt = {foot.position.x, foot.position.y};
+  const double ticks = swingTicks(params.gait);
+  if (phase * ticks < 1.5) foot.liftedAt = {foot.position.x, foot.position.y};
+  foot.liftedAt = carried(foot.liftedAt, state.velocity);
   const Point3<Robot> home = footHome(leg, params.stance);
-  const Point2<Robot> ahead =
-      groundVelocity(state.velocity, {home.x, home.y}) * (0.5 * stanceSeconds(params.gait));
+  const double early = 0.5 * stanceSeconds(params.gait) + (1.0 - phase) * ticks * kTick;
+  const Point2<Robot> ahead = groundVelocity(state.velocity, {home.x, home.y}) * early;
   const double way = flown(phase);
   const double peak = isFront(leg) ? params.gait.frontLift : params.gait.hindLift;
-  foot.position.x = foot.liftedAt.x + way * (home.x + ahead.x - foot.liftedAt.x);
-  foot.position.y = foot.liftedAt.y + way * (home.y + ahead.y - foot.liftedAt.y);
-  foot.position.z = peak * maths::square(4.0 * phase * (1.0 - phase));
+  foot.position = {foot.liftedAt.x + way * (home.x + ahead.x - foot.liftedAt.x),
+                   foot.liftedAt.y + way * (home.y + ahead.y - foot.liftedAt.y),
+                   peak * 4.0 * phase * (1.0 - phase)};
 }
 
 bool feetAtHome(const GaitState& state, const StanceParams& stance) {

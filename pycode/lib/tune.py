@@ -21,8 +21,8 @@ class Search:
 
 class Approach:
     SLOW_DOWN = 45.0         # distance from which the speed falls
-    SPEED = 24.0
-    LEAST_SPEED = 8.0
+    SPEED = 34.0
+    LEAST_SPEED = 10.0
     TURN_GAIN = 1.8          # deg/s per deg
     TURN_SPEED = 70.0
     TURN_FIRST = 50.0        # a ball farther aside: turn on the spot
@@ -33,8 +33,8 @@ class Approach:
 
 class LineUp:
     RADIUS = 20.0            # distance kept while circling the ball
-    SIDE_SPEED = 11.0
-    SIDE_GAIN = 0.3          # cm/s per deg
+    SIDE_SPEED = 15.0
+    SIDE_GAIN = 0.4          # cm/s per deg
     FORWARD_GAIN = 1.2       # cm/s per cm
     FORWARD_SPEED = 10.0
     TURN_GAIN = 2.0
@@ -52,7 +52,8 @@ class Strike:
     KICK_SIDE = 2.5          # the chest is flat, the paws are 18 cm apart
     KICK_AIM = 14.0          # deg between the robot's and the goal's direction
     FORWARD_GAIN = 1.5
-    FORWARD_SPEED = 18.0
+    FORWARD_SPEED = 26.0
+    GONE = 45.0              # the ball has rolled away: walk to it again
     LEAST_SPEED = 8.0
     SIDE_GAIN = 1.5
     SIDE_SPEED = 7.0

@@ -22,6 +22,7 @@ class StepToKick:
     def lost(self, world, goal):
         ball = world.ball
         return (ball.seconds_since_seen > Strike.UNSEEN or ball.relative.y < 0.0 or
+                ball.distance > Strike.GONE or
                 abs(ball.relative.x) > Strike.LOST_SIDE or
                 abs(self.aim(world, goal)) > Strike.LOST_AIM)
 
