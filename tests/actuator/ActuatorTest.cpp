@@ -65,8 +65,8 @@ TEST(Start, RampNeverJumpsAndEndsInTheStanceAfterASecond) {
       last = joints;
     }
     const Stance stance = body::stanceFromLegs(last);
-    EXPECT_NEAR(stance.shoulderHeight, 9.5, 1e-6);
-    EXPECT_NEAR(stance.bodyTilt.deg(), 11.7, 1e-6);
+    EXPECT_NEAR(stance.shoulderHeight, w.params.stance.shoulderHeight, 1e-6);
+    EXPECT_NEAR(stance.bodyTilt.deg(), w.params.stance.bodyTilt.deg(), 1e-6);
   }
 }
 
@@ -131,12 +131,13 @@ TEST(Joints, NotANumberFromTheSensorsReachesNoJoint) {
   w.run(Command{}, 40);
   for (const JointAngles& joints : w.ticks)
     for (const Angle angle : joints.angle) ASSERT_TRUE(std::isfinite(angle.rad()));
-  EXPECT_NEAR(body::stanceFromLegs(w.ticks.back()).shoulderHeight, 9.5, 1e-6);
+  EXPECT_NEAR(body::stanceFromLegs(w.ticks.back()).shoulderHeight, w.params.stance.shoulderHeight,
+              1e-6);
 }
 
 TEST(Odometry, OfAStraightWalkIsTheIntegralOfTheSpeedSomeTicksLate) {
   ActuatorParams params;
-  params.odometry.delayTicks = 8;  // two whole messages
+  params.odometry = {1.0, 1.0, 1.0, 8};  // two whole messages
   Walker w(params);
   w.standUp();
   double walked = 0.0;
@@ -166,7 +167,7 @@ TEST(Odometry, ScalesCalibrateEachDirection) {
 // A full circle at constant speed and turn ends where it began.
 TEST(Odometry, CirclesClose) {
   ActuatorParams params;
-  params.odometry.delayTicks = 0;
+  params.odometry = {1.0, 1.0, 1.0, 0};
   Walker w(params);
   w.standUp();
   const double turn = 2.0 * maths::kPi / (125 * 0.032);

@@ -66,7 +66,8 @@ TEST(Gait, ADiagonalPairAlwaysCarriesTheBodyAtItsHeight) {
       const bool first = stands[index(LegId::leftFront)] && stands[index(LegId::rightHind)];
       const bool second = stands[index(LegId::rightFront)] && stands[index(LegId::leftHind)];
       ASSERT_TRUE(first || second);
-      ASSERT_NEAR(body::stanceFromLegs(joints).shoulderHeight, 9.5, 0.02);
+      ASSERT_NEAR(body::stanceFromLegs(joints).shoulderHeight, w.params.stance.shoulderHeight,
+                  0.02);
     }
   }
 }
@@ -83,7 +84,7 @@ TEST(Gait, FeetInTheAirAreLifted) {
 }
 
 TEST(Gait, RequestsUpToTheStepLengthAreWalkedWhole) {
-  for (const WalkRequest& walk : {WalkRequest{35, 0, 0}, {-25, 0, 0}, {0, 18, 0}, {0, 0, 2}}) {
+  for (const WalkRequest& walk : {WalkRequest{32, 0, 0}, {-25, 0, 0}, {0, 18, 0}, {0, 0, 1.9}}) {
     Walker w;
     w.standUp();
     w.run(walk, 60);
@@ -154,7 +155,7 @@ TEST(Gait, SwingLongerThanTheHalfStepStillLeavesAPairDown) {
   w.standUp();
   w.run(WalkRequest{10, 0, 0}, 60);
   for (const JointAngles& joints : w.ticks)
-    ASSERT_NEAR(body::stanceFromLegs(joints).shoulderHeight, 9.5, 0.02);
+    ASSERT_NEAR(body::stanceFromLegs(joints).shoulderHeight, w.params.stance.shoulderHeight, 0.02);
 }
 
 }  // namespace
