@@ -164,23 +164,22 @@ TEST(Odometry, ScalesCalibrateEachDirection) {
   EXPECT_NEAR(w.out.odometry.turn.rad(), 0.9 * 1 * 0.032, 1e-9);
 }
 
-// A full circle at constant speed and turn ends where it began.
-TEST(Odometry, CirclesClose) {
+// Four steps of one tick, each turned by what was turned before it.
+TEST(Odometry, TurningWithinAMessageBendsTheWay) {
   ActuatorParams params;
   params.odometry = {1.0, 1.0, 1.0, 0};
   Walker w(params);
   w.standUp();
-  const double turn = 2.0 * maths::kPi / (125 * 0.032);
-  w.run(WalkRequest{5, 0, turn}, 50);
-  Pose2 pose;
-  for (int i = 0; i < 125; ++i) {
-    w.run(WalkRequest{5, 0, turn}, 1);
-    const Odometry& o = w.out.odometry;
-    pose.position = fieldFromRobot(pose, {-o.left, o.forward});
-    pose.heading = pose.heading + o.turn;
+  w.run(WalkRequest{5, 0, 1.5}, 50);
+  double forward = 0.0;
+  double left = 0.0;
+  for (int i = 0; i < 4; ++i) {
+    forward += 5 * 0.008 * std::cos(i * 1.5 * 0.008);
+    left += 5 * 0.008 * std::sin(i * 1.5 * 0.008);
   }
-  EXPECT_NEAR(pose.position.norm(), 0.0, 1e-6);
-  EXPECT_NEAR(pose.heading.rad(), 0.0, 1e-9);
+  EXPECT_NEAR(w.out.odometry.forward, forward, 1e-12);
+  EXPECT_NEAR(w.out.odometry.left, left, 1e-12);
+  EXPECT_NEAR(w.out.odometry.turn.rad(), 4 * 1.5 * 0.008, 1e-12);
 }
 
 TEST(Status, TellsTheMotionAndHowLongItStillTakes) {

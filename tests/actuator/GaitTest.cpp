@@ -72,6 +72,23 @@ TEST(Gait, ADiagonalPairAlwaysCarriesTheBodyAtItsHeight) {
   }
 }
 
+// A foot lower than 0.4 cm may still touch: it must hardly slide over the ground there.
+TEST(Gait, FeetThatLiftOrLandHardlySlide) {
+  Walker w;
+  w.standUp();
+  w.run(WalkRequest{30, 0, 0}, 60);
+  w.ticks.clear();
+  w.run(WalkRequest{30, 0, 0}, 22);
+  double slid = 0.0;
+  for (std::size_t t = 1; t < w.ticks.size(); ++t) {
+    const auto before = w.foot(w.ticks[t - 1], LegId::leftFront);
+    const auto after = w.foot(w.ticks[t], LegId::leftFront);
+    if (before.z < 0.4 && after.z < 0.4) slid += after.y - (before.y - 30 * kTick);
+  }
+  const double walked = 30 * kTick * static_cast<double>(w.ticks.size());
+  EXPECT_LT(slid, 0.02 * walked);
+}
+
 TEST(Gait, FeetInTheAirAreLifted) {
   Walker w;
   w.standUp();
