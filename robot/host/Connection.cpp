@@ -143,9 +143,11 @@ Status Connection::readAll(std::uint8_t* bytes, std::size_t size, bool midMessag
   std::size_t done = 0;
   while (done < size) {
     const ssize_t got = recv(descriptor_, bytes + done, size - done, 0);
+    // A peer that dies with unread messages resets the connection instead of ending it.
+    const bool closed = got == 0 || (got < 0 && errno == ECONNRESET);
     if (got > 0) {
       done += static_cast<std::size_t>(got);
-    } else if (got == 0) {
+    } else if (closed) {
       const bool inside = midMessage || done > 0;
       return Error{"connection closed by " + params_.peer +
                    (inside ? " in the middle of a message (" + std::to_string(done) + " of " +

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// A system that keeps the posted messages instead of delivering them.
+#pragma once
+
+#include <vector>
+
+#include "robot/host/RobotPrimitives.h"
+
+namespace kelpie::openr {
+
+class FakeSystem : public host::RobotPrimitives {
+ public:
+  void post(const OServiceEntry& to, const Message& message) override {
+    posted.push_back({to, message});
+  }
+  OStatus registerService(const OServiceEntry&, const char* name) override {
+    services.emplace_back(name);
+    return oSUCCESS;
+  }
+  void reportStatus(OStatus status) override { statuses.push_back(status); }
+  OID self() const override { return OID(7); }
+  SystemTime time() const override { return {12, 345678}; }
+  void print(int level, const char* line) override { lines.emplace_back(level, line); }
+
+  struct Posted {
+    OServiceEntry to;
+    Message message;
+  };
+  std::vector<Posted> posted;
+  std::vector<std::string> services;
+  std::vector<OStatus> statuses;
+  std::vector<std::pair<int, std::string>> lines;
+};
+
+}  // namespace kelpie::openr
