@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "robot/agent/Agent.h"
-#include "robot/openr/stub/AgentStub.h"
+#include "robot/host/AgentStub.h"
 
 namespace kelpie::host {
 
@@ -12,7 +12,7 @@ Expected<RunSummary> runAgent(Source& source, agent::Loops& loops, const HostPar
                               const std::function<void(const GameState&)>& onGame) {
   const auto agent = std::make_unique<agent::Agent>(loops);  // holds an image: not on the stack
   HostSystem system(source, params);
-  return system.run(openr::agentStub(*agent), onGame);
+  return system.run(agentStub(*agent), onGame);
 }
 
 }  // namespace kelpie::host

@@ -4,8 +4,8 @@
 
 #include "FakeWorld.h"
 #include "robot/agent/Agent.h"
+#include "robot/host/AgentStub.h"
 #include "robot/host/RunAgent.h"
-#include "robot/openr/stub/AgentStub.h"
 
 namespace kelpie::host {
 namespace {
@@ -216,7 +216,7 @@ TEST(AgentTest, UsesTheCameraAndTheStandardGainsOf2005) {
   FakeLoops loops;
   const auto object = std::make_unique<agent::Agent>(loops);
   HostSystem system(source, quiet());
-  ASSERT_TRUE(system.run(openr::agentStub(*object), {}));
+  ASSERT_TRUE(system.run(agentStub(*object), {}));
   EXPECT_EQ(ocamparamWB_FL_MODE, system.camera().whiteBalance);
   EXPECT_EQ(ocamparamGAIN_HIGH, system.camera().gain);
   EXPECT_EQ(ocamparamSHUTTER_SPEED_FAST, system.camera().shutter);

@@ -1,38 +1,38 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the generated AgentStub.cc does on the robot: unpacks a message, lets the subject or
 // observer handle its part, then calls the agent's method.
-#include "AgentStub.h"
+#include "robot/host/AgentStub.h"
 
 #include "entry.h"
 
-namespace kelpie::openr {
+namespace kelpie::host {
 namespace {
 
 agent::Agent& agentOf(OObject& self) { return static_cast<agent::Agent&>(self); }
 
-void control(OObject& self, const Message& message) {
+void control(OObject& self, const openr::Message& message) {
   agentOf(self).subject[sbjEffector]->ControlHandler(std::get<OControlMessage>(message), oSUCCESS);
 }
 
-void ready(OObject& self, const Message& message) {
+void ready(OObject& self, const openr::Message& message) {
   const auto& content = std::get<OReadyMessage>(message);
   agentOf(self).subject[sbjEffector]->ReadyHandler(content);
   agentOf(self).ReadyEffector(OReadyEvent(sbjEffector, content));
 }
 
 template <int index>
-void connect(OObject& self, const Message& message) {
+void connect(OObject& self, const openr::Message& message) {
   agentOf(self).observer[index]->ConnectHandler(std::get<OConnectMessage>(message), oSUCCESS);
 }
 
 template <int index, void (agent::Agent::*method)(const ONotifyEvent&)>
-void notify(OObject& self, const Message& message) {
+void notify(OObject& self, const openr::Message& message) {
   const auto& content = std::get<ONotifyMessage>(message);
   agentOf(self).observer[index]->NotifyHandler(content);
   (agentOf(self).*method)(ONotifyEvent(index, content));
 }
 
-constexpr ObjectEntry kEntries[] = {
+constexpr openr::ObjectEntry kEntries[] = {
     {Control_Entry[sbjEffector], control},
     {Ready_Entry[sbjEffector], ready},
     {Connect_Entry[obsSensor], connect<obsSensor>},
@@ -43,8 +43,8 @@ constexpr ObjectEntry kEntries[] = {
 
 }  // namespace
 
-ObjectStub agentStub(agent::Agent& agent) {
+openr::ObjectStub agentStub(agent::Agent& agent) {
   return {&agent, objectName, numOfSubject, numOfObserver, kEntries, std::size(kEntries)};
 }
 
-}  // namespace kelpie::openr
+}  // namespace kelpie::host

@@ -5,8 +5,8 @@
 #include "robot/agent/Agent.h"
 #include "robot/openr/ObjectStub.h"
 
-namespace kelpie::openr {
+namespace kelpie::host {
 
-ObjectStub agentStub(agent::Agent& agent);
+openr::ObjectStub agentStub(agent::Agent& agent);
 
-}  // namespace kelpie::openr
+}  // namespace kelpie::host
