@@ -90,15 +90,16 @@ TEST(Ball, UnseenBallStaysWhereItIsWhileTheRobotMoves) {
 }
 
 TEST(Ball, RollingBallHasItsSpeed) {
-  double rolling = 120.0;  // cm/s, slowed by 30 cm/s2
+  double rolling = 120.0;  // cm/s, slowed by 6 cm/s2 and 0.8 of itself a second
   BallScene scene({180, 100, maths::kPi / 2}, 100, 250);
   WorldModel world;
   for (int i = 0; i < 45; ++i) {
-    rolling -= 30.0 * kFrameSeconds;
+    rolling -= (6.0 + 0.8 * rolling) * kFrameSeconds;
     scene.x += rolling * kFrameSeconds;
     world = scene.step(true);
   }
-  EXPECT_NEAR(world.ball.velocity.x, 75.0, 15.0);
+  EXPECT_NEAR(world.ball.velocity.x, rolling, 12.0);
+  EXPECT_NEAR(rolling, 30.0, 2.0);
   EXPECT_NEAR(world.ball.velocity.y, 0.0, 15.0);
 }
 
@@ -113,6 +114,7 @@ TEST(Ball, SingleFalseSightingIsRefusedAndTheSecondBelieved) {
 
 TEST(Ball, UnseenBallIsGivenUpAfterItsTimeWithGrowingVariance) {
   BallScene scene({180, 200, 0.9}, 60, 100);  // behind the robot
+  scene.step(true);
   double variance = scene.step(true).ball.covariance[0];
   for (int i = 0; i < 149; ++i) {
     const WorldModel world = scene.step(false);
@@ -123,6 +125,25 @@ TEST(Ball, UnseenBallIsGivenUpAfterItsTimeWithGrowingVariance) {
   scene.step(false);
   scene.step(false);
   EXPECT_FALSE(scene.step(false).ball.present);
+}
+
+TEST(Ball, OneSightingIsNoBallAndTwoFarApartAreNone) {
+  BallScene scene({180, 200, 0.9}, 230, 280);
+  EXPECT_FALSE(scene.step(true).ball.present);
+  for (int i = 0; i < 20; ++i) EXPECT_FALSE(scene.step(false).ball.present);
+  EXPECT_FALSE(scene.step(true).ball.present);
+  scene.x = 60;
+  EXPECT_FALSE(scene.step(true).ball.present);
+  EXPECT_TRUE(scene.step(true).ball.present);
+}
+
+TEST(Ball, NeverRollsThroughTheRobot) {
+  BallScene scene({180, 200, maths::kPi / 2}, 180, 300);
+  for (int i = 0; i < 30; ++i) {
+    scene.y -= 2.5;  // 75 cm/s towards the robot
+    scene.step(true);
+  }
+  for (int i = 0; i < 30; ++i) EXPECT_GT(scene.step(false).ball.relative.y, 5.0);
 }
 
 TEST(Ball, NearBallMissingInTheImageIsGivenUpSooner) {

@@ -22,8 +22,8 @@ def test_looking_at_the_ball_brings_it_into_the_image(distance, aside):
 def test_shares_stay_inside_the_joints():
     for pitch in range(-120, 90):
         neck, nod = head.split(float(pitch))
-        assert -75 <= neck <= 0 and -15 <= nod <= 45
-        if -90 <= pitch <= 45:
+        assert head.LEAST_NECK <= neck <= 0 and head.LEAST_NOD <= nod <= 45
+        if head.LEAST_NECK + head.LEAST_NOD <= pitch <= 45:
             assert neck + nod == pytest.approx(pitch)
 
 

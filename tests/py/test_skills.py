@@ -45,7 +45,7 @@ def test_ball_aside_is_not_approached_further_until_it_is_centred():
     assert walk.forward == pytest.approx(0) and walk.left < 0
 
 
-@pytest.mark.parametrize('x, y, can', [(0, 7.5, True), (1.6, 7.5, False), (0, 9.1, False)])
+@pytest.mark.parametrize('x, y, can', [(0, 7.5, True), (2.6, 7.5, False), (0, 9.7, False)])
 def test_kick_zone(x, y, can):
     world = world_with_ball(x, y)
     assert StepToKick(world).can_kick(world, (0.0, 200.0)) is can

@@ -102,7 +102,7 @@ TEST(Referee, MatchEndsAtTheGoalLimitAndAtTheTimeLimit) {
   ball.position.y = 550;
   referee.tick({16000}, ball);
   EXPECT_TRUE(referee.finished());
-  EXPECT_DOUBLE_EQ(*referee.score().firstGoal, 0.008);
+  EXPECT_DOUBLE_EQ(*referee.score().firstRedGoal, 0.008);
   Referee timed(params, field);
   Ball still{{180, 270}, {}};
   timed.tick({10000000}, still);

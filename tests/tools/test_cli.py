@@ -41,7 +41,7 @@ def test_projection_agrees_with_the_renderer(tmp_path):
     assert kelpie("evaluate", "projection", "--trials", "40", "--seed", "77", "--json",
                   figures).returncode == 0
     values = json.loads(figures.read_text())
-    assert values["discs"] > 200
+    assert values["discs"] > 100
     assert values["max_px"] < 0.5 and values["max_cm_at_1m"] < 1.0
 
 
@@ -129,7 +129,7 @@ def test_script_with_a_syntax_error_is_named_before_the_match(tmp_path):
     (tmp_path / "main.py").write_text("def decide(world):\n    return (\n")
     result = kelpie("play", "--seconds", "2", "--pycode", tmp_path, "--out", tmp_path / "out")
     assert result.returncode == 2
-    assert "main.py" in result.stderr and "2" in result.stderr
+    assert "main.py:2" in complaint(result)
     assert not (tmp_path / "out" / "match.mp4").exists()
 
 

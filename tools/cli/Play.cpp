@@ -63,20 +63,21 @@ int play(PlayOptions& options) {
 
   const auto start = std::chrono::steady_clock::now();
   StatusPrinter printer;
-  const auto result =
+  const SessionResult result =
       runSession(options.session, [&printer](const std::string& line) { printer(line); });
   printer.finish();
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
-  if (!result) return complain(result.error(), kCheckFailed);
-  if (result->goals > 0)
-    fmt::print("GOAL after {:.1f} s", result->firstGoal);
+  if (!result.trouble.empty())
+    return complain(result.trouble, result.badInput ? kBadInput : kCheckFailed);
+  if (result.goals > 0)
+    fmt::print("GOAL after {:.1f} s", result.firstGoal);
   else
-    fmt::print("no goal in {:.0f} s", result->seconds);
+    fmt::print("no goal in {:.0f} s", result.seconds);
   fmt::print(" (seed {}, {:.1f} simulated seconds in {:.1f} s)\n", options.session.seed,
-             result->seconds, took.count());
+             result.seconds, took.count());
   const int pictures = makePictures(options);
   if (pictures != kDone) return pictures;
-  return result->goals > 0 ? kDone : kCheckFailed;
+  return result.goals > 0 ? kDone : kCheckFailed;
 }
 
 }  // namespace

@@ -22,7 +22,10 @@ constexpr const char* kTunables = "glibc.cpu.hwcaps=-FMA,-AVX2,-FMA4";
 [[noreturn]] void becomeProgram(char* const* argv, int output, pid_t parent) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent) _exit(127);
-  if (output >= 0) dup2(output, STDOUT_FILENO);
+  if (output >= 0) {
+    dup2(output, STDOUT_FILENO);
+    dup2(output, STDERR_FILENO);
+  }
   execv(argv[0], argv);
   _exit(127);
 }

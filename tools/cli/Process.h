@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A child process that never outlives its parent: killed when the object goes, and by the kernel
-// when the parent is killed. Its standard output can be read line by line.
+// when the parent is killed. What it prints can be read line by line.
 #pragma once
 
 #include <sys/types.h>
@@ -14,7 +14,7 @@ namespace kelpie::cli {
 
 class Process {
  public:
-  // argv[0] is the program's path. With `readOutput` its standard output goes to readLine().
+  // argv[0] is the program's path. With `readOutput` all that it prints goes to readLine().
   static Expected<Process> start(const std::vector<std::string>& argv, bool readOutput);
   Process(Process&& other) noexcept;
   Process& operator=(Process&&) = delete;

@@ -7,8 +7,9 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <optional>
+#include <string_view>
 
+#include "tools/cli/AgentTalk.h"
 #include "tools/cli/Logs.h"
 #include "tools/cli/Process.h"
 
@@ -86,59 +87,96 @@ std::vector<std::string> agentCommand(const SessionOptions& options, const Works
   return argv;
 }
 
-Expected<SessionResult> readResult(const std::string& path) {
+void readResult(const std::string& path, bool blue, SessionResult& result) {
   std::ifstream file(path);
   const auto json = nlohmann::json::parse(file, nullptr, false);
-  if (!json.is_object()) return Error{"the world left no result"};
-  SessionResult result;
-  result.goals = json.value("goals", 0);
-  result.ownGoals = json.value("own_goals", 0);
+  if (!json.is_object()) {
+    result.trouble = "the world left no result";
+    return;
+  }
+  const std::string own = blue ? "blue" : "red";
+  const std::string other = blue ? "red" : "blue";
+  result.goals = json.value(own + "_goals", 0);
+  result.ownGoals = json.value(other + "_goals", 0);
   result.outs = json.value("outs", 0);
   result.seconds = json.value("seconds", 0.0);
-  if (json.contains("first_goal_s") && json["first_goal_s"].is_number())
-    result.firstGoal = json["first_goal_s"].get<double>();
-  return result;
+  if (result.goals > 0) result.firstGoal = json.value("first_" + own + "_goal_s", -1.0);
 }
 
-// Runs until both have ended. The world's death ends the agent (its socket closes) and the other
-// way round, so nobody waits for ever.
-std::string watch(Process& world, Process& agent, const StatusLine& status) {
-  std::string line;
+// What the agent prints: status lines for the caller, its last complaint for the end, the rest (a
+// script's error) for the user at once.
+struct AgentTalk {
   std::string last = "before the first frame";
-  while (!agent.ended()) {
-    while (agent.readLine(line, 50)) {
-      last = line;
-      if (status) status(line);
+  std::string complaint;
+  bool began = false;  // before that the complaint says all in one line
+
+  void hear(const std::string& line, const StatusLine& status) {
+    const std::string_view text = line;
+    if (text.substr(0, kStatusMark.size()) == kStatusMark) {
+      last = text.substr(kStatusMark.size());
+      began = true;
+      if (status) status(last);
+    } else if (text.substr(0, kComplaintMark.size()) == kComplaintMark) {
+      complaint = text.substr(kComplaintMark.size());
+    } else if (began) {
+      fmt::print(stderr, "{}\n", line);
     }
   }
+};
+
+// Runs until both have ended. The world's death ends the agent (its socket closes); an agent that
+// ends in trouble takes the world with it.
+void watch(Process& world, Process& agent, const StatusLine& status, SessionResult& result) {
+  AgentTalk talk;
+  std::string line;
+  while (!agent.ended())
+    while (agent.readLine(line, 50)) talk.hear(line, status);
+  while (agent.readLine(line, 0)) talk.hear(line, status);
   const int agentCode = agent.wait();
+  const bool worldDied = world.ended() && world.wait() >= 128;
+  if (agentCode != 0) world.terminate();
   const int worldCode = world.wait();
-  if (worldCode >= 128)
-    return fmt::format("the world died (signal {}); last: {}", worldCode - 128, last);
-  if (agentCode >= 128)
-    return fmt::format("the agent died (signal {}); last: {}", agentCode - 128, last);
-  if (worldCode != 0) return fmt::format("the world stopped with code {}", worldCode);
-  if (agentCode != 0) return fmt::format("the agent stopped with code {}", agentCode);
-  return {};
+  if (worldDied)
+    result.trouble =
+        fmt::format("the world died (signal {}); last: {}", worldCode - 128, talk.last);
+  else if (agentCode >= 128)
+    result.trouble =
+        fmt::format("the agent died (signal {}); last: {}", agentCode - 128, talk.last);
+  else if (agentCode != 0)
+    result.trouble = talk.complaint.empty() ? "the agent gave up" : talk.complaint;
+  else if (worldCode != 0)
+    result.trouble = fmt::format("the world stopped with code {}", worldCode);
+  result.badInput = agentCode == 2;
+}
+
+void play(const SessionOptions& options, const StatusLine& status, const Workshop& workshop,
+          SessionResult& result) {
+  auto world = Process::start(worldCommand(options, workshop), false);
+  auto agent = Process::start(agentCommand(options, workshop), true);
+  if (!world || !agent) {
+    result.trouble = world ? agent.error() : world.error();
+    return;
+  }
+  watch(*world, *agent, status, result);
+  if (!options.log.empty() && fs::exists(workshop.path("agent.mcap")) && !result.badInput) {
+    const Status merged =
+        mergeLogs({workshop.path("agent.mcap"), workshop.path("world.mcap")}, options.log);
+    if (!merged) result.trouble = merged.error();
+  }
+  if (result.trouble.empty())
+    readResult(workshop.path("result.json"), options.team == "blue", result);
 }
 
 }  // namespace
 
-Expected<SessionResult> runSession(const SessionOptions& options, const StatusLine& status) {
+SessionResult runSession(const SessionOptions& options, const StatusLine& status) {
+  SessionResult result;
   const Workshop workshop;
-  if (!workshop.ready()) return Error{"cannot make a temporary folder"};
-  auto world = Process::start(worldCommand(options, workshop), false);
-  if (!world) return Error{world.error()};
-  auto agent = Process::start(agentCommand(options, workshop), true);
-  if (!agent) return Error{agent.error()};
-  const std::string trouble = watch(*world, *agent, status);
-  if (!options.log.empty() && fs::exists(workshop.path("agent.mcap"))) {
-    const Status merged =
-        mergeLogs({workshop.path("agent.mcap"), workshop.path("world.mcap")}, options.log);
-    if (!merged) return Error{merged.error()};
-  }
-  if (!trouble.empty()) return Error{trouble};
-  return readResult(workshop.path("result.json"));
+  if (workshop.ready())
+    play(options, status, workshop, result);
+  else
+    result.trouble = "cannot make a temporary folder";
+  return result;
 }
 
 }  // namespace kelpie::cli

@@ -8,8 +8,6 @@
 #include <string>
 #include <vector>
 
-#include "robot/core/Expected.h"
-
 namespace kelpie::cli {
 
 struct SessionOptions {
@@ -29,6 +27,8 @@ struct SessionOptions {
 };
 
 struct SessionResult {
+  std::string trouble;    // one line: what died and when; empty when the match was played out
+  bool badInput = false;  // the trouble is what was asked for
   int goals = 0;
   int ownGoals = 0;
   int outs = 0;
@@ -39,7 +39,7 @@ struct SessionResult {
 // Called with each status line of the agent (what the robot believes, in words).
 using StatusLine = std::function<void(const std::string&)>;
 
-// An error names what died and when; the log is then still there up to the last whole frame.
-Expected<SessionResult> runSession(const SessionOptions& options, const StatusLine& status);
+// After trouble the log is still there up to the last whole frame.
+SessionResult runSession(const SessionOptions& options, const StatusLine& status);
 
 }  // namespace kelpie::cli

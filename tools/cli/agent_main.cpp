@@ -10,6 +10,7 @@
 #include "robot/agent/AgentLoops.h"
 #include "robot/host/RunAgent.h"
 #include "robot/host/WorldSource.h"
+#include "tools/cli/AgentTalk.h"
 #include "tools/cli/Config.h"
 #include "tools/cli/Describe.h"
 #include "tools/cli/Logs.h"
@@ -40,7 +41,7 @@ class AgentSink : public agent::LogSink {
   void frame(const FrameInput& input, const FrameOutput& output) override {
     if (log_ != nullptr) log_->frame(input, output);
     if (!status_ || input.frame % kStatusFrames != 0) return;
-    fmt::print("{}\n", describe(output));
+    fmt::print("{}{}\n", kStatusMark, describe(output));
     std::fflush(stdout);
   }
 
@@ -50,7 +51,7 @@ class AgentSink : public agent::LogSink {
 };
 
 int fail(const std::string& message, int code) {
-  fmt::print(stderr, "kelpie-agent: {}\n", message);
+  fmt::print(stderr, "{}{}\n", kComplaintMark, message);
   return code;
 }
 

@@ -32,7 +32,8 @@ struct Score {
   int red = 0;   // balls in the blue goal, y = length
   int blue = 0;  // balls in the yellow goal, y = 0
   int outs = 0;
-  std::optional<double> firstGoal;  // s, red's first
+  std::optional<double> firstRedGoal;   // s
+  std::optional<double> firstBlueGoal;  // s
 };
 
 // The whole ball is behind a goal line and between the posts: which team scores.

@@ -38,14 +38,18 @@ WorldParams worldParams(const Options& options) {
   return params;
 }
 
+std::string secondsOrNull(const std::optional<double>& time) {
+  return time ? fmt::format("{:.3f}", *time) : "null";
+}
+
 Status writeResult(const Options& options, const World& world) {
   if (options.result.empty()) return Done{};
   const Score& score = world.score();
   std::ofstream file(options.result);
   file << fmt::format(
-      "{{\"goals\":{},\"own_goals\":{},\"first_goal_s\":{},\"seconds\":{:.3f},\"outs\":{},"
-      "\"seed\":{}}}\n",
-      score.red, score.blue, score.firstGoal ? fmt::format("{:.3f}", *score.firstGoal) : "null",
+      "{{\"red_goals\":{},\"blue_goals\":{},\"first_red_goal_s\":{},\"first_blue_goal_s\":{},"
+      "\"seconds\":{:.3f},\"outs\":{},\"seed\":{}}}\n",
+      score.red, score.blue, secondsOrNull(score.firstRedGoal), secondsOrNull(score.firstBlueGoal),
       world.time().seconds(), score.outs, options.seed);
   file.close();
   if (!file) return Error{"cannot write " + options.result};

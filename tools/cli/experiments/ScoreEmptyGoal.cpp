@@ -30,13 +30,11 @@ Trials playAll(const ExperimentOptions& options, int trials) {
       SessionOptions session;
       session.seed = options.seed + static_cast<std::uint64_t>(i);
       session.seconds = kLimit;
-      auto result = runSession(session, {});
+      const SessionResult result = runSession(session, {});
       const std::lock_guard<std::mutex> lock(mutex);
-      if (result) {
-        all.results[static_cast<std::size_t>(i)] = *result;
-      } else if (all.error.empty()) {
-        all.error = "seed " + std::to_string(session.seed) + ": " + result.error();
-      }
+      all.results[static_cast<std::size_t>(i)] = result;
+      if (!result.trouble.empty() && all.error.empty())
+        all.error = "seed " + std::to_string(session.seed) + ": " + result.trouble;
       if (options.progress) options.progress(++done, trials);
     }
   };
