@@ -85,9 +85,9 @@ void addSection(SchemaSections& sections) {
   std::string text;
   forEachFieldOf<T>([&](const auto& f) {
     using Member = decltype(memberType(f));
-    constexpr bool isAngle = std::is_same_v<typename ScalarOf<Member>::Type, Angle>;
+    constexpr bool kIsAngle = std::is_same_v<typename ScalarOf<Member>::Type, Angle>;
     text += schemaLine(wireTypeName<Member>(sections), f.name,
-                       rangeText(f.unit, isAngle, f.min, f.max));
+                       rangeText(f.unit, kIsAngle, f.min, f.max));
   });
   sections[mine].second = std::move(text);
 }

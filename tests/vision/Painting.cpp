@@ -91,7 +91,8 @@ std::uint8_t byteOf(double v) {
 Paint mixed(const Painting& p, const CameraPose& camera, int px, int py) {
   Paint sum{0, 0, 0};
   for (int i = 0; i < 16; ++i) {
-    const Paint c = cast(p, camera, px + (i % 4 + 0.5) / 4.0, py + (i / 4 + 0.5) / 4.0);
+    const int row = i / 4;
+    const Paint c = cast(p, camera, px + (i % 4 + 0.5) / 4.0, py + (row + 0.5) / 4.0);
     sum = {sum.y + c.y / 16.0, sum.cr + c.cr / 16.0, sum.cb + c.cb / 16.0};
   }
   return sum;

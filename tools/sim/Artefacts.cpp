@@ -55,7 +55,8 @@ void Artefacts::prepareGains() {
     const double own = params_.shift ? shift_.gain[c] : 1.0;
     const double add = params_.shift ? shift_.offset[c] : 0.0;
     for (std::size_t i = 0; i < kImagePixels; ++i) {
-      const double dx = static_cast<double>(i / kRows) + 0.5 - 0.5 * kImageWidth;
+      const std::size_t column = i / kRows;
+      const double dx = static_cast<double>(column) + 0.5 - 0.5 * kImageWidth;
       const double dy = static_cast<double>(i % kRows) + 0.5 - 0.5 * kImageHeight;
       const double d = params_.ring ? maths::hypot(dx, dy) : 0.0;
       const double ring = ringGain(kRing[c], d);
