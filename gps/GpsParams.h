@@ -82,6 +82,8 @@ struct ModeParams {
   double mergeDistance = 5.0;      // cm, and degrees for the heading
   double mergeCovariance = 200.0;  // cm2, and deg2 for the heading
   double seedSpacing = 30.0;       // deg between the poses tried around the first landmark
+  double explainedShare = 0.1;     // least weight of the corrected modes in all, else unexplained
+  std::uint32_t maxUnexplained = 25;  // in a row; then all begins anew around the next landmark
 
   static constexpr auto fields() {
     return fieldList(field("noiseWeight", &ModeParams::noiseWeight, "", 0, 1),
@@ -91,7 +93,9 @@ struct ModeParams {
                      field("determinant", &ModeParams::determinant),
                      field("mergeDistance", &ModeParams::mergeDistance, "cm", 0, 100),
                      field("mergeCovariance", &ModeParams::mergeCovariance, "cm2", 0, 1e5),
-                     field("seedSpacing", &ModeParams::seedSpacing, "deg", 10, 180));
+                     field("seedSpacing", &ModeParams::seedSpacing, "deg", 10, 180),
+                     field("explainedShare", &ModeParams::explainedShare, "", 0, 1),
+                     field("maxUnexplained", &ModeParams::maxUnexplained, "", 1, 10000));
   }
 };
 

@@ -153,12 +153,22 @@ void updateAll(const Measurement& measurement, const GpsParams& params, GpsState
   Modes& modes = state.modes;
   modes.push_back(wideMode(params, params.modes.wideWeight));
   const std::size_t before = modes.size();
+  double copies = 0.0;
+  double corrected = 0.0;
   for (std::size_t i = 0; i < before; ++i) {
     PoseMode copy = modes[i];
     copy.weight *= params.modes.noiseWeight;
+    copies += copy.weight;
     modes.push_back(copy);
     update(modes[i], measurement, params.modes.determinant);
+    corrected += modes[i].weight;
   }
+  // The wide mode alone is not enough: near modes crowd it out, and it cannot be linearised well.
+  const bool explained = corrected > params.modes.explainedShare * (copies + corrected);
+  state.unexplained = explained ? 0 : state.unexplained + 1;
+  if (state.unexplained <= params.modes.maxUnexplained) return;
+  state.unexplained = 0;
+  state.lost = true;
 }
 
 void tidy(const GpsParams& params, GpsState& state) {

@@ -42,8 +42,9 @@ enum class Refusal : std::uint8_t {
   bufferFull,
   goalWidth,      // its angle and distance make no 80 cm
   goalOffGround,  // its foot is not on the ground at its distance
+  goalOpposite,   // the other goal is in the image and larger
 };
-constexpr std::size_t kRefusalCount = 30;
+constexpr std::size_t kRefusalCount = 31;
 
 constexpr std::array<const char*, kRefusalCount> kRefusalNames = {
     "ballTooSmall",       "ballFewEdges",     "ballPoorCircle",     "ballFewOrange",
@@ -53,7 +54,7 @@ constexpr std::array<const char*, kRefusalCount> kRefusalNames = {
     "beaconNoWhiteBelow", "beaconElevation",  "beaconTooFar",       "goalTooSmall",
     "goalAspect",         "goalAboveHorizon", "goalNoField",        "goalIsBeacon",
     "goalTooFar",         "goalNoHeight",     "goalAboveFieldEdge", "bufferFull",
-    "goalWidth",          "goalOffGround"};
+    "goalWidth",          "goalOffGround",    "goalOpposite"};
 
 inline void refuse(VisionCounts& counts, Refusal reason) {
   ++counts.refused[static_cast<std::size_t>(reason)];

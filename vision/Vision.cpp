@@ -8,6 +8,7 @@
 #include "vision/LinePoints.h"
 #include "vision/Refusal.h"
 #include "vision/Scene.h"
+#include "vision/Together.h"
 
 namespace kelpie::vision {
 
@@ -24,6 +25,7 @@ Percepts step(const VisionIn& in, const VisionParams& params, VisionState& state
   const Scene scene{sampler, state.blobs, in.body, out.fieldEdge};
   findBeacons(scene, params.beacon, out.counts, out.landmarks);
   findGoals(scene, params.goal, out.counts, out.landmarks);
+  keepOneGoal(out);
   out.ball = findBall(scene, params.ball, out.counts);
   findLinePoints(scene, params.line, out.linePoints);
   return out;

@@ -1,0 +1,166 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The target program against the PC's: the same bits, the same costs each time, clear lines when
+something is wrong. Run by ctest, which builds the target and names the PC's programs."""
+
+import json
+import os
+import shutil
+import subprocess
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+TOOLCHAIN = ROOT / "toolchain"
+BIN = ROOT / "build/mipsel/bin"
+KELPIE = os.environ.get("KELPIE", str(ROOT / "build/host/bin/kelpie"))
+MATHS_HASH = os.environ.get("MATHS_HASH", str(ROOT / "build/host/bin/maths-hash"))
+
+
+def run(*command, **options):
+    return subprocess.run([str(part) for part in command], capture_output=True, text=True,
+                          timeout=120, **options)
+
+
+def emulated(name, *arguments):
+    return run("qemu-mipsel", BIN / name, *arguments)
+
+
+@pytest.fixture(scope="session")
+def log(tmp_path_factory):
+    made = run(TOOLCHAIN / "record", tmp_path_factory.mktemp("recording"), KELPIE)
+    assert made.returncode == 0, made.stderr
+    return Path(made.stdout.strip())
+
+
+@pytest.fixture(scope="session")
+def behaviours(tmp_path_factory):
+    out = tmp_path_factory.mktemp("zip") / "pycode.zip"
+    assert run(TOOLCHAIN / "make-pyzip", out).returncode == 0
+    return out
+
+
+def test_maths_has_the_same_bits_on_both():
+    here, there = run(MATHS_HASH), emulated("maths-hash")
+    assert len(here.stdout.strip()) == 16
+    assert here.stdout == there.stdout
+
+
+def test_replay_on_the_target_gives_the_recorded_bits(log, behaviours):
+    result = emulated("kelpie-target", log, "--pycode", behaviours)
+    assert result.stderr == "" and result.returncode == 0
+    assert "replayed 180 frames, 0 differ" in result.stdout
+
+
+def test_other_behaviours_are_noticed(log, tmp_path):
+    pycode = tmp_path / "pycode"
+    pycode.mkdir()
+    (pycode / "main.py").write_text(
+        "import kelpie\ndef decide(world):\n    return kelpie.Command(mouth_open=True)\n")
+    run(TOOLCHAIN / "make-pyzip", tmp_path / "other.zip", "--pycode", pycode)
+    result = emulated("kelpie-target", log, "--pycode", tmp_path / "other.zip", "--limit", 30)
+    assert result.returncode == 1
+    assert "replayed 30 frames, 30 differ" in result.stdout
+    assert "frame 0: command." in result.stderr
+
+
+def test_log_that_is_cut_off_ends_with_2_and_a_line(log, behaviours, tmp_path):
+    cut = tmp_path / "cut.mcap"
+    with open(log, "rb") as whole:
+        cut.write_bytes(whole.read(log.stat().st_size // 2))
+    result = emulated("kelpie-target", cut, "--pycode", behaviours)
+    assert result.returncode == 2
+    assert f"kelpie-target: {cut}: cut off at byte" in result.stderr
+
+
+@pytest.mark.parametrize("arguments, line", [
+    (["none.mcap", "--pycode", "pycode"], "none.mcap"),
+    (["none.mcap", "--pycode", "nowhere"], "nowhere: No such file"),
+    (["none.mcap", "--pycode", "pycode", "--limit", "0"], "--limit needs a number"),
+    (["none.mcap"], "usage: kelpie-target LOG"),
+])
+def test_bad_arguments_end_with_2_and_one_line(arguments, line):
+    result = run("qemu-mipsel", BIN / "kelpie-target", *arguments, cwd=ROOT)
+    assert result.returncode == 2
+    assert line in result.stderr and result.stderr.count("\n") == 1
+
+
+def test_cost_repeats_to_the_last_digit_and_is_within_the_budget(log, tmp_path):
+    there = tmp_path / "a place with a longer name"
+    there.mkdir()
+    shutil.copy(log, there)
+    one, two = tmp_path / "one.json", there / "two.json"
+    assert run(TOOLCHAIN / "target-cost", log, "--json", one).returncode == 0
+    again = run(TOOLCHAIN / "target-cost", there / log.name, "--json", two, cwd="/",
+                env={**os.environ, "LONG": "x" * 5000, "TZ": "Asia/Tokyo"})
+    assert again.returncode == 0
+    assert one.read_text() == two.read_text()
+    cost = json.loads(one.read_text())
+    assert cost["frames"] == 180
+    assert 1e5 < cost["frame"]["cycles_mean"] < 8e6 and cost["frame"]["cycles_p99"] < 12e6
+    assert all(stage["cycles_mean"] > 1000 for stage in cost["stages"].values())
+
+
+def test_counter_counts_a_known_loop(tmp_path):
+    source = tmp_path / "loop.c"
+    source.write_text("""#include <sys/syscall.h>
+#include <unistd.h>
+int main(void) {
+  syscall(SYS_getpriority, 0x41694230, 1);
+  __asm__ volatile(".set noreorder\\n li $8, 100000\\n 1: addiu $8, $8, -1\\n"
+                   " bnez $8, 1b\\n sw $0, 0($29)\\n .set reorder" ::: "$8", "memory");
+  syscall(SYS_getpriority, 0x41694230, 2);
+}
+""")
+    run("mipsel-linux-gnu-gcc", "-static", "-O1", "-o", tmp_path / "loop", source)
+    run("qemu-mipsel", "-plugin", f"{ROOT}/build/mipsel/libicount.so,out={tmp_path}/counts",
+        tmp_path / "loop")
+    lines = (tmp_path / "counts").read_text().splitlines()
+    row = dict(zip(lines[0].split(), map(int, lines[2].split())))
+    assert (row["from"], row["to"]) == (1, 2)
+    assert 300000 < row["instructions"] < 300200
+    assert 100000 <= row["stores"] < 100050 and row["loads"] < 50
+    assert row["l1d"] < 20
+
+
+def test_own_code_has_only_instructions_of_the_r7000():
+    result = run(TOOLCHAIN / "check-isa", BIN / "kelpie-target")
+    assert result.returncode == 0, result.stderr
+    assert "0 faults of ours" in result.stdout
+
+
+def test_instruction_of_another_processor_is_found(tmp_path):
+    (tmp_path / "CMakeCache.txt").write_text("")
+    source = tmp_path / "own.c"
+    source.write_text("int main(int argc, char** argv) { return __builtin_clz(argc); }\n")
+    run("mipsel-linux-gnu-gcc", "-O2", "-march=mips32r2", "-c", "-o", tmp_path / "own.o", source)
+    run("mipsel-linux-gnu-gcc", "-static", "-o", tmp_path / "own", tmp_path / "own.o")
+    result = run(TOOLCHAIN / "check-isa", tmp_path / "own")
+    assert result.returncode == 1
+    assert "own.o: compiled for MIPS32r2" in result.stderr
+    assert "main has 1 instructions that an R7000 does not" in result.stderr
+
+
+def test_zip_of_behaviours_has_the_same_bytes_each_time(tmp_path, behaviours):
+    again = tmp_path / "again.zip"
+    run(TOOLCHAIN / "make-pyzip", again, env={"PYTHONHASHSEED": "7", "PATH": os.environ["PATH"]})
+    assert again.read_bytes() == behaviours.read_bytes()
+
+
+def test_behaviour_with_a_syntax_error_is_named_with_its_line(tmp_path):
+    (tmp_path / "main.py").write_text("x = 1\ndef\n")
+    result = run(TOOLCHAIN / "make-pyzip", tmp_path / "out.zip", "--pycode", tmp_path)
+    assert result.returncode == 1
+    assert "make-pyzip: main.py:2:" in result.stderr
+    assert not (tmp_path / "out.zip").exists()
+
+
+@pytest.mark.parametrize("program, package", [
+    ("mipsel-linux-gnu-g++", "g++-mipsel-linux-gnu"), ("qemu-mipsel", "qemu-user")])
+def test_what_is_not_installed_is_named(tmp_path, program, package):
+    for tool in ("bash", "dirname", "cmake", "ninja", "gcc", "mipsel-linux-gnu-g++", "qemu-mipsel"):
+        if tool != program:
+            (tmp_path / tool).symlink_to(shutil.which(tool))
+    result = run("/bin/bash", TOOLCHAIN / "build-target", env={"PATH": str(tmp_path)})
+    assert result.returncode == 2
+    assert f"needs {program}; install the Debian package {package}" in result.stderr
