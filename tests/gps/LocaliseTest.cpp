@@ -78,6 +78,19 @@ TEST(Localise, KidnappedRobotFindsItselfAgain) {
   EXPECT_LT(frames[18], 150);
 }
 
+TEST(Localise, PoseTurnedRoundIsGivenUpWithOneGoalInSight) {
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    SimulatedRobot robot({180, 230, -1.6}, seed);
+    robot.params.initialPose = {true, {{140, 235}, Angle::deg(110)}, 10.0, Angle::deg(5)};
+    WorldModel world;
+    for (int i = 0; i < 90; ++i) {
+      robot.lookAround(0.0);
+      world = robot.step();
+    }
+    EXPECT_LT(robot.headingError(world), 60.0) << seed;  // one landmark leaves a circle of places
+  }
+}
+
 TEST(Localise, KnownStartIsKeptWhileNothingIsSeen) {
   SimulatedRobot robot({60, 100, 0.4});
   robot.params.initialPose = {true, {{60, 100}, Angle::rad(0.4)}, 5.0, Angle::deg(3)};
