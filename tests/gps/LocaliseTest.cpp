@@ -78,16 +78,24 @@ TEST(Localise, KidnappedRobotFindsItselfAgain) {
   EXPECT_LT(frames[18], 150);
 }
 
+// Eight modes crowd round a wrong pose, so that none of the filter's wide modes lives on.
 TEST(Localise, PoseTurnedRoundIsGivenUpWithOneGoalInSight) {
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
     SimulatedRobot robot({180, 230, -1.6}, seed);
-    robot.params.initialPose = {true, {{140, 235}, Angle::deg(110)}, 10.0, Angle::deg(5)};
+    robot.lookAround(0.0);
+    robot.step();
+    robot.state.modes.clear();
+    for (int i = 0; i < 8; ++i) {
+      const Pose2 wrong{{120.0 + 12.0 * i, 235.0}, Angle::deg(100.0 + 3.0 * i)};
+      robot.state.modes.push_back({0.125, wrong, {25, 0, 0, 0, 25, 0, 0, 0, 0.003}});
+    }
+    robot.state.lost = false;
     WorldModel world;
     for (int i = 0; i < 90; ++i) {
       robot.lookAround(0.0);
       world = robot.step();
     }
-    EXPECT_LT(robot.headingError(world), 60.0) << seed;  // one landmark leaves a circle of places
+    EXPECT_LT(robot.headingError(world), 90.0) << seed;  // one landmark leaves a circle of places
   }
 }
 
