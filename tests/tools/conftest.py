@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Runs the built programs as a user would. KELPIE_BIN names their folder (default build/host/bin)."""
+"""Runs the built programs as a user would. KELPIE_BIN: their folder, default build/host/bin."""
 
 import os
 import subprocess
