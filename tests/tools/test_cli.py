@@ -69,6 +69,15 @@ def test_jsonl_has_one_object_a_frame(match, tmp_path):
     assert set(objects[-1]["pose"]) == {"x_cm", "y_cm", "heading_deg", "sd_cm", "sd_deg"}
 
 
+def test_a_recording_through_the_openr_services_gives_the_same_frames(match, tmp_path):
+    again = tmp_path / "again.mcap"
+    subprocess.run([BIN / "kelpie-agent", "--recording", match, "--log", again], check=True,
+                   timeout=120)
+    frames = [kelpie("replay", log, "--jsonl", "-").stdout for log in (match, again)]
+    assert frames[0] == frames[1] and frames[0].count("\n") > 80
+    assert kelpie("replay", again, "--check").returncode == 0
+
+
 def test_info_counts_topics(match):
     result = kelpie("info", match)
     assert result.returncode == 0

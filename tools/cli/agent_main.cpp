@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "robot/agent/AgentLoops.h"
+#include "robot/host/RecordingSource.h"
 #include "robot/host/RunAgent.h"
 #include "robot/host/WorldSource.h"
 #include "tools/cli/AgentTalk.h"
@@ -23,6 +24,7 @@ constexpr std::uint32_t kStatusFrames = 15;  // twice a simulated second
 
 struct AgentOptions {
   std::string socket;
+  std::string recording;
   std::string log;
   std::string pycode = defaultScripts();
   double dropRate = 0.0;
@@ -55,17 +57,24 @@ int fail(const std::string& message, int code) {
   return code;
 }
 
-Status play(const AgentOptions& options, agent::AgentLoops& loops,
-            const agent::AgentConfig& config) {
-  auto world = host::WorldSource::connect(options.socket, {config.team, config.player}, {});
-  if (!world) return Error{world.error()};
+Status runFrom(host::Source& source, const AgentOptions& options, agent::AgentLoops& loops) {
   host::HostParams params;
   params.dropRate = options.dropRate;
   params.seed = options.seed;
-  const auto summary = host::runAgent(*world, loops, params,
+  const auto summary = host::runAgent(source, loops, params,
                                       [&loops](const GameState& game) { loops.setGame(game); });
   if (!summary) return Error{summary.error()};
   return Done{};
+}
+
+Status play(const AgentOptions& options, agent::AgentLoops& loops,
+            const agent::AgentConfig& config) {
+  if (!options.recording.empty()) {
+    auto recording = host::RecordingSource::open(options.recording);
+    return recording ? runFrom(*recording, options, loops) : Status(Error{recording.error()});
+  }
+  auto world = host::WorldSource::connect(options.socket, {config.team, config.player}, {});
+  return world ? runFrom(*world, options, loops) : Status(Error{world.error()});
 }
 
 // A script that does not load is bad input: told before the match, not during it.
@@ -95,7 +104,10 @@ int main(int argc, char** argv) {
   kelpie::cli::useTargetMaths(argv);
   CLI::App app{"One robot's brain: joins a simulated world and plays", "kelpie-agent"};
   AgentOptions options;
-  app.add_option("--socket", options.socket, "Socket of the world")->required();
+  auto* from = app.add_option_group("source", "where sensors and images come from");
+  from->add_option("--socket", options.socket, "Socket of a simulated world");
+  from->add_option("--recording", options.recording, "Log of an agent, through OPEN-R again");
+  from->require_option(1);
   app.add_option("--log", options.log, "Log to write");
   app.add_option("--pycode", options.pycode, "Behaviours, folder or zip");
   app.add_option("--player", options.config.player, "Number in the team")->check(CLI::Range(1, 4));

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "robot/host/RecordingSource.h"
+
+#include <utility>
+
+namespace kelpie::host {
+namespace {
+
+constexpr const char* kMotionTopic = "/motion/input";
+constexpr const char* kFrameTopic = "/frame/input";
+constexpr std::int64_t kTickUs = 8000;
+constexpr std::int64_t kHalfExposureUs = 33333 / 2;  // a frame's time is the middle of its exposure
+
+}  // namespace
+
+RecordingSource::RecordingSource(std::string log, LogReader reader)
+    : log_(std::move(log)), reader_(std::move(reader)), frame_(std::make_unique<FrameInput>()) {}
+
+Expected<RecordingSource> RecordingSource::open(const std::string& log) {
+  auto reader = LogReader::open(log);
+  if (!reader) return Error{reader.error()};
+  return RecordingSource(log, std::move(*reader));
+}
+
+Expected<bool> RecordingSource::next(WorldEvent& event) {
+  LogMessage message;
+  while (reader_.next(message)) {
+    event.step = WorldStep{};
+    const bool sensors = message.topic() == kMotionTopic;
+    if (!sensors && message.topic() != kFrameTopic) continue;
+    const Status taken = sensors ? takeSensors(message, event) : takeImage(message, event);
+    if (!taken) return Error{log_ + ": " + taken.error()};
+    event.step.game = game_;
+    return true;
+  }
+  if (!reader_.status()) return Error{reader_.status().error()};
+  return false;
+}
+
+Status RecordingSource::takeSensors(const LogMessage& message, WorldEvent& event) {
+  const Status read = decodeAs(message, motion_);
+  if (!read) return read;
+  if (motion_.time.us < kTicksPerMessage * kTickUs)
+    return Error{"sensor ticks before the robot's time began"};
+  event.step.time = motion_.time;
+  event.step.sensorsPresent = true;
+  event.step.firstTick = static_cast<std::uint32_t>(motion_.time.us / kTickUs) - kTicksPerMessage;
+  event.step.sensors = motion_.sensors;
+  sensorsSeen_ = true;
+  if (waiting_ > 0) {
+    event.step.vectorsDone = 1;
+    --waiting_;
+  }
+  return Done{};
+}
+
+Status RecordingSource::takeImage(const LogMessage& message, WorldEvent& event) {
+  if (!sensorsSeen_) return Error{"an image comes before all sensors: not a log of an agent"};
+  const Status read = decodeAs(message, *frame_);
+  if (!read) return read;
+  event.step.time = {frame_->time.us + kHalfExposureUs};
+  event.step.imagePresent = true;
+  event.image = frame_->image;
+  game_ = frame_->game;
+  return Done{};
+}
+
+Status RecordingSource::reply(const AgentReply& reply) {
+  waiting_ += static_cast<std::uint32_t>(reply.vectors.size());
+  return Done{};
+}
+
+}  // namespace kelpie::host
