@@ -7,6 +7,7 @@ import signal
 import subprocess
 import time
 
+import pytest
 from conftest import BIN, HEADER, PLANE, ROOT, complaint, kelpie, make_recording
 
 
@@ -76,6 +77,16 @@ def test_a_recording_through_the_openr_services_gives_the_same_frames(match, tmp
     frames = [kelpie("replay", log, "--jsonl", "-").stdout for log in (match, again)]
     assert frames[0] == frames[1] and frames[0].count("\n") > 80
     assert kelpie("replay", again, "--check").returncode == 0
+
+
+def test_a_match_opens_in_a_third_party_reader(match):
+    reader = BIN.parent / "log_reader"
+    if not (reader / "node_modules").is_dir():
+        pytest.skip("no node packages: ctest -R third_party installs them")
+    result = subprocess.run(["node", "check_log.mjs", match], cwd=reader, capture_output=True,
+                            text=True, check=False, timeout=120)
+    assert result.returncode == 0, result.stderr
+    assert "/frame/input" in result.stdout and "/truth" in result.stdout
 
 
 def test_info_counts_topics(match):

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+// Replaces the global allocator: memory taken inside a C++ stage fails the test. The loops play in
+// the simulated world, in one process and without OPEN-R.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <memory>
+#include <new>
+
+#include "robot/agent/FrameLoop.h"
+#include "robot/agent/MotionLoop.h"
+#include "robot/body/FieldDescription.h"
+#include "tools/sim/World.h"
+
+namespace {
+bool counting = false;
+int allocations = 0;
+}  // namespace
+
+void* operator new(std::size_t size) {
+  if (counting) ++allocations;
+  void* memory = std::malloc(size);
+  if (memory == nullptr) std::abort();
+  return memory;
+}
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+
+namespace kelpie::agent {
+namespace {
+
+// Counts in every stage but the behaviours: Python has its own memory.
+class Counter : public StageObserver {
+ public:
+  void begin(Stage stage) override { counting = stage != Stage::behaviour; }
+  void end(Stage stage) override {
+    counting = false;
+    if (stage != Stage::behaviour) ++stages;
+  }
+  int stages = 0;
+};
+
+host::AgentReply orders(const MotionOutput& output) {
+  host::AgentReply reply;
+  reply.motorPower = true;
+  reply.gains = (1U << kJointCount) - 1;
+  host::EffectorVector vector;
+  vector.ticks = kTicksPerMessage;
+  vector.joints = reply.gains;
+  for (std::size_t i = 0; i < kTicksPerMessage; ++i) vector.targets[i] = output.joints[i].target;
+  reply.vectors.push_back(vector);
+  return reply;
+}
+
+struct Match {
+  Match() {
+    const auto field = *body::fieldDescription("2006");
+    config->gps.field = field;
+    config->calibration = vision::nominalCalibration();
+    const auto setup = *sim::scenario("empty-goal", field, {{TeamColour::red, 1}}, 5);
+    world = std::make_unique<sim::World>(sim::WorldParams{}, field, setup, 5);
+    frames = std::make_unique<FrameLoop>(*config, KELPIE_SOURCE_DIR "/pycode");
+    motions = std::make_unique<MotionLoop>(*config);
+  }
+  // 32 ms: a motion message, then an image.
+  void step() {
+    for (int tick = 0; tick < kTicksPerMessage; ++tick) world->tick();
+    motion.time = world->time();
+    motion.sensors = world->sensors(0);
+    const MotionOutput& output = motions->step(motion, counter);
+    world->robot(0).command(orders(output));
+    world->render(0, world->time(), input->image);
+    input->time = world->time();
+    input->elapsed = 0.032;
+    input->sensors = motion.sensors.back();
+    input->stance = output.stance;
+    input->odometry = output.odometry;
+    input->motion = output.status;
+    motion.command = frames->step(*input, counter).command;
+  }
+
+  std::unique_ptr<AgentConfig> config = std::make_unique<AgentConfig>();
+  std::unique_ptr<sim::World> world;
+  std::unique_ptr<FrameLoop> frames;
+  std::unique_ptr<MotionLoop> motions;
+  std::unique_ptr<FrameInput> input = std::make_unique<FrameInput>();
+  MotionInput motion;
+  Counter counter;
+};
+
+TEST(Allocation, NoStageTakesMemoryWhileItPlays) {
+  Match match;
+  for (int i = 0; i < 400; ++i) match.step();
+  EXPECT_EQ(match.counter.stages, 1600);
+  EXPECT_EQ(allocations, 0);
+}
+
+}  // namespace
+}  // namespace kelpie::agent
