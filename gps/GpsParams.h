@@ -93,7 +93,7 @@ struct ModeParams {
                      field("determinant", &ModeParams::determinant),
                      field("mergeDistance", &ModeParams::mergeDistance, "cm", 0, 100),
                      field("mergeCovariance", &ModeParams::mergeCovariance, "cm2", 0, 1e5),
-                     field("seedSpacing", &ModeParams::seedSpacing, "deg", 10, 180),
+                     field("seedSpacing", &ModeParams::seedSpacing, "deg", 20, 180),
                      field("explainedShare", &ModeParams::explainedShare, "", 0, 1),
                      field("maxUnexplained", &ModeParams::maxUnexplained, "", 1, 10000));
   }

@@ -12,7 +12,7 @@
 namespace kelpie::gps {
 namespace {
 
-// Nobody can stand farther out than the carpet and a body's length.
+// Nobody stands farther out than the carpet.
 void keepNearField(const body::FieldDescription& field, Modes& modes) {
   for (PoseMode& mode : modes) {
     Point2<Field>& p = mode.pose.position;
@@ -33,6 +33,7 @@ void useLandmarks(const GpsIn& in, const GpsParams& params, GpsState& state) {
     }
     tidy(params, state);
     keepNearField(params.field, state.modes);
+    if (state.lost) continue;  // no place on the field fits it
     ++state.counts.updates;
     state.secondsSinceLandmark = 0.0;
   }

@@ -12,7 +12,7 @@ namespace kelpie::vision {
 struct BallParams {
   double minSamples = 2;         // lattice samples of orange
   double minEdgePoints = 5;      // of 16 spokes
-  double maxCircleError = 0.15;  // rms of the edge points, in radii (and 0.7 px)
+  double maxCircleError = 0.15;  // rms of the edge points, in radii, plus 0.3 px
   double minOrangeShare = 0.5;   // of the circle
   double maxOtherShare = 0.35;   // of pink, yellow and robot red together, of the circle
   double maxAboveHorizon = 10;   // facts-2005 4.5 check 1

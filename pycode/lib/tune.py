@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# Every number of the behaviours that can be tuned, by who uses it. In cm, degrees and seconds.
+# The numbers of the behaviours that one would tune, by who uses them. In cm, degrees and seconds.
 
 
 class Field:

@@ -13,9 +13,6 @@
 namespace kelpie::agent {
 namespace {
 
-constexpr std::int64_t kTickUs = 8000;
-constexpr std::int64_t kExposureUs = 33333;  // of one image, from the first column to the last
-
 TimeUs now() {
   SystemTime time;
   GetSystemTime(&time);

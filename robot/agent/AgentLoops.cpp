@@ -14,7 +14,7 @@ const MotionOutput& AgentLoops::motion(const MotionInput& withoutCommand) {
   motionInput_.sensors = withoutCommand.sensors;
   motionInput_.command = frame_ != nullptr ? frame_->command : Command{};
   for (std::size_t tick = 0; tick < motionInput_.sensors.size(); ++tick) {
-    const auto back = static_cast<std::int64_t>(motionInput_.sensors.size() - 1 - tick) * 8000;
+    const auto back = static_cast<std::int64_t>(motionInput_.sensors.size() - 1 - tick) * kTickUs;
     joints_.add({motionInput_.time.us - back}, motionInput_.sensors[tick]);
   }
   motionOutput_ = &motionLoop_.step(motionInput_, silent_);

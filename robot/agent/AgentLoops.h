@@ -24,8 +24,6 @@ class AgentLoops : public Loops {
   void camera(const Image& image, TimeUs exposureMiddle) override;
 
   void setGame(const GameState& game) { game_ = game; }
-  const FrameOutput* lastFrame() const { return frame_; }
-  std::uint32_t frames() const { return frameCount_; }
   const std::string& scriptError() const { return frameLoop_.scriptError(); }
 
  private:

@@ -12,15 +12,9 @@
 #include "robot/agent/FrameLoop.h"
 #include "robot/agent/MotionLoop.h"
 #include "robot/core/LogReader.h"
+#include "robot/core/LogTopics.h"
 
 namespace kelpie::agent {
-
-// Topics of a log.
-constexpr const char* kConfigTopic = "/config";
-constexpr const char* kFrameInputTopic = "/frame/input";
-constexpr const char* kFrameOutputTopic = "/frame/output";
-constexpr const char* kMotionInputTopic = "/motion/input";
-constexpr const char* kMotionOutputTopic = "/motion/output";
 
 struct ReplayOptions {
   std::string scripts;          // folder or zip of behaviours

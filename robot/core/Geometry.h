@@ -6,12 +6,14 @@
 //           looks at the opponent goal. The own goal is at y = 0 whatever the team colour.
 //   Robot   origin on the ground below the neck base; x right, y forward, z up; headings and turns
 //           positive to the left, 0 = straight ahead (checklist H02).
-//   Camera  origin in the camera; x right in the image, y down in the image, z along the optical
-//   axis. Pixel   208 x 160, x right, y down, origin at the top left corner of the top left pixel;
-//   the
+//
+//   Camera  origin in the camera; x right and y down in the image, z along the optical axis.
+//
+//   Pixel   208 x 160, x right, y down, origin at the top left corner of the top left pixel; the
 //           centre of pixel (i, j) is (i + 0.5, j + 0.5).
-//   Leg     origin at the shoulder axis; x forward, y down, z out from the body
-//   (robot/body/Legs.h).
+//
+//   Torso   origin at the middle of the front shoulder axis; leans with the body
+//           (robot/body/Legs.h).
 //
 // Lengths are centimetres. Transforms read target from source: fieldFromRobot(pose, point).
 #pragma once
@@ -25,7 +27,6 @@ namespace kelpie {
 struct Field {};
 struct Robot {};
 struct Camera {};
-struct Leg {};
 
 template <class Frame>
 struct Point2 {

@@ -148,6 +148,7 @@ void LogReader::takeChunk(ContentReader content) {
   const auto length = content.number<std::uint64_t>();
   const std::uint8_t* records = content.take(length);
   if (!content.good()) return fail("damaged chunk");
+  if (chunkAt_ < chunk_.size()) return fail("a chunk inside a chunk");
   if (!compression.empty())
     return fail("compressed with " + compression + ", which we cannot read");
   chunk_.assign(records, records + length);

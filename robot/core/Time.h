@@ -22,5 +22,7 @@ inline TimeUs operator-(TimeUs a, TimeUs b) { return {a.us - b.us}; }
 constexpr double kFrameSeconds = 1.0 / 30.0;  // camera frame
 constexpr double kTickSeconds = 0.008;        // joint and sensor tick
 constexpr int kTicksPerMessage = 4;           // ticks in one sensor or command vector
+constexpr std::int64_t kTickUs = 8000;
+constexpr std::int64_t kExposureUs = 33333;  // of one image, from the first column to the last
 
 }  // namespace kelpie

@@ -3,15 +3,9 @@
 
 #include <utility>
 
+#include "robot/core/LogTopics.h"
+
 namespace kelpie::host {
-namespace {
-
-constexpr const char* kMotionTopic = "/motion/input";
-constexpr const char* kFrameTopic = "/frame/input";
-constexpr std::int64_t kTickUs = 8000;
-constexpr std::int64_t kHalfExposureUs = 33333 / 2;  // a frame's time is the middle of its exposure
-
-}  // namespace
 
 RecordingSource::RecordingSource(std::string log, LogReader reader)
     : log_(std::move(log)), reader_(std::move(reader)), frame_(std::make_unique<FrameInput>()) {}
@@ -26,8 +20,8 @@ Expected<bool> RecordingSource::next(WorldEvent& event) {
   LogMessage message;
   while (reader_.next(message)) {
     event.step = WorldStep{};
-    const bool sensors = message.topic() == kMotionTopic;
-    if (!sensors && message.topic() != kFrameTopic) continue;
+    const bool sensors = message.topic() == kMotionInputTopic;
+    if (!sensors && message.topic() != kFrameInputTopic) continue;
     const Status taken = sensors ? takeSensors(message, event) : takeImage(message, event);
     if (!taken) return Error{log_ + ": " + taken.error()};
     event.step.game = game_;
@@ -40,6 +34,8 @@ Expected<bool> RecordingSource::next(WorldEvent& event) {
 Status RecordingSource::takeSensors(const LogMessage& message, WorldEvent& event) {
   const Status read = decodeAs(message, motion_);
   if (!read) return read;
+  std::string why;
+  if (!verify(motion_, &why)) return Error{"damaged sensors: " + why};
   if (motion_.time.us < kTicksPerMessage * kTickUs)
     return Error{"sensor ticks before the robot's time began"};
   event.step.time = motion_.time;
@@ -58,7 +54,7 @@ Status RecordingSource::takeImage(const LogMessage& message, WorldEvent& event) 
   if (!sensorsSeen_) return Error{"an image comes before all sensors: not a log of an agent"};
   const Status read = decodeAs(message, *frame_);
   if (!read) return read;
-  event.step.time = {frame_->time.us + kHalfExposureUs};
+  event.step.time = {frame_->time.us + kExposureUs / 2};
   event.step.imagePresent = true;
   event.image = frame_->image;
   game_ = frame_->game;

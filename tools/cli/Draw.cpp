@@ -92,13 +92,14 @@ cv::Point onPicture(const body::FieldDescription& field, double scale, Point2<Fi
           static_cast<int>(std::lround((field.length + kMargin - p.y) * scale))};
 }
 
-void drawGoal(cv::Mat& picture, const body::FieldDescription& field, double scale, bool own) {
+void drawGoal(cv::Mat& picture, const body::FieldDescription& field, double scale, bool own,
+              const cv::Scalar& colour) {
   const double middle = field.width / 2;
   const double line = own ? 0.0 : field.length;
   const double back = own ? -field.goalDepth : field.length + field.goalDepth;
   const auto corner = onPicture(field, scale, {middle - field.goalWidth / 2, line});
   const auto opposite = onPicture(field, scale, {middle + field.goalWidth / 2, back});
-  cv::rectangle(picture, corner, opposite, own ? kYellow : kBlue, cv::FILLED);
+  cv::rectangle(picture, corner, opposite, colour, cv::FILLED);
 }
 
 void drawRobot(cv::Mat& picture, const body::FieldDescription& field, double scale,
@@ -147,12 +148,13 @@ cv::Mat drawCamera(const FrameInput& input, const FrameOutput& output, int scale
   return picture;
 }
 
-cv::Mat drawField(const body::FieldDescription& field, double scale) {
+cv::Mat drawField(const body::FieldDescription& field, TeamColour team, double scale) {
   const cv::Size size(static_cast<int>((field.width + 2 * kMargin) * scale),
                       static_cast<int>((field.length + 2 * kMargin) * scale));
   cv::Mat picture(size, CV_8UC3, kCarpet);
-  drawGoal(picture, field, scale, true);
-  drawGoal(picture, field, scale, false);
+  const bool red = team == TeamColour::red;
+  drawGoal(picture, field, scale, true, red ? kYellow : kBlue);
+  drawGoal(picture, field, scale, false, red ? kBlue : kYellow);
   const int width = std::max(1, static_cast<int>(std::lround(field.lineWidth * scale)));
   for (const auto& line : field.lines)
     cv::line(picture, onPicture(field, scale, line.from), onPicture(field, scale, line.to), kWhite,

@@ -35,8 +35,8 @@ struct Paths {
 
 cv::Mat drawCamera(const FrameInput& input, const FrameOutput& output, int scale);
 
-// The field seen from above, own goal at the bottom, `pixelsPerCm` to the cm.
-cv::Mat drawField(const body::FieldDescription& field, double pixelsPerCm);
+// The field seen from above, the team's own goal at the bottom, `pixelsPerCm` to the cm.
+cv::Mat drawField(const body::FieldDescription& field, TeamColour team, double pixelsPerCm);
 void drawPaths(cv::Mat& picture, const body::FieldDescription& field, double pixelsPerCm,
                const Paths& paths);
 void drawPlaces(cv::Mat& picture, const body::FieldDescription& field, double pixelsPerCm,

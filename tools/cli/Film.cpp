@@ -50,8 +50,8 @@ int even(int n) { return n + n % 2; }  // H.264 wants even sizes
 
 class FilmWriter {
  public:
-  FilmWriter(const std::string& path, const body::FieldDescription& field)
-      : field_(field), ground_(drawField(field, kFieldScale)) {
+  FilmWriter(const std::string& path, const Match& match)
+      : field_(match.field()), ground_(drawField(match.field(), match.team(), kFieldScale)) {
     const int width = kCameraScale * kImageWidth + ground_.cols;
     const int height = std::max(kCameraScale * kImageHeight, ground_.rows) + kCaption;
     canvas_ = cv::Mat(even(height), even(width), CV_8UC3, cv::Scalar(30, 30, 30));
@@ -132,8 +132,11 @@ Status filmMatch(const std::string& log, const std::string& out, const Progress&
   const auto match = Match::open(log);
   if (!match) return Error{match.error()};
   const std::string part = partName(out);
-  FilmWriter film(part, match->field());
-  if (!film.ready()) return Error{out + ": the film cannot be written"};
+  FilmWriter film(part, *match);
+  if (!film.ready()) {
+    std::remove(part.c_str());
+    return Error{out + ": the film cannot be written"};
+  }
   std::size_t done = 0;
   match->forEachMoment([&](const Moment& moment) {
     film.add(moment);
@@ -147,7 +150,7 @@ Status drawMatchPicture(const std::string& log, const std::string& out) {
   const auto match = Match::open(log);
   if (!match) return Error{match.error()};
   const auto& field = match->field();
-  cv::Mat ground = drawField(field, kPictureFieldScale);
+  cv::Mat ground = drawField(field, match->team(), kPictureFieldScale);
   Paths paths;
   std::vector<cv::Mat> frames;
   std::size_t number = 0;
@@ -160,7 +163,10 @@ Status drawMatchPicture(const std::string& log, const std::string& out) {
     }
   });
   const std::string part = partName(out);
-  if (!cv::imwrite(part, arrange(ground, frames))) return Error{out + ": cannot be written"};
+  if (!cv::imwrite(part, arrange(ground, frames))) {
+    std::remove(part.c_str());
+    return Error{out + ": cannot be written"};
+  }
   return finish(part, out);
 }
 

@@ -27,7 +27,7 @@ Status writeFrames(const std::vector<std::string>& files, const std::vector<Reco
     FrameInput input =
         frameInput(static_cast<std::uint32_t>(i), rows[i], i > 0 ? &rows[i - 1] : nullptr);
     input.image = *image;
-    log.write(agent::kFrameInputTopic, input.time, input);
+    log.write(kFrameInputTopic, input.time, input);
   }
   return Done{};
 }
@@ -45,7 +45,7 @@ Status importFolder(const ImportOptions& options, const std::string& part) {
   auto log = LogWriter::open(part);
   if (!log) return Error{log.error()};
   log->metadata("kelpie", {{"imported", std::to_string(files->size()) + " frames"}});
-  log->write(agent::kConfigTopic, TimeUs{}, *config);
+  log->write(kConfigTopic, TimeUs{}, *config);
   const Status frames = writeFrames(*files, *rows, *log);
   return frames ? log->close() : frames;
 }

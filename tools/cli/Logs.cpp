@@ -34,11 +34,11 @@ struct TopicCopy {
   Status (*copy)(const LogMessage&, LogWriter&);
 };
 constexpr std::array<TopicCopy, 7> kCopies = {{
-    {agent::kConfigTopic, copyAs<agent::AgentConfig>},
-    {agent::kFrameInputTopic, copyAs<FrameInput>},
-    {agent::kFrameOutputTopic, copyAs<FrameOutput>},
-    {agent::kMotionInputTopic, copyAs<MotionInput>},
-    {agent::kMotionOutputTopic, copyAs<MotionOutput>},
+    {kConfigTopic, copyAs<agent::AgentConfig>},
+    {kFrameInputTopic, copyAs<FrameInput>},
+    {kFrameOutputTopic, copyAs<FrameOutput>},
+    {kMotionInputTopic, copyAs<MotionInput>},
+    {kMotionOutputTopic, copyAs<MotionOutput>},
     {sim::kTruthTopic, copyAs<sim::TruthFrame>},
     {sim::kEventTopic, copyAs<sim::MatchEvent>},
 }};
@@ -65,6 +65,8 @@ Status joinInto(std::vector<Source>& sources, LogWriter& out) {
     if (!copied) return copied;
     next->advance();
   }
+  for (const auto& source : sources)
+    if (!source.reader.status()) return source.reader.status();
   return out.close();
 }
 
@@ -73,25 +75,26 @@ Status joinInto(std::vector<Source>& sources, LogWriter& out) {
 Expected<LogFile> LogFile::create(const std::string& path, const agent::AgentConfig& config) {
   auto writer = LogWriter::open(path);
   if (!writer) return Error{writer.error()};
-  writer->write(agent::kConfigTopic, TimeUs{}, config);
+  writer->write(kConfigTopic, TimeUs{}, config);
   return LogFile(std::move(*writer));
 }
 
 void LogFile::motion(const MotionInput& input, const MotionOutput& output) {
-  writer_.write(agent::kMotionInputTopic, input.time, input);
-  writer_.write(agent::kMotionOutputTopic, input.time, output);
+  writer_.write(kMotionInputTopic, input.time, input);
+  writer_.write(kMotionOutputTopic, input.time, output);
 }
 
 void LogFile::frame(const FrameInput& input, const FrameOutput& output) {
-  writer_.write(agent::kFrameInputTopic, input.time, input);
-  writer_.write(agent::kFrameOutputTopic, input.time, output);
+  writer_.write(kFrameInputTopic, input.time, input);
+  writer_.write(kFrameOutputTopic, input.time, output);
 }
 
 Status mergeLogs(const std::vector<std::string>& logs, const std::string& out) {
   std::vector<Source> sources;
   for (const auto& path : logs) {
     auto reader = LogReader::open(path);
-    if (reader) sources.push_back({std::move(*reader), {}, false});
+    if (!reader) return Error{reader.error()};
+    sources.push_back({std::move(*reader), {}, false});
   }
   const std::string part = out + ".part";
   auto writer = LogWriter::open(part);

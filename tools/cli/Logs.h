@@ -25,8 +25,8 @@ class LogFile : public agent::LogSink {
   LogWriter writer_;
 };
 
-// Joins logs by time into `out`, written whole or not at all; missing ones are left out. What a
-// cut-off log still holds is taken.
+// Joins logs by time into `out`, written whole or not at all; what a cut-off log still
+// holds is taken.
 Status mergeLogs(const std::vector<std::string>& logs, const std::string& out);
 
 }  // namespace kelpie::cli

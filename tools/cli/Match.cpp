@@ -9,11 +9,21 @@
 namespace kelpie::cli {
 namespace {
 
-TruePlaces placesOf(const sim::TruthFrame& truth) {
+// The world's field is the red team's; the blue team's is the same turned by half a turn.
+Point2<Field> inTeamFrame(Point2<Field> p, const body::FieldDescription& field, TeamColour team) {
+  if (team == TeamColour::red) return p;
+  return {field.width - p.x, field.length - p.y};
+}
+
+TruePlaces placesOf(const sim::TruthFrame& truth, const body::FieldDescription& field,
+                    TeamColour team) {
   TruePlaces places;
   places.present = !truth.robots.empty();
-  if (places.present) places.robot = truth.robots[0].pose;
-  places.ball = truth.ball;
+  places.ball = inTeamFrame(truth.ball, field, team);
+  if (!places.present) return places;
+  const Pose2& pose = truth.robots[0].pose;
+  places.robot.position = inTeamFrame(pose.position, field, team);
+  places.robot.heading = team == TeamColour::red ? pose.heading : pose.heading + Angle::deg(180.0);
   return places;
 }
 
@@ -27,12 +37,13 @@ Expected<Match> Match::open(const std::string& path) {
   bool configured = false;
   LogMessage message;
   while (reader->next(message)) {
-    if (message.topic() == agent::kFrameOutputTopic) ++match.frames_;
-    if (message.topic() != agent::kConfigTopic) continue;
+    if (message.topic() == kFrameOutputTopic) ++match.frames_;
+    if (message.topic() != kConfigTopic) continue;
     const auto config = std::make_unique<agent::AgentConfig>();
     const Status read = decodeAs(message, *config);
     if (!read) return Error{path + ": " + read.error()};
     match.field_ = config->gps.field;
+    match.team_ = config->team;
     configured = true;
   }
   if (!reader->status()) return Error{reader->status().error()};
@@ -51,9 +62,10 @@ void Match::forEachMoment(const std::function<void(const Moment&)>& show) const 
   bool inputKnown = false;
   LogMessage message;
   while (reader->next(message)) {
-    if (message.topic() == sim::kTruthTopic && decodeAs(message, truth)) places = placesOf(truth);
-    if (message.topic() == agent::kFrameInputTopic) inputKnown = decodeAs(message, *input).ok();
-    if (message.topic() == agent::kFrameOutputTopic && inputKnown && decodeAs(message, *output))
+    if (message.topic() == sim::kTruthTopic && decodeAs(message, truth))
+      places = placesOf(truth, field_, team_);
+    if (message.topic() == kFrameInputTopic) inputKnown = decodeAs(message, *input).ok();
+    if (message.topic() == kFrameOutputTopic && inputKnown && decodeAs(message, *output))
       show({*input, *output, places});
   }
 }

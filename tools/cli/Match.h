@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A log of a match as moments: each frame's input and output with the true places of that time.
+// A log of a match as moments: each frame's input and output with the true places of that time, all
+// in the field frame of the robot's own team.
 #pragma once
 
 #include <functional>
@@ -17,12 +18,14 @@ class Match {
   static Expected<Match> open(const std::string& path);
 
   const body::FieldDescription& field() const { return field_; }
+  TeamColour team() const { return team_; }
   std::size_t frames() const { return frames_; }
   void forEachMoment(const std::function<void(const Moment&)>& show) const;
 
  private:
   std::string path_;
   body::FieldDescription field_;
+  TeamColour team_ = TeamColour::red;
   std::size_t frames_ = 0;
 };
 

@@ -20,15 +20,13 @@ struct PlayOptions {
   bool noFilm = false;
 };
 
-// On a terminal one line that is drawn again; in a pipe a line every ten simulated seconds.
+// On a terminal one line that is drawn again; quiet in a pipe.
 class StatusPrinter {
  public:
   void operator()(const std::string& line) {
+    if (!onTerminal()) return;
     ++lines_;
-    if (onTerminal())
-      fmt::print(stderr, "\r\033[K{}", line);
-    else if (lines_ % 10 == 1)
-      fmt::print("{}\n", line);
+    fmt::print(stderr, "\r\033[K{}", line);
   }
   void finish() const {
     if (onTerminal() && lines_ > 0) fmt::print(stderr, "\n");
@@ -98,6 +96,7 @@ void addPlay(CLI::App& app, int& code) {
       ->check(CLI::Range(1, 99))
       ->capture_default_str();
   command->add_option("--scenario", session.scenario, "What is on the field at the start")
+      ->check(CLI::IsMember({"empty-goal", "kickoff"}))
       ->capture_default_str();
   command->add_option("--field", session.field, "2006, osaka2005 or 2004")
       ->check(CLI::IsMember({"2006", "osaka2005", "2004"}))

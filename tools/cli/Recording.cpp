@@ -12,6 +12,8 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "robot/core/FieldCheck.h"
+
 namespace kelpie::cli {
 namespace {
 
@@ -21,6 +23,7 @@ constexpr const char* kHeader =
     "t_s,neck_tilt_deg,head_pan_deg,head_nod_deg,body_tilt_deg,shoulder_height_mm,"
     "odo_forward_cm,odo_left_cm,odo_turn_deg";
 constexpr std::size_t kColumns = 9;
+constexpr double kLongest = 1e6;  // s, of a recording
 
 void dropCarriageReturn(std::string& line) {
   if (!line.empty() && line.back() == '\r') line.pop_back();
@@ -53,7 +56,9 @@ RecordedRow rowOf(const std::array<double, kColumns>& n) {
 
 Expected<Image> readPlanes(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
-  const auto size = fs::file_size(path);
+  std::error_code error;
+  const auto size = fs::file_size(path, error);
+  if (error) return Error{path + ": " + error.message()};
   if (size != 3 * kImagePixels)
     return Error{fmt::format("{}: {} bytes, expected {} (planes Y, Cr, Cb of 208 x 160)", path,
                              size, 3 * kImagePixels)};
@@ -99,7 +104,13 @@ Expected<std::vector<RecordedRow>> readSensorRows(const std::string& path) {
       return Error{fmt::format("{}:{}: expected {} numbers", path, number, kColumns)};
     if (!rows.empty() && numbers[0] <= rows.back().time)
       return Error{fmt::format("{}:{}: time does not increase", path, number)};
-    rows.push_back(rowOf(numbers));
+    if (!(numbers[0] >= 0.0 && numbers[0] < kLongest))
+      return Error{fmt::format("{}:{}: time must lie in 0..{} s", path, number, kLongest)};
+    const RecordedRow row = rowOf(numbers);
+    std::string why;
+    if (!verify(frameInput(0, row, nullptr), &why))
+      return Error{fmt::format("{}:{}: {}", path, number, why)};
+    rows.push_back(row);
   }
   return rows;
 }

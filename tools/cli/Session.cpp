@@ -3,11 +3,13 @@
 
 #include <fmt/core.h>
 
+#include <chrono>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <string_view>
+#include <thread>
 
 #include "tools/cli/AgentTalk.h"
 #include "tools/cli/Logs.h"
@@ -133,10 +135,13 @@ void watch(Process& world, Process& agent, const StatusLine& status, SessionResu
     while (agent.readLine(line, 50)) talk.hear(line, status);
   while (agent.readLine(line, 0)) talk.hear(line, status);
   const int agentCode = agent.wait();
-  const bool worldDied = world.ended() && world.wait() >= 128;
-  if (agentCode != 0) world.terminate();
+  // A world that was killed may be a moment behind the agent that its end has stopped.
+  for (int i = 0; i < 20 && agentCode == 1 && !world.ended(); ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  const bool alive = !world.ended();
+  if (alive && agentCode != 0) world.terminate();
   const int worldCode = world.wait();
-  if (worldDied)
+  if (!alive && worldCode >= 128)
     result.trouble =
         fmt::format("the world died (signal {}); last: {}", worldCode - 128, talk.last);
   else if (agentCode >= 128)
@@ -159,8 +164,10 @@ void play(const SessionOptions& options, const StatusLine& status, const Worksho
   }
   watch(*world, *agent, status, result);
   if (!options.log.empty() && fs::exists(workshop.path("agent.mcap")) && !result.badInput) {
-    const Status merged =
-        mergeLogs({workshop.path("agent.mcap"), workshop.path("world.mcap")}, options.log);
+    std::vector<std::string> halves;
+    for (const char* half : {"agent.mcap", "world.mcap"})
+      if (fs::exists(workshop.path(half))) halves.push_back(workshop.path(half));
+    const Status merged = mergeLogs(halves, options.log);
     if (!merged) result.trouble = merged.error();
   }
   if (result.trouble.empty())

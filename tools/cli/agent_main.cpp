@@ -116,6 +116,10 @@ int main(int argc, char** argv) {
   app.add_option("--seed", options.seed, "Of the losses");
   app.add_flag("--status", options.status, "Says twice a second what the robot believes");
   addConfigOptions(app, options.config);
-  CLI11_PARSE(app, argc, argv);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  }
   return kelpie::cli::run(options);
 }

@@ -27,7 +27,7 @@ std::array<Point3<Robot>, kLegCount> feetOf(const JointAngles& joints, const Sta
   std::array<Point3<Robot>, kLegCount> feet;
   for (std::size_t i = 0; i < kLegCount; ++i) {
     const auto leg = static_cast<LegId>(i);
-    feet[i] = robotFromTorso(body::footPosition(leg, body::legAngles(joints, leg)), stance);
+    feet[i] = body::robotFromTorso(stance, body::footPosition(leg, body::legAngles(joints, leg)));
   }
   return feet;
 }
@@ -48,7 +48,7 @@ Parts partsOf(const BodyPlace& place) {
   std::size_t next = kLegCount;
   for (const LegId leg : {LegId::leftFront, LegId::rightFront}) {
     const Point3<Robot> knee =
-        robotFromTorso(kneePosition(leg, body::legAngles(place.joints, leg)), place.stance);
+        body::robotFromTorso(place.stance, kneePosition(leg, body::legAngles(place.joints, leg)));
     const Point3<Robot> foot = parts.centre[index(leg)];
     parts.centre[next] = knee;
     parts.radius[next++] = kKneeRadius;
@@ -80,13 +80,6 @@ JointAngles startingPose() {
   joints[Joint::mouth] = Angle::deg(-3.0);
   joints[Joint::tailTilt] = Angle::deg(20.0);
   return body::withinLimits(joints);
-}
-
-Point3<Robot> robotFromTorso(Point3<Torso> p, const Stance& stance) {
-  const double s = stance.bodyTilt.sin();
-  const double c = stance.bodyTilt.cos();
-  const double neck = -body::kNeckBehindShoulder * c + body::kNeckAboveShoulder * s;
-  return {p.x, p.y * c + p.z * s - neck, stance.shoulderHeight - p.y * s + p.z * c};
 }
 
 Point3<Torso> kneePosition(LegId leg, const body::LegAngles& angles) {

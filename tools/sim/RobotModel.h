@@ -111,8 +111,6 @@ class RobotModel {
 // The pose a robot is switched on in: lying low on bent legs.
 JointAngles startingPose();
 
-// From the torso to the robot frame for a body that stands as `stance` says.
-Point3<Robot> robotFromTorso(Point3<Torso> p, const Stance& stance);
 Point3<Torso> kneePosition(LegId leg, const body::LegAngles& angles);
 
 // The rigid motion of the ground plane that brings points `from` to `to` with the least squares.

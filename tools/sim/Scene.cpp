@@ -106,25 +106,35 @@ void addRoom(Scene& scene, const body::FieldDescription& field) {
   }
 }
 
-// The 45 degree white border of the 2004 field, rising outwards from the carpet's edge.
+// One stretch of the border: its foot from a to b, its upper edge `width` farther out and higher.
+void addBorderPart(Scene& scene, Point2<Field> a, Point2<Field> b, Point2<Field> out) {
+  const double rise = out.norm();
+  Quad quad;
+  quad.colour = colours::kWhite;
+  quad.corner = {FieldPoint3{a.x, a.y, 0.0}, FieldPoint3{b.x, b.y, 0.0},
+                 FieldPoint3{b.x + out.x, b.y + out.y, rise},
+                 FieldPoint3{a.x + out.x, a.y + out.y, rise}};
+  Solid solid;
+  solid.quads.push_back(quad);
+  enclose(solid);
+  scene.fixtures.push_back(solid);
+}
+
+// The 45 degree white border of the 2004 field, inside its width and length, open at the goals.
+// Its corner triangles are not drawn.
 void addBorder(Scene& scene, const body::FieldDescription& field) {
-  if (field.borderWidth <= 0.0) return;
   const double b = field.borderWidth;
+  if (b <= 0.0) return;
   const double w = field.width;
   const double l = field.length;
-  const std::array<Point2<Field>, 5> inner{Point2<Field>{0, 0}, {w, 0}, {w, l}, {0, l}, {0, 0}};
-  const std::array<Point2<Field>, 5> outer{
-      Point2<Field>{-b, -b}, {w + b, -b}, {w + b, l + b}, {-b, l + b}, {-b, -b}};
-  for (std::size_t i = 0; i < 4; ++i) {
-    Quad quad;
-    quad.colour = colours::kWhite;
-    quad.corner = {
-        FieldPoint3{inner[i].x, inner[i].y, 0.0}, FieldPoint3{inner[i + 1].x, inner[i + 1].y, 0.0},
-        FieldPoint3{outer[i + 1].x, outer[i + 1].y, b}, FieldPoint3{outer[i].x, outer[i].y, b}};
-    Solid solid;
-    solid.quads.push_back(quad);
-    enclose(solid);
-    scene.fixtures.push_back(solid);
+  const double left = (w - field.goalWidth) / 2;
+  const double right = (w + field.goalWidth) / 2;
+  addBorderPart(scene, {b, b}, {b, l - b}, {-b, 0.0});
+  addBorderPart(scene, {w - b, b}, {w - b, l - b}, {b, 0.0});
+  for (const double y : {b, l - b}) {
+    const Point2<Field> out{0.0, y < l / 2 ? -b : b};
+    addBorderPart(scene, {b, y}, {left, y}, out);
+    addBorderPart(scene, {right, y}, {w - b, y}, out);
   }
 }
 

@@ -8,7 +8,6 @@
 namespace kelpie::sim {
 namespace {
 
-constexpr std::int64_t kTickUs = 8000;
 constexpr std::int64_t kMessageUs = kTickUs * kTicksPerMessage;
 
 std::string titleOf(const host::AgentHello& hello) {

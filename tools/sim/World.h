@@ -63,7 +63,7 @@ class World {
 
   void tick();
   std::uint32_t ticks() const { return ticks_; }
-  TimeUs time() const { return {static_cast<std::int64_t>(ticks_) * 8000}; }
+  TimeUs time() const { return {static_cast<std::int64_t>(ticks_) * kTickUs}; }
   bool finished() const { return referee_.finished(); }
 
   std::size_t robotCount() const { return robots_.size(); }

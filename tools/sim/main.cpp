@@ -87,8 +87,10 @@ void describe(CLI::App& app, Options& options) {
   app.add_option("--socket", options.socket, "Unix socket the agents come to")->required();
   app.add_option("--robots", options.robots, "agents to wait for")->check(CLI::Range(1, 8));
   app.add_option("--seed", options.seed, "of everything random");
-  app.add_option("--field", options.field, "2006, osaka2005 or 2004");
-  app.add_option("--scenario", options.scenario, "empty-goal or kickoff");
+  app.add_option("--field", options.field, "2006, osaka2005 or 2004")
+      ->check(CLI::IsMember({"2006", "osaka2005", "2004"}));
+  app.add_option("--scenario", options.scenario, "empty-goal or kickoff")
+      ->check(CLI::IsMember({"empty-goal", "kickoff"}));
   app.add_option("--seconds", options.world.referee.seconds, "length of the match")
       ->check(CLI::Range(0.0, 1e5));
   app.add_option("--goals", options.world.referee.goals, "of one team end the match; 0 = never")
@@ -112,7 +114,11 @@ int main(int argc, char** argv) {
   kelpie::sim::Options options;
   CLI::App app("The simulated world of one match");
   kelpie::sim::describe(app, options);
-  CLI11_PARSE(app, argc, argv);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  }
   const kelpie::Status played = kelpie::sim::play(options);
   if (played) return 0;
   fmt::print(stderr, "kelpie-world: {}\n", played.error());
