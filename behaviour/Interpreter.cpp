@@ -24,8 +24,10 @@ PyStatus setPaths(PyConfig& config, const std::string& extraPath) {
   config.module_search_paths_set = 1;
   for (const std::string& path : {std::string(KELPIE_PYTHON_STDLIB), extraPath}) {
     if (path.empty()) continue;
-    const std::wstring wide(path.begin(), path.end());
-    const PyStatus status = PyWideStringList_Append(&config.module_search_paths, wide.c_str());
+    wchar_t* const wide = Py_DecodeLocale(path.c_str(), nullptr);
+    if (wide == nullptr) return PyStatus_Error("a path cannot be decoded");
+    const PyStatus status = PyWideStringList_Append(&config.module_search_paths, wide);
+    PyMem_RawFree(wide);
     if (PyStatus_Exception(status)) return status;
   }
   return PyStatus_Ok();
@@ -34,6 +36,11 @@ PyStatus setPaths(PyConfig& config, const std::string& extraPath) {
 }  // namespace
 
 Interpreter::Interpreter(const std::string& extraPath) {
+  // Paths are UTF-8 whatever the locale says.
+  PyPreConfig before;
+  PyPreConfig_InitIsolatedConfig(&before);
+  before.utf8_mode = 1;
+  Py_PreInitialize(&before);
   PyConfig config;
   PyConfig_InitIsolatedConfig(&config);
   config.site_import = 0;

@@ -42,6 +42,7 @@ class Player {
     config->behaviour.reload = false;  // the scripts of the recording, unchanged to its end
     frameLoop_ = std::make_unique<FrameLoop>(*config, options_.scripts);
     motionLoop_ = std::make_unique<MotionLoop>(*config);
+    if (!frameLoop_->scriptError().empty()) return Error{frameLoop_->scriptError()};
     return Done{};
   }
   Status frameIn(const LogMessage& message) {

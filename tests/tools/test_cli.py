@@ -137,6 +137,43 @@ def test_unknown_parameter_is_named_with_its_line(match, tmp_path):
     assert "p.toml:3" in complaint(result) and "wobble" in complaint(result)
 
 
+def test_changed_parameters_stand_in_the_log_with_their_source(tmp_path):
+    params = tmp_path / "p.toml"
+    params.write_text('[gps.ball]\nkeep = "4 s"\n'.replace("4 s", "4s"))
+    result = kelpie("play", "--seconds", "1", "--no-film", "--params", params, "--out", tmp_path)
+    assert result.returncode == 1, result.stderr  # no goal in a second
+    info = kelpie("info", tmp_path / "match.mcap").stdout
+    assert "gps.ball.keep" in info and "p.toml:2" in info and "hash" in info
+
+
+def test_an_earlier_match_survives_bad_input(tmp_path):
+    (tmp_path / "match.mcap").write_bytes(b"precious")
+    for words in (["--params", tmp_path], ["--pycode", tmp_path], ["--ring", tmp_path]):
+        assert kelpie("play", *words, "--out", tmp_path).returncode == 2
+    assert (tmp_path / "match.mcap").read_bytes() == b"precious"
+
+
+def test_a_log_is_never_its_own_output(match):
+    size = match.stat().st_size
+    assert kelpie("replay", match, "--jsonl", match).returncode == 2
+    assert kelpie("film", match, match).returncode == 2
+    assert match.stat().st_size == size
+
+
+def test_an_interrupted_match_keeps_its_log(tmp_path):
+    out = tmp_path / "out"
+    env = dict(os.environ, TMPDIR=str(tmp_path))
+    play = subprocess.Popen([BIN / "kelpie", "play", "--seconds", "600", "--goals", "99", "--out",
+                             out], stderr=subprocess.PIPE, stdout=subprocess.DEVNULL, text=True,
+                            cwd=ROOT, env=env)
+    wait_for_log(out, play.pid)
+    play.send_signal(signal.SIGINT)
+    _, errors = play.communicate(timeout=60)
+    assert play.returncode == 1 and "interrupted" in errors
+    assert [p.name for p in tmp_path.iterdir()] == ["out"]
+    assert kelpie("replay", out / "match.mcap", "--check").returncode == 0
+
+
 def test_parameter_without_its_unit_is_named(match, tmp_path):
     params = tmp_path / "p.toml"
     params.write_text("[gps.ball]\nkeep = 4.0\n")

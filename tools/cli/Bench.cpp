@@ -60,8 +60,14 @@ int bench(const BenchOptions& options) {
   request.scripts = options.pycode;
   const auto result = agent::replay(options.log, request, watch);
   if (!result) return complain(result.error(), kBadInput);
+  if (sameFile(options.log, options.json))
+    return complain(options.json + ": is the log itself", kBadInput);
   if (!writeWhole(options.json, watch.figures().dump(2) + "\n"))
     return complain(options.json + ": cannot be written", kBadInput);
+  if (result->truncated)
+    return complain(
+        fmt::format("{}: cut off at byte {}; measured up to there", options.log, result->offset),
+        kBadInput);
   return kDone;
 }
 

@@ -24,7 +24,10 @@ void addBench(CLI::App& app, int& code);
 int complain(const std::string& message, int code);
 // Whether progress may be drawn: standard error is a terminal.
 bool onTerminal();
-// Writes a file whole or not at all; "-" is standard output.
+// Something that is there but no plain file: a device, a pipe, a folder. Never replaced.
+bool isDevice(const std::string& path);
+bool sameFile(const std::string& a, const std::string& b);
+// Writes a file whole or not at all; "-" is standard output, a device is written into.
 bool writeWhole(const std::string& path, const std::string& text);
 
 }  // namespace kelpie::cli

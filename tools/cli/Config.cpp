@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/cli/Config.h"
 
-#include <CLI/CLI.hpp>
+#include <fmt/core.h>
+
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 
 #include "robot/body/FieldDescription.h"
 #include "robot/core/ParameterFile.h"
@@ -19,7 +21,8 @@ Status setInitialPose(const std::string& text, gps::InitialPose& initial) {
     if (i > 0 && (next == end || *next++ != ',')) next = nullptr;
     if (next == nullptr) break;
     const auto [rest, error] = std::from_chars(next, end, numbers[i]);
-    next = error == std::errc() && std::isfinite(numbers[i]) ? rest : nullptr;
+    const bool sane = std::isfinite(numbers[i]) && std::fabs(numbers[i]) < 2000.0;
+    next = error == std::errc() && sane ? rest : nullptr;
     if (next == nullptr) break;
   }
   if (next != end) return Error{"--init " + text + ": expected x,y,heading in cm and degrees"};
@@ -28,13 +31,17 @@ Status setInitialPose(const std::string& text, gps::InitialPose& initial) {
   return Done{};
 }
 
-Status overlayParameters(const std::vector<std::string>& files, agent::AgentConfig& config) {
-  ParameterSet set;
+void addSections(ParameterSet& set, agent::AgentConfig& config) {
   set.add("body", config.body);
   set.add("vision", config.vision);
   set.add("gps", config.gps);
   set.add("behaviour", config.behaviour);
   set.add("actuator", config.actuator);
+}
+
+Status overlayParameters(const std::vector<std::string>& files, agent::AgentConfig& config) {
+  ParameterSet set;
+  addSections(set, config);
   for (const auto& file : files) {
     const Status read = set.overlay(file);
     if (!read) return read;
@@ -58,6 +65,19 @@ Status applyCalibration(const ConfigOptions& options, vision::VisionCalibration&
 
 }  // namespace
 
+CLI::Validator inRange(double least, double most) {
+  const std::string range = fmt::format("[{:g} - {:g}]", least, most);
+  return CLI::Validator(
+      [=](std::string& text) -> std::string {
+        double value = 0.0;
+        const auto [rest, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+        const bool whole = error == std::errc() && rest == text.data() + text.size();
+        if (whole && value >= least && value <= most) return {};
+        return fmt::format("{} is no number in {}", text, range);
+      },
+      range);
+}
+
 void addConfigOptions(CLI::App& command, ConfigOptions& options) {
   command.add_option("--field", options.field, "2006, osaka2005 or 2004");
   command.add_option("--team", options.team, "red (attacks the blue goal) or blue")
@@ -70,6 +90,11 @@ void addConfigOptions(CLI::App& command, ConfigOptions& options) {
 }
 
 Status applyConfig(const ConfigOptions& options, agent::AgentConfig& config) {
+  std::vector<std::string> files = options.params;
+  files.push_back(options.colourTable);
+  files.push_back(options.ring);
+  for (const auto& file : files)
+    if (std::filesystem::is_directory(file)) return Error{file + ": is a folder, not a file"};
   if (!options.field.empty()) {
     const auto field = body::fieldDescription(options.field);
     if (!field) return Error{field.error()};
@@ -95,6 +120,30 @@ Expected<agent::AgentConfig> makeConfig(const ConfigOptions& options) {
   const Status applied = applyConfig(request, config);
   if (!applied) return Error{applied.error()};
   return config;
+}
+
+std::map<std::string, std::string> parameterNotes(const ConfigOptions& options) {
+  agent::AgentConfig config;
+  ParameterSet set;
+  addSections(set, config);
+  for (const auto& file : options.params)
+    if (!set.overlay(file)) break;  // was read before, by applyConfig
+  std::map<std::string, std::string> notes;
+  for (const auto& change : set.changes())
+    notes[change.key] =
+        change.value + " (default " + change.defaultValue + ") from " + change.source;
+  notes["hash"] = fmt::format("{:016x}", set.hash());
+  return notes;
+}
+
+Status checkScripts(const std::string& scripts) {
+  std::error_code error;
+  const std::filesystem::path folder(scripts);
+  if (!std::filesystem::exists(folder, error)) return Error{scripts + ": does not exist"};
+  if (std::filesystem::is_directory(folder, error) &&
+      !std::filesystem::exists(folder / "main.py", error))
+    return Error{scripts + "/main.py: does not exist"};
+  return Done{};
 }
 
 std::string defaultScripts() { return KELPIE_SOURCE_DIR "/pycode"; }

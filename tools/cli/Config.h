@@ -2,7 +2,8 @@
 // The options that make an agent's configuration, the same for kelpie-agent, import and replay.
 #pragma once
 
-#include <CLI/App.hpp>
+#include <CLI/CLI.hpp>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -20,14 +21,25 @@ struct ConfigOptions {
   std::vector<std::string> params;  // TOML files, general to specific
 };
 
+// CLI11's own range check lets "nan" pass.
+CLI::Validator inRange(double least, double most);
+constexpr double kLargestSeed = 9e15;  // every whole number up to here is a double
+
 // Registers --field, --team, --colour-table, --ring, --init and --params.
 void addConfigOptions(CLI::App& command, ConfigOptions& options);
+
+// The values of the parameter files that differ from the defaults, "gps.ball.gate" -> "5 (file:3)",
+// and a hash of the whole set; for the log.
+std::map<std::string, std::string> parameterNotes(const ConfigOptions& options);
 
 // Changes `config` as asked. On an error (one line, file and place) it is left half changed.
 Status applyConfig(const ConfigOptions& options, agent::AgentConfig& config);
 
 // The default configuration: field 2006, red player 1, nominal colours, ring 2006.
 Expected<agent::AgentConfig> makeConfig(const ConfigOptions& options);
+
+// A folder of behaviours must hold main.py; a zip is looked into when it is loaded.
+Status checkScripts(const std::string& scripts);
 
 // pycode/ of the source tree that the program was built from.
 std::string defaultScripts();

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "tools/cli/Commands.h"
+#include "tools/cli/Config.h"
 #include "tools/cli/experiments/Experiment.h"
 
 namespace kelpie::cli {
@@ -57,7 +58,9 @@ void addEvaluate(CLI::App& app, int& code) {
   command->add_option("NAME", options->name, "The experiment (--list tells which there are)");
   command->add_option("--trials", options->trials, "How often (default: the experiment's own)")
       ->check(CLI::Range(1, 1000000));
-  command->add_option("--seed", options->seed, "Seed of the first trial")->capture_default_str();
+  command->add_option("--seed", options->seed, "Seed of the first trial")
+      ->check(inRange(0.0, kLargestSeed))
+      ->capture_default_str();
   command->add_option("--json", options->json, "File for the figures, - for standard output");
   command->add_flag("--list", options->list, "What each experiment measures");
   command->callback([options, &code] { code = evaluate(*options); });

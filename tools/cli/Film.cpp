@@ -121,7 +121,7 @@ cv::Mat tile(const Moment& moment) {
   cv::Mat result(camera.rows + 22, camera.cols, CV_8UC3, cv::Scalar(30, 30, 30));
   paste(result, camera, 0, 0);
   std::string text = describe(moment.output);
-  cv::putText(result, text, {2, camera.rows + 15}, cv::FONT_HERSHEY_SIMPLEX, 0.38, kInk, 1,
+  cv::putText(result, text, {2, camera.rows + 15}, cv::FONT_HERSHEY_SIMPLEX, 0.35, kInk, 1,
               cv::LINE_AA);
   return result;
 }
@@ -178,6 +178,9 @@ struct FilmOptions {
 };
 
 int film(const FilmOptions& options) {
+  if (isDevice(options.out)) return complain(options.out + ": not a plain file", kBadInput);
+  if (sameFile(options.log, options.out))
+    return complain(options.out + ": is the log itself", kBadInput);
   Progress progress;
   if (onTerminal())
     progress = [](std::size_t done, std::size_t all) {
@@ -185,7 +188,9 @@ int film(const FilmOptions& options) {
         fmt::print(stderr, "\r{} of {} frames{}", done, all, done == all ? "\n" : "");
     };
   const Status made = filmMatch(options.log, options.out, progress);
-  return made ? kDone : complain(made.error(), kBadInput);
+  if (!made) return complain(made.error(), kBadInput);
+  const auto match = Match::open(options.log);
+  return match && match->truncated() ? complain(match->cutOff(), kBadInput) : kDone;
 }
 
 }  // namespace

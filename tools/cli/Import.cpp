@@ -51,6 +51,7 @@ Status importFolder(const ImportOptions& options, const std::string& part) {
 }
 
 int import(const ImportOptions& options) {
+  if (isDevice(options.out)) return complain(options.out + ": not a plain file", kBadInput);
   const std::string part = options.out + ".part";
   const Status done = importFolder(options, part);
   if (done && std::rename(part.c_str(), options.out.c_str()) == 0) {

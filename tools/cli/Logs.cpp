@@ -66,15 +66,20 @@ Status joinInto(std::vector<Source>& sources, LogWriter& out) {
     next->advance();
   }
   for (const auto& source : sources)
+    for (const auto& metadata : source.reader.metadata())
+      out.metadata(metadata.name, metadata.entries);
+  for (const auto& source : sources)
     if (!source.reader.status()) return source.reader.status();
   return out.close();
 }
 
 }  // namespace
 
-Expected<LogFile> LogFile::create(const std::string& path, const agent::AgentConfig& config) {
+Expected<LogFile> LogFile::create(const std::string& path, const agent::AgentConfig& config,
+                                  const LogMap& parameterNotes) {
   auto writer = LogWriter::open(path);
   if (!writer) return Error{writer.error()};
+  writer->metadata("parameters", parameterNotes);
   writer->write(kConfigTopic, TimeUs{}, config);
   return LogFile(std::move(*writer));
 }

@@ -14,7 +14,8 @@ namespace kelpie::cli {
 // Writes each input and output as it passes. Its first error stays in status().
 class LogFile : public agent::LogSink {
  public:
-  static Expected<LogFile> create(const std::string& path, const agent::AgentConfig& config);
+  static Expected<LogFile> create(const std::string& path, const agent::AgentConfig& config,
+                                  const LogMap& parameterNotes);
 
   void motion(const MotionInput& input, const MotionOutput& output) override;
   void frame(const FrameInput& input, const FrameOutput& output) override;
@@ -25,8 +26,8 @@ class LogFile : public agent::LogSink {
   LogWriter writer_;
 };
 
-// Joins logs by time into `out`, written whole or not at all; what a cut-off log still
-// holds is taken.
+// Joins logs by time, with their metadata, into `out`, written whole or not at all; what a cut-off
+// log still holds is taken.
 Status mergeLogs(const std::vector<std::string>& logs, const std::string& out);
 
 }  // namespace kelpie::cli

@@ -47,9 +47,15 @@ Expected<Match> Match::open(const std::string& path) {
     configured = true;
   }
   if (!reader->status()) return Error{reader->status().error()};
+  match.truncated_ = reader->truncated();
+  match.offset_ = reader->offset();
   if (!configured || match.frames_ == 0)
     return Error{path + ": holds no frames with outputs to show"};
   return match;
+}
+
+std::string Match::cutOff() const {
+  return path_ + ": cut off at byte " + std::to_string(offset_) + "; whole frames up to there";
 }
 
 void Match::forEachMoment(const std::function<void(const Moment&)>& show) const {

@@ -3,6 +3,7 @@
 // in the field frame of the robot's own team.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <string>
 
@@ -20,6 +21,8 @@ class Match {
   const body::FieldDescription& field() const { return field_; }
   TeamColour team() const { return team_; }
   std::size_t frames() const { return frames_; }
+  bool truncated() const { return truncated_; }
+  std::string cutOff() const;  // "LOG: cut off at byte N; ..."
   void forEachMoment(const std::function<void(const Moment&)>& show) const;
 
  private:
@@ -27,6 +30,8 @@ class Match {
   body::FieldDescription field_;
   TeamColour team_ = TeamColour::red;
   std::size_t frames_ = 0;
+  bool truncated_ = false;
+  std::uint64_t offset_ = 0;
 };
 
 }  // namespace kelpie::cli

@@ -6,7 +6,9 @@
 #include <memory>
 
 #include "tools/cli/Commands.h"
+#include "tools/cli/Config.h"
 #include "tools/cli/Film.h"
+#include "tools/cli/Process.h"
 #include "tools/cli/Session.h"
 
 namespace kelpie::cli {
@@ -51,7 +53,23 @@ int makePictures(const PlayOptions& options) {
   return kDone;
 }
 
+// What is wrong with the options is told before anything is started or an earlier match replaced.
+Status checkConfig(const SessionOptions& session) {
+  ConfigOptions config;
+  config.field = session.field;
+  config.team = session.team;
+  config.colourTable = session.colourTable;
+  config.ring = session.ring;
+  config.params = session.params;
+  const auto made = makeConfig(config);
+  if (!made) return Error{made.error()};
+  return session.pycode.empty() ? Status(Done{}) : checkScripts(session.pycode);
+}
+
 int play(PlayOptions& options) {
+  const Status checked = checkConfig(options.session);
+  if (!checked) return complain(checked.error(), kBadInput);
+  catchInterrupts();
   std::error_code error;
   fs::create_directories(options.out, error);
   if (error) return complain(options.out + ": " + error.message(), kBadInput);
@@ -88,9 +106,10 @@ void addPlay(CLI::App& app, int& code) {
   command->add_option("--out", options->out, "Folder for match.mcap, match.mp4 and match.png")
       ->capture_default_str();
   command->add_option("--seed", session.seed, "Start pose, ball, noise and slip")
+      ->check(inRange(0.0, kLargestSeed))
       ->capture_default_str();
   command->add_option("--seconds", session.seconds, "Simulated time at most")
-      ->check(CLI::Range(1.0, 3600.0))
+      ->check(inRange(1.0, 3600.0))
       ->capture_default_str();
   command->add_option("--goals", session.goals, "Ends after so many goals")
       ->check(CLI::Range(1, 99))
@@ -113,7 +132,7 @@ void addPlay(CLI::App& app, int& code) {
   command->add_option("--ring", session.ring, "Ring correction: none, 2006 or a file")
       ->capture_default_str();
   command->add_option("--drop-rate", session.dropRate, "Share of images lost on the way")
-      ->check(CLI::Range(0.0, 1.0));
+      ->check(inRange(0.0, 1.0));
   command->add_option("--without", session.artefactsOff, "Camera artefacts switched off")
       ->check(CLI::IsMember({"ring", "noise", "shift", "rolling", "blur", "spectators"}));
   command->add_flag("--no-film", options->noFilm, "Leave out match.mp4");

@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <csignal>
 #include <cstdlib>
 #include <cstring>
 #include <utility>
@@ -18,9 +19,15 @@ namespace {
 
 constexpr const char* kTunables = "glibc.cpu.hwcaps=-FMA,-AVX2,-FMA4";
 
+// A signal handler can reach nothing else.
+volatile std::sig_atomic_t interruptSeen = 0;
+void rememberInterrupt(int) { interruptSeen = 1; }
+
 // Runs in the child between fork and exec: only async-signal-safe calls.
 [[noreturn]] void becomeProgram(char* const* argv, int output, pid_t parent) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
+  signal(SIGINT, SIG_IGN);
+  signal(SIGTERM, SIG_DFL);
   if (getppid() != parent) _exit(127);
   if (output >= 0) {
     dup2(output, STDOUT_FILENO);
@@ -107,6 +114,15 @@ int Process::wait() {
 void Process::terminate() {
   if (!ended_) kill(pid_, SIGTERM);
 }
+
+void catchInterrupts() {
+  struct sigaction action = {};
+  action.sa_handler = rememberInterrupt;
+  sigaction(SIGINT, &action, nullptr);
+  sigaction(SIGTERM, &action, nullptr);
+}
+
+bool interrupted() { return interruptSeen != 0; }
 
 std::string programFolder() {
   char path[4096];

@@ -39,6 +39,11 @@ class Process {
   std::string pending_;
 };
 
+// From now on an interrupt (Ctrl-C) or a request to end is only remembered; children that are
+// started later do not hear of an interrupt.
+void catchInterrupts();
+bool interrupted();
+
 // Folder of the running program, where its sister programs are.
 std::string programFolder();
 

@@ -94,6 +94,7 @@ Expected<std::vector<RecordedRow>> readSensorRows(const std::string& path) {
   std::string line;
   std::getline(file, line);
   dropCarriageReturn(line);
+  if (line.compare(0, 3, "\xEF\xBB\xBF") == 0) line.erase(0, 3);  // spreadsheets write a mark
   if (line != kHeader) return Error{path + ":1: the header must be " + kHeader};
   std::vector<RecordedRow> rows;
   for (int number = 2; std::getline(file, line); ++number) {

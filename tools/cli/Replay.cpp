@@ -39,6 +39,8 @@ int report(const ReplayCommand& command, const agent::ReplayResult& result) {
 }
 
 int replayLog(const ReplayCommand& command) {
+  if (sameFile(command.log, command.jsonl))
+    return complain(command.jsonl + ": is the log itself", kBadInput);
   std::string objects;
   agent::ReplayOptions options;
   options.scripts = command.pycode;
@@ -49,6 +51,8 @@ int replayLog(const ReplayCommand& command) {
     options.onFrame = [&](const FrameInput& input, const FrameOutput& output) {
       objects += frameObject(input, output).dump() + "\n";
     };
+  const Status scripts = checkScripts(command.pycode);
+  if (!scripts) return complain(scripts.error(), kBadInput);
   agent::AgentConfig trial;  // options are checked before a long replay, not after it
   const Status applied = applyConfig(command.config, trial);
   if (!applied) return complain(applied.error(), kBadInput);

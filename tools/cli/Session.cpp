@@ -110,18 +110,22 @@ void readResult(const std::string& path, bool blue, SessionResult& result) {
 struct AgentTalk {
   std::string last = "before the first frame";
   std::string complaint;
-  bool began = false;  // before that the complaint says all in one line
+  bool began = false;
+  std::string early;  // said before the match began; a complaint then says all in one line
 
   void hear(const std::string& line, const StatusLine& status) {
     const std::string_view text = line;
     if (text.substr(0, kStatusMark.size()) == kStatusMark) {
       last = text.substr(kStatusMark.size());
+      if (!began) fmt::print(stderr, "{}", early);
       began = true;
       if (status) status(last);
     } else if (text.substr(0, kComplaintMark.size()) == kComplaintMark) {
       complaint = text.substr(kComplaintMark.size());
     } else if (began) {
       fmt::print(stderr, "{}\n", line);
+    } else {
+      early += line + "\n";
     }
   }
 };
@@ -131,8 +135,10 @@ struct AgentTalk {
 void watch(Process& world, Process& agent, const StatusLine& status, SessionResult& result) {
   AgentTalk talk;
   std::string line;
-  while (!agent.ended())
+  while (!agent.ended()) {
     while (agent.readLine(line, 50)) talk.hear(line, status);
+    if (interrupted()) world.terminate();  // the agent then closes its log and ends
+  }
   while (agent.readLine(line, 0)) talk.hear(line, status);
   const int agentCode = agent.wait();
   // A world that was killed may be a moment behind the agent that its end has stopped.
@@ -141,7 +147,9 @@ void watch(Process& world, Process& agent, const StatusLine& status, SessionResu
   const bool alive = !world.ended();
   if (alive && agentCode != 0) world.terminate();
   const int worldCode = world.wait();
-  if (!alive && worldCode >= 128)
+  if (interrupted())
+    result.trouble = "interrupted; last: " + talk.last;
+  else if (!alive && worldCode >= 128)
     result.trouble =
         fmt::format("the world died (signal {}); last: {}", worldCode - 128, talk.last);
   else if (agentCode >= 128)

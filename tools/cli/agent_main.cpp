@@ -5,6 +5,7 @@
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
+#include <exception>
 #include <optional>
 
 #include "robot/agent/AgentLoops.h"
@@ -79,11 +80,13 @@ Status play(const AgentOptions& options, agent::AgentLoops& loops,
 
 // A script that does not load is bad input: told before the match, not during it.
 int run(const AgentOptions& options) {
+  const Status scripts = checkScripts(options.pycode);
+  if (!scripts) return fail(scripts.error(), 2);
   const auto config = makeConfig(options.config);
   if (!config) return fail(config.error(), 2);
   std::optional<LogFile> log;
   if (!options.log.empty()) {
-    auto created = LogFile::create(options.log, *config);
+    auto created = LogFile::create(options.log, *config, parameterNotes(options.config));
     if (!created) return fail(created.error(), 2);
     log.emplace(std::move(*created));
   }
@@ -112,7 +115,7 @@ int main(int argc, char** argv) {
   app.add_option("--pycode", options.pycode, "Behaviours, folder or zip");
   app.add_option("--player", options.config.player, "Number in the team")->check(CLI::Range(1, 4));
   app.add_option("--drop-rate", options.dropRate, "Share of images lost on the way")
-      ->check(CLI::Range(0.0, 1.0));
+      ->check(kelpie::cli::inRange(0.0, 1.0));
   app.add_option("--seed", options.seed, "Of the losses");
   app.add_flag("--status", options.status, "Says twice a second what the robot believes");
   addConfigOptions(app, options.config);
@@ -121,5 +124,9 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
   }
-  return kelpie::cli::run(options);
+  try {
+    return kelpie::cli::run(options);
+  } catch (const std::exception& error) {
+    return kelpie::cli::fail(error.what(), 2);
+  }
 }

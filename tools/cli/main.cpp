@@ -5,6 +5,8 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <exception>
+#include <filesystem>
 
 #include "tools/cli/Commands.h"
 #include "tools/cli/Process.h"
@@ -18,8 +20,30 @@ int complain(const std::string& message, int code) {
 
 bool onTerminal() { return isatty(STDERR_FILENO) != 0; }
 
+bool isDevice(const std::string& path) {
+  std::error_code error;
+  return std::filesystem::exists(path, error) && !std::filesystem::is_regular_file(path, error);
+}
+
+bool sameFile(const std::string& a, const std::string& b) {
+  std::error_code error;
+  return std::filesystem::equivalent(a, b, error) && !error;
+}
+
+namespace {
+
+bool writeInto(const std::string& path, const std::string& text) {
+  std::FILE* file = std::fopen(path.c_str(), "wb");
+  if (file == nullptr) return false;
+  const bool written = std::fwrite(text.data(), 1, text.size(), file) == text.size();
+  return std::fclose(file) == 0 && written;
+}
+
+}  // namespace
+
 bool writeWhole(const std::string& path, const std::string& text) {
   if (path == "-") return std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
+  if (isDevice(path)) return writeInto(path, text);
   const std::string part = path + ".part";
   std::FILE* file = std::fopen(part.c_str(), "wb");
   if (file == nullptr) return false;
@@ -53,6 +77,8 @@ int main(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? kelpie::cli::kDone : kelpie::cli::kBadInput;
+  } catch (const std::exception& error) {
+    return kelpie::cli::complain(error.what(), kelpie::cli::kBadInput);
   }
   return code;
 }
