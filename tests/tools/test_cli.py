@@ -46,6 +46,15 @@ def test_projection_agrees_with_the_renderer(tmp_path):
     assert values["max_px"] < 0.5 and values["max_cm_at_1m"] < 1.0
 
 
+def test_the_body_walks_as_its_odometry_says_and_kicks_straight(tmp_path):
+    figures = tmp_path / "f.json"
+    assert kelpie("evaluate", "walk-and-kick", "--seed", "31", "--json", figures).returncode == 0
+    values = json.loads(figures.read_text())
+    for way in ("forward", "back", "side", "turn"):
+        assert 0.95 < values[f"{way}_ratio"] < 1.05
+    assert values["kick_least_cm"] > 100 and values["kick_aside_deg"] < 3
+
+
 def test_replay_repeats_a_match_bit_for_bit(match):
     result = kelpie("replay", match, "--check")
     assert result.returncode == 0, result.stderr
