@@ -58,7 +58,7 @@ class WireWriter {
     } else if constexpr (kIsSequence<T>) {
       sequence(value);
     } else {
-      forEachField(value, [this](const auto&, const auto& member) { put(member); });
+      forEachField(value, [&](const auto&, const auto& member) { put(member); });
     }
   }
 

@@ -108,6 +108,7 @@ void drawRobot(cv::Mat& picture, const body::FieldDescription& field, double sca
   const std::array<Point2<Robot>, 5> outline = {
       {{0.0, 5.0}, {7.0, 0.0}, {7.0, -20.0}, {-7.0, -20.0}, {-7.0, 0.0}}};
   std::vector<cv::Point> corners;
+  corners.reserve(outline.size());
   for (const auto& corner : outline)
     corners.push_back(onPicture(field, scale, fieldFromRobot(pose, corner)));
   cv::polylines(picture, corners, true, colour, 2, cv::LINE_AA);
