@@ -11,8 +11,6 @@ namespace {
 constexpr double kTick = kTickSeconds;
 constexpr double kAtHome = 0.15;  // cm; nearer than this a foot need not step again
 
-bool isFront(LegId leg) { return leg == LegId::leftFront || leg == LegId::rightFront; }
-
 // The pair that swings in the first half step.
 bool isFirstPair(LegId leg) { return leg == LegId::leftFront || leg == LegId::rightHind; }
 
@@ -88,7 +86,7 @@ void swing(LegId leg, double phase, const ActuatorParams& params, GaitState& sta
   const double early = 0.5 * stanceSeconds(params.gait) + (1.0 - phase) * ticks * kTick;
   const Point2<Robot> ahead = groundVelocity(state.velocity, {home.x, home.y}) * early;
   const double way = flown(phase);
-  const double peak = isFront(leg) ? params.gait.frontLift : params.gait.hindLift;
+  const double peak = body::isFront(leg) ? params.gait.frontLift : params.gait.hindLift;
   foot.position = {foot.liftedAt.x + way * (home.x + ahead.x - foot.liftedAt.x),
                    foot.liftedAt.y + way * (home.y + ahead.y - foot.liftedAt.y),
                    peak * 4.0 * phase * (1.0 - phase)};
@@ -114,8 +112,8 @@ void placeFeet(const StanceParams& stance, GaitState& state) {
 
 Point3<Robot> footHome(LegId leg, const StanceParams& stance) {
   const bool left = leg == LegId::leftFront || leg == LegId::leftHind;
-  const double aside = isFront(leg) ? stance.frontAside : stance.hindAside;
-  return {left ? -aside : aside, isFront(leg) ? stance.frontAhead : -stance.hindBehind, 0.0};
+  const double aside = body::isFront(leg) ? stance.frontAside : stance.hindAside;
+  return {left ? -aside : aside, body::isFront(leg) ? stance.frontAhead : -stance.hindBehind, 0.0};
 }
 
 Velocity slewed(const Velocity& now, const WalkRequest& request, const ActuatorParams& params) {

@@ -16,7 +16,6 @@ struct Reach {
   double z;
 };
 
-bool isFront(LegId leg) { return leg == LegId::leftFront || leg == LegId::rightFront; }
 double sideOf(LegId leg) {
   return leg == LegId::rightFront || leg == LegId::rightHind ? 1.0 : -1.0;
 }

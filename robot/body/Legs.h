@@ -19,6 +19,8 @@ struct Torso {};
 
 namespace kelpie::body {
 
+constexpr bool isFront(LegId leg) { return leg == LegId::leftFront || leg == LegId::rightFront; }
+
 struct LegAngles {
   Angle rotator;   // J1, swings the leg forward (positive)
   Angle shoulder;  // J2, lifts the leg outwards (positive)

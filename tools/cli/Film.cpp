@@ -3,7 +3,6 @@
 
 #include <fmt/core.h>
 
-#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <opencv2/imgcodecs.hpp>
@@ -14,6 +13,7 @@
 #include "tools/cli/Describe.h"
 #include "tools/cli/Draw.h"
 #include "tools/cli/Match.h"
+#include "tools/cli/WholeFile.h"
 
 namespace kelpie::cli {
 namespace {
@@ -88,12 +88,6 @@ std::string partName(const std::string& out) {
       .string();
 }
 
-Status finish(const std::string& part, const std::string& out) {
-  if (std::rename(part.c_str(), out.c_str()) == 0) return Done{};
-  std::remove(part.c_str());
-  return Error{out + ": cannot be written"};
-}
-
 // The frames shown in the picture: evenly spread, the first and the last whole one included.
 bool isShown(std::size_t frame, std::size_t all) {
   if (all <= kPictureFrames) return true;
@@ -133,17 +127,14 @@ Status filmMatch(const std::string& log, const std::string& out, const Progress&
   if (!match) return Error{match.error()};
   const std::string part = partName(out);
   FilmWriter film(part, *match);
-  if (!film.ready()) {
-    std::remove(part.c_str());
-    return Error{out + ": the film cannot be written"};
-  }
+  if (!film.ready()) return putInPlace(Error{out + ": the film cannot be written"}, part, out);
   std::size_t done = 0;
   match->forEachMoment([&](const Moment& moment) {
     film.add(moment);
     if (progress) progress(++done, match->frames());
   });
   film.close();
-  return finish(part, out);
+  return putInPlace(Done{}, part, out);
 }
 
 Status drawMatchPicture(const std::string& log, const std::string& out) {
@@ -163,11 +154,8 @@ Status drawMatchPicture(const std::string& log, const std::string& out) {
     }
   });
   const std::string part = partName(out);
-  if (!cv::imwrite(part, arrange(ground, frames))) {
-    std::remove(part.c_str());
-    return Error{out + ": cannot be written"};
-  }
-  return finish(part, out);
+  const bool drawn = cv::imwrite(part, arrange(ground, frames));
+  return putInPlace(drawn ? Status(Done{}) : Error{out + ": cannot be written"}, part, out);
 }
 
 namespace {

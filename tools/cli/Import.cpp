@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/core.h>
 
-#include <cstdio>
 #include <memory>
 
 #include "robot/agent/Replay.h"
@@ -9,6 +8,7 @@
 #include "tools/cli/Commands.h"
 #include "tools/cli/Config.h"
 #include "tools/cli/Recording.h"
+#include "tools/cli/WholeFile.h"
 
 namespace kelpie::cli {
 namespace {
@@ -53,13 +53,10 @@ Status importFolder(const ImportOptions& options, const std::string& part) {
 int import(const ImportOptions& options) {
   if (isDevice(options.out)) return complain(options.out + ": not a plain file", kBadInput);
   const std::string part = options.out + ".part";
-  const Status done = importFolder(options, part);
-  if (done && std::rename(part.c_str(), options.out.c_str()) == 0) {
-    fmt::print("{}\n", options.out);
-    return kDone;
-  }
-  std::remove(part.c_str());
-  return complain(done ? options.out + ": cannot be written" : done.error(), kBadInput);
+  const Status done = putInPlace(importFolder(options, part), part, options.out);
+  if (!done) return complain(done.error(), kBadInput);
+  fmt::print("{}\n", options.out);
+  return kDone;
 }
 
 }  // namespace

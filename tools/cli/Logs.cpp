@@ -2,11 +2,11 @@
 #include "tools/cli/Logs.h"
 
 #include <array>
-#include <cstdio>
 #include <memory>
 #include <optional>
 
 #include "robot/agent/Replay.h"
+#include "tools/cli/WholeFile.h"
 #include "tools/sim/Truth.h"
 
 namespace kelpie::cli {
@@ -104,10 +104,7 @@ Status mergeLogs(const std::vector<std::string>& logs, const std::string& out) {
   const std::string part = out + ".part";
   auto writer = LogWriter::open(part);
   if (!writer) return Error{writer.error()};
-  const Status joined = joinInto(sources, *writer);
-  if (joined && std::rename(part.c_str(), out.c_str()) == 0) return Done{};
-  std::remove(part.c_str());
-  return joined ? Status(Error{out + ": cannot be written"}) : joined;
+  return putInPlace(joinInto(sources, *writer), part, out);
 }
 
 }  // namespace kelpie::cli

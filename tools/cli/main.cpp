@@ -10,6 +10,7 @@
 
 #include "tools/cli/Commands.h"
 #include "tools/cli/Process.h"
+#include "tools/cli/WholeFile.h"
 
 namespace kelpie::cli {
 
@@ -49,9 +50,8 @@ bool writeWhole(const std::string& path, const std::string& text) {
   if (file == nullptr) return false;
   const bool written = std::fwrite(text.data(), 1, text.size(), file) == text.size();
   const bool closed = std::fclose(file) == 0;
-  if (written && closed && std::rename(part.c_str(), path.c_str()) == 0) return true;
-  std::remove(part.c_str());
-  return false;
+  const Status whole = written && closed ? Status(Done{}) : Error{path};
+  return putInPlace(whole, part, path).ok();
 }
 
 }  // namespace kelpie::cli

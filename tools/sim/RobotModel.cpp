@@ -70,7 +70,7 @@ JointAngles startingPose() {
   JointAngles joints;
   for (std::size_t i = 0; i < kLegCount; ++i) {
     const auto leg = static_cast<LegId>(i);
-    const bool front = leg == LegId::leftFront || leg == LegId::rightFront;
+    const bool front = body::isFront(leg);
     const bool right = leg == LegId::rightFront || leg == LegId::rightHind;
     const double side = right ? 8.5 : -8.5;
     const Point3<Torso> foot =
@@ -83,7 +83,7 @@ JointAngles startingPose() {
 }
 
 Point3<Torso> kneePosition(LegId leg, const body::LegAngles& angles) {
-  const bool front = leg == LegId::leftFront || leg == LegId::rightFront;
+  const bool front = body::isFront(leg);
   const double mirror = front ? 1.0 : -1.0;
   const double side = leg == LegId::rightFront || leg == LegId::rightHind ? 1.0 : -1.0;
   const double so = angles.shoulder.sin();

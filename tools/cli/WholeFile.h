@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+// Files appear whole or not at all: they are written under another name first.
+#pragma once
+
+#include <string>
+
+#include "robot/core/Expected.h"
+
+namespace kelpie::cli {
+
+// Ends the writing of `part`: it becomes `out` when that went well, and is removed when it did not.
+Status putInPlace(const Status& written, const std::string& part, const std::string& out);
+
+}  // namespace kelpie::cli
