@@ -45,7 +45,7 @@ int replayLog(const ReplayCommand& command) {
   agent::ReplayOptions options;
   options.scripts = command.pycode;
   options.adjust = [&](agent::AgentConfig& config) {
-    static_cast<void>(applyConfig(command.config, config));  // tried on a spare one before this runs
+    static_cast<void>(applyConfig(command.config, config));  // tried on a spare before
   };
   if (!command.jsonl.empty())
     options.onFrame = [&](const FrameInput& input, const FrameOutput& output) {
