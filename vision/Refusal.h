@@ -43,18 +43,44 @@ enum class Refusal : std::uint8_t {
   goalWidth,      // its angle and distance make no 80 cm
   goalOffGround,  // its foot is not on the ground at its distance
   goalOpposite,   // the other goal is in the image and larger
+  robotTooSmall,
+  robotAboveHorizon,
+  robotAboveFieldEdge,
+  robotNoShell,  // neither white nor grey beside the patch
+  robotOffGround,
+  robotTooFar,
+  pinkTooSmall,
+  pinkIsBeacon,
+  pinkAboveHorizon,
+  pinkAboveFieldEdge,
+  pinkOffGround,
+  obstacleAboveHorizon,
+  obstacleAboveFieldEdge,
+  obstacleGreenAbove,  // a shadow: the carpet goes on right above it
+  lineAmbiguous,       // too wide for a line, too narrow for a border
+  lineInCorner,        // of the image, thesis 2004 equation 3.1
+  lineInObject,        // inside the box of a ball, goal, beacon or robot
+  lineGreenBeside,     // a single white pixel
+  borderGreenBeside,
+  fieldNotGreen,    // green only along the scan
+  lineCrowdedScan,  // more points on one scan than lines can give
 };
-constexpr std::size_t kRefusalCount = 31;
+constexpr std::size_t kRefusalCount = 52;
 
 constexpr std::array<const char*, kRefusalCount> kRefusalNames = {
-    "ballTooSmall",       "ballFewEdges",     "ballPoorCircle",     "ballFewOrange",
-    "ballOtherColour",    "ballAboveHorizon", "ballAboveFieldEdge", "ballNoField",
-    "ballOffGround",      "ballTooFar",       "beaconTooSmall",     "beaconNoPartner",
-    "beaconBothSides",    "beaconSizeRatio",  "beaconAspect",       "beaconBelowHorizon",
-    "beaconNoWhiteBelow", "beaconElevation",  "beaconTooFar",       "goalTooSmall",
-    "goalAspect",         "goalAboveHorizon", "goalNoField",        "goalIsBeacon",
-    "goalTooFar",         "goalNoHeight",     "goalAboveFieldEdge", "bufferFull",
-    "goalWidth",          "goalOffGround",    "goalOpposite"};
+    "ballTooSmall",       "ballFewEdges",        "ballPoorCircle",       "ballFewOrange",
+    "ballOtherColour",    "ballAboveHorizon",    "ballAboveFieldEdge",   "ballNoField",
+    "ballOffGround",      "ballTooFar",          "beaconTooSmall",       "beaconNoPartner",
+    "beaconBothSides",    "beaconSizeRatio",     "beaconAspect",         "beaconBelowHorizon",
+    "beaconNoWhiteBelow", "beaconElevation",     "beaconTooFar",         "goalTooSmall",
+    "goalAspect",         "goalAboveHorizon",    "goalNoField",          "goalIsBeacon",
+    "goalTooFar",         "goalNoHeight",        "goalAboveFieldEdge",   "bufferFull",
+    "goalWidth",          "goalOffGround",       "goalOpposite",         "robotTooSmall",
+    "robotAboveHorizon",  "robotAboveFieldEdge", "robotNoShell",         "robotOffGround",
+    "robotTooFar",        "pinkTooSmall",        "pinkIsBeacon",         "pinkAboveHorizon",
+    "pinkAboveFieldEdge", "pinkOffGround",       "obstacleAboveHorizon", "obstacleAboveFieldEdge",
+    "obstacleGreenAbove", "lineAmbiguous",       "lineInCorner",         "lineInObject",
+    "lineGreenBeside",    "borderGreenBeside",   "fieldNotGreen",        "lineCrowdedScan"};
 
 inline void refuse(VisionCounts& counts, Refusal reason) {
   ++counts.refused[static_cast<std::size_t>(reason)];

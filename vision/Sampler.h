@@ -55,6 +55,8 @@ class Sampler {
     return static_cast<ColourClass>(known);
   }
   ColourClass classAt(PixelPoint p) const { return classAt(pixelOf(p.x), pixelOf(p.y)); }
+  // As measured: for differences between neighbours, which the ring correction hardly changes.
+  Yuv raw(int px, int py) const { return image_.pixel(px, py); }
   std::uint8_t rawY(int px, int py) const { return image_.y[Image::at(px, py)]; }
 
   // Forgets the last image and classifies the lattice; the number of pixels looked at.

@@ -7,19 +7,24 @@
 #include <cstdint>
 
 #include "robot/core/FixedVector.h"
+#include "robot/core/FrameInput.h"
 #include "robot/core/Geometry.h"
 
 namespace kelpie {
 
 // Position of the camera and direction of its axes, in the robot frame. Columns of `axes` (row by
-// row: axes[3 * row + column]) are the camera's x, y and z axes in the robot frame.
+// row: axes[3 * row + column]) are the camera's x, y and z axes in the robot frame in the middle of
+// the exposure. The sensor exposes columns left to right: from the first to the last the axes turn
+// by the vector `turn`.
 struct CameraPose {
   Point3<Robot> position;
   std::array<double, 9> axes{};
+  std::array<double, 3> turn{};  // rad over the image, about x, y, z of the robot frame
 
   static constexpr auto fields() {
     return fieldList(field("position", &CameraPose::position),
-                     field("axes", &CameraPose::axes, "", -1.000001, 1.000001));
+                     field("axes", &CameraPose::axes, "", -1.000001, 1.000001),
+                     field("turn", &CameraPose::turn, "rad", -10, 10));
   }
 };
 
@@ -122,6 +127,75 @@ struct LandmarkPercept {
   }
 };
 
+// A free stretch of a goal's mouth, between a post and a robot, or from post to post when nobody
+// stands in it (thesis 2006 section 6.4.2).
+struct GoalGap {
+  LandmarkKind goal = LandmarkKind::goalBlue;
+  Angle left;
+  Angle right;
+  bool leftCut = false;  // ends at the image border, not at a post or robot
+  bool rightCut = false;
+  PixelBox box;
+
+  static constexpr auto fields() {
+    return fieldList(
+        field("goal", &GoalGap::goal, "", 0, 1), field("left", &GoalGap::left, "rad", -180, 180),
+        field("right", &GoalGap::right, "rad", -180, 180), field("leftCut", &GoalGap::leftCut),
+        field("rightCut", &GoalGap::rightCut), field("box", &GoalGap::box));
+  }
+};
+
+// Another robot, known by the uniform patches that belong together.
+struct RobotPercept {
+  TeamColour team = TeamColour::red;
+  double distance = 0.0;
+  Angle heading;
+  Angle elevation;
+  double distanceVariance = 0.0;  // cm2
+  double headingVariance = 0.0;   // rad2
+  PixelBox box;
+
+  static constexpr auto fields() {
+    return fieldList(field("team", &RobotPercept::team, "", 0, 1),
+                     field("distance", &RobotPercept::distance, "cm", 0, 1000),
+                     field("heading", &RobotPercept::heading, "rad", -180, 180),
+                     field("elevation", &RobotPercept::elevation, "rad", -90, 90),
+                     field("distanceVariance", &RobotPercept::distanceVariance, "cm2", 0),
+                     field("headingVariance", &RobotPercept::headingVariance, "rad2", 0),
+                     field("box", &RobotPercept::box));
+  }
+};
+
+// A pink patch that is no beacon: a landmark of the 2004 localisation challenge.
+struct PinkPercept {
+  double distance = 0.0;
+  Angle heading;
+  Angle elevation;
+  double distanceVariance = 0.0;  // cm2
+  double headingVariance = 0.0;   // rad2
+  PixelBox box;
+
+  static constexpr auto fields() {
+    return fieldList(field("distance", &PinkPercept::distance, "cm", 0, 1000),
+                     field("heading", &PinkPercept::heading, "rad", -180, 180),
+                     field("elevation", &PinkPercept::elevation, "rad", -90, 90),
+                     field("distanceVariance", &PinkPercept::distanceVariance, "cm2", 0),
+                     field("headingVariance", &PinkPercept::headingVariance, "rad2", 0),
+                     field("box", &PinkPercept::box));
+  }
+};
+
+// Where something dark stands on the carpet: the foot of a robot or of its shadow.
+struct ObstaclePoint {
+  Point2<Robot> position;
+  PixelPoint pixel;
+
+  static constexpr auto fields() {
+    return fieldList(field("position", &ObstaclePoint::position),
+                     field("pixel", &ObstaclePoint::pixel));
+  }
+};
+
 struct FieldEdgePercept {
   bool present = false;
   double atLeft = 0.0;   // row where the edge meets the left image border
@@ -154,7 +228,7 @@ struct VisionCounts {
   std::uint32_t sampledPixels = 0;
   std::uint32_t runs = 0;
   std::uint32_t blobs = 0;
-  std::array<std::uint16_t, 32> refused{};
+  std::array<std::uint16_t, 64> refused{};
 
   static constexpr auto fields() {
     return fieldList(field("sampledPixels", &VisionCounts::sampledPixels),
@@ -166,15 +240,23 @@ struct VisionCounts {
 struct Percepts {
   BallPercept ball;
   FixedVector<LandmarkPercept, 8> landmarks;
+  FixedVector<GoalGap, 6> gaps;  // left to right
+  FixedVector<RobotPercept, 8> robots;
+  FixedVector<PinkPercept, 8> pinkPatches;
+  FixedVector<ObstaclePoint, 64> obstacles;
+  std::uint16_t obstaclesAhead = 0;  // dark pixels 25 cm to either side, up to 100 cm ahead
   FieldEdgePercept fieldEdge;
   FixedVector<LinePoint, 256> linePoints;
   VisionCounts counts;
 
   static constexpr auto fields() {
-    return fieldList(field("ball", &Percepts::ball), field("landmarks", &Percepts::landmarks),
-                     field("fieldEdge", &Percepts::fieldEdge),
-                     field("linePoints", &Percepts::linePoints),
-                     field("counts", &Percepts::counts));
+    return fieldList(
+        field("ball", &Percepts::ball), field("landmarks", &Percepts::landmarks),
+        field("gaps", &Percepts::gaps), field("robots", &Percepts::robots),
+        field("pinkPatches", &Percepts::pinkPatches), field("obstacles", &Percepts::obstacles),
+        field("obstaclesAhead", &Percepts::obstaclesAhead),
+        field("fieldEdge", &Percepts::fieldEdge), field("linePoints", &Percepts::linePoints),
+        field("counts", &Percepts::counts));
   }
 };
 
