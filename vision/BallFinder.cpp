@@ -36,18 +36,12 @@ EdgePoints edgePoints(const Scene& scene, const Blob& blob) {
   return points;
 }
 
-Point3<Robot> inRobotFrame(const CameraPose& camera, Point3<Camera> c) {
-  const auto& a = camera.axes;
-  return {a[0] * c.x + a[1] * c.y + a[2] * c.z, a[3] * c.x + a[4] * c.y + a[5] * c.z,
-          a[6] * c.x + a[7] * c.y + a[8] * c.z};
-}
-
 BallCandidate measured(const Scene& scene, const Blob& blob) {
   BallCandidate c;
   c.blob = &blob;
   c.cone = fitCone(edgePoints(scene, blob));
   if (!c.cone.valid) return c;
-  c.axis = inRobotFrame(scene.body.camera, c.cone.axis);
+  c.axis = body::rayThrough(scene.body.camera, c.cone.centre);
   c.range = body::kBallRadius / c.cone.sinHalf;
   return c;
 }

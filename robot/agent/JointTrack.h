@@ -24,13 +24,19 @@ class JointTrack {
 
  private:
   static constexpr std::size_t kTicks = 16;
+  struct Places {  // of ticks, counted since the start
+    std::size_t oldest;
+    std::size_t older;
+    std::size_t newer;
+  };
   struct Span {
     const SensorFrame* older;
     const SensorFrame* newer;
-    double seconds;   // between the two
-    double fraction;  // of the way from older to newer; above 1 = extrapolated
+    TimeUs start;
+    double seconds;  // between the two
   };
-  Span spanAt(TimeUs time) const;
+  Places placesAt(TimeUs time) const;  // the last tick before the time and the next
+  Span between(std::size_t older, std::size_t newer) const;
 
   std::array<TimeUs, kTicks> times_{};
   std::array<SensorFrame, kTicks> frames_{};

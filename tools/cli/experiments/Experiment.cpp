@@ -15,6 +15,11 @@ const std::vector<Experiment>& experiments() {
        "a grid of ground discs rendered and found again in the image, against its projection: "
        "largest error in pixels, and on the ground at 1 m",
        500, projection},
+      {"objects",
+       "rendered random views with every artefact and spectators: recall, false percepts, errors "
+       "of "
+       "distance and heading by object and distance",
+       3000, objects},
       {"walk-and-kick",
        "the actuator in the simulated body: true way over reported way in four directions; how far "
        "and how straight the ball goes from 25 places before the chest",

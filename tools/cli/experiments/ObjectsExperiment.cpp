@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: Apache-2.0
+// How well vision recognises objects: seeded random views with every artefact, spectators in the
+// objects' colours, robots and partly hidden things. By object and distance: share of those to be
+// seen that were (recall), percepts of nothing, errors of distance and heading.
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <memory>
+
+#include "robot/body/Camera.h"
+#include "tools/cli/experiments/Experiment.h"
+#include "tools/cli/experiments/Objects.h"
+#include "vision/Refusal.h"
+#include "vision/Vision.h"
+
+namespace kelpie::cli {
+namespace {
+
+// A percept farther than this from every object of its kind is of nothing.
+constexpr double kMatchHeadingDeg = 8.0;
+constexpr double kMatchGoalDeg = 15.0;
+constexpr double kMatchRobotDeg = 15.0;
+constexpr double kMatchShare = 0.4;   // of the distance
+constexpr double kMatchLeast = 15.0;  // cm
+
+struct Sums {
+  int toSee = 0;
+  int seen = 0;
+  int measured = 0;
+  double distance = 0.0;  // of (measured - true) / true
+  double distance2 = 0.0;
+  double heading2 = 0.0;  // deg2
+
+  void add(double share, double headingDeg) {
+    ++measured;
+    distance += share;
+    distance2 += share * share;
+    heading2 += headingDeg * headingDeg;
+  }
+  void add(const Sums& other) {
+    toSee += other.toSee;
+    seen += other.seen;
+    measured += other.measured;
+    distance += other.distance;
+    distance2 += other.distance2;
+    heading2 += other.heading2;
+  }
+  double recall() const { return toSee > 0 ? static_cast<double>(seen) / toSee : 1.0; }
+  double biasPct() const { return measured > 0 ? 100.0 * distance / measured : 0.0; }
+  double rmsPct() const { return measured > 0 ? 100.0 * std::sqrt(distance2 / measured) : 0.0; }
+  double headingDeg() const { return measured > 0 ? std::sqrt(heading2 / measured) : 0.0; }
+};
+
+struct Kind {
+  ObjectKind kind;
+  const char* name;
+  std::vector<double> borders;  // cm, of the distance bands
+};
+
+const std::vector<Kind>& kinds() {
+  static const std::vector<Kind> all = {
+      {ObjectKind::ball, "ball", {25, 50, 100, 150, 200, 250, 300, 350}},
+      {ObjectKind::beacon, "beacon", {50, 100, 150, 200, 250, 300, 350, 420}},
+      {ObjectKind::goal, "goal", {80, 150, 220, 290, 360, 430, 500}},
+      {ObjectKind::robot, "robot", {30, 65, 100, 150, 200, 300}}};
+  return all;
+}
+
+struct Percept {
+  ObjectKind kind;
+  LandmarkKind landmark;
+  TeamColour team;
+  double distance;
+  Angle heading;
+};
+
+std::vector<Percept> perceptsOf(const Percepts& seen) {
+  std::vector<Percept> all;
+  if (seen.ball.present)
+    all.push_back({ObjectKind::ball, {}, {}, seen.ball.distance, seen.ball.heading});
+  for (const auto& l : seen.landmarks)
+    all.push_back({l.kind <= LandmarkKind::goalYellow ? ObjectKind::goal : ObjectKind::beacon,
+                   l.kind,
+                   {},
+                   l.distance,
+                   l.heading});
+  for (const auto& r : seen.robots)
+    all.push_back({ObjectKind::robot, {}, r.team, r.distance, r.heading});
+  return all;
+}
+
+double headingLimit(ObjectKind kind) {
+  if (kind == ObjectKind::goal) return kMatchGoalDeg;
+  return kind == ObjectKind::robot ? kMatchRobotDeg : kMatchHeadingDeg;
+}
+
+double offDeg(const Percept& p, const TrueObject& o) { return (p.heading - o.heading).deg(); }
+
+bool matches(const Percept& p, const TrueObject& o) {
+  if (p.kind != o.kind || p.landmark != o.landmark || !o.inView) return false;
+  const double allowed = std::fmax(kMatchShare * o.distance, kMatchLeast);
+  return std::fabs(offDeg(p, o)) <= headingLimit(p.kind) &&
+         std::fabs(p.distance - o.distance) <= allowed;
+}
+
+class Score {
+ public:
+  void add(const View& view, const body::FieldDescription& field,
+           const std::vector<TrueObject>& objects, const Percepts& seen) {
+    ++views_;
+    const auto percepts = perceptsOf(seen);
+    for (const auto& object : objects) judge(object, percepts);
+    for (const auto& p : percepts) {
+      const bool real = std::any_of(objects.begin(), objects.end(),
+                                    [&p](const TrueObject& o) { return matches(p, o); });
+      if (!real) ++false_[p.kind];
+    }
+    for (const auto& object : objects)
+      if (object.kind == ObjectKind::goal && object.toSee) judgeGaps(view, field, object, seen);
+  }
+
+  Json figures() const {
+    Json json;
+    const Sums ball = within(ObjectKind::ball, 25, 300);
+    const Sums robot = within(ObjectKind::robot, 30, 200);
+    json["views"] = views_;
+    json["ball_recall_250"] = within(ObjectKind::ball, 25, 250).recall();
+    json["ball_recall_350"] = within(ObjectKind::ball, 250, 350).recall();
+    json["ball_bias_pct"] = ball.biasPct();
+    json["ball_rms_pct"] = ball.rmsPct();
+    json["ball_heading_deg"] = ball.headingDeg();
+    json["beacon_recall_350"] = within(ObjectKind::beacon, 50, 350).recall();
+    json["beacon_recall_420"] = within(ObjectKind::beacon, 350, 420).recall();
+    json["goal_recall"] = within(ObjectKind::goal, 80, 500).recall();
+    json["gap_deg"] = gapEnds_ > 0 ? std::sqrt(gapDeg2_ / gapEnds_) : 0.0;
+    json["gap_ends"] = gapEnds_;
+    json["gap_recall"] = gapsToSee_ > 0 ? static_cast<double>(gapsSeen_) / gapsToSee_ : 1.0;
+    json["robot_recall_200"] = robot.recall();
+    json["robot_heading_deg"] = robot.headingDeg();
+    int wrong = 0;
+    for (const auto& [kind, count] : false_) wrong += count;
+    json["false_positives_per_1000"] = 1000.0 * wrong / views_;
+    for (const auto& kind : kinds())
+      json["false_" + std::string(kind.name) + "_per_1000"] = perThousand(kind.kind);
+    json["bands"] = bands();
+    return json;
+  }
+
+ private:
+  void judge(const TrueObject& object, const std::vector<Percept>& percepts) {
+    const auto band = bandOf(object);
+    if (!band || !object.toSee) return;
+    Sums& sums = sums_[*band];
+    ++sums.toSee;
+    const Percept* best = nullptr;
+    for (const auto& p : percepts)
+      if (matches(p, object) &&
+          (best == nullptr || std::fabs(offDeg(p, object)) < std::fabs(offDeg(*best, object))))
+        best = &p;
+    if (best == nullptr) return;
+    ++sums.seen;
+    sums.add(best->distance / object.distance - 1.0, offDeg(*best, object));
+  }
+
+  // A gap of two degrees or more is to be seen; its ends count where they are in the image.
+  void judgeGaps(const View& view, const body::FieldDescription& field, const TrueObject& goal,
+                 const Percepts& seen) {
+    for (const TrueGap& gap : trueGaps(view, field, goal.landmark)) {
+      if ((gap.left - gap.right).deg() < 5.0 || (!gap.leftInImage && !gap.rightInImage)) continue;
+      ++gapsToSee_;
+      const GoalGap* best = nullptr;
+      double most = 0.0;
+      for (const auto& p : seen.gaps) {
+        if (p.goal != goal.landmark) continue;
+        const double shared = overlapDeg(gap, p);
+        if (shared > most) {
+          most = shared;
+          best = &p;
+        }
+      }
+      if (best == nullptr) continue;
+      ++gapsSeen_;
+      if (gap.leftInImage && !best->leftCut) addEnd((best->left - gap.left).deg());
+      if (gap.rightInImage && !best->rightCut) addEnd((best->right - gap.right).deg());
+    }
+  }
+  static double overlapDeg(const TrueGap& a, const GoalGap& b) {
+    const Angle left = (a.left - b.left).rad() < 0.0 ? a.left : b.left;
+    const Angle right = (a.right - b.right).rad() > 0.0 ? a.right : b.right;
+    return (left - right).deg();
+  }
+  void addEnd(double errorDeg) {
+    ++gapEnds_;
+    gapDeg2_ += errorDeg * errorDeg;
+  }
+
+  using Band = std::pair<ObjectKind, double>;  // kind and lower border
+  static std::optional<Band> bandOf(const TrueObject& object) {
+    for (const auto& kind : kinds()) {
+      if (kind.kind != object.kind) continue;
+      for (std::size_t i = 0; i + 1 < kind.borders.size(); ++i)
+        if (object.distance >= kind.borders[i] && object.distance < kind.borders[i + 1])
+          return Band{kind.kind, kind.borders[i]};
+    }
+    return std::nullopt;
+  }
+  Sums within(ObjectKind kind, double low, double high) const {
+    Sums all;
+    for (const auto& [band, sums] : sums_)
+      if (band.first == kind && band.second >= low && band.second < high) all.add(sums);
+    return all;
+  }
+  double perThousand(ObjectKind kind) const {
+    const auto found = false_.find(kind);
+    return found == false_.end() ? 0.0 : 1000.0 * found->second / views_;
+  }
+  Json bands() const {
+    Json list = Json::array();
+    for (const auto& kind : kinds())
+      for (std::size_t i = 0; i + 1 < kind.borders.size(); ++i) {
+        const auto found = sums_.find({kind.kind, kind.borders[i]});
+        if (found == sums_.end()) continue;
+        const Sums& s = found->second;
+        list.push_back({{"object", kind.name},
+                        {"from_cm", kind.borders[i]},
+                        {"to_cm", kind.borders[i + 1]},
+                        {"to_see", s.toSee},
+                        {"recall", s.recall()},
+                        {"bias_pct", s.biasPct()},
+                        {"rms_pct", s.rmsPct()},
+                        {"heading_deg", s.headingDeg()}});
+      }
+    return list;
+  }
+
+  int views_ = 0;
+  std::map<Band, Sums> sums_;
+  std::map<ObjectKind, int> false_;
+  int gapsToSee_ = 0;
+  int gapsSeen_ = 0;
+  int gapEnds_ = 0;
+  double gapDeg2_ = 0.0;
+};
+
+}  // namespace
+
+Expected<Json> objects(const ExperimentOptions& options) {
+  const auto field = body::fieldDescription("2006");
+  if (!field) return Error{field.error()};
+  ViewParams params;
+  params.field = *field;
+  auto maker = std::make_unique<ViewMaker>(params, options.seed);
+  Visibility visibility;
+  auto state = std::make_unique<vision::VisionState>();
+  const vision::VisionParams visionParams;
+  Score score;
+  for (int i = 0; i < options.trials; ++i) {
+    const View& view = maker->next();
+    const BodyState body = body::step(view.input, {});
+    const Percepts seen = vision::step({view.input, body}, visionParams, *state);
+    score.add(view, *field, trueObjects(view, *field, visibility), seen);
+    if (options.progress) options.progress(i + 1, options.trials);
+  }
+  Json json{{"experiment", "objects"}, {"trials", options.trials}, {"seed", options.seed}};
+  json.update(score.figures());
+  return json;
+}
+
+}  // namespace kelpie::cli
