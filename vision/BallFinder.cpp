@@ -125,11 +125,12 @@ bool accepted(const Scene& scene, const BallCandidate& c, const BallParams& p,
 // Cheap forms of two checks, so that orange shirts do not use up the candidates.
 bool mayLieOnField(const Scene& scene, const Blob& blob, const BallParams& p,
                    VisionCounts& counts) {
-  if (blob.box.bottom < horizonRow(scene, blob.centre.x) - p.maxAboveHorizon) {
+  const PixelPoint lowest = scene.level.toImage({blob.box.middle(), blob.box.bottom});
+  if (belowHorizon(scene, lowest) < -p.maxAboveHorizon) {
     refuse(counts, Refusal::ballAboveHorizon);
     return false;
   }
-  if (blob.box.bottom < fieldEdgeRow(scene, blob.centre.x) - p.maxAboveFieldEdge) {
+  if (belowFieldEdge(scene, lowest) < -p.maxAboveFieldEdge) {
     refuse(counts, Refusal::ballAboveFieldEdge);
     return false;
   }
@@ -174,12 +175,11 @@ bool ballHasNoOtherColour(const Scene& scene, const BallCandidate& c, const Ball
 }
 
 bool ballIsBelowHorizon(const Scene& scene, const BallCandidate& c, const BallParams& p) {
-  return c.cone.centre.y >= horizonRow(scene, c.cone.centre.x) - p.maxAboveHorizon;
+  return belowHorizon(scene, c.cone.centre) >= -p.maxAboveHorizon;
 }
 
 bool ballIsInsideFieldEdge(const Scene& scene, const BallCandidate& c, const BallParams& p) {
-  const double lowest = c.cone.centre.y + c.cone.radius;
-  return lowest >= fieldEdgeRow(scene, c.cone.centre.x) - p.maxAboveFieldEdge;
+  return belowFieldEdge(scene, c.cone.centre) + c.cone.radius >= -p.maxAboveFieldEdge;
 }
 
 bool ballHasFieldAround(const Scene& scene, const BallCandidate& c, const BallParams& p) {
@@ -187,7 +187,9 @@ bool ballHasFieldAround(const Scene& scene, const BallCandidate& c, const BallPa
   const double r = 1.3 * c.cone.radius + 2.0;
   for (int i = 0; i <= kAround; ++i) {
     const auto direction = maths::sinCos(maths::kPi * i / kAround);
-    const PixelPoint at{c.cone.centre.x + r * direction.cos, c.cone.centre.y + r * direction.sin};
+    const LevelPoint middle = scene.level.fromImage(c.cone.centre);
+    const PixelPoint at =
+        scene.level.toImage({middle.u + r * direction.cos, middle.v + r * direction.sin});
     const bool green =
         Sampler::usable(at) ? scene.sampler.classAt(at) == ColourClass::green : at.y > kLowerPart;
     field += green ? 1 : 0;

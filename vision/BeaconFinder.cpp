@@ -112,8 +112,8 @@ BeaconCandidate measured(const Scene& scene, PixelPoint pink, ImageUp up) {
 std::optional<PixelPoint> pinkStart(const Scene& scene, const Blob& blob, ImageUp up) {
   if (blob.colour == ColourClass::pink) return blob.centre;
   if (blob.colour == ColourClass::orange) return std::nullopt;
-  const double width = blob.box.right - blob.box.left;
-  const double height = blob.box.bottom - blob.box.top;
+  const double width = blob.box.width();
+  const double height = blob.box.height();
   if (width > 2.5 * height || height > 2.5 * width) return std::nullopt;
   for (const ImageUp direction : {up, reversed(up)}) {
     const EdgeHit edge =
@@ -149,7 +149,7 @@ LandmarkPercept perceptOf(const Scene& scene, const BeaconCandidate& c, const Be
   const double half = 0.5 * c.width;
   percept.box = {std::min(c.top.x, c.bottom.x) - half, std::min(c.top.y, c.bottom.y),
                  std::max(c.top.x, c.bottom.x) + half, std::max(c.top.y, c.bottom.y)};
-  percept.leftEdgeCut = percept.box.left <= kLatticeLeft;
+  percept.leftEdgeCut = percept.box.left <= kUsableLeft + 1;
   percept.rightEdgeCut = percept.box.right >= kUsableRight - 1;
   return percept;
 }
@@ -207,13 +207,13 @@ bool beaconBandIsSquare(const BeaconCandidate& c, const BeaconParams& p) {
 }
 
 bool beaconReachesHorizon(const Scene& scene, const BeaconCandidate& c, const BeaconParams& p) {
-  return c.middle.y <= horizonRow(scene, c.middle.x) + p.maxBelowHorizon;
+  return belowHorizon(scene, c.middle) <= p.maxBelowHorizon;
 }
 
 // The lower two bands are white; three points within the first of them. Beyond the image: keep.
 bool beaconHasWhiteBelow(const Scene& scene, const BeaconCandidate& c, const BeaconParams& p) {
   if (c.bottomCut) return true;
-  const ImageUp down = reversed(imageUp(scene.body.camera));
+  const ImageUp down = reversed(scene.level.up());
   const double band = 0.5 * (c.upper + c.lower);
   int white = 0;
   for (const double share : {0.35, 0.6, 0.85}) {
@@ -238,7 +238,7 @@ bool beaconIsNear(const BeaconCandidate& c, const BeaconParams& p) {
 
 void findBeacons(const Scene& scene, const BeaconParams& params, VisionCounts& counts,
                  Landmarks& landmarks) {
-  const ImageUp up = imageUp(scene.body.camera);
+  const ImageUp up = scene.level.up();
   std::size_t candidates = 0;
   for (const Blob& blob : scene.blobs) {
     const auto start = pinkStart(scene, blob, up);

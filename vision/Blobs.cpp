@@ -10,28 +10,29 @@ constexpr std::uint16_t kNoBlob = 0xFFFF;
 
 bool formsBlobs(ColourClass c) { return c >= ColourClass::orange && c <= ColourClass::pink; }
 
-ColourClass onLattice(const Sampler& sampler, int row, int column) {
-  return sampler.classAt(kLatticeLeft + column * kLatticeStep, kLatticeTop + row * kLatticeStep);
-}
-
 // Appends the runs of one lattice row; the number that did not fit.
-std::uint32_t collectRuns(const Sampler& sampler, int row, RunBuffer& runs) {
+std::uint32_t collectRuns(const Sampler& sampler, const Lattice& lattice, int number,
+                          RunBuffer& runs) {
+  const LatticeRow row = lattice.row(number);
   std::uint32_t lost = 0;
+  std::int32_t x = row.x;
+  std::int32_t y = row.y;
   int first = 0;
-  while (first < kLatticeColumns) {
-    const ColourClass colour = onLattice(sampler, row, first);
-    int end = first + 1;
-    while (end < kLatticeColumns && onLattice(sampler, row, end) == colour) ++end;
+  ColourClass colour = ColourClass::none;
+  for (int i = 0; i <= row.count; ++i, x += lattice.stepX(), y += lattice.stepY()) {
+    const ColourClass now = i < row.count ? sampler.classAt(x >> 16, y >> 16) : ColourClass::none;
+    if (now == colour) continue;
     if (formsBlobs(colour)) {
-      Run run{colour,
-              static_cast<std::uint8_t>(row),
-              static_cast<std::uint8_t>(first),
-              static_cast<std::uint8_t>(end - 1),
-              static_cast<std::uint16_t>(runs.size()),
-              kNoBlob};
+      const Run run{colour,
+                    static_cast<std::uint8_t>(number),
+                    static_cast<std::uint8_t>(row.first + first),
+                    static_cast<std::uint8_t>(row.first + i - 1),
+                    static_cast<std::uint16_t>(runs.size()),
+                    kNoBlob};
       if (!runs.push_back(run)) ++lost;
     }
-    first = end;
+    first = i;
+    colour = now;
   }
   return lost;
 }
@@ -65,23 +66,23 @@ void joinRows(RunBuffer& runs, std::size_t begin, std::size_t middle, std::size_
   }
 }
 
-void addRun(Blob& blob, const Run& run) {
+void addRun(const Lattice& lattice, Blob& blob, const Run& run) {
   const double count = run.last - run.first + 1;
-  const double x = kLatticeLeft + 0.5 + kLatticeStep * 0.5 * (run.first + run.last);
-  const double y = kLatticeTop + 0.5 + kLatticeStep * run.row;
+  const double u = lattice.u(0.5 * (run.first + run.last));
+  const double v = lattice.v(run.row);
   const double half = 0.5 * kLatticeStep;
-  const PixelBox box{x - half * count, y - half, x + half * count, y + half};
+  const LevelBox box{u - half * count, v - half, u + half * count, v + half};
   const double before = blob.samples;
   const double total = before + count;
   if (before == 0.0) blob.box = box;
   blob.box = {std::min(blob.box.left, box.left), std::min(blob.box.top, box.top),
               std::max(blob.box.right, box.right), std::max(blob.box.bottom, box.bottom)};
-  blob.centre = {(blob.centre.x * before + x * count) / total,
-                 (blob.centre.y * before + y * count) / total};
+  blob.middle = {(blob.middle.u * before + u * count) / total,
+                 (blob.middle.v * before + v * count) / total};
   blob.samples += static_cast<std::uint32_t>(run.last - run.first + 1);
 }
 
-std::uint32_t collectBlobs(RunBuffer& runs, BlobBuffer& blobs) {
+std::uint32_t collectBlobs(const Lattice& lattice, RunBuffer& runs, BlobBuffer& blobs) {
   std::uint32_t lost = 0;
   for (std::size_t i = 0; i < runs.size(); ++i) {
     Run& root = runs[rootOf(runs, static_cast<std::uint16_t>(i))];
@@ -94,25 +95,29 @@ std::uint32_t collectBlobs(RunBuffer& runs, BlobBuffer& blobs) {
       }
       root.blob = static_cast<std::uint16_t>(blobs.size() - 1);
     }
-    addRun(blobs[root.blob], runs[i]);
+    addRun(lattice, blobs[root.blob], runs[i]);
   }
+  for (Blob& blob : blobs) blob.centre = lattice.level().toImage(blob.middle);
   return lost;
 }
 
 }  // namespace
 
-std::uint32_t findBlobs(const Sampler& sampler, RunBuffer& runs, BlobBuffer& blobs) {
+BlobCounts findBlobs(const Sampler& sampler, const Lattice& lattice, RunBuffer& runs,
+                     BlobBuffer& blobs) {
   runs.clear();
   blobs.clear();
-  std::uint32_t lost = 0;
+  BlobCounts counts;
   std::size_t rowAbove = 0;
-  for (int row = 0; row < kLatticeRows; ++row) {
+  for (int row = 0; row < lattice.rows(); ++row) {
     const std::size_t rowStart = runs.size();
-    lost += collectRuns(sampler, row, runs);
+    counts.lost += collectRuns(sampler, lattice, row, runs);
     joinRows(runs, rowAbove, rowStart, runs.size());
     rowAbove = rowStart;
+    counts.samples += static_cast<std::uint32_t>(lattice.row(row).count);
   }
-  return lost + collectBlobs(runs, blobs);
+  counts.lost += collectBlobs(lattice, runs, blobs);
+  return counts;
 }
 
 }  // namespace kelpie::vision

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Patches of one colour on the lattice: runs along rows, joined to blobs where runs of neighbouring
-// rows touch, corners included (union-find). Fixed capacity: what does not fit is counted.
+// Patches of one colour on the lattice: runs along its rows, joined to blobs where runs of
+// neighbouring rows touch, corners included (union-find). Fixed capacity: what does not fit is
+// counted.
 #pragma once
 
 #include <cstdint>
@@ -9,6 +10,7 @@
 #include "robot/core/Geometry.h"
 #include "robot/core/Percepts.h"
 #include "vision/ColourClass.h"
+#include "vision/Lattice.h"
 #include "vision/Sampler.h"
 
 namespace kelpie::vision {
@@ -25,15 +27,22 @@ struct Run {
 struct Blob {
   ColourClass colour = ColourClass::none;
   std::uint32_t samples = 0;
-  PixelBox box;       // pixels covered: the lattice samples and half a step around them
-  PixelPoint centre;  // mean of the samples
+  LevelBox box;       // covered: the lattice samples and half a step around them
+  LevelPoint middle;  // mean of the samples
+  PixelPoint centre;  // the same in the image
 };
 
 using RunBuffer = FixedVector<Run, 2048>;
 using BlobBuffer = FixedVector<Blob, 384>;
 
-// Blobs of orange, blue, yellow and pink, in the order of their first run from the top. Returns the
-// number of runs or blobs that did not fit.
-std::uint32_t findBlobs(const Sampler& sampler, RunBuffer& runs, BlobBuffer& blobs);
+struct BlobCounts {
+  std::uint32_t samples = 0;  // pixels looked at
+  std::uint32_t lost = 0;     // runs and blobs that did not fit
+};
+
+// Classifies the lattice. Blobs of orange, blue, yellow and pink, in the order of their first run
+// from the top.
+BlobCounts findBlobs(const Sampler& sampler, const Lattice& lattice, RunBuffer& runs,
+                     BlobBuffer& blobs);
 
 }  // namespace kelpie::vision

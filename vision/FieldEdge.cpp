@@ -9,6 +9,10 @@
 namespace kelpie::vision {
 namespace {
 
+constexpr int kLatticeLeft = 4;
+constexpr int kLatticeTop = 4;
+constexpr int kLatticeStep = 2;
+
 constexpr int kColumnStep = 4;
 constexpr int kRunSamples = 3;    // greens in a row that begin the field
 constexpr int kWidestLine = 24;   // px, of a white line before the robot's feet

@@ -2,6 +2,7 @@
 #include "vision/GoalColumns.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "vision/Sight.h"
@@ -11,125 +12,193 @@ namespace kelpie::vision {
 namespace {
 
 constexpr double kGoalHeight = 30.0;
-constexpr int kColumns = 9;
 constexpr int kHoles = 2;
+constexpr double kLeastSpacing = 2.0;  // px between columns
+constexpr double kTooTall = 1.4;       // of the goal's height
+constexpr double kAgree = 0.3;         // share by which columns' distances may differ
 
-// Middle of the candidate's pixels in a column; nothing where the column has none.
-std::optional<PixelPoint> insideColumn(const Scene& scene, const GoalCandidate& c, double x) {
-  const int px = Sampler::pixelOf(x);
-  const int top = std::max(Sampler::pixelOf(c.box.top), kUsableTop);
-  const int bottom = std::min(Sampler::pixelOf(c.box.bottom), kUsableBottom - 1);
-  if (px < kUsableLeft || px >= kUsableRight) return std::nullopt;
-  int first = -1;
-  int last = -1;
-  for (int py = top; py <= bottom; py += kLatticeStep) {
-    if (scene.sampler.classAt(px, py) != c.colour) continue;
-    if (first < 0) first = py;
-    last = py;
-  }
-  if (first < 0) return std::nullopt;
-  for (int py = (first + last) / 2; py <= last; ++py) {
-    if (scene.sampler.classAt(px, py) == c.colour) return PixelPoint{px + 0.5, py + 0.5};
+// The lowest pixel of the candidate's colour in a level column, two lattice steps of it in a row.
+std::optional<PixelPoint> lowestIn(const Scene& scene, const GoalCandidate& c, double u) {
+  int inRow = 0;
+  for (double v = c.box.bottom - 0.5; v > c.box.top; v -= 2.0) {
+    const PixelPoint p = scene.level.toImage({u, v});
+    const bool here = Sampler::usable(p) && scene.sampler.classAt(p) == c.colour;
+    inRow = here ? inRow + 1 : 0;
+    if (inRow == 2) return p;
   }
   return std::nullopt;
 }
 
-struct ColumnDistance {
-  double distance = 0.0;
-  double sd = 0.0;
-  double footError = 0.0;
-};
-
-struct ColumnSpan {
-  EdgeHit top;
-  EdgeHit bottom;
-};
-
-// By height when both ends are in the image, else by the foot on the ground.
-std::optional<ColumnDistance> distanceIn(const Scene& scene, const GoalParams& p,
-                                         const ColumnSpan& span) {
+// The image's top cuts it although 30 cm at the distance of its foot would end below that, or it
+// ends in the image, but far too high for where its foot stands.
+bool isTooTall(const Scene& scene, const EdgeHit& top, double low) {
   const CameraPose& camera = scene.body.camera;
-  if (span.bottom.cut) return std::nullopt;
-  const double low = sightOf(camera, span.bottom.point).slope;
-  if (!span.top.cut) {
-    const double d = kGoalHeight / std::max(sightOf(camera, span.top.point).slope - low, 1e-3);
-    const double ground = -camera.position.z / d;
-    return ColumnDistance{d, sizeSd(d, kGoalHeight, p.edgeSd),
-                          maths::atan(low) - maths::atan(ground)};
-  }
-  if (low > -0.03) return std::nullopt;
-  const double d = -camera.position.z / low;
-  return ColumnDistance{d, d * d / camera.position.z * p.directionSd.rad(), 0.0};
-}
-
-// The image's top cuts it although 30 cm at the distance of its foot would end below that.
-bool isTooTall(const Scene& scene, const ColumnSpan& span) {
-  if (!span.top.cut || span.bottom.cut) return false;
-  const CameraPose& camera = scene.body.camera;
-  const double low = sightOf(camera, span.bottom.point).slope;
-  const double high = sightOf(camera, span.top.point).slope;
+  const double high = sightOf(camera, top.point).slope;
   constexpr double kLeastSlope = 0.01;  // a foot at the horizon: nothing of 30 cm fills the view
   const double d = camera.position.z / std::max(-low, kLeastSlope);
-  return (high - low) * d > 1.4 * kGoalHeight;
+  const double allowed = top.cut ? kTooTall : 2.0 * kTooTall;
+  return (high - low) * d > allowed * kGoalHeight;
 }
 
 // The carpet follows within two pixels and a tenth of the height. Cut below: nothing speaks
 // against.
-bool hasGreenBelow(const Scene& scene, const ColumnSpan& span, ImageUp up) {
-  if (span.bottom.cut) return true;
-  const double height = span.top.length + span.bottom.length;
+bool hasGreenBelow(const Scene& scene, const EdgeHit& foot, double height) {
+  if (foot.cut) return true;
+  const ImageUp up = scene.level.up();
   for (const double away : {1.5, 2.5, 2.5 + 0.1 * height}) {
-    const PixelPoint at{span.bottom.point.x - away * up.dx, span.bottom.point.y - away * up.dy};
+    const PixelPoint at{foot.point.x - away * up.dx, foot.point.y - away * up.dy};
     if (!Sampler::usable(at) || scene.sampler.classAt(at) == ColourClass::green) return true;
   }
   return false;
 }
 
-void measureColumns(const Scene& scene, const GoalParams& p, GoalCandidate& c) {
-  const ImageUp up = imageUp(scene.body.camera);
-  FixedVector<ColumnDistance, kColumns> found;
-  for (int i = 0; i < kColumns; ++i) {
-    const double share = 0.15 + 0.7 * i / (kColumns - 1);
-    const auto start = insideColumn(scene, c, c.box.left + share * (c.box.right - c.box.left));
-    if (!start) continue;
-    const ColumnSpan span{walkToEdge(scene.sampler, {*start, up.dx, up.dy, c.colour, kHoles}),
-                          walkToEdge(scene.sampler, {*start, -up.dx, -up.dy, c.colour, kHoles})};
-    ++c.columns;
-    c.fieldColumns += hasGreenBelow(scene, span, up) ? 1 : 0;
-    c.tallColumns += isTooTall(scene, span) ? 1 : 0;
-    c.topCut = c.topCut || span.top.cut;
-    c.bottomCut = c.bottomCut || span.bottom.cut;
-    const auto distance = distanceIn(scene, p, span);
-    if (distance) found.push_back(*distance);
+// By height when both ends are in the image, else by the foot on the ground.
+void measureDistance(const Scene& scene, const GoalParams& p, GoalColumn& column) {
+  const CameraPose& camera = scene.body.camera;
+  const double low = sightOf(camera, column.foot).slope;
+  if (!column.topCut) {
+    const double d = kGoalHeight / std::max(sightOf(camera, column.top).slope - low, 1e-3);
+    column.distance = d;
+    column.sd = sizeSd(d, kGoalHeight, p.edgeSd);
+    column.footError = maths::atan(low) - maths::atan(-camera.position.z / d);
+  } else if (low < -0.03) {
+    column.distance = -camera.position.z / low;
+    column.sd = maths::square(column.distance) / camera.position.z * p.directionSd.rad();
   }
-  if (found.empty()) return;
-  std::sort(found.begin(), found.end(),
-            [](const auto& a, const auto& b) { return a.distance < b.distance; });
-  const ColumnDistance& median = found[found.size() / 2];
-  c.distance = std::max(median.distance - p.depth, 5.0);
-  c.distanceSd = median.sd;
-  c.footError = median.footError;
 }
 
-// The post: outwards from the outermost lattice columns that show the goal.
-PixelPoint edgeOf(const Scene& scene, const GoalCandidate& c, double from, double direction,
-                  bool& cut) {
-  const auto start = insideColumn(scene, c, from);
-  if (!start) return {from, 0.5 * (c.box.top + c.box.bottom)};
-  const EdgeHit hit = walkToEdge(scene.sampler, {*start, direction, 0.0, c.colour, kHoles});
-  cut = cut || hit.cut;
-  return hit.point;
+std::optional<GoalColumn> columnAt(const Scene& scene, const GoalParams& p, GoalCandidate& c,
+                                   double u) {
+  const auto start = lowestIn(scene, c, u);
+  if (!start) return std::nullopt;
+  const ImageUp up = scene.level.up();
+  const EdgeHit top = walkToEdge(scene.sampler, {*start, up.dx, up.dy, c.colour, kHoles});
+  const EdgeHit foot = walkToEdge(scene.sampler, {*start, -up.dx, -up.dy, c.colour, kHoles});
+  GoalColumn column;
+  column.u = u;
+  column.top = top.point;
+  column.foot = foot.point;
+  column.topCut = top.cut;
+  column.footCut = foot.cut;
+  column.green = hasGreenBelow(scene, foot, top.length + foot.length);
+  column.tall = !foot.cut && isTooTall(scene, top, sightOf(scene.body.camera, foot.point).slope);
+  if (!foot.cut) measureDistance(scene, p, column);
+  return column;
+}
+
+// The median of those that stand on green; 0 when none does.
+double medianDistance(const GoalCandidate& c) {
+  FixedVector<double, kGoalColumns> distances;
+  for (const GoalColumn& column : c.columns) {
+    if (column.green && !column.tall && column.distance > 0.0) distances.push_back(column.distance);
+  }
+  if (distances.empty()) return 0.0;
+  std::sort(distances.begin(), distances.end());
+  return distances[distances.size() / 2];
+}
+
+// Columns at the median distance belong to the goal; the rest is something of its colour.
+void chooseColumns(GoalCandidate& c) {
+  const double middle = medianDistance(c);
+  for (GoalColumn& column : c.columns) {
+    const bool agrees = column.distance > 0.0
+                            ? std::fabs(column.distance - middle) <= kAgree * middle
+                            : column.footCut;
+    column.chosen = column.green && !column.tall && agrees;
+  }
+}
+
+GoalColumn medianColumn(const GoalCandidate& c) {
+  FixedVector<GoalColumn, kGoalColumns> chosen;
+  for (const GoalColumn& column : c.columns) {
+    if (column.chosen && column.distance > 0.0) chosen.push_back(column);
+  }
+  if (chosen.empty()) return {};
+  std::sort(chosen.begin(), chosen.end(),
+            [](const auto& a, const auto& b) { return a.distance < b.distance; });
+  return chosen[chosen.size() / 2];
+}
+
+// The candidate's box becomes that of its chosen columns.
+void trim(const Scene& scene, GoalCandidate& c, double spacing) {
+  LevelBox box{1e9, 1e9, -1e9, -1e9};
+  for (const GoalColumn& column : c.columns) {
+    if (!column.chosen) continue;
+    const double top = scene.level.fromImage(column.top).v;
+    const double bottom = scene.level.fromImage(column.foot).v;
+    box = {std::min(box.left, column.u), std::min(box.top, top), std::max(box.right, column.u),
+           std::max(box.bottom, bottom)};
+    c.topCut = c.topCut || column.topCut;
+    c.bottomCut = c.bottomCut || column.footCut;
+  }
+  if (box.right < box.left) return;
+  c.box = {std::max(c.box.left, box.left - spacing), box.top,
+           std::min(c.box.right, box.right + spacing), box.bottom};
+}
+
+const GoalColumn* outermost(const GoalCandidate& c, bool left) {
+  const GoalColumn* found = nullptr;
+  for (const GoalColumn& column : c.columns) {
+    if (!column.chosen) continue;
+    if (left && found != nullptr) break;
+    found = &column;
+  }
+  return found;
+}
+
+// White, grey or a uniform: what stands in front of a post, not beside it.
+bool isRobot(ColourClass c) {
+  return c == ColourClass::white || c == ColourClass::grey || c == ColourClass::robotRed ||
+         c == ColourClass::robotBlue;
+}
+
+// Whether a robot stands where the goal seems to end: seen low beside the end in three places.
+bool endHidden(const Scene& scene, const GoalColumn& column, PixelPoint end, ImageUp outwards) {
+  const double height = maths::hypot(column.top.x - column.foot.x, column.top.y - column.foot.y);
+  const ImageUp up = scene.level.up();
+  int robot = 0;
+  for (const double share : {-0.15, 0.05, 0.25}) {
+    const double rise = (share - 0.25) * height;
+    const PixelPoint at{end.x + 2.5 * outwards.dx + rise * up.dx,
+                        end.y + 2.5 * outwards.dy + rise * up.dy};
+    robot += Sampler::usable(at) && isRobot(scene.sampler.classAt(at)) ? 1 : 0;
+  }
+  return robot >= 2;
+}
+
+// The end of the coloured wall on one side, sought a quarter of its height above the foot, where
+// clothes of spectators do not reach.
+GoalEnd endOf(const Scene& scene, const GoalCandidate& c, bool left, double spacing) {
+  const GoalColumn* column = outermost(c, left);
+  if (column == nullptr) return {};
+  const PixelPoint start{0.75 * column->foot.x + 0.25 * column->top.x,
+                         0.75 * column->foot.y + 0.25 * column->top.y};
+  const ImageUp right = scene.level.right();
+  const ImageUp way{left ? -right.dx : right.dx, left ? -right.dy : right.dy};
+  EdgeHit hit = walkToEdge(scene.sampler, {start, way.dx, way.dy, c.colour, kHoles});
+  // Farther than the next column, which is not the goal's: something of its colour touches it.
+  if (!hit.cut && hit.length > spacing + 2.0)
+    hit.point = {start.x + 0.5 * spacing * way.dx, start.y + 0.5 * spacing * way.dy};
+  return {hit.point, hit.cut, !hit.cut && endHidden(scene, *column, hit.point, way)};
 }
 
 }  // namespace
 
 void measureGoal(const Scene& scene, const GoalParams& params, GoalCandidate& c) {
-  const double inset = std::min(4.0, 0.2 * (c.box.right - c.box.left));
-  c.leftCut = c.box.left <= kLatticeLeft;
-  c.rightCut = c.box.right >= kUsableRight - 1;
-  c.leftEdge = edgeOf(scene, c, c.box.left + inset, -1.0, c.leftCut);
-  c.rightEdge = edgeOf(scene, c, c.box.right - inset, 1.0, c.rightCut);
-  measureColumns(scene, params, c);
+  const double spacing = std::max(kLeastSpacing, c.box.width() / static_cast<double>(kGoalColumns));
+  c.columns.clear();
+  for (double u = c.box.left + 0.5 * spacing; u < c.box.right; u += spacing) {
+    const auto column = columnAt(scene, params, c, u);
+    if (column) c.columns.push_back(*column);
+  }
+  chooseColumns(c);
+  trim(scene, c, 0.5 * spacing);
+  c.left = endOf(scene, c, true, spacing);
+  c.right = endOf(scene, c, false, spacing);
+  const GoalColumn median = medianColumn(c);
+  c.wall = median.distance;
+  c.distanceSd = median.sd;
+  c.footError = median.footError;
 }
 
 }  // namespace kelpie::vision

@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "vision/GoalColumns.h"
+#include "vision/GoalGaps.h"
+#include "vision/GoalShape.h"
 #include "vision/Refusal.h"
 #include "vision/Sight.h"
 #include "vision/SpanWalk.h"
@@ -12,7 +14,6 @@
 namespace kelpie::vision {
 namespace {
 
-constexpr double kHalfMouth = 40.0;      // cm
 constexpr std::uint32_t kLeastPart = 6;  // samples of a blob worth joining
 
 bool contains(const PixelBox& box, PixelPoint p, double margin) {
@@ -41,14 +42,14 @@ double overlap(double a0, double a1, double b0, double b1) {
 }
 
 // Parts of one goal stand side by side (a goalie between) or touch.
-bool belongs(const PixelBox& goal, const PixelBox& part) {
+bool belongs(const LevelBox& goal, const LevelBox& part) {
   const double height = std::min(goal.bottom - goal.top, part.bottom - part.top);
   const double gap = -overlap(goal.left, goal.right, part.left, part.right);
   const double rows = overlap(goal.top, goal.bottom, part.top, part.bottom);
   return rows >= 0.5 * height && gap <= 0.8 * (goal.right - goal.left);
 }
 
-PixelBox hull(const PixelBox& a, const PixelBox& b) {
+LevelBox hull(const LevelBox& a, const LevelBox& b) {
   return {std::min(a.left, b.left), std::min(a.top, b.top), std::max(a.right, b.right),
           std::max(a.bottom, b.bottom)};
 }
@@ -90,52 +91,36 @@ GoalCandidate grouped(const Scene& scene, const Blob& seed, const Landmarks& bea
   return c;
 }
 
-// Places on the ground, relative to the robot: the two ends seen and the middle of the mouth.
-struct GoalPlaces {
-  Point2<Robot> left;
-  Point2<Robot> right;
-  Point2<Robot> middle;
-  double hidden = 0.0;  // cm, how much of the mouth is outside the image
-};
-
-Point2<Robot> sideways(Point2<Robot> from, const Sight& sight, double toRight) {
-  return {from.x + toRight * sight.forward, from.y - toRight * sight.right};
-}
-
-GoalPlaces placesOf(const Scene& scene, const GoalCandidate& c) {
+// cm of the mouth's line that is seen, between two ends at the mouth's distance.
+double seenWidth(const Scene& scene, const GoalCandidate& c, const GoalParams& p) {
   const CameraPose& camera = scene.body.camera;
-  const Sight l = sightOf(camera, c.leftEdge);
-  const Sight r = sightOf(camera, c.rightEdge);
-  GoalPlaces places;
-  places.left = placeAt(camera, l, c.distance);
-  places.right = placeAt(camera, r, c.distance);
-  places.middle = (places.left + places.right) * 0.5;
-  const double seen = distance(places.left, places.right);
-  if (!c.leftCut && !c.rightCut) return places;
-  places.hidden = std::max(0.0, 2.0 * kHalfMouth - seen);
-  if (seen >= 2.0 * kHalfMouth || c.leftCut == c.rightCut) return places;
-  places.middle =
-      c.leftCut ? sideways(places.right, r, -kHalfMouth) : sideways(places.left, l, kHalfMouth);
-  return places;
+  const double d = std::max(c.wall - p.depth, 5.0);
+  return distance(placeAt(camera, sightOf(camera, c.left.point), d),
+                  placeAt(camera, sightOf(camera, c.right.point), d));
 }
 
-LandmarkPercept perceptOf(const Scene& scene, const GoalCandidate& c, const GoalParams& p) {
-  const GoalPlaces places = placesOf(scene, c);
+LandmarkPercept perceptOf(const Scene& scene, const GoalCandidate& c, const GoalShape& shape,
+                          const GoalParams& p) {
+  const Point3<Robot>& eye = scene.body.camera.position;
+  const Point2<Robot> camera{eye.x, eye.y};
+  const Point2<Robot> middle = camera + shape.middle;
+  const bool open = c.left.open() || c.right.open();
+  const double hidden = open ? std::max(0.0, p.width - seenWidth(scene, c, p)) : 0.0;
   LandmarkPercept percept;
   percept.kind = c.colour == ColourClass::blue ? LandmarkKind::goalBlue : LandmarkKind::goalYellow;
-  percept.distance = places.middle.norm();
-  percept.heading = bearing(places.middle);
-  const PixelPoint middle{0.5 * (c.box.left + c.box.right), 0.5 * (c.box.top + c.box.bottom)};
-  percept.elevation = Angle::rad(maths::atan(sightOf(scene.body.camera, middle).slope));
+  percept.distance = middle.norm();
+  percept.heading = bearing(middle);
+  const PixelPoint centre = scene.level.toImage({c.box.middle(), 0.5 * (c.box.top + c.box.bottom)});
+  percept.elevation = Angle::rad(maths::atan(sightOf(scene.body.camera, centre).slope));
   percept.distanceVariance = maths::square(c.distanceSd) + maths::square(0.05 * percept.distance) +
-                             maths::square(0.25 * places.hidden);
+                             maths::square(0.25 * hidden);
   percept.headingVariance = maths::square(p.headingSd.rad()) +
-                            maths::square(0.25 * places.hidden / std::max(percept.distance, 20.0));
-  percept.leftEdge = bearing(places.left);
-  percept.rightEdge = bearing(places.right);
-  percept.leftEdgeCut = c.leftCut;
-  percept.rightEdgeCut = c.rightCut;
-  percept.box = c.box;
+                            maths::square(0.25 * hidden / std::max(percept.distance, 20.0));
+  percept.leftEdge = bearing(camera + shape.leftPost(p));
+  percept.rightEdge = bearing(camera + shape.rightPost(p));
+  percept.leftEdgeCut = c.left.open();
+  percept.rightEdgeCut = c.right.open();
+  percept.box = imageBox(scene.level, c.box);
   return percept;
 }
 
@@ -166,76 +151,86 @@ bool tried(const Scene& scene, GoalCandidate& c, const GoalParams& p, VisionCoun
 }
 
 // The one whose width is nearer to a goal's; a part of one that an image border cuts counts as far.
-void keepBetter(const Scene& scene, const GoalCandidate& c, GoalCandidate& best) {
-  const auto misfit = [&scene](const GoalCandidate& g) {
-    const GoalPlaces places = placesOf(scene, g);
-    return std::fabs(distance(places.left, places.right) - 2.0 * kHalfMouth);
+void keepBetter(const Scene& scene, const GoalCandidate& c, const GoalParams& p,
+                GoalCandidate& best) {
+  const auto misfit = [&](const GoalCandidate& g) {
+    return std::fabs(seenWidth(scene, g, p) - p.width);
   };
   if (!goalIsMeasured(best) || misfit(c) < misfit(best)) best = c;
 }
 
-double middleX(const GoalCandidate& c) { return 0.5 * (c.box.left + c.box.right); }
+// The lowest point of the middle.
+PixelPoint footOf(const Scene& scene, const GoalCandidate& c) {
+  return scene.level.toImage({c.box.middle(), c.box.bottom});
+}
 
 }  // namespace
 
 bool goalIsLarge(const GoalCandidate& c, const GoalParams& p) {
-  return c.samples >= p.minSamples && c.box.right - c.box.left >= p.minWidth &&
-         c.box.bottom - c.box.top >= p.minHeight;
+  return c.samples >= p.minSamples && c.box.width() >= p.minWidth && c.box.height() >= p.minHeight;
 }
 
 bool goalHasShape(const GoalCandidate& c, const GoalParams& p) {
-  const double width = c.box.right - c.box.left;
-  const double height = c.box.bottom - c.box.top;
-  const bool sideCut = c.leftCut || c.rightCut;
-  const bool tall = !sideCut && height > p.maxTall * width;
-  const bool flat = !c.topCut && !c.bottomCut && width > p.maxFlat * height;
-  const bool beyondTop = 3 * c.tallColumns > c.columns;
-  return !tall && !flat && !beyondTop;
+  const bool sideCut = c.left.cut || c.right.cut;
+  const bool tall = !sideCut && c.box.height() > p.maxTall * c.box.width();
+  const bool flat = !c.topCut && !c.bottomCut && c.box.width() > p.maxFlat * c.box.height();
+  int tallColumns = 0;
+  int chosen = 0;
+  for (const GoalColumn& column : c.columns) {
+    tallColumns += column.tall ? 1 : 0;
+    chosen += column.chosen ? 1 : 0;
+  }
+  return !tall && !flat && tallColumns <= 2 * chosen;
 }
 
 bool goalStandsBelowHorizon(const Scene& scene, const GoalCandidate& c, const GoalParams& p) {
-  return c.box.bottom >= horizonRow(scene, middleX(c)) - p.maxAboveHorizon;
+  return belowHorizon(scene, footOf(scene, c)) >= -p.maxAboveHorizon;
 }
 
 bool goalStandsInsideFieldEdge(const Scene& scene, const GoalCandidate& c, const GoalParams& p) {
-  return c.box.bottom >= fieldEdgeRow(scene, middleX(c)) - p.maxAboveFieldEdge;
+  return belowFieldEdge(scene, footOf(scene, c)) >= -p.maxAboveFieldEdge;
 }
 
+// Of the columns between the goal's ends.
 bool goalHasFieldBelow(const GoalCandidate& c, const GoalParams& p) {
-  return c.fieldColumns >= p.minFieldColumns * c.columns;
+  int columns = 0;
+  int green = 0;
+  for (const GoalColumn& column : c.columns) {
+    if (column.u < c.box.left || column.u > c.box.right) continue;
+    ++columns;
+    green += column.green ? 1 : 0;
+  }
+  return green > 0 && green >= p.minFieldColumns * columns;
 }
 
 // A beacon that was not recognised has its pink right above or below.
 bool goalHasNoPinkBeside(const Scene& scene, const GoalCandidate& c) {
-  const double height = c.box.bottom - c.box.top;
   for (const double share : {0.15, 0.35, 0.55}) {
-    const double away = 1.0 + share * height;
-    for (const double y : {c.box.top - away, c.box.bottom + away}) {
-      const PixelPoint at{middleX(c), y};
+    const double away = 1.0 + share * c.box.height();
+    for (const double v : {c.box.top - away, c.box.bottom + away}) {
+      const PixelPoint at = scene.level.toImage({c.box.middle(), v});
       if (Sampler::usable(at) && scene.sampler.classAt(at) == ColourClass::pink) return false;
     }
   }
   return true;
 }
 
-bool goalIsMeasured(const GoalCandidate& c) { return c.distance > 0.0; }
+bool goalIsMeasured(const GoalCandidate& c) { return c.wall > 0.0; }
 
 bool goalHasWidth(const Scene& scene, const GoalCandidate& c, const GoalParams& p) {
-  const GoalPlaces places = placesOf(scene, c);
-  const double seen = distance(places.left, places.right);
-  const double least = c.leftCut || c.rightCut ? p.minCutWidth : p.minSeenWidth;
-  const bool narrow = seen < least;
-  return !narrow && seen <= p.maxSeenWidth;
+  const double seen = seenWidth(scene, c, p);
+  const double least = c.left.open() || c.right.open() ? p.minCutWidth : p.minSeenWidth;
+  return seen >= least && seen <= p.maxSeenWidth;
 }
 
 bool goalStandsOnGround(const GoalCandidate& c, const GoalParams& p) {
   return std::fabs(c.footError) <= p.directionError.rad();
 }
 
-bool goalIsNear(const GoalCandidate& c, const GoalParams& p) { return c.distance <= p.maxDistance; }
+bool goalIsNear(const GoalCandidate& c, const GoalParams& p) { return c.wall <= p.maxDistance; }
 
 void findGoals(const Scene& scene, const GoalParams& params, VisionCounts& counts,
-               Landmarks& landmarks) {
+               Landmarks& landmarks, GoalGaps& gaps) {
   const Landmarks beacons = landmarks;
   for (const ColourClass colour : {ColourClass::blue, ColourClass::yellow}) {
     GoalCandidate best;
@@ -243,10 +238,14 @@ void findGoals(const Scene& scene, const GoalParams& params, VisionCounts& count
       GoalCandidate group = grouped(scene, *seed, beacons);
       const bool same = group.samples == seed->samples;
       GoalCandidate single = alone(*seed);
-      if (tried(scene, group, params, counts)) keepBetter(scene, group, best);
-      if (!same && tried(scene, single, params, counts)) keepBetter(scene, single, best);
+      if (tried(scene, group, params, counts)) keepBetter(scene, group, params, best);
+      if (!same && tried(scene, single, params, counts)) keepBetter(scene, single, params, best);
     }
-    if (goalIsMeasured(best)) landmarks.push_back(perceptOf(scene, best, params));
+    if (!goalIsMeasured(best)) continue;
+    const GoalShape shape = fitGoal(scene, best, params);
+    if (!shape.valid) continue;
+    landmarks.push_back(perceptOf(scene, best, shape, params));
+    findGaps(scene, best, shape, params, gaps);
   }
 }
 

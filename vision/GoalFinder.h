@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Goals: of the large blue and yellow blobs, alone and with their neighbours, the one that fits
 // best. Distance from the angle that the goal's 30 cm of height fill in several columns, or from
-// where its foot meets the ground when the top is cut. What is measured is the back wall; the
-// percept is the middle of the mouth, a goal's depth nearer. Weak when one post is outside the
-// image.
+// where its foot meets the ground when the top is cut (GoalColumns); its three walls are laid
+// through these (GoalShape), and the percept is the middle of the mouth. Weak when a post is
+// outside the image or behind a robot.
 #pragma once
 
 #include "robot/core/Percepts.h"
@@ -13,22 +13,41 @@
 
 namespace kelpie::vision {
 
+// One upright cut through the coloured wall.
+struct GoalColumn {
+  double u = 0.0;
+  PixelPoint top;
+  PixelPoint foot;
+  bool topCut = false;  // the image ends before the wall does
+  bool footCut = false;
+  bool green = false;      // carpet right below the foot
+  bool tall = false;       // far more than 30 cm at the distance of its foot
+  bool chosen = false;     // of the goal, not of something behind or beside it
+  double distance = 0.0;   // cm on the ground, camera to the wall, 0 = not measured
+  double sd = 0.0;         // cm
+  double footError = 0.0;  // rad, elevation of the foot less that of the ground there
+};
+constexpr std::size_t kGoalColumns = 24;
+
+struct GoalEnd {
+  PixelPoint point;
+  bool cut = false;     // the image ends before the goal does
+  bool hidden = false;  // a robot stands before it
+  bool open() const { return cut || hidden; }
+};
+
 struct GoalCandidate {
   ColourClass colour = ColourClass::none;
   std::uint32_t samples = 0;
-  PixelBox box;
-  PixelPoint leftEdge;
-  PixelPoint rightEdge;
-  bool leftCut = false;  // the image ends before the goal does
-  bool rightCut = false;
+  LevelBox box;
+  FixedVector<GoalColumn, kGoalColumns> columns;
+  GoalEnd left;
+  GoalEnd right;
   bool topCut = false;
   bool bottomCut = false;
-  double distance = 0.0;    // cm on the ground from the camera to the mouth, 0 = not measured
+  double wall = 0.0;        // cm on the ground, camera to the middle of what is seen, 0 = unknown
   double distanceSd = 0.0;  // cm
-  int columns = 0;          // in which it was measured
-  int fieldColumns = 0;     // of these, with green right below
-  int tallColumns = 0;      // of these, reaching the image's top at more than 30 cm
-  double footError = 0.0;   // rad, elevation of the foot less that of the ground there
+  double footError = 0.0;   // rad, of the middle column
 };
 
 // The checks: true = keep.
@@ -43,8 +62,10 @@ bool goalHasWidth(const Scene& scene, const GoalCandidate& c, const GoalParams& 
 bool goalStandsOnGround(const GoalCandidate& c, const GoalParams& p);
 bool goalIsNear(const GoalCandidate& c, const GoalParams& p);
 
+using GoalGaps = FixedVector<GoalGap, 6>;
+
 // Call after findBeacons: `landmarks` holds the beacons found, whose bands are left out.
 void findGoals(const Scene& scene, const GoalParams& params, VisionCounts& counts,
-               Landmarks& landmarks);
+               Landmarks& landmarks, GoalGaps& gaps);
 
 }  // namespace kelpie::vision

@@ -11,6 +11,10 @@
 namespace kelpie::vision {
 namespace {
 
+constexpr int kLatticeLeft = 4;
+constexpr int kLatticeTop = 4;
+constexpr int kLatticeStep = 2;
+
 constexpr int kColumnStep = 8;
 constexpr int kReach = 2;  // px over which a blurred edge rises
 

@@ -24,14 +24,6 @@ constexpr int kUsableTop = kRim;
 constexpr int kUsableRight = kImageWidth - kRim;  // first column beyond
 constexpr int kUsableBottom = kImageHeight - kRim;
 
-// Every second pixel in x and y: the pink band of a beacon at 400 cm is 4.8 px wide and high, a
-// ball at 350 cm 4.6 px across, so that each holds at least two by two samples.
-constexpr int kLatticeStep = 2;
-constexpr int kLatticeLeft = 4;
-constexpr int kLatticeTop = 4;
-constexpr int kLatticeColumns = (kUsableRight - kLatticeLeft + 1) / kLatticeStep;
-constexpr int kLatticeRows = (kUsableBottom - kLatticeTop + 1) / kLatticeStep;
-
 class Sampler {
  public:
   Sampler(const Image& image, const VisionCalibration& calibration, const RingDistances& distances,
@@ -59,8 +51,8 @@ class Sampler {
   Yuv raw(int px, int py) const { return image_.pixel(px, py); }
   std::uint8_t rawY(int px, int py) const { return image_.y[Image::at(px, py)]; }
 
-  // Forgets the last image and classifies the lattice; the number of pixels looked at.
-  std::uint32_t sampleLattice();
+  // Forgets the last image.
+  void reset() { classes_.fill(kNotLookedAt); }
 
  private:
   const Image& image_;

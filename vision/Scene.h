@@ -2,8 +2,11 @@
 // What every finder reads: the classified image, its blobs and the camera's place.
 #pragma once
 
+#include <cmath>
+
 #include "robot/core/Percepts.h"
 #include "vision/Blobs.h"
+#include "vision/Level.h"
 #include "vision/Sampler.h"
 
 namespace kelpie::vision {
@@ -13,6 +16,7 @@ struct Scene {
   const BlobBuffer& blobs;
   const BodyState& body;
   FieldEdgePercept fieldEdge;
+  Level level;
 };
 
 inline double horizonRow(const Scene& scene, double x) {
@@ -24,6 +28,15 @@ inline double horizonRow(const Scene& scene, double x) {
 inline double fieldEdgeRow(const Scene& scene, double x) {
   const FieldEdgePercept& e = scene.fieldEdge;
   return e.present ? e.atLeft + (e.atRight - e.atLeft) * x / kImageWidth : -1e6;
+}
+
+// How far a pixel is below the horizon or the field edge, px along the level image's columns;
+// negative above. Rows of a rolled image's line change by more than the way to it.
+inline double belowHorizon(const Scene& scene, PixelPoint p) {
+  return (p.y - horizonRow(scene, p.x)) * std::fabs(scene.level.cos);
+}
+inline double belowFieldEdge(const Scene& scene, PixelPoint p) {
+  return (p.y - fieldEdgeRow(scene, p.x)) * std::fabs(scene.level.cos);
 }
 
 }  // namespace kelpie::vision

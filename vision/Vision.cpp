@@ -15,16 +15,19 @@ namespace kelpie::vision {
 Percepts step(const VisionIn& in, const VisionParams& params, VisionState& state) {
   Percepts out;
   Sampler sampler(in.input.image, state.calibration, state.distances, state.classes);
-  out.counts.sampledPixels = sampler.sampleLattice();
-  const std::uint32_t lost = findBlobs(sampler, state.runs, state.blobs);
+  sampler.reset();
+  const Level level = levelOf(in.body.camera);
+  const auto found = findBlobs(sampler, Lattice(level), state.runs, state.blobs);
+  out.counts.sampledPixels = found.samples;
   out.counts.runs = static_cast<std::uint32_t>(state.runs.size());
   out.counts.blobs = static_cast<std::uint32_t>(state.blobs.size());
-  for (std::uint32_t i = 0; i < lost && i < 1000; ++i) refuse(out.counts, Refusal::bufferFull);
+  for (std::uint32_t i = 0; i < found.lost && i < 1000; ++i)
+    refuse(out.counts, Refusal::bufferFull);
   out.fieldEdge = fitFieldEdge(fieldEdgeFeatures(sampler, params.fieldEdge), params.fieldEdge);
 
-  const Scene scene{sampler, state.blobs, in.body, out.fieldEdge};
+  const Scene scene{sampler, state.blobs, in.body, out.fieldEdge, level};
   findBeacons(scene, params.beacon, out.counts, out.landmarks);
-  findGoals(scene, params.goal, out.counts, out.landmarks);
+  findGoals(scene, params.goal, out.counts, out.landmarks, out.gaps);
   keepOneGoal(out);
   out.ball = findBall(scene, params.ball, out.counts);
   findLinePoints(scene, params.line, out.linePoints);

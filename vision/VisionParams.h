@@ -85,7 +85,8 @@ struct GoalParams {
   double maxSeenWidth = 125;             // cm, with a side wall seen from outside
   Angle directionError = Angle::deg(4);  // camera against ground, for goalOffGround
   double maxDistance = 620;
-  double depth = 30;                  // cm from the back wall, which is measured, to the mouth
+  double width = 80;                  // cm, of the mouth
+  double depth = 30;                  // cm from the mouth to the back wall
   double edgeSd = 0.5;                // px, of the upper and of the lower edge
   Angle directionSd = Angle::deg(1);  // camera against ground, while walking
   Angle headingSd = Angle::deg(1);
@@ -104,6 +105,7 @@ struct GoalParams {
                      field("maxSeenWidth", &GoalParams::maxSeenWidth, "cm", 0, 500),
                      field("directionError", &GoalParams::directionError, "rad", 0, 20),
                      field("maxDistance", &GoalParams::maxDistance, "cm", 50, 1000),
+                     field("width", &GoalParams::width, "cm", 20, 200),
                      field("depth", &GoalParams::depth, "cm", 0, 60),
                      field("edgeSd", &GoalParams::edgeSd, "px", 0.01, 5),
                      field("directionSd", &GoalParams::directionSd, "rad", 0.05, 20),

@@ -16,6 +16,7 @@ struct EvaluateOptions {
   int trials = 0;
   std::uint64_t seed = 1;
   std::string json = "-";
+  std::string pictures;
   bool list = false;
 };
 
@@ -39,6 +40,7 @@ int evaluate(const EvaluateOptions& options) {
   ExperimentOptions request;
   request.trials = options.trials > 0 ? options.trials : found->trials;
   request.seed = options.seed;
+  request.pictures = options.pictures;
   if (onTerminal())
     request.progress = [](int done, int count) {
       fmt::print(stderr, "\r{} of {}{}", done, count, done == count ? "\n" : "");
@@ -62,6 +64,10 @@ void addEvaluate(CLI::App& app, int& code) {
       ->check(inRange(0.0, kLargestSeed))
       ->capture_default_str();
   command->add_option("--json", options->json, "File for the figures, - for standard output");
+  command
+      ->add_option("--pictures", options->pictures,
+                   "Folder for pictures of what went wrong (experiment `objects`)")
+      ->check(CLI::ExistingDirectory);
   command->add_flag("--list", options->list, "What each experiment measures");
   command->callback([options, &code] { code = evaluate(*options); });
 }

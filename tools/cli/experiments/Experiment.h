@@ -18,6 +18,7 @@ using Json = nlohmann::ordered_json;
 struct ExperimentOptions {
   int trials = 0;  // 0: the experiment's own number
   std::uint64_t seed = 1;
+  std::string pictures;  // a folder for pictures of what went wrong; empty: none
   std::function<void(int done, int all)> progress;
 };
 

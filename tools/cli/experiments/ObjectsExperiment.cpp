@@ -2,12 +2,17 @@
 // How well vision recognises objects: seeded random views with every artefact, spectators in the
 // objects' colours, robots and partly hidden things. By object and distance: share of those to be
 // seen that were (recall), percepts of nothing, errors of distance and heading.
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <memory>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
 
 #include "robot/body/Camera.h"
+#include "tools/cli/Draw.h"
 #include "tools/cli/experiments/Experiment.h"
 #include "tools/cli/experiments/Objects.h"
 #include "vision/Refusal.h"
@@ -66,6 +71,12 @@ const std::vector<Kind>& kinds() {
   return all;
 }
 
+const char* nameOf(ObjectKind kind) {
+  for (const auto& k : kinds())
+    if (k.kind == kind) return k.name;
+  return "";
+}
+
 struct Percept {
   ObjectKind kind;
   LandmarkKind landmark;
@@ -103,21 +114,53 @@ bool matches(const Percept& p, const TrueObject& o) {
          std::fabs(p.distance - o.distance) <= allowed;
 }
 
+constexpr int kMostPictures = 80;
+
+// The image with the percepts and, in words, what is wrong with them and what was refused.
+void keepPicture(const std::string& folder, int number, const View& view, const BodyState& body,
+                 const Percepts& seen, const std::vector<std::string>& faults) {
+  FrameOutput output;
+  output.body = body;
+  output.percepts = seen;
+  cv::Mat picture = drawCamera(view.input, output, 4);
+  int row = 16;
+  for (const auto& fault : faults) {
+    cv::putText(picture, fault, {4, row}, cv::FONT_HERSHEY_SIMPLEX, 0.5, {0, 0, 255}, 1,
+                cv::LINE_AA);
+    row += 16;
+  }
+  std::string refusals;
+  for (std::size_t i = 0; i < vision::kRefusalCount; ++i)
+    if (seen.counts.refused[i] > 0)
+      refusals += fmt::format("{} {}  ", vision::kRefusalNames[i], seen.counts.refused[i]);
+  for (std::size_t at = 0; at < refusals.size(); at += 95, row += 16)
+    cv::putText(picture, refusals.substr(at, 95), {4, row}, cv::FONT_HERSHEY_SIMPLEX, 0.45,
+                {255, 255, 255}, 1, cv::LINE_AA);
+  cv::imwrite(fmt::format("{}/view{:05}.png", folder, number), picture);
+}
+
 class Score {
  public:
   void add(const View& view, const body::FieldDescription& field,
            const std::vector<TrueObject>& objects, const Percepts& seen) {
     ++views_;
     const auto percepts = perceptsOf(seen);
+    faults_.clear();
     for (const auto& object : objects) judge(object, percepts);
     for (const auto& p : percepts) {
       const bool real = std::any_of(objects.begin(), objects.end(),
                                     [&p](const TrueObject& o) { return matches(p, o); });
-      if (!real) ++false_[p.kind];
+      if (real) continue;
+      ++false_[p.kind];
+      faults_.push_back(fmt::format("false {} {} at {:.0f} cm {:.0f} deg", nameOf(p.kind),
+                                    static_cast<int>(p.landmark), p.distance, p.heading.deg()));
     }
     for (const auto& object : objects)
       if (object.kind == ObjectKind::goal && object.toSee) judgeGaps(view, field, object, seen);
   }
+
+  // What went wrong in the last view, a line each.
+  const std::vector<std::string>& faults() const { return faults_; }
 
   Json figures() const {
     Json json;
@@ -157,7 +200,12 @@ class Score {
       if (matches(p, object) &&
           (best == nullptr || std::fabs(offDeg(p, object)) < std::fabs(offDeg(*best, object))))
         best = &p;
-    if (best == nullptr) return;
+    if (best == nullptr) {
+      faults_.push_back(fmt::format("missed {} {} at {:.0f} cm {:.0f} deg", nameOf(object.kind),
+                                    static_cast<int>(object.landmark), object.distance,
+                                    object.heading.deg()));
+      return;
+    }
     ++sums.seen;
     sums.add(best->distance / object.distance - 1.0, offDeg(*best, object));
   }
@@ -233,6 +281,7 @@ class Score {
     return list;
   }
 
+  std::vector<std::string> faults_;
   int views_ = 0;
   std::map<Band, Sums> sums_;
   std::map<ObjectKind, int> false_;
@@ -254,11 +303,14 @@ Expected<Json> objects(const ExperimentOptions& options) {
   auto state = std::make_unique<vision::VisionState>();
   const vision::VisionParams visionParams;
   Score score;
+  int pictures = 0;
   for (int i = 0; i < options.trials; ++i) {
     const View& view = maker->next();
     const BodyState body = body::step(view.input, {});
     const Percepts seen = vision::step({view.input, body}, visionParams, *state);
     score.add(view, *field, trueObjects(view, *field, visibility), seen);
+    if (!options.pictures.empty() && !score.faults().empty() && pictures++ < kMostPictures)
+      keepPicture(options.pictures, i, view, body, seen, score.faults());
     if (options.progress) options.progress(i + 1, options.trials);
   }
   Json json{{"experiment", "objects"}, {"trials", options.trials}, {"seed", options.seed}};

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where a goal stands: its three walls, 80 cm wide and 30 cm deep, are laid through the distances
+// of its columns and the directions of its two ends (Gauss-Newton from three turns). Seen aslant,
+// the outside of the near wall shows beside the mouth and the back wall is farther than the mouth,
+// which a distance and two ends alone do not tell apart. Weak when the image or robots hide both
+// ends.
+#pragma once
+
+#include <optional>
+
+#include "vision/GoalFinder.h"
+
+namespace kelpie::vision {
+
+// Relative to the camera: x to the right, y forward, as in the robot frame.
+struct GoalShape {
+  bool valid = false;
+  Point2<Robot> middle;  // of the mouth
+  double turn = 0.0;     // rad, of the mouth's line from the robot frame's x axis
+  double cost = 0.0;     // sum of squared errors in standard deviations
+
+  Point2<Robot> leftPost(const GoalParams& params) const;
+  Point2<Robot> rightPost(const GoalParams& params) const;
+  // From the camera to the first wall in a direction (unit vector); nothing beside the goal.
+  std::optional<double> wallAlong(Point2<Robot> way, const GoalParams& params) const;
+};
+
+GoalShape fitGoal(const Scene& scene, const GoalCandidate& c, const GoalParams& params);
+
+}  // namespace kelpie::vision
