@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <optional>
 
 #include "robot/body/Camera.h"
 #include "robot/body/FieldDescription.h"
@@ -22,27 +25,70 @@ constexpr std::size_t kMaxCandidates = 6;
 
 double turn(int step, int steps) { return 2.0 * maths::kPi * step / steps; }
 
-// A highlight or a shadow may interrupt the orange for a sixth of the blob.
-EdgePoints edgePoints(const Scene& scene, const Blob& blob) {
-  const double size = std::max(blob.box.right - blob.box.left, blob.box.bottom - blob.box.top);
+// Along spokes from a place inside the orange. A highlight or a shadow may interrupt the orange for
+// a sixth of its size; what is farther away than `reach` is not the ball's outline.
+EdgePoints edgePoints(const Scene& scene, PixelPoint from, double size, double reach) {
   const int holes = std::max(1, static_cast<int>(size / 6.0));
   EdgePoints points;
   for (int i = 0; i < kSpokes; ++i) {
     const auto direction = maths::sinCos(turn(i, kSpokes));
-    const EdgeHit hit = walkToEdge(
-        scene.sampler, {blob.centre, direction.cos, direction.sin, ColourClass::orange, holes});
-    if (!hit.cut) points.push_back(hit.point);
+    const EdgeHit hit =
+        walkToEdge(scene.sampler, {from, direction.cos, direction.sin, ColourClass::orange, holes});
+    if (!hit.cut && hit.length <= reach) points.push_back(hit.point);
   }
   return points;
 }
 
-BallCandidate measured(const Scene& scene, const Blob& blob) {
-  BallCandidate c;
-  c.blob = &blob;
-  c.cone = fitCone(edgePoints(scene, blob));
-  if (!c.cone.valid) return c;
+void measure(const Scene& scene, const EdgePoints& points, BallCandidate& c) {
+  c.cone = fitCone(points);
+  if (!c.cone.valid) return;
   c.axis = body::rayThrough(scene.body.camera, c.cone.centre);
   c.range = body::kBallRadius / c.cone.sinHalf;
+}
+
+BallCandidate fromMiddle(const Scene& scene, const Blob& blob) {
+  BallCandidate c;
+  c.blob = &blob;
+  const double size = std::max(blob.box.width(), blob.box.height());
+  measure(scene, edgePoints(scene, blob.centre, size, 1e3), c);
+  return c;
+}
+
+std::uint16_t rootOf(const RunBuffer& runs, std::size_t run) {
+  while (runs[run].parent != run) run = runs[run].parent;
+  return runs[run].blob;
+}
+
+// The middle of the blob's lowest run.
+std::optional<PixelPoint> lowestOf(const Scene& scene, const Blob& blob) {
+  const auto index = static_cast<std::uint16_t>(&blob - scene.blobs.begin());
+  for (std::size_t i = scene.runs.size(); i-- > 0;) {
+    const Run& run = scene.runs[i];
+    if (run.colour != ColourClass::orange || rootOf(scene.runs, i) != index) continue;
+    return scene.level.toImage(
+        {scene.lattice.u(0.5 * (run.first + run.last)), scene.lattice.v(run.row)});
+  }
+  return std::nullopt;
+}
+
+// Where orange clothes touch the ball's image: a ball as large as one that stands where the patch
+// ends below.
+BallCandidate fromFoot(const Scene& scene, const Blob& blob) {
+  BallCandidate c;
+  c.blob = &blob;
+  c.apart = false;
+  const auto lowest = lowestOf(scene, blob);
+  if (!lowest) return c;
+  const auto ground = body::groundPoint(scene.body.camera, *lowest);
+  if (!ground) return c;
+  const Point3<Robot>& eye = scene.body.camera.position;
+  const double along = maths::hypot(ground->x - eye.x, ground->y - eye.y);
+  const double radius =
+      body::kFocalLength * body::kBallRadius / std::max(maths::hypot(along, eye.z), 10.0);
+  const ImageUp up = scene.level.up();
+  const PixelPoint middle{lowest->x + radius * up.dx, lowest->y + radius * up.dy};
+  if (!Sampler::usable(middle) || scene.sampler.classAt(middle) != ColourClass::orange) return c;
+  measure(scene, edgePoints(scene, middle, 2.0 * radius, 1.7 * radius + 1.0), c);
   return c;
 }
 
@@ -119,6 +165,8 @@ bool accepted(const Scene& scene, const BallCandidate& c, const BallParams& p,
          check(ballIsOnGround(scene, c, p), Refusal::ballOffGround) &&
          check(ballIsOrange(scene, c, p), Refusal::ballFewOrange) &&
          check(ballHasNoOtherColour(scene, c, p), Refusal::ballOtherColour) &&
+         check(ballFillsItsPatch(c, p), Refusal::ballPartOfPatch) &&
+         check(ballStandsOnNoGoal(scene, c), Refusal::ballOnGoal) &&
          check(ballHasFieldAround(scene, c, p), Refusal::ballNoField);
 }
 
@@ -155,7 +203,8 @@ FixedVector<const Blob*, kMaxCandidates> largestOrange(const Scene& scene, const
 }  // namespace
 
 bool ballHasEdges(const BallCandidate& c, const BallParams& p) {
-  return c.cone.valid && static_cast<double>(c.cone.kept) >= p.minEdgePoints;
+  const double least = c.apart ? p.minEdgePoints : 0.55 * kSpokes;
+  return c.cone.valid && static_cast<double>(c.cone.kept) >= least;
 }
 
 bool ballIsRound(const BallCandidate& c, const BallParams& p) {
@@ -174,11 +223,35 @@ bool ballHasNoOtherColour(const Scene& scene, const BallCandidate& c, const Ball
   return other <= p.maxOtherShare * inside[kColourClassCount];
 }
 
+// Orange beside the circle: it is cut out of something larger. A patch's lattice is coarse, hence
+// the three samples on top.
+bool ballFillsItsPatch(const BallCandidate& c, const BallParams& p) {
+  const double patch = static_cast<double>(c.blob->samples) * kLatticeStep * kLatticeStep;
+  const double circle = maths::kPi * c.cone.radius * c.cone.radius;
+  return !c.apart || patch <= p.maxPatch * circle + 12.0;
+}
+
+// A ball hides its goal's foot: right behind its shadow is carpet. Orange over a goal's wall is
+// seen over it, on its colour down to the foot.
+bool ballStandsOnNoGoal(const Scene& scene, const BallCandidate& c) {
+  const LevelPoint middle = scene.level.fromImage(c.cone.centre);
+  int goal = 0;
+  for (const double share : {1.6, 2.4, 3.4}) {
+    const PixelPoint at = scene.level.toImage({middle.u, middle.v + share * c.cone.radius + 2.0});
+    if (!Sampler::usable(at)) continue;
+    const ColourClass colour = scene.sampler.classAt(at);
+    goal += colour == ColourClass::blue || colour == ColourClass::yellow ? 1 : 0;
+  }
+  return goal < 3;
+}
+
 bool ballIsBelowHorizon(const Scene& scene, const BallCandidate& c, const BallParams& p) {
   return belowHorizon(scene, c.cone.centre) >= -p.maxAboveHorizon;
 }
 
 bool ballIsInsideFieldEdge(const Scene& scene, const BallCandidate& c, const BallParams& p) {
+  // A ball cut out of clothes must be surely inside.
+  if (!c.apart) return belowFieldEdge(scene, c.cone.centre) + c.cone.radius >= 1.0;
   return belowFieldEdge(scene, c.cone.centre) + c.cone.radius >= -p.maxAboveFieldEdge;
 }
 
@@ -214,8 +287,25 @@ BallPercept findBall(const Scene& scene, const BallParams& params, VisionCounts&
       refuse(counts, Refusal::ballTooSmall);
       continue;
     }
-    const BallCandidate candidate = measured(scene, *blob);
-    if (accepted(scene, candidate, params, counts)) return perceptOf(scene, candidate, params);
+    for (const BallCandidate& candidate : {fromMiddle(scene, *blob), fromFoot(scene, *blob)}) {
+      if (std::getenv("DBG")) {
+        VisionCounts k{};
+        const bool ok = accepted(scene, candidate, params, k);
+        int why = -1;
+        for (int i = 0; i < 60; ++i)
+          if (k.refused[i]) why = i;
+        std::fprintf(stderr,
+                     "  BALL %s apart%d blob %.0f,%.0f n %d box %.0fx%.0f cone %.0f,%.0f r %.1f "
+                     "kept %d rms %.2f range %.0f edge %.1f hor %.1f\n",
+                     ok ? "OK" : kRefusalNames[why], candidate.apart, blob->centre.x,
+                     blob->centre.y, (int)blob->samples, blob->box.width(), blob->box.height(),
+                     candidate.cone.centre.x, candidate.cone.centre.y, candidate.cone.radius,
+                     (int)candidate.cone.kept, candidate.cone.rms, candidate.range,
+                     belowFieldEdge(scene, candidate.cone.centre) + candidate.cone.radius,
+                     belowHorizon(scene, candidate.cone.centre));
+      }
+      if (accepted(scene, candidate, params, counts)) return perceptOf(scene, candidate, params);
+    }
   }
   return {};
 }

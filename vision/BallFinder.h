@@ -11,6 +11,7 @@ namespace kelpie::vision {
 
 struct BallCandidate {
   const Blob* blob = nullptr;
+  bool apart = true;  // all of the patch should be the ball; false: clothes touch it
   Cone cone;
   double range = 0.0;  // cm from the camera to the centre, by size
   Point3<Robot> axis;  // unit vector to the centre
@@ -21,6 +22,8 @@ bool ballHasEdges(const BallCandidate& c, const BallParams& p);
 bool ballIsRound(const BallCandidate& c, const BallParams& p);
 bool ballIsOrange(const Scene& scene, const BallCandidate& c, const BallParams& p);
 bool ballHasNoOtherColour(const Scene& scene, const BallCandidate& c, const BallParams& p);
+bool ballFillsItsPatch(const BallCandidate& c, const BallParams& p);
+bool ballStandsOnNoGoal(const Scene& scene, const BallCandidate& c);
 bool ballIsBelowHorizon(const Scene& scene, const BallCandidate& c, const BallParams& p);
 bool ballIsInsideFieldEdge(const Scene& scene, const BallCandidate& c, const BallParams& p);
 bool ballHasFieldAround(const Scene& scene, const BallCandidate& c, const BallParams& p);

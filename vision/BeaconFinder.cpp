@@ -2,9 +2,13 @@
 #include "vision/BeaconFinder.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 #include <optional>
 
+#include "vision/BeaconFeet.h"
 #include "vision/Refusal.h"
 #include "vision/Sight.h"
 
@@ -24,25 +28,29 @@ ImageUp reversed(ImageUp d) { return {-d.dx, -d.dy}; }
 
 struct Band {
   ColourClass colour = ColourClass::none;
-  EdgeHit pinkEdge;
+  EdgeHit edge;      // where the band before ends
+  PixelPoint start;  // inside
   PixelPoint end;
   bool cut = false;
   double height = 0.0;
 };
 
-// Looks past the pink band's edge for blue or yellow; up to two mixed pixels lie between.
-Band bandBeyond(const Scene& scene, PixelPoint pink, ImageUp direction) {
+bool isPartner(ColourClass c) { return c == ColourClass::blue || c == ColourClass::yellow; }
+
+// From inside a band past its edge: the other of pink and a partner colour; up to two mixed pixels
+// lie between.
+Band bandBeyond(const Scene& scene, PixelPoint from, ColourClass inside, ImageUp direction) {
   Band band;
-  band.pinkEdge =
-      walkToEdge(scene.sampler, {pink, direction.dx, direction.dy, ColourClass::pink, 1});
-  if (band.pinkEdge.cut) return band;
+  band.edge = walkToEdge(scene.sampler, {from, direction.dx, direction.dy, inside, 1});
+  if (band.edge.cut) return band;
   for (const double gap : {1.5, 2.5}) {
-    const PixelPoint start = moved(band.pinkEdge.point, direction, gap);
+    const PixelPoint start = moved(band.edge.point, direction, gap);
     if (!Sampler::usable(start)) return band;
     const ColourClass colour = scene.sampler.classAt(start);
-    if (colour != ColourClass::blue && colour != ColourClass::yellow) continue;
+    if (inside == ColourClass::pink ? !isPartner(colour) : colour != ColourClass::pink) continue;
     const EdgeHit far = walkToEdge(scene.sampler, {start, direction.dx, direction.dy, colour, 1});
     band.colour = colour;
+    band.start = start;
     band.end = far.point;
     band.cut = far.cut;
     band.height = far.length + gap;
@@ -53,24 +61,51 @@ Band bandBeyond(const Scene& scene, PixelPoint pink, ImageUp direction) {
 
 struct Width {
   double value = 0.0;
+  double offset = 0.0;  // px to the right, of its middle from where it was measured
   bool cut = false;
 };
 
-Width widthAt(const Scene& scene, ImageUp up, PixelPoint at, ColourClass colour) {
-  const ImageUp right{-up.dy, up.dx};
+Width widthAt(const Scene& scene, PixelPoint at, ColourClass colour) {
+  const ImageUp right = scene.level.right();
   const EdgeHit r = walkToEdge(scene.sampler, {at, right.dx, right.dy, colour, 1});
   const EdgeHit l = walkToEdge(scene.sampler, {at, -right.dx, -right.dy, colour, 1});
-  return {r.length + l.length, r.cut || l.cut};
+  return {r.length + l.length, 0.5 * (r.length - l.length), r.cut || l.cut};
 }
 
-// Of both bands; the narrower counts, because clothes or a goal may touch the other.
-void measureWidth(const Scene& scene, ImageUp up, BeaconCandidate& c) {
-  const double half = 0.5 * (c.pinkIsLower ? c.upper : -c.lower);
-  const Width pink = widthAt(scene, up, c.pink, ColourClass::pink);
-  const Width partner = widthAt(scene, up, moved(c.middle, up, half), c.partner);
-  const bool usePink = pink.value <= partner.value || partner.value < 1.0;
-  c.width = usePink ? pink.value : partner.value;
-  c.widthCut = pink.cut || partner.cut;
+// The narrower of two counts, because clothes or a goal may touch the other; one that the image
+// border does not cut before one that it does.
+Width better(const Width& a, const Width& b) {
+  if (a.value < 1.0 || b.value < 1.0) return a.value < 1.0 ? b : a;
+  if (a.cut != b.cut) return a.cut ? b : a;
+  return b.value < a.value ? b : a;
+}
+
+// Of both bands and the white below. The candidate's axis moves to its middle.
+void measureWidth(const Scene& scene, BeaconCandidate& c) {
+  const ImageUp up = scene.level.up();
+  const PixelPoint high = moved(c.middle, up, 0.5 * c.upper);
+  const PixelPoint low = moved(c.middle, up, -0.5 * c.lower);
+  const PixelPoint white = moved(c.bottom, up, -0.8 * c.lower);
+  Width best = better(widthAt(scene, high, c.pinkIsLower ? c.partner : ColourClass::pink),
+                      widthAt(scene, low, c.pinkIsLower ? ColourClass::pink : c.partner));
+  if (c.onWhite && Sampler::usable(white) && scene.sampler.classAt(white) == ColourClass::white) {
+    const Width foot = widthAt(scene, white, ColourClass::white);
+    if (foot.value >= 0.7 * best.value) best = better(best, foot);
+  }
+  c.width = best.value;
+  c.widthCut = best.cut;
+  if (best.cut) return;
+  for (PixelPoint* point : {&c.top, &c.middle, &c.bottom})
+    *point = moved(*point, scene.level.right(), best.offset);
+}
+
+// A band much higher than the other runs on into something of its colour: its end is not known.
+void forgetMergedEnds(BeaconCandidate& c, const BeaconParams& p) {
+  if (!c.onWhite) return;
+  if (c.upper > p.maxRatio * c.lower + 1.0) {
+    c.upper = c.lower;
+    c.topCut = true;
+  }
 }
 
 // Two of the heights 40, 30 and 20 cm that lie inside the image, as far apart as possible.
@@ -83,28 +118,55 @@ double measureDistance(const Scene& scene, const BeaconCandidate& c) {
   return high - low > 1e-4 ? height / (high - low) + kBeaconRadius : 1e6;
 }
 
-BeaconCandidate measured(const Scene& scene, PixelPoint pink, ImageUp up) {
+// From a pink point with the partner on one side.
+BeaconCandidate fromPink(const Scene& scene, PixelPoint pink, bool pinkIsLower) {
+  const ImageUp up = pinkIsLower ? scene.level.up() : reversed(scene.level.up());
   BeaconCandidate c;
   c.pink = pink;
-  const Band above = bandBeyond(scene, pink, up);
-  const Band below = bandBeyond(scene, pink, reversed(up));
-  c.bothSides = above.colour != ColourClass::none && below.colour != ColourClass::none;
-  c.pinkIsLower = above.colour != ColourClass::none;
-  const Band& partner = c.pinkIsLower ? above : below;
-  const EdgeHit& far = c.pinkIsLower ? below.pinkEdge : above.pinkEdge;
+  const Band partner = bandBeyond(scene, pink, ColourClass::pink, up);
+  if (partner.colour == ColourClass::none) return c;
+  const EdgeHit far = walkToEdge(scene.sampler, {pink, -up.dx, -up.dy, ColourClass::pink, 1});
+  c.pinkIsLower = pinkIsLower;
   c.partner = partner.colour;
-  c.middle = partner.pinkEdge.point;
-  c.top = c.pinkIsLower ? partner.end : far.point;
-  c.bottom = c.pinkIsLower ? far.point : partner.end;
-  c.topCut = c.pinkIsLower ? partner.cut : far.cut;
-  c.bottomCut = c.pinkIsLower ? far.cut : partner.cut;
-  const double pinkHeight = above.pinkEdge.length + below.pinkEdge.length;
-  c.upper = c.pinkIsLower ? partner.height : pinkHeight;
-  c.lower = c.pinkIsLower ? pinkHeight : partner.height;
-  if (c.partner == ColourClass::none) return c;
-  c.distance = measureDistance(scene, c);
-  measureWidth(scene, up, c);
+  c.middle = partner.edge.point;
+  c.top = pinkIsLower ? partner.end : far.point;
+  c.bottom = pinkIsLower ? far.point : partner.end;
+  c.topCut = pinkIsLower ? partner.cut : far.cut;
+  c.bottomCut = pinkIsLower ? far.cut : partner.cut;
+  const double pinkHeight = partner.edge.length + far.length;
+  c.upper = pinkIsLower ? partner.height : pinkHeight;
+  c.lower = pinkIsLower ? pinkHeight : partner.height;
   return c;
+}
+
+// Upwards from the white part.
+BeaconCandidate fromFoot(const Scene& scene, const BeaconFoot& foot) {
+  const ImageUp up = scene.level.up();
+  BeaconCandidate c;
+  c.onWhite = true;
+  const PixelPoint from = scene.level.toImage({0.5 * (foot.left + foot.right), foot.lowest});
+  if (!Sampler::usable(from) || scene.sampler.classAt(from) != foot.colour) return c;
+  const EdgeHit low = walkToEdge(scene.sampler, {from, -up.dx, -up.dy, foot.colour, 1});
+  const Band above = bandBeyond(scene, from, foot.colour, up);
+  if (above.colour == ColourClass::none) return c;
+  c.pinkIsLower = foot.colour == ColourClass::pink;
+  c.partner = c.pinkIsLower ? above.colour : foot.colour;
+  c.pink = c.pinkIsLower ? from : above.start;
+  c.bottom = low.point;
+  c.bottomCut = low.cut;
+  c.middle = above.edge.point;
+  c.top = above.end;
+  c.topCut = above.cut;
+  c.lower = low.length + above.edge.length;
+  c.upper = above.height;
+  return c;
+}
+
+void measure(const Scene& scene, const BeaconParams& p, BeaconCandidate& c) {
+  if (c.partner == ColourClass::none) return;
+  forgetMergedEnds(c, p);
+  measureWidth(scene, c);
+  c.distance = measureDistance(scene, c);
 }
 
 // Where to look for a pink band: in a pink blob, or next to a blue or yellow one that is no longer
@@ -161,31 +223,70 @@ bool accepted(const Scene& scene, const BeaconCandidate& c, const BeaconParams& 
     return keep;
   };
   return check(beaconHasPartner(c), Refusal::beaconNoPartner) &&
-         check(beaconHasOnePartner(c), Refusal::beaconBothSides) &&
-         check(std::min(c.upper, c.lower) >= p.minBand, Refusal::beaconTooSmall) &&
+         check(beaconIsLarge(c, p), Refusal::beaconTooSmall) &&
          check(beaconBandsAreEqual(c, p), Refusal::beaconSizeRatio) &&
          check(beaconBandIsSquare(c, p), Refusal::beaconAspect) &&
          check(beaconReachesHorizon(scene, c, p), Refusal::beaconBelowHorizon) &&
          check(beaconIsNear(c, p), Refusal::beaconTooFar) &&
          check(beaconHeightFitsSize(scene, c, p), Refusal::beaconElevation) &&
-         check(beaconHasWhiteBelow(scene, c, p), Refusal::beaconNoWhiteBelow);
+         check(beaconHasWhiteBelow(scene, c, p), Refusal::beaconNoWhiteBelow) &&
+         check(beaconIsInImage(c), Refusal::beaconCut) &&
+         check(beaconStandsOnField(scene, c), Refusal::beaconNoField);
 }
 
-// One percept of each kind: the larger of two is kept.
-void keep(Landmarks& landmarks, const LandmarkPercept& percept) {
-  for (LandmarkPercept& known : landmarks) {
-    if (known.kind != percept.kind) continue;
-    if (percept.distance < known.distance) known = percept;
-    return;
-  }
-  landmarks.push_back(percept);
+// Elevation of the bands' border less that of 30 cm at the distance that their size tells, rad.
+double elevationError(const Scene& scene, const BeaconCandidate& c) {
+  const double expected =
+      (kTopHeight - kBandHeight - scene.body.camera.position.z) / (c.distance - kBeaconRadius);
+  return maths::atan(sightOf(scene.body.camera, c.middle).slope) - maths::atan(expected);
 }
+
+// How unlike a beacon it is: of several of one kind the one with the least is kept.
+double misfit(const Scene& scene, const BeaconCandidate& c) {
+  const double height = std::max(1.0, std::min(c.upper, c.lower));
+  const double bands = c.topCut || c.bottomCut ? 0.3 : std::fabs(maths::log(c.upper / c.lower));
+  const double aspect = std::fabs(maths::log(std::max(c.width, 0.5) / height));
+  return bands + aspect + 10.0 * std::fabs(elevationError(scene, c)) + (c.onWhite ? 0.0 : 0.3);
+}
+
+bool insideBeacon(const Landmarks& landmarks, PixelPoint p) {
+  return std::any_of(landmarks.begin(), landmarks.end(), [p](const LandmarkPercept& l) {
+    return p.x >= l.box.left && p.x <= l.box.right && p.y >= l.box.top && p.y <= l.box.bottom;
+  });
+}
+
+bool overlap(const PixelBox& a, const PixelBox& b) {
+  return a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
+}
+
+// One percept of each kind and in each place: the one more like a beacon.
+struct Found {
+  Landmarks landmarks;
+  std::array<double, 8> misfit{};
+
+  void keep(const LandmarkPercept& percept, double unlike) {
+    for (std::size_t i = 0; i < landmarks.size(); ++i) {
+      if (landmarks[i].kind != percept.kind && !overlap(landmarks[i].box, percept.box)) continue;
+      if (unlike >= misfit[i]) return;
+      landmarks[i] = percept;
+      misfit[i] = unlike;
+      return;
+    }
+    misfit[landmarks.size()] = unlike;
+    landmarks.push_back(percept);
+  }
+};
 
 }  // namespace
 
 bool beaconHasPartner(const BeaconCandidate& c) { return c.partner != ColourClass::none; }
 
-bool beaconHasOnePartner(const BeaconCandidate& c) { return !c.bothSides; }
+// Of a band that the image border cuts a pixel is enough to tell its colour.
+bool beaconIsLarge(const BeaconCandidate& c, const BeaconParams& p) {
+  const double upper = c.topCut ? 1.5 * c.upper + 1.0 : c.upper;
+  const double lower = c.bottomCut ? 1.5 * c.lower + 1.0 : c.lower;
+  return upper >= p.minBand && lower >= p.minBand;
+}
 
 bool beaconBandsAreEqual(const BeaconCandidate& c, const BeaconParams& p) {
   const double small = std::min(c.upper, c.lower);
@@ -195,15 +296,13 @@ bool beaconBandsAreEqual(const BeaconCandidate& c, const BeaconParams& p) {
   return large <= p.maxRatio * small + 1.0;
 }
 
+// A band is 10 cm wide and high; the border may cut a third of its width.
 bool beaconBandIsSquare(const BeaconCandidate& c, const BeaconParams& p) {
-  const double height = c.pinkIsLower ? c.lower : c.upper;
-  const bool cut = c.pinkIsLower ? c.bottomCut : c.topCut;
-  const bool tooWide = !cut && c.width > p.maxAspect * height + 1.0;
-  const bool tooTall = !c.widthCut && height > p.maxAspect * c.width + 1.0;
-  const double cm = c.width * (c.distance - kBeaconRadius) / body::kFocalLength;
-  const double pixel = c.distance / body::kFocalLength;
-  const bool wrongWidth = cm > p.maxWidth + pixel || (!c.widthCut && cm < p.minWidth - pixel);
-  return !tooWide && !tooTall && !wrongWidth;
+  const double height = c.topCut ? c.lower : c.bottomCut ? c.upper : 0.5 * (c.upper + c.lower);
+  const bool wide = c.width > p.maxAspect * height + 1.0;
+  const double seen = c.widthCut ? c.width / 0.6 : c.width;
+  const bool narrow = p.maxAspect * seen + 1.0 < height;
+  return !wide && !narrow;
 }
 
 bool beaconReachesHorizon(const Scene& scene, const BeaconCandidate& c, const BeaconParams& p) {
@@ -225,11 +324,33 @@ bool beaconHasWhiteBelow(const Scene& scene, const BeaconCandidate& c, const Bea
   return white >= p.minWhiteProbes;
 }
 
+// What the image's border cuts above or below must show its whole width.
+bool beaconIsInImage(const BeaconCandidate& c) {
+  const int cuts = (c.topCut ? 1 : 0) + (c.bottomCut ? 1 : 0) + (c.widthCut ? 1 : 0);
+  return cuts < 2;
+}
+
+// Where its 20 cm of white end the carpet begins, or a robot or a ball hides it.
+bool beaconStandsOnField(const Scene& scene, const BeaconCandidate& c) {
+  if (c.bottomCut) return true;
+  const double band = c.topCut ? c.lower : 0.5 * (c.upper + c.lower);
+  const double end = 3.2 * band + 5.0;
+  int strange = 0;
+  for (double down = 0.7 * band; down < end; down += 1.0) {
+    const PixelPoint at = moved(c.bottom, scene.level.up(), -down);
+    if (!Sampler::usable(at)) return true;
+    const ColourClass colour = scene.sampler.classAt(at);
+    if (colour == ColourClass::green) return true;
+    const bool other = colour == ColourClass::none || colour == ColourClass::blue ||
+                       colour == ColourClass::yellow || colour == ColourClass::pink;
+    strange = other ? strange + 1 : 0;
+    if (strange > 3.0 + 0.3 * band) return false;
+  }
+  return true;
+}
+
 bool beaconHeightFitsSize(const Scene& scene, const BeaconCandidate& c, const BeaconParams& p) {
-  const double expected =
-      (kTopHeight - kBandHeight - scene.body.camera.position.z) / (c.distance - kBeaconRadius);
-  const double seen = sightOf(scene.body.camera, c.middle).slope;
-  return std::fabs(maths::atan(expected) - maths::atan(seen)) <= p.elevationError.rad();
+  return std::fabs(elevationError(scene, c)) <= p.elevationError.rad();
 }
 
 bool beaconIsNear(const BeaconCandidate& c, const BeaconParams& p) {
@@ -238,20 +359,39 @@ bool beaconIsNear(const BeaconCandidate& c, const BeaconParams& p) {
 
 void findBeacons(const Scene& scene, const BeaconParams& params, VisionCounts& counts,
                  Landmarks& landmarks) {
-  const ImageUp up = scene.level.up();
+  Found found;
+  const auto tried = [&](BeaconCandidate c) {
+    measure(scene, params, c);
+    if (std::getenv("DBG") && c.partner != ColourClass::none) {
+      VisionCounts k{};
+      const bool ok = accepted(scene, c, params, k);
+      int why = -1;
+      for (int i = 0; i < 60; ++i)
+        if (k.refused[i]) why = i;
+      std::fprintf(stderr,
+                   "  %s %s white=%d lowpink=%d top %.0f,%.0f mid %.0f,%.0f bot %.0f,%.0f cut %d%d "
+                   "up %.1f low %.1f w %.1f%s d %.0f\n",
+                   ok ? "OK" : kRefusalNames[why], kColourNames[(int)c.partner], c.onWhite,
+                   c.pinkIsLower, c.top.x, c.top.y, c.middle.x, c.middle.y, c.bottom.x, c.bottom.y,
+                   c.topCut, c.bottomCut, c.upper, c.lower, c.width, c.widthCut ? "cut" : "",
+                   c.distance);
+    }
+    if (accepted(scene, c, params, counts))
+      found.keep(perceptOf(scene, c, params), misfit(scene, c));
+  };
+  for (const BeaconFoot& foot : findBeaconFeet(scene)) tried(fromFoot(scene, foot));
   std::size_t candidates = 0;
   for (const Blob& blob : scene.blobs) {
-    const auto start = pinkStart(scene, blob, up);
-    if (!start) continue;
+    const auto start = pinkStart(scene, blob, scene.level.up());
+    if (!start || insideBeacon(found.landmarks, *start)) continue;
     if (static_cast<double>(blob.samples) < params.minSamples || candidates == kMaxCandidates) {
       refuse(counts, Refusal::beaconTooSmall);
       continue;
     }
     ++candidates;
-    const BeaconCandidate candidate = measured(scene, *start, up);
-    if (!accepted(scene, candidate, params, counts)) continue;
-    keep(landmarks, perceptOf(scene, candidate, params));
+    for (const bool pinkIsLower : {true, false}) tried(fromPink(scene, *start, pinkIsLower));
   }
+  for (const LandmarkPercept& landmark : found.landmarks) landmarks.push_back(landmark);
 }
 
 }  // namespace kelpie::vision

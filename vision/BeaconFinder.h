@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Beacons: a pink band with a blue or yellow one right above or below. Both are measured along the
-// image's upward direction, so a neighbouring goal of the same colour does no harm. Sought from the
-// middle of every pink blob, and from small blue and yellow ones in case pink clothes touch the
-// pink. Distance from the angle that the 20 cm of both bands fill, whatever the camera's height and
-// tilt.
+// Beacons: a pink band with a blue or yellow one right above or below, over white. Both are
+// measured along the image's upward direction, so a neighbouring goal of the same colour does no
+// harm. Sought upwards from the white (BeaconFeet) and, in case something hides that, from the
+// middle of every pink blob. A band that runs on into clothes of its colour has no end there.
+// Distance from the angle that the 20 cm of both bands fill, whatever the camera's height and tilt.
 #pragma once
 
 #include "robot/core/Percepts.h"
@@ -14,10 +14,10 @@
 namespace kelpie::vision {
 
 struct BeaconCandidate {
-  PixelPoint pink;  // a point inside the pink band
+  PixelPoint pink;       // a point inside the pink band
+  bool onWhite = false;  // found upwards from its white part
   ColourClass partner = ColourClass::none;
   bool pinkIsLower = false;
-  bool bothSides = false;
   PixelPoint top;     // of the coloured part
   PixelPoint middle;  // where the colours meet
   PixelPoint bottom;
@@ -32,11 +32,13 @@ struct BeaconCandidate {
 
 // The checks: true = keep.
 bool beaconHasPartner(const BeaconCandidate& c);
-bool beaconHasOnePartner(const BeaconCandidate& c);
+bool beaconIsLarge(const BeaconCandidate& c, const BeaconParams& p);
 bool beaconBandsAreEqual(const BeaconCandidate& c, const BeaconParams& p);
 bool beaconBandIsSquare(const BeaconCandidate& c, const BeaconParams& p);
 bool beaconReachesHorizon(const Scene& scene, const BeaconCandidate& c, const BeaconParams& p);
 bool beaconHasWhiteBelow(const Scene& scene, const BeaconCandidate& c, const BeaconParams& p);
+bool beaconIsInImage(const BeaconCandidate& c);
+bool beaconStandsOnField(const Scene& scene, const BeaconCandidate& c);
 bool beaconHeightFitsSize(const Scene& scene, const BeaconCandidate& c, const BeaconParams& p);
 bool beaconIsNear(const BeaconCandidate& c, const BeaconParams& p);
 

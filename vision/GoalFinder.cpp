@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 
 #include "vision/GoalColumns.h"
 #include "vision/GoalGaps.h"
@@ -147,6 +149,28 @@ bool tried(const Scene& scene, GoalCandidate& c, const GoalParams& p, VisionCoun
     return false;
   }
   measureGoal(scene, p, c);
+  if (std::getenv("DBG")) {
+    VisionCounts k{};
+    const bool ok = accepted(scene, c, p, k);
+    int why = -1;
+    for (int i = 0; i < 60; ++i)
+      if (k.refused[i]) why = i;
+    int n = 0, g = 0, t = 0;
+    for (auto& x : c.columns) {
+      n += x.chosen;
+      g += x.green;
+      t += x.tall;
+    }
+    std::fprintf(stderr,
+                 "  GOAL %s %s n %d box %.0f..%.0f x %.0f..%.0f columns %d chosen %d green %d tall "
+                 "%d L %.0f,%.0f%s%s R %.0f,%.0f%s%s wall %.0f width %.0f foot %.1f\n",
+                 ok ? "OK" : kRefusalNames[why], kColourNames[(int)c.colour], (int)c.samples,
+                 c.box.left, c.box.right, c.box.top, c.box.bottom, (int)c.columns.size(), n, g, t,
+                 c.left.point.x, c.left.point.y, c.left.cut ? "cut" : "",
+                 c.left.hidden ? "hid" : "", c.right.point.x, c.right.point.y,
+                 c.right.cut ? "cut" : "", c.right.hidden ? "hid" : "", c.wall,
+                 seenWidth(scene, c, p), c.footError * 57.3);
+  }
   return accepted(scene, c, p, counts);
 }
 

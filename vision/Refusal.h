@@ -40,9 +40,13 @@ enum class Refusal : std::uint8_t {
   goalNoHeight,  // neither upper nor lower edge inside the image
   goalAboveFieldEdge,
   bufferFull,
-  goalWidth,      // its angle and distance make no 80 cm
-  goalOffGround,  // its foot is not on the ground at its distance
-  goalOpposite,   // the other goal is in the image and larger
+  goalWidth,        // its angle and distance make no 80 cm
+  goalOffGround,    // its foot is not on the ground at its distance
+  goalOpposite,     // the other goal is in the image and larger
+  beaconCut,        // by two borders of the image
+  beaconNoField,    // no carpet at the foot of its white part
+  ballOnGoal,       // a goal's or beacon's colour right below it
+  ballPartOfPatch,  // the orange is far larger than the circle
   robotTooSmall,
   robotAboveHorizon,
   robotAboveFieldEdge,
@@ -65,7 +69,7 @@ enum class Refusal : std::uint8_t {
   fieldNotGreen,    // green only along the scan
   lineCrowdedScan,  // more points on one scan than lines can give
 };
-constexpr std::size_t kRefusalCount = 52;
+constexpr std::size_t kRefusalCount = 56;
 
 constexpr std::array<const char*, kRefusalCount> kRefusalNames = {
     "ballTooSmall",       "ballFewEdges",        "ballPoorCircle",       "ballFewOrange",
@@ -75,7 +79,8 @@ constexpr std::array<const char*, kRefusalCount> kRefusalNames = {
     "beaconNoWhiteBelow", "beaconElevation",     "beaconTooFar",         "goalTooSmall",
     "goalAspect",         "goalAboveHorizon",    "goalNoField",          "goalIsBeacon",
     "goalTooFar",         "goalNoHeight",        "goalAboveFieldEdge",   "bufferFull",
-    "goalWidth",          "goalOffGround",       "goalOpposite",         "robotTooSmall",
+    "goalWidth",          "goalOffGround",       "goalOpposite",         "beaconCut",
+    "beaconNoField",      "ballOnGoal",          "ballPartOfPatch",      "robotTooSmall",
     "robotAboveHorizon",  "robotAboveFieldEdge", "robotNoShell",         "robotOffGround",
     "robotTooFar",        "pinkTooSmall",        "pinkIsBeacon",         "pinkAboveHorizon",
     "pinkAboveFieldEdge", "pinkOffGround",       "obstacleAboveHorizon", "obstacleAboveFieldEdge",

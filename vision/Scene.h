@@ -17,6 +17,8 @@ struct Scene {
   const BodyState& body;
   FieldEdgePercept fieldEdge;
   Level level;
+  const Lattice& lattice;
+  const RunBuffer& runs;
 };
 
 inline double horizonRow(const Scene& scene, double x) {

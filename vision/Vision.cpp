@@ -17,7 +17,8 @@ Percepts step(const VisionIn& in, const VisionParams& params, VisionState& state
   Sampler sampler(in.input.image, state.calibration, state.distances, state.classes);
   sampler.reset();
   const Level level = levelOf(in.body.camera);
-  const auto found = findBlobs(sampler, Lattice(level), state.runs, state.blobs);
+  const Lattice lattice(level);
+  const auto found = findBlobs(sampler, lattice, state.runs, state.blobs);
   out.counts.sampledPixels = found.samples;
   out.counts.runs = static_cast<std::uint32_t>(state.runs.size());
   out.counts.blobs = static_cast<std::uint32_t>(state.blobs.size());
@@ -25,7 +26,7 @@ Percepts step(const VisionIn& in, const VisionParams& params, VisionState& state
     refuse(out.counts, Refusal::bufferFull);
   out.fieldEdge = fitFieldEdge(fieldEdgeFeatures(sampler, params.fieldEdge), params.fieldEdge);
 
-  const Scene scene{sampler, state.blobs, in.body, out.fieldEdge, level};
+  const Scene scene{sampler, state.blobs, in.body, out.fieldEdge, level, lattice, state.runs};
   findBeacons(scene, params.beacon, out.counts, out.landmarks);
   findGoals(scene, params.goal, out.counts, out.landmarks, out.gaps);
   keepOneGoal(out);

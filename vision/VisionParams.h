@@ -16,7 +16,8 @@ struct BallParams {
   double minOrangeShare = 0.5;   // of the circle
   double maxOtherShare = 0.35;   // of pink, yellow and robot red together, of the circle
   double maxAboveHorizon = 10;   // facts-2005 4.5 check 1
-  double maxAboveFieldEdge = 4;  // of the ball's lowest point
+  double maxAboveFieldEdge = 2;  // of the ball's lowest point
+  double maxPatch = 1.6;         // area of the orange patch to that of the circle
   double minFieldPoints = 2;     // green or lower image border among 7 points beside and below
   double maxDistance = 450;      // 2006 field: 420 is the far corner seen from the middle
   Angle directionError = Angle::deg(3);  // camera against ground, for ballOffGround
@@ -32,6 +33,7 @@ struct BallParams {
                      field("maxOtherShare", &BallParams::maxOtherShare, "", 0, 1),
                      field("maxAboveHorizon", &BallParams::maxAboveHorizon, "px", -160, 160),
                      field("maxAboveFieldEdge", &BallParams::maxAboveFieldEdge, "px", -160, 160),
+                     field("maxPatch", &BallParams::maxPatch, "", 1, 100),
                      field("minFieldPoints", &BallParams::minFieldPoints, "", 0, 7),
                      field("maxDistance", &BallParams::maxDistance, "cm", 50, 1000),
                      field("directionError", &BallParams::directionError, "rad", 0, 20),
@@ -42,15 +44,13 @@ struct BallParams {
 };
 
 struct BeaconParams {
-  double minSamples = 2;   // lattice samples of pink
-  double minBand = 2.5;    // px, each coloured band
-  double maxRatio = 2.0;   // of the two bands' heights
-  double maxAspect = 2.2;  // width to height of the pink band, and its inverse
-  double minWidth = 5;     // cm at the measured distance; the rule is 10
-  double maxWidth = 16;
+  double minSamples = 2;        // lattice samples of pink
+  double minBand = 2.5;         // px, each coloured band
+  double maxRatio = 2.0;        // of the two bands' heights
+  double maxAspect = 1.5;       // width to height of a band, and its inverse; the rule is 1
   double maxBelowHorizon = 25;  // px, facts-2005 4.5 check 5
   double minWhiteProbes = 1;    // of three below the coloured part
-  Angle elevationError = Angle::deg(6);
+  Angle elevationError = Angle::deg(4.5);
   double maxDistance = 620;  // the field's diagonal
   double edgeSd = 0.35;      // px, of each band edge
   Angle headingSd = Angle::deg(0.7);
@@ -60,8 +60,6 @@ struct BeaconParams {
                      field("minBand", &BeaconParams::minBand, "px", 1, 50),
                      field("maxRatio", &BeaconParams::maxRatio, "", 1, 10),
                      field("maxAspect", &BeaconParams::maxAspect, "", 1, 10),
-                     field("minWidth", &BeaconParams::minWidth, "cm", 0, 50),
-                     field("maxWidth", &BeaconParams::maxWidth, "cm", 0, 50),
                      field("maxBelowHorizon", &BeaconParams::maxBelowHorizon, "px", -160, 160),
                      field("minWhiteProbes", &BeaconParams::minWhiteProbes, "", 0, 3),
                      field("elevationError", &BeaconParams::elevationError, "rad", 0, 45),

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kBallShare = 0.5;    // of its disc must show
 constexpr double kBeaconShare = 0.7;  // of its two bands
-constexpr double kGoalShare = 0.5;    // of what would show without robots
+constexpr double kGoalShare = 0.5;    // of the whole, and of what would show without robots
 constexpr double kRobotShare = 0.6;   // of what would show without anything before it
 constexpr double kMouthInside = 0.6;  // of a goal's width must be between the image's borders
 constexpr double kFlattestView = 60;  // deg from the goal's normal
@@ -36,18 +36,22 @@ TrueObject placed(const View& view, ObjectKind kind, Point2<Field> p) {
   return object;
 }
 
-// Pixels that a flat thing of `width` by `height` cm would show, seen from the front.
-double areaPx(const View& view, Point2<Field> p, double width, double height) {
+// Pixels that a centimetre fills at a place.
+double scaleAt(const View& view, Point2<Field> p) {
   const Point2<Robot> q = robotFromField(view.pose, p);
   const double range = maths::hypot(q.x - view.camera.position.x, q.y - view.camera.position.y);
-  const double scale = body::kFocalLength / std::max(range, 5.0);
-  return width * scale * height * scale;
+  return body::kFocalLength / std::max(range, 5.0);
+}
+
+// Pixels that a flat thing of `width` by `height` cm would show, seen from the front.
+double areaPx(const View& view, Point2<Field> p, double width, double height) {
+  return width * height * maths::square(scaleAt(view, p));
 }
 
 TrueObject ballOf(const View& view, Visibility& visibility) {
   TrueObject object = placed(view, ObjectKind::ball, view.ball);
   const auto pixel = pixelOf(view, view.ball, body::kBallRadius);
-  object.inView = inUsable(pixel, kMarginPx);
+  object.inView = inUsable(pixel, kMarginPx + body::kBallRadius * scaleAt(view, view.ball));
   if (!object.inView) return object;
   const double r = body::kBallRadius;
   const double area = areaPx(view, view.ball, r * maths::kPi, r);
@@ -59,8 +63,9 @@ TrueObject beaconOf(const View& view, const body::FieldDescription& field,
                     const body::Landmark& mark, std::size_t index, Visibility& visibility) {
   TrueObject object = placed(view, ObjectKind::beacon, mark.position);
   object.landmark = mark.kind;
-  object.inView = inUsable(pixelOf(view, mark.position, 0.75 * field.beaconHeight), kMarginPx) ||
-                  inUsable(pixelOf(view, mark.position, 0.25 * field.beaconHeight), kMarginPx);
+  const double margin = kMarginPx + field.beaconRadius * scaleAt(view, mark.position);
+  object.inView = inUsable(pixelOf(view, mark.position, 0.75 * field.beaconHeight), margin) ||
+                  inUsable(pixelOf(view, mark.position, 0.25 * field.beaconHeight), margin);
   if (!object.inView) return object;
   const double area =
       areaPx(view, mark.position, 2.0 * field.beaconRadius, 0.5 * field.beaconHeight);
@@ -89,10 +94,13 @@ TrueObject goalOf(const View& view, const body::FieldDescription& field, const b
   const double outwards = mark.position.y > field.length / 2 ? 1.0 : -1.0;
   const Point2<Field> way = mark.position - view.pose.position;
   const double aside = maths::atan2(std::fabs(way.x), outwards * way.y);
-  const double inside = mouthInside(view, field, mark.position);
   const int shown = visibility.goal(view, index).pixels;
   object.inView = shown > 0;
-  object.toSee = Angle::rad(aside).deg() <= kFlattestView && inside >= kMouthInside &&
+  const double whole =
+      areaPx(view, mark.position, field.goalWidth * Angle::rad(aside).cos(), field.goalHeight);
+  object.toSee = Angle::rad(aside).deg() <= kFlattestView &&
+                 mouthInside(view, field, mark.position) >= kMouthInside &&
+                 shown >= kGoalShare * whole &&
                  shown >= kGoalShare * visibility.goalAlone(view, index).pixels;
   return object;
 }
