@@ -15,7 +15,8 @@ constexpr double kGoalHeight = 30.0;
 constexpr int kHoles = 2;
 constexpr double kLeastSpacing = 2.0;  // px between columns
 constexpr double kTooTall = 1.4;       // of the goal's height
-constexpr double kAgree = 0.3;         // share by which columns' distances may differ
+constexpr double kAgree = 0.2;         // share by which columns' distances may differ
+constexpr double kFootRows = 2.5;      // px by which the feet of a goal's columns differ
 
 // The lowest pixel of the candidate's colour in a level column, two lattice steps of it in a row.
 std::optional<PixelPoint> lowestIn(const Scene& scene, const GoalCandidate& c, double u) {
@@ -40,16 +41,18 @@ bool isTooTall(const Scene& scene, const EdgeHit& top, double low) {
   return (high - low) * d > allowed * kGoalHeight;
 }
 
-// The carpet follows within two pixels and a tenth of the height. Cut below: nothing speaks
-// against.
-bool hasGreenBelow(const Scene& scene, const EdgeHit& foot, double height) {
-  if (foot.cut) return true;
+enum class Below { green, other, outside };
+
+// The carpet follows within two pixels and a tenth of the height.
+Below belowFoot(const Scene& scene, const EdgeHit& foot, double height) {
+  if (foot.cut) return Below::outside;
   const ImageUp up = scene.level.up();
   for (const double away : {1.5, 2.5, 2.5 + 0.1 * height}) {
     const PixelPoint at{foot.point.x - away * up.dx, foot.point.y - away * up.dy};
-    if (!Sampler::usable(at) || scene.sampler.classAt(at) == ColourClass::green) return true;
+    if (!Sampler::usable(at)) return Below::outside;
+    if (scene.sampler.classAt(at) == ColourClass::green) return Below::green;
   }
-  return false;
+  return Below::other;
 }
 
 // By height when both ends are in the image, else by the foot on the ground.
@@ -79,32 +82,59 @@ std::optional<GoalColumn> columnAt(const Scene& scene, const GoalParams& p, Goal
   column.top = top.point;
   column.foot = foot.point;
   column.topCut = top.cut;
-  column.footCut = foot.cut;
-  column.green = hasGreenBelow(scene, foot, top.length + foot.length);
-  column.tall = !foot.cut && isTooTall(scene, top, sightOf(scene.body.camera, foot.point).slope);
-  if (!foot.cut) measureDistance(scene, p, column);
+  // Cut below, nothing speaks against carpet.
+  const Below below = belowFoot(scene, foot, top.length + foot.length);
+  column.footCut = below == Below::outside;
+  column.green = below != Below::other;
+  if (column.footCut) return column;
+  column.tall = isTooTall(scene, top, sightOf(scene.body.camera, foot.point).slope);
+  measureDistance(scene, p, column);
   return column;
 }
 
-// The median of those that stand on green; 0 when none does.
-double medianDistance(const GoalCandidate& c) {
+bool isMeasured(const GoalColumn& column) {
+  return column.green && !column.tall && column.distance > 0.0;
+}
+
+// Clothes behind the goal make a column higher, so its distance less, and nothing makes it shorter:
+// the distance that 30 % of the columns exceed; 0 when none is measured.
+double likelyDistance(const GoalCandidate& c, const GoalParams& p) {
   FixedVector<double, kGoalColumns> distances;
   for (const GoalColumn& column : c.columns) {
-    if (column.green && !column.tall && column.distance > 0.0) distances.push_back(column.distance);
+    if (isMeasured(column) && column.distance < p.maxDistance) distances.push_back(column.distance);
   }
   if (distances.empty()) return 0.0;
   std::sort(distances.begin(), distances.end());
-  return distances[distances.size() / 2];
+  return distances[distances.size() * 7 / 10];
 }
 
-// Columns at the median distance belong to the goal; the rest is something of its colour.
-void chooseColumns(GoalCandidate& c) {
-  const double middle = medianDistance(c);
+double middleFoot(const Scene& scene, const GoalCandidate& c) {
+  FixedVector<double, kGoalColumns> feet;
+  for (const GoalColumn& column : c.columns) {
+    if (column.chosen && !column.footCut) feet.push_back(scene.level.fromImage(column.foot).v);
+  }
+  if (feet.empty()) return 1e9;
+  std::sort(feet.begin(), feet.end());
+  return feet[feet.size() / 2];
+}
+
+// Columns at the goal's distance belong to it. So do those whose foot stands beside theirs, though
+// clothes of the goal's colour rise above; their height tells nothing.
+void chooseColumns(const Scene& scene, const GoalParams& p, GoalCandidate& c) {
+  const double reference = likelyDistance(c, p);
   for (GoalColumn& column : c.columns) {
-    const bool agrees = column.distance > 0.0
-                            ? std::fabs(column.distance - middle) <= kAgree * middle
-                            : column.footCut;
-    column.chosen = column.green && !column.tall && agrees;
+    const double allowed = kAgree * reference + column.sd;
+    const bool agrees = std::fabs(column.distance - reference) <= allowed;
+    column.chosen = isMeasured(column) ? agrees : column.green && column.footCut;
+  }
+  const double foot = middleFoot(scene, c);
+  for (GoalColumn& column : c.columns) {
+    if (column.chosen || column.footCut || !column.green) continue;
+    const double height = maths::hypot(column.top.x - column.foot.x, column.top.y - column.foot.y);
+    const double aside = std::fabs(scene.level.fromImage(column.foot).v - foot);
+    if (aside > kFootRows + 0.1 * height) continue;
+    column.chosen = true;
+    column.distance = 0.0;
   }
 }
 
@@ -126,8 +156,11 @@ void trim(const Scene& scene, GoalCandidate& c, double spacing) {
     if (!column.chosen) continue;
     const double top = scene.level.fromImage(column.top).v;
     const double bottom = scene.level.fromImage(column.foot).v;
-    box = {std::min(box.left, column.u), std::min(box.top, top), std::max(box.right, column.u),
-           std::max(box.bottom, bottom)};
+    box.left = std::min(box.left, column.u);
+    box.right = std::max(box.right, column.u);
+    box.bottom = std::max(box.bottom, bottom);
+    // One whose height tells nothing does not tell the goal's top either.
+    if (column.distance > 0.0 || column.footCut) box.top = std::min(box.top, top);
     c.topCut = c.topCut || column.topCut;
     c.bottomCut = c.bottomCut || column.footCut;
   }
@@ -191,7 +224,7 @@ void measureGoal(const Scene& scene, const GoalParams& params, GoalCandidate& c)
     const auto column = columnAt(scene, params, c, u);
     if (column) c.columns.push_back(*column);
   }
-  chooseColumns(c);
+  chooseColumns(scene, params, c);
   trim(scene, c, 0.5 * spacing);
   c.left = endOf(scene, c, true, spacing);
   c.right = endOf(scene, c, false, spacing);

@@ -229,6 +229,7 @@ bool goalHasFieldBelow(const GoalCandidate& c, const GoalParams& p) {
 
 // A beacon that was not recognised has its pink right above or below.
 bool goalHasNoPinkBeside(const Scene& scene, const GoalCandidate& c) {
+  if (c.box.width() > 2.0 * c.box.height()) return true;
   for (const double share : {0.15, 0.35, 0.55}) {
     const double away = 1.0 + share * c.box.height();
     for (const double v : {c.box.top - away, c.box.bottom + away}) {
@@ -268,6 +269,13 @@ void findGoals(const Scene& scene, const GoalParams& params, VisionCounts& count
     if (!goalIsMeasured(best)) continue;
     const GoalShape shape = fitGoal(scene, best, params);
     if (!shape.valid) continue;
+    if (std::getenv("DBG"))
+      std::fprintf(
+          stderr,
+          "  FIT middle %.0f,%.0f turn %.0f cost %.2f L %.0f,%.0f%s R %.0f,%.0f%s heading %.0f\n",
+          shape.middle.x, shape.middle.y, shape.turn * 57.3, shape.cost, best.left.point.x,
+          best.left.point.y, best.left.open() ? "open" : "", best.right.point.x, best.right.point.y,
+          best.right.open() ? "open" : "", bearing(shape.middle).deg());
     landmarks.push_back(perceptOf(scene, best, shape, params));
     findGaps(scene, best, shape, params, gaps);
   }

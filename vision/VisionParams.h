@@ -79,7 +79,7 @@ struct GoalParams {
   double maxAboveFieldEdge = 6;          // px, of the lower edge
   double minFieldColumns = 0.4;          // share of columns with green below, check 8
   double minSeenWidth = 40;              // cm between the posts, seen half from the side
-  double minCutWidth = 25;               // cm of a goal that the image border cuts
+  double minCutWidth = 40;               // cm of a goal that the image border cuts
   double maxSeenWidth = 125;             // cm, with a side wall seen from outside
   Angle directionError = Angle::deg(4);  // camera against ground, for goalOffGround
   double maxDistance = 620;
