@@ -71,7 +71,7 @@ void drawPoints(cv::Mat& picture, const Percepts& seen, int scale) {
   for (const auto& point : seen.linePoints)
     cv::circle(picture, at(point.pixel, scale), 2, inkFor(point.kind), cv::FILLED);
   for (const auto& point : seen.obstacles)
-    cv::drawMarker(picture, at(point.pixel, scale), kObstacle, cv::MARKER_TILTED_CROSS, 7, 1);
+    cv::drawMarker(picture, at(point.pixel, scale), kObstacle, cv::MARKER_TILTED_CROSS, 7, 2);
 }
 
 void drawOthers(cv::Mat& picture, const Percepts& seen, int scale) {

@@ -46,7 +46,7 @@ inline const cv::Scalar kRed(60, 60, 230);
 inline const cv::Scalar kLine(0, 255, 255);  // of points, by kind
 inline const cv::Scalar kBorder(255, 255, 0);
 inline const cv::Scalar kField(120, 255, 120);
-inline const cv::Scalar kObstacle(255, 0, 200);
+inline const cv::Scalar kObstacle(255, 80, 255);
 inline const cv::Scalar kGap(255, 255, 160);
 }  // namespace ink
 

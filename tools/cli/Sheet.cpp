@@ -17,20 +17,23 @@ namespace {
 constexpr int kScale = 3;
 constexpr int kGapPx = 12;
 constexpr int kHeading = 26;  // px, of the words above a panel
-constexpr int kLine = 18;     // px, of a line of text
+constexpr int kLine = 20;     // px, of a line of text
 constexpr int kLegend = 58;
+constexpr std::uint32_t kNamed = 8;          // samples of a blob that gets its number written
 constexpr int kWide = kScale * kImageWidth;  // 624
 constexpr int kHigh = kScale * kImageHeight;
 const cv::Scalar kPaper(34, 30, 28);
 const cv::Scalar kInk(235, 235, 235);
 const cv::Scalar kFaint(165, 165, 165);
+const cv::Scalar kBlob(255, 80, 255);
 // Left edges of the table's columns, from the panel's.
-constexpr std::array<int, 6> kColumns = {0, 118, 168, 210, 260, 300};
-constexpr int kRefusalColumn = 462;
-constexpr int kRefusalCounts = 600;
+constexpr std::array<int, 6> kColumns = {0, 128, 182, 228, 290, 330};
+constexpr int kRefusalBelow = 14;   // lines under the top of the words, at least
+constexpr int kRefusalWidth = 210;  // px, of a column of reasons
+constexpr int kRefusalCount = 175;  // px from a reason to its number
 
 void write(cv::Mat& sheet, const std::string& text, cv::Point where,
-           const cv::Scalar& colour = kInk, double size = 0.42) {
+           const cv::Scalar& colour = kInk, double size = 0.45) {
   cv::putText(sheet, text, where, cv::FONT_HERSHEY_SIMPLEX, size, colour, 1, cv::LINE_AA);
 }
 
@@ -63,9 +66,12 @@ void drawBlobs(cv::Mat& picture, const vision::BlobBuffer& blobs) {
   for (const auto& blob : blobs) {
     const cv::Rect box(cv::Point(at(blob.box.left), at(blob.box.top)),
                        cv::Point(at(blob.box.right), at(blob.box.bottom)));
-    cv::rectangle(picture, box, kInk, 1);
-    const cv::Point where(std::min(box.x, kWide - 30), std::max(box.y - 3, 10));
-    if (blob.samples >= 4) write(picture, std::to_string(blob.samples), where, kInk, 0.35);
+    cv::rectangle(picture, box, kBlob, 1);
+    if (blob.samples < kNamed) continue;
+    const cv::Point where(std::min(box.x, kWide - 30), std::max(box.y - 3, 11));
+    const auto text = std::to_string(blob.samples);
+    cv::putText(picture, text, where, cv::FONT_HERSHEY_SIMPLEX, 0.4, ink::kBlack, 4, cv::LINE_AA);
+    write(picture, text, where, kBlob, 0.4);
   }
 }
 
@@ -102,7 +108,7 @@ void writeObjects(cv::Mat& sheet, const SheetText& text, cv::Point where) {
     where.y += kLine;
   }
   where.y += kLine / 2;
-  writeRow(sheet, "found\tcm\tsd\tdeg\tsd", where, kFaint);
+  writeRow(sheet, "found\tcm\tsd\tdeg left\tsd", where, kFaint);
   where.y += kLine;
   for (const auto& line : text.objects) {
     writeRow(sheet, line, where, kInk);
@@ -111,15 +117,19 @@ void writeObjects(cv::Mat& sheet, const SheetText& text, cv::Point where) {
   if (text.objects.empty()) write(sheet, "nothing", where);
 }
 
+// Three columns of reasons under each other, the commonest first.
 void writeRefusals(cv::Mat& sheet, const SheetText& text, cv::Point where) {
-  write(sheet, "refused, by reason", where, kFaint);
-  for (const auto& line : text.refusals) {
-    where.y += kLine;
-    const auto cells = cellsOf(line);
-    write(sheet, cells[0], where);
-    write(sheet, cells[1], where + cv::Point(kRefusalCounts - kRefusalColumn, 0));
+  write(sheet, "candidates refused, by reason:", where, kFaint);
+  const std::size_t high = (text.refusals.size() + 2) / 3;
+  for (std::size_t i = 0; i < text.refusals.size(); ++i) {
+    const auto column = static_cast<int>(i / high);
+    const auto line = static_cast<int>(i % high) + 1;
+    const cv::Point at = where + cv::Point(kRefusalWidth * column, kLine * line);
+    const auto cells = cellsOf(text.refusals[i]);
+    write(sheet, cells[0], at);
+    write(sheet, cells[1], at + cv::Point(kRefusalCount, 0));
   }
-  if (text.refusals.empty()) write(sheet, "nothing", where + cv::Point(0, kLine));
+  if (text.refusals.empty()) write(sheet, "none", where + cv::Point(0, kLine));
 }
 
 // Colour patches with the classes' names.
@@ -161,15 +171,18 @@ void writeMarks(cv::Mat& sheet, cv::Point where) {
     write(sheet, mark.name, where + cv::Point(14, 0));
     where.x += mark.width;
   }
-  cv::drawMarker(sheet, where + cv::Point(4, -4), ink::kObstacle, cv::MARKER_TILTED_CROSS, 8, 1);
+  cv::drawMarker(sheet, where + cv::Point(4, -4), ink::kObstacle, cv::MARKER_TILTED_CROSS, 8, 2);
   write(sheet, "foot of an obstacle", where + cv::Point(14, 0));
-  write(sheet, "boxes and circle: what was found; heading left positive",
-        where + cv::Point(180, 0));
+}
+
+// Lines of text above the refusals, and of all.
+int linesAbove(const SheetText& text) {
+  const auto lines = static_cast<int>(text.frame.size() + text.objects.size()) + 3;
+  return std::max(lines, kRefusalBelow);
 }
 
 int linesIn(const SheetText& text) {
-  const std::size_t left = text.frame.size() + text.objects.size() + 3;
-  return static_cast<int>(std::max(left, text.refusals.size() + 2));
+  return linesAbove(text) + static_cast<int>(text.refusals.size() + 2) / 3 + 2;
 }
 
 }  // namespace
@@ -184,13 +197,13 @@ cv::Mat drawSheet(const SheetIn& in) {
   cv::Mat sheet(legend + kLegend, right + kWide + kGapPx, CV_8UC3, kPaper);
   write(sheet, in.title, {kGapPx, kHeading}, kInk, 0.55);
   panel(sheet, drawCamera(in.input, in.output, kScale), {kGapPx, top},
-        "the image and what was found in it");
-  panel(sheet, classPanel(in), {right, top}, "the class of every pixel");
+        "the image; boxes, circle and marks: what vision found");
+  panel(sheet, classPanel(in), {right, top}, "the class of every pixel, by the colour table");
   panel(sheet, lookedPanel(in), {kGapPx, second},
-        "the pixels that vision looked at; blobs with their samples");
+        "coloured: pixels whose class vision asked for; boxes: blobs, with their samples");
   const cv::Point words(right, second + kHeading + kLine);
   writeObjects(sheet, text, words);
-  writeRefusals(sheet, text, words + cv::Point(kRefusalColumn, 0));
+  writeRefusals(sheet, text, words + cv::Point(0, kLine * linesAbove(text)));
   writeClasses(sheet, {kGapPx, legend + 14});
   writeMarks(sheet, {kGapPx, legend + 38});
   return sheet;

@@ -93,9 +93,9 @@ cv::Mat sheetOf(const ShowOptions& options, const Shot& shot) {
   const auto state = std::make_unique<vision::VisionState>(shot.config->calibration);
   output->body = body::step(*shot.input, shot.config->body);
   output->percepts = vision::step({*shot.input, output->body}, shot.config->vision, *state);
-  const auto title =
-      fmt::format("{}, frame {} of 0 to {}, {:.2f} s", fs::path(options.source).filename().string(),
-                  options.frame, shot.frames - 1, shot.input->time.seconds());
+  const auto title = fmt::format("{}: frame {} (of 0 to {}), {:.2f} s",
+                                 fs::path(options.source).filename().string(), options.frame,
+                                 shot.frames - 1, shot.input->time.seconds());
   return drawSheet({title, *shot.input, *output, *state});
 }
 
