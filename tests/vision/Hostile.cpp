@@ -143,9 +143,7 @@ double angleFrom(std::uint8_t byte) { return (byte - 128.0) * 180.0 / 128.0; }
 
 }  // namespace
 
-HostileFrames::HostileFrames(std::uint64_t seed) : random_(seed) {
-  for (int i = 0; i < 2; ++i) scenes_.push_back(paintedScene(i));
-}
+HostileFrames::HostileFrames(std::uint64_t seed) : random_(seed) {}
 
 void HostileFrames::drawImage(HostileKind kind, Image& image) {
   switch (kind) {
@@ -156,6 +154,7 @@ void HostileFrames::drawImage(HostileKind kind, Image& image) {
     case HostileKind::beacons: return drawBeacons(random_, image);
     case HostileKind::balls: return drawBalls(random_, image);
     case HostileKind::scene:
+      while (scenes_.size() < 2) scenes_.push_back(paintedScene(static_cast<int>(scenes_.size())));
       image = *scenes_[random_.index(static_cast<std::uint32_t>(scenes_.size()))];
       return drawBlocks(random_, image);
     case HostileKind::oneColour: break;

@@ -44,7 +44,7 @@ class HostileFrames {
   void takePosture(HostileFrame& frame);
 
   Random random_;
-  std::vector<std::unique_ptr<Image>> scenes_;  // painted once: that is slow
+  std::vector<std::unique_ptr<Image>> scenes_;  // painted on first use: that is slow
 };
 
 // A frame from any bytes, for a fuzzer: eight bytes of posture, one of noise, then runs of class

@@ -9,6 +9,7 @@
 
 #include "robot/body/Camera.h"
 #include "robot/body/FieldDescription.h"
+#include "robot/core/Maths.h"
 #include "vision/VisionParams.h"
 
 namespace kelpie::cli {
@@ -53,18 +54,26 @@ CameraPose headAtBall(double distance) {
   return headAt(pitch);
 }
 
-double ballDistance(const Measured& m, const Optics& optics) {
+void addPosture(SizedObject object, Measured& m) {
+  m.ahead = headAt(0.0).position.y;
+  if (object != SizedObject::ball) return;
   const CameraPose camera = headAtBall(m.distance);
-  const double tangent = std::fmax(m.pixels - optics.edge, 0.5) / optics.focalLength;
+  m.ahead = camera.position.y;
+  const double way = m.distance - camera.position.y;
+  m.level = way / std::hypot(way, body::kBallRadius - camera.position.z);
+}
+
+double ballDistance(const Measured& m, const Optics& optics) {
+  const double half = 0.5 * (m.pixels - optics.edge);
+  const double radius = half + std::sqrt(half * half + 0.5 * maths::square(optics.blur));
+  const double tangent = std::fmax(radius, 0.5) / optics.focalLength;
   const double range = body::kBallRadius * std::sqrt(1.0 + tangent * tangent) / tangent;
-  const double ahead = m.distance - camera.position.y;
-  const double level = ahead / std::hypot(ahead, body::kBallRadius - camera.position.z);
-  return camera.position.y + range * level;
+  return m.ahead + range * m.level;
 }
 
 double landmarkDistance(const Measured& m, const Optics& optics, double height, double beyond) {
   const double pixels = std::fmax(m.pixels - optics.edge, 0.5);
-  return headAt(0.0).position.y + optics.focalLength * height / pixels + beyond;
+  return m.ahead + optics.focalLength * height / pixels + beyond;
 }
 
 }  // namespace
@@ -84,7 +93,9 @@ Expected<Measurements> readMeasurements(SizedObject object) {
     for (auto& c : cell) std::getline(row, c, ',');
     const auto next = static_cast<int>(file.seriesFirst ? series.size() : rows.size());
     const int own = file.seriesFirst ? series.emplace(cell[0], next).first->second : next;
-    if (cell[3] != "1") rows.push_back({own, std::stod(cell[1]), std::stod(cell[2])});
+    if (cell[3] == "1") continue;
+    rows.push_back({own, std::stod(cell[1]), std::stod(cell[2])});
+    addPosture(object, rows.back());
   }
   if (rows.empty()) return Error{path + ": holds no measurements"};
   return rows;

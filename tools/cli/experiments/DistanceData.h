@@ -16,6 +16,8 @@ struct Measured {
   int series = 0;         // run of the ball, kind of beacon, row of the goal
   double pixels = 0.0;    // radius of a ball, height of a beacon or goal
   double distance = 0.0;  // cm
+  double ahead = 0.0;     // cm, of the camera before the neck base, looking at the object
+  double level = 1.0;     // cosine of the direction in which the camera sees a ball's centre
 };
 using Measurements = std::vector<Measured>;
 
@@ -24,13 +26,17 @@ enum class SizedObject { ball, beacon, goal };
 // Rows that the team left out of its own fit are left out. The error names the file.
 Expected<Measurements> readMeasurements(SizedObject object);
 
-// What the measurement adds to vision's geometry. As it stands: 192 px and 0.
+// What a real camera, and the way its images were measured, may add to vision's geometry. As vision
+// stands: 192 px, 0 and 0.
 struct Optics {
   double focalLength = 192.0;  // px, near the middle of the image, where objects were measured
   double edge = 0.0;           // px, by which the measured size is larger than the true one
+  // px, sd of the blur: half brightness on the outline of a disc of radius r lies blur^2 / (2 r)
+  // within it. A straight edge stays where it is.
+  double blur = 0.0;
 };
 
-// From pixels to cm. A ball needs its direction as well, hence the true distance.
+// From pixels to cm.
 using DistanceModel = std::function<double(const Measured&)>;
 DistanceModel geometry(SizedObject object, const Optics& optics);
 // factor / (pixels + offset): the form of the team's fits.
