@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A frame's input with the image's colour classes in place of the image: 3 to 8 KB instead of
+// A frame's input with the image's colour classes in place of the image: 2 to 10 KB instead of
 // 100 KB. Made by `kelpie compress`; robot/agent/FrameMessages.h makes an image of it again.
 //
 // The code: row by row from the top left, runs of equal class that may go on in the next row. A run

@@ -61,8 +61,8 @@ TEST_F(DistanceData, OneFocalLengthFitsBeaconsFrom120CmOnAndNoneFitsThoseNearer)
 }
 
 // All three ask for 5 % more than the 192 px of the field of view, as of a lens that enlarges the
-// middle. The edges: 2005 tools lost mixed pixels at both ends of a beacon or goal (-0.85, -1.38 px)
-// and drew the ball's circle outside it (1.39 px).
+// middle. The edges: the tools of 2005 lost mixed pixels at both ends of a beacon or goal and drew
+// the ball's circle outside it.
 TEST_F(DistanceData, FocalLengthOf201FitsNoWorseThanTheTeamsConstants) {
   EXPECT_LT(cm(SizedObject::ball, 0, {201.5, 1.39, 3.17}), teamsCm(SizedObject::ball, 0));
   EXPECT_LT(cm(SizedObject::goal, 0, {201.5, -1.38, 0.0}), teamsCm(SizedObject::goal, 0));

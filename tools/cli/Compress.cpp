@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A log with class planes in place of images, a twentieth of the size or less, with the outputs
+// A log with class planes in place of images, a fifteenth of the size, with the outputs
 // that the stages make of them: a recording small enough to keep, and to compare with later.
 #include <fmt/core.h>
 

@@ -30,6 +30,7 @@ struct ShowOptions {
 struct Shot {
   std::unique_ptr<FrameInput> input = std::make_unique<FrameInput>();
   std::unique_ptr<agent::AgentConfig> config = std::make_unique<agent::AgentConfig>();
+  bool configured = false;
   std::uint32_t frames = 0;  // in the source
   std::string cutOff;        // a complaint when the log lacks its end
 };
@@ -42,8 +43,12 @@ Error noSuchFrame(const ShowOptions& options, const Shot& shot) {
 }
 
 Status takeMessage(const LogMessage& message, const ShowOptions& options, Shot& shot) {
-  if (message.topic() == kConfigTopic) return decodeAs(message, *shot.config);
+  if (message.topic() == kConfigTopic) {
+    shot.configured = true;
+    return decodeAs(message, *shot.config);
+  }
   if (!agent::isFrameInput(message.topic())) return Done{};
+  if (!shot.configured) return Error{message.topic() + " comes before " + kConfigTopic};
   if (shot.frames++ != options.frame) return Done{};
   return agent::decodeFrameInput(message, *shot.input);
 }

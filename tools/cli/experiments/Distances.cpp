@@ -56,7 +56,8 @@ Constants fitted(const Measurements& rows, Family family) {
     const double secondStep = (family.secondHigh - family.secondLow) / (kPlaces - 1);
     for (int i = 0; i < kPlaces * kPlaces; ++i) {
       const double first = family.firstLow + firstStep * (i % kPlaces);
-      const double second = family.secondLow + secondStep * static_cast<double>(i / kPlaces);
+      const int row = i / kPlaces;
+      const double second = family.secondLow + secondStep * row;
       const double rms = misfit(rows, family.make(first, second)).rms;
       if (rms < best.rms) best = {first, second, rms};
     }
