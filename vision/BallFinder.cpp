@@ -22,6 +22,9 @@ constexpr int kAround = 6;  // steps of 30 deg along the lower half
 // Points outside the image count as carpet below this row: half the image.
 constexpr double kLowerPart = 80.0;
 constexpr std::size_t kMaxCandidates = 6;
+// A nearly straight edge is an arc of a ball that touches the camera: facts-2005 section 4.5
+// check 2.
+constexpr double kLargestRadius = 2000.0;  // px
 
 double turn(int step, int steps) { return 2.0 * maths::kPi * step / steps; }
 
@@ -208,7 +211,8 @@ bool ballHasEdges(const BallCandidate& c, const BallParams& p) {
 }
 
 bool ballIsRound(const BallCandidate& c, const BallParams& p) {
-  return c.cone.rms <= std::min(p.maxCircleError * c.cone.radius + 0.3, 4.0);
+  return c.cone.radius <= kLargestRadius &&
+         c.cone.rms <= std::min(p.maxCircleError * c.cone.radius + 0.3, 4.0);
 }
 
 bool ballIsOrange(const Scene& scene, const BallCandidate& c, const BallParams& p) {

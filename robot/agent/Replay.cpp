@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robot/agent/Replay.h"
 
+#include "robot/agent/FrameMessages.h"
+
 namespace kelpie::agent {
 namespace {
 
@@ -15,12 +17,12 @@ class Player {
   Status take(const LogMessage& message) {
     const std::string& topic = message.topic();
     if (topic == kConfigTopic) return configure(message);
-    const bool ours = topic == kFrameInputTopic || topic == kFrameOutputTopic ||
+    const bool ours = isFrameInput(topic) || topic == kFrameOutputTopic ||
                       topic == kMotionInputTopic || topic == kMotionOutputTopic;
     if (!ours) return Done{};
     if (!frameLoop_)
       return Error{topic + " comes before " + kConfigTopic + ": not a log of an agent"};
-    if (topic == kFrameInputTopic) return frameIn(message);
+    if (isFrameInput(topic)) return frameIn(message);
     if (topic == kFrameOutputTopic) return frameOut(message);
     if (topic == kMotionInputTopic) return motionIn(message);
     return motionOut(message);
@@ -46,7 +48,7 @@ class Player {
     return Done{};
   }
   Status frameIn(const LogMessage& message) {
-    const Status read = decodeAs(message, input_);
+    const Status read = decodeFrameInput(message, input_);
     if (!read) return read;
     observer_.beginFrame();
     frameOutput_ = &frameLoop_->step(input_, observer_);

@@ -1,38 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
-// Replaces the global allocator: an allocation inside vision::step fails the test.
+// An allocation inside vision::step fails the test.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <memory>
-#include <new>
 
 #include "robot/core/Random.h"
+#include "tests/vision/AllocationCount.h"
 #include "tests/vision/Painting.h"
 #include "vision/Vision.h"
-
-namespace {
-bool counting = false;
-int allocations = 0;
-}  // namespace
-
-void* operator new(std::size_t size) {
-  if (counting) ++allocations;
-  void* memory = std::malloc(size);
-  if (memory == nullptr) std::abort();
-  return memory;
-}
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 
 namespace kelpie::vision {
 namespace {
 
 int allocationsIn(const FrameInput& input, const BodyState& body, VisionState& state) {
-  allocations = 0;
-  counting = true;
+  startCountingAllocations();
   step({input, body}, {}, state);
-  counting = false;
-  return allocations;
+  return stopCountingAllocations();
 }
 
 TEST(Allocation, StepTakesNoMemoryOnAFullScene) {
@@ -71,12 +54,10 @@ TEST(Allocation, RandomPlanesAndPosesNeitherAllocateNorCrash) {
 }
 
 TEST(Allocation, TheTestSeesAnAllocation) {
-  allocations = 0;
-  counting = true;
+  startCountingAllocations();
   delete new int(3);
   ::operator delete(::operator new(8));
-  counting = false;
-  EXPECT_GE(allocations, 1);
+  EXPECT_GE(stopCountingAllocations(), 1);
 }
 
 }  // namespace

@@ -16,6 +16,8 @@ void addPlay(CLI::App& app, int& code);
 void addReplay(CLI::App& app, int& code);
 void addInfo(CLI::App& app, int& code);
 void addImport(CLI::App& app, int& code);
+void addCompress(CLI::App& app, int& code);
+void addShow(CLI::App& app, int& code);
 void addEvaluate(CLI::App& app, int& code);
 void addFilm(CLI::App& app, int& code);
 void addBench(CLI::App& app, int& code);

@@ -9,35 +9,10 @@
 namespace kelpie::cli {
 namespace {
 
-const cv::Scalar kOrange(0, 128, 255);
-const cv::Scalar kBlue(255, 96, 32);
-const cv::Scalar kYellow(0, 220, 255);
-const cv::Scalar kPink(190, 100, 255);
-const cv::Scalar kWhite(255, 255, 255);
-const cv::Scalar kGrey(170, 170, 170);
-const cv::Scalar kBlack(0, 0, 0);
+using namespace ink;
+
 const cv::Scalar kCarpet(60, 110, 40);
-const cv::Scalar kRed(60, 60, 230);
 constexpr double kMargin = 45.0;  // cm of carpet and goal round the lines
-
-cv::Scalar colourOf(LandmarkKind kind) {
-  switch (kind) {
-    case LandmarkKind::goalBlue: return kBlue;
-    case LandmarkKind::goalYellow: return kYellow;
-    default: return kPink;
-  }
-}
-
-const char* nameOf(LandmarkKind kind) {
-  switch (kind) {
-    case LandmarkKind::goalBlue: return "blue goal";
-    case LandmarkKind::goalYellow: return "yellow goal";
-    case LandmarkKind::beaconBlueOnPink: return "blue/pink";
-    case LandmarkKind::beaconPinkOnBlue: return "pink/blue";
-    case LandmarkKind::beaconYellowOnPink: return "yellow/pink";
-    default: return "pink/yellow";
-  }
-}
 
 cv::Point at(PixelPoint p, int scale) {
   return {static_cast<int>(std::lround(p.x * scale)), static_cast<int>(std::lround(p.y * scale))};
@@ -48,17 +23,6 @@ void label(cv::Mat& picture, const std::string& text, cv::Point where, const cv:
   where.y = std::max(12, std::min(where.y, picture.rows - 4));
   cv::putText(picture, text, where, cv::FONT_HERSHEY_SIMPLEX, 0.45, kBlack, 3, cv::LINE_AA);
   cv::putText(picture, text, where, cv::FONT_HERSHEY_SIMPLEX, 0.45, colour, 1, cv::LINE_AA);
-}
-
-cv::Mat colourPicture(const Image& image) {
-  const auto plane = [](const Image::Plane& p) {
-    return cv::Mat(kImageHeight, kImageWidth, CV_8UC1, const_cast<std::uint8_t*>(p.data()));
-  };
-  cv::Mat joined;
-  cv::merge(std::vector<cv::Mat>{plane(image.y), plane(image.cr), plane(image.cb)}, joined);
-  cv::Mat bgr;
-  cv::cvtColor(joined, bgr, cv::COLOR_YCrCb2BGR);
-  return bgr;
 }
 
 void drawLine(cv::Mat& picture, double left, double right, int scale, const cv::Scalar& colour) {
@@ -78,12 +42,45 @@ void drawBall(cv::Mat& picture, const BallPercept& ball, int scale) {
 
 void drawLandmark(cv::Mat& picture, const LandmarkPercept& seen, int scale) {
   const cv::Point corner = at({seen.box.left, seen.box.top}, scale);
-  cv::rectangle(picture, corner, at({seen.box.right, seen.box.bottom}, scale), colourOf(seen.kind),
+  cv::rectangle(picture, corner, at({seen.box.right, seen.box.bottom}, scale), inkFor(seen.kind),
                 2);
   label(
       picture,
-      fmt::format("{} {:.0f} cm {:.0f} deg", nameOf(seen.kind), seen.distance, seen.heading.deg()),
-      corner + cv::Point(0, -4), colourOf(seen.kind));
+      fmt::format("{} {:.0f} cm {:.0f} deg", wordFor(seen.kind), seen.distance, seen.heading.deg()),
+      corner + cv::Point(0, -4), inkFor(seen.kind));
+}
+
+void drawBox(cv::Mat& picture, const PixelBox& box, int scale, const cv::Scalar& colour,
+             const std::string& text) {
+  const cv::Point corner = at({box.left, box.top}, scale);
+  cv::rectangle(picture, corner, at({box.right, box.bottom}, scale), colour, 1);
+  label(picture, text, corner + cv::Point(0, -4), colour);
+}
+
+// A bar across the free stretch, with ticks at its ends; no tick where the image cuts it.
+void drawGap(cv::Mat& picture, const GoalGap& gap, int scale) {
+  const double y = gap.box.bottom;
+  cv::line(picture, at({gap.box.left, y}, scale), at({gap.box.right, y}, scale), kGap, 2);
+  if (!gap.leftCut)
+    cv::line(picture, at({gap.box.left, gap.box.top}, scale), at({gap.box.left, y}, scale), kGap);
+  if (!gap.rightCut)
+    cv::line(picture, at({gap.box.right, gap.box.top}, scale), at({gap.box.right, y}, scale), kGap);
+}
+
+void drawPoints(cv::Mat& picture, const Percepts& seen, int scale) {
+  for (const auto& point : seen.linePoints)
+    cv::circle(picture, at(point.pixel, scale), 2, inkFor(point.kind), cv::FILLED);
+  for (const auto& point : seen.obstacles)
+    cv::drawMarker(picture, at(point.pixel, scale), kObstacle, cv::MARKER_TILTED_CROSS, 7, 2);
+}
+
+void drawOthers(cv::Mat& picture, const Percepts& seen, int scale) {
+  for (const auto& robot : seen.robots)
+    drawBox(picture, robot.box, scale, inkFor(robot.team),
+            fmt::format("robot {:.0f} cm {:.0f} deg", robot.distance, robot.heading.deg()));
+  for (const auto& patch : seen.pinkPatches)
+    drawBox(picture, patch.box, scale, kPink, fmt::format("pink {:.0f} cm", patch.distance));
+  for (const auto& gap : seen.gaps) drawGap(picture, gap, scale);
 }
 
 // From field centimetres to picture pixels; up-field is up.
@@ -135,6 +132,46 @@ void drawBelief(cv::Mat& picture, const body::FieldDescription& field, double sc
 
 }  // namespace
 
+const char* wordFor(LandmarkKind kind) {
+  switch (kind) {
+    case LandmarkKind::goalBlue: return "blue goal";
+    case LandmarkKind::goalYellow: return "yellow goal";
+    case LandmarkKind::beaconBlueOnPink: return "blue/pink";
+    case LandmarkKind::beaconPinkOnBlue: return "pink/blue";
+    case LandmarkKind::beaconYellowOnPink: return "yellow/pink";
+    default: return "pink/yellow";
+  }
+}
+
+cv::Scalar inkFor(LandmarkKind kind) {
+  switch (kind) {
+    case LandmarkKind::goalBlue: return kBlue;
+    case LandmarkKind::goalYellow: return kYellow;
+    default: return kPink;
+  }
+}
+
+cv::Scalar inkFor(TeamColour team) { return team == TeamColour::red ? kRed : kBlue; }
+
+cv::Scalar inkFor(LinePointKind kind) {
+  switch (kind) {
+    case LinePointKind::line: return kLine;
+    case LinePointKind::border: return kBorder;
+    default: return kField;
+  }
+}
+
+cv::Mat colourPicture(const Image& image) {
+  const auto plane = [](const Image::Plane& p) {
+    return cv::Mat(kImageHeight, kImageWidth, CV_8UC1, const_cast<std::uint8_t*>(p.data()));
+  };
+  cv::Mat joined;
+  cv::merge(std::vector<cv::Mat>{plane(image.y), plane(image.cr), plane(image.cb)}, joined);
+  cv::Mat bgr;
+  cv::cvtColor(joined, bgr, cv::COLOR_YCrCb2BGR);
+  return bgr;
+}
+
 cv::Mat drawCamera(const FrameInput& input, const FrameOutput& output, int scale) {
   cv::Mat picture;
   cv::resize(colourPicture(input.image), picture, {}, scale, scale, cv::INTER_NEAREST);
@@ -142,8 +179,8 @@ cv::Mat drawCamera(const FrameInput& input, const FrameOutput& output, int scale
   if (output.percepts.fieldEdge.present)
     drawLine(picture, output.percepts.fieldEdge.atLeft, output.percepts.fieldEdge.atRight, scale,
              kRed);
-  for (const auto& point : output.percepts.linePoints)
-    cv::circle(picture, at(point.pixel, scale), 2, kYellow, cv::FILLED);
+  drawPoints(picture, output.percepts, scale);
+  drawOthers(picture, output.percepts, scale);
   for (const auto& seen : output.percepts.landmarks) drawLandmark(picture, seen, scale);
   drawBall(picture, output.percepts.ball, scale);
   return picture;

@@ -33,6 +33,31 @@ struct Paths {
   std::vector<Point2<Field>> belief;
 };
 
+// Colours of marks, blue green red.
+namespace ink {
+inline const cv::Scalar kOrange(0, 128, 255);
+inline const cv::Scalar kBlue(255, 96, 32);
+inline const cv::Scalar kYellow(0, 220, 255);
+inline const cv::Scalar kPink(190, 100, 255);
+inline const cv::Scalar kWhite(255, 255, 255);
+inline const cv::Scalar kGrey(170, 170, 170);
+inline const cv::Scalar kBlack(0, 0, 0);
+inline const cv::Scalar kRed(60, 60, 230);
+inline const cv::Scalar kLine(0, 255, 255);  // of points, by kind
+inline const cv::Scalar kBorder(255, 255, 0);
+inline const cv::Scalar kField(120, 255, 120);
+inline const cv::Scalar kObstacle(255, 80, 255);
+inline const cv::Scalar kGap(255, 255, 160);
+}  // namespace ink
+
+const char* wordFor(LandmarkKind kind);
+cv::Scalar inkFor(LandmarkKind kind);
+cv::Scalar inkFor(TeamColour team);
+cv::Scalar inkFor(LinePointKind kind);
+
+// The image in colours that a screen shows, one pixel a pixel.
+cv::Mat colourPicture(const Image& image);
+// Everything that vision found, over the image.
 cv::Mat drawCamera(const FrameInput& input, const FrameOutput& output, int scale);
 
 // The field seen from above, the team's own goal at the bottom, `pixelsPerCm` to the cm.

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "robot/agent/Replay.h"
+#include "robot/core/PlaneFrame.h"
 #include "tools/cli/WholeFile.h"
 #include "tools/sim/Truth.h"
 
@@ -33,21 +34,16 @@ struct TopicCopy {
   const char* topic;
   Status (*copy)(const LogMessage&, LogWriter&);
 };
-constexpr std::array<TopicCopy, 7> kCopies = {{
+constexpr std::array<TopicCopy, 8> kCopies = {{
     {kConfigTopic, copyAs<agent::AgentConfig>},
     {kFrameInputTopic, copyAs<FrameInput>},
+    {kPlaneFrameTopic, copyAs<PlaneFrame>},
     {kFrameOutputTopic, copyAs<FrameOutput>},
     {kMotionInputTopic, copyAs<MotionInput>},
     {kMotionOutputTopic, copyAs<MotionOutput>},
     {sim::kTruthTopic, copyAs<sim::TruthFrame>},
     {sim::kEventTopic, copyAs<sim::MatchEvent>},
 }};
-
-Status copyMessage(const LogMessage& message, LogWriter& out) {
-  for (const auto& entry : kCopies)
-    if (message.topic() == entry.topic) return entry.copy(message, out);
-  return Done{};
-}
 
 // The source whose next message is the oldest; the first of equals, so that order is kept.
 Source* oldest(std::vector<Source>& sources) {
@@ -74,6 +70,12 @@ Status joinInto(std::vector<Source>& sources, LogWriter& out) {
 }
 
 }  // namespace
+
+Status copyMessage(const LogMessage& message, LogWriter& out) {
+  for (const auto& entry : kCopies)
+    if (message.topic() == entry.topic) return entry.copy(message, out);
+  return Done{};
+}
 
 Expected<LogFile> LogFile::create(const std::string& path, const agent::AgentConfig& config,
                                   const LogMap& parameterNotes) {

@@ -7,6 +7,7 @@
 
 #include "robot/agent/AgentConfig.h"
 #include "robot/agent/LogSink.h"
+#include "robot/core/LogReader.h"
 #include "robot/core/LogWriter.h"
 
 namespace kelpie::cli {
@@ -25,6 +26,9 @@ class LogFile : public agent::LogSink {
   explicit LogFile(LogWriter writer) : writer_(std::move(writer)) {}
   LogWriter writer_;
 };
+
+// Copies a message of a topic that we know, leaves out any other.
+Status copyMessage(const LogMessage& message, LogWriter& out);
 
 // Joins logs by time, with their metadata, into `out`, written whole or not at all; what a cut-off
 // log still holds is taken.

@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "robot/agent/FrameMessages.h"
 #include "robot/agent/Replay.h"
 #include "tools/sim/Truth.h"
 
@@ -70,7 +71,8 @@ void Match::forEachMoment(const std::function<void(const Moment&)>& show) const 
   while (reader->next(message)) {
     if (message.topic() == sim::kTruthTopic && decodeAs(message, truth))
       places = placesOf(truth, field_, team_);
-    if (message.topic() == kFrameInputTopic) inputKnown = decodeAs(message, *input).ok();
+    if (agent::isFrameInput(message.topic()))
+      inputKnown = agent::decodeFrameInput(message, *input).ok();
     if (message.topic() == kFrameOutputTopic && inputKnown && decodeAs(message, *output))
       show({*input, *output, places});
   }

@@ -70,6 +70,8 @@ int main(int argc, char** argv) {
   kelpie::cli::addReplay(app, code);
   kelpie::cli::addInfo(app, code);
   kelpie::cli::addImport(app, code);
+  kelpie::cli::addCompress(app, code);
+  kelpie::cli::addShow(app, code);
   kelpie::cli::addEvaluate(app, code);
   kelpie::cli::addFilm(app, code);
   kelpie::cli::addBench(app, code);

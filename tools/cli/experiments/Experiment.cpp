@@ -24,6 +24,14 @@ const std::vector<Experiment>& experiments() {
        "the actuator in the simulated body: true way over reported way in four directions; how far "
        "and how straight the ball goes from 25 places before the chest",
        1, walkAndKick},
+      {"class-planes",
+       "random views: size of their class planes, and vision on the images made again from them "
+       "against vision on the views themselves",
+       500, classPlanes},
+      {"distances",
+       "the distance models of vision against sizes measured on real robots in 2005, beside the "
+       "team's own fits (reads ../shared/data/distance)",
+       1, distances},
   };
   return kAll;
 }

@@ -33,6 +33,8 @@ const std::vector<Experiment>& experiments();
 
 Expected<Json> scoreEmptyGoal(const ExperimentOptions& options);
 Expected<Json> walkAndKick(const ExperimentOptions& options);
+Expected<Json> classPlanes(const ExperimentOptions& options);
+Expected<Json> distances(const ExperimentOptions& options);
 Expected<Json> projection(const ExperimentOptions& options);
 Expected<Json> objects(const ExperimentOptions& options);
 

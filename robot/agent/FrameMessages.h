@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+// A frame's input as a log holds it: with the image, or with a class plane from which an image is
+// made again (robot/core/PlaneFrame.h, vision/PlaneImage.h).
+#pragma once
+
+#include <string>
+
+#include "robot/core/LogReader.h"
+#include "robot/core/LogTopics.h"
+#include "robot/core/PlaneFrame.h"
+
+namespace kelpie::agent {
+
+bool isFrameInput(const std::string& topic);
+// An error names topic and byte.
+Status decodeFrameInput(const LogMessage& message, FrameInput& input);
+
+}  // namespace kelpie::agent

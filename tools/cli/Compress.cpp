@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+// A log with class planes in place of images, a fifteenth of the size, with the outputs
+// that the stages make of them: a recording small enough to keep, and to compare with later.
+#include <fmt/core.h>
+
+#include <memory>
+#include <optional>
+
+#include "robot/agent/FrameLoop.h"
+#include "robot/agent/FrameMessages.h"
+#include "tools/cli/Commands.h"
+#include "tools/cli/Config.h"
+#include "tools/cli/Logs.h"
+#include "tools/cli/WholeFile.h"
+#include "vision/PlaneImage.h"
+
+namespace kelpie::cli {
+namespace {
+
+struct CompressOptions {
+  std::string log;
+  std::string out;
+  std::string pycode = defaultScripts();
+};
+
+// Takes a log's messages one by one and writes the smaller log.
+class Compressor {
+ public:
+  Compressor(LogWriter& out, std::string scripts) : out_(out), scripts_(std::move(scripts)) {}
+
+  Status take(const LogMessage& message) {
+    if (message.topic() == kConfigTopic) return configure(message);
+    if (agent::isFrameInput(message.topic())) return frame(message);
+    if (message.topic() == kFrameOutputTopic) return Done{};  // of the images: made anew
+    return copyMessage(message, out_);
+  }
+  std::size_t frames() const { return frames_; }
+  double bytesPerFrame() const {
+    return static_cast<double>(bytes_) / static_cast<double>(frames_);
+  }
+
+ private:
+  Status configure(const LogMessage& message) {
+    const auto config = std::make_unique<agent::AgentConfig>();
+    const Status read = decodeAs(message, *config);
+    if (!read) return read;
+    calibration_ = config->calibration;
+    const auto nominal = vision::loadCalibration("nominal", "none");
+    if (!nominal) return Error{nominal.error()};
+    config->calibration = *nominal;
+    config->behaviour.reload = false;
+    out_.write(kConfigTopic, message.time, *config);
+    loop_ = std::make_unique<agent::FrameLoop>(*config, scripts_);
+    return loop_->scriptError().empty() ? Status(Done{}) : Error{loop_->scriptError()};
+  }
+  Status frame(const LogMessage& message) {
+    if (!loop_) return Error{message.topic() + " comes before " + kConfigTopic};
+    const Status read = agent::decodeFrameInput(message, *frame_);
+    if (!read) return read;
+    vision::ClassPlane plane{};
+    vision::classifyWhole(frame_->image, *calibration_, plane);
+    encodePlane(plane, frame_->plane);
+    vision::imageOf(plane, frame_->image);
+    out_.write(kPlaneFrameTopic, message.time, *frame_);
+    out_.write(kFrameOutputTopic, message.time, loop_->step(*frame_, silent_));
+    bytes_ += encodedSize(*frame_);
+    ++frames_;
+    return Done{};
+  }
+
+  LogWriter& out_;
+  std::string scripts_;
+  std::optional<vision::VisionCalibration> calibration_;  // of the recorded images
+  std::unique_ptr<agent::FrameLoop> loop_;
+  std::unique_ptr<PlaneFrame> frame_ = std::make_unique<PlaneFrame>();
+  agent::StageObserver silent_;
+  std::size_t frames_ = 0;
+  std::size_t bytes_ = 0;
+};
+
+struct Outcome {
+  std::string cutOff;  // a complaint when the log lacks its end
+};
+
+Expected<Outcome> compressInto(const CompressOptions& options, const std::string& part) {
+  auto reader = LogReader::open(options.log);
+  if (!reader) return Error{reader.error()};
+  auto writer = LogWriter::open(part);
+  if (!writer) return Error{writer.error()};
+  Compressor compressor(*writer, options.pycode);
+  LogMessage message;
+  while (reader->next(message)) {
+    const Status taken = compressor.take(message);
+    if (!taken) return Error{options.log + ": " + taken.error()};
+  }
+  if (!reader->status()) return Error{reader->status().error()};
+  if (compressor.frames() == 0) return Error{options.log + ": holds no frames of an agent"};
+  for (const auto& metadata : reader->metadata()) writer->metadata(metadata.name, metadata.entries);
+  writer->metadata("compressed", {{"frames", std::to_string(compressor.frames())}});
+  const Status closed = writer->close();
+  if (!closed) return Error{closed.error()};
+  fmt::print("{}: {} frames, {:.2f} KB a frame (an image has {:.1f})\n", options.out,
+             compressor.frames(), compressor.bytesPerFrame() / 1024.0, 3.0 * kImagePixels / 1024.0);
+  if (!reader->truncated()) return Outcome{};
+  return Outcome{fmt::format("{}: cut off at byte {}; all whole frames before it are in {}",
+                             options.log, reader->offset(), options.out)};
+}
+
+int compress(const CompressOptions& options) {
+  if (isDevice(options.out)) return complain(options.out + ": not a plain file", kBadInput);
+  if (sameFile(options.log, options.out))
+    return complain(options.out + ": is the log itself", kBadInput);
+  const Status scripts = checkScripts(options.pycode);
+  if (!scripts) return complain(scripts.error(), kBadInput);
+  const std::string part = options.out + ".part";
+  const auto outcome = compressInto(options, part);
+  const Status done = outcome ? Status(Done{}) : Error{outcome.error()};
+  const Status placed = putInPlace(done, part, options.out);
+  if (!placed) return complain(placed.error(), kBadInput);
+  return outcome->cutOff.empty() ? kDone : complain(outcome->cutOff, kBadInput);
+}
+
+}  // namespace
+
+void addCompress(CLI::App& app, int& code) {
+  auto* command = app.add_subcommand(
+      "compress", "A log with class planes in place of images, and what the stages make of them");
+  auto options = std::make_shared<CompressOptions>();
+  command->add_option("LOG", options->log, "The log")->required();
+  command->add_option("--out", options->out, "The log to write")->required();
+  command->add_option("--pycode", options->pycode, "Behaviours (default: pycode/)")
+      ->check(CLI::ExistingPath);
+  command->callback([options, &code] { code = compress(*options); });
+}
+
+}  // namespace kelpie::cli

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: Apache-2.0
+// One frame of a log or of a folder of images, run through body and vision again and drawn.
+#include <fmt/core.h>
+
+#include <filesystem>
+#include <memory>
+#include <opencv2/imgcodecs.hpp>
+
+#include "robot/agent/FrameMessages.h"
+#include "robot/core/FieldCheck.h"
+#include "tools/cli/Commands.h"
+#include "tools/cli/Config.h"
+#include "tools/cli/Recording.h"
+#include "tools/cli/Sheet.h"
+#include "tools/cli/WholeFile.h"
+#include "vision/Vision.h"
+
+namespace kelpie::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct ShowOptions {
+  std::string source;
+  std::uint32_t frame = 0;
+  std::string out;
+  ConfigOptions config;
+};
+
+struct Shot {
+  std::unique_ptr<FrameInput> input = std::make_unique<FrameInput>();
+  std::unique_ptr<agent::AgentConfig> config = std::make_unique<agent::AgentConfig>();
+  bool configured = false;
+  std::uint32_t frames = 0;  // in the source
+  std::string cutOff;        // a complaint when the log lacks its end
+};
+
+Error noSuchFrame(const ShowOptions& options, const Shot& shot) {
+  const std::string rest = shot.cutOff.empty() ? "" : "; " + shot.cutOff;
+  if (shot.frames == 0) return {options.source + ": holds no frames of an agent" + rest};
+  return {fmt::format("{}: no frame {}, there are {} (0 to {}){}", options.source, options.frame,
+                      shot.frames, shot.frames - 1, rest)};
+}
+
+Status takeMessage(const LogMessage& message, const ShowOptions& options, Shot& shot) {
+  if (message.topic() == kConfigTopic) {
+    shot.configured = true;
+    return decodeAs(message, *shot.config);
+  }
+  if (!agent::isFrameInput(message.topic())) return Done{};
+  if (!shot.configured) return Error{message.topic() + " comes before " + kConfigTopic};
+  if (shot.frames++ != options.frame) return Done{};
+  return agent::decodeFrameInput(message, *shot.input);
+}
+
+Expected<Shot> fromLog(const ShowOptions& options) {
+  auto reader = LogReader::open(options.source);
+  if (!reader) return Error{reader.error()};
+  Shot shot;
+  LogMessage message;
+  while (reader->next(message)) {
+    const Status taken = takeMessage(message, options, shot);
+    if (!taken) return Error{options.source + ": " + taken.error()};
+  }
+  if (!reader->status()) return Error{reader->status().error()};
+  if (reader->truncated())
+    shot.cutOff = fmt::format("cut off at byte {}, whole frames up to there", reader->offset());
+  if (options.frame >= shot.frames) return noSuchFrame(options, shot);
+  const Status applied = applyConfig(options.config, *shot.config);
+  if (!applied) return Error{applied.error()};
+  return shot;
+}
+
+Expected<Shot> fromFolder(const ShowOptions& options) {
+  const auto files = listFrames(options.source + "/frames");
+  if (!files) return Error{files.error()};
+  const std::string table = options.source + "/sensors.csv";
+  const auto rows = readSensorRows(table);
+  if (!rows) return Error{rows.error()};
+  if (rows->size() != files->size())
+    return Error{fmt::format("{}: {} rows for {} frames", table, rows->size(), files->size())};
+  Shot shot;
+  shot.frames = static_cast<std::uint32_t>(files->size());
+  const std::uint32_t n = options.frame;
+  if (n >= shot.frames) return noSuchFrame(options, shot);
+  const auto image = readFrame((*files)[n]);
+  if (!image) return Error{image.error()};
+  *shot.input = frameInput(n, (*rows)[n], n > 0 ? &(*rows)[n - 1] : nullptr);
+  shot.input->image = *image;
+  const auto config = makeConfig(options.config);
+  if (!config) return Error{config.error()};
+  *shot.config = *config;
+  return shot;
+}
+
+cv::Mat sheetOf(const ShowOptions& options, const Shot& shot) {
+  const auto output = std::make_unique<FrameOutput>();
+  const auto state = std::make_unique<vision::VisionState>(shot.config->calibration);
+  output->body = body::step(*shot.input, shot.config->body);
+  output->percepts = vision::step({*shot.input, output->body}, shot.config->vision, *state);
+  const auto title = fmt::format("{}: frame {} (of 0 to {}), {:.2f} s",
+                                 fs::path(options.source).filename().string(), options.frame,
+                                 shot.frames - 1, shot.input->time.seconds());
+  return drawSheet({title, *shot.input, *output, *state});
+}
+
+Status draw(const ShowOptions& options, const Shot& shot) {
+  std::string why;
+  if (!verify(*shot.input, &why))
+    return Error{fmt::format("{}: frame {} is damaged: {}", options.source, options.frame, why)};
+  const std::string part = options.out + ".part.png";
+  const bool drawn = cv::imwrite(part, sheetOf(options, shot));
+  return putInPlace(drawn ? Status(Done{}) : Error{options.out + ": cannot be written"}, part,
+                    options.out);
+}
+
+int show(const ShowOptions& options) {
+  if (isDevice(options.out)) return complain(options.out + ": not a plain file", kBadInput);
+  if (sameFile(options.source, options.out))
+    return complain(options.out + ": is the log itself", kBadInput);
+  std::error_code error;
+  const auto shot =
+      fs::is_directory(options.source, error) ? fromFolder(options) : fromLog(options);
+  if (!shot) return complain(shot.error(), kBadInput);
+  const Status drawn = draw(options, *shot);
+  if (!drawn) return complain(drawn.error(), kBadInput);
+  fmt::print("{}\n", options.out);
+  return shot->cutOff.empty() ? kDone : complain(options.source + ": " + shot->cutOff, kBadInput);
+}
+
+}  // namespace
+
+void addShow(CLI::App& app, int& code) {
+  auto* command =
+      app.add_subcommand("show", "A picture of one frame and all that vision made of it");
+  auto options = std::make_shared<ShowOptions>();
+  command->add_option("SOURCE", options->source, "A log, or a folder as for import")->required();
+  command->add_option("--frame", options->frame, "Which frame, from 0")->capture_default_str();
+  command->add_option("--out", options->out, "The picture to write, a PNG file")->required();
+  addConfigOptions(*command, options->config);
+  command->callback([options, &code] { code = show(*options); });
+}
+
+}  // namespace kelpie::cli
