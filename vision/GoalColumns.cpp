@@ -179,24 +179,21 @@ const GoalColumn* outermost(const GoalCandidate& c, bool left) {
   return found;
 }
 
-// White, grey or a uniform: what stands in front of a post, not beside it.
-bool isRobot(ColourClass c) {
-  return c == ColourClass::white || c == ColourClass::grey || c == ColourClass::robotRed ||
-         c == ColourClass::robotBlue;
-}
-
-// Whether a robot stands where the goal seems to end: seen low beside the end in three places.
+// Whether a robot stands where the goal seems to end: its legs hide the carpet that else lies below
+// the foot beside the end. A line may cross one of the three places.
 bool endHidden(const Scene& scene, const GoalColumn& column, PixelPoint end, ImageUp outwards) {
   const double height = maths::hypot(column.top.x - column.foot.x, column.top.y - column.foot.y);
   const ImageUp up = scene.level.up();
-  int robot = 0;
-  for (const double share : {-0.15, 0.05, 0.25}) {
-    const double rise = (share - 0.25) * height;
-    const PixelPoint at{end.x + 2.5 * outwards.dx + rise * up.dx,
-                        end.y + 2.5 * outwards.dy + rise * up.dy};
-    robot += Sampler::usable(at) && isRobot(scene.sampler.classAt(at)) ? 1 : 0;
+  int hidden = 0;
+  for (const double share : {0.2, 0.45, 0.7}) {
+    // From the end, a quarter of the height above the foot.
+    const double down = (0.25 + share) * height + 1.0;
+    const PixelPoint at{end.x + 2.5 * outwards.dx - down * up.dx,
+                        end.y + 2.5 * outwards.dy - down * up.dy};
+    if (!Sampler::usable(at)) continue;
+    hidden += scene.sampler.classAt(at) == ColourClass::green ? 0 : 1;
   }
-  return robot >= 2;
+  return hidden >= 2;
 }
 
 // The end of the coloured wall on one side, sought a quarter of its height above the foot, where

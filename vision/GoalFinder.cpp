@@ -16,6 +16,7 @@
 namespace kelpie::vision {
 namespace {
 
+constexpr double kBeaconAspect = 1.3;    // a beacon's band is no wider for its height
 constexpr std::uint32_t kLeastPart = 6;  // samples of a blob worth joining
 
 bool contains(const PixelBox& box, PixelPoint p, double margin) {
@@ -204,7 +205,7 @@ bool goalHasShape(const GoalCandidate& c, const GoalParams& p) {
     tallColumns += column.tall ? 1 : 0;
     chosen += column.chosen ? 1 : 0;
   }
-  return !tall && !flat && tallColumns <= 2 * chosen;
+  return !tall && !flat && 2 * tallColumns <= 3 * chosen;
 }
 
 bool goalStandsBelowHorizon(const Scene& scene, const GoalCandidate& c, const GoalParams& p) {
@@ -229,7 +230,7 @@ bool goalHasFieldBelow(const GoalCandidate& c, const GoalParams& p) {
 
 // A beacon that was not recognised has its pink right above or below.
 bool goalHasNoPinkBeside(const Scene& scene, const GoalCandidate& c) {
-  if (c.box.width() > 2.0 * c.box.height()) return true;
+  if (c.box.width() > kBeaconAspect * c.box.height()) return true;
   for (const double share : {0.15, 0.35, 0.55}) {
     const double away = 1.0 + share * c.box.height();
     for (const double v : {c.box.top - away, c.box.bottom + away}) {
@@ -243,6 +244,7 @@ bool goalHasNoPinkBeside(const Scene& scene, const GoalCandidate& c) {
 bool goalIsMeasured(const GoalCandidate& c) { return c.wall > 0.0; }
 
 bool goalHasWidth(const Scene& scene, const GoalCandidate& c, const GoalParams& p) {
+  if (c.left.hidden && c.right.hidden) return false;  // anything between two pairs of legs
   const double seen = seenWidth(scene, c, p);
   const double least = c.left.open() || c.right.open() ? p.minCutWidth : p.minSeenWidth;
   return seen >= least && seen <= p.maxSeenWidth;

@@ -14,8 +14,8 @@ constexpr std::size_t kMostColumns = 12;  // used in the fit
 constexpr double kEndSd = 0.006;          // rad, direction of an end that is seen
 constexpr double kLeastColumnSd = 0.012;  // of a column's distance, as a share of it
 constexpr double kTurnSd = 0.7;           // rad; goals are seen from within the field
-constexpr double kMostError = 3.0;        // standard deviations; beyond, an error counts as this
-constexpr int kRounds = 6;
+constexpr double kMostError = 3.0;        // standard deviations, beyond which an error counts less
+constexpr int kRounds = 8;
 constexpr double kNone = 1e9;  // cm, of a ray that meets no wall
 
 using Vec = Point2<Robot>;
@@ -33,8 +33,8 @@ struct Measured {
   FixedVector<Column, kMostColumns> columns;
   double left = 0.0;  // rad, direction of the ends, right positive
   double right = 0.0;
-  double leftWeight = 0.0;  // 0 = the true end may lie farther out
-  double rightWeight = 0.0;
+  bool leftOpen = false;  // the true end may lie farther out
+  bool rightOpen = false;
   double sight = 0.0;  // direction of the middle
 };
 
@@ -47,8 +47,8 @@ Measured measuredOf(const Scene& scene, const GoalCandidate& c) {
   Measured m;
   m.left = directionOf(scene, c.left.point);
   m.right = directionOf(scene, c.right.point);
-  m.leftWeight = c.left.open() ? 0.0 : 1.0;
-  m.rightWeight = c.right.open() ? 0.0 : 1.0;
+  m.leftOpen = c.left.open();
+  m.rightOpen = c.right.open();
   m.sight = 0.5 * (m.left + m.right);
   std::size_t usable = 0;
   for (const GoalColumn& column : c.columns)
@@ -109,7 +109,13 @@ double nearestWall(Vec ray, const Corners& c) {
 constexpr std::size_t kErrors = kMostColumns + 3;
 using Errors = std::array<double, kErrors>;
 
-double limited(double error) { return maths::clamp(error, -kMostError, kMostError); }
+// Huber's weight as an error: beyond the limit its square grows with the error, not its square.
+double limited(double error) {
+  const double size = std::fabs(error);
+  if (size <= kMostError) return error;
+  const double root = std::sqrt(kMostError * (2.0 * size - kMostError));
+  return error > 0.0 ? root : -root;
+}
 
 // All errors in standard deviations; unused places are 0.
 Errors errorsOf(const Measured& m, const State& s, const GoalParams& p) {
@@ -125,8 +131,8 @@ Errors errorsOf(const Measured& m, const State& s, const GoalParams& p) {
   // An open end only says that the goal reaches at least so far.
   const double left = low - m.left;
   const double right = high - m.right;
-  e[0] = 2.0 * limited((m.leftWeight > 0.0 || left > 0.0 ? left : 0.0) / (2.0 * kEndSd));
-  e[1] = 2.0 * limited((m.rightWeight > 0.0 || right < 0.0 ? right : 0.0) / (2.0 * kEndSd));
+  e[0] = limited((!m.leftOpen || left > 0.0 ? left : 0.0) / kEndSd);
+  e[1] = limited((!m.rightOpen || right < 0.0 ? right : 0.0) / kEndSd);
   e[2] = (s[2] + m.sight) / kTurnSd;
   for (std::size_t i = 0; i < m.columns.size(); ++i) {
     const Column& column = m.columns[i];

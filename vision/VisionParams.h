@@ -81,7 +81,7 @@ struct GoalParams {
   double minSeenWidth = 40;              // cm between the posts, seen half from the side
   double minCutWidth = 40;               // cm of a goal that the image border cuts
   double maxSeenWidth = 125;             // cm, with a side wall seen from outside
-  Angle directionError = Angle::deg(4);  // camera against ground, for goalOffGround
+  Angle directionError = Angle::deg(3);  // camera against ground, for goalOffGround
   double maxDistance = 620;
   double width = 80;                  // cm, of the mouth
   double depth = 30;                  // cm from the mouth to the back wall
