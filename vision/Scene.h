@@ -12,7 +12,7 @@ struct Scene {
   const Sampler& sampler;
   const BlobBuffer& blobs;
   const BodyState& body;
-  FieldEdgePercept fieldEdge;
+  const FixedVector<FieldEdgePercept, 3>& fieldEdges;
 };
 
 inline double horizonRow(const Scene& scene, double x) {
@@ -20,10 +20,17 @@ inline double horizonRow(const Scene& scene, double x) {
   return h.atLeft + (h.atRight - h.atLeft) * x / kImageWidth;
 }
 
-// Row of the field edge, above the image when no edge was found.
+// The carpet is convex, so of several edges the lowest counts. Above the image without any.
+inline double fieldEdgeRow(const FixedVector<FieldEdgePercept, 3>& edges, double x) {
+  double row = -1e6;
+  for (const FieldEdgePercept& e : edges) {
+    const double here = e.atLeft + (e.atRight - e.atLeft) * x / kImageWidth;
+    row = here > row ? here : row;
+  }
+  return row;
+}
 inline double fieldEdgeRow(const Scene& scene, double x) {
-  const FieldEdgePercept& e = scene.fieldEdge;
-  return e.present ? e.atLeft + (e.atRight - e.atLeft) * x / kImageWidth : -1e6;
+  return fieldEdgeRow(scene.fieldEdges, x);
 }
 
 }  // namespace kelpie::vision

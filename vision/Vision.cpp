@@ -20,9 +20,9 @@ Percepts step(const VisionIn& in, const VisionParams& params, VisionState& state
   out.counts.runs = static_cast<std::uint32_t>(state.runs.size());
   out.counts.blobs = static_cast<std::uint32_t>(state.blobs.size());
   for (std::uint32_t i = 0; i < lost && i < 1000; ++i) refuse(out.counts, Refusal::bufferFull);
-  out.fieldEdge = fitFieldEdge(fieldEdgeFeatures(sampler, params.fieldEdge), params.fieldEdge);
+  out.fieldEdges = findFieldEdges(sampler, in.body.camera, params.scan, params.fieldEdge);
 
-  const Scene scene{sampler, state.blobs, in.body, out.fieldEdge};
+  const Scene scene{sampler, state.blobs, in.body, out.fieldEdges};
   findBeacons(scene, params.beacon, out.counts, out.landmarks);
   findGoals(scene, params.goal, out.counts, out.landmarks);
   keepOneGoal(out);

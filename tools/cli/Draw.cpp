@@ -61,9 +61,19 @@ cv::Mat colourPicture(const Image& image) {
   return bgr;
 }
 
+// Nothing of a line outside these rows can be seen.
+constexpr double kFarthestRow = 2000.0;
+
+PixelPoint cutEnd(PixelPoint end, PixelPoint other) {
+  const double row = maths::clamp(end.y, -kFarthestRow, kFarthestRow);
+  if (row == end.y || end.y == other.y) return {end.x, row};
+  return {end.x + (other.x - end.x) * (row - end.y) / (other.y - end.y), row};
+}
+
 void drawLine(cv::Mat& picture, double left, double right, int scale, const cv::Scalar& colour) {
-  const auto clip = [](double v) { return maths::clamp(v, -2000.0, 2000.0); };
-  cv::line(picture, at({0.0, clip(left)}, scale), at({kImageWidth, clip(right)}, scale), colour, 1,
+  const PixelPoint from{0.0, left};
+  const PixelPoint to{kImageWidth, right};
+  cv::line(picture, at(cutEnd(from, to), scale), at(cutEnd(to, from), scale), colour, 1,
            cv::LINE_AA);
 }
 
@@ -139,9 +149,8 @@ cv::Mat drawCamera(const FrameInput& input, const FrameOutput& output, int scale
   cv::Mat picture;
   cv::resize(colourPicture(input.image), picture, {}, scale, scale, cv::INTER_NEAREST);
   drawLine(picture, output.body.horizon.atLeft, output.body.horizon.atRight, scale, kGrey);
-  if (output.percepts.fieldEdge.present)
-    drawLine(picture, output.percepts.fieldEdge.atLeft, output.percepts.fieldEdge.atRight, scale,
-             kRed);
+  for (const auto& edge : output.percepts.fieldEdges)
+    drawLine(picture, edge.atLeft, edge.atRight, scale, kRed);
   for (const auto& point : output.percepts.linePoints)
     cv::circle(picture, at(point.pixel, scale), 2, kYellow, cv::FILLED);
   for (const auto& seen : output.percepts.landmarks) drawLandmark(picture, seen, scale);

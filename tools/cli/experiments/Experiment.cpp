@@ -19,6 +19,10 @@ const std::vector<Experiment>& experiments() {
        "the actuator in the simulated body: true way over reported way in four directions; how far "
        "and how straight the ball goes from 25 places before the chest",
        1, walkAndKick},
+      {"field-edge",
+       "where the carpet ends: the fit on points of which many are wrong (checklist E4), then "
+       "vision on random views and on views of a corner, every camera artefact on",
+       1000, fieldEdge},
   };
   return kAll;
 }

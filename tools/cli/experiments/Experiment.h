@@ -33,6 +33,7 @@ const std::vector<Experiment>& experiments();
 Expected<Json> scoreEmptyGoal(const ExperimentOptions& options);
 Expected<Json> walkAndKick(const ExperimentOptions& options);
 Expected<Json> projection(const ExperimentOptions& options);
+Expected<Json> fieldEdge(const ExperimentOptions& options);
 
 // p in 0..1; linear between neighbours; 0 for no values.
 double percentile(std::vector<double> values, double p);
