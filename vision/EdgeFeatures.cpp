@@ -46,6 +46,13 @@ bool standsOnCarpet(ColourClass c) {
          c == ColourClass::robotBlue;
 }
 
+// A goal's back wall stands on the edge, its side walls before it; white is a beacon or a robot.
+bool mayStand(const Sampler& sampler, const ScanLine& line, int top) {
+  if (top < 3) return false;
+  const ColourClass c = classAt(sampler, line, top - 3);
+  return c == ColourClass::blue || c == ColourClass::yellow || c == ColourClass::white;
+}
+
 // A ball or a robot, or a line that leaves through the image's top, hides carpet, not its end.
 bool goesOn(const Sampler& sampler, const ScanLine& line, int top) {
   if (top == 0) return line.cutTop;
@@ -70,7 +77,8 @@ EdgeFeatures edgeFeatures(const Sampler& sampler, const ScanLines& lines,
     const bool open = goesOn(sampler, line, top);
     // Green at the very start of a line that begins above the horizon is no carpet.
     if (top == 0 && !open) continue;
-    features.push_back({line.at(top - 0.5), open});
+    features.push_back(
+        {line.at(top - 0.5), open, mayStand(sampler, line, top) ? params.doubtful : 1.0});
   }
   return features;
 }

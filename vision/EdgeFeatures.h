@@ -14,6 +14,7 @@ struct EdgeFeature {
   // The carpet goes on beyond: the image ends there, or something that stands on the carpet hides
   // it. The edge is here or higher.
   bool open = false;
+  double weight = 1.0;  // less where it may be the foot of a goal, a beacon or a robot
 };
 using EdgeFeatures = FixedVector<EdgeFeature, kMaxScanLines>;
 

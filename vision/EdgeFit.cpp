@@ -4,117 +4,84 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 
-#include "robot/core/Maths.h"
 #include "robot/core/Random.h"
 
 namespace kelpie::vision {
 namespace {
 
-// One search: the features, and those that an edge may still win.
 struct Search {
   const EdgeFeatures& features;
   const ImageLevel& level;
   const FieldEdgeParams& params;
-  FixedVector<std::uint8_t, kMaxScanLines> free;   // by number, in the order of the scan lines
-  FixedVector<std::uint8_t, kMaxScanLines> taken;  // on edges found before
+  Random random;
 };
 
-// A line and what speaks for it, in inliers.
-struct Hypothesis {
-  EdgeLine line;
+// The edges that bound the carpet and what speaks for them, in inliers.
+struct Outline {
+  EdgeLines lines;
   double gain = -1e6;
 };
 
-EdgeLine oriented(double nx, double ny, PixelPoint on, const ImageLevel& level) {
-  const double side = nx * level.upX + ny * level.upY < 0.0 ? -1.0 : 1.0;
-  return {side * nx, side * ny, side * (nx * on.x + ny * on.y), 0, 0.0};
-}
+// How far a point is off the carpet, and the edge that says so: the carpet is inside all of them.
+struct Place {
+  double beyond = -1e6;
+  std::size_t edge = 0;
+};
 
-EdgeLine through(PixelPoint a, PixelPoint b, const ImageLevel& level) {
-  const double dx = b.x - a.x;
-  const double dy = b.y - a.y;
-  const double norm = std::sqrt(dx * dx + dy * dy);
-  if (!(norm > 1e-9)) return oriented(level.upX, level.upY, a, level);
-  return oriented(dy / norm, -dx / norm, a, level);
+Place placeOf(const EdgeLines& lines, PixelPoint p) {
+  Place place;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const double beyond = lines[i].beyond(p);
+    if (beyond > place.beyond) place = {beyond, i};
+  }
+  return place;
 }
 
 // Inliers weighted by closeness, less a fine for each place of the carpet that is seen beyond.
-double gainOf(const Search& search, const EdgeLine& line) {
+double gainOf(const Search& search, const EdgeLines& lines) {
   const double t = search.params.tolerance;
   const double perSquare = 1.0 / (t * t);
   double gain = 0.0;
-  for (const std::uint8_t i : search.free) {
-    const EdgeFeature& f = search.features[i];
-    const double d = line.beyond(f.at);
+  for (const EdgeFeature& f : search.features) {
+    const double d = placeOf(lines, f.at).beyond;
     if (d > t) {
       gain -= search.params.abovePenalty;
     } else if (d > -t && !f.open) {
-      gain += 1.0 - d * d * perSquare;
+      gain += f.weight * (1.0 - d * d * perSquare);
     }
-  }
-  // A second edge must not cut off what is known to be carpet.
-  for (const std::uint8_t i : search.taken) {
-    if (line.beyond(search.features[i].at) > t) gain -= 1.0;
   }
   return gain;
 }
 
-struct Moments {
-  double n = 0.0, x = 0.0, y = 0.0, xx = 0.0, xy = 0.0, yy = 0.0;
-
-  void add(PixelPoint p) {
-    n += 1.0;
-    x += p.x;
-    y += p.y;
-    xx += p.x * p.x;
-    xy += p.x * p.y;
-    yy += p.y * p.y;
+EdgeLines refitted(const Search& search, const EdgeLines& lines, double tolerance) {
+  std::array<EdgeMoments, EdgeLines::kCapacity> moments;
+  for (const EdgeFeature& f : search.features) {
+    const Place place = placeOf(lines, f.at);
+    if (!f.open && std::fabs(place.beyond) <= tolerance) moments[place.edge].add(f.at, f.weight);
   }
-};
-
-Moments inliersOf(const Search& search, const EdgeLine& line, double tolerance) {
-  Moments m;
-  for (const std::uint8_t i : search.free) {
-    const EdgeFeature& f = search.features[i];
-    if (!f.open && std::fabs(line.beyond(f.at)) <= tolerance) m.add(f.at);
-  }
-  return m;
+  EdgeLines better = lines;
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    if (moments[i].n >= 2.0) better[i] = lineOf(moments[i], search.level);
+  return better;
 }
 
-// The line of least squared distance: its normal is the direction of least spread.
-EdgeLine fitted(const Moments& m, const ImageLevel& level) {
-  const PixelPoint mean{m.x / m.n, m.y / m.n};
-  const double xx = m.xx / m.n - mean.x * mean.x;
-  const double xy = m.xy / m.n - mean.x * mean.y;
-  const double yy = m.yy / m.n - mean.y * mean.y;
-  const double half = 0.5 * (xx - yy);
-  const double root = std::sqrt(half * half + xy * xy);
-  const double least = 0.5 * (xx + yy) - root;
-  // Of the two rows of (S - least I) n = 0 the longer one is far from 0/0.
-  const double ax = xx - least;
-  const double by = yy - least;
-  const double nx = ax > by ? -xy : by;
-  const double ny = ax > by ? ax : -xy;
-  const double norm = std::sqrt(nx * nx + ny * ny);
-  if (!(norm > 1e-9)) return oriented(level.upX, level.upY, mean, level);
-  EdgeLine line = oriented(nx / norm, ny / norm, mean, level);
-  line.rms = std::sqrt(std::fmax(0.0, least));
-  return line;
-}
-
-// Two refits, the first to a wider band: a line through two points is off at its far end.
-void refine(const Search& search, Hypothesis& h) {
+// Refits, the first to a wider band: a line through two points is off at its far end.
+void refine(const Search& search, Outline& outline) {
+  EdgeLines lines = outline.lines;
   for (const double width : {2.0, 1.0, 1.0}) {
-    const Moments m = inliersOf(search, h.line, width * search.params.tolerance);
-    if (m.n < 3.0) return;
-    const EdgeLine line = fitted(m, search.level);
-    const double gain = gainOf(search, line);
-    if (gain > h.gain) h = {line, gain};
+    lines = refitted(search, lines, width * search.params.tolerance);
+    const double gain = gainOf(search, lines);
+    if (gain > outline.gain) outline = {lines, gain};
   }
 }
 
-using Order = std::array<std::uint8_t, kMaxScanLines>;
+// Numbers of features that points are drawn from.
+struct Pool {
+  std::array<std::uint8_t, kMaxScanLines> number{};
+  std::uint32_t count = 0;
+};
 
 // Whether the middle one of three features lies on the line through the others.
 bool inLine(const EdgeFeature& a, const EdgeFeature& m, const EdgeFeature& b, double tolerance) {
@@ -126,89 +93,139 @@ bool inLine(const EdgeFeature& a, const EdgeFeature& m, const EdgeFeature& b, do
 
 constexpr int kNeighbours = 3;  // to each side: nine triples
 
-// The features that no edge has yet, those first that lie in line with most of their neighbours.
-std::size_t drawingOrder(const Search& search, Order& order) {
-  std::array<std::uint8_t, kMaxScanLines> solid{};
-  int count = 0;
-  for (const std::uint8_t i : search.free)
-    if (!search.features[i].open) solid[static_cast<std::size_t>(count++)] = i;
-  std::array<int, kMaxScanLines> agreeing{};
-  const auto feature = [&](int k) -> const EdgeFeature& {
-    return search.features[solid[static_cast<std::size_t>(k)]];
+int agreement(const Search& search, const Pool& pool, int k) {
+  const auto at = [&](int i) -> const EdgeFeature& {
+    return search.features[pool.number[static_cast<std::size_t>(i)]];
   };
-  for (int k = 0; k < count; ++k)
-    for (int a = std::max(k - kNeighbours, 0); a < k; ++a)
-      for (int b = k + 1; b <= std::min(k + kNeighbours, count - 1); ++b)
-        if (inLine(feature(a), feature(k), feature(b), search.params.tolerance))
-          ++agreeing[solid[static_cast<std::size_t>(k)]];
-  std::copy_n(solid.begin(), count, order.begin());
-  std::sort(order.begin(), order.begin() + count, [&](std::uint8_t a, std::uint8_t b) {
-    return agreeing[a] != agreeing[b] ? agreeing[a] > agreeing[b] : a < b;
-  });
-  return static_cast<std::size_t>(count);
+  int agreeing = 0;
+  const int last = std::min(k + kNeighbours, static_cast<int>(pool.count) - 1);
+  for (int a = std::max(k - kNeighbours, 0); a < k; ++a)
+    for (int b = k + 1; b <= last; ++b)
+      agreeing += inLine(at(a), at(k), at(b), search.params.tolerance) ? 1 : 0;
+  return agreeing;
 }
 
-constexpr std::uint32_t kFirstPool = 6;  // points to draw from in the first round; 3 more in each
-constexpr int kLeastGap = 4;             // scan lines between the two points, if it can be had
-constexpr double kPromising = 0.6;       // of the best gain so far
+// The features that no line has yet, those first that lie in line with most of their neighbours.
+Pool drawingPool(const Search& search, const EdgeLines& lines) {
+  Pool pool;
+  for (std::size_t i = 0; i < search.features.size(); ++i) {
+    const EdgeFeature& f = search.features[i];
+    const double beyond = placeOf(lines, f.at).beyond;
+    if (!f.open && !(std::fabs(beyond) <= search.params.tolerance))
+      pool.number[pool.count++] = static_cast<std::uint8_t>(i);
+  }
+  std::array<double, kMaxScanLines> score{};
+  for (std::uint32_t k = 0; k < pool.count; ++k) {
+    const std::uint8_t i = pool.number[k];
+    score[i] = agreement(search, pool, static_cast<int>(k)) * search.features[i].weight;
+  }
+  std::sort(pool.number.begin(), pool.number.begin() + pool.count,
+            [&](std::uint8_t a, std::uint8_t b) {
+              return score[a] != score[b] ? score[a] > score[b] : a < b;
+            });
+  return pool;
+}
 
-Hypothesis sampled(const Search& search) {
-  Order order;
-  const auto count = static_cast<std::uint32_t>(drawingOrder(search, order));
-  Hypothesis best;
-  if (count < 2) return best;
-  Random random(search.params.seed);
+constexpr std::uint32_t kFirstPool = 6;  // features to draw from in the first round; 3 more in each
+constexpr int kLeastGap = 4;             // scan lines between two points, if it can be had
+
+struct Pair {
+  std::uint8_t a = 0;
+  std::uint8_t b = 0;
+};
+
+Pair drawn(Search& search, const Pool& pool, int round) {
+  const std::uint32_t reach =
+      std::min(pool.count, kFirstPool + 3U * static_cast<std::uint32_t>(round));
+  Pair pair;
+  pair.a = pool.number[search.random.index(reach)];
+  for (int again = 0; again < 5; ++again) {
+    pair.b = pool.number[search.random.index(reach)];
+    if (std::abs(pair.a - pair.b) >= kLeastGap) break;
+  }
+  return pair;
+}
+
+constexpr double kPromising = 0.6;  // of the best gain so far
+
+// The best outline of the known lines and one more.
+Outline withOneMore(Search& search, const EdgeLines& known) {
+  Outline best;
+  const Pool pool = drawingPool(search, known);
+  if (pool.count < 2) return best;
   for (int round = 0; round < search.params.rounds; ++round) {
-    const std::uint32_t pool = std::min(count, kFirstPool + 3U * static_cast<std::uint32_t>(round));
-    const std::uint8_t a = order[random.index(pool)];
-    std::uint8_t b = order[random.index(pool)];
-    for (int again = 0; again < 4 && std::abs(a - b) < kLeastGap; ++again)
-      b = order[random.index(pool)];
-    if (a == b) continue;
-    Hypothesis h;
-    h.line = through(search.features[a].at, search.features[b].at, search.level);
-    h.gain = gainOf(search, h.line);
-    if (h.gain < kPromising * best.gain) continue;
-    refine(search, h);
-    if (h.gain > best.gain) best = h;
+    const Pair pair = drawn(search, pool, round);
+    if (pair.a == pair.b) continue;
+    Outline now{known, 0.0};
+    now.lines.push_back(
+        lineThrough(search.features[pair.a].at, search.features[pair.b].at, search.level));
+    now.gain = gainOf(search, now.lines);
+    if (now.gain < kPromising * best.gain) continue;
+    refine(search, now);
+    if (now.gain > best.gain) best = now;
   }
   return best;
 }
 
-// Moves the inliers from the free ones to the taken ones; their number.
-std::size_t take(Search& search, const EdgeLine& line) {
-  FixedVector<std::uint8_t, kMaxScanLines> left;
-  std::size_t support = 0;
-  for (const std::uint8_t i : search.free) {
-    const EdgeFeature& f = search.features[i];
-    if (!f.open && std::fabs(line.beyond(f.at)) <= search.params.tolerance) {
-      search.taken.push_back(i);
-      ++support;
-    } else {
-      left.push_back(i);
-    }
+// Counts the features on each line.
+void measure(const Search& search, EdgeLines& lines) {
+  std::array<double, EdgeLines::kCapacity> squares{};
+  for (EdgeLine& line : lines) line.support = 0;
+  for (const EdgeFeature& f : search.features) {
+    const Place place = placeOf(lines, f.at);
+    if (f.open || !(std::fabs(place.beyond) <= search.params.tolerance)) continue;
+    ++lines[place.edge].support;
+    squares[place.edge] += place.beyond * place.beyond;
   }
-  search.free = left;
-  return support;
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    if (lines[i].support > 0)
+      lines[i].rms = std::sqrt(squares[i] / static_cast<double>(lines[i].support));
+}
+
+bool squareToNeighbours(const Search& search, const EdgeLines& lines) {
+  // Three edges in one image are two ends of a side: the outer two are parallel, not square.
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    int square = 0;
+    for (std::size_t k = 0; k < lines.size(); ++k)
+      square +=
+          i != k && groundCosine(lines[i], lines[k], search.level) <= search.params.maxCornerCosine
+              ? 1
+              : 0;
+    if (square == 0) return false;
+  }
+  return true;
+}
+
+bool supported(const EdgeLines& lines, const FieldEdgeParams& params) {
+  return std::all_of(lines.begin(), lines.end(), [&](const EdgeLine& line) {
+    return static_cast<double>(line.support) >= params.minCornerSupport;
+  });
 }
 
 }  // namespace
 
 EdgeLines fitEdgeLines(const EdgeFeatures& features, const ImageLevel& level,
                        const FieldEdgeParams& params) {
-  EdgeLines lines;
-  Search search{features, level, params, {}, {}};
+  Search search{features, level, params, Random(params.seed)};
   double solid = 0.0;
-  for (std::size_t i = 0; i < features.size(); ++i) {
-    search.free.push_back(static_cast<std::uint8_t>(i));
-    solid += features[i].open ? 0.0 : 1.0;
+  for (const EdgeFeature& f : features) solid += f.open ? 0.0 : 1.0;
+  Outline best = withOneMore(search, {});
+  measure(search, best.lines);
+  if (best.lines.empty()) return best.lines;
+  while (!best.lines.full()) {
+    Outline more = withOneMore(search, best.lines);
+    measure(search, more.lines);
+    if (more.gain < best.gain + params.minCornerGain || !supported(more.lines, params) ||
+        !squareToNeighbours(search, more.lines))
+      break;
+    best = more;
   }
-  Hypothesis h = sampled(search);
-  h.line.support = take(search, h.line);
-  const auto support = static_cast<double>(h.line.support);
-  if (support < params.minSupport || support < params.minShare * solid) return lines;
-  lines.push_back(h.line);
-  return lines;
+  double support = 0.0;
+  for (const EdgeLine& line : best.lines) support += static_cast<double>(line.support);
+  if (support < params.minSupport || support < params.minShare * solid) return {};
+  std::stable_sort(best.lines.begin(), best.lines.end(),
+                   [](const EdgeLine& a, const EdgeLine& b) { return a.support > b.support; });
+  return best.lines;
 }
 
 }  // namespace kelpie::vision

@@ -64,26 +64,32 @@ vision::EdgeFeatures uniformPoints(Random& random, const Line& line, double shar
     const double x = columnOf(i);
     const double row = wrong[static_cast<std::size_t>(i)] ? random.uniform(0.0, kImageHeight)
                                                           : line.at(x) + kNoise * random.gaussian();
-    points.push_back({{x, row}, false});
+    points.push_back({{x, row}, false, 1.0});
   }
   return points;
 }
 
-// An obstacle's straight border, 10 to 60 px off the edge: below it, since the obstacle stands on
-// the carpet; `beyond` puts it above, as something green behind the carpet would.
+// An obstacle's straight border, over all its width 5 to 60 px off the edge: below it, since the
+// obstacle stands on the carpet; `beyond` puts it above, as something green behind the carpet
+// would.
+Line obstacleLine(Random& random, const Line& edge, double from, double to, bool beyond) {
+  const double left = random.uniform(5.0, 60.0);
+  const double right = maths::clamp(left + random.uniform(-0.3, 0.3) * (to - from), 5.0, 60.0);
+  const double side = beyond ? -1.0 : 1.0;
+  const double slope = edge.slope + side * (right - left) / (to - from);
+  return {slope, edge.at(from) + side * left - slope * from};
+}
+
 vision::EdgeFeatures coveredPoints(Random& random, const Line& line, double share, bool beyond) {
   vision::EdgeFeatures points;
   const Wrong wrong = together(random, share);
-  const auto first = std::find(wrong.begin(), wrong.end(), true) - wrong.begin();
-  const double middle = columnOf(static_cast<int>(first)) + 0.5 * share * kImageWidth;
-  const double away = (beyond ? -1.0 : 1.0) * random.uniform(10.0, 60.0);
-  const double slope = random.uniform(-0.3, 0.3);
+  const auto first = static_cast<int>(std::find(wrong.begin(), wrong.end(), true) - wrong.begin());
+  const double from = columnOf(first);
+  const Line border = obstacleLine(random, line, from, from + share * kImageWidth, beyond);
   for (int i = 0; i < kPoints; ++i) {
     const double x = columnOf(i);
-    const double row = wrong[static_cast<std::size_t>(i)]
-                           ? line.at(middle) + away + slope * (x - middle)
-                           : line.at(x);
-    points.push_back({{x, row + kNoise * random.gaussian()}, false});
+    const double row = wrong[static_cast<std::size_t>(i)] ? border.at(x) : line.at(x);
+    points.push_back({{x, row + kNoise * random.gaussian()}, false, 1.0});
   }
   return points;
 }
