@@ -167,6 +167,56 @@ Outline withOneMore(Search& search, const EdgeLines& known) {
   return best;
 }
 
+constexpr double kBendBand = 3.0;     // tolerances to both sides in which a bend is looked for
+constexpr std::size_t kLeastArm = 3;  // features on each arm
+
+using Numbers = FixedVector<std::uint8_t, kMaxScanLines>;
+
+// Where two lines through the features before and after it fit best.
+std::size_t bestBend(const EdgeFeatures& features, const Numbers& near) {
+  std::array<double, kMaxScanLines> before{};
+  EdgeMoments left;
+  for (std::size_t k = 0; k < near.size(); ++k) {
+    left.add(features[near[k]].at, features[near[k]].weight);
+    before[k] = left.leastSquares();
+  }
+  EdgeMoments right;
+  std::size_t best = 0;
+  double least = 1e12;
+  for (std::size_t k = near.size() - 1; k >= kLeastArm; --k) {
+    right.add(features[near[k]].at, features[near[k]].weight);
+    const double squares = before[k - 1] + right.leastSquares();
+    if (near.size() - k < kLeastArm || squares >= least) continue;
+    least = squares;
+    best = k;
+  }
+  return best;
+}
+
+// A flat corner looks like one line through both arms: the same line, bent where that fits best.
+Outline bent(const Search& search, const EdgeLines& known, std::size_t which) {
+  Outline outline;
+  Numbers near;
+  for (std::size_t i = 0; i < search.features.size(); ++i) {
+    const EdgeFeature& f = search.features[i];
+    const Place place = placeOf(known, f.at);
+    if (!f.open && place.edge == which &&
+        std::fabs(place.beyond) <= kBendBand * search.params.tolerance)
+      near.push_back(static_cast<std::uint8_t>(i));
+  }
+  if (near.size() < 2 * kLeastArm) return outline;
+  const std::size_t bend = bestBend(search.features, near);
+  std::array<EdgeMoments, 2> arms;
+  for (std::size_t k = 0; k < near.size(); ++k)
+    arms[k < bend ? 0 : 1].add(search.features[near[k]].at, search.features[near[k]].weight);
+  outline.lines = known;
+  outline.lines[which] = lineOf(arms[0], search.level);
+  outline.lines.push_back(lineOf(arms[1], search.level));
+  outline.gain = gainOf(search, outline.lines);
+  refine(search, outline);
+  return outline;
+}
+
 // Counts the features on each line.
 void measure(const Search& search, EdgeLines& lines) {
   std::array<double, EdgeLines::kCapacity> squares{};
@@ -214,6 +264,10 @@ EdgeLines fitEdgeLines(const EdgeFeatures& features, const ImageLevel& level,
   if (best.lines.empty()) return best.lines;
   while (!best.lines.full()) {
     Outline more = withOneMore(search, best.lines);
+    for (std::size_t i = 0; i < best.lines.size(); ++i) {
+      const Outline bend = bent(search, best.lines, i);
+      if (bend.gain > more.gain) more = bend;
+    }
     measure(search, more.lines);
     if (more.gain < best.gain + params.minCornerGain || !supported(more.lines, params) ||
         !squareToNeighbours(search, more.lines))

@@ -22,6 +22,25 @@ Point3<Camera> groundDirection(const EdgeLine& line, const ImageLevel& level) {
           line.nx * level.upY - line.ny * level.upX};
 }
 
+// Mean and covariance.
+struct Spread {
+  PixelPoint mean;
+  double xx = 0.0;
+  double xy = 0.0;
+  double yy = 0.0;
+
+  double least() const {  // the smaller variance of the two main directions
+    const double half = 0.5 * (xx - yy);
+    return 0.5 * (xx + yy) - std::sqrt(half * half + xy * xy);
+  }
+};
+
+Spread spreadOf(const EdgeMoments& m) {
+  const PixelPoint mean{m.x / m.n, m.y / m.n};
+  return {mean, m.xx / m.n - mean.x * mean.x, m.xy / m.n - mean.x * mean.y,
+          m.yy / m.n - mean.y * mean.y};
+}
+
 double dot(const Point3<Camera>& a, const Point3<Camera>& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
@@ -46,22 +65,20 @@ void EdgeMoments::add(PixelPoint p, double weight) {
 }
 
 EdgeLine lineOf(const EdgeMoments& m, const ImageLevel& level) {
-  const PixelPoint mean{m.x / m.n, m.y / m.n};
-  const double xx = m.xx / m.n - mean.x * mean.x;
-  const double xy = m.xy / m.n - mean.x * mean.y;
-  const double yy = m.yy / m.n - mean.y * mean.y;
-  const double half = 0.5 * (xx - yy);
-  const double least = 0.5 * (xx + yy) - std::sqrt(half * half + xy * xy);
+  const Spread s = spreadOf(m);
+  const double least = s.least();
   // The normal is the direction of least spread, (S - least I) n = 0; of its two rows the longer
   // one is far from 0/0.
-  const double a = xx - least;
-  const double b = yy - least;
-  const double nx = a > b ? -xy : b;
-  const double ny = a > b ? a : -xy;
+  const double a = s.xx - least;
+  const double b = s.yy - least;
+  const double nx = a > b ? -s.xy : b;
+  const double ny = a > b ? a : -s.xy;
   const double norm = std::sqrt(nx * nx + ny * ny);
-  if (!(norm > 1e-9)) return oriented(level.upX, level.upY, mean, level);
-  return oriented(nx / norm, ny / norm, mean, level);
+  if (!(norm > 1e-9)) return oriented(level.upX, level.upY, s.mean, level);
+  return oriented(nx / norm, ny / norm, s.mean, level);
 }
+
+double EdgeMoments::leastSquares() const { return n * std::fmax(0.0, spreadOf(*this).least()); }
 
 double groundCosine(const EdgeLine& a, const EdgeLine& b, const ImageLevel& level) {
   const Point3<Camera> p = groundDirection(a, level);

@@ -34,6 +34,7 @@ struct EdgeMoments {
   double yy = 0.0;
 
   void add(PixelPoint p, double weight);
+  double leastSquares() const;  // px^2, summed, about the best line
 };
 
 // The line of least squared distance: regression of y on x, as in 2005 and 2006, fails on steep

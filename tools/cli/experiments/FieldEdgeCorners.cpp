@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Corners of the carpet: views from the same stream as the others in which two of its borders show,
-// each in at least 40 columns. Success: a line within 6 px of either, all along its part.
+// each in at least 40 columns with nothing before it. Success: a line within 6 px of either, all
+// along its part.
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -28,7 +29,8 @@ double rowOf(const FieldEdgePercept& edge, double x) {
 bool follows(const EdgeTruth& truth, int border, const FieldEdgePercept& edge) {
   for (int x = 0; x < kImageWidth; ++x) {
     const EdgeColumn& column = truth.column[static_cast<std::size_t>(x)];
-    if (column.border == border && std::fabs(rowOf(edge, x + 0.5) - column.row) > kAllowed)
+    if (column.border == border && !column.hidden &&
+        std::fabs(rowOf(edge, x + 0.5) - column.row) > kAllowed)
       return false;
   }
   return true;

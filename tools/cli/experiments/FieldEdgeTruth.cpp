@@ -48,6 +48,30 @@ EdgeColumn columnTruth(const sim::Slice& slice, const Carpet& carpet) {
   return column;
 }
 
+bool covers(const std::optional<sim::Span>& span, double row) {
+  return span && span->top <= row && row < span->bottom;
+}
+
+constexpr double kJustBelow = 0.7;  // px; a goal's back wall stands on the edge and hides nothing
+constexpr double kSliceMargin = 0.01;
+
+bool isHidden(const sim::Scene& scene, const sim::Slice& slice, double edgeRow) {
+  const double row = edgeRow + kJustBelow;
+  for (const auto* solids : {&scene.robots, &scene.fixtures}) {
+    for (const auto& solid : *solids) {
+      if (!slice.mayMeet(solid.centre, solid.radius, kSliceMargin)) continue;
+      for (const auto& quad : solid.quads)
+        if (covers(slice.quad(quad), row)) return true;
+    }
+  }
+  for (const auto& beacon : scene.beacons)
+    for (std::size_t band = 0; band < beacon.band.size(); ++band)
+      if (covers(slice.band(beacon, band), row)) return true;
+  for (const auto& ball : scene.balls)
+    if (covers(slice.sphere(ball), row)) return true;
+  return false;
+}
+
 }  // namespace
 
 EdgeTruth edgeTruth(const View& view) {
@@ -56,6 +80,9 @@ EdgeTruth edgeTruth(const View& view) {
     const sim::Slice slice(view.columns[x], static_cast<double>(x) + 0.5);
     truth.column[x] = columnTruth(slice, view.scene.carpet);
     if (truth.column[x].border == kNoBorder) continue;
+    ++truth.inImage;
+    truth.column[x].hidden = isHidden(view.scene, slice, truth.column[x].row);
+    if (truth.column[x].hidden) continue;
     ++truth.shown;
     ++truth.borderColumns[static_cast<std::size_t>(truth.column[x].border)];
   }

@@ -21,31 +21,20 @@ constexpr double kBallAllowed = 4.0;  // px, BallParams::maxAboveFieldEdge
 
 using Edges = FixedVector<FieldEdgePercept, 3>;
 
-// Row errors where the edge is in the image.
-std::vector<double> rowErrors(const EdgeTruth& truth, const Edges& edges) {
+// Row errors where the edge is in sight, or also where something hides it.
+std::vector<double> rowErrors(const EdgeTruth& truth, const Edges& edges, bool hidden) {
   std::vector<double> errors;
   for (int x = 0; x < kImageWidth; ++x) {
     const EdgeColumn& column = truth.column[static_cast<std::size_t>(x)];
-    if (column.border != kNoBorder)
+    if (column.border != kNoBorder && (hidden || !column.hidden))
       errors.push_back(vision::fieldEdgeRow(edges, x + 0.5) - column.row);
   }
   return errors;
 }
 
-// The same error square to the edge: an upright edge has large row errors for small ones.
-double worstSquare(const EdgeTruth& truth, const Edges& edges) {
-  double worst = 0.0;
-  for (int x = 1; x + 1 < kImageWidth; ++x) {
-    const auto& column = truth.column;
-    const auto i = static_cast<std::size_t>(x);
-    if (column[i - 1].border == kNoBorder || column[i + 1].border == kNoBorder ||
-        column[i].border == kNoBorder)
-      continue;
-    const double slope = 0.5 * (column[i + 1].row - column[i - 1].row);
-    const double error = vision::fieldEdgeRow(edges, x + 0.5) - column[i].row;
-    worst = std::fmax(worst, std::fabs(error) / std::sqrt(1.0 + slope * slope));
-  }
-  return worst;
+bool allWithin(const std::vector<double>& errors) {
+  return std::all_of(errors.begin(), errors.end(),
+                     [](double e) { return std::fabs(e) <= kAllowed; });
 }
 
 // Lowest point of a ball that lies there, as the true camera of its column shows it.
@@ -68,7 +57,7 @@ struct Tally {
   int views = 0;
   int shown = 0;
   int found = 0;
-  int foundSquare = 0;
+  int foundHidden = 0;
   int missed = 0;
   int wrong = 0;
   int tooLow = 0;
@@ -94,7 +83,7 @@ bool insideImage(const Edges& edges) {
 void judge(const EdgeTruth& truth, const Edges& edges, Tally& tally) {
   ++tally.views;
   tally.edges += static_cast<int>(edges.size());
-  if (truth.shown == 0) {
+  if (truth.inImage == 0) {
     ++tally.notShown;
     tally.claimedNone += insideImage(edges) ? 1 : 0;
   }
@@ -104,13 +93,12 @@ void judge(const EdgeTruth& truth, const Edges& edges, Tally& tally) {
     ++tally.missed;
     return;
   }
-  const auto errors = rowErrors(truth, edges);
-  const auto [least, most] = std::minmax_element(errors.begin(), errors.end());
-  const bool found = *least >= -kAllowed && *most <= kAllowed;
+  const auto errors = rowErrors(truth, edges, false);
+  const bool found = allWithin(errors);
   tally.found += found ? 1 : 0;
   tally.wrong += found ? 0 : 1;
-  tally.tooLow += *most > kAllowed ? 1 : 0;
-  tally.foundSquare += worstSquare(truth, edges) <= kAllowed ? 1 : 0;
+  tally.tooLow += *std::max_element(errors.begin(), errors.end()) > kAllowed ? 1 : 0;
+  tally.foundHidden += allWithin(rowErrors(truth, edges, true)) ? 1 : 0;
   std::vector<double> size;
   for (const double e : errors) size.push_back(std::fabs(e));
   if (found) tally.errors.push_back(percentile(size, 0.5));
@@ -147,7 +135,7 @@ Json figures(const Tally& t) {
   return Json{{"views", t.views},
               {"shown_views", t.shown},
               {"found_rate", share(t.found, t.shown)},
-              {"found_square_rate", share(t.foundSquare, t.shown)},
+              {"found_hidden_too_rate", share(t.foundHidden, t.shown)},
               {"missed_rate", share(t.missed, t.shown)},
               {"wrong_rate", share(t.wrong, t.shown)},
               {"too_low_rate", share(t.tooLow, t.shown)},
