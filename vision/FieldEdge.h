@@ -1,19 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where the green ends: per column the highest lasting change to green, then a line through most of
-// them by random sampling of two points with the number of inliers as fitness. (The thesis' eight
-// points and correlation fail on half-covered and on level edges: checklist E4.)
+// The borders of the carpet in the image, one or several (at a corner): scan lines, a feature on
+// each, straight lines through them.
 #pragma once
 
 #include "robot/core/Percepts.h"
+#include "vision/EdgeFit.h"
 #include "vision/Sampler.h"
-#include "vision/VisionParams.h"
 
 namespace kelpie::vision {
 
-constexpr std::size_t kEdgeColumns = 50;
-using EdgeFeatures = FixedVector<PixelPoint, kEdgeColumns>;
+using FieldEdges = FixedVector<FieldEdgePercept, 3>;
 
-EdgeFeatures fieldEdgeFeatures(const Sampler& sampler, const FieldEdgeParams& params);
-FieldEdgePercept fitFieldEdge(const EdgeFeatures& features, const FieldEdgeParams& params);
+FieldEdges findFieldEdges(const Sampler& sampler, const CameraPose& camera, const ScanParams& scan,
+                          const FieldEdgeParams& params);
+
+// Rows at the image's borders. A line that has the carpet above it in the image (the head is rolled
+// by more than a right angle) has none and is left out.
+FieldEdges edgeRows(const EdgeLines& lines);
 
 }  // namespace kelpie::vision

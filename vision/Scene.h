@@ -15,7 +15,7 @@ struct Scene {
   const Sampler& sampler;
   const BlobBuffer& blobs;
   const BodyState& body;
-  FieldEdgePercept fieldEdge;
+  const FixedVector<FieldEdgePercept, 3>& fieldEdges;
   Level level;
   const Lattice& lattice;
   const RunBuffer& runs;
@@ -26,10 +26,17 @@ inline double horizonRow(const Scene& scene, double x) {
   return h.atLeft + (h.atRight - h.atLeft) * x / kImageWidth;
 }
 
-// Row of the field edge, above the image when no edge was found.
+// The carpet is convex, so of several edges the lowest counts. Above the image without any.
+inline double fieldEdgeRow(const FixedVector<FieldEdgePercept, 3>& edges, double x) {
+  double row = -1e6;
+  for (const FieldEdgePercept& e : edges) {
+    const double here = e.atLeft + (e.atRight - e.atLeft) * x / kImageWidth;
+    row = here > row ? here : row;
+  }
+  return row;
+}
 inline double fieldEdgeRow(const Scene& scene, double x) {
-  const FieldEdgePercept& e = scene.fieldEdge;
-  return e.present ? e.atLeft + (e.atRight - e.atLeft) * x / kImageWidth : -1e6;
+  return fieldEdgeRow(scene.fieldEdges, x);
 }
 
 // How far a pixel is below the horizon or the field edge, px along the level image's columns;

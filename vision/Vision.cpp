@@ -24,9 +24,9 @@ Percepts step(const VisionIn& in, const VisionParams& params, VisionState& state
   out.counts.blobs = static_cast<std::uint32_t>(state.blobs.size());
   for (std::uint32_t i = 0; i < found.lost && i < 1000; ++i)
     refuse(out.counts, Refusal::bufferFull);
-  out.fieldEdge = fitFieldEdge(fieldEdgeFeatures(sampler, params.fieldEdge), params.fieldEdge);
+  out.fieldEdges = findFieldEdges(sampler, in.body.camera, params.scan, params.fieldEdge);
 
-  const Scene scene{sampler, state.blobs, in.body, out.fieldEdge, level, lattice, state.runs};
+  const Scene scene{sampler, state.blobs, in.body, out.fieldEdges, level, lattice, state.runs};
   findBeacons(scene, params.beacon, out.counts, out.landmarks);
   findGoals(scene, params.goal, out.counts, out.landmarks, out.gaps);
   keepOneGoal(out);

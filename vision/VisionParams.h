@@ -6,6 +6,7 @@
 
 #include "robot/core/Angle.h"
 #include "robot/core/Fields.h"
+#include "vision/FieldEdgeParams.h"
 
 namespace kelpie::vision {
 
@@ -111,24 +112,6 @@ struct GoalParams {
   }
 };
 
-struct FieldEdgeParams {
-  double rounds = 10;         // checklist
-  double tolerance = 3;       // px, of an inlier
-  double minColumns = 12;     // of 50
-  double minShare = 0.5;      // inliers among the columns that end inside the image
-  double minGreen = 0.6;      // share of green in the 16 px below the edge
-  std::uint32_t seed = 2006;  // of the sampling, afresh for each image
-
-  static constexpr auto fields() {
-    return fieldList(field("rounds", &FieldEdgeParams::rounds, "", 1, 100),
-                     field("tolerance", &FieldEdgeParams::tolerance, "px", 0.5, 20),
-                     field("minColumns", &FieldEdgeParams::minColumns, "", 2, 50),
-                     field("minShare", &FieldEdgeParams::minShare, "", 0, 1),
-                     field("minGreen", &FieldEdgeParams::minGreen, "", 0, 1),
-                     field("seed", &FieldEdgeParams::seed));
-  }
-};
-
 struct LineParams {
   double minStep = 15;                 // grey levels of Y at both edges, facts-2005 4.2
   double maxChroma = 40;               // grey levels that Cr and Cb may change by
@@ -153,12 +136,13 @@ struct VisionParams {
   BallParams ball;
   BeaconParams beacon;
   GoalParams goal;
+  ScanParams scan;
   FieldEdgeParams fieldEdge;
   LineParams line;
 
   static constexpr auto fields() {
     return fieldList(field("ball", &VisionParams::ball), field("beacon", &VisionParams::beacon),
-                     field("goal", &VisionParams::goal),
+                     field("goal", &VisionParams::goal), field("scan", &VisionParams::scan),
                      field("fieldEdge", &VisionParams::fieldEdge),
                      field("line", &VisionParams::line));
   }

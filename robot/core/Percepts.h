@@ -196,15 +196,19 @@ struct ObstaclePoint {
   }
 };
 
+// One straight border of the carpet: y = atLeft + (atRight - atLeft) * x / 208, carpet below. Where
+// several are seen, as at a corner of the carpet, the carpet is below all of them.
 struct FieldEdgePercept {
-  bool present = false;
   double atLeft = 0.0;   // row where the edge meets the left image border
   double atRight = 0.0;  // row where it meets the right one
+  double support = 0.0;  // scan lines that show it
+  double rms = 0.0;      // px, distance of their features from it
 
   static constexpr auto fields() {
-    return fieldList(field("present", &FieldEdgePercept::present),
-                     field("atLeft", &FieldEdgePercept::atLeft, "px"),
-                     field("atRight", &FieldEdgePercept::atRight, "px"));
+    return fieldList(field("atLeft", &FieldEdgePercept::atLeft, "px"),
+                     field("atRight", &FieldEdgePercept::atRight, "px"),
+                     field("support", &FieldEdgePercept::support, "", 0, 100),
+                     field("rms", &FieldEdgePercept::rms, "px", 0, 100));
   }
 };
 
@@ -245,7 +249,7 @@ struct Percepts {
   FixedVector<PinkPercept, 8> pinkPatches;
   FixedVector<ObstaclePoint, 64> obstacles;
   std::uint16_t obstaclesAhead = 0;  // dark pixels 25 cm to either side, up to 100 cm ahead
-  FieldEdgePercept fieldEdge;
+  FixedVector<FieldEdgePercept, 3> fieldEdges;  // strongest first
   FixedVector<LinePoint, 256> linePoints;
   VisionCounts counts;
 
@@ -255,7 +259,7 @@ struct Percepts {
         field("gaps", &Percepts::gaps), field("robots", &Percepts::robots),
         field("pinkPatches", &Percepts::pinkPatches), field("obstacles", &Percepts::obstacles),
         field("obstaclesAhead", &Percepts::obstaclesAhead),
-        field("fieldEdge", &Percepts::fieldEdge), field("linePoints", &Percepts::linePoints),
+        field("fieldEdges", &Percepts::fieldEdges), field("linePoints", &Percepts::linePoints),
         field("counts", &Percepts::counts));
   }
 };

@@ -74,7 +74,7 @@ def test_jsonl_has_one_object_a_frame(match, tmp_path):
     assert kelpie("replay", match, "--jsonl", out).returncode == 0
     objects = [json.loads(line) for line in out.read_text().splitlines()]
     assert [o["frame"] for o in objects] == list(range(len(objects)))
-    assert set(objects[-1]) == {"frame", "t_s", "percepts", "field_edge", "line_points", "pose",
+    assert set(objects[-1]) == {"frame", "t_s", "percepts", "field_edges", "line_points", "pose",
                                 "ball"}
     assert set(objects[-1]["pose"]) == {"x_cm", "y_cm", "heading_deg", "sd_cm", "sd_deg"}
 

@@ -25,9 +25,19 @@ void label(cv::Mat& picture, const std::string& text, cv::Point where, const cv:
   cv::putText(picture, text, where, cv::FONT_HERSHEY_SIMPLEX, 0.45, colour, 1, cv::LINE_AA);
 }
 
+// Nothing of a line outside these rows can be seen.
+constexpr double kFarthestRow = 2000.0;
+
+PixelPoint cutEnd(PixelPoint end, PixelPoint other) {
+  const double row = maths::clamp(end.y, -kFarthestRow, kFarthestRow);
+  if (row == end.y || end.y == other.y) return {end.x, row};
+  return {end.x + (other.x - end.x) * (row - end.y) / (other.y - end.y), row};
+}
+
 void drawLine(cv::Mat& picture, double left, double right, int scale, const cv::Scalar& colour) {
-  const auto clip = [](double v) { return maths::clamp(v, -2000.0, 2000.0); };
-  cv::line(picture, at({0.0, clip(left)}, scale), at({kImageWidth, clip(right)}, scale), colour, 1,
+  const PixelPoint from{0.0, left};
+  const PixelPoint to{kImageWidth, right};
+  cv::line(picture, at(cutEnd(from, to), scale), at(cutEnd(to, from), scale), colour, 1,
            cv::LINE_AA);
 }
 
@@ -176,9 +186,8 @@ cv::Mat drawCamera(const FrameInput& input, const FrameOutput& output, int scale
   cv::Mat picture;
   cv::resize(colourPicture(input.image), picture, {}, scale, scale, cv::INTER_NEAREST);
   drawLine(picture, output.body.horizon.atLeft, output.body.horizon.atRight, scale, kGrey);
-  if (output.percepts.fieldEdge.present)
-    drawLine(picture, output.percepts.fieldEdge.atLeft, output.percepts.fieldEdge.atRight, scale,
-             kRed);
+  for (const auto& edge : output.percepts.fieldEdges)
+    drawLine(picture, edge.atLeft, edge.atRight, scale, kRed);
   drawPoints(picture, output.percepts, scale);
   drawOthers(picture, output.percepts, scale);
   for (const auto& seen : output.percepts.landmarks) drawLandmark(picture, seen, scale);

@@ -21,10 +21,12 @@ Json percepts(const Percepts& seen) {
   return list;
 }
 
-// Rows of the image at its left and right border, or null.
-Json fieldEdge(const FieldEdgePercept& edge) {
-  if (!edge.present) return nullptr;
-  return {{"left_px", edge.atLeft}, {"right_px", edge.atRight}};
+// Of each edge the rows of the image at its left and right border.
+Json fieldEdges(const Percepts& seen) {
+  Json list = Json::array();
+  for (const auto& edge : seen.fieldEdges)
+    list.push_back({{"left_px", edge.atLeft}, {"right_px", edge.atRight}});
+  return list;
 }
 
 Json pose(const WorldModel& world) {
@@ -60,7 +62,7 @@ nlohmann::ordered_json frameObject(const FrameInput& input, const FrameOutput& o
   return {{"frame", input.frame},
           {"t_s", input.time.seconds()},
           {"percepts", percepts(output.percepts)},
-          {"field_edge", fieldEdge(output.percepts.fieldEdge)},
+          {"field_edges", fieldEdges(output.percepts)},
           {"line_points", output.percepts.linePoints.size()},
           {"pose", pose(output.world)},
           {"ball", ball(output.world.ball)}};

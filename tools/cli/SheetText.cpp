@@ -48,9 +48,11 @@ Lines objectRows(const Percepts& seen) {
 }
 
 std::string edgeLine(const Percepts& seen) {
-  if (!seen.fieldEdge.present) return "field edge: none";
-  return fmt::format("field edge: row {:.0f} at the left, {:.0f} at the right",
-                     seen.fieldEdge.atLeft, seen.fieldEdge.atRight);
+  if (seen.fieldEdges.empty()) return "field edge: none";
+  std::string line = "field edge: row";
+  for (const auto& edge : seen.fieldEdges)
+    line += fmt::format(" {:.0f} at the left, {:.0f} at the right;", edge.atLeft, edge.atRight);
+  return line;
 }
 
 std::string pointLine(const Percepts& seen) {

@@ -32,6 +32,10 @@ const std::vector<Experiment>& experiments() {
        "the distance models of vision against sizes measured on real robots in 2005, beside the "
        "team's own fits (reads ../shared/data/distance)",
        1, distances},
+      {"field-edge",
+       "where the carpet ends: the fit on points of which many are wrong (checklist E4), then "
+       "vision on random views and on views of a corner, every camera artefact on",
+       1000, fieldEdge},
   };
   return kAll;
 }

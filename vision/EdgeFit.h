@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// Straight edges of a convex carpet through features of which many are wrong: random sampling of
+// two points in at most ten rounds an edge, with three changes to thesis 2006 section 3.2.2 (eight
+// points, correlation as fitness), which fails on level or half-covered edges (checklist E4):
+// points that lie in line with their neighbours are drawn first; the fitness is the number of
+// inliers, each weighted by its closeness, less a fine for carpet seen beyond; a promising line is
+// refitted to its inliers at once. A further edge is kept if it makes the whole convex outline fit
+// better and is square to the others on the ground. Fails where more than about half of the
+// features lie on the foot of one obstacle.
+#pragma once
+
+#include "robot/core/FixedVector.h"
+#include "vision/EdgeFeatures.h"
+#include "vision/EdgeLine.h"
+
+namespace kelpie::vision {
+
+using EdgeLines = FixedVector<EdgeLine, 3>;
+
+// Strongest first.
+EdgeLines fitEdgeLines(const EdgeFeatures& features, const ImageLevel& level,
+                       const FieldEdgeParams& params);
+
+}  // namespace kelpie::vision

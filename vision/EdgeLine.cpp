@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "vision/EdgeLine.h"
+
+#include <cmath>
+
+#include "robot/body/Camera.h"
+
+namespace kelpie::vision {
+namespace {
+
+EdgeLine oriented(double nx, double ny, PixelPoint on, const ImageLevel& level) {
+  const double side = nx * level.upX + ny * level.upY < 0.0 ? -1.0 : 1.0;
+  return {side * nx, side * ny, side * (nx * on.x + ny * on.y), 0, 0.0};
+}
+
+// Camera coordinates of the horizontal direction along a line on the ground, any length.
+Point3<Camera> groundDirection(const EdgeLine& line, const ImageLevel& level) {
+  const double beyond = line.beyond({body::kPrincipalX, body::kPrincipalY});
+  const double nz = beyond / body::kFocalLength;
+  const double uz = level.middle / body::kFocalLength;
+  return {line.ny * uz - nz * level.upY, nz * level.upX - line.nx * uz,
+          line.nx * level.upY - line.ny * level.upX};
+}
+
+// Mean and covariance.
+struct Spread {
+  PixelPoint mean;
+  double xx = 0.0;
+  double xy = 0.0;
+  double yy = 0.0;
+
+  double least() const {  // the smaller variance of the two main directions
+    const double half = 0.5 * (xx - yy);
+    return 0.5 * (xx + yy) - std::sqrt(half * half + xy * xy);
+  }
+};
+
+Spread spreadOf(const EdgeMoments& m) {
+  const PixelPoint mean{m.x / m.n, m.y / m.n};
+  return {mean, m.xx / m.n - mean.x * mean.x, m.xy / m.n - mean.x * mean.y,
+          m.yy / m.n - mean.y * mean.y};
+}
+
+double dot(const Point3<Camera>& a, const Point3<Camera>& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+}  // namespace
+
+EdgeLine lineThrough(PixelPoint a, PixelPoint b, const ImageLevel& level) {
+  const double dx = b.x - a.x;
+  const double dy = b.y - a.y;
+  const double norm = std::sqrt(dx * dx + dy * dy);
+  if (!(norm > 1e-9)) return oriented(level.upX, level.upY, a, level);
+  return oriented(dy / norm, -dx / norm, a, level);
+}
+
+void EdgeMoments::add(PixelPoint p, double weight) {
+  n += weight;
+  x += weight * p.x;
+  y += weight * p.y;
+  xx += weight * p.x * p.x;
+  xy += weight * p.x * p.y;
+  yy += weight * p.y * p.y;
+}
+
+EdgeLine lineOf(const EdgeMoments& m, const ImageLevel& level) {
+  const Spread s = spreadOf(m);
+  const double least = s.least();
+  // The normal is the direction of least spread, (S - least I) n = 0; of its two rows the longer
+  // one is far from 0/0.
+  const double a = s.xx - least;
+  const double b = s.yy - least;
+  const double nx = a > b ? -s.xy : b;
+  const double ny = a > b ? a : -s.xy;
+  const double norm = std::sqrt(nx * nx + ny * ny);
+  if (!(norm > 1e-9)) return oriented(level.upX, level.upY, s.mean, level);
+  return oriented(nx / norm, ny / norm, s.mean, level);
+}
+
+double EdgeMoments::leastSquares() const { return n * std::fmax(0.0, spreadOf(*this).least()); }
+
+double groundCosine(const EdgeLine& a, const EdgeLine& b, const ImageLevel& level) {
+  const Point3<Camera> p = groundDirection(a, level);
+  const Point3<Camera> q = groundDirection(b, level);
+  const double lengths = std::sqrt(dot(p, p) * dot(q, q));
+  return lengths > 0.0 ? std::fabs(dot(p, q)) / lengths : 1.0;
+}
+
+}  // namespace kelpie::vision

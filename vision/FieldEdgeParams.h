@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+// Tunables of the scan lines and of the field edge's search and fit.
+#pragma once
+
+#include <cstdint>
+
+#include "robot/core/Fields.h"
+
+namespace kelpie::vision {
+
+struct ScanParams {
+  double aboveHorizon = 12;  // px that a scan line begins above the horizon, which is noisy
+  double denseDepth = 96;    // px below the horizon where every second line ends: 27 deg
+
+  static constexpr auto fields() {
+    return fieldList(field("aboveHorizon", &ScanParams::aboveHorizon, "px", -160, 160),
+                     field("denseDepth", &ScanParams::denseDepth, "px", 0, 300));
+  }
+};
+
+struct FieldEdgeParams {
+  double window = 8;             // px of a scan line that must be green below the edge, U01
+  double minGreen = 0.75;        // share of green in it
+  double doubtful = 0.5;         // weight of a feature below goal colours or white
+  double tolerance = 1.5;        // px, of an inlier
+  double abovePenalty = 0.7;     // for each scan line with carpet beyond the edge, in inliers
+  double rounds = 10;            // for each edge, checklist
+  double minSupport = 8;         // scan lines on all edges, d of thesis 2006 algorithm 3.1
+  double minCornerSupport = 4;   // on each of several
+  double minCornerGain = 3;      // inliers that a further edge must win
+  double maxCornerCosine = 0.9;  // corners are square on the ground; 30 deg for noise far away
+  double minShare = 0.35;        // of the scan lines with a feature, all edges together
+  std::uint32_t seed = 2006;     // of the sampling, afresh for each image
+
+  static constexpr auto fields() {
+    return fieldList(field("window", &FieldEdgeParams::window, "px", 2, 32),
+                     field("minGreen", &FieldEdgeParams::minGreen, "", 0, 1),
+                     field("doubtful", &FieldEdgeParams::doubtful, "", 0, 1),
+                     field("tolerance", &FieldEdgeParams::tolerance, "px", 0.5, 20),
+                     field("abovePenalty", &FieldEdgeParams::abovePenalty, "", 0, 10),
+                     field("rounds", &FieldEdgeParams::rounds, "", 1, 100),
+                     field("minSupport", &FieldEdgeParams::minSupport, "", 2, 72),
+                     field("minCornerSupport", &FieldEdgeParams::minCornerSupport, "", 2, 72),
+                     field("minCornerGain", &FieldEdgeParams::minCornerGain, "", 0, 72),
+                     field("maxCornerCosine", &FieldEdgeParams::maxCornerCosine, "", 0, 1),
+                     field("minShare", &FieldEdgeParams::minShare, "", 0, 1),
+                     field("seed", &FieldEdgeParams::seed));
+  }
+};
+
+}  // namespace kelpie::vision
