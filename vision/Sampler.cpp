@@ -7,11 +7,14 @@ std::uint32_t Sampler::sampleLattice() {
   classes_.fill(kNotLookedAt);
   for (int row = 0; row < kLatticeRows; ++row) {
     const int py = kLatticeTop + row * kLatticeStep;
-    const std::uint8_t* distances = distances_.row(py);
+    const auto& centre = calibration_.ring.centre;
+    const std::uint8_t* toY = distances_.row(py, centre[0]);
+    const std::uint8_t* toCr = distances_.row(py, centre[1]);
+    const std::uint8_t* toCb = distances_.row(py, centre[2]);
     for (int column = 0; column < kLatticeColumns; ++column) {
       const int px = kLatticeLeft + column * kLatticeStep;
-      const std::size_t distance = distances[RingDistances::column(px)];
-      const Yuv corrected = calibration_.ring(image_.pixel(px, py), distance);
+      const RingPlace place{toY[px], toCr[px], toCb[px]};
+      const Yuv corrected = calibration_.ring(image_.pixel(px, py), place);
       classes_[Image::at(px, py)] = static_cast<std::uint8_t>(calibration_.colour(corrected));
     }
   }

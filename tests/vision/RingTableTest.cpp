@@ -13,6 +13,12 @@ std::unique_ptr<RingTable> published() {
   return std::make_unique<RingTable>(buildRingTable(ringModel2006()));
 }
 
+// A pixel at the same distance from all three centres.
+RingPlace alike(std::size_t distance) {
+  const auto d = static_cast<std::uint8_t>(distance);
+  return {d, d, d};
+}
+
 // Checklist E3, recomputed there from the printed coefficients.
 TEST(RingModel, PublishedPolynomialGivesTheValuesOfChecklistE3) {
   const RingModel m = ringModel2006();
@@ -41,7 +47,7 @@ TEST(RingTable, UndoesTheDistortionToOneGreyLevelInTheMiddle) {
         const double far = ringDistort(m.channel[channel], v, static_cast<double>(d));
         return static_cast<std::uint8_t>(std::lround(far));
       };
-      const Yuv c = (*table)({raw(0), raw(1), raw(2)}, d);
+      const Yuv c = (*table)({raw(0), raw(1), raw(2)}, alike(d));
       EXPECT_NEAR(c.y, v, 1.0);
       EXPECT_NEAR(c.cr, v, 1.0);
       EXPECT_NEAR(c.cb, v, 1.0);
@@ -51,10 +57,10 @@ TEST(RingTable, UndoesTheDistortionToOneGreyLevelInTheMiddle) {
 
 TEST(RingTable, ValuesTheMiddleCannotShowAreClamped) {
   const auto table = published();
-  const Yuv bright = (*table)({250, 250, 250}, 131);
+  const Yuv bright = (*table)({250, 250, 250}, alike(131));
   EXPECT_EQ(bright.y, 255);
   EXPECT_EQ(bright.cr, 255);
-  const Yuv dark = (*table)({0, 0, 0}, 131);
+  const Yuv dark = (*table)({0, 0, 0}, alike(131));
   EXPECT_EQ(dark.cr, 0);
   EXPECT_EQ(dark.cb, 0);
 }
@@ -79,7 +85,7 @@ TEST(RingTable, NoneChangesNothing) {
   const auto table = std::make_unique<Expected<RingTable>>(loadRingTable("none"));
   for (int v = 0; v < 256; ++v) {
     const auto b = static_cast<std::uint8_t>(v);
-    EXPECT_EQ((**table)({b, b, b}, 132).cr, b);
+    EXPECT_EQ((**table)({b, b, b}, alike(132)).cr, b);
   }
 }
 
@@ -102,7 +108,7 @@ TEST(RingDistances, AreThoseOfPixelCentresToTheImageCentre) {
   const RingDistances d;
   for (int y = 0; y < kImageHeight; y += 7) {
     for (int x = 0; x < kImageWidth; ++x) {
-      EXPECT_EQ(static_cast<long>(d(x, y)), std::lround(std::hypot(x - 103.5, y - 79.5)));
+      EXPECT_EQ(static_cast<long>(d(x, y, {}).cr), std::lround(std::hypot(x - 103.5, y - 79.5)));
     }
   }
 }
