@@ -33,6 +33,8 @@ const std::vector<Experiment>& experiments();
 Expected<Json> scoreEmptyGoal(const ExperimentOptions& options);
 Expected<Json> walkAndKick(const ExperimentOptions& options);
 Expected<Json> projection(const ExperimentOptions& options);
+Expected<Json> colour(const ExperimentOptions& options);
+Expected<Json> ring(const ExperimentOptions& options);
 
 // p in 0..1; linear between neighbours; 0 for no values.
 double percentile(std::vector<double> values, double p);
