@@ -16,10 +16,6 @@ constexpr double kTypical = 100.0;
 constexpr int kEvaluations = 6000;
 constexpr int kStarts = 4;  // afresh from where the last one ended: a simplex may collapse early
 
-struct Pixel {
-  double distance, value, colour, weight;
-};
-
 // The simplex walks in grey levels: what each term adds to a value of 100 at distance 132.
 vision::RingChannel channelAt(const double* x) {
   const double far2 = kFar * kFar;
@@ -27,29 +23,15 @@ vision::RingChannel channelAt(const double* x) {
           x[4] / kTypical / kFar,        x[5] / kFar};
 }
 
-// The thesis's error, equations 2.4 and 2.5, with the learner's weights.
-double meanSquare(const std::vector<Pixel>& pixels, const vision::RingChannel& model) {
-  double sum = 0.0;
-  double all = 0.0;
-  for (const Pixel& p : pixels) {
-    const double gain = ((model.a1 * p.distance + model.a2) * p.distance + model.a3) * p.distance;
-    const double add = ((model.b1 * p.distance + model.b2) * p.distance + model.b3) * p.distance;
-    const double error = (gain + 1.0) * p.colour + add - p.value;
-    sum += p.weight * error * error;
-    all += p.weight;
-  }
-  return sum / all;
-}
-
 double cost(unsigned /*count*/, const double* x, double* /*gradient*/, void* data) {
-  return meanSquare(*static_cast<const std::vector<Pixel>*>(data), channelAt(x));
+  return meanSquareError(*static_cast<const std::vector<RingPixel>*>(data), channelAt(x));
 }
 
-std::vector<Pixel> pixelsOf(const RingFit& fit, std::size_t channel) {
+std::vector<RingPixel> pixelsOf(const RingFit& fit, std::size_t channel) {
   const ChannelFit& known = fit.channel[channel];
   const auto& whole = fit.model.centre[channel];
   const Centre centre = {static_cast<double>(whole.column), static_cast<double>(whole.row)};
-  std::vector<Pixel> pixels;
+  std::vector<RingPixel> pixels;
   std::size_t at = 0;
   for (std::size_t s = 0; s < fit.used.size(); ++s)
     for (const SheetPixel& p : fit.used[s].pixels) {
@@ -63,10 +45,23 @@ std::vector<Pixel> pixelsOf(const RingFit& fit, std::size_t channel) {
 
 }  // namespace
 
+double meanSquareError(const std::vector<RingPixel>& pixels, const vision::RingChannel& model) {
+  double sum = 0.0;
+  double all = 0.0;
+  for (const RingPixel& p : pixels) {
+    const double gain = ((model.a1 * p.distance + model.a2) * p.distance + model.a3) * p.distance;
+    const double add = ((model.b1 * p.distance + model.b2) * p.distance + model.b3) * p.distance;
+    const double error = (gain + 1.0) * p.colour + add - p.value;
+    sum += p.weight * error * error;
+    all += p.weight;
+  }
+  return sum / all;
+}
+
 SimplexCheck checkWithSimplex(const RingFit& fit, std::size_t channel) {
   auto pixels = pixelsOf(fit, channel);
   SimplexCheck check;
-  check.squares = std::sqrt(meanSquare(pixels, fit.model.channel[channel]));
+  check.squares = std::sqrt(meanSquareError(pixels, fit.model.channel[channel]));
   const std::unique_ptr<nlopt_opt_s, void (*)(nlopt_opt)> simplex(
       nlopt_create(NLOPT_LN_NELDERMEAD, 6), nlopt_destroy);
   nlopt_set_min_objective(simplex.get(), cost, &pixels);

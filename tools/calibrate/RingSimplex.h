@@ -4,9 +4,23 @@
 // every eighth pixel with the weights, the colours and the centre that the learner ended with.
 #pragma once
 
+#include <vector>
+
 #include "tools/calibrate/RingLearner.h"
 
 namespace kelpie::calibrate {
+
+// A pixel as the thesis's error sees it: one channel's value at a distance, and what the middle of
+// the image shows of the same surface.
+struct RingPixel {
+  double distance = 0.0;
+  double value = 0.0;
+  double colour = 0.0;
+  double weight = 1.0;
+};
+
+// Equations 2.4 and 2.5 for one channel, as a weighted mean.
+double meanSquareError(const std::vector<RingPixel>& pixels, const vision::RingChannel& model);
 
 struct SimplexCheck {
   double simplex = 0.0;  // weighted rms residual, grey levels
