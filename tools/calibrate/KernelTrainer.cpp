@@ -67,12 +67,14 @@ void forBump(const Axes& axes, const KernelParams& params, Yuv p, double wide, A
   const Profile cr = profileOf(axes.cr, p.cr, wide * params.widthChroma, params.reach);
   const Profile cb = profileOf(axes.cb, p.cb, wide * params.widthChroma, params.reach);
   const double height = 1.0 / (wide * wide * wide);
+  const double rim = height * std::exp(-0.5 * params.reach * params.reach);
   for (std::size_t i = 0; i < y.weight.size(); ++i)
     for (std::size_t j = 0; j < cr.weight.size(); ++j) {
       const std::size_t first =
           axes.at(y.first + static_cast<int>(i), cr.first + static_cast<int>(j), cb.first);
       const double outer = height * y.weight[i] * cr.weight[j];
-      for (std::size_t k = 0; k < cb.weight.size(); ++k) add(first + k, outer * cb.weight[k]);
+      for (std::size_t k = 0; k < cb.weight.size(); ++k)
+        if (outer * cb.weight[k] >= rim) add(first + k, outer * cb.weight[k]);
     }
 }
 
