@@ -25,8 +25,8 @@ void fill(const RingChannel& model, const ChannelShift& shift, RingTable::Channe
 }
 
 bool allowed(RingCentre c) {
-  return std::abs(c.column - kImageWidth / 2) <= kMostOffCentre &&
-         std::abs(c.row - kImageHeight / 2) <= kMostOffCentre;
+  return std::abs(c.column - kMiddleColumn) <= kMostOffCentre &&
+         std::abs(c.row - kMiddleRow) <= kMostOffCentre;
 }
 
 // Beyond the distances of the printed fit (132) a cubic may turn; the last useful gain is kept.
@@ -113,7 +113,7 @@ Status saveRingTable(const RingTable& table, const std::string& path,
 RingDistances::RingDistances() {
   for (int y = 0; y < kRows; ++y) {
     for (int x = 0; x < kColumns; ++x) {
-      const double dx = x - kColumns / 2 + 0.5;
+      const double dx = x - kMiddle + 0.5;
       map[static_cast<std::size_t>(y * kColumns + x)] = asByte(maths::hypot(dx, y + 0.5));
     }
   }

@@ -19,6 +19,8 @@ namespace kelpie::vision {
 // A real robot's centres lay 6 columns right (Y), 1 right (Cr) and 7 left (Cb) of the image's
 // (facts-2005 section 3); twice that is allowed, in columns and in rows.
 constexpr int kMostOffCentre = 12;
+constexpr int kMiddleColumn = kImageWidth / 2;
+constexpr int kMiddleRow = kImageHeight / 2;
 constexpr std::size_t kRingDistances = 149;  // hypot(104 + 12, 80 + 12) = 148.1
 
 // Thesis 2006 equation 2.2: Yd = (a1 Yc + b1) d^3 + (a2 Yc + b2) d^2 + (a3 Yc + b3) d + Yc.
@@ -34,14 +36,14 @@ struct RingChannel {
 // The corner between four pixels from which a channel's distances count; whole, because half a
 // pixel changes no value by more than half a grey level.
 struct RingCentre {
-  std::int32_t column = kImageWidth / 2;
-  std::int32_t row = kImageHeight / 2;
+  std::int32_t column = kMiddleColumn;
+  std::int32_t row = kMiddleRow;
 
   static constexpr auto fields() {
-    return fieldList(field("column", &RingCentre::column, "px", kImageWidth / 2 - kMostOffCentre,
-                           kImageWidth / 2 + kMostOffCentre),
-                     field("row", &RingCentre::row, "px", kImageHeight / 2 - kMostOffCentre,
-                           kImageHeight / 2 + kMostOffCentre));
+    return fieldList(field("column", &RingCentre::column, "px", kMiddleColumn - kMostOffCentre,
+                           kMiddleColumn + kMostOffCentre),
+                     field("row", &RingCentre::row, "px", kMiddleRow - kMostOffCentre,
+                           kMiddleRow + kMostOffCentre));
   }
 };
 
@@ -101,14 +103,15 @@ constexpr std::size_t kRingFileBytes = 6 + 3 * sizeof(RingTable::Channel);  // c
 // one mirrors (21 KB). A whole row, so that one channel costs one read and no arithmetic.
 struct RingDistances {
   static constexpr int kColumns = kImageWidth + 2 * kMostOffCentre;
-  static constexpr int kRows = kImageHeight / 2 + kMostOffCentre;
+  static constexpr int kMiddle = kMiddleColumn + kMostOffCentre;
+  static constexpr int kRows = kMiddleRow + kMostOffCentre;
   std::array<std::uint8_t, static_cast<std::size_t>(kColumns) * kRows> map{};
 
   RingDistances();
   // The distances of row `py`: [px].
   const std::uint8_t* row(int py, RingCentre centre) const {
     const int down = py < centre.row ? centre.row - 1 - py : py - centre.row;
-    return map.data() + down * kColumns + (kColumns / 2 - centre.column);
+    return map.data() + down * kColumns + (kMiddle - centre.column);
   }
   RingPlace operator()(int px, int py, const std::array<RingCentre, 3>& centre) const {
     return {row(py, centre[0])[px], row(py, centre[1])[px], row(py, centre[2])[px]};

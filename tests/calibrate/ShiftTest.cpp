@@ -70,8 +70,8 @@ TEST(Shift, MissingFileIsOneLine) {
 TEST(Shift, WrongColumnsNameFileAndLine) {
   const auto header = written("header.csv", "a,b,c\n");
   EXPECT_EQ(fitShifts(header).error().find(header + ":1: the header must be date"), 0U);
-  const auto short_ = written("short.csv", std::string(kHeader) + "d,r1,c0,b1,red,1,2,3\n");
-  EXPECT_EQ(fitShifts(short_).error(), short_ + ":2: expected 11 columns");
+  const auto cut = written("short.csv", std::string(kHeader) + "d,r1,c0,b1,red,1,2,3\n");
+  EXPECT_EQ(fitShifts(cut).error(), cut + ":2: expected 11 columns");
   const auto word = written("word.csv", std::string(kHeader) + "d,r1,c0,b1,red,x,2,3,4,5,6\n");
   EXPECT_EQ(fitShifts(word).error(), word + ":2: expected a byte and a number for each channel");
 }

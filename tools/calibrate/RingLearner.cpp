@@ -171,12 +171,12 @@ double costAt(const std::vector<Sheet>& sheets, std::size_t channel, const Centr
   return sum / static_cast<double>(all.size());
 }
 
-bool allowed(const Centre& c) {
-  return std::fabs(c[0] - kImageWidth / 2) <= vision::kMostOffCentre &&
-         std::fabs(c[1] - kImageHeight / 2) <= vision::kMostOffCentre;
-}
-
 constexpr Centre kImageCentre = {kImageWidth / 2.0, kImageHeight / 2.0};
+
+bool allowed(const Centre& c) {
+  return std::fabs(c[0] - kImageCentre[0]) <= vision::kMostOffCentre &&
+         std::fabs(c[1] - kImageCentre[1]) <= vision::kMostOffCentre;
+}
 
 // Pattern search: four neighbours at 4, 2, 1, 0.5 px; the cost has one valley.
 Centre findCentre(const std::vector<Sheet>& sheets, std::size_t channel, double priorShare) {

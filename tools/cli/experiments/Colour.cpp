@@ -141,7 +141,7 @@ constexpr double kMiddle = 50.0;    // px from the image's centre
 constexpr double kCorners = 100.0;  // beyond: 4 % of the image
 
 Zone zoneAt(int px, int py) {
-  const double d = std::hypot(px + 0.5 - kImageWidth / 2, py + 0.5 - kImageHeight / 2);
+  const double d = std::hypot(px + 0.5 - kImageWidth / 2.0, py + 0.5 - kImageHeight / 2.0);
   return d < kMiddle ? Zone::middle : d < kCorners ? Zone::between : Zone::corners;
 }
 
@@ -220,11 +220,14 @@ Expected<vision::RobotShift> calibratedShift(const sim::ColourShift& robot, Rand
     return static_cast<std::uint8_t>(maths::clamp(v + 0.5, 0.0, 255.0));
   };
   std::vector<calibrate::ShiftPair> pairs;
-  for (const auto& paper : kPapers)
+  for (const auto& paper : kPapers) {
+    const std::array<double, 3> base{static_cast<double>(paper.y), static_cast<double>(paper.cr),
+                                     static_cast<double>(paper.cb)};
     for (int i = 0; i < kPixels; ++i)
-      pairs.push_back({{seen(0, paper.y, noise.noiseSdY), seen(1, paper.cr, noise.noiseSdChroma),
-                        seen(2, paper.cb, noise.noiseSdChroma)},
-                       {paper.y, paper.cr, paper.cb}});
+      pairs.push_back({{seen(0, base[0], noise.noiseSdY), seen(1, base[1], noise.noiseSdChroma),
+                        seen(2, base[2], noise.noiseSdChroma)},
+                       base});
+  }
   return calibrate::fitShift(pairs);
 }
 

@@ -33,7 +33,9 @@ constexpr std::size_t kWhitePaper = 4;
 
 using Centres = std::array<Centre, 3>;
 
-std::array<double, 3> channels(sim::Colour c) { return {c.y, c.cr, c.cb}; }
+std::array<double, 3> channels(sim::Colour c) {
+  return {static_cast<double>(c.y), static_cast<double>(c.cr), static_cast<double>(c.cb)};
+}
 
 std::uint8_t byteOf(double value) {
   return static_cast<std::uint8_t>(maths::clamp(std::floor(value + 0.5), 0.0, 255.0));
@@ -173,7 +175,7 @@ Json roundingCost() {
   const auto model = vision::ringModel2006();
   for (int py = kImageHeight / 2; py < kImageHeight; ++py)
     for (int px = kImageWidth / 2; px < kImageWidth; ++px) {
-      const double d = std::hypot(px + 0.5 - kImageWidth / 2, py + 0.5 - kImageHeight / 2);
+      const double d = std::hypot(px + 0.5 - kImageWidth / 2.0, py + 0.5 - kImageHeight / 2.0);
       for (std::size_t c = 0; c < 3; ++c)
         for (const double v : {0.0, 255.0}) {
           const double raw = ringDistort(model.channel[c], v, d);
