@@ -10,24 +10,6 @@ constexpr std::size_t k2005Size = std::size_t{1} << 21;
 constexpr std::uint8_t kMaybeBit = 0x10;
 constexpr int k2005Bits = 7;
 
-// Class ids of the 2005 release; 2 (an unused green), 11, 12 (drawing markers) and 127 mean
-// nothing.
-ColourClass classOf2005(std::uint8_t id) {
-  switch (id & static_cast<std::uint8_t>(~kMaybeBit)) {
-    case 0: return ColourClass::orange;
-    case 1: return ColourClass::blue;
-    case 3: return ColourClass::yellow;
-    case 4: return ColourClass::pink;
-    case 5: return ColourClass::robotBlue;
-    case 6: return ColourClass::robotRed;
-    case 7: return ColourClass::green;
-    case 8: return ColourClass::grey;
-    case 9: return ColourClass::white;
-    case 10: return ColourClass::black;
-    default: return ColourClass::none;
-  }
-}
-
 std::uint8_t middle(std::size_t step, int bits) {
   return static_cast<std::uint8_t>((step << (8 - bits)) + (std::size_t{1} << (7 - bits)));
 }
@@ -78,6 +60,22 @@ Expected<ColourTable> fromOwnFile(const std::string& path, const Bytes& bytes) {
 }
 
 }  // namespace
+
+ColourClass classOf2005(std::uint8_t id) {
+  switch (id & static_cast<std::uint8_t>(~kMaybeBit)) {
+    case 0: return ColourClass::orange;
+    case 1: return ColourClass::blue;
+    case 3: return ColourClass::yellow;
+    case 4: return ColourClass::pink;
+    case 5: return ColourClass::robotBlue;
+    case 6: return ColourClass::robotRed;
+    case 7: return ColourClass::green;
+    case 8: return ColourClass::grey;
+    case 9: return ColourClass::white;
+    case 10: return ColourClass::black;
+    default: return ColourClass::none;
+  }
+}
 
 Yuv ColourTable::centreOf(std::size_t cell) {
   const std::size_t y = cell >> (kBitsCr + kBitsCb);

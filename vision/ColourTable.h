@@ -45,6 +45,10 @@ struct ColourTable {
   static constexpr auto fields() { return fieldList(field("cells", &ColourTable::cells)); }
 };
 
+// Class ids of the 2005 release (facts-2005 section 3); 2 (an unused green), 11, 12 (drawing
+// markers) and 127 mean nothing, the "maybe" bit is dropped.
+ColourClass classOf2005(std::uint8_t id);
+
 // Kelpie's own format, or the 2005 layout: 128^3 bytes by (Y/2, Cr/2, Cb/2) with the class ids of
 // data/colour/classes.csv; its "maybe" bit 0x10 is dropped (the loose reading) and each cell here
 // takes the commonest class of the 16 it covers.

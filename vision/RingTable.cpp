@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 #include "robot/core/Maths.h"
 #include "vision/TableFile.h"
@@ -14,16 +15,26 @@ std::uint8_t asByte(double value) {
   return static_cast<std::uint8_t>(maths::clamp(std::floor(value + 0.5), 0.0, 255.0));
 }
 
-void fill(const RingChannel& model, RingTable::Channel& channel) {
+void fill(const RingChannel& model, const ChannelShift& shift, RingTable::Channel& channel) {
   for (std::size_t d = 0; d < kRingDistances; ++d) {
     for (std::size_t v = 0; v < 256; ++v) {
-      channel[256 * d + v] =
-          asByte(ringCorrect(model, static_cast<double>(v), static_cast<double>(d)));
+      const double own = ringCorrect(model, static_cast<double>(v), static_cast<double>(d));
+      channel[256 * d + v] = asByte(shift.gain * own + shift.offset);
     }
   }
 }
 
-double gain(const RingChannel& c, double d) { return ((c.a1 * d + c.a2) * d + c.a3) * d + 1.0; }
+bool allowed(RingCentre c) {
+  return std::abs(c.column - kMiddleColumn) <= kMostOffCentre &&
+         std::abs(c.row - kMiddleRow) <= kMostOffCentre;
+}
+
+// Beyond the distances of the printed fit (132) a cubic may turn; the last useful gain is kept.
+constexpr double kLeastGain = 0.25;
+
+double gain(const RingChannel& c, double d) {
+  return std::fmax(kLeastGain, ((c.a1 * d + c.a2) * d + c.a3) * d + 1.0);
+}
 double offset(const RingChannel& c, double d) { return ((c.b1 * d + c.b2) * d + c.b3) * d; }
 
 }  // namespace
@@ -45,12 +56,24 @@ double ringCorrect(const RingChannel& c, double value, double distance) {
   return (value - offset(c, distance)) / gain(c, distance);
 }
 
-RingTable buildRingTable(const RingModel& model) {
+RingTable buildRingTable(const RingModel& model, const RobotShift& shift) {
   RingTable table;
-  fill(model.channel[0], table.y);
-  fill(model.channel[1], table.cr);
-  fill(model.channel[2], table.cb);
+  fill(model.channel[0], shift[0], table.y);
+  fill(model.channel[1], shift[1], table.cr);
+  fill(model.channel[2], shift[2], table.cb);
+  table.centre = model.centre;
   return table;
+}
+
+RingTable shifted(const RingTable& table, const RobotShift& shift) {
+  RingTable out = table;
+  const std::array<RingTable::Channel*, 3> channels{&out.y, &out.cr, &out.cb};
+  for (std::size_t c = 0; c < 3; ++c) {
+    for (std::uint8_t& value : *channels[c]) {
+      value = asByte(shift[c].gain * value + shift[c].offset);
+    }
+  }
+  return out;
 }
 
 Expected<RingTable> loadRingTable(const std::string& source) {
@@ -58,19 +81,29 @@ Expected<RingTable> loadRingTable(const std::string& source) {
   if (source == "2006") return buildRingTable(ringModel2006());
   auto bytes = readBytes(source);
   if (!bytes) return Error{bytes.error() + " (ring correction: \"none\", \"2006\" or a file)"};
-  RingTable table;
-  constexpr std::size_t kChannel = kRingDistances * 256;
-  auto file = parseTableFile(source, *bytes, TableKind::ring, 3 * kChannel);
+  auto file = parseTableFile(source, *bytes, TableKind::ring, kRingFileBytes);
   if (!file) return Error{file.error()};
-  std::copy_n(file->data.data(), kChannel, table.y.data());
-  std::copy_n(file->data.data() + kChannel, kChannel, table.cr.data());
-  std::copy_n(file->data.data() + 2 * kChannel, kChannel, table.cb.data());
+  RingTable table;
+  const std::uint8_t* next = file->data.data();
+  for (RingCentre& centre : table.centre) {
+    centre.column = *next++;
+    centre.row = *next++;
+    if (!allowed(centre)) return Error{source + ": a ring centre far from the image's"};
+  }
+  for (auto* channel : {&table.y, &table.cr, &table.cb}) {
+    std::copy_n(next, channel->size(), channel->data());
+    next += channel->size();
+  }
   return table;
 }
 
 Status saveRingTable(const RingTable& table, const std::string& path,
                      const std::string& provenance) {
   TableFile file{TableKind::ring, provenance, {}};
+  for (const RingCentre& centre : table.centre) {
+    file.data.push_back(static_cast<std::uint8_t>(centre.column));
+    file.data.push_back(static_cast<std::uint8_t>(centre.row));
+  }
   for (const auto* channel : {&table.y, &table.cr, &table.cb}) {
     file.data.insert(file.data.end(), channel->begin(), channel->end());
   }
@@ -78,11 +111,10 @@ Status saveRingTable(const RingTable& table, const std::string& path,
 }
 
 RingDistances::RingDistances() {
-  for (std::size_t y = 0; y < kHalfHeight; ++y) {
-    for (std::size_t x = 0; x < kHalfWidth; ++x) {
-      const double dx = static_cast<double>(x) + 0.5;
-      const double dy = static_cast<double>(y) + 0.5;
-      quarter[y * kHalfWidth + x] = asByte(maths::hypot(dx, dy));
+  for (int y = 0; y < kRows; ++y) {
+    for (int x = 0; x < kColumns; ++x) {
+      const double dx = x - kMiddle + 0.5;
+      map[static_cast<std::size_t>(y * kColumns + x)] = asByte(maths::hypot(dx, y + 0.5));
     }
   }
 }

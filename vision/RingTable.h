@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Ring correction: the ERS-7 darkens and discolours its image towards the corners, equally at equal
-// distance from the middle. One byte for each channel, distance 0..132 px and measured value gives
-// the value that the middle of the image would show (thesis 2006 section 2.3; 100 KB).
+// distance from a centre that each channel has for itself. One byte for each channel, distance and
+// measured value gives the value that the middle of the image would show (thesis 2006 section 2.3;
+// 112 KB). A robot's shift to the base robot's colours is folded in, so it costs nothing to apply.
 #pragma once
 
 #include <array>
@@ -15,7 +16,12 @@
 
 namespace kelpie::vision {
 
-constexpr std::size_t kRingDistances = 133;
+// A real robot's centres lay 6 columns right (Y), 1 right (Cr) and 7 left (Cb) of the image's
+// (facts-2005 section 3); twice that is allowed, in columns and in rows.
+constexpr int kMostOffCentre = 12;
+constexpr int kMiddleColumn = kImageWidth / 2;
+constexpr int kMiddleRow = kImageHeight / 2;
+constexpr std::size_t kRingDistances = 149;  // hypot(104 + 12, 80 + 12) = 148.1
 
 // Thesis 2006 equation 2.2: Yd = (a1 Yc + b1) d^3 + (a2 Yc + b2) d^2 + (a3 Yc + b3) d + Yc.
 struct RingChannel {
@@ -27,54 +33,89 @@ struct RingChannel {
   double b3 = 0.0;
 };
 
+// The corner between four pixels from which a channel's distances count; whole, because half a
+// pixel changes no value by more than half a grey level.
+struct RingCentre {
+  std::int32_t column = kMiddleColumn;
+  std::int32_t row = kMiddleRow;
+
+  static constexpr auto fields() {
+    return fieldList(field("column", &RingCentre::column, "px", kMiddleColumn - kMostOffCentre,
+                           kMiddleColumn + kMostOffCentre),
+                     field("row", &RingCentre::row, "px", kMiddleRow - kMostOffCentre,
+                           kMiddleRow + kMostOffCentre));
+  }
+};
+
 struct RingModel {
   std::array<RingChannel, 3> channel{};  // Y, Cr, Cb
+  std::array<RingCentre, 3> centre{};
 };
+
+// From a robot's colours to the base robot's: out = gain * in + offset (facts-2005 section 3).
+struct ChannelShift {
+  double gain = 1.0;
+  double offset = 0.0;
+};
+using RobotShift = std::array<ChannelShift, 3>;  // Y, Cr, Cb
 
 // The coefficients printed in thesis 2006 section 2.3.2 (checklist A-2.3.2.6).
 RingModel ringModel2006();
 double ringDistort(const RingChannel& c, double value, double distance);
 double ringCorrect(const RingChannel& c, double value, double distance);  // its exact inverse
 
+// Where a pixel lies: its distance from each channel's centre.
+struct RingPlace {
+  std::uint8_t y = 0;
+  std::uint8_t cr = 0;
+  std::uint8_t cb = 0;
+};
+
 struct RingTable {
   using Channel = std::array<std::uint8_t, kRingDistances * 256>;
   Channel y{};  // [256 * distance + value]
   Channel cr{};
   Channel cb{};
+  std::array<RingCentre, 3> centre{};
 
-  Yuv operator()(Yuv raw, std::size_t distance) const {
-    const std::size_t row = distance * 256;
-    return {y[row + raw.y], cr[row + raw.cr], cb[row + raw.cb]};
+  Yuv operator()(Yuv raw, RingPlace at) const {
+    return {y[256U * at.y + raw.y], cr[256U * at.cr + raw.cr], cb[256U * at.cb + raw.cb]};
   }
   static constexpr auto fields() {
     return fieldList(field("y", &RingTable::y), field("cr", &RingTable::cr),
-                     field("cb", &RingTable::cb));
+                     field("cb", &RingTable::cb), field("centre", &RingTable::centre));
   }
 };
 
-// The inverse of the model, rounded and clamped to a byte (about 19 % of the entries, E3).
-RingTable buildRingTable(const RingModel& model);
+// The inverse of the model, then the shift, rounded once and clamped to a byte (up to distance 132
+// about 19 % of the entries, checklist E3).
+RingTable buildRingTable(const RingModel& model, const RobotShift& shift = {});
+// The same for a table whose model is not at hand: rounded a second time.
+RingTable shifted(const RingTable& table, const RobotShift& shift);
+
 // "none" changes nothing, "2006" is the published polynomial, anything else a file of our format.
 Expected<RingTable> loadRingTable(const std::string& source);
 Status saveRingTable(const RingTable& table, const std::string& path,
                      const std::string& provenance);
+constexpr std::size_t kRingFileBytes = 6 + 3 * sizeof(RingTable::Channel);  // centres, tables
 
-// Distance of every pixel's centre from the image centre, rounded; one quarter, the rest mirrors.
+// Distance of every pixel's centre from any allowed ring centre, rounded; the lower half, the upper
+// one mirrors (21 KB). A whole row, so that one channel costs one read and no arithmetic.
 struct RingDistances {
-  static constexpr std::size_t kHalfWidth = kImageWidth / 2;
-  static constexpr std::size_t kHalfHeight = kImageHeight / 2;
-  std::array<std::uint8_t, kHalfWidth * kHalfHeight> quarter{};
+  static constexpr int kColumns = kImageWidth + 2 * kMostOffCentre;
+  static constexpr int kMiddle = kMiddleColumn + kMostOffCentre;
+  static constexpr int kRows = kMiddleRow + kMostOffCentre;
+  std::array<std::uint8_t, static_cast<std::size_t>(kColumns) * kRows> map{};
 
   RingDistances();
-  const std::uint8_t* row(int py) const {
-    const int half = py < kImageHeight / 2 ? kImageHeight / 2 - 1 - py : py - kImageHeight / 2;
-    return quarter.data() + static_cast<std::size_t>(half) * kHalfWidth;
+  // The distances of row `py`: [px].
+  const std::uint8_t* row(int py, RingCentre centre) const {
+    const int down = py < centre.row ? centre.row - 1 - py : py - centre.row;
+    return map.data() + down * kColumns + (kMiddle - centre.column);
   }
-  static std::size_t column(int px) {
-    return static_cast<std::size_t>(px < kImageWidth / 2 ? kImageWidth / 2 - 1 - px
-                                                         : px - kImageWidth / 2);
+  RingPlace operator()(int px, int py, const std::array<RingCentre, 3>& centre) const {
+    return {row(py, centre[0])[px], row(py, centre[1])[px], row(py, centre[2])[px]};
   }
-  std::size_t operator()(int px, int py) const { return row(py)[column(px)]; }
 };
 
 }  // namespace kelpie::vision

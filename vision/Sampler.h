@@ -37,7 +37,7 @@ class Sampler {
   static int pixelOf(double coordinate) { return static_cast<int>(std::floor(coordinate)); }
 
   Yuv corrected(int px, int py) const {
-    return calibration_.ring(image_.pixel(px, py), distances_(px, py));
+    return calibration_.ring(image_.pixel(px, py), distances_(px, py, calibration_.ring.centre));
   }
   ColourClass classAt(int px, int py) const {
     std::uint8_t& known = classes_[Image::at(px, py)];

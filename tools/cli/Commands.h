@@ -21,6 +21,7 @@ void addShow(CLI::App& app, int& code);
 void addEvaluate(CLI::App& app, int& code);
 void addFilm(CLI::App& app, int& code);
 void addBench(CLI::App& app, int& code);
+void addCalibrate(CLI::App& app, int& code);
 
 // Prints "kelpie: message" to standard error and returns `code`.
 int complain(const std::string& message, int code);

@@ -5,6 +5,7 @@
 
 #include "robot/agent/Replay.h"
 #include "robot/core/LogWriter.h"
+#include "tools/calibrate/Images.h"
 #include "tools/cli/Commands.h"
 #include "tools/cli/Config.h"
 #include "tools/cli/Recording.h"
@@ -22,7 +23,7 @@ struct ImportOptions {
 Status writeFrames(const std::vector<std::string>& files, const std::vector<RecordedRow>& rows,
                    LogWriter& log) {
   for (std::size_t i = 0; i < files.size(); ++i) {
-    const auto image = readFrame(files[i]);
+    const auto image = calibrate::readImage(files[i]);
     if (!image) return Error{image.error()};
     FrameInput input =
         frameInput(static_cast<std::uint32_t>(i), rows[i], i > 0 ? &rows[i - 1] : nullptr);

@@ -9,8 +9,6 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
-#include <opencv2/imgcodecs.hpp>
-#include <opencv2/imgproc.hpp>
 
 #include "robot/core/FieldCheck.h"
 
@@ -54,38 +52,6 @@ RecordedRow rowOf(const std::array<double, kColumns>& n) {
   return row;
 }
 
-Expected<Image> readPlanes(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::error_code error;
-  const auto size = fs::file_size(path, error);
-  if (error) return Error{path + ": " + error.message()};
-  if (size != 3 * kImagePixels)
-    return Error{fmt::format("{}: {} bytes, expected {} (planes Y, Cr, Cb of 208 x 160)", path,
-                             size, 3 * kImagePixels)};
-  Image image;
-  for (auto* plane : {&image.y, &image.cr, &image.cb})
-    file.read(reinterpret_cast<char*>(plane->data()), static_cast<std::streamsize>(plane->size()));
-  if (!file) return Error{path + ": cannot be read"};
-  return image;
-}
-
-Expected<Image> readPicture(const std::string& path) {
-  const cv::Mat picture = cv::imread(path, cv::IMREAD_COLOR);
-  if (picture.empty()) return Error{path + ": not a picture that can be read"};
-  if (picture.cols != kImageWidth || picture.rows != kImageHeight)
-    return Error{
-        fmt::format("{}: {} x {} pixels, expected 208 x 160", path, picture.cols, picture.rows)};
-  cv::Mat converted;
-  cv::cvtColor(picture, converted, cv::COLOR_BGR2YCrCb);
-  Image image;
-  for (int y = 0; y < kImageHeight; ++y)
-    for (int x = 0; x < kImageWidth; ++x) {
-      const auto pixel = converted.at<cv::Vec3b>(y, x);
-      image.set(x, y, {pixel[0], pixel[1], pixel[2]});
-    }
-  return image;
-}
-
 }  // namespace
 
 Expected<std::vector<RecordedRow>> readSensorRows(const std::string& path) {
@@ -127,10 +93,6 @@ Expected<std::vector<std::string>> listFrames(const std::string& folder) {
   if (files.empty()) return Error{folder + ": no .yuv or .png frames"};
   std::sort(files.begin(), files.end());
   return files;
-}
-
-Expected<Image> readFrame(const std::string& path) {
-  return fs::path(path).extension() == ".png" ? readPicture(path) : readPlanes(path);
 }
 
 FrameInput frameInput(std::uint32_t frame, const RecordedRow& row, const RecordedRow* previous) {

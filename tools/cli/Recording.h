@@ -25,7 +25,6 @@ struct RecordedRow {
 Expected<std::vector<RecordedRow>> readSensorRows(const std::string& path);
 // The frame files in order; an error when a number is missing or nothing is there.
 Expected<std::vector<std::string>> listFrames(const std::string& folder);
-Expected<Image> readFrame(const std::string& path);
 // Fills everything but the image; `previous` is null for the first row.
 FrameInput frameInput(std::uint32_t frame, const RecordedRow& row, const RecordedRow* previous);
 

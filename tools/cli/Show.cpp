@@ -8,6 +8,7 @@
 
 #include "robot/agent/FrameMessages.h"
 #include "robot/core/FieldCheck.h"
+#include "tools/calibrate/Images.h"
 #include "tools/cli/Commands.h"
 #include "tools/cli/Config.h"
 #include "tools/cli/Recording.h"
@@ -83,7 +84,7 @@ Expected<Shot> fromFolder(const ShowOptions& options) {
   shot.frames = static_cast<std::uint32_t>(files->size());
   const std::uint32_t n = options.frame;
   if (n >= shot.frames) return noSuchFrame(options, shot);
-  const auto image = readFrame((*files)[n]);
+  const auto image = calibrate::readImage((*files)[n]);
   if (!image) return Error{image.error()};
   *shot.input = frameInput(n, (*rows)[n], n > 0 ? &(*rows)[n - 1] : nullptr);
   shot.input->image = *image;

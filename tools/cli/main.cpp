@@ -75,6 +75,7 @@ int main(int argc, char** argv) {
   kelpie::cli::addEvaluate(app, code);
   kelpie::cli::addFilm(app, code);
   kelpie::cli::addBench(app, code);
+  kelpie::cli::addCalibrate(app, code);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

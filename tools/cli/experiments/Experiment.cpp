@@ -20,6 +20,14 @@ const std::vector<Experiment>& experiments() {
        "of "
        "distance and heading by object and distance",
        3000, objects},
+      {"ring",
+       "the ring learner on seeded sheets of six colours: largest error of F and of the centres, "
+       "what is left on a white sheet, the simplex beside least squares, the genuine frames",
+       2, ring},
+      {"colour",
+       "share of pixels that get their class: hand-labelled ones held out of training beside the "
+       "2005 table and nine nearest neighbours; in rendered views with and without ring correction",
+       60, colour},
       {"walk-and-kick",
        "the actuator in the simulated body: true way over reported way in four directions; how far "
        "and how straight the ball goes from 25 places before the chest",

@@ -38,6 +38,8 @@ Expected<Json> distances(const ExperimentOptions& options);
 Expected<Json> projection(const ExperimentOptions& options);
 Expected<Json> objects(const ExperimentOptions& options);
 Expected<Json> fieldEdge(const ExperimentOptions& options);
+Expected<Json> colour(const ExperimentOptions& options);
+Expected<Json> ring(const ExperimentOptions& options);
 
 // p in 0..1; linear between neighbours; 0 for no values.
 double percentile(std::vector<double> values, double p);

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/calibrate/Csv.h"
+
+#include <charconv>
+#include <cmath>
+#include <fstream>
+
+namespace kelpie::calibrate {
+namespace {
+
+bool nextLine(std::ifstream& file, std::string& line) {
+  if (!std::getline(file, line)) return false;
+  if (!line.empty() && line.back() == '\r') line.pop_back();
+  return true;
+}
+
+}  // namespace
+
+Cells cellsOf(std::string_view line, char separator) {
+  Cells cells;
+  for (std::size_t from = 0;;) {
+    const std::size_t to = line.find(separator, from);
+    cells.push_back(line.substr(from, to - from));
+    if (to == std::string_view::npos) return cells;
+    from = to + 1;
+  }
+}
+
+bool parseNumber(std::string_view cell, double& number) {
+  const auto [rest, error] = std::from_chars(cell.data(), cell.data() + cell.size(), number);
+  return error == std::errc() && rest == cell.data() + cell.size() && std::isfinite(number);
+}
+
+bool parseByte(std::string_view cell, std::uint8_t& byte) {
+  const auto [rest, error] = std::from_chars(cell.data(), cell.data() + cell.size(), byte);
+  return error == std::errc() && rest == cell.data() + cell.size();
+}
+
+Status forEachRow(const std::string& path, const std::string& header,
+                  const std::function<Status(const Cells&)>& take) {
+  std::ifstream file(path);
+  if (!file) return Error{path + ": cannot be opened"};
+  std::string line;
+  if (!nextLine(file, line) || line != header)
+    return Error{path + ":1: the header must be " + header};
+  const std::size_t columns = cellsOf(header, ',').size();
+  for (int number = 2; nextLine(file, line); ++number) {
+    if (line.empty()) continue;
+    const Cells cells = cellsOf(line, ',');
+    const Status taken = cells.size() == columns
+                             ? take(cells)
+                             : Error{"expected " + std::to_string(columns) + " columns"};
+    if (!taken) return Error{path + ":" + std::to_string(number) + ": " + taken.error()};
+  }
+  return Done{};
+}
+
+}  // namespace kelpie::calibrate

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/cli/Calibrate.h"
+
+#include <fmt/core.h>
+
+#include <memory>
+
+#include "tools/cli/Commands.h"
+#include "vision/ColourTable.h"
+#include "vision/TableFile.h"
+
+namespace kelpie::cli {
+namespace {
+
+int show(const std::string& path) {
+  const auto bytes = vision::readBytes(path);
+  if (!bytes) return complain(bytes.error(), kBadInput);
+  auto file =
+      vision::parseTableFile(path, *bytes, vision::TableKind::colour, sizeof(vision::ColourTable));
+  const bool isColour = file.ok();
+  if (!isColour)
+    file = vision::parseTableFile(path, *bytes, vision::TableKind::ring, vision::kRingFileBytes);
+  if (!file) return complain(file.error(), kBadInput);
+  fmt::print("{}: {} table, {} bytes, {}\n", path, isColour ? "colour" : "ring", file->data.size(),
+             file->provenance);
+  return kDone;
+}
+
+}  // namespace
+
+void addCalibrate(CLI::App& app, int& code) {
+  auto* command = app.add_subcommand(
+      "calibrate", "Make the tables that a robot's camera and a venue's light need");
+  command->require_subcommand(1);
+  addCalibrateRing(*command, code);
+  addCalibrateColour(*command, code);
+  addCalibrateShift(*command, code);
+  auto* shown = command->add_subcommand("show", "What a table file says about itself");
+  auto path = std::make_shared<std::string>();
+  shown->add_option("FILE", *path)->required();
+  shown->callback([path, &code] { code = show(*path); });
+}
+
+}  // namespace kelpie::cli

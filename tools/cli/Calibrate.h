@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// The parts of `kelpie calibrate`, one file each, as subcommands of the command they are given.
+#pragma once
+
+#include <CLI/App.hpp>
+#include <string>
+
+#include "robot/core/Expected.h"
+#include "vision/RingTable.h"
+
+namespace kelpie::cli {
+
+void addCalibrateRing(CLI::App& command, int& code);
+void addCalibrateColour(CLI::App& command, int& code);
+void addCalibrateShift(CLI::App& command, int& code);
+
+// Which robot's shift is folded into a ring table; none when `samples` is empty.
+struct ShiftChoice {
+  std::string samples;  // CSV of pairs of robot and base
+  std::string robot;    // name or hardware address of a row; may be empty when there is only one
+  std::string date;
+};
+
+void addShiftOptions(CLI::App& command, ShiftChoice& choice);
+Expected<vision::RobotShift> chosenShift(const ShiftChoice& choice);
+
+}  // namespace kelpie::cli

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/core.h>
+
+#include <filesystem>
+#include <memory>
+
+#include "tools/calibrate/KernelTrainer.h"
+#include "tools/calibrate/TablePicture.h"
+#include "tools/cli/Calibrate.h"
+#include "tools/cli/Commands.h"
+#include "vision/VisionCalibration.h"
+
+namespace kelpie::cli {
+namespace {
+
+using calibrate::LabelledPixels;
+
+constexpr double kHeldOut = 0.25;
+
+struct ColourOptions {
+  std::string input;
+  std::string out;
+  std::string picture;
+  std::string ring = "2006";
+  std::string note;
+  std::uint64_t seed = 1;
+};
+
+bool endsIn(const std::string& path, const char* extension) {
+  return std::filesystem::path(path).extension() == extension;
+}
+
+Expected<LabelledPixels> readLabels(const ColourOptions& options) {
+  if (endsIn(options.input, ".csv")) return calibrate::readLabelledCsv(options.input);
+  const auto ring = vision::loadRingTable(options.ring);
+  if (!ring) return Error{ring.error()};
+  return calibrate::readRegions(options.input, *ring);
+}
+
+void printConfusion(const calibrate::Confusion& confusion) {
+  fmt::print("{:>10}", "labelled");
+  for (const char* name : vision::kColourNames) fmt::print("{:>10}", name);
+  fmt::print("{:>8}\n", "right");
+  for (std::size_t i = 0; i < confusion.size(); ++i) {
+    int all = 0;
+    for (const int count : confusion[i]) all += count;
+    if (all == 0) continue;
+    fmt::print("{:>10}", vision::kColourNames[i]);
+    for (const int count : confusion[i]) fmt::print("{:>10}", count);
+    fmt::print("{:>8.3f}\n", static_cast<double>(confusion[i][i]) / all);
+  }
+}
+
+// Judges on a part held out, then trains on everything with the kernel chosen.
+Expected<vision::ColourTable> train(const ColourOptions& options, std::string& provenance) {
+  const auto pixels = readLabels(options);
+  if (!pixels) return Error{pixels.error()};
+  Random random(options.seed);
+  const auto split = calibrate::splitLabelled(*pixels, kHeldOut, random);
+  const calibrate::TableBits bits;
+  const auto kernel = calibrate::chooseKernel(split.training, bits, random);
+  const auto judged = trainTable(split.training, kernel, bits);
+  const auto confusion = confusionOf(judged, split.heldOut);
+  printConfusion(confusion);
+  const auto summary = fmt::format(
+      "{} labelled pixels; widths {:.1f} Y, {:.1f} chroma, balance {:.2f}; {:.3f} of "
+      "{} held out are right",
+      pixels->size(), kernel.widthY, kernel.widthChroma, kernel.balance,
+      calibrate::accuracyOf(confusion), split.heldOut.size());
+  fmt::print("{}\n", summary);
+  provenance += "; " + summary;
+  return robotTable(trainTable(*pixels, kernel, bits));
+}
+
+Expected<vision::ColourTable> makeTable(const ColourOptions& options, std::string& provenance) {
+  if (endsIn(options.input, ".csv") || endsIn(options.input, ".txt"))
+    return train(options, provenance);
+  const auto calibration = vision::loadCalibration(options.input, "none");
+  if (!calibration) return Error{calibration.error()};
+  return calibration->colour;
+}
+
+int calibrateColour(const ColourOptions& options) {
+  std::string provenance = "kelpie calibrate colour from " + options.input;
+  const auto table = makeTable(options, provenance);
+  if (!table) return complain(table.error(), kBadInput);
+  if (!options.note.empty()) provenance += "; " + options.note;
+  const Status saved = saveColourTable(*table, options.out, provenance);
+  if (!saved) return complain(saved.error(), kBadInput);
+  fmt::print("{}\n", options.out);
+  if (options.picture.empty()) return kDone;
+  const Status drawn = calibrate::writeTablePicture(*table, options.picture);
+  if (!drawn) return complain(drawn.error(), kBadInput);
+  fmt::print("{}\n", options.picture);
+  return kDone;
+}
+
+}  // namespace
+
+void addCalibrateColour(CLI::App& command, int& code) {
+  auto* colour =
+      command.add_subcommand("colour", "Colour table from labelled pixels, or from another table");
+  auto options = std::make_shared<ColourOptions>();
+  colour
+      ->add_option("INPUT", options->input,
+                   ".csv: Y,Cr,Cb,class; .txt: lines \"image left top right bottom class\"; or "
+                   "\"nominal\", a 128^3 table of 2005, or a table of ours")
+      ->required();
+  colour->add_option("--out", options->out, "The colour table to write")->required();
+  colour->add_option("--picture", options->picture, "PNG of slices through the table");
+  colour->add_option("--ring", options->ring, "Correction of the images' pixels")
+      ->capture_default_str();
+  colour->add_option("--seed", options->seed, "Of the part held out to judge by")
+      ->capture_default_str();
+  colour->add_option("--note", options->note, "Robot, venue, date: kept in the table");
+  colour->callback([options, &code] { code = calibrateColour(*options); });
+}
+
+}  // namespace kelpie::cli

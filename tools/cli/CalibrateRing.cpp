@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/core.h>
+
+#include <filesystem>
+#include <memory>
+
+#include "tools/calibrate/Images.h"
+#include "tools/calibrate/RingLearner.h"
+#include "tools/cli/Calibrate.h"
+#include "tools/cli/Commands.h"
+
+namespace kelpie::cli {
+namespace {
+
+constexpr std::size_t kMostOfLog = 40;  // images of a log; each counts as a sheet
+constexpr double kTextured = 30.0;      // grey levels; carpet in uneven light has 15
+constexpr int kStep = 2;                // every second pixel in x and y
+constexpr std::array<const char*, 3> kChannels = {"Y", "Cr", "Cb"};
+
+struct RingOptions {
+  std::string input;
+  std::string out;
+  std::string note;
+  bool surface = false;
+  double prior = 0.0;
+  ShiftChoice shift;
+};
+
+// A table that is there already: "none", "2006" or a file.
+bool isTable(const std::string& input) {
+  std::error_code error;
+  return input == "none" || input == "2006" ||
+         (std::filesystem::is_regular_file(input, error) &&
+          std::filesystem::path(input).extension() != ".mcap");
+}
+
+Expected<calibrate::RingFit> learn(const RingOptions& options) {
+  const auto images = calibrate::readImages(options.input, kMostOfLog);
+  if (!images) return Error{images.error()};
+  std::vector<calibrate::Sheet> sheets;
+  for (const auto& [name, image] : *images)
+    sheets.push_back(options.surface ? calibrate::dominantSurface(name, image, kStep)
+                                     : calibrate::wholeSheet(name, image, kStep));
+  calibrate::RingLearnParams params;
+  // A carpet with things on it fills a part of the image only and does not show the centre.
+  params.findCentre = !options.surface;
+  if (options.surface) params.mostResidual = kTextured;
+  params.priorShare = options.prior;
+  auto fit = calibrate::learnRing(sheets, params);
+  if (!fit) return Error{options.input + ": " + fit.error()};
+  return fit;
+}
+
+std::string describeChannel(const calibrate::RingFit& fit, std::size_t c) {
+  const auto& channel = fit.channel[c];
+  return fmt::format("{}: {:.2f} -> {:.2f} levels, centre {:.1f},{:.1f}", kChannels[c],
+                     channel.before, channel.after, channel.centre[0], channel.centre[1]);
+}
+
+void report(const calibrate::RingFit& fit) {
+  fmt::print("{} sheets\n", fit.used.size());
+  for (const auto& name : fit.leftOut) fmt::print("left out, uneven or empty: {}\n", name);
+  for (std::size_t c = 0; c < 3; ++c) {
+    fmt::print("{}\n", describeChannel(fit, c));
+    const auto& m = fit.model.channel[c];
+    fmt::print("    a1 {:.3e} b1 {:.3e} a2 {:.3e} b2 {:.3e} a3 {:.3e} b3 {:.3e}\n", m.a1, m.b1,
+               m.a2, m.b2, m.a3, m.b3);
+  }
+}
+
+Expected<vision::RingTable> makeTable(const RingOptions& options, const vision::RobotShift& shift,
+                                      std::string& provenance) {
+  if (isTable(options.input)) {
+    const auto table = vision::loadRingTable(options.input);
+    if (!table) return Error{table.error()};
+    return vision::shifted(*table, shift);
+  }
+  const auto fit = learn(options);
+  if (!fit) return Error{fit.error()};
+  report(*fit);
+  provenance += fmt::format("; {} sheets", fit->used.size());
+  for (std::size_t c = 0; c < 3; ++c) provenance += "; " + describeChannel(*fit, c);
+  return buildRingTable(fit->model, shift);
+}
+
+int calibrateRing(const RingOptions& options) {
+  const auto shift = chosenShift(options.shift);
+  if (!shift) return complain(shift.error(), kBadInput);
+  std::string provenance = "kelpie calibrate ring from " + options.input;
+  const auto table = makeTable(options, *shift, provenance);
+  if (!table) return complain(table.error(), kBadInput);
+  if (!options.shift.samples.empty())
+    provenance += "; shift of " + options.shift.robot + " from " + options.shift.samples;
+  if (!options.note.empty()) provenance += "; " + options.note;
+  const Status saved = saveRingTable(*table, options.out, provenance);
+  if (!saved) return complain(saved.error(), kBadInput);
+  fmt::print("{}\n", options.out);
+  return kDone;
+}
+
+}  // namespace
+
+void addCalibrateRing(CLI::App& command, int& code) {
+  auto* ring = command.add_subcommand(
+      "ring", "Ring correction from images of evenly coloured sheets, or from a table");
+  auto options = std::make_shared<RingOptions>();
+  ring->add_option(
+          "INPUT", options->input,
+          "Folder of .png, .yuv or .bin images or a log, each image one sheet; or \"none\", "
+          "\"2006\" or a table")
+      ->required();
+  ring->add_option("--out", options->out, "The ring table to write")->required();
+  ring->add_flag("--surface", options->surface,
+                 "The images show scenes: use the surface that covers most of each");
+  ring->add_option("--prior", options->prior,
+                   "Weight of the 2006 polynomial as a share of all pixels; lets sheets of one "
+                   "colour do")
+      ->check(CLI::Range(0.0, 10.0));
+  ring->add_option("--note", options->note, "Robot, venue, date: kept in the table");
+  addShiftOptions(*ring, options->shift);
+  ring->callback([options, &code] { code = calibrateRing(*options); });
+}
+
+}  // namespace kelpie::cli

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/core.h>
+
+#include <cmath>
+#include <memory>
+
+#include "tools/calibrate/Shift.h"
+#include "tools/cli/Calibrate.h"
+#include "tools/cli/Commands.h"
+
+namespace kelpie::cli {
+namespace {
+
+constexpr const char* kHeader = "date,dog,mac_low4,n,My,Cy,Mu,Cu,Mv,Cv\n";
+
+struct ShiftOptions {
+  std::string samples;
+  std::string out;
+};
+
+double fourDigits(double value) { return std::round(value * 1e4) / 1e4; }
+
+std::string rowText(const calibrate::ShiftRow& row) {
+  std::string text = fmt::format("{},{},{},{}", row.date, row.dog, row.mac, row.samples);
+  for (const auto& channel : row.shift)
+    text += fmt::format(",{},{}", fourDigits(channel.gain), fourDigits(channel.offset));
+  return text + "\n";
+}
+
+int calibrateShift(const ShiftOptions& options) {
+  const auto rows = calibrate::fitShifts(options.samples);
+  if (!rows) return complain(rows.error(), kBadInput);
+  std::string text = kHeader;
+  for (const auto& row : *rows) text += rowText(row);
+  if (!writeWhole(options.out, text))
+    return complain(options.out + ": cannot be written", kBadInput);
+  return kDone;
+}
+
+}  // namespace
+
+void addShiftOptions(CLI::App& command, ShiftChoice& choice) {
+  auto* samples = command.add_option("--shift", choice.samples,
+                                     "CSV of pairs of robot and base (see calibrate shift): fold "
+                                     "the robot's shift into the table");
+  command.add_option("--robot", choice.robot, "Its name or address in that file")->needs(samples);
+  command.add_option("--date", choice.date, "Its date, when it stands there twice")->needs(samples);
+}
+
+Expected<vision::RobotShift> chosenShift(const ShiftChoice& choice) {
+  if (choice.samples.empty()) return vision::RobotShift{};
+  const auto rows = calibrate::fitShifts(choice.samples);
+  if (!rows) return Error{rows.error()};
+  const calibrate::ShiftRow* found = nullptr;
+  for (const auto& row : *rows) {
+    if (!choice.robot.empty() && choice.robot != row.dog && choice.robot != row.mac) continue;
+    if (!choice.date.empty() && choice.date != row.date) continue;
+    if (found != nullptr)
+      return Error{choice.samples + ": several robots fit: give --robot, and --date"};
+    found = &row;
+  }
+  if (found == nullptr) return Error{choice.samples + ": no robot '" + choice.robot + "'"};
+  return found->shift;
+}
+
+void addCalibrateShift(CLI::App& command, int& code) {
+  auto* shift = command.add_subcommand(
+      "shift", "Straight lines from each robot's colours to the base robot's");
+  auto options = std::make_shared<ShiftOptions>();
+  shift
+      ->add_option("INPUT", options->samples,
+                   "CSV: date,dog,mac_low4,base_dog,paper,y_dog,y_base_mean,u_...,v_...")
+      ->required();
+  options->out = "-";
+  shift->add_option("--out", options->out, "CSV of gains and offsets, - for standard output");
+  shift->callback([options, &code] { code = calibrateShift(*options); });
+}
+
+}  // namespace kelpie::cli
