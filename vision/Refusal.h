@@ -62,10 +62,14 @@ enum class Refusal : std::uint8_t {
   lineInObject,        // inside the box of a ball, goal, beacon or robot
   lineGreenBeside,     // a single white pixel
   borderGreenBeside,
-  fieldNotGreen,    // green only along the scan
-  lineCrowdedScan,  // more points on one scan than lines can give
+  fieldNotGreen,  // green only along the scan
+  lineNoGreen,    // no two greens on one of its sides
+  lineColoured,   // changes the chroma more than white on green does
+  lineWidth,      // on the ground it is not as wide as a line
+  lineTooFar,     // weight 0
+  lineFew,        // fewer than four of a kind
 };
-constexpr std::size_t kRefusalCount = 52;
+constexpr std::size_t kRefusalCount = 56;
 
 constexpr std::array<const char*, kRefusalCount> kRefusalNames = {
     "ballTooSmall",       "ballFewEdges",        "ballPoorCircle",       "ballFewOrange",
@@ -80,7 +84,8 @@ constexpr std::array<const char*, kRefusalCount> kRefusalNames = {
     "robotTooFar",        "pinkTooSmall",        "pinkIsBeacon",         "pinkAboveHorizon",
     "pinkAboveFieldEdge", "pinkOffGround",       "obstacleAboveHorizon", "obstacleAboveFieldEdge",
     "obstacleGreenAbove", "lineAmbiguous",       "lineInCorner",         "lineInObject",
-    "lineGreenBeside",    "borderGreenBeside",   "fieldNotGreen",        "lineCrowdedScan"};
+    "lineGreenBeside",    "borderGreenBeside",   "fieldNotGreen",        "lineNoGreen",
+    "lineColoured",       "lineWidth",           "lineTooFar",           "lineFew"};
 
 inline void refuse(VisionCounts& counts, Refusal reason) {
   ++counts.refused[static_cast<std::size_t>(reason)];

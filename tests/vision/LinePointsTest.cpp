@@ -68,11 +68,11 @@ TEST(LinePoints, NoneAreTakenWhileTheHeadTurnsFast) {
 
 TEST(LinePoints, WeightIsOneNearAndFallsToNothing) {
   const LineParams params;
-  EXPECT_EQ(lineWeight(30, params), 1.0);
-  EXPECT_EQ(lineWeight(70, params), 1.0);
-  EXPECT_NEAR(lineWeight(252.4, params), 0.5, 1e-3);  // square half-way of 70^2 and 350^2
-  EXPECT_EQ(lineWeight(350, params), 0.0);
-  EXPECT_EQ(lineWeight(500, params), 0.0);
+  EXPECT_EQ(pointWeight(LinePointKind::line, 30, params), 1.0);
+  EXPECT_EQ(pointWeight(LinePointKind::line, 70, params), 1.0);
+  EXPECT_NEAR(pointWeight(LinePointKind::line, 252.4, params), 0.5, 1e-3);  // square half-way of 70^2 and 350^2
+  EXPECT_EQ(pointWeight(LinePointKind::line, 350, params), 0.0);
+  EXPECT_EQ(pointWeight(LinePointKind::line, 500, params), 0.0);
 }
 
 }  // namespace

@@ -33,6 +33,7 @@ const std::vector<Experiment>& experiments();
 
 Expected<Json> scoreEmptyGoal(const ExperimentOptions& options);
 Expected<Json> walkAndKick(const ExperimentOptions& options);
+Expected<Json> linePoints(const ExperimentOptions& options);
 Expected<Json> projection(const ExperimentOptions& options);
 Expected<Json> objects(const ExperimentOptions& options);
 

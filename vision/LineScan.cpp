@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "vision/LineScan.h"
+
+#include <algorithm>
+
+namespace kelpie::vision {
+namespace {
+
+constexpr int kReach = 2;  // px over which a blurred edge rises
+
+struct Profile {
+  std::array<std::uint8_t, kImageWidth> y{};
+  int length = 0;
+
+  int operator[](int i) const { return y[static_cast<std::size_t>(i)]; }
+};
+
+Profile read(const Sampler& sampler, const Scan& scan) {
+  Profile profile;
+  profile.length = scan.length;
+  for (int i = 0; i < scan.length; ++i)
+    profile.y[static_cast<std::size_t>(i)] = sampler.rawY(scan.column(i), scan.row(i));
+  return profile;
+}
+
+// Where a straight line from (i, a) to (i + 1, b) passes `level`.
+double passes(int i, double a, double b, double level) {
+  return a == b ? i + 0.5 : i + (level - a) / (b - a);
+}
+
+double halfUp(const Profile& y, int first, int last, double level) {
+  int i = first;
+  while (i + 1 < last && y[i + 1] < level) ++i;
+  return passes(i, y[i], y[i + 1], level);
+}
+
+double halfDown(const Profile& y, int first, int last, double level) {
+  int i = last;
+  while (i - 1 > first && y[i - 1] < level) --i;
+  return passes(i - 1, y[i - 1], y[i], level);
+}
+
+// Full paint is at least `whiteOverGreen` times as bright as the carpet beside it, so that a line
+// narrower than a pixel has its true width.
+Stretch measured(const Profile& y, int first, int last, double whiteOverGreen) {
+  Stretch s{first, last};
+  const double before = 0.5 * (y[first] + y[first - 1]);
+  const double after = 0.5 * (y[last] + y[last + 1]);
+  s.base = 0.5 * (before + after);
+  double sum = 0.0;
+  for (int i = first + 1; i < last; ++i) {
+    s.top = std::max(s.top, static_cast<double>(y[i]));
+    sum += y[i] - s.base;
+  }
+  s.from = halfUp(y, first, last, 0.5 * (before + s.top));
+  s.to = halfDown(y, first, last, 0.5 * (after + s.top));
+  s.paint = sum / std::max(s.top - s.base, (whiteOverGreen - 1.0) * s.base + 1.0);
+  return s;
+}
+
+// The pixels beside the scan, as far as the image goes.
+struct Lane {
+  const Sampler& sampler;
+  const Scan& scan;
+  int aside;
+
+  bool inside(int i) const {
+    return i >= 0 && i < scan.length && Sampler::usable(scan.column(i, aside), scan.row(i, aside));
+  }
+  int y(int i) const { return sampler.rawY(scan.column(i, aside), scan.row(i, aside)); }
+};
+
+struct Range {
+  int first = 0;  // first and last bright pixel
+  int last = 0;
+  bool found = false;
+};
+
+Range follow(const Lane& lane, Range before, double level, int longest) {
+  Range now;
+  for (int i = before.first - 1; i <= before.last + 1 && !now.found; ++i) {
+    if (lane.inside(i) && lane.y(i) >= level) now = {i, i, true};
+  }
+  if (!now.found) return now;
+  while (now.last - now.first < longest && lane.inside(now.first - 1) &&
+         lane.y(now.first - 1) >= level)
+    --now.first;
+  while (now.last - now.first < longest && lane.inside(now.last + 1) &&
+         lane.y(now.last + 1) >= level)
+    ++now.last;
+  const bool ends = lane.inside(now.first - 1) && lane.inside(now.last + 1);
+  now.found = ends && now.last - now.first < longest;
+  return now;
+}
+
+}  // namespace
+
+Scan scanUp(int px, int highest) {
+  return {px, kUsableBottom - 1, 0, -1, std::max(kUsableBottom - highest, 0)};
+}
+
+Scan scanRight(int py) { return {kUsableLeft, py, 1, 0, kUsableRight - kUsableLeft}; }
+
+Stretches brightStretches(const Sampler& sampler, const Scan& scan, const LineParams& params) {
+  const Profile y = read(sampler, scan);
+  const int minStep = static_cast<int>(params.minStep);
+  Stretches found;
+  int first = -1;
+  for (int i = 1; i + kReach + 1 < y.length; ++i) {
+    const int step = y[i + kReach] - y[i];
+    if (step >= minStep) {
+      const bool rising = i > 1 && y[i + kReach - 1] - y[i - 1] >= minStep;
+      if (!rising || first < 0) first = i;
+    } else if (step <= -minStep && first >= 0) {
+      while (i + kReach + 2 < y.length && y[i + kReach + 1] - y[i + 1] <= -minStep) ++i;
+      const int last = i + kReach;
+      if (last - first <= params.maxStretch)
+        found.push_back(measured(y, first, last, params.whiteOverGreen));
+      first = -1;
+    }
+  }
+  return found;
+}
+
+std::optional<Beside> stretchBeside(const Sampler& sampler, const Scan& scan,
+                                    const Stretch& stretch, int aside) {
+  const double level = 0.5 * (stretch.base + stretch.top);
+  Range range{static_cast<int>(stretch.from + 1.0), static_cast<int>(stretch.to), true};
+  const int longest = 2 * (stretch.last - stretch.first) + 4;
+  const int step = aside > 0 ? 1 : -1;
+  for (int k = step; k != aside + step; k += step) {
+    range = follow({sampler, scan, k}, range, level, longest);
+    if (!range.found) return std::nullopt;
+  }
+  const Lane lane{sampler, scan, aside};
+  return Beside{passes(range.first - 1, lane.y(range.first - 1), lane.y(range.first), level),
+                passes(range.last, lane.y(range.last), lane.y(range.last + 1), level)};
+}
+
+}  // namespace kelpie::vision
