@@ -22,6 +22,8 @@ struct LineParams {
   bool border = false;                 // the field has a white border (before 2005)
   double borderMin = 20;               // px without green that make a border, checklist U10
   double borderHeight = 10;            // cm, thesis 2004 3.1.1
+  double borderShare = 0.6;            // of the height that must be white
+  double borderWhite = 0.7;            // of these pixels
   double borderSide = 15;              // px to each side, thesis 2004 3.1.3
   double fieldSpacing = 25;            // cm between field points along a scan
   double fieldLeast = 4;               // px, of the field interval
@@ -49,6 +51,8 @@ struct LineParams {
                      field("border", &LineParams::border),
                      field("borderMin", &LineParams::borderMin, "px", 1, 100),
                      field("borderHeight", &LineParams::borderHeight, "cm", 1, 50),
+                     field("borderShare", &LineParams::borderShare, "", 0, 1),
+                     field("borderWhite", &LineParams::borderWhite, "", 0, 1),
                      field("borderSide", &LineParams::borderSide, "px", 1, 60),
                      field("fieldSpacing", &LineParams::fieldSpacing, "cm", 1, 200),
                      field("fieldLeast", &LineParams::fieldLeast, "px", 2, 100),

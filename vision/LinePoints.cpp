@@ -44,6 +44,24 @@ void addPoint(const Finder& f, LinePointKind kind, PixelPoint pixel) {
   if (!f.out.linePoints.push_back({kind, *place, weight, pixel})) f.refused(Refusal::bufferFull);
 }
 
+struct Ends {
+  PixelPoint a;
+  PixelPoint b;
+};
+
+// Where the line goes on to both sides; at the rim of the image one side must do.
+std::optional<Ends> endsBeside(const Finder& f, const LineCandidate& c) {
+  const int reach = static_cast<int>(f.params.besideReach);
+  Ends ends{c.pixel, c.pixel};
+  for (const int side : {-reach, reach}) {
+    if (!hasBeside(c.scan, c.stretch, side)) continue;
+    const auto beside = stretchBeside(f.scene.sampler, c.scan, c.stretch, side);
+    if (!beside) return std::nullopt;
+    (side < 0 ? ends.a : ends.b) = c.scan.at(beside->middle(), side);
+  }
+  return ends;
+}
+
 void checkLine(const Finder& f, const LineCandidate& c) {
   const Sampler& sampler = f.scene.sampler;
   if (!pointIsBelowHorizon(f.scene, c.pixel)) return;
@@ -51,12 +69,11 @@ void checkLine(const Finder& f, const LineCandidate& c) {
   if (!lineIsBetweenGreen(sampler, c)) return f.refused(Refusal::lineNoGreen);
   if (!lineIsColourless(sampler, c, f.params)) return f.refused(Refusal::lineColoured);
   if (!keepsAnyPoint(f, c.pixel)) return;
-  const int reach = static_cast<int>(f.params.besideReach);
-  const auto left = stretchBeside(sampler, c.scan, c.stretch, -reach);
-  const auto right = stretchBeside(sampler, c.scan, c.stretch, reach);
-  if (!left || !right) return f.refused(Refusal::lineGreenBeside);
-  const auto width = widthOnGround(f.scene.body.camera, c, *left, *right, reach);
-  if (!width || !lineHasWidth(*width, f.params)) return f.refused(Refusal::lineWidth);
+  const auto ends = endsBeside(f, c);
+  if (!ends) return f.refused(Refusal::lineGreenBeside);
+  const auto width = widthOnGround(f.scene.body.camera, c, ends->a, ends->b);
+  if (!width || !lineIsNarrow(*width, f.params)) return f.refused(Refusal::lineAmbiguous);
+  if (!lineIsWide(*width, f.params)) return f.refused(Refusal::lineThin);
   addPoint(f, LinePointKind::line, c.pixel);
 }
 
@@ -71,6 +88,56 @@ void findLines(const Finder& f) {
   for (int py = kLatticeTop; py < kUsableBottom; py += kScanSpacing) {
     if (py < highestRow(f.scene, 0) && py < highestRow(f.scene, kImageWidth)) continue;
     checkLines(f, scanRight(py));
+  }
+}
+
+void checkBorder(const Finder& f, const Scan& scan, const Rise& rise) {
+  const Sampler& sampler = f.scene.sampler;
+  const PixelPoint pixel = scan.at(rise.foot);
+  if (!pointIsBelowHorizon(f.scene, pixel)) return;
+  if (!borderIsAfterGreen(sampler, scan, rise)) return;
+  if (!borderIsLong(sampler, scan, rise, f.params)) return;
+  if (!borderIsHigh(f.scene, scan, rise, f.params)) return f.refused(Refusal::borderShort);
+  if (!borderHasSide(sampler, scan, rise, f.params)) return f.refused(Refusal::borderGreenBeside);
+  if (keepsAnyPoint(f, pixel)) addPoint(f, LinePointKind::border, pixel);
+}
+
+void checkBorders(const Finder& f, const Scan& scan) {
+  for (const Rise& rise : risesOn(f.scene.sampler, scan, f.params)) checkBorder(f, scan, rise);
+}
+
+// The foot of the border is its lower edge, and the edge nearer to the middle of the image.
+void findBorders(const Finder& f) {
+  for (int px = kLatticeLeft; px < kUsableRight; px += kScanSpacing)
+    checkBorders(f, scanUp(px, highestRow(f.scene, px)));
+  for (int py = kLatticeTop; py < kUsableBottom; py += kScanSpacing) {
+    if (py < highestRow(f.scene, 0) && py < highestRow(f.scene, kImageWidth)) continue;
+    checkBorders(f, scanOut(py, -1));
+    checkBorders(f, scanOut(py, 1));
+  }
+}
+
+void checkField(const Finder& f, PixelPoint pixel) {
+  if (!keepsAnyPoint(f, pixel)) return;
+  if (!fieldIsGreenBeside(f.scene.sampler, pixel, f.params))
+    return f.refused(Refusal::fieldNotGreen);
+  addPoint(f, LinePointKind::field, pixel);
+}
+
+// Cuts the green runs of a scan into field intervals; the middle of each is a point.
+void findFieldPoints(const Finder& f, int px) {
+  const double horizon = horizonRow(f.scene, px + 0.5);
+  const int highest = highestRow(f.scene, px);
+  const double height = f.scene.body.camera.position.z;
+  int lowest = kUsableBottom;
+  for (int py = kLatticeTop + (kLatticeRows - 1) * kLatticeStep; py >= highest;
+       py -= kLatticeStep) {
+    if (f.scene.sampler.classAt(px, py) != ColourClass::green) {
+      lowest = py;
+    } else if (lowest - py >= fieldInterval(0.5 * (py + lowest) - horizon, height, f.params)) {
+      checkField(f, {px + 0.5, 0.5 * (py + lowest) + 0.5});
+      lowest = py;
+    }
   }
 }
 
@@ -100,10 +167,17 @@ double pointWeight(LinePointKind kind, double distance, const LineParams& p) {
   return maths::clamp((far - d) / (far - near), 0.0, 1.0);
 }
 
+double fieldInterval(double rows, double cameraHeight, const LineParams& p) {
+  const double even = p.fieldSpacing * rows * rows / (cameraHeight * body::kFocalLength);
+  return maths::clamp(even, p.fieldLeast, p.fieldMost);
+}
+
 void findLinePoints(const Scene& scene, const LineParams& params, Percepts& out) {
   if (!headIsSlow(scene.body, params)) return;
   const Finder f{scene, params, out};
   findLines(f);
+  if (params.border) findBorders(f);
+  for (int px = kLatticeLeft; px < kUsableRight; px += kFieldScanSpacing) findFieldPoints(f, px);
   for (const auto kind : {LinePointKind::line, LinePointKind::border, LinePointKind::field})
     dropFew(f, kind);
 }

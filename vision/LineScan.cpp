@@ -93,7 +93,18 @@ Range follow(const Lane& lane, Range before, double level, int longest) {
   return now;
 }
 
+// The end of a run of rising (sign 1) or falling (-1) steps that begins at i.
+int lastStep(const Profile& y, int i, int sign, int minStep) {
+  while (i + kReach + 2 < y.length && sign * (y[i + kReach + 1] - y[i + 1]) >= minStep) ++i;
+  return i;
+}
+
 }  // namespace
+
+Scan scanOut(int py, int dx) {
+  const int from = kImageWidth / 2;
+  return {from, py, dx, 0, dx > 0 ? kUsableRight - from : from - kUsableLeft + 1};
+}
 
 Scan scanUp(int px, int highest) {
   return {px, kUsableBottom - 1, 0, -1, std::max(kUsableBottom - highest, 0)};
@@ -109,10 +120,10 @@ Stretches brightStretches(const Sampler& sampler, const Scan& scan, const LinePa
   for (int i = 1; i + kReach + 1 < y.length; ++i) {
     const int step = y[i + kReach] - y[i];
     if (step >= minStep) {
-      const bool rising = i > 1 && y[i + kReach - 1] - y[i - 1] >= minStep;
-      if (!rising || first < 0) first = i;
+      first = i;
+      i = lastStep(y, i, 1, minStep);
     } else if (step <= -minStep && first >= 0) {
-      while (i + kReach + 2 < y.length && y[i + kReach + 1] - y[i + 1] <= -minStep) ++i;
+      i = lastStep(y, i, -1, minStep);
       const int last = i + kReach;
       if (last - first <= params.maxStretch)
         found.push_back(measured(y, first, last, params.whiteOverGreen));
@@ -120,6 +131,26 @@ Stretches brightStretches(const Sampler& sampler, const Scan& scan, const LinePa
     }
   }
   return found;
+}
+
+Rises risesOn(const Sampler& sampler, const Scan& scan, const LineParams& params) {
+  const Profile y = read(sampler, scan);
+  const int minStep = static_cast<int>(params.minStep);
+  Rises found;
+  for (int i = 1; i + kReach + 1 < y.length; ++i) {
+    if (y[i + kReach] - y[i] < minStep) continue;
+    const int first = i;
+    i = lastStep(y, i, 1, minStep);
+    const int last = i + kReach;
+    const double level = 0.5 * (0.5 * (y[first] + y[first - 1]) + y[last]);
+    found.push_back({first, last, halfUp(y, first, last + 1, level)});
+  }
+  return found;
+}
+
+bool hasBeside(const Scan& scan, const Stretch& stretch, int aside) {
+  return Sampler::usable(scan.column(stretch.first, aside), scan.row(stretch.first, aside)) &&
+         Sampler::usable(scan.column(stretch.last, aside), scan.row(stretch.last, aside));
 }
 
 std::optional<Beside> stretchBeside(const Sampler& sampler, const Scan& scan,

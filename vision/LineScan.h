@@ -36,6 +36,8 @@ struct Scan {
   }
 };
 
+// Outwards from the middle column along a row.
+Scan scanOut(int py, int dx);
 // Upwards from the lowest usable row to `highest`; along a row from left to right.
 Scan scanUp(int px, int highest);
 Scan scanRight(int py);
@@ -55,6 +57,17 @@ using Stretches = FixedVector<Stretch, 32>;
 
 Stretches brightStretches(const Sampler& sampler, const Scan& scan, const LineParams& params);
 
+// An edge from carpet to something brighter, whatever comes after it.
+struct Rise {
+  int first = 0;      // the carpet's last pixel
+  int last = 0;       // the first pixel of full brightness
+  double foot = 0.0;  // where the brightness is half-way
+};
+using Rises = FixedVector<Rise, 32>;
+Rises risesOn(const Sampler& sampler, const Scan& scan, const LineParams& params);
+
+// Whether the image is usable on that side of all of the stretch.
+bool hasBeside(const Scan& scan, const Stretch& stretch, int aside);
 // Where the bright stretch goes on `aside` pixels beside the scan, followed pixel by pixel.
 struct Beside {
   double from = 0.0;

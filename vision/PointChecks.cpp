@@ -69,27 +69,54 @@ bool lineIsColourless(const Sampler& sampler, const LineCandidate& c, const Line
   return std::abs(in.cr - out.cr) <= p.maxChroma && std::abs(in.cb - out.cb) <= p.maxChroma;
 }
 
-bool lineHasWidth(const GroundWidth& width, const LineParams& p) {
-  const double slack = p.widthTolerance * p.lineWidth + p.widthSlack * width.perPixel;
-  return std::fabs(width.paint - p.lineWidth) <= slack;
+bool lineIsNarrow(const GroundWidth& width, const LineParams& p) {
+  return width.paint - p.lineWidth <=
+         p.widthTolerance * p.lineWidth + p.widthSlack * width.perPixel;
 }
 
-bool borderIsLong(const Sampler& sampler, const Scan& scan, int foot, const LineParams& p) {
-  int white = 0;
-  for (int k = 1; k <= p.borderMin; ++k) {
-    const int i = foot + k;
+bool lineIsWide(const GroundWidth& width, const LineParams& p) {
+  return p.lineWidth - width.paint <=
+         p.widthTolerance * p.lineWidth + p.widthSlack * width.perPixel;
+}
+
+bool borderIsAfterGreen(const Sampler& sampler, const Scan& scan, const Rise& rise) {
+  return twoGreens(sampler, scan, rise.first, -1);
+}
+
+bool borderIsLong(const Sampler& sampler, const Scan& scan, const Rise& rise, const LineParams& p) {
+  for (int i = rise.last; i <= rise.last + p.borderMin; ++i) {
     if (!Sampler::usable(scan.column(i), scan.row(i))) break;
-    const ColourClass c = sampler.classAt(scan.column(i), scan.row(i));
-    if (c == ColourClass::green) return false;
-    white += c == ColourClass::white ? 1 : 0;
+    if (isGreen(sampler, scan, i)) return false;
   }
-  return white >= 2;
+  return true;
 }
 
-bool borderHasSide(const Sampler& sampler, const Scan& scan, int foot, const LineParams& p) {
+// Seen from inside the field the border leans away: its upper edge is as much farther as higher.
+bool borderIsHigh(const Scene& scene, const Scan& scan, const Rise& rise, const LineParams& p) {
+  const CameraPose& camera = scene.body.camera;
+  const auto foot = body::groundPoint(camera, scan.at(rise.foot));
+  if (!foot) return false;
+  const Point2<Robot> way{foot->x - camera.position.x, foot->y - camera.position.y};
+  const double share = 1.0 + p.borderHeight / std::max(way.norm(), 1.0);
+  const auto top = body::project(camera, {camera.position.x + way.x * share,
+                                          camera.position.y + way.y * share, p.borderHeight});
+  const int px = scan.column(rise.last);
+  const int py = scan.row(rise.last);
+  if (!top) return false;
+  const int needed = static_cast<int>(p.borderShare * (scan.at(rise.foot).y - top->y));
+  int white = 0;
+  int seen = 0;
+  for (; seen < needed && Sampler::usable(px, py - seen); ++seen)
+    white += scene.sampler.classAt(px, py - seen) == ColourClass::white ? 1 : 0;
+  return needed >= 2 && white >= p.borderWhite * seen;
+}
+
+bool borderHasSide(const Sampler& sampler, const Scan& scan, const Rise& rise,
+                   const LineParams& p) {
   for (const int side : {-1, 1}) {
     int green = 0;
-    for (int k = 1; k <= p.borderSide; ++k) green += isGreen(sampler, scan, foot + 1, side * k);
+    for (int k = 1; k <= p.borderSide; ++k)
+      green += isGreen(sampler, scan, rise.last, side * k) ? 1 : 0;
     if (green == 0) return true;
   }
   return false;
@@ -106,15 +133,14 @@ bool fieldIsGreenBeside(const Sampler& sampler, PixelPoint pixel, const LinePara
   return other <= p.fieldMaxOther;
 }
 
-// The line runs from the middle of one neighbour to that of the other.
 std::optional<GroundWidth> widthOnGround(const CameraPose& camera, const LineCandidate& c,
-                                         const Beside& left, const Beside& right, int reach) {
-  const auto a = body::groundPoint(camera, c.scan.at(left.middle(), -reach));
-  const auto b = body::groundPoint(camera, c.scan.at(right.middle(), reach));
+                                         PixelPoint a, PixelPoint b) {
+  const auto one = body::groundPoint(camera, a);
+  const auto other = body::groundPoint(camera, b);
   const auto from = body::groundPoint(camera, c.scan.at(c.stretch.from));
   const auto to = body::groundPoint(camera, c.scan.at(c.stretch.to));
-  if (!a || !b || !from || !to) return std::nullopt;
-  const Point2<Robot> along = *b - *a;
+  if (!one || !other || !from || !to) return std::nullopt;
+  const Point2<Robot> along = *other - *one;
   const Point2<Robot> across = *to - *from;
   const double length = along.norm();
   const double pixels = c.stretch.to - c.stretch.from;

@@ -30,14 +30,18 @@ bool pointIsOutsideObjects(const Percepts& seen, PixelPoint pixel, const LinePar
 // Line points.
 bool lineIsBetweenGreen(const Sampler& sampler, const LineCandidate& c);
 bool lineIsColourless(const Sampler& sampler, const LineCandidate& c, const LineParams& p);
-bool lineHasWidth(const GroundWidth& width, const LineParams& p);
-// Border points: the foot on a scan that leads away from the carpet.
-bool borderIsLong(const Sampler& sampler, const Scan& scan, int foot, const LineParams& p);
-bool borderHasSide(const Sampler& sampler, const Scan& scan, int foot, const LineParams& p);
+bool lineIsNarrow(const GroundWidth& width, const LineParams& p);
+bool lineIsWide(const GroundWidth& width, const LineParams& p);
+// Border points: a rise on a scan that leads away from the carpet.
+bool borderIsAfterGreen(const Sampler& sampler, const Scan& scan, const Rise& rise);
+bool borderIsLong(const Sampler& sampler, const Scan& scan, const Rise& rise, const LineParams& p);
+bool borderIsHigh(const Scene& scene, const Scan& scan, const Rise& rise, const LineParams& p);
+bool borderHasSide(const Sampler& sampler, const Scan& scan, const Rise& rise, const LineParams& p);
 // Field points.
 bool fieldIsGreenBeside(const Sampler& sampler, PixelPoint pixel, const LineParams& p);
 
+// The line runs from one place beside the scan to another.
 std::optional<GroundWidth> widthOnGround(const CameraPose& camera, const LineCandidate& c,
-                                         const Beside& left, const Beside& right, int reach);
+                                         PixelPoint a, PixelPoint b);
 
 }  // namespace kelpie::vision

@@ -57,7 +57,7 @@ enum class Refusal : std::uint8_t {
   obstacleAboveHorizon,
   obstacleAboveFieldEdge,
   obstacleGreenAbove,  // a shadow: the carpet goes on right above it
-  lineAmbiguous,       // too wide for a line, too narrow for a border
+  lineAmbiguous,       // too wide on the ground for a line, too narrow for a border
   lineInCorner,        // of the image, thesis 2004 equation 3.1
   lineInObject,        // inside the box of a ball, goal, beacon or robot
   lineGreenBeside,     // a single white pixel
@@ -65,27 +65,70 @@ enum class Refusal : std::uint8_t {
   fieldNotGreen,  // green only along the scan
   lineNoGreen,    // no two greens on one of its sides
   lineColoured,   // changes the chroma more than white on green does
-  lineWidth,      // on the ground it is not as wide as a line
+  lineThin,       // on the ground narrower than a line
+  borderShort,    // green again, or not white, or not as high as a border
   lineTooFar,     // weight 0
   lineFew,        // fewer than four of a kind
 };
-constexpr std::size_t kRefusalCount = 56;
+constexpr std::size_t kRefusalCount = 57;
 
-constexpr std::array<const char*, kRefusalCount> kRefusalNames = {
-    "ballTooSmall",       "ballFewEdges",        "ballPoorCircle",       "ballFewOrange",
-    "ballOtherColour",    "ballAboveHorizon",    "ballAboveFieldEdge",   "ballNoField",
-    "ballOffGround",      "ballTooFar",          "beaconTooSmall",       "beaconNoPartner",
-    "beaconBothSides",    "beaconSizeRatio",     "beaconAspect",         "beaconBelowHorizon",
-    "beaconNoWhiteBelow", "beaconElevation",     "beaconTooFar",         "goalTooSmall",
-    "goalAspect",         "goalAboveHorizon",    "goalNoField",          "goalIsBeacon",
-    "goalTooFar",         "goalNoHeight",        "goalAboveFieldEdge",   "bufferFull",
-    "goalWidth",          "goalOffGround",       "goalOpposite",         "robotTooSmall",
-    "robotAboveHorizon",  "robotAboveFieldEdge", "robotNoShell",         "robotOffGround",
-    "robotTooFar",        "pinkTooSmall",        "pinkIsBeacon",         "pinkAboveHorizon",
-    "pinkAboveFieldEdge", "pinkOffGround",       "obstacleAboveHorizon", "obstacleAboveFieldEdge",
-    "obstacleGreenAbove", "lineAmbiguous",       "lineInCorner",         "lineInObject",
-    "lineGreenBeside",    "borderGreenBeside",   "fieldNotGreen",        "lineNoGreen",
-    "lineColoured",       "lineWidth",           "lineTooFar",           "lineFew"};
+constexpr std::array<const char*, kRefusalCount> kRefusalNames = {"ballTooSmall",
+                                                                  "ballFewEdges",
+                                                                  "ballPoorCircle",
+                                                                  "ballFewOrange",
+                                                                  "ballOtherColour",
+                                                                  "ballAboveHorizon",
+                                                                  "ballAboveFieldEdge",
+                                                                  "ballNoField",
+                                                                  "ballOffGround",
+                                                                  "ballTooFar",
+                                                                  "beaconTooSmall",
+                                                                  "beaconNoPartner",
+                                                                  "beaconBothSides",
+                                                                  "beaconSizeRatio",
+                                                                  "beaconAspect",
+                                                                  "beaconBelowHorizon",
+                                                                  "beaconNoWhiteBelow",
+                                                                  "beaconElevation",
+                                                                  "beaconTooFar",
+                                                                  "goalTooSmall",
+                                                                  "goalAspect",
+                                                                  "goalAboveHorizon",
+                                                                  "goalNoField",
+                                                                  "goalIsBeacon",
+                                                                  "goalTooFar",
+                                                                  "goalNoHeight",
+                                                                  "goalAboveFieldEdge",
+                                                                  "bufferFull",
+                                                                  "goalWidth",
+                                                                  "goalOffGround",
+                                                                  "goalOpposite",
+                                                                  "robotTooSmall",
+                                                                  "robotAboveHorizon",
+                                                                  "robotAboveFieldEdge",
+                                                                  "robotNoShell",
+                                                                  "robotOffGround",
+                                                                  "robotTooFar",
+                                                                  "pinkTooSmall",
+                                                                  "pinkIsBeacon",
+                                                                  "pinkAboveHorizon",
+                                                                  "pinkAboveFieldEdge",
+                                                                  "pinkOffGround",
+                                                                  "obstacleAboveHorizon",
+                                                                  "obstacleAboveFieldEdge",
+                                                                  "obstacleGreenAbove",
+                                                                  "lineAmbiguous",
+                                                                  "lineInCorner",
+                                                                  "lineInObject",
+                                                                  "lineGreenBeside",
+                                                                  "borderGreenBeside",
+                                                                  "fieldNotGreen",
+                                                                  "lineNoGreen",
+                                                                  "lineColoured",
+                                                                  "lineThin",
+                                                                  "borderShort",
+                                                                  "lineTooFar",
+                                                                  "lineFew"};
 
 inline void refuse(VisionCounts& counts, Refusal reason) {
   ++counts.refused[static_cast<std::size_t>(reason)];
