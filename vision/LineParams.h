@@ -22,12 +22,15 @@ struct LineParams {
   bool border = false;                 // the field has a white border (before 2005)
   double borderMin = 20;               // px without green that make a border, checklist U10
   double borderHeight = 10;            // cm, thesis 2004 3.1.1
-  double borderShare = 0.6;            // of the height that must be white
+  double borderShare = 0.85;           // of the height that must be white
   double borderWhite = 0.7;            // of these pixels
+  double borderReach = 6;              // px to both sides in which its foot must go on
+  double borderBend = 2;               // px that it may be off a straight line there
   double borderSide = 15;              // px to each side, thesis 2004 3.1.3
   double fieldSpacing = 25;            // cm between field points along a scan
   double fieldLeast = 4;               // px, of the field interval
   double fieldMost = 40;               // px
+  double fieldBump = 8;                // grey levels that a point may be brighter than 4 px away
   double fieldSide = 15;               // px to each side that must be green, thesis 2004 3.1.3
   double fieldMaxOther = 2;            // of these not green
   double fullWeight = 70;              // cm, thesis 2004 3.2.1
@@ -53,10 +56,13 @@ struct LineParams {
                      field("borderHeight", &LineParams::borderHeight, "cm", 1, 50),
                      field("borderShare", &LineParams::borderShare, "", 0, 1),
                      field("borderWhite", &LineParams::borderWhite, "", 0, 1),
+                     field("borderReach", &LineParams::borderReach, "px", 1, 30),
+                     field("borderBend", &LineParams::borderBend, "px", 0, 20),
                      field("borderSide", &LineParams::borderSide, "px", 1, 60),
                      field("fieldSpacing", &LineParams::fieldSpacing, "cm", 1, 200),
                      field("fieldLeast", &LineParams::fieldLeast, "px", 2, 100),
                      field("fieldMost", &LineParams::fieldMost, "px", 2, 160),
+                     field("fieldBump", &LineParams::fieldBump, "", 0, 100),
                      field("fieldSide", &LineParams::fieldSide, "px", 1, 60),
                      field("fieldMaxOther", &LineParams::fieldMaxOther, "", 0, 60),
                      field("fullWeight", &LineParams::fullWeight, "cm", 1, 500),

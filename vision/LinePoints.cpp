@@ -20,9 +20,12 @@ struct Finder {
   void refused(Refusal reason) const { refuse(out.counts, reason); }
 };
 
-int highestRow(const Scene& scene, int px) {
-  const double limit = std::max(horizonRow(scene, px), fieldEdgeRow(scene, px));
+int firstRowBelow(double limit) {
   return static_cast<int>(maths::clamp(limit + 1.0, kUsableTop * 1.0, kImageHeight * 1.0));
+}
+
+int highestRow(const Scene& scene, int px) {
+  return firstRowBelow(std::max(horizonRow(scene, px), fieldEdgeRow(scene, px)));
 }
 
 bool keepsAnyPoint(const Finder& f, PixelPoint pixel) {
@@ -94,11 +97,12 @@ void findLines(const Finder& f) {
 void checkBorder(const Finder& f, const Scan& scan, const Rise& rise) {
   const Sampler& sampler = f.scene.sampler;
   const PixelPoint pixel = scan.at(rise.foot);
-  if (!pointIsBelowHorizon(f.scene, pixel)) return;
+  if (pixel.y <= horizonRow(f.scene, pixel.x)) return;
   if (!borderIsAfterGreen(sampler, scan, rise)) return;
-  if (!borderIsLong(sampler, scan, rise, f.params)) return;
+  if (!borderIsLong(f.scene, scan, rise, f.params)) return;
   if (!borderIsHigh(f.scene, scan, rise, f.params)) return f.refused(Refusal::borderShort);
-  if (!borderHasSide(sampler, scan, rise, f.params)) return f.refused(Refusal::borderGreenBeside);
+  if (!borderGoesOn(sampler, scan, rise, f.params)) return f.refused(Refusal::borderBent);
+  if (!borderHasSide(f.scene, scan, rise, f.params)) return f.refused(Refusal::borderGreenBeside);
   if (keepsAnyPoint(f, pixel)) addPoint(f, LinePointKind::border, pixel);
 }
 
@@ -106,12 +110,14 @@ void checkBorders(const Finder& f, const Scan& scan) {
   for (const Rise& rise : risesOn(f.scene.sampler, scan, f.params)) checkBorder(f, scan, rise);
 }
 
-// The foot of the border is its lower edge, and the edge nearer to the middle of the image.
+// The foot of the border is its lower edge, and the edge nearer to the middle of the image. The
+// field edge does not bound these scans: it is the foot itself.
 void findBorders(const Finder& f) {
   for (int px = kLatticeLeft; px < kUsableRight; px += kScanSpacing)
-    checkBorders(f, scanUp(px, highestRow(f.scene, px)));
+    checkBorders(f, scanUp(px, firstRowBelow(horizonRow(f.scene, px))));
+  const double highest = std::min(f.scene.body.horizon.atLeft, f.scene.body.horizon.atRight);
   for (int py = kLatticeTop; py < kUsableBottom; py += kScanSpacing) {
-    if (py < highestRow(f.scene, 0) && py < highestRow(f.scene, kImageWidth)) continue;
+    if (py < highest) continue;
     checkBorders(f, scanOut(py, -1));
     checkBorders(f, scanOut(py, 1));
   }
@@ -119,6 +125,7 @@ void findBorders(const Finder& f) {
 
 void checkField(const Finder& f, PixelPoint pixel) {
   if (!keepsAnyPoint(f, pixel)) return;
+  if (!fieldIsEven(f.scene.sampler, pixel, f.params)) return f.refused(Refusal::fieldUneven);
   if (!fieldIsGreenBeside(f.scene.sampler, pixel, f.params))
     return f.refused(Refusal::fieldNotGreen);
   addPoint(f, LinePointKind::field, pixel);

@@ -143,9 +143,27 @@ Rises risesOn(const Sampler& sampler, const Scan& scan, const LineParams& params
     i = lastStep(y, i, 1, minStep);
     const int last = i + kReach;
     const double level = 0.5 * (0.5 * (y[first] + y[first - 1]) + y[last]);
-    found.push_back({first, last, halfUp(y, first, last + 1, level)});
+    found.push_back({first, last, halfUp(y, first, last + 1, level), level});
   }
   return found;
+}
+
+std::optional<double> riseBeside(const Sampler& sampler, const Scan& scan, const Rise& rise,
+                                 int aside) {
+  constexpr int kMost = 4;  // px that the edge may move from one neighbour to the next
+  const int step = aside > 0 ? 1 : -1;
+  int dark = static_cast<int>(rise.foot);  // the last pixel below the level
+  for (int k = step; k != aside + step; k += step) {
+    const Lane lane{sampler, scan, k};
+    if (!lane.inside(dark - kMost) || !lane.inside(dark + kMost + 1)) return std::nullopt;
+    dark -= kMost;
+    if (lane.y(dark) >= rise.level) return std::nullopt;
+    const int end = dark + 2 * kMost;
+    while (dark <= end && lane.y(dark + 1) < rise.level) ++dark;
+    if (dark > end) return std::nullopt;
+  }
+  const Lane lane{sampler, scan, aside};
+  return passes(dark, lane.y(dark), lane.y(dark + 1), rise.level);
 }
 
 bool hasBeside(const Scan& scan, const Stretch& stretch, int aside) {

@@ -59,12 +59,17 @@ Stretches brightStretches(const Sampler& sampler, const Scan& scan, const LinePa
 
 // An edge from carpet to something brighter, whatever comes after it.
 struct Rise {
-  int first = 0;      // the carpet's last pixel
-  int last = 0;       // the first pixel of full brightness
-  double foot = 0.0;  // where the brightness is half-way
+  int first = 0;       // the carpet's last pixel
+  int last = 0;        // the first pixel of full brightness
+  double foot = 0.0;   // where the brightness is half-way
+  double level = 0.0;  // the brightness there
 };
 using Rises = FixedVector<Rise, 32>;
 Rises risesOn(const Sampler& sampler, const Scan& scan, const LineParams& params);
+
+// Where the edge is `aside` pixels beside the scan, followed pixel by pixel.
+std::optional<double> riseBeside(const Sampler& sampler, const Scan& scan, const Rise& rise,
+                                 int aside);
 
 // Whether the image is usable on that side of all of the stretch.
 bool hasBeside(const Scan& scan, const Stretch& stretch, int aside);

@@ -29,6 +29,24 @@ bool twoGreens(const Sampler& sampler, const Scan& scan, int i, int step) {
   return isGreen(sampler, scan, i) || isGreen(sampler, scan, i + 2 * step);
 }
 
+// Pixels that a centimetre square to the ray fills where the pixel's ray meets the ground.
+double pixelsPerCm(const CameraPose& camera, PixelPoint pixel) {
+  const Point3<Robot> ray = body::rayThrough(camera, pixel);
+  return body::kFocalLength * std::max(-ray.z, 0.0) / camera.position.z;
+}
+
+// Rows between the border's foot and its upper edge, less the share that may be missing. Seen from
+// inside the field the border leans away: its upper edge is as much farther as higher.
+double borderRows(const CameraPose& camera, PixelPoint pixel, const LineParams& p) {
+  const auto foot = body::groundPoint(camera, pixel);
+  if (!foot) return 0.0;
+  const Point2<Robot> way{foot->x - camera.position.x, foot->y - camera.position.y};
+  const double share = 1.0 + p.borderHeight / std::max(way.norm(), 1.0);
+  const auto top = body::project(camera, {camera.position.x + way.x * share,
+                                          camera.position.y + way.y * share, p.borderHeight});
+  return top ? p.borderShare * (pixel.y - top->y) : 0.0;
+}
+
 }  // namespace
 
 bool headIsSlow(const BodyState& body, const LineParams& p) {
@@ -51,8 +69,6 @@ bool pointIsOutsideObjects(const Percepts& seen, PixelPoint pixel, const LinePar
   if (ball.present && inBox(around, pixel, p.objectMargin)) return false;
   for (const auto& robot : seen.robots)
     if (inBox(robot.box, pixel, p.objectMargin)) return false;
-  for (const auto& landmark : seen.landmarks)
-    if (inBox(landmark.box, pixel, p.objectMargin)) return false;
   return true;
 }
 
@@ -83,27 +99,20 @@ bool borderIsAfterGreen(const Sampler& sampler, const Scan& scan, const Rise& ri
   return twoGreens(sampler, scan, rise.first, -1);
 }
 
-bool borderIsLong(const Sampler& sampler, const Scan& scan, const Rise& rise, const LineParams& p) {
-  for (int i = rise.last; i <= rise.last + p.borderMin; ++i) {
-    if (!Sampler::usable(scan.column(i), scan.row(i))) break;
-    if (isGreen(sampler, scan, i)) return false;
+bool borderIsLong(const Scene& scene, const Scan& scan, const Rise& rise, const LineParams& p) {
+  const double flat = 2.0 * p.lineWidth * pixelsPerCm(scene.body.camera, scan.at(rise.foot));
+  const int end = rise.last + static_cast<int>(std::max(p.borderMin, flat));
+  int i = rise.last;
+  for (; i <= end && Sampler::usable(scan.column(i), scan.row(i)); ++i) {
+    if (isGreen(scene.sampler, scan, i)) return false;
   }
-  return true;
+  return i - rise.last >= flat;
 }
 
-// Seen from inside the field the border leans away: its upper edge is as much farther as higher.
 bool borderIsHigh(const Scene& scene, const Scan& scan, const Rise& rise, const LineParams& p) {
-  const CameraPose& camera = scene.body.camera;
-  const auto foot = body::groundPoint(camera, scan.at(rise.foot));
-  if (!foot) return false;
-  const Point2<Robot> way{foot->x - camera.position.x, foot->y - camera.position.y};
-  const double share = 1.0 + p.borderHeight / std::max(way.norm(), 1.0);
-  const auto top = body::project(camera, {camera.position.x + way.x * share,
-                                          camera.position.y + way.y * share, p.borderHeight});
   const int px = scan.column(rise.last);
   const int py = scan.row(rise.last);
-  if (!top) return false;
-  const int needed = static_cast<int>(p.borderShare * (scan.at(rise.foot).y - top->y));
+  const int needed = static_cast<int>(borderRows(scene.body.camera, scan.at(rise.foot), p));
   int white = 0;
   int seen = 0;
   for (; seen < needed && Sampler::usable(px, py - seen); ++seen)
@@ -111,15 +120,36 @@ bool borderIsHigh(const Scene& scene, const Scan& scan, const Rise& rise, const 
   return needed >= 2 && white >= p.borderWhite * seen;
 }
 
-bool borderHasSide(const Sampler& sampler, const Scan& scan, const Rise& rise,
-                   const LineParams& p) {
+bool borderGoesOn(const Sampler& sampler, const Scan& scan, const Rise& rise, const LineParams& p) {
+  const int reach = static_cast<int>(p.borderReach);
+  const auto left = riseBeside(sampler, scan, rise, -reach);
+  const auto right = riseBeside(sampler, scan, rise, reach);
+  if (!left && !right) return false;
+  if (left && right) return std::fabs(*left + *right - 2.0 * rise.foot) <= p.borderBend;
+  const int missing = left ? reach : -reach;  // allowed beyond the rim only
+  return !Sampler::usable(scan.column(rise.first, missing), scan.row(rise.first, missing));
+}
+
+bool borderHasSide(const Scene& scene, const Scan& scan, const Rise& rise, const LineParams& p) {
+  const double flat = 2.0 * p.lineWidth * pixelsPerCm(scene.body.camera, scan.at(rise.foot));
+  const int length = static_cast<int>(std::max(p.borderSide, flat));
   for (const int side : {-1, 1}) {
     int green = 0;
-    for (int k = 1; k <= p.borderSide; ++k)
-      green += isGreen(sampler, scan, rise.last, side * k) ? 1 : 0;
+    for (int k = 1; k <= length; ++k)
+      green += isGreen(scene.sampler, scan, rise.last, side * k) ? 1 : 0;
     if (green == 0) return true;
   }
   return false;
+}
+
+bool fieldIsEven(const Sampler& sampler, PixelPoint pixel, const LineParams& p) {
+  const int px = Sampler::pixelOf(pixel.x);
+  const int py = Sampler::pixelOf(pixel.y);
+  constexpr int kAway = 4;  // px, beyond the blur of a thin line
+  if (!Sampler::usable(px, py - kAway) || !Sampler::usable(px, py + kAway)) return true;
+  const int around = sampler.rawY(px, py - kAway) + sampler.rawY(px, py + kAway);
+  const int here = sampler.rawY(px, py - 1) + sampler.rawY(px, py) + sampler.rawY(px, py + 1);
+  return here / 3.0 - around / 2.0 <= p.fieldBump;
 }
 
 bool fieldIsGreenBeside(const Sampler& sampler, PixelPoint pixel, const LineParams& p) {

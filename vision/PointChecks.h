@@ -34,10 +34,12 @@ bool lineIsNarrow(const GroundWidth& width, const LineParams& p);
 bool lineIsWide(const GroundWidth& width, const LineParams& p);
 // Border points: a rise on a scan that leads away from the carpet.
 bool borderIsAfterGreen(const Sampler& sampler, const Scan& scan, const Rise& rise);
-bool borderIsLong(const Sampler& sampler, const Scan& scan, const Rise& rise, const LineParams& p);
+bool borderIsLong(const Scene& scene, const Scan& scan, const Rise& rise, const LineParams& p);
 bool borderIsHigh(const Scene& scene, const Scan& scan, const Rise& rise, const LineParams& p);
-bool borderHasSide(const Sampler& sampler, const Scan& scan, const Rise& rise, const LineParams& p);
+bool borderGoesOn(const Sampler& sampler, const Scan& scan, const Rise& rise, const LineParams& p);
+bool borderHasSide(const Scene& scene, const Scan& scan, const Rise& rise, const LineParams& p);
 // Field points.
+bool fieldIsEven(const Sampler& sampler, PixelPoint pixel, const LineParams& p);
 bool fieldIsGreenBeside(const Sampler& sampler, PixelPoint pixel, const LineParams& p);
 
 // The line runs from one place beside the scan to another.

@@ -59,18 +59,20 @@ enum class Refusal : std::uint8_t {
   obstacleGreenAbove,  // a shadow: the carpet goes on right above it
   lineAmbiguous,       // too wide on the ground for a line, too narrow for a border
   lineInCorner,        // of the image, thesis 2004 equation 3.1
-  lineInObject,        // inside the box of a ball, goal, beacon or robot
+  lineInObject,        // inside the box of a ball or robot
   lineGreenBeside,     // a single white pixel
   borderGreenBeside,
   fieldNotGreen,  // green only along the scan
   lineNoGreen,    // no two greens on one of its sides
   lineColoured,   // changes the chroma more than white on green does
   lineThin,       // on the ground narrower than a line
-  borderShort,    // green again, or not white, or not as high as a border
+  borderShort,    // not as high as a border
+  borderBent,     // its foot does not go on straight to both sides
+  fieldUneven,    // brighter than the carpet above and below: a thin line
   lineTooFar,     // weight 0
   lineFew,        // fewer than four of a kind
 };
-constexpr std::size_t kRefusalCount = 57;
+constexpr std::size_t kRefusalCount = 59;
 
 constexpr std::array<const char*, kRefusalCount> kRefusalNames = {"ballTooSmall",
                                                                   "ballFewEdges",
@@ -127,6 +129,8 @@ constexpr std::array<const char*, kRefusalCount> kRefusalNames = {"ballTooSmall"
                                                                   "lineColoured",
                                                                   "lineThin",
                                                                   "borderShort",
+                                                                  "borderBent",
+                                                                  "fieldUneven",
                                                                   "lineTooFar",
                                                                   "lineFew"};
 

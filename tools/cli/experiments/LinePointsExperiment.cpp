@@ -19,6 +19,8 @@ namespace {
 
 constexpr std::array<double, 6> kBands = {0.0, 50.0, 100.0, 150.0, 200.0, 350.0};  // cm
 constexpr std::size_t kBandCount = kBands.size() - 1;
+constexpr std::array<double, 5> kSpeeds = {0.0, 1.5, 3.0, 4.0, 5.2};  // deg a frame
+constexpr std::size_t kSpeedCount = kSpeeds.size() - 1;
 constexpr double kOnPaint = 0.1;   // share of one of the nine pixels around a point
 constexpr double kOnCarpet = 0.9;  // share of the pixel
 
@@ -61,6 +63,7 @@ struct Tally {
   int withLines = 0;  // of these, with a crossing to be seen
   int pointsThere = 0;
   vision::VisionParams params;
+  std::array<KindTally, kSpeedCount> atSpeed;  // line points, the gate open
   VisionCounts counts;
 };
 
@@ -76,6 +79,24 @@ bool isTrue(const LineTruth& truth, const LinePoint& point) {
       return most >= kOnPaint;
     }
     default: return truth.carpet(px, py) >= kOnCarpet;
+  }
+}
+
+std::size_t speedOf(double headSpeed) {
+  const double degrees = Angle::rad(headSpeed).deg();
+  std::size_t i = 0;
+  while (i + 1 < kSpeedCount && degrees >= kSpeeds[i + 1]) ++i;
+  return i;
+}
+
+// Line points within 150 cm, whose errors tell a warped image from a far point.
+void judgeSpeed(const View& view, const BodyState& body, const Percepts& percepts,
+                const LineTruth& truth, Tally& tally) {
+  KindTally& kind = tally.atSpeed[speedOf(body.headSpeed)];
+  for (const LinePoint& point : percepts.linePoints) {
+    if (point.kind != LinePointKind::line || point.position.norm() > kBands[3]) continue;
+    kind.truth.count(isTrue(truth, point));
+    kind.errors[0].push_back(truth.offLine(fieldFromRobot(view.pose, point.position)));
   }
 }
 
@@ -127,6 +148,7 @@ void judgeRecall(const BodyState& body, const LineTruth& truth, const Percepts& 
 void judge(const View& view, const BodyState& body, const Percepts& percepts,
            const LineTruth& truth, Tally& tally) {
   ++tally.views;
+  judgeSpeed(view, body, percepts, truth, tally);
   for (std::size_t i = 0; i < percepts.counts.refused.size(); ++i)
     tally.counts.refused[i] += percepts.counts.refused[i];
   if (body.headSpeed >= tally.params.line.maxHeadSpeed.rad()) return;
@@ -140,10 +162,12 @@ void judge(const View& view, const BodyState& body, const Percepts& percepts,
   judgeRecall(body, truth, percepts, tally);
 }
 
-Tally look(const ViewParams& params, const vision::VisionParams& vision, int views,
-           std::uint64_t seed) {
+// Vision's own gate for a turning head is opened, so that what it keeps out can be measured; views
+// beyond it count in figures by head speed only.
+Tally look(const ViewParams& params, vision::VisionParams vision, int views, std::uint64_t seed) {
   Tally tally;
   tally.params = vision;
+  vision.line.maxHeadSpeed = Angle::deg(180.0);
   ViewMaker maker(params, seed);
   LineTruth truth(params.field);
   const auto state = std::make_unique<vision::VisionState>();
@@ -187,6 +211,19 @@ Json lineFigures(const Tally& tally) {
           {"recall_share", tally.recall.value()},
           {"recall_by_distance", recall},
           {"by_distance", bandFigures(line)}};
+}
+
+Json speedFigures(const Tally& tally) {
+  Json all = Json::object();
+  for (std::size_t i = 0; i < kSpeedCount; ++i) {
+    const KindTally& kind = tally.atSpeed[i];
+    all["from_" + std::to_string(static_cast<int>(10.0 * kSpeeds[i])) + "_tenth_deg_a_frame"] = {
+        {"points", kind.truth.all},
+        {"true_share", kind.truth.value()},
+        {"median_error_cm", percentile(kind.errors[0], 0.5)},
+        {"p90_error_cm", percentile(kind.errors[0], 0.9)}};
+  }
+  return all;
 }
 
 Json refusals(const Tally& tally) {
@@ -235,6 +272,7 @@ Expected<Json> linePoints(const ExperimentOptions& options) {
               {"head_slow_share", static_cast<double>(now.open) / now.views},
               {"true_share", now.kind[0].truth.value()},
               {"line", lineFigures(now)},
+              {"by_head_speed", speedFigures(now)},
               {"field", fieldFigures(now)},
               {"refused", refusals(now)},
               {"field_2004",
