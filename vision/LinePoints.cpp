@@ -12,6 +12,8 @@
 namespace kelpie::vision {
 namespace {
 
+constexpr int kFieldStep = 2;  // px; every second pixel tells green as well, at half the cost
+
 struct Finder {
   const Scene& scene;
   const LineParams& params;
@@ -43,7 +45,7 @@ bool keepsAnyPoint(const Finder& f, PixelPoint pixel) {
 void addPoint(const Finder& f, LinePointKind kind, PixelPoint pixel) {
   const auto place = body::groundPoint(f.scene.body.camera, pixel);
   const double weight = place ? pointWeight(kind, place->norm(), f.params) : 0.0;
-  if (weight <= 0.0) return f.refused(Refusal::lineTooFar);
+  if (weight <= 0.0) return f.refused(Refusal::pointTooFar);
   if (!f.out.linePoints.push_back({kind, *place, weight, pixel})) f.refused(Refusal::bufferFull);
 }
 
@@ -68,15 +70,15 @@ std::optional<Ends> endsBeside(const Finder& f, const LineCandidate& c) {
 void checkLine(const Finder& f, const LineCandidate& c) {
   const Sampler& sampler = f.scene.sampler;
   if (!pointIsBelowHorizon(f.scene, c.pixel)) return;
-  if (c.stretch.top - c.stretch.base < f.params.minContrast) return;
-  if (!lineIsBetweenGreen(sampler, c)) return f.refused(Refusal::lineNoGreen);
+  if (c.stretch.top - c.stretch.base < f.params.minContrast) return f.refused(Refusal::lineTooDim);
+  if (!lineIsBetweenGreen(sampler, c)) return f.refused(Refusal::lineNotInGreen);
   if (!lineIsColourless(sampler, c, f.params)) return f.refused(Refusal::lineColoured);
   if (!keepsAnyPoint(f, c.pixel)) return;
   const auto ends = endsBeside(f, c);
   if (!ends) return f.refused(Refusal::lineGreenBeside);
   const auto width = widthOnGround(f.scene.body.camera, c, ends->a, ends->b);
   if (!width || !lineIsNarrow(*width, f.params)) return f.refused(Refusal::lineAmbiguous);
-  if (!lineIsWide(*width, f.params)) return f.refused(Refusal::lineThin);
+  if (!lineIsWide(*width, f.params)) return f.refused(Refusal::lineTooThin);
   addPoint(f, LinePointKind::line, c.pixel);
 }
 
@@ -86,9 +88,9 @@ void checkLines(const Finder& f, const Scan& scan) {
 }
 
 void findLines(const Finder& f) {
-  for (int px = kLatticeLeft; px < kUsableRight; px += kScanSpacing)
+  for (int px = kScanLeft; px < kUsableRight; px += kScanSpacing)
     checkLines(f, scanUp(px, highestRow(f.scene, px)));
-  for (int py = kLatticeTop; py < kUsableBottom; py += kScanSpacing) {
+  for (int py = kScanTop; py < kUsableBottom; py += kScanSpacing) {
     if (py < highestRow(f.scene, 0) && py < highestRow(f.scene, kImageWidth)) continue;
     checkLines(f, scanRight(py));
   }
@@ -100,7 +102,7 @@ void checkBorder(const Finder& f, const Scan& scan, const Rise& rise) {
   if (pixel.y <= horizonRow(f.scene, pixel.x)) return;
   if (!borderIsAfterGreen(sampler, scan, rise)) return;
   if (!borderIsLong(f.scene, scan, rise, f.params)) return;
-  if (!borderIsHigh(f.scene, scan, rise, f.params)) return f.refused(Refusal::borderShort);
+  if (!borderIsHigh(f.scene, scan, rise, f.params)) return f.refused(Refusal::borderTooShort);
   if (!borderGoesOn(sampler, scan, rise, f.params)) return f.refused(Refusal::borderBent);
   if (!borderHasSide(f.scene, scan, rise, f.params)) return f.refused(Refusal::borderGreenBeside);
   if (keepsAnyPoint(f, pixel)) addPoint(f, LinePointKind::border, pixel);
@@ -113,10 +115,10 @@ void checkBorders(const Finder& f, const Scan& scan) {
 // The foot of the border is its lower edge, and the edge nearer to the middle of the image. The
 // field edge does not bound these scans: it is the foot itself.
 void findBorders(const Finder& f) {
-  for (int px = kLatticeLeft; px < kUsableRight; px += kScanSpacing)
+  for (int px = kScanLeft; px < kUsableRight; px += kScanSpacing)
     checkBorders(f, scanUp(px, firstRowBelow(horizonRow(f.scene, px))));
   const double highest = std::min(f.scene.body.horizon.atLeft, f.scene.body.horizon.atRight);
-  for (int py = kLatticeTop; py < kUsableBottom; py += kScanSpacing) {
+  for (int py = kScanTop; py < kUsableBottom; py += kScanSpacing) {
     if (py < highest) continue;
     checkBorders(f, scanOut(py, -1));
     checkBorders(f, scanOut(py, 1));
@@ -137,8 +139,7 @@ void findFieldPoints(const Finder& f, int px) {
   const int highest = highestRow(f.scene, px);
   const double height = f.scene.body.camera.position.z;
   int lowest = kUsableBottom;
-  for (int py = kLatticeTop + (kLatticeRows - 1) * kLatticeStep; py >= highest;
-       py -= kLatticeStep) {
+  for (int py = kUsableBottom - 1; py >= highest; py -= kFieldStep) {
     if (f.scene.sampler.classAt(px, py) != ColourClass::green) {
       lowest = py;
     } else if (lowest - py >= fieldInterval(0.5 * (py + lowest) - horizon, height, f.params)) {
@@ -156,7 +157,7 @@ void dropFew(const Finder& f, LinePointKind kind) {
   std::size_t kept = 0;
   for (const LinePoint& p : points) {
     if (p.kind == kind) {
-      f.refused(Refusal::lineFew);
+      f.refused(Refusal::pointsTooFew);
     } else {
       points[kept++] = p;
     }
@@ -184,7 +185,7 @@ void findLinePoints(const Scene& scene, const LineParams& params, Percepts& out)
   const Finder f{scene, params, out};
   findLines(f);
   if (params.border) findBorders(f);
-  for (int px = kLatticeLeft; px < kUsableRight; px += kFieldScanSpacing) findFieldPoints(f, px);
+  for (int px = kScanLeft; px < kUsableRight; px += kFieldScanSpacing) findFieldPoints(f, px);
   for (const auto kind : {LinePointKind::line, LinePointKind::border, LinePointKind::field})
     dropFew(f, kind);
 }

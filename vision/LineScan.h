@@ -16,6 +16,8 @@
 
 namespace kelpie::vision {
 
+constexpr int kScanLeft = 4;  // px; 21 columns and 16 rows
+constexpr int kScanTop = 4;
 constexpr int kScanSpacing = 10;       // px, thesis 2004 3.1.1
 constexpr int kFieldScanSpacing = 50;  // px, thesis 2004 3.1.2
 

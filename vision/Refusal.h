@@ -62,77 +62,35 @@ enum class Refusal : std::uint8_t {
   lineInObject,        // inside the box of a ball or robot
   lineGreenBeside,     // a single white pixel
   borderGreenBeside,
-  fieldNotGreen,  // green only along the scan
-  lineNoGreen,    // no two greens on one of its sides
-  lineColoured,   // changes the chroma more than white on green does
-  lineThin,       // on the ground narrower than a line
-  borderShort,    // not as high as a border
-  borderBent,     // its foot does not go on straight to both sides
-  fieldUneven,    // brighter than the carpet above and below: a thin line
-  lineTooFar,     // weight 0
-  lineFew,        // fewer than four of a kind
+  fieldNotGreen,   // green only along the scan
+  lineNotInGreen,  // no two greens on one of its sides
+  lineTooDim,      // hardly brighter than the carpet
+  lineColoured,    // changes the chroma more than white on green does
+  lineTooThin,     // on the ground narrower than a line
+  borderTooShort,  // not as high as a border
+  borderBent,      // its foot does not go on straight to both sides
+  fieldUneven,     // brighter than the carpet above and below: a thin line
+  pointTooFar,     // weight 0
+  pointsTooFew,    // of a kind
 };
-constexpr std::size_t kRefusalCount = 59;
+constexpr std::size_t kRefusalCount = 60;
 
-constexpr std::array<const char*, kRefusalCount> kRefusalNames = {"ballTooSmall",
-                                                                  "ballFewEdges",
-                                                                  "ballPoorCircle",
-                                                                  "ballFewOrange",
-                                                                  "ballOtherColour",
-                                                                  "ballAboveHorizon",
-                                                                  "ballAboveFieldEdge",
-                                                                  "ballNoField",
-                                                                  "ballOffGround",
-                                                                  "ballTooFar",
-                                                                  "beaconTooSmall",
-                                                                  "beaconNoPartner",
-                                                                  "beaconBothSides",
-                                                                  "beaconSizeRatio",
-                                                                  "beaconAspect",
-                                                                  "beaconBelowHorizon",
-                                                                  "beaconNoWhiteBelow",
-                                                                  "beaconElevation",
-                                                                  "beaconTooFar",
-                                                                  "goalTooSmall",
-                                                                  "goalAspect",
-                                                                  "goalAboveHorizon",
-                                                                  "goalNoField",
-                                                                  "goalIsBeacon",
-                                                                  "goalTooFar",
-                                                                  "goalNoHeight",
-                                                                  "goalAboveFieldEdge",
-                                                                  "bufferFull",
-                                                                  "goalWidth",
-                                                                  "goalOffGround",
-                                                                  "goalOpposite",
-                                                                  "robotTooSmall",
-                                                                  "robotAboveHorizon",
-                                                                  "robotAboveFieldEdge",
-                                                                  "robotNoShell",
-                                                                  "robotOffGround",
-                                                                  "robotTooFar",
-                                                                  "pinkTooSmall",
-                                                                  "pinkIsBeacon",
-                                                                  "pinkAboveHorizon",
-                                                                  "pinkAboveFieldEdge",
-                                                                  "pinkOffGround",
-                                                                  "obstacleAboveHorizon",
-                                                                  "obstacleAboveFieldEdge",
-                                                                  "obstacleGreenAbove",
-                                                                  "lineAmbiguous",
-                                                                  "lineInCorner",
-                                                                  "lineInObject",
-                                                                  "lineGreenBeside",
-                                                                  "borderGreenBeside",
-                                                                  "fieldNotGreen",
-                                                                  "lineNoGreen",
-                                                                  "lineColoured",
-                                                                  "lineThin",
-                                                                  "borderShort",
-                                                                  "borderBent",
-                                                                  "fieldUneven",
-                                                                  "lineTooFar",
-                                                                  "lineFew"};
+constexpr std::array<const char*, kRefusalCount> kRefusalNames = {
+    "ballTooSmall",       "ballFewEdges",        "ballPoorCircle",       "ballFewOrange",
+    "ballOtherColour",    "ballAboveHorizon",    "ballAboveFieldEdge",   "ballNoField",
+    "ballOffGround",      "ballTooFar",          "beaconTooSmall",       "beaconNoPartner",
+    "beaconBothSides",    "beaconSizeRatio",     "beaconAspect",         "beaconBelowHorizon",
+    "beaconNoWhiteBelow", "beaconElevation",     "beaconTooFar",         "goalTooSmall",
+    "goalAspect",         "goalAboveHorizon",    "goalNoField",          "goalIsBeacon",
+    "goalTooFar",         "goalNoHeight",        "goalAboveFieldEdge",   "bufferFull",
+    "goalWidth",          "goalOffGround",       "goalOpposite",         "robotTooSmall",
+    "robotAboveHorizon",  "robotAboveFieldEdge", "robotNoShell",         "robotOffGround",
+    "robotTooFar",        "pinkTooSmall",        "pinkIsBeacon",         "pinkAboveHorizon",
+    "pinkAboveFieldEdge", "pinkOffGround",       "obstacleAboveHorizon", "obstacleAboveFieldEdge",
+    "obstacleGreenAbove", "lineAmbiguous",       "lineInCorner",         "lineInObject",
+    "lineGreenBeside",    "borderGreenBeside",   "fieldNotGreen",        "lineNotInGreen",
+    "lineTooDim",         "lineColoured",        "lineTooThin",          "borderTooShort",
+    "borderBent",         "fieldUneven",         "pointTooFar",          "pointsTooFew"};
 
 inline void refuse(VisionCounts& counts, Refusal reason) {
   ++counts.refused[static_cast<std::size_t>(reason)];

@@ -230,7 +230,7 @@ Json refusals(const Tally& tally) {
   Json all = Json::object();
   for (std::size_t i = 0; i < vision::kRefusalCount; ++i) {
     const std::string name = vision::kRefusalNames[i];
-    if (name.rfind("line", 0) == 0 || name.rfind("border", 0) == 0 || name.rfind("field", 0) == 0)
+    if (i >= static_cast<std::size_t>(vision::Refusal::lineAmbiguous))
       all[name] = tally.counts.refused[i];
   }
   return all;

@@ -118,9 +118,9 @@ void addCrossings(const LineTruth& truth, const vision::Scan& scan, std::vector<
 
 std::vector<Crossing> crossings(const LineTruth& truth) {
   std::vector<Crossing> all;
-  for (int px = vision::kLatticeLeft; px < vision::kUsableRight; px += vision::kScanSpacing)
+  for (int px = vision::kScanLeft; px < vision::kUsableRight; px += vision::kScanSpacing)
     addCrossings(truth, vision::scanUp(px, vision::kUsableTop), all);
-  for (int py = vision::kLatticeTop; py < vision::kUsableBottom; py += vision::kScanSpacing)
+  for (int py = vision::kScanTop; py < vision::kUsableBottom; py += vision::kScanSpacing)
     addCrossings(truth, vision::scanRight(py), all);
   return all;
 }
