@@ -44,7 +44,7 @@ Scan scanOut(int py, int dx);
 Scan scanUp(int px, int highest);
 Scan scanRight(int py);
 
-// Indices along a scan, `first` and `last` are the carpet's pixels next to the bright ones.
+// Indices along a scan; `first` and `last` are carpet, at most one pixel away from the bright ones.
 struct Stretch {
   int first = 0;
   int last = 0;

@@ -35,16 +35,16 @@ double pixelsPerCm(const CameraPose& camera, PixelPoint pixel) {
   return body::kFocalLength * std::max(-ray.z, 0.0) / camera.position.z;
 }
 
-// Rows between the border's foot and its upper edge, less the share that may be missing. Seen from
-// inside the field the border leans away: its upper edge is as much farther as higher.
-double borderRows(const CameraPose& camera, PixelPoint pixel, const LineParams& p) {
+// Where the border's upper edge is above a foot. Seen from inside the field the border leans away:
+// its upper edge is as much farther as higher.
+std::optional<PixelPoint> borderTop(const CameraPose& camera, PixelPoint pixel,
+                                    const LineParams& p) {
   const auto foot = body::groundPoint(camera, pixel);
-  if (!foot) return 0.0;
+  if (!foot) return std::nullopt;
   const Point2<Robot> way{foot->x - camera.position.x, foot->y - camera.position.y};
   const double share = 1.0 + p.borderHeight / std::max(way.norm(), 1.0);
-  const auto top = body::project(camera, {camera.position.x + way.x * share,
-                                          camera.position.y + way.y * share, p.borderHeight});
-  return top ? p.borderShare * (pixel.y - top->y) : 0.0;
+  return body::project(camera, {camera.position.x + way.x * share,
+                                camera.position.y + way.y * share, p.borderHeight});
 }
 
 }  // namespace
@@ -110,13 +110,20 @@ bool borderIsLong(const Scene& scene, const Scan& scan, const Rise& rise, const 
 }
 
 bool borderIsHigh(const Scene& scene, const Scan& scan, const Rise& rise, const LineParams& p) {
-  const int px = scan.column(rise.last);
-  const int py = scan.row(rise.last);
-  const int needed = static_cast<int>(borderRows(scene.body.camera, scan.at(rise.foot), p));
+  const PixelPoint foot = scan.at(rise.last);
+  const auto top = borderTop(scene.body.camera, foot, p);
+  if (!top) return false;
+  const double dx = top->x - foot.x;
+  const double dy = top->y - foot.y;
+  const double length = std::sqrt(dx * dx + dy * dy);
+  const int needed = static_cast<int>(p.borderShare * length);
   int white = 0;
   int seen = 0;
-  for (; seen < needed && Sampler::usable(px, py - seen); ++seen)
-    white += scene.sampler.classAt(px, py - seen) == ColourClass::white ? 1 : 0;
+  for (; seen < needed; ++seen) {
+    const PixelPoint at{foot.x + dx * seen / length, foot.y + dy * seen / length};
+    if (!Sampler::usable(at)) break;
+    white += scene.sampler.classAt(at) == ColourClass::white ? 1 : 0;
+  }
   return needed >= 2 && white >= p.borderWhite * seen;
 }
 
