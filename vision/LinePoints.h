@@ -11,8 +11,9 @@
 namespace kelpie::vision {
 
 double pointWeight(LinePointKind kind, double distance, const LineParams& params);
-// Pixels of green for a field point so many rows below the horizon. On level ground a row covers
-// rows^2 / (height * focal length) of a centimetre's image, so the points lie evenly on the ground.
+// Pixels of green for a field point so many rows below the horizon: a centimetre ahead fills
+// rows^2 / (height * focal length) of them, so that the points lie evenly on the ground. Wrong
+// where the head is rolled, as the thesis says of its own rule (3.1.2).
 double fieldInterval(double rows, double cameraHeight, const LineParams& params);
 // Reads the objects in `out`, whose boxes hold no points; fills its line points and counts.
 void findLinePoints(const Scene& scene, const LineParams& params, Percepts& out);

@@ -8,19 +8,28 @@ namespace {
 
 constexpr int kReach = 2;  // px over which a blurred edge rises
 
+// The brightness along a scan, read in place.
 struct Profile {
-  std::array<std::uint8_t, kImageWidth> y{};
-  int length = 0;
+  const std::uint8_t* y;
+  int step;
+  int length;
 
-  int operator[](int i) const { return y[static_cast<std::size_t>(i)]; }
+  int operator[](int i) const { return y[i * step]; }
 };
 
-Profile read(const Sampler& sampler, const Scan& scan) {
-  Profile profile;
-  profile.length = scan.length;
-  for (int i = 0; i < scan.length; ++i)
-    profile.y[static_cast<std::size_t>(i)] = sampler.rawY(scan.column(i), scan.row(i));
-  return profile;
+Profile profileOf(const Sampler& sampler, const Scan& scan) {
+  const std::uint8_t* first = sampler.rawY().data() + Image::at(scan.px, scan.py);
+  return {first, scan.dy * kImageWidth + scan.dx, scan.length};
+}
+
+// The next place from i on where the brightness changes by `minStep`, or the end.
+int nextStep(const Profile& y, int i, int minStep) {
+  const int ahead = kReach * y.step;
+  const auto flat = static_cast<unsigned>(2 * minStep - 1);
+  const std::uint8_t* p = y.y + i * y.step;
+  for (; i + kReach + 1 < y.length; ++i, p += y.step)
+    if (static_cast<unsigned>(p[ahead] - p[0] + minStep - 1) >= flat) break;
+  return i;
 }
 
 // Where a straight line from (i, a) to (i + 1, b) passes `level`.
@@ -113,11 +122,12 @@ Scan scanUp(int px, int highest) {
 Scan scanRight(int py) { return {kUsableLeft, py, 1, 0, kUsableRight - kUsableLeft}; }
 
 Stretches brightStretches(const Sampler& sampler, const Scan& scan, const LineParams& params) {
-  const Profile y = read(sampler, scan);
+  const Profile y = profileOf(sampler, scan);
   const int minStep = static_cast<int>(params.minStep);
   Stretches found;
   int first = -1;
-  for (int i = 1; i + kReach + 1 < y.length; ++i) {
+  for (int i = nextStep(y, 1, minStep); i + kReach + 1 < y.length;
+       i = nextStep(y, i + 1, minStep)) {
     const int step = y[i + kReach] - y[i];
     if (step >= minStep) {
       first = i;
@@ -134,10 +144,11 @@ Stretches brightStretches(const Sampler& sampler, const Scan& scan, const LinePa
 }
 
 Rises risesOn(const Sampler& sampler, const Scan& scan, const LineParams& params) {
-  const Profile y = read(sampler, scan);
+  const Profile y = profileOf(sampler, scan);
   const int minStep = static_cast<int>(params.minStep);
   Rises found;
-  for (int i = 1; i + kReach + 1 < y.length; ++i) {
+  for (int i = nextStep(y, 1, minStep); i + kReach + 1 < y.length;
+       i = nextStep(y, i + 1, minStep)) {
     if (y[i + kReach] - y[i] < minStep) continue;
     const int first = i;
     i = lastStep(y, i, 1, minStep);
