@@ -35,8 +35,9 @@ sim::Scene marked(sim::Scene scene, const body::FieldDescription& field) {
   return scene;
 }
 
-double share(double value, double none, double all) {
-  return std::clamp((value - none) / (all - none), 0.0, 1.0);
+double share(std::uint8_t value, float none, float all) {
+  const float covered = (static_cast<float>(value) - none) / (all - none);
+  return static_cast<double>(std::clamp(covered, 0.0F, 1.0F));
 }
 
 bool inside(int px, int py) { return px >= 0 && px < kImageWidth && py >= 0 && py < kImageHeight; }
@@ -70,7 +71,7 @@ double LineTruth::border(int px, int py) const {
 double LineTruth::carpet(int px, int py) const {
   if (!inside(px, py) || paint(px, py) > 0.1 || border(px, py) > 0.1) return 0.0;
   // The ball's shadow takes a third of the light.
-  return share(image_->y[Image::at(px, py)], 0.0, 0.65F * kGreen.y);
+  return share(image_->y[Image::at(px, py)], 0.0F, 0.65F * kGreen.y);
 }
 
 double LineTruth::paintNear(PixelPoint pixel) const {
