@@ -3,93 +3,191 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 #include "robot/body/Camera.h"
 #include "robot/core/Maths.h"
+#include "vision/PointChecks.h"
+#include "vision/Refusal.h"
 
 namespace kelpie::vision {
 namespace {
 
-constexpr int kLatticeLeft = 4;
-constexpr int kLatticeTop = 4;
-constexpr int kLatticeStep = 2;
+constexpr int kFieldStep = 2;  // px; every second pixel tells green as well, at half the cost
 
-constexpr int kColumnStep = 8;
-constexpr int kReach = 2;  // px over which a blurred edge rises
+struct Finder {
+  const Scene& scene;
+  const LineParams& params;
+  Percepts& out;
 
-int stepAt(const Sampler& sampler, int px, int py) {
-  return sampler.rawY(px, py) - sampler.rawY(px, py + kReach);
-}
-
-// Green just outside both edges of the bright stretch [top, bottom].
-bool betweenGreen(const Sampler& sampler, int px, int top, int bottom) {
-  const int above = top - kReach;
-  const int below = bottom + kReach;
-  return Sampler::usable(px, above) && Sampler::usable(px, below) &&
-         sampler.classAt(px, above) == ColourClass::green &&
-         sampler.classAt(px, below) == ColourClass::green;
-}
-
-// White on green changes the chroma little; a ball or a sock changes it much.
-bool colourless(const Sampler& sampler, int px, int inside, int outside, double maxChroma) {
-  const Yuv a = sampler.corrected(px, inside);
-  const Yuv b = sampler.corrected(px, outside);
-  return std::abs(a.cr - b.cr) <= maxChroma && std::abs(a.cb - b.cb) <= maxChroma;
-}
-
-struct Stretch {
-  int top = 0;
-  int bottom = 0;
+  void refused(Refusal reason) const { refuse(out.counts, reason); }
 };
-using Column = FixedVector<Stretch, 32>;
 
-// Bright stretches of a column, found from below: brighter upwards, then darker upwards.
-Column brightStretches(const Sampler& sampler, int px, int highest, const LineParams& params) {
-  Column found;
-  const int minStep = static_cast<int>(params.minStep);
-  int bottom = -1;
-  for (int py = kUsableBottom - kReach - 1; py >= highest; --py) {
-    const int step = stepAt(sampler, px, py);
-    if (step >= minStep) {
-      bottom = py + 1;
-    } else if (step <= -minStep && bottom >= 0) {
-      if (bottom - py <= params.maxWidth) found.push_back({py + 1, bottom});
-      bottom = -1;
+int firstRowBelow(double limit) {
+  return static_cast<int>(maths::clamp(limit + 1.0, kUsableTop * 1.0, kImageHeight * 1.0));
+}
+
+int highestRow(const Scene& scene, int px) {
+  return firstRowBelow(std::max(horizonRow(scene, px), fieldEdgeRow(scene, px)));
+}
+
+bool keepsAnyPoint(const Finder& f, PixelPoint pixel) {
+  if (!pointIsOutsideCorners(pixel, f.params)) {
+    f.refused(Refusal::lineInCorner);
+    return false;
+  }
+  if (!pointIsOutsideObjects(f.out, pixel, f.params)) {
+    f.refused(Refusal::lineInObject);
+    return false;
+  }
+  return true;
+}
+
+void addPoint(const Finder& f, LinePointKind kind, PixelPoint pixel) {
+  const auto place = body::groundPoint(f.scene.body.camera, pixel);
+  const double weight = place ? pointWeight(kind, place->norm(), f.params) : 0.0;
+  if (weight <= 0.0) return f.refused(Refusal::pointTooFar);
+  if (!f.out.linePoints.push_back({kind, *place, weight, pixel})) f.refused(Refusal::bufferFull);
+}
+
+struct Ends {
+  PixelPoint a;
+  PixelPoint b;
+};
+
+// Where the line goes on to both sides; at the rim of the image one side must do.
+std::optional<Ends> endsBeside(const Finder& f, const LineCandidate& c) {
+  const int reach = static_cast<int>(f.params.besideReach);
+  Ends ends{c.pixel, c.pixel};
+  for (const int side : {-reach, reach}) {
+    if (!hasBeside(c.scan, c.stretch, side)) continue;
+    const auto beside = stretchBeside(f.scene.sampler, c.scan, c.stretch, side);
+    if (!beside) return std::nullopt;
+    (side < 0 ? ends.a : ends.b) = c.scan.at(beside->middle(), side);
+  }
+  return ends;
+}
+
+void checkLine(const Finder& f, const LineCandidate& c) {
+  const Sampler& sampler = f.scene.sampler;
+  if (!pointIsBelowHorizon(f.scene, c.pixel)) return;
+  if (c.stretch.top - c.stretch.base < f.params.minContrast) return f.refused(Refusal::lineTooDim);
+  if (!lineIsBetweenGreen(sampler, c)) return f.refused(Refusal::lineNotInGreen);
+  if (!lineIsColourless(sampler, c, f.params)) return f.refused(Refusal::lineColoured);
+  if (!keepsAnyPoint(f, c.pixel)) return;
+  const auto ends = endsBeside(f, c);
+  if (!ends) return f.refused(Refusal::lineGreenBeside);
+  const auto width = widthOnGround(f.scene.body.camera, c, ends->a, ends->b);
+  if (!width || !lineIsNarrow(*width, f.params)) return f.refused(Refusal::lineAmbiguous);
+  if (!lineIsWide(*width, f.params)) return f.refused(Refusal::lineTooThin);
+  addPoint(f, LinePointKind::line, c.pixel);
+}
+
+void checkLines(const Finder& f, const Scan& scan) {
+  for (const Stretch& s : brightStretches(f.scene.sampler, scan, f.params))
+    checkLine(f, {scan, s, scan.at(s.middle())});
+}
+
+void findLines(const Finder& f) {
+  for (int px = kScanLeft; px < kUsableRight; px += kScanSpacing)
+    checkLines(f, scanUp(px, highestRow(f.scene, px)));
+  for (int py = kScanTop; py < kUsableBottom; py += kScanSpacing) {
+    if (py < highestRow(f.scene, 0) && py < highestRow(f.scene, kImageWidth)) continue;
+    checkLines(f, scanRight(py));
+  }
+}
+
+void checkBorder(const Finder& f, const Scan& scan, const Rise& rise) {
+  const Sampler& sampler = f.scene.sampler;
+  const PixelPoint pixel = scan.at(rise.foot);
+  if (pixel.y <= horizonRow(f.scene, pixel.x)) return;
+  if (!borderIsAfterGreen(sampler, scan, rise)) return;
+  if (!borderIsLong(f.scene, scan, rise, f.params)) return;
+  if (!borderIsHigh(f.scene, scan, rise, f.params)) return f.refused(Refusal::borderTooShort);
+  if (!borderGoesOn(sampler, scan, rise, f.params)) return f.refused(Refusal::borderBent);
+  if (!borderHasSide(f.scene, scan, rise, f.params)) return f.refused(Refusal::borderGreenBeside);
+  if (keepsAnyPoint(f, pixel)) addPoint(f, LinePointKind::border, pixel);
+}
+
+void checkBorders(const Finder& f, const Scan& scan) {
+  for (const Rise& rise : risesOn(f.scene.sampler, scan, f.params)) checkBorder(f, scan, rise);
+}
+
+// The foot of the border is its lower edge, and the edge nearer to the middle of the image. The
+// field edge does not bound these scans: it is the foot itself.
+void findBorders(const Finder& f) {
+  for (int px = kScanLeft; px < kUsableRight; px += kScanSpacing)
+    checkBorders(f, scanUp(px, firstRowBelow(horizonRow(f.scene, px))));
+  const double highest = std::min(f.scene.body.horizon.atLeft, f.scene.body.horizon.atRight);
+  for (int py = kScanTop; py < kUsableBottom; py += kScanSpacing) {
+    if (py < highest) continue;
+    checkBorders(f, scanOut(py, -1));
+    checkBorders(f, scanOut(py, 1));
+  }
+}
+
+void checkField(const Finder& f, PixelPoint pixel) {
+  if (!keepsAnyPoint(f, pixel)) return;
+  if (!fieldIsEven(f.scene.sampler, pixel, f.params)) return f.refused(Refusal::fieldUneven);
+  if (!fieldIsGreenBeside(f.scene.sampler, pixel, f.params))
+    return f.refused(Refusal::fieldNotGreen);
+  addPoint(f, LinePointKind::field, pixel);
+}
+
+// Cuts the green runs of a scan into field intervals; the middle of each is a point.
+void findFieldPoints(const Finder& f, int px) {
+  const double horizon = horizonRow(f.scene, px + 0.5);
+  const int highest = highestRow(f.scene, px);
+  const double height = f.scene.body.camera.position.z;
+  int lowest = kUsableBottom;
+  for (int py = kUsableBottom - 1; py >= highest; py -= kFieldStep) {
+    if (f.scene.sampler.classAt(px, py) != ColourClass::green) {
+      lowest = py;
+    } else if (lowest - py >= fieldInterval(0.5 * (py + lowest) - horizon, height, f.params)) {
+      checkField(f, {px + 0.5, 0.5 * (py + lowest) + 0.5});
+      lowest = py;
     }
   }
-  return found;
 }
 
-void addPoint(const Scene& scene, int px, Stretch s, const LineParams& params,
-              LinePointBuffer& points) {
-  if (!betweenGreen(scene.sampler, px, s.top, s.bottom)) return;
-  const int middle = (s.top + s.bottom) / 2;
-  if (!colourless(scene.sampler, px, middle, s.bottom + kReach, params.maxChroma)) return;
-  const PixelPoint pixel{px + 0.5, 0.5 * (s.top + s.bottom) + 0.5};
-  const auto place = body::groundPoint(scene.body.camera, pixel);
-  if (!place) return;
-  const double weight = lineWeight(place->norm(), params);
-  if (weight > 0.0) points.push_back({LinePointKind::line, *place, weight, pixel});
+void dropFew(const Finder& f, LinePointKind kind) {
+  auto& points = f.out.linePoints;
+  std::size_t count = 0;
+  for (const LinePoint& p : points) count += p.kind == kind ? 1 : 0;
+  if (static_cast<double>(count) >= f.params.minOfKind) return;
+  std::size_t kept = 0;
+  for (const LinePoint& p : points) {
+    if (p.kind == kind) {
+      f.refused(Refusal::pointsTooFew);
+    } else {
+      points[kept++] = p;
+    }
+  }
+  points.resize(kept);
 }
 
 }  // namespace
 
-double lineWeight(double distance, const LineParams& params) {
-  const double near = maths::square(params.fullWeight);
-  const double far = maths::square(params.noWeight);
-  return maths::clamp((far - distance * distance) / (far - near), 0.0, 1.0);
+double pointWeight(LinePointKind kind, double distance, const LineParams& p) {
+  if (kind == LinePointKind::field) return distance <= p.noWeight ? 1.0 : 0.0;
+  const double d = p.linearWeight ? distance : distance * distance;
+  const double near = p.linearWeight ? p.fullWeight : p.fullWeight * p.fullWeight;
+  const double far = p.linearWeight ? p.noWeight : p.noWeight * p.noWeight;
+  return maths::clamp((far - d) / (far - near), 0.0, 1.0);
 }
 
-void findLinePoints(const Scene& scene, const LineParams& params, LinePointBuffer& points) {
-  if (scene.body.headSpeed >= params.maxHeadSpeed.rad()) return;
-  for (int px = kLatticeLeft; px < kUsableRight; px += kColumnStep) {
-    const double limit = std::max(horizonRow(scene, px), fieldEdgeRow(scene, px));
-    const int highest = static_cast<int>(maths::clamp(limit, kUsableTop + kReach * 1.0, 1e3));
-    const Column column = brightStretches(scene.sampler, px, highest, params);
-    if (static_cast<double>(column.size()) > params.maxPerColumn) continue;
-    for (const Stretch& s : column) addPoint(scene, px, s, params, points);
-  }
+double fieldInterval(double rows, double cameraHeight, const LineParams& p) {
+  const double even = p.fieldSpacing * rows * rows / (cameraHeight * body::kFocalLength);
+  return maths::clamp(even, p.fieldLeast, p.fieldMost);
+}
+
+void findLinePoints(const Scene& scene, const LineParams& params, Percepts& out) {
+  if (!headIsSlow(scene.body, params)) return;
+  const Finder f{scene, params, out};
+  findLines(f);
+  if (params.border) findBorders(f);
+  for (int px = kScanLeft; px < kUsableRight; px += kFieldScanSpacing) findFieldPoints(f, px);
+  for (const auto kind : {LinePointKind::line, LinePointKind::border, LinePointKind::field})
+    dropFew(f, kind);
 }
 
 }  // namespace kelpie::vision

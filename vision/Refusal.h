@@ -61,15 +61,23 @@ enum class Refusal : std::uint8_t {
   obstacleAboveHorizon,
   obstacleAboveFieldEdge,
   obstacleGreenAbove,  // a shadow: the carpet goes on right above it
-  lineAmbiguous,       // too wide for a line, too narrow for a border
+  lineAmbiguous,       // too wide on the ground for a line, too narrow for a border
   lineInCorner,        // of the image, thesis 2004 equation 3.1
-  lineInObject,        // inside the box of a ball, goal, beacon or robot
+  lineInObject,        // inside the box of a ball or robot
   lineGreenBeside,     // a single white pixel
   borderGreenBeside,
-  fieldNotGreen,    // green only along the scan
-  lineCrowdedScan,  // more points on one scan than lines can give
+  fieldNotGreen,   // green only along the scan
+  lineNotInGreen,  // no two greens on one of its sides
+  lineTooDim,      // hardly brighter than the carpet
+  lineColoured,    // changes the chroma more than white on green does
+  lineTooThin,     // on the ground narrower than a line
+  borderTooShort,  // not as high as a border
+  borderBent,      // its foot does not go on straight to both sides
+  fieldUneven,     // brighter than the carpet above and below: a thin line
+  pointTooFar,     // weight 0
+  pointsTooFew,    // of a kind
 };
-constexpr std::size_t kRefusalCount = 56;
+constexpr std::size_t kRefusalCount = 64;
 
 constexpr std::array<const char*, kRefusalCount> kRefusalNames = {
     "ballTooSmall",       "ballFewEdges",        "ballPoorCircle",       "ballFewOrange",
@@ -85,7 +93,9 @@ constexpr std::array<const char*, kRefusalCount> kRefusalNames = {
     "robotTooFar",        "pinkTooSmall",        "pinkIsBeacon",         "pinkAboveHorizon",
     "pinkAboveFieldEdge", "pinkOffGround",       "obstacleAboveHorizon", "obstacleAboveFieldEdge",
     "obstacleGreenAbove", "lineAmbiguous",       "lineInCorner",         "lineInObject",
-    "lineGreenBeside",    "borderGreenBeside",   "fieldNotGreen",        "lineCrowdedScan"};
+    "lineGreenBeside",    "borderGreenBeside",   "fieldNotGreen",        "lineNotInGreen",
+    "lineTooDim",         "lineColoured",        "lineTooThin",          "borderTooShort",
+    "borderBent",         "fieldUneven",         "pointTooFar",          "pointsTooFew"};
 
 inline void refuse(VisionCounts& counts, Refusal reason) {
   ++counts.refused[static_cast<std::size_t>(reason)];

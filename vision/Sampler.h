@@ -50,6 +50,7 @@ class Sampler {
   // As measured: for differences between neighbours, which the ring correction hardly changes.
   Yuv raw(int px, int py) const { return image_.pixel(px, py); }
   std::uint8_t rawY(int px, int py) const { return image_.y[Image::at(px, py)]; }
+  const Image::Plane& rawY() const { return image_.y; }
 
   // Forgets the last image.
   void reset() { classes_.fill(kNotLookedAt); }

@@ -31,7 +31,7 @@ Percepts step(const VisionIn& in, const VisionParams& params, VisionState& state
   findGoals(scene, params.goal, out.counts, out.landmarks, out.gaps);
   keepOneGoal(out);
   out.ball = findBall(scene, params.ball, out.counts);
-  findLinePoints(scene, params.line, out.linePoints);
+  findLinePoints(scene, params.line, out);
   return out;
 }
 

@@ -7,6 +7,7 @@
 #include "robot/core/Angle.h"
 #include "robot/core/Fields.h"
 #include "vision/FieldEdgeParams.h"
+#include "vision/LineParams.h"
 
 namespace kelpie::vision {
 
@@ -109,26 +110,6 @@ struct GoalParams {
                      field("edgeSd", &GoalParams::edgeSd, "px", 0.01, 5),
                      field("directionSd", &GoalParams::directionSd, "rad", 0.05, 20),
                      field("headingSd", &GoalParams::headingSd, "rad", 0.01, 20));
-  }
-};
-
-struct LineParams {
-  double minStep = 15;                 // grey levels of Y at both edges, facts-2005 4.2
-  double maxChroma = 40;               // grey levels that Cr and Cb may change by
-  double maxWidth = 18;                // px
-  double maxPerColumn = 6;             // more: the column shows a robot or the crowd
-  double fullWeight = 70;              // cm, thesis 2004 3.1.4
-  double noWeight = 350;               // cm
-  Angle maxHeadSpeed = Angle::deg(3);  // per frame, checklist U11
-
-  static constexpr auto fields() {
-    return fieldList(field("minStep", &LineParams::minStep, "", 1, 100),
-                     field("maxChroma", &LineParams::maxChroma, "", 1, 255),
-                     field("maxWidth", &LineParams::maxWidth, "px", 1, 60),
-                     field("maxPerColumn", &LineParams::maxPerColumn, "", 1, 30),
-                     field("fullWeight", &LineParams::fullWeight, "cm", 1, 500),
-                     field("noWeight", &LineParams::noWeight, "cm", 2, 1000),
-                     field("maxHeadSpeed", &LineParams::maxHeadSpeed, "rad/frame", 0, 180));
   }
 };
 

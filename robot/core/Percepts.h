@@ -232,7 +232,7 @@ struct VisionCounts {
   std::uint32_t sampledPixels = 0;
   std::uint32_t runs = 0;
   std::uint32_t blobs = 0;
-  std::array<std::uint16_t, 64> refused{};
+  std::array<std::uint16_t, 96> refused{};
 
   static constexpr auto fields() {
     return fieldList(field("sampledPixels", &VisionCounts::sampledPixels),

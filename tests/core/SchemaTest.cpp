@@ -36,7 +36,7 @@ TEST(Schema, VectorsHaveNoLengthAndEnumsAreNumbers) {
   const std::string text = schemaText<Percepts>();
   EXPECT_NE(text.find("kelpie/LandmarkPercept[] landmarks\n"), std::string::npos);
   EXPECT_NE(text.find("uint8 kind  # 0..5\n"), std::string::npos);
-  EXPECT_NE(text.find("uint16[32] refused\n"), std::string::npos);
+  EXPECT_NE(text.find("uint16[96] refused\n"), std::string::npos);
 }
 
 TEST(Schema, EveryLineIsAFieldAHeadingOrARule) {

@@ -11,6 +11,10 @@ const std::vector<Experiment>& experiments() {
        "one robot, unknown start, ball at random, no opponent: share of trials with a goal within "
        "60 s, median time to it; every camera artefact on",
        20, scoreEmptyGoal},
+      {"line-points",
+       "points on lines, border and carpet in random views with every artefact: share that is "
+       "true, error on the ground by distance, share of the visible crossings found",
+       400, linePoints},
       {"projection",
        "a grid of ground discs rendered and found again in the image, against its projection: "
        "largest error in pixels, and on the ground at 1 m",

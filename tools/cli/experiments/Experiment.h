@@ -35,6 +35,7 @@ Expected<Json> scoreEmptyGoal(const ExperimentOptions& options);
 Expected<Json> walkAndKick(const ExperimentOptions& options);
 Expected<Json> classPlanes(const ExperimentOptions& options);
 Expected<Json> distances(const ExperimentOptions& options);
+Expected<Json> linePoints(const ExperimentOptions& options);
 Expected<Json> projection(const ExperimentOptions& options);
 Expected<Json> objects(const ExperimentOptions& options);
 Expected<Json> fieldEdge(const ExperimentOptions& options);

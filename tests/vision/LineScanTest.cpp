@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include "tests/vision/Board.h"
+#include "vision/LineScan.h"
+
+namespace kelpie::vision {
+namespace {
+
+constexpr Paint kThirdOfWhite{114, 110, 108};
+
+TEST(LineScan, StretchLiesBetweenItsTwoEdges) {
+  Board board;
+  board.fill(0, 90, kImageWidth, 96, kWhitePaint);
+  const Scan scan = scanUp(104, kUsableTop);
+  const auto found = brightStretches(board.sampler, scan, {});
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_NEAR(scan.at(found[0].middle()).y, 93.0, 0.01);
+  EXPECT_NEAR(found[0].paint, 6.0, 0.05);
+  EXPECT_NEAR(scan.row(found[0].first), 96.5, 0.5);  // carpet, at most one pixel away
+  EXPECT_NEAR(scan.row(found[0].last), 88.5, 0.5);
+}
+
+TEST(LineScan, LineThinnerThanAPixelHasItsTrueWidth) {
+  Board board;
+  board.fill(120, 0, 121, kImageHeight, kThirdOfWhite);
+  const Scan scan = scanRight(84);
+  const auto found = brightStretches(board.sampler, scan, {});
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_NEAR(scan.at(found[0].middle()).x, 120.5, 0.01);
+  EXPECT_NEAR(found[0].paint, 0.34, 0.02);
+}
+
+TEST(LineScan, EveryLineOfAScanIsFound) {
+  Board board;
+  for (const int x : {20, 60, 63, 150}) board.fill(x, 0, x + 2, kImageHeight, kWhitePaint);
+  EXPECT_EQ(brightStretches(board.sampler, scanRight(84), {}).size(), 4U);
+}
+
+TEST(LineScan, WhiteLongerThanTheLongestIsNoStretch) {
+  Board board;
+  board.fill(50, 0, 112, kImageHeight, kWhitePaint);
+  EXPECT_TRUE(brightStretches(board.sampler, scanRight(84), {}).empty());
+}
+
+TEST(LineScan, ThickDiagonalGoesOnBesideTheScan) {
+  Board board;
+  for (int x = 40; x < 160; ++x) board.fill(x, x - 20, x + 1, x - 14, kWhitePaint);
+  const Scan scan = scanUp(104, kUsableTop);
+  const auto found = brightStretches(board.sampler, scan, {});
+  ASSERT_EQ(found.size(), 1U);
+  const auto beside = stretchBeside(board.sampler, scan, found[0], 3);
+  ASSERT_TRUE(beside);
+  EXPECT_NEAR(beside->middle(), found[0].middle() - 3.0, 0.01);  // downwards, against the scan
+}
+
+TEST(LineScan, SingleWhitePixelEndsBesideTheScan) {
+  Board board;
+  board.fill(104, 90, 105, 91, kWhitePaint);
+  const Scan scan = scanUp(104, kUsableTop);
+  const auto found = brightStretches(board.sampler, scan, {});
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_FALSE(stretchBeside(board.sampler, scan, found[0], 3));
+}
+
+TEST(LineScan, FootOfWhiteThatDoesNotEndIsARise) {
+  Board board;
+  board.fill(0, 0, kImageWidth, 70, kWhitePaint);
+  const Scan scan = scanUp(104, kUsableTop);
+  const auto rises = risesOn(board.sampler, scan, {});
+  ASSERT_EQ(rises.size(), 1U);
+  EXPECT_NEAR(scan.at(rises[0].foot).y, 70.0, 0.01);
+  EXPECT_NEAR(*riseBeside(board.sampler, scan, rises[0], 6), rises[0].foot, 0.01);
+}
+
+}  // namespace
+}  // namespace kelpie::vision
