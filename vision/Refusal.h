@@ -64,8 +64,10 @@ enum class Refusal : std::uint8_t {
   borderGreenBeside,
   fieldNotGreen,    // green only along the scan
   lineCrowdedScan,  // more points on one scan than lines can give
+  edgeFewFeatures,  // too few features on the carpet's borders
+  edgeNoCorner,     // a further border that denies carpet or is no corner on the ground
 };
-constexpr std::size_t kRefusalCount = 52;
+constexpr std::size_t kRefusalCount = 54;
 
 constexpr std::array<const char*, kRefusalCount> kRefusalNames = {
     "ballTooSmall",       "ballFewEdges",        "ballPoorCircle",       "ballFewOrange",
@@ -80,7 +82,8 @@ constexpr std::array<const char*, kRefusalCount> kRefusalNames = {
     "robotTooFar",        "pinkTooSmall",        "pinkIsBeacon",         "pinkAboveHorizon",
     "pinkAboveFieldEdge", "pinkOffGround",       "obstacleAboveHorizon", "obstacleAboveFieldEdge",
     "obstacleGreenAbove", "lineAmbiguous",       "lineInCorner",         "lineInObject",
-    "lineGreenBeside",    "borderGreenBeside",   "fieldNotGreen",        "lineCrowdedScan"};
+    "lineGreenBeside",    "borderGreenBeside",   "fieldNotGreen",        "lineCrowdedScan",
+    "edgeFewFeatures",    "edgeNoCorner"};
 
 inline void refuse(VisionCounts& counts, Refusal reason) {
   ++counts.refused[static_cast<std::size_t>(reason)];

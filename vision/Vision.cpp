@@ -20,7 +20,8 @@ Percepts step(const VisionIn& in, const VisionParams& params, VisionState& state
   out.counts.runs = static_cast<std::uint32_t>(state.runs.size());
   out.counts.blobs = static_cast<std::uint32_t>(state.blobs.size());
   for (std::uint32_t i = 0; i < lost && i < 1000; ++i) refuse(out.counts, Refusal::bufferFull);
-  out.fieldEdges = findFieldEdges(sampler, in.body.camera, params.scan, params.fieldEdge);
+  out.fieldEdges =
+      findFieldEdges(sampler, in.body.camera, params.scan, params.fieldEdge, out.counts);
 
   const Scene scene{sampler, state.blobs, in.body, out.fieldEdges};
   findBeacons(scene, params.beacon, out.counts, out.landmarks);
