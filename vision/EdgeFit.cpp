@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <utility>
 
 #include "robot/core/Maths.h"
 #include "robot/core/Random.h"
@@ -329,6 +330,13 @@ Outline firstEdge(Search& search) {
   return denied(search, other.lines) < denied(search, best.lines) ? other : best;
 }
 
+// By exchange: std::sort of so few is a warning, std::stable_sort takes memory.
+void strongestFirst(EdgeLines& lines) {
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    for (std::size_t k = i + 1; k < lines.size(); ++k)
+      if (lines[k].support > lines[i].support) std::swap(lines[i], lines[k]);
+}
+
 }  // namespace
 
 EdgeLines fitEdgeLines(const EdgeFeatures& features, const ImageLevel& level,
@@ -350,9 +358,7 @@ EdgeLines fitEdgeLines(const EdgeFeatures& features, const ImageLevel& level,
     refuse(counts, Refusal::edgeFewFeatures);
     return {};
   }
-  std::sort(best.lines.begin(), best.lines.end(), [](const EdgeLine& a, const EdgeLine& b) {
-    return a.support != b.support ? a.support > b.support : a.offset > b.offset;
-  });
+  strongestFirst(best.lines);
   return best.lines;
 }
 
