@@ -5,8 +5,11 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <utility>
 
+#include "robot/core/Maths.h"
 #include "robot/core/Random.h"
+#include "vision/Refusal.h"
 
 namespace kelpie::vision {
 namespace {
@@ -15,6 +18,7 @@ struct Search {
   const EdgeFeatures& features;
   const ImageLevel& level;
   const FieldEdgeParams& params;
+  VisionCounts& counts;
   Random random;
 };
 
@@ -148,10 +152,10 @@ Pair drawn(Search& search, const Pool& pool, int round) {
 
 constexpr double kPromising = 0.6;  // of the best gain so far
 
-// The best outline of the known lines and one more.
-Outline withOneMore(Search& search, const EdgeLines& known) {
+// The best outline of the known lines and one more, through features that are on none of `passed`.
+Outline withOneMore(Search& search, const EdgeLines& known, const EdgeLines& passed) {
   Outline best;
-  const Pool pool = drawingPool(search, known);
+  const Pool pool = drawingPool(search, passed);
   if (pool.count < 2) return best;
   for (int round = 0; round < search.params.rounds; ++round) {
     const Pair pair = drawn(search, pool, round);
@@ -167,7 +171,7 @@ Outline withOneMore(Search& search, const EdgeLines& known) {
   return best;
 }
 
-constexpr double kBendBand = 3.0;     // tolerances to both sides in which a bend is looked for
+constexpr double kBendBand = 2.0;     // tolerances to both sides in which a bend is looked for
 constexpr std::size_t kLeastArm = 3;  // features on each arm
 
 using Numbers = FixedVector<std::uint8_t, kMaxScanLines>;
@@ -246,39 +250,115 @@ bool squareToNeighbours(const Search& search, const EdgeLines& lines) {
   return true;
 }
 
+constexpr double kDeniedByNoise = 1.0;  // features
+constexpr double kLeastNoise = 0.09;    // px^2: features lie on whole pixels
+constexpr double kComparable = 0.7;     // of the best line's support
+
 bool supported(const EdgeLines& lines, const FieldEdgeParams& params) {
   return std::all_of(lines.begin(), lines.end(), [&](const EdgeLine& line) {
     return static_cast<double>(line.support) >= params.minCornerSupport;
   });
 }
 
+// Features beyond the outline: carpet that it would deny.
+double denied(const Search& search, const EdgeLines& lines) {
+  double count = 0.0;
+  for (const EdgeFeature& f : search.features)
+    count += placeOf(lines, f.at).beyond > search.params.tolerance ? 1.0 : 0.0;
+  return count;
+}
+
+// px^2, mean over the features on the outline.
+double noiseOf(const EdgeLines& lines) {
+  double squares = 0.0;
+  double count = 0.0;
+  for (const EdgeLine& line : lines) {
+    squares += static_cast<double>(line.support) * line.rms * line.rms;
+    count += static_cast<double>(line.support);
+  }
+  return count > 0.0 ? std::fmax(squares / count, kLeastNoise) : kLeastNoise;
+}
+
+// A corner: each edge has its features, none is denied, the edges are square on the ground.
+bool isCorner(const Search& search, const Outline& before, const Outline& after) {
+  const bool corner =
+      supported(after.lines, search.params) &&
+      denied(search, after.lines) <= denied(search, before.lines) + kDeniedByNoise &&
+      squareToNeighbours(search, after.lines);
+  if (!corner) refuse(search.counts, Refusal::edgeNoCorner);
+  return corner;
+}
+
+// A new edge must win inliers.
+bool winsInliers(const Search& search, const Outline& before, const Outline& after) {
+  return after.gain >= before.gain + search.params.minCornerGain;
+}
+
+// A bend wins few, since one line runs near both arms; it must fit much better than the noise
+// explains.
+bool fitsBetter(const Search& search, const Outline& before, const Outline& after) {
+  const double squares = (after.gain - before.gain) * maths::square(search.params.tolerance);
+  return squares >= search.params.minBendRatio * noiseOf(after.lines);
+}
+
+// The outline with one edge more, or as it is.
+Outline furtherEdge(Search& search, const Outline& best) {
+  Outline found = best;
+  Outline more = withOneMore(search, best.lines, best.lines);
+  measure(search, more.lines);
+  if (winsInliers(search, best, more) && isCorner(search, best, more)) found = more;
+  for (std::size_t i = 0; i < best.lines.size(); ++i) {
+    Outline bend = bent(search, best.lines, i);
+    measure(search, bend.lines);
+    if (bend.gain > found.gain && fitsBetter(search, best, bend) && isCorner(search, best, bend))
+      found = bend;
+  }
+  return found;
+}
+
+// Of two lines with about the same support, the one that the other does not deny: the carpet is
+// seen up to it, and the other is the foot of something that stands there.
+Outline firstEdge(Search& search) {
+  Outline best = withOneMore(search, {}, {});
+  if (best.lines.empty()) return best;
+  Outline other = withOneMore(search, {}, best.lines);
+  if (other.lines.empty()) return best;
+  measure(search, best.lines);
+  measure(search, other.lines);
+  const auto support = static_cast<double>(best.lines[0].support);
+  if (static_cast<double>(other.lines[0].support) < kComparable * support) return best;
+  return denied(search, other.lines) < denied(search, best.lines) ? other : best;
+}
+
+// By exchange: std::sort of so few is a warning, std::stable_sort takes memory.
+void strongestFirst(EdgeLines& lines) {
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    for (std::size_t k = i + 1; k < lines.size(); ++k)
+      if (lines[k].support > lines[i].support) std::swap(lines[i], lines[k]);
+}
+
 }  // namespace
 
 EdgeLines fitEdgeLines(const EdgeFeatures& features, const ImageLevel& level,
-                       const FieldEdgeParams& params) {
-  Search search{features, level, params, Random(params.seed)};
+                       const FieldEdgeParams& params, VisionCounts& counts) {
+  Search search{features, level, params, counts, Random(params.seed)};
   double solid = 0.0;
   for (const EdgeFeature& f : features) solid += f.open ? 0.0 : 1.0;
-  Outline best = withOneMore(search, {});
-  measure(search, best.lines);
+  Outline best = firstEdge(search);
   if (best.lines.empty()) return best.lines;
   while (!best.lines.full()) {
-    Outline more = withOneMore(search, best.lines);
-    for (std::size_t i = 0; i < best.lines.size(); ++i) {
-      const Outline bend = bent(search, best.lines, i);
-      if (bend.gain > more.gain) more = bend;
-    }
-    measure(search, more.lines);
-    if (more.gain < best.gain + params.minCornerGain || !supported(more.lines, params) ||
-        !squareToNeighbours(search, more.lines))
-      break;
+    const Outline more = furtherEdge(search, best);
+    if (more.gain <= best.gain) break;
     best = more;
   }
+  measure(search, best.lines);
   double support = 0.0;
   for (const EdgeLine& line : best.lines) support += static_cast<double>(line.support);
-  if (support < params.minSupport || support < params.minShare * solid) return {};
-  std::stable_sort(best.lines.begin(), best.lines.end(),
-                   [](const EdgeLine& a, const EdgeLine& b) { return a.support > b.support; });
+  if (support < params.minSupport || support < params.minShare * solid) {
+    refuse(counts, Refusal::edgeFewFeatures);
+    return {};
+  }
+  strongestFirst(best.lines);
   return best.lines;
 }
 

@@ -5,8 +5,9 @@
 // points that lie in line with their neighbours are drawn first; the fitness is the number of
 // inliers, each weighted by its closeness, less a fine for carpet seen beyond; a promising line is
 // refitted to its inliers at once. A further edge is kept if it makes the whole convex outline fit
-// better and is square to the others on the ground. Fails where more than about half of the
-// features lie on the foot of one obstacle.
+// better and is no parallel on the ground. A bend in a line that runs near both arms of a flat
+// corner is tried at every feature. Fails where more than about half of the features lie on the
+// foot of one obstacle or on something green beyond the carpet.
 #pragma once
 
 #include "robot/core/FixedVector.h"
@@ -19,6 +20,6 @@ using EdgeLines = FixedVector<EdgeLine, 3>;
 
 // Strongest first.
 EdgeLines fitEdgeLines(const EdgeFeatures& features, const ImageLevel& level,
-                       const FieldEdgeParams& params);
+                       const FieldEdgeParams& params, VisionCounts& counts);
 
 }  // namespace kelpie::vision

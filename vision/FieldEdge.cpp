@@ -17,10 +17,10 @@ double rowAt(const EdgeLine& line, double x) {
 }  // namespace
 
 FieldEdges findFieldEdges(const Sampler& sampler, const CameraPose& camera, const ScanParams& scan,
-                          const FieldEdgeParams& params) {
+                          const FieldEdgeParams& params, VisionCounts& counts) {
   const ImageLevel level = imageLevel(camera);
   const EdgeFeatures features = edgeFeatures(sampler, scanLines(level, scan), params);
-  return edgeRows(fitEdgeLines(features, level, params));
+  return edgeRows(fitEdgeLines(features, level, params, counts));
 }
 
 FieldEdges edgeRows(const EdgeLines& lines) {

@@ -12,7 +12,7 @@ namespace kelpie::vision {
 using FieldEdges = FixedVector<FieldEdgePercept, 3>;
 
 FieldEdges findFieldEdges(const Sampler& sampler, const CameraPose& camera, const ScanParams& scan,
-                          const FieldEdgeParams& params);
+                          const FieldEdgeParams& params, VisionCounts& counts);
 
 // Rows at the image's borders. A line that has the carpet above it in the image (the head is rolled
 // by more than a right angle) has none and is left out.

@@ -22,12 +22,13 @@ struct FieldEdgeParams {
   double window = 8;             // px of a scan line that must be green below the edge, U01
   double minGreen = 0.75;        // share of green in it
   double doubtful = 0.5;         // weight of a feature below goal colours or white
-  double tolerance = 1.5;        // px, of an inlier
+  double tolerance = 2.25;       // px, of an inlier
   double abovePenalty = 0.7;     // for each scan line with carpet beyond the edge, in inliers
   double rounds = 10;            // for each edge, checklist
   double minSupport = 8;         // scan lines on all edges, d of thesis 2006 algorithm 3.1
   double minCornerSupport = 4;   // on each of several
-  double minCornerGain = 3;      // inliers that a further edge must win
+  double minCornerGain = 4;      // inliers that a further edge must win
+  double minBendRatio = 30;      // of the squares that a bend saves to those of the noise
   double maxCornerCosine = 0.9;  // corners are square on the ground; 30 deg for noise far away
   double minShare = 0.35;        // of the scan lines with a feature, all edges together
   std::uint32_t seed = 2006;     // of the sampling, afresh for each image
@@ -42,6 +43,7 @@ struct FieldEdgeParams {
                      field("minSupport", &FieldEdgeParams::minSupport, "", 2, 72),
                      field("minCornerSupport", &FieldEdgeParams::minCornerSupport, "", 2, 72),
                      field("minCornerGain", &FieldEdgeParams::minCornerGain, "", 0, 72),
+                     field("minBendRatio", &FieldEdgeParams::minBendRatio, "", 0, 1000),
                      field("maxCornerCosine", &FieldEdgeParams::maxCornerCosine, "", 0, 1),
                      field("minShare", &FieldEdgeParams::minShare, "", 0, 1),
                      field("seed", &FieldEdgeParams::seed));

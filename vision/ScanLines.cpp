@@ -48,7 +48,9 @@ ImageLevel imageLevel(const CameraPose& camera) {
   const double zy = camera.axes[7];
   const double zf = camera.axes[8] * body::kFocalLength;
   const double norm = std::sqrt(zx * zx + zy * zy);
-  if (!(norm > 1e-6)) return {0.0, -1.0, zf > 0.0 ? kFar : -kFar};
+  // Axes have length 1; nothing else may pass, were it no number.
+  if (!(norm > 1e-6 && norm < 2.0 && std::fabs(zf) < kFar))
+    return {0.0, -1.0, zf > 0.0 ? kFar : -kFar};
   return {zx / norm, zy / norm, maths::clamp(zf / norm, -kFar, kFar)};
 }
 

@@ -24,7 +24,8 @@ Percepts step(const VisionIn& in, const VisionParams& params, VisionState& state
   out.counts.blobs = static_cast<std::uint32_t>(state.blobs.size());
   for (std::uint32_t i = 0; i < found.lost && i < 1000; ++i)
     refuse(out.counts, Refusal::bufferFull);
-  out.fieldEdges = findFieldEdges(sampler, in.body.camera, params.scan, params.fieldEdge);
+  out.fieldEdges =
+      findFieldEdges(sampler, in.body.camera, params.scan, params.fieldEdge, out.counts);
 
   const Scene scene{sampler, state.blobs, in.body, out.fieldEdges, level, lattice, state.runs};
   findBeacons(scene, params.beacon, out.counts, out.landmarks);

@@ -80,6 +80,7 @@ Line obstacleLine(Random& random, const Line& edge, double from, double to, bool
   return {slope, edge.at(from) + side * left - slope * from};
 }
 
+// Half of the image covered, or less (thesis 2006 figure 3.5).
 vision::EdgeFeatures coveredPoints(Random& random, const Line& line, double share, bool beyond) {
   vision::EdgeFeatures points;
   const Wrong wrong = together(random, share);
@@ -99,7 +100,8 @@ using Fit = std::function<std::optional<Line>(const vision::EdgeFeatures&, std::
 std::optional<Line> ours(const vision::EdgeFeatures& points, std::uint32_t seed) {
   vision::FieldEdgeParams params;
   params.seed = seed;
-  const auto edges = vision::edgeRows(vision::fitEdgeLines(points, {}, params));
+  VisionCounts counts;
+  const auto edges = vision::edgeRows(vision::fitEdgeLines(points, {}, params, counts));
   if (edges.empty()) return std::nullopt;
   const double left = vision::fieldEdgeRow(edges, 0.0);
   return Line{(vision::fieldEdgeRow(edges, kImageWidth) - left) / kImageWidth, left};

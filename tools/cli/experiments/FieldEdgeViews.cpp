@@ -69,7 +69,8 @@ struct Tally {
   int spots = 0;
   int spotsLost = 0;
   std::vector<double> errors;  // px, median of each found view
-  std::vector<double> horizon;
+  std::vector<double> horizonStill;
+  std::vector<double> horizonTurning;
 };
 
 bool insideImage(const Edges& edges) {
@@ -119,13 +120,21 @@ void judgeBalls(const View& view, const Edges& edges, Random& random, Tally& tal
   }
 }
 
+bool turns(const View& view) {
+  const auto& first = view.columns.front().forward;
+  const auto& last = view.columns.back().forward;
+  return first.x != last.x || first.y != last.y || first.z != last.z;
+}
+
+// Where the true one is in the image. While the camera is still only the sensors' noise counts.
 void judgeHorizon(const View& view, const Horizon& horizon, Tally& tally) {
+  auto& errors = turns(view) ? tally.horizonTurning : tally.horizonStill;
   for (const int x : {0, kImageWidth / 2, kImageWidth - 1}) {
     const double truth = horizonTruth(view, x);
     if (!(truth > 0.0 && truth < kImageHeight)) continue;
     const double row =
         horizon.atLeft + (horizon.atRight - horizon.atLeft) * (x + 0.5) / kImageWidth;
-    tally.horizon.push_back(std::fabs(row - truth));
+    errors.push_back(std::fabs(row - truth));
   }
 }
 
@@ -147,8 +156,10 @@ Json figures(const Tally& t) {
               {"ball_views", t.ballViews},
               {"ball_lost_rate", share(t.ballsLost, t.ballViews)},
               {"spot_lost_rate", share(t.spotsLost, t.spots)},
-              {"horizon_median_px", percentile(t.horizon, 0.5)},
-              {"horizon_p95_px", percentile(t.horizon, 0.95)}};
+              {"horizon_still_median_px", percentile(t.horizonStill, 0.5)},
+              {"horizon_still_p95_px", percentile(t.horizonStill, 0.95)},
+              {"horizon_turning_median_px", percentile(t.horizonTurning, 0.5)},
+              {"horizon_turning_p95_px", percentile(t.horizonTurning, 0.95)}};
 }
 
 }  // namespace
