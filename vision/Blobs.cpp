@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::uint16_t kNoBlob = 0xFFFF;
 
-bool formsBlobs(ColourClass c) { return c >= ColourClass::orange && c <= ColourClass::pink; }
+bool formsBlobs(ColourClass c) { return c >= ColourClass::orange && c <= ColourClass::robotRed; }
 
 ColourClass onLattice(const Sampler& sampler, int row, int column) {
   return sampler.classAt(kLatticeLeft + column * kLatticeStep, kLatticeTop + row * kLatticeStep);

@@ -64,8 +64,9 @@ enum class Refusal : std::uint8_t {
   borderGreenBeside,
   fieldNotGreen,    // green only along the scan
   lineCrowdedScan,  // more points on one scan than lines can give
+  robotSize,        // its patch is too wide or too high at its distance
 };
-constexpr std::size_t kRefusalCount = 52;
+constexpr std::size_t kRefusalCount = 53;
 
 constexpr std::array<const char*, kRefusalCount> kRefusalNames = {
     "ballTooSmall",       "ballFewEdges",        "ballPoorCircle",       "ballFewOrange",
@@ -80,7 +81,8 @@ constexpr std::array<const char*, kRefusalCount> kRefusalNames = {
     "robotTooFar",        "pinkTooSmall",        "pinkIsBeacon",         "pinkAboveHorizon",
     "pinkAboveFieldEdge", "pinkOffGround",       "obstacleAboveHorizon", "obstacleAboveFieldEdge",
     "obstacleGreenAbove", "lineAmbiguous",       "lineInCorner",         "lineInObject",
-    "lineGreenBeside",    "borderGreenBeside",   "fieldNotGreen",        "lineCrowdedScan"};
+    "lineGreenBeside",    "borderGreenBeside",   "fieldNotGreen",        "lineCrowdedScan",
+    "robotSize"};
 
 inline void refuse(VisionCounts& counts, Refusal reason) {
   ++counts.refused[static_cast<std::size_t>(reason)];

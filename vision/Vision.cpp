@@ -7,6 +7,7 @@
 #include "vision/GoalFinder.h"
 #include "vision/LinePoints.h"
 #include "vision/Refusal.h"
+#include "vision/RobotFinder.h"
 #include "vision/Scene.h"
 #include "vision/Together.h"
 
@@ -27,6 +28,7 @@ Percepts step(const VisionIn& in, const VisionParams& params, VisionState& state
   findGoals(scene, params.goal, out.counts, out.landmarks);
   keepOneGoal(out);
   out.ball = findBall(scene, params.ball, out.counts);
+  findRobots(scene, params.robot, out.counts, out.robots);
   findLinePoints(scene, params.line, out.linePoints);
   return out;
 }

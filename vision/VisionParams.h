@@ -6,6 +6,7 @@
 
 #include "robot/core/Angle.h"
 #include "robot/core/Fields.h"
+#include "vision/RobotParams.h"
 
 namespace kelpie::vision {
 
@@ -155,12 +156,13 @@ struct VisionParams {
   GoalParams goal;
   FieldEdgeParams fieldEdge;
   LineParams line;
+  RobotParams robot;
 
   static constexpr auto fields() {
     return fieldList(field("ball", &VisionParams::ball), field("beacon", &VisionParams::beacon),
                      field("goal", &VisionParams::goal),
                      field("fieldEdge", &VisionParams::fieldEdge),
-                     field("line", &VisionParams::line));
+                     field("line", &VisionParams::line), field("robot", &VisionParams::robot));
   }
 };
 

@@ -15,6 +15,10 @@ const std::vector<Experiment>& experiments() {
        "a grid of ground discs rendered and found again in the image, against its projection: "
        "largest error in pixels, and on the ground at 1 m",
        500, projection},
+      {"robots",
+       "other robots in random views with spectators: recall to 200 cm, errors of heading and "
+       "distance, false ones and wrong teams",
+       400, robots},
       {"walk-and-kick",
        "the actuator in the simulated body: true way over reported way in four directions; how far "
        "and how straight the ball goes from 25 places before the chest",

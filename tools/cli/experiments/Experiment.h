@@ -32,6 +32,7 @@ const std::vector<Experiment>& experiments();
 
 Expected<Json> scoreEmptyGoal(const ExperimentOptions& options);
 Expected<Json> walkAndKick(const ExperimentOptions& options);
+Expected<Json> robots(const ExperimentOptions& options);
 Expected<Json> projection(const ExperimentOptions& options);
 
 // p in 0..1; linear between neighbours; 0 for no values.

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "vision/Foot.h"
+
+#include "vision/Sight.h"
+
+namespace kelpie::vision {
+namespace {
+
+constexpr int kStep = 2;    // px; the lattice's, whose classes are known
+constexpr int kGreens = 2;  // in a row that make carpet: a gap between toes is narrower
+constexpr int kOranges = 2;
+
+PixelPoint below(PixelPoint from, ImageUp up, double way) {
+  return {from.x - way * up.dx, from.y - way * up.dy};
+}
+
+// The border between the last pixel of the thing and the first of the carpet.
+PixelPoint refined(const Scene& scene, PixelPoint from, ImageUp up, int firstGreen) {
+  const PixelPoint before = below(from, up, firstGreen - 1.0);
+  const bool alsoGreen =
+      Sampler::usable(before) && scene.sampler.classAt(before) == ColourClass::green;
+  return below(from, up, firstGreen - (alsoGreen ? 1.5 : 0.5));
+}
+
+}  // namespace
+
+std::optional<double> groundDistance(const CameraPose& camera, PixelPoint pixel) {
+  const double slope = sightOf(camera, pixel).slope;
+  if (slope > -1e-3) return std::nullopt;
+  return -camera.position.z / slope;
+}
+
+double heightAt(const CameraPose& camera, PixelPoint pixel, double distance) {
+  return camera.position.z + distance * sightOf(camera, pixel).slope;
+}
+
+Foot footBelow(const Scene& scene, PixelPoint from, ImageUp up) {
+  Foot foot;
+  int greens = 0;
+  int oranges = 0;
+  for (int way = 0;; way += kStep) {
+    const PixelPoint at = below(from, up, way);
+    if (!Sampler::usable(at)) {
+      foot.end = FootEnd::imageBorder;
+      foot.pixel = at;
+      return foot;
+    }
+    const ColourClass seen = scene.sampler.classAt(at);
+    greens = seen == ColourClass::green ? greens + 1 : 0;
+    oranges = seen == ColourClass::orange ? oranges + 1 : 0;
+    if (oranges >= kOranges) return foot;
+    if (greens < kGreens) continue;
+    foot.pixel = refined(scene, from, up, way - (kGreens - 1) * kStep);
+    const auto distance = groundDistance(scene.body.camera, foot.pixel);
+    if (!distance) return foot;
+    foot.end = FootEnd::carpet;
+    foot.distance = *distance;
+    return foot;
+  }
+}
+
+}  // namespace kelpie::vision

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where a thing stands on the carpet: from a point of it down the image to the green. Wrong where a
+// white line begins at its foot, and where something else stands right before it.
+#pragma once
+
+#include <optional>
+
+#include "robot/core/Geometry.h"
+#include "vision/Scene.h"
+#include "vision/SpanWalk.h"
+
+namespace kelpie::vision {
+
+enum class FootEnd : std::uint8_t { carpet, imageBorder, hidden };
+
+struct Foot {
+  FootEnd end = FootEnd::hidden;
+  PixelPoint pixel;       // on the border between the thing and the carpet
+  double distance = 1e6;  // cm along the ground from the camera, of a foot on the carpet
+};
+
+// From `from` against `up`; hidden where an orange ball lies before the foot.
+Foot footBelow(const Scene& scene, PixelPoint from, ImageUp up);
+
+// Along the ground from the camera to what a pixel sees there; nothing above the horizon.
+std::optional<double> groundDistance(const CameraPose& camera, PixelPoint pixel);
+
+// Height above the ground of what is seen in `pixel` at a distance along the ground.
+double heightAt(const CameraPose& camera, PixelPoint pixel, double distance);
+
+}  // namespace kelpie::vision

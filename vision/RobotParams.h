@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+// Tunables of the search for other robots. An ERS-7 is about 28 cm long, 18 wide and 28 high with
+// its head up; its uniform's patches are 8 to 22 cm above the ground.
+#pragma once
+
+#include "robot/core/Angle.h"
+#include "robot/core/Fields.h"
+
+namespace kelpie::vision {
+
+struct RobotParams {
+  double minSamples = 3;        // lattice samples of a patch
+  double maxAboveHorizon = 45;  // px, of a patch's lower edge: 20 cm high seen from 12 cm at 35 cm
+  double minInsideFieldEdge = 1;  // px, of the foot below the field edge
+  double maxPatchWidth = 20;      // cm
+  double maxPatchHeight = 16;     // cm
+  double minHeight = 4;           // cm, of a patch's middle above the ground
+  double maxHeight = 26;          // cm
+  double minShell = 0.2;          // share of white and grey round a patch
+  double patchHeight = 12;        // cm, assumed when the image border cuts the feet
+  double maxCutDistance = 100;    // cm, for such a robot: farther ones show their feet
+  double reach = 9;               // cm beside a patch where legs are looked for
+  double maxGap = 13;             // cm between two patches of one robot
+  double maxLength = 30;          // cm, of all patches of one robot
+  double maxDepthRatio = 1.4;     // of the distances of two patches of one robot
+  double depth = 7;               // cm from the nearest leg to the body's middle
+  double maxDistance = 300;
+  double edgeSd = 0.7;                // px, of the foot
+  Angle directionSd = Angle::deg(1);  // camera against ground, while walking
+  double headingSd = 4;               // cm across, of the middle of the patches
+  double heightSd = 4;                // cm, of patchHeight
+
+  static constexpr auto fields() {
+    using P = RobotParams;
+    return fieldList(
+        field("minSamples", &P::minSamples, "", 1, 100),
+        field("maxAboveHorizon", &P::maxAboveHorizon, "px", -160, 160),
+        field("minInsideFieldEdge", &P::minInsideFieldEdge, "px", -160, 160),
+        field("maxPatchWidth", &P::maxPatchWidth, "cm", 1, 100),
+        field("maxPatchHeight", &P::maxPatchHeight, "cm", 1, 100),
+        field("minHeight", &P::minHeight, "cm", -20, 50),
+        field("maxHeight", &P::maxHeight, "cm", 0, 100), field("minShell", &P::minShell, "", 0, 1),
+        field("patchHeight", &P::patchHeight, "cm", 1, 50),
+        field("maxCutDistance", &P::maxCutDistance, "cm", 0, 500),
+        field("reach", &P::reach, "cm", 0, 50), field("maxGap", &P::maxGap, "cm", 0, 50),
+        field("maxLength", &P::maxLength, "cm", 5, 100),
+        field("maxDepthRatio", &P::maxDepthRatio, "", 1, 10),
+        field("depth", &P::depth, "cm", 0, 30),
+        field("maxDistance", &P::maxDistance, "cm", 50, 1000),
+        field("edgeSd", &P::edgeSd, "px", 0.01, 5),
+        field("directionSd", &P::directionSd, "rad", 0.05, 20),
+        field("headingSd", &P::headingSd, "cm", 0.1, 20),
+        field("heightSd", &P::heightSd, "cm", 0.1, 20));
+  }
+};
+
+}  // namespace kelpie::vision
