@@ -32,8 +32,8 @@ struct Blob {
 using RunBuffer = FixedVector<Run, 2048>;
 using BlobBuffer = FixedVector<Blob, 384>;
 
-// Blobs of orange, blue, yellow, pink and the two uniforms, in the order of their first run from the top. Returns the
-// number of runs or blobs that did not fit.
+// Blobs of orange, blue, yellow, pink and the two uniforms, in the order of their first run from
+// the top. Returns the number of runs or blobs that did not fit.
 std::uint32_t findBlobs(const Sampler& sampler, RunBuffer& runs, BlobBuffer& blobs);
 
 }  // namespace kelpie::vision

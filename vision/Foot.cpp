@@ -41,8 +41,11 @@ Foot footBelow(const Scene& scene, PixelPoint from, ImageUp up) {
   for (int way = 0;; way += kStep) {
     const PixelPoint at = below(from, up, way);
     if (!Sampler::usable(at)) {
-      foot.end = FootEnd::imageBorder;
       foot.pixel = at;
+      if (const auto ground = groundDistance(scene.body.camera, at)) {
+        foot.end = FootEnd::imageBorder;
+        foot.distance = *ground;
+      }
       return foot;
     }
     const ColourClass seen = scene.sampler.classAt(at);

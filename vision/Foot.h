@@ -15,8 +15,8 @@ enum class FootEnd : std::uint8_t { carpet, imageBorder, hidden };
 
 struct Foot {
   FootEnd end = FootEnd::hidden;
-  PixelPoint pixel;       // on the border between the thing and the carpet
-  double distance = 1e6;  // cm along the ground from the camera, of a foot on the carpet
+  PixelPoint pixel;       // on the border between the thing and the carpet, or where the image ends
+  double distance = 1e6;  // cm along the ground from the camera to what is seen there
 };
 
 // From `from` against `up`; hidden where an orange ball lies before the foot.

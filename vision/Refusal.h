@@ -40,9 +40,10 @@ enum class Refusal : std::uint8_t {
   goalNoHeight,  // neither upper nor lower edge inside the image
   goalAboveFieldEdge,
   bufferFull,
-  goalWidth,      // its angle and distance make no 80 cm
-  goalOffGround,  // its foot is not on the ground at its distance
-  goalOpposite,   // the other goal is in the image and larger
+  goalWidth,         // its angle and distance make no 80 cm
+  goalOffGround,     // its foot is not on the ground at its distance
+  robotOtherColour,  // as much pink, orange, blue or black as uniform
+  goalOpposite,      // the other goal is in the image and larger
   robotTooSmall,
   robotAboveHorizon,
   robotAboveFieldEdge,
@@ -66,7 +67,7 @@ enum class Refusal : std::uint8_t {
   lineCrowdedScan,  // more points on one scan than lines can give
   robotSize,        // its patch is too wide or too high at its distance
 };
-constexpr std::size_t kRefusalCount = 53;
+constexpr std::size_t kRefusalCount = 54;
 
 constexpr std::array<const char*, kRefusalCount> kRefusalNames = {
     "ballTooSmall",       "ballFewEdges",        "ballPoorCircle",       "ballFewOrange",
@@ -82,7 +83,7 @@ constexpr std::array<const char*, kRefusalCount> kRefusalNames = {
     "pinkAboveFieldEdge", "pinkOffGround",       "obstacleAboveHorizon", "obstacleAboveFieldEdge",
     "obstacleGreenAbove", "lineAmbiguous",       "lineInCorner",         "lineInObject",
     "lineGreenBeside",    "borderGreenBeside",   "fieldNotGreen",        "lineCrowdedScan",
-    "robotSize"};
+    "robotSize",          "robotOtherColour"};
 
 inline void refuse(VisionCounts& counts, Refusal reason) {
   ++counts.refused[static_cast<std::size_t>(reason)];

@@ -2,7 +2,6 @@
 #include "vision/RobotFinder.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "robot/core/Maths.h"
 #include "vision/Refusal.h"
@@ -12,75 +11,10 @@ namespace kelpie::vision {
 namespace {
 
 constexpr std::size_t kMaxPatches = 16;
-constexpr int kFootColumns = 6;  // to each side of a patch's centre
-constexpr int kShellPoints = 16;
 using Patches = FixedVector<RobotPatch, kMaxPatches>;
+using Groups = FixedVector<PatchGroup, kMaxPatches>;
 
-double widthOf(const PixelBox& box) { return box.right - box.left; }
-double heightOf(const PixelBox& box) { return box.bottom - box.top; }
-
-double scaleAt(const Scene& scene, double distance, double height) {
-  const double range = maths::hypot(distance, scene.body.camera.position.z - height);
-  return body::kFocalLength / std::max(range, 5.0);
-}
-
-// Columns from the patch's middle down, `reach` px to both sides: under the trunk the far carpet
-// shows, so the nearest foot is a leg's.
-Foot nearestFoot(const Scene& scene, const RobotPatch& patch, double reach) {
-  const ImageUp up = imageUp(scene.body.camera);
-  Foot best;
-  bool cut = false;
-  for (int i = -kFootColumns; i <= kFootColumns; ++i) {
-    const double aside = reach * i / kFootColumns;
-    const PixelPoint from{patch.centre.x - aside * up.dy, patch.centre.y + aside * up.dx};
-    if (!Sampler::usable(from)) continue;
-    const Foot foot = footBelow(scene, from, up);
-    if (foot.end == FootEnd::carpet && foot.distance < best.distance) best = foot;
-    cut = cut || foot.end == FootEnd::imageBorder;
-  }
-  if (cut) best.end = FootEnd::imageBorder;
-  return best;
-}
-
-// Share of white and grey on a ring 2 px outside the patch's box.
-double shellRound(const Scene& scene, const PixelBox& box) {
-  const double x = 0.5 * (box.left + box.right);
-  const double y = 0.5 * (box.top + box.bottom);
-  int shell = 0;
-  int seen = 0;
-  for (int i = 0; i < kShellPoints; ++i) {
-    const auto direction = maths::sinCos(2.0 * maths::kPi * i / kShellPoints);
-    const PixelPoint at{x + direction.cos * (0.6 * widthOf(box) + 2.0),
-                        y + direction.sin * (0.6 * heightOf(box) + 2.0)};
-    if (!Sampler::usable(at)) continue;
-    const ColourClass c = scene.sampler.classAt(at);
-    shell += c == ColourClass::white || c == ColourClass::grey ? 1 : 0;
-    ++seen;
-  }
-  return seen > 0 ? static_cast<double>(shell) / seen : 0.0;
-}
-
-// Distance by the height that patches have, for a robot whose feet the image border cuts.
-double distanceByHeight(const Scene& scene, const RobotPatch& patch, const RobotParams& p) {
-  const double slope = sightOf(scene.body.camera, patch.centre).slope;
-  const double below = scene.body.camera.position.z - p.patchHeight;
-  if (slope > -0.02 || below < 1.0) return p.maxCutDistance;
-  return std::min(-below / slope, p.maxCutDistance);
-}
-
-void locate(const Scene& scene, RobotPatch& patch, const RobotParams& p) {
-  patch.foot = nearestFoot(scene, patch, 0.5 * widthOf(patch.box));
-  for (int round = 0; round < 2; ++round) {
-    const bool cut = patch.foot.end != FootEnd::carpet;
-    patch.distance = cut ? distanceByHeight(scene, patch, p) : patch.foot.distance;
-    patch.scale = scaleAt(scene, patch.distance, p.patchHeight);
-    if (round == 0) {
-      patch.foot = nearestFoot(scene, patch, 0.5 * widthOf(patch.box) + p.reach * patch.scale);
-    }
-  }
-  patch.height = heightAt(scene.body.camera, patch.centre, patch.distance);
-  patch.shell = shellRound(scene, patch.box);
-}
+double levelPlace(PixelPoint at, ImageUp up) { return -at.x * up.dy + at.y * up.dx; }
 
 bool check(bool keep, Refusal reason, VisionCounts& counts) {
   if (!keep) refuse(counts, reason);
@@ -96,7 +30,8 @@ bool mayBePatch(const Scene& scene, const RobotPatch& patch, const RobotParams& 
 
 bool accepted(const Scene& scene, const RobotPatch& patch, const RobotParams& p,
               VisionCounts& counts) {
-  return check(robotIsInsideFieldEdge(scene, patch, p), Refusal::robotAboveFieldEdge, counts) &&
+  return check(robotPatchIsPure(patch, p), Refusal::robotOtherColour, counts) &&
+         check(robotIsInsideFieldEdge(scene, patch, p), Refusal::robotAboveFieldEdge, counts) &&
          check(robotIsNear(patch, p), Refusal::robotTooFar, counts) &&
          check(robotStandsOnGround(patch, p), Refusal::robotOffGround, counts) &&
          check(robotPatchHasSize(patch, p), Refusal::robotSize, counts) &&
@@ -107,13 +42,8 @@ bool accepted(const Scene& scene, const RobotPatch& patch, const RobotParams& p,
 Patches largestPatches(const Scene& scene, const RobotParams& p, VisionCounts& counts) {
   Patches found;
   for (const Blob& blob : scene.blobs) {
-    const bool red = blob.colour == ColourClass::robotRed;
-    if (!red && blob.colour != ColourClass::robotBlue) continue;
-    RobotPatch item;
-    item.team = red ? TeamColour::red : TeamColour::blue;
-    item.samples = blob.samples;
-    item.box = blob.box;
-    item.centre = blob.centre;
+    if (blob.colour != ColourClass::robotRed && blob.colour != ColourClass::robotBlue) continue;
+    RobotPatch item = patchOf(blob);
     if (!mayBePatch(scene, item, p, counts)) continue;
     for (RobotPatch& kept : found) {
       if (item.samples > kept.samples) std::swap(item, kept);
@@ -123,42 +53,27 @@ Patches largestPatches(const Scene& scene, const RobotParams& p, VisionCounts& c
   return found;
 }
 
-PixelBox joined(const PixelBox& a, const PixelBox& b) {
-  return {std::min(a.left, b.left), std::min(a.top, b.top), std::max(a.right, b.right),
-          std::max(a.bottom, b.bottom)};
-}
-
-// Puts a patch to the robot it belongs to; the nearest leg of all decides the distance.
-void addToGroups(const RobotPatch& patch, const RobotParams& p, Patches& groups) {
-  for (RobotPatch& group : groups) {
+void addToGroups(const PatchGroup& patch, const RobotParams& p, Groups& groups) {
+  for (PatchGroup& group : groups) {
     if (!areOfOneRobot(group, patch, p)) continue;
-    group.box = joined(group.box, patch.box);
-    if (patch.foot.end == FootEnd::carpet &&
-        (group.foot.end != FootEnd::carpet || patch.distance < group.distance)) {
-      group.foot = patch.foot;
-      group.distance = patch.distance;
-      group.scale = patch.scale;
-    }
-    group.samples += patch.samples;
+    group = joined(group, patch);
     return;
   }
   groups.push_back(patch);
 }
 
-double distanceSd(const Scene& scene, const RobotPatch& group, const RobotParams& p) {
+double distanceSd(const Scene& scene, const PatchGroup& group, const RobotParams& p) {
   const double above = scene.body.camera.position.z;
   const double d = group.distance;
-  if (group.foot.end != FootEnd::carpet) {
-    return std::min(d * p.heightSd / std::max(above - p.patchHeight, 1.0), p.maxCutDistance);
-  }
-  const double pixel = p.edgeSd / body::kFocalLength;
-  const double direction = maths::hypot(p.directionSd.rad(), pixel);
+  if (group.cut) return 0.4 * d;
+  const double direction = maths::hypot(p.directionSd.rad(), p.edgeSd / body::kFocalLength);
   return maths::hypot((d * d + above * above) / above * direction, 0.5 * p.depth);
 }
 
-RobotPercept perceptOf(const Scene& scene, const RobotPatch& group, const RobotParams& p) {
-  const PixelPoint middle{0.5 * (group.box.left + group.box.right),
-                          0.5 * (group.box.top + group.box.bottom)};
+RobotPercept perceptOf(const Scene& scene, const PatchGroup& group, const RobotParams& p) {
+  const ImageUp up = imageUp(scene.body.camera);
+  const double aside = 0.5 * (group.left + group.right) - levelPlace(group.centre, up);
+  const PixelPoint middle{group.centre.x - aside * up.dy, group.centre.y + aside * up.dx};
   const Sight sight = sightOf(scene.body.camera, middle);
   const Point2<Robot> place = placeAt(scene.body.camera, sight, group.distance + p.depth);
   RobotPercept robot;
@@ -174,58 +89,49 @@ RobotPercept perceptOf(const Scene& scene, const RobotPatch& group, const RobotP
 
 }  // namespace
 
-bool robotPatchIsLarge(const RobotPatch& patch, const RobotParams& p) {
-  return patch.samples >= p.minSamples;
+PatchGroup groupOf(const RobotPatch& patch, ImageUp up) {
+  const double at = levelPlace(patch.centre, up);
+  return {patch.team,     at - patch.left, at + patch.right,
+          patch.centre,   patch.box,       patch.foot.end != FootEnd::carpet,
+          patch.distance, patch.scale};
 }
 
-bool robotPatchIsLow(const Scene& scene, const RobotPatch& patch, const RobotParams& p) {
-  return patch.box.bottom >= horizonRow(scene, patch.centre.x) - p.maxAboveHorizon;
-}
-
-bool robotPatchHasSize(const RobotPatch& patch, const RobotParams& p) {
-  return widthOf(patch.box) <= p.maxPatchWidth * patch.scale + 2.0 &&
-         heightOf(patch.box) <= p.maxPatchHeight * patch.scale + 2.0;
-}
-
-bool robotHasShell(const RobotPatch& patch, const RobotParams& p) {
-  return patch.shell >= p.minShell;
-}
-
-bool robotIsInsideFieldEdge(const Scene& scene, const RobotPatch& patch, const RobotParams& p) {
-  if (patch.foot.end != FootEnd::carpet) return true;
-  const double edge = fieldEdgeRow(scene, patch.foot.pixel.x);
-  return patch.foot.pixel.y >= edge + p.minInsideFieldEdge;
-}
-
-bool robotStandsOnGround(const RobotPatch& patch, const RobotParams& p) {
-  if (patch.foot.end == FootEnd::hidden) return false;
-  return patch.height >= p.minHeight && patch.height <= p.maxHeight;
-}
-
-bool robotIsNear(const RobotPatch& patch, const RobotParams& p) {
-  const bool cut = patch.foot.end != FootEnd::carpet;
-  return patch.distance <= (cut ? p.maxCutDistance : p.maxDistance);
-}
-
-bool areOfOneRobot(const RobotPatch& a, const RobotPatch& b, const RobotParams& p) {
+bool areOfOneRobot(const PatchGroup& a, const PatchGroup& b, const RobotParams& p) {
   if (a.team != b.team) return false;
   const double scale = std::max(a.scale, b.scale);
-  const double gap = std::max(a.box.left, b.box.left) - std::min(a.box.right, b.box.right);
-  const PixelBox both = joined(a.box, b.box);
+  const double gap = std::max(a.left, b.left) - std::min(a.right, b.right);
+  const double length = std::max(a.right, b.right) - std::min(a.left, b.left);
   const double near = std::min(a.distance, b.distance);
   const double far = std::max(a.distance, b.distance);
-  return gap <= p.maxGap * scale && widthOf(both) <= p.maxLength * scale + 2.0 &&
+  return gap <= p.maxGap * scale && length <= p.maxLength * scale + 2.0 &&
          far <= p.maxDepthRatio * near + 5.0;
+}
+
+// The nearest leg of all decides the distance, but feet in the image count more than feet cut off.
+PatchGroup joined(const PatchGroup& larger, const PatchGroup& other) {
+  PatchGroup both = larger;
+  both.left = std::min(larger.left, other.left);
+  both.right = std::max(larger.right, other.right);
+  both.box = {std::min(larger.box.left, other.box.left), std::min(larger.box.top, other.box.top),
+              std::max(larger.box.right, other.box.right),
+              std::max(larger.box.bottom, other.box.bottom)};
+  if (other.cut < larger.cut || (other.cut == larger.cut && other.distance < larger.distance)) {
+    both.cut = other.cut;
+    both.distance = other.distance;
+    both.scale = other.scale;
+  }
+  return both;
 }
 
 void findRobots(const Scene& scene, const RobotParams& params, VisionCounts& counts,
                 Robots& robots) {
-  Patches groups;
+  const ImageUp up = imageUp(scene.body.camera);
+  Groups groups;
   for (RobotPatch& patch : largestPatches(scene, params, counts)) {
-    locate(scene, patch, params);
-    if (accepted(scene, patch, params, counts)) addToGroups(patch, params, groups);
+    measurePatch(scene, params, patch);
+    if (accepted(scene, patch, params, counts)) addToGroups(groupOf(patch, up), params, groups);
   }
-  for (const RobotPatch& group : groups) robots.push_back(perceptOf(scene, group, params));
+  for (const PatchGroup& group : groups) robots.push_back(perceptOf(scene, group, params));
 }
 
 }  // namespace kelpie::vision

@@ -5,34 +5,26 @@
 #pragma once
 
 #include "robot/core/Percepts.h"
-#include "vision/Foot.h"
-#include "vision/RobotParams.h"
-#include "vision/Scene.h"
+#include "vision/RobotPatch.h"
 
 namespace kelpie::vision {
 
-struct RobotPatch {
+// Patches of one robot: extent along the level direction of the image, as px from its origin.
+struct PatchGroup {
   TeamColour team = TeamColour::red;
-  double samples = 0.0;
+  double left = 0.0;
+  double right = 0.0;
+  PixelPoint centre;  // of the largest patch
   PixelBox box;
-  PixelPoint centre;
-  Foot foot;              // the nearest of the columns below and beside the patch
+  bool cut = false;       // the feet are not in the image
   double distance = 0.0;  // cm along the ground from the camera to the nearest leg
   double scale = 1.0;     // px per cm there
-  double height = 0.0;    // cm of the centre above the ground
-  double shell = 0.0;     // share of white and grey round it
 };
 
-// The checks, each alone: true = keep.
-bool robotPatchIsLarge(const RobotPatch& patch, const RobotParams& p);
-bool robotPatchIsLow(const Scene& scene, const RobotPatch& patch, const RobotParams& p);
-bool robotPatchHasSize(const RobotPatch& patch, const RobotParams& p);
-bool robotHasShell(const RobotPatch& patch, const RobotParams& p);
-bool robotIsInsideFieldEdge(const Scene& scene, const RobotPatch& patch, const RobotParams& p);
-bool robotStandsOnGround(const RobotPatch& patch, const RobotParams& p);
-bool robotIsNear(const RobotPatch& patch, const RobotParams& p);
-// Whether two patches can be of one robot.
-bool areOfOneRobot(const RobotPatch& a, const RobotPatch& b, const RobotParams& p);
+PatchGroup groupOf(const RobotPatch& patch, ImageUp up);
+// Whether two groups can be of one robot.
+bool areOfOneRobot(const PatchGroup& a, const PatchGroup& b, const RobotParams& p);
+PatchGroup joined(const PatchGroup& larger, const PatchGroup& other);
 
 using Robots = FixedVector<RobotPercept, 8>;
 void findRobots(const Scene& scene, const RobotParams& params, VisionCounts& counts,

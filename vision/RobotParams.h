@@ -9,21 +9,23 @@
 namespace kelpie::vision {
 
 struct RobotParams {
-  double minSamples = 3;        // lattice samples of a patch
-  double maxAboveHorizon = 45;  // px, of a patch's lower edge: 20 cm high seen from 12 cm at 35 cm
-  double minInsideFieldEdge = 1;  // px, of the foot below the field edge
-  double maxPatchWidth = 20;      // cm
-  double maxPatchHeight = 16;     // cm
-  double minHeight = 4;           // cm, of a patch's middle above the ground
-  double maxHeight = 26;          // cm
-  double minShell = 0.2;          // share of white and grey round a patch
-  double patchHeight = 12;        // cm, assumed when the image border cuts the feet
-  double maxCutDistance = 100;    // cm, for such a robot: farther ones show their feet
-  double reach = 9;               // cm beside a patch where legs are looked for
-  double maxGap = 13;             // cm between two patches of one robot
-  double maxLength = 30;          // cm, of all patches of one robot
-  double maxDepthRatio = 1.4;     // of the distances of two patches of one robot
-  double depth = 7;               // cm from the nearest leg to the body's middle
+  double minSamples = 3;                // lattice samples of a patch
+  double minOwnShare = 0.6;             // of its colour among those it may be confused with
+  Angle maxElevation = Angle::deg(14);  // a patch 20 cm high seen from 12 cm at 35 cm: 13 deg
+  double minInsideFieldEdge = 1;        // px, of the foot from the field edge
+  double minCarpetBehind = 1.2;         // px of green beside the robot, above the foot's level
+  double maxPatchWidth = 20;            // cm
+  double maxPatchHeight = 16;           // cm
+  double minHeight = 4;                 // cm, of a patch's middle above the ground
+  double maxHeight = 26;                // cm
+  double minShell = 0.2;                // share of white and grey round a patch
+  double patchHeight = 12;              // cm, assumed when the image border cuts the feet
+  double maxCutDistance = 100;          // cm, for such a robot: farther ones show their feet
+  double reach = 9;                     // cm beside a patch where legs are looked for
+  double maxGap = 13;                   // cm between two patches of one robot
+  double maxLength = 30;                // cm, of all patches of one robot
+  double maxDepthRatio = 2.5;           // of the distances of two patches of one robot
+  double depth = 7;                     // cm from the nearest leg to the body's middle
   double maxDistance = 300;
   double edgeSd = 0.7;                // px, of the foot
   Angle directionSd = Angle::deg(1);  // camera against ground, while walking
@@ -34,8 +36,11 @@ struct RobotParams {
     using P = RobotParams;
     return fieldList(
         field("minSamples", &P::minSamples, "", 1, 100),
-        field("maxAboveHorizon", &P::maxAboveHorizon, "px", -160, 160),
+        field("minOwnShare", &P::minOwnShare, "", 0, 1),
+        field("maxElevation", &P::maxElevation, "rad", -90, 90),
+        field("minCarpetBehind", &P::minCarpetBehind, "px", -10, 10),
         field("minInsideFieldEdge", &P::minInsideFieldEdge, "px", -160, 160),
+        field("minCarpetBehind", &P::minCarpetBehind, "px", -10, 10),
         field("maxPatchWidth", &P::maxPatchWidth, "cm", 1, 100),
         field("maxPatchHeight", &P::maxPatchHeight, "cm", 1, 100),
         field("minHeight", &P::minHeight, "cm", -20, 50),
