@@ -19,8 +19,9 @@ struct Foot {
   double distance = 1e6;  // cm along the ground from the camera to what is seen there
 };
 
-// From `from` against `up`; hidden where an orange ball lies before the foot.
-Foot footBelow(const Scene& scene, PixelPoint from, ImageUp up);
+// From `from` against `up`; hidden where another thing's orange, yellow, pink or blue comes before
+// the foot; `own` is this thing's colour.
+Foot footBelow(const Scene& scene, PixelPoint from, ImageUp up, ColourClass own);
 
 // Along the ground from the camera to what a pixel sees there; nothing above the horizon.
 std::optional<double> groundDistance(const CameraPose& camera, PixelPoint pixel);

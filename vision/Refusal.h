@@ -40,10 +40,9 @@ enum class Refusal : std::uint8_t {
   goalNoHeight,  // neither upper nor lower edge inside the image
   goalAboveFieldEdge,
   bufferFull,
-  goalWidth,         // its angle and distance make no 80 cm
-  goalOffGround,     // its foot is not on the ground at its distance
-  robotOtherColour,  // as much pink, orange, blue or black as uniform
-  goalOpposite,      // the other goal is in the image and larger
+  goalWidth,      // its angle and distance make no 80 cm
+  goalOffGround,  // its foot is not on the ground at its distance
+  goalOpposite,   // the other goal is in the image and larger
   robotTooSmall,
   robotAboveHorizon,
   robotAboveFieldEdge,
@@ -63,11 +62,13 @@ enum class Refusal : std::uint8_t {
   lineInObject,        // inside the box of a ball, goal, beacon or robot
   lineGreenBeside,     // a single white pixel
   borderGreenBeside,
-  fieldNotGreen,    // green only along the scan
-  lineCrowdedScan,  // more points on one scan than lines can give
-  robotSize,        // its patch is too wide or too high at its distance
+  fieldNotGreen,     // green only along the scan
+  lineCrowdedScan,   // more points on one scan than lines can give
+  robotSize,         // its patch is too wide or too high at its distance
+  robotOtherColour,  // as much pink, orange, blue or black as uniform
+  robotOnAnother,    // specks of one team's colour on a robot of the other team
 };
-constexpr std::size_t kRefusalCount = 54;
+constexpr std::size_t kRefusalCount = 55;
 
 constexpr std::array<const char*, kRefusalCount> kRefusalNames = {
     "ballTooSmall",       "ballFewEdges",        "ballPoorCircle",       "ballFewOrange",
@@ -83,7 +84,7 @@ constexpr std::array<const char*, kRefusalCount> kRefusalNames = {
     "pinkAboveFieldEdge", "pinkOffGround",       "obstacleAboveHorizon", "obstacleAboveFieldEdge",
     "obstacleGreenAbove", "lineAmbiguous",       "lineInCorner",         "lineInObject",
     "lineGreenBeside",    "borderGreenBeside",   "fieldNotGreen",        "lineCrowdedScan",
-    "robotSize",          "robotOtherColour"};
+    "robotSize",          "robotOtherColour",    "robotOnAnother"};
 
 inline void refuse(VisionCounts& counts, Refusal reason) {
   ++counts.refused[static_cast<std::size_t>(reason)];

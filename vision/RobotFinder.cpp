@@ -2,6 +2,7 @@
 #include "vision/RobotFinder.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "robot/core/Maths.h"
 #include "vision/Refusal.h"
@@ -11,6 +12,7 @@ namespace kelpie::vision {
 namespace {
 
 constexpr std::size_t kMaxPatches = 16;
+constexpr double kSameDepth = 0.2;  // share of its distance by which a leg may seem off
 using Patches = FixedVector<RobotPatch, kMaxPatches>;
 using Groups = FixedVector<PatchGroup, kMaxPatches>;
 
@@ -53,6 +55,19 @@ Patches largestPatches(const Scene& scene, const RobotParams& p, VisionCounts& c
   return found;
 }
 
+// Whether a group is specks of the other team's colour on a robot that has much more of its own:
+// clothes that show beside its head.
+bool isOnAnother(const PatchGroup& group, const Groups& groups, const RobotParams& p) {
+  for (PatchGroup other : groups) {
+    if (other.team == group.team || other.samples < p.minTeamRatio * group.samples) continue;
+    const double apart = other.distance - group.distance;
+    if (std::fabs(apart) > kSameDepth * other.distance) continue;
+    other.team = group.team;
+    if (areOfOneRobot(other, group, p)) return true;
+  }
+  return false;
+}
+
 void addToGroups(const PatchGroup& patch, const RobotParams& p, Groups& groups) {
   for (PatchGroup& group : groups) {
     if (!areOfOneRobot(group, patch, p)) continue;
@@ -91,9 +106,15 @@ RobotPercept perceptOf(const Scene& scene, const PatchGroup& group, const RobotP
 
 PatchGroup groupOf(const RobotPatch& patch, ImageUp up) {
   const double at = levelPlace(patch.centre, up);
-  return {patch.team,     at - patch.left, at + patch.right,
-          patch.centre,   patch.box,       patch.foot.end != FootEnd::carpet,
-          patch.distance, patch.scale};
+  return {patch.team,
+          patch.samples,
+          at - patch.left,
+          at + patch.right,
+          patch.centre,
+          patch.box,
+          patch.foot.end != FootEnd::carpet,
+          patch.distance,
+          patch.scale};
 }
 
 bool areOfOneRobot(const PatchGroup& a, const PatchGroup& b, const RobotParams& p) {
@@ -110,6 +131,7 @@ bool areOfOneRobot(const PatchGroup& a, const PatchGroup& b, const RobotParams& 
 // The nearest leg of all decides the distance, but feet in the image count more than feet cut off.
 PatchGroup joined(const PatchGroup& larger, const PatchGroup& other) {
   PatchGroup both = larger;
+  both.samples += other.samples;
   both.left = std::min(larger.left, other.left);
   both.right = std::max(larger.right, other.right);
   both.box = {std::min(larger.box.left, other.box.left), std::min(larger.box.top, other.box.top),
@@ -131,7 +153,10 @@ void findRobots(const Scene& scene, const RobotParams& params, VisionCounts& cou
     measurePatch(scene, params, patch);
     if (accepted(scene, patch, params, counts)) addToGroups(groupOf(patch, up), params, groups);
   }
-  for (const PatchGroup& group : groups) robots.push_back(perceptOf(scene, group, params));
+  for (const PatchGroup& group : groups) {
+    if (check(!isOnAnother(group, groups, params), Refusal::robotOnAnother, counts))
+      robots.push_back(perceptOf(scene, group, params));
+  }
 }
 
 }  // namespace kelpie::vision

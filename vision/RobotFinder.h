@@ -12,6 +12,7 @@ namespace kelpie::vision {
 // Patches of one robot: extent along the level direction of the image, as px from its origin.
 struct PatchGroup {
   TeamColour team = TeamColour::red;
+  double samples = 0.0;
   double left = 0.0;
   double right = 0.0;
   PixelPoint centre;  // of the largest patch

@@ -12,8 +12,15 @@ namespace {
 
 constexpr int kFootColumns = 6;  // to each side of a patch's centre
 constexpr int kRingPoints = 16;
-constexpr double kFarthestBehind = 8.0;  // px up to which carpet is looked for behind a robot
-constexpr int kHoles = 2;                // px of another class inside a patch
+constexpr double kMostOneSided = 3.0;  // another thing may stand on that side
+constexpr double kUnknownBehind = -100.0;
+constexpr double kEnoughBehind = 6.0;     // px of carpet that need no end in the image
+constexpr double kFarthestBehind = 16.0;  // px up to which carpet is looked for behind a robot
+constexpr int kHoles = 2;                 // px of another class inside a patch
+
+ColourClass colourOf(TeamColour team) {
+  return team == TeamColour::red ? ColourClass::robotRed : ColourClass::robotBlue;
+}
 
 // A pixel `right` and `above` of another one, as seen on an upright image.
 PixelPoint moved(PixelPoint from, ImageUp up, double right, double above) {
@@ -26,8 +33,7 @@ double scaleAt(const Scene& scene, double distance, double height) {
 }
 
 void measureExtent(const Scene& scene, ImageUp up, RobotPatch& patch) {
-  const ColourClass colour =
-      patch.team == TeamColour::red ? ColourClass::robotRed : ColourClass::robotBlue;
+  const ColourClass colour = colourOf(patch.team);
   const auto edge = [&](double dx, double dy) {
     return std::max(1.0, walkToEdge(scene.sampler, {patch.centre, dx, dy, colour, kHoles}).length);
   };
@@ -47,16 +53,17 @@ Foot nearestFoot(const Scene& scene, ImageUp up, const RobotPatch& patch, double
     const double aside = first + (last - first) * i / (2 * kFootColumns);
     const PixelPoint from = moved(patch.centre, up, aside, 0.0);
     if (!Sampler::usable(from)) continue;
-    const Foot foot = footBelow(scene, from, up);
+    const Foot foot = footBelow(scene, from, up, colourOf(patch.team));
     if (foot.distance < best.distance) best = foot;
   }
   return best;
 }
 
-// For a robot whose feet the image border cuts: by the height that patches have, and nearer than
-// what the border shows of the ground.
-double distanceByHeight(const Scene& scene, const RobotPatch& patch, const RobotParams& p) {
-  const double farthest = patch.foot.distance;
+// For a robot whose feet the image border cuts: by the height above the ground and the size that
+// patches have, and nearer than what the border shows of the ground.
+double distanceWithoutFoot(const Scene& scene, const RobotPatch& patch, const RobotParams& p) {
+  const double bySize = body::kFocalLength * p.patchSize / (patch.upper + patch.lower);
+  const double farthest = std::min(patch.foot.distance, bySize);
   const double slope = sightOf(scene.body.camera, patch.centre).slope;
   const double below = scene.body.camera.position.z - p.patchHeight;
   if (slope > -0.02 || below < 1.0) return farthest;
@@ -69,16 +76,27 @@ void measureDistance(const Scene& scene, ImageUp up, const RobotParams& p, Robot
   for (int round = 0; round < 2; ++round) {
     patch.foot = nearestFoot(scene, up, patch, reach);
     const bool cut = patch.foot.end != FootEnd::carpet;
-    patch.distance = cut ? distanceByHeight(scene, patch, p) : patch.foot.distance;
+    patch.distance = cut ? distanceWithoutFoot(scene, patch, p) : patch.foot.distance;
     patch.scale = scaleAt(scene, patch.distance, p.patchHeight);
     reach = p.reach * patch.scale;
   }
   patch.height = heightAt(scene.body.camera, patch.centre, patch.distance);
 }
 
+bool isOwn(ColourClass c, TeamColour team) { return c == colourOf(team); }
+
+// What no part of a robot of that team wears. In bad light a blue patch is black or goal blue here
+// and there.
+bool isForeign(ColourClass c, TeamColour team) {
+  if (c == ColourClass::orange || c == ColourClass::yellow || c == ColourClass::pink) return true;
+  if (team == TeamColour::blue) return c == ColourClass::robotRed;
+  return c == ColourClass::blue || c == ColourClass::robotBlue || c == ColourClass::black;
+}
+
 // White and grey of the shell, and colours that a uniform does not wear, on a ring round the patch.
 void measureRing(const Scene& scene, ImageUp up, RobotPatch& patch) {
   int shell = 0;
+  int foreign = 0;
   int seen = 0;
   for (int i = 0; i < kRingPoints; ++i) {
     const auto direction = maths::sinCos(2.0 * maths::kPi * i / kRingPoints);
@@ -88,42 +106,68 @@ void measureRing(const Scene& scene, ImageUp up, RobotPatch& patch) {
     if (!Sampler::usable(at)) continue;
     const ColourClass c = scene.sampler.classAt(at);
     shell += c == ColourClass::white || c == ColourClass::grey ? 1 : 0;
+    foreign += isForeign(c, patch.team) ? 1 : 0;
     ++seen;
   }
   patch.shell = seen > 0 ? static_cast<double>(shell) / seen : 0.0;
+  patch.foreign = seen > 0 ? static_cast<double>(foreign) / seen : 0.0;
 }
 
 // Of the lattice inside the box: red clothes are pink and orange by turns, dark ones blue.
 double ownShare(const Scene& scene, const RobotPatch& patch) {
   int own = 0;
-  int other = 0;
-  const int left = std::max(kLatticeLeft, static_cast<int>(patch.box.left) / 2 * 2);
-  const int top = std::max(kLatticeTop, static_cast<int>(patch.box.top) / 2 * 2);
+  int foreign = 0;
+  const int left = kLatticeStep * static_cast<int>(patch.box.left / kLatticeStep);
+  const int top = kLatticeStep * static_cast<int>(patch.box.top / kLatticeStep);
   const int step = kLatticeStep * (1 + static_cast<int>(patch.box.right - patch.box.left) / 24);
-  for (int py = top; py < patch.box.bottom && py < kUsableBottom; py += step) {
-    for (int px = left; px < patch.box.right && px < kUsableRight; px += step) {
+  for (int py = top; py < patch.box.bottom; py += step) {
+    for (int px = left; px < patch.box.right; px += step) {
+      if (!Sampler::usable(px, py)) continue;
       const ColourClass c = scene.sampler.classAt(px, py);
-      const bool red = c == ColourClass::robotRed;
-      const bool blue = c == ColourClass::robotBlue;
-      if (patch.team == TeamColour::red ? red : blue) ++own;
-      if (patch.team == TeamColour::red && (c == ColourClass::pink || c == ColourClass::orange))
-        ++other;
-      if (patch.team == TeamColour::blue && (c == ColourClass::blue || c == ColourClass::black))
-        ++other;
+      own += isOwn(c, patch.team) ? 1 : 0;
+      foreign += isForeign(c, patch.team) ? 1 : 0;
     }
   }
-  return own > 0 ? static_cast<double>(own) / (own + other) : 0.0;
+  return own > 0 ? static_cast<double>(own) / (own + foreign) : 0.0;
+}
+
+// Class of the mean colour inside the patch: noise makes specks of a uniform's colour on clothes,
+// but not their mean.
+bool meanIsOwn(const Scene& scene, ImageUp up, const RobotPatch& patch) {
+  constexpr int kGrid = 2;
+  constexpr double kInside = 0.35;  // of the extent, for each of two steps from the centre
+  int y = 0;
+  int cr = 0;
+  int cb = 0;
+  int count = 0;
+  for (int i = -kGrid; i <= kGrid; ++i) {
+    for (int j = -kGrid; j <= kGrid; ++j) {
+      const double right = kInside * i * (i > 0 ? patch.right : patch.left);
+      const double above = kInside * j * (j > 0 ? patch.upper : patch.lower);
+      const PixelPoint at = moved(patch.centre, up, right, above);
+      if (!Sampler::usable(at)) continue;
+      const Yuv c = scene.sampler.corrected(Sampler::pixelOf(at.x), Sampler::pixelOf(at.y));
+      y += c.y;
+      cr += c.cr;
+      cb += c.cb;
+      ++count;
+    }
+  }
+  if (count == 0) return false;
+  const auto mean = [count](int sum) { return static_cast<std::uint8_t>(sum / count); };
+  return isOwn(scene.sampler.classOf({mean(y), mean(cr), mean(cb)}), patch.team);
 }
 
 // How far the carpet goes on above a level line through the foot, at one place beside it: negative
-// where it ends below. A white line does not end it.
-double carpetAbove(const Scene& scene, ImageUp up, PixelPoint foot, double aside) {
+// where it ends below, nothing where the image ends first. A white line does not end it.
+std::optional<double> carpetAbove(const Scene& scene, ImageUp up, PixelPoint foot, double aside) {
   constexpr int kWidestLine = 4;
   int gap = 0;
   double last = -kFarthestBehind;
   for (double above = last; above <= kFarthestBehind && gap <= kWidestLine; above += 1.0) {
     const PixelPoint at = moved(foot, up, aside, above);
-    if (!Sampler::usable(at)) return kFarthestBehind;
+    if (!Sampler::usable(at))
+      return last >= kEnoughBehind ? std::optional<double>(last) : std::nullopt;
     const bool green = scene.sampler.classAt(at) == ColourClass::green;
     gap = green ? 0 : gap + 1;
     if (green) last = above;
@@ -132,17 +176,27 @@ double carpetAbove(const Scene& scene, ImageUp up, PixelPoint foot, double aside
 }
 
 // On carpet that goes on behind it a robot has green above the level of its foot; clothes beyond
-// the carpet seem to stand on its very end. Both sides together, because that end may be askew; the
-// best of three pairs, because another thing may stand beside the robot.
+// the carpet seem to stand on its very end. Both sides together, because that end may be askew: the
+// middle of two places, or the straight line through two places on one side when the other side is
+// not in the image. Both places are beyond the robot's own legs, 15 cm apart.
 double carpetBehind(const Scene& scene, ImageUp up, const RobotPatch& patch) {
-  double best = -kFarthestBehind;
-  for (const double aside : {16.0, 22.0, 28.0}) {
-    const double px = aside * patch.scale;
-    const double both = carpetAbove(scene, up, patch.foot.pixel, px) +
-                        carpetAbove(scene, up, patch.foot.pixel, -px);
-    best = std::max(best, 0.5 * both);
-  }
-  return best;
+  constexpr double kNear = 20.0;
+  constexpr double kFar = 32.0;
+  const auto at = [&](double aside) {
+    return carpetAbove(scene, up, patch.foot.pixel, aside * patch.scale);
+  };
+  const auto right = at(kNear);
+  const auto left = at(-kNear);
+  const auto farRight = at(kFar);
+  const auto farLeft = at(-kFar);
+  double best = kUnknownBehind;
+  if (left && right) best = std::max(best, 0.5 * (*left + *right));
+  if (farLeft && farRight) best = std::max(best, 0.5 * (*farLeft + *farRight));
+  if (best > kUnknownBehind) return best;
+  const double lean = kNear / (kFar - kNear);
+  if (right && farRight) best = std::max(best, *right - lean * (*farRight - *right));
+  if (left && farLeft) best = std::max(best, *left - lean * (*farLeft - *left));
+  return std::min(best, kMostOneSided);
 }
 
 }  // namespace
@@ -162,6 +216,7 @@ void measurePatch(const Scene& scene, const RobotParams& p, RobotPatch& patch) {
   measureDistance(scene, up, p, patch);
   measureRing(scene, up, patch);
   patch.own = ownShare(scene, patch);
+  patch.meanIsOwn = meanIsOwn(scene, up, patch);
   patch.behind = carpetBehind(scene, up, patch);
 }
 
@@ -178,8 +233,15 @@ bool robotPatchHasSize(const RobotPatch& patch, const RobotParams& p) {
          patch.upper + patch.lower <= p.maxPatchHeight * patch.scale + 2.0;
 }
 
+// Before carpet that goes on behind it, other colours near a patch are the background's.
 bool robotPatchIsPure(const RobotPatch& patch, const RobotParams& p) {
-  return patch.own >= p.minOwnShare;
+  if (patch.behind >= p.sureCarpetBehind) return patch.own >= p.minOwnShare;
+  return patch.meanIsOwn && patch.own >= p.doubtfulOwnShare &&
+         patch.foreign <= p.doubtfulForeignShare;
+}
+
+bool robotPatchIsClean(const RobotPatch& patch, const RobotParams& p) {
+  return patch.meanIsOwn && patch.own >= p.cleanOwnShare && patch.foreign <= p.cleanForeignShare;
 }
 
 bool robotHasShell(const RobotPatch& patch, const RobotParams& p) {
@@ -187,9 +249,11 @@ bool robotHasShell(const RobotPatch& patch, const RobotParams& p) {
 }
 
 bool robotIsInsideFieldEdge(const Scene& scene, const RobotPatch& patch, const RobotParams& p) {
-  if (patch.foot.end != FootEnd::carpet) return true;
-  if (patch.behind < p.minCarpetBehind) return false;
   const FieldEdgePercept& e = scene.fieldEdge;
+  const bool unknown = patch.behind <= kUnknownBehind;
+  if (!unknown && patch.behind < p.minCarpetBehind) return false;
+  if (patch.foot.end != FootEnd::carpet) return true;
+  if (unknown && !e.present) return robotPatchIsClean(patch, p);
   const double rise = (e.atRight - e.atLeft) / kImageWidth;
   const double below = patch.foot.pixel.y - fieldEdgeRow(scene, patch.foot.pixel.x);
   return below >= p.minInsideFieldEdge * std::sqrt(1.0 + rise * rise);
@@ -201,8 +265,9 @@ bool robotStandsOnGround(const RobotPatch& patch, const RobotParams& p) {
 }
 
 bool robotIsNear(const RobotPatch& patch, const RobotParams& p) {
-  const bool cut = patch.foot.end != FootEnd::carpet;
-  return patch.foot.distance <= (cut ? p.maxCutDistance : p.maxDistance);
+  const bool sure = patch.foot.end == FootEnd::carpet || patch.behind >= p.sureCarpetBehind ||
+                    robotPatchIsClean(patch, p);
+  return patch.foot.distance <= (sure ? p.maxDistance : p.maxCutDistance);
 }
 
 }  // namespace kelpie::vision

@@ -20,13 +20,15 @@ struct RobotPatch {
   double right = 0.0;
   double upper = 0.0;  // the same, upright
   double lower = 0.0;
-  Foot foot;              // the nearest of the columns below and beside the patch
-  double distance = 0.0;  // cm along the ground from the camera to the nearest leg
-  double scale = 1.0;     // px per cm there
-  double height = 0.0;    // cm of the centre above the ground
-  double behind = 0.0;    // px of carpet beyond the foot, beside the robot
-  double shell = 0.0;     // share of white and grey round the patch
-  double own = 0.0;       // share of its colour among all the colours near it
+  Foot foot;               // the nearest of the columns below and beside the patch
+  double distance = 0.0;   // cm along the ground from the camera to the nearest leg
+  double scale = 1.0;      // px per cm there
+  double height = 0.0;     // cm of the centre above the ground
+  double behind = 0.0;     // px of carpet beyond the foot, beside the robot
+  double shell = 0.0;      // share of white and grey round the patch
+  double foreign = 0.0;    // share on the same ring of colours that no robot wears
+  double own = 0.0;        // share of its colour among all the colours inside its box
+  bool meanIsOwn = false;  // its mean colour is the uniform's
 };
 
 // Of a blob in a uniform's colour: what is known before its foot is looked for.
@@ -39,6 +41,8 @@ bool robotPatchIsLarge(const RobotPatch& patch, const RobotParams& p);
 bool robotPatchIsLow(const Scene& scene, const RobotPatch& patch, const RobotParams& p);
 bool robotPatchHasSize(const RobotPatch& patch, const RobotParams& p);
 bool robotPatchIsPure(const RobotPatch& patch, const RobotParams& p);
+// Hardly another colour in or near it: believed even where no carpet behind it is in the image.
+bool robotPatchIsClean(const RobotPatch& patch, const RobotParams& p);
 bool robotHasShell(const RobotPatch& patch, const RobotParams& p);
 bool robotIsInsideFieldEdge(const Scene& scene, const RobotPatch& patch, const RobotParams& p);
 bool robotStandsOnGround(const RobotPatch& patch, const RobotParams& p);
