@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "vision/Foot.h"
 
+#include <algorithm>
+
 #include "vision/Sight.h"
 
 namespace kelpie::vision {
@@ -11,6 +13,14 @@ constexpr int kGreens = 2;  // in a row that make carpet: a gap between toes is 
 constexpr int kMixed = 1;   // samples between green and white that are neither
 constexpr int kOthers = 2;  // in a row that are another thing
 
+// Pixels of carpet behind a foot: looked for so far, enough when the image ends there, most that is
+// believed of one side alone, where another thing may stand.
+constexpr double kFarthest = 16.0;
+constexpr double kEnough = 6.0;
+constexpr double kMostOneSided = 3.0;
+constexpr double kFarShare = 1.6;  // of the second place beside a foot over the first
+constexpr int kWidestLine = 4;     // px of white that the carpet goes on behind
+
 // Other things than the one with the colour `own`. A dark blue uniform looks like a blue goal here
 // and there.
 bool isOther(ColourClass c, ColourClass own) {
@@ -19,19 +29,50 @@ bool isOther(ColourClass c, ColourClass own) {
          (c == ColourClass::blue && own != ColourClass::robotBlue);
 }
 
-PixelPoint below(PixelPoint from, ImageUp up, double way) {
-  return {from.x - way * up.dx, from.y - way * up.dy};
-}
-
 // The border between the last pixel of the thing and the first of the carpet.
 PixelPoint refined(const Scene& scene, PixelPoint from, ImageUp up, int firstGreen) {
-  const PixelPoint before = below(from, up, firstGreen - 1.0);
+  const PixelPoint before = moved(from, up, 0.0, 1.0 - firstGreen);
   const bool alsoGreen =
       Sampler::usable(before) && scene.sampler.classAt(before) == ColourClass::green;
-  return below(from, up, firstGreen - (alsoGreen ? 1.5 : 0.5));
+  return moved(from, up, 0.0, (alsoGreen ? 1.5 : 0.5) - firstGreen);
+}
+
+// How far the carpet goes on above a level line through the foot, at one place beside it: negative
+// where it ends below, nothing where the image ends first. A white line does not end it.
+std::optional<double> carpetAbove(const Scene& scene, ImageUp up, PixelPoint foot, double aside) {
+  int gap = 0;
+  double last = -kFarthest;
+  for (double above = last; above <= kFarthest && gap <= kWidestLine; above += 1.0) {
+    const PixelPoint at = moved(foot, up, aside, above);
+    if (!Sampler::usable(at)) {
+      return last >= kEnough ? std::optional<double>(last) : std::nullopt;
+    }
+    const bool green = scene.sampler.classAt(at) == ColourClass::green;
+    gap = green ? 0 : gap + 1;
+    if (green) last = above;
+  }
+  return last;
 }
 
 }  // namespace
+
+// The middle of two places, or the straight line through two places on one side when the other side
+// is not in the image.
+double carpetBehind(const Scene& scene, ImageUp up, PixelPoint foot, double beside) {
+  const double farther = kFarShare * beside;
+  const auto right = carpetAbove(scene, up, foot, beside);
+  const auto left = carpetAbove(scene, up, foot, -beside);
+  const auto farRight = carpetAbove(scene, up, foot, farther);
+  const auto farLeft = carpetAbove(scene, up, foot, -farther);
+  double best = kUnknownBehind;
+  if (left && right) best = std::max(best, 0.5 * (*left + *right));
+  if (farLeft && farRight) best = std::max(best, 0.5 * (*farLeft + *farRight));
+  if (best > kUnknownBehind) return best;
+  const double lean = 1.0 / (kFarShare - 1.0);
+  if (right && farRight) best = std::max(best, *right - lean * (*farRight - *right));
+  if (left && farLeft) best = std::max(best, *left - lean * (*farLeft - *left));
+  return std::min(best, kMostOneSided);
+}
 
 std::optional<double> groundDistance(const CameraPose& camera, PixelPoint pixel) {
   const double slope = sightOf(camera, pixel).slope;
@@ -50,7 +91,7 @@ Foot footBelow(const Scene& scene, PixelPoint from, ImageUp up, ColourClass own)
   int gap = 0;
   int others = 0;
   for (int way = 0;; way += kStep) {
-    const PixelPoint at = below(from, up, way);
+    const PixelPoint at = moved(from, up, 0.0, -way);
     if (!Sampler::usable(at)) {
       foot.pixel = at;
       if (const auto ground = groundDistance(scene.body.camera, at)) {

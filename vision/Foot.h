@@ -7,7 +7,7 @@
 
 #include "robot/core/Geometry.h"
 #include "vision/Scene.h"
-#include "vision/SpanWalk.h"
+#include "vision/Upright.h"
 
 namespace kelpie::vision {
 
@@ -22,6 +22,12 @@ struct Foot {
 // From `from` against `up`; hidden where another thing's orange, yellow, pink or blue comes before
 // the foot; `own` is this thing's colour.
 Foot footBelow(const Scene& scene, PixelPoint from, ImageUp up, ColourClass own);
+
+// Pixels of carpet above the level of a foot, beside the thing that stands there: `beside` px from
+// the foot and farther, on both sides together, because the carpet's end may be askew. What seems
+// to stand on the carpet's very end is beyond it. kUnknownBehind where the image shows too little.
+constexpr double kUnknownBehind = -100.0;
+double carpetBehind(const Scene& scene, ImageUp up, PixelPoint foot, double beside);
 
 // Along the ground from the camera to what a pixel sees there; nothing above the horizon.
 std::optional<double> groundDistance(const CameraPose& camera, PixelPoint pixel);

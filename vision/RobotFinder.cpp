@@ -108,8 +108,8 @@ PatchGroup groupOf(const RobotPatch& patch, ImageUp up) {
   const double at = levelPlace(patch.centre, up);
   return {patch.team,
           patch.samples,
-          at - patch.left,
-          at + patch.right,
+          at - patch.extent.left,
+          at + patch.extent.right,
           patch.centre,
           patch.box,
           patch.foot.end != FootEnd::carpet,

@@ -12,19 +12,10 @@ namespace {
 
 constexpr int kFootColumns = 6;  // to each side of a patch's centre
 constexpr int kRingPoints = 16;
-constexpr double kMostOneSided = 3.0;  // another thing may stand on that side
-constexpr double kUnknownBehind = -100.0;
-constexpr double kEnoughBehind = 6.0;     // px of carpet that need no end in the image
-constexpr double kFarthestBehind = 16.0;  // px up to which carpet is looked for behind a robot
-constexpr int kHoles = 2;                 // px of another class inside a patch
+constexpr double kBeside = 20.0;  // cm from a foot: beyond the robot's other legs, 15 cm away
 
 ColourClass colourOf(TeamColour team) {
   return team == TeamColour::red ? ColourClass::robotRed : ColourClass::robotBlue;
-}
-
-// A pixel `right` and `above` of another one, as seen on an upright image.
-PixelPoint moved(PixelPoint from, ImageUp up, double right, double above) {
-  return {from.x - right * up.dy + above * up.dx, from.y + right * up.dx + above * up.dy};
 }
 
 double scaleAt(const Scene& scene, double distance, double height) {
@@ -32,23 +23,12 @@ double scaleAt(const Scene& scene, double distance, double height) {
   return body::kFocalLength / std::max(range, 5.0);
 }
 
-void measureExtent(const Scene& scene, ImageUp up, RobotPatch& patch) {
-  const ColourClass colour = colourOf(patch.team);
-  const auto edge = [&](double dx, double dy) {
-    return std::max(1.0, walkToEdge(scene.sampler, {patch.centre, dx, dy, colour, kHoles}).length);
-  };
-  patch.right = edge(-up.dy, up.dx);
-  patch.left = edge(up.dy, -up.dx);
-  patch.upper = edge(up.dx, up.dy);
-  patch.lower = edge(-up.dx, -up.dy);
-}
-
 // In columns from the patch's middle down, `reach` px to both sides of its edges: under the trunk
 // the far carpet shows, so the nearest foot is a leg's.
 Foot nearestFoot(const Scene& scene, ImageUp up, const RobotPatch& patch, double reach) {
   Foot best;
-  const double first = -patch.left - reach;
-  const double last = patch.right + reach;
+  const double first = -patch.extent.left - reach;
+  const double last = patch.extent.right + reach;
   for (int i = 0; i <= 2 * kFootColumns; ++i) {
     const double aside = first + (last - first) * i / (2 * kFootColumns);
     const PixelPoint from = moved(patch.centre, up, aside, 0.0);
@@ -62,7 +42,8 @@ Foot nearestFoot(const Scene& scene, ImageUp up, const RobotPatch& patch, double
 // For a robot whose feet the image border cuts: by the height above the ground and the size that
 // patches have, and nearer than what the border shows of the ground.
 double distanceWithoutFoot(const Scene& scene, const RobotPatch& patch, const RobotParams& p) {
-  const double bySize = body::kFocalLength * p.patchSize / (patch.upper + patch.lower);
+  const double bySize =
+      body::kFocalLength * p.patchSize / (patch.extent.upper + patch.extent.lower);
   const double farthest = std::min(patch.foot.distance, bySize);
   const double slope = sightOf(scene.body.camera, patch.centre).slope;
   const double below = scene.body.camera.position.z - p.patchHeight;
@@ -100,8 +81,10 @@ void measureRing(const Scene& scene, ImageUp up, RobotPatch& patch) {
   int seen = 0;
   for (int i = 0; i < kRingPoints; ++i) {
     const auto direction = maths::sinCos(2.0 * maths::kPi * i / kRingPoints);
-    const double x = direction.cos * 1.2 * (direction.cos > 0.0 ? patch.right : patch.left);
-    const double y = direction.sin * 1.2 * (direction.sin > 0.0 ? patch.upper : patch.lower);
+    const double x =
+        direction.cos * 1.2 * (direction.cos > 0.0 ? patch.extent.right : patch.extent.left);
+    const double y =
+        direction.sin * 1.2 * (direction.sin > 0.0 ? patch.extent.upper : patch.extent.lower);
     const PixelPoint at = moved(patch.centre, up, x + 2.0 * direction.cos, y + 2.0 * direction.sin);
     if (!Sampler::usable(at)) continue;
     const ColourClass c = scene.sampler.classAt(at);
@@ -142,8 +125,8 @@ bool meanIsOwn(const Scene& scene, ImageUp up, const RobotPatch& patch) {
   int count = 0;
   for (int i = -kGrid; i <= kGrid; ++i) {
     for (int j = -kGrid; j <= kGrid; ++j) {
-      const double right = kInside * i * (i > 0 ? patch.right : patch.left);
-      const double above = kInside * j * (j > 0 ? patch.upper : patch.lower);
+      const double right = kInside * i * (i > 0 ? patch.extent.right : patch.extent.left);
+      const double above = kInside * j * (j > 0 ? patch.extent.upper : patch.extent.lower);
       const PixelPoint at = moved(patch.centre, up, right, above);
       if (!Sampler::usable(at)) continue;
       const Yuv c = scene.sampler.corrected(Sampler::pixelOf(at.x), Sampler::pixelOf(at.y));
@@ -156,47 +139,6 @@ bool meanIsOwn(const Scene& scene, ImageUp up, const RobotPatch& patch) {
   if (count == 0) return false;
   const auto mean = [count](int sum) { return static_cast<std::uint8_t>(sum / count); };
   return isOwn(scene.sampler.classOf({mean(y), mean(cr), mean(cb)}), patch.team);
-}
-
-// How far the carpet goes on above a level line through the foot, at one place beside it: negative
-// where it ends below, nothing where the image ends first. A white line does not end it.
-std::optional<double> carpetAbove(const Scene& scene, ImageUp up, PixelPoint foot, double aside) {
-  constexpr int kWidestLine = 4;
-  int gap = 0;
-  double last = -kFarthestBehind;
-  for (double above = last; above <= kFarthestBehind && gap <= kWidestLine; above += 1.0) {
-    const PixelPoint at = moved(foot, up, aside, above);
-    if (!Sampler::usable(at))
-      return last >= kEnoughBehind ? std::optional<double>(last) : std::nullopt;
-    const bool green = scene.sampler.classAt(at) == ColourClass::green;
-    gap = green ? 0 : gap + 1;
-    if (green) last = above;
-  }
-  return last;
-}
-
-// On carpet that goes on behind it a robot has green above the level of its foot; clothes beyond
-// the carpet seem to stand on its very end. Both sides together, because that end may be askew: the
-// middle of two places, or the straight line through two places on one side when the other side is
-// not in the image. Both places are beyond the robot's own legs, 15 cm apart.
-double carpetBehind(const Scene& scene, ImageUp up, const RobotPatch& patch) {
-  constexpr double kNear = 20.0;
-  constexpr double kFar = 32.0;
-  const auto at = [&](double aside) {
-    return carpetAbove(scene, up, patch.foot.pixel, aside * patch.scale);
-  };
-  const auto right = at(kNear);
-  const auto left = at(-kNear);
-  const auto farRight = at(kFar);
-  const auto farLeft = at(-kFar);
-  double best = kUnknownBehind;
-  if (left && right) best = std::max(best, 0.5 * (*left + *right));
-  if (farLeft && farRight) best = std::max(best, 0.5 * (*farLeft + *farRight));
-  if (best > kUnknownBehind) return best;
-  const double lean = kNear / (kFar - kNear);
-  if (right && farRight) best = std::max(best, *right - lean * (*farRight - *right));
-  if (left && farLeft) best = std::max(best, *left - lean * (*farLeft - *left));
-  return std::min(best, kMostOneSided);
 }
 
 }  // namespace
@@ -212,12 +154,12 @@ RobotPatch patchOf(const Blob& blob) {
 
 void measurePatch(const Scene& scene, const RobotParams& p, RobotPatch& patch) {
   const ImageUp up = imageUp(scene.body.camera);
-  measureExtent(scene, up, patch);
+  patch.extent = extentOf(scene.sampler, up, patch.centre, colourOf(patch.team));
   measureDistance(scene, up, p, patch);
   measureRing(scene, up, patch);
   patch.own = ownShare(scene, patch);
   patch.meanIsOwn = meanIsOwn(scene, up, patch);
-  patch.behind = carpetBehind(scene, up, patch);
+  patch.behind = carpetBehind(scene, up, patch.foot.pixel, kBeside * patch.scale);
 }
 
 bool robotPatchIsLarge(const RobotPatch& patch, const RobotParams& p) {
@@ -229,8 +171,8 @@ bool robotPatchIsLow(const Scene& scene, const RobotPatch& patch, const RobotPar
 }
 
 bool robotPatchHasSize(const RobotPatch& patch, const RobotParams& p) {
-  return patch.left + patch.right <= p.maxPatchWidth * patch.scale + 2.0 &&
-         patch.upper + patch.lower <= p.maxPatchHeight * patch.scale + 2.0;
+  return patch.extent.left + patch.extent.right <= p.maxPatchWidth * patch.scale + 2.0 &&
+         patch.extent.upper + patch.extent.lower <= p.maxPatchHeight * patch.scale + 2.0;
 }
 
 // Before carpet that goes on behind it, other colours near a patch are the background's.

@@ -16,10 +16,7 @@ struct RobotPatch {
   double samples = 0.0;
   PixelBox box;
   PixelPoint centre;
-  double left = 0.0;  // px from the centre to the edge, level
-  double right = 0.0;
-  double upper = 0.0;  // the same, upright
-  double lower = 0.0;
+  Extent extent;
   Foot foot;               // the nearest of the columns below and beside the patch
   double distance = 0.0;   // cm along the ground from the camera to the nearest leg
   double scale = 1.0;      // px per cm there

@@ -6,6 +6,8 @@
 #include "vision/FieldEdge.h"
 #include "vision/GoalFinder.h"
 #include "vision/LinePoints.h"
+#include "vision/Obstacles.h"
+#include "vision/PinkFinder.h"
 #include "vision/Refusal.h"
 #include "vision/RobotFinder.h"
 #include "vision/Scene.h"
@@ -29,6 +31,10 @@ Percepts step(const VisionIn& in, const VisionParams& params, VisionState& state
   keepOneGoal(out);
   out.ball = findBall(scene, params.ball, out.counts);
   findRobots(scene, params.robot, out.counts, out.robots);
+  findPinkPatches(scene, out.landmarks, params.pink, out.counts, out.pinkPatches);
+  const Obstacles obstacles = findObstacles(scene, params.obstacle, out.counts);
+  out.obstacles = obstacles.points;
+  out.obstaclesAhead = obstacles.ahead;
   findLinePoints(scene, params.line, out.linePoints);
   return out;
 }

@@ -6,6 +6,8 @@
 
 #include "robot/core/Angle.h"
 #include "robot/core/Fields.h"
+#include "vision/ObstacleParams.h"
+#include "vision/PinkParams.h"
 #include "vision/RobotParams.h"
 
 namespace kelpie::vision {
@@ -157,12 +159,15 @@ struct VisionParams {
   FieldEdgeParams fieldEdge;
   LineParams line;
   RobotParams robot;
+  PinkParams pink;
+  ObstacleParams obstacle;
 
   static constexpr auto fields() {
-    return fieldList(field("ball", &VisionParams::ball), field("beacon", &VisionParams::beacon),
-                     field("goal", &VisionParams::goal),
-                     field("fieldEdge", &VisionParams::fieldEdge),
-                     field("line", &VisionParams::line), field("robot", &VisionParams::robot));
+    return fieldList(
+        field("ball", &VisionParams::ball), field("beacon", &VisionParams::beacon),
+        field("goal", &VisionParams::goal), field("fieldEdge", &VisionParams::fieldEdge),
+        field("line", &VisionParams::line), field("robot", &VisionParams::robot),
+        field("pink", &VisionParams::pink), field("obstacle", &VisionParams::obstacle));
   }
 };
 

@@ -32,6 +32,8 @@ const std::vector<Experiment>& experiments();
 
 Expected<Json> scoreEmptyGoal(const ExperimentOptions& options);
 Expected<Json> walkAndKick(const ExperimentOptions& options);
+Expected<Json> pinkPatches(const ExperimentOptions& options);
+Expected<Json> obstaclesAhead(const ExperimentOptions& options);
 Expected<Json> robots(const ExperimentOptions& options);
 Expected<Json> projection(const ExperimentOptions& options);
 
