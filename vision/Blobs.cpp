@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::uint16_t kNoBlob = 0xFFFF;
 
-bool formsBlobs(ColourClass c) { return c >= ColourClass::orange && c <= ColourClass::pink; }
+bool formsBlobs(ColourClass c) { return c >= ColourClass::orange && c <= ColourClass::robotRed; }
 
 // Appends the runs of one lattice row; the number that did not fit.
 std::uint32_t collectRuns(const Sampler& sampler, const Lattice& lattice, int number,

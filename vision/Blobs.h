@@ -40,8 +40,8 @@ struct BlobCounts {
   std::uint32_t lost = 0;     // runs and blobs that did not fit
 };
 
-// Classifies the lattice. Blobs of orange, blue, yellow and pink, in the order of their first run
-// from the top.
+// Classifies the lattice. Blobs of orange, blue, yellow, pink and the two uniforms, in the order of
+// their first run from the top.
 BlobCounts findBlobs(const Sampler& sampler, const Lattice& lattice, RunBuffer& runs,
                      BlobBuffer& blobs);
 

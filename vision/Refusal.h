@@ -66,39 +66,93 @@ enum class Refusal : std::uint8_t {
   lineInObject,        // inside the box of a ball or robot
   lineGreenBeside,     // a single white pixel
   borderGreenBeside,
-  fieldNotGreen,    // green only along the scan
-  lineNotInGreen,   // no two greens on one of its sides
-  lineTooDim,       // hardly brighter than the carpet
-  lineColoured,     // changes the chroma more than white on green does
-  lineTooThin,      // on the ground narrower than a line
-  borderTooShort,   // not as high as a border
-  borderBent,       // its foot does not go on straight to both sides
-  fieldUneven,      // brighter than the carpet above and below: a thin line
-  pointTooFar,      // weight 0
-  pointsTooFew,     // of a kind
-  edgeFewFeatures,  // too few features on the carpet's borders
-  edgeNoCorner,     // a further border that denies carpet or is no corner on the ground
+  fieldNotGreen,     // green only along the scan
+  lineNotInGreen,    // no two greens on one of its sides
+  lineTooDim,        // hardly brighter than the carpet
+  lineColoured,      // changes the chroma more than white on green does
+  lineTooThin,       // on the ground narrower than a line
+  borderTooShort,    // not as high as a border
+  borderBent,        // its foot does not go on straight to both sides
+  fieldUneven,       // brighter than the carpet above and below: a thin line
+  pointTooFar,       // weight 0
+  pointsTooFew,      // of a kind
+  edgeFewFeatures,   // too few features on the carpet's borders
+  edgeNoCorner,      // a further border that denies carpet or is no corner on the ground
+  robotSize,         // its patch is too wide or too high at its distance
+  robotOtherColour,  // as much pink, orange, blue or black as uniform
+  robotOnAnother,    // specks of one team's colour on a robot of the other team
 };
-constexpr std::size_t kRefusalCount = 66;
+constexpr std::size_t kRefusalCount = 69;
 
-constexpr std::array<const char*, kRefusalCount> kRefusalNames = {
-    "ballTooSmall",       "ballFewEdges",        "ballPoorCircle",       "ballFewOrange",
-    "ballOtherColour",    "ballAboveHorizon",    "ballAboveFieldEdge",   "ballNoField",
-    "ballOffGround",      "ballTooFar",          "beaconTooSmall",       "beaconNoPartner",
-    "beaconBothSides",    "beaconSizeRatio",     "beaconAspect",         "beaconBelowHorizon",
-    "beaconNoWhiteBelow", "beaconElevation",     "beaconTooFar",         "goalTooSmall",
-    "goalAspect",         "goalAboveHorizon",    "goalNoField",          "goalIsBeacon",
-    "goalTooFar",         "goalNoHeight",        "goalAboveFieldEdge",   "bufferFull",
-    "goalWidth",          "goalOffGround",       "goalOpposite",         "beaconCut",
-    "beaconNoField",      "ballOnGoal",          "ballPartOfPatch",      "robotTooSmall",
-    "robotAboveHorizon",  "robotAboveFieldEdge", "robotNoShell",         "robotOffGround",
-    "robotTooFar",        "pinkTooSmall",        "pinkIsBeacon",         "pinkAboveHorizon",
-    "pinkAboveFieldEdge", "pinkOffGround",       "obstacleAboveHorizon", "obstacleAboveFieldEdge",
-    "obstacleGreenAbove", "lineAmbiguous",       "lineInCorner",         "lineInObject",
-    "lineGreenBeside",    "borderGreenBeside",   "fieldNotGreen",        "lineNotInGreen",
-    "lineTooDim",         "lineColoured",        "lineTooThin",          "borderTooShort",
-    "borderBent",         "fieldUneven",         "pointTooFar",          "pointsTooFew",
-    "edgeFewFeatures",    "edgeNoCorner"};
+constexpr std::array<const char*, kRefusalCount> kRefusalNames = {"ballTooSmall",
+                                                                  "ballFewEdges",
+                                                                  "ballPoorCircle",
+                                                                  "ballFewOrange",
+                                                                  "ballOtherColour",
+                                                                  "ballAboveHorizon",
+                                                                  "ballAboveFieldEdge",
+                                                                  "ballNoField",
+                                                                  "ballOffGround",
+                                                                  "ballTooFar",
+                                                                  "beaconTooSmall",
+                                                                  "beaconNoPartner",
+                                                                  "beaconBothSides",
+                                                                  "beaconSizeRatio",
+                                                                  "beaconAspect",
+                                                                  "beaconBelowHorizon",
+                                                                  "beaconNoWhiteBelow",
+                                                                  "beaconElevation",
+                                                                  "beaconTooFar",
+                                                                  "goalTooSmall",
+                                                                  "goalAspect",
+                                                                  "goalAboveHorizon",
+                                                                  "goalNoField",
+                                                                  "goalIsBeacon",
+                                                                  "goalTooFar",
+                                                                  "goalNoHeight",
+                                                                  "goalAboveFieldEdge",
+                                                                  "bufferFull",
+                                                                  "goalWidth",
+                                                                  "goalOffGround",
+                                                                  "goalOpposite",
+                                                                  "beaconCut",
+                                                                  "beaconNoField",
+                                                                  "ballOnGoal",
+                                                                  "ballPartOfPatch",
+                                                                  "robotTooSmall",
+                                                                  "robotAboveHorizon",
+                                                                  "robotAboveFieldEdge",
+                                                                  "robotNoShell",
+                                                                  "robotOffGround",
+                                                                  "robotTooFar",
+                                                                  "pinkTooSmall",
+                                                                  "pinkIsBeacon",
+                                                                  "pinkAboveHorizon",
+                                                                  "pinkAboveFieldEdge",
+                                                                  "pinkOffGround",
+                                                                  "obstacleAboveHorizon",
+                                                                  "obstacleAboveFieldEdge",
+                                                                  "obstacleGreenAbove",
+                                                                  "lineAmbiguous",
+                                                                  "lineInCorner",
+                                                                  "lineInObject",
+                                                                  "lineGreenBeside",
+                                                                  "borderGreenBeside",
+                                                                  "fieldNotGreen",
+                                                                  "lineNotInGreen",
+                                                                  "lineTooDim",
+                                                                  "lineColoured",
+                                                                  "lineTooThin",
+                                                                  "borderTooShort",
+                                                                  "borderBent",
+                                                                  "fieldUneven",
+                                                                  "pointTooFar",
+                                                                  "pointsTooFew",
+                                                                  "edgeFewFeatures",
+                                                                  "edgeNoCorner",
+                                                                  "robotSize",
+                                                                  "robotOtherColour",
+                                                                  "robotOnAnother"};
 
 inline void refuse(VisionCounts& counts, Refusal reason) {
   ++counts.refused[static_cast<std::size_t>(reason)];

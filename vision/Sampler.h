@@ -39,6 +39,7 @@ class Sampler {
   Yuv corrected(int px, int py) const {
     return calibration_.ring(image_.pixel(px, py), distances_(px, py, calibration_.ring.centre));
   }
+  ColourClass classOf(Yuv corrected) const { return calibration_.colour(corrected); }
   ColourClass classAt(int px, int py) const {
     std::uint8_t& known = classes_[Image::at(px, py)];
     if (known == kNotLookedAt) {

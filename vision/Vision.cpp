@@ -6,7 +6,10 @@
 #include "vision/FieldEdge.h"
 #include "vision/GoalFinder.h"
 #include "vision/LinePoints.h"
+#include "vision/Obstacles.h"
+#include "vision/PinkFinder.h"
 #include "vision/Refusal.h"
+#include "vision/RobotFinder.h"
 #include "vision/Scene.h"
 #include "vision/Together.h"
 
@@ -32,6 +35,11 @@ Percepts step(const VisionIn& in, const VisionParams& params, VisionState& state
   findGoals(scene, params.goal, out.counts, out.landmarks, out.gaps);
   keepOneGoal(out);
   out.ball = findBall(scene, params.ball, out.counts);
+  findRobots(scene, params.robot, out.counts, out.robots);
+  findPinkPatches(scene, out.landmarks, params.pink, out.counts, out.pinkPatches);
+  const Obstacles obstacles = findObstacles(scene, params.obstacle, out.counts);
+  out.obstacles = obstacles.points;
+  out.obstaclesAhead = obstacles.ahead;
   findLinePoints(scene, params.line, out);
   return out;
 }

@@ -8,6 +8,9 @@
 #include "robot/core/Fields.h"
 #include "vision/FieldEdgeParams.h"
 #include "vision/LineParams.h"
+#include "vision/ObstacleParams.h"
+#include "vision/PinkParams.h"
+#include "vision/RobotParams.h"
 
 namespace kelpie::vision {
 
@@ -120,12 +123,17 @@ struct VisionParams {
   ScanParams scan;
   FieldEdgeParams fieldEdge;
   LineParams line;
+  RobotParams robot;
+  PinkParams pink;
+  ObstacleParams obstacle;
 
   static constexpr auto fields() {
     return fieldList(field("ball", &VisionParams::ball), field("beacon", &VisionParams::beacon),
                      field("goal", &VisionParams::goal), field("scan", &VisionParams::scan),
                      field("fieldEdge", &VisionParams::fieldEdge),
-                     field("line", &VisionParams::line));
+                     field("line", &VisionParams::line), field("robot", &VisionParams::robot),
+                     field("pink", &VisionParams::pink),
+                     field("obstacle", &VisionParams::obstacle));
   }
 };
 

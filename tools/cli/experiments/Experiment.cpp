@@ -32,6 +32,18 @@ const std::vector<Experiment>& experiments() {
        "share of pixels that get their class: hand-labelled ones held out of training beside the "
        "2005 table and nine nearest neighbours; in rendered views with and without ring correction",
        60, colour},
+      {"robots",
+       "other robots in random views with spectators: recall to 200 cm, errors of heading and "
+       "distance, false ones and wrong teams",
+       400, robots},
+      {"pink-patches",
+       "pink sheets on the carpet in random views: recall, errors of heading and distance, false "
+       "ones without a sheet",
+       400, pinkPatches},
+      {"obstacles-ahead",
+       "dark pixels in the box ahead against a robot's true presence: hits and false alarms by "
+       "threshold",
+       3000, obstaclesAhead},
       {"walk-and-kick",
        "the actuator in the simulated body: true way over reported way in four directions; how far "
        "and how straight the ball goes from 25 places before the chest",

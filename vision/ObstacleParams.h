@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// Tunables of the search for dark things on the carpet (facts-2005 section 4.2, thesis 2006 section
+// 6.4.4).
+#pragma once
+
+#include "robot/core/Fields.h"
+
+namespace kelpie::vision {
+
+struct ObstacleParams {
+  double maxBrightness = 35;  // corrected Y of a dark pixel
+  bool greyCounts = true;     // so does an ERS-7's leg, which is not dark: see README.md
+  double maxPerLine = 5;      // pixels that count on one scan line
+  double maxGreenAbove = 10;  // px of the next 20 upwards; more: a shadow
+  double maxBallAbove = 5;    // the same of orange: the ball's shadow
+  double maxDistance = 200;   // cm
+  double aheadSide = 25;      // cm, half the width of the box ahead
+  double aheadFar = 100;      // cm, its length
+
+  static constexpr auto fields() {
+    using P = ObstacleParams;
+    return fieldList(field("maxBrightness", &P::maxBrightness, "", 0, 255),
+                     field("greyCounts", &P::greyCounts),
+                     field("maxPerLine", &P::maxPerLine, "", 1, 80),
+                     field("maxGreenAbove", &P::maxGreenAbove, "px", 0, 20),
+                     field("maxBallAbove", &P::maxBallAbove, "px", 0, 20),
+                     field("maxDistance", &P::maxDistance, "cm", 10, 500),
+                     field("aheadSide", &P::aheadSide, "cm", 1, 200),
+                     field("aheadFar", &P::aheadFar, "cm", 1, 500));
+  }
+};
+
+}  // namespace kelpie::vision

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "vision/RobotFinder.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "robot/core/Maths.h"
+#include "vision/Refusal.h"
+#include "vision/Sight.h"
+
+namespace kelpie::vision {
+namespace {
+
+constexpr std::size_t kMaxPatches = 16;
+constexpr double kSameDepth = 0.2;  // share of its distance by which a leg may seem off
+using Patches = FixedVector<RobotPatch, kMaxPatches>;
+using Groups = FixedVector<PatchGroup, kMaxPatches>;
+
+double levelPlace(PixelPoint at, ImageUp up) { return -at.x * up.dy + at.y * up.dx; }
+
+bool check(bool keep, Refusal reason, VisionCounts& counts) {
+  if (!keep) refuse(counts, reason);
+  return keep;
+}
+
+// What can be told before the foot is looked for.
+bool mayBePatch(const Scene& scene, const RobotPatch& patch, const RobotParams& p,
+                VisionCounts& counts) {
+  return check(robotPatchIsLarge(patch, p), Refusal::robotTooSmall, counts) &&
+         check(robotPatchIsLow(scene, patch, p), Refusal::robotAboveHorizon, counts);
+}
+
+bool accepted(const Scene& scene, const RobotPatch& patch, const RobotParams& p,
+              VisionCounts& counts) {
+  return check(robotPatchIsPure(patch, p), Refusal::robotOtherColour, counts) &&
+         check(robotIsInsideFieldEdge(scene, patch, p), Refusal::robotAboveFieldEdge, counts) &&
+         check(robotIsNear(patch, p), Refusal::robotTooFar, counts) &&
+         check(robotStandsOnGround(patch, p), Refusal::robotOffGround, counts) &&
+         check(robotPatchHasSize(patch, p), Refusal::robotSize, counts) &&
+         check(robotHasShell(patch, p), Refusal::robotNoShell, counts);
+}
+
+// The largest candidates, largest first.
+Patches largestPatches(const Scene& scene, const RobotParams& p, VisionCounts& counts) {
+  Patches found;
+  for (const Blob& blob : scene.blobs) {
+    if (blob.colour != ColourClass::robotRed && blob.colour != ColourClass::robotBlue) continue;
+    RobotPatch item = patchOf(scene.level, blob);
+    if (!mayBePatch(scene, item, p, counts)) continue;
+    for (RobotPatch& kept : found) {
+      if (item.samples > kept.samples) std::swap(item, kept);
+    }
+    found.push_back(item);
+  }
+  return found;
+}
+
+// Whether a group is specks of the other team's colour on a robot that has much more of its own:
+// clothes that show beside its head.
+bool isOnAnother(const PatchGroup& group, const Groups& groups, const RobotParams& p) {
+  for (PatchGroup other : groups) {
+    if (other.team == group.team || other.samples < p.minTeamRatio * group.samples) continue;
+    const double apart = other.distance - group.distance;
+    if (std::fabs(apart) > kSameDepth * other.distance) continue;
+    other.team = group.team;
+    if (areOfOneRobot(other, group, p)) return true;
+  }
+  return false;
+}
+
+void addToGroups(const PatchGroup& patch, const RobotParams& p, Groups& groups) {
+  for (PatchGroup& group : groups) {
+    if (!areOfOneRobot(group, patch, p)) continue;
+    group = joined(group, patch);
+    return;
+  }
+  groups.push_back(patch);
+}
+
+double distanceSd(const Scene& scene, const PatchGroup& group, const RobotParams& p) {
+  const double above = scene.body.camera.position.z;
+  const double d = group.distance;
+  if (group.cut) return 0.4 * d;
+  const double direction = maths::hypot(p.directionSd.rad(), p.edgeSd / body::kFocalLength);
+  return maths::hypot((d * d + above * above) / above * direction, 0.5 * p.depth);
+}
+
+RobotPercept perceptOf(const Scene& scene, const PatchGroup& group, const RobotParams& p) {
+  const ImageUp up = imageUp(scene.body.camera);
+  const double aside = 0.5 * (group.left + group.right) - levelPlace(group.centre, up);
+  const PixelPoint middle{group.centre.x - aside * up.dy, group.centre.y + aside * up.dx};
+  const Sight sight = sightOf(scene.body.camera, middle);
+  const Point2<Robot> place = placeAt(scene.body.camera, sight, group.distance + p.depth);
+  RobotPercept robot;
+  robot.team = group.team;
+  robot.distance = place.norm();
+  robot.heading = bearing(place);
+  robot.elevation = Angle::rad(maths::atan(sight.slope));
+  robot.distanceVariance = maths::square(distanceSd(scene, group, p));
+  robot.headingVariance = maths::square(p.headingSd / std::max(robot.distance, 10.0));
+  robot.box = group.box;
+  return robot;
+}
+
+}  // namespace
+
+PatchGroup groupOf(const RobotPatch& patch, ImageUp up) {
+  const double at = levelPlace(patch.centre, up);
+  return {patch.team,
+          patch.samples,
+          at - patch.extent.left,
+          at + patch.extent.right,
+          patch.centre,
+          patch.box,
+          patch.foot.end != FootEnd::carpet,
+          patch.distance,
+          patch.scale};
+}
+
+bool areOfOneRobot(const PatchGroup& a, const PatchGroup& b, const RobotParams& p) {
+  if (a.team != b.team) return false;
+  const double scale = std::max(a.scale, b.scale);
+  const double gap = std::max(a.left, b.left) - std::min(a.right, b.right);
+  const double length = std::max(a.right, b.right) - std::min(a.left, b.left);
+  const double near = std::min(a.distance, b.distance);
+  const double far = std::max(a.distance, b.distance);
+  return gap <= p.maxGap * scale && length <= p.maxLength * scale + 2.0 &&
+         far <= p.maxDepthRatio * near + 5.0;
+}
+
+// The nearest leg of all decides the distance, but feet in the image count more than feet cut off.
+PatchGroup joined(const PatchGroup& larger, const PatchGroup& other) {
+  PatchGroup both = larger;
+  both.samples += other.samples;
+  both.left = std::min(larger.left, other.left);
+  both.right = std::max(larger.right, other.right);
+  both.box = {std::min(larger.box.left, other.box.left), std::min(larger.box.top, other.box.top),
+              std::max(larger.box.right, other.box.right),
+              std::max(larger.box.bottom, other.box.bottom)};
+  if (other.cut < larger.cut || (other.cut == larger.cut && other.distance < larger.distance)) {
+    both.cut = other.cut;
+    both.distance = other.distance;
+    both.scale = other.scale;
+  }
+  return both;
+}
+
+void findRobots(const Scene& scene, const RobotParams& params, VisionCounts& counts,
+                Robots& robots) {
+  const ImageUp up = imageUp(scene.body.camera);
+  Groups groups;
+  for (RobotPatch& patch : largestPatches(scene, params, counts)) {
+    measurePatch(scene, params, patch);
+    if (accepted(scene, patch, params, counts)) addToGroups(groupOf(patch, up), params, groups);
+  }
+  for (const PatchGroup& group : groups) {
+    if (check(!isOnAnother(group, groups, params), Refusal::robotOnAnother, counts))
+      robots.push_back(perceptOf(scene, group, params));
+  }
+}
+
+}  // namespace kelpie::vision

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// Other robots: red and dark blue uniform patches that stand on the carpet, those of one robot put
+// together. Distance from where the nearest leg meets the carpet, heading by the middle of the
+// patches. A robot seen straight from the front or back shows hardly any patch and is missed.
+#pragma once
+
+#include "robot/core/Percepts.h"
+#include "vision/RobotPatch.h"
+
+namespace kelpie::vision {
+
+// Patches of one robot: extent along the level direction of the image, as px from its origin.
+struct PatchGroup {
+  TeamColour team = TeamColour::red;
+  double samples = 0.0;
+  double left = 0.0;
+  double right = 0.0;
+  PixelPoint centre;  // of the largest patch
+  PixelBox box;
+  bool cut = false;       // the feet are not in the image
+  double distance = 0.0;  // cm along the ground from the camera to the nearest leg
+  double scale = 1.0;     // px per cm there
+};
+
+PatchGroup groupOf(const RobotPatch& patch, ImageUp up);
+// Whether two groups can be of one robot.
+bool areOfOneRobot(const PatchGroup& a, const PatchGroup& b, const RobotParams& p);
+PatchGroup joined(const PatchGroup& larger, const PatchGroup& other);
+
+using Robots = FixedVector<RobotPercept, 8>;
+void findRobots(const Scene& scene, const RobotParams& params, VisionCounts& counts,
+                Robots& robots);
+
+}  // namespace kelpie::vision

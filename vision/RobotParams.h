@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+// Tunables of the search for other robots. An ERS-7 is about 28 cm long, 18 wide and 28 high with
+// its head up; its uniform's patches are 8 to 22 cm above the ground.
+#pragma once
+
+#include "robot/core/Angle.h"
+#include "robot/core/Fields.h"
+
+namespace kelpie::vision {
+
+struct RobotParams {
+  double minSamples = 2;               // lattice samples of a patch
+  double minOwnShare = 0.4;            // of its colour among those it may be confused with
+  double sureCarpetBehind = 5;         // px: with so much carpet behind it clothes are ruled out
+  double doubtfulOwnShare = 0.6;       // minOwnShare with less carpet than that
+  double doubtfulForeignShare = 0.25;  // most of other colours on a ring round a patch, then
+  double cleanOwnShare = 0.9;          // of a patch that is believed without carpet behind it
+  double cleanForeignShare = 0.1;
+  Angle maxElevation = Angle::deg(14);  // a patch 20 cm high seen from 12 cm at 35 cm: 13 deg
+  double minInsideFieldEdge = 1;        // px, of the foot from the field edge
+  double minCarpetBehind = 1.2;         // px of green beside the robot, above the foot's level
+  double maxPatchWidth = 20;            // cm
+  double maxPatchHeight = 16;           // cm
+  double minHeight = 4;                 // cm, of a patch's middle above the ground
+  double maxHeight = 26;                // cm
+  double minShell = 0.2;                // share of white and grey round a patch
+  double patchHeight = 12;              // cm, assumed when the image border cuts the feet
+  double patchSize = 5.5;               // cm, upright; the same
+  double maxCutDistance = 70;           // cm, for such a robot: farther ones show their feet
+  double reach = 9;                     // cm beside a patch where legs are looked for
+  double maxGap = 13;                   // cm between two patches of one robot
+  double maxLength = 30;                // cm, of all patches of one robot
+  double maxDepthRatio = 4;             // of the distances of two patches of one robot
+  double minTeamRatio = 2;  // of samples, for one team\'s patches to rule out those of the other
+  double depth = 7;         // cm from the nearest leg to the body's middle
+  double maxDistance = 220;
+  double edgeSd = 0.7;                // px, of the foot
+  Angle directionSd = Angle::deg(1);  // camera against ground, while walking
+  double headingSd = 4;               // cm across, of the middle of the patches
+  double heightSd = 4;                // cm, of patchHeight
+
+  static constexpr auto fields() {
+    using P = RobotParams;
+    return fieldList(
+        field("minSamples", &P::minSamples, "", 1, 100),
+        field("minOwnShare", &P::minOwnShare, "", 0, 1),
+        field("sureCarpetBehind", &P::sureCarpetBehind, "px", -10, 50),
+        field("doubtfulOwnShare", &P::doubtfulOwnShare, "", 0, 1),
+        field("doubtfulForeignShare", &P::doubtfulForeignShare, "", 0, 1),
+        field("cleanOwnShare", &P::cleanOwnShare, "", 0, 1),
+        field("cleanForeignShare", &P::cleanForeignShare, "", 0, 1),
+        field("maxElevation", &P::maxElevation, "rad", -90, 90),
+        field("minCarpetBehind", &P::minCarpetBehind, "px", -10, 10),
+        field("minInsideFieldEdge", &P::minInsideFieldEdge, "px", -160, 160),
+        field("minCarpetBehind", &P::minCarpetBehind, "px", -10, 10),
+        field("maxPatchWidth", &P::maxPatchWidth, "cm", 1, 100),
+        field("maxPatchHeight", &P::maxPatchHeight, "cm", 1, 100),
+        field("minHeight", &P::minHeight, "cm", -20, 50),
+        field("maxHeight", &P::maxHeight, "cm", 0, 100), field("minShell", &P::minShell, "", 0, 1),
+        field("patchSize", &P::patchSize, "cm", 1, 50),
+        field("patchHeight", &P::patchHeight, "cm", 1, 50),
+        field("maxCutDistance", &P::maxCutDistance, "cm", 0, 500),
+        field("reach", &P::reach, "cm", 0, 50), field("maxGap", &P::maxGap, "cm", 0, 50),
+        field("maxLength", &P::maxLength, "cm", 5, 100),
+        field("minTeamRatio", &P::minTeamRatio, "", 1, 100),
+        field("maxDepthRatio", &P::maxDepthRatio, "", 1, 10),
+        field("depth", &P::depth, "cm", 0, 30),
+        field("maxDistance", &P::maxDistance, "cm", 50, 1000),
+        field("edgeSd", &P::edgeSd, "px", 0.01, 5),
+        field("directionSd", &P::directionSd, "rad", 0.05, 20),
+        field("headingSd", &P::headingSd, "cm", 0.1, 20),
+        field("heightSd", &P::heightSd, "cm", 0.1, 20));
+  }
+};
+
+}  // namespace kelpie::vision

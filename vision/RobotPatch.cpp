@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "vision/RobotPatch.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "robot/core/Maths.h"
+#include "vision/Sight.h"
+
+namespace kelpie::vision {
+namespace {
+
+constexpr int kFootColumns = 6;  // to each side of a patch's centre
+constexpr int kRingPoints = 16;
+constexpr double kBeside = 20.0;  // cm from a foot: beyond the robot's other legs, 15 cm away
+
+ColourClass colourOf(TeamColour team) {
+  return team == TeamColour::red ? ColourClass::robotRed : ColourClass::robotBlue;
+}
+
+double scaleAt(const Scene& scene, double distance, double height) {
+  const double range = maths::hypot(distance, scene.body.camera.position.z - height);
+  return body::kFocalLength / std::max(range, 5.0);
+}
+
+// In columns from the patch's middle down, `reach` px to both sides of its edges: under the trunk
+// the far carpet shows, so the nearest foot is a leg's.
+Foot nearestFoot(const Scene& scene, ImageUp up, const RobotPatch& patch, double reach) {
+  Foot best;
+  const double first = -patch.extent.left - reach;
+  const double last = patch.extent.right + reach;
+  for (int i = 0; i <= 2 * kFootColumns; ++i) {
+    const double aside = first + (last - first) * i / (2 * kFootColumns);
+    const PixelPoint from = moved(patch.centre, up, aside, 0.0);
+    if (!Sampler::usable(from)) continue;
+    const Foot foot = footBelow(scene, from, up, colourOf(patch.team));
+    if (foot.distance < best.distance) best = foot;
+  }
+  return best;
+}
+
+// For a robot whose feet the image border cuts: by the height above the ground and the size that
+// patches have, and nearer than what the border shows of the ground.
+double distanceWithoutFoot(const Scene& scene, const RobotPatch& patch, const RobotParams& p) {
+  const double bySize =
+      body::kFocalLength * p.patchSize / (patch.extent.upper + patch.extent.lower);
+  const double farthest = std::min(patch.foot.distance, bySize);
+  const double slope = sightOf(scene.body.camera, patch.centre).slope;
+  const double below = scene.body.camera.position.z - p.patchHeight;
+  if (slope > -0.02 || below < 1.0) return farthest;
+  return std::min(-below / slope, farthest);
+}
+
+void measureDistance(const Scene& scene, ImageUp up, const RobotParams& p, RobotPatch& patch) {
+  double reach = 0.0;
+  // A second time with the legs beside the patch, whose place in the image the first one tells.
+  for (int round = 0; round < 2; ++round) {
+    patch.foot = nearestFoot(scene, up, patch, reach);
+    const bool cut = patch.foot.end != FootEnd::carpet;
+    patch.distance = cut ? distanceWithoutFoot(scene, patch, p) : patch.foot.distance;
+    patch.scale = scaleAt(scene, patch.distance, p.patchHeight);
+    reach = p.reach * patch.scale;
+  }
+  patch.height = heightAt(scene.body.camera, patch.centre, patch.distance);
+}
+
+bool isOwn(ColourClass c, TeamColour team) { return c == colourOf(team); }
+
+// What no part of a robot of that team wears. In bad light a blue patch is black or goal blue here
+// and there.
+bool isForeign(ColourClass c, TeamColour team) {
+  if (c == ColourClass::orange || c == ColourClass::yellow || c == ColourClass::pink) return true;
+  if (team == TeamColour::blue) return c == ColourClass::robotRed;
+  return c == ColourClass::blue || c == ColourClass::robotBlue || c == ColourClass::black;
+}
+
+// White and grey of the shell, and colours that a uniform does not wear, on a ring round the patch.
+void measureRing(const Scene& scene, ImageUp up, RobotPatch& patch) {
+  int shell = 0;
+  int foreign = 0;
+  int seen = 0;
+  for (int i = 0; i < kRingPoints; ++i) {
+    const auto direction = maths::sinCos(2.0 * maths::kPi * i / kRingPoints);
+    const double x =
+        direction.cos * 1.2 * (direction.cos > 0.0 ? patch.extent.right : patch.extent.left);
+    const double y =
+        direction.sin * 1.2 * (direction.sin > 0.0 ? patch.extent.upper : patch.extent.lower);
+    const PixelPoint at = moved(patch.centre, up, x + 2.0 * direction.cos, y + 2.0 * direction.sin);
+    if (!Sampler::usable(at)) continue;
+    const ColourClass c = scene.sampler.classAt(at);
+    shell += c == ColourClass::white || c == ColourClass::grey ? 1 : 0;
+    foreign += isForeign(c, patch.team) ? 1 : 0;
+    ++seen;
+  }
+  patch.shell = seen > 0 ? static_cast<double>(shell) / seen : 0.0;
+  patch.foreign = seen > 0 ? static_cast<double>(foreign) / seen : 0.0;
+}
+
+// Of the lattice inside the box: red clothes are pink and orange by turns, dark ones blue.
+double ownShare(const Scene& scene, const RobotPatch& patch) {
+  int own = 0;
+  int foreign = 0;
+  const double step = kLatticeStep * (1.0 + std::floor(patch.upright.width() / 24.0));
+  for (double v = patch.upright.top + 0.5; v < patch.upright.bottom; v += step) {
+    for (double u = patch.upright.left + 0.5; u < patch.upright.right; u += step) {
+      const PixelPoint at = scene.level.toImage({u, v});
+      if (!Sampler::usable(at)) continue;
+      const ColourClass c = scene.sampler.classAt(at);
+      own += isOwn(c, patch.team) ? 1 : 0;
+      foreign += isForeign(c, patch.team) ? 1 : 0;
+    }
+  }
+  return own > 0 ? static_cast<double>(own) / (own + foreign) : 0.0;
+}
+
+// Class of the mean colour inside the patch: noise makes specks of a uniform's colour on clothes,
+// but not their mean.
+bool meanIsOwn(const Scene& scene, ImageUp up, const RobotPatch& patch) {
+  constexpr int kGrid = 2;
+  constexpr double kInside = 0.35;  // of the extent, for each of two steps from the centre
+  int y = 0;
+  int cr = 0;
+  int cb = 0;
+  int count = 0;
+  for (int i = -kGrid; i <= kGrid; ++i) {
+    for (int j = -kGrid; j <= kGrid; ++j) {
+      const double right = kInside * i * (i > 0 ? patch.extent.right : patch.extent.left);
+      const double above = kInside * j * (j > 0 ? patch.extent.upper : patch.extent.lower);
+      const PixelPoint at = moved(patch.centre, up, right, above);
+      if (!Sampler::usable(at)) continue;
+      const Yuv c = scene.sampler.corrected(Sampler::pixelOf(at.x), Sampler::pixelOf(at.y));
+      y += c.y;
+      cr += c.cr;
+      cb += c.cb;
+      ++count;
+    }
+  }
+  if (count == 0) return false;
+  const auto mean = [count](int sum) { return static_cast<std::uint8_t>(sum / count); };
+  return isOwn(scene.sampler.classOf({mean(y), mean(cr), mean(cb)}), patch.team);
+}
+
+}  // namespace
+
+RobotPatch patchOf(const Level& level, const Blob& blob) {
+  RobotPatch patch;
+  patch.team = blob.colour == ColourClass::robotRed ? TeamColour::red : TeamColour::blue;
+  patch.samples = blob.samples;
+  patch.upright = blob.box;
+  patch.box = imageBox(level, blob.box);
+  patch.centre = blob.centre;
+  return patch;
+}
+
+void measurePatch(const Scene& scene, const RobotParams& p, RobotPatch& patch) {
+  const ImageUp up = imageUp(scene.body.camera);
+  patch.extent = extentOf(scene.sampler, up, patch.centre, colourOf(patch.team));
+  measureDistance(scene, up, p, patch);
+  measureRing(scene, up, patch);
+  patch.own = ownShare(scene, patch);
+  patch.meanIsOwn = meanIsOwn(scene, up, patch);
+  patch.behind = carpetBehind(scene, up, patch.foot.pixel, kBeside * patch.scale);
+}
+
+bool robotPatchIsLarge(const RobotPatch& patch, const RobotParams& p) {
+  return patch.samples >= p.minSamples;
+}
+
+bool robotPatchIsLow(const Scene& scene, const RobotPatch& patch, const RobotParams& p) {
+  return sightOf(scene.body.camera, patch.centre).slope <= maths::tan(p.maxElevation.rad());
+}
+
+bool robotPatchHasSize(const RobotPatch& patch, const RobotParams& p) {
+  return patch.extent.left + patch.extent.right <= p.maxPatchWidth * patch.scale + 2.0 &&
+         patch.extent.upper + patch.extent.lower <= p.maxPatchHeight * patch.scale + 2.0;
+}
+
+// Before carpet that goes on behind it, other colours near a patch are the background's.
+bool robotPatchIsPure(const RobotPatch& patch, const RobotParams& p) {
+  if (patch.behind >= p.sureCarpetBehind) return patch.own >= p.minOwnShare;
+  return patch.meanIsOwn && patch.own >= p.doubtfulOwnShare &&
+         patch.foreign <= p.doubtfulForeignShare;
+}
+
+bool robotPatchIsClean(const RobotPatch& patch, const RobotParams& p) {
+  return patch.meanIsOwn && patch.own >= p.cleanOwnShare && patch.foreign <= p.cleanForeignShare;
+}
+
+bool robotHasShell(const RobotPatch& patch, const RobotParams& p) {
+  return patch.shell >= p.minShell;
+}
+
+bool robotIsInsideFieldEdge(const Scene& scene, const RobotPatch& patch, const RobotParams& p) {
+  const bool unknown = patch.behind <= kUnknownBehind;
+  if (!unknown && patch.behind < p.minCarpetBehind) return false;
+  if (patch.foot.end != FootEnd::carpet) return true;
+  if (unknown && scene.fieldEdges.empty()) return robotPatchIsClean(patch, p);
+  return belowFieldEdge(scene, patch.foot.pixel) >= p.minInsideFieldEdge;
+}
+
+bool robotStandsOnGround(const RobotPatch& patch, const RobotParams& p) {
+  if (patch.foot.end == FootEnd::hidden) return false;
+  return patch.height >= p.minHeight && patch.height <= p.maxHeight;
+}
+
+bool robotIsNear(const RobotPatch& patch, const RobotParams& p) {
+  const bool sure = patch.foot.end == FootEnd::carpet || patch.behind >= p.sureCarpetBehind ||
+                    robotPatchIsClean(patch, p);
+  return patch.foot.distance <= (sure ? p.maxDistance : p.maxCutDistance);
+}
+
+}  // namespace kelpie::vision

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+// One patch of a robot's uniform, measured along and across the image's upward direction (the head
+// rolls the image by up to 90 deg), and the checks that tell it from clothes, things and the ball's
+// shade. Where its robot stands is the nearest point at which a column below it meets the carpet.
+#pragma once
+
+#include "robot/core/Percepts.h"
+#include "vision/Foot.h"
+#include "vision/RobotParams.h"
+#include "vision/Scene.h"
+
+namespace kelpie::vision {
+
+struct RobotPatch {
+  TeamColour team = TeamColour::red;
+  double samples = 0.0;
+  LevelBox upright;
+  PixelBox box;  // the same in the image
+  PixelPoint centre;
+  Extent extent;
+  Foot foot;               // the nearest of the columns below and beside the patch
+  double distance = 0.0;   // cm along the ground from the camera to the nearest leg
+  double scale = 1.0;      // px per cm there
+  double height = 0.0;     // cm of the centre above the ground
+  double behind = 0.0;     // px of carpet beyond the foot, beside the robot
+  double shell = 0.0;      // share of white and grey round the patch
+  double foreign = 0.0;    // share on the same ring of colours that no robot wears
+  double own = 0.0;        // share of its colour among all the colours inside its box
+  bool meanIsOwn = false;  // its mean colour is the uniform's
+};
+
+// Of a blob in a uniform's colour: what is known before its foot is looked for.
+RobotPatch patchOf(const Level& level, const Blob& blob);
+// Extent, foot, distance and what is round it.
+void measurePatch(const Scene& scene, const RobotParams& p, RobotPatch& patch);
+
+// The checks, each alone: true = keep.
+bool robotPatchIsLarge(const RobotPatch& patch, const RobotParams& p);
+bool robotPatchIsLow(const Scene& scene, const RobotPatch& patch, const RobotParams& p);
+bool robotPatchHasSize(const RobotPatch& patch, const RobotParams& p);
+bool robotPatchIsPure(const RobotPatch& patch, const RobotParams& p);
+// Hardly another colour in or near it: believed even where no carpet behind it is in the image.
+bool robotPatchIsClean(const RobotPatch& patch, const RobotParams& p);
+bool robotHasShell(const RobotPatch& patch, const RobotParams& p);
+bool robotIsInsideFieldEdge(const Scene& scene, const RobotPatch& patch, const RobotParams& p);
+bool robotStandsOnGround(const RobotPatch& patch, const RobotParams& p);
+bool robotIsNear(const RobotPatch& patch, const RobotParams& p);
+
+}  // namespace kelpie::vision

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// Steps and sizes along and across the image's upward direction: the head rolls the image by up to
+// 90 deg when it looks aside and down.
+#pragma once
+
+#include <algorithm>
+
+#include "vision/SpanWalk.h"
+
+namespace kelpie::vision {
+
+// A pixel `right` and `above` of another one, as in an upright image.
+inline PixelPoint moved(PixelPoint from, ImageUp up, double right, double above) {
+  return {from.x - right * up.dy + above * up.dx, from.y + right * up.dx + above * up.dy};
+}
+
+// Pixels from a patch's centre to its edges, 1 at least.
+struct Extent {
+  double left = 1.0;
+  double right = 1.0;
+  double upper = 1.0;
+  double lower = 1.0;
+
+  double width() const { return left + right; }
+  double height() const { return upper + lower; }
+};
+
+inline Extent extentOf(const Sampler& sampler, ImageUp up, PixelPoint centre, ColourClass colour) {
+  constexpr int kHoles = 2;  // px of another class inside a patch
+  const auto edge = [&](double dx, double dy) {
+    return std::max(1.0, walkToEdge(sampler, {centre, dx, dy, colour, kHoles}).length);
+  };
+  return {edge(up.dy, -up.dx), edge(-up.dy, up.dx), edge(up.dx, up.dy), edge(-up.dx, -up.dy)};
+}
+
+}  // namespace kelpie::vision
