@@ -181,7 +181,7 @@ bool mayLieOnField(const Scene& scene, const Blob& blob, const BallParams& p,
     refuse(counts, Refusal::ballAboveHorizon);
     return false;
   }
-  if (belowFieldEdge(scene, lowest) < -p.maxAboveFieldEdge) {
+  if (belowFieldEdge(scene, lowest) < -p.maxAboveFieldEdge - 2.0) {
     refuse(counts, Refusal::ballAboveFieldEdge);
     return false;
   }
@@ -236,17 +236,20 @@ bool ballFillsItsPatch(const BallCandidate& c, const BallParams& p) {
 }
 
 // A ball hides its goal's foot: right behind its shadow is carpet. Orange over a goal's wall is
-// seen over it, on its colour down to the foot.
+// seen over it, on its colour. The shadow of a large ball may look blue, so there the wall must
+// show farther down.
 bool ballStandsOnNoGoal(const Scene& scene, const BallCandidate& c) {
+  constexpr double kLarge = 8.0;  // px
   const LevelPoint middle = scene.level.fromImage(c.cone.centre);
-  int goal = 0;
-  for (const double share : {1.6, 2.4, 3.4}) {
-    const PixelPoint at = scene.level.toImage({middle.u, middle.v + share * c.cone.radius + 2.0});
-    if (!Sampler::usable(at)) continue;
+  const double start = c.cone.radius < kLarge ? c.cone.radius + 2.5 : 1.6 * c.cone.radius + 2.0;
+  for (const double further : {0.0, 0.7, 1.5}) {
+    const double down = start + further * std::min(c.cone.radius, kLarge);
+    const PixelPoint at = scene.level.toImage({middle.u, middle.v + down});
+    if (!Sampler::usable(at)) return true;
     const ColourClass colour = scene.sampler.classAt(at);
-    goal += colour == ColourClass::blue || colour == ColourClass::yellow ? 1 : 0;
+    if (colour != ColourClass::blue && colour != ColourClass::yellow) return true;
   }
-  return goal < 3;
+  return false;
 }
 
 bool ballIsBelowHorizon(const Scene& scene, const BallCandidate& c, const BallParams& p) {
@@ -256,7 +259,8 @@ bool ballIsBelowHorizon(const Scene& scene, const BallCandidate& c, const BallPa
 bool ballIsInsideFieldEdge(const Scene& scene, const BallCandidate& c, const BallParams& p) {
   // A ball cut out of clothes must be surely inside.
   if (!c.apart) return belowFieldEdge(scene, c.cone.centre) + c.cone.radius >= 1.0;
-  return belowFieldEdge(scene, c.cone.centre) + c.cone.radius >= -p.maxAboveFieldEdge;
+  const double allowed = p.maxAboveFieldEdge + p.maxAboveShare * c.cone.radius;
+  return belowFieldEdge(scene, c.cone.centre) + c.cone.radius >= -allowed;
 }
 
 bool ballHasFieldAround(const Scene& scene, const BallCandidate& c, const BallParams& p) {

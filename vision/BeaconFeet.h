@@ -18,7 +18,7 @@ struct BeaconFoot {
   int samples = 0;
 };
 
-using BeaconFeet = FixedVector<BeaconFoot, 24>;
+using BeaconFeet = FixedVector<BeaconFoot, 64>;
 BeaconFeet findBeaconFeet(const Scene& scene);
 
 }  // namespace kelpie::vision

@@ -254,6 +254,12 @@ bool goalStandsOnGround(const GoalCandidate& c, const GoalParams& p) {
   return std::fabs(c.footError) <= p.directionError.rad();
 }
 
+bool goalFacesField(const GoalShape& shape, const GoalParams& p) {
+  if (!shape.valid) return false;
+  const Angle sight = bearing(shape.middle);
+  return std::fabs((Angle::rad(shape.turn) - sight).rad()) <= p.maxTurn.rad();
+}
+
 bool goalIsNear(const GoalCandidate& c, const GoalParams& p) { return c.wall <= p.maxDistance; }
 
 void findGoals(const Scene& scene, const GoalParams& params, VisionCounts& counts,
@@ -270,7 +276,10 @@ void findGoals(const Scene& scene, const GoalParams& params, VisionCounts& count
     }
     if (!goalIsMeasured(best)) continue;
     const GoalShape shape = fitGoal(scene, best, params);
-    if (!shape.valid) continue;
+    if (!goalFacesField(shape, params)) {
+      refuse(counts, Refusal::goalAslant);
+      continue;
+    }
     if (std::getenv("DBG"))
       std::fprintf(
           stderr,

@@ -25,6 +25,9 @@ struct GoalShape {
   std::optional<double> wallAlong(Point2<Robot> way, const GoalParams& params) const;
 };
 
+// A check, true = keep: the mouth is seen from the field, not from behind or from the goal line.
+bool goalFacesField(const GoalShape& shape, const GoalParams& params);
+
 GoalShape fitGoal(const Scene& scene, const GoalCandidate& c, const GoalParams& params);
 
 }  // namespace kelpie::vision

@@ -47,6 +47,7 @@ enum class Refusal : std::uint8_t {
   beaconNoField,    // no carpet at the foot of its white part
   ballOnGoal,       // a goal's or beacon's colour right below it
   ballPartOfPatch,  // the orange is far larger than the circle
+  goalAslant,       // seen from behind or along its goal line
   robotTooSmall,
   robotAboveHorizon,
   robotAboveFieldEdge,
@@ -82,7 +83,7 @@ enum class Refusal : std::uint8_t {
   robotOtherColour,  // as much pink, orange, blue or black as uniform
   robotOnAnother,    // specks of one team's colour on a robot of the other team
 };
-constexpr std::size_t kRefusalCount = 69;
+constexpr std::size_t kRefusalCount = 70;
 
 constexpr std::array<const char*, kRefusalCount> kRefusalNames = {"ballTooSmall",
                                                                   "ballFewEdges",
@@ -119,6 +120,7 @@ constexpr std::array<const char*, kRefusalCount> kRefusalNames = {"ballTooSmall"
                                                                   "beaconNoField",
                                                                   "ballOnGoal",
                                                                   "ballPartOfPatch",
+                                                                  "goalAslant",
                                                                   "robotTooSmall",
                                                                   "robotAboveHorizon",
                                                                   "robotAboveFieldEdge",

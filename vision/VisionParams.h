@@ -15,16 +15,17 @@
 namespace kelpie::vision {
 
 struct BallParams {
-  double minSamples = 2;         // lattice samples of orange
-  double minEdgePoints = 5;      // of 16 spokes
-  double maxCircleError = 0.15;  // rms of the edge points, in radii, plus 0.3 px
-  double minOrangeShare = 0.5;   // of the circle
-  double maxOtherShare = 0.35;   // of pink, yellow and robot red together, of the circle
-  double maxAboveHorizon = 10;   // facts-2005 4.5 check 1
-  double maxAboveFieldEdge = 2;  // of the ball's lowest point
-  double maxPatch = 1.6;         // area of the orange patch to that of the circle
-  double minFieldPoints = 2;     // green or lower image border among 7 points beside and below
-  double maxDistance = 450;      // 2006 field: 420 is the far corner seen from the middle
+  double minSamples = 2;           // lattice samples of orange
+  double minEdgePoints = 5;        // of 16 spokes
+  double maxCircleError = 0.15;    // rms of the edge points, in radii, plus 0.3 px
+  double minOrangeShare = 0.4;     // of the circle; a robot may hide half of it
+  double maxOtherShare = 0.35;     // of pink, yellow and robot red together, of the circle
+  double maxAboveHorizon = 10;     // facts-2005 4.5 check 1
+  double maxAboveFieldEdge = 0.3;  // px, of the ball's lowest point
+  double maxAboveShare = 0.06;     // more for each px of radius
+  double maxPatch = 1.6;           // area of the orange patch to that of the circle
+  double minFieldPoints = 2;       // green or lower image border among 7 points beside and below
+  double maxDistance = 450;        // 2006 field: 420 is the far corner seen from the middle
   Angle directionError = Angle::deg(3);  // camera against ground, for ballOffGround
   Angle directionSd = Angle::deg(1);     // the same as a standard deviation, while walking
   double edgeSd = 0.3;                   // px, of the radius
@@ -38,6 +39,7 @@ struct BallParams {
                      field("maxOtherShare", &BallParams::maxOtherShare, "", 0, 1),
                      field("maxAboveHorizon", &BallParams::maxAboveHorizon, "px", -160, 160),
                      field("maxAboveFieldEdge", &BallParams::maxAboveFieldEdge, "px", -160, 160),
+                     field("maxAboveShare", &BallParams::maxAboveShare, "", 0, 2),
                      field("maxPatch", &BallParams::maxPatch, "", 1, 100),
                      field("minFieldPoints", &BallParams::minFieldPoints, "", 0, 7),
                      field("maxDistance", &BallParams::maxDistance, "cm", 50, 1000),
@@ -83,13 +85,14 @@ struct GoalParams {
   double maxAboveHorizon = 12;           // px, of the lower edge: facts-2005 4.5 check 7 has 20
   double maxAboveFieldEdge = 6;          // px, of the lower edge
   double minFieldColumns = 0.4;          // share of columns with green below, check 8
-  double minSeenWidth = 40;              // cm between the posts, seen half from the side
+  double minSeenWidth = 42;              // cm between the ends, seen 60 deg from the side: 66
   double minCutWidth = 40;               // cm of a goal that the image border cuts
   double maxSeenWidth = 125;             // cm, with a side wall seen from outside
   Angle directionError = Angle::deg(3);  // camera against ground, for goalOffGround
   double maxDistance = 620;
   double width = 80;                  // cm, of the mouth
   double depth = 30;                  // cm from the mouth to the back wall
+  Angle maxTurn = Angle::deg(72);     // of the mouth from square to the sight
   double edgeSd = 0.5;                // px, of the upper and of the lower edge
   Angle directionSd = Angle::deg(1);  // camera against ground, while walking
   Angle headingSd = Angle::deg(1);
@@ -108,6 +111,7 @@ struct GoalParams {
                      field("maxSeenWidth", &GoalParams::maxSeenWidth, "cm", 0, 500),
                      field("directionError", &GoalParams::directionError, "rad", 0, 20),
                      field("maxDistance", &GoalParams::maxDistance, "cm", 50, 1000),
+                     field("maxTurn", &GoalParams::maxTurn, "rad", 0, 90),
                      field("width", &GoalParams::width, "cm", 20, 200),
                      field("depth", &GoalParams::depth, "cm", 0, 60),
                      field("edgeSd", &GoalParams::edgeSd, "px", 0.01, 5),

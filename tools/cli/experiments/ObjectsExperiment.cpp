@@ -27,6 +27,7 @@ constexpr double kMatchGoalDeg = 15.0;
 constexpr double kMatchRobotDeg = 15.0;
 constexpr double kMatchShare = 0.4;   // of the distance
 constexpr double kMatchLeast = 15.0;  // cm
+constexpr double kMatchRobot = 25.0;  // cm, as long as a robot is
 
 struct Sums {
   int toSee = 0;
@@ -109,7 +110,8 @@ double offDeg(const Percept& p, const TrueObject& o) { return (p.heading - o.hea
 
 bool matches(const Percept& p, const TrueObject& o) {
   if (p.kind != o.kind || p.landmark != o.landmark || !o.inView) return false;
-  const double allowed = std::fmax(kMatchShare * o.distance, kMatchLeast);
+  const double least = p.kind == ObjectKind::robot ? kMatchRobot : kMatchLeast;
+  const double allowed = std::fmax(kMatchShare * o.distance, least);
   return std::fabs(offDeg(p, o)) <= headingLimit(p.kind) &&
          std::fabs(p.distance - o.distance) <= allowed;
 }
