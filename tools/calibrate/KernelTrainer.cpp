@@ -13,7 +13,8 @@ using vision::kColourClassCount;
 constexpr double kNarrowest = 0.5;  // of an adapted width, in plain widths
 constexpr double kWidest = 2.5;
 constexpr std::size_t kFolds = 4;
-constexpr std::size_t kRounds = 3;  // of mixing anew; one round's noise would choose the kernel
+// Share of pixels by which another kernel must beat the default; less is the folds' noise.
+constexpr double kClearly = 0.01;
 
 struct Axis {
   int bits = 0;
@@ -78,20 +79,27 @@ void forBump(const Axes& axes, const KernelParams& params, Yuv p, double wide, A
     }
 }
 
-// Abramson: width in proportion to density^-adapts, 1 in the geometric mean.
-std::vector<double> adaptedWidths(const LabelledPixels& pixels, const Axes& axes,
-                                  const KernelParams& params) {
-  std::vector<double> density(axes.cells(), 0.0);
+// Of all pixels together, at each one's own colour: in cells of two levels, because in the table's
+// own the widths would follow its steps.
+std::vector<double> densityAtPixels(const LabelledPixels& pixels, const KernelParams& params) {
+  const Axes fine({7, 7, 7});
+  std::vector<double> density(fine.cells(), 0.0);
   for (const auto& p : pixels)
-    forBump(axes, params, p.value, 1.0,
+    forBump(fine, params, p.value, 1.0,
             [&](std::size_t cell, double weight) { density[cell] += weight; });
+  std::vector<double> out;
+  for (const auto& p : pixels) out.push_back(density[fine.at(p.value)]);
+  return out;
+}
+
+// Abramson: width in proportion to density^-adapts, 1 in the geometric mean.
+std::vector<double> adaptedWidths(const LabelledPixels& pixels, const KernelParams& params) {
+  auto widths = densityAtPixels(pixels, params);
   double logs = 0.0;
-  for (const auto& p : pixels) logs += std::log(density[axes.at(p.value)]);
-  const double mean = std::exp(logs / static_cast<double>(pixels.size()));
-  std::vector<double> widths;
-  for (const auto& p : pixels)
-    widths.push_back(maths::clamp(std::pow(density[axes.at(p.value)] / mean, -params.adapts),
-                                  kNarrowest, kWidest));
+  for (const double density : widths) logs += std::log(density);
+  const double mean = std::exp(logs / static_cast<double>(widths.size()));
+  for (double& width : widths)
+    width = maths::clamp(std::pow(width / mean, -params.adapts), kNarrowest, kWidest);
   return widths;
 }
 
@@ -99,7 +107,7 @@ using Densities = std::array<std::vector<double>, kColourClassCount>;
 
 Densities densitiesOf(const LabelledPixels& pixels, const Axes& axes, const KernelParams& params) {
   Densities densities;
-  const auto widths = adaptedWidths(pixels, axes, params);
+  const auto widths = adaptedWidths(pixels, params);
   for (std::size_t i = 0; i < pixels.size(); ++i) {
     auto& own = densities[vision::index(pixels[i].colour)];
     own.resize(axes.cells(), 0.0);
@@ -138,19 +146,13 @@ Split foldOf(const LabelledPixels& pixels, std::size_t fold) {
   return split;
 }
 
-constexpr std::array<double, 2> kBalances = {0.0, -0.15};
-
-// Pixels that each balance gets right over all folds.
-std::array<int, kBalances.size()> rightByBalance(const std::vector<Split>& folds,
-                                                 const KernelParams& params,
-                                                 const TableBits& bits) {
-  std::array<int, kBalances.size()> right{};
+// Pixels that are right over all folds.
+double rightWith(const std::vector<Split>& folds, const KernelParams& params,
+                 const TableBits& bits) {
+  double right = 0.0;
   for (const Split& fold : folds) {
-    const auto densities = densitiesOf(fold.training, Axes(bits), params);
-    for (std::size_t b = 0; b < kBalances.size(); ++b) {
-      const auto table = highest(densities, bits, classFactors(fold.training, kBalances[b]));
-      for (const auto& p : fold.heldOut) right[b] += table(p.value) == p.colour ? 1 : 0;
-    }
+    const auto table = trainTable(fold.training, params, bits);
+    for (const auto& p : fold.heldOut) right += table(p.value) == p.colour ? 1.0 : 0.0;
   }
   return right;
 }
@@ -166,25 +168,20 @@ GridTable trainTable(const LabelledPixels& pixels, const KernelParams& params,
 }
 
 KernelParams chooseKernel(const LabelledPixels& pixels, const TableBits& bits, Random& random) {
+  const auto mixed = splitLabelled(pixels, 0.0, random).training;
   std::vector<Split> folds;
-  for (std::size_t round = 0; round < kRounds; ++round) {
-    const auto mixed = splitLabelled(pixels, 0.0, random).training;
-    for (std::size_t fold = 0; fold < kFolds; ++fold) folds.push_back(foldOf(mixed, fold));
-  }
+  for (std::size_t fold = 0; fold < kFolds; ++fold) folds.push_back(foldOf(mixed, fold));
   KernelParams best;
-  int most = -1;
-  for (const double chroma : {3.5, 4.5})
-    for (const double ratio : {1.0, 1.4}) {
+  double most = rightWith(folds, best, bits) + kClearly * static_cast<double>(pixels.size());
+  for (const double chroma : {2.5, 4.0, 6.0})
+    for (const double ratio : {1.0, 1.5}) {
       KernelParams tried;
       tried.widthChroma = chroma;
       tried.widthY = ratio * chroma;
-      const auto right = rightByBalance(folds, tried, bits);
-      for (std::size_t b = 0; b < kBalances.size(); ++b) {
-        if (right[b] <= most) continue;
-        most = right[b];
-        best = tried;
-        best.balance = kBalances[b];
-      }
+      const double right = rightWith(folds, tried, bits);
+      if (right <= most) continue;
+      most = right;
+      best = tried;
     }
   return best;
 }

@@ -2,7 +2,7 @@
 // Trains a colour table from labelled pixels. Like the 2005 team's tool (facts-2005 section 3)
 // every pixel adds a bump to its class over the cells around it and the highest class takes the
 // cell; own design: the bump is a Gaussian cut off at `reach` widths, its width grows where pixels
-// are few (Abramson's rule), a common class may be held back, and what suits best is chosen by
+// are few (Abramson's rule), a common class is held back, and the widths are checked by
 // cross-validation on the table itself, rounding of the cells included. Cells that no bump reaches
 // are `none`. Fails on nothing; an empty training set gives an empty table.
 #pragma once
@@ -40,7 +40,8 @@ struct GridTable {
 
 GridTable trainTable(const LabelledPixels& pixels, const KernelParams& params,
                      const TableBits& bits);
-// The parameters, of a fixed set, with the best accuracy in fourfold cross-validation.
+// The default parameters, or those of a fixed set that fourfold cross-validation finds clearly
+// better.
 KernelParams chooseKernel(const LabelledPixels& pixels, const TableBits& bits, Random& random);
 // Of a grid with the robot's bits.
 vision::ColourTable robotTable(const GridTable& grid);
