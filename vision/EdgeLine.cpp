@@ -55,15 +55,6 @@ EdgeLine lineThrough(PixelPoint a, PixelPoint b, const ImageLevel& level) {
   return oriented(dy / norm, -dx / norm, a, level);
 }
 
-void EdgeMoments::add(PixelPoint p, double weight) {
-  n += weight;
-  x += weight * p.x;
-  y += weight * p.y;
-  xx += weight * p.x * p.x;
-  xy += weight * p.x * p.y;
-  yy += weight * p.y * p.y;
-}
-
 EdgeLine lineOf(const EdgeMoments& m, const ImageLevel& level) {
   const Spread s = spreadOf(m);
   const double least = s.least();

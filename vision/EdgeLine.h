@@ -33,7 +33,16 @@ struct EdgeMoments {
   double xy = 0.0;
   double yy = 0.0;
 
-  void add(PixelPoint p, double weight);
+  void add(PixelPoint p, double weight) {
+    const double wx = weight * p.x;
+    const double wy = weight * p.y;
+    n += weight;
+    x += wx;
+    y += wy;
+    xx += wx * p.x;
+    xy += wx * p.y;
+    yy += wy * p.y;
+  }
   double leastSquares() const;  // px^2, summed, about the best line
 };
 
