@@ -203,9 +203,13 @@ bool squareToNeighbours(const EdgeEvidence& evidence, const EdgeLines& lines) {
   return true;
 }
 
+constexpr std::size_t kLeastClear = 2;  // features on an edge at the foot of nothing
+
+// Enough features on every edge, and not all at the foot of a goal, which has corners of its own.
 bool supported(const EdgeLines& lines, const FieldEdgeParams& params) {
   return std::all_of(lines.begin(), lines.end(), [&](const EdgeLine& line) {
-    return static_cast<double>(line.support) >= params.minCornerSupport;
+    return static_cast<double>(line.support) >= params.minCornerSupport &&
+           line.doubtful + kLeastClear <= line.support;
   });
 }
 
@@ -258,14 +262,14 @@ Outline firstEdge(Search& search) {
   const Outline none{{}, 0.0};
   Outline best = withOneMore(search, none, freeFeatures(evidence, {}), 0.0);
   if (best.lines.empty()) return best;
+  const double doubt = denied(evidence, best.lines);
+  if (doubt <= kDeniedByNoise) return best;
+  Outline other = withOneMore(search, none, freeFeatures(evidence, best.lines), 0.0);
+  if (other.lines.empty() || denied(evidence, other.lines) >= doubt) return best;
   measure(evidence, best.lines);
-  const double comparable = kComparable * static_cast<double>(best.lines[0].support);
-  const Pool others = freeFeatures(evidence, best.lines);
-  if (others.count < comparable) return best;
-  Outline other = withOneMore(search, none, others, 0.0);
   measure(evidence, other.lines);
-  if (other.lines.empty() || static_cast<double>(other.lines[0].support) < comparable) return best;
-  return denied(evidence, other.lines) < denied(evidence, best.lines) ? other : best;
+  const auto support = static_cast<double>(best.lines[0].support);
+  return static_cast<double>(other.lines[0].support) < kComparable * support ? best : other;
 }
 
 // By exchange: std::sort of so few is a warning, std::stable_sort takes memory.

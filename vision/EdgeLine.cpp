@@ -10,7 +10,7 @@ namespace {
 
 EdgeLine oriented(double nx, double ny, PixelPoint on, const ImageLevel& level) {
   const double side = nx * level.upX + ny * level.upY < 0.0 ? -1.0 : 1.0;
-  return {side * nx, side * ny, side * (nx * on.x + ny * on.y), 0, 0.0};
+  return {side * nx, side * ny, side * (nx * on.x + ny * on.y), 0, 0, 0.0};
 }
 
 // Camera coordinates of the horizontal direction along a line on the ground, any length.
