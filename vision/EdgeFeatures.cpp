@@ -45,13 +45,6 @@ bool standsOnCarpet(ColourClass c) {
          c == ColourClass::robotBlue;
 }
 
-// A goal's back wall stands on the edge, its side walls before it; white is a beacon or a robot.
-bool mayStand(const Sampler& sampler, const ScanLine& line, int top) {
-  if (top < kClear) return false;
-  const ColourClass c = latticeClass(sampler, line, top - kClear);
-  return c == ColourClass::blue || c == ColourClass::yellow || c == ColourClass::white;
-}
-
 // A ball or a robot, or a line that leaves through the image's top, hides carpet, not its end.
 bool goesOn(const Sampler& sampler, const ScanLine& line, int top) {
   if (top == 0) return line.cutTop;
@@ -65,6 +58,17 @@ bool goesOn(const Sampler& sampler, const ScanLine& line, int top) {
   return true;
 }
 
+// A goal's back wall stands on the edge, its side walls before it; white is a beacon or a robot.
+EdgeFeature featureAt(const Sampler& sampler, const ScanLine& line, int top,
+                      const FieldEdgeParams& params) {
+  EdgeFeature feature{line.at(top - 0.5), goesOn(sampler, line, top), 1.0, false};
+  if (top < kClear) return feature;
+  const ColourClass c = latticeClass(sampler, line, top - kClear);
+  feature.atGoal = c == ColourClass::blue || c == ColourClass::yellow;
+  if (feature.atGoal || c == ColourClass::white) feature.weight = params.doubtful;
+  return feature;
+}
+
 }  // namespace
 
 EdgeFeatures edgeFeatures(const Sampler& sampler, const ScanLines& lines,
@@ -73,11 +77,9 @@ EdgeFeatures edgeFeatures(const Sampler& sampler, const ScanLines& lines,
   for (const ScanLine& line : lines) {
     const int top = carpetTop(sampler, line, params);
     if (top < 0) continue;
-    const bool open = goesOn(sampler, line, top);
+    const EdgeFeature feature = featureAt(sampler, line, top, params);
     // Green at the very start of a line that begins above the horizon is no carpet.
-    if (top == 0 && !open) continue;
-    features.push_back(
-        {line.at(top - 0.5), open, mayStand(sampler, line, top) ? params.doubtful : 1.0});
+    if (top > 0 || feature.open) features.push_back(feature);
   }
   return features;
 }

@@ -203,19 +203,19 @@ bool squareToNeighbours(const EdgeEvidence& evidence, const EdgeLines& lines) {
   return true;
 }
 
-constexpr std::size_t kLeastClear = 2;  // features on an edge at the foot of nothing
+constexpr std::size_t kLeastClear = 2;  // features on an edge that are at no goal
 
-// Enough features on every edge, and not all at the foot of a goal, which has corners of its own.
-bool supported(const EdgeLines& lines, const FieldEdgeParams& params) {
+// Enough features on every edge. A goal alone shows none: its side walls have feet like edges, and
+// its inside has a corner.
+bool supported(const EdgeLines& lines, double least) {
   return std::all_of(lines.begin(), lines.end(), [&](const EdgeLine& line) {
-    return static_cast<double>(line.support) >= params.minCornerSupport &&
-           line.doubtful + kLeastClear <= line.support;
+    return static_cast<double>(line.support) >= least && line.atGoal + kLeastClear <= line.support;
   });
 }
 
 // A corner: each edge has its features, none is denied, the edges are square on the ground.
 bool isCorner(const Search& search, const Outline& before, const Outline& after) {
-  const bool corner = supported(after.lines, search.evidence.params) &&
+  const bool corner = supported(after.lines, search.evidence.params.minCornerSupport) &&
                       denied(search.evidence, after.lines) <=
                           denied(search.evidence, before.lines) + kDeniedByNoise &&
                       squareToNeighbours(search.evidence, after.lines);
@@ -296,7 +296,8 @@ EdgeLines fitEdgeLines(const EdgeFeatures& features, const ImageLevel& level,
   measure(search.evidence, best.lines);
   double support = 0.0;
   for (const EdgeLine& line : best.lines) support += static_cast<double>(line.support);
-  if (support < params.minSupport || support < params.minShare * solid) {
+  if (support < params.minSupport || support < params.minShare * solid ||
+      !supported(best.lines, 0.0)) {
     refuse(counts, Refusal::edgeFewFeatures);
     return {};
   }

@@ -16,9 +16,9 @@ struct EdgeLine {
   double nx = 0.0;
   double ny = -1.0;
   double offset = 0.0;
-  std::size_t support = 0;   // features on it
-  std::size_t doubtful = 0;  // of these, those that may be the foot of something
-  double rms = 0.0;          // px, of all
+  std::size_t support = 0;  // features on it
+  std::size_t atGoal = 0;   // of these, those at the foot of a goal
+  double rms = 0.0;         // px, of all
 
   double beyond(PixelPoint p) const { return nx * p.x + ny * p.y - offset; }
 };

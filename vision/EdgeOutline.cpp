@@ -46,12 +46,12 @@ bool refine(const EdgeEvidence& evidence, double width, Outline& outline) {
 
 void measure(const EdgeEvidence& evidence, EdgeLines& lines) {
   std::array<double, EdgeLines::kCapacity> squares{};
-  for (EdgeLine& line : lines) line.support = line.doubtful = 0;
+  for (EdgeLine& line : lines) line.support = line.atGoal = 0;
   for (const EdgeFeature& f : evidence.features) {
     const EdgePlace place = placeOf(lines, f.at);
     if (f.open || !(std::fabs(place.beyond) <= evidence.params.tolerance)) continue;
     ++lines[place.edge].support;
-    lines[place.edge].doubtful += f.weight < 1.0 ? 1 : 0;
+    lines[place.edge].atGoal += f.atGoal ? 1 : 0;
     squares[place.edge] += place.beyond * place.beyond;
   }
   for (std::size_t i = 0; i < lines.size(); ++i)
