@@ -8,10 +8,11 @@ namespace {
 
 constexpr int kStep = 2;         // px between the lattice samples of a scan line
 constexpr int kWidestLine = 24;  // px, of a white line before the robot's feet
+constexpr int kClear = 3;        // px above the carpet where no pixel is a mixture any more
 constexpr int kLeastWindow = 4;  // px that must be left of the window at the image's end
 
 bool isGreen(const Sampler& sampler, const ScanLine& line, int step) {
-  return classAt(sampler, line, step) == ColourClass::green;
+  return latticeClass(sampler, line, step) == ColourClass::green;
 }
 
 // Green from this step on for most of the window (thesis 2006 section 3.2.1 judges N px late and
@@ -20,23 +21,21 @@ bool carpetBegins(const Sampler& sampler, const ScanLine& line, int step,
                   const FieldEdgeParams& params) {
   const int window = std::min(static_cast<int>(params.window), line.steps - step);
   if (window < kLeastWindow) return false;
-  int missing = static_cast<int>((1.0 - params.minGreen) * window);
-  for (int i = 0; i < window; ++i) {
+  int missing = static_cast<int>((1.0 - params.minGreen) * window / kStep);
+  for (int i = 0; i < window; i += kStep) {
     if (!isGreen(sampler, line, step + i) && --missing < 0) return false;
   }
   return true;
 }
 
-// First step of the carpet at full resolution, -1 without any.
+// First step of the carpet, -1 without any. The samples show it, one or two pixels more tell its
+// first one: classifying all of the window would cost as much as the whole walk.
 int carpetTop(const Sampler& sampler, const ScanLine& line, const FieldEdgeParams& params) {
   for (int step = 0; step < line.steps; step += kStep) {
-    if (latticeClass(sampler, line, step) != ColourClass::green) continue;
-    const int last = std::min(step + kStep, line.steps);
-    for (int fine = std::max(step - kStep, 0); fine < last; ++fine) {
-      if (!isGreen(sampler, line, fine)) continue;
-      if (carpetBegins(sampler, line, fine, params)) return fine;
-      break;
-    }
+    if (!isGreen(sampler, line, step) || !carpetBegins(sampler, line, step, params)) continue;
+    int fine = std::max(step - kStep, 0);
+    while (fine < step + kStep && classAt(sampler, line, fine) != ColourClass::green) ++fine;
+    return fine;
   }
   return -1;
 }
@@ -46,24 +45,28 @@ bool standsOnCarpet(ColourClass c) {
          c == ColourClass::robotBlue;
 }
 
-// A goal's back wall stands on the edge, its side walls before it; white is a beacon or a robot.
-bool mayStand(const Sampler& sampler, const ScanLine& line, int top) {
-  if (top < 3) return false;
-  const ColourClass c = classAt(sampler, line, top - 3);
-  return c == ColourClass::blue || c == ColourClass::yellow || c == ColourClass::white;
-}
-
 // A ball or a robot, or a line that leaves through the image's top, hides carpet, not its end.
 bool goesOn(const Sampler& sampler, const ScanLine& line, int top) {
   if (top == 0) return line.cutTop;
-  for (const int above : {2, 4}) {
-    if (top >= above && standsOnCarpet(classAt(sampler, line, top - above))) return true;
+  for (const int above : {kClear, kClear + kStep}) {
+    if (top >= above && standsOnCarpet(latticeClass(sampler, line, top - above))) return true;
   }
   if (!line.cutTop || top > kWidestLine) return false;
   for (int step = 0; step < top - 1; ++step) {
     if (latticeClass(sampler, line, step) != ColourClass::white) return false;
   }
   return true;
+}
+
+// A goal's back wall stands on the edge, its side walls before it; white is a beacon or a robot.
+EdgeFeature featureAt(const Sampler& sampler, const ScanLine& line, int top,
+                      const FieldEdgeParams& params) {
+  EdgeFeature feature{line.at(top - 0.5), goesOn(sampler, line, top), 1.0, false};
+  if (top < kClear) return feature;
+  const ColourClass c = latticeClass(sampler, line, top - kClear);
+  feature.atGoal = c == ColourClass::blue || c == ColourClass::yellow;
+  if (feature.atGoal || c == ColourClass::white) feature.weight = params.doubtful;
+  return feature;
 }
 
 }  // namespace
@@ -74,11 +77,9 @@ EdgeFeatures edgeFeatures(const Sampler& sampler, const ScanLines& lines,
   for (const ScanLine& line : lines) {
     const int top = carpetTop(sampler, line, params);
     if (top < 0) continue;
-    const bool open = goesOn(sampler, line, top);
+    const EdgeFeature feature = featureAt(sampler, line, top, params);
     // Green at the very start of a line that begins above the horizon is no carpet.
-    if (top == 0 && !open) continue;
-    features.push_back(
-        {line.at(top - 0.5), open, mayStand(sampler, line, top) ? params.doubtful : 1.0});
+    if (top > 0 || feature.open) features.push_back(feature);
   }
   return features;
 }

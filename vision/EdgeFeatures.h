@@ -15,6 +15,7 @@ struct EdgeFeature {
   // it. The edge is here or higher.
   bool open = false;
   double weight = 1.0;  // less where it may be the foot of a goal, a beacon or a robot
+  bool atGoal = false;  // below a goal's colour: back wall and side walls have feet like edges
 };
 using EdgeFeatures = FixedVector<EdgeFeature, kMaxScanLines>;
 

@@ -10,13 +10,10 @@
 // foot of one obstacle or on something green beyond the carpet.
 #pragma once
 
-#include "robot/core/FixedVector.h"
-#include "vision/EdgeFeatures.h"
-#include "vision/EdgeLine.h"
+#include "robot/core/Percepts.h"
+#include "vision/EdgeOutline.h"
 
 namespace kelpie::vision {
-
-using EdgeLines = FixedVector<EdgeLine, 3>;
 
 // Strongest first.
 EdgeLines fitEdgeLines(const EdgeFeatures& features, const ImageLevel& level,

@@ -10,7 +10,7 @@ namespace {
 
 EdgeLine oriented(double nx, double ny, PixelPoint on, const ImageLevel& level) {
   const double side = nx * level.upX + ny * level.upY < 0.0 ? -1.0 : 1.0;
-  return {side * nx, side * ny, side * (nx * on.x + ny * on.y), 0, 0.0};
+  return {side * nx, side * ny, side * (nx * on.x + ny * on.y), 0, 0, 0.0};
 }
 
 // Camera coordinates of the horizontal direction along a line on the ground, any length.
@@ -53,15 +53,6 @@ EdgeLine lineThrough(PixelPoint a, PixelPoint b, const ImageLevel& level) {
   const double norm = std::sqrt(dx * dx + dy * dy);
   if (!(norm > 1e-9)) return oriented(level.upX, level.upY, a, level);
   return oriented(dy / norm, -dx / norm, a, level);
-}
-
-void EdgeMoments::add(PixelPoint p, double weight) {
-  n += weight;
-  x += weight * p.x;
-  y += weight * p.y;
-  xx += weight * p.x * p.x;
-  xy += weight * p.x * p.y;
-  yy += weight * p.y * p.y;
 }
 
 EdgeLine lineOf(const EdgeMoments& m, const ImageLevel& level) {

@@ -17,7 +17,8 @@ struct EdgeLine {
   double ny = -1.0;
   double offset = 0.0;
   std::size_t support = 0;  // features on it
-  double rms = 0.0;         // px, of these
+  std::size_t atGoal = 0;   // of these, those at the foot of a goal
+  double rms = 0.0;         // px, of all
 
   double beyond(PixelPoint p) const { return nx * p.x + ny * p.y - offset; }
 };
@@ -33,7 +34,16 @@ struct EdgeMoments {
   double xy = 0.0;
   double yy = 0.0;
 
-  void add(PixelPoint p, double weight);
+  void add(PixelPoint p, double weight) {
+    const double wx = weight * p.x;
+    const double wy = weight * p.y;
+    n += weight;
+    x += wx;
+    y += wy;
+    xx += wx * p.x;
+    xy += wx * p.y;
+    yy += wy * p.y;
+  }
   double leastSquares() const;  // px^2, summed, about the best line
 };
 

@@ -28,7 +28,7 @@ struct FieldEdgeParams {
   double minSupport = 8;         // scan lines on all edges, d of thesis 2006 algorithm 3.1
   double minCornerSupport = 4;   // on each of several
   double minCornerGain = 4;      // inliers that a further edge must win
-  double minBendRatio = 30;      // of the squares that a bend saves to those of the noise
+  double minBendRatio = 25;      // of the squares that a bend saves to those of the noise
   double maxCornerCosine = 0.9;  // corners are square on the ground; 30 deg for noise far away
   double minShare = 0.35;        // of the scan lines with a feature, all edges together
   std::uint32_t seed = 2006;     // of the sampling, afresh for each image

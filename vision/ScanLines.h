@@ -43,13 +43,15 @@ using ScanLines = FixedVector<ScanLine, kMaxScanLines>;
 // From left to right along the horizon.
 ScanLines scanLines(const ImageLevel& level, const ScanParams& params);
 
-// Class at a step, and the class of the lattice sample next to it: nothing is classified anew.
+// Class at a step. A step is a usable pixel, so cutting off is rounding down.
 inline ColourClass classAt(const Sampler& sampler, const ScanLine& line, int step) {
-  return sampler.classAt(line.at(step));
+  const PixelPoint p = line.at(step);
+  return sampler.classAt(static_cast<int>(p.x), static_cast<int>(p.y));
 }
+// Class of the lattice sample next to it: nothing is classified anew. Usable pixels round up to
+// 4..204 and 4..156, the lattice's own ends.
 inline ColourClass latticeClass(const Sampler& sampler, const ScanLine& line, int step) {
   const PixelPoint p = line.at(step);
-  // Usable pixels round up to 4..204 and 4..156, the lattice's own ends.
   const auto even = [](double c) { return (static_cast<int>(c) + 1) & ~1; };
   return sampler.classAt(even(p.x), even(p.y));
 }

@@ -77,6 +77,7 @@ TEST(EdgeFeatures, FootOfAGoalIsDoubtful) {
   ASSERT_EQ(features.size(), 51U);
   EXPECT_FALSE(features[20].open);
   EXPECT_LT(features[20].weight, 1.0);
+  EXPECT_TRUE(features[20].atGoal);
 }
 
 TEST(EdgeFeatures, GreenUpToTheImageBorderGoesOn) {

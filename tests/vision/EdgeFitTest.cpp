@@ -105,6 +105,17 @@ TEST(EdgeFit, OpenFeaturesBearNoEdgeAndForbidOneBelowThem) {
   EXPECT_LT(fieldEdgeRow(edgesOf(higher), 104.0), 20.0);
 }
 
+TEST(EdgeFit, FeaturesAtAGoalAloneMakeNoEdge) {
+  EdgeFeatures features = along([](double) { return 90.0; });
+  for (EdgeFeature& f : features) {
+    f.weight = 0.5;
+    f.atGoal = f.at.x > 8.0;
+  }
+  EXPECT_TRUE(edgesOf(features).empty()) << "one feature beside the goal is not enough";
+  features[2].atGoal = false;
+  EXPECT_EQ(edgesOf(features).size(), 1U);
+}
+
 TEST(EdgeFit, ScatteredFeaturesSupportNoneAndAreCounted) {
   Random random(6);
   EdgeFeatures features;

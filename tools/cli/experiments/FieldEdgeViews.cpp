@@ -101,6 +101,7 @@ void judge(const EdgeTruth& truth, const Edges& edges, Tally& tally) {
   tally.tooLow += *std::max_element(errors.begin(), errors.end()) > kAllowed ? 1 : 0;
   tally.foundHidden += allWithin(rowErrors(truth, edges, true)) ? 1 : 0;
   std::vector<double> size;
+  size.reserve(errors.size());
   for (const double e : errors) size.push_back(std::fabs(e));
   if (found) tally.errors.push_back(percentile(size, 0.5));
 }

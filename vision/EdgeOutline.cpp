@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "vision/EdgeOutline.h"
+
+#include <array>
+#include <cmath>
+
+namespace kelpie::vision {
+namespace {
+
+EdgeLines refitted(const EdgeEvidence& evidence, const EdgeLines& lines, double tolerance) {
+  std::array<EdgeMoments, EdgeLines::kCapacity> moments;
+  for (const EdgeFeature& f : evidence.features) {
+    const EdgePlace place = placeOf(lines, f.at);
+    if (!f.open && std::fabs(place.beyond) <= tolerance) moments[place.edge].add(f.at, f.weight);
+  }
+  EdgeLines better = lines;
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    if (moments[i].n >= 2.0) better[i] = lineOf(moments[i], evidence.level);
+  return better;
+}
+
+}  // namespace
+
+double gainOf(const EdgeEvidence& evidence, const EdgeLines& lines) {
+  const double t = evidence.params.tolerance;
+  const double perSquare = 1.0 / (t * t);
+  double gain = 0.0;
+  for (const EdgeFeature& f : evidence.features) {
+    const double d = placeOf(lines, f.at).beyond;
+    if (d > t) {
+      gain -= evidence.params.abovePenalty;
+    } else if (d > -t && !f.open) {
+      gain += f.weight * (1.0 - d * d * perSquare);
+    }
+  }
+  return gain;
+}
+
+bool refine(const EdgeEvidence& evidence, double width, Outline& outline) {
+  const EdgeLines lines = refitted(evidence, outline.lines, width * evidence.params.tolerance);
+  const double gain = gainOf(evidence, lines);
+  if (gain <= outline.gain) return false;
+  outline = {lines, gain};
+  return true;
+}
+
+void measure(const EdgeEvidence& evidence, EdgeLines& lines) {
+  std::array<double, EdgeLines::kCapacity> squares{};
+  for (EdgeLine& line : lines) line.support = line.atGoal = 0;
+  for (const EdgeFeature& f : evidence.features) {
+    const EdgePlace place = placeOf(lines, f.at);
+    if (f.open || !(std::fabs(place.beyond) <= evidence.params.tolerance)) continue;
+    ++lines[place.edge].support;
+    lines[place.edge].atGoal += f.atGoal ? 1 : 0;
+    squares[place.edge] += place.beyond * place.beyond;
+  }
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    if (lines[i].support > 0)
+      lines[i].rms = std::sqrt(squares[i] / static_cast<double>(lines[i].support));
+}
+
+double denied(const EdgeEvidence& evidence, const EdgeLines& lines) {
+  double count = 0.0;
+  for (const EdgeFeature& f : evidence.features)
+    count += placeOf(lines, f.at).beyond > evidence.params.tolerance ? 1.0 : 0.0;
+  return count;
+}
+
+double noiseOf(const EdgeLines& lines) {
+  double squares = 0.0;
+  double count = 0.0;
+  for (const EdgeLine& line : lines) {
+    squares += static_cast<double>(line.support) * line.rms * line.rms;
+    count += static_cast<double>(line.support);
+  }
+  return count > 0.0 ? std::fmax(squares / count, kLeastNoise) : kLeastNoise;
+}
+
+}  // namespace kelpie::vision
