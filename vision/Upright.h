@@ -14,6 +14,15 @@ inline PixelPoint moved(PixelPoint from, ImageUp up, double right, double above)
   return {from.x - right * up.dy + above * up.dx, from.y + right * up.dx + above * up.dy};
 }
 
+// The lattice's pixel at or just left and above of this one: its class is known already.
+inline bool onLattice(int px, int py) {
+  return px >= kLatticeLeft && px < kUsableRight && py >= kLatticeTop && py < kUsableBottom;
+}
+inline ColourClass latticeClass(const Sampler& sampler, int px, int py) {
+  static_assert(kLatticeStep == 2 && kLatticeLeft % 2 == 0 && kLatticeTop % 2 == 0);
+  return sampler.classAt(px & ~1, py & ~1);
+}
+
 // Pixels from a patch's centre to its edges, 1 at least.
 struct Extent {
   double left = 1.0;
