@@ -159,15 +159,23 @@ bool robotPatchIsLow(const Scene& scene, const RobotPatch& patch, const RobotPar
 }
 
 bool robotPatchHasSize(const RobotPatch& patch, const RobotParams& p) {
-  return patch.extent.left + patch.extent.right <= p.maxPatchWidth * patch.scale + 2.0 &&
-         patch.extent.upper + patch.extent.lower <= p.maxPatchHeight * patch.scale + 2.0;
+  return patch.extent.width() <= p.maxPatchWidth * patch.scale + 2.0 &&
+         patch.extent.height() <= p.maxPatchHeight * patch.scale + 2.0 &&
+         patch.extent.height() <= p.maxTall * patch.extent.width() + 2.0;
+}
+
+// In speckled clothes the way from the centre to the edge ends far too soon for so many samples.
+bool robotPatchIsSolid(const RobotPatch& patch) {
+  constexpr double kMostOfExtent = 3.0;
+  const double pixels = patch.samples * kLatticeStep * kLatticeStep;
+  return pixels <= kMostOfExtent * patch.extent.width() * patch.extent.height();
 }
 
 // Before carpet that goes on behind it, other colours near a patch are the background's.
 bool robotPatchIsPure(const RobotPatch& patch, const RobotParams& p) {
   if (patch.behind >= p.sureCarpetBehind) return true;
-  return patch.meanIsOwn && patch.own >= p.doubtfulOwnShare &&
-         patch.foreign <= p.doubtfulForeignShare;
+  return patch.meanIsOwn && robotPatchIsSolid(patch) && patch.samples >= p.doubtfulSamples &&
+         patch.own >= p.doubtfulOwnShare && patch.foreign <= p.doubtfulForeignShare;
 }
 
 bool robotPatchIsClean(const RobotPatch& patch, const RobotParams& p) {

@@ -39,6 +39,7 @@ void measureSurroundings(const Scene& scene, RobotPatch& patch);
 bool robotPatchIsLow(const Scene& scene, const RobotPatch& patch, const RobotParams& p);
 bool robotPatchHasColour(const RobotPatch& patch, const RobotParams& p);
 bool robotPatchHasSize(const RobotPatch& patch, const RobotParams& p);
+bool robotPatchIsSolid(const RobotPatch& patch);
 bool robotPatchIsPure(const RobotPatch& patch, const RobotParams& p);
 // Hardly another colour in or near it: believed even where no carpet behind it is in the image.
 bool robotPatchIsClean(const RobotPatch& patch, const RobotParams& p);

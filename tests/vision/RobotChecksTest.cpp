@@ -72,6 +72,27 @@ TEST(RobotChecks, OtherColoursMatterOnlyWithoutCarpetBehind) {
   EXPECT_FALSE(robotPatchIsPure(patch, {}));
 }
 
+TEST(RobotChecks, ATallPatchIsATrouserLeg) {
+  RobotPatch patch = goodPatch();
+  patch.extent = {1.5, 1.5, 7, 8};
+  EXPECT_FALSE(robotPatchHasSize(patch, {}));
+  patch.extent = {3, 2, 7, 8};
+  EXPECT_TRUE(robotPatchHasSize(patch, {}));
+}
+
+TEST(RobotChecks, FewSamplesOrSpecksNeedCarpetBehind) {
+  RobotPatch patch = goodPatch();
+  patch.behind = 3;
+  EXPECT_TRUE(robotPatchIsPure(patch, {}));
+  patch.samples = 2;
+  EXPECT_FALSE(robotPatchIsPure(patch, {}));
+  patch.samples = 40;  // 160 px in an extent of 48
+  EXPECT_FALSE(robotPatchIsSolid(patch));
+  EXPECT_FALSE(robotPatchIsPure(patch, {}));
+  patch.behind = 9;
+  EXPECT_TRUE(robotPatchIsPure(patch, {}));
+}
+
 TEST(RobotChecks, ShellRoundThePatch) {
   RobotPatch patch = goodPatch();
   EXPECT_TRUE(robotHasShell(patch, {}));
