@@ -29,12 +29,55 @@ bool isOther(ColourClass c, ColourClass own) {
          (c == ColourClass::blue && own != ColourClass::robotBlue);
 }
 
-// The border between the last pixel of the thing and the first of the carpet.
-PixelPoint refined(const Scene& scene, PixelPoint from, ImageUp up, int firstGreen) {
-  const PixelPoint before = moved(from, up, 0.0, 1.0 - firstGreen);
-  const bool alsoGreen =
-      Sampler::usable(before) && scene.sampler.classAt(before) == ColourClass::green;
-  return moved(from, up, 0.0, (alsoGreen ? 1.5 : 0.5) - firstGreen);
+// What a column's pixels, read downwards, say of the carpet's beginning.
+struct ColumnReader {
+  ColourClass own;
+  int greens = 0;
+  int first = 0;  // way to the first green
+  int gap = 0;
+  int others = 0;
+
+  // White does not end carpet that began: a line runs 20 cm before its end.
+  void read(ColourClass seen, int way) {
+    const bool green = seen == ColourClass::green;
+    gap = green ? 0 : gap + (seen == ColourClass::white ? 0 : 1);
+    if (gap > kMixed) greens = 0;
+    if (green && greens++ == 0) first = way;
+    others = isOther(seen, own) ? others + 1 : 0;
+  }
+};
+
+// One column on the lattice, to 2 px: pixel and end, no distance yet.
+Foot coarseFoot(const Scene& scene, PixelPoint from, ImageUp up, ColourClass own) {
+  ColumnReader reader{own};
+  Foot foot;
+  foot.pixel = from;
+  for (int way = 0; reader.others < kOthers; way += kStep) {
+    if (!inCoarse(static_cast<int>(foot.pixel.x), static_cast<int>(foot.pixel.y))) {
+      foot.end = FootEnd::imageBorder;
+      return foot;
+    }
+    reader.read(
+        coarseClass(scene.sampler, static_cast<int>(foot.pixel.x), static_cast<int>(foot.pixel.y)),
+        way);
+    if (reader.greens >= kGreens) {
+      foot.end = FootEnd::carpet;
+      foot.pixel = moved(from, up, 0.0, -reader.first);
+      return foot;
+    }
+    foot.pixel = {foot.pixel.x - kStep * up.dx, foot.pixel.y - kStep * up.dy};
+  }
+  return foot;
+}
+
+// From the coarse place of the first green to the border before it, pixel by pixel.
+PixelPoint refined(const Scene& scene, PixelPoint coarse, ImageUp up) {
+  for (int above = kStep + 1; above >= -1; --above) {
+    const PixelPoint at = moved(coarse, up, 0.0, above);
+    if (Sampler::usable(at) && scene.sampler.classAt(at) == ColourClass::green)
+      return moved(coarse, up, 0.0, above + 0.5);
+  }
+  return coarse;
 }
 
 // How far the carpet goes on above a level line through the foot, at one place beside it: negative
@@ -84,38 +127,23 @@ double heightAt(const CameraPose& camera, PixelPoint pixel, double distance) {
   return camera.position.z + distance * sightOf(camera, pixel).slope;
 }
 
-Foot footBelow(const Scene& scene, PixelPoint from, ImageUp up, ColourClass own) {
-  Foot foot;
-  int greens = 0;
-  int first = 0;
-  int gap = 0;
-  int others = 0;
-  for (int way = 0;; way += kStep) {
-    const PixelPoint at = moved(from, up, 0.0, -way);
-    if (!Sampler::usable(at)) {
-      foot.pixel = at;
-      if (const auto ground = groundDistance(scene.body.camera, at)) {
-        foot.end = FootEnd::imageBorder;
-        foot.distance = *ground;
-      }
-      return foot;
-    }
-    const ColourClass seen = scene.sampler.classAt(at);
-    // White does not end carpet that began: a line runs 20 cm before its end.
-    const bool green = seen == ColourClass::green;
-    gap = green ? 0 : gap + (seen == ColourClass::white ? 0 : 1);
-    greens = gap > kMixed ? 0 : greens + (green ? 1 : 0);
-    if (green && greens == 1) first = way;
-    others = isOther(seen, own) ? others + 1 : 0;
-    if (others >= kOthers) return foot;
-    if (!green || greens < kGreens) continue;
-    foot.pixel = refined(scene, from, up, first);
+Foot nearestFoot(const Scene& scene, ImageUp up, const FootSearch& search) {
+  Foot best;
+  for (int i = 0; i < search.columns; ++i) {
+    const double share = search.columns > 1 ? i / (search.columns - 1.0) : 0.5;
+    const double aside = search.first + (search.last - search.first) * share;
+    const PixelPoint from = moved(search.from, up, aside, 0.0);
+    if (!Sampler::usable(from)) continue;
+    Foot foot = coarseFoot(scene, from, up, search.own);
     const auto distance = groundDistance(scene.body.camera, foot.pixel);
-    if (!distance) return foot;
-    foot.end = FootEnd::carpet;
-    foot.distance = *distance;
-    return foot;
+    if (foot.end == FootEnd::hidden || !distance || *distance >= best.distance) continue;
+    best = foot;
+    best.distance = *distance;
   }
+  if (best.end != FootEnd::carpet) return best;
+  best.pixel = refined(scene, best.pixel, up);
+  best.distance = groundDistance(scene.body.camera, best.pixel).value_or(kNoDistance);
+  return best;
 }
 
 }  // namespace kelpie::vision

@@ -13,15 +13,25 @@ namespace kelpie::vision {
 
 enum class FootEnd : std::uint8_t { carpet, imageBorder, hidden };
 
+constexpr double kNoDistance = 1e6;
+
 struct Foot {
   FootEnd end = FootEnd::hidden;
-  PixelPoint pixel;       // on the border between the thing and the carpet, or where the image ends
-  double distance = 1e6;  // cm along the ground from the camera to what is seen there
+  PixelPoint pixel;  // on the border between the thing and the carpet, or where the image ends
+  double distance = kNoDistance;  // cm along the ground from the camera to what is seen there
 };
 
-// From `from` against `up`; hidden where another thing's orange, yellow, pink or blue comes before
-// the foot; `own` is this thing's colour.
-Foot footBelow(const Scene& scene, PixelPoint from, ImageUp up, ColourClass own);
+struct FootSearch {
+  PixelPoint from;     // in the thing
+  double first = 0.0;  // px to the right of it, of the first of the columns and of the last
+  double last = 0.0;
+  int columns = 1;
+  ColourClass own = ColourClass::none;  // the thing's colour
+};
+
+// The nearest of the feet of several columns. A column in which another thing's orange, yellow,
+// pink or blue comes before the foot has none.
+Foot nearestFoot(const Scene& scene, ImageUp up, const FootSearch& search);
 
 // Pixels of carpet above the level of a foot, beside the thing that stands there: `beside` px from
 // the foot and farther, on both sides together, because the carpet's end may be askew. What seems

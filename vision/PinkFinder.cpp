@@ -10,21 +10,10 @@
 namespace kelpie::vision {
 namespace {
 
+// A patch that is askew stands on its lowest corner.
+constexpr double kFootReach = 0.8;
 constexpr double kUnknownSd = 1e3;  // cm, of a distance that nothing tells
 constexpr double kBeside = 6.0;  // px from the patch's edge where the carpet behind is looked for
-
-// The nearest of three columns: a patch that is askew stands on its lowest corner.
-Foot footOf(const Scene& scene, ImageUp up, const PinkPatch& patch) {
-  Foot best;
-  for (const double share : {-0.8, 0.0, 0.8}) {
-    const double aside = share * (share > 0.0 ? patch.extent.right : patch.extent.left);
-    const PixelPoint from = moved(patch.centre, up, aside, 0.0);
-    if (!Sampler::usable(from)) continue;
-    const Foot foot = footBelow(scene, from, up, ColourClass::pink);
-    if (foot.distance < best.distance) best = foot;
-  }
-  return best;
-}
 
 struct Estimate {
   double distance = 0.0;  // cm along the ground from the camera
@@ -73,36 +62,47 @@ PinkPercept perceptOf(const Scene& scene, const PinkPatch& patch, const PinkPara
   return pink;
 }
 
-bool accepted(const Scene& scene, const PinkPatch& patch, const Landmarks& landmarks,
-              const PinkParams& p, VisionCounts& counts) {
-  const auto check = [&counts](bool keep, Refusal reason) {
-    if (!keep) refuse(counts, reason);
-    return keep;
-  };
-  return check(pinkIsDense(patch, p), Refusal::pinkTooSmall) &&
-         check(pinkIsNoBeacon(patch, landmarks, p), Refusal::pinkIsBeacon) &&
-         check(pinkIsLow(scene, patch, p), Refusal::pinkAboveHorizon) &&
-         check(pinkIsInsideFieldEdge(patch, p), Refusal::pinkAboveFieldEdge) &&
-         check(pinkStandsOnGround(patch, p), Refusal::pinkOffGround);
+bool check(bool keep, Refusal reason, VisionCounts& counts) {
+  if (!keep) refuse(counts, reason);
+  return keep;
+}
+
+// What can be told before its edges and its foot are looked for.
+bool mayBePatch(const Scene& scene, const PinkPatch& patch, const Landmarks& landmarks,
+                const PinkParams& p, VisionCounts& counts) {
+  return check(pinkIsLarge(patch, p), Refusal::pinkTooSmall, counts) &&
+         check(pinkIsNoBeacon(patch, landmarks, p), Refusal::pinkIsBeacon, counts) &&
+         check(pinkIsLow(scene, patch, p), Refusal::pinkAboveHorizon, counts);
+}
+
+bool accepted(const PinkPatch& patch, const PinkParams& p, VisionCounts& counts) {
+  return check(pinkIsDense(patch, p), Refusal::pinkTooSmall, counts) &&
+         check(pinkStandsOnGround(patch, p), Refusal::pinkOffGround, counts) &&
+         check(pinkIsInsideFieldEdge(patch, p), Refusal::pinkAboveFieldEdge, counts);
 }
 
 }  // namespace
 
-PinkPatch measuredPink(const Scene& scene, const Blob& blob) {
-  const ImageUp up = imageUp(scene.body.camera);
+PinkPatch pinkPatchOf(const Level& level, const Blob& blob) {
   PinkPatch patch;
   patch.samples = blob.samples;
-  patch.box = imageBox(scene.level, blob.box);
+  patch.box = imageBox(level, blob.box);
   patch.centre = blob.centre;
-  patch.extent = extentOf(scene.sampler, up, blob.centre, ColourClass::pink);
+  return patch;
+}
+
+void measurePink(const Scene& scene, PinkPatch& patch) {
+  const ImageUp up = imageUp(scene.body.camera);
+  patch.extent = extentOf(scene.sampler, up, patch.centre, ColourClass::pink);
   patch.density =
       patch.samples * kLatticeStep * kLatticeStep / (patch.extent.width() * patch.extent.height());
-  patch.foot = footOf(scene, up, patch);
-  if (patch.foot.end == FootEnd::hidden) return patch;
+  patch.foot = nearestFoot(scene, up,
+                           {patch.centre, -kFootReach * patch.extent.left,
+                            kFootReach * patch.extent.right, 3, ColourClass::pink});
+  if (patch.foot.end == FootEnd::hidden) return;
   const PixelPoint lowest = moved(patch.centre, up, 0.0, -patch.extent.lower);
   patch.lift = heightAt(scene.body.camera, lowest, patch.foot.distance);
   patch.behind = carpetBehind(scene, up, patch.foot.pixel, patch.extent.width() + kBeside);
-  return patch;
 }
 
 bool pinkIsLarge(const PinkPatch& patch, const PinkParams& p) {
@@ -145,15 +145,10 @@ void findPinkPatches(const Scene& scene, const Landmarks& landmarks, const PinkP
   if (!params.wanted) return;
   for (const Blob& blob : scene.blobs) {
     if (blob.colour != ColourClass::pink) continue;
-    PinkPatch patch;
-    patch.samples = blob.samples;
-    if (!pinkIsLarge(patch, params)) {
-      refuse(counts, Refusal::pinkTooSmall);
-      continue;
-    }
-    patch = measuredPink(scene, blob);
-    if (accepted(scene, patch, landmarks, params, counts) &&
-        !patches.push_back(perceptOf(scene, patch, params)))
+    PinkPatch patch = pinkPatchOf(scene.level, blob);
+    if (!mayBePatch(scene, patch, landmarks, params, counts)) continue;
+    measurePink(scene, patch);
+    if (accepted(patch, params, counts) && !patches.push_back(perceptOf(scene, patch, params)))
       refuse(counts, Refusal::bufferFull);
   }
 }

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "robot/core/Percepts.h"
+#include "vision/BeaconFinder.h"
 #include "vision/Foot.h"
 #include "vision/PinkParams.h"
 #include "vision/Scene.h"
@@ -22,9 +23,8 @@ struct PinkPatch {
   double behind = 0.0;  // px of carpet beyond its foot, beside it
 };
 
-using Landmarks = FixedVector<LandmarkPercept, 8>;
-
-PinkPatch measuredPink(const Scene& scene, const Blob& blob);
+PinkPatch pinkPatchOf(const Level& level, const Blob& blob);
+void measurePink(const Scene& scene, PinkPatch& patch);  // extent, density, foot and behind it
 
 // The checks: true = keep.
 bool pinkIsLarge(const PinkPatch& patch, const PinkParams& p);

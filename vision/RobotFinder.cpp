@@ -26,17 +26,21 @@ bool check(bool keep, Refusal reason, VisionCounts& counts) {
 // What can be told before the foot is looked for.
 bool mayBePatch(const Scene& scene, const RobotPatch& patch, const RobotParams& p,
                 VisionCounts& counts) {
-  return check(robotPatchIsLarge(patch, p), Refusal::robotTooSmall, counts) &&
+  return check(robotPatchHasColour(patch, p), Refusal::robotOtherColour, counts) &&
          check(robotPatchIsLow(scene, patch, p), Refusal::robotAboveHorizon, counts);
 }
 
-bool accepted(const Scene& scene, const RobotPatch& patch, const RobotParams& p,
-              VisionCounts& counts) {
+bool standsOnField(const RobotPatch& patch, const RobotParams& p, VisionCounts& counts) {
+  return check(robotStandsOnGround(patch, p), Refusal::robotOffGround, counts) &&
+         check(robotPatchHasSize(patch, p), Refusal::robotSize, counts) &&
+         check(patch.foot.distance <= p.maxDistance, Refusal::robotTooFar, counts);
+}
+
+bool looksLikeRobot(const Scene& scene, const RobotPatch& patch, const RobotParams& p,
+                    VisionCounts& counts) {
   return check(robotPatchIsPure(patch, p), Refusal::robotOtherColour, counts) &&
          check(robotIsInsideFieldEdge(scene, patch, p), Refusal::robotAboveFieldEdge, counts) &&
          check(robotIsNear(patch, p), Refusal::robotTooFar, counts) &&
-         check(robotStandsOnGround(patch, p), Refusal::robotOffGround, counts) &&
-         check(robotPatchHasSize(patch, p), Refusal::robotSize, counts) &&
          check(robotHasShell(patch, p), Refusal::robotNoShell, counts);
 }
 
@@ -45,7 +49,11 @@ Patches largestPatches(const Scene& scene, const RobotParams& p, VisionCounts& c
   Patches found;
   for (const Blob& blob : scene.blobs) {
     if (blob.colour != ColourClass::robotRed && blob.colour != ColourClass::robotBlue) continue;
-    RobotPatch item = patchOf(scene.level, blob);
+    if (blob.samples < p.minSamples) {
+      refuse(counts, Refusal::robotTooSmall);
+      continue;
+    }
+    RobotPatch item = patchOf(scene, blob);
     if (!mayBePatch(scene, item, p, counts)) continue;
     for (RobotPatch& kept : found) {
       if (item.samples > kept.samples) std::swap(item, kept);
@@ -151,7 +159,10 @@ void findRobots(const Scene& scene, const RobotParams& params, VisionCounts& cou
   Groups groups;
   for (RobotPatch& patch : largestPatches(scene, params, counts)) {
     measurePatch(scene, params, patch);
-    if (accepted(scene, patch, params, counts)) addToGroups(groupOf(patch, up), params, groups);
+    if (!standsOnField(patch, params, counts)) continue;
+    measureSurroundings(scene, patch);
+    if (looksLikeRobot(scene, patch, params, counts))
+      addToGroups(groupOf(patch, up), params, groups);
   }
   for (const PatchGroup& group : groups) {
     if (check(!isOnAnother(group, groups, params), Refusal::robotOnAnother, counts))

@@ -12,6 +12,7 @@ struct RobotParams {
   double minSamples = 2;               // lattice samples of a patch
   double minOwnShare = 0.4;            // of its colour among those it may be confused with
   double sureCarpetBehind = 5;         // px: with so much carpet behind it clothes are ruled out
+  double doubtfulSamples = 3;          // minSamples with less carpet than that
   double doubtfulOwnShare = 0.6;       // minOwnShare with less carpet than that
   double doubtfulForeignShare = 0.25;  // most of other colours on a ring round a patch, then
   double cleanOwnShare = 0.9;          // of a patch that is believed without carpet behind it
@@ -21,6 +22,7 @@ struct RobotParams {
   double minCarpetBehind = 1.2;         // px of green beside the robot, above the foot's level
   double maxPatchWidth = 20;            // cm
   double maxPatchHeight = 16;           // cm
+  double maxTall = 3.5;                 // height to width of a patch: trouser legs are taller
   double minHeight = 4;                 // cm, of a patch's middle above the ground
   double maxHeight = 26;                // cm
   double minShell = 0.2;                // share of white and grey round a patch
@@ -45,6 +47,7 @@ struct RobotParams {
         field("minSamples", &P::minSamples, "", 1, 100),
         field("minOwnShare", &P::minOwnShare, "", 0, 1),
         field("sureCarpetBehind", &P::sureCarpetBehind, "px", -10, 50),
+        field("doubtfulSamples", &P::doubtfulSamples, "", 1, 100),
         field("doubtfulOwnShare", &P::doubtfulOwnShare, "", 0, 1),
         field("doubtfulForeignShare", &P::doubtfulForeignShare, "", 0, 1),
         field("cleanOwnShare", &P::cleanOwnShare, "", 0, 1),
@@ -54,6 +57,7 @@ struct RobotParams {
         field("minInsideFieldEdge", &P::minInsideFieldEdge, "px", -160, 160),
         field("minCarpetBehind", &P::minCarpetBehind, "px", -10, 10),
         field("maxPatchWidth", &P::maxPatchWidth, "cm", 1, 100),
+        field("maxTall", &P::maxTall, "", 0.1, 20),
         field("maxPatchHeight", &P::maxPatchHeight, "cm", 1, 100),
         field("minHeight", &P::minHeight, "cm", -20, 50),
         field("maxHeight", &P::maxHeight, "cm", 0, 100), field("minShell", &P::minShell, "", 0, 1),

@@ -10,7 +10,8 @@
 namespace kelpie::vision {
 namespace {
 
-constexpr int kFootColumns = 6;  // to each side of a patch's centre
+constexpr int kFirstColumns = 3;
+constexpr int kFootColumns = 11;
 constexpr int kRingPoints = 16;
 constexpr double kBeside = 20.0;  // cm from a foot: beyond the robot's other legs, 15 cm away
 
@@ -21,22 +22,6 @@ ColourClass colourOf(TeamColour team) {
 double scaleAt(const Scene& scene, double distance, double height) {
   const double range = maths::hypot(distance, scene.body.camera.position.z - height);
   return body::kFocalLength / std::max(range, 5.0);
-}
-
-// In columns from the patch's middle down, `reach` px to both sides of its edges: under the trunk
-// the far carpet shows, so the nearest foot is a leg's.
-Foot nearestFoot(const Scene& scene, ImageUp up, const RobotPatch& patch, double reach) {
-  Foot best;
-  const double first = -patch.extent.left - reach;
-  const double last = patch.extent.right + reach;
-  for (int i = 0; i <= 2 * kFootColumns; ++i) {
-    const double aside = first + (last - first) * i / (2 * kFootColumns);
-    const PixelPoint from = moved(patch.centre, up, aside, 0.0);
-    if (!Sampler::usable(from)) continue;
-    const Foot foot = footBelow(scene, from, up, colourOf(patch.team));
-    if (foot.distance < best.distance) best = foot;
-  }
-  return best;
 }
 
 // For a robot whose feet the image border cuts: by the height above the ground and the size that
@@ -52,10 +37,13 @@ double distanceWithoutFoot(const Scene& scene, const RobotPatch& patch, const Ro
 }
 
 void measureDistance(const Scene& scene, ImageUp up, const RobotParams& p, RobotPatch& patch) {
+  // Under the trunk the far carpet shows, so the nearest foot is a leg's; legs are beside the patch
+  // too, and how far in the image the first round tells.
   double reach = 0.0;
-  // A second time with the legs beside the patch, whose place in the image the first one tells.
-  for (int round = 0; round < 2; ++round) {
-    patch.foot = nearestFoot(scene, up, patch, reach);
+  for (const int columns : {kFirstColumns, kFootColumns}) {
+    patch.foot = nearestFoot(scene, up,
+                             {patch.centre, -patch.extent.left - reach, patch.extent.right + reach,
+                              columns, colourOf(patch.team)});
     const bool cut = patch.foot.end != FootEnd::carpet;
     patch.distance = cut ? distanceWithoutFoot(scene, patch, p) : patch.foot.distance;
     patch.scale = scaleAt(scene, patch.distance, p.patchHeight);
@@ -96,7 +84,7 @@ void measureRing(const Scene& scene, ImageUp up, RobotPatch& patch) {
   patch.foreign = seen > 0 ? static_cast<double>(foreign) / seen : 0.0;
 }
 
-// Of the lattice inside the box: red clothes are pink and orange by turns, dark ones blue.
+// Red clothes are pink and orange by turns, dark ones blue.
 double ownShare(const Scene& scene, const RobotPatch& patch) {
   int own = 0;
   int foreign = 0;
@@ -142,13 +130,14 @@ bool meanIsOwn(const Scene& scene, ImageUp up, const RobotPatch& patch) {
 
 }  // namespace
 
-RobotPatch patchOf(const Level& level, const Blob& blob) {
+RobotPatch patchOf(const Scene& scene, const Blob& blob) {
   RobotPatch patch;
   patch.team = blob.colour == ColourClass::robotRed ? TeamColour::red : TeamColour::blue;
   patch.samples = blob.samples;
   patch.upright = blob.box;
-  patch.box = imageBox(level, blob.box);
+  patch.box = imageBox(scene.level, blob.box);
   patch.centre = blob.centre;
+  patch.own = ownShare(scene, patch);
   return patch;
 }
 
@@ -156,14 +145,13 @@ void measurePatch(const Scene& scene, const RobotParams& p, RobotPatch& patch) {
   const ImageUp up = imageUp(scene.body.camera);
   patch.extent = extentOf(scene.sampler, up, patch.centre, colourOf(patch.team));
   measureDistance(scene, up, p, patch);
-  measureRing(scene, up, patch);
-  patch.own = ownShare(scene, patch);
-  patch.meanIsOwn = meanIsOwn(scene, up, patch);
-  patch.behind = carpetBehind(scene, up, patch.foot.pixel, kBeside * patch.scale);
 }
 
-bool robotPatchIsLarge(const RobotPatch& patch, const RobotParams& p) {
-  return patch.samples >= p.minSamples;
+void measureSurroundings(const Scene& scene, RobotPatch& patch) {
+  const ImageUp up = imageUp(scene.body.camera);
+  measureRing(scene, up, patch);
+  patch.meanIsOwn = meanIsOwn(scene, up, patch);
+  patch.behind = carpetBehind(scene, up, patch.foot.pixel, kBeside * patch.scale);
 }
 
 bool robotPatchIsLow(const Scene& scene, const RobotPatch& patch, const RobotParams& p) {
@@ -171,15 +159,23 @@ bool robotPatchIsLow(const Scene& scene, const RobotPatch& patch, const RobotPar
 }
 
 bool robotPatchHasSize(const RobotPatch& patch, const RobotParams& p) {
-  return patch.extent.left + patch.extent.right <= p.maxPatchWidth * patch.scale + 2.0 &&
-         patch.extent.upper + patch.extent.lower <= p.maxPatchHeight * patch.scale + 2.0;
+  return patch.extent.width() <= p.maxPatchWidth * patch.scale + 2.0 &&
+         patch.extent.height() <= p.maxPatchHeight * patch.scale + 2.0 &&
+         patch.extent.height() <= p.maxTall * patch.extent.width() + 2.0;
+}
+
+// In speckled clothes the way from the centre to the edge ends far too soon for so many samples.
+bool robotPatchIsSolid(const RobotPatch& patch) {
+  constexpr double kMostOfExtent = 3.0;
+  const double pixels = patch.samples * kLatticeStep * kLatticeStep;
+  return pixels <= kMostOfExtent * patch.extent.width() * patch.extent.height();
 }
 
 // Before carpet that goes on behind it, other colours near a patch are the background's.
 bool robotPatchIsPure(const RobotPatch& patch, const RobotParams& p) {
-  if (patch.behind >= p.sureCarpetBehind) return patch.own >= p.minOwnShare;
-  return patch.meanIsOwn && patch.own >= p.doubtfulOwnShare &&
-         patch.foreign <= p.doubtfulForeignShare;
+  if (patch.behind >= p.sureCarpetBehind) return true;
+  return patch.meanIsOwn && robotPatchIsSolid(patch) && patch.samples >= p.doubtfulSamples &&
+         patch.own >= p.doubtfulOwnShare && patch.foreign <= p.doubtfulForeignShare;
 }
 
 bool robotPatchIsClean(const RobotPatch& patch, const RobotParams& p) {
@@ -201,6 +197,10 @@ bool robotIsInsideFieldEdge(const Scene& scene, const RobotPatch& patch, const R
 bool robotStandsOnGround(const RobotPatch& patch, const RobotParams& p) {
   if (patch.foot.end == FootEnd::hidden) return false;
   return patch.height >= p.minHeight && patch.height <= p.maxHeight;
+}
+
+bool robotPatchHasColour(const RobotPatch& patch, const RobotParams& p) {
+  return patch.own >= p.minOwnShare;
 }
 
 bool robotIsNear(const RobotPatch& patch, const RobotParams& p) {

@@ -29,15 +29,18 @@ struct RobotPatch {
   bool meanIsOwn = false;  // its mean colour is the uniform's
 };
 
-// Of a blob in a uniform's colour: what is known before its foot is looked for.
-RobotPatch patchOf(const Level& level, const Blob& blob);
-// Extent, foot, distance and what is round it.
+// What is cheap to know of a blob in a uniform's colour.
+RobotPatch patchOf(const Scene& scene, const Blob& blob);
+// Extent, foot and distance.
 void measurePatch(const Scene& scene, const RobotParams& p, RobotPatch& patch);
+// What is round the patch and behind the foot.
+void measureSurroundings(const Scene& scene, RobotPatch& patch);
 
 // The checks, each alone: true = keep.
-bool robotPatchIsLarge(const RobotPatch& patch, const RobotParams& p);
 bool robotPatchIsLow(const Scene& scene, const RobotPatch& patch, const RobotParams& p);
+bool robotPatchHasColour(const RobotPatch& patch, const RobotParams& p);
 bool robotPatchHasSize(const RobotPatch& patch, const RobotParams& p);
+bool robotPatchIsSolid(const RobotPatch& patch);
 bool robotPatchIsPure(const RobotPatch& patch, const RobotParams& p);
 // Hardly another colour in or near it: believed even where no carpet behind it is in the image.
 bool robotPatchIsClean(const RobotPatch& patch, const RobotParams& p);

@@ -14,6 +14,19 @@ inline PixelPoint moved(PixelPoint from, ImageUp up, double right, double above)
   return {from.x - right * up.dy + above * up.dx, from.y + right * up.dx + above * up.dy};
 }
 
+// The first usable pixel with an even column and row.
+constexpr int kCoarseLeft = 4;
+constexpr int kCoarseTop = 4;
+
+// Class of the even pixel at or just left and above of this one: while the head is level it is one
+// of the lattice, whose class is known already.
+inline bool inCoarse(int px, int py) {
+  return px >= kCoarseLeft && px < kUsableRight && py >= kCoarseTop && py < kUsableBottom;
+}
+inline ColourClass coarseClass(const Sampler& sampler, int px, int py) {
+  return sampler.classAt(px & ~1, py & ~1);
+}
+
 // Pixels from a patch's centre to its edges, 1 at least.
 struct Extent {
   double left = 1.0;

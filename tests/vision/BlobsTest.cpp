@@ -64,6 +64,13 @@ TEST(Blobs, CornersThatTouchOnTheLatticeJoin) {
   EXPECT_EQ(canvas.blobs().size(), 1U);
 }
 
+TEST(Blobs, UniformsOfBothTeamsFormThem) {
+  Canvas canvas;
+  canvas.box(ColourClass::robotRed, 20, 20, 30, 30);
+  canvas.box(ColourClass::robotBlue, 40, 20, 50, 30);
+  EXPECT_EQ(canvas.blobs().size(), 2U);
+}
+
 TEST(Blobs, GreenAndWhiteFormNone) {
   Canvas canvas;
   canvas.box(ColourClass::green, 0, 60, 208, 160);

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: Apache-2.0
+// Each check of a uniform's patch at its limit, on plain numbers.
+#include <gtest/gtest.h>
+
+#include <memory>
+
+#include "tests/vision/PaintedRobot.h"
+#include "vision/RobotFinder.h"
+
+namespace kelpie::vision {
+namespace {
+
+struct EmptyScene {
+  std::unique_ptr<VisionState> state = std::make_unique<VisionState>();
+  std::unique_ptr<Image> image = std::make_unique<Image>();
+  Sampler sampler{*image, state->calibration, state->distances, state->classes};
+  BodyState body = bodyOf(cameraAt(17, 0, -8));
+  Scene scene{sampler, state->blobs, body, {}};
+};
+
+RobotPatch goodPatch() {
+  RobotPatch patch;
+  patch.samples = 20;
+  patch.centre = {100, 60};
+  patch.extent = {4, 4, 3, 3};
+  patch.foot = {FootEnd::carpet, {100, 80}, 120};
+  patch.distance = 120;
+  patch.scale = 1.6;
+  patch.height = 12;
+  patch.behind = 9;
+  patch.shell = 0.8;
+  patch.own = 1.0;
+  patch.meanIsOwn = true;
+  return patch;
+}
+
+TEST(RobotChecks, ShareOfItsOwnColour) {
+  const RobotParams p;
+  RobotPatch patch = goodPatch();
+  EXPECT_TRUE(robotPatchHasColour(patch, p));
+  patch.own = p.minOwnShare - 0.01;
+  EXPECT_FALSE(robotPatchHasColour(patch, p));
+}
+
+TEST(RobotChecks, ElevationOfThePatch) {
+  const EmptyScene empty;
+  RobotPatch patch = goodPatch();
+  EXPECT_TRUE(robotPatchIsLow(empty.scene, patch, {}));
+  patch.centre.y = 2;
+  EXPECT_FALSE(robotPatchIsLow(empty.scene, patch, {}));
+}
+
+TEST(RobotChecks, SizeAtItsDistance) {
+  RobotPatch patch = goodPatch();
+  EXPECT_TRUE(robotPatchHasSize(patch, {}));
+  patch.extent.left = 40;
+  EXPECT_FALSE(robotPatchHasSize(patch, {}));
+  patch = goodPatch();
+  patch.extent.upper = 40;
+  EXPECT_FALSE(robotPatchHasSize(patch, {}));
+}
+
+TEST(RobotChecks, OtherColoursMatterOnlyWithoutCarpetBehind) {
+  RobotPatch patch = goodPatch();
+  patch.foreign = 0.5;
+  EXPECT_TRUE(robotPatchIsPure(patch, {}));
+  patch.behind = 3;
+  EXPECT_FALSE(robotPatchIsPure(patch, {}));
+  patch.foreign = 0.0;
+  EXPECT_TRUE(robotPatchIsPure(patch, {}));
+  patch.meanIsOwn = false;
+  EXPECT_FALSE(robotPatchIsPure(patch, {}));
+}
+
+TEST(RobotChecks, ATallPatchIsATrouserLeg) {
+  RobotPatch patch = goodPatch();
+  patch.extent = {1.5, 1.5, 7, 8};
+  EXPECT_FALSE(robotPatchHasSize(patch, {}));
+  patch.extent = {3, 2, 7, 8};
+  EXPECT_TRUE(robotPatchHasSize(patch, {}));
+}
+
+TEST(RobotChecks, FewSamplesOrSpecksNeedCarpetBehind) {
+  RobotPatch patch = goodPatch();
+  patch.behind = 3;
+  EXPECT_TRUE(robotPatchIsPure(patch, {}));
+  patch.samples = 2;
+  EXPECT_FALSE(robotPatchIsPure(patch, {}));
+  patch.samples = 40;  // 160 px in an extent of 48
+  EXPECT_FALSE(robotPatchIsSolid(patch));
+  EXPECT_FALSE(robotPatchIsPure(patch, {}));
+  patch.behind = 9;
+  EXPECT_TRUE(robotPatchIsPure(patch, {}));
+}
+
+TEST(RobotChecks, ShellRoundThePatch) {
+  RobotPatch patch = goodPatch();
+  EXPECT_TRUE(robotHasShell(patch, {}));
+  patch.shell = 0.1;
+  EXPECT_FALSE(robotHasShell(patch, {}));
+}
+
+TEST(RobotChecks, FieldEdgeAndCarpetBehind) {
+  EmptyScene empty;
+  RobotPatch patch = goodPatch();
+  EXPECT_TRUE(robotIsInsideFieldEdge(empty.scene, patch, {}));
+  patch.behind = 0.5;
+  EXPECT_FALSE(robotIsInsideFieldEdge(empty.scene, patch, {}));
+  patch.behind = 9;
+  empty.scene.fieldEdge = {true, 85, 85};
+  EXPECT_FALSE(robotIsInsideFieldEdge(empty.scene, patch, {}));
+}
+
+TEST(RobotChecks, WithoutCarpetOrEdgeInTheImageOnlyACleanPatchIsBelieved) {
+  const EmptyScene empty;
+  RobotPatch patch = goodPatch();
+  patch.behind = kUnknownBehind;
+  EXPECT_TRUE(robotIsInsideFieldEdge(empty.scene, patch, {}));
+  patch.foreign = 0.2;
+  EXPECT_FALSE(robotIsInsideFieldEdge(empty.scene, patch, {}));
+}
+
+TEST(RobotChecks, HeightAboveTheGround) {
+  RobotPatch patch = goodPatch();
+  EXPECT_TRUE(robotStandsOnGround(patch, {}));
+  patch.height = 30;
+  EXPECT_FALSE(robotStandsOnGround(patch, {}));
+  patch = goodPatch();
+  patch.foot.end = FootEnd::hidden;
+  EXPECT_FALSE(robotStandsOnGround(patch, {}));
+}
+
+TEST(RobotChecks, FeetCutOffAreBelievedNearOnly) {
+  RobotPatch patch = goodPatch();
+  EXPECT_TRUE(robotIsNear(patch, {}));
+  patch.foot.end = FootEnd::imageBorder;
+  patch.behind = 3;
+  EXPECT_TRUE(robotIsNear(patch, {}));
+  patch.own = 0.8;
+  EXPECT_FALSE(robotIsNear(patch, {}));
+  patch.foot.distance = 60;
+  EXPECT_TRUE(robotIsNear(patch, {}));
+}
+
+TEST(RobotGroups, PatchesAreOfOneRobotWhenNearAndOfOneTeam) {
+  const PatchGroup a = groupOf(goodPatch(), {});
+  RobotPatch patch = goodPatch();
+  patch.centre.x += 20;  // 12.5 cm
+  EXPECT_TRUE(areOfOneRobot(a, groupOf(patch, {}), {}));
+  patch.team = TeamColour::blue;
+  EXPECT_FALSE(areOfOneRobot(a, groupOf(patch, {}), {}));
+  patch.team = TeamColour::red;
+  patch.centre.x += 40;
+  EXPECT_FALSE(areOfOneRobot(a, groupOf(patch, {}), {}));
+}
+
+TEST(RobotGroups, FeetInTheImageCountMoreThanFeetCutOff) {
+  PatchGroup cut = groupOf(goodPatch(), {});
+  cut.cut = true;
+  cut.distance = 50;
+  const PatchGroup whole = groupOf(goodPatch(), {});
+  EXPECT_NEAR(joined(cut, whole).distance, 120, 1e-9);
+  EXPECT_NEAR(joined(whole, cut).distance, 120, 1e-9);
+}
+
+}  // namespace
+}  // namespace kelpie::vision
