@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <optional>
 
 #include "robot/body/Camera.h"
@@ -258,7 +256,8 @@ bool ballIsBelowHorizon(const Scene& scene, const BallCandidate& c, const BallPa
 
 bool ballIsInsideFieldEdge(const Scene& scene, const BallCandidate& c, const BallParams& p) {
   // A ball cut out of clothes must be surely inside.
-  if (!c.apart) return belowFieldEdge(scene, c.cone.centre) + c.cone.radius >= 1.0;
+  if (!c.apart)
+    return !scene.fieldEdges.empty() && belowFieldEdge(scene, c.cone.centre) + c.cone.radius >= 1.0;
   const double allowed = p.maxAboveFieldEdge + p.maxAboveShare * c.cone.radius;
   return belowFieldEdge(scene, c.cone.centre) + c.cone.radius >= -allowed;
 }
@@ -275,7 +274,7 @@ bool ballHasFieldAround(const Scene& scene, const BallCandidate& c, const BallPa
         Sampler::usable(at) ? scene.sampler.classAt(at) == ColourClass::green : at.y > kLowerPart;
     field += green ? 1 : 0;
   }
-  return field >= p.minFieldPoints;
+  return field >= (c.apart ? p.minFieldPoints : p.minFieldPoints + 2.0);
 }
 
 // At the range that its size says, its centre must be a ball radius above the ground but for the
@@ -296,22 +295,6 @@ BallPercept findBall(const Scene& scene, const BallParams& params, VisionCounts&
       continue;
     }
     for (const BallCandidate& candidate : {fromMiddle(scene, *blob), fromFoot(scene, *blob)}) {
-      if (std::getenv("DBG")) {
-        VisionCounts k{};
-        const bool ok = accepted(scene, candidate, params, k);
-        int why = -1;
-        for (int i = 0; i < 60; ++i)
-          if (k.refused[i]) why = i;
-        std::fprintf(stderr,
-                     "  BALL %s apart%d blob %.0f,%.0f n %d box %.0fx%.0f cone %.0f,%.0f r %.1f "
-                     "kept %d rms %.2f range %.0f edge %.1f hor %.1f\n",
-                     ok ? "OK" : kRefusalNames[why], candidate.apart, blob->centre.x,
-                     blob->centre.y, (int)blob->samples, blob->box.width(), blob->box.height(),
-                     candidate.cone.centre.x, candidate.cone.centre.y, candidate.cone.radius,
-                     (int)candidate.cone.kept, candidate.cone.rms, candidate.range,
-                     belowFieldEdge(scene, candidate.cone.centre) + candidate.cone.radius,
-                     belowHorizon(scene, candidate.cone.centre));
-      }
       if (accepted(scene, candidate, params, counts)) return perceptOf(scene, candidate, params);
     }
   }

@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <optional>
 
 #include "vision/BeaconFeet.h"
@@ -321,7 +319,8 @@ bool beaconHasWhiteBelow(const Scene& scene, const BeaconCandidate& c, const Bea
     const ColourClass colour = scene.sampler.classAt(at);
     if (colour == ColourClass::white || colour == ColourClass::grey) ++white;
   }
-  return white >= p.minWhiteProbes;
+  // What was not found from its white must show more of it.
+  return white >= (c.onWhite ? p.minWhiteProbes : p.minWhiteProbes + 1.0);
 }
 
 // What the image's border cuts above or below must show its whole width.
@@ -362,20 +361,6 @@ void findBeacons(const Scene& scene, const BeaconParams& params, VisionCounts& c
   Found found;
   const auto tried = [&](BeaconCandidate c) {
     measure(scene, params, c);
-    if (std::getenv("DBG") && c.partner != ColourClass::none) {
-      VisionCounts k{};
-      const bool ok = accepted(scene, c, params, k);
-      int why = -1;
-      for (int i = 0; i < 60; ++i)
-        if (k.refused[i]) why = i;
-      std::fprintf(stderr,
-                   "  %s %s white=%d lowpink=%d top %.0f,%.0f mid %.0f,%.0f bot %.0f,%.0f cut %d%d "
-                   "up %.1f low %.1f w %.1f%s d %.0f\n",
-                   ok ? "OK" : kRefusalNames[why], kColourNames[(int)c.partner], c.onWhite,
-                   c.pinkIsLower, c.top.x, c.top.y, c.middle.x, c.middle.y, c.bottom.x, c.bottom.y,
-                   c.topCut, c.bottomCut, c.upper, c.lower, c.width, c.widthCut ? "cut" : "",
-                   c.distance);
-    }
     if (accepted(scene, c, params, counts))
       found.keep(perceptOf(scene, c, params), misfit(scene, c));
   };

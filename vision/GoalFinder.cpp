@@ -3,8 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 
 #include "vision/GoalColumns.h"
 #include "vision/GoalGaps.h"
@@ -150,28 +148,6 @@ bool tried(const Scene& scene, GoalCandidate& c, const GoalParams& p, VisionCoun
     return false;
   }
   measureGoal(scene, p, c);
-  if (std::getenv("DBG")) {
-    VisionCounts k{};
-    const bool ok = accepted(scene, c, p, k);
-    int why = -1;
-    for (int i = 0; i < 60; ++i)
-      if (k.refused[i]) why = i;
-    int n = 0, g = 0, t = 0;
-    for (auto& x : c.columns) {
-      n += x.chosen;
-      g += x.green;
-      t += x.tall;
-    }
-    std::fprintf(stderr,
-                 "  GOAL %s %s n %d box %.0f..%.0f x %.0f..%.0f columns %d chosen %d green %d tall "
-                 "%d L %.0f,%.0f%s%s R %.0f,%.0f%s%s wall %.0f width %.0f foot %.1f\n",
-                 ok ? "OK" : kRefusalNames[why], kColourNames[(int)c.colour], (int)c.samples,
-                 c.box.left, c.box.right, c.box.top, c.box.bottom, (int)c.columns.size(), n, g, t,
-                 c.left.point.x, c.left.point.y, c.left.cut ? "cut" : "",
-                 c.left.hidden ? "hid" : "", c.right.point.x, c.right.point.y,
-                 c.right.cut ? "cut" : "", c.right.hidden ? "hid" : "", c.wall,
-                 seenWidth(scene, c, p), c.footError * 57.3);
-  }
   return accepted(scene, c, p, counts);
 }
 
@@ -244,8 +220,9 @@ bool goalHasNoPinkBeside(const Scene& scene, const GoalCandidate& c) {
 bool goalIsMeasured(const GoalCandidate& c) { return c.wall > 0.0; }
 
 bool goalHasWidth(const Scene& scene, const GoalCandidate& c, const GoalParams& p) {
-  if (c.left.hidden && c.right.hidden) return false;  // anything between two pairs of legs
   const double seen = seenWidth(scene, c, p);
+  // Anything may show between two pairs of legs.
+  if (c.left.hidden && c.right.hidden) return seen >= p.minHiddenWidth && seen <= p.maxSeenWidth;
   const double least = c.left.open() || c.right.open() ? p.minCutWidth : p.minSeenWidth;
   return seen >= least && seen <= p.maxSeenWidth;
 }
@@ -257,7 +234,8 @@ bool goalStandsOnGround(const GoalCandidate& c, const GoalParams& p) {
 bool goalFacesField(const GoalShape& shape, const GoalParams& p) {
   if (!shape.valid) return false;
   const Angle sight = bearing(shape.middle);
-  return std::fabs((Angle::rad(shape.turn) - sight).rad()) <= p.maxTurn.rad();
+  const double aside = std::fabs((Angle::rad(shape.turn) - sight).rad());
+  return aside <= p.maxTurn.rad();
 }
 
 bool goalIsNear(const GoalCandidate& c, const GoalParams& p) { return c.wall <= p.maxDistance; }
@@ -280,13 +258,6 @@ void findGoals(const Scene& scene, const GoalParams& params, VisionCounts& count
       refuse(counts, Refusal::goalAslant);
       continue;
     }
-    if (std::getenv("DBG"))
-      std::fprintf(
-          stderr,
-          "  FIT middle %.0f,%.0f turn %.0f cost %.2f L %.0f,%.0f%s R %.0f,%.0f%s heading %.0f\n",
-          shape.middle.x, shape.middle.y, shape.turn * 57.3, shape.cost, best.left.point.x,
-          best.left.point.y, best.left.open() ? "open" : "", best.right.point.x, best.right.point.y,
-          best.right.open() ? "open" : "", bearing(shape.middle).deg());
     landmarks.push_back(perceptOf(scene, best, shape, params));
     findGaps(scene, best, shape, params, gaps);
   }

@@ -21,8 +21,8 @@ struct BallParams {
   double minOrangeShare = 0.4;     // of the circle; a robot may hide half of it
   double maxOtherShare = 0.35;     // of pink, yellow and robot red together, of the circle
   double maxAboveHorizon = 10;     // facts-2005 4.5 check 1
-  double maxAboveFieldEdge = 0.3;  // px, of the ball's lowest point
-  double maxAboveShare = 0.06;     // more for each px of radius
+  double maxAboveFieldEdge = 0.1;  // px, of the ball's lowest point
+  double maxAboveShare = 0.03;     // more for each px of radius
   double maxPatch = 1.6;           // area of the orange patch to that of the circle
   double minFieldPoints = 2;       // green or lower image border among 7 points beside and below
   double maxDistance = 450;        // 2006 field: 420 is the far corner seen from the middle
@@ -53,12 +53,12 @@ struct BallParams {
 struct BeaconParams {
   double minSamples = 2;        // lattice samples of pink
   double minBand = 2.5;         // px, each coloured band
-  double maxRatio = 2.0;        // of the two bands' heights
-  double maxAspect = 1.5;       // width to height of a band, and its inverse; the rule is 1
+  double maxRatio = 1.35;       // of the two bands' heights
+  double maxAspect = 1.35;      // width to height of a band, and its inverse; the rule is 1
   double maxBelowHorizon = 25;  // px, facts-2005 4.5 check 5
   double minWhiteProbes = 1;    // of three below the coloured part
   Angle elevationError = Angle::deg(4.5);
-  double maxDistance = 620;  // the field's diagonal
+  double maxDistance = 500;  // beyond, two pixels of clothes pass for a band
   double edgeSd = 0.35;      // px, of each band edge
   Angle headingSd = Angle::deg(0.7);
 
@@ -87,6 +87,7 @@ struct GoalParams {
   double minFieldColumns = 0.4;          // share of columns with green below, check 8
   double minSeenWidth = 42;              // cm between the ends, seen 60 deg from the side: 66
   double minCutWidth = 40;               // cm of a goal that the image border cuts
+  double minHiddenWidth = 50;            // cm between two robots that hide both posts
   double maxSeenWidth = 125;             // cm, with a side wall seen from outside
   Angle directionError = Angle::deg(3);  // camera against ground, for goalOffGround
   double maxDistance = 620;
@@ -108,6 +109,7 @@ struct GoalParams {
                      field("minFieldColumns", &GoalParams::minFieldColumns, "", 0, 1),
                      field("minSeenWidth", &GoalParams::minSeenWidth, "cm", 0, 200),
                      field("minCutWidth", &GoalParams::minCutWidth, "cm", 0, 200),
+                     field("minHiddenWidth", &GoalParams::minHiddenWidth, "cm", 0, 200),
                      field("maxSeenWidth", &GoalParams::maxSeenWidth, "cm", 0, 500),
                      field("directionError", &GoalParams::directionError, "rad", 0, 20),
                      field("maxDistance", &GoalParams::maxDistance, "cm", 50, 1000),

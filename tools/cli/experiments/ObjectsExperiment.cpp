@@ -153,11 +153,6 @@ class Score {
       const bool real = std::any_of(objects.begin(), objects.end(),
                                     [&p](const TrueObject& o) { return matches(p, o); });
       if (real) continue;
-      if (std::getenv("DBG"))
-        for (auto& o : objects)
-          if (o.kind == p.kind && o.landmark == p.landmark)
-            fmt::print(stderr, "   truth {} {:.0f} cm {:.0f} deg inView {}\n", nameOf(o.kind),
-                       o.distance, o.heading.deg(), o.inView);
       ++false_[p.kind];
       faults_.push_back(fmt::format("false {} {} at {:.0f} cm {:.0f} deg", nameOf(p.kind),
                                     static_cast<int>(p.landmark), p.distance, p.heading.deg()));
@@ -207,7 +202,6 @@ class Score {
       if (matches(p, object) &&
           (best == nullptr || std::fabs(offDeg(p, object)) < std::fabs(offDeg(*best, object))))
         best = &p;
-    if (best == nullptr && object.kind == ObjectKind::robot) return;
     if (best == nullptr) {
       faults_.push_back(fmt::format("missed {} {} at {:.0f} cm {:.0f} deg", nameOf(object.kind),
                                     static_cast<int>(object.landmark), object.distance,
@@ -315,18 +309,9 @@ Expected<Json> objects(const ExperimentOptions& options) {
   for (int i = 0; i < options.trials; ++i) {
     const View& view = maker->next();
     const BodyState body = body::step(view.input, {});
-    if (std::getenv("DBG")) fmt::print(stderr, "view {}\n", i);
     const Percepts seen = vision::step({view.input, body}, visionParams, *state);
     score.add(view, *field, trueObjects(view, *field, visibility), seen);
-    if (std::getenv("DBG"))
-      for (auto& f : score.faults()) fmt::print(stderr, "  *** {}\n", f);
-    const char* only = std::getenv("ONLY");
-    const bool wanted = only == nullptr || std::any_of(score.faults().begin(), score.faults().end(),
-                                                       [&](const std::string& f) {
-                                                         return f.find(only) != std::string::npos;
-                                                       });
-    if (wanted && !options.pictures.empty() && !score.faults().empty() &&
-        pictures++ < kMostPictures)
+    if (!options.pictures.empty() && !score.faults().empty() && pictures++ < kMostPictures)
       keepPicture(options.pictures, i, view, body, seen, score.faults());
     if (options.progress) options.progress(i + 1, options.trials);
   }
