@@ -10,11 +10,11 @@ constexpr std::uint16_t kNoBlob = 0xFFFF;
 
 bool formsBlobs(ColourClass c) { return c >= ColourClass::orange && c <= ColourClass::robotRed; }
 
-// Appends the runs of one lattice row; the number that did not fit.
-std::uint32_t collectRuns(const Sampler& sampler, const Lattice& lattice, int number,
-                          RunBuffer& runs) {
+// Appends the runs of one lattice row.
+void collectRuns(const Sampler& sampler, const Lattice& lattice, int number, RunBuffer& runs,
+                 BlobCounts& counts) {
   const LatticeRow row = lattice.row(number);
-  std::uint32_t lost = 0;
+  counts.samples += static_cast<std::uint32_t>(row.count);
   std::int32_t x = row.x;
   std::int32_t y = row.y;
   int first = 0;
@@ -27,14 +27,14 @@ std::uint32_t collectRuns(const Sampler& sampler, const Lattice& lattice, int nu
                     static_cast<std::uint8_t>(number),
                     static_cast<std::uint8_t>(row.first + first),
                     static_cast<std::uint8_t>(row.first + i - 1),
+                    static_cast<std::uint8_t>(lattice.height(number)),
                     static_cast<std::uint16_t>(runs.size()),
                     kNoBlob};
-      if (!runs.push_back(run)) ++lost;
+      if (!runs.push_back(run)) ++counts.lost;
     }
     first = i;
     colour = now;
   }
-  return lost;
 }
 
 std::uint16_t rootOf(RunBuffer& runs, std::uint16_t run) {
@@ -67,11 +67,13 @@ void joinRows(RunBuffer& runs, std::size_t begin, std::size_t middle, std::size_
 }
 
 void addRun(const Lattice& lattice, Blob& blob, const Run& run) {
-  const double count = run.last - run.first + 1;
+  const double width = run.last - run.first + 1;
+  const double count = width * run.height;
   const double u = lattice.u(0.5 * (run.first + run.last));
   const double v = lattice.v(run.row);
   const double half = 0.5 * kLatticeStep;
-  const LevelBox box{u - half * count, v - half, u + half * count, v + half};
+  const LevelBox box{u - half * width, v - half * run.height, u + half * width,
+                     v + half * run.height};
   const double before = blob.samples;
   const double total = before + count;
   if (before == 0.0) blob.box = box;
@@ -79,7 +81,7 @@ void addRun(const Lattice& lattice, Blob& blob, const Run& run) {
               std::max(blob.box.right, box.right), std::max(blob.box.bottom, box.bottom)};
   blob.middle = {(blob.middle.u * before + u * count) / total,
                  (blob.middle.v * before + v * count) / total};
-  blob.samples += static_cast<std::uint32_t>(run.last - run.first + 1);
+  blob.samples += static_cast<std::uint32_t>(count);
 }
 
 std::uint32_t collectBlobs(const Lattice& lattice, RunBuffer& runs, BlobBuffer& blobs) {
@@ -109,12 +111,11 @@ BlobCounts findBlobs(const Sampler& sampler, const Lattice& lattice, RunBuffer& 
   blobs.clear();
   BlobCounts counts;
   std::size_t rowAbove = 0;
-  for (int row = 0; row < lattice.rows(); ++row) {
+  for (int row = 0; row < lattice.rows(); row += lattice.height(row)) {
     const std::size_t rowStart = runs.size();
-    counts.lost += collectRuns(sampler, lattice, row, runs);
+    collectRuns(sampler, lattice, row, runs, counts);
     joinRows(runs, rowAbove, rowStart, runs.size());
     rowAbove = rowStart;
-    counts.samples += static_cast<std::uint32_t>(lattice.row(row).count);
   }
   counts.lost += collectBlobs(lattice, runs, blobs);
   return counts;

@@ -20,6 +20,7 @@ struct Run {
   std::uint8_t row = 0;  // of the lattice
   std::uint8_t first = 0;
   std::uint8_t last = 0;
+  std::uint8_t height = 1;  // rows it stands for
   std::uint16_t parent = 0;
   std::uint16_t blob = 0;
 };

@@ -3,10 +3,16 @@
 
 #include <cmath>
 
+#include "robot/core/Maths.h"
+
 namespace kelpie::vision {
 namespace {
 
 constexpr double kUnit = 65536.0;
+// A ball is 50 cm away and 30 px across where it is seen 64 px below the horizon; a beacon's top is
+// 80 px above it at 60 cm.
+constexpr double kFineBelow = 64.0;
+constexpr double kFineAbove = 80.0;
 constexpr double kInset = 0.01;  // px, so that rounding to 1/65536 stays inside
 
 std::int32_t fixed(double value) { return static_cast<std::int32_t>(std::lround(value * kUnit)); }
@@ -37,11 +43,14 @@ LevelBox usableBox(const Level& level) {
 
 }  // namespace
 
-Lattice::Lattice(const Level& level) : level_(level) {
+Lattice::Lattice(const Level& level, double horizon) : level_(level) {
   const LevelBox box = usableBox(level);
   left_ = std::floor(box.left) + 1.5;
   top_ = std::floor(box.top) + 1.5;
   rows_ = static_cast<int>((box.bottom - top_) / kLatticeStep) + 1;
+  fineFrom_ =
+      static_cast<int>(maths::clamp((horizon - kFineAbove - top_) / kLatticeStep, -1e6, 1e6));
+  fineTo_ = static_cast<int>(maths::clamp((horizon + kFineBelow - top_) / kLatticeStep, -1e6, 1e6));
   stepX_ = fixed(kLatticeStep * level.cos);
   stepY_ = fixed(kLatticeStep * level.sin);
 }

@@ -20,7 +20,9 @@ Percepts step(const VisionIn& in, const VisionParams& params, VisionState& state
   Sampler sampler(in.input.image, state.calibration, state.distances, state.classes);
   sampler.reset();
   const Level level = levelOf(in.body.camera);
-  const Lattice lattice(level);
+  const Horizon& horizon = in.body.horizon;
+  const double middle = 0.5 * (horizon.atLeft + horizon.atRight);
+  const Lattice lattice(level, level.fromImage({body::kPrincipalX, middle}).v);
   const auto found = findBlobs(sampler, lattice, state.runs, state.blobs);
   out.counts.sampledPixels = found.samples;
   out.counts.runs = static_cast<std::uint32_t>(state.runs.size());
