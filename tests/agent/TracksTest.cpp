@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "robot/agent/JointTrack.h"
 #include "robot/agent/OdometryTrack.h"
+#include "robot/core/Random.h"
 
 namespace kelpie::agent {
 namespace {
@@ -36,6 +39,25 @@ TEST(JointTrack, OlderThanTheMemoryGivesTheOldestTick) {
 
 TEST(JointTrack, RateIsInRadiansPerSecond) {
   EXPECT_NEAR(panning(12).headRate({5 * kTickUs}).headPan, Angle::deg(1.0).rad() / 0.008, 1e-9);
+}
+
+// Encoders' noise of 0.1 deg, sd. Over one tick of 8 ms it is 0.1 * sqrt(2) / 0.008 = 17.7 deg/s,
+// 0.6 deg an image; over three ticks a third of that, 5.9 deg/s.
+TEST(JointTrack, RateOverThreeTicksHasAThirdOfTheNoiseOfOne) {
+  Random random(31);
+  double sum = 0.0;
+  constexpr int kTrials = 2000;
+  for (int trial = 0; trial < kTrials; ++trial) {
+    JointTrack track;
+    for (int n = 0; n < 12; ++n) {
+      SensorFrame sensors;
+      sensors.joints[Joint::headPan] = Angle::deg(n + random.gaussian(0.0, 0.1));
+      track.add({n * kTickUs}, sensors);
+    }
+    const double rate = track.headRate({5 * kTickUs + 4000}).headPan;
+    sum += maths::square(Angle::rad(rate).deg() - 125.0);  // 1 deg in 8 ms
+  }
+  EXPECT_NEAR(std::sqrt(sum / kTrials), 5.9, 0.5);
 }
 
 TEST(JointTrack, EmptyAndSingleTickAreAnswered) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 #include "robot/body/Camera.h"
@@ -187,6 +188,90 @@ TEST(BodyStep, HeadSpeedIsThatOfTheFastestHeadJointPerFrame) {
   FrameInput input = standing();
   input.headRate = {0.5, -3.0, 1.0};
   EXPECT_NEAR(step(input, {}).headSpeed, 3.0 / 30.0, 1e-12);
+}
+
+// The head pans at 3 rad/s from the joints given; what body::step makes of it.
+CameraPose panningCamera(double neck, double pan, double nod, double rate) {
+  FrameInput input = standing();
+  input.stance = {10.0, Angle::deg(12)};
+  input.sensors.joints[Joint::neckTilt] = Angle::deg(neck);
+  input.sensors.joints[Joint::headPan] = Angle::deg(pan);
+  input.sensors.joints[Joint::headNod] = Angle::deg(nod);
+  input.headRate = {0.0, rate, 0.0};
+  return step(input, {}).camera;
+}
+
+// The same head when column x is exposed, without any notion of a turn.
+CameraPose poseAtColumn(double neck, double pan, double nod, double rate, double x) {
+  const double after = (x / 208.0 - 0.5) / 30.0;
+  return posed(neck, pan + rate * after / kDegree, nod, 12);
+}
+
+constexpr std::array<std::array<double, 3>, 4> kHeads = {
+    {{0, 0, 0}, {-20, 40, 10}, {-45, -60, 30}, {-70, 80, 0}}};
+constexpr std::array<double, 5> kColumns = {0.5, 50.0, 104.0, 150.0, 207.5};
+
+TEST(PanningCamera, PixelComesBackFromItsRay) {
+  for (const auto& [neck, pan, nod] : kHeads) {
+    for (const double rate : {-3.0, 3.0}) {
+      const CameraPose camera = panningCamera(neck, pan, nod, rate);
+      for (const double x : kColumns) {
+        const Point3<Robot> ray = rayThrough(camera, {x, 100});
+        const auto back =
+            project(camera, camera.position + Point3<Robot>{200 * ray.x, 200 * ray.y, 200 * ray.z});
+        ASSERT_TRUE(back.has_value());
+        EXPECT_NEAR(back->x, x, 0.05);
+        EXPECT_NEAR(back->y, 100, 0.05);
+      }
+    }
+  }
+}
+
+// 3 rad/s turn the head by 2.9 deg from the middle of the image to its border, 10 px.
+TEST(PanningCamera, EachColumnLooksWhereTheHeadPointedWhenItWasExposed) {
+  for (const auto& [neck, pan, nod] : kHeads) {
+    for (const double rate : {-3.0, 3.0}) {
+      const CameraPose camera = panningCamera(neck, pan, nod, rate);
+      for (const double x : kColumns) {
+        const CameraPose then = poseAtColumn(neck, pan, nod, rate, x);
+        const Point3<Robot> truth = rayThrough(then, {x, 100});
+        const Point3<Robot> ray = rayThrough(camera, {x, 100});
+        const double cosine = truth.x * ray.x + truth.y * ray.y + truth.z * ray.z;
+        // 0.2 deg: the small rotation is taken to the first order only, 2.9 deg squared is 0.15.
+        EXPECT_GT(cosine, std::cos(0.2 * kDegree)) << pan << " " << rate << " " << x;
+      }
+    }
+  }
+}
+
+// Directions far away: the camera's own way during the exposure (0.4 cm) is not modelled.
+TEST(PanningCamera, ProjectsAFarPointWhereTheHeadOfThatColumnSawIt) {
+  for (const auto& [neck, pan, nod] : kHeads) {
+    for (const double rate : {-3.0, 3.0}) {
+      const CameraPose camera = panningCamera(neck, pan, nod, rate);
+      for (const double x : kColumns) {
+        const Point3<Robot> ray = rayThrough(poseAtColumn(neck, pan, nod, rate, x), {x, 100});
+        const auto seen =
+            project(camera, camera.position + Point3<Robot>{500 * ray.x, 500 * ray.y, 500 * ray.z});
+        ASSERT_TRUE(seen.has_value());
+        EXPECT_NEAR(seen->x, x, 0.7) << pan << " " << rate;
+        EXPECT_NEAR(seen->y, 100, 0.7) << pan << " " << rate;
+      }
+    }
+  }
+}
+
+TEST(PanningCamera, HorizonAtBothBordersIsThatOfTheHeadThen) {
+  for (const auto& [neck, pan, nod] : kHeads) {
+    for (const double rate : {-3.0, 3.0}) {
+      const Horizon line = horizon(panningCamera(neck, pan, nod, rate));
+      const Horizon first = horizon(poseAtColumn(neck, pan, nod, rate, 0.0));
+      const Horizon last = horizon(poseAtColumn(neck, pan, nod, rate, 208.0));
+      // 0.7 px and a hundredth of the way from the image's middle.
+      EXPECT_NEAR(line.atLeft, first.atLeft, 0.7 + 0.01 * std::fabs(first.atLeft - 80));
+      EXPECT_NEAR(line.atRight, last.atRight, 0.7 + 0.01 * std::fabs(last.atRight - 80));
+    }
+  }
 }
 
 // facts-2005 section 6.4.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <memory>
 
+#include "tests/vision/Board.h"
 #include "tests/vision/Painting.h"
 #include "vision/BallFinder.h"
 #include "vision/Refusal.h"
@@ -146,6 +147,51 @@ TEST(BallChecks, EdgesRoundnessAndRangeDecideAtTheirLimits) {
   EXPECT_TRUE(ballIsNear(c, p));
   c.range = 451;
   EXPECT_FALSE(ballIsNear(c, p));
+}
+
+TEST(Ball, BeforeOrangeTrousersIsFoundAtItsOwnDistance) {
+  for (const double aside : {-6.0, 0.0, 6.0}) {
+    Painting p = ballAt(170, 0);
+    p.carpetEnd = 210;
+    p.noise = 3.0;
+    p.walls.push_back({{aside - 15, 240}, {aside + 15, 240}, 3, 90, kOrangePaint});
+    const Seen seen = look(p, cameraAt(16, 0, -5));
+    ASSERT_TRUE(seen.percepts.ball.present) << aside;
+    EXPECT_NEAR(seen.percepts.ball.distance, 170, 17) << aside;
+    EXPECT_NEAR(seen.percepts.ball.heading.deg(), 0, 0.5) << aside;
+  }
+}
+
+TEST(BallChecks, PatchMuchLargerThanItsCircleIsNoBallUnlessClothesTouchIt) {
+  const BallParams p;
+  Blob blob;
+  BallCandidate c;
+  c.blob = &blob;
+  c.cone.radius = 10;  // 314 px2: 1.6 of it and 12 px2 are 129 samples of 4
+  blob.samples = 128;
+  EXPECT_TRUE(ballFillsItsPatch(c, p));
+  blob.samples = 130;
+  EXPECT_FALSE(ballFillsItsPatch(c, p));
+  c.apart = false;
+  EXPECT_TRUE(ballFillsItsPatch(c, p));
+}
+
+// A circle of 6 px about (104, 80), what is below row 86 of one colour.
+bool keptOver(const Paint& below) {
+  Board board(cameraAt(16, 0, -8));
+  board.fill(98, 74, 110, 86, kOrangePaint);
+  board.fill(80, 86, 128, 110, below);
+  BallCandidate c;
+  c.cone.centre = {104, 80};
+  c.cone.radius = 6;
+  return ballStandsOnNoGoal(board.scene(), c);
+}
+
+TEST(BallChecks, OrangeOverAGoalsWallIsNoBall) {
+  EXPECT_TRUE(keptOver(kGreenPaint));
+  EXPECT_TRUE(keptOver(kWhitePaint));
+  EXPECT_FALSE(keptOver(kBluePaint));
+  EXPECT_FALSE(keptOver(kYellowPaint));
 }
 
 TEST(BallChecks, PinkInsideTheCircleIsCounted) {

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "tests/vision/Board.h"
 #include "tests/vision/Painting.h"
 #include "vision/BeaconFinder.h"
 #include "vision/Refusal.h"
@@ -108,10 +109,22 @@ TEST(Beacon, LyingFarBelowTheHorizonIsRefused) {
   EXPECT_GE(refused(seen, Refusal::beaconBelowHorizon), 1);
 }
 
-TEST(BeaconChecks, BandsAndAspectDecideAtTheirLimits) {
+TEST(Beacon, BeforeTrousersOfItsUpperColourIsFound) {
+  // A spectator in blue right behind it: the upper band has no end above and beside it.
+  Painting p = beaconAt(180, 5, kBluePaint, kPinkPaint);
+  const double x = p.beacons[0].centre.x;
+  p.walls.push_back({{x - 20, 230}, {x + 20, 230}, 32, 110, kBluePaint});
+  p.noise = 3.0;
+  const Seen seen = look(p, cameraAt(16, 5, 3));
+  const auto* beacon = find(seen.percepts, LandmarkKind::beaconBlueOnPink);
+  ASSERT_NE(beacon, nullptr);
+  EXPECT_NEAR(beacon->distance, 180, 18);  // by the lower band alone, 11 px high
+  EXPECT_NEAR(beacon->heading.deg(), 5.0, 0.7);
+}
+
+TEST(BeaconChecks, BandsAreOfOneHeightUnlessTheBorderCutsOne) {
   const BeaconParams p;
   BeaconCandidate c;
-  c.distance = 150;
   c.upper = 10;
   c.lower = 20;
   EXPECT_TRUE(beaconBandsAreEqual(c, p));
@@ -119,15 +132,88 @@ TEST(BeaconChecks, BandsAndAspectDecideAtTheirLimits) {
   EXPECT_FALSE(beaconBandsAreEqual(c, p));
   c.topCut = true;
   EXPECT_TRUE(beaconBandsAreEqual(c, p));
-  c.width = 17;  // of the pink upper band, 10 high; 13 cm at 150
-  c.topCut = false;
+}
+
+TEST(BeaconChecks, BandIsAtMostOneAndAHalfTimesAsWideAsHighAndAPixel) {
+  const BeaconParams p;
+  BeaconCandidate c;
+  c.upper = c.lower = 10;
+  c.width = 15.9;
   EXPECT_TRUE(beaconBandIsSquare(c, p));
-  c.width = 24;  // 18 cm
+  c.width = 16.1;
   EXPECT_FALSE(beaconBandIsSquare(c, p));
-  c.width = 3;
+  c.width = 6.1;  // 1.5 * 6.1 + 1 = 10.15
+  EXPECT_TRUE(beaconBandIsSquare(c, p));
+  c.width = 5.9;
   EXPECT_FALSE(beaconBandIsSquare(c, p));
-  c.bothSides = true;
-  EXPECT_FALSE(beaconHasOnePartner(c));
+}
+
+TEST(BeaconChecks, BandCutAtItsSideMayShowSixTenthsOfItsWidth) {
+  const BeaconParams p;
+  BeaconCandidate c;
+  c.upper = c.lower = 10;
+  c.width = 3.7;  // of at most 6.2
+  EXPECT_FALSE(beaconBandIsSquare(c, p));
+  c.widthCut = true;
+  EXPECT_TRUE(beaconBandIsSquare(c, p));
+  c.width = 3.5;  // of at most 5.8
+  EXPECT_FALSE(beaconBandIsSquare(c, p));
+}
+
+TEST(BeaconChecks, BothBandsAreLargeEnoughToMeasure) {
+  const BeaconParams p;
+  BeaconCandidate c;
+  c.upper = c.lower = 2.6;
+  EXPECT_TRUE(beaconIsLarge(c, p));
+  c.upper = 2.4;
+  EXPECT_FALSE(beaconIsLarge(c, p));
+  c.topCut = true;
+  c.upper = 1.1;  // 1.5 * 1.1 + 1 = 2.65
+  EXPECT_TRUE(beaconIsLarge(c, p));
+  c.upper = 0.9;
+  EXPECT_FALSE(beaconIsLarge(c, p));
+}
+
+TEST(BeaconChecks, BorderMayCutItOnOneSideOnly) {
+  BeaconCandidate c;
+  c.topCut = true;
+  EXPECT_TRUE(beaconIsInImage(c));
+  c.widthCut = true;
+  EXPECT_FALSE(beaconIsInImage(c));
+  c.topCut = false;
+  EXPECT_TRUE(beaconIsInImage(c));
+}
+
+// Bands 10 px high end at row 60, white down to 80.
+struct Stand {
+  Board board{cameraAt(16, 0, 0)};
+  BeaconCandidate c;
+
+  explicit Stand(const Paint& below) {
+    board.fill(95, 40, 115, 50, kBluePaint);
+    board.fill(95, 50, 115, 60, kPinkPaint);
+    board.fill(95, 60, 115, 80, kWhitePaint);
+    board.fill(0, 80, kImageWidth, kImageHeight, below);
+    c.upper = c.lower = 10;
+    c.top = {105, 40};
+    c.middle = {105, 50};
+    c.bottom = {105, 60};
+  }
+  bool kept() const { return beaconStandsOnField(board.scene(), c); }
+};
+
+TEST(BeaconChecks, CarpetOrARobotFollowsBelowTheWhite) {
+  EXPECT_TRUE(Stand(kGreenPaint).kept());
+  EXPECT_TRUE(Stand(kWhitePaint).kept());   // a robot's shell before it
+  EXPECT_TRUE(Stand(kOrangePaint).kept());  // a ball
+  EXPECT_FALSE(Stand(kBluePaint).kept());
+  EXPECT_FALSE(Stand(kYellowPaint).kept());
+}
+
+TEST(BeaconChecks, BeaconCutBelowNeedsNoField) {
+  Stand stand(kBluePaint);
+  stand.c.bottomCut = true;
+  EXPECT_TRUE(stand.kept());
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <memory>
 
 #include "vision/Blobs.h"
@@ -8,6 +9,11 @@
 
 namespace kelpie::vision {
 namespace {
+
+Level rolled(double degrees) {
+  const double roll = degrees * 3.14159265358979 / 180.0;
+  return {std::cos(roll), std::sin(roll)};
+}
 
 // An image of classes: the plane is filled by hand, the pixels behind it are never read.
 struct Canvas {
@@ -22,12 +28,23 @@ struct Canvas {
       }
     }
   }
-  const BlobBuffer& blobs() {
+  // A square upright in the level image, about the middle of the image.
+  void square(ColourClass c, const Level& level, double side) {
+    for (int y = 0; y < kImageHeight; ++y) {
+      for (int x = 0; x < kImageWidth; ++x) {
+        const LevelPoint p = level.fromImage({x + 0.5, y + 0.5});
+        const double away =
+            std::fmax(std::fabs(p.u - body::kPrincipalX), std::fabs(p.v - body::kPrincipalY));
+        if (away <= 0.5 * side) box(c, x, y, x + 1, y + 1);
+      }
+    }
+  }
+  const BlobBuffer& blobs(const Level& level = Level{}) {
     const Sampler sampler(*image, state->calibration, state->distances, state->classes);
-    lost = findBlobs(sampler, state->runs, state->blobs);
+    counts = findBlobs(sampler, Lattice(level), state->runs, state->blobs);
     return state->blobs;
   }
-  std::uint32_t lost = 0;
+  BlobCounts counts;
 };
 
 TEST(Blobs, BoxAndCentreAreThoseOfThePatch) {
@@ -86,7 +103,65 @@ TEST(Blobs, AnImageFullOfSpecksIsCountedAsLostNotOverrun) {
     }
   }
   EXPECT_LE(canvas.blobs().size(), BlobBuffer::kCapacity);
-  EXPECT_GT(canvas.lost, 0U);
+  EXPECT_GT(canvas.counts.lost, 0U);
+}
+
+TEST(Blobs, SquareUprightInTheLevelImageKeepsItsBoxWhateverTheRoll) {
+  for (double roll = -80.0; roll <= 80.0; roll += 10.0) {
+    const Level level = rolled(roll);
+    Canvas canvas;
+    canvas.square(ColourClass::blue, level, 40.0);
+    const auto& blobs = canvas.blobs(level);
+    ASSERT_EQ(blobs.size(), 1U) << roll;
+    // A step of the lattice and the pixels' corners. Boxed along the image's axes it were 53 and
+    // more from 25 deg on.
+    EXPECT_NEAR(blobs[0].box.width(), 40.0, 3.0) << roll;
+    EXPECT_NEAR(blobs[0].box.height(), 40.0, 3.0) << roll;
+    EXPECT_NEAR(blobs[0].centre.x, body::kPrincipalX, 1.0) << roll;
+    EXPECT_NEAR(blobs[0].centre.y, body::kPrincipalY, 1.0) << roll;
+  }
+}
+
+TEST(Lattice, EverySampleIsUsableWhateverTheRoll) {
+  for (double roll = -80.0; roll <= 80.0; roll += 0.25) {
+    const Lattice lattice(rolled(roll));
+    ASSERT_LE(lattice.rows(), 256) << roll;  // a run keeps its row in eight bits
+    for (int number = 0; number < lattice.rows(); ++number) {
+      const LatticeRow row = lattice.row(number);
+      ASSERT_LE(row.first + row.count, 256) << roll;
+      std::int32_t x = row.x;
+      std::int32_t y = row.y;
+      for (int i = 0; i < row.count; ++i, x += lattice.stepX(), y += lattice.stepY())
+        ASSERT_TRUE(Sampler::usable(x >> 16, y >> 16)) << roll << " row " << number;
+    }
+  }
+}
+
+TEST(Lattice, RowsAreWholeAndCoverTheImageOnceEveryFourPixels) {
+  const double pixels = (kUsableRight - kUsableLeft) * (kUsableBottom - kUsableTop);
+  for (double roll = -80.0; roll <= 80.0; roll += 0.25) {
+    const Lattice lattice(rolled(roll));
+    int samples = 0;
+    for (int number = 0; number < lattice.rows(); ++number) samples += lattice.row(number).count;
+    // A row may end anywhere within a step of the image's border: 2 % of the samples.
+    EXPECT_NEAR(samples, pixels / 4.0, 0.02 * pixels / 4.0) << roll;
+  }
+}
+
+TEST(Lattice, SamplesLieWhereTheirLevelCoordinatesSay) {
+  for (double roll = -80.0; roll <= 80.0; roll += 5.0) {
+    const Lattice lattice(rolled(roll));
+    for (int number = 0; number < lattice.rows(); number += 7) {
+      const LatticeRow row = lattice.row(number);
+      if (row.count == 0) continue;
+      const int last = row.count - 1;
+      const PixelPoint p =
+          lattice.level().toImage({lattice.u(row.first + last), lattice.v(number)});
+      // 127 steps rounded to 1/65536 px.
+      EXPECT_NEAR((row.x + last * lattice.stepX()) / 65536.0, p.x, 0.002) << roll;
+      EXPECT_NEAR((row.y + last * lattice.stepY()) / 65536.0, p.y, 0.002) << roll;
+    }
+  }
 }
 
 }  // namespace

@@ -28,18 +28,22 @@ class Board {
     sampler.reset();
   }
 
-  Scene scene() const { return {sampler, *blobs_, body, edge, levelOf(body.camera)}; }
+  Scene scene() const {
+    return {sampler, *blobs_, body, edges, levelOf(body.camera), lattice_, *runs_};
+  }
 
   BodyState body;
-  FieldEdgePercept edge;
+  FixedVector<FieldEdgePercept, 3> edges;
 
  private:
+  Lattice lattice_{levelOf(body.camera)};
   std::unique_ptr<Image> image_ = std::make_unique<Image>();
   std::unique_ptr<VisionCalibration> calibration_ =
       std::make_unique<VisionCalibration>(nominalCalibration());
   std::unique_ptr<RingDistances> distances_ = std::make_unique<RingDistances>();
   std::unique_ptr<ClassPlane> classes_ = std::make_unique<ClassPlane>();
   std::unique_ptr<BlobBuffer> blobs_ = std::make_unique<BlobBuffer>();
+  std::unique_ptr<RunBuffer> runs_ = std::make_unique<RunBuffer>();
 
  public:
   Sampler sampler{*image_, *calibration_, *distances_, *classes_};

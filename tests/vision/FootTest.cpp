@@ -14,7 +14,7 @@ namespace {
 struct Look {
   Look(const Painting& painting, const CameraPose& camera) : body(bodyOf(camera)) {
     paint(painting, camera, *image);
-    sampler.sampleLattice();
+    sampler.reset();
   }
   Foot foot(PixelPoint from) const {
     return nearestFoot(scene, imageUp(body.camera), {from, -4, 4, 3, ColourClass::none});
@@ -24,7 +24,9 @@ struct Look {
   std::unique_ptr<Image> image = std::make_unique<Image>();
   Sampler sampler{*image, state->calibration, state->distances, state->classes};
   BodyState body;
-  Scene scene{sampler, state->blobs, body, {}};
+  FixedVector<FieldEdgePercept, 3> edges;
+  Lattice lattice{levelOf(body.camera)};
+  Scene scene{sampler, state->blobs, body, edges, lattice.level(), lattice, state->runs};
 };
 
 Painting wallAt(double y, Paint paint) {

@@ -3,8 +3,10 @@
 
 #include <cmath>
 
+#include "tests/vision/Board.h"
 #include "tests/vision/Painting.h"
 #include "vision/GoalFinder.h"
+#include "vision/GoalShape.h"
 #include "vision/Refusal.h"
 
 namespace kelpie::vision {
@@ -158,16 +160,76 @@ TEST(GoalChecks, ShapeAndDistanceDecideAtTheirLimits) {
   EXPECT_TRUE(goalHasShape(c, p));
   c.box.bottom = 110;
   EXPECT_FALSE(goalHasShape(c, p));
-  c.leftCut = true;
+  c.left.cut = true;
   EXPECT_TRUE(goalHasShape(c, p));
   c.box = {10, 50, 190, 80};
   EXPECT_FALSE(goalHasShape(c, p));
   EXPECT_FALSE(goalIsMeasured(c));
-  c.distance = 619;
+  c.wall = 619;
   EXPECT_TRUE(goalIsMeasured(c));
   EXPECT_TRUE(goalIsNear(c, p));
-  c.distance = 621;
+  c.wall = 621;
   EXPECT_FALSE(goalIsNear(c, p));
+}
+
+TEST(GoalChecks, MostColumnsTallIsNoGoal) {
+  GoalCandidate c;
+  c.box = {50, 50, 90, 65};
+  GoalColumn chosen;
+  chosen.chosen = true;
+  GoalColumn tall;
+  tall.tall = true;
+  for (int i = 0; i < 4; ++i) c.columns.push_back(chosen);
+  for (int i = 0; i < 6; ++i) c.columns.push_back(tall);
+  EXPECT_TRUE(goalHasShape(c, {}));
+  c.columns.push_back(tall);
+  EXPECT_FALSE(goalHasShape(c, {}));
+}
+
+// Ends `width` cm apart where the mouth is, 30 cm before a wall at 230 cm.
+GoalCandidate wide(const CameraPose& camera, double width) {
+  GoalCandidate c;
+  c.wall = 230.0;
+  const double y = camera.position.y + 200.0;
+  c.left.point = *body::project(camera, {-0.5 * width, y, 15.0});
+  c.right.point = *body::project(camera, {0.5 * width, y, 15.0});
+  return c;
+}
+
+TEST(GoalChecks, WidthBetweenItsEndsIsThatOfAMouth) {
+  const Board board(cameraAt(16, 0, 0));
+  const GoalParams p;
+  const auto kept = [&](double width) {
+    return goalHasWidth(board.scene(), wide(board.body.camera, width), p);
+  };
+  EXPECT_FALSE(kept(p.minSeenWidth - 2.0));
+  EXPECT_TRUE(kept(p.minSeenWidth + 2.0));
+  EXPECT_TRUE(kept(p.maxSeenWidth - 2.0));
+  EXPECT_FALSE(kept(p.maxSeenWidth + 2.0));
+}
+
+TEST(GoalChecks, BetweenTwoRobotsAnythingMayBeAsWide) {
+  const Board board(cameraAt(16, 0, 0));
+  GoalCandidate c = wide(board.body.camera, 80.0);
+  c.left.hidden = true;
+  EXPECT_TRUE(goalHasWidth(board.scene(), c, {}));
+  c.right.hidden = true;
+  EXPECT_FALSE(goalHasWidth(board.scene(), c, {}));
+}
+
+TEST(GoalChecks, MouthFacesTheFieldWithin72Degrees) {
+  const GoalParams p;
+  const auto kept = [&p](double turnDegrees, bool valid = true) {
+    return goalFacesField({valid, {0, 250}, turnDegrees / kDegrees, 0.0}, p);
+  };
+  EXPECT_TRUE(kept(71));
+  EXPECT_TRUE(kept(-71));
+  EXPECT_FALSE(kept(73));
+  EXPECT_FALSE(kept(-73));
+  EXPECT_FALSE(kept(0, false));
+  // Seen 45 deg to the right, square to the sight is a turn of -45.
+  EXPECT_TRUE(goalFacesField({true, {200, 200}, -110 / kDegrees, 0.0}, p));
+  EXPECT_FALSE(goalFacesField({true, {200, 200}, 30 / kDegrees, 0.0}, p));
 }
 
 }  // namespace

@@ -61,7 +61,7 @@ TEST(Obstacles, WhatIsDarkBeyondTheFieldEdgeIsNone) {
   Painting p = boxAt(0, 180, kBlackPaint, 60);
   p.carpetEnd = 150;
   const Seen seen = look(p, cameraAt(17, 0, -8));
-  ASSERT_TRUE(seen.percepts.fieldEdge.present);
+  ASSERT_EQ(seen.percepts.fieldEdges.size(), 1U);
   EXPECT_TRUE(seen.percepts.obstacles.empty());
   EXPECT_GE(refused(seen, Refusal::obstacleAboveFieldEdge), 1);
 }

@@ -36,7 +36,7 @@ TEST(PointChecks, PointsLieBelowHorizonAndFieldEdge) {
   board.body.horizon = {40, 60};
   EXPECT_TRUE(pointIsBelowHorizon(board.scene(), {104, 51}));
   EXPECT_FALSE(pointIsBelowHorizon(board.scene(), {104, 49}));
-  board.edge = {true, 70, 70};
+  board.edges.push_back({70, 70});
   EXPECT_TRUE(pointIsBelowHorizon(board.scene(), {104, 71}));
   EXPECT_FALSE(pointIsBelowHorizon(board.scene(), {104, 69}));
 }

@@ -15,7 +15,9 @@ struct EmptyScene {
   std::unique_ptr<Image> image = std::make_unique<Image>();
   Sampler sampler{*image, state->calibration, state->distances, state->classes};
   BodyState body = bodyOf(cameraAt(17, 0, -8));
-  Scene scene{sampler, state->blobs, body, {}};
+  FixedVector<FieldEdgePercept, 3> edges;
+  Lattice lattice{levelOf(body.camera)};
+  Scene scene{sampler, state->blobs, body, edges, lattice.level(), lattice, state->runs};
 };
 
 RobotPatch goodPatch() {
@@ -107,7 +109,7 @@ TEST(RobotChecks, FieldEdgeAndCarpetBehind) {
   patch.behind = 0.5;
   EXPECT_FALSE(robotIsInsideFieldEdge(empty.scene, patch, {}));
   patch.behind = 9;
-  empty.scene.fieldEdge = {true, 85, 85};
+  empty.edges.push_back({85, 85});
   EXPECT_FALSE(robotIsInsideFieldEdge(empty.scene, patch, {}));
 }
 
