@@ -260,17 +260,65 @@ class LandmarkPercept(Fields):
         self._take(given)
 
 
-class FieldEdgePercept(Fields):
+class GoalGap(Fields):
     __slots__ = (
-        'present',
-        'at_left',
-        'at_right',
+        'goal',
+        'left_deg',
+        'right_deg',
+        'left_cut',
+        'right_cut',
+        'box',
     )
 
     def __init__(self, **given):
-        self.present = False
-        self.at_left = 0.0
-        self.at_right = 0.0
+        self.goal = 0
+        self.left_deg = 0.0
+        self.right_deg = 0.0
+        self.left_cut = False
+        self.right_cut = False
+        self.box = PixelBox()
+        self._take(given)
+
+
+class RobotPercept(Fields):
+    __slots__ = (
+        'team',
+        'distance',
+        'heading_deg',
+        'elevation_deg',
+        'distance_variance',
+        'heading_variance_deg2',
+        'box',
+    )
+
+    def __init__(self, **given):
+        self.team = 0
+        self.distance = 0.0
+        self.heading_deg = 0.0
+        self.elevation_deg = 0.0
+        self.distance_variance = 0.0
+        self.heading_variance_deg2 = 0.0
+        self.box = PixelBox()
+        self._take(given)
+
+
+class PinkPercept(Fields):
+    __slots__ = (
+        'distance',
+        'heading_deg',
+        'elevation_deg',
+        'distance_variance',
+        'heading_variance_deg2',
+        'box',
+    )
+
+    def __init__(self, **given):
+        self.distance = 0.0
+        self.heading_deg = 0.0
+        self.elevation_deg = 0.0
+        self.distance_variance = 0.0
+        self.heading_variance_deg2 = 0.0
+        self.box = PixelBox()
         self._take(given)
 
 
@@ -283,6 +331,34 @@ class Point2(Fields):
     def __init__(self, **given):
         self.x = 0.0
         self.y = 0.0
+        self._take(given)
+
+
+class ObstaclePoint(Fields):
+    __slots__ = (
+        'position',
+        'pixel',
+    )
+
+    def __init__(self, **given):
+        self.position = Point2()
+        self.pixel = PixelPoint()
+        self._take(given)
+
+
+class FieldEdgePercept(Fields):
+    __slots__ = (
+        'at_left',
+        'at_right',
+        'support',
+        'rms',
+    )
+
+    def __init__(self, **given):
+        self.at_left = 0.0
+        self.at_right = 0.0
+        self.support = 0.0
+        self.rms = 0.0
         self._take(given)
 
 
@@ -314,7 +390,7 @@ class VisionCounts(Fields):
         self.sampled_pixels = 0
         self.runs = 0
         self.blobs = 0
-        self.refused = [0] * 32
+        self.refused = [0] * 96
         self._take(given)
 
 
@@ -322,7 +398,12 @@ class Percepts(Fields):
     __slots__ = (
         'ball',
         'landmarks',
-        'field_edge',
+        'gaps',
+        'robots',
+        'pink_patches',
+        'obstacles',
+        'obstacles_ahead',
+        'field_edges',
         'line_points',
         'counts',
     )
@@ -330,7 +411,12 @@ class Percepts(Fields):
     def __init__(self, **given):
         self.ball = BallPercept()
         self.landmarks = []
-        self.field_edge = FieldEdgePercept()
+        self.gaps = []
+        self.robots = []
+        self.pink_patches = []
+        self.obstacles = []
+        self.obstacles_ahead = 0
+        self.field_edges = []
         self.line_points = []
         self.counts = VisionCounts()
         self._take(given)

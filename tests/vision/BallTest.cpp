@@ -21,6 +21,9 @@ Painting ballAt(double distance, double left) {
   return p;
 }
 
+// A patch is tried from its middle and from its foot; a refusal of both is counted twice.
+constexpr int kTries = 2;
+
 int refused(const Seen& seen, Refusal reason) {
   return seen.percepts.counts.refused[static_cast<std::size_t>(reason)];
 }
@@ -112,7 +115,7 @@ TEST(Ball, OnAFloorWithoutGreenIsRefused) {
   p.carpet = kFloorPaint;
   const Seen seen = look(p, cameraAt(16, 0, -8));
   EXPECT_FALSE(seen.percepts.ball.present);
-  EXPECT_EQ(refused(seen, Refusal::ballNoField), 1);
+  EXPECT_EQ(refused(seen, Refusal::ballNoField), kTries);
 }
 
 TEST(Ball, FarSpeckBeyondTheLimitIsRefused) {
@@ -120,7 +123,7 @@ TEST(Ball, FarSpeckBeyondTheLimitIsRefused) {
   params.ball.maxDistance = 150;
   const Seen seen = look(ballAt(200, 0), cameraAt(16, 0, -8), params);
   EXPECT_FALSE(seen.percepts.ball.present);
-  EXPECT_EQ(refused(seen, Refusal::ballTooFar), 1);
+  EXPECT_EQ(refused(seen, Refusal::ballTooFar), kTries);
 }
 
 TEST(Ball, SmallerBlobIsTakenWhenTheLargestIsNoBall) {
@@ -199,7 +202,7 @@ TEST(BallChecks, PinkInsideTheCircleIsCounted) {
   p.walls.push_back({{-4.5, 54}, {-0.4, 54}, 0, 12, kPinkPaint});
   const Seen seen = look(p, cameraAt(16, 0, -12));
   EXPECT_FALSE(seen.percepts.ball.present);
-  EXPECT_EQ(refused(seen, Refusal::ballOtherColour), 1);
+  EXPECT_EQ(refused(seen, Refusal::ballOtherColour), kTries);
 }
 
 }  // namespace

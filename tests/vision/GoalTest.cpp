@@ -77,10 +77,19 @@ TEST(Goal, BothGoalsHaveTheirOwnKind) {
       nullptr);
 }
 
-TEST(Goal, BlueWindowHighOnTheWallIsRefused) {
+TEST(Goal, BlueWindowHighOnTheWallIsRefusedByItsTallColumns) {
   Painting p;
   p.carpetEnd = 300;
   p.walls.push_back({{-60, 600}, {60, 600}, 120, 180, kBluePaint});
+  const Seen seen = look(p, cameraAt(16, 0, 8));
+  EXPECT_TRUE(seen.percepts.landmarks.empty());
+  EXPECT_EQ(refused(seen, Refusal::goalAspect), 1);
+}
+
+TEST(Goal, FlatBlueWindowHighOnTheWallIsRefusedByItsFoot) {
+  Painting p;
+  p.carpetEnd = 300;
+  p.walls.push_back({{-50, 600}, {50, 600}, 120, 145, kBluePaint});
   const Seen seen = look(p, cameraAt(16, 0, 8));
   EXPECT_TRUE(seen.percepts.landmarks.empty());
   EXPECT_EQ(refused(seen, Refusal::goalAboveHorizon), 1);
@@ -186,11 +195,11 @@ TEST(GoalChecks, MostColumnsTallIsNoGoal) {
   EXPECT_FALSE(goalHasShape(c, {}));
 }
 
-// Ends `width` cm apart where the mouth is, 30 cm before a wall at 230 cm.
+// Ends `width` cm apart, both 200 cm from the camera: the mouth is 30 cm before a wall at 230.
 GoalCandidate wide(const CameraPose& camera, double width) {
   GoalCandidate c;
   c.wall = 230.0;
-  const double y = camera.position.y + 200.0;
+  const double y = camera.position.y + std::sqrt(200.0 * 200.0 - 0.25 * width * width);
   c.left.point = *body::project(camera, {-0.5 * width, y, 15.0});
   c.right.point = *body::project(camera, {0.5 * width, y, 15.0});
   return c;

@@ -76,10 +76,12 @@ TEST(Obstacles, EmptyFieldWithALineAndABallHasNone) {
 }
 
 TEST(Obstacles, AtMostFivePixelsOfALineCount) {
-  VisionParams params;
+  VisionParams params;  // all of them ahead: the box's sides lean, their pixels seem far behind it
+  params.obstacle.aheadSide = params.obstacle.aheadFar = 200;
   const Seen five = look(boxAt(0, 50, kBlackPaint, 30), cameraAt(17, 0, -20), params);
   params.obstacle.maxPerLine = 1;
   const Seen one = look(boxAt(0, 50, kBlackPaint, 30), cameraAt(17, 0, -20), params);
+  ASSERT_GE(one.percepts.obstacles.size(), 8U);  // of 16 cm at 42 cm and a line every 8 px
   EXPECT_EQ(one.percepts.obstaclesAhead, one.percepts.obstacles.size());
   EXPECT_EQ(five.percepts.obstaclesAhead, 5 * one.percepts.obstaclesAhead);
 }
