@@ -115,7 +115,7 @@ TEST(Ball, OnAFloorWithoutGreenIsRefused) {
   p.carpet = kFloorPaint;
   const Seen seen = look(p, cameraAt(16, 0, -8));
   EXPECT_FALSE(seen.percepts.ball.present);
-  EXPECT_EQ(refused(seen, Refusal::ballNoField), kTries);
+  EXPECT_GE(refused(seen, Refusal::ballNoField), 1);
 }
 
 TEST(Ball, FarSpeckBeyondTheLimitIsRefused) {

@@ -127,25 +127,25 @@ TEST(BeaconChecks, BandsAreOfOneHeightUnlessTheBorderCutsOne) {
   const BeaconParams p;
   BeaconCandidate c;
   c.upper = 10;
-  c.lower = 20;
+  c.lower = 14.4;  // 1.35 * 10 + 1 = 14.5
   EXPECT_TRUE(beaconBandsAreEqual(c, p));
-  c.lower = 22;
+  c.lower = 14.6;
   EXPECT_FALSE(beaconBandsAreEqual(c, p));
   c.topCut = true;
   EXPECT_TRUE(beaconBandsAreEqual(c, p));
 }
 
-TEST(BeaconChecks, BandIsAtMostOneAndAHalfTimesAsWideAsHighAndAPixel) {
+TEST(BeaconChecks, BandIsAboutAsWideAsHigh) {
   const BeaconParams p;
   BeaconCandidate c;
   c.upper = c.lower = 10;
-  c.width = 15.9;
+  c.width = 14.4;  // 1.35 * 10 + 1 = 14.5
   EXPECT_TRUE(beaconBandIsSquare(c, p));
-  c.width = 16.1;
+  c.width = 14.6;
   EXPECT_FALSE(beaconBandIsSquare(c, p));
-  c.width = 6.1;  // 1.5 * 6.1 + 1 = 10.15
+  c.width = 6.7;  // 1.35 * 6.7 + 1 = 10.05
   EXPECT_TRUE(beaconBandIsSquare(c, p));
-  c.width = 5.9;
+  c.width = 6.6;
   EXPECT_FALSE(beaconBandIsSquare(c, p));
 }
 
@@ -153,11 +153,11 @@ TEST(BeaconChecks, BandCutAtItsSideMayShowSixTenthsOfItsWidth) {
   const BeaconParams p;
   BeaconCandidate c;
   c.upper = c.lower = 10;
-  c.width = 3.7;  // of at most 6.2
+  c.width = 4.1;  // of at most 6.8
   EXPECT_FALSE(beaconBandIsSquare(c, p));
   c.widthCut = true;
   EXPECT_TRUE(beaconBandIsSquare(c, p));
-  c.width = 3.5;  // of at most 5.8
+  c.width = 3.9;  // of at most 6.5
   EXPECT_FALSE(beaconBandIsSquare(c, p));
 }
 

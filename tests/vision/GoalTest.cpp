@@ -217,13 +217,14 @@ TEST(GoalChecks, WidthBetweenItsEndsIsThatOfAMouth) {
   EXPECT_FALSE(kept(p.maxSeenWidth + 2.0));
 }
 
-TEST(GoalChecks, BetweenTwoRobotsAnythingMayBeAsWide) {
+TEST(GoalChecks, BetweenTwoRobotsMoreOfItMustShow) {
   const Board board(cameraAt(16, 0, 0));
-  GoalCandidate c = wide(board.body.camera, 80.0);
+  const GoalParams p;
+  GoalCandidate c = wide(board.body.camera, p.minHiddenWidth - 2.0);
   c.left.hidden = true;
-  EXPECT_TRUE(goalHasWidth(board.scene(), c, {}));
+  EXPECT_TRUE(goalHasWidth(board.scene(), c, p));
   c.right.hidden = true;
-  EXPECT_FALSE(goalHasWidth(board.scene(), c, {}));
+  EXPECT_FALSE(goalHasWidth(board.scene(), c, p));
 }
 
 TEST(GoalChecks, MouthFacesTheFieldWithin72Degrees) {
