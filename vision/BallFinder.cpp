@@ -210,7 +210,7 @@ bool ballHasEdges(const BallCandidate& c, const BallParams& p) {
 
 bool ballIsRound(const BallCandidate& c, const BallParams& p) {
   return c.cone.radius <= kLargestRadius &&
-         c.cone.rms <= std::min(p.maxCircleError * c.cone.radius + 0.3, 4.0);
+         c.cone.rms <= std::max(p.maxCircleError * c.cone.radius, p.leastCircleError);
 }
 
 bool ballIsOrange(const Scene& scene, const BallCandidate& c, const BallParams& p) {

@@ -57,6 +57,11 @@ Band bandBeyond(const Scene& scene, PixelPoint from, ColourClass inside, ImageUp
   return band;
 }
 
+// px, height of a band that the image shows whole.
+double bandOf(const BeaconCandidate& c) {
+  return c.topCut ? c.lower : c.bottomCut ? c.upper : 0.5 * (c.upper + c.lower);
+}
+
 struct Width {
   double value = 0.0;
   double offset = 0.0;  // px to the right, of its middle from where it was measured
@@ -98,8 +103,12 @@ void measureWidth(const Scene& scene, BeaconCandidate& c) {
 }
 
 // A band much higher than the other runs on into something of its colour: its end is not known.
+// Of two unequal bands over something that is no white, a robot or the ball hides the lower.
 void forgetMergedEnds(BeaconCandidate& c, const BeaconParams& p) {
-  if (!c.onWhite) return;
+  if (!c.onWhite) {
+    c.bottomCut = c.bottomCut || c.upper > p.maxRatio * c.lower + 1.0;
+    return;
+  }
   if (c.upper > p.maxRatio * c.lower + 1.0) {
     c.upper = c.lower;
     c.topCut = true;
@@ -114,6 +123,13 @@ double measureDistance(const Scene& scene, const BeaconCandidate& c) {
   const double height = c.topCut || c.bottomCut ? kBandHeight : 2.0 * kBandHeight;
   // The bands' front is measured, the axis is meant.
   return high - low > 1e-4 ? height / (high - low) + kBeaconRadius : 1e6;
+}
+
+// Elevation of the bands' border less that of 30 cm at the distance that their size tells, rad.
+double elevationError(const Scene& scene, const BeaconCandidate& c) {
+  const double expected =
+      (kTopHeight - kBandHeight - scene.body.camera.position.z) / (c.distance - kBeaconRadius);
+  return maths::atan(sightOf(scene.body.camera, c.middle).slope) - maths::atan(expected);
 }
 
 // From a pink point with the partner on one side.
@@ -165,6 +181,7 @@ void measure(const Scene& scene, const BeaconParams& p, BeaconCandidate& c) {
   forgetMergedEnds(c, p);
   measureWidth(scene, c);
   c.distance = measureDistance(scene, c);
+  c.sure = std::fabs(elevationError(scene, c)) <= p.sureElevation.rad();
 }
 
 // Where to look for a pink band: in a pink blob, or next to a blue or yellow one that is no longer
@@ -229,14 +246,8 @@ bool accepted(const Scene& scene, const BeaconCandidate& c, const BeaconParams& 
          check(beaconHeightFitsSize(scene, c, p), Refusal::beaconElevation) &&
          check(beaconHasWhiteBelow(scene, c, p), Refusal::beaconNoWhiteBelow) &&
          check(beaconIsInImage(c), Refusal::beaconCut) &&
+         check(beaconStandsAtFieldEdge(scene, c, p), Refusal::beaconOffFieldEdge) &&
          check(beaconStandsOnField(scene, c), Refusal::beaconNoField);
-}
-
-// Elevation of the bands' border less that of 30 cm at the distance that their size tells, rad.
-double elevationError(const Scene& scene, const BeaconCandidate& c) {
-  const double expected =
-      (kTopHeight - kBandHeight - scene.body.camera.position.z) / (c.distance - kBeaconRadius);
-  return maths::atan(sightOf(scene.body.camera, c.middle).slope) - maths::atan(expected);
 }
 
 // How unlike a beacon it is: of several of one kind the one with the least is kept.
@@ -296,10 +307,11 @@ bool beaconBandsAreEqual(const BeaconCandidate& c, const BeaconParams& p) {
 
 // A band is 10 cm wide and high; the border may cut a third of its width.
 bool beaconBandIsSquare(const BeaconCandidate& c, const BeaconParams& p) {
-  const double height = c.topCut ? c.lower : c.bottomCut ? c.upper : 0.5 * (c.upper + c.lower);
-  const bool wide = c.width > p.maxAspect * height + 1.0;
+  const double height = bandOf(c);
+  const double aspect = c.sure ? p.maxSureAspect : p.maxAspect;
+  const bool wide = c.width > aspect * height + 1.0;
   const double seen = c.widthCut ? c.width / 0.6 : c.width;
-  const bool narrow = p.maxAspect * seen + 1.0 < height;
+  const bool narrow = aspect * seen + 1.0 < height;
   return !wide && !narrow;
 }
 
@@ -307,32 +319,39 @@ bool beaconReachesHorizon(const Scene& scene, const BeaconCandidate& c, const Be
   return belowHorizon(scene, c.middle) <= p.maxBelowHorizon;
 }
 
-// The lower two bands are white; three points within the first of them. Beyond the image: keep.
+// The lower two bands are white, as far as the image shows them.
 bool beaconHasWhiteBelow(const Scene& scene, const BeaconCandidate& c, const BeaconParams& p) {
-  if (c.bottomCut) return true;
-  const ImageUp down = reversed(scene.level.up());
-  const double band = 0.5 * (c.upper + c.lower);
+  const double band = bandOf(c);
+  int probes = 0;
   int white = 0;
-  for (const double share : {0.35, 0.6, 0.85}) {
-    const PixelPoint at = moved(c.bottom, down, share * band + 0.5);
-    if (!Sampler::usable(at)) return true;
+  for (double down = 0.2 * band; down < 1.9 * band; down += 0.5) {
+    const PixelPoint at = moved(c.bottom, scene.level.up(), -down);
+    if (!Sampler::usable(at)) break;
     const ColourClass colour = scene.sampler.classAt(at);
-    if (colour == ColourClass::white || colour == ColourClass::grey) ++white;
+    ++probes;
+    white += colour == ColourClass::white || colour == ColourClass::grey ? 1 : 0;
   }
-  // What was not found from its white must show more of it.
-  return white >= (c.onWhite ? p.minWhiteProbes : p.minWhiteProbes + 1.0);
+  return white >= p.minWhiteShare * probes || (c.bottomCut && c.sure);
+}
+
+// Three bands below the colours' border is its foot, and beacons stand at the carpet's edge.
+bool beaconStandsAtFieldEdge(const Scene& scene, const BeaconCandidate& c, const BeaconParams& p) {
+  if (scene.fieldEdges.empty()) return true;
+  const double band = bandOf(c);
+  const double below = belowFieldEdge(scene, moved(c.middle, scene.level.up(), -3.0 * band));
+  return below >= -p.maxFootAboveEdge && below <= p.maxFootBelowEdge * band + 1.0;
 }
 
 // What the image's border cuts above or below must show its whole width.
 bool beaconIsInImage(const BeaconCandidate& c) {
   const int cuts = (c.topCut ? 1 : 0) + (c.bottomCut ? 1 : 0) + (c.widthCut ? 1 : 0);
-  return cuts < 2;
+  return cuts < 2 || c.sure;
 }
 
 // Where its 20 cm of white end the carpet begins, or a robot or a ball hides it.
 bool beaconStandsOnField(const Scene& scene, const BeaconCandidate& c) {
   if (c.bottomCut) return true;
-  const double band = c.topCut ? c.lower : 0.5 * (c.upper + c.lower);
+  const double band = bandOf(c);
   const double end = 3.2 * band + 5.0;
   int strange = 0;
   for (double down = 0.7 * band; down < end; down += 1.0) {

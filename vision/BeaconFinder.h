@@ -28,6 +28,7 @@ struct BeaconCandidate {
   double width = 0.0;  // px, of the narrower band
   bool widthCut = false;
   double distance = 0.0;  // cm on the ground, camera to the beacon's axis
+  bool sure = false;      // its height fits its size so well that parts of it may be hidden or cut
 };
 
 // The checks: true = keep.
@@ -38,6 +39,7 @@ bool beaconBandIsSquare(const BeaconCandidate& c, const BeaconParams& p);
 bool beaconReachesHorizon(const Scene& scene, const BeaconCandidate& c, const BeaconParams& p);
 bool beaconHasWhiteBelow(const Scene& scene, const BeaconCandidate& c, const BeaconParams& p);
 bool beaconIsInImage(const BeaconCandidate& c);
+bool beaconStandsAtFieldEdge(const Scene& scene, const BeaconCandidate& c, const BeaconParams& p);
 bool beaconStandsOnField(const Scene& scene, const BeaconCandidate& c);
 bool beaconHeightFitsSize(const Scene& scene, const BeaconCandidate& c, const BeaconParams& p);
 bool beaconIsNear(const BeaconCandidate& c, const BeaconParams& p);

@@ -16,6 +16,7 @@ constexpr int kHoles = 2;
 constexpr double kLeastSpacing = 2.0;  // px between columns
 constexpr double kTooTall = 1.4;       // of the goal's height
 constexpr double kAgree = 0.2;         // share by which columns' distances may differ
+constexpr double kFootSd = 0.012;      // rad, between a column's foot and the ground
 constexpr double kFootRows = 2.5;      // px by which the feet of a goal's columns differ
 
 // The lowest pixel of the candidate's colour in a level column, two lattice steps of it in a row.
@@ -92,20 +93,39 @@ std::optional<GoalColumn> columnAt(const Scene& scene, const GoalParams& p, Goal
   return column;
 }
 
-bool isMeasured(const GoalColumn& column) {
-  return column.green && !column.tall && column.distance > 0.0;
+bool agrees(const GoalColumn& column, double distance) {
+  return std::fabs(column.distance - distance) <= kAgree * distance + column.sd;
 }
 
-// Clothes behind the goal make a column higher, so its distance less, and nothing makes it shorter:
-// the distance that 30 % of the columns exceed; 0 when none is measured.
-double likelyDistance(const GoalCandidate& c, const GoalParams& p) {
-  FixedVector<double, kGoalColumns> distances;
+// A robot's head before its top makes a column too short, so too far for where its foot stands.
+bool isMeasured(const GoalColumn& column, const GoalParams& p) {
+  return column.green && !column.tall && column.distance > 0.0 &&
+         std::fabs(column.footError) <= p.directionError.rad();
+}
+
+// How much of a goal of this distance the columns are, a column less the worse its foot fits the
+// ground there: clothes behind make it higher, so too near, a robot's head before it too short.
+double supportOf(const GoalCandidate& c, const GoalColumn& reference, const GoalParams& p) {
+  double support = 0.0;
   for (const GoalColumn& column : c.columns) {
-    if (isMeasured(column) && column.distance < p.maxDistance) distances.push_back(column.distance);
+    if (!isMeasured(column, p) || !agrees(column, reference.distance)) continue;
+    support += 1.0 / (1.0 + maths::square(column.footError / kFootSd));
   }
-  if (distances.empty()) return 0.0;
-  std::sort(distances.begin(), distances.end());
-  return distances[distances.size() * 7 / 10];
+  return support;
+}
+
+// That of the column with the largest support; 0 when none is measured.
+double likelyDistance(const GoalCandidate& c, const GoalParams& p) {
+  double best = 0.0;
+  double most = 0.0;
+  for (const GoalColumn& column : c.columns) {
+    if (!isMeasured(column, p) || column.distance > p.maxDistance) continue;
+    const double support = supportOf(c, column, p);
+    if (support <= most) continue;
+    most = support;
+    best = column.distance;
+  }
+  return best;
 }
 
 double middleFoot(const Scene& scene, const GoalCandidate& c) {
@@ -123,9 +143,8 @@ double middleFoot(const Scene& scene, const GoalCandidate& c) {
 void chooseColumns(const Scene& scene, const GoalParams& p, GoalCandidate& c) {
   const double reference = likelyDistance(c, p);
   for (GoalColumn& column : c.columns) {
-    const double allowed = kAgree * reference + column.sd;
-    const bool agrees = std::fabs(column.distance - reference) <= allowed;
-    column.chosen = isMeasured(column) ? agrees : column.green && column.footCut;
+    column.chosen =
+        isMeasured(column, p) ? agrees(column, reference) : column.green && column.footCut;
   }
   const double foot = middleFoot(scene, c);
   for (GoalColumn& column : c.columns) {

@@ -138,7 +138,6 @@ bool accepted(const Scene& scene, const GoalCandidate& c, const GoalParams& p,
          check(goalHasFieldBelow(c, p), Refusal::goalNoField) &&
          check(goalIsMeasured(c), Refusal::goalNoHeight) &&
          check(goalHasWidth(scene, c, p), Refusal::goalWidth) &&
-         check(goalStandsOnGround(c, p), Refusal::goalOffGround) &&
          check(goalIsNear(c, p), Refusal::goalTooFar);
 }
 
@@ -188,8 +187,19 @@ bool goalStandsBelowHorizon(const Scene& scene, const GoalCandidate& c, const Go
   return belowHorizon(scene, footOf(scene, c)) >= -p.maxAboveHorizon;
 }
 
+// A goal stands on the carpet, clothes on the floor behind it: some column's foot meets the edge.
 bool goalStandsInsideFieldEdge(const Scene& scene, const GoalCandidate& c, const GoalParams& p) {
-  return belowFieldEdge(scene, footOf(scene, c)) >= -p.maxAboveFieldEdge;
+  double lowest = -1e9;
+  double sum = 0.0;
+  int feet = 0;
+  for (const GoalColumn& column : c.columns) {
+    if (!column.chosen || column.footCut) continue;
+    const double below = belowFieldEdge(scene, column.foot);
+    lowest = std::max(lowest, below);
+    sum += below;
+    ++feet;
+  }
+  return feet == 0 || (lowest >= -p.maxAboveFieldEdge && sum >= -p.maxMeanAboveFieldEdge * feet);
 }
 
 // Of the columns between the goal's ends.
@@ -227,15 +237,11 @@ bool goalHasWidth(const Scene& scene, const GoalCandidate& c, const GoalParams& 
   return seen >= least && seen <= p.maxSeenWidth;
 }
 
-bool goalStandsOnGround(const GoalCandidate& c, const GoalParams& p) {
-  return std::fabs(c.footError) <= p.directionError.rad();
-}
-
 bool goalFacesField(const GoalShape& shape, const GoalParams& p) {
   if (!shape.valid) return false;
   const Angle sight = bearing(shape.middle);
-  const double aside = std::fabs((Angle::rad(shape.turn) - sight).rad());
-  return aside <= p.maxTurn.rad();
+  const double turn = std::fabs((Angle::rad(shape.turn) - sight).rad());
+  return turn <= p.maxTurn.rad() && shape.middle.norm() * maths::sin(turn) <= p.maxAside;
 }
 
 bool goalIsNear(const GoalCandidate& c, const GoalParams& p) { return c.wall <= p.maxDistance; }

@@ -59,7 +59,6 @@ bool goalHasFieldBelow(const GoalCandidate& c, const GoalParams& p);
 bool goalHasNoPinkBeside(const Scene& scene, const GoalCandidate& c);
 bool goalIsMeasured(const GoalCandidate& c);
 bool goalHasWidth(const Scene& scene, const GoalCandidate& c, const GoalParams& p);
-bool goalStandsOnGround(const GoalCandidate& c, const GoalParams& p);
 bool goalIsNear(const GoalCandidate& c, const GoalParams& p);
 
 using GoalGaps = FixedVector<GoalGap, 6>;

@@ -40,11 +40,11 @@ enum class Refusal : std::uint8_t {
   goalNoHeight,  // neither upper nor lower edge inside the image
   goalAboveFieldEdge,
   bufferFull,
-  goalWidth,        // its angle and distance make no 80 cm
-  goalOffGround,    // its foot is not on the ground at its distance
-  goalOpposite,     // the other goal is in the image and larger
-  beaconCut,        // by two borders of the image
-  beaconNoField,    // no carpet at the foot of its white part
+  goalWidth,      // its angle and distance make no 80 cm
+  goalOpposite,   // the other goal is in the image and larger
+  beaconCut,      // by two borders of the image
+  beaconNoField,  // no carpet at the foot of its white part
+  beaconOffFieldEdge,
   ballOnGoal,       // a goal's or beacon's colour right below it
   ballPartOfPatch,  // the orange is far larger than the circle
   goalAslant,       // seen from behind or along its goal line
@@ -114,10 +114,10 @@ constexpr std::array<const char*, kRefusalCount> kRefusalNames = {"ballTooSmall"
                                                                   "goalAboveFieldEdge",
                                                                   "bufferFull",
                                                                   "goalWidth",
-                                                                  "goalOffGround",
                                                                   "goalOpposite",
                                                                   "beaconCut",
                                                                   "beaconNoField",
+                                                                  "beaconOffFieldEdge",
                                                                   "ballOnGoal",
                                                                   "ballPartOfPatch",
                                                                   "goalAslant",

@@ -18,17 +18,22 @@ struct RobotParams {
   double cleanOwnShare = 0.9;          // of a patch that is believed without carpet behind it
   double cleanForeignShare = 0.1;
   Angle maxElevation = Angle::deg(14);  // a patch 20 cm high seen from 12 cm at 35 cm: 13 deg
-  double minInsideFieldEdge = 1;        // px, of the foot from the field edge
+  double minInsideFieldEdge = 2;        // px, of the foot from the field edge
   double minCarpetBehind = 1.2;         // px of green beside the robot, above the foot's level
-  double maxPatchWidth = 20;            // cm
-  double maxPatchHeight = 16;           // cm
+  double minPatchWidth = 1.5;           // cm
+  double minCutPatch = 3;               // cm, height of a patch whose robot shows no feet
+  double maxPatchWidth = 13;            // cm
+  double maxPatchHeight = 9;            // cm
   double maxTall = 3.5;                 // height to width of a patch: trouser legs are taller
-  double minHeight = 4;                 // cm, of a patch's middle above the ground
-  double maxHeight = 26;                // cm
+  double minHeight = 8;                 // cm, of a patch's middle above the ground
+  double maxHeight = 21.5;              // cm
   double minShell = 0.2;                // share of white and grey round a patch
+  double fewSamples = 4;                // lattice samples of a patch that may be a speck
+  double minShellOfFew = 0.35;          // minShell of such
   double patchHeight = 12;              // cm, assumed when the image border cuts the feet
   double patchSize = 5.5;               // cm, upright; the same
-  double maxCutDistance = 70;           // cm, for such a robot: farther ones show their feet
+  double maxCutDistance = 60;           // cm, for such a robot: farther ones show their feet
+  double maxDoubtfulCutDistance = 40;   // with other colours round its patch
   double reach = 9;                     // cm beside a patch where legs are looked for
   double maxGap = 13;                   // cm between two patches of one robot
   double maxLength = 30;                // cm, of all patches of one robot
@@ -56,14 +61,19 @@ struct RobotParams {
         field("minCarpetBehind", &P::minCarpetBehind, "px", -10, 10),
         field("minInsideFieldEdge", &P::minInsideFieldEdge, "px", -160, 160),
         field("minCarpetBehind", &P::minCarpetBehind, "px", -10, 10),
+        field("minPatchWidth", &P::minPatchWidth, "cm", 0, 100),
+        field("minCutPatch", &P::minCutPatch, "cm", 0, 100),
         field("maxPatchWidth", &P::maxPatchWidth, "cm", 1, 100),
         field("maxTall", &P::maxTall, "", 0.1, 20),
         field("maxPatchHeight", &P::maxPatchHeight, "cm", 1, 100),
         field("minHeight", &P::minHeight, "cm", -20, 50),
         field("maxHeight", &P::maxHeight, "cm", 0, 100), field("minShell", &P::minShell, "", 0, 1),
+        field("fewSamples", &P::fewSamples, "", 0, 1000),
+        field("minShellOfFew", &P::minShellOfFew, "", 0, 1),
         field("patchSize", &P::patchSize, "cm", 1, 50),
         field("patchHeight", &P::patchHeight, "cm", 1, 50),
         field("maxCutDistance", &P::maxCutDistance, "cm", 0, 500),
+        field("maxDoubtfulCutDistance", &P::maxDoubtfulCutDistance, "cm", 0, 500),
         field("reach", &P::reach, "cm", 0, 50), field("maxGap", &P::maxGap, "cm", 0, 50),
         field("maxLength", &P::maxLength, "cm", 5, 100),
         field("minTeamRatio", &P::minTeamRatio, "", 1, 100),

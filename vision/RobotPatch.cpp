@@ -41,9 +41,10 @@ void measureDistance(const Scene& scene, ImageUp up, const RobotParams& p, Robot
   // too, and how far in the image the first round tells.
   double reach = 0.0;
   for (const int columns : {kFirstColumns, kFootColumns}) {
-    patch.foot = nearestFoot(scene, up,
-                             {patch.centre, -patch.extent.left - reach, patch.extent.right + reach,
-                              columns, colourOf(patch.team)});
+    const Foot foot = nearestFoot(scene, up,
+                                  {patch.centre, -patch.extent.left - reach,
+                                   patch.extent.right + reach, columns, colourOf(patch.team)});
+    if (foot.distance < patch.foot.distance) patch.foot = foot;
     const bool cut = patch.foot.end != FootEnd::carpet;
     patch.distance = cut ? distanceWithoutFoot(scene, patch, p) : patch.foot.distance;
     patch.scale = scaleAt(scene, patch.distance, p.patchHeight);
@@ -159,7 +160,11 @@ bool robotPatchIsLow(const Scene& scene, const RobotPatch& patch, const RobotPar
 }
 
 bool robotPatchHasSize(const RobotPatch& patch, const RobotParams& p) {
-  return patch.extent.width() <= p.maxPatchWidth * patch.scale + 2.0 &&
+  // Without feet the size is all that tells the distance, so the whole patch must show.
+  const bool cut = patch.foot.end != FootEnd::carpet;
+  if (cut && patch.extent.height() + 1.0 < p.minCutPatch * patch.scale) return false;
+  return patch.extent.width() + 1.0 >= p.minPatchWidth * patch.scale &&
+         patch.extent.width() <= p.maxPatchWidth * patch.scale + 2.0 &&
          patch.extent.height() <= p.maxPatchHeight * patch.scale + 2.0 &&
          patch.extent.height() <= p.maxTall * patch.extent.width() + 2.0;
 }
@@ -183,14 +188,14 @@ bool robotPatchIsClean(const RobotPatch& patch, const RobotParams& p) {
 }
 
 bool robotHasShell(const RobotPatch& patch, const RobotParams& p) {
-  return patch.shell >= p.minShell;
+  return patch.shell >= (patch.samples <= p.fewSamples ? p.minShellOfFew : p.minShell);
 }
 
 bool robotIsInsideFieldEdge(const Scene& scene, const RobotPatch& patch, const RobotParams& p) {
   const bool unknown = patch.behind <= kUnknownBehind;
   if (!unknown && patch.behind < p.minCarpetBehind) return false;
-  if (patch.foot.end != FootEnd::carpet) return true;
-  if (unknown && scene.fieldEdges.empty()) return robotPatchIsClean(patch, p);
+  if (unknown && patch.foot.end == FootEnd::carpet && scene.fieldEdges.empty())
+    return robotPatchIsClean(patch, p);
   return belowFieldEdge(scene, patch.foot.pixel) >= p.minInsideFieldEdge;
 }
 
@@ -204,9 +209,9 @@ bool robotPatchHasColour(const RobotPatch& patch, const RobotParams& p) {
 }
 
 bool robotIsNear(const RobotPatch& patch, const RobotParams& p) {
-  const bool sure = patch.foot.end == FootEnd::carpet || patch.behind >= p.sureCarpetBehind ||
-                    robotPatchIsClean(patch, p);
-  return patch.foot.distance <= (sure ? p.maxDistance : p.maxCutDistance);
+  if (patch.foot.end == FootEnd::carpet) return patch.foot.distance <= p.maxDistance;
+  const bool sure = patch.behind >= p.sureCarpetBehind || robotPatchIsClean(patch, p);
+  return patch.distance <= (sure ? p.maxCutDistance : p.maxDoubtfulCutDistance);
 }
 
 }  // namespace kelpie::vision

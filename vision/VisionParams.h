@@ -15,17 +15,18 @@
 namespace kelpie::vision {
 
 struct BallParams {
-  double minSamples = 2;           // lattice samples of orange
-  double minEdgePoints = 5;        // of 16 spokes
-  double maxCircleError = 0.15;    // rms of the edge points, in radii, plus 0.3 px
-  double minOrangeShare = 0.4;     // of the circle; a robot may hide half of it
-  double maxOtherShare = 0.35;     // of pink, yellow and robot red together, of the circle
-  double maxAboveHorizon = 10;     // facts-2005 4.5 check 1
-  double maxAboveFieldEdge = 0.1;  // px, of the ball's lowest point
-  double maxAboveShare = 0.03;     // more for each px of radius
-  double maxPatch = 1.6;           // area of the orange patch to that of the circle
-  double minFieldPoints = 2;       // green or lower image border among 7 points beside and below
-  double maxDistance = 450;        // 2006 field: 420 is the far corner seen from the middle
+  double minSamples = 2;             // lattice samples of orange
+  double minEdgePoints = 5;          // of 16 spokes
+  double maxCircleError = 0.05;      // rms of the edge points, in radii
+  double leastCircleError = 0.3;     // px, allowed of the smallest: edges are whole pixels
+  double minOrangeShare = 0.4;       // of the circle; a robot may hide half of it
+  double maxOtherShare = 0.35;       // of pink, yellow and robot red together, of the circle
+  double maxAboveHorizon = 10;       // facts-2005 4.5 check 1
+  double maxAboveFieldEdge = -0.25;  // px, of the ball's lowest point: it stands inside
+  double maxAboveShare = 0.03;       // more for each px of radius
+  double maxPatch = 1.6;             // area of the orange patch to that of the circle
+  double minFieldPoints = 2;         // green or lower image border among 7 points beside and below
+  double maxDistance = 450;          // 2006 field: 420 is the far corner seen from the middle
   Angle directionError = Angle::deg(3);  // camera against ground, for ballOffGround
   Angle directionSd = Angle::deg(1);     // the same as a standard deviation, while walking
   double edgeSd = 0.3;                   // px, of the radius
@@ -35,6 +36,7 @@ struct BallParams {
     return fieldList(field("minSamples", &BallParams::minSamples, "", 1, 100),
                      field("minEdgePoints", &BallParams::minEdgePoints, "", 4, 16),
                      field("maxCircleError", &BallParams::maxCircleError, "", 0, 1),
+                     field("leastCircleError", &BallParams::leastCircleError, "px", 0, 5),
                      field("minOrangeShare", &BallParams::minOrangeShare, "", 0, 1),
                      field("maxOtherShare", &BallParams::maxOtherShare, "", 0, 1),
                      field("maxAboveHorizon", &BallParams::maxAboveHorizon, "px", -160, 160),
@@ -51,13 +53,17 @@ struct BallParams {
 };
 
 struct BeaconParams {
-  double minSamples = 2;        // lattice samples of pink
-  double minBand = 2.5;         // px, each coloured band
-  double maxRatio = 1.35;       // of the two bands' heights
-  double maxAspect = 1.35;      // width to height of a band, and its inverse; the rule is 1
-  double maxBelowHorizon = 25;  // px, facts-2005 4.5 check 5
-  double minWhiteProbes = 1;    // of three below the coloured part
-  Angle elevationError = Angle::deg(4.5);
+  double minSamples = 2;          // lattice samples of pink
+  double minBand = 2.5;           // px, each coloured band
+  double maxRatio = 1.35;         // of the two bands' heights
+  double maxAspect = 1.35;        // width to height of a band, and its inverse; the rule is 1
+  double maxBelowHorizon = 25;    // px, facts-2005 4.5 check 5
+  double minWhiteShare = 0.5;     // of the two bands below the coloured part
+  double maxFootAboveEdge = 2;    // px, of where its foot should be from the field edge
+  double maxFootBelowEdge = 0.6;  // bands: beacons stand at most 20 cm inside the carpet's edge
+  Angle elevationError = Angle::deg(1.7);
+  Angle sureElevation = Angle::deg(0.4);  // so small an error makes up for what is hidden or cut
+  double maxSureAspect = 1.6;
   double maxDistance = 500;  // beyond, two pixels of clothes pass for a band
   double edgeSd = 0.35;      // px, of each band edge
   Angle headingSd = Angle::deg(0.7);
@@ -68,7 +74,11 @@ struct BeaconParams {
                      field("maxRatio", &BeaconParams::maxRatio, "", 1, 10),
                      field("maxAspect", &BeaconParams::maxAspect, "", 1, 10),
                      field("maxBelowHorizon", &BeaconParams::maxBelowHorizon, "px", -160, 160),
-                     field("minWhiteProbes", &BeaconParams::minWhiteProbes, "", 0, 3),
+                     field("minWhiteShare", &BeaconParams::minWhiteShare, "", 0, 1),
+                     field("maxFootAboveEdge", &BeaconParams::maxFootAboveEdge, "px", 0, 160),
+                     field("maxFootBelowEdge", &BeaconParams::maxFootBelowEdge, "", 0, 20),
+                     field("sureElevation", &BeaconParams::sureElevation, "rad", 0, 45),
+                     field("maxSureAspect", &BeaconParams::maxSureAspect, "", 1, 10),
                      field("elevationError", &BeaconParams::elevationError, "rad", 0, 45),
                      field("maxDistance", &BeaconParams::maxDistance, "cm", 50, 1000),
                      field("edgeSd", &BeaconParams::edgeSd, "px", 0.01, 5),
@@ -77,48 +87,52 @@ struct BeaconParams {
 };
 
 struct GoalParams {
-  double minSamples = 20;                // lattice samples
-  double minWidth = 8;                   // px
-  double minHeight = 5;                  // px
-  double maxTall = 1.3;                  // height to width of a goal that no image border cuts
-  double maxFlat = 4.5;                  // width to height; 80 : 30 seen from the front is 2.7
-  double maxAboveHorizon = 12;           // px, of the lower edge: facts-2005 4.5 check 7 has 20
-  double maxAboveFieldEdge = 6;          // px, of the lower edge
-  double minFieldColumns = 0.4;          // share of columns with green below, check 8
-  double minSeenWidth = 42;              // cm between the ends, seen 60 deg from the side: 66
-  double minCutWidth = 40;               // cm of a goal that the image border cuts
-  double minHiddenWidth = 50;            // cm between two robots that hide both posts
-  double maxSeenWidth = 125;             // cm, with a side wall seen from outside
-  Angle directionError = Angle::deg(3);  // camera against ground, for goalOffGround
-  double maxDistance = 620;
+  double minSamples = 20;            // lattice samples
+  double minWidth = 8;               // px
+  double minHeight = 5;              // px
+  double maxTall = 1.3;              // height to width of a goal that no image border cuts
+  double maxFlat = 4.5;              // width to height; 80 : 30 seen from the front is 2.7
+  double maxAboveHorizon = 12;       // px, of the lower edge: facts-2005 4.5 check 7 has 20
+  double maxAboveFieldEdge = 0.3;    // px, of the lowest foot: of true goals 1 in 100 is higher
+  double maxMeanAboveFieldEdge = 2;  // px, of all feet
+  double minFieldColumns = 0.4;      // share of columns with green below, check 8
+  double minSeenWidth = 32;          // cm between the ends, seen 60 deg from the side: 66
+  double minCutWidth = 30;           // cm of a goal that the image border cuts
+  double minHiddenWidth = 32;        // cm between two robots that hide both posts
+  double maxSeenWidth = 125;         // cm, with a side wall seen from outside
+  Angle directionError = Angle::deg(1.7);  // a column's foot against the ground at its distance
+  double maxDistance = 560;           // the opposite goal's back wall, seen from the own mouth: 570
   double width = 80;                  // cm, of the mouth
   double depth = 30;                  // cm from the mouth to the back wall
   Angle maxTurn = Angle::deg(72);     // of the mouth from square to the sight
+  double maxAside = 450;              // cm from the goal's axis: half the field, and a turn's error
   double edgeSd = 0.5;                // px, of the upper and of the lower edge
   Angle directionSd = Angle::deg(1);  // camera against ground, while walking
   Angle headingSd = Angle::deg(1);
 
   static constexpr auto fields() {
-    return fieldList(field("minSamples", &GoalParams::minSamples, "", 1, 1000),
-                     field("minWidth", &GoalParams::minWidth, "px", 1, 100),
-                     field("minHeight", &GoalParams::minHeight, "px", 1, 100),
-                     field("maxTall", &GoalParams::maxTall, "", 0.1, 10),
-                     field("maxFlat", &GoalParams::maxFlat, "", 1, 50),
-                     field("maxAboveHorizon", &GoalParams::maxAboveHorizon, "px", -160, 160),
-                     field("maxAboveFieldEdge", &GoalParams::maxAboveFieldEdge, "px", -160, 160),
-                     field("minFieldColumns", &GoalParams::minFieldColumns, "", 0, 1),
-                     field("minSeenWidth", &GoalParams::minSeenWidth, "cm", 0, 200),
-                     field("minCutWidth", &GoalParams::minCutWidth, "cm", 0, 200),
-                     field("minHiddenWidth", &GoalParams::minHiddenWidth, "cm", 0, 200),
-                     field("maxSeenWidth", &GoalParams::maxSeenWidth, "cm", 0, 500),
-                     field("directionError", &GoalParams::directionError, "rad", 0, 20),
-                     field("maxDistance", &GoalParams::maxDistance, "cm", 50, 1000),
-                     field("maxTurn", &GoalParams::maxTurn, "rad", 0, 90),
-                     field("width", &GoalParams::width, "cm", 20, 200),
-                     field("depth", &GoalParams::depth, "cm", 0, 60),
-                     field("edgeSd", &GoalParams::edgeSd, "px", 0.01, 5),
-                     field("directionSd", &GoalParams::directionSd, "rad", 0.05, 20),
-                     field("headingSd", &GoalParams::headingSd, "rad", 0.01, 20));
+    return fieldList(
+        field("minSamples", &GoalParams::minSamples, "", 1, 1000),
+        field("minWidth", &GoalParams::minWidth, "px", 1, 100),
+        field("minHeight", &GoalParams::minHeight, "px", 1, 100),
+        field("maxTall", &GoalParams::maxTall, "", 0.1, 10),
+        field("maxFlat", &GoalParams::maxFlat, "", 1, 50),
+        field("maxAboveHorizon", &GoalParams::maxAboveHorizon, "px", -160, 160),
+        field("maxAboveFieldEdge", &GoalParams::maxAboveFieldEdge, "px", -160, 160),
+        field("maxMeanAboveFieldEdge", &GoalParams::maxMeanAboveFieldEdge, "px", -160, 160),
+        field("minFieldColumns", &GoalParams::minFieldColumns, "", 0, 1),
+        field("minSeenWidth", &GoalParams::minSeenWidth, "cm", 0, 200),
+        field("minCutWidth", &GoalParams::minCutWidth, "cm", 0, 200),
+        field("minHiddenWidth", &GoalParams::minHiddenWidth, "cm", 0, 200),
+        field("maxSeenWidth", &GoalParams::maxSeenWidth, "cm", 0, 500),
+        field("directionError", &GoalParams::directionError, "rad", 0, 20),
+        field("maxDistance", &GoalParams::maxDistance, "cm", 50, 1000),
+        field("maxTurn", &GoalParams::maxTurn, "rad", 0, 90),
+        field("width", &GoalParams::width, "cm", 20, 200),
+        field("depth", &GoalParams::depth, "cm", 0, 60),
+        field("edgeSd", &GoalParams::edgeSd, "px", 0.01, 5),
+        field("directionSd", &GoalParams::directionSd, "rad", 0.05, 20),
+        field("headingSd", &GoalParams::headingSd, "rad", 0.01, 20));
   }
 };
 

@@ -142,9 +142,14 @@ TEST(BallChecks, EdgesRoundnessAndRangeDecideAtTheirLimits) {
   c.cone.kept = 5;
   EXPECT_TRUE(ballHasEdges(c, p));
   c.cone.radius = 10;
-  c.cone.rms = 1.7;
+  c.cone.rms = 0.49;
   EXPECT_TRUE(ballIsRound(c, p));
-  c.cone.rms = 1.9;
+  c.cone.rms = 0.51;
+  EXPECT_FALSE(ballIsRound(c, p));
+  c.cone.radius = 3;  // whole pixels make a small circle rough
+  c.cone.rms = 0.29;
+  EXPECT_TRUE(ballIsRound(c, p));
+  c.cone.rms = 0.31;
   EXPECT_FALSE(ballIsRound(c, p));
   c.range = 449;
   EXPECT_TRUE(ballIsNear(c, p));

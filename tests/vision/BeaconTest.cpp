@@ -63,8 +63,8 @@ TEST(Beacon, WithItsTopOutsideTheImageIsMeasuredByThePinkBand) {
 
 TEST(Beacon, BeforeTheGoalOfItsColourIsFoundAndTheGoalToo) {
   Painting p = beaconAt(200, 0, kPinkPaint, kBluePaint);
-  p.carpetEnd = 400;
-  addGoal(p, -10, 330, kBluePaint);
+  p.carpetEnd = 260;
+  addGoal(p, -10, 225, kBluePaint);
   const Seen seen = look(p, cameraAt(16, 0, 0));
   EXPECT_NE(find(seen.percepts, LandmarkKind::beaconPinkOnBlue), nullptr);
 }
@@ -121,6 +121,31 @@ TEST(Beacon, BeforeTrousersOfItsUpperColourIsFound) {
   ASSERT_NE(beacon, nullptr);
   EXPECT_NEAR(beacon->distance, 180, 18);  // by the lower band alone, 11 px high
   EXPECT_NEAR(beacon->heading.deg(), 5.0, 0.7);
+}
+
+TEST(Beacon, InTheMiddleOfTheCarpetIsRefused) {
+  Painting p = beaconAt(150, 0, kBluePaint, kPinkPaint);
+  p.carpetEnd = 400;
+  const Seen seen = look(p, cameraAt(16, 0, 0));
+  EXPECT_TRUE(seen.percepts.landmarks.empty());
+  EXPECT_GE(refused(seen, Refusal::beaconOffFieldEdge), 1);
+}
+
+TEST(Beacon, OfHalfTheSizeIsRefusedByItsHeight) {
+  Painting p = beaconAt(150, 0, kBluePaint, kPinkPaint);
+  p.beacons[0].bandHeight = 5;
+  p.beacons[0].radius = 2.5;
+  const Seen seen = look(p, cameraAt(14, 0, 0));
+  EXPECT_TRUE(seen.percepts.landmarks.empty());
+  EXPECT_GE(refused(seen, Refusal::beaconElevation), 1);
+}
+
+TEST(BeaconChecks, WhatFitsItsHeightMayBeCutByTwoBorders) {
+  BeaconCandidate c;
+  c.topCut = c.widthCut = true;
+  EXPECT_FALSE(beaconIsInImage(c));
+  c.sure = true;
+  EXPECT_TRUE(beaconIsInImage(c));
 }
 
 TEST(BeaconChecks, BandsAreOfOneHeightUnlessTheBorderCutsOne) {

@@ -138,12 +138,21 @@ TEST(Goal, NarrowBlueBoxAsHighAsAGoalIsRefusedByItsWidth) {
   EXPECT_EQ(refused(seen, Refusal::goalWidth), 1);
 }
 
+TEST(Goal, OnTheFloorBehindTheCarpetIsRefused) {
+  Painting p;
+  p.carpetEnd = 215;
+  addGoal(p, 0, 230, kBluePaint);
+  const Seen seen = look(p, cameraAt(24, 0, -3));
+  EXPECT_TRUE(seen.percepts.landmarks.empty());
+  EXPECT_EQ(refused(seen, Refusal::goalAboveFieldEdge), 1);
+}
+
 TEST(Goal, HalfSizeBoxNearByIsRefusedByItsFoot) {
   Painting p;  // half as large and near, so that its size says 200 cm, its foot 90
   p.walls.push_back({{-20, 100}, {20, 100}, 0, 15, kBluePaint});
   const Seen seen = look(p, cameraAt(24, 0, -6));
   EXPECT_TRUE(seen.percepts.landmarks.empty());
-  EXPECT_EQ(refused(seen, Refusal::goalOffGround), 1);
+  EXPECT_EQ(refused(seen, Refusal::goalNoHeight), 1);
 }
 
 TEST(Goal, BlueWallThatLeavesTheImageAtTheTopIsRefused) {
@@ -174,10 +183,10 @@ TEST(GoalChecks, ShapeAndDistanceDecideAtTheirLimits) {
   c.box = {10, 50, 190, 80};
   EXPECT_FALSE(goalHasShape(c, p));
   EXPECT_FALSE(goalIsMeasured(c));
-  c.wall = 619;
+  c.wall = 559;
   EXPECT_TRUE(goalIsMeasured(c));
   EXPECT_TRUE(goalIsNear(c, p));
-  c.wall = 621;
+  c.wall = 561;
   EXPECT_FALSE(goalIsNear(c, p));
 }
 

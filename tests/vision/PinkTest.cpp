@@ -55,6 +55,7 @@ TEST(Pink, WithoutSizeOrGroundOnlyTheHeadingMeansSomething) {
 
 TEST(Pink, OfABeaconIsNone) {
   Painting p;
+  p.carpetEnd = 190;
   p.beacons.push_back({{0, 180}, kYellowPaint, kPinkPaint});
   const Seen seen = look(p, cameraAt(17, 0, 0));
   EXPECT_TRUE(seen.percepts.pinkPatches.empty());

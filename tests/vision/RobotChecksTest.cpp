@@ -137,11 +137,30 @@ TEST(RobotChecks, FeetCutOffAreBelievedNearOnly) {
   EXPECT_TRUE(robotIsNear(patch, {}));
   patch.foot.end = FootEnd::imageBorder;
   patch.behind = 3;
-  EXPECT_TRUE(robotIsNear(patch, {}));
-  patch.own = 0.8;
   EXPECT_FALSE(robotIsNear(patch, {}));
-  patch.foot.distance = 60;
+  patch.distance = 59;
   EXPECT_TRUE(robotIsNear(patch, {}));
+  patch.own = 0.8;  // other colours on it
+  EXPECT_FALSE(robotIsNear(patch, {}));
+  patch.distance = 39;
+  EXPECT_TRUE(robotIsNear(patch, {}));
+}
+
+TEST(RobotChecks, APatchCutByTheImageIsNoMeasure) {
+  RobotPatch patch = goodPatch();
+  patch.scale = 2.8;  // 6 px are 2.1 cm, less than a whole patch's 5.5
+  patch.distance = 50;
+  EXPECT_TRUE(robotPatchHasSize(patch, {}));
+  patch.foot.end = FootEnd::imageBorder;
+  EXPECT_FALSE(robotPatchHasSize(patch, {}));
+}
+
+TEST(RobotChecks, ASpeckNeedsMoreShellAroundIt) {
+  RobotPatch patch = goodPatch();
+  patch.shell = 0.3;
+  EXPECT_TRUE(robotHasShell(patch, {}));
+  patch.samples = 3;
+  EXPECT_FALSE(robotHasShell(patch, {}));
 }
 
 TEST(RobotGroups, PatchesAreOfOneRobotWhenNearAndOfOneTeam) {

@@ -99,7 +99,7 @@ TEST(Robot, RedSpeckIsTooSmall) {
 
 TEST(Robot, RedWallIsTooLarge) {
   Painting p;
-  addWall(p, 0, 120, {-25, 25, 0, 12}, kRedPaint);
+  addWall(p, 0, 120, {-25, 25, 8, 20}, kRedPaint);
   const Seen seen = look(p, cameraAt(17, 0, -8));
   EXPECT_TRUE(seen.percepts.robots.empty());
   EXPECT_EQ(refused(seen, Refusal::robotSize), 1);

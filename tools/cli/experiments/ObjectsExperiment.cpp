@@ -24,6 +24,7 @@ namespace {
 // A percept farther than this from every object of its kind is of nothing.
 constexpr double kMatchHeadingDeg = 8.0;
 constexpr double kMatchGoalDeg = 15.0;
+constexpr double kMatchGoal = 40.0;  // cm, half a mouth: what is seen is within the goal
 constexpr double kMatchRobotDeg = 15.0;
 constexpr double kMatchShare = 0.4;   // of the distance
 constexpr double kMatchLeast = 15.0;  // cm
@@ -101,8 +102,9 @@ std::vector<Percept> perceptsOf(const Percepts& seen) {
   return all;
 }
 
-double headingLimit(ObjectKind kind) {
-  if (kind == ObjectKind::goal) return kMatchGoalDeg;
+double headingLimit(ObjectKind kind, double distance) {
+  if (kind == ObjectKind::goal)
+    return std::fmax(kMatchGoalDeg, Angle::rad(std::atan2(kMatchGoal, distance)).deg());
   return kind == ObjectKind::robot ? kMatchRobotDeg : kMatchHeadingDeg;
 }
 
@@ -112,7 +114,7 @@ bool matches(const Percept& p, const TrueObject& o) {
   if (p.kind != o.kind || p.landmark != o.landmark || !o.inView) return false;
   const double least = p.kind == ObjectKind::robot ? kMatchRobot : kMatchLeast;
   const double allowed = std::fmax(kMatchShare * o.distance, least);
-  return std::fabs(offDeg(p, o)) <= headingLimit(p.kind) &&
+  return std::fabs(offDeg(p, o)) <= headingLimit(p.kind, o.distance) &&
          std::fabs(p.distance - o.distance) <= allowed;
 }
 
