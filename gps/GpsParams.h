@@ -3,6 +3,7 @@
 // where it states numbers, else from a working filter (facts-2005 section 5), else they are ours.
 #pragma once
 
+#include "gps/LineParams.h"
 #include "robot/body/FieldDescription.h"
 #include "robot/core/Geometry.h"
 
@@ -25,13 +26,13 @@ struct InitialPose {
 // Noise of the odometry. Variances grow with the way walked, so that they do not depend on the
 // frame rate: 0.8 cm2 per cm is 4 cm after 20 cm.
 struct MotionNoise {
-  double alongPerCm = 0.8;       // cm2 along the walking direction per cm walked
-  double acrossPerCm = 0.5;      // cm2 across it per cm walked
-  double turnPerRad = 0.012;     // rad2 per rad turned
-  double turnPerCm = 1.5e-4;     // rad2 per cm walked
-  double positionPerRad = 4.0;   // cm2 per rad turned
-  double positionPerSecond = 2;  // cm2/s always: pushes
-  double turnPerSecond = 5e-4;   // rad2/s always
+  double alongPerCm = 0.8;        // cm2 along the walking direction per cm walked
+  double acrossPerCm = 0.5;       // cm2 across it per cm walked
+  double turnPerRad = 0.006;      // rad2 per rad turned
+  double turnPerCm = 0.5e-4;      // rad2 per cm walked
+  double positionPerRad = 4.0;    // cm2 per rad turned
+  double positionPerSecond = 2;   // cm2/s always: pushes
+  double turnPerSecond = 1.5e-4;  // rad2/s always
 
   static constexpr auto fields() {
     return fieldList(field("alongPerCm", &MotionNoise::alongPerCm, "cm", 0, 100),
@@ -72,8 +73,16 @@ struct LandmarkGates {
   }
 };
 
+// What becomes of a mode that did not foretell a landmark (thesis 2004 section 2.2.3): 1 refuses
+// the sighting and grows, 2 keeps an uncorrected copy of every mode, 3 also adds a wide mode each
+// time.
+enum class NoiseMethod : std::uint8_t { refuse, split, splitAndWide };
+
 // How hypotheses live and die.
 struct ModeParams {
+  NoiseMethod noiseMethod = NoiseMethod::splitAndWide;
+  double refuseBelow = 0.01;      // method 1: weight factor of a sighting that is refused
+  double refusedGrowth = 10.0;    // cm, sd added to a mode that refused, and 5 deg
   double noiseWeight = 1e-2;      // of the copy that is not updated: a false sighting's odds
   double wideWeight = 1e-12;      // of the mode added at the centre before each update
   double widePositionSd = 250.0;  // cm
@@ -86,7 +95,10 @@ struct ModeParams {
   std::uint32_t maxUnexplained = 25;  // in a row; then all begins anew around the next landmark
 
   static constexpr auto fields() {
-    return fieldList(field("noiseWeight", &ModeParams::noiseWeight, "", 0, 1),
+    return fieldList(field("noiseMethod", &ModeParams::noiseMethod, "", 0, 2),
+                     field("refuseBelow", &ModeParams::refuseBelow, "", 0, 1),
+                     field("refusedGrowth", &ModeParams::refusedGrowth, "cm", 0, 1000),
+                     field("noiseWeight", &ModeParams::noiseWeight, "", 0, 1),
                      field("wideWeight", &ModeParams::wideWeight, "", 0, 1),
                      field("widePositionSd", &ModeParams::widePositionSd, "cm", 10, 1e4),
                      field("wideHeadingSd", &ModeParams::wideHeadingSd, "rad", 10, 180),
@@ -139,6 +151,7 @@ struct GpsParams {
   MotionNoise motion;
   LandmarkGates gates;
   ModeParams modes;
+  LineParams line;
   BallParams ball;
 
   static constexpr auto fields() {
@@ -146,7 +159,8 @@ struct GpsParams {
     return fieldList(field("field", &GpsParams::field),
                      field("initialPose", &GpsParams::initialPose),
                      field("motion", &GpsParams::motion), field("gates", &GpsParams::gates),
-                     field("modes", &GpsParams::modes), field("ball", &GpsParams::ball));
+                     field("modes", &GpsParams::modes), field("line", &GpsParams::line),
+                     field("ball", &GpsParams::ball));
   }
 };
 

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 
+#include "gps/FieldFeatures.h"
 #include "robot/core/WorldModel.h"
 
 namespace kelpie::gps {
@@ -22,9 +23,10 @@ enum class Refusal : std::uint8_t {
   seedOffField,     // no place on the field explains the first landmark
   modeNotFinite,    // a hypothesis was removed
   ballNotFinite,
-  ballOutsideGate,  // waits for a second sighting like it
+  ballOutsideGate,    // waits for a second sighting like it
+  linesMatchNothing,  // near a likely mode
 };
-constexpr std::size_t kRefusalCount = 11;
+constexpr std::size_t kRefusalCount = 12;
 
 // Each of the modes and the wide one may be split in two.
 constexpr std::size_t kWorkModes = 2 * (kMaxModes + 1);
@@ -48,9 +50,11 @@ struct GpsState {
   bool lost = true;  // no landmark has been used since the start or the last loss of all modes
   Modes modes;
   double secondsSinceLandmark = 0.0;
+  double secondsSinceLines = 0.0;
   std::uint32_t unexplained = 0;  // landmarks in a row that no mode foretold
   BallTrack ball;
   GpsCounts counts;
+  FieldFeatures features;  // built before the first frame
 
   void count(Refusal reason) { ++counts.refused[static_cast<std::size_t>(reason)]; }
 };

@@ -6,6 +6,7 @@
 #include "gps/BallFilter.h"
 #include "gps/Extract.h"
 #include "gps/Landmarks.h"
+#include "gps/LineUpdate.h"
 #include "gps/Modes.h"
 #include "gps/Predict.h"
 
@@ -39,11 +40,22 @@ void useLandmarks(const GpsIn& in, const GpsParams& params, GpsState& state) {
   }
 }
 
+void useLines(const GpsIn& in, const GpsParams& params, GpsState& state) {
+  if (!params.line.use || state.lost) return;
+  const SeenLines seen = seenLines(in.percepts.linePoints, params.line);
+  if (!updateByLines(seen, headSpeed(in.input.headRate), params, state)) return;
+  tidy(params, state);
+  keepNearField(params.field, state.modes);
+  state.secondsSinceLines = 0.0;
+}
+
 }  // namespace
 
 WorldModel step(const GpsIn& in, const GpsParams& params, GpsState& state) {
+  if (!state.features.built()) state.features.build(params.field);
   if (!state.started) start(params, state);
   state.secondsSinceLandmark += in.input.elapsed;
+  state.secondsSinceLines += in.input.elapsed;
   Odometry odometry = in.input.odometry;
   if (!plausible(odometry)) {
     odometry = Odometry{};
@@ -53,6 +65,7 @@ WorldModel step(const GpsIn& in, const GpsParams& params, GpsState& state) {
   for (PoseMode& mode : state.modes) predict(mode, odometry, noise);
   keepNearField(params.field, state.modes);
   useLandmarks(in, params, state);
+  useLines(in, params, state);
   stepBall(in.input, in.percepts.ball, noise, params, state);
   return extract(state);
 }

@@ -149,9 +149,30 @@ void seedAround(const Measurement& measurement, const GpsParams& params, GpsStat
   state.lost = false;
 }
 
+// Method 1: what is unlikely is not believed, but the mode becomes less sure of itself.
+static void refuseUnlikely(const Measurement& measurement, const GpsParams& params,
+                           GpsState& state) {
+  constexpr double kGrowthPerCm = 0.5 / kDegrees;  // rad: 5 deg for 10 cm
+  const double growth = params.modes.refusedGrowth;
+  for (PoseMode& mode : state.modes) {
+    PoseMode corrected = mode;
+    update(corrected, measurement, params.modes.determinant);
+    if (corrected.weight >= params.modes.refuseBelow * mode.weight) {
+      mode = corrected;
+      continue;
+    }
+    mode.covariance[0] += maths::square(growth);
+    mode.covariance[4] += maths::square(growth);
+    mode.covariance[8] += maths::square(growth * kGrowthPerCm);
+  }
+}
+
 void updateAll(const Measurement& measurement, const GpsParams& params, GpsState& state) {
+  const bool wide = params.modes.noiseMethod == NoiseMethod::splitAndWide;
+  if (params.modes.noiseMethod == NoiseMethod::refuse)
+    return refuseUnlikely(measurement, params, state);
   Modes& modes = state.modes;
-  modes.push_back(wideMode(params, params.modes.wideWeight));
+  if (wide) modes.push_back(wideMode(params, params.modes.wideWeight));
   const std::size_t before = modes.size();
   double copies = 0.0;
   double corrected = 0.0;
@@ -164,6 +185,7 @@ void updateAll(const Measurement& measurement, const GpsParams& params, GpsState
     corrected += modes[i].weight;
   }
   // The wide mode alone is not enough: near modes crowd it out, and it cannot be linearised well.
+  if (!wide) return;  // the thesis' second method never begins anew
   const bool explained = corrected > params.modes.explainedShare * (copies + corrected);
   state.unexplained = explained ? 0 : state.unexplained + 1;
   if (state.unexplained <= params.modes.maxUnexplained) return;

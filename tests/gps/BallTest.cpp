@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
-#include "tests/gps/SimulatedRobot.h"
+#include "tools/cli/experiments/SimulatedRobot.h"
 
 namespace kelpie::gps {
 namespace {

@@ -7,7 +7,7 @@
 #include "gps/Modes.h"
 #include "gps/Predict.h"
 #include "gps/Update.h"
-#include "tests/gps/SimulatedRobot.h"
+#include "tools/cli/experiments/SimulatedRobot.h"
 
 namespace kelpie::gps {
 namespace {

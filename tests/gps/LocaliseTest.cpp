@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "tests/gps/SimulatedRobot.h"
+#include "tools/cli/experiments/SimulatedRobot.h"
 
 namespace kelpie::gps {
 namespace {

@@ -11,6 +11,14 @@ const std::vector<Experiment>& experiments() {
        "one robot, unknown start, ball at random, no opponent: share of trials with a goal within "
        "60 s, median time to it; every camera artefact on",
        20, scoreEmptyGoal},
+      {"localise-observations",
+       "the localiser on made landmark sightings (6 %, 2 deg, one in twenty false) and line points: "
+       "mean errors of place and heading while walking, at four headings",
+       20, localiseObservations},
+      {"maximiser",
+       "from a guess to the pose at which seen lines match best: the thesis' gradient ascent beside "
+       "damped Gauss-Newton steps; share within 10 cm and 5 deg, evaluations, error",
+       500, maximiser},
       {"line-points",
        "points on lines, border and carpet in random views with every artefact: share that is "
        "true, error on the ground by distance, share of the visible crossings found",

@@ -35,6 +35,8 @@ Expected<Json> scoreEmptyGoal(const ExperimentOptions& options);
 Expected<Json> walkAndKick(const ExperimentOptions& options);
 Expected<Json> classPlanes(const ExperimentOptions& options);
 Expected<Json> distances(const ExperimentOptions& options);
+Expected<Json> localiseObservations(const ExperimentOptions& options);
+Expected<Json> maximiser(const ExperimentOptions& options);
 Expected<Json> linePoints(const ExperimentOptions& options);
 Expected<Json> pinkPatches(const ExperimentOptions& options);
 Expected<Json> obstaclesAhead(const ExperimentOptions& options);

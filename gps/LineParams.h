@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+// Tunables of the update by field lines (thesis 2004 sections 3.2 and 3.3).
+#pragma once
+
+#include <cstdint>
+
+#include "robot/core/Angle.h"
+#include "robot/core/Fields.h"
+
+namespace kelpie::gps {
+
+struct LineParams {
+  bool use = true;
+  std::uint32_t minPoints = 8;     // of painted lines in a frame; facts-2005 section 5 has 8
+  std::uint32_t maxPoints = 40;    // of lines that are used, spread evenly over those seen
+  double sharpness = 0.004;        // 1/cm2, S of thesis equation 3.2: a match of 0.5 at 16 cm
+  double coarseShare = 0.125;      // of the sharpness, for the first steps of an unsure mode
+  double coarseAbove = 12.0;       // cm, sd of a mode from which these are made
+  std::uint32_t maxSteps = 8;      // of the maximiser
+  double farStep = 20.0;           // cm, most of one step
+  Angle farTurn = Angle::deg(15);  // the same for the heading
+  double pointSd = 2.7;            // cm, of one point on the ground
+  double correlation = 10.0;       // how many points of how many frames err alike
+  double floorSd = 2.0;            // cm, of a pose from lines, whatever their number
+  Angle floorHeadingSd = Angle::deg(1);
+  double match = 0.5;          // least match with a still head is match + matchStill (3.22)
+  double matchStill = 0.3;     // and falls with the head's speed
+  double headSpeed = 50.0;     // 1/rad a frame, of equations 3.22 and 3.23
+  double offField = 0.02;      // 1/cm2, of equation 3.21
+  double noiseWeight = 0.05;   // of the copy that the lines do not correct
+  double refusedWeight = 0.5;  // of a mode whose lines do not match anything
+  double leastWeight = 0.02;   // of the heaviest; lighter modes are not fitted
+  std::uint32_t maxModes = 3;  // so many are fitted
+  double maxSd = 60.0;         // cm; wider modes say nothing about which line is seen
+  Angle maxHeadingSd = Angle::deg(30);
+
+  static constexpr auto fields() {
+    using P = LineParams;
+    return fieldList(
+        field("use", &P::use), field("minPoints", &P::minPoints, "", 1, 256),
+        field("maxPoints", &P::maxPoints, "", 4, 128),
+        field("sharpness", &P::sharpness, "1/cm2", 1e-5, 1),
+        field("coarseShare", &P::coarseShare, "", 0.001, 1),
+        field("coarseAbove", &P::coarseAbove, "cm", 0, 1000),
+        field("maxSteps", &P::maxSteps, "", 1, 100), field("farStep", &P::farStep, "cm", 0.1, 200),
+        field("farTurn", &P::farTurn, "rad", 0.1, 90),
+        field("pointSd", &P::pointSd, "cm", 0.1, 100),
+        field("correlation", &P::correlation, "", 0.1, 1000),
+        field("floorSd", &P::floorSd, "cm", 0, 100),
+        field("floorHeadingSd", &P::floorHeadingSd, "rad", 0, 45),
+        field("match", &P::match, "", 0, 1), field("matchStill", &P::matchStill, "", 0, 1),
+        field("headSpeed", &P::headSpeed, "", 0, 1000),
+        field("offField", &P::offField, "1/cm2", 0, 1),
+        field("noiseWeight", &P::noiseWeight, "", 0, 1),
+        field("refusedWeight", &P::refusedWeight, "", 0, 1),
+        field("leastWeight", &P::leastWeight, "", 0, 1), field("maxModes", &P::maxModes, "", 1, 8),
+        field("maxSd", &P::maxSd, "cm", 1, 1000),
+        field("maxHeadingSd", &P::maxHeadingSd, "rad", 1, 180));
+  }
+};
+
+}  // namespace kelpie::gps

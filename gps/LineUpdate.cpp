@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gps/LineUpdate.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace kelpie::gps {
+namespace {
+
+// Too wide a mode does not tell which of the lines is seen.
+bool isNarrow(const PoseMode& mode, const LineParams& params) {
+  return mode.covariance[0] + mode.covariance[4] <= 2.0 * maths::square(params.maxSd) &&
+         mode.covariance[8] <= maths::square(params.maxHeadingSd.rad());
+}
+
+bool isUnsure(const PoseMode& mode, const LineParams& params) {
+  return mode.covariance[0] + mode.covariance[4] > 2.0 * maths::square(params.coarseAbove);
+}
+
+// The pose itself is known no better than the floor, however many points agree.
+Matrix3 floored(const Matrix3& information, const LineParams& params) {
+  const double place = maths::square(params.floorSd);
+  const Vector3 variances(place, place, maths::square(params.floorHeadingSd.rad()));
+  const Matrix3 sum = Matrix3::Identity() + variances.asDiagonal() * information;
+  const Matrix3 result = information * sum.inverse();
+  return 0.5 * (result + result.transpose());
+}
+
+}  // namespace
+
+double headSpeed(const HeadRate& rate) {
+  const double fastest =
+      std::max({std::fabs(rate.neckTilt), std::fabs(rate.headPan), std::fabs(rate.headNod)});
+  return std::isfinite(fastest) ? kFrameSeconds * fastest : 1.0;
+}
+
+void correct(PoseMode& mode, const PoseObservation& observation) {
+  const Matrix3 p = covarianceOf(mode);
+  const Matrix3 sum = Matrix3::Identity() + p * observation.information;
+  const Matrix3 a = sum.inverse();
+  Vector3 innovation(observation.pose.position.x - mode.pose.position.x,
+                     observation.pose.position.y - mode.pose.position.y,
+                     (observation.pose.heading - mode.pose.heading).rad());
+  const Matrix3 spread = observation.information * a;
+  mode.weight *= maths::exp(-0.5 * std::max(0.0, innovation.dot(spread * innovation)));
+  mode.pose = poseOf(meanOf(mode) + a * p * observation.information * innovation);
+  setCovariance(mode, a * p);
+}
+
+std::optional<PoseObservation> observationOf(const LineFit& fit, const FieldFeatures& field,
+                                             double headSpeed, const LineParams& params) {
+  const double moving = params.headSpeed * headSpeed;
+  const double away = field.outside(fit.pose.position).value;
+  const double inside = maths::exp(-params.offField * away * away);
+  if (fit.match * inside < params.match + params.matchStill / (1.0 + moving)) return std::nullopt;
+  PoseObservation observation;
+  observation.pose = fit.pose;
+  observation.information = floored(fit.information / (1.0 + moving * moving), params);
+  return observation;
+}
+
+bool updateByLines(const SeenLines& seen, double headSpeed, const GpsParams& params,
+                   GpsState& state) {
+  const LineParams& p = params.line;
+  if (seen.lines.size() < p.minPoints) return false;
+  Modes& modes = state.modes;
+  const std::size_t before = std::min<std::size_t>(modes.size(), p.maxModes);
+  const double least = p.leastWeight * modes[0].weight;
+  bool corrected = false;
+  for (std::size_t i = 0; i < before; ++i) {
+    if (modes[i].weight < least || !isNarrow(modes[i], p)) continue;
+    const LineFit fit = fitLines(seen, modes[i].pose, state.features, p, isUnsure(modes[i], p));
+    const auto observation = observationOf(fit, state.features, headSpeed, p);
+    if (!observation) {
+      state.count(Refusal::linesMatchNothing);
+      modes[i].weight *= p.refusedWeight;
+      continue;
+    }
+    PoseMode copy = modes[i];
+    copy.weight *= p.noiseWeight;
+    correct(modes[i], *observation);
+    modes.push_back(copy);
+    corrected = true;
+  }
+  return corrected;
+}
+
+}  // namespace kelpie::gps

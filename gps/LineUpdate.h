@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+// Corrects the likely modes by the field lines (thesis 2004 section 3.3). Each likely mode gets the
+// pose near it at which the lines match best, as an observation of the pose itself whose
+// information is the match's curvature: along a lone straight line it is zero, so that direction
+// stays as it was. A copy without the correction stays for the case that the lines were others.
+#pragma once
+
+#include "gps/GpsParams.h"
+#include "gps/GpsState.h"
+#include "gps/LineFit.h"
+#include "robot/core/FrameInput.h"
+
+namespace kelpie::gps {
+
+// rad a frame, the fastest of the head's joints.
+double headSpeed(const HeadRate& rate);
+
+// An observation of the pose. Singular where the lines say nothing.
+struct PoseObservation {
+  Pose2 pose;
+  Matrix3 information;
+};
+
+// Kalman update in information form, valid for singular information: A = (1 + P L)^-1,
+// gain = A P L, P' = A P. Multiplies the weight by S in (0, 1] (equation 2.9).
+void correct(PoseMode& mode, const PoseObservation& observation);
+
+// What the fit is worth: nothing when it matches worse than equation 3.22 asks, off the field
+// (3.20, 3.21); wider the faster the head moves (3.23).
+std::optional<PoseObservation> observationOf(const LineFit& fit, const FieldFeatures& field,
+                                             double headSpeed, const LineParams& params);
+
+// Returns whether any mode was corrected. Call tidy() afterwards.
+bool updateByLines(const SeenLines& seen, double headSpeed, const GpsParams& params,
+                   GpsState& state);
+
+}  // namespace kelpie::gps

@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: Apache-2.0
+// Field lines: distances, the match and its maximum, and the update by it.
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <memory>
+
+#include "gps/LineUpdate.h"
+#include "gps/MatchTable.h"
+#include "gps/Modes.h"
+#include "tools/cli/experiments/SimulatedRobot.h"
+
+namespace kelpie::gps {
+namespace {
+
+const body::FieldDescription& field2006() {
+  static const body::FieldDescription field = *body::fieldDescription("2006");
+  return field;
+}
+
+const FieldFeatures& features() {
+  static const auto built = [] {
+    auto f = std::make_unique<FieldFeatures>();
+    f->build(field2006());
+    return f;
+  }();
+  return *built;
+}
+
+// Points of the painted lines up to 250 cm around a pose, without noise.
+SeenLines seenFrom(const Pose2& pose) {
+  SeenLines seen;
+  for (const body::FieldLine& line : field2006().lines) {
+    const Point2<Field> way = line.to - line.from;
+    for (double at = 0.0; at < way.norm(); at += 15.0) {
+      const Point2<Robot> p = robotFromField(pose, line.from + way * (at / way.norm()));
+      if (p.y > 0.0 && p.norm() < 250.0) seen.lines.push_back({p, 1.0});
+    }
+  }
+  return seen;
+}
+
+const Pose2 kPose{{150.0, 120.0}, Angle::deg(40.0)};
+
+TEST(FieldFeatures, DistanceIsThatToTheNearestPaint) {
+  EXPECT_NEAR(std::fabs(features().nearest({60.0, 280.0}).value), 10.0, 1e-9);  // halfway line
+  EXPECT_NEAR(std::fabs(features().nearest({180.0, 270.0 + 30.0}).value), 30.0 - 16.75, 1e-9);
+  EXPECT_NEAR(features().outside({-30.0, 300.0}).value, 10.0, 1e-9);
+  EXPECT_EQ(features().outside({10.0, 300.0}).value, 0.0);
+}
+
+TEST(FieldFeatures, SlopeIsThatOfTheDistance) {
+  Random random(3);
+  for (int i = 0; i < 200; ++i) {
+    const Point2<Field> p{random.uniform(-80, 440), random.uniform(-80, 620)};
+    const FeatureDistance d = features().nearest(p);
+    const double h = 1e-4;
+    const double dx = (features().nearest({p.x + h, p.y}).value - d.value) / h;
+    const double dy = (features().nearest({p.x, p.y + h}).value - d.value) / h;
+    EXPECT_NEAR(dx, d.alongX, 1e-2);
+    EXPECT_NEAR(dy, d.alongY, 1e-2);
+  }
+}
+
+TEST(LineFit, MatchIsWholeAtTheTruePoseAndAtItsTwin) {
+  const SeenLines seen = seenFrom(kPose);
+  const LineParams p;
+  EXPECT_GT(lineMatch(seen, kPose, features(), p), 0.99);
+  const Pose2 twin{{360.0 - 150.0, 540.0 - 120.0}, Angle::deg(220.0)};
+  EXPECT_NEAR(lineMatch(seen, twin, features(), p), lineMatch(seen, kPose, features(), p), 1e-6);
+  const Pose2 aside{{170.0, 105.0}, Angle::deg(40.0)};
+  EXPECT_LT(lineMatch(seen, aside, features(), p), 0.7);
+}
+
+TEST(LineFit, FindsThePoseFromNearBy) {
+  const SeenLines seen = seenFrom(kPose);
+  const Pose2 start{{160.0, 110.0}, Angle::deg(47.0)};
+  const LineFit fit = fitLines(seen, start, features(), {});
+  EXPECT_LT(distance(fit.pose.position, kPose.position), 0.5);
+  EXPECT_LT((fit.pose.heading - kPose.heading).abs().deg(), 0.3);
+  EXPECT_LE(fit.steps, LineParams{}.maxSteps);
+}
+
+TEST(LineFit, AStraightLineSaysNothingAlongIt) {
+  SeenLines seen;  // the side line x = 0, seen from 60 cm, facing it
+  for (double y = -40; y <= 40; y += 10) seen.lines.push_back({{y, 60.0}, 1.0});
+  const Pose2 pose{{61.25, 200.0}, Angle::deg(180.0)};
+  const LineFit fit = fitLines(seen, pose, features(), {});
+  EXPECT_GT(fit.information(0, 0), 0.05);
+  EXPECT_NEAR(fit.information(1, 1), 0.0, 1e-9);
+  EXPECT_NEAR(fit.pose.position.y, 200.0, 1e-6);
+}
+
+TEST(LineFit, BrokenPointsAreLeftOut) {
+  FixedVector<LinePoint, 256> points;
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  points.push_back({LinePointKind::line, {nan, 1.0}, 1.0, {}});
+  points.push_back({LinePointKind::line, {1.0, 2.0}, std::numeric_limits<double>::infinity(), {}});
+  points.push_back({LinePointKind::line, {1.0, 2.0}, -1.0, {}});
+  points.push_back({LinePointKind::line, {1.0, 2.0}, 0.5, {}});
+  EXPECT_EQ(seenLines(points, {}).lines.size(), 1U);
+}
+
+PoseMode modeAt(const Pose2& pose) {
+  PoseMode mode;
+  mode.weight = 1.0;
+  mode.pose = pose;
+  mode.covariance = {400, 30, 0.4, 30, 250, -0.2, 0.4, -0.2, 0.05};
+  return mode;
+}
+
+TEST(LineCorrection, EqualsTheTextbookFilter) {
+  PoseMode mode = modeAt(kPose);
+  const Matrix3 p = covarianceOf(mode);
+  Matrix3 r;
+  r << 20, 3, 0, 3, 30, 0.01, 0, 0.01, 0.002;
+  const Vector3 shift(5.0, -8.0, 0.1);
+  const Matrix3 gain = p * (p + r).inverse();
+  correct(mode, {poseOf(meanOf(modeAt(kPose)) + shift), r.inverse()});
+  EXPECT_TRUE(meanOf(mode).isApprox(meanOf(modeAt(kPose)) + gain * shift, 1e-9));
+  EXPECT_TRUE(covarianceOf(mode).isApprox(p - gain * p, 1e-9));
+  EXPECT_NEAR(mode.weight, std::exp(-0.5 * shift.dot((p + r).inverse() * shift)), 1e-9);
+}
+
+TEST(LineCorrection, LeavesTheDirectionOfWhichNothingIsKnown) {
+  PoseMode mode = modeAt(kPose);
+  mode.covariance = {400, 0, 0, 0, 250, 0, 0, 0, 0.05};
+  Matrix3 information = Matrix3::Zero();
+  information(0, 0) = 0.1;
+  correct(mode, {{{170.0, 500.0}, kPose.heading}, information});
+  EXPECT_GT(mode.pose.position.x, 169.0);
+  EXPECT_EQ(mode.pose.position.y, kPose.position.y);
+  EXPECT_NEAR(mode.covariance[4], 250.0, 1e-9);
+}
+
+TEST(LineObservation, PoorMatchesAreRefusedAndFastHeadsBelievedLess) {
+  LineFit fit = fitLines(seenFrom(kPose), kPose, features(), {});
+  const auto still = observationOf(fit, features(), 0.0, {});
+  const auto fast = observationOf(fit, features(), 0.08, {});
+  ASSERT_TRUE(still && fast);
+  EXPECT_GT(still->information(0, 0), 2.0 * fast->information(0, 0));
+  fit.match = 0.79;  // 0.8 with a still head
+  EXPECT_FALSE(observationOf(fit, features(), 0.0, {}));
+  EXPECT_TRUE(observationOf(fit, features(), 0.08, {}));
+  fit.match = 1.0;
+  fit.pose.position = {-40.0, 100.0};
+  EXPECT_FALSE(observationOf(fit, features(), 0.0, {}));
+}
+
+double meanErrorByLines(bool use) {
+  double sum = 0.0;
+  for (std::uint64_t run = 0; run < 10; ++run) {
+    SimulatedRobot robot({180, 250, 1.0}, run);
+    robot.params.line.use = use;
+    robot.params.initialPose = {true, {{195, 240}, Angle::rad(1.1)}, 20.0, Angle::deg(10)};
+    for (int i = 0; i < 90; ++i) {
+      robot.walk(0.7, 0.0, 0.01);
+      robot.lookAtLines(1.2 * std::sin(i / 10.0));
+      const WorldModel world = robot.step();
+      if (i >= 60) sum += robot.error(world) / 30 / 10;
+    }
+  }
+  return sum;
+}
+
+TEST(Lines, AloneKeepAKnownPose) {
+  EXPECT_LT(meanErrorByLines(true), 4.0);
+  EXPECT_GT(meanErrorByLines(false), 12.0);
+}
+
+TEST(Lines, OfNonsenseLeaveAFiniteWideEstimate) {
+  SimulatedRobot robot({180, 250, 1.0});
+  robot.params.initialPose = {true, {{180, 250}, Angle::rad(1.0)}, 20.0, Angle::deg(10)};
+  Random random(5);
+  for (int i = 0; i < 100; ++i) {
+    robot.percepts.linePoints.clear();
+    for (int k = 0; k < 60; ++k)
+      robot.percepts.linePoints.push_back(
+          {LinePointKind::line, {random.uniform(-1e6, 1e6), random.uniform(-1e3, 1e3)}, 1.0, {}});
+    const WorldModel world = robot.step();
+    ASSERT_TRUE(std::isfinite(world.pose.position.x) && std::isfinite(world.positionSd));
+  }
+  EXPECT_GT(robot.state.counts.refused[static_cast<std::size_t>(Refusal::linesMatchNothing)], 0);
+  EXPECT_LT(robot.error(robot.step()), 5.0);
+}
+
+TEST(MatchTable, HasTheThesisSizeAndValues) {
+  const MatchTables tables(field2006(), features(), 0.004);
+  EXPECT_EQ(tables.lines.bytes(), 714400U);
+  const auto at = [&tables](double x, double y, Interpolation how) {
+    return tables.lines.at({x, y}, how).value;
+  };
+  const double d = std::fabs(features().nearest({60.0, 280.0}).value);
+  EXPECT_NEAR(at(60.0, 280.0, Interpolation::thesis), 1.0 / (1.0 + 0.004 * d * d), 1e-6);
+  EXPECT_NEAR(at(60.0, 280.0, Interpolation::bilinear), 1.0 / (1.0 + 0.004 * d * d), 1e-6);
+  EXPECT_NEAR(at(61.3, 283.1, Interpolation::thesis), at(61.3, 283.1, Interpolation::bilinear),
+              0.01);
+}
+
+TEST(MatchTable, SlopeIsThatOfTheOverallMatch) {
+  const MatchTables tables(field2006(), features(), 0.004);
+  const SeenLines seen = seenFrom(kPose);
+  const Pose2 pose{{158.0, 113.0}, Angle::deg(44.0)};
+  for (const Interpolation how : {Interpolation::thesis, Interpolation::bilinear}) {
+    const OverallMatch here = overallMatch(seen, pose, tables, how);
+    const double h = 0.5;
+    const auto match = [&](double x, double y) {
+      return overallMatch(seen, {{158.0 + x, 113.0 + y}, pose.heading}, tables, how).value;
+    };
+    EXPECT_NEAR(here.slope(0), (match(h, 0) - match(-h, 0)) / (2 * h), 0.15 * 0.02);
+    EXPECT_NEAR(here.slope(1), (match(0, h) - match(0, -h)) / (2 * h), 0.15 * 0.02);
+  }
+}
+
+TEST(Ascent, ClimbsAndEndsNearThePose) {
+  const MatchTables tables(field2006(), features(), 0.004);
+  const SeenLines seen = seenFrom(kPose);
+  const Pose2 start{{158.0, 113.0}, Angle::deg(44.0)};
+  const double before = overallMatch(seen, start, tables, Interpolation::thesis).value;
+  const Ascent ascent = ascend(seen, start, tables, {});
+  EXPECT_GT(ascent.match, before + 0.1);
+  EXPECT_LT(distance(ascent.pose.position, kPose.position), 5.0);
+}
+
+}  // namespace
+}  // namespace kelpie::gps

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+// The three ways to treat a sighting that a mode did not foretell (thesis 2004 section 2.2.3).
+#include <gtest/gtest.h>
+
+#include "gps/Modes.h"
+#include "tools/cli/experiments/SimulatedRobot.h"
+
+namespace kelpie::gps {
+namespace {
+
+SimulatedRobot localised(NoiseMethod method) {
+  SimulatedRobot robot({180, 250, 1.5});
+  robot.params.modes.noiseMethod = method;
+  robot.params.initialPose = {true, {{180, 250}, Angle::rad(1.5)}, 5.0, Angle::deg(3)};
+  robot.step();
+  return robot;
+}
+
+// A beacon 120 deg beside where it should be.
+void seeFalsely(SimulatedRobot& robot) {
+  const auto landmarks = body::landmarksFor(robot.params.field, robot.input.game.team);
+  LandmarkPercept p = robot.look(landmarks[3], false);
+  p.heading = p.heading + Angle::deg(120);
+  robot.percepts.landmarks.push_back(p);
+  robot.walk(0, 0, 0);
+  robot.step();
+  robot.percepts.landmarks.clear();
+}
+
+TEST(NoiseMethod, RefusingKeepsThePlaceAndGrows) {
+  SimulatedRobot robot = localised(NoiseMethod::refuse);
+  const double before = robot.state.modes[0].covariance[0];
+  seeFalsely(robot);
+  ASSERT_EQ(robot.state.modes.size(), 1U);
+  EXPECT_NEAR(robot.state.modes[0].covariance[0], before + 100.0, 5.0);
+  EXPECT_LT(robot.error(robot.step()), 0.5);
+}
+
+TEST(NoiseMethod, SplittingKeepsAnUncorrectedCopyInFront) {
+  for (const NoiseMethod method : {NoiseMethod::split, NoiseMethod::splitAndWide}) {
+    SimulatedRobot robot = localised(method);
+    seeFalsely(robot);
+    EXPECT_GE(robot.state.modes.size(), 2U);
+    EXPECT_LT(robot.error(robot.step()), 0.5);
+  }
+}
+
+TEST(NoiseMethod, OnlyTheThirdHasAWideMode) {
+  const auto widest = [](NoiseMethod method) {
+    SimulatedRobot robot = localised(method);
+    seeFalsely(robot);
+    double most = 0.0;
+    for (const PoseMode& mode : robot.state.modes) most = std::max(most, mode.covariance[0]);
+    return most;
+  };
+  EXPECT_LT(widest(NoiseMethod::split), 400.0);
+  EXPECT_GT(widest(NoiseMethod::splitAndWide), 1000.0);
+}
+
+}  // namespace
+}  // namespace kelpie::gps
