@@ -89,13 +89,15 @@ void measureWidth(const Scene& scene, BeaconCandidate& c) {
   const PixelPoint high = moved(c.middle, up, 0.5 * c.upper);
   const PixelPoint low = moved(c.middle, up, -0.5 * c.lower);
   const PixelPoint white = moved(c.bottom, up, -0.8 * c.lower);
-  Width best = better(widthAt(scene, high, c.pinkIsLower ? c.partner : ColourClass::pink),
-                      widthAt(scene, low, c.pinkIsLower ? ColourClass::pink : c.partner));
+  const Width ofUpper = widthAt(scene, high, c.pinkIsLower ? c.partner : ColourClass::pink);
+  const Width ofLower = widthAt(scene, low, c.pinkIsLower ? ColourClass::pink : c.partner);
+  Width best = better(ofUpper, ofLower);
   if (c.onWhite && Sampler::usable(white) && scene.sampler.classAt(white) == ColourClass::white) {
     const Width foot = widthAt(scene, white, ColourClass::white);
     if (foot.value >= 0.7 * best.value) best = better(best, foot);
   }
   c.width = best.value;
+  c.widest = std::max(ofUpper.value, ofLower.value);
   c.widthCut = best.cut;
   if (best.cut) return;
   for (PixelPoint* point : {&c.top, &c.middle, &c.bottom})
@@ -241,6 +243,7 @@ bool accepted(const Scene& scene, const BeaconCandidate& c, const BeaconParams& 
          check(beaconIsLarge(c, p), Refusal::beaconTooSmall) &&
          check(beaconBandsAreEqual(c, p), Refusal::beaconSizeRatio) &&
          check(beaconBandIsSquare(c, p), Refusal::beaconAspect) &&
+         check(beaconBandsStandAlone(c, p), Refusal::beaconMerged) &&
          check(beaconReachesHorizon(scene, c, p), Refusal::beaconBelowHorizon) &&
          check(beaconIsNear(c, p), Refusal::beaconTooFar) &&
          check(beaconHeightFitsSize(scene, c, p), Refusal::beaconElevation) &&
@@ -313,6 +316,13 @@ bool beaconBandIsSquare(const BeaconCandidate& c, const BeaconParams& p) {
   const double seen = c.widthCut ? c.width / 0.6 : c.width;
   const bool narrow = aspect * seen + 1.0 < height;
   return !wide && !narrow;
+}
+
+// Pink on a coat is on far more of the coat's colour. A goal or trousers behind a beacon are far
+// wider too, but then the white below tells it.
+bool beaconBandsStandAlone(const BeaconCandidate& c, const BeaconParams& p) {
+  return c.onWhite ||
+         c.widest <= (c.topCut || c.bottomCut ? p.maxCutBandWidths : p.maxBandWidths) * c.width;
 }
 
 bool beaconReachesHorizon(const Scene& scene, const BeaconCandidate& c, const BeaconParams& p) {

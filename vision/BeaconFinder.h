@@ -25,7 +25,8 @@ struct BeaconCandidate {
   bool bottomCut = false;
   double upper = 0.0;  // px, height of the upper band
   double lower = 0.0;
-  double width = 0.0;  // px, of the narrower band
+  double width = 0.0;   // px, of the narrower band
+  double widest = 0.0;  // px, of the wider band, with what touches it
   bool widthCut = false;
   double distance = 0.0;  // cm on the ground, camera to the beacon's axis
   bool sure = false;      // its height fits its size so well that parts of it may be hidden or cut
@@ -36,6 +37,7 @@ bool beaconHasPartner(const BeaconCandidate& c);
 bool beaconIsLarge(const BeaconCandidate& c, const BeaconParams& p);
 bool beaconBandsAreEqual(const BeaconCandidate& c, const BeaconParams& p);
 bool beaconBandIsSquare(const BeaconCandidate& c, const BeaconParams& p);
+bool beaconBandsStandAlone(const BeaconCandidate& c, const BeaconParams& p);
 bool beaconReachesHorizon(const Scene& scene, const BeaconCandidate& c, const BeaconParams& p);
 bool beaconHasWhiteBelow(const Scene& scene, const BeaconCandidate& c, const BeaconParams& p);
 bool beaconIsInImage(const BeaconCandidate& c);

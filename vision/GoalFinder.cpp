@@ -137,6 +137,7 @@ bool accepted(const Scene& scene, const GoalCandidate& c, const GoalParams& p,
          check(goalHasNoPinkBeside(scene, c), Refusal::goalIsBeacon) &&
          check(goalHasFieldBelow(c, p), Refusal::goalNoField) &&
          check(goalIsMeasured(c), Refusal::goalNoHeight) &&
+         check(goalIsSure(c, p), Refusal::goalUnsure) &&
          check(goalHasWidth(scene, c, p), Refusal::goalWidth) &&
          check(goalIsNear(c, p), Refusal::goalTooFar);
 }
@@ -157,6 +158,16 @@ void keepBetter(const Scene& scene, const GoalCandidate& c, const GoalParams& p,
     return std::fabs(seenWidth(scene, g, p) - p.width);
   };
   if (!goalIsMeasured(best) || misfit(c) < misfit(best)) best = c;
+}
+
+// A narrow part of a goal stands aslant when its ends are taken for posts: then what hides the rest
+// was not recognised.
+GoalShape shapeOf(const Scene& scene, GoalCandidate& c, const GoalParams& p) {
+  const GoalShape shape = fitGoal(scene, c, p);
+  if (goalFacesField(shape, p) || !goalIsPart(scene, c, p)) return shape;
+  c.left.hidden = true;
+  c.right.hidden = true;
+  return fitGoal(scene, c, p);
 }
 
 // The lowest point of the middle.
@@ -229,12 +240,29 @@ bool goalHasNoPinkBeside(const Scene& scene, const GoalCandidate& c) {
 
 bool goalIsMeasured(const GoalCandidate& c) { return c.wall > 0.0; }
 
+// A robot before the top or clothes behind it change the height of many columns: then the few that
+// are left must fit the ground better.
+bool goalIsSure(const GoalCandidate& c, const GoalParams& p) {
+  int chosen = 0;
+  int measured = 0;
+  for (const GoalColumn& column : c.columns) {
+    chosen += column.chosen ? 1 : 0;
+    measured += column.chosen && column.distance > 0.0 ? 1 : 0;
+  }
+  return measured >= p.minSureShare * chosen || std::fabs(c.footError) <= p.doubtfulDirection.rad();
+}
+
 bool goalHasWidth(const Scene& scene, const GoalCandidate& c, const GoalParams& p) {
   const double seen = seenWidth(scene, c, p);
   // Anything may show between two pairs of legs.
   if (c.left.hidden && c.right.hidden) return seen >= p.minHiddenWidth && seen <= p.maxSeenWidth;
   const double least = c.left.open() || c.right.open() ? p.minCutWidth : p.minSeenWidth;
   return seen >= least && seen <= p.maxSeenWidth;
+}
+
+bool goalIsPart(const Scene& scene, const GoalCandidate& c, const GoalParams& p) {
+  return seenWidth(scene, c, p) <= p.maxPartWidth &&
+         std::fabs(c.footError) <= p.doubtfulDirection.rad();
 }
 
 bool goalFacesField(const GoalShape& shape, const GoalParams& p) {
@@ -259,7 +287,7 @@ void findGoals(const Scene& scene, const GoalParams& params, VisionCounts& count
       if (!same && tried(scene, single, params, counts)) keepBetter(scene, single, params, best);
     }
     if (!goalIsMeasured(best)) continue;
-    const GoalShape shape = fitGoal(scene, best, params);
+    const GoalShape shape = shapeOf(scene, best, params);
     if (!goalFacesField(shape, params)) {
       refuse(counts, Refusal::goalAslant);
       continue;

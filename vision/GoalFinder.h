@@ -58,7 +58,10 @@ bool goalStandsInsideFieldEdge(const Scene& scene, const GoalCandidate& c, const
 bool goalHasFieldBelow(const GoalCandidate& c, const GoalParams& p);
 bool goalHasNoPinkBeside(const Scene& scene, const GoalCandidate& c);
 bool goalIsMeasured(const GoalCandidate& c);
+bool goalIsSure(const GoalCandidate& c, const GoalParams& p);
 bool goalHasWidth(const Scene& scene, const GoalCandidate& c, const GoalParams& p);
+// Whether it may be the part of a goal that something else leaves.
+bool goalIsPart(const Scene& scene, const GoalCandidate& c, const GoalParams& p);
 bool goalIsNear(const GoalCandidate& c, const GoalParams& p);
 
 using GoalGaps = FixedVector<GoalGap, 6>;

@@ -82,8 +82,12 @@ enum class Refusal : std::uint8_t {
   robotSize,         // its patch is too wide or too high at its distance
   robotOtherColour,  // as much pink, orange, blue or black as uniform
   robotOnAnother,    // specks of one team's colour on a robot of the other team
+  beaconMerged,      // one of its bands is part of something far wider
+  goalUnsure,        // few columns tell its distance, and their feet do not quite fit the ground
+  robotSpeck,        // its patches are far too small for so near a robot
+  robotFeetNear,     // its feet should show: the image shows ground far behind where it stands
 };
-constexpr std::size_t kRefusalCount = 70;
+constexpr std::size_t kRefusalCount = 74;
 
 constexpr std::array<const char*, kRefusalCount> kRefusalNames = {"ballTooSmall",
                                                                   "ballFewEdges",
@@ -154,7 +158,11 @@ constexpr std::array<const char*, kRefusalCount> kRefusalNames = {"ballTooSmall"
                                                                   "edgeNoCorner",
                                                                   "robotSize",
                                                                   "robotOtherColour",
-                                                                  "robotOnAnother"};
+                                                                  "robotOnAnother",
+                                                                  "beaconMerged",
+                                                                  "goalUnsure",
+                                                                  "robotSpeck",
+                                                                  "robotFeetNear"};
 
 inline void refuse(VisionCounts& counts, Refusal reason) {
   ++counts.refused[static_cast<std::size_t>(reason)];

@@ -32,6 +32,7 @@ bool mayBePatch(const Scene& scene, const RobotPatch& patch, const RobotParams& 
 
 bool standsOnField(const RobotPatch& patch, const RobotParams& p, VisionCounts& counts) {
   return check(robotStandsOnGround(patch, p), Refusal::robotOffGround, counts) &&
+         check(robotFeetMayBeCut(patch, p), Refusal::robotFeetNear, counts) &&
          check(robotPatchHasSize(patch, p), Refusal::robotSize, counts) &&
          check(patch.foot.distance <= p.maxDistance, Refusal::robotTooFar, counts);
 }
@@ -39,6 +40,7 @@ bool standsOnField(const RobotPatch& patch, const RobotParams& p, VisionCounts& 
 bool looksLikeRobot(const Scene& scene, const RobotPatch& patch, const RobotParams& p,
                     VisionCounts& counts) {
   return check(robotPatchIsPure(patch, p), Refusal::robotOtherColour, counts) &&
+         check(robotIsNoSpeck(patch, p), Refusal::robotSpeck, counts) &&
          check(robotIsInsideFieldEdge(scene, patch, p), Refusal::robotAboveFieldEdge, counts) &&
          check(robotIsNear(patch, p), Refusal::robotTooFar, counts) &&
          check(robotHasShell(patch, p), Refusal::robotNoShell, counts);

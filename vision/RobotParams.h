@@ -30,6 +30,9 @@ struct RobotParams {
   double minShell = 0.2;                // share of white and grey round a patch
   double fewSamples = 4;                // lattice samples of a patch that may be a speck
   double minShellOfFew = 0.35;          // minShell of such
+  double maxSpeckDistance = 115;        // cm, of a patch of so few samples
+  double speckCarpetBehind = 6;         // px: before so much carpet a speck may be nearer than that
+  double maxBorderRatio = 2.4;          // of the way to the ground that the border shows, feet cut
   double patchHeight = 12;              // cm, assumed when the image border cuts the feet
   double patchSize = 5.5;               // cm, upright; the same
   double maxCutDistance = 60;           // cm, for such a robot: farther ones show their feet
@@ -70,6 +73,9 @@ struct RobotParams {
         field("maxHeight", &P::maxHeight, "cm", 0, 100), field("minShell", &P::minShell, "", 0, 1),
         field("fewSamples", &P::fewSamples, "", 0, 1000),
         field("minShellOfFew", &P::minShellOfFew, "", 0, 1),
+        field("maxSpeckDistance", &P::maxSpeckDistance, "cm", 0, 500),
+        field("speckCarpetBehind", &P::speckCarpetBehind, "px", -10, 50),
+        field("maxBorderRatio", &P::maxBorderRatio, "", 1, 100),
         field("patchSize", &P::patchSize, "cm", 1, 50),
         field("patchHeight", &P::patchHeight, "cm", 1, 50),
         field("maxCutDistance", &P::maxCutDistance, "cm", 0, 500),

@@ -191,6 +191,18 @@ bool robotHasShell(const RobotPatch& patch, const RobotParams& p) {
   return patch.shell >= (patch.samples <= p.fewSamples ? p.minShellOfFew : p.minShell);
 }
 
+// Near robots show large patches; so small ones are shade on things beside the carpet.
+bool robotIsNoSpeck(const RobotPatch& patch, const RobotParams& p) {
+  return patch.samples > p.fewSamples || patch.distance >= p.maxSpeckDistance ||
+         patch.behind >= p.speckCarpetBehind;
+}
+
+// The border that is said to cut the feet shows ground only little farther than they are.
+bool robotFeetMayBeCut(const RobotPatch& patch, const RobotParams& p) {
+  return patch.foot.end == FootEnd::carpet ||
+         patch.foot.distance <= p.maxBorderRatio * patch.distance;
+}
+
 bool robotIsInsideFieldEdge(const Scene& scene, const RobotPatch& patch, const RobotParams& p) {
   const bool unknown = patch.behind <= kUnknownBehind;
   if (!unknown && patch.behind < p.minCarpetBehind) return false;

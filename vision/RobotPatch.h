@@ -45,6 +45,8 @@ bool robotPatchIsPure(const RobotPatch& patch, const RobotParams& p);
 // Hardly another colour in or near it: believed even where no carpet behind it is in the image.
 bool robotPatchIsClean(const RobotPatch& patch, const RobotParams& p);
 bool robotHasShell(const RobotPatch& patch, const RobotParams& p);
+bool robotIsNoSpeck(const RobotPatch& patch, const RobotParams& p);
+bool robotFeetMayBeCut(const RobotPatch& patch, const RobotParams& p);
 bool robotIsInsideFieldEdge(const Scene& scene, const RobotPatch& patch, const RobotParams& p);
 bool robotStandsOnGround(const RobotPatch& patch, const RobotParams& p);
 bool robotIsNear(const RobotPatch& patch, const RobotParams& p);

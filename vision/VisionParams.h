@@ -61,8 +61,10 @@ struct BeaconParams {
   double minWhiteShare = 0.5;     // of the two bands below the coloured part
   double maxFootAboveEdge = 2;    // px, of where its foot should be from the field edge
   double maxFootBelowEdge = 0.6;  // bands: beacons stand at most 20 cm inside the carpet's edge
-  Angle elevationError = Angle::deg(1.7);
-  Angle sureElevation = Angle::deg(0.4);  // so small an error makes up for what is hidden or cut
+  double maxBandWidths = 5;       // of its wider band to its width, where no white told its foot
+  double maxCutBandWidths = 3;    // the same when a band's end is hidden or cut
+  Angle elevationError = Angle::deg(1.2);  // the camera's tilt is known to about a degree
+  Angle sureElevation = Angle::deg(0.4);   // so small an error makes up for what is hidden or cut
   double maxSureAspect = 1.6;
   double maxDistance = 500;  // beyond, two pixels of clothes pass for a band
   double edgeSd = 0.35;      // px, of each band edge
@@ -79,6 +81,8 @@ struct BeaconParams {
                      field("maxFootBelowEdge", &BeaconParams::maxFootBelowEdge, "", 0, 20),
                      field("sureElevation", &BeaconParams::sureElevation, "rad", 0, 45),
                      field("maxSureAspect", &BeaconParams::maxSureAspect, "", 1, 10),
+                     field("maxBandWidths", &BeaconParams::maxBandWidths, "", 1, 100),
+                     field("maxCutBandWidths", &BeaconParams::maxCutBandWidths, "", 1, 100),
                      field("elevationError", &BeaconParams::elevationError, "rad", 0, 45),
                      field("maxDistance", &BeaconParams::maxDistance, "cm", 50, 1000),
                      field("edgeSd", &BeaconParams::edgeSd, "px", 0.01, 5),
@@ -101,6 +105,9 @@ struct GoalParams {
   double minHiddenWidth = 32;        // cm between two robots that hide both posts
   double maxSeenWidth = 125;         // cm, with a side wall seen from outside
   Angle directionError = Angle::deg(1.7);  // a column's foot against the ground at its distance
+  double minSureShare = 0.6;  // of the feet that are measured: with less, the next limit counts
+  double maxPartWidth = 65;   // cm of a goal that would stand aslant if its ends were posts
+  Angle doubtfulDirection = Angle::deg(0.8);
   double maxDistance = 560;           // the opposite goal's back wall, seen from the own mouth: 570
   double width = 80;                  // cm, of the mouth
   double depth = 30;                  // cm from the mouth to the back wall
@@ -126,6 +133,9 @@ struct GoalParams {
         field("minHiddenWidth", &GoalParams::minHiddenWidth, "cm", 0, 200),
         field("maxSeenWidth", &GoalParams::maxSeenWidth, "cm", 0, 500),
         field("directionError", &GoalParams::directionError, "rad", 0, 20),
+        field("minSureShare", &GoalParams::minSureShare, "", 0, 1),
+        field("maxPartWidth", &GoalParams::maxPartWidth, "cm", 0, 200),
+        field("doubtfulDirection", &GoalParams::doubtfulDirection, "rad", 0, 20),
         field("maxDistance", &GoalParams::maxDistance, "cm", 50, 1000),
         field("maxTurn", &GoalParams::maxTurn, "rad", 0, 90),
         field("width", &GoalParams::width, "cm", 20, 200),

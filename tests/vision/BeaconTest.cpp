@@ -174,6 +174,23 @@ TEST(BeaconChecks, BandIsAboutAsWideAsHigh) {
   EXPECT_FALSE(beaconBandIsSquare(c, p));
 }
 
+TEST(BeaconChecks, BandOfAColourThatGoesOnFarAsideIsPartOfSomethingElse) {
+  const BeaconParams p;
+  BeaconCandidate c;
+  c.width = 10;
+  c.widest = 49;
+  EXPECT_TRUE(beaconBandsStandAlone(c, p));
+  c.widest = 51;
+  EXPECT_FALSE(beaconBandsStandAlone(c, p));
+  c.bottomCut = true;
+  c.widest = 29;
+  EXPECT_TRUE(beaconBandsStandAlone(c, p));
+  c.widest = 31;
+  EXPECT_FALSE(beaconBandsStandAlone(c, p));
+  c.onWhite = true;
+  EXPECT_TRUE(beaconBandsStandAlone(c, p));
+}
+
 TEST(BeaconChecks, BandCutAtItsSideMayShowSixTenthsOfItsWidth) {
   const BeaconParams p;
   BeaconCandidate c;

@@ -138,6 +138,18 @@ TEST(Goal, NarrowBlueBoxAsHighAsAGoalIsRefusedByItsWidth) {
   EXPECT_EQ(refused(seen, Refusal::goalWidth), 1);
 }
 
+TEST(Goal, MiddleOfOneWhoseEndsAreHiddenIsNotTakenForATurnedOne) {
+  Painting p;
+  p.carpetEnd = 400;
+  p.walls.push_back({{-21, 400}, {21, 400}, 0, 30, kBluePaint});
+  const Seen seen = look(p, cameraAt(16, 0, 0));
+  const auto* goal = find(seen.percepts, LandmarkKind::goalBlue);
+  ASSERT_NE(goal, nullptr);
+  EXPECT_TRUE(goal->leftEdgeCut && goal->rightEdgeCut);
+  EXPECT_NEAR(goal->distance, 380, 20);
+  EXPECT_NEAR(goal->heading.deg(), 0.0, 3.5);  // 19 cm of it may be hidden on either side
+}
+
 TEST(Goal, OnTheFloorBehindTheCarpetIsRefused) {
   Painting p;
   p.carpetEnd = 215;
@@ -204,6 +216,26 @@ TEST(GoalChecks, MostColumnsTallIsNoGoal) {
   EXPECT_FALSE(goalHasShape(c, {}));
 }
 
+GoalCandidate withColumns(int measured, int chosen, Angle footError) {
+  GoalCandidate c;
+  c.footError = footError.rad();
+  for (int i = 0; i < chosen; ++i) {
+    GoalColumn column;
+    column.chosen = true;
+    column.distance = i < measured ? 300 : 0;
+    c.columns.push_back(column);
+  }
+  return c;
+}
+
+TEST(GoalChecks, FewMeasuredColumnsMustFitTheGround) {
+  const GoalParams p;
+  EXPECT_TRUE(goalIsSure(withColumns(6, 10, Angle::deg(1.2)), p));
+  EXPECT_FALSE(goalIsSure(withColumns(5, 10, Angle::deg(1.2)), p));
+  EXPECT_FALSE(goalIsSure(withColumns(5, 10, Angle::deg(-1.2)), p));
+  EXPECT_TRUE(goalIsSure(withColumns(5, 10, Angle::deg(0.7)), p));
+}
+
 // Ends `width` cm apart, both 200 cm from the camera: the mouth is 30 cm before a wall at 230.
 GoalCandidate wide(const CameraPose& camera, double width) {
   GoalCandidate c;
@@ -224,6 +256,16 @@ TEST(GoalChecks, WidthBetweenItsEndsIsThatOfAMouth) {
   EXPECT_TRUE(kept(p.minSeenWidth + 2.0));
   EXPECT_TRUE(kept(p.maxSeenWidth - 2.0));
   EXPECT_FALSE(kept(p.maxSeenWidth + 2.0));
+}
+
+TEST(GoalChecks, NarrowOneWhoseFootFitsMayBePartOfAGoal) {
+  const Board board(cameraAt(16, 0, 0));
+  const GoalParams p;
+  GoalCandidate c = wide(board.body.camera, p.maxPartWidth - 2.0);
+  EXPECT_TRUE(goalIsPart(board.scene(), c, p));
+  c.footError = Angle::deg(1).rad();
+  EXPECT_FALSE(goalIsPart(board.scene(), c, p));
+  EXPECT_FALSE(goalIsPart(board.scene(), wide(board.body.camera, p.maxPartWidth + 2.0), p));
 }
 
 TEST(GoalChecks, BetweenTwoRobotsMoreOfItMustShow) {

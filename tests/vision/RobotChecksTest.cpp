@@ -163,6 +163,31 @@ TEST(RobotChecks, ASpeckNeedsMoreShellAroundIt) {
   EXPECT_FALSE(robotHasShell(patch, {}));
 }
 
+TEST(RobotChecks, ASpeckIsBelievedFarAwayOrBeforeMuchCarpet) {
+  RobotPatch patch = goodPatch();
+  patch.samples = 4;
+  patch.behind = 5;
+  EXPECT_TRUE(robotIsNoSpeck(patch, {}));
+  patch.distance = 114;
+  EXPECT_FALSE(robotIsNoSpeck(patch, {}));
+  patch.behind = 6;
+  EXPECT_TRUE(robotIsNoSpeck(patch, {}));
+  patch.behind = 5;
+  patch.samples = 5;
+  EXPECT_TRUE(robotIsNoSpeck(patch, {}));
+}
+
+TEST(RobotChecks, FeetAreNotCutByABorderThatShowsTheGroundFarBehind) {
+  RobotPatch patch = goodPatch();
+  patch.foot = {FootEnd::imageBorder, {100, 158}, 71};
+  patch.distance = 30;
+  EXPECT_TRUE(robotFeetMayBeCut(patch, {}));
+  patch.foot.distance = 73;
+  EXPECT_FALSE(robotFeetMayBeCut(patch, {}));
+  patch.foot.end = FootEnd::carpet;
+  EXPECT_TRUE(robotFeetMayBeCut(patch, {}));
+}
+
 TEST(RobotGroups, PatchesAreOfOneRobotWhenNearAndOfOneTeam) {
   const PatchGroup a = groupOf(goodPatch(), {});
   RobotPatch patch = goodPatch();
