@@ -169,6 +169,18 @@ Status ParameterSet::overlay(const std::string& path) {
   return Done{};
 }
 
+Status ParameterSet::assign(const std::string& key, double number) {
+  const auto found = std::find_if(parameters_.begin(), parameters_.end(),
+                                  [&](const Parameter& p) { return p.key == key; });
+  if (found == parameters_.end()) return Error{"unknown key " + key};
+  if (found->isSequence || found->kind == Kind::list) return Error{key + ": takes an array"};
+  const bool truth = found->kind == Kind::boolean && (number == 0.0 || number == 1.0);
+  const Expected<double> value = truth ? Expected<double>(number) : bareNumber(*found, number);
+  if (!value) return Error{value.error()};
+  found->set({*value});
+  return Done{};
+}
+
 std::vector<ParameterChange> ParameterSet::changes() const {
   std::vector<ParameterChange> changes;
   for (const Parameter& parameter : parameters_) {

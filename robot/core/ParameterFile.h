@@ -46,6 +46,8 @@ class ParameterSet {
   }
 
   Status overlay(const std::string& path);
+  // Sets one parameter that is a single number or yes or no, from the program.
+  Status assign(const std::string& key, double number);
   std::vector<ParameterChange> changes() const;
   // Of all names, units, ranges and values: equal hashes, equal parameters.
   std::uint64_t hash() const;

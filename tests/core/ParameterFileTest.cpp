@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <limits>
 
 #include "robot/core/Geometry.h"
 #include "robot/core/ParameterFile.h"
@@ -121,6 +122,26 @@ TEST_F(ParameterFile, HashTellsValuesApart) {
   EXPECT_NE(set.hash(), start);
   apply("[toy]\nsamples = 4\n");
   EXPECT_EQ(set.hash(), start);
+  EXPECT_TRUE(set.changes().empty());
+}
+
+TEST_F(ParameterFile, AProgramSetsOneNumberByItsKey) {
+  ASSERT_TRUE(set.assign("toy.side", 1));
+  ASSERT_TRUE(set.assign("toy.share", 0.25));
+  ASSERT_TRUE(set.assign("toy.enabled", 0));
+  EXPECT_EQ(params.side, Side::right);
+  EXPECT_EQ(params.share, 0.25);
+  EXPECT_FALSE(params.enabled);
+  EXPECT_EQ(set.changes()[0].source, "program");
+}
+
+TEST_F(ParameterFile, WhatAProgramCannotSetIsRefusedAndStaysAsItWas) {
+  for (const char* key : {"toy.love", "toy", "toy.gains", "toy.spots", "toy.speed"})
+    EXPECT_FALSE(set.assign(key, 1)) << key;
+  EXPECT_FALSE(set.assign("toy.side", 2));
+  EXPECT_FALSE(set.assign("toy.samples", 1.5));
+  EXPECT_FALSE(set.assign("toy.enabled", 0.5));
+  EXPECT_FALSE(set.assign("toy.share", std::numeric_limits<double>::quiet_NaN()));
   EXPECT_TRUE(set.changes().empty());
 }
 

@@ -55,6 +55,34 @@ def test_the_body_walks_as_its_odometry_says_and_kicks_straight(tmp_path):
     assert values["kick_least_cm"] > 100 and values["kick_aside_deg"] < 3
 
 
+def test_the_playing_robot_knows_its_place(tmp_path):
+    figures = tmp_path / "f.json"
+    assert kelpie("evaluate", "localise", "--trials", "1", "--seed", "31", "--pictures", tmp_path,
+                  "--json", figures).returncode == 0
+    values = json.loads(figures.read_text())
+    assert values["mean_cm"] < 6 and values["mean_deg"] < 2 and values["p95_cm"] < 15
+    assert values["both_cm"] == values["mean_cm"] and len(values["by_10_s_cm"]) == 18
+    assert len((tmp_path / "localise-31.csv").read_text().splitlines()) == 5401
+
+
+def test_a_carried_robot_finds_its_place_again(tmp_path):
+    figures = tmp_path / "f.json"
+    assert kelpie("evaluate", "kidnap", "--trials", "1", "--seed", "31", "--json",
+                  figures).returncode == 0
+    values = json.loads(figures.read_text())
+    assert values["kidnaps"] == 9
+    # No robot can know where it is before it has seen anything.
+    assert values["first_landmark_median_s"] <= values["median_s"] < 20
+
+
+def test_evaluate_refuses_parameters_that_do_not_exist(tmp_path):
+    wrong = tmp_path / "wrong.toml"
+    wrong.write_text("[gps.modes]\nlove = 1\n")
+    result = kelpie("evaluate", "localise", "--trials", "1", "--params", wrong)
+    assert result.returncode == 1
+    assert "wrong.toml:2" in complaint(result)
+
+
 def test_replay_repeats_a_match_bit_for_bit(match):
     result = kelpie("replay", match, "--check")
     assert result.returncode == 0, result.stderr

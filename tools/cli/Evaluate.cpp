@@ -17,6 +17,7 @@ struct EvaluateOptions {
   std::uint64_t seed = 1;
   std::string json = "-";
   std::string pictures;
+  std::vector<std::string> params;
   bool list = false;
 };
 
@@ -41,6 +42,7 @@ int evaluate(const EvaluateOptions& options) {
   request.trials = options.trials > 0 ? options.trials : found->trials;
   request.seed = options.seed;
   request.pictures = options.pictures;
+  request.params = options.params;
   if (onTerminal())
     request.progress = [](int done, int count) {
       fmt::print(stderr, "\r{} of {}{}", done, count, done == count ? "\n" : "");
@@ -66,8 +68,13 @@ void addEvaluate(CLI::App& app, int& code) {
   command->add_option("--json", options->json, "File for the figures, - for standard output");
   command
       ->add_option("--pictures", options->pictures,
-                   "Folder for pictures of what went wrong (experiment `objects`)")
+                   "Folder for pictures of what went wrong (experiment `objects`) or a table of "
+                   "every frame (`localise`, `kidnap`)")
       ->check(CLI::ExistingDirectory);
+  command
+      ->add_option("--params", options->params,
+                   "The agent's TOML files (experiments `localise`, `kidnap`)")
+      ->check(CLI::ExistingFile);
   command->add_flag("--list", options->list, "What each experiment measures");
   command->callback([options, &code] { code = evaluate(*options); });
 }

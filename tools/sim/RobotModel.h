@@ -70,6 +70,8 @@ class RobotModel {
   void tick();
   // Moves the body by force, as an obstacle does.
   void push(Point2<Field> way) { place_.pose.position = place_.pose.position + way; }
+  // Lifts it and sets it down elsewhere, joints as they are; touches nothing on the way.
+  void carry(const Pose2& pose) { before_.pose = place_.pose = pose; }
 
   const BodyPlace& place() const { return place_; }
   const BodyPlace& placeBefore() const { return before_; }

@@ -96,6 +96,13 @@ Point2<Field> World::ballAt(double ticks) const {
   return moved ? before.position : mixed(before.position, after.position, ticks - whole);
 }
 
+Point2<Field> World::nearestWalkable(Point2<Field> p) const {
+  const double side = field_.sideFringe + kRoom;
+  const double end = field_.endFringe + kRoom;
+  return {maths::clamp(p.x, -side, field_.width + side),
+          maths::clamp(p.y, -end, field_.length + end)};
+}
+
 // Out of goals, beacons and each other.
 void World::keepApart() {
   for (std::size_t i = 0; i < robots_.size(); ++i) {
@@ -113,11 +120,7 @@ void World::keepApart() {
       }
     }
     const Point2<Field> p = robots_[i].place().pose.position;
-    const double side = field_.sideFringe + kRoom;
-    const double end = field_.endFringe + kRoom;
-    robots_[i].push(Point2<Field>{maths::clamp(p.x, -side, field_.width + side),
-                                  maths::clamp(p.y, -end, field_.length + end)} -
-                    p);
+    robots_[i].push(nearestWalkable(p) - p);
   }
 }
 
@@ -137,6 +140,18 @@ void World::tick() {
   referee_.tick(time(), ball_);
   remember();
   senseAll();
+}
+
+Status World::carry(std::size_t robot, const Pose2& pose) {
+  if (robot >= robots_.size()) return Error{"there is no robot " + std::to_string(robot)};
+  const Point2<Field> p = pose.position;
+  if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(pose.heading.rad()))
+    return Error{"a place for a robot is not finite"};
+  if (distance(p, nearestWalkable(p)) > 0.0) return Error{"a place for a robot is off the ground"};
+  robots_[robot].carry(pose);
+  for (Moment& moment : history_)
+    if (robot < moment.robots.size()) moment.robots[robot].pose = pose;
+  return Done{};
 }
 
 ColumnCameras World::cameras(std::size_t robot, TimeUs end) const {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "robot/body/FieldDescription.h"
+#include "robot/core/Expected.h"
 #include "robot/host/WorldProtocol.h"
 #include "tools/sim/Ball.h"
 #include "tools/sim/Camera.h"
@@ -62,6 +63,9 @@ class World {
         std::uint64_t seed);
 
   void tick();
+  // Somebody carries a robot to another place. No image shows the way. Refuses a robot that is not
+  // there and a pose that is not finite or off the ground that robots may walk on.
+  Status carry(std::size_t robot, const Pose2& pose);
   std::uint32_t ticks() const { return ticks_; }
   TimeUs time() const { return {static_cast<std::int64_t>(ticks_) * kTickUs}; }
   bool finished() const { return referee_.finished(); }
@@ -93,6 +97,7 @@ class World {
   const Moment& momentAt(std::int64_t tick) const;
   BodyPlace placeAt(std::size_t robot, double ticks) const;
   Point2<Field> ballAt(double ticks) const;
+  Point2<Field> nearestWalkable(Point2<Field> p) const;
   void remember();
   void senseAll();
   void keepApart();

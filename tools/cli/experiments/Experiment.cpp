@@ -56,6 +56,14 @@ const std::vector<Experiment>& experiments() {
        "the actuator in the simulated body: true way over reported way in four directions; how far "
        "and how straight the ball goes from 25 places before the chest",
        1, walkAndKick},
+      {"localise",
+       "three minutes of chasing a ball from an unknown start, from pixels: errors of the believed "
+       "pose after ten seconds, with lines, landmarks or both, and what they come from",
+       8, localise},
+      {"kidnap",
+       "a playing robot carried to a random place every 20 s: time until it is within 30 cm and 15 "
+       "deg for a second; the three noise methods on the same matches",
+       8, kidnap},
       {"class-planes",
        "random views: size of their class planes, and vision on the images made again from them "
        "against vision on the views themselves",

@@ -18,7 +18,8 @@ using Json = nlohmann::ordered_json;
 struct ExperimentOptions {
   int trials = 0;  // 0: the experiment's own number
   std::uint64_t seed = 1;
-  std::string pictures;  // a folder for pictures of what went wrong; empty: none
+  std::string pictures;             // a folder for pictures of what went wrong; empty: none
+  std::vector<std::string> params;  // the agent's TOML files, for experiments that play
   std::function<void(int done, int all)> progress;
 };
 
@@ -45,6 +46,8 @@ Expected<Json> projection(const ExperimentOptions& options);
 Expected<Json> objects(const ExperimentOptions& options);
 Expected<Json> fieldEdge(const ExperimentOptions& options);
 Expected<Json> colour(const ExperimentOptions& options);
+Expected<Json> kidnap(const ExperimentOptions& options);
+Expected<Json> localise(const ExperimentOptions& options);
 Expected<Json> ring(const ExperimentOptions& options);
 
 // p in 0..1; linear between neighbours; 0 for no values.

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// How far what a localiser is fed is from the truth during a match: landmarks by kind, odometry by
+// second. Tells which of its assumptions are wrong.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "robot/body/FieldDescription.h"
+#include "tools/cli/experiments/Experiment.h"
+#include "tools/cli/experiments/LocaliseMatch.h"
+
+namespace kelpie::cli {
+
+class SenseErrors {
+ public:
+  explicit SenseErrors(const gps::GpsParams& params) : params_(params) {}
+
+  void frame(const WatchedFrame& frame);
+  Json json() const;
+  // Of all matches: for beacons and goals (uncut ones) bias and spread of distance and heading, as
+  // they are and over the claimed sd; landmarks and false ones a second; true way over odometry.
+  static Json summary(const std::vector<Json>& matches);
+
+ private:
+  struct Errors {
+    std::vector<double> distance;  // share of the true one
+    std::vector<double> heading;   // deg
+    std::vector<double> distanceOverSd;
+    std::vector<double> headingOverSd;
+  };
+  void landmark(const LandmarkPercept& percept, const WatchedFrame& frame);
+  void step(const WatchedFrame& frame);
+
+  gps::GpsParams params_;
+  std::array<Errors, 2> errors_;  // beacons, goals
+  std::vector<double> falseOnes_{0.0};
+  std::vector<double> seconds_{0.0};
+  std::vector<double> saidForward_, saidLeft_, saidTurn_, didForward_, didLeft_, didTurn_;
+  std::size_t second_ = 0;
+};
+
+}  // namespace kelpie::cli
