@@ -38,6 +38,9 @@ void fill(WorldFrame& frame, const FrameInput& input, const Percepts& percepts,
   frame.secondsSinceLandmark = world.secondsSinceLandmark;
   frame.modes = world.modes;
   frame.ball = world.ball;
+  frame.teamBall = world.teamBall;
+  frame.opponents = world.opponents;
+  frame.teammates = world.teammates;
 }
 
 BehaviourState::BehaviourState(const std::string& scripts)

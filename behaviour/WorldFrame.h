@@ -39,6 +39,9 @@ struct WorldFrame {
   double secondsSinceLandmark = 0.0;
   FixedVector<PoseMode, kMaxModes> modes;
   BallEstimate ball;
+  TeamBall teamBall;
+  FixedVector<OpponentEstimate, kOpponents> opponents;
+  FixedVector<TeammateEstimate, kTeammates> teammates;
 
   static constexpr auto fields() {
     using W = WorldFrame;
@@ -50,7 +53,8 @@ struct WorldFrame {
         field("percepts", &W::percepts), field("pose", &W::pose),
         field("positionSd", &W::positionSd, "cm"), field("headingSd", &W::headingSd, "rad"),
         field("secondsSinceLandmark", &W::secondsSinceLandmark, "s"), field("modes", &W::modes),
-        field("ball", &W::ball));
+        field("ball", &W::ball), field("teamBall", &W::teamBall), field("opponents", &W::opponents),
+        field("teammates", &W::teammates));
   }
 };
 

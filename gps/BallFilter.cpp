@@ -4,8 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gps/BallGaussian.h"
-#include "gps/BallMotion.h"
+#include "gps/BallModels.h"
 #include "robot/body/Camera.h"
 
 namespace kelpie::gps {
@@ -15,16 +14,12 @@ constexpr double kImageMargin = 12.0;     // px; a ball cut by the image border 
 constexpr double kCandidateReach = 15.0;  // cm between two sightings of a new ball, and
 constexpr double kCandidateShare = 0.1;   // of its distance more
 constexpr double kCandidateTime = 0.35;   // s between them
+constexpr double kStillWeight = 0.5;      // of a new ball: lying or rolling
 constexpr double kCutSd = 4.0;            // cm, of a ball that the image border cuts
 // Where no ball can be: the trunk and what is between the paws, in the robot frame.
 constexpr double kBodyFront = 5.5;
 constexpr double kBodyBack = -18.0;
 constexpr double kBodyHalfWidth = 8.0;
-
-struct Sighting {
-  Vector2 position;
-  Matrix2 covariance;
-};
 
 bool usable(const BallPercept& p) {
   return std::isfinite(p.distance) && p.distance > 0.0 && p.distance < 1500.0 &&
@@ -37,25 +32,16 @@ bool cut(const BallPercept& p) {
          p.centre.y > kImageHeight - p.radius;
 }
 
-Sighting sighting(const BallPercept& p, const BallParams& params) {
+BallSighting sighting(const BallPercept& p, const BallParams& params) {
   const Point2<Robot> at = robotPolar(p.distance, p.heading);
   const Vector2 along(at.x / p.distance, at.y / p.distance);
   const Vector2 across(-along(1), along(0));
   const double least = maths::square(cut(p) ? kCutSd : params.minSd);
-  const double radial = std::max(p.distanceVariance, least);
+  const double most = maths::square(params.maxShare * p.distance);
+  const double radial = std::max(std::min(p.distanceVariance, most), least);
   const double sideways = std::max(maths::square(p.distance) * p.headingVariance, least);
   return {Vector2(at.x, at.y),
           radial * along * along.transpose() + sideways * across * across.transpose()};
-}
-
-void begin(BallTrack& ball, const Sighting& z, double speedSd) {
-  BallVector mean = BallVector::Zero();
-  mean.head<2>() = z.position;
-  BallMatrix covariance = BallMatrix::Zero();
-  covariance.topLeftCorner<2, 2>() = z.covariance;
-  covariance(2, 2) = covariance(3, 3) = maths::square(speedSd);
-  set(ball, mean, covariance);
-  ball.present = true;
 }
 
 void seenNow(BallTrack& ball) {
@@ -64,29 +50,23 @@ void seenNow(BallTrack& ball) {
   ball.missed = 0;
 }
 
-// False when the sighting lies outside the gate; nothing is changed then.
-bool correct(BallTrack& ball, const Sighting& z, double gate) {
-  const BallVector mean = meanOf(ball);
-  const BallMatrix p = covarianceOf(ball);
-  const Matrix2 inverse = (p.topLeftCorner<2, 2>() + z.covariance).inverse();
-  const Vector2 innovation = z.position - mean.head<2>();
-  if (innovation.dot(inverse * innovation) > gate * gate) return false;
-  const Eigen::Matrix<double, 4, 2> gain = p.leftCols<2>() * inverse;
-  BallMatrix keep = BallMatrix::Identity();
-  keep.leftCols<2>() -= gain;
-  set(ball, mean + gain * innovation,
-      keep * p * keep.transpose() + gain * z.covariance * gain.transpose());
+// A kick or a bounce explains it: the ball is where a new velocity would have taken it.
+bool jumped(const BallSighting& z, double elapsed, const BallParams& params, BallTrack& ball) {
+  BallTrack other = ball;
+  jumpModels(elapsed, params, other);
+  if (!correctModels(z, params.gate, other)) return false;
+  ball = other;
   return true;
 }
 
 // A sighting that fits nothing known: the second one near the first begins a track. One alone may
 // be a shoe beyond the carpet.
-void consider(const Sighting& z, double speedSd, BallTrack& ball) {
+void consider(const BallSighting& z, double speedSd, BallTrack& ball) {
   const double apart =
       maths::hypot(z.position(0) - ball.candidate[0], z.position(1) - ball.candidate[1]);
   const double reach = kCandidateReach + kCandidateShare * z.position.norm();
   if (ball.candidatePresent && ball.candidateAge < kCandidateTime && apart < reach) {
-    begin(ball, z, speedSd);
+    beginModels(z, speedSd, kStillWeight, ball);
     seenNow(ball);
     return;
   }
@@ -95,12 +75,13 @@ void consider(const Sighting& z, double speedSd, BallTrack& ball) {
   ball.candidate = {z.position(0), z.position(1)};
 }
 
-void see(const BallPercept& percept, const BallParams& params, GpsState& state) {
+void see(const FrameInput& input, const BallPercept& percept, const BallParams& params,
+         GpsState& state) {
   BallTrack& ball = state.ball;
-  const Sighting z = sighting(percept, params);
+  const BallSighting z = sighting(percept, params);
   if (!ball.present) {
     consider(z, params.startSpeedSd, ball);
-  } else if (correct(ball, z, params.gate)) {
+  } else if (correctModels(z, params.gate, ball) || jumped(z, input.elapsed, params, ball)) {
     seenNow(ball);
   } else {
     state.count(Refusal::ballOutsideGate);
@@ -109,9 +90,10 @@ void see(const BallPercept& percept, const BallParams& params, GpsState& state) 
 }
 
 bool shouldBeSeen(const FrameInput& input, const BallTrack& ball, const BallParams& params) {
-  if (maths::hypot(ball.mean[0], ball.mean[1]) > params.missedReach) return false;
+  const std::array<double, 4>& mean = ball.both.mean;
+  if (maths::hypot(mean[0], mean[1]) > params.missedReach) return false;
   const CameraPose camera = body::cameraPose(input.sensors.joints, input.stance);
-  const auto pixel = body::project(camera, {ball.mean[0], ball.mean[1], body::kBallRadius});
+  const auto pixel = body::project(camera, {mean[0], mean[1], body::kBallRadius});
   return pixel && pixel->x > kImageMargin && pixel->x < kImageWidth - kImageMargin &&
          pixel->y > kImageMargin && pixel->y < kImageHeight - kImageMargin;
 }
@@ -120,33 +102,36 @@ void miss(const FrameInput& input, const BallParams& params, BallTrack& ball) {
   ball.missed = shouldBeSeen(input, ball, params) ? ball.missed + 1 : 0;
   const double pace = ball.missed > params.missedFrames ? params.missedFactor : 1.0;
   ball.doubt += pace * input.elapsed;
-  for (const std::size_t diagonal : {std::size_t{0}, std::size_t{5}}) {
-    ball.covariance[diagonal] += pace * params.unseenNoise * input.elapsed;
-  }
+  widenModels(pace * params.unseenNoise * input.elapsed, ball);
   if (ball.doubt > params.keep) ball.present = false;
 }
 
 void expectKick(const FrameInput& input, const BallParams& params, BallTrack& ball) {
   const bool kicking = input.motion.running == MotionKind::kickForward;
-  if (!kicking || maths::hypot(ball.mean[0], ball.mean[1]) > params.kickReach) return;
+  const double away = maths::hypot(ball.both.mean[0], ball.both.mean[1]);
+  if (!kicking || away > params.kickReach) return;
   const double variance = maths::square(params.kickSpeedSd);
   for (const std::size_t diagonal : {std::size_t{10}, std::size_t{15}}) {
-    ball.covariance[diagonal] = std::max(ball.covariance[diagonal], variance);
+    ball.rolling.covariance[diagonal] = std::max(ball.rolling.covariance[diagonal], variance);
   }
+  ball.rolling.weight = std::max(ball.rolling.weight, ball.still.weight);
+  combineModels(ball);
 }
 
 // A track that has run into the body is put before it, at rest.
 void keepOutOfBody(BallTrack& ball) {
-  const bool inside = std::fabs(ball.mean[0]) < kBodyHalfWidth && ball.mean[1] < kBodyFront &&
-                      ball.mean[1] > kBodyBack;
-  if (!inside) return;
-  ball.mean[1] = kBodyFront;
-  ball.mean[2] = ball.mean[3] = 0.0;
+  for (BallHypothesis* model : {&ball.still, &ball.rolling}) {
+    std::array<double, 4>& mean = model->mean;
+    const bool inside =
+        std::fabs(mean[0]) < kBodyHalfWidth && mean[1] < kBodyFront && mean[1] > kBodyBack;
+    if (inside) mean = {mean[0], kBodyFront, 0.0, 0.0};
+  }
+  combineModels(ball);
 }
 
 void checkFinite(GpsState& state) {
   const BallTrack& ball = state.ball;
-  if (meanOf(ball).allFinite() && covarianceOf(ball).allFinite()) return;
+  if (meanOf(ball.both).allFinite() && covarianceOf(ball.both).allFinite()) return;
   state.ball = BallTrack{};
   state.count(Refusal::ballNotFinite);
 }
@@ -159,15 +144,15 @@ void stepBall(const FrameInput& input, const BallPercept& percept, const StepNoi
   ball.secondsSinceSeen += input.elapsed;
   ball.candidateAge += input.elapsed;
   if (ball.present) {
-    if (plausible(input.odometry)) moveRobot(ball, input.odometry, noise);
+    const Odometry odometry = plausible(input.odometry) ? input.odometry : Odometry{};
     expectKick(input, params.ball, ball);
-    roll(ball, input.elapsed, params.ball);
+    predictModels(odometry, noise, input.elapsed, params.ball, ball);
     keepOutOfBody(ball);
   }
   const bool good = percept.present && usable(percept);
   if (percept.present && !good) state.count(Refusal::ballNotFinite);
   if (good) {
-    see(percept, params.ball, state);
+    see(input, percept, params.ball, state);
   } else if (ball.present) {
     miss(input, params.ball, ball);
   }

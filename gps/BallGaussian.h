@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The stored ball track seen as Eigen vectors and matrices. State (x right, y forward, vx, vy).
+// A stored hypothesis of the ball seen as Eigen vectors and matrices. State (x right, y forward,
+// vx, vy).
 #pragma once
 
 #include "gps/Gaussian.h"
@@ -10,15 +11,15 @@ namespace kelpie::gps {
 using BallVector = Eigen::Matrix<double, 4, 1>;
 using BallMatrix = Eigen::Matrix<double, 4, 4>;
 
-inline BallVector meanOf(const BallTrack& ball) {
+inline BallVector meanOf(const BallHypothesis& ball) {
   return Eigen::Map<const BallVector>(ball.mean.data());
 }
 
-inline BallMatrix covarianceOf(const BallTrack& ball) {
+inline BallMatrix covarianceOf(const BallHypothesis& ball) {
   return Eigen::Map<const BallMatrix>(ball.covariance.data());  // symmetric: order is no matter
 }
 
-inline void set(BallTrack& ball, const BallVector& mean, const BallMatrix& covariance) {
+inline void set(BallHypothesis& ball, const BallVector& mean, const BallMatrix& covariance) {
   Eigen::Map<BallVector>(ball.mean.data()) = mean;
   Eigen::Map<BallMatrix>(ball.covariance.data()) = 0.5 * (covariance + covariance.transpose());
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gps/BallMotion.h"
 
-#include <cmath>
+#include <algorithm>
 
 #include "gps/BallGaussian.h"
 
@@ -25,7 +25,7 @@ Point2<Robot> seenAfter(Point2<Robot> point, const Odometry& odometry) {
   return {seen(0), seen(1)};
 }
 
-void moveRobot(BallTrack& ball, const Odometry& odometry, const StepNoise& noise) {
+void moveRobot(BallHypothesis& ball, const Odometry& odometry, const StepNoise& noise) {
   BallVector mean = meanOf(ball);
   const Point2<Robot> position = seenAfter({mean(0), mean(1)}, odometry);
   const Matrix2 turned = rotation(-odometry.turn.rad());
@@ -42,21 +42,27 @@ void moveRobot(BallTrack& ball, const Odometry& odometry, const StepNoise& noise
   set(ball, mean, covariance);
 }
 
-void roll(BallTrack& ball, double elapsed, const BallParams& params) {
+void roll(BallHypothesis& ball, double elapsed, const BallParams& params) {
   BallVector mean = meanOf(ball);
   const double speed = maths::hypot(mean(2), mean(3));
   const double slower = (params.deceleration + params.drag * speed) * elapsed;
   const double factor = speed > slower ? (speed - slower) / speed : 0.0;
   BallMatrix f = BallMatrix::Identity();
   f(0, 2) = f(1, 3) = 0.5 * (1.0 + factor) * elapsed;
+  f(2, 2) = f(3, 3) = std::max(0.0, 1.0 - params.drag * elapsed);
   mean.head<2>() += f(0, 2) * mean.tail<2>();
   mean.tail<2>() *= factor;
   BallMatrix covariance = f * covarianceOf(ball) * f.transpose();
-  for (int i = 0; i < 2; ++i) {
-    covariance(i, i) += params.positionNoise * elapsed;
-    covariance(2 + i, 2 + i) += params.velocityNoise * elapsed;
-  }
+  for (int i = 0; i < 2; ++i) covariance(i, i) += params.positionNoise * elapsed;
   set(ball, mean, covariance);
+}
+
+double rollingDistance(double speed, const BallParams& params) {
+  const double k = params.drag;
+  const double c = params.deceleration;
+  if (k < 1e-6) return c > 0.0 ? 0.5 * speed * speed / c : 0.0;
+  if (c < 1e-6) return speed / k;
+  return speed / k - c / (k * k) * maths::log(1.0 + k * speed / c);
 }
 
 }  // namespace kelpie::gps

@@ -11,9 +11,13 @@ namespace kelpie::gps {
 // Where a resting point of the ground is seen after the step.
 Point2<Robot> seenAfter(Point2<Robot> point, const Odometry& odometry);
 
-void moveRobot(BallTrack& ball, const Odometry& odometry, const StepNoise& noise);
+void moveRobot(BallHypothesis& ball, const Odometry& odometry, const StepNoise& noise);
 
-// Rolls on for `elapsed` seconds, slowed by the carpet.
-void roll(BallTrack& ball, double elapsed, const BallParams& params);
+// Rolls on for `elapsed` seconds, slowed by the carpet: dv/dt = -(drag v + deceleration).
+void roll(BallHypothesis& ball, double elapsed, const BallParams& params);
+
+// How far a ball of this speed (cm/s) rolls until it lies: the integral of v dv / (drag v +
+// deceleration) from 0 to the speed, in cm.
+double rollingDistance(double speed, const BallParams& params);
 
 }  // namespace kelpie::gps

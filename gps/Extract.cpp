@@ -19,14 +19,15 @@ BallEstimate extractBall(const BallTrack& track, const Pose2& pose) {
   ball.present = track.present;
   ball.secondsSinceSeen = track.secondsSinceSeen;
   if (!track.present) return ball;
-  ball.relative = {track.mean[0], track.mean[1]};
+  const std::array<double, 4>& mean = track.both.mean;
+  const std::array<double, 16>& covariance = track.both.covariance;
+  ball.relative = {mean[0], mean[1]};
   ball.distance = ball.relative.norm();
   ball.heading = bearing(ball.relative);
-  ball.covariance = {track.covariance[0], track.covariance[1], track.covariance[4],
-                     track.covariance[5]};
+  ball.covariance = {covariance[0], covariance[1], covariance[4], covariance[5]};
   ball.position = fieldFromRobot(pose, ball.relative);
   const Pose2 turnOnly{{}, pose.heading};
-  ball.velocity = fieldFromRobot(turnOnly, {track.mean[2], track.mean[3]});
+  ball.velocity = fieldFromRobot(turnOnly, {mean[2], mean[3]});
   return ball;
 }
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "gps/LineParams.h"
+#include "gps/OthersParams.h"
 #include "robot/body/FieldDescription.h"
 #include "robot/core/Geometry.h"
 
@@ -114,10 +115,14 @@ struct ModeParams {
 struct BallParams {
   double deceleration = 6.0;       // cm/s2 of a slow rolling ball
   double drag = 0.8;               // 1/s more: keeps 0.975 a frame (checklist G52)
-  double velocityNoise = 60.0;     // (cm/s)2 per s
+  double velocityNoise = 60.0;     // (cm/s)2 per s, of a rolling ball
   double positionNoise = 4.0;      // cm2/s
   double unseenNoise = 60.0;       // cm2/s more while it is not seen
+  double startRate = 0.5;          // 1/s, how often a lying ball begins to roll
+  double stopRate = 3.0;           // 1/s, how often one slower than stopSpeed lies
+  double stopSpeed = 10.0;         // cm/s
   double minSd = 1.5;              // cm, least error of one sighting
+  double maxShare = 0.03;          // of its distance: most error of one (vision's is 2.3 %)
   double startSpeedSd = 60.0;      // cm/s, of a ball just found
   double kickSpeedSd = 200.0;      // cm/s, of a near ball while we kick
   double kickReach = 40.0;         // cm
@@ -134,7 +139,11 @@ struct BallParams {
                      field("velocityNoise", &B::velocityNoise, "cm2/s3", 0, 1e6),
                      field("positionNoise", &B::positionNoise, "cm2/s", 0, 1e5),
                      field("unseenNoise", &B::unseenNoise, "cm2/s", 0, 1e6),
+                     field("startRate", &B::startRate, "1/s", 0, 30),
+                     field("stopRate", &B::stopRate, "1/s", 0, 30),
+                     field("stopSpeed", &B::stopSpeed, "cm/s", 0, 100),
                      field("minSd", &B::minSd, "cm", 0.1, 100),
+                     field("maxShare", &B::maxShare, "", 0.001, 10),
                      field("startSpeedSd", &B::startSpeedSd, "cm/s", 0, 1000),
                      field("kickSpeedSd", &B::kickSpeedSd, "cm/s", 0, 1000),
                      field("kickReach", &B::kickReach, "cm", 0, 200),
@@ -153,6 +162,7 @@ struct GpsParams {
   ModeParams modes;
   LineParams line;
   BallParams ball;
+  OthersParams others;
 
   static constexpr auto fields() {
     using kelpie::field;
@@ -160,7 +170,7 @@ struct GpsParams {
                      field("initialPose", &GpsParams::initialPose),
                      field("motion", &GpsParams::motion), field("gates", &GpsParams::gates),
                      field("modes", &GpsParams::modes), field("line", &GpsParams::line),
-                     field("ball", &GpsParams::ball));
+                     field("ball", &GpsParams::ball), field("others", &GpsParams::others));
   }
 };
 

@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "gps/FieldFeatures.h"
+#include "gps/OthersState.h"
 #include "robot/core/WorldModel.h"
 
 namespace kelpie::gps {
@@ -23,20 +24,31 @@ enum class Refusal : std::uint8_t {
   seedOffField,     // no place on the field explains the first landmark
   modeNotFinite,    // a hypothesis was removed
   ballNotFinite,
-  ballOutsideGate,    // waits for a second sighting like it
+  ballOutsideGate,  // waits for a second sighting like it
+  messageBroken,    // something in a mate's message cannot be
+  messageRepeated,  // or it is older than the last
+  opponentNotFinite,
+  opponentUncertain,  // vague, or far from the field
   linesMatchNothing,  // near a likely mode
 };
-constexpr std::size_t kRefusalCount = 12;
+constexpr std::size_t kRefusalCount = 16;
 
 // Each of the modes and the wide one may be split in two.
 constexpr std::size_t kWorkModes = 2 * (kMaxModes + 1);
 using Modes = FixedVector<PoseMode, kWorkModes>;
 
 // Position and velocity in the robot frame: x right, y forward, vx, vy; covariance row by row.
-struct BallTrack {
-  bool present = false;
+struct BallHypothesis {
+  double weight = 0.0;
   std::array<double, 4> mean{};
   std::array<double, 16> covariance{};
+};
+
+struct BallTrack {
+  bool present = false;
+  BallHypothesis still;    // it lies: no velocity and no variance of it
+  BallHypothesis rolling;  // it rolls freely, slowed by the carpet
+  BallHypothesis both;     // one Gaussian for the two: what is published
   double secondsSinceSeen = 0.0;
   double doubt = 0.0;             // s unseen, those counting more in which it should be seen
   std::uint32_t missed = 0;       // frames in a row in which it should have been seen
@@ -53,6 +65,7 @@ struct GpsState {
   double secondsSinceLines = 0.0;
   std::uint32_t unexplained = 0;  // landmarks in a row that no mode foretold
   BallTrack ball;
+  OthersState others;
   GpsCounts counts;
   FieldFeatures features;  // built before the first frame
 

@@ -4,10 +4,12 @@
 #include <algorithm>
 
 #include "gps/BallFilter.h"
+#include "gps/DropIn.h"
 #include "gps/Extract.h"
 #include "gps/Landmarks.h"
 #include "gps/LineUpdate.h"
 #include "gps/Modes.h"
+#include "gps/Others.h"
 #include "gps/Predict.h"
 
 namespace kelpie::gps {
@@ -67,7 +69,10 @@ WorldModel step(const GpsIn& in, const GpsParams& params, GpsState& state) {
   useLandmarks(in, params, state);
   useLines(in, params, state);
   stepBall(in.input, in.percepts.ball, noise, params, state);
-  return extract(state);
+  applyReferee(in.input, params, state);
+  WorldModel world = extract(state);
+  stepOthers(in, params, state, world);
+  return world;
 }
 
 }  // namespace kelpie::gps

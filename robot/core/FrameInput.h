@@ -8,6 +8,7 @@
 #include "robot/core/Command.h"
 #include "robot/core/Image.h"
 #include "robot/core/Motion.h"
+#include "robot/core/TeamMessage.h"
 #include "robot/core/Time.h"
 
 namespace kelpie {
@@ -55,6 +56,7 @@ struct FrameInput {
   MotionStatus motion;
   GameState game;
   Command lastCommand;
+  FixedVector<TeamMessage, kTeammates> team;  // heard since the previous frame
   Image image;
 
   static constexpr auto fields() {
@@ -64,7 +66,7 @@ struct FrameInput {
         field("headRate", &FrameInput::headRate), field("stance", &FrameInput::stance),
         field("odometry", &FrameInput::odometry), field("motion", &FrameInput::motion),
         field("game", &FrameInput::game), field("lastCommand", &FrameInput::lastCommand),
-        field("image", &FrameInput::image));
+        field("team", &FrameInput::team), field("image", &FrameInput::image));
   }
 };
 

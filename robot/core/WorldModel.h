@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the robot believes: its own pose with covariance, the other hypotheses, and the ball.
+// What the robot believes: its own pose with covariance, the other hypotheses, the ball, the other
+// robots; and what it has to tell its team.
 #pragma once
 
 #include <array>
@@ -7,6 +8,8 @@
 
 #include "robot/core/FixedVector.h"
 #include "robot/core/Geometry.h"
+#include "robot/core/TeamEstimates.h"
+#include "robot/core/TeamMessage.h"
 
 namespace kelpie {
 
@@ -31,6 +34,8 @@ struct BallEstimate {
   double distance = 0.0;
   Angle heading;
   double secondsSinceSeen = 0.0;
+  std::array<double, 4> fieldCovariance{};  // of the position on the field, the pose's included
+  Point2<Field> rest;                       // where it will lie when nothing stops it
 
   static constexpr auto fields() {
     return fieldList(field("present", &BallEstimate::present),
@@ -40,13 +45,15 @@ struct BallEstimate {
                      field("relative", &BallEstimate::relative),
                      field("distance", &BallEstimate::distance, "cm", 0, 1500),
                      field("heading", &BallEstimate::heading, "rad", -180, 180),
-                     field("secondsSinceSeen", &BallEstimate::secondsSinceSeen, "s", 0, 1e6));
+                     field("secondsSinceSeen", &BallEstimate::secondsSinceSeen, "s", 0, 1e6),
+                     field("fieldCovariance", &BallEstimate::fieldCovariance, "cm2"),
+                     field("rest", &BallEstimate::rest));
   }
 };
 
 struct GpsCounts {
   std::uint32_t updates = 0;
-  std::array<std::uint16_t, 16> refused{};
+  std::array<std::uint16_t, 32> refused{};
 
   static constexpr auto fields() {
     return fieldList(field("updates", &GpsCounts::updates), field("refused", &GpsCounts::refused));
@@ -63,6 +70,10 @@ struct WorldModel {
   double secondsSinceLandmark = 0.0;
   FixedVector<PoseMode, kMaxModes> modes;  // heaviest first
   BallEstimate ball;
+  TeamBall teamBall;
+  FixedVector<OpponentEstimate, kOpponents> opponents;  // those known of, in no order
+  FixedVector<TeammateEstimate, kTeammates> teammates;  // those heard of lately
+  TeamMessage message;  // for the team, when its number differs from the last
   GpsCounts counts;
 
   static constexpr auto fields() {
@@ -72,7 +83,10 @@ struct WorldModel {
                      field("headingSd", &WorldModel::headingSd, "rad", 0, 180),
                      field("secondsSinceLandmark", &WorldModel::secondsSinceLandmark, "s", 0, 1e6),
                      field("modes", &WorldModel::modes), field("ball", &WorldModel::ball),
-                     field("counts", &WorldModel::counts));
+                     field("teamBall", &WorldModel::teamBall),
+                     field("opponents", &WorldModel::opponents),
+                     field("teammates", &WorldModel::teammates),
+                     field("message", &WorldModel::message), field("counts", &WorldModel::counts));
   }
 };
 

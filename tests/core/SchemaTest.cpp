@@ -28,7 +28,9 @@ TEST(Schema, TextHasUnitsRangesAndNestedTypesOnce) {
             "kelpie/Point2 relative\n"
             "float64 distance  # cm, 0..1500\n"
             "float64 heading  # rad, -180..180 deg\n"
-            "float64 secondsSinceSeen  # s, 0..1e+06\n" +
+            "float64 secondsSinceSeen  # s, 0..1e+06\n"
+            "float64[4] fieldCovariance  # cm2\n"
+            "kelpie/Point2 rest\n" +
                 rule + "\nMSG: kelpie/Point2\nfloat64 x  # cm\nfloat64 y  # cm\n");
 }
 

@@ -76,6 +76,18 @@ const std::vector<Experiment>& experiments() {
        "where the carpet ends: the fit on points of which many are wrong (checklist E4), then "
        "vision on random views and on views of a corner, every camera artefact on",
        1000, fieldEdge},
+      {"ball",
+       "the ball filter: errors of place and velocity standing and walking, the speed of a lying "
+       "ball, where a rolling one will lie after half a second of sight",
+       200, ballFilter},
+      {"opponents",
+       "four opponents wandering about: error, separation and share found of the four filters, of "
+       "one robot alone and of a team of four that shares",
+       20, opponents},
+      {"team-ball",
+       "four robots and one ball, a wrong pose in every second trial: error and standard deviation "
+       "of the fused ball beside the surest robot's own",
+       100, teamBall},
   };
   return kAll;
 }

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gps/OnField.h"
+
+#include <cmath>
+
+namespace kelpie::gps {
+
+Place placeOnField(const PoseMode& pose, Point2<Robot> point, const Matrix2& covariance) {
+  const double s = pose.pose.heading.sin();
+  const double c = pose.pose.heading.cos();
+  Matrix2 turned;
+  turned << s, c, -c, s;
+  Eigen::Matrix<double, 2, 3> jacobian;
+  jacobian << 1.0, 0.0, c * point.x - s * point.y, 0.0, 1.0, s * point.x + c * point.y;
+  return {vectorOf(fieldFromRobot(pose.pose, point)),
+          turned * covariance * turned.transpose() +
+              jacobian * covarianceOf(pose) * jacobian.transpose()};
+}
+
+Matrix2 matrixOf(const std::array<double, 4>& rows) {
+  const double cross = 0.5 * (rows[1] + rows[2]);
+  Matrix2 matrix;
+  matrix << rows[0], cross, cross, rows[3];
+  return matrix;
+}
+
+std::array<double, 4> rowsOf(const Matrix2& matrix) {
+  const double cross = 0.5 * (matrix(0, 1) + matrix(1, 0));
+  return {matrix(0, 0), cross, cross, matrix(1, 1)};
+}
+
+Information informationOf(const Place& place) {
+  const Matrix2 inverse = place.covariance.inverse();
+  const Vector2 vector = inverse * place.mean;
+  return {rowsOf(inverse), {vector(0), vector(1)}};
+}
+
+Place placeOf(const Information& information) {
+  const Matrix2 covariance = matrixOf(information.matrix).inverse();
+  return {covariance * Vector2(information.vector[0], information.vector[1]), covariance};
+}
+
+void add(const Information& more, Information& sum) {
+  for (std::size_t i = 0; i < 4; ++i) sum.matrix[i] += more.matrix[i];
+  for (std::size_t i = 0; i < 2; ++i) sum.vector[i] += more.vector[i];
+}
+
+Place productOf(const Place& a, const Place& b) {
+  const Matrix2 gain = a.covariance * (a.covariance + b.covariance).inverse();
+  const Matrix2 keep = Matrix2::Identity() - gain;
+  return {a.mean + gain * (b.mean - a.mean),
+          keep * a.covariance * keep.transpose() + gain * b.covariance * gain.transpose()};
+}
+
+double apart(const Place& a, const Place& b) {
+  const Vector2 d = a.mean - b.mean;
+  return d.dot((a.covariance + b.covariance).inverse() * d);
+}
+
+bool soundCovariance(const std::array<double, 4>& rows, double least, double most) {
+  for (const double value : rows) {
+    if (!std::isfinite(value)) return false;
+  }
+  const Matrix2 m = matrixOf(rows);
+  const bool inRange = m(0, 0) >= least && m(1, 1) >= least && m(0, 0) <= most && m(1, 1) <= most;
+  return inRange && m(0, 0) * m(1, 1) - m(0, 1) * m(0, 1) > 1e-6 * m(0, 0) * m(1, 1);
+}
+
+}  // namespace kelpie::gps

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// Gaussians over places on the field: from the robot's frame with the pose's own uncertainty, and
+// their product, which is how independent witnesses add up.
+#pragma once
+
+#include "gps/Gaussian.h"
+#include "gps/OthersState.h"
+
+namespace kelpie::gps {
+
+struct Place {
+  Vector2 mean = Vector2::Zero();
+  Matrix2 covariance = Matrix2::Identity();
+};
+
+// A point in the robot's frame, of the given covariance there, on the field: R C R' + J P J' with
+// R = R(h - 90 deg) and J = [I | R(h) point], thesis 2004 equation 3.12.
+Place placeOnField(const PoseMode& pose, Point2<Robot> point, const Matrix2& covariance);
+
+// The covariance from row by row; symmetric part.
+Matrix2 matrixOf(const std::array<double, 4>& rows);
+std::array<double, 4> rowsOf(const Matrix2& matrix);
+
+Information informationOf(const Place& place);
+Place placeOf(const Information& information);
+void add(const Information& more, Information& sum);
+
+// The product of two Gaussians, in covariance form (checklist B-2.1, product identities).
+Place productOf(const Place& a, const Place& b);
+
+// Squared Mahalanobis distance of two independent places.
+double apart(const Place& a, const Place& b);
+
+// Finite, symmetric enough and positive, and no diagonal element below `least` or above `most`.
+bool soundCovariance(const std::array<double, 4>& rows, double least, double most);
+
+inline Point2<Field> pointOf(const Vector2& v) { return {v(0), v(1)}; }
+inline Vector2 vectorOf(Point2<Field> p) { return {p.x, p.y}; }
+
+}  // namespace kelpie::gps

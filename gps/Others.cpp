@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gps/Others.h"
+
+#include "gps/BallMotion.h"
+#include "gps/OnField.h"
+#include "gps/Opponents.h"
+#include "gps/Team.h"
+#include "gps/TeamBall.h"
+
+namespace kelpie::gps {
+namespace {
+
+// Where the ball will lie: each model's end, weighed.
+Point2<Robot> restOf(const BallTrack& ball, const BallParams& params) {
+  const std::array<double, 4>& rolling = ball.rolling.mean;
+  const double speed = maths::hypot(rolling[2], rolling[3]);
+  const double way = speed > 0.0 ? rollingDistance(speed, params) / speed : 0.0;
+  const double share = ball.rolling.weight;
+  return {ball.both.mean[0] + share * way * rolling[2],
+          ball.both.mean[1] + share * way * rolling[3]};
+}
+
+void putBallOnField(const GpsParams& params, const GpsState& state, BallEstimate& ball) {
+  if (!ball.present) return;
+  const PoseMode& pose = state.modes[0];
+  const Place place = placeOnField(pose, ball.relative, matrixOf(ball.covariance));
+  ball.fieldCovariance = rowsOf(place.covariance);
+  ball.rest = fieldFromRobot(pose.pose, restOf(state.ball, params.ball));
+}
+
+}  // namespace
+
+void stepOthers(const GpsIn& in, const GpsParams& params, GpsState& state, WorldModel& world) {
+  putBallOnField(params, state, world.ball);
+  stepOpponents(in, params, state);
+  for (const TeamMessage& message : hear(in.input, params, state)) {
+    hearOpponents(message, params, state);
+  }
+  const OthersState& others = state.others;
+  world.opponents = extractOpponents(others);
+  world.teammates = extractMates(params.others.team, others);
+  world.teamBall = fused(witnessesOf(params, world.ball, others), params.others.teamBall);
+  speak(in.input, world, params.others.team, state.others);
+  world.message = others.message;
+  world.counts = state.counts;
+}
+
+}  // namespace kelpie::gps

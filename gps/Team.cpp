@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gps/Team.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "gps/OnField.h"
+#include "gps/Opponents.h"
+
+namespace kelpie::gps {
+namespace {
+
+constexpr double kLeastVariance = 0.01;       // cm2
+constexpr double kMostVariance = 1e6;         // cm2
+constexpr double kMaxHeadingVariance = 40.0;  // rad2
+constexpr double kMaxSpeed = 500.0;           // cm/s, of a ball
+
+// False for what is not a number, too.
+bool near(Point2<Field> p, const GpsParams& params) {
+  const double margin = params.others.team.offField;
+  return p.x > -margin && p.x < params.field.width + margin && p.y > -margin &&
+         p.y < params.field.length + margin;
+}
+
+bool soundPose(const TeamMessage& m, const GpsParams& params) {
+  const std::array<double, 4> block{m.covariance[0], m.covariance[1], m.covariance[3],
+                                    m.covariance[4]};
+  const double heading = m.covariance[8];
+  return near(m.pose.position, params) && std::isfinite(m.pose.heading.rad()) &&
+         soundCovariance(block, kLeastVariance, kMostVariance) && heading >= 0.0 &&
+         heading < kMaxHeadingVariance;
+}
+
+bool soundBall(const SharedBall& b, const GpsParams& params) {
+  if (!b.present) return true;
+  return near(b.position, params) && std::fabs(b.velocity.x) < kMaxSpeed &&
+         std::fabs(b.velocity.y) < kMaxSpeed && b.secondsSinceSeen >= 0.0 &&
+         std::isfinite(b.secondsSinceSeen) &&
+         soundCovariance(b.covariance, kLeastVariance, kMostVariance);
+}
+
+// Numbers go round; a mate silent for long may have begun anew.
+bool newer(const TeamMessage& message, const Teammate& mate) {
+  if (!mate.present) return true;
+  const auto ahead = static_cast<std::uint16_t>(message.number - mate.last.number);
+  return ahead != 0 && ahead < 0x8000;
+}
+
+double largerRoot(const std::array<double, 9>& c, double more) {
+  const double mean = 0.5 * (c[0] + c[4]);
+  const double half = 0.5 * (c[0] - c[4]);
+  return std::sqrt(std::max(0.0, mean + more + std::sqrt(half * half + c[1] * c[1])));
+}
+
+}  // namespace
+
+bool believable(const TeamMessage& message, const GpsParams& params) {
+  const double age = message.age;
+  if (message.player < 1 || message.player > kTeammates + 1 || message.number == 0) return false;
+  if (!(age >= 0.0 && age <= params.others.team.maxAge)) return false;
+  if (!soundPose(message, params) || !soundBall(message.ball, params)) return false;
+  return std::all_of(message.opponents.begin(), message.opponents.end(),
+                     [&](const SharedOpponent& o) {
+                       return near(o.position, params) &&
+                              soundCovariance(o.covariance, kLeastVariance, kMostVariance);
+                     });
+}
+
+FixedVector<TeamMessage, kTeammates> hear(const FrameInput& input, const GpsParams& params,
+                                          GpsState& state) {
+  FixedVector<TeamMessage, kTeammates> heard;
+  for (Teammate& mate : state.others.mates) {
+    mate.last.age += input.elapsed;
+    if (mate.last.age > params.others.team.keep) mate = Teammate{};
+  }
+  for (const TeamMessage& message : input.team) {
+    if (!believable(message, params) || message.player == input.game.player) {
+      state.count(Refusal::messageBroken);
+      continue;
+    }
+    Teammate& mate = state.others.mates[message.player - std::size_t{1}];
+    if (!newer(message, mate)) {
+      state.count(Refusal::messageRepeated);
+      continue;
+    }
+    mate = {true, message};
+    heard.push_back(message);
+  }
+  return heard;
+}
+
+FixedVector<TeammateEstimate, kTeammates> extractMates(const TeamParams& params,
+                                                       const OthersState& others) {
+  FixedVector<TeammateEstimate, kTeammates> list;
+  for (const Teammate& mate : others.mates) {
+    if (!mate.present) continue;
+    const TeamMessage& m = mate.last;
+    const double headingSd = std::min(std::sqrt(std::max(0.0, m.covariance[8])), maths::kPi);
+    list.push_back({m.player, m.role, m.pose, largerRoot(m.covariance, params.walkNoise * m.age),
+                    Angle::rad(headingSd), m.age});
+  }
+  return list;
+}
+
+void speak(const FrameInput& input, const WorldModel& world, const TeamParams& params,
+           OthersState& others) {
+  constexpr double kHalfFrame = 0.5 / 30.0;
+  others.secondsSinceMessage += input.elapsed;
+  if (others.secondsSinceMessage + kHalfFrame < params.interval) return;
+  others.secondsSinceMessage = 0.0;
+  TeamMessage& m = others.message;
+  m.number = static_cast<std::uint16_t>(m.number + 1);
+  if (m.number == 0) m.number = 1;
+  m.player = input.game.player;
+  m.pose = world.pose;
+  m.covariance = world.covariance;
+  const BallEstimate& ball = world.ball;
+  m.ball = SharedBall{};
+  if (ball.present) {
+    m.ball = {true, ball.position, ball.velocity, ball.fieldCovariance, ball.secondsSinceSeen};
+  }
+  m.opponents = takeFresh(others);
+}
+
+}  // namespace kelpie::gps

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// What team mates say: which messages are believed, and what this robot says itself. A message with
+// anything in it that cannot be is refused whole and counted.
+#pragma once
+
+#include "gps/GpsParams.h"
+#include "gps/GpsState.h"
+#include "robot/core/FrameInput.h"
+
+namespace kelpie::gps {
+
+// Everything finite, on or near the field, of positive variance, and not too old.
+bool believable(const TeamMessage& message, const GpsParams& params);
+
+// Keeps the newest message of each mate; ages and forgets. Answers with those of this frame.
+FixedVector<TeamMessage, kTeammates> hear(const FrameInput& input, const GpsParams& params,
+                                          GpsState& state);
+
+FixedVector<TeammateEstimate, kTeammates> extractMates(const TeamParams& params,
+                                                       const OthersState& others);
+
+// Makes a new message when the last one is old enough.
+void speak(const FrameInput& input, const WorldModel& world, const TeamParams& params,
+           OthersState& others);
+
+}  // namespace kelpie::gps

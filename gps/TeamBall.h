@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// One ball out of what the team saw: the product of the Gaussians of the largest group of robots
+// that agree pairwise (chi-square), not the pick of the surest one. A robot with a wrong pose is
+// outvoted by two; one against one, the surer is believed.
+#pragma once
+
+#include "gps/GpsParams.h"
+#include "gps/GpsState.h"
+#include "gps/OnField.h"
+
+namespace kelpie::gps {
+
+struct Witness {
+  Place place;
+  Point2<Field> velocity;
+  double secondsSinceSeen = 0.0;
+};
+
+using Witnesses = FixedVector<Witness, kTeammates + 1>;
+
+// Those of the team, the own ball included, who saw the ball lately; the mates' rolled on to now.
+Witnesses witnessesOf(const GpsParams& params, const BallEstimate& own, const OthersState& others);
+
+TeamBall fused(const Witnesses& witnesses, const TeamBallParams& params);
+
+}  // namespace kelpie::gps
