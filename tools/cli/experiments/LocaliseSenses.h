@@ -43,7 +43,6 @@ class SenseErrors {
   std::vector<double> falseOnes_{0.0};
   std::vector<double> seconds_{0.0};
   std::vector<double> saidForward_, saidLeft_, saidTurn_, didForward_, didLeft_, didTurn_;
-  std::size_t second_ = 0;
 };
 
 }  // namespace kelpie::cli
