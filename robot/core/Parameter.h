@@ -117,6 +117,7 @@ void bindSequence(Parameter& parameter, M& member) {
   parameter.minCount = IsFixedVector<M>::value ? 0 : parameter.maxCount;
   parameter.get = [&member] {
     std::vector<double> values;
+    values.reserve(member.size());
     for (const Item& item : member) values.push_back(toNumber(item));
     return values;
   };

@@ -62,7 +62,8 @@ def test_the_playing_robot_knows_its_place(tmp_path):
     values = json.loads(figures.read_text())
     assert values["mean_cm"] < 6 and values["mean_deg"] < 2 and values["p95_cm"] < 15
     assert values["both_cm"] == values["mean_cm"] and len(values["by_10_s_cm"]) == 18
-    assert len((tmp_path / "localise-31.csv").read_text().splitlines()) == 5401
+    assert len((tmp_path / "localise-31-frames.csv").read_text().splitlines()) == 5401
+    assert (tmp_path / "localise-31-landmarks.csv").is_file()
 
 
 def test_a_carried_robot_finds_its_place_again(tmp_path):

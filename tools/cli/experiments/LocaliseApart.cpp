@@ -65,6 +65,7 @@ Expected<Child> startChild(const Job& job, int number) {
 // Waits for output of any child; true when one has closed its end.
 bool listen(std::vector<Child>& children) {
   std::vector<pollfd> waits;
+  waits.reserve(children.size());
   for (const Child& child : children) waits.push_back({child.output, POLLIN, 0});
   poll(waits.data(), static_cast<nfds_t>(waits.size()), -1);
   bool closed = false;

@@ -30,6 +30,8 @@ std::vector<Listener> listeners(const gps::GpsParams& params, const Pose2& start
   Hearing only;
   only.landmarks = false;
   all.emplace_back("lines_only", from(start, params), only);
+  only.lines = false;  // nothing but odometry: what lines must beat
+  all.emplace_back("odometry_only", from(start, params), only);
   only = {};
   only.lines = false;
   add("landmarks_only", only);
@@ -51,15 +53,17 @@ std::vector<Listener> listeners(const gps::GpsParams& params, const Pose2& start
 // What is kept of one match.
 class Watch {
  public:
-  Watch(const agent::AgentConfig& config, const Pose2& start, const std::string& csv)
-      : params_(config.gps), listeners_(listeners(config.gps, start)), senses_(config.gps) {
+  // `tables`: where tables of every frame and landmark go, less "-frames.csv"; empty: none.
+  Watch(const gps::GpsParams& params, const Pose2& start, const std::string& tables)
+      : listeners_(listeners(params, start)),
+        senses_(params, tables.empty() ? "" : tables + "-landmarks.csv") {
     for (const Listener& listener : listeners_) names_.push_back(listener.name());
     names_.insert(names_.begin(), "both");
     tracks_.resize(names_.size());
-    if (!csv.empty()) csv_.open(csv);
-    if (csv_.is_open())
-      csv_ << "t_s,x_cm,y_cm,heading_deg,estimate_x_cm,estimate_y_cm,estimate_heading_deg,sd_cm,"
-              "sd_deg,nees,since_landmark_s,landmarks,line_points\n";
+    if (tables.empty()) return;
+    csv_.open(tables + "-frames.csv");
+    csv_ << "t_s,x_cm,y_cm,heading_deg,estimate_x_cm,estimate_y_cm,estimate_heading_deg,sd_cm,"
+            "sd_deg,nees,since_landmark_s,landmarks,line_points\n";
   }
 
   void frame(const WatchedFrame& frame) {
@@ -99,7 +103,6 @@ class Watch {
          << frame.output.percepts.linePoints.size() << '\n';
   }
 
-  gps::GpsParams params_;
   std::vector<Listener> listeners_;
   SenseErrors senses_;
   std::vector<std::string> names_;
@@ -116,10 +119,9 @@ Expected<Json> oneMatch(const ExperimentOptions& options, int number) {
   const auto config = makeConfig(request);
   if (!config) return Error{config.error()};
   LocaliseMatch match(*config, defaultScripts(), seed);
-  const std::string csv = options.pictures.empty()
-                              ? ""
-                              : options.pictures + "/localise-" + std::to_string(seed) + ".csv";
-  Watch watch(*config, match.world().truth({}).robots[0].pose, csv);
+  const std::string tables =
+      options.pictures.empty() ? "" : options.pictures + "/localise-" + std::to_string(seed);
+  Watch watch(config->gps, match.world().truth({}).robots[0].pose, tables);
   const Status played =
       match.play(kSeconds, [&watch](const WatchedFrame& frame) { watch.frame(frame); });
   if (!played) return Error{"seed " + std::to_string(seed) + ": " + played.error()};
@@ -172,6 +174,7 @@ Expected<Json> localise(const ExperimentOptions& options) {
               {"mean_deg", filters["both"]["mean_deg"]},
               {"p95_cm", filters["both"]["p95_cm"]},
               {"lines_only_cm", filters["lines_only"]["mean_cm"]},
+              {"odometry_only_cm", filters["odometry_only"]["mean_cm"]},
               {"landmarks_only_cm", filters["landmarks_only"]["mean_cm"]},
               {"both_cm", filters["both"]["mean_cm"]},
               {"since_landmark_mean_s", mean(since)},

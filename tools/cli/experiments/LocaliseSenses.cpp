@@ -3,8 +3,6 @@
 
 #include <cmath>
 
-#include "tools/cli/experiments/LocaliseFilters.h"
-
 namespace kelpie::cli {
 namespace {
 
@@ -43,9 +41,25 @@ Json slope(const std::vector<double>& said, const std::vector<double>& did) {
 
 }  // namespace
 
+SenseErrors::SenseErrors(const gps::GpsParams& params, const std::string& csv) : params_(params) {
+  if (csv.empty()) return;
+  csv_.open(csv);
+  csv_ << "t_s,kind,distance_cm,true_distance_cm,heading_deg,true_heading_deg,distance_sd_cm,"
+          "heading_sd_deg,cut\n";
+}
+
+void SenseErrors::write(const LandmarkPercept& percept, const TrueLandmark& truth, TimeUs time) {
+  csv_ << time.seconds() << ',' << static_cast<int>(percept.kind) << ',' << percept.distance << ','
+       << truth.distance << ',' << percept.heading.deg() << ',' << truth.heading.deg() << ','
+       << std::sqrt(percept.distanceVariance) << ','
+       << std::sqrt(percept.headingVariance) * kDegrees << ','
+       << (percept.leftEdgeCut || percept.rightEdgeCut ? 1 : 0) << '\n';
+}
+
 void SenseErrors::landmark(const LandmarkPercept& percept, const WatchedFrame& frame) {
   const TrueLandmark truth =
       trueLandmark(percept.kind, frame.truth, params_, frame.input.game.team);
+  if (csv_.is_open()) write(percept, truth, frame.input.time);
   if (!isThere(percept, truth)) {
     ++falseOnes_[0];
     return;

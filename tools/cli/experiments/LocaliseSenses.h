@@ -4,17 +4,20 @@
 #pragma once
 
 #include <array>
+#include <fstream>
+#include <string>
 #include <vector>
 
-#include "robot/body/FieldDescription.h"
 #include "tools/cli/experiments/Experiment.h"
+#include "tools/cli/experiments/LocaliseFilters.h"
 #include "tools/cli/experiments/LocaliseMatch.h"
 
 namespace kelpie::cli {
 
 class SenseErrors {
  public:
-  explicit SenseErrors(const gps::GpsParams& params) : params_(params) {}
+  // `csv`: file for a table of all landmarks; empty: none.
+  SenseErrors(const gps::GpsParams& params, const std::string& csv);
 
   void frame(const WatchedFrame& frame);
   Json json() const;
@@ -32,12 +35,14 @@ class SenseErrors {
   void landmark(const LandmarkPercept& percept, const WatchedFrame& frame);
   void step(const WatchedFrame& frame);
 
+  void write(const LandmarkPercept& percept, const TrueLandmark& truth, TimeUs time);
+
   gps::GpsParams params_;
+  std::ofstream csv_;
   std::array<Errors, 2> errors_;  // beacons, goals
   std::vector<double> falseOnes_{0.0};
   std::vector<double> seconds_{0.0};
   std::vector<double> saidForward_, saidLeft_, saidTurn_, didForward_, didLeft_, didTurn_;
-  std::size_t second_ = 0;
 };
 
 }  // namespace kelpie::cli
