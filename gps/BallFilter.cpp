@@ -79,9 +79,10 @@ void see(const FrameInput& input, const BallPercept& percept, const BallParams& 
          GpsState& state) {
   BallTrack& ball = state.ball;
   const BallSighting z = sighting(percept, params);
+  const double gate = ball.rolling.weight > 0.5 ? params.bounceGate : params.gate;
   if (!ball.present) {
     consider(z, params.startSpeedSd, ball);
-  } else if (correctModels(z, params.gate, ball) || jumped(z, input.elapsed, params, ball)) {
+  } else if (correctModels(z, gate, ball) || jumped(z, input.elapsed, params, ball)) {
     seenNow(ball);
   } else {
     state.count(Refusal::ballOutsideGate);

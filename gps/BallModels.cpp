@@ -9,6 +9,7 @@ namespace kelpie::gps {
 namespace {
 
 constexpr double kLeastWeight = 1e-6;  // neither model dies for ever
+constexpr double kWitness = 1e-3;      // least weight of a model that may pass the gate
 constexpr double kJumpWeight = 0.9;    // of rolling, after a jump
 
 struct Fit {
@@ -113,19 +114,26 @@ void predictModels(const Odometry& odometry, const StepNoise& noise, double elap
   combineModels(ball);
 }
 
+// Its last step is taken back, and taken again with a velocity of which nothing is known: so the
+// next sighting tells the velocity as well as the place.
 void jumpModels(double elapsed, const BallParams& params, BallTrack& ball) {
+  const std::array<double, 4> mean = ball.both.mean;
   ball.rolling = setRolling(ball.both, kJumpWeight, params.kickSpeedSd);
   ball.still.weight = 1.0 - kJumpWeight;
-  const double way = maths::square(params.kickSpeedSd * elapsed);
-  ball.rolling.covariance[0] += way;
-  ball.rolling.covariance[5] += way;
+  BallMatrix step = BallMatrix::Identity();
+  step(0, 2) = step(1, 3) = elapsed;
+  BallVector before = meanOf(ball.rolling);
+  before.head<2>() -= elapsed * Vector2(mean[2], mean[3]);
+  set(ball.rolling, before, step * covarianceOf(ball.rolling) * step.transpose());
   combineModels(ball);
 }
 
 bool correctModels(const BallSighting& z, double gate, BallTrack& ball) {
   const Fit still = fitOf(ball.still, z);
   const Fit rolling = fitOf(ball.rolling, z);
-  if (!(std::min(still.squared, rolling.squared) <= gate * gate)) return false;
+  const bool stillFits = ball.still.weight > kWitness && still.squared <= gate * gate;
+  const bool rollingFits = ball.rolling.weight > kWitness && rolling.squared <= gate * gate;
+  if (!stillFits && !rollingFits) return false;
   correct(z, still, ball.still);
   correct(z, rolling, ball.rolling);
   ball.still.weight *= still.likelihood;

@@ -28,7 +28,8 @@ void predictModels(const Odometry& odometry, const StepNoise& noise, double elap
 // A kick or a bounce within the last `elapsed` seconds: the velocity is unknown.
 void jumpModels(double elapsed, const BallParams& params, BallTrack& ball);
 
-// False when the sighting lies outside the gate of both models; nothing is changed then.
+// False when the sighting lies outside the gate of both models (one of hardly any
+// weight does not count); nothing is changed then.
 bool correctModels(const BallSighting& z, double gate, BallTrack& ball);
 
 // Adds to the variance of the position, cm2.

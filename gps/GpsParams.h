@@ -115,10 +115,10 @@ struct ModeParams {
 struct BallParams {
   double deceleration = 6.0;       // cm/s2 of a slow rolling ball
   double drag = 0.8;               // 1/s more: keeps 0.975 a frame (checklist G52)
-  double velocityNoise = 60.0;     // (cm/s)2 per s, of a rolling ball
+  double velocityNoise = 20.0;     // (cm/s)2 per s, of a rolling ball
   double positionNoise = 4.0;      // cm2/s
   double unseenNoise = 60.0;       // cm2/s more while it is not seen
-  double startRate = 0.5;          // 1/s, how often a lying ball begins to roll
+  double startRate = 0.25;         // 1/s, how often a lying ball begins to roll
   double stopRate = 3.0;           // 1/s, how often one slower than stopSpeed lies
   double stopSpeed = 10.0;         // cm/s
   double minSd = 1.5;              // cm, least error of one sighting
@@ -127,6 +127,7 @@ struct BallParams {
   double kickSpeedSd = 200.0;      // cm/s, of a near ball while we kick
   double kickReach = 40.0;         // cm
   double gate = 4.0;               // standard deviations; a sighting outside waits for a second
+  double bounceGate = 3.0;         // the same for a rolling ball: beyond it, it bounced
   double keep = 5.0;               // s until an unseen ball is given up
   double missedReach = 100.0;      // cm; nearer than this a ball in the image must be seen
   std::uint32_t missedFrames = 5;  // so often in a row it may be missed
@@ -134,23 +135,23 @@ struct BallParams {
 
   static constexpr auto fields() {
     using B = BallParams;
-    return fieldList(field("deceleration", &B::deceleration, "cm/s2", 0, 1000),
-                     field("drag", &B::drag, "1/s", 0, 10),
-                     field("velocityNoise", &B::velocityNoise, "cm2/s3", 0, 1e6),
-                     field("positionNoise", &B::positionNoise, "cm2/s", 0, 1e5),
-                     field("unseenNoise", &B::unseenNoise, "cm2/s", 0, 1e6),
-                     field("startRate", &B::startRate, "1/s", 0, 30),
-                     field("stopRate", &B::stopRate, "1/s", 0, 30),
-                     field("stopSpeed", &B::stopSpeed, "cm/s", 0, 100),
-                     field("minSd", &B::minSd, "cm", 0.1, 100),
-                     field("maxShare", &B::maxShare, "", 0.001, 10),
-                     field("startSpeedSd", &B::startSpeedSd, "cm/s", 0, 1000),
-                     field("kickSpeedSd", &B::kickSpeedSd, "cm/s", 0, 1000),
-                     field("kickReach", &B::kickReach, "cm", 0, 200),
-                     field("gate", &B::gate, "", 1, 100), field("keep", &B::keep, "s", 0.1, 100),
-                     field("missedReach", &B::missedReach, "cm", 0, 1000),
-                     field("missedFrames", &B::missedFrames, "", 0, 1000),
-                     field("missedFactor", &B::missedFactor, "", 1, 100));
+    return fieldList(
+        field("deceleration", &B::deceleration, "cm/s2", 0, 1000),
+        field("drag", &B::drag, "1/s", 0, 10),
+        field("velocityNoise", &B::velocityNoise, "cm2/s3", 0, 1e6),
+        field("positionNoise", &B::positionNoise, "cm2/s", 0, 1e5),
+        field("unseenNoise", &B::unseenNoise, "cm2/s", 0, 1e6),
+        field("startRate", &B::startRate, "1/s", 0, 30),
+        field("stopRate", &B::stopRate, "1/s", 0, 30),
+        field("stopSpeed", &B::stopSpeed, "cm/s", 0, 100),
+        field("minSd", &B::minSd, "cm", 0.1, 100), field("maxShare", &B::maxShare, "", 0.001, 10),
+        field("startSpeedSd", &B::startSpeedSd, "cm/s", 0, 1000),
+        field("kickSpeedSd", &B::kickSpeedSd, "cm/s", 0, 1000),
+        field("kickReach", &B::kickReach, "cm", 0, 200), field("gate", &B::gate, "", 1, 100),
+        field("bounceGate", &B::bounceGate, "", 1, 100), field("keep", &B::keep, "s", 0.1, 100),
+        field("missedReach", &B::missedReach, "cm", 0, 1000),
+        field("missedFrames", &B::missedFrames, "", 0, 1000),
+        field("missedFactor", &B::missedFactor, "", 1, 100));
   }
 };
 

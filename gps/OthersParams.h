@@ -29,8 +29,8 @@ struct DropInParams {
 
 struct TeamBallParams {
   double keep = 1.5;            // s since it was seen; older ones are no witnesses
-  double growth = 200.0;        // cm2/s while a message ages
-  double witnessNoise = 25.0;   // cm2 more for each: errors that its covariance does not know
+  double growth = 60.0;         // cm2/s while a message ages
+  double witnessNoise = 4.0;    // cm2 more for each: errors that its covariance does not know
   double gate = 9.21;           // two dimensions, 99 %; beyond it two saw different balls
   double maxVariance = 4900.0;  // cm2; vaguer ones are no witnesses
 
@@ -48,13 +48,13 @@ struct OpponentParams {
   Angle angleGate = Angle::deg(15.0);  // between sighting and filter (checklist U17)
   double matchGate = 3.5;              // standard deviations; 0: by the angle alone, as the thesis
   double startVariance = 2500.0;       // cm2 (facts-2005 section 5)
-  double walkNoise = 300.0;            // cm2/s, how opponents walk about
+  double walkNoise = 400.0;            // cm2/s, how opponents walk about
   double missedNoise = 3000.0;         // cm2/s more when it should be in the image and is not
   double missedReach = 150.0;          // cm; farther ones are often overlooked
   double varianceFactor = 2.0;         // errors of one robot's sightings repeat
   double maxVariance = 5625.0;         // cm2; vaguer sightings are not used
-  double forgetVariance = 6400.0;      // cm2; a filter so vague knows of no opponent
-  double joinDistance = 20.0;          // cm; two filters nearer than a robot is wide are one robot
+  double forgetVariance = 3600.0;      // cm2; a filter so vague knows of no opponent
+  double joinDistance = 30.0;          // cm; two filters nearer than a robot is long are one robot
   double keep = 15.0;                  // s unseen
 
   static constexpr auto fields() {

@@ -458,6 +458,8 @@ class BallEstimate(Fields):
         'distance',
         'heading_deg',
         'seconds_since_seen',
+        'field_covariance',
+        'rest',
     )
 
     def __init__(self, **given):
@@ -469,6 +471,64 @@ class BallEstimate(Fields):
         self.distance = 0.0
         self.heading_deg = 0.0
         self.seconds_since_seen = 0.0
+        self.field_covariance = [0.0] * 4
+        self.rest = Point2()
+        self._take(given)
+
+
+class TeamBall(Fields):
+    __slots__ = (
+        'present',
+        'position',
+        'velocity',
+        'covariance',
+        'witnesses',
+        'outvoted',
+        'seconds_since_seen',
+    )
+
+    def __init__(self, **given):
+        self.present = False
+        self.position = Point2()
+        self.velocity = Point2()
+        self.covariance = [0.0] * 4
+        self.witnesses = 0
+        self.outvoted = 0
+        self.seconds_since_seen = 0.0
+        self._take(given)
+
+
+class OpponentEstimate(Fields):
+    __slots__ = (
+        'position',
+        'covariance',
+        'seconds_since_seen',
+    )
+
+    def __init__(self, **given):
+        self.position = Point2()
+        self.covariance = [0.0] * 4
+        self.seconds_since_seen = 0.0
+        self._take(given)
+
+
+class TeammateEstimate(Fields):
+    __slots__ = (
+        'player',
+        'role',
+        'pose',
+        'position_sd',
+        'heading_sd_deg',
+        'seconds_since_heard',
+    )
+
+    def __init__(self, **given):
+        self.player = 1
+        self.role = 0
+        self.pose = Pose2()
+        self.position_sd = 0.0
+        self.heading_sd_deg = 0.0
+        self.seconds_since_heard = 0.0
         self._take(given)
 
 
@@ -491,6 +551,9 @@ class WorldFrame(Fields):
         'seconds_since_landmark',
         'modes',
         'ball',
+        'team_ball',
+        'opponents',
+        'teammates',
     )
 
     def __init__(self, **given):
@@ -511,4 +574,7 @@ class WorldFrame(Fields):
         self.seconds_since_landmark = 0.0
         self.modes = []
         self.ball = BallEstimate()
+        self.team_ball = TeamBall()
+        self.opponents = []
+        self.teammates = []
         self._take(given)

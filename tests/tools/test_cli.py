@@ -84,6 +84,35 @@ def test_evaluate_refuses_parameters_that_do_not_exist(tmp_path):
     assert "wrong.toml:2" in complaint(result)
 
 
+def figures_of(tmp_path, name, trials, seed):
+    figures = tmp_path / "f.json"
+    assert kelpie("evaluate", name, "--trials", str(trials), "--seed", str(seed), "--json",
+                  figures).returncode == 0
+    return json.loads(figures.read_text())
+
+
+def test_a_lying_ball_lies_and_the_end_of_a_rolling_one_is_foretold(tmp_path):
+    values = figures_of(tmp_path, "ball", 40, 17)
+    assert values["still_speed_cm_s"] < 2 and values["still_speed_p95_cm_s"] < 2
+    assert values["stop_cm"] < 10
+    assert values["standing_cm"] < 3 and values["walking_cm"] < 4
+
+
+def test_the_team_knows_more_opponents_than_one_robot(tmp_path):
+    values = figures_of(tmp_path, "opponents", 3, 17)
+    assert values["shared_cm"] < values["single_cm"]
+    assert values["shared_found_share"] > values["single_found_share"]
+    assert values["merged_share"] < 0.3 and values["separation_cm"] > 40
+
+
+def test_the_fused_ball_is_better_than_the_surest_robots(tmp_path):
+    values = figures_of(tmp_path, "team-ball", 10, 17)
+    for prefix in ("", "one_wrong_"):
+        assert values[prefix + "fused_cm"] < values[prefix + "single_cm"] + 0.5
+        assert values[prefix + "fused_sd_cm"] < values[prefix + "single_sd_cm"]
+    assert values["one_wrong_outvoted_share"] > 0.5
+
+
 def test_replay_repeats_a_match_bit_for_bit(match):
     result = kelpie("replay", match, "--check")
     assert result.returncode == 0, result.stderr

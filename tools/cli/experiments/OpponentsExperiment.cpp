@@ -22,6 +22,7 @@ using Places = std::vector<Point2<Field>>;
 
 struct Tally {
   std::vector<double> error;
+  std::vector<double> seen;  // of those seen within the last second
   std::vector<double> separation;
   int due = 0;
   int found = 0;
@@ -61,8 +62,10 @@ void judgePairs(const Places& filters, const Places& opponents, Tally& tally) {
 
 void judge(const WorldModel& world, const Places& opponents, Tally& tally) {
   const Places filters = placesOf(world);
-  for (const Point2<Field>& filter : filters) {
-    tally.error.push_back(nearest(filter, opponents).second);
+  for (const OpponentEstimate& o : world.opponents) {
+    const double error = nearest(o.position, opponents).second;
+    tally.error.push_back(error);
+    if (o.secondsSinceSeen < 1.0) tally.seen.push_back(error);
   }
   for (const Point2<Field>& opponent : opponents) {
     ++tally.due;
@@ -153,6 +156,7 @@ double share(int part, int whole) { return whole > 0 ? static_cast<double>(part)
 
 void put(Json& json, const std::string& name, const Tally& tally) {
   json[name + "_cm"] = mean(tally.error);
+  json[name + "_just_seen_cm"] = mean(tally.seen);
   json[name + "_median_cm"] = percentile(tally.error, 0.5);
   json[name + "_found_share"] = share(tally.found, tally.due);
   json[name + "_merged_share"] = share(tally.merged, tally.frames);

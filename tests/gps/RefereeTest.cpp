@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: Apache-2.0
+// Balls out, goals, kicks: what makes a ball be elsewhere at once.
+#include <gtest/gtest.h>
+
+#include "gps/BallMotion.h"
+#include "gps/DropIn.h"
+#include "tests/gps/SimulatedRobot.h"
+
+namespace kelpie::gps {
+namespace {
+
+// Looks at a ball on the field without any noise, or looks away.
+struct Watcher {
+  Watcher(double x, double y) : robot({x, y, maths::kPi / 2}) {
+    robot.params.initialPose = {true, {{x, y}, Angle::deg(90)}, 1.0, Angle::deg(0.5)};
+  }
+
+  WorldModel step(bool seen) {
+    const double dx = ball.x - robot.truth.x;
+    const double dy = ball.y - robot.truth.y;
+    BallPercept& p = robot.percepts.ball;
+    p = BallPercept{};
+    p.present = seen;
+    p.distance = std::hypot(dx, dy);
+    p.heading = Angle::rad(std::atan2(dy, dx) - robot.truth.heading);
+    p.distanceVariance = maths::square(0.02 * p.distance);
+    p.headingVariance = 1e-4;
+    p.centre = {104, 80};
+    p.radius = 5;
+    return robot.step();
+  }
+
+  SimulatedRobot robot;
+  Point2<Field> ball;
+};
+
+TEST(DropIn, PointsAreThoseOfTheRules) {
+  const body::FieldDescription field = *body::fieldDescription("2006");
+  const auto expect = [&](double x, double y, double atX, double atY) {
+    const Point2<Field> point = dropInPoint(field, {}, {x, y});
+    EXPECT_NEAR(point.x, atX, 1e-9);
+    EXPECT_NEAR(point.y, atY, 1e-9);
+  };
+  expect(-10, 270, 40, 270);
+  expect(371, 30, 320, 100);
+  expect(100, 548, 40, 440);
+  expect(300, -9, 320, 100);
+}
+
+TEST(DropIn, TheWholeBallMustBeBeyondTheLineAndAGoalIsNotOut) {
+  const body::FieldDescription field = *body::fieldDescription("2006");
+  EXPECT_LT(beyondLines(field, {-4.0, 200}), 0.0);
+  EXPECT_NEAR(beyondLines(field, {-6.2, 200}), 2.0, 1e-9);
+  EXPECT_NEAR(beyondLines(field, {90, 550.2}), 6.0, 1e-9);
+  EXPECT_LT(beyondLines(field, {180, 550}), 0.0);
+}
+
+TEST(DropIn, ABallThatRolledOutUnseenIsPutIn) {
+  Watcher watcher(200, 150);
+  watcher.ball = {280, 270};
+  double speed = 130.0;
+  WorldModel world;
+  for (int i = 0; i < 15; ++i) {
+    speed -= (6.0 + 0.8 * speed) * kFrameSeconds;
+    watcher.ball.x += speed * kFrameSeconds;
+    world = watcher.step(true);
+  }
+  EXPECT_LT(world.ball.position.x, 345.0);
+  EXPECT_GT(world.ball.rest.x, 380.0);
+  for (int i = 0; i < 45; ++i) world = watcher.step(false);
+  ASSERT_TRUE(world.ball.present);
+  EXPECT_NEAR(world.ball.position.x, 320.0, 1.0);
+  EXPECT_NEAR(world.ball.position.y, 270.0, 5.0);
+  EXPECT_LT(world.ball.velocity.norm(), 0.1);
+}
+
+TEST(DropIn, ABallSeenOutsideIsWhereItIsSeen) {
+  Watcher watcher(300, 250);
+  watcher.ball = {375, 270};
+  WorldModel world;
+  for (int i = 0; i < 30; ++i) world = watcher.step(true);
+  EXPECT_NEAR(world.ball.position.x, 375.0, 2.0);
+}
+
+TEST(Goal, PutsAnUnseenBallInTheCentre) {
+  Watcher watcher(180, 400);
+  watcher.ball = {180, 500};
+  for (int i = 0; i < 10; ++i) watcher.step(true);
+  watcher.robot.input.game.ownScore = 1;
+  const WorldModel world = watcher.step(false);
+  EXPECT_NEAR(world.ball.position.x, 180.0, 1.0);
+  EXPECT_NEAR(world.ball.position.y, 270.0, 1.0);
+}
+
+class Kick : public testing::TestWithParam<double> {};
+
+TEST_P(Kick, IsAJumpTakenWithinTwoSightings) {
+  Watcher watcher(180, 200);
+  watcher.ball = {180, 260};
+  WorldModel world;
+  for (int i = 0; i < 60; ++i) world = watcher.step(true);
+  ASSERT_LT(world.ball.velocity.norm(), 0.5);
+  for (int i = 0; i < 2; ++i) {
+    watcher.ball.y += GetParam() * kFrameSeconds;
+    world = watcher.step(true);
+  }
+  EXPECT_NEAR(world.ball.position.y, watcher.ball.y, 3.0);
+  for (int i = 0; i < 3; ++i) {
+    watcher.ball.y += GetParam() * kFrameSeconds;
+    world = watcher.step(true);
+  }
+  EXPECT_NEAR(world.ball.velocity.y, GetParam(), 0.25 * GetParam());
+}
+
+INSTANTIATE_TEST_SUITE_P(Ball, Kick, testing::Values(120.0, 160.0, 250.0));
+
+TEST(Bounce, IsAJumpTakenWithinTwoSightings) {
+  Watcher watcher(180, 150);
+  watcher.ball = {120, 230};
+  double speed = 100.0;
+  WorldModel world;
+  for (int i = 0; i < 20; ++i) {
+    watcher.ball.x += speed * kFrameSeconds;
+    world = watcher.step(true);
+  }
+  speed = -60.0;
+  for (int i = 0; i < 3; ++i) {
+    watcher.ball.x += speed * kFrameSeconds;
+    world = watcher.step(true);
+  }
+  EXPECT_NEAR(world.ball.position.x, watcher.ball.x, 3.0);
+  EXPECT_LT(world.ball.velocity.x, 0.0);
+}
+
+TEST(OwnMotion, LeavesAnUnseenLyingBallAtItsPlaceOnTheField) {
+  Watcher watcher(180, 200);
+  watcher.ball = {230, 280};
+  WorldModel world;
+  for (int i = 0; i < 30; ++i) world = watcher.step(true);
+  const Point2<Field> before = world.ball.position;
+  for (int i = 0; i < 60; ++i) {
+    watcher.robot.walk(0.5, 0.3, 0.06);
+    world = watcher.step(false);
+    ASSERT_NEAR(world.ball.position.x, before.x, 0.5) << i;
+    ASSERT_NEAR(world.ball.position.y, before.y, 0.5) << i;
+  }
+}
+
+TEST(Rolling, DistanceIsThatOfSmallSteps) {
+  for (const double speed : {5.0, 40.0, 200.0}) {
+    double left = speed;
+    double way = 0.0;
+    while (left > 0.0) {
+      way += left * 1e-4;
+      left -= (6.0 + 0.8 * left) * 1e-4;
+    }
+    EXPECT_NEAR(rollingDistance(speed, {}), way, 0.02 + 1e-4 * way);
+  }
+}
+
+}  // namespace
+}  // namespace kelpie::gps
