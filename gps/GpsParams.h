@@ -84,6 +84,7 @@ struct ModeParams {
   NoiseMethod noiseMethod = NoiseMethod::splitAndWide;
   double refuseBelow = 0.01;      // method 1: weight factor of a sighting that is refused
   double refusedGrowth = 10.0;    // cm, sd added to a mode that refused, and 5 deg
+  double obliqueWeight = 0.5;     // of a mode from which a goal in view would look like a line
   double noiseWeight = 1e-2;      // of the copy that is not updated: a false sighting's odds
   double wideWeight = 1e-12;      // of the mode added at the centre before each update
   double widePositionSd = 250.0;  // cm
@@ -93,12 +94,13 @@ struct ModeParams {
   double mergeCovariance = 200.0;  // cm2, and deg2 for the heading
   double seedSpacing = 30.0;       // deg between the poses tried around the first landmark
   double explainedShare = 0.1;     // least weight of the corrected modes in all, else unexplained
-  std::uint32_t maxUnexplained = 25;  // in a row; then all begins anew around the next landmark
+  std::uint32_t maxUnexplained = 10;  // in a row; then all begins anew around the next landmark
 
   static constexpr auto fields() {
     return fieldList(field("noiseMethod", &ModeParams::noiseMethod, "", 0, 2),
                      field("refuseBelow", &ModeParams::refuseBelow, "", 0, 1),
                      field("refusedGrowth", &ModeParams::refusedGrowth, "cm", 0, 1000),
+                     field("obliqueWeight", &ModeParams::obliqueWeight, "", 0, 1),
                      field("noiseWeight", &ModeParams::noiseWeight, "", 0, 1),
                      field("wideWeight", &ModeParams::wideWeight, "", 0, 1),
                      field("widePositionSd", &ModeParams::widePositionSd, "cm", 10, 1e4),

@@ -17,14 +17,6 @@ bool usable(const LandmarkPercept& p) {
          std::isfinite(p.headingVariance) && p.headingVariance > 0.0;
 }
 
-// The goal looks like a line from next to its own line (thesis 2004 Fig 2.9). Only asked when there
-// is an estimate to ask.
-bool oblique(Point2<Field> goal, const GpsParams& params, const GpsState& state) {
-  if (state.lost || state.modes.empty()) return false;
-  const double away = std::fabs(state.modes[0].pose.position.y - goal.y);
-  return away < params.gates.goalLineShare * params.field.length;
-}
-
 const body::Landmark* find(const LandmarkMap& map, LandmarkKind kind) {
   const auto it = std::find_if(map.begin(), map.end(),
                                [kind](const body::Landmark& l) { return l.kind == kind; });
@@ -32,7 +24,7 @@ const body::Landmark* find(const LandmarkMap& map, LandmarkKind kind) {
 }
 
 std::optional<Refusal> refusal(const LandmarkPercept& percept, const LandmarkMap& map,
-                               const GpsParams& params, const GpsState& state) {
+                               const GpsParams& params) {
   if (!usable(percept)) return Refusal::landmarkNotFinite;
   const body::Landmark* landmark = find(map, percept.kind);
   if (landmark == nullptr) return Refusal::landmarkUnknown;
@@ -40,7 +32,6 @@ std::optional<Refusal> refusal(const LandmarkPercept& percept, const LandmarkMap
   if (percept.headingVariance > maxSd * maxSd) return Refusal::headingUncertain;
   if (!isGoal(percept.kind)) return std::nullopt;
   if (percept.distance < params.gates.goalMin) return Refusal::goalTooClose;
-  if (oblique(landmark->position, params, state)) return Refusal::goalTooOblique;
   return std::nullopt;
 }
 
@@ -48,7 +39,7 @@ std::optional<Refusal> refusal(const LandmarkPercept& percept, const LandmarkMap
 
 std::optional<Measurement> measurement(const LandmarkPercept& percept, const LandmarkMap& map,
                                        const GpsParams& params, GpsState& state) {
-  if (const auto reason = refusal(percept, map, params, state)) {
+  if (const auto reason = refusal(percept, map, params)) {
     state.count(*reason);
     return std::nullopt;
   }
@@ -57,6 +48,7 @@ std::optional<Measurement> measurement(const LandmarkPercept& percept, const Lan
   const double farthest = goal ? gates.goalMaxDistance : gates.beaconMaxDistance;
   Measurement m;
   m.landmark = find(map, percept.kind)->position;
+  m.leastAway = goal ? gates.goalLineShare * params.field.length : 0.0;
   m.distance = percept.distance;
   m.heading = percept.heading;
   m.distanceVariance = std::max(gates.distanceVarianceFactor * percept.distanceVariance,

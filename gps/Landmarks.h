@@ -3,11 +3,13 @@
 // (thesis 2004 section 2.2.2). A percept of which nothing can be used is counted by reason.
 #pragma once
 
+#include <cmath>
 #include <optional>
 
 #include "gps/GpsParams.h"
 #include "gps/GpsState.h"
 #include "robot/core/Percepts.h"
+#include "robot/core/WorldModel.h"
 
 namespace kelpie::gps {
 
@@ -19,7 +21,14 @@ struct Measurement {
   Angle heading;
   double distanceVariance = 0.0;  // cm2
   double headingVariance = 0.0;   // rad2
+  // cm of y from the landmark: from nearer a goal looks like a line (thesis 2004 Fig 2.9). Each
+  // mode is asked alone, so that a wrong best one cannot veto what would correct it.
+  double leastAway = 0.0;
 };
+
+inline bool seenObliquely(const PoseMode& mode, const Measurement& m) {
+  return std::fabs(mode.pose.position.y - m.landmark.y) < m.leastAway;
+}
 
 using LandmarkMap = FixedVector<body::Landmark, kLandmarkKindCount>;
 

@@ -155,6 +155,7 @@ static void refuseUnlikely(const Measurement& measurement, const GpsParams& para
   constexpr double kGrowthPerCm = 0.5 / kDegrees;  // rad: 5 deg for 10 cm
   const double growth = params.modes.refusedGrowth;
   for (PoseMode& mode : state.modes) {
+    if (seenObliquely(mode, measurement)) continue;
     PoseMode corrected = mode;
     update(corrected, measurement, params.modes.determinant);
     if (corrected.weight >= params.modes.refuseBelow * mode.weight) {
@@ -177,6 +178,12 @@ void updateAll(const Measurement& measurement, const GpsParams& params, GpsState
   double copies = 0.0;
   double corrected = 0.0;
   for (std::size_t i = 0; i < before; ++i) {
+    if (seenObliquely(modes[i], measurement)) {
+      if (i == 0) state.count(Refusal::goalTooOblique);
+      modes[i].weight *= params.modes.obliqueWeight;
+      corrected += modes[i].weight;
+      continue;
+    }
     PoseMode copy = modes[i];
     copy.weight *= params.modes.noiseWeight;
     copies += copy.weight;

@@ -4,7 +4,7 @@
 
 #include "gps/BallMotion.h"
 #include "gps/DropIn.h"
-#include "tests/gps/SimulatedRobot.h"
+#include "tools/cli/experiments/SimulatedRobot.h"
 
 namespace kelpie::gps {
 namespace {
