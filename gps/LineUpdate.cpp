@@ -59,30 +59,44 @@ std::optional<PoseObservation> observationOf(const LineFit& fit, const FieldFeat
   return observation;
 }
 
+// The fit near one mode and what it is worth; nothing for a mode that cannot be asked.
+static std::optional<PoseObservation> observationAt(const PoseMode& mode, const SeenLines& seen,
+                                                    double headSpeed, const GpsParams& params,
+                                                    GpsState& state) {
+  const LineParams& p = params.line;
+  if (mode.weight < p.leastWeight * state.modes[0].weight || !isNarrow(mode, p))
+    return std::nullopt;
+  const LineFit fit = fitLines(seen, mode.pose, state.features, p, isUnsure(mode, p));
+  auto observation = observationOf(fit, state.features, headSpeed, p);
+  if (!observation) state.count(Refusal::linesMatchNothing);
+  return observation;
+}
+
 bool updateByLines(const SeenLines& seen, double headSpeed, const GpsParams& params,
                    GpsState& state) {
   const LineParams& p = params.line;
   if (seen.lines.size() < p.minPoints) return false;
   Modes& modes = state.modes;
-  const std::size_t before = std::min<std::size_t>(modes.size(), p.maxModes);
-  const double least = p.leastWeight * modes[0].weight;
-  bool corrected = false;
+  const std::size_t before = modes.size();
+  FixedVector<std::optional<PoseObservation>, kWorkModes> found;
+  bool any = false;
+  for (std::size_t i = 0; i < std::min<std::size_t>(before, p.maxModes); ++i) {
+    found.push_back(observationAt(modes[i], seen, headSpeed, params, state));
+    any = any || found.back().has_value();
+  }
+  // Lines that fit no mode are false for all: who was asked must not be worse off than the others.
+  if (!any) return false;
   for (std::size_t i = 0; i < before; ++i) {
-    if (modes[i].weight < least || !isNarrow(modes[i], p)) continue;
-    const LineFit fit = fitLines(seen, modes[i].pose, state.features, p, isUnsure(modes[i], p));
-    const auto observation = observationOf(fit, state.features, headSpeed, p);
-    if (!observation) {
-      state.count(Refusal::linesMatchNothing);
+    if (i >= found.size() || !found[i]) {
       modes[i].weight *= p.refusedWeight;
       continue;
     }
     PoseMode copy = modes[i];
     copy.weight *= p.noiseWeight;
-    correct(modes[i], *observation);
+    correct(modes[i], *found[i]);
     modes.push_back(copy);
-    corrected = true;
   }
-  return corrected;
+  return true;
 }
 
 }  // namespace kelpie::gps
