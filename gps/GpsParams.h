@@ -84,7 +84,6 @@ struct ModeParams {
   NoiseMethod noiseMethod = NoiseMethod::splitAndWide;
   double refuseBelow = 0.01;      // method 1: weight factor of a sighting that is refused
   double refusedGrowth = 10.0;    // cm, sd added to a mode that refused, and 5 deg
-  double obliqueWeight = 0.5;     // of a mode from which a goal in view would look like a line
   double noiseWeight = 1e-2;      // of the copy that is not updated: a false sighting's odds
   double wideWeight = 1e-12;      // of the mode added at the centre before each update
   double widePositionSd = 250.0;  // cm
@@ -100,7 +99,6 @@ struct ModeParams {
     return fieldList(field("noiseMethod", &ModeParams::noiseMethod, "", 0, 2),
                      field("refuseBelow", &ModeParams::refuseBelow, "", 0, 1),
                      field("refusedGrowth", &ModeParams::refusedGrowth, "cm", 0, 1000),
-                     field("obliqueWeight", &ModeParams::obliqueWeight, "", 0, 1),
                      field("noiseWeight", &ModeParams::noiseWeight, "", 0, 1),
                      field("wideWeight", &ModeParams::wideWeight, "", 0, 1),
                      field("widePositionSd", &ModeParams::widePositionSd, "cm", 10, 1e4),

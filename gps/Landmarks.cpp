@@ -37,6 +37,14 @@ std::optional<Refusal> refusal(const LandmarkPercept& percept, const LandmarkMap
 
 }  // namespace
 
+Measurement headingOnly(const Measurement& measurement, const LandmarkGates& gates) {
+  Measurement m = measurement;
+  m.useDistance = false;
+  m.useHeading = true;
+  m.headingVariance += maths::square(gates.maxHeadingSd.rad());
+  return m;
+}
+
 std::optional<Measurement> measurement(const LandmarkPercept& percept, const LandmarkMap& map,
                                        const GpsParams& params, GpsState& state) {
   if (const auto reason = refusal(percept, map, params)) {

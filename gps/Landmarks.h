@@ -30,6 +30,9 @@ inline bool seenObliquely(const PoseMode& mode, const Measurement& m) {
   return std::fabs(mode.pose.position.y - m.landmark.y) < m.leastAway;
 }
 
+// What is left of a goal for a mode that would see it obliquely: roughly where it is.
+Measurement headingOnly(const Measurement& measurement, const LandmarkGates& gates);
+
 using LandmarkMap = FixedVector<body::Landmark, kLandmarkKindCount>;
 
 std::optional<Measurement> measurement(const LandmarkPercept& percept, const LandmarkMap& map,
