@@ -66,6 +66,19 @@ def test_the_playing_robot_knows_its_place(tmp_path):
     assert (tmp_path / "localise-31-landmarks.csv").is_file()
 
 
+def test_made_sightings_give_the_same_accuracy_at_every_heading(tmp_path):
+    values = figures_of(tmp_path, "localise-observations", 20, 31)
+    assert values["mean_cm"] < 4 and values["mean_deg"] < 0.7
+    assert values["false_mean_cm"] < 5 and values["headings_ratio"] < 1.3
+    assert values["lines_only_cm"] < 3 and values["with_lines_cm"] < values["mean_cm"]
+
+
+def test_our_steps_find_the_pose_more_often_than_the_ascent(tmp_path):
+    far = figures_of(tmp_path, "maximiser", 100, 31)["starts"][2]
+    assert far["ours"]["success"] > far["ascent"]["success"] > 0.4
+    assert far["ours"]["steps"] < 0.5 * far["ascent"]["steps"]
+
+
 def test_a_carried_robot_finds_its_place_again(tmp_path):
     figures = tmp_path / "f.json"
     assert kelpie("evaluate", "kidnap", "--trials", "1", "--seed", "31", "--json",

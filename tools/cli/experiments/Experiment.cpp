@@ -5,20 +5,49 @@
 
 namespace kelpie::cli {
 
-const std::vector<Experiment>& experiments() {
-  static const std::vector<Experiment> kAll = {
+namespace {
+
+std::vector<Experiment> ofBelieving() {
+  return {
+      {"localise-observations",
+       "the localiser on made landmark sightings (6 %, 2 deg, one in twenty false) and "
+       "line points: "
+       "mean errors of place and heading while walking, at four headings",
+       20, localiseObservations},
+      {"maximiser",
+       "from a guess to the pose at which seen lines match best: the thesis' gradient ascent "
+       "beside "
+       "damped Gauss-Newton steps; share within 10 cm and 5 deg, evaluations, error",
+       500, maximiser},
+      {"localise",
+       "three minutes of chasing a ball from an unknown start, from pixels: errors of the believed "
+       "pose after ten seconds, with lines, landmarks or both, and what they come from",
+       8, localise},
+      {"kidnap",
+       "a playing robot carried to a random place every 20 s: time until it is within 30 cm and 15 "
+       "deg for a second; the three noise methods on the same matches",
+       8, kidnap},
+      {"ball",
+       "the ball filter: errors of place and velocity standing and walking, the speed of a lying "
+       "ball, where a rolling one will lie after half a second of sight",
+       200, ballFilter},
+      {"opponents",
+       "four opponents wandering about: error, separation and share found of the four filters, of "
+       "one robot alone and of a team of four that shares",
+       20, opponents},
+      {"team-ball",
+       "four robots and one ball, a wrong pose in every second trial: error and standard deviation "
+       "of the fused ball beside the surest robot's own",
+       100, teamBall},
+  };
+}
+
+std::vector<Experiment> ofSeeingAndPlaying() {
+  return {
       {"score-empty-goal",
        "one robot, unknown start, ball at random, no opponent: share of trials with a goal within "
        "60 s, median time to it; every camera artefact on",
        20, scoreEmptyGoal},
-      {"localise-observations",
-       "the localiser on made landmark sightings (6 %, 2 deg, one in twenty false) and line points: "
-       "mean errors of place and heading while walking, at four headings",
-       20, localiseObservations},
-      {"maximiser",
-       "from a guess to the pose at which seen lines match best: the thesis' gradient ascent beside "
-       "damped Gauss-Newton steps; share within 10 cm and 5 deg, evaluations, error",
-       500, maximiser},
       {"line-points",
        "points on lines, border and carpet in random views with every artefact: share that is "
        "true, error on the ground by distance, share of the visible crossings found",
@@ -56,14 +85,6 @@ const std::vector<Experiment>& experiments() {
        "the actuator in the simulated body: true way over reported way in four directions; how far "
        "and how straight the ball goes from 25 places before the chest",
        1, walkAndKick},
-      {"localise",
-       "three minutes of chasing a ball from an unknown start, from pixels: errors of the believed "
-       "pose after ten seconds, with lines, landmarks or both, and what they come from",
-       8, localise},
-      {"kidnap",
-       "a playing robot carried to a random place every 20 s: time until it is within 30 cm and 15 "
-       "deg for a second; the three noise methods on the same matches",
-       8, kidnap},
       {"class-planes",
        "random views: size of their class planes, and vision on the images made again from them "
        "against vision on the views themselves",
@@ -76,19 +97,19 @@ const std::vector<Experiment>& experiments() {
        "where the carpet ends: the fit on points of which many are wrong (checklist E4), then "
        "vision on random views and on views of a corner, every camera artefact on",
        1000, fieldEdge},
-      {"ball",
-       "the ball filter: errors of place and velocity standing and walking, the speed of a lying "
-       "ball, where a rolling one will lie after half a second of sight",
-       200, ballFilter},
-      {"opponents",
-       "four opponents wandering about: error, separation and share found of the four filters, of "
-       "one robot alone and of a team of four that shares",
-       20, opponents},
-      {"team-ball",
-       "four robots and one ball, a wrong pose in every second trial: error and standard deviation "
-       "of the fused ball beside the surest robot's own",
-       100, teamBall},
   };
+}
+
+std::vector<Experiment> together() {
+  std::vector<Experiment> all = ofSeeingAndPlaying();
+  for (const Experiment& one : ofBelieving()) all.push_back(one);
+  return all;
+}
+
+}  // namespace
+
+const std::vector<Experiment>& experiments() {
+  static const std::vector<Experiment> kAll = together();
   return kAll;
 }
 
