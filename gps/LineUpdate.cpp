@@ -7,6 +7,10 @@
 namespace kelpie::gps {
 namespace {
 
+// Weight factor of a mode that is too wide to be asked when lines fit another. A wide one explains
+// every landmark, so with 0.5 it outgrew the true one: corrections weigh 0.35 in the mean.
+constexpr double kTooWide = 0.1;
+
 // Too wide a mode does not tell which of the lines is seen.
 bool isNarrow(const PoseMode& mode, const LineParams& params) {
   return mode.covariance[0] + mode.covariance[4] <= 2.0 * maths::square(params.maxSd) &&
@@ -88,7 +92,7 @@ bool updateByLines(const SeenLines& seen, double headSpeed, const GpsParams& par
   if (!any) return false;
   for (std::size_t i = 0; i < before; ++i) {
     if (i >= found.size() || !found[i]) {
-      modes[i].weight *= p.refusedWeight;
+      modes[i].weight *= isNarrow(modes[i], p) ? p.refusedWeight : kTooWide;
       continue;
     }
     PoseMode copy = modes[i];
