@@ -32,12 +32,6 @@ Matrix3 floored(const Matrix3& information, const LineParams& params) {
 
 }  // namespace
 
-double headSpeed(const HeadRate& rate) {
-  const double fastest =
-      std::max({std::fabs(rate.neckTilt), std::fabs(rate.headPan), std::fabs(rate.headNod)});
-  return std::isfinite(fastest) ? kFrameSeconds * fastest : 1.0;
-}
-
 void correct(PoseMode& mode, const PoseObservation& observation) {
   const Matrix3 p = covarianceOf(mode);
   const Matrix3 sum = Matrix3::Identity() + p * observation.information;

@@ -8,12 +8,8 @@
 #include "gps/GpsParams.h"
 #include "gps/GpsState.h"
 #include "gps/LineFit.h"
-#include "robot/core/FrameInput.h"
 
 namespace kelpie::gps {
-
-// rad a frame, the fastest of the head's joints.
-double headSpeed(const HeadRate& rate);
 
 // An observation of the pose. Singular where the lines say nothing.
 struct PoseObservation {

@@ -2,6 +2,7 @@
 #include "gps/Localiser.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "gps/BallFilter.h"
 #include "gps/DropIn.h"
@@ -11,6 +12,7 @@
 #include "gps/Modes.h"
 #include "gps/Others.h"
 #include "gps/Predict.h"
+#include "robot/body/Camera.h"
 
 namespace kelpie::gps {
 namespace {
@@ -45,10 +47,11 @@ void useLandmarks(const GpsIn& in, const GpsParams& params, GpsState& state) {
 void useLines(const GpsIn& in, const GpsParams& params, GpsState& state) {
   if (!params.line.use || state.lost) return;
   const SeenLines seen = seenLines(in.percepts.linePoints, params.line);
-  if (!updateByLines(seen, headSpeed(in.input.headRate), params, state)) return;
+  constexpr double kUnknown = 1.0;  // rad a frame: faster than any head
+  const double speed = body::headSpeed(in.input.headRate);
+  if (!updateByLines(seen, std::isfinite(speed) ? speed : kUnknown, params, state)) return;
   tidy(params, state);
   keepNearField(params.field, state.modes);
-  state.secondsSinceLines = 0.0;
 }
 
 }  // namespace
@@ -57,7 +60,6 @@ WorldModel step(const GpsIn& in, const GpsParams& params, GpsState& state) {
   if (!state.features.built()) state.features.build(params.field);
   if (!state.started) start(params, state);
   state.secondsSinceLandmark += in.input.elapsed;
-  state.secondsSinceLines += in.input.elapsed;
   Odometry odometry = in.input.odometry;
   if (!plausible(odometry)) {
     odometry = Odometry{};

@@ -177,6 +177,11 @@ Horizon horizon(const CameraPose& camera) {
   return {row(0.0), row(kImageWidth)};
 }
 
+double headSpeed(const HeadRate& rate) {
+  return kFrameSeconds * std::fmax(std::fabs(rate.neckTilt),
+                                   std::fmax(std::fabs(rate.headPan), std::fabs(rate.headNod)));
+}
+
 BodyState step(const FrameInput& input, const BodyParams& params) {
   JointAngles joints = input.sensors.joints;
   joints[Joint::neckTilt] = joints[Joint::neckTilt] + params.neckTiltOffset;
@@ -189,10 +194,7 @@ BodyState step(const FrameInput& input, const BodyParams& params) {
   state.camera = cameraPose(joints, stance);
   state.camera.turn = turnOf(input, joints, state.camera, stance);
   state.horizon = horizon(state.camera);
-  const HeadRate& rate = input.headRate;
-  state.headSpeed =
-      kFrameSeconds * std::fmax(std::fabs(rate.neckTilt),
-                                std::fmax(std::fabs(rate.headPan), std::fabs(rate.headNod)));
+  state.headSpeed = headSpeed(input.headRate);
   state.fallen = lies(input.sensors.acceleration);
   return state;
 }

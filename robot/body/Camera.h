@@ -52,6 +52,9 @@ void project(const CameraPose& camera, const Point3<Robot>* points, std::size_t 
 
 Horizon horizon(const CameraPose& camera);
 
+// rad a frame, the fastest of the head's three joints.
+double headSpeed(const HeadRate& rate);
+
 // First stage of the camera loop.
 BodyState step(const FrameInput& input, const BodyParams& params);
 

@@ -3,28 +3,13 @@
 // the simulated world, in one process and without OPEN-R.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <memory>
-#include <new>
 
 #include "robot/agent/FrameLoop.h"
 #include "robot/agent/MotionLoop.h"
 #include "robot/body/FieldDescription.h"
+#include "tests/AllocationCount.h"
 #include "tools/sim/World.h"
-
-namespace {
-bool counting = false;
-int allocations = 0;
-}  // namespace
-
-void* operator new(std::size_t size) {
-  if (counting) ++allocations;
-  void* memory = std::malloc(size);
-  if (memory == nullptr) std::abort();
-  return memory;
-}
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 
 namespace kelpie::agent {
 namespace {
@@ -32,12 +17,16 @@ namespace {
 // Counts in every stage but the behaviours: Python has its own memory.
 class Counter : public StageObserver {
  public:
-  void begin(Stage stage) override { counting = stage != Stage::behaviour; }
+  void begin(Stage stage) override {
+    if (stage != Stage::behaviour) startCountingAllocations();
+  }
   void end(Stage stage) override {
-    counting = false;
-    if (stage != Stage::behaviour) ++stages;
+    if (stage == Stage::behaviour) return;
+    allocations += stopCountingAllocations();
+    ++stages;
   }
   int stages = 0;
+  int allocations = 0;
 };
 
 host::AgentReply orders(const MotionOutput& output) {
@@ -92,7 +81,7 @@ TEST(Allocation, NoStageTakesMemoryWhileItPlays) {
   Match match;
   for (int i = 0; i < 400; ++i) match.step();
   EXPECT_EQ(match.counter.stages, 1600);
-  EXPECT_EQ(allocations, 0);
+  EXPECT_EQ(match.counter.allocations, 0);
 }
 
 }  // namespace

@@ -14,8 +14,6 @@ struct Errors {
   double deg = 0.0;
 };
 
-double panAt(int frame) { return 1.2 * std::sin(2 * maths::kPi * frame / 60.0); }
-
 // Mean errors over the last 60 of 120 frames of a walk with panning head, over 20 runs.
 Errors walkErrors(double heading, double falseShare = 0.0) {
   Errors sum;
@@ -25,9 +23,7 @@ Errors walkErrors(double heading, double falseShare = 0.0) {
     for (int i = 0; i < 120; ++i) {
       robot.walk(0.7, 0.0, 0.008 * std::sin(i / 20.0));
       robot.lookAround(panAt(i));
-      for (LandmarkPercept& p : robot.percepts.landmarks) {
-        if (random.chance(falseShare)) p.heading = p.heading + Angle::deg(random.uniform(20, 340));
-      }
+      robot.falsify(falseShare, random);
       const WorldModel world = robot.step();
       if (i < 60) continue;
       sum.cm += robot.error(world) / 60 / 20;

@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "robot/core/Random.h"
-#include "tests/vision/AllocationCount.h"
+#include "tests/AllocationCount.h"
 #include "tests/vision/Painting.h"
 #include "vision/Vision.h"
 

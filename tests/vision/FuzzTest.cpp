@@ -7,7 +7,7 @@
 #include <memory>
 
 #include "robot/core/FieldCheck.h"
-#include "tests/vision/AllocationCount.h"
+#include "tests/AllocationCount.h"
 #include "tests/vision/Hostile.h"
 #include "vision/BallFinder.h"
 #include "vision/Vision.h"

@@ -28,14 +28,11 @@ struct Errors {
   double deg = 0.0;
 };
 
-double panAt(int frame) { return 1.2 * std::sin(2.0 * maths::kPi * frame / 60.0); }
-
 void see(gps::SimulatedRobot& robot, const Conditions& conditions, int frame, Random& random) {
-  if (conditions.landmarks) robot.lookAround(panAt(frame));
-  for (LandmarkPercept& p : robot.percepts.landmarks)
-    if (random.chance(conditions.falseShare))
-      p.heading = p.heading + Angle::deg(random.uniform(20.0, 340.0));
-  if (conditions.lines) robot.lookAtLines(panAt(frame));
+  const double pan = gps::panAt(frame);
+  if (conditions.landmarks) robot.lookAround(pan);
+  robot.falsify(conditions.falseShare, random);
+  if (conditions.lines) robot.lookAtLines(pan);
 }
 
 Errors walk(const Conditions& conditions, std::uint64_t seed) {

@@ -16,6 +16,9 @@ struct Truth {
   double heading = maths::kPi / 2;
 };
 
+// rad, of a head that looks from side to side in two seconds.
+inline double panAt(int frame) { return 1.2 * std::sin(2.0 * maths::kPi * frame / 60.0); }
+
 class SimulatedRobot {
  public:
   explicit SimulatedRobot(Truth start, std::uint64_t seed = 1) : truth(start), random_(seed) {
@@ -56,6 +59,12 @@ class SimulatedRobot {
       const LandmarkPercept p = look(landmark);
       if ((p.heading - Angle::rad(pan)).abs().deg() < 28.0) percepts.landmarks.push_back(p);
     }
+  }
+
+  // Turns a share of the landmarks in sight to where they are not.
+  void falsify(double share, Random& random) {
+    for (LandmarkPercept& p : percepts.landmarks)
+      if (random.chance(share)) p.heading = p.heading + Angle::deg(random.uniform(20.0, 340.0));
   }
 
   // Painted lines within 28 deg of the pan direction up to 250 cm, as vision's grid would find

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tests/vision/AllocationCount.h"
+#include "tests/AllocationCount.h"
 
 #include <cstdlib>
 #include <new>
