@@ -175,6 +175,33 @@ PixelPoint footOf(const Scene& scene, const GoalCandidate& c) {
   return scene.level.toImage({c.box.middle(), c.box.bottom});
 }
 
+// Of the chosen columns, px below the field edge.
+struct Feet {
+  double lowest = -1e9;
+  double sum = 0.0;
+  int count = 0;
+};
+
+Feet feetOf(const Scene& scene, const GoalCandidate& c) {
+  Feet feet;
+  for (const GoalColumn& column : c.columns) {
+    if (!column.chosen || column.footCut) continue;
+    const double below = belowFieldEdge(scene, column.foot);
+    feet.lowest = std::max(feet.lowest, below);
+    feet.sum += below;
+    ++feet.count;
+  }
+  return feet;
+}
+
+// A box behind the carpet stands a little above the field edge, or its feet do not fit the ground.
+bool hasFirmFeet(const Scene& scene, const GoalCandidate& c, const GoalParams& p, Angle direction) {
+  if (std::fabs(c.footError) > direction.rad()) return false;
+  const Feet feet = feetOf(scene, c);
+  return feet.count == 0 || (feet.lowest >= p.minPartBelowFieldEdge &&
+                             feet.sum >= -p.maxPartMeanAboveFieldEdge * feet.count);
+}
+
 }  // namespace
 
 bool goalIsLarge(const GoalCandidate& c, const GoalParams& p) {
@@ -200,17 +227,9 @@ bool goalStandsBelowHorizon(const Scene& scene, const GoalCandidate& c, const Go
 
 // A goal stands on the carpet, clothes on the floor behind it: some column's foot meets the edge.
 bool goalStandsInsideFieldEdge(const Scene& scene, const GoalCandidate& c, const GoalParams& p) {
-  double lowest = -1e9;
-  double sum = 0.0;
-  int feet = 0;
-  for (const GoalColumn& column : c.columns) {
-    if (!column.chosen || column.footCut) continue;
-    const double below = belowFieldEdge(scene, column.foot);
-    lowest = std::max(lowest, below);
-    sum += below;
-    ++feet;
-  }
-  return feet == 0 || (lowest >= -p.maxAboveFieldEdge && sum >= -p.maxMeanAboveFieldEdge * feet);
+  const Feet feet = feetOf(scene, c);
+  return feet.count == 0 ||
+         (feet.lowest >= -p.maxAboveFieldEdge && feet.sum >= -p.maxMeanAboveFieldEdge * feet.count);
 }
 
 // Of the columns between the goal's ends.
@@ -261,8 +280,17 @@ bool goalHasWidth(const Scene& scene, const GoalCandidate& c, const GoalParams& 
 }
 
 bool goalIsPart(const Scene& scene, const GoalCandidate& c, const GoalParams& p) {
-  return seenWidth(scene, c, p) <= p.maxPartWidth &&
-         std::fabs(c.footError) <= p.doubtfulDirection.rad();
+  return seenWidth(scene, c, p) <= p.maxPartWidth && hasFirmFeet(scene, c, p, p.partDirection);
+}
+
+bool goalStandsFirmly(const Scene& scene, const GoalCandidate& c, const GoalShape& shape,
+                      const GoalParams& p) {
+  const double seen = seenWidth(scene, c, p);
+  const double turn = std::fabs((Angle::rad(shape.turn) - bearing(shape.middle)).rad());
+  const bool open = c.left.open() || c.right.open();
+  const bool wide = open ? seen >= p.minOpenWidth : seen > p.maxPartWidth;
+  if (wide || (!open && turn <= p.aslantTurn.rad())) return true;
+  return hasFirmFeet(scene, c, p, p.openDirection);
 }
 
 bool goalFacesField(const GoalShape& shape, const GoalParams& p) {
@@ -290,6 +318,10 @@ void findGoals(const Scene& scene, const GoalParams& params, VisionCounts& count
     const GoalShape shape = shapeOf(scene, best, params);
     if (!goalFacesField(shape, params)) {
       refuse(counts, Refusal::goalAslant);
+      continue;
+    }
+    if (!goalStandsFirmly(scene, best, shape, params)) {
+      refuse(counts, Refusal::goalLoose);
       continue;
     }
     landmarks.push_back(perceptOf(scene, best, shape, params));

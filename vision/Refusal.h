@@ -48,6 +48,7 @@ enum class Refusal : std::uint8_t {
   ballOnGoal,       // a goal's or beacon's colour right below it
   ballPartOfPatch,  // the orange is far larger than the circle
   goalAslant,       // seen from behind or along its goal line
+  goalLoose,        // a narrow part of one that does not stand firmly on the carpet
   robotTooSmall,
   robotAboveHorizon,
   robotAboveFieldEdge,
@@ -87,7 +88,7 @@ enum class Refusal : std::uint8_t {
   robotSpeck,        // its patches are far too small for so near a robot
   robotFeetNear,     // its feet should show: the image shows ground far behind where it stands
 };
-constexpr std::size_t kRefusalCount = 74;
+constexpr std::size_t kRefusalCount = 75;
 
 constexpr std::array<const char*, kRefusalCount> kRefusalNames = {"ballTooSmall",
                                                                   "ballFewEdges",
@@ -125,6 +126,7 @@ constexpr std::array<const char*, kRefusalCount> kRefusalNames = {"ballTooSmall"
                                                                   "ballOnGoal",
                                                                   "ballPartOfPatch",
                                                                   "goalAslant",
+                                                                  "goalLoose",
                                                                   "robotTooSmall",
                                                                   "robotAboveHorizon",
                                                                   "robotAboveFieldEdge",

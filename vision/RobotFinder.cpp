@@ -37,8 +37,9 @@ bool standsOnField(const RobotPatch& patch, const RobotParams& p, VisionCounts& 
          check(patch.foot.distance <= p.maxDistance, Refusal::robotTooFar, counts);
 }
 
-bool looksLikeRobot(const Scene& scene, const RobotPatch& patch, const RobotParams& p,
+bool looksLikeRobot(const Scene& scene, const RobotParams& p, RobotPatch& patch,
                     VisionCounts& counts) {
+  measureSurroundings(scene, patch);
   return check(robotPatchIsPure(patch, p), Refusal::robotOtherColour, counts) &&
          check(robotIsNoSpeck(patch, p), Refusal::robotSpeck, counts) &&
          check(robotIsInsideFieldEdge(scene, patch, p), Refusal::robotAboveFieldEdge, counts) &&
@@ -85,6 +86,12 @@ void addToGroups(const PatchGroup& patch, const RobotParams& p, Groups& groups) 
     return;
   }
   groups.push_back(patch);
+}
+
+void bringNearer(const PatchGroup& part, const RobotParams& p, Groups& groups) {
+  for (PatchGroup& group : groups) {
+    if (areOfOneRobot(group, part, p)) group = nearer(group, part);
+  }
 }
 
 double distanceSd(const Scene& scene, const PatchGroup& group, const RobotParams& p) {
@@ -155,17 +162,31 @@ PatchGroup joined(const PatchGroup& larger, const PatchGroup& other) {
   return both;
 }
 
+PatchGroup nearer(const PatchGroup& group, const PatchGroup& part) {
+  if (part.distance >= group.distance) return group;
+  PatchGroup both = group;
+  both.distance = part.distance;
+  both.scale = part.scale;
+  both.cut = part.cut;
+  return both;
+}
+
 void findRobots(const Scene& scene, const RobotParams& params, VisionCounts& counts,
                 Robots& robots) {
   const ImageUp up = imageUp(scene.body.camera);
   Groups groups;
+  Groups parts;
   for (RobotPatch& patch : largestPatches(scene, params, counts)) {
     measurePatch(scene, params, patch);
-    if (!standsOnField(patch, params, counts)) continue;
-    measureSurroundings(scene, patch);
-    if (looksLikeRobot(scene, patch, params, counts))
+    const bool sure =
+        standsOnField(patch, params, counts) && looksLikeRobot(scene, params, patch, counts);
+    if (sure) {
       addToGroups(groupOf(patch, up), params, groups);
+    } else if (robotPatchTellsDistance(patch, params)) {
+      parts.push_back(groupOf(patch, up));
+    }
   }
+  for (const PatchGroup& part : parts) bringNearer(part, params, groups);
   for (const PatchGroup& group : groups) {
     if (check(!isOnAnother(group, groups, params), Refusal::robotOnAnother, counts))
       robots.push_back(perceptOf(scene, group, params));

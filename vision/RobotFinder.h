@@ -26,6 +26,9 @@ PatchGroup groupOf(const RobotPatch& patch, ImageUp up);
 // Whether two groups can be of one robot.
 bool areOfOneRobot(const PatchGroup& a, const PatchGroup& b, const RobotParams& p);
 PatchGroup joined(const PatchGroup& larger, const PatchGroup& other);
+// A head's legs are hidden by its own trunk, so that carpet behind it is taken for where it stands.
+// The trunk's patch may be too dubious to be a robot by itself, but it tells how near that one is.
+PatchGroup nearer(const PatchGroup& group, const PatchGroup& part);
 
 using Robots = FixedVector<RobotPercept, 8>;
 void findRobots(const Scene& scene, const RobotParams& params, VisionCounts& counts,

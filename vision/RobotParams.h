@@ -32,6 +32,7 @@ struct RobotParams {
   double minShellOfFew = 0.35;          // minShell of such
   double maxSpeckDistance = 115;        // cm, of a patch of so few samples
   double speckCarpetBehind = 6;         // px: before so much carpet a speck may be nearer than that
+  double partSamples = 20;              // of a patch that only tells its robot's distance
   double maxBorderRatio = 2.4;          // of the way to the ground that the border shows, feet cut
   double patchHeight = 12;              // cm, assumed when the image border cuts the feet
   double patchSize = 5.5;               // cm, upright; the same
@@ -63,7 +64,6 @@ struct RobotParams {
         field("maxElevation", &P::maxElevation, "rad", -90, 90),
         field("minCarpetBehind", &P::minCarpetBehind, "px", -10, 10),
         field("minInsideFieldEdge", &P::minInsideFieldEdge, "px", -160, 160),
-        field("minCarpetBehind", &P::minCarpetBehind, "px", -10, 10),
         field("minPatchWidth", &P::minPatchWidth, "cm", 0, 100),
         field("minCutPatch", &P::minCutPatch, "cm", 0, 100),
         field("maxPatchWidth", &P::maxPatchWidth, "cm", 1, 100),
@@ -75,6 +75,7 @@ struct RobotParams {
         field("minShellOfFew", &P::minShellOfFew, "", 0, 1),
         field("maxSpeckDistance", &P::maxSpeckDistance, "cm", 0, 500),
         field("speckCarpetBehind", &P::speckCarpetBehind, "px", -10, 50),
+        field("partSamples", &P::partSamples, "", 1, 1000),
         field("maxBorderRatio", &P::maxBorderRatio, "", 1, 100),
         field("patchSize", &P::patchSize, "cm", 1, 50),
         field("patchHeight", &P::patchHeight, "cm", 1, 50),

@@ -187,6 +187,12 @@ bool robotPatchIsClean(const RobotPatch& patch, const RobotParams& p) {
   return patch.meanIsOwn && patch.own >= p.cleanOwnShare && patch.foreign <= p.cleanForeignShare;
 }
 
+bool robotPatchTellsDistance(const RobotPatch& patch, const RobotParams& p) {
+  return patch.foot.end != FootEnd::hidden && patch.samples >= p.partSamples &&
+         patch.own >= p.doubtfulOwnShare && patch.height >= p.minHeight &&
+         patch.height <= p.maxHeight && patch.extent.width() <= p.maxPatchWidth * patch.scale + 2.0;
+}
+
 bool robotHasShell(const RobotPatch& patch, const RobotParams& p) {
   return patch.shell >= (patch.samples <= p.fewSamples ? p.minShellOfFew : p.minShell);
 }

@@ -44,6 +44,8 @@ bool robotPatchIsSolid(const RobotPatch& patch);
 bool robotPatchIsPure(const RobotPatch& patch, const RobotParams& p);
 // Hardly another colour in or near it: believed even where no carpet behind it is in the image.
 bool robotPatchIsClean(const RobotPatch& patch, const RobotParams& p);
+// Large and of one colour: part of a robot, if one stands there at all.
+bool robotPatchTellsDistance(const RobotPatch& patch, const RobotParams& p);
 bool robotHasShell(const RobotPatch& patch, const RobotParams& p);
 bool robotIsNoSpeck(const RobotPatch& patch, const RobotParams& p);
 bool robotFeetMayBeCut(const RobotPatch& patch, const RobotParams& p);

@@ -107,6 +107,13 @@ struct GoalParams {
   Angle directionError = Angle::deg(1.7);  // a column's foot against the ground at its distance
   double minSureShare = 0.6;  // of the feet that are measured: with less, the next limit counts
   double maxPartWidth = 65;   // cm of a goal that would stand aslant if its ends were posts
+  double minPartBelowFieldEdge =
+      -0.1;  // px, of such a part's lowest foot: a box beyond it has less
+  double maxPartMeanAboveFieldEdge = 0.8;  // px, of all its feet
+  Angle partDirection = Angle::deg(0.3);   // of its feet against the ground
+  double minOpenWidth = 40;                // cm; less with an open end is judged as such a part is
+  Angle aslantTurn = Angle::deg(45);       // so is a narrow one that seems to stand farther aslant
+  Angle openDirection = Angle::deg(0.6);   // of the feet of these two
   Angle doubtfulDirection = Angle::deg(0.8);
   double maxDistance = 560;           // the opposite goal's back wall, seen from the own mouth: 570
   double width = 80;                  // cm, of the mouth
@@ -135,6 +142,12 @@ struct GoalParams {
         field("directionError", &GoalParams::directionError, "rad", 0, 20),
         field("minSureShare", &GoalParams::minSureShare, "", 0, 1),
         field("maxPartWidth", &GoalParams::maxPartWidth, "cm", 0, 200),
+        field("minPartBelowFieldEdge", &GoalParams::minPartBelowFieldEdge, "px", -160, 160),
+        field("maxPartMeanAboveFieldEdge", &GoalParams::maxPartMeanAboveFieldEdge, "px", -160, 160),
+        field("partDirection", &GoalParams::partDirection, "rad", 0, 20),
+        field("minOpenWidth", &GoalParams::minOpenWidth, "cm", 0, 200),
+        field("aslantTurn", &GoalParams::aslantTurn, "rad", 0, 90),
+        field("openDirection", &GoalParams::openDirection, "rad", 0, 20),
         field("doubtfulDirection", &GoalParams::doubtfulDirection, "rad", 0, 20),
         field("maxDistance", &GoalParams::maxDistance, "cm", 50, 1000),
         field("maxTurn", &GoalParams::maxTurn, "rad", 0, 90),

@@ -140,7 +140,7 @@ TEST(Goal, NarrowBlueBoxAsHighAsAGoalIsRefusedByItsWidth) {
 
 TEST(Goal, MiddleOfOneWhoseEndsAreHiddenIsNotTakenForATurnedOne) {
   Painting p;
-  p.carpetEnd = 400;
+  p.carpetEnd = 430;
   p.walls.push_back({{-21, 400}, {21, 400}, 0, 30, kBluePaint});
   const Seen seen = look(p, cameraAt(16, 0, 0));
   const auto* goal = find(seen.percepts, LandmarkKind::goalBlue);
@@ -266,6 +266,47 @@ TEST(GoalChecks, NarrowOneWhoseFootFitsMayBePartOfAGoal) {
   c.footError = Angle::deg(1).rad();
   EXPECT_FALSE(goalIsPart(board.scene(), c, p));
   EXPECT_FALSE(goalIsPart(board.scene(), wide(board.body.camera, p.maxPartWidth + 2.0), p));
+}
+
+TEST(GoalChecks, LittleOfAGoalMustFitTheGround) {
+  const Board board(cameraAt(16, 0, 0));
+  const GoalParams p;
+  const GoalShape square{true, {0, 200}, 0.0, 0.0};
+  GoalCandidate c = wide(board.body.camera, p.minOpenWidth - 2.0);
+  c.left.hidden = true;
+  c.footError = p.openDirection.rad() - 0.001;
+  EXPECT_TRUE(goalStandsFirmly(board.scene(), c, square, p));
+  c.footError = p.openDirection.rad() + 0.001;
+  EXPECT_FALSE(goalStandsFirmly(board.scene(), c, square, p));
+  GoalCandidate more = wide(board.body.camera, p.minOpenWidth + 2.0);
+  more.left.hidden = true;
+  more.footError = c.footError;
+  EXPECT_TRUE(goalStandsFirmly(board.scene(), more, square, p));
+}
+
+TEST(GoalChecks, NarrowOneFarAslantMustFitTheGroundToo) {
+  const Board board(cameraAt(16, 0, 0));
+  const GoalParams p;
+  GoalCandidate c = wide(board.body.camera, p.maxPartWidth - 2.0);
+  c.footError = p.openDirection.rad() + 0.001;
+  const auto kept = [&](double turn) {
+    return goalStandsFirmly(board.scene(), c, {true, {0, 200}, turn, 0.0}, p);
+  };
+  EXPECT_TRUE(kept(p.aslantTurn.rad() - 0.01));
+  EXPECT_FALSE(kept(p.aslantTurn.rad() + 0.01));
+}
+
+TEST(GoalChecks, LittleOfAGoalMustStandInsideTheFieldEdge) {
+  Board board(cameraAt(16, 0, 0));
+  board.edges.push_back({100, 100, 20, 0.5});
+  const GoalParams p;
+  GoalCandidate c = wide(board.body.camera, p.maxPartWidth - 2.0);
+  c.columns.push_back({});
+  c.columns[0].chosen = true;
+  c.columns[0].foot = {100, 100.5 - p.minPartBelowFieldEdge};
+  EXPECT_TRUE(goalIsPart(board.scene(), c, p));
+  c.columns[0].foot.y = 99.5 + p.minPartBelowFieldEdge;
+  EXPECT_FALSE(goalIsPart(board.scene(), c, p));
 }
 
 TEST(GoalChecks, BetweenTwoRobotsMoreOfItMustShow) {

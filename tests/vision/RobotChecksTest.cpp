@@ -209,5 +209,31 @@ TEST(RobotGroups, FeetInTheImageCountMoreThanFeetCutOff) {
   EXPECT_NEAR(joined(whole, cut).distance, 120, 1e-9);
 }
 
+TEST(RobotGroups, ADubiousPartOnlyBringsTheRobotNearer) {
+  const PatchGroup head = groupOf(goodPatch(), {});
+  PatchGroup trunk = head;
+  trunk.distance = 70;
+  trunk.cut = true;
+  EXPECT_NEAR(nearer(head, trunk).distance, 70, 1e-9);
+  EXPECT_TRUE(nearer(head, trunk).cut);
+  trunk.distance = 150;
+  EXPECT_NEAR(nearer(head, trunk).distance, 120, 1e-9);
+  EXPECT_FALSE(nearer(head, trunk).cut);
+}
+
+TEST(RobotChecks, OnlyALargePatchOfARobotsHeightTellsItsDistance) {
+  const RobotParams p;
+  RobotPatch patch = goodPatch();
+  EXPECT_TRUE(robotPatchTellsDistance(patch, p));
+  patch.samples = p.partSamples - 1;
+  EXPECT_FALSE(robotPatchTellsDistance(patch, p));
+  patch = goodPatch();
+  patch.height = p.maxHeight + 1;
+  EXPECT_FALSE(robotPatchTellsDistance(patch, p));
+  patch = goodPatch();
+  patch.foot.end = FootEnd::hidden;
+  EXPECT_FALSE(robotPatchTellsDistance(patch, p));
+}
+
 }  // namespace
 }  // namespace kelpie::vision
