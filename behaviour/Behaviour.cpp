@@ -36,11 +36,15 @@ void fill(WorldFrame& frame, const FrameInput& input, const Percepts& percepts,
   frame.positionSd = world.positionSd;
   frame.headingSd = world.headingSd;
   frame.secondsSinceLandmark = world.secondsSinceLandmark;
+  frame.secondsSinceLines = world.secondsSinceLines;
+  frame.covariance = world.covariance;
   frame.modes = world.modes;
+  frame.second = world.second;
   frame.ball = world.ball;
   frame.teamBall = world.teamBall;
   frame.opponents = world.opponents;
   frame.teammates = world.teammates;
+  frame.obstacles = world.obstacles;
 }
 
 BehaviourState::BehaviourState(const std::string& scripts)

@@ -37,11 +37,15 @@ struct WorldFrame {
   double positionSd = 0.0;
   Angle headingSd;
   double secondsSinceLandmark = 0.0;
+  double secondsSinceLines = 0.0;
+  std::array<double, 9> covariance{};  // of x, y and heading
   FixedVector<PoseMode, kMaxModes> modes;
+  SecondHypothesis second;
   BallEstimate ball;
   TeamBall teamBall;
   FixedVector<OpponentEstimate, kOpponents> opponents;
   FixedVector<TeammateEstimate, kTeammates> teammates;
+  ObstacleEstimate obstacles;
 
   static constexpr auto fields() {
     using W = WorldFrame;
@@ -52,9 +56,12 @@ struct WorldFrame {
         field("motion", &W::motion), field("game", &W::game), field("lastCommand", &W::lastCommand),
         field("percepts", &W::percepts), field("pose", &W::pose),
         field("positionSd", &W::positionSd, "cm"), field("headingSd", &W::headingSd, "rad"),
-        field("secondsSinceLandmark", &W::secondsSinceLandmark, "s"), field("modes", &W::modes),
-        field("ball", &W::ball), field("teamBall", &W::teamBall), field("opponents", &W::opponents),
-        field("teammates", &W::teammates));
+        field("secondsSinceLandmark", &W::secondsSinceLandmark, "s"),
+        field("secondsSinceLines", &W::secondsSinceLines, "s"),
+        field("covariance", &W::covariance, "cm2, cm rad, rad2"), field("modes", &W::modes),
+        field("second", &W::second), field("ball", &W::ball), field("teamBall", &W::teamBall),
+        field("opponents", &W::opponents), field("teammates", &W::teammates),
+        field("obstacles", &W::obstacles));
   }
 };
 

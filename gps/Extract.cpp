@@ -31,6 +31,22 @@ BallEstimate extractBall(const BallTrack& track, const Pose2& pose) {
   return ball;
 }
 
+// Copies that a merge left apart say nothing new; a robot's length does, or a turn that misses the
+// goal.
+constexpr double kElsewhere = 30.0;  // cm
+const Angle kTurnedAway = Angle::deg(20.0);
+
+bool isElsewhere(const Pose2& a, const Pose2& b) {
+  return distance(a.position, b.position) > kElsewhere ||
+         std::fabs((a.heading - b.heading).rad()) > kTurnedAway.rad();
+}
+
+SecondHypothesis secondOf(const Modes& modes) {
+  for (const PoseMode& mode : modes)
+    if (isElsewhere(mode.pose, modes[0].pose)) return {true, mode};
+  return {};
+}
+
 }  // namespace
 
 WorldModel extract(const GpsState& state) {
@@ -42,6 +58,8 @@ WorldModel extract(const GpsState& state) {
   const double headingSd = std::sqrt(std::max(0.0, world.covariance[8]));
   world.headingSd = Angle::rad(std::min(headingSd, maths::kPi));
   world.secondsSinceLandmark = state.secondsSinceLandmark;
+  world.secondsSinceLines = state.secondsSinceLines;
+  world.second = secondOf(state.modes);
   world.ball = extractBall(state.ball, world.pose);
   world.counts = state.counts;
   return world;

@@ -62,6 +62,7 @@ struct GpsState {
   bool lost = true;  // no landmark has been used since the start or the last loss of all modes
   Modes modes;
   double secondsSinceLandmark = 0.0;
+  double secondsSinceLines = 0.0;
   std::uint32_t unexplained = 0;  // landmarks in a row that no mode foretold
   BallTrack ball;
   OthersState others;

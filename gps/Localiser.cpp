@@ -52,6 +52,7 @@ void useLines(const GpsIn& in, const GpsParams& params, GpsState& state) {
   if (!updateByLines(seen, std::isfinite(speed) ? speed : kUnknown, params, state)) return;
   tidy(params, state);
   keepNearField(params.field, state.modes);
+  state.secondsSinceLines = 0.0;
 }
 
 }  // namespace
@@ -60,6 +61,7 @@ WorldModel step(const GpsIn& in, const GpsParams& params, GpsState& state) {
   if (!state.features.built()) state.features.build(params.field);
   if (!state.started) start(params, state);
   state.secondsSinceLandmark += in.input.elapsed;
+  state.secondsSinceLines += in.input.elapsed;
   Odometry odometry = in.input.odometry;
   if (!plausible(odometry)) {
     odometry = Odometry{};

@@ -2,6 +2,7 @@
 #include "gps/Others.h"
 
 #include "gps/BallMotion.h"
+#include "gps/ObstacleQueries.h"
 #include "gps/OnField.h"
 #include "gps/Opponents.h"
 #include "gps/Team.h"
@@ -28,14 +29,26 @@ void putBallOnField(const GpsParams& params, const GpsState& state, BallEstimate
   ball.rest = fieldFromRobot(pose.pose, restOf(state.ball, params.ball));
 }
 
+using Heard = FixedVector<TeamMessage, kTeammates>;
+
+ObstacleEstimate stepObstacles(const GpsIn& in, const GpsParams& params, const Heard& heard,
+                               const WorldModel& world, ObstacleMap& map) {
+  const ObstacleMapParams& p = params.others.obstacles;
+  if (!map.built) build(params.field, p, map);
+  forget(in.input.elapsed, p, map);
+  see({in.percepts, world}, params.field, p, map);
+  for (const TeamMessage& message : heard) hear(message, params.field, p, map);
+  return extractObstacles({map, params.field, p}, world);
+}
+
 }  // namespace
 
 void stepOthers(const GpsIn& in, const GpsParams& params, GpsState& state, WorldModel& world) {
   putBallOnField(params, state, world.ball);
   stepOpponents(in, params, state);
-  for (const TeamMessage& message : hear(in.input, params, state)) {
-    hearOpponents(message, params, state);
-  }
+  const Heard heard = hear(in.input, params, state);
+  for (const TeamMessage& message : heard) hearOpponents(message, params, state);
+  world.obstacles = stepObstacles(in, params, heard, world, state.others.obstacles);
   const OthersState& others = state.others;
   world.opponents = extractOpponents(others);
   world.teammates = extractMates(params.others.team, others);

@@ -4,6 +4,7 @@
 // state them, else ours.
 #pragma once
 
+#include "gps/ObstacleMapParams.h"
 #include "robot/core/Geometry.h"
 
 namespace kelpie::gps {
@@ -94,11 +95,13 @@ struct OthersParams {
   TeamBallParams teamBall;
   OpponentParams opponents;
   TeamParams team;
+  ObstacleMapParams obstacles;
 
   static constexpr auto fields() {
     return fieldList(
         field("dropIn", &OthersParams::dropIn), field("teamBall", &OthersParams::teamBall),
-        field("opponents", &OthersParams::opponents), field("team", &OthersParams::team));
+        field("opponents", &OthersParams::opponents), field("team", &OthersParams::team),
+        field("obstacles", &OthersParams::obstacles));
   }
 };
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 
+#include "gps/ObstacleMap.h"
 #include "robot/core/TeamMessage.h"
 
 namespace kelpie::gps {
@@ -37,6 +38,7 @@ struct OthersState {
   TeamMessage message;
   double secondsSinceMessage = 1e9;
   std::uint32_t goals = 0;  // of both teams, to notice a new one
+  ObstacleMap obstacles;
 };
 
 }  // namespace kelpie::gps

@@ -14,6 +14,7 @@ constexpr double kLeastVariance = 0.01;       // cm2
 constexpr double kMostVariance = 1e6;         // cm2
 constexpr double kMaxHeadingVariance = 40.0;  // rad2
 constexpr double kMaxSpeed = 500.0;           // cm/s, of a ball
+constexpr double kMostCount = 1e4;            // of an obstacle's points
 
 // False for what is not a number, too.
 bool near(Point2<Field> p, const GpsParams& params) {
@@ -63,6 +64,10 @@ bool believable(const TeamMessage& message, const GpsParams& params) {
                      [&](const SharedOpponent& o) {
                        return near(o.position, params) &&
                               soundCovariance(o.covariance, kLeastVariance, kMostVariance);
+                     }) &&
+         std::all_of(message.obstacles.begin(), message.obstacles.end(),
+                     [&](const ObstacleCell& o) {
+                       return near(o.position, params) && o.count >= 0.0 && o.count < kMostCount;
                      });
 }
 
@@ -120,6 +125,7 @@ void speak(const FrameInput& input, const WorldModel& world, const TeamParams& p
     m.ball = {true, ball.position, ball.velocity, ball.fieldCovariance, ball.secondsSinceSeen};
   }
   m.opponents = takeFresh(others);
+  m.obstacles = world.obstacles.cells;
 }
 
 }  // namespace kelpie::gps

@@ -9,6 +9,7 @@
 
 #include "robot/core/FixedVector.h"
 #include "robot/core/Geometry.h"
+#include "robot/core/ObstacleEstimates.h"
 
 namespace kelpie {
 
@@ -53,14 +54,15 @@ struct TeamMessage {
   std::array<double, 9> covariance{};  // of (x, y, heading)
   SharedBall ball;
   FixedVector<SharedOpponent, kOpponents> opponents;
+  FixedVector<ObstacleCell, kSharedObstacles> obstacles;  // the fullest of the sender's own
 
   static constexpr auto fields() {
     using M = TeamMessage;
-    return fieldList(field("player", &M::player, "", 1, 4), field("role", &M::role),
-                     field("number", &M::number), field("age", &M::age, "s", 0, 1e6),
-                     field("pose", &M::pose),
-                     field("covariance", &M::covariance, "cm2, cm rad, rad2"),
-                     field("ball", &M::ball), field("opponents", &M::opponents));
+    return fieldList(
+        field("player", &M::player, "", 1, 4), field("role", &M::role), field("number", &M::number),
+        field("age", &M::age, "s", 0, 1e6), field("pose", &M::pose),
+        field("covariance", &M::covariance, "cm2, cm rad, rad2"), field("ball", &M::ball),
+        field("opponents", &M::opponents), field("obstacles", &M::obstacles));
   }
 };
 

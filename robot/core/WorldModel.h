@@ -8,6 +8,7 @@
 
 #include "robot/core/FixedVector.h"
 #include "robot/core/Geometry.h"
+#include "robot/core/ObstacleEstimates.h"
 #include "robot/core/TeamEstimates.h"
 #include "robot/core/TeamMessage.h"
 
@@ -22,6 +23,17 @@ struct PoseMode {
   static constexpr auto fields() {
     return fieldList(field("weight", &PoseMode::weight, "", 0, 1), field("pose", &PoseMode::pose),
                      field("covariance", &PoseMode::covariance, "cm2, cm rad, rad2"));
+  }
+};
+
+// The heaviest hypothesis that puts the robot elsewhere, not a copy of the best one.
+struct SecondHypothesis {
+  bool present = false;
+  PoseMode mode;
+
+  static constexpr auto fields() {
+    return fieldList(field("present", &SecondHypothesis::present),
+                     field("mode", &SecondHypothesis::mode));
   }
 };
 
@@ -68,11 +80,14 @@ struct WorldModel {
   double positionSd = 0.0;             // cm, root of the larger position eigenvalue
   Angle headingSd;
   double secondsSinceLandmark = 0.0;
+  double secondsSinceLines = 0.0;          // since field lines corrected the pose
   FixedVector<PoseMode, kMaxModes> modes;  // heaviest first
+  SecondHypothesis second;
   BallEstimate ball;
   TeamBall teamBall;
   FixedVector<OpponentEstimate, kOpponents> opponents;  // those known of, in no order
   FixedVector<TeammateEstimate, kTeammates> teammates;  // those heard of lately
+  ObstacleEstimate obstacles;
   TeamMessage message;  // for the team, when its number differs from the last
   GpsCounts counts;
 
@@ -82,10 +97,12 @@ struct WorldModel {
                      field("positionSd", &WorldModel::positionSd, "cm", 0, 1e4),
                      field("headingSd", &WorldModel::headingSd, "rad", 0, 180),
                      field("secondsSinceLandmark", &WorldModel::secondsSinceLandmark, "s", 0, 1e6),
-                     field("modes", &WorldModel::modes), field("ball", &WorldModel::ball),
-                     field("teamBall", &WorldModel::teamBall),
+                     field("secondsSinceLines", &WorldModel::secondsSinceLines, "s", 0, 1e6),
+                     field("modes", &WorldModel::modes), field("second", &WorldModel::second),
+                     field("ball", &WorldModel::ball), field("teamBall", &WorldModel::teamBall),
                      field("opponents", &WorldModel::opponents),
                      field("teammates", &WorldModel::teammates),
+                     field("obstacles", &WorldModel::obstacles),
                      field("message", &WorldModel::message), field("counts", &WorldModel::counts));
   }
 };

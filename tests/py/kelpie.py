@@ -448,6 +448,18 @@ class PoseMode(Fields):
         self._take(given)
 
 
+class SecondHypothesis(Fields):
+    __slots__ = (
+        'present',
+        'mode',
+    )
+
+    def __init__(self, **given):
+        self.present = False
+        self.mode = PoseMode()
+        self._take(given)
+
+
 class BallEstimate(Fields):
     __slots__ = (
         'present',
@@ -532,6 +544,62 @@ class TeammateEstimate(Fields):
         self._take(given)
 
 
+class ObstacleSector(Fields):
+    __slots__ = (
+        'count',
+        'nearest',
+    )
+
+    def __init__(self, **given):
+        self.count = 0.0
+        self.nearest = 1000.0
+        self._take(given)
+
+
+class ObstacleGap(Fields):
+    __slots__ = (
+        'present',
+        'heading_deg',
+        'width_deg',
+    )
+
+    def __init__(self, **given):
+        self.present = False
+        self.heading_deg = 0.0
+        self.width_deg = 0.0
+        self._take(given)
+
+
+class ObstacleCell(Fields):
+    __slots__ = (
+        'position',
+        'count',
+    )
+
+    def __init__(self, **given):
+        self.position = Point2()
+        self.count = 0.0
+        self._take(given)
+
+
+class ObstacleEstimate(Fields):
+    __slots__ = (
+        'sectors',
+        'to_ball',
+        'to_goal',
+        'gap_to_goal',
+        'cells',
+    )
+
+    def __init__(self, **given):
+        self.sectors = [ObstacleSector()] * 36
+        self.to_ball = 0.0
+        self.to_goal = 0.0
+        self.gap_to_goal = ObstacleGap()
+        self.cells = []
+        self._take(given)
+
+
 class WorldFrame(Fields):
     __slots__ = (
         'time_s',
@@ -549,11 +617,15 @@ class WorldFrame(Fields):
         'position_sd',
         'heading_sd_deg',
         'seconds_since_landmark',
+        'seconds_since_lines',
+        'covariance',
         'modes',
+        'second',
         'ball',
         'team_ball',
         'opponents',
         'teammates',
+        'obstacles',
     )
 
     def __init__(self, **given):
@@ -572,9 +644,13 @@ class WorldFrame(Fields):
         self.position_sd = 0.0
         self.heading_sd_deg = 0.0
         self.seconds_since_landmark = 0.0
+        self.seconds_since_lines = 0.0
+        self.covariance = [0.0] * 9
         self.modes = []
+        self.second = SecondHypothesis()
         self.ball = BallEstimate()
         self.team_ball = TeamBall()
         self.opponents = []
         self.teammates = []
+        self.obstacles = ObstacleEstimate()
         self._take(given)

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+// What can be tuned in the map of obstacles. Numbers of facts-2005 section 4.7 where it states
+// them, else ours.
+#pragma once
+
+#include "robot/core/Geometry.h"
+
+namespace kelpie::gps {
+
+struct ObstacleMapParams {
+  double forgetRate = 0.606;     // 1/s of own points: keeps 0.98 a frame
+  double forgetHeardRate = 2.0;  // 1/s of what a mate said; it says it again six times a second
+  double maxCount = 100.0;       // of one cell
+  double minReach = 12.0;        // cm; nearer points are of the own body
+  double maxReach = 250.0;       // cm; farther points are not mapped
+  double maxPositionSd = 50.0;   // cm of the own place; with more nothing is mapped or told
+  Angle maxHeadingSd = Angle::deg(20.0);
+  double clearReach = 150.0;    // cm; carpet seen nearer than this empties its cell
+  double clearShare = 0.8;      // of a cell's points that carpet seen in it leaves
+  double robotCount = 2.0;      // points of a robot seen: its white body gives none
+  double landmarkCount = 40.0;  // of cells with beacons or walls of goals
+  double tellCount = 5.0;       // a cell with less is not told to the team
+  double corridorWidth = 30.0;  // cm
+  double sectorReach = 100.0;   // cm
+  double fullCount = 10.0;      // a cell with less does not block a way
+  double gapReach = 50.0;       // cm that must be free ahead
+  Angle gapWidth = Angle::deg(20.0);
+  Angle gapAside = Angle::deg(110.0);  // farther to the side is no way ahead
+
+  static constexpr auto fields() {
+    using P = ObstacleMapParams;
+    return fieldList(field("forgetRate", &P::forgetRate, "1/s", 0, 100),
+                     field("forgetHeardRate", &P::forgetHeardRate, "1/s", 0, 100),
+                     field("maxCount", &P::maxCount, "", 1, 1e4),
+                     field("minReach", &P::minReach, "cm", 0, 100),
+                     field("maxReach", &P::maxReach, "cm", 10, 1000),
+                     field("maxPositionSd", &P::maxPositionSd, "cm", 1, 1000),
+                     field("maxHeadingSd", &P::maxHeadingSd, "rad", 1, 180),
+                     field("clearReach", &P::clearReach, "cm", 0, 1000),
+                     field("clearShare", &P::clearShare, "", 0, 1),
+                     field("robotCount", &P::robotCount, "", 0, 100),
+                     field("landmarkCount", &P::landmarkCount, "", 0, 1e4),
+                     field("tellCount", &P::tellCount, "", 0, 1e4),
+                     field("corridorWidth", &P::corridorWidth, "cm", 1, 300),
+                     field("sectorReach", &P::sectorReach, "cm", 10, 1000),
+                     field("fullCount", &P::fullCount, "", 0.1, 1e4),
+                     field("gapReach", &P::gapReach, "cm", 10, 1000),
+                     field("gapWidth", &P::gapWidth, "rad", 10, 180),
+                     field("gapAside", &P::gapAside, "rad", 10, 180));
+  }
+};
+
+}  // namespace kelpie::gps
