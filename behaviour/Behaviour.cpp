@@ -36,6 +36,7 @@ void fill(WorldFrame& frame, const FrameInput& input, const Percepts& percepts,
   frame.positionSd = world.positionSd;
   frame.headingSd = world.headingSd;
   frame.secondsSinceLandmark = world.secondsSinceLandmark;
+  frame.stuck = world.stuck;
   frame.modes = world.modes;
   frame.ball = world.ball;
   frame.teamBall = world.teamBall;

@@ -37,6 +37,7 @@ struct WorldFrame {
   double positionSd = 0.0;
   Angle headingSd;
   double secondsSinceLandmark = 0.0;
+  double stuck = 0.0;
   FixedVector<PoseMode, kMaxModes> modes;
   BallEstimate ball;
   TeamBall teamBall;
@@ -52,9 +53,9 @@ struct WorldFrame {
         field("motion", &W::motion), field("game", &W::game), field("lastCommand", &W::lastCommand),
         field("percepts", &W::percepts), field("pose", &W::pose),
         field("positionSd", &W::positionSd, "cm"), field("headingSd", &W::headingSd, "rad"),
-        field("secondsSinceLandmark", &W::secondsSinceLandmark, "s"), field("modes", &W::modes),
-        field("ball", &W::ball), field("teamBall", &W::teamBall), field("opponents", &W::opponents),
-        field("teammates", &W::teammates));
+        field("secondsSinceLandmark", &W::secondsSinceLandmark, "s"), field("stuck", &W::stuck),
+        field("modes", &W::modes), field("ball", &W::ball), field("teamBall", &W::teamBall),
+        field("opponents", &W::opponents), field("teammates", &W::teammates));
   }
 };
 

@@ -42,6 +42,7 @@ WorldModel extract(const GpsState& state) {
   const double headingSd = std::sqrt(std::max(0.0, world.covariance[8]));
   world.headingSd = Angle::rad(std::min(headingSd, maths::kPi));
   world.secondsSinceLandmark = state.secondsSinceLandmark;
+  world.stuck = state.stuck.share;
   world.ball = extractBall(state.ball, world.pose);
   world.counts = state.counts;
   return world;

@@ -68,6 +68,7 @@ struct WorldModel {
   double positionSd = 0.0;             // cm, root of the larger position eigenvalue
   Angle headingSd;
   double secondsSinceLandmark = 0.0;
+  double stuck = 0.0;  // share of the walked way that is thought lost because something holds us
   FixedVector<PoseMode, kMaxModes> modes;  // heaviest first
   BallEstimate ball;
   TeamBall teamBall;
@@ -77,16 +78,16 @@ struct WorldModel {
   GpsCounts counts;
 
   static constexpr auto fields() {
-    return fieldList(field("pose", &WorldModel::pose),
-                     field("covariance", &WorldModel::covariance, "cm2, cm rad, rad2"),
-                     field("positionSd", &WorldModel::positionSd, "cm", 0, 1e4),
-                     field("headingSd", &WorldModel::headingSd, "rad", 0, 180),
-                     field("secondsSinceLandmark", &WorldModel::secondsSinceLandmark, "s", 0, 1e6),
-                     field("modes", &WorldModel::modes), field("ball", &WorldModel::ball),
-                     field("teamBall", &WorldModel::teamBall),
-                     field("opponents", &WorldModel::opponents),
-                     field("teammates", &WorldModel::teammates),
-                     field("message", &WorldModel::message), field("counts", &WorldModel::counts));
+    return fieldList(
+        field("pose", &WorldModel::pose),
+        field("covariance", &WorldModel::covariance, "cm2, cm rad, rad2"),
+        field("positionSd", &WorldModel::positionSd, "cm", 0, 1e4),
+        field("headingSd", &WorldModel::headingSd, "rad", 0, 180),
+        field("secondsSinceLandmark", &WorldModel::secondsSinceLandmark, "s", 0, 1e6),
+        field("stuck", &WorldModel::stuck, "", 0, 1), field("modes", &WorldModel::modes),
+        field("ball", &WorldModel::ball), field("teamBall", &WorldModel::teamBall),
+        field("opponents", &WorldModel::opponents), field("teammates", &WorldModel::teammates),
+        field("message", &WorldModel::message), field("counts", &WorldModel::counts));
   }
 };
 
