@@ -21,22 +21,38 @@ struct Candidate {
 };
 using Candidates = FixedVector<Candidate, kWorkModes>;
 
-Evidence evidenceOf(const PoseMode& mode, const Measurements& landmarks, const GpsParams& params) {
+Evidence evidenceOf(const PoseMode& mode, const Pose2& at, const Measurements& landmarks,
+                    const GpsParams& params) {
   Evidence evidence;
   for (const Measurement& m : landmarks)
-    evidence.add(mode, seenObliquely(mode, m) ? headingOnly(m, params.gates) : m);
+    evidence.add(mode, seenObliquely(mode, m) ? headingOnly(m, params.gates) : m, at);
   return evidence;
+}
+
+bool movedFar(const Pose2& from, const Pose2& to) {
+  return distance(from.position, to.position) > 10.0 || (to.heading - from.heading).abs().deg() > 5;
+}
+
+// A wide mode moves so far that what was linearised where it was is wrong where it comes to lie:
+// it is linearised there again, as one landmark after the other would be.
+Candidate candidateOf(const PoseMode& mode, const Measurements& landmarks,
+                      const GpsParams& params) {
+  constexpr int kRounds = 3;
+  Candidate one;
+  Pose2 at = mode.pose;
+  for (int round = 0; round < kRounds; ++round) {
+    one.evidence = evidenceOf(mode, at, landmarks, params);
+    one.byLandmarks = corrected(mode, one.evidence, params.modes.determinant);
+    if (!movedFar(at, one.byLandmarks.pose)) break;
+    at = one.byLandmarks.pose;
+  }
+  return one;
 }
 
 Candidates candidatesOf(const Modes& modes, const Measurements& landmarks,
                         const GpsParams& params) {
   Candidates all;
-  for (const PoseMode& mode : modes) {
-    Candidate one;
-    one.evidence = evidenceOf(mode, landmarks, params);
-    one.byLandmarks = corrected(mode, one.evidence, params.modes.determinant);
-    all.push_back(one);
-  }
+  for (const PoseMode& mode : modes) all.push_back(candidateOf(mode, landmarks, params));
   return all;
 }
 
@@ -67,9 +83,16 @@ bool askLines(const SeenLines& seen, double headSpeed, const GpsParams& params, 
   return any;
 }
 
-// The weight of what no observation of the frame corrected.
-double copyWeight(bool landmarks, bool lines, const GpsParams& params) {
-  return (landmarks ? params.modes.noiseWeight : 0.0) + (lines ? params.line.noiseWeight : 0.0);
+// What stays beside a corrected mode: the likelier of the mode itself and, for the case that only
+// the lines are false, the mode as the landmarks alone correct it.
+PoseMode copyOf(const PoseMode& mode, const Candidate& one, bool landmarks,
+                const GpsParams& params) {
+  PoseMode untouched = mode;
+  if (landmarks) untouched.weight *= params.modes.noiseWeight;
+  PoseMode withoutLines = one.byLandmarks;
+  withoutLines.weight *= params.line.noiseWeight;
+  if (!one.lines) return untouched;
+  return landmarks && untouched.weight > withoutLines.weight ? untouched : withoutLines;
 }
 
 // As when landmarks come one by one: many that no mode foretold in a row, and all begins anew.
@@ -99,13 +122,15 @@ PoseMode result(const PoseMode& mode, const Candidate& one, bool lines, const Gp
 
 }  // namespace
 
-void Evidence::add(const PoseMode& mode, const Measurement& m) {
+void Evidence::add(const PoseMode& mode, const Measurement& m, const Pose2& at) {
   constexpr double kNearest = 5.0;  // cm, a beacon's radius
-  if (distance(m.landmark, mode.pose.position) < kNearest) {
+  if (distance(m.landmark, at.position) < kNearest) {
     hopeless = true;
     return;
   }
-  const Expectation e = expected(mode.pose, m.landmark);
+  const Expectation e = expected(at, m.landmark);
+  const Point2<Field> away = at.position - mode.pose.position;
+  const Vector3 offset(away.x, away.y, (at.heading - mode.pose.heading).rad());
   const double innovation[2] = {m.distance - e.distance, (m.heading - e.heading).rad()};
   const double variance[2] = {m.distanceVariance, m.headingVariance};
   const bool use[2] = {m.useDistance, m.useHeading};
@@ -113,9 +138,10 @@ void Evidence::add(const PoseMode& mode, const Measurement& m) {
     if (!use[row]) continue;
     const double* j = e.jacobian.data() + 3 * row;
     const Vector3 h(j[0], j[1], j[2]);
+    const double fromMode = innovation[row] + h.dot(offset);
     information += h * h.transpose() / variance[row];
-    vector += h * (innovation[row] / variance[row]);
-    squares += innovation[row] * innovation[row] / variance[row];
+    vector += h * (fromMode / variance[row]);
+    squares += fromMode * fromMode / variance[row];
   }
 }
 
@@ -156,11 +182,13 @@ bool updateJointly(const Measurements& landmarks, const SeenLines& seen, double 
   if (!landmarks.empty()) judge(modes, candidates, landmarks.size(), params, state);
   const bool lines = askLines(seen, headSpeed, params, candidates, state);
   if (landmarks.empty() && !lines) return false;
-  const double share = copyWeight(!landmarks.empty(), lines, params);
   const std::size_t before = modes.size();
   for (std::size_t i = 0; i < before; ++i) {
-    PoseMode copy = modes[i];
-    copy.weight *= share;
+    if (landmarks.empty() && !candidates[i].lines) {
+      modes[i].weight *= unaskedWeight(modes[i], params.line);
+      continue;
+    }
+    const PoseMode copy = copyOf(modes[i], candidates[i], !landmarks.empty(), params);
     modes[i] = result(modes[i], candidates[i], lines, params);
     modes.push_back(copy);
   }

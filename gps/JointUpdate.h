@@ -21,7 +21,8 @@ struct Evidence {
   double squares = 0.0;
   bool hopeless = false;  // the mode stands on a landmark
 
-  void add(const PoseMode& mode, const Measurement& measurement);
+  // Linearised at a pose near the mode's; at its own, this is the extended Kalman filter.
+  void add(const PoseMode& mode, const Measurement& measurement, const Pose2& at);
   void add(const PoseMode& mode, const PoseObservation& observation);
 };
 

@@ -17,10 +17,10 @@ struct StuckParams {
   double sidewaysFactor = 1.3;       // cm/s forward that cost as much as 1 sideways
   double turnLever = 13.0;           // cm: the same for 1 rad/s
   double margin = 0.02;              // q0 is that much above the effort of walking freely
-  double slowing = 40.0;             // k: the way shrinks to 1 / (1 + k (q - q0))
+  double slowing = 84.0;             // k: the way shrinks to 1 / (1 + k (q - q0))
   double growth = 15.0;              // variances grow by the factor 1 + growth (q - q0),
-  double pushed = 100.0;             // and by that times q - q0, cm2/s: others push
-  double turned = 0.05;              // rad2/s: and turn
+  double pushed = 400.0;             // and by that times q - q0, cm2/s: others push
+  double turned = 0.3;               // rad2/s: and turn
   double pauseAbove = 0.3;           // share of the way lost from which lines are not trusted
   double pauseSeconds = 0.0;         // how long afterwards; 0: lines are never paused
   std::uint32_t pauseLandmarks = 2;  // foretold landmarks that end the pause sooner

@@ -51,7 +51,7 @@ TEST(JointUpdate, OneLandmarkCorrectsAsInItsOwnUpdate) {
     PoseMode alone = someMode();
     update(alone, seen, determinant);
     Evidence evidence;
-    evidence.add(someMode(), seen);
+    evidence.add(someMode(), seen, someMode().pose);
     expectSame(corrected(someMode(), evidence, determinant), alone);
   }
 }
@@ -75,10 +75,23 @@ TEST(JointUpdate, AHandMadeCase) {
   EXPECT_NEAR(after.weight, std::exp(-0.25), 1e-12);
 }
 
+// Where all is linear it does not matter where it is linearised: a heading far from the landmark.
+TEST(JointUpdate, LinearisedElsewhereTheSameObservationSaysNearlyTheSame) {
+  Measurement seen{{1e6, 220.0}, false, true, 1e6, Angle::deg(-165.0), 1.0, 0.004};
+  Evidence here;
+  here.add(someMode(), seen, someMode().pose);
+  Evidence there;
+  there.add(someMode(), seen, {{170.0, 200.0}, Angle::deg(155.0)});
+  const PoseMode a = corrected(someMode(), here, false);
+  const PoseMode b = corrected(someMode(), there, false);
+  EXPECT_NEAR((a.pose.heading - b.pose.heading).rad(), 0.0, 1e-4);
+  EXPECT_NEAR(a.weight, b.weight, 1e-4);
+}
+
 TEST(JointUpdate, AModeOnALandmarkKeepsItsPlaceAndLosesItsWeight) {
   const Measurement seen{someMode().pose.position, true, true, 50.0, Angle(), 400.0, 0.004};
   Evidence evidence;
-  evidence.add(someMode(), seen);
+  evidence.add(someMode(), seen, someMode().pose);
   const PoseMode after = corrected(someMode(), evidence, false);
   EXPECT_EQ(after.pose.position.x, someMode().pose.position.x);
   EXPECT_LT(after.weight, 1e-19);

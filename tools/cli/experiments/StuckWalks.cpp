@@ -23,6 +23,7 @@ class Blind {
     params_.initialPose.present = true;
     params_.initialPose.pose = start;
     params_.initialPose.positionSd = 1.0;
+    params_.initialPose.headingSd = Angle::deg(1.0);  // so that the sd is of the walk
     params_.stuck.use = aware;
   }
   void step(const MotionOutput& output, const Command& command) {
@@ -50,7 +51,7 @@ std::uint64_t seedOf(const ExperimentOptions& options, int trial) {
 
 // The figure's columns for one way of holding.
 Json heldWalk(const ExperimentOptions& options, double held) {
-  constexpr int kMessages = 156;  // 5 s at 20 cm/s: 97 cm of odometry, the figure's way
+  constexpr int kMessages = 171;  // at 20 cm/s 97 cm of odometry, the way in the figure
   std::vector<double> way[2];
   std::vector<double> sd[2];
   std::vector<double> truth;
@@ -201,7 +202,7 @@ Json effortCalibration(const ExperimentOptions& options) {
           {"half_held_hit_rate", shareAbove(half, used.margin)},
           {"held_hit_rate", shareAbove(held, used.margin)},
           {"margin", quantile},
-          {"slowing", bestSlowing(all, quantile)},
+          {"slowing", bestSlowing(all, used.margin)},
           {"used_margin", used.margin},
           {"used_slowing", used.slowing}};
 }
