@@ -159,8 +159,10 @@ TEST(Stuck, PausedLinesCorrectNothing) {
     SimulatedRobot robot = walker(0.0);
     robot.state.stuck.paused = paused;
     robot.params.stuck.pauseSeconds = paused ? 10.0 : 0.0;
-    robot.lookAtLines(0.0);
-    sd[paused ? 1 : 0] = robot.step().positionSd;
+    for (int frame = 0; frame < 10; ++frame) {
+      robot.lookAtLines(0.0);
+      sd[paused ? 1 : 0] = robot.step().positionSd;
+    }
   }
   EXPECT_LT(sd[0], 0.9 * sd[1]);
 }

@@ -13,8 +13,8 @@ namespace kelpie::sim {
 struct SensorParams {
   double distanceNoise = 0.03;  // share of the distance, sd
   double accelerationSd = 25.0;
-  double dutyPerRad = 2.5;        // motor duty for a following error
-  double idleCurrent = 700.0;     // mA, of all but the legs
+  double dutyPerRad = 2.5;         // motor duty for a following error
+  double idleCurrent = 700.0;      // mA, of all but the legs
   double currentPerDuty = 1500.0;  // mA more for each leg joint at full duty
 
   static constexpr auto fields() {

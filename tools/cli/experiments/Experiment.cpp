@@ -28,7 +28,8 @@ std::vector<Experiment> ofBelieving() {
        "deg for a second; the three noise methods on the same matches",
        8, kidnap},
       {"stuck",
-       "walking freely and held (thesis 2004 figure 2.10): the way and standard deviation reported, "
+       "walking freely and held (thesis 2004 figure 2.10): the way and standard deviation "
+       "reported, "
        "hits and false alarms, turns with weak legs; after scrums, seconds until the pose is right",
        8, stuck},
       {"ball",

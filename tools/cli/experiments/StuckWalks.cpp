@@ -195,6 +195,7 @@ Json effortCalibration(const ExperimentOptions& options) {
   const std::vector<Felt> held = walks(options, 0.7, 1.0);
   std::vector<double> efforts;
   std::vector<Felt> all = free;
+  efforts.reserve(free.size());
   for (const Felt& one : free) efforts.push_back(one.effort);
   for (const auto* some : {&half, &held}) all.insert(all.end(), some->begin(), some->end());
   const double quantile = percentile(efforts, 0.995);

@@ -16,8 +16,8 @@ Json heldWalks(const ExperimentOptions& options);
 // the true ways best.
 Json effortCalibration(const ExperimentOptions& options);
 
-// Ten turns on weak legs: drift of the heading in percent of the turns reported, with the odometry of weak
-// legs and with that of strong ones.
+// Ten turns on weak legs: drift of the heading in percent of the turns reported, with the odometry
+// of weak legs and with that of strong ones.
 Json weakTurns(const ExperimentOptions& options);
 
 }  // namespace kelpie::cli
