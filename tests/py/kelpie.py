@@ -149,12 +149,16 @@ class MotionStatus(Fields):
         'running',
         'seconds_left',
         'ready',
+        'effort',
+        'low_gain',
     )
 
     def __init__(self, **given):
         self.running = 0
         self.seconds_left = 0.0
         self.ready = False
+        self.effort = 0.0
+        self.low_gain = False
         self._take(given)
 
 
@@ -549,6 +553,7 @@ class WorldFrame(Fields):
         'position_sd',
         'heading_sd_deg',
         'seconds_since_landmark',
+        'stuck',
         'modes',
         'ball',
         'team_ball',
@@ -572,6 +577,7 @@ class WorldFrame(Fields):
         self.position_sd = 0.0
         self.heading_sd_deg = 0.0
         self.seconds_since_landmark = 0.0
+        self.stuck = 0.0
         self.modes = []
         self.ball = BallEstimate()
         self.team_ball = TeamBall()

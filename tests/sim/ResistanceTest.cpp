@@ -57,7 +57,7 @@ TEST(Resistance, TheMoreItIsHeldTheLessItGoes) {
 TEST(Resistance, AWallStopsTheBodyAndIsFelt) {
   WalkingBody free(5);
   WalkingBody blocked(5);
-  ASSERT_TRUE(blocked.world().carry(0, {{100.0, 545.0}, Angle::deg(0.0)}));  // beside the goal
+  ASSERT_TRUE(blocked.world().carry(0, {{130.0, 550.0}, Angle::deg(0.0)}));  // beside the goal
   const Walk a = walked(free, kAhead);
   const Walk b = walked(blocked, kAhead);
   EXPECT_LT(b.cm, 0.5 * a.cm);
@@ -116,7 +116,7 @@ TEST(Resistance, WeakLegsTurnAboutHalfAsFar) {
 
 TEST(Resistance, TwoRobotsThatPushEachOtherGiveWayAlike) {
   const auto field = *body::fieldDescription("2006");
-  Setup setup;
+  sim::Setup setup;
   setup.players.push_back({TeamColour::red, 1, {{180.0, 200.0}, Angle::deg(90.0)}});
   setup.players.push_back({TeamColour::blue, 1, {{183.0, 210.0}, Angle::deg(90.0)}});
   setup.ball = {20.0, 20.0};
