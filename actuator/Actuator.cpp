@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "actuator/ChestKick.h"
+#include "actuator/Effort.h"
 #include "actuator/Gait.h"
 #include "actuator/Head.h"
 #include "robot/body/Legs.h"
@@ -123,18 +124,26 @@ void tick(const Command& command, const ActuatorParams& params, ActuatorState& s
   if (moving && !motionRunning(state)) state.gait.velocity = {};
 }
 
+bool walking(const ActuatorParams& params, const ActuatorState& state) {
+  return ready(params, state) && !motionRunning(state) && !state.gait.standing;
+}
+
+// A kick needs all the strength there is (facts-2005 section 3).
+bool lowGain(const ActuatorState& state) { return state.gain.low && !motionRunning(state); }
+
 // What the body did in the last four ticks: commanded velocity some ticks ago, calibrated.
 Odometry odometry(const OdometryParams& params, const ActuatorState& state) {
+  const OdometryScales& scales = lowGain(state) ? params.low : params.high;
   Odometry sum;
   for (std::uint32_t i = kTicksPerMessage; i >= 1; --i) {
     if (state.walkedNext < i + params.delayTicks) continue;
     const Velocity& v =
         state.walked[(state.walkedNext - i - params.delayTicks) % state.walked.size()];
-    const double forward = v.forward * params.forwardScale * kTickSeconds;
-    const double left = v.left * params.leftScale * kTickSeconds;
+    const double forward = v.forward * scales.forward * kTickSeconds;
+    const double left = v.left * scales.left * kTickSeconds;
     sum.forward += forward * sum.turn.cos() - left * sum.turn.sin();
     sum.left += forward * sum.turn.sin() + left * sum.turn.cos();
-    sum.turn = sum.turn + Angle::rad(v.turn * params.turnScale * kTickSeconds);
+    sum.turn = sum.turn + Angle::rad(v.turn * scales.turn * kTickSeconds);
   }
   return sum;
 }
@@ -145,6 +154,8 @@ MotionStatus status(const ActuatorParams& params, const ActuatorState& state) {
   now.running = state.motion.kind;
   if (motionRunning(state))
     now.secondsLeft = kTickSeconds * (motionTicks(state.motion.kind, params) - state.motion.tick);
+  now.effort = effort(state.effort, params.gait);
+  now.lowGain = lowGain(state);
   return now;
 }
 
@@ -153,6 +164,8 @@ MotionStatus status(const ActuatorParams& params, const ActuatorState& state) {
 MotionOutput step(const MotionInput& in, const ActuatorParams& params, ActuatorState& state) {
   if (!state.started) begin(in, state);
   MotionOutput out;
+  stepGain(in.batteryCurrent, params.gain, state.gain);
+  recordEffort(in, walking(params, state), state.effort);
   for (JointFrame& frame : out.joints) {
     tick(in.command, params, state);
     frame = {state.target, in.command.leds};

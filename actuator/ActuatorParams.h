@@ -55,18 +55,43 @@ struct GaitParams {
 
 // What really comes of a commanded speed, and how much later: joints follow their targets late, and
 // feet that lift or land still touch the ground (measured in the simulated world, README).
+struct OdometryScales {
+  double forward = 0.917;
+  double left = 0.92;
+  double turn = 0.92;
+
+  static constexpr auto fields() {
+    using P = OdometryScales;
+    return fieldList(field("forward", &P::forward, "", 0.2, 2), field("left", &P::left, "", 0.2, 2),
+                     field("turn", &P::turn, "", 0.2, 2));
+  }
+};
+
+// One set for each gain of the leg joints (thesis 2004 section 2.2.4).
 struct OdometryParams {
-  double forwardScale = 0.917;
-  double leftScale = 0.92;
-  double turnScale = 0.92;
+  OdometryScales high;
+  OdometryScales low{0.797, 0.520, 0.415};
   std::uint32_t delayTicks = 10;  // two command vectors in flight and the servos' lag
 
   static constexpr auto fields() {
     using P = OdometryParams;
-    return fieldList(field("forwardScale", &P::forwardScale, "", 0.2, 2),
-                     field("leftScale", &P::leftScale, "", 0.2, 2),
-                     field("turnScale", &P::turnScale, "", 0.2, 2),
+    return fieldList(field("high", &P::high), field("low", &P::low),
                      field("delayTicks", &P::delayTicks, "", 0, 24));
+  }
+};
+
+// When the leg joints are held weakly, to keep the battery's current below what makes OPEN-R shut
+// the robot down. Currents of facts-2005 section 3; ours are means over some seconds.
+struct GainParams {
+  double lowAbove = 3500.0;   // mA
+  double highBelow = 2500.0;  // mA
+  double seconds = 2.0;       // of the mean
+
+  static constexpr auto fields() {
+    using P = GainParams;
+    return fieldList(field("lowAbove", &P::lowAbove, "mA", 0, 2e4),
+                     field("highBelow", &P::highBelow, "mA", 0, 2e4),
+                     field("seconds", &P::seconds, "s", 0.01, 100));
   }
 };
 
@@ -95,6 +120,7 @@ struct ActuatorParams {
   GaitParams gait;
   KickParams kick;
   OdometryParams odometry;
+  GainParams gain;
   double rampSeconds = 1.0;             // from the sensed pose to the stance
   Angle walkSlew = Angle::deg(4.0);     // per tick, legs while walking
   Angle motionSlew = Angle::deg(20.0);  // per tick, legs in a special motion
@@ -103,7 +129,7 @@ struct ActuatorParams {
   static constexpr auto fields() {
     using P = ActuatorParams;
     return fieldList(field("stance", &P::stance), field("gait", &P::gait), field("kick", &P::kick),
-                     field("odometry", &P::odometry),
+                     field("odometry", &P::odometry), field("gain", &P::gain),
                      field("rampSeconds", &P::rampSeconds, "s", 0.2, 10),
                      field("walkSlew", &P::walkSlew, "rad", 0.5, 20),
                      field("motionSlew", &P::motionSlew, "rad", 0.5, 40),

@@ -39,6 +39,17 @@ struct MotionState {
 
 constexpr std::size_t kMaxDelay = 24;  // ticks of odometry kept back
 
+// Duty of the hardest working leg joint in each tick of walking without a break.
+struct EffortState {
+  std::array<double, 128> duty{};  // a ring; a step has at most 120 ticks
+  std::uint32_t ticks = 0;         // walked, all in all
+};
+
+struct GainState {
+  bool low = false;
+  double current = 0.0;  // mA, running mean
+};
+
 struct ActuatorState {
   bool started = false;
   std::uint32_t rampTick = 0;
@@ -46,6 +57,8 @@ struct ActuatorState {
   JointAngles target;  // last commanded
   GaitState gait;
   MotionState motion;
+  EffortState effort;
+  GainState gain;
   std::array<Velocity, kMaxDelay + 1> walked{};  // ring of the last ticks
   std::uint32_t walkedNext = 0;
 };

@@ -38,6 +38,7 @@ void fill(WorldFrame& frame, const FrameInput& input, const Percepts& percepts,
   frame.secondsSinceLandmark = world.secondsSinceLandmark;
   frame.secondsSinceLines = world.secondsSinceLines;
   frame.covariance = world.covariance;
+  frame.stuck = world.stuck;
   frame.modes = world.modes;
   frame.second = world.second;
   frame.ball = world.ball;

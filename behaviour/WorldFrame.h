@@ -39,6 +39,7 @@ struct WorldFrame {
   double secondsSinceLandmark = 0.0;
   double secondsSinceLines = 0.0;
   std::array<double, 9> covariance{};  // of x, y and heading
+  double stuck = 0.0;
   FixedVector<PoseMode, kMaxModes> modes;
   SecondHypothesis second;
   BallEstimate ball;
@@ -57,7 +58,7 @@ struct WorldFrame {
         field("percepts", &W::percepts), field("pose", &W::pose),
         field("positionSd", &W::positionSd, "cm"), field("headingSd", &W::headingSd, "rad"),
         field("secondsSinceLandmark", &W::secondsSinceLandmark, "s"),
-        field("secondsSinceLines", &W::secondsSinceLines, "s"),
+        field("secondsSinceLines", &W::secondsSinceLines, "s"), field("stuck", &W::stuck),
         field("covariance", &W::covariance, "cm2, cm rad, rad2"), field("modes", &W::modes),
         field("second", &W::second), field("ball", &W::ball), field("teamBall", &W::teamBall),
         field("opponents", &W::opponents), field("teammates", &W::teammates),

@@ -139,15 +139,14 @@ void checkFinite(GpsState& state) {
 
 }  // namespace
 
-void stepBall(const FrameInput& input, const BallPercept& percept, const StepNoise& noise,
+void stepBall(const FrameInput& input, const BallPercept& percept, const Step& step,
               const GpsParams& params, GpsState& state) {
   BallTrack& ball = state.ball;
   ball.secondsSinceSeen += input.elapsed;
   ball.candidateAge += input.elapsed;
   if (ball.present) {
-    const Odometry odometry = plausible(input.odometry) ? input.odometry : Odometry{};
     expectKick(input, params.ball, ball);
-    predictModels(odometry, noise, input.elapsed, params.ball, ball);
+    predictModels(step.odometry, step.noise, input.elapsed, params.ball, ball);
     keepOutOfBody(ball);
   }
   const bool good = percept.present && usable(percept);

@@ -12,7 +12,7 @@
 
 namespace kelpie::gps {
 
-void stepBall(const FrameInput& input, const BallPercept& percept, const StepNoise& noise,
+void stepBall(const FrameInput& input, const BallPercept& percept, const Step& step,
               const GpsParams& params, GpsState& state);
 
 }  // namespace kelpie::gps

@@ -60,6 +60,7 @@ WorldModel extract(const GpsState& state) {
   world.secondsSinceLandmark = state.secondsSinceLandmark;
   world.secondsSinceLines = state.secondsSinceLines;
   world.second = secondOf(state.modes);
+  world.stuck = state.stuck.share;
   world.ball = extractBall(state.ball, world.pose);
   world.counts = state.counts;
   return world;

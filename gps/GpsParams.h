@@ -5,6 +5,7 @@
 
 #include "gps/LineParams.h"
 #include "gps/OthersParams.h"
+#include "gps/StuckParams.h"
 #include "robot/body/FieldDescription.h"
 #include "robot/core/Geometry.h"
 
@@ -159,6 +160,7 @@ struct GpsParams {
   body::FieldDescription field;  // the loader of parameters fills it, landmarks included
   InitialPose initialPose;
   MotionNoise motion;
+  StuckParams stuck;
   LandmarkGates gates;
   ModeParams modes;
   LineParams line;
@@ -169,9 +171,10 @@ struct GpsParams {
     using kelpie::field;
     return fieldList(field("field", &GpsParams::field),
                      field("initialPose", &GpsParams::initialPose),
-                     field("motion", &GpsParams::motion), field("gates", &GpsParams::gates),
-                     field("modes", &GpsParams::modes), field("line", &GpsParams::line),
-                     field("ball", &GpsParams::ball), field("others", &GpsParams::others));
+                     field("motion", &GpsParams::motion), field("stuck", &GpsParams::stuck),
+                     field("gates", &GpsParams::gates), field("modes", &GpsParams::modes),
+                     field("line", &GpsParams::line), field("ball", &GpsParams::ball),
+                     field("others", &GpsParams::others));
   }
 };
 

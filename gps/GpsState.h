@@ -30,8 +30,9 @@ enum class Refusal : std::uint8_t {
   opponentNotFinite,
   opponentUncertain,  // vague, or far from the field
   linesMatchNothing,  // near a likely mode
+  effortNotFinite,    // or not what a mean of duties can be
 };
-constexpr std::size_t kRefusalCount = 16;
+constexpr std::size_t kRefusalCount = 17;
 
 // Each of the modes and the wide one may be split in two.
 constexpr std::size_t kWorkModes = 2 * (kMaxModes + 1);
@@ -57,12 +58,22 @@ struct BallTrack {
   double candidateAge = 0.0;  // s
 };
 
+// How hard walking has been of late.
+struct StuckState {
+  double share = 0.0;           // of the way that is thought lost now
+  double speed = 0.0;           // cm/s of the feet, a mean over about a step
+  bool paused = false;          // no lines until the pose is confirmed
+  double secondsPaused = 0.0;   // since something last held us
+  std::uint32_t confirmed = 0;  // landmarks that the best mode foretold since
+};
+
 struct GpsState {
   bool started = false;
   bool lost = true;  // no landmark has been used since the start or the last loss of all modes
   Modes modes;
   double secondsSinceLandmark = 0.0;
   double secondsSinceLines = 0.0;
+  StuckState stuck;
   std::uint32_t unexplained = 0;  // landmarks in a row that no mode foretold
   BallTrack ball;
   OthersState others;

@@ -57,17 +57,19 @@ std::optional<PoseObservation> observationOf(const LineFit& fit, const FieldFeat
   return observation;
 }
 
-// The fit near one mode and what it is worth; nothing for a mode that cannot be asked.
-static std::optional<PoseObservation> observationAt(const PoseMode& mode, const SeenLines& seen,
-                                                    double headSpeed, const GpsParams& params,
-                                                    GpsState& state) {
+std::optional<PoseObservation> observationAt(const PoseMode& mode, const SeenLines& seen,
+                                             double headSpeed, const GpsParams& params,
+                                             GpsState& state) {
   const LineParams& p = params.line;
-  if (mode.weight < p.leastWeight * state.modes[0].weight || !isNarrow(mode, p))
-    return std::nullopt;
+  if (!isNarrow(mode, p)) return std::nullopt;
   const LineFit fit = fitLines(seen, mode.pose, state.features, p, isUnsure(mode, p));
   auto observation = observationOf(fit, state.features, headSpeed, p);
   if (!observation) state.count(Refusal::linesMatchNothing);
   return observation;
+}
+
+double unaskedWeight(const PoseMode& mode, const LineParams& params) {
+  return isNarrow(mode, params) ? params.refusedWeight : kTooWide;
 }
 
 bool updateByLines(const SeenLines& seen, double headSpeed, const GpsParams& params,
@@ -79,14 +81,15 @@ bool updateByLines(const SeenLines& seen, double headSpeed, const GpsParams& par
   FixedVector<std::optional<PoseObservation>, kWorkModes> found;
   bool any = false;
   for (std::size_t i = 0; i < std::min<std::size_t>(before, p.maxModes); ++i) {
-    found.push_back(observationAt(modes[i], seen, headSpeed, params, state));
+    const bool light = modes[i].weight < p.leastWeight * modes[0].weight;
+    found.push_back(light ? std::nullopt : observationAt(modes[i], seen, headSpeed, params, state));
     any = any || found.back().has_value();
   }
   // Lines that fit no mode are false for all: who was asked must not be worse off than the others.
   if (!any) return false;
   for (std::size_t i = 0; i < before; ++i) {
     if (i >= found.size() || !found[i]) {
-      modes[i].weight *= isNarrow(modes[i], p) ? p.refusedWeight : kTooWide;
+      modes[i].weight *= unaskedWeight(modes[i], p);
       continue;
     }
     PoseMode copy = modes[i];

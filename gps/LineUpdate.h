@@ -26,6 +26,15 @@ void correct(PoseMode& mode, const PoseObservation& observation);
 std::optional<PoseObservation> observationOf(const LineFit& fit, const FieldFeatures& field,
                                              double headSpeed, const LineParams& params);
 
+// The fit near one mode and what it is worth; nothing for a mode that is too wide to be asked, or
+// near which the lines match nothing (counted).
+std::optional<PoseObservation> observationAt(const PoseMode& mode, const SeenLines& seen,
+                                             double headSpeed, const GpsParams& params,
+                                             GpsState& state);
+
+// Weight factor of a mode without such an observation when another mode has one.
+double unaskedWeight(const PoseMode& mode, const LineParams& params);
+
 // Returns whether any mode was corrected. Call tidy() afterwards.
 bool updateByLines(const SeenLines& seen, double headSpeed, const GpsParams& params,
                    GpsState& state);

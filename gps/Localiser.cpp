@@ -7,11 +7,13 @@
 #include "gps/BallFilter.h"
 #include "gps/DropIn.h"
 #include "gps/Extract.h"
+#include "gps/JointUpdate.h"
 #include "gps/Landmarks.h"
 #include "gps/LineUpdate.h"
 #include "gps/Modes.h"
 #include "gps/Others.h"
 #include "gps/Predict.h"
+#include "gps/Stuck.h"
 #include "robot/body/Camera.h"
 
 namespace kelpie::gps {
@@ -41,18 +43,65 @@ void useLandmarks(const GpsIn& in, const GpsParams& params, GpsState& state) {
     if (state.lost) continue;  // no place on the field fits it
     ++state.counts.updates;
     state.secondsSinceLandmark = 0.0;
+    if (state.unexplained == 0) confirm(params.stuck, state.stuck);
   }
 }
 
-void useLines(const GpsIn& in, const GpsParams& params, GpsState& state) {
-  if (!params.line.use || state.lost) return;
-  const SeenLines seen = seenLines(in.percepts.linePoints, params.line);
+double headSpeedOf(const FrameInput& input) {
   constexpr double kUnknown = 1.0;  // rad a frame: faster than any head
-  const double speed = body::headSpeed(in.input.headRate);
-  if (!updateByLines(seen, std::isfinite(speed) ? speed : kUnknown, params, state)) return;
+  const double speed = body::headSpeed(input.headRate);
+  return std::isfinite(speed) ? speed : kUnknown;
+}
+
+bool linesUsable(const GpsParams& params, const GpsState& state) {
+  return params.line.use && !state.lost && !state.stuck.paused;
+}
+
+void useLines(const GpsIn& in, const GpsParams& params, GpsState& state) {
+  if (!linesUsable(params, state)) return;
+  const SeenLines seen = seenLines(in.percepts.linePoints, params.line);
+  if (!updateByLines(seen, headSpeedOf(in.input), params, state)) return;
   tidy(params, state);
   keepNearField(params.field, state.modes);
   state.secondsSinceLines = 0.0;
+}
+
+bool inOneUpdate(const GpsParams& params, const GpsState& state) {
+  return params.line.combine == LineCombine::joint && !state.lost &&
+         params.modes.noiseMethod != NoiseMethod::refuse;
+}
+
+void useTogether(const GpsIn& in, const GpsParams& params, GpsState& state) {
+  const LandmarkMap map = body::landmarksFor(params.field, in.input.game.team);
+  Measurements landmarks;
+  for (const LandmarkPercept& percept : in.percepts.landmarks)
+    if (const auto m = measurement(percept, map, params, state)) landmarks.push_back(*m);
+  SeenLines seen;
+  if (linesUsable(params, state)) seen = seenLines(in.percepts.linePoints, params.line);
+  if (!updateJointly(landmarks, seen, headSpeedOf(in.input), params, state)) return;
+  tidy(params, state);
+  keepNearField(params.field, state.modes);
+  if (state.lost || landmarks.empty()) return;
+  state.counts.updates += static_cast<std::uint32_t>(landmarks.size());
+  state.secondsSinceLandmark = 0.0;
+  if (state.unexplained == 0) confirm(params.stuck, state.stuck);
+}
+
+// Moves the modes by the odometry, less where the robot is stuck.
+Step move(const GpsIn& in, const GpsParams& params, GpsState& state) {
+  Odometry walked = in.input.odometry;
+  if (!plausible(walked)) {
+    walked = Odometry{};
+    state.count(Refusal::odometryNotFinite);
+  }
+  const double excess = excessEffort(in.input, params.stuck, state);
+  stepStuck(excess, in.input.elapsed, params.stuck, state.stuck);
+  const StepNoise noise = stepNoise(walked, in.input.elapsed, params.motion);
+  const Step step{shortened(walked, excess, params.stuck),
+                  grown(noise, excess, in.input.elapsed, params.stuck)};
+  for (PoseMode& mode : state.modes) predict(mode, step.odometry, step.noise);
+  keepNearField(params.field, state.modes);
+  return step;
 }
 
 }  // namespace
@@ -62,17 +111,14 @@ WorldModel step(const GpsIn& in, const GpsParams& params, GpsState& state) {
   if (!state.started) start(params, state);
   state.secondsSinceLandmark += in.input.elapsed;
   state.secondsSinceLines += in.input.elapsed;
-  Odometry odometry = in.input.odometry;
-  if (!plausible(odometry)) {
-    odometry = Odometry{};
-    state.count(Refusal::odometryNotFinite);
+  const Step moved = move(in, params, state);
+  if (inOneUpdate(params, state)) {
+    useTogether(in, params, state);
+  } else {
+    useLandmarks(in, params, state);
+    useLines(in, params, state);
   }
-  const StepNoise noise = stepNoise(odometry, in.input.elapsed, params.motion);
-  for (PoseMode& mode : state.modes) predict(mode, odometry, noise);
-  keepNearField(params.field, state.modes);
-  useLandmarks(in, params, state);
-  useLines(in, params, state);
-  stepBall(in.input, in.percepts.ball, noise, params, state);
+  stepBall(in.input, in.percepts.ball, moved, params, state);
   applyReferee(in.input, params, state);
   WorldModel world = extract(state);
   stepOthers(in, params, state, world);

@@ -16,6 +16,12 @@ struct StepNoise {
   double turn = 0.0;     // rad2
 };
 
+// A step that was believed, and how far.
+struct Step {
+  Odometry odometry;
+  StepNoise noise;
+};
+
 // False for what no walk can do in one frame (30 cm) and for what is not a number.
 bool plausible(const Odometry& odometry);
 

@@ -31,19 +31,6 @@ OStatus openAll(const std::array<const char*, N>& locators, std::array<OPrimitiv
   return result;
 }
 
-body::JointGain gainOf(std::size_t joint) {
-  constexpr auto kFirstLeg = index(Joint::leftFrontRotator);
-  switch (static_cast<Joint>(joint)) {
-    case Joint::neckTilt: return body::kNeckTiltGain;
-    case Joint::headPan: return body::kHeadPanGain;
-    case Joint::headNod: return body::kHeadNodGain;
-    case Joint::mouth: return body::kMouthGain;
-    case Joint::tailTilt:
-    case Joint::tailPan: return body::kTailGain;
-    default: return (joint - kFirstLeg) % 3 == 1 ? body::kShoulderGain : body::kLegGain;
-  }
-}
-
 }  // namespace
 
 OStatus Agent::DoInit(const OSystemEvent&) {
@@ -125,17 +112,38 @@ OStatus Agent::newVectors() {
 }
 
 OStatus Agent::enableGains() {
-  const body::JointGain shift = body::kGainShift;
-  for (std::size_t i = 0; i < kJointCount; ++i) {
-    const body::JointGain gain = gainOf(i);
-    OStatus status = OPENR::EnableJointGain(ids_.joints[i]);
-    if (status == oSUCCESS) {
-      status =
-          OPENR::SetJointGain(ids_.joints[i], gain.p, gain.i, gain.d, shift.p, shift.i, shift.d);
-    }
+  for (const OPrimitiveID joint : ids_.joints) {
+    const OStatus status = OPENR::EnableJointGain(joint);
     if (status != oSUCCESS) return status;
   }
+  return setGains(false);
+}
+
+OStatus Agent::setGains(bool low) {
+  const body::JointGain shift = body::kGainShift;
+  for (std::size_t i = 0; i < kJointCount; ++i) {
+    const body::JointGain gain = body::gainOf(static_cast<Joint>(i), low);
+    const OStatus status =
+        OPENR::SetJointGain(ids_.joints[i], gain.p, gain.i, gain.d, shift.p, shift.i, shift.d);
+    if (status != oSUCCESS) return status;
+  }
+  lowGain_ = low;
   return oSUCCESS;
+}
+
+// Weak legs and back, when the motion loop says so.
+void Agent::spareLegs(bool low) {
+  if (low == lowGain_) return;
+  const OStatus status = setGains(low);
+  if (status != oSUCCESS) OSYSLOG1((osyslogERROR, "joint gains refused: %u", unsigned(status)));
+}
+
+// What cannot be read counts as nothing drawn: the joints keep their standard gain.
+double Agent::batteryCurrent() {
+  OPowerStatus power{};
+  if (OPENR::GetPowerStatus(&power) != oSUCCESS) return 0.0;
+  const double current = power.current;
+  return current < 0.0 ? -current : current;
 }
 
 // The joints are held where they are until the loops order something else.
@@ -155,9 +163,11 @@ void Agent::NotifySensor(const ONotifyEvent& event) {
   const auto& vector = *static_cast<const OSensorFrameVectorData*>(event.Data(0));
   if (readSensors(vector)) {
     motionInput_.time = lastTick(vector);
+    motionInput_.batteryCurrent = batteryCurrent();
     const MotionOutput& output = loops_.motion(motionInput_);
     // At the start, or when the joints ran dry: a second vector ahead.
     if (inFlight() == 0) sendHeld();
+    spareLegs(output.status.lowGain);
     send(output.joints);
   }
   observer[event.ObsIndex()]->AssertReady();

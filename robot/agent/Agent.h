@@ -45,6 +45,9 @@ class Agent : public OObject {
   OStatus openPrimitives();
   OStatus newVectors();
   OStatus enableGains();
+  OStatus setGains(bool low);
+  void spareLegs(bool low);
+  static double batteryCurrent();
   OStatus readPose();
   void setCamera();
   bool readSensors(const OSensorFrameVectorData& vector);
@@ -60,6 +63,7 @@ class Agent : public OObject {
   MotionInput motionInput_;
   std::array<JointFrame, kTicksPerMessage> held_{};  // the last targets, at first the sensed pose
   Image image_;
+  bool lowGain_ = false;  // what the legs were told last
   bool clockKnown_ = false;
   TimeUs tickZero_;  // system time of sensor tick 0
 };

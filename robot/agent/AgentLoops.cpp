@@ -12,6 +12,7 @@ AgentLoops::AgentLoops(const AgentConfig& config, const std::string& scripts, Lo
 const MotionOutput& AgentLoops::motion(const MotionInput& withoutCommand) {
   motionInput_.time = withoutCommand.time;
   motionInput_.sensors = withoutCommand.sensors;
+  motionInput_.batteryCurrent = withoutCommand.batteryCurrent;
   motionInput_.command = frame_ != nullptr ? frame_->command : Command{};
   for (std::size_t tick = 0; tick < motionInput_.sensors.size(); ++tick) {
     const auto back = static_cast<std::int64_t>(motionInput_.sensors.size() - 1 - tick) * kTickUs;

@@ -62,4 +62,29 @@ double lowestShoulder(LegId leg, double rotator) {
   return rotator >= 0 ? lowestAt(kHindAhead, rotator) : lowestAt(kHindBehind, -rotator);
 }
 
+JointGain gainOf(Joint joint, bool low) {
+  switch (joint) {
+    case Joint::neckTilt: return kNeckTiltGain;
+    case Joint::headPan: return kHeadPanGain;
+    case Joint::headNod: return kHeadNodGain;
+    case Joint::mouth: return kMouthGain;
+    case Joint::tailTilt:
+    case Joint::tailPan: return kTailGain;
+    default: break;
+  }
+  const bool shoulder = (index(joint) - index(Joint::leftFrontRotator)) % 3 == 1;
+  if (shoulder) return low ? kWeakShoulderGain : kShoulderGain;
+  return low ? kWeakLegGain : kLegGain;
+}
+
+double weakLegGain() {
+  double sum = 0.0;
+  for (std::size_t j = index(Joint::leftFrontRotator); j <= index(Joint::rightHindKnee); ++j) {
+    const auto joint = static_cast<Joint>(j);
+    const double weak = gainOf(joint, true).p;
+    sum += weak / gainOf(joint, false).p;
+  }
+  return sum / (3 * kLegCount);
+}
+
 }  // namespace kelpie::body

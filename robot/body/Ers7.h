@@ -62,7 +62,15 @@ constexpr JointGain kHeadNodGain = {0x08, 0x04, 0x02};
 constexpr JointGain kMouthGain = {0x08, 0x00, 0x04};
 constexpr JointGain kLegGain = {0x1C, 0x08, 0x01};  // rotator and knee
 constexpr JointGain kShoulderGain = {0x14, 0x04, 0x01};
+constexpr JointGain kWeakLegGain = {0x10, 0x04,
+                                    0x01};  // to spare the battery (facts-2005 section 3)
+constexpr JointGain kWeakShoulderGain = {0x0A, 0x04, 0x01};
 constexpr JointGain kTailGain = {0x0A, 0x04, 0x04};
 constexpr JointGain kGainShift = {0x0E, 0x02, 0x0F};  // shift exponents of all joints
+
+// The standard gain of a joint, or for legs the weak one.
+JointGain gainOf(Joint joint, bool low);
+// Mean of the leg joints' weak proportional gain over the standard one: 0.55.
+double weakLegGain();
 
 }  // namespace kelpie::body

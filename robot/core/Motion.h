@@ -65,11 +65,13 @@ struct Odometry {
 struct MotionInput {
   TimeUs time;  // of the last tick in the message
   std::array<SensorFrame, kTicksPerMessage> sensors{};
+  double batteryCurrent = 0.0;  // drawn, mA
   Command command;
 
   static constexpr auto fields() {
     return fieldList(field("time", &MotionInput::time, "us"),
                      field("sensors", &MotionInput::sensors),
+                     field("batteryCurrent", &MotionInput::batteryCurrent, "mA", 0, 2e4),
                      field("command", &MotionInput::command));
   }
 };
@@ -87,12 +89,17 @@ struct JointFrame {
 struct MotionStatus {
   MotionKind running = MotionKind::none;  // the special motion under way
   double secondsLeft = 0.0;
-  bool ready = false;  // the start ramp has ended
+  bool ready = false;    // the start ramp has ended
+  double effort = 0.0;   // mean over the last step of the hardest working leg joint's duty, 0..1;
+                         // 0 while not walking (thesis 2004 section 2.2.4)
+  bool lowGain = false;  // the leg joints are held weakly, to spare the battery
 
   static constexpr auto fields() {
     return fieldList(field("running", &MotionStatus::running, "", 0, kMotionKindCount - 1),
                      field("secondsLeft", &MotionStatus::secondsLeft, "s", 0, 10),
-                     field("ready", &MotionStatus::ready));
+                     field("ready", &MotionStatus::ready),
+                     field("effort", &MotionStatus::effort, "", 0, 1),
+                     field("lowGain", &MotionStatus::lowGain));
   }
 };
 

@@ -80,7 +80,8 @@ struct WorldModel {
   double positionSd = 0.0;             // cm, root of the larger position eigenvalue
   Angle headingSd;
   double secondsSinceLandmark = 0.0;
-  double secondsSinceLines = 0.0;          // since field lines corrected the pose
+  double secondsSinceLines = 0.0;  // since field lines corrected the pose
+  double stuck = 0.0;  // share of the walked way that is thought lost because something holds us
   FixedVector<PoseMode, kMaxModes> modes;  // heaviest first
   SecondHypothesis second;
   BallEstimate ball;
@@ -92,18 +93,18 @@ struct WorldModel {
   GpsCounts counts;
 
   static constexpr auto fields() {
-    return fieldList(field("pose", &WorldModel::pose),
-                     field("covariance", &WorldModel::covariance, "cm2, cm rad, rad2"),
-                     field("positionSd", &WorldModel::positionSd, "cm", 0, 1e4),
-                     field("headingSd", &WorldModel::headingSd, "rad", 0, 180),
-                     field("secondsSinceLandmark", &WorldModel::secondsSinceLandmark, "s", 0, 1e6),
-                     field("secondsSinceLines", &WorldModel::secondsSinceLines, "s", 0, 1e6),
-                     field("modes", &WorldModel::modes), field("second", &WorldModel::second),
-                     field("ball", &WorldModel::ball), field("teamBall", &WorldModel::teamBall),
-                     field("opponents", &WorldModel::opponents),
-                     field("teammates", &WorldModel::teammates),
-                     field("obstacles", &WorldModel::obstacles),
-                     field("message", &WorldModel::message), field("counts", &WorldModel::counts));
+    return fieldList(
+        field("pose", &WorldModel::pose),
+        field("covariance", &WorldModel::covariance, "cm2, cm rad, rad2"),
+        field("positionSd", &WorldModel::positionSd, "cm", 0, 1e4),
+        field("headingSd", &WorldModel::headingSd, "rad", 0, 180),
+        field("secondsSinceLandmark", &WorldModel::secondsSinceLandmark, "s", 0, 1e6),
+        field("secondsSinceLines", &WorldModel::secondsSinceLines, "s", 0, 1e6),
+        field("stuck", &WorldModel::stuck, "", 0, 1), field("modes", &WorldModel::modes),
+        field("second", &WorldModel::second), field("ball", &WorldModel::ball),
+        field("teamBall", &WorldModel::teamBall), field("opponents", &WorldModel::opponents),
+        field("teammates", &WorldModel::teammates), field("obstacles", &WorldModel::obstacles),
+        field("message", &WorldModel::message), field("counts", &WorldModel::counts));
   }
 };
 

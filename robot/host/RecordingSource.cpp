@@ -42,6 +42,7 @@ Status RecordingSource::takeSensors(const LogMessage& message, WorldEvent& event
   event.step.sensorsPresent = true;
   event.step.firstTick = static_cast<std::uint32_t>(motion_.time.us / kTickUs) - kTicksPerMessage;
   event.step.sensors = motion_.sensors;
+  event.step.batteryCurrent = motion_.batteryCurrent;
   sensorsSeen_ = true;
   if (waiting_ > 0) {
     event.step.vectorsDone = 1;

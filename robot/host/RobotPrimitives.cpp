@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "robot/body/Ers7.h"
 #include "robot/host/DataVectors.h"
 
 namespace kelpie::host {
@@ -209,6 +210,29 @@ OStatus RobotPrimitives::sensorValue(OPrimitiveID id, OSensorValue* value) {
 OStatus RobotPrimitives::setMotorPower(OPower power) {
   power_ = power;
   return oSUCCESS;
+}
+
+OStatus RobotPrimitives::powerStatus(OPowerStatus* status) {
+  *status = {};
+  status->remainingCapacity = 100;  // no battery runs down here
+  status->current = batteryCurrent_;
+  return oSUCCESS;
+}
+
+void RobotPrimitives::setBatteryCurrent(double current) {
+  constexpr double kMost = 32767.0;
+  batteryCurrent_ = static_cast<sword>(maths::clamp(current, 0.0, kMost) + 0.5);
+}
+
+double RobotPrimitives::legGain() const {
+  double sum = 0.0;
+  double count = 0.0;
+  for (std::size_t j = index(Joint::leftFrontRotator); j <= index(Joint::rightHindKnee); ++j) {
+    const double standard = body::gainOf(static_cast<Joint>(j), false).p;
+    sum += gains_[j].p == 0 ? 1.0 : gains_[j].p / standard;
+    count += 1.0;
+  }
+  return maths::clamp(sum / count, 0.05, 10.0);
 }
 
 }  // namespace kelpie::host

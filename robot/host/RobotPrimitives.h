@@ -46,6 +46,10 @@ class RobotPrimitives : public openr::System {
 
   // The latest sensor values, for GetJointValue and GetSensorValue.
   void setLatest(const SensorFrame& frame) { latest_ = frame; }
+  // Drawn from the battery, mA, for GetPowerStatus.
+  void setBatteryCurrent(double current);
+  // Proportional gain of the leg joints over the standard one, their mean; 1 before any was set.
+  double legGain() const;
 
   OStatus openPrimitive(const char* locator, OPrimitiveID* id) override;
   OStatus closePrimitive(OPrimitiveID id) override;
@@ -59,6 +63,7 @@ class RobotPrimitives : public openr::System {
   OStatus jointValue(OPrimitiveID id, OJointValue* value) override;
   OStatus sensorValue(OPrimitiveID id, OSensorValue* value) override;
   OStatus setMotorPower(OPower power) override;
+  OStatus powerStatus(OPowerStatus* status) override;
 
  private:
   std::uint32_t jointsNamed(OPrimitiveID id) const;  // bits; UNDEF names all opened joints
@@ -69,6 +74,7 @@ class RobotPrimitives : public openr::System {
   std::array<openr::GainSettings, kJointCount> gains_{};
   CameraSettings camera_;
   std::optional<SensorFrame> latest_;
+  sword batteryCurrent_ = 0;  // mA
   std::map<MemoryRegionID, std::unique_ptr<longword[]>> vectors_;
   MemoryRegionID lastRegion_ = 0;
 };

@@ -131,6 +131,7 @@ Expected<AgentReply> VirtualRobotComm::takeReply() {
   reply_.vectors.clear();
   reply.motorPower = primitives_.motorPower();
   reply.gains = primitives_.gains();
+  reply.legGain = primitives_.legGain();
   return reply;
 }
 

@@ -46,13 +46,15 @@ struct WorldStep {
   std::uint32_t vectorsDone = 0;  // command vectors whose output has ended since the last step
   bool imagePresent = false;      // an image message follows; its exposure ended at `time`
   GameState game;
+  double batteryCurrent = 0.0;  // mA
 
   static constexpr auto fields() {
     return fieldList(
         field("time", &WorldStep::time, "us"), field("sensorsPresent", &WorldStep::sensorsPresent),
         field("firstTick", &WorldStep::firstTick), field("sensors", &WorldStep::sensors),
         field("vectorsDone", &WorldStep::vectorsDone),
-        field("imagePresent", &WorldStep::imagePresent), field("game", &WorldStep::game));
+        field("imagePresent", &WorldStep::imagePresent), field("game", &WorldStep::game),
+        field("batteryCurrent", &WorldStep::batteryCurrent, "mA", 0, 2e4));
   }
 };
 
@@ -77,11 +79,14 @@ struct EffectorVector {
 struct AgentReply {
   bool motorPower = false;
   std::uint32_t gains = 0;  // bit i: the gain of joint i is enabled
+  double legGain = 1.0;     // proportional gain of the leg joints over the standard one, their mean
   FixedVector<EffectorVector, 4> vectors;
 
   static constexpr auto fields() {
     return fieldList(field("motorPower", &AgentReply::motorPower),
-                     field("gains", &AgentReply::gains), field("vectors", &AgentReply::vectors));
+                     field("gains", &AgentReply::gains),
+                     field("legGain", &AgentReply::legGain, "", 0.05, 10),
+                     field("vectors", &AgentReply::vectors));
   }
 };
 

@@ -58,6 +58,8 @@ Expected<bool> WorldSource::readStep(WorldEvent& event) {
   for (const SensorFrame& frame : event.step.sensors) {
     if (!isFinite(frame)) return complaint("a sensor value of a step is not a number");
   }
+  if (!std::isfinite(event.step.batteryCurrent))
+    return complaint("the battery's current is not a number");
   if (!event.step.imagePresent) return true;
   const Status image = receiveMessage(connection_, MessageType::image, event.image, body_);
   if (!image) return complaint(image.error());

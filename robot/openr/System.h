@@ -46,6 +46,7 @@ class System {
   virtual OStatus jointValue(OPrimitiveID id, OJointValue* value) = 0;
   virtual OStatus sensorValue(OPrimitiveID id, OSensorValue* value) = 0;
   virtual OStatus setMotorPower(OPower power) = 0;
+  virtual OStatus powerStatus(OPowerStatus* status) = 0;
 };
 
 // The system behind the calls made now. Ends the program when there is none: an OPEN-R call outside

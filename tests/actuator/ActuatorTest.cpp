@@ -137,7 +137,7 @@ TEST(Joints, NotANumberFromTheSensorsReachesNoJoint) {
 
 TEST(Odometry, OfAStraightWalkIsTheIntegralOfTheSpeedSomeTicksLate) {
   ActuatorParams params;
-  params.odometry = {1.0, 1.0, 1.0, 8};  // two whole messages
+  params.odometry = {{1.0, 1.0, 1.0}, {}, 8};  // two whole messages
   Walker w(params);
   w.standUp();
   double walked = 0.0;
@@ -154,7 +154,7 @@ TEST(Odometry, OfAStraightWalkIsTheIntegralOfTheSpeedSomeTicksLate) {
 
 TEST(Odometry, ScalesCalibrateEachDirection) {
   ActuatorParams params;
-  params.odometry = {0.5, 0.7, 0.9, 0};
+  params.odometry = {{0.5, 0.7, 0.9}, {}, 0};
   Walker w(params);
   w.standUp();
   w.run(WalkRequest{10, 5, 0}, 60);
@@ -167,7 +167,7 @@ TEST(Odometry, ScalesCalibrateEachDirection) {
 // Four steps of one tick, each turned by what was turned before it.
 TEST(Odometry, TurningWithinAMessageBendsTheWay) {
   ActuatorParams params;
-  params.odometry = {1.0, 1.0, 1.0, 0};
+  params.odometry = {{1.0, 1.0, 1.0}, {}, 0};
   Walker w(params);
   w.standUp();
   w.run(WalkRequest{5, 0, 1.5}, 50);

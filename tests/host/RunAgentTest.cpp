@@ -229,5 +229,34 @@ TEST(AgentTest, UsesTheCameraAndTheStandardGainsOf2005) {
   EXPECT_EQ(0x0E, gain.pShift);
 }
 
+TEST(AgentTest, TellsTheLoopsTheBatterysCurrentInWholeMilliamperes) {
+  FakeSource source;
+  source.addSensors(2);
+  source.steps[0].batteryCurrent = 2345.4;
+  source.steps[1].batteryCurrent = 1e5;  // more than OPEN-R's word holds
+  FakeLoops loops;
+  ASSERT_TRUE(runAgent(source, loops, quiet(), {}));
+  EXPECT_EQ(loops.inputs.at(0).batteryCurrent, 2345.0);
+  EXPECT_EQ(loops.inputs.at(1).batteryCurrent, 32767.0);
+}
+
+TEST(AgentTest, WeakensTheLegsAloneWhenTheLoopsSaySo) {
+  FakeSource source;
+  source.addSensors(3);
+  FakeLoops loops;
+  const auto object = std::make_unique<agent::Agent>(loops);
+  HostSystem system(source, quiet());
+  loops.output.status.lowGain = true;
+  ASSERT_TRUE(system.run(agentStub(*object), {}));
+  openr::GainSettings gain{};
+  const auto shoulder = index(Joint::leftHindShoulder);
+  ASSERT_EQ(oSUCCESS, system.getGain(identifier({PrimitiveKind::joint, shoulder}), &gain));
+  EXPECT_EQ(0x0A, gain.p);
+  const auto pan = index(Joint::headPan);
+  ASSERT_EQ(oSUCCESS, system.getGain(identifier({PrimitiveKind::joint, pan}), &gain));
+  EXPECT_EQ(0x08, gain.p);
+  EXPECT_NEAR(source.replies.back().legGain, (8 * 16.0 / 28 + 4 * 10.0 / 20) / 12, 1e-12);
+}
+
 }  // namespace
 }  // namespace kelpie::host

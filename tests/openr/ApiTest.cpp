@@ -100,6 +100,14 @@ TEST_F(ApiTest, JointValueIsInMicroradiansAndUnknownBeforeTheFirstSensors) {
   EXPECT_EQ(-256, value.pwmDuty);
 }
 
+TEST_F(ApiTest, PowerStatusTellsTheBatterysCurrent) {
+  EXPECT_EQ(oINVALID_ARG, OPENR::GetPowerStatus(nullptr));
+  OPowerStatus status{};
+  system_.setBatteryCurrent(1800.0);
+  ASSERT_EQ(oSUCCESS, OPENR::GetPowerStatus(&status));
+  EXPECT_EQ(1800, status.current);
+}
+
 TEST_F(ApiTest, CameraTakesOnlyItsOwnSettings) {
   const OPrimitiveID camera = open(kCameraLocator);
   OPrimitiveControl_CameraParam fast(ocamparamSHUTTER_SPEED_FAST);

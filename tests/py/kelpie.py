@@ -149,12 +149,16 @@ class MotionStatus(Fields):
         'running',
         'seconds_left',
         'ready',
+        'effort',
+        'low_gain',
     )
 
     def __init__(self, **given):
         self.running = 0
         self.seconds_left = 0.0
         self.ready = False
+        self.effort = 0.0
+        self.low_gain = False
         self._take(given)
 
 
@@ -619,6 +623,7 @@ class WorldFrame(Fields):
         'seconds_since_landmark',
         'seconds_since_lines',
         'covariance',
+        'stuck',
         'modes',
         'second',
         'ball',
@@ -646,6 +651,7 @@ class WorldFrame(Fields):
         self.seconds_since_landmark = 0.0
         self.seconds_since_lines = 0.0
         self.covariance = [0.0] * 9
+        self.stuck = 0.0
         self.modes = []
         self.second = SecondHypothesis()
         self.ball = BallEstimate()

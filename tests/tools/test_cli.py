@@ -71,6 +71,7 @@ def test_made_sightings_give_the_same_accuracy_at_every_heading(tmp_path):
     assert values["mean_cm"] < 4 and values["mean_deg"] < 0.7
     assert values["false_mean_cm"] < 5 and values["headings_ratio"] < 1.3
     assert values["lines_only_cm"] < 3 and values["with_lines_cm"] < values["mean_cm"]
+    assert values["joint_with_lines_cm"] < 1.2 * values["with_lines_cm"]
 
 
 def test_our_steps_find_the_pose_more_often_than_the_ascent(tmp_path):
@@ -87,6 +88,20 @@ def test_a_carried_robot_finds_its_place_again(tmp_path):
     assert values["kidnaps"] == 9
     # No robot can know where it is before it has seen anything.
     assert values["first_landmark_median_s"] <= values["median_s"] < 20
+
+
+def test_a_held_robot_believes_less_of_its_walk_and_doubts_more(tmp_path):
+    values = figures_of(tmp_path, "stuck", 1, 31)
+    free, held = values["walks"]["free"], values["walks"]["held"]
+    assert free["distance_ratio"] == free["sd_ratio"] == 1.0
+    assert held["distance_ratio"] < 0.774 and held["sd_ratio"] > 1.5  # thesis 2004 figure 2.10
+    assert held["true_distance_cm"] < 1
+    assert values["effort"]["held_hit_rate"] > 0.8 and values["effort"]["false_rate"] < 0.02
+    assert abs(values["weak_legs"]["two_sets_drift_percent"]) < 5
+    assert values["weak_legs"]["one_set_drift_percent"] > 40
+    scrums = values["scrums"]
+    assert scrums["scrums"] == 8
+    assert scrums["aware"]["inside"]["mean_cm"] < scrums["unaware"]["inside"]["mean_cm"]
 
 
 def test_evaluate_refuses_parameters_that_do_not_exist(tmp_path):

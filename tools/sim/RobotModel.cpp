@@ -17,6 +17,13 @@ constexpr double kKneeRadius = 2.0;
 constexpr double kShinRadius = 1.8;
 constexpr double kHeadRadius = 3.8;
 constexpr double kHeadBehindCamera = 3.0;
+constexpr std::uint64_t kFeltStream = 0x6c656773;
+
+bool isLeg(std::size_t joint) {
+  return joint >= index(Joint::leftFrontRotator) && joint <= index(Joint::rightHindKnee);
+}
+
+std::size_t legOf(std::size_t joint) { return (joint - index(Joint::leftFrontRotator)) / 3; }
 
 FieldPoint3 onField(const Pose2& pose, Point3<Robot> p) {
   const Point2<Field> ground = fieldFromRobot(pose, {p.x, p.y});
@@ -125,7 +132,7 @@ PlanarMotion rigidMotion(const std::vector<Point2<Robot>>& from,
 }
 
 RobotModel::RobotModel(const RobotParams& params, const Pose2& start, std::uint64_t seed)
-    : params_(params), random_(seed) {
+    : params_(params), random_(seed), resistance_(params.resistance, seed ^ kFeltStream) {
   place_.pose = start;
   place_.joints = startingPose();
   place_.stance = body::stanceFromLegs(place_.joints);
@@ -138,6 +145,7 @@ RobotModel::RobotModel(const RobotParams& params, const Pose2& start, std::uint6
 void RobotModel::command(const host::AgentReply& reply) {
   motorPower_ = reply.motorPower;
   gains_ = reply.gains;
+  legGain_ = reply.legGain;
   for (const host::EffectorVector& vector : reply.vectors) {
     if (queue_.size() < kMaxQueue && vector.ticks > 0) queue_.push_back(vector);
   }
@@ -158,14 +166,20 @@ void RobotModel::playQueue() {
   ++done_;
 }
 
+double RobotModel::slowed(std::size_t joint) const {
+  const double lag = isLeg(joint) ? params_.lagTicks / legGain_ : params_.lagTicks;
+  const double share = lag > 0.0 ? 1.0 - maths::exp(-1.0 / lag) : 1.0;
+  const bool stands = isLeg(joint) && onGround_[legOf(joint)];
+  return stands ? share * (1.0 - resistance_.slowed()) : share;
+}
+
 void RobotModel::moveJoints() {
-  const double share = params_.lagTicks > 0.0 ? 1.0 - maths::exp(-1.0 / params_.lagTicks) : 1.0;
   for (std::size_t j = 0; j < kJointCount; ++j) {
     if (!motorPower_ || (gains_ >> j & 1U) == 0) continue;
     const bool head = j < index(Joint::leftFrontRotator);
     const double most = (head ? params_.headRate : params_.legRate) * kTickSeconds;
     const double now = place_.joints.angle[j].rad();
-    const double step = share * (target_.angle[j].rad() - now);
+    const double step = slowed(j) * (target_.angle[j].rad() - now);
     place_.joints.angle[j] = Angle::rad(now + maths::clamp(step, -most, most));
   }
 }
@@ -174,6 +188,7 @@ void RobotModel::senseJoints() {
   for (std::size_t j = 0; j < kJointCount; ++j) {
     const double noise = random_.gaussian(0.0, params_.jointNoiseSd);
     sensed_.angle[j] = Angle::rad(place_.joints.angle[j].rad() + noise);
+    dutyNoise_[j] = resistance_.dutyNoise();
   }
 }
 
@@ -186,6 +201,15 @@ void RobotModel::drawSlip(const std::array<bool, kLegCount>& standing) {
   slipAside_ = random_.gaussian(params_.slipMean, params_.slipSd);
   slipTurn_ = random_.gaussian(params_.slipMean, params_.slipSd);
   drift_ = random_.gaussian(0.0, params_.driftSd);
+  resistance_.newStep();
+}
+
+PlanarMotion RobotModel::given(const PlanarMotion& walked) const {
+  const bool weak = legGain_ < params_.weak.below;
+  const double free = 1.0 - resistance_.held();
+  if (!weak) return {free * walked.x, free * walked.y, free * walked.turn};
+  return {free * params_.weak.left * walked.x, free * params_.weak.forward * walked.y,
+          free * params_.weak.turn * walked.turn};
 }
 
 void RobotModel::moveBody() {
@@ -201,11 +225,13 @@ void RobotModel::moveBody() {
     to.push_back({feet_[i].x, feet_[i].y});
   }
   drawSlip(standing);
-  const PlanarMotion motion = rigidMotion(from, to);
+  const PlanarMotion motion = given(rigidMotion(from, to));
   const double x = motion.x * (1.0 - slipAside_);
   const double y = motion.y * (1.0 - slipForward_);
   const double turn = motion.turn * (1.0 - slipTurn_) + drift_ * maths::hypot(x, y);
+  const Point2<Field> was = place_.pose.position;
   place_.pose.position = fieldFromRobot(place_.pose, {x, y});
+  walked_ = place_.pose.position - was;
   place_.pose.heading = place_.pose.heading + Angle::rad(turn);
   feet_ = feet;
   onGround_ = standing;
@@ -213,6 +239,8 @@ void RobotModel::moveBody() {
 
 void RobotModel::tick() {
   before_ = place_;
+  resistance_.feel(walked_, pushed_);
+  pushed_ = {};
   playQueue();
   moveJoints();
   moveBody();

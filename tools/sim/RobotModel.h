@@ -13,9 +13,26 @@
 #include "robot/core/FrameInput.h"
 #include "robot/core/Random.h"
 #include "robot/host/WorldProtocol.h"
+#include "tools/sim/Resistance.h"
 #include "tools/sim/Scene.h"
 
 namespace kelpie::sim {
+
+// What weakly held legs carry of the way that they walk: they give under the weight. Thesis 2004
+// section 2.2.4 has about a half of the turn; 2005's odometry calibrations of its walks, weak over
+// standard, 0.99, 0.63 and 0.64 (facts-2005).
+struct WeakLegParams {
+  double below = 0.8;  // of the standard gain
+  double forward = 0.97;
+  double left = 0.63;
+  double turn = 0.5;
+
+  static constexpr auto fields() {
+    using P = WeakLegParams;
+    return fieldList(field("below", &P::below, "", 0, 1), field("forward", &P::forward, "", 0, 1),
+                     field("left", &P::left, "", 0, 1), field("turn", &P::turn, "", 0, 1));
+  }
+};
 
 struct RobotParams {
   double lagTicks = 2.0;         // first-order lag of every joint
@@ -26,6 +43,8 @@ struct RobotParams {
   double slipMean = 0.02;        // share of the way that is lost
   double slipSd = 0.03;          // its spread from step to step
   double driftSd = 0.0006;       // rad per cm of way, from step to step
+  ResistanceParams resistance;
+  WeakLegParams weak;
 
   static constexpr auto fields() {
     using P = RobotParams;
@@ -36,7 +55,8 @@ struct RobotParams {
                      field("contactHeight", &P::contactHeight, "cm", 0, 3),
                      field("slipMean", &P::slipMean, "", -0.5, 0.5),
                      field("slipSd", &P::slipSd, "", 0, 0.5),
-                     field("driftSd", &P::driftSd, "rad/cm", 0, 0.1));
+                     field("driftSd", &P::driftSd, "rad/cm", 0, 0.1),
+                     field("resistance", &P::resistance), field("weak", &P::weak));
   }
 };
 
@@ -60,6 +80,15 @@ constexpr double kChestAhead = 1.8;
 constexpr double kTrunkBack = -16.0;
 constexpr double kTrunkHalfWidth = 4.5;
 
+// The rigid motion of the ground plane that brings points `from` to `to` with the least squares.
+struct PlanarMotion {
+  double x = 0.0;
+  double y = 0.0;
+  double turn = 0.0;
+};
+PlanarMotion rigidMotion(const std::vector<Point2<Robot>>& from,
+                         const std::vector<Point2<Robot>>& to);
+
 class RobotModel {
  public:
   RobotModel(const RobotParams& params, const Pose2& start, std::uint64_t seed);
@@ -68,8 +97,14 @@ class RobotModel {
   void command(const host::AgentReply& reply);
   // One tick of 8 ms.
   void tick();
-  // Moves the body by force, as an obstacle does.
-  void push(Point2<Field> way) { place_.pose.position = place_.pose.position + way; }
+  // Moves the body by force, as an obstacle does. The legs feel it in the next tick.
+  void push(Point2<Field> way) {
+    place_.pose.position = place_.pose.position + way;
+    pushed_ = pushed_ + way;
+  }
+  void twist(Angle turn) { place_.pose.heading = place_.pose.heading + turn; }
+  // From now on the body goes only 1 - share of what the legs walk.
+  void hold(double share) { resistance_.hold(share); }
   // Lifts it and sets it down elsewhere, joints as they are; touches nothing on the way.
   void carry(const Pose2& pose) { before_.pose = place_.pose = pose; }
 
@@ -77,6 +112,8 @@ class RobotModel {
   const BodyPlace& placeBefore() const { return before_; }
   const JointAngles& target() const { return target_; }
   const JointAngles& sensed() const { return sensed_; }
+  double legGain() const { return legGain_; }  // over the standard one
+  const std::array<double, kJointCount>& dutyNoise() const { return dutyNoise_; }
   const std::array<bool, kLegCount>& onGround() const { return onGround_; }
   std::array<BodySphere, 9> spheres() const;
   // Vectors whose output ended since the last call.
@@ -87,12 +124,15 @@ class RobotModel {
   using Feet = std::array<Point3<Robot>, kLegCount>;
   void playQueue();
   void moveJoints();
+  double slowed(std::size_t joint) const;  // share of its movement that a joint keeps
   void senseJoints();
   void moveBody();
+  PlanarMotion given(const PlanarMotion& walked) const;
   void drawSlip(const std::array<bool, kLegCount>& standing);
 
   RobotParams params_;
   Random random_;
+  Resistance resistance_;
   BodyPlace place_;
   BodyPlace before_;
   JointAngles target_;
@@ -101,6 +141,10 @@ class RobotModel {
   std::array<bool, kLegCount> onGround_{};
   bool motorPower_ = false;
   std::uint32_t gains_ = 0;
+  double legGain_ = 1.0;
+  Point2<Field> walked_;  // by itself in the last tick
+  Point2<Field> pushed_;  // and by others since
+  std::array<double, kJointCount> dutyNoise_{};
   std::deque<host::EffectorVector> queue_;
   std::uint32_t played_ = 0;  // ticks of the first vector
   std::uint32_t done_ = 0;
@@ -114,14 +158,5 @@ class RobotModel {
 JointAngles startingPose();
 
 Point3<Torso> kneePosition(LegId leg, const body::LegAngles& angles);
-
-// The rigid motion of the ground plane that brings points `from` to `to` with the least squares.
-struct PlanarMotion {
-  double x = 0.0;
-  double y = 0.0;
-  double turn = 0.0;
-};
-PlanarMotion rigidMotion(const std::vector<Point2<Robot>>& from,
-                         const std::vector<Point2<Robot>>& to);
 
 }  // namespace kelpie::sim

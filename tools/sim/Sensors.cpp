@@ -105,13 +105,24 @@ double rayDistance(const Surroundings& around, FieldPoint3 from, FieldPoint3 dir
   return std::min(free, uprightAlong(around, from, direction, free));
 }
 
+double batteryCurrent(const std::array<SensorFrame, kTicksPerMessage>& ticks,
+                      const SensorParams& params) {
+  double duty = 0.0;
+  for (const SensorFrame& tick : ticks)
+    for (std::size_t j = index(Joint::leftFrontRotator); j <= index(Joint::rightHindKnee); ++j)
+      duty += std::fabs(tick.duty[j]) / kTicksPerMessage;
+  return params.idleCurrent + params.currentPerDuty * duty;
+}
+
 SensorFrame sense(const Surroundings& around, const SensorParams& params, Random& random) {
   const RobotModel& robot = around.robots[around.self];
   SensorFrame frame;
   frame.joints = robot.sensed();
   for (std::size_t j = 0; j < kJointCount; ++j) {
     const double error = robot.target().angle[j].rad() - robot.place().joints.angle[j].rad();
-    frame.duty[j] = maths::clamp(params.dutyPerRad * error, -1.0, 1.0);
+    const bool leg = j >= index(Joint::leftFrontRotator) && j <= index(Joint::rightHindKnee);
+    const double gain = params.dutyPerRad * (leg ? robot.legGain() : 1.0);
+    frame.duty[j] = maths::clamp(gain * error + robot.dutyNoise()[j], -1.0, 1.0);
   }
   senseDistances(around, params.distanceNoise, random, frame);
   const Angle tilt = robot.place().stance.bodyTilt;

@@ -13,13 +13,17 @@ namespace kelpie::sim {
 struct SensorParams {
   double distanceNoise = 0.03;  // share of the distance, sd
   double accelerationSd = 25.0;
-  double dutyPerRad = 2.5;  // motor duty for a following error
+  double dutyPerRad = 2.5;         // motor duty for a following error
+  double idleCurrent = 700.0;      // mA, of all but the legs
+  double currentPerDuty = 1500.0;  // mA more for each leg joint at full duty
 
   static constexpr auto fields() {
     using P = SensorParams;
     return fieldList(field("distanceNoise", &P::distanceNoise, "", 0, 0.5),
                      field("accelerationSd", &P::accelerationSd, "cm/s2", 0, 500),
-                     field("dutyPerRad", &P::dutyPerRad, "1/rad", 0, 100));
+                     field("dutyPerRad", &P::dutyPerRad, "1/rad", 0, 100),
+                     field("idleCurrent", &P::idleCurrent, "mA", 0, 1e4),
+                     field("currentPerDuty", &P::currentPerDuty, "mA", 0, 1e4));
   }
 };
 
@@ -32,6 +36,10 @@ struct Surroundings {
 };
 
 SensorFrame sense(const Surroundings& around, const SensorParams& params, Random& random);
+
+// Drawn from the battery: a motor's current goes with its duty. Mean over the ticks, mA.
+double batteryCurrent(const std::array<SensorFrame, kTicksPerMessage>& ticks,
+                      const SensorParams& params);
 
 // Distance along a ray to the first of ground, ball, obstacle up to 30 cm high, other robot.
 double rayDistance(const Surroundings& around, FieldPoint3 from, FieldPoint3 direction);

@@ -61,6 +61,7 @@ Status Server::sendStep(std::size_t robot, TimeUs now, bool sensors, bool image)
   if (sensors) {
     step.firstTick = static_cast<std::uint32_t>(now.us / kTickUs) - kTicksPerMessage;
     step.sensors = world_.sensors(robot);
+    step.batteryCurrent = world_.batteryCurrent(robot);
   }
   step.vectorsDone = world_.robot(robot).takeVectorsDone();
   step.imagePresent = image;

@@ -103,6 +103,23 @@ Point2<Field> World::nearestWalkable(Point2<Field> p) const {
           maths::clamp(p.y, -end, field_.length + end)};
 }
 
+// Both give way alike: two robots that push against each other go nowhere, and one that pushes
+// another that stands moves it at half its own speed.
+void World::separate(std::size_t one, std::size_t other) {
+  for (const double a : kBodyDiscs) {
+    for (const double b : kBodyDiscs) {
+      const Point2<Field> mine = fieldFromRobot(robots_[one].place().pose, {0.0, a});
+      const Point2<Field> theirs = fieldFromRobot(robots_[other].place().pose, {0.0, b});
+      const Point2<Field> away = mine - theirs;
+      const double gap = away.norm();
+      if (gap >= 2.0 * kBodyRadius || gap <= 0.0) continue;
+      const Point2<Field> half = away * (0.5 * (2.0 * kBodyRadius - gap) / gap);
+      robots_[one].push(half);
+      robots_[other].push(half * -1.0);
+    }
+  }
+}
+
 // Out of goals, beacons and each other.
 void World::keepApart() {
   for (std::size_t i = 0; i < robots_.size(); ++i) {
@@ -111,14 +128,8 @@ void World::keepApart() {
       for (const Obstacle& obstacle : obstacles_) {
         pushOff(robots_[i], disc, nearestOn(obstacle, centre), kBodyRadius + obstacle.radius);
       }
-      for (std::size_t k = 0; k < robots_.size(); ++k) {
-        if (k == i) continue;
-        for (const double other : kBodyDiscs) {
-          pushOff(robots_[i], disc, fieldFromRobot(robots_[k].place().pose, {0.0, other}),
-                  2.0 * kBodyRadius);
-        }
-      }
     }
+    for (std::size_t k = 0; k < i; ++k) separate(i, k);
     const Point2<Field> p = robots_[i].place().pose.position;
     robots_[i].push(nearestWalkable(p) - p);
   }
@@ -151,6 +162,22 @@ Status World::carry(std::size_t robot, const Pose2& pose) {
   robots_[robot].carry(pose);
   for (Moment& moment : history_)
     if (robot < moment.robots.size()) moment.robots[robot].pose = pose;
+  return Done{};
+}
+
+Status World::hold(std::size_t robot, double share) {
+  if (robot >= robots_.size()) return Error{"there is no robot " + std::to_string(robot)};
+  if (!(share >= 0.0 && share <= 1.0)) return Error{"a robot is held by a share from 0 to 1"};
+  robots_[robot].hold(share);
+  return Done{};
+}
+
+Status World::shove(std::size_t robot, Point2<Field> way, Angle turn) {
+  if (robot >= robots_.size()) return Error{"there is no robot " + std::to_string(robot)};
+  if (!std::isfinite(way.x) || !std::isfinite(way.y) || !std::isfinite(turn.rad()))
+    return Error{"a push is not finite"};
+  robots_[robot].push(way);
+  robots_[robot].twist(turn);
   return Done{};
 }
 

@@ -66,6 +66,11 @@ class World {
   // Somebody carries a robot to another place. No image shows the way. Refuses a robot that is not
   // there and a pose that is not finite or off the ground that robots may walk on.
   Status carry(std::size_t robot, const Pose2& pose);
+  // Somebody holds a robot's trunk: it goes only 1 - share of what its legs walk, until the next
+  // call. Refuses shares outside 0 to 1.
+  Status hold(std::size_t robot, double share);
+  // Somebody pushes and turns it, as far as that in one tick.
+  Status shove(std::size_t robot, Point2<Field> way, Angle turn);
   std::uint32_t ticks() const { return ticks_; }
   TimeUs time() const { return {static_cast<std::int64_t>(ticks_) * kTickUs}; }
   bool finished() const { return referee_.finished(); }
@@ -75,6 +80,9 @@ class World {
   // Sensor frames of the last four ticks, oldest first.
   const std::array<SensorFrame, kTicksPerMessage>& sensors(std::size_t robot) const {
     return sensors_[robot];
+  }
+  double batteryCurrent(std::size_t robot) const {
+    return sim::batteryCurrent(sensors_[robot], params_.sensors);
   }
   // The image whose exposure of 1/30 s ends at `end`; ticks() must have reached it, by at most one
   // tick.
@@ -101,6 +109,7 @@ class World {
   void remember();
   void senseAll();
   void keepApart();
+  void separate(std::size_t one, std::size_t other);
 
   WorldParams params_;
   body::FieldDescription field_;

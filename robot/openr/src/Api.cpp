@@ -113,6 +113,10 @@ OStatus GetSensorValue(OPrimitiveID id, OSensorValue* value) {
 
 OStatus SetMotorPower(OPower power) { return currentSystem().setMotorPower(power); }
 
+OStatus GetPowerStatus(OPowerStatus* status) {
+  return status == nullptr ? oINVALID_ARG : currentSystem().powerStatus(status);
+}
+
 OStatus GetRobotDesign(char* design) {
   std::strcpy(design, "ERS-7");
   return oSUCCESS;

@@ -27,6 +27,11 @@ std::vector<Experiment> ofBelieving() {
        "a playing robot carried to a random place every 20 s: time until it is within 30 cm and 15 "
        "deg for a second; the three noise methods on the same matches",
        8, kidnap},
+      {"stuck",
+       "walking freely and held (thesis 2004 figure 2.10): the way and standard deviation "
+       "reported, "
+       "hits and false alarms, turns with weak legs; after scrums, seconds until the pose is right",
+       8, stuck},
       {"ball",
        "the ball filter: errors of place and velocity standing and walking, the speed of a lying "
        "ball, where a rolling one will lie after half a second of sight",

@@ -52,6 +52,7 @@ Expected<Json> ring(const ExperimentOptions& options);
 Expected<Json> ballFilter(const ExperimentOptions& options);
 Expected<Json> opponents(const ExperimentOptions& options);
 Expected<Json> teamBall(const ExperimentOptions& options);
+Expected<Json> stuck(const ExperimentOptions& options);
 
 // p in 0..1; linear between neighbours; 0 for no values.
 double percentile(std::vector<double> values, double p);

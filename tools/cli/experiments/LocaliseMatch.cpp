@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "robot/body/Ers7.h"
 #include "robot/body/FieldDescription.h"
 
 namespace kelpie::cli {
@@ -58,18 +59,20 @@ Status LocaliseMatch::play(double seconds, const Watcher& watch) {
 void LocaliseMatch::sense() {
   motion_.time = world_->time();
   motion_.sensors = world_->sensors(0);
+  motion_.batteryCurrent = world_->batteryCurrent(0);
   const MotionOutput& output = loops_->motion(motion_);
   // At the start a second vector ahead, as the OPEN-R object sends.
   if (world_->robot(0).vectorsWaiting() == 0) {
     std::array<JointFrame, kTicksPerMessage> held;
     held.fill(output.joints[0]);
-    send(held);
+    send(held, output.status.lowGain);
   }
-  send(output.joints);
+  send(output.joints, output.status.lowGain);
 }
 
-void LocaliseMatch::send(const std::array<JointFrame, kTicksPerMessage>& joints) {
+void LocaliseMatch::send(const std::array<JointFrame, kTicksPerMessage>& joints, bool lowGain) {
   host::AgentReply reply;
+  if (lowGain) reply.legGain = body::weakLegGain();
   reply.motorPower = true;
   reply.gains = (1U << kJointCount) - 1;
   host::EffectorVector vector;

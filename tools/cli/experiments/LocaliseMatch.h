@@ -39,7 +39,7 @@ class LocaliseMatch : private agent::LogSink {
   void sense();
   void see(TimeUs now);
   void replaceBall();
-  void send(const std::array<JointFrame, kTicksPerMessage>& joints);
+  void send(const std::array<JointFrame, kTicksPerMessage>& joints, bool lowGain);
 
   body::FieldDescription field_;
   std::unique_ptr<sim::World> world_;

@@ -21,6 +21,7 @@ struct Conditions {
   double falseShare = 0.0;
   bool lines = false;
   bool landmarks = true;
+  gps::LineCombine combine = gps::LineCombine::separate;
 };
 
 struct Errors {
@@ -41,6 +42,7 @@ Errors walk(const Conditions& conditions, std::uint64_t seed) {
   const gps::Truth start{random.uniform(110.0, 250.0), random.uniform(150.0, 390.0),
                          conditions.heading * maths::kPi / 180.0};
   gps::SimulatedRobot robot(start, seed);
+  robot.params.line.combine = conditions.combine;
   if (!conditions.landmarks) {
     robot.params.initialPose.present = true;
     robot.params.initialPose.pose = {
@@ -97,6 +99,12 @@ Expected<Json> localiseObservations(const ExperimentOptions& options) {
   const Errors lines = mean(options, {90.0, 0.0, true, false});
   json["lines_only_cm"] = lines.cm;
   json["lines_only_deg"] = lines.deg;
+  constexpr auto kJoint = gps::LineCombine::joint;
+  const Errors joint = mean(options, {90.0, 0.0, true, true, kJoint});
+  json["joint_with_lines_cm"] = joint.cm;
+  json["joint_with_lines_deg"] = joint.deg;
+  json["false_with_lines_cm"] = mean(options, {90.0, 0.05, true, true}).cm;
+  json["joint_false_with_lines_cm"] = mean(options, {90.0, 0.05, true, true, kJoint}).cm;
   return json;
 }
 

@@ -55,6 +55,7 @@ OStatus GetJointValue(OPrimitiveID id, OJointValue* value);
 OStatus GetSensorValue(OPrimitiveID id, OSensorValue* value);
 
 OStatus SetMotorPower(OPower power);
+OStatus GetPowerStatus(OPowerStatus* status);
 OStatus GetRobotDesign(char* design);  // "ERS-7"; room for 32 characters
 
 }  // namespace OPENR

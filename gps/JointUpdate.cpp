@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gps/JointUpdate.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "gps/Modes.h"
+#include "gps/Update.h"
+
+namespace kelpie::gps {
+namespace {
+
+constexpr double kHopeless = 1e-20;  // weight factor where nothing can be computed
+
+// What one mode becomes: by the landmarks alone, and by all.
+struct Candidate {
+  Evidence evidence;
+  PoseMode byLandmarks;
+  bool asked = false;  // for the lines
+  std::optional<PoseObservation> lines;
+};
+using Candidates = FixedVector<Candidate, kWorkModes>;
+
+Evidence evidenceOf(const PoseMode& mode, const Pose2& at, const Measurements& landmarks,
+                    const GpsParams& params) {
+  Evidence evidence;
+  for (const Measurement& m : landmarks)
+    evidence.add(mode, seenObliquely(mode, m) ? headingOnly(m, params.gates) : m, at);
+  return evidence;
+}
+
+bool movedFar(const Pose2& from, const Pose2& to) {
+  return distance(from.position, to.position) > 10.0 || (to.heading - from.heading).abs().deg() > 5;
+}
+
+// A wide mode moves so far that what was linearised where it was is wrong where it comes to lie:
+// it is linearised there again, as one landmark after the other would be.
+Candidate candidateOf(const PoseMode& mode, const Measurements& landmarks,
+                      const GpsParams& params) {
+  constexpr int kRounds = 3;
+  Candidate one;
+  Pose2 at = mode.pose;
+  for (int round = 0; round < kRounds; ++round) {
+    one.evidence = evidenceOf(mode, at, landmarks, params);
+    one.byLandmarks = corrected(mode, one.evidence, params.modes.determinant);
+    if (!movedFar(at, one.byLandmarks.pose)) break;
+    at = one.byLandmarks.pose;
+  }
+  return one;
+}
+
+Candidates candidatesOf(const Modes& modes, const Measurements& landmarks,
+                        const GpsParams& params) {
+  Candidates all;
+  for (const PoseMode& mode : modes) all.push_back(candidateOf(mode, landmarks, params));
+  return all;
+}
+
+// The heaviest that was not asked yet.
+Candidate* heaviest(Candidates& all) {
+  Candidate* best = nullptr;
+  for (Candidate& one : all) {
+    if (one.asked) continue;
+    if (best == nullptr || one.byLandmarks.weight > best->byLandmarks.weight) best = &one;
+  }
+  return best;
+}
+
+// Fits the lines near the heaviest candidates; true when any fits.
+bool askLines(const SeenLines& seen, double headSpeed, const GpsParams& params, Candidates& all,
+              GpsState& state) {
+  if (seen.lines.size() < params.line.minPoints) return false;
+  double first = 0.0;
+  bool any = false;
+  for (std::uint32_t asked = 0; asked < params.line.maxModes; ++asked) {
+    Candidate* one = heaviest(all);
+    if (one == nullptr || one->byLandmarks.weight < params.line.leastWeight * first) break;
+    first = std::max(first, one->byLandmarks.weight);
+    one->asked = true;
+    one->lines = observationAt(one->byLandmarks, seen, headSpeed, params, state);
+    any = any || one->lines.has_value();
+  }
+  return any;
+}
+
+// What stays beside a corrected mode: the likelier of the mode itself and, for the case that only
+// the lines are false, the mode as the landmarks alone correct it.
+PoseMode copyOf(const PoseMode& mode, const Candidate& one, bool landmarks,
+                const GpsParams& params) {
+  PoseMode untouched = mode;
+  if (landmarks) untouched.weight *= params.modes.noiseWeight;
+  PoseMode withoutLines = one.byLandmarks;
+  withoutLines.weight *= params.line.noiseWeight;
+  if (!one.lines) return untouched;
+  return landmarks && untouched.weight > withoutLines.weight ? untouched : withoutLines;
+}
+
+// As when landmarks come one by one: many that no mode foretold in a row, and all begins anew.
+void judge(const Modes& modes, const Candidates& candidates, std::size_t landmarks,
+           const GpsParams& params, GpsState& state) {
+  double copies = 0.0;
+  double explained = 0.0;
+  for (const PoseMode& mode : modes) copies += mode.weight * params.modes.noiseWeight;
+  for (const Candidate& one : candidates) explained += one.byLandmarks.weight;
+  const bool foretold = explained > params.modes.explainedShare * (copies + explained);
+  state.unexplained = foretold ? 0 : state.unexplained + static_cast<std::uint32_t>(landmarks);
+  if (state.unexplained <= params.modes.maxUnexplained) return;
+  state.unexplained = 0;
+  state.lost = true;
+}
+
+PoseMode result(const PoseMode& mode, const Candidate& one, bool lines, const GpsParams& params) {
+  if (!one.lines) {
+    PoseMode kept = one.byLandmarks;
+    if (lines) kept.weight *= unaskedWeight(kept, params.line);
+    return kept;
+  }
+  Evidence all = one.evidence;
+  all.add(mode, *one.lines);
+  return corrected(mode, all, params.modes.determinant);
+}
+
+}  // namespace
+
+void Evidence::add(const PoseMode& mode, const Measurement& m, const Pose2& at) {
+  constexpr double kNearest = 5.0;  // cm, a beacon's radius
+  if (distance(m.landmark, at.position) < kNearest) {
+    hopeless = true;
+    return;
+  }
+  const Expectation e = expected(at, m.landmark);
+  const Point2<Field> away = at.position - mode.pose.position;
+  const Vector3 offset(away.x, away.y, (at.heading - mode.pose.heading).rad());
+  const double innovation[2] = {m.distance - e.distance, (m.heading - e.heading).rad()};
+  const double variance[2] = {m.distanceVariance, m.headingVariance};
+  const bool use[2] = {m.useDistance, m.useHeading};
+  for (std::size_t row = 0; row < 2; ++row) {
+    if (!use[row]) continue;
+    const double* j = e.jacobian.data() + 3 * row;
+    const Vector3 h(j[0], j[1], j[2]);
+    const double fromMode = innovation[row] + h.dot(offset);
+    information += h * h.transpose() / variance[row];
+    vector += h * (fromMode / variance[row]);
+    squares += fromMode * fromMode / variance[row];
+  }
+}
+
+void Evidence::add(const PoseMode& mode, const PoseObservation& observation) {
+  const Point2<Field> apart = observation.pose.position - mode.pose.position;
+  const Vector3 innovation(apart.x, apart.y, (observation.pose.heading - mode.pose.heading).rad());
+  const Vector3 pull = observation.information * innovation;
+  information += observation.information;
+  vector += pull;
+  squares += innovation.dot(pull);
+}
+
+PoseMode corrected(const PoseMode& mode, const Evidence& evidence, bool determinant) {
+  PoseMode result = mode;
+  if (evidence.hopeless) {
+    result.weight *= kHopeless;
+    return result;
+  }
+  const Matrix3 p = covarianceOf(mode);
+  const Matrix3 sum = Matrix3::Identity() + p * evidence.information;
+  const Matrix3 after = sum.inverse() * p;
+  const Vector3 shift = after * evidence.vector;
+  // nu' E^-1 nu = nu' R^-1 nu - y' P' y, by the matrix inversion lemma.
+  const double surprise = std::max(0.0, evidence.squares - evidence.vector.dot(shift));
+  result.weight *= maths::exp(-0.5 * surprise);
+  if (determinant) result.weight /= std::sqrt(sum.determinant());
+  result.pose = poseOf(meanOf(mode) + shift);
+  setCovariance(result, after);
+  return result;
+}
+
+bool updateJointly(const Measurements& landmarks, const SeenLines& seen, double headSpeed,
+                   const GpsParams& params, GpsState& state) {
+  Modes& modes = state.modes;
+  if (!landmarks.empty() && params.modes.noiseMethod == NoiseMethod::splitAndWide)
+    modes.push_back(wideMode(params, params.modes.wideWeight));
+  Candidates candidates = candidatesOf(modes, landmarks, params);
+  if (!landmarks.empty()) judge(modes, candidates, landmarks.size(), params, state);
+  const bool lines = askLines(seen, headSpeed, params, candidates, state);
+  if (landmarks.empty() && !lines) return false;
+  if (lines) state.secondsSinceLines = 0.0;
+  const std::size_t before = modes.size();
+  for (std::size_t i = 0; i < before; ++i) {
+    if (landmarks.empty() && !candidates[i].lines) {
+      modes[i].weight *= unaskedWeight(modes[i], params.line);
+      continue;
+    }
+    const PoseMode copy = copyOf(modes[i], candidates[i], !landmarks.empty(), params);
+    modes[i] = result(modes[i], candidates[i], lines, params);
+    modes.push_back(copy);
+  }
+  return true;
+}
+
+}  // namespace kelpie::gps

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the actuator tells of the work of the legs, and the odometry of weak ones.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "Walker.h"
+#include "actuator/Effort.h"
+
+namespace kelpie::actuator {
+namespace {
+
+constexpr std::size_t kSomeKnee = index(Joint::rightHindKnee);
+
+MotionInput working(double duty) {
+  MotionInput in;
+  for (SensorFrame& tick : in.sensors) tick.duty[kSomeKnee] = duty;
+  return in;
+}
+
+double effortAfter(const std::vector<double>& messages) {
+  EffortState state;
+  for (const double duty : messages) recordEffort(working(duty), true, state);
+  return effort(state, GaitParams{});
+}
+
+TEST(Effort, IsTheMeanOfTheHardestJointOverTheLastStep) {
+  // A step has 44 ticks: 11 messages.
+  std::vector<double> messages(20, 1.0);
+  messages.insert(messages.end(), 5, -0.2);
+  messages.insert(messages.end(), 6, 0.4);
+  EXPECT_NEAR(effortAfter(messages), (5 * 0.2 + 6 * 0.4) / 11.0, 1e-12);
+}
+
+TEST(Effort, OfTheHeadCountsNothing) {
+  EffortState state;
+  MotionInput in;
+  for (SensorFrame& tick : in.sensors) tick.duty[index(Joint::headPan)] = 1.0;
+  for (int i = 0; i < 20; ++i) recordEffort(in, true, state);
+  EXPECT_EQ(effort(state, GaitParams{}), 0.0);
+}
+
+TEST(Effort, IsUnknownUntilHalfAStepHasBeenWalked) {
+  EXPECT_EQ(effortAfter(std::vector<double>(5, 0.5)), 0.0);
+  EXPECT_NEAR(effortAfter(std::vector<double>(6, 0.5)), 0.5, 1e-12);
+}
+
+TEST(Effort, IsForgottenWhenTheRobotStops) {
+  EffortState state;
+  for (int i = 0; i < 20; ++i) recordEffort(working(0.9), true, state);
+  recordEffort(working(0.9), false, state);
+  EXPECT_EQ(effort(state, GaitParams{}), 0.0);
+}
+
+TEST(Effort, StaysBetweenNoneAndFullWhateverTheSensorsSay) {
+  const double inf = std::numeric_limits<double>::infinity();
+  for (const double duty : {std::nan(""), 1e9, -1e9, inf, -inf, -0.3}) {
+    const double told = effortAfter(std::vector<double>(20, duty));
+    EXPECT_GE(told, 0.0);
+    EXPECT_LE(told, 1.0);
+  }
+}
+
+TEST(Effort, IsToldWhileWalkingOnly) {
+  Walker walker;
+  walker.standUp();
+  for (SensorFrame& tick : walker.input.sensors) tick.duty[kSomeKnee] = 0.5;
+  walker.run(WalkRequest{}, 20);
+  EXPECT_EQ(walker.out.status.effort, 0.0);
+  walker.run(WalkRequest{20.0, 0.0, 0.0}, 30);
+  EXPECT_NEAR(walker.out.status.effort, 0.5, 1e-12);
+}
+
+TEST(Gain, FallsWhenMuchCurrentIsDrawnForLongAndRisesWhenLittleIs) {
+  const GainParams params;
+  GainState state;
+  for (int i = 0; i < 20; ++i) stepGain(5000.0, params, state);
+  EXPECT_FALSE(state.low);  // 0.64 s
+  for (int i = 0; i < 100; ++i) stepGain(5000.0, params, state);
+  EXPECT_TRUE(state.low);
+  for (int i = 0; i < 500; ++i) stepGain(3000.0, params, state);
+  EXPECT_TRUE(state.low);  // between the bounds all stays as it was
+  for (int i = 0; i < 500; ++i) stepGain(2000.0, params, state);
+  EXPECT_FALSE(state.low);
+  for (int i = 0; i < 500; ++i) stepGain(3000.0, params, state);
+  EXPECT_FALSE(state.low);
+}
+
+TEST(Gain, CurrentThatIsNotANumberChangesNothing) {
+  const GainParams params;
+  GainState state;
+  for (int i = 0; i < 500; ++i) stepGain(5000.0, params, state);
+  stepGain(std::nan(""), params, state);
+  stepGain(std::numeric_limits<double>::infinity(), params, state);
+  EXPECT_TRUE(state.low && std::isfinite(state.current));
+}
+
+TEST(Gain, WeakLegsHaveTheirOwnOdometry) {
+  Walker walker;
+  walker.params.odometry.low = {0.5, 0.4, 0.3};
+  walker.params.odometry.high = {1.0, 1.0, 1.0};
+  walker.standUp();
+  walker.run(WalkRequest{0.0, 0.0, 1.0}, 30);
+  const double strong = walker.out.odometry.turn.rad();
+  EXPECT_FALSE(walker.out.status.lowGain);
+  walker.input.batteryCurrent = 5000.0;
+  walker.run(WalkRequest{0.0, 0.0, 1.0}, 300);
+  EXPECT_TRUE(walker.out.status.lowGain);
+  EXPECT_NEAR(walker.out.odometry.turn.rad(), 0.3 * strong, 1e-9);
+}
+
+TEST(Gain, AKickHasAllTheStrength) {
+  Walker walker;
+  walker.standUp();
+  walker.input.batteryCurrent = 5000.0;
+  walker.run(WalkRequest{}, 300);
+  EXPECT_TRUE(walker.out.status.lowGain);
+  Command kick;
+  kick.motion = MotionKind::kickForward;
+  walker.run(kick, 3);
+  EXPECT_NE(walker.out.status.running, MotionKind::none);
+  EXPECT_FALSE(walker.out.status.lowGain);
+}
+
+}  // namespace
+}  // namespace kelpie::actuator
