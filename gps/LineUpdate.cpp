@@ -67,6 +67,7 @@ static std::optional<PoseObservation> observationAt(const PoseMode& mode, const 
   const LineFit fit = fitLines(seen, mode.pose, state.features, p, isUnsure(mode, p));
   auto observation = observationOf(fit, state.features, headSpeed, p);
   if (!observation) state.count(Refusal::linesMatchNothing);
+  if (observation) observation->information *= seen.fresh;
   return observation;
 }
 
@@ -86,7 +87,8 @@ bool updateByLines(const SeenLines& seen, double headSpeed, const GpsParams& par
   if (!any) return false;
   for (std::size_t i = 0; i < before; ++i) {
     if (i >= found.size() || !found[i]) {
-      modes[i].weight *= isNarrow(modes[i], p) ? p.refusedWeight : kTooWide;
+      const double kept = isNarrow(modes[i], p) ? p.refusedWeight : kTooWide;
+      modes[i].weight *= 1.0 - seen.fresh * (1.0 - kept);
       continue;
     }
     PoseMode copy = modes[i];
