@@ -60,6 +60,14 @@ void tryStart(const SeenLines& seen, const GpsParams& params, const FieldFeature
   keep({inOwnHalf(near.pose, params.field), near.match}, params, search);
 }
 
+void tryStarts(const GpsParams& params, GpsState& state) {
+  GlobalSearch& search = state.search;
+  const SeenLines seen = seenLines(state.map, params.search.points, params.lineMap);
+  const std::uint32_t last =
+      std::min(search.next + params.search.startsAFrame, startsOf(params.search));
+  for (; search.next < last; ++search.next) tryStart(seen, params, state.features, search);
+}
+
 // What a pose is worth beside the best: match lost is squared distance over S, and that over the
 // points' variance a log likelihood, with as many independent points as the information has.
 double weightOf(const LineFit& fit, double best, double points, const LineParams& params) {
@@ -81,23 +89,32 @@ PoseMode modeOf(const LineFit& fit, const GpsParams& params) {
   return mode;
 }
 
-// The sharp fits with all points. Whether any matches well enough to be believed.
-bool conclude(const GpsParams& params, GpsState& state) {
+// The next of the best, once more with all points.
+void refine(const GpsParams& params, GpsState& state) {
+  GlobalSearch& search = state.search;
   const SeenLines seen = seenLines(state.map, params.lineMap.matched, params.lineMap);
-  FixedVector<LineFit, kKept> fits;
-  double best = 0.0;
+  FoundPose& found = search.best[search.next - startsOf(params.search)];
+  const LineFit fit = fitLines(seen, found.pose, state.features, params.line);
+  found = {fit.pose, fit.match};
+}
+
+// The best poses and their twins become the modes, if any matches well enough to be believed.
+bool conclude(const GpsParams& params, GpsState& state) {
+  FixedVector<FoundPose, kFoundPoses> refined = state.search.best;
+  state.search.best.clear();
+  for (const FoundPose& found : refined) keep(found, params, state.search);
+  if (state.search.best.empty() || state.search.best[0].match < params.search.leastMatch)
+    return false;
+  const SeenLines seen = seenLines(state.map, params.lineMap.matched, params.lineMap);
+  LineParams only = params.line;
+  only.maxSteps = 1;  // the information there
   double points = 0.0;
   for (const SeenPoint& p : seen.lines) points += p.weight;
-  for (const FoundPose& found : state.search.best) {
-    const LineFit fit = fitLines(seen, found.pose, state.features, params.line);
-    if (fit.match < params.search.leastMatch || !fits.push_back(fit)) continue;
-    best = std::max(best, fit.match);
-  }
-  if (fits.empty()) return false;
   state.modes.clear();
-  for (const LineFit& fit : fits) {
+  for (std::size_t i = 0; i < std::min(kKept, state.search.best.size()); ++i) {
+    const LineFit fit = fitLines(seen, state.search.best[i].pose, state.features, only);
     PoseMode mode = modeOf(fit, params);
-    mode.weight = weightOf(fit, best, points, params.line);
+    mode.weight = weightOf(fit, state.search.best[0].match, points, params.line);
     state.modes.push_back(mode);
     mode.pose = twinOf(mode.pose, params.field);
     setCovariance(mode, turned(covarianceOf(mode), Angle::rad(maths::kPi)));
@@ -124,13 +141,16 @@ bool stepSearch(const FrameInput& input, const GpsParams& params, GpsState& stat
     return false;
   }
   search.running = true;
-  const SeenLines seen = seenLines(state.map, params.search.points, params.lineMap);
-  for (std::uint32_t i = 0; i < params.search.startsAFrame; ++i) {
-    if (search.next >= startsOf(params.search)) break;
-    tryStart(seen, params, state.features, search);
-    ++search.next;
+  const std::uint32_t starts = startsOf(params.search);
+  if (search.next < starts) {
+    tryStarts(params, state);
+    return false;
   }
-  if (search.next < startsOf(params.search)) return false;
+  if (search.next < starts + search.best.size()) {
+    refine(params, state);
+    ++search.next;
+    return false;
+  }
   const bool found = conclude(params, state);
   search = GlobalSearch{false, found, 0, {}};
   if (!found) return false;

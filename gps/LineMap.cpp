@@ -34,6 +34,20 @@ bool inOneDirection(Point2<Robot> a, Point2<Robot> b, Angle angle) {
   return dot > 0.0 && dot * dot >= cosine * cosine * squares;
 }
 
+// Half the side of a square beyond which nothing lies in one region with the point: asked of every
+// point of the map, it saves four of five instructions.
+double boundOf(const MapPoint& point, const LineMapParams& params) {
+  const bool green = point.kind == LinePointKind::field;
+  const double share = green ? params.carpetShare : params.radiusShare;
+  const double radius = green ? params.carpetRadius : params.radius;
+  return (radius + share * std::sqrt(square2(point.place))) / std::max(1.0 - share, 1e-3);
+}
+
+bool isBeyond(const MapPoint& a, const MapPoint& b, double bound) {
+  return a.kind != b.kind || std::fabs(a.place.x - b.place.x) > bound ||
+         std::fabs(a.place.y - b.place.y) > bound;
+}
+
 // A merged point's place is the mean by worth, each sighting counting alike.
 MapPoint merged(const MapPoint& a, const MapPoint& b, const LineMapParams& params) {
   MapPoint sum = a;
@@ -116,13 +130,15 @@ bool add(const LinePoint& point, const LineMapParams& params, LineMap& map) {
   MapPoint mine{point.kind, point.position, point.weight, 1.0};
   double fresh = 1.0;
   bool isNew = true;
+  double bound = boundOf(mine, params);
   for (std::size_t i = 0; i < map.points.size();) {
-    const MapPoint other = map.points[i];
-    if (!inOneRegion(other, mine, params)) {
+    if (isBeyond(map.points[i], mine, bound) || !inOneRegion(map.points[i], mine, params)) {
       ++i;
       continue;
     }
+    const MapPoint other = map.points[i];
     mine = merged(other, mine, params);
+    bound = boundOf(mine, params);
     if (isNew) fresh = mine.worth - other.worth;  // 0 where enough has been seen
     isNew = false;
     remove(i, map);

@@ -55,10 +55,10 @@ struct SymmetryParams {
 
 struct SearchParams {
   bool use = true;
-  std::uint32_t columns = 4;  // of starts across the field
-  std::uint32_t rows = 3;     // along its own half; the other looks the same
-  std::uint32_t turns = 12;   // headings at each place
-  std::uint32_t startsAFrame = 4;
+  std::uint32_t columns = 4;       // of starts across the field
+  std::uint32_t rows = 3;          // along its own half; the other looks the same
+  std::uint32_t turns = 12;        // headings at each place
+  std::uint32_t startsAFrame = 2;  // 150 k instructions of a PC
   std::uint32_t leastPoints = 64;  // of lines in the map: what a pan shows
   double patience = 5.0;           // s of standing after which fewer will do
   std::uint32_t points = 32;       // matched from each start

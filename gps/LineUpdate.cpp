@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gps/AlikeUpdate.h"
+#include "gps/Symmetry.h"
+
 namespace kelpie::gps {
 namespace {
 
@@ -85,6 +88,8 @@ bool updateByLines(const SeenLines& seen, double headSpeed, const GpsParams& par
   }
   // Lines that fit no mode are false for all: who was asked must not be worse off than the others.
   if (!any) return false;
+  FixedVector<PoseMode, kMaxAlike> alike;
+  if (found[0]) alike = modesAlike(seen, *found[0], headSpeed, params, state);
   for (std::size_t i = 0; i < before; ++i) {
     if (i >= found.size() || !found[i]) {
       const double kept = isNarrow(modes[i], p) ? p.refusedWeight : kTooWide;
@@ -96,6 +101,7 @@ bool updateByLines(const SeenLines& seen, double headSpeed, const GpsParams& par
     correct(modes[i], *found[i]);
     modes.push_back(copy);
   }
+  for (const PoseMode& mode : alike) modes.push_back(mode);
   return true;
 }
 

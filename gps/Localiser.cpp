@@ -7,15 +7,12 @@
 #include "gps/BallFilter.h"
 #include "gps/DropIn.h"
 #include "gps/Extract.h"
-#include "gps/GlobalSearch.h"
 #include "gps/Landmarks.h"
-#include "gps/LineMap.h"
-#include "gps/LineUpdate.h"
+#include "gps/Lines.h"
 #include "gps/Modes.h"
 #include "gps/Others.h"
 #include "gps/Predict.h"
 #include "gps/Symmetry.h"
-#include "robot/body/Camera.h"
 
 namespace kelpie::gps {
 namespace {
@@ -47,28 +44,8 @@ void useLandmarks(const GpsIn& in, const GpsParams& params, GpsState& state) {
   }
 }
 
-// The frame's lines, or the standing robot's map where that holds more.
-SeenLines linesToMatch(const GpsIn& in, const GpsParams& params, GpsState& state) {
-  const SeenLines frame = seenLines(in.percepts.linePoints, params.line);
-  LineMap& map = state.map;
-  if (countOf(map, LinePointKind::line) <= frame.lines.size()) return frame;
-  const SeenLines mapped = seenLines(map, params.lineMap.matched, params.lineMap);
-  map.fresh = 0.0;
-  return mapped;
-}
-
 void useLines(const GpsIn& in, const GpsParams& params, GpsState& state) {
-  if (!params.line.use) return;
-  stepMap(in.input, in.percepts.linePoints, params.line, params.lineMap, state.map);
-  if (stepSearch(in.input, params, state)) return tidy(params, state);
-  if (state.lost) return;
-  const SeenLines seen = linesToMatch(in, params, state);
-  constexpr double kUnknown = 1.0;  // rad a frame: faster than any head
-  const double speed = body::headSpeed(in.input.headRate);
-  const bool used = updateByLines(seen, std::isfinite(speed) ? speed : kUnknown, params, state);
-  const bool refused = !used && seen.lines.size() >= params.line.minPoints;
-  state.map.refused = refused ? state.map.refused + 1 : 0;
-  if (!used) return;
+  if (!stepLines(in.input, in.percepts, params, state)) return;
   tidy(params, state);
   keepNearField(params.field, state.modes);
 }

@@ -28,6 +28,10 @@ std::vector<Experiment> ofBelieving() {
        "the search over the field by lines alone: share of random poses found within 20 cm and 10 "
        "deg, the twin counting, then with landmarks",
        200, globalLocalise},
+      {"mode-sampling",
+       "the thesis' sampling of the match about each mode beside the fit, on the same walks: "
+       "errors, and how far the estimate jumps in a frame",
+       50, modeSampling},
       {"localise",
        "three minutes of chasing a ball from an unknown start, from pixels: errors of the believed "
        "pose after ten seconds, with lines, landmarks or both, and what they come from",

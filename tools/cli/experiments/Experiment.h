@@ -40,6 +40,7 @@ Expected<Json> localiseObservations(const ExperimentOptions& options);
 Expected<Json> maximiser(const ExperimentOptions& options);
 Expected<Json> stationaryMap(const ExperimentOptions& options);
 Expected<Json> globalLocalise(const ExperimentOptions& options);
+Expected<Json> modeSampling(const ExperimentOptions& options);
 Expected<Json> linePoints(const ExperimentOptions& options);
 Expected<Json> pinkPatches(const ExperimentOptions& options);
 Expected<Json> obstaclesAhead(const ExperimentOptions& options);
