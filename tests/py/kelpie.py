@@ -55,6 +55,7 @@ class Command(Fields):
         'mouth_open',
         'motion',
         'leds',
+        'localise',
     )
 
     def __init__(self, **given):
@@ -63,6 +64,7 @@ class Command(Fields):
         self.mouth_open = False
         self.motion = 0
         self.leds = 0
+        self.localise = False
         self._take(given)
 
 
