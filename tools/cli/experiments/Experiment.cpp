@@ -24,6 +24,10 @@ std::vector<Experiment> ofBelieving() {
        "from "
        "a start within 40 cm and 20 deg, with the map and without, and by the search",
        200, stationaryMap},
+      {"stationary-views",
+       "the same from pixels with every artefact, eight seconds: lines alone, with the map and "
+       "without",
+       4, stationaryViews},
       {"global-localise",
        "the search over the field by lines alone: share of random poses found within 20 cm and 10 "
        "deg, the twin counting, then with landmarks",

@@ -39,6 +39,7 @@ Expected<Json> distances(const ExperimentOptions& options);
 Expected<Json> localiseObservations(const ExperimentOptions& options);
 Expected<Json> maximiser(const ExperimentOptions& options);
 Expected<Json> stationaryMap(const ExperimentOptions& options);
+Expected<Json> stationaryViews(const ExperimentOptions& options);
 Expected<Json> globalLocalise(const ExperimentOptions& options);
 Expected<Json> modeSampling(const ExperimentOptions& options);
 Expected<Json> linePoints(const ExperimentOptions& options);
