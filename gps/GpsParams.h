@@ -3,6 +3,7 @@
 // where it states numbers, else from a working filter (facts-2005 section 5), else they are ours.
 #pragma once
 
+#include "gps/LineMapParams.h"
 #include "gps/LineParams.h"
 #include "gps/OthersParams.h"
 #include "gps/StuckParams.h"
@@ -164,6 +165,9 @@ struct GpsParams {
   LandmarkGates gates;
   ModeParams modes;
   LineParams line;
+  LineMapParams lineMap;
+  SymmetryParams symmetry;
+  SearchParams search;
   BallParams ball;
   OthersParams others;
 
@@ -173,8 +177,9 @@ struct GpsParams {
                      field("initialPose", &GpsParams::initialPose),
                      field("motion", &GpsParams::motion), field("stuck", &GpsParams::stuck),
                      field("gates", &GpsParams::gates), field("modes", &GpsParams::modes),
-                     field("line", &GpsParams::line), field("ball", &GpsParams::ball),
-                     field("others", &GpsParams::others));
+                     field("line", &GpsParams::line), field("lineMap", &GpsParams::lineMap),
+                     field("symmetry", &GpsParams::symmetry), field("search", &GpsParams::search),
+                     field("ball", &GpsParams::ball), field("others", &GpsParams::others));
   }
 };
 

@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "gps/FieldFeatures.h"
+#include "gps/LineState.h"
 #include "gps/OthersState.h"
 #include "robot/core/WorldModel.h"
 
@@ -78,7 +79,10 @@ struct GpsState {
   BallTrack ball;
   OthersState others;
   GpsCounts counts;
-  FieldFeatures features;  // built in the first frame
+  LineMap map;
+  GlobalSearch search;
+  FieldFeatures features;   // built in the first frame
+  PaintedFeatures painted;  // with them
 
   void count(Refusal reason) { ++counts.refused[static_cast<std::size_t>(reason)]; }
 };

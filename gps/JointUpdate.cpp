@@ -109,10 +109,12 @@ void judge(const Modes& modes, const Candidates& candidates, std::size_t landmar
   state.lost = true;
 }
 
-PoseMode result(const PoseMode& mode, const Candidate& one, bool lines, const GpsParams& params) {
+// `seen` is null where no mode's lines fit.
+PoseMode result(const PoseMode& mode, const Candidate& one, const SeenLines* seen,
+                const GpsParams& params) {
   if (!one.lines) {
     PoseMode kept = one.byLandmarks;
-    if (lines) kept.weight *= unaskedWeight(kept, params.line);
+    if (seen != nullptr) kept.weight *= unaskedWeight(kept, *seen, params.line);
     return kept;
   }
   Evidence all = one.evidence;
@@ -186,11 +188,11 @@ bool updateJointly(const Measurements& landmarks, const SeenLines& seen, double 
   const std::size_t before = modes.size();
   for (std::size_t i = 0; i < before; ++i) {
     if (landmarks.empty() && !candidates[i].lines) {
-      modes[i].weight *= unaskedWeight(modes[i], params.line);
+      modes[i].weight *= unaskedWeight(modes[i], seen, params.line);
       continue;
     }
     const PoseMode copy = copyOf(modes[i], candidates[i], !landmarks.empty(), params);
-    modes[i] = result(modes[i], candidates[i], lines, params);
+    modes[i] = result(modes[i], candidates[i], lines ? &seen : nullptr, params);
     modes.push_back(copy);
   }
   return true;

@@ -96,9 +96,7 @@ void thin(const FixedVector<LinePoint, 256>& points, LinePointKind kind, std::si
   std::size_t index = 0;
   for (const LinePoint& p : points) {
     if (p.kind != kind || !usable(p)) continue;
-    const bool take = count <= most || (index + 1) * most / count != index * most / count;
-    ++index;
-    if (take) kept.push_back({p.position, p.weight});
+    if (isSpread(index++, count, most)) kept.push_back({p.position, p.weight});
   }
 }
 

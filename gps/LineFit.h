@@ -22,7 +22,13 @@ struct SeenPoint {
 struct SeenLines {
   FixedVector<SeenPoint, kMaxLinePoints> lines;
   FixedVector<SeenPoint, 16> carpet;  // green; only says that the robot is near the field
+  double fresh = 1.0;                 // share of the evidence that no update has used before
 };
+
+// Whether the index is one of `most` that are spread evenly over `count`.
+inline bool isSpread(std::size_t index, std::size_t count, std::size_t most) {
+  return count <= most || (index + 1) * most / count != index * most / count;
+}
 
 // Evenly thinned to `maxPoints`; points that are not finite or have no weight are left out.
 SeenLines seenLines(const FixedVector<LinePoint, 256>& points, const LineParams& params);

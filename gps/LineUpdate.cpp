@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gps/AlikeUpdate.h"
+#include "gps/Symmetry.h"
+
 namespace kelpie::gps {
 namespace {
 
@@ -65,11 +68,13 @@ std::optional<PoseObservation> observationAt(const PoseMode& mode, const SeenLin
   const LineFit fit = fitLines(seen, mode.pose, state.features, p, isUnsure(mode, p));
   auto observation = observationOf(fit, state.features, headSpeed, p);
   if (!observation) state.count(Refusal::linesMatchNothing);
+  if (observation) observation->information *= seen.fresh;
   return observation;
 }
 
-double unaskedWeight(const PoseMode& mode, const LineParams& params) {
-  return isNarrow(mode, params) ? params.refusedWeight : kTooWide;
+double unaskedWeight(const PoseMode& mode, const SeenLines& seen, const LineParams& params) {
+  const double kept = isNarrow(mode, params) ? params.refusedWeight : kTooWide;
+  return 1.0 - seen.fresh * (1.0 - kept);
 }
 
 bool updateByLines(const SeenLines& seen, double headSpeed, const GpsParams& params,
@@ -87,9 +92,11 @@ bool updateByLines(const SeenLines& seen, double headSpeed, const GpsParams& par
   }
   // Lines that fit no mode are false for all: who was asked must not be worse off than the others.
   if (!any) return false;
+  FixedVector<PoseMode, kMaxAlike> alike;
+  if (found[0]) alike = modesAlike(seen, *found[0], headSpeed, params, state);
   for (std::size_t i = 0; i < before; ++i) {
     if (i >= found.size() || !found[i]) {
-      modes[i].weight *= unaskedWeight(modes[i], p);
+      modes[i].weight *= unaskedWeight(modes[i], seen, p);
       continue;
     }
     PoseMode copy = modes[i];
@@ -97,6 +104,7 @@ bool updateByLines(const SeenLines& seen, double headSpeed, const GpsParams& par
     correct(modes[i], *found[i]);
     modes.push_back(copy);
   }
+  for (const PoseMode& mode : alike) modes.push_back(mode);
   return true;
 }
 

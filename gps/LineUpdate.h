@@ -33,7 +33,7 @@ std::optional<PoseObservation> observationAt(const PoseMode& mode, const SeenLin
                                              GpsState& state);
 
 // Weight factor of a mode without such an observation when another mode has one.
-double unaskedWeight(const PoseMode& mode, const LineParams& params);
+double unaskedWeight(const PoseMode& mode, const SeenLines& seen, const LineParams& params);
 
 // Returns whether any mode was corrected. Call tidy() afterwards.
 bool updateByLines(const SeenLines& seen, double headSpeed, const GpsParams& params,

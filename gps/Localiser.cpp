@@ -9,12 +9,12 @@
 #include "gps/Extract.h"
 #include "gps/JointUpdate.h"
 #include "gps/Landmarks.h"
-#include "gps/LineUpdate.h"
+#include "gps/Lines.h"
 #include "gps/Modes.h"
 #include "gps/Others.h"
 #include "gps/Predict.h"
 #include "gps/Stuck.h"
-#include "robot/body/Camera.h"
+#include "gps/Symmetry.h"
 
 namespace kelpie::gps {
 namespace {
@@ -47,20 +47,8 @@ void useLandmarks(const GpsIn& in, const GpsParams& params, GpsState& state) {
   }
 }
 
-double headSpeedOf(const FrameInput& input) {
-  constexpr double kUnknown = 1.0;  // rad a frame: faster than any head
-  const double speed = body::headSpeed(input.headRate);
-  return std::isfinite(speed) ? speed : kUnknown;
-}
-
-bool linesUsable(const GpsParams& params, const GpsState& state) {
-  return params.line.use && !state.lost && !state.stuck.paused;
-}
-
 void useLines(const GpsIn& in, const GpsParams& params, GpsState& state) {
-  if (!linesUsable(params, state)) return;
-  const SeenLines seen = seenLines(in.percepts.linePoints, params.line);
-  if (!updateByLines(seen, headSpeedOf(in.input), params, state)) return;
+  if (!stepLines(in.input, in.percepts, params, state)) return;
   tidy(params, state);
   keepNearField(params.field, state.modes);
   state.secondsSinceLines = 0.0;
@@ -104,11 +92,18 @@ Step move(const GpsIn& in, const GpsParams& params, GpsState& state) {
   return step;
 }
 
+void prepare(const GpsParams& params, GpsState& state) {
+  if (!state.features.built()) {
+    state.features.build(params.field);
+    state.painted = paintedFeatures(params.field);
+  }
+  if (!state.started) start(params, state);
+}
+
 }  // namespace
 
 WorldModel step(const GpsIn& in, const GpsParams& params, GpsState& state) {
-  if (!state.features.built()) state.features.build(params.field);
-  if (!state.started) start(params, state);
+  prepare(params, state);
   state.secondsSinceLandmark += in.input.elapsed;
   state.secondsSinceLines += in.input.elapsed;
   const Step moved = move(in, params, state);

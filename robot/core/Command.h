@@ -49,13 +49,14 @@ struct Command {
   bool mouthOpen = false;
   MotionKind motion = MotionKind::none;  // started when it differs from none and nothing runs
   std::uint32_t leds = 0;
+  bool localise = false;  // while standing: find the pose by the field lines alone
   Fallback fallback = Fallback::none;
 
   static constexpr auto fields() {
     return fieldList(field("walk", &Command::walk), field("head", &Command::head),
                      field("mouthOpen", &Command::mouthOpen),
                      field("motion", &Command::motion, "", 0, kMotionKindCount - 1),
-                     field("leds", &Command::leds),
+                     field("leds", &Command::leds), field("localise", &Command::localise),
                      field("fallback", &Command::fallback, "", 0, 4));
   }
 };

@@ -55,6 +55,7 @@ class Command(Fields):
         'mouth_open',
         'motion',
         'leds',
+        'localise',
     )
 
     def __init__(self, **given):
@@ -63,6 +64,7 @@ class Command(Fields):
         self.mouth_open = False
         self.motion = 0
         self.leds = 0
+        self.localise = False
         self._take(given)
 
 
@@ -622,8 +624,8 @@ class WorldFrame(Fields):
         'heading_sd_deg',
         'seconds_since_landmark',
         'seconds_since_lines',
-        'covariance',
         'stuck',
+        'covariance',
         'modes',
         'second',
         'ball',
@@ -650,8 +652,8 @@ class WorldFrame(Fields):
         self.heading_sd_deg = 0.0
         self.seconds_since_landmark = 0.0
         self.seconds_since_lines = 0.0
-        self.covariance = [0.0] * 9
         self.stuck = 0.0
+        self.covariance = [0.0] * 9
         self.modes = []
         self.second = SecondHypothesis()
         self.ball = BallEstimate()

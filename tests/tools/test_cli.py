@@ -80,6 +80,26 @@ def test_our_steps_find_the_pose_more_often_than_the_ascent(tmp_path):
     assert far["ours"]["steps"] < 0.5 * far["ascent"]["steps"]
 
 
+def test_the_map_of_a_standing_robot_does_not_starve_and_helps(tmp_path):
+    values = figures_of(tmp_path, "stationary-map", 40, 31)
+    assert 64 <= values["points_mean"] <= values["points_max"] <= 128
+    assert values["mean_cm"] < values["without_map_mean_cm"]
+    assert values["within_10_cm_rate"] > 0.95
+    assert values["nees_mean"] < 3.0  # not surer than it may be
+
+
+def test_lines_alone_find_the_pose_or_its_twin_anywhere(tmp_path):
+    values = figures_of(tmp_path, "global-localise", 40, 31)
+    assert values["any_mode_rate"] >= values["best_rate"] > 0.85
+    assert values["with_landmarks_rate"] > 0.85
+
+
+def test_mode_sampling_is_worse_than_the_fit(tmp_path):
+    values = figures_of(tmp_path, "mode-sampling", 20, 31)
+    for case in ("lines_alone", "with_landmarks"):
+        assert values[case]["sampling"]["mean_cm"] > values[case]["fit"]["mean_cm"]
+
+
 def test_a_carried_robot_finds_its_place_again(tmp_path):
     figures = tmp_path / "f.json"
     assert kelpie("evaluate", "kidnap", "--trials", "1", "--seed", "31", "--json",

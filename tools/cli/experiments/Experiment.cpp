@@ -19,6 +19,23 @@ std::vector<Experiment> ofBelieving() {
        "beside "
        "damped Gauss-Newton steps; share within 10 cm and 5 deg, evaluations, error",
        500, maximiser},
+      {"stationary-map",
+       "a robot that stands and looks about for five seconds: error of the pose by lines alone "
+       "from "
+       "a start within 40 cm and 20 deg, with the map and without, and by the search",
+       200, stationaryMap},
+      {"stationary-views",
+       "the same from pixels with every artefact, eight seconds: lines alone, with the map and "
+       "without",
+       4, stationaryViews},
+      {"global-localise",
+       "the search over the field by lines alone: share of random poses found within 20 cm and 10 "
+       "deg, the twin counting, then with landmarks",
+       200, globalLocalise},
+      {"mode-sampling",
+       "the thesis' sampling of the match about each mode beside the fit, on the same walks: "
+       "errors, and how far the estimate jumps in a frame",
+       50, modeSampling},
       {"localise",
        "three minutes of chasing a ball from an unknown start, from pixels: errors of the believed "
        "pose after ten seconds, with lines, landmarks or both, and what they come from",

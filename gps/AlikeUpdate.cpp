@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gps/AlikeUpdate.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace kelpie::gps {
+namespace {
+
+constexpr double kReach = 4.0;  // standard deviations: beyond them S is below 4e-4
+
+bool isWithin(const PoseMode& mode, const Pose2& pose) {
+  const Point2<Field> d = pose.position - mode.pose.position;
+  const double turn = (pose.heading - mode.pose.heading).rad();
+  const double reach2 = kReach * kReach;
+  return d.x * d.x <= reach2 * mode.covariance[0] && d.y * d.y <= reach2 * mode.covariance[4] &&
+         turn * turn <= reach2 * mode.covariance[8];
+}
+
+void keep(const PoseMode& mode, std::size_t most, FixedVector<PoseMode, kMaxAlike>& modes) {
+  std::size_t at = modes.size();
+  while (at > 0 && modes[at - 1].weight < mode.weight) --at;
+  if (at >= most) return;
+  if (modes.size() < most) modes.resize(modes.size() + 1);
+  for (std::size_t i = modes.size() - 1; i > at; --i) modes[i] = modes[i - 1];
+  modes[at] = mode;
+}
+
+}  // namespace
+
+FixedVector<PoseMode, kMaxAlike> modesAlike(const SeenLines& seen, const PoseObservation& found,
+                                            double headSpeed, const GpsParams& params,
+                                            const GpsState& state) {
+  FixedVector<PoseMode, kMaxAlike> modes;
+  if (!params.symmetry.use) return modes;
+  LineParams lines = params.line;  // equation 3.20: who matches worse is no offer
+  lines.match += lines.matchStill / (1.0 + lines.headSpeed * headSpeed);
+  LineFit fit;
+  fit.pose = found.pose;
+  fit.information = found.information;
+  fit.match = lineMatch(seen, found.pose, state.features, lines);
+  const AlikePoses poses =
+      posesAlike(seen, fit, {params.field, state.features, state.painted}, lines, params.symmetry);
+  const auto most = std::min<std::size_t>(params.symmetry.maxOffers, kMaxAlike);
+  for (const AlikePose& pose : poses) {
+    if (distance(pose.pose.position, found.pose.position) < params.modes.mergeDistance) continue;
+    for (const PoseMode& mode : state.modes) {
+      if (!isWithin(mode, pose.pose)) continue;
+      PoseMode corrected = mode;
+      correct(corrected, {pose.pose, pose.information});
+      corrected.weight *= pose.match / std::max(fit.match, 0.1);
+      keep(corrected, most, modes);
+    }
+  }
+  return modes;
+}
+
+}  // namespace kelpie::gps

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// Every mode against every pose that looks like the one the lines gave (thesis 2004 section 3.3.3:
+// m modes times n observation modes). Only modes so wide that another such pose lies within them
+// gain anything by it.
+#pragma once
+
+#include "gps/GpsParams.h"
+#include "gps/GpsState.h"
+#include "gps/LineUpdate.h"
+#include "gps/Symmetry.h"
+
+namespace kelpie::gps {
+
+// The heaviest products, `SymmetryParams::maxOffers` at most, of the modes as they are before the
+// update and the poses alike to `found`, the heaviest mode's; each is worth its own match beside
+// that of `found`. Nothing unless asked for.
+FixedVector<PoseMode, kMaxAlike> modesAlike(const SeenLines& seen, const PoseObservation& found,
+                                            double headSpeed, const GpsParams& params,
+                                            const GpsState& state);
+
+}  // namespace kelpie::gps

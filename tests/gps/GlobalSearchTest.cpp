@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+// The search over the field by lines alone.
+#include <gtest/gtest.h>
+
+#include "gps/GlobalSearch.h"
+#include "gps/LineMap.h"
+#include "gps/Symmetry.h"
+#include "tools/cli/experiments/StandingRobot.h"
+
+namespace kelpie::gps {
+namespace {
+
+int framesUntilServed(cli::StandingRobot& robot, WorldModel& world, int most) {
+  for (int i = 0; i < most; ++i) {
+    robot.look(false);
+    world = robot.step();
+    if (robot.state->search.served) return i + 1;
+  }
+  return -1;
+}
+
+TEST(GlobalSearch, FindsThePoseOrItsTwinFromNowhere) {
+  int found = 0;
+  for (std::uint64_t seed = 500; seed < 510; ++seed) {
+    cli::StandingRobot robot(seed);
+    robot.input.lastCommand.localise = true;
+    WorldModel world;
+    if (framesUntilServed(robot, world, 400) < 0) continue;
+    const bool here = cli::standingError(world.pose, robot.truth).within(20, 10);
+    const bool twin = cli::standingError(world.pose, robot.twin()).within(20, 10);
+    found += here || twin ? 1 : 0;
+  }
+  EXPECT_GE(found, 8);
+}
+
+TEST(GlobalSearch, EveryModeHasItsTwinOfTheSameWeight) {
+  cli::StandingRobot robot(500);
+  robot.input.lastCommand.localise = true;
+  WorldModel world;
+  ASSERT_GT(framesUntilServed(robot, world, 400), 0);
+  ASSERT_GE(world.modes.size(), 2U);
+  EXPECT_NEAR(world.modes[0].weight, world.modes[1].weight, 0.01);
+  const Pose2 twin = twinOf(world.modes[0].pose, robot.params.field);
+  EXPECT_LT(distance(twin.position, world.modes[1].pose.position), 0.5);
+}
+
+TEST(GlobalSearch, TakesManyFramesAndAnswersOnceForOneRequest) {
+  cli::StandingRobot robot(500);
+  robot.input.lastCommand.localise = true;
+  WorldModel world;
+  const int frames = framesUntilServed(robot, world, 400);
+  ASSERT_GT(frames, 20);
+  for (int i = 0; i < 100; ++i) {
+    robot.look(false);
+    robot.step();
+    ASSERT_FALSE(robot.state->search.running);
+  }
+  robot.input.lastCommand.localise = false;
+  robot.look(false);
+  robot.step();
+  EXPECT_FALSE(robot.state->search.served);
+}
+
+TEST(GlobalSearch, BeginsByItselfWhenLostAndOnlyWhileStanding) {
+  cli::StandingRobot robot(501);
+  for (int i = 0; i < 200; ++i) {
+    robot.look(false);
+    robot.input.odometry.forward = 0.5;
+    robot.step();
+  }
+  EXPECT_TRUE(robot.state->lost);
+  robot.input.odometry = {};
+  for (int i = 0; i < 400; ++i) {
+    robot.look(false);
+    robot.step();
+  }
+  EXPECT_FALSE(robot.state->lost);
+}
+
+TEST(GlobalSearch, AMoveDropsWhatWasBegun) {
+  cli::StandingRobot robot(502);
+  robot.input.lastCommand.localise = true;
+  for (int i = 0; i < 400 && robot.state->search.next < 20; ++i) {
+    robot.look(false);
+    robot.step();
+  }
+  ASSERT_TRUE(robot.state->search.running);
+  robot.input.odometry.turn = Angle::deg(2);
+  robot.step();
+  EXPECT_FALSE(robot.state->search.running);
+  EXPECT_EQ(robot.state->search.next, 0U);
+  EXPECT_TRUE(robot.state->search.best.empty());
+}
+
+}  // namespace
+}  // namespace kelpie::gps
