@@ -40,6 +40,7 @@ TEST(LayoutTest, OffsetsAreThoseOfTheDocuments) {
 
 TEST_F(ApiTest, EveryLocatorOfTheTablesOpensOnItsOwn) {
   std::vector<OPrimitiveID> ids;
+  ids.reserve(kJointLocators.size() + kSensorLocators.size() + kLedLocators.size() + 1);
   for (const char* locator : kJointLocators) ids.push_back(open(locator));
   for (const char* locator : kSensorLocators) ids.push_back(open(locator));
   for (const char* locator : kLedLocators) ids.push_back(open(locator));
