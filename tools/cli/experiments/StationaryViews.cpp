@@ -95,8 +95,8 @@ Expected<Json> stationaryViews(const ExperimentOptions& options) {
   ErrorTrack with, without;
   for (const Json& robot : *robots)
     for (const Json& stand : robot) {
-      with.add({stand["cm"], stand["deg"], stand["surprise"]});
-      without.add({stand["other_cm"], stand["other_deg"], stand["other_surprise"]});
+      with.add(PoseError{stand["cm"], stand["deg"], stand["surprise"]});
+      without.add(PoseError{stand["other_cm"], stand["other_deg"], stand["other_surprise"]});
     }
   Json json{{"experiment", "stationary-views"},
             {"trials", options.trials},
