@@ -20,8 +20,9 @@ std::uint32_t startsOf(const SearchParams& p) { return p.columns * p.rows * p.tu
 Pose2 startAt(std::uint32_t index, const GpsParams& params) {
   const SearchParams& p = params.search;
   const std::uint32_t place = index / p.turns;
+  const std::uint32_t rowsBelow = place / p.columns;
   const double column = 0.5 + static_cast<double>(place % p.columns);
-  const double row = 0.5 + static_cast<double>(place / p.columns);
+  const double row = 0.5 + static_cast<double>(rowsBelow);
   return {{params.field.width * column / p.columns, 0.5 * params.field.length * row / p.rows},
           Angle::rad(2.0 * maths::kPi * (index % p.turns) / p.turns)};
 }

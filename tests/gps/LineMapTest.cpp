@@ -48,7 +48,7 @@ TEST(LineMap, PointsApartInRadiusOrAngleOrKindStayApart) {
   LineMap map;
   add(pointAt(0.0, 100.0), {}, map);
   add(pointAt(0.0, 109.0), {}, map);  // 5.2 cm
-  add(pointAt(6.0, 100.0), {}, map);  // 1.5 deg
+  add(pointAt(3.5, 100.0), {}, map);  // 2.0 deg
   add(pointAt(0.0, 100.0, LinePointKind::border), {}, map);
   add(pointAt(0.0, 100.0, LinePointKind::field), {}, map);
   EXPECT_EQ(map.points.size(), 5U);
