@@ -41,6 +41,7 @@ void fill(WorldFrame& frame, const FrameInput& input, const Percepts& percepts,
   frame.teamBall = world.teamBall;
   frame.opponents = world.opponents;
   frame.teammates = world.teammates;
+  frame.pinkMap = world.pinkMap;
 }
 
 BehaviourState::BehaviourState(const std::string& scripts)

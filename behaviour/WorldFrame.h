@@ -3,6 +3,7 @@
 // reference kept by a script never dangles (it then shows the newest frame).
 #pragma once
 
+#include "behaviour/BehaviourParams.h"
 #include "robot/core/FrameInput.h"
 #include "robot/core/Percepts.h"
 #include "robot/core/WorldModel.h"
@@ -42,6 +43,8 @@ struct WorldFrame {
   TeamBall teamBall;
   FixedVector<OpponentEstimate, kOpponents> opponents;
   FixedVector<TeammateEstimate, kTeammates> teammates;
+  FixedVector<PinkLandmark, kMaxPinks> pinkMap;
+  Task task;
 
   static constexpr auto fields() {
     using W = WorldFrame;
@@ -54,7 +57,7 @@ struct WorldFrame {
         field("positionSd", &W::positionSd, "cm"), field("headingSd", &W::headingSd, "rad"),
         field("secondsSinceLandmark", &W::secondsSinceLandmark, "s"), field("modes", &W::modes),
         field("ball", &W::ball), field("teamBall", &W::teamBall), field("opponents", &W::opponents),
-        field("teammates", &W::teammates));
+        field("teammates", &W::teammates), field("pinkMap", &W::pinkMap), field("task", &W::task));
   }
 };
 

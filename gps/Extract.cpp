@@ -43,6 +43,7 @@ WorldModel extract(const GpsState& state) {
   world.headingSd = Angle::rad(std::min(headingSd, maths::kPi));
   world.secondsSinceLandmark = state.secondsSinceLandmark;
   world.ball = extractBall(state.ball, world.pose);
+  world.pinkMap = state.pinks.map;
   world.counts = state.counts;
   return world;
 }

@@ -5,6 +5,7 @@
 
 #include "gps/LineParams.h"
 #include "gps/OthersParams.h"
+#include "gps/PinkParams.h"
 #include "robot/body/FieldDescription.h"
 #include "robot/core/Geometry.h"
 
@@ -164,6 +165,7 @@ struct GpsParams {
   LineParams line;
   BallParams ball;
   OthersParams others;
+  PinkParams pinks;
 
   static constexpr auto fields() {
     using kelpie::field;
@@ -171,7 +173,8 @@ struct GpsParams {
                      field("initialPose", &GpsParams::initialPose),
                      field("motion", &GpsParams::motion), field("gates", &GpsParams::gates),
                      field("modes", &GpsParams::modes), field("line", &GpsParams::line),
-                     field("ball", &GpsParams::ball), field("others", &GpsParams::others));
+                     field("ball", &GpsParams::ball), field("others", &GpsParams::others),
+                     field("pinks", &GpsParams::pinks));
   }
 };
 

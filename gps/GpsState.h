@@ -8,6 +8,7 @@
 
 #include "gps/FieldFeatures.h"
 #include "gps/OthersState.h"
+#include "gps/PinkState.h"
 #include "robot/core/WorldModel.h"
 
 namespace kelpie::gps {
@@ -30,8 +31,14 @@ enum class Refusal : std::uint8_t {
   opponentNotFinite,
   opponentUncertain,  // vague, or far from the field
   linesMatchNothing,  // near a likely mode
+  pinkNotFinite,
+  pinkPoseUnsure,  // the robot knows its own place too badly to map what it sees
+  pinkOffWall,     // its direction meets no wall
+  pinkElevation,   // too low or too high for the wall
+  pinkNearBeacon,
+  pinkMapFull,
 };
-constexpr std::size_t kRefusalCount = 16;
+constexpr std::size_t kRefusalCount = 22;
 
 // Each of the modes and the wide one may be split in two.
 constexpr std::size_t kWorkModes = 2 * (kMaxModes + 1);
@@ -65,6 +72,7 @@ struct GpsState {
   std::uint32_t unexplained = 0;  // landmarks in a row that no mode foretold
   BallTrack ball;
   OthersState others;
+  PinkState pinks;
   GpsCounts counts;
   FieldFeatures features;  // built in the first frame
 

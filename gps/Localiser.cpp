@@ -11,6 +11,7 @@
 #include "gps/LineUpdate.h"
 #include "gps/Modes.h"
 #include "gps/Others.h"
+#include "gps/Pinks.h"
 #include "gps/Predict.h"
 #include "robot/body/Camera.h"
 
@@ -68,7 +69,8 @@ WorldModel step(const GpsIn& in, const GpsParams& params, GpsState& state) {
   const StepNoise noise = stepNoise(odometry, in.input.elapsed, params.motion);
   for (PoseMode& mode : state.modes) predict(mode, odometry, noise);
   keepNearField(params.field, state.modes);
-  useLandmarks(in, params, state);
+  if (landmarksCount(in.input)) useLandmarks(in, params, state);
+  usePinks(in, odometry, params, state);
   useLines(in, params, state);
   stepBall(in.input, in.percepts.ball, noise, params, state);
   applyReferee(in.input, params, state);

@@ -62,6 +62,18 @@ struct GpsCounts {
 
 constexpr std::size_t kMaxModes = 8;
 
+// A pink patch on the outer wall, as mapped.
+struct PinkLandmark {
+  Point2<Field> position;
+  double weight = 0.0;  // sightings, less one every few seconds
+
+  static constexpr auto fields() {
+    return fieldList(field("position", &PinkLandmark::position),
+                     field("weight", &PinkLandmark::weight, "", 0, 1e6));
+  }
+};
+constexpr std::size_t kMaxPinks = 16;
+
 struct WorldModel {
   Pose2 pose;                          // mean of the heaviest mode
   std::array<double, 9> covariance{};  // of that mode
@@ -73,20 +85,21 @@ struct WorldModel {
   TeamBall teamBall;
   FixedVector<OpponentEstimate, kOpponents> opponents;  // those known of, in no order
   FixedVector<TeammateEstimate, kTeammates> teammates;  // those heard of lately
+  FixedVector<PinkLandmark, kMaxPinks> pinkMap;         // in the order of their discovery
   TeamMessage message;  // for the team, when its number differs from the last
   GpsCounts counts;
 
   static constexpr auto fields() {
-    return fieldList(field("pose", &WorldModel::pose),
-                     field("covariance", &WorldModel::covariance, "cm2, cm rad, rad2"),
-                     field("positionSd", &WorldModel::positionSd, "cm", 0, 1e4),
-                     field("headingSd", &WorldModel::headingSd, "rad", 0, 180),
-                     field("secondsSinceLandmark", &WorldModel::secondsSinceLandmark, "s", 0, 1e6),
-                     field("modes", &WorldModel::modes), field("ball", &WorldModel::ball),
-                     field("teamBall", &WorldModel::teamBall),
-                     field("opponents", &WorldModel::opponents),
-                     field("teammates", &WorldModel::teammates),
-                     field("message", &WorldModel::message), field("counts", &WorldModel::counts));
+    return fieldList(
+        field("pose", &WorldModel::pose),
+        field("covariance", &WorldModel::covariance, "cm2, cm rad, rad2"),
+        field("positionSd", &WorldModel::positionSd, "cm", 0, 1e4),
+        field("headingSd", &WorldModel::headingSd, "rad", 0, 180),
+        field("secondsSinceLandmark", &WorldModel::secondsSinceLandmark, "s", 0, 1e6),
+        field("modes", &WorldModel::modes), field("ball", &WorldModel::ball),
+        field("teamBall", &WorldModel::teamBall), field("opponents", &WorldModel::opponents),
+        field("teammates", &WorldModel::teammates), field("pinkMap", &WorldModel::pinkMap),
+        field("message", &WorldModel::message), field("counts", &WorldModel::counts));
   }
 };
 

@@ -3,6 +3,8 @@
 # behaviour_names > tests/py/kelpie.py; a test compares.
 GOAL_BLUE, GOAL_YELLOW, BEACON_BLUE_ON_PINK, BEACON_PINK_ON_BLUE, BEACON_YELLOW_ON_PINK, \
     BEACON_PINK_ON_YELLOW = range(6)
+PINKS_OFF, PINKS_MAP, PINKS_LOCALISE = range(3)
+STRIKER, CHALLENGER = range(2)
 NO_MOTION, STAND, KICK_FORWARD = range(3)
 RED, BLUE = range(2)
 INITIAL, READY, SET, PLAYING, FINISHED = range(5)
@@ -55,6 +57,7 @@ class Command(Fields):
         'mouth_open',
         'motion',
         'leds',
+        'pinks',
     )
 
     def __init__(self, **given):
@@ -63,6 +66,7 @@ class Command(Fields):
         self.mouth_open = False
         self.motion = 0
         self.leds = 0
+        self.pinks = 0
         self._take(given)
 
 
@@ -532,6 +536,30 @@ class TeammateEstimate(Fields):
         self._take(given)
 
 
+class PinkLandmark(Fields):
+    __slots__ = (
+        'position',
+        'weight',
+    )
+
+    def __init__(self, **given):
+        self.position = Point2()
+        self.weight = 0.0
+        self._take(given)
+
+
+class Task(Fields):
+    __slots__ = (
+        'player',
+        'points',
+    )
+
+    def __init__(self, **given):
+        self.player = 0
+        self.points = [0.0] * 10
+        self._take(given)
+
+
 class WorldFrame(Fields):
     __slots__ = (
         'time_s',
@@ -554,6 +582,8 @@ class WorldFrame(Fields):
         'team_ball',
         'opponents',
         'teammates',
+        'pink_map',
+        'task',
     )
 
     def __init__(self, **given):
@@ -577,4 +607,6 @@ class WorldFrame(Fields):
         self.team_ball = TeamBall()
         self.opponents = []
         self.teammates = []
+        self.pink_map = []
+        self.task = Task()
         self._take(given)

@@ -15,6 +15,7 @@
 #include "robot/host/WorldProtocol.h"
 #include "tools/sim/Ball.h"
 #include "tools/sim/Camera.h"
+#include "tools/sim/OuterWall.h"
 #include "tools/sim/Referee.h"
 #include "tools/sim/RobotModel.h"
 #include "tools/sim/Sensors.h"
@@ -66,6 +67,9 @@ class World {
   // Somebody carries a robot to another place. No image shows the way. Refuses a robot that is not
   // there and a pose that is not finite or off the ground that robots may walk on.
   Status carry(std::size_t robot, const Pose2& pose);
+  // Somebody changes what stands round the field, as between the stages of the 2004 challenge.
+  void putUp(const OuterWall& wall);
+  void takeLandmarksAway();  // no beacons, goals covered with white
   std::uint32_t ticks() const { return ticks_; }
   TimeUs time() const { return {static_cast<std::int64_t>(ticks_) * kTickUs}; }
   bool finished() const { return referee_.finished(); }

@@ -27,6 +27,10 @@ std::vector<Experiment> ofBelieving() {
        "a playing robot carried to a random place every 20 s: time until it is within 30 cm and 15 "
        "deg for a second; the three noise methods on the same matches",
        8, kidnap},
+      {"slam",
+       "the 2004 localisation challenge from pixels: a minute to map sheets on the wall, landmarks "
+       "hidden, robot carried away, two minutes for five points: points, errors of the map, ghosts",
+       50, slam},
       {"ball",
        "the ball filter: errors of place and velocity standing and walking, the speed of a lying "
        "ball, where a rolling one will lie after half a second of sight",

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a robot that does not know its place has seen around it: line points, one a cell, and
+// directions of pink, in the robot frame of where it began, carried along by odometry. Meant for a
+// robot that stands or turns on the spot: what it walks adds the odometry's error.
+#pragma once
+
+#include "gps/LineFit.h"
+#include "gps/PinkParams.h"
+#include "gps/PinkState.h"
+#include "robot/core/FrameInput.h"
+#include "robot/core/Percepts.h"
+
+namespace kelpie::gps {
+
+// Adds one frame. Percepts that are not finite are left out.
+void addToSurvey(const Odometry& odometry, double elapsed, const Percepts& percepts,
+                 const SearchParams& params, Survey& survey);
+
+// The line points, thinned to at most `most` of them.
+SeenLines linesOf(const Survey& survey, std::size_t most);
+
+// The pose of the robot now, when its survey began at `start`.
+Pose2 poseNow(const Survey& survey, const Pose2& start);
+
+}  // namespace kelpie::gps
