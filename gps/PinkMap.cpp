@@ -17,14 +17,13 @@ bool knowsItsPlace(const GpsState& state, const PinkParams& params) {
   return c[0] <= most && c[4] <= most && c[8] <= maths::square(params.maxHeadingSd.rad());
 }
 
-std::optional<Refusal> refusal(const PinkPercept& percept, TeamColour team, const GpsParams& params,
+std::optional<Refusal> refusal(const PinkSight& sight, TeamColour team, const GpsParams& params,
                                const GpsState& state) {
-  if (!usable(percept)) return Refusal::pinkNotFinite;
   if (!knowsItsPlace(state, params.pinks)) return Refusal::pinkPoseUnsure;
-  const Ray ray = rayOf(state.modes[0].pose, percept.heading);
+  const Ray ray = rayOf(state.modes[0].pose, sight);
   const auto place = meetWall(ray, params.pinks.wall);
   if (!place) return Refusal::pinkOffWall;
-  if (!mayHangOnWall(percept.elevation, distance(*place, ray.from), params.pinks))
+  if (!mayHangOnWall(sight.eyeHeight, sight.elevation, distance(*place, ray.from), params.pinks))
     return Refusal::pinkElevation;
   if (!clearOfBeacons(ray, params.field, team, params.pinks.beaconClearance))
     return Refusal::pinkNearBeacon;
@@ -33,9 +32,9 @@ std::optional<Refusal> refusal(const PinkPercept& percept, TeamColour team, cons
 
 }  // namespace
 
-Ray rayOf(const Pose2& pose, Angle heading) {
-  const Angle direction = pose.heading + heading;
-  return {pose.position, {direction.cos(), direction.sin()}};
+Ray rayOf(const Pose2& pose, const PinkSight& sight) {
+  const Angle direction = pose.heading + sight.heading;
+  return {fieldFromRobot(pose, sight.eye), {direction.cos(), direction.sin()}};
 }
 
 std::optional<Point2<Field>> meetWall(const Ray& ray, const std::array<double, 8>& wall) {
@@ -55,9 +54,9 @@ std::optional<Point2<Field>> meetWall(const Ray& ray, const std::array<double, 8
   return ray.from + ray.along * nearest;
 }
 
-bool mayHangOnWall(Angle elevation, double distance, const PinkParams& params) {
-  if (elevation.rad() < params.minElevation.rad()) return false;
-  return distance * maths::tan(elevation.rad()) <= params.maxAbove;
+bool mayHangOnWall(double eyeHeight, Angle elevation, double distance, const PinkParams& params) {
+  const double height = eyeHeight + distance * maths::tan(elevation.rad());
+  return height >= params.minHeight && height <= params.maxHeight;
 }
 
 bool clearOfBeacons(const Ray& ray, const body::FieldDescription& field, TeamColour team,
@@ -68,11 +67,6 @@ bool clearOfBeacons(const Ray& ray, const body::FieldDescription& field, TeamCol
     if (dot(way, ray.along) > 0.0 && std::fabs(cross(ray.along, way)) <= clearance) return false;
   }
   return true;
-}
-
-bool usable(const PinkPercept& percept) {
-  return std::isfinite(percept.heading.rad()) && std::isfinite(percept.elevation.rad()) &&
-         std::isfinite(percept.headingVariance) && percept.headingVariance > 0.0;
 }
 
 bool addToMap(Point2<Field> place, double mergeRadius, PinkLandmarks& map) {
@@ -102,14 +96,14 @@ void forget(double seconds, const PinkParams& params, PinkState& state) {
   state.map = kept;
 }
 
-void mapPatches(const FixedVector<PinkPercept, 8>& patches, TeamColour team,
-                const GpsParams& params, GpsState& state) {
-  for (const PinkPercept& patch : patches) {
-    if (const auto reason = refusal(patch, team, params, state)) {
+void mapPatches(const PinkSights& sights, TeamColour team, const GpsParams& params,
+                GpsState& state) {
+  for (const PinkSight& sight : sights) {
+    if (const auto reason = refusal(sight, team, params, state)) {
       state.count(*reason);
       continue;
     }
-    const auto place = meetWall(rayOf(state.modes[0].pose, patch.heading), params.pinks.wall);
+    const auto place = meetWall(rayOf(state.modes[0].pose, sight), params.pinks.wall);
     if (!addToMap(*place, params.pinks.mergeRadius, state.pinks.map))
       state.count(Refusal::pinkMapFull);
   }

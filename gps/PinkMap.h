@@ -7,7 +7,7 @@
 
 #include "gps/GpsParams.h"
 #include "gps/GpsState.h"
-#include "robot/core/Percepts.h"
+#include "gps/PinkSight.h"
 
 namespace kelpie::gps {
 
@@ -15,21 +15,19 @@ struct Ray {
   Point2<Field> from;
   Point2<Field> along;  // unit vector
 };
-Ray rayOf(const Pose2& pose, Angle heading);
+Ray rayOf(const Pose2& pose, const PinkSight& sight);
 
 // The nearest place ahead at which the ray meets the wall; the wall need not be a rectangle.
 std::optional<Point2<Field>> meetWall(const Ray& ray, const std::array<double, 8>& wall);
 
-// A patch at that elevation can hang on a wall that far away: neither lower than minElevation nor
-// higher than maxAbove over the camera there, which is an angle that falls with the distance.
-bool mayHangOnWall(Angle elevation, double distance, const PinkParams& params);
+// What a camera at eyeHeight sees at that elevation can hang on a wall that far away: its middle is
+// between minHeight and maxHeight there. The highest elevation falls with the distance (thesis 2004
+// section 4.1.2).
+bool mayHangOnWall(double eyeHeight, Angle elevation, double distance, const PinkParams& params);
 
 // The ray passes no beacon within beaconClearance; those behind the robot do not count.
 bool clearOfBeacons(const Ray& ray, const body::FieldDescription& field, TeamColour team,
                     double clearance);
-
-// Everything in the percept that is used is finite and its variance positive.
-bool usable(const PinkPercept& percept);
 
 // Adds a sighting of weight 1, or merges it into the nearest entry within the radius, by weight.
 // False when the map is full.
@@ -39,7 +37,7 @@ bool addToMap(Point2<Field> place, double mergeRadius, PinkLandmarks& map);
 void forget(double seconds, const PinkParams& params, PinkState& state);
 
 // Maps the patches of one frame; what is not used is counted.
-void mapPatches(const FixedVector<PinkPercept, 8>& patches, TeamColour team,
-                const GpsParams& params, GpsState& state);
+void mapPatches(const PinkSights& sights, TeamColour team, const GpsParams& params,
+                GpsState& state);
 
 }  // namespace kelpie::gps

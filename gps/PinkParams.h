@@ -61,12 +61,15 @@ struct PinkParams {
   // x, y of the outer wall's corners as measured before the challenge, going round; it need not be
   // a rectangle. By default 15 cm beyond the carpet of the 2006 field.
   std::array<double, 8> wall{-35, -45, 395, -45, 395, 585, -35, 585};
-  Angle minElevation = Angle::deg(-2);  // checklist U13
-  double maxAbove = 52.4;               // cm above the camera at the wall: 3000 deg / d (U13)
-  double beaconClearance = 25.0;        // cm from the ray to a beacon
-  double mergeRadius = 25.0;            // cm
-  double forgetSeconds = 4.0;           // every so often each weight falls by one
-  double maxPositionSd = 8.0;           // cm; a robot that knows its place less does not map
+  // Cm above the ground where a patch's middle would be if it hung on the wall. A wall of 30 cm
+  // hides what is lower behind it, so that of spectators only what is higher is seen. Checklist U13
+  // proposes elevations from -2 deg to 3000 deg / d: 50 cm above the camera.
+  double minHeight = -5.0;
+  double maxHeight = 29.0;
+  double beaconClearance = 25.0;  // cm from the ray to a beacon
+  double mergeRadius = 25.0;      // cm
+  double forgetSeconds = 4.0;     // every so often each weight falls by one
+  double maxPositionSd = 8.0;     // cm; a robot that knows its place less does not map
   Angle maxHeadingSd = Angle::deg(3);
   double minWeight = 3.0;              // of a mapped patch that the robot localises by
   double mapSd = 6.0;                  // cm, of a mapped patch
@@ -79,8 +82,8 @@ struct PinkParams {
     using P = PinkParams;
     return fieldList(
         field("wall", &P::wall, "cm", -1000, 2000),
-        field("minElevation", &P::minElevation, "rad", -90, 90),
-        field("maxAbove", &P::maxAbove, "cm", 0, 1000),
+        field("minHeight", &P::minHeight, "cm", -1000, 1000),
+        field("maxHeight", &P::maxHeight, "cm", -1000, 1000),
         field("beaconClearance", &P::beaconClearance, "cm", 0, 200),
         field("mergeRadius", &P::mergeRadius, "cm", 0, 200),
         field("forgetSeconds", &P::forgetSeconds, "s", 0.1, 1000),

@@ -17,7 +17,9 @@ using PinkLandmarks = FixedVector<PinkLandmark, kMaxPinks>;
 // A direction in which pink was seen, in the survey's frame.
 struct PinkBearing {
   Point2<Robot> origin;
+  double eyeHeight = 0.0;  // cm, of the camera
   Angle heading;
+  Angle elevation;
   double weight = 0.0;  // sightings
 };
 

@@ -19,27 +19,32 @@ void offer(const PoseMode& mode, Modes& best) {
   if (lightest->weight < mode.weight) *lightest = mode;
 }
 
-Measurement headingOf(const PinkPercept& percept, Point2<Field> landmark, const Pose2& pose,
+Measurement headingOf(const PinkSight& sight, Point2<Field> landmark, const Pose2& pose,
                       const GpsParams& params) {
-  const double away = std::max(50.0, distance(landmark, pose.position));
+  const double away = distance(landmark, pose.position);
+  constexpr double kNearest = 50.0;  // cm; nearer, mapSd would be no small angle
   Measurement m;
   m.landmark = landmark;
   m.useHeading = true;
-  m.heading = percept.heading;
-  m.headingVariance = std::max(params.gates.headingVarianceFactor * percept.headingVariance,
+  m.heading = headingAt(sight, away);
+  m.headingVariance = std::max(params.gates.headingVarianceFactor * sight.variance,
                                maths::square(params.pinks.minSightSd.rad())) +
-                      maths::square(params.pinks.mapSd / away);
+                      maths::square(params.pinks.mapSd / std::max(kNearest, away));
   return m;
 }
 
-// What is left of it is worth asking a mode that knows its distance from the patch.
-bool fits(const PinkPercept& percept, const PoseMode& mode, Point2<Field> landmark,
+bool fits(const PinkSight& sight, const PoseMode& mode, Point2<Field> landmark,
           const PinkParams& params) {
-  return mayHangOnWall(percept.elevation, distance(mode.pose.position, landmark), params);
+  const Point2<Field> eye = fieldFromRobot(mode.pose, sight.eye);
+  return mayHangOnWall(sight.eyeHeight, sight.elevation, distance(eye, landmark), params);
 }
 
-double area(const PinkPercept& percept) {
-  return (percept.box.right - percept.box.left) * (percept.box.bottom - percept.box.top);
+// Pink clothes above the wall are no evidence of anything. Where the wall is the best mode says.
+bool isAboveWall(const PinkSight& sight, const PinkParams& params, const GpsState& state) {
+  const Ray ray = rayOf(state.modes[0].pose, sight);
+  const auto place = meetWall(ray, params.wall);
+  return place &&
+         !mayHangOnWall(sight.eyeHeight, sight.elevation, distance(*place, ray.from), params);
 }
 
 // Sightings in a row that no mode foretold mean that the robot is elsewhere.
@@ -58,11 +63,7 @@ PinkLandmarks knownPinks(const PinkState& state, const PinkParams& params) {
   return known;
 }
 
-bool updateByPink(const PinkPercept& percept, const GpsParams& params, GpsState& state) {
-  if (!usable(percept)) {
-    state.count(Refusal::pinkNotFinite);
-    return false;
-  }
+bool updateByPink(const PinkSight& sight, const GpsParams& params, GpsState& state) {
   const PinkLandmarks known = knownPinks(state.pinks, params.pinks);
   if (known.empty()) return false;
   Modes best;
@@ -74,10 +75,10 @@ bool updateByPink(const PinkPercept& percept, const GpsParams& params, GpsState&
     copies += copy.weight;
     offer(copy, best);
     for (const PinkLandmark& landmark : known) {
-      if (!fits(percept, mode, landmark.position, params.pinks)) continue;
+      if (!fits(sight, mode, landmark.position, params.pinks)) continue;
       PoseMode moved = mode;
       moved.weight /= static_cast<double>(known.size());
-      update(moved, headingOf(percept, landmark.position, mode.pose, params),
+      update(moved, headingOf(sight, landmark.position, mode.pose, params),
              params.modes.determinant);
       corrected += moved.weight;
       offer(moved, best);
@@ -88,15 +89,15 @@ bool updateByPink(const PinkPercept& percept, const GpsParams& params, GpsState&
   return true;
 }
 
-void updateByPatches(const FixedVector<PinkPercept, 8>& patches, const GpsParams& params,
-                     GpsState& state) {
-  FixedVector<PinkPercept, 8> sorted = patches;
-  for (std::size_t i = 1; i < sorted.size(); ++i)
-    for (std::size_t j = i; j > 0 && area(sorted[j - 1]) < area(sorted[j]); --j)
-      std::swap(sorted[j - 1], sorted[j]);
-  const std::size_t most = std::min<std::size_t>(sorted.size(), params.pinks.maxPatches);
-  for (std::size_t i = 0; i < most; ++i)
-    if (updateByPink(sorted[i], params, state)) tidy(params, state);
+void updateByPatches(const PinkSights& sights, const GpsParams& params, GpsState& state) {
+  const std::size_t most = std::min<std::size_t>(sights.size(), params.pinks.maxPatches);
+  for (std::size_t i = 0; i < most; ++i) {
+    if (isAboveWall(sights[i], params.pinks, state)) {
+      state.count(Refusal::pinkElevation);
+    } else if (updateByPink(sights[i], params, state)) {
+      tidy(params, state);
+    }
+  }
 }
 
 }  // namespace kelpie::gps

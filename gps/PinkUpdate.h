@@ -6,7 +6,7 @@
 
 #include "gps/GpsParams.h"
 #include "gps/GpsState.h"
-#include "robot/core/Percepts.h"
+#include "gps/PinkSight.h"
 
 namespace kelpie::gps {
 
@@ -15,11 +15,12 @@ PinkLandmarks knownPinks(const PinkState& state, const PinkParams& params);
 
 // One sighting. A corrected mode weighs w S / N (equation 2.9, equal priors), the uncorrected copy
 // w times modes.noiseWeight. A mode does not take a mapped patch at which the elevation cannot be.
-// Call tidy() afterwards. False when nothing was done: no map, or a percept that cannot be used.
-bool updateByPink(const PinkPercept& percept, const GpsParams& params, GpsState& state);
+// Call tidy() afterwards. False without a map.
+bool updateByPink(const PinkSight& sight, const GpsParams& params, GpsState& state);
 
-// All patches of a frame, largest first, at most maxPatches; tidies.
-void updateByPatches(const FixedVector<PinkPercept, 8>& patches, const GpsParams& params,
-                     GpsState& state);
+// All patches of a frame, largest first, at most maxPatches; tidies. Refuses what the best mode
+// sees too high or too low for the wall: else spectators in pink would seem to show that it is
+// lost.
+void updateByPatches(const PinkSights& sights, const GpsParams& params, GpsState& state);
 
 }  // namespace kelpie::gps

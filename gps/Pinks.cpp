@@ -48,7 +48,8 @@ void searchAll(const GpsIn& in, const Odometry& odometry, const GpsParams& param
                GpsState& state) {
   const SearchParams& p = params.pinks.search;
   PinkState& pinks = state.pinks;
-  addToSurvey(odometry, in.input.elapsed, in.percepts, p, pinks.survey);
+  moveSurvey(odometry, in.input.elapsed, pinks.survey);
+  addToSurvey(in.percepts.linePoints, sightsOf(in.input, in.percepts, state), p, pinks.survey);
   const PinkLandmarks known = knownPinks(pinks, params.pinks);
   if (!pinks.search.running && (pinks.survey.seconds < pinks.survey.nextSearch ||
                                 pinks.survey.bearings.size() < p.minBearings))
@@ -68,7 +69,7 @@ void usePinks(const GpsIn& in, const Odometry& odometry, const GpsParams& params
   const bool begins = use == PinkUse::localise && state.pinks.use != use;
   state.pinks.use = use;
   if (use == PinkUse::map) {
-    mapPatches(in.percepts.pinkPatches, in.input.game.team, params, state);
+    mapPatches(sightsOf(in.input, in.percepts, state), in.input.game.team, params, state);
     forget(in.input.elapsed, params.pinks, state.pinks);
   }
   if (use != PinkUse::localise) return;
@@ -76,7 +77,7 @@ void usePinks(const GpsIn& in, const Odometry& odometry, const GpsParams& params
   const bool astray = state.pinks.unexplained > params.pinks.maxUnexplained;
   if (begins || carried || astray) return lose(params, state);
   if (state.lost) return searchAll(in, odometry, params, state);
-  updateByPatches(in.percepts.pinkPatches, params, state);
+  updateByPatches(sightsOf(in.input, in.percepts, state), params, state);
 }
 
 }  // namespace kelpie::gps

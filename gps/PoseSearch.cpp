@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gps/PinkMap.h"
+
 namespace kelpie::gps {
 namespace {
 
@@ -67,7 +69,7 @@ void tryPoses(const Survey& survey, const PinkLandmarks& pinks, const FieldFeatu
     candidate.pose = poseAt(search.cursor, grid, params.field);
     candidate.match = surveyMatch(lines, candidate.pose, features, p.coarseSharpness);
     candidate.score = p.lineScore * candidate.match +
-                      bearingScore(survey, candidate.pose, pinks, p.coarseBearingSd, p.missed);
+                      bearingScore(survey, candidate.pose, pinks, p.coarseBearingSd, params.pinks);
     keep(candidate, search);
   }
 }
@@ -80,7 +82,21 @@ void refine(const Survey& survey, const PinkLandmarks& pinks, const FieldFeature
     candidate.pose = fitLines(lines, candidate.pose, features, params.line, true).pose;
   candidate.match = surveyMatch(lines, candidate.pose, features, p.fineSharpness);
   candidate.score = p.lineScore * candidate.match +
-                    bearingScore(survey, candidate.pose, pinks, p.bearingSd, p.missed);
+                    bearingScore(survey, candidate.pose, pinks, p.bearingSd, params.pinks);
+}
+
+// Sum over the mapped pinks of how well the ray points at each.
+double shareOfPinks(const Ray& ray, const PinkLandmarks& pinks, Angle sd) {
+  const double perVariance = 0.5 / maths::square(sd.rad());
+  double sum = 0.0;
+  for (const PinkLandmark& pink : pinks) {
+    const Point2<Field> way = pink.position - ray.from;
+    const double aside = ray.along.x * way.y - ray.along.y * way.x;
+    const double away2 = way.x * way.x + way.y * way.y;
+    const bool ahead = ray.along.x * way.x + ray.along.y * way.y > 0.0;
+    if (ahead) sum += maths::exp(-perVariance * aside * aside / away2);  // sine for angle
+  }
+  return sum;
 }
 
 }  // namespace
@@ -103,23 +119,17 @@ double surveyMatch(const SeenLines& lines, const Pose2& start, const FieldFeatur
 }
 
 double bearingScore(const Survey& survey, const Pose2& start, const PinkLandmarks& pinks, Angle sd,
-                    double missed) {
+                    const PinkParams& params) {
   if (pinks.empty()) return 0.0;
-  const double perVariance = 0.5 / maths::square(sd.rad());
   double score = 0.0;
   for (const PinkBearing& seen : survey.bearings) {
-    const Point2<Field> from = fieldFromRobot(start, seen.origin);
     const Angle direction = start.heading + seen.heading;
-    const Point2<Field> along{direction.cos(), direction.sin()};
-    double sum = 0.0;
-    for (const PinkLandmark& pink : pinks) {
-      const Point2<Field> way = pink.position - from;
-      const double aside = along.x * way.y - along.y * way.x;
-      const double away2 = way.x * way.x + way.y * way.y;
-      const bool ahead = along.x * way.x + along.y * way.y > 0.0;
-      if (ahead) sum += maths::exp(-perVariance * aside * aside / away2);  // sine for angle
-    }
-    score += maths::log(missed + sum / static_cast<double>(pinks.size()));
+    const Ray ray{fieldFromRobot(start, seen.origin), {direction.cos(), direction.sin()}};
+    const auto place = meetWall(ray, params.wall);
+    const bool onWall =
+        place && mayHangOnWall(seen.eyeHeight, seen.elevation, distance(*place, ray.from), params);
+    const double sum = onWall ? shareOfPinks(ray, pinks, sd) : 0.0;
+    score += maths::log(params.search.missed + sum / static_cast<double>(pinks.size()));
   }
   return score;
 }

@@ -16,9 +16,9 @@ double surveyMatch(const SeenLines& lines, const Pose2& start, const FieldFeatur
                    double sharpness);
 
 // Log likelihood of the survey's bearings: each to one of the mapped pinks, equally likely, or to
-// none of them.
+// none of them; only to none where it would be too high or too low for the wall.
 double bearingScore(const Survey& survey, const Pose2& start, const PinkLandmarks& pinks, Angle sd,
-                    double missed);
+                    const PinkParams& params);
 
 // One frame's share of the search. True when it came to an end; then `candidates` are sorted, best
 // first.

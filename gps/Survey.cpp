@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gps/PinkMap.h"
-
 namespace kelpie::gps {
 namespace {
 
@@ -14,13 +12,6 @@ Point2<Robot> inSurvey(const Survey& survey, Point2<Robot> p) {
   const double s = survey.turned.sin();
   const double c = survey.turned.cos();
   return {survey.place.x + c * p.x - s * p.y, survey.place.y + s * p.x + c * p.y};
-}
-
-void move(const Odometry& odometry, Survey& survey) {
-  const Angle before = survey.turned;
-  survey.turned = before + odometry.turn * 0.5;  // the step lies between the two directions
-  survey.place = inSurvey(survey, {-odometry.left, odometry.forward});
-  survey.turned = before + odometry.turn;
 }
 
 void addPoint(const LinePoint& point, const SearchParams& params, Survey& survey) {
@@ -34,31 +25,38 @@ void addPoint(const LinePoint& point, const SearchParams& params, Survey& survey
   survey.points.push_back({place, point.weight});
 }
 
-void addBearing(const PinkPercept& percept, const SearchParams& params, Survey& survey) {
-  const Angle heading = survey.turned + percept.heading;
+void addBearing(const PinkSight& sight, const SearchParams& params, Survey& survey) {
+  const Angle heading = survey.turned + sight.heading;
+  const Point2<Robot> eye = inSurvey(survey, sight.eye);
   for (PinkBearing& known : survey.bearings) {
     const Angle apart = heading - known.heading;
     if (apart.abs().rad() > params.sameBearing.rad() ||
-        distance(known.origin, survey.place) > params.sameOrigin)
+        distance(known.origin, eye) > params.sameOrigin)
       continue;
     known.weight += 1.0;
     known.heading = known.heading + apart * (1.0 / known.weight);
-    known.origin = known.origin + (survey.place - known.origin) * (1.0 / known.weight);
+    known.elevation = known.elevation + (sight.elevation - known.elevation) * (1.0 / known.weight);
+    known.origin = known.origin + (eye - known.origin) * (1.0 / known.weight);
     return;
   }
-  survey.bearings.push_back({survey.place, heading, 1.0});
+  survey.bearings.push_back({eye, sight.eyeHeight, heading, sight.elevation, 1.0});
 }
 
 }  // namespace
 
-void addToSurvey(const Odometry& odometry, double elapsed, const Percepts& percepts,
-                 const SearchParams& params, Survey& survey) {
-  move(odometry, survey);
+void moveSurvey(const Odometry& odometry, double elapsed, Survey& survey) {
+  const Angle before = survey.turned;
+  survey.turned = before + odometry.turn * 0.5;  // the step lies between the two directions
+  survey.place = inSurvey(survey, {-odometry.left, odometry.forward});
+  survey.turned = before + odometry.turn;
   survey.seconds += elapsed;
-  for (const LinePoint& point : percepts.linePoints)
+}
+
+void addToSurvey(const FixedVector<LinePoint, 256>& points, const PinkSights& sights,
+                 const SearchParams& params, Survey& survey) {
+  for (const LinePoint& point : points)
     if (point.kind == LinePointKind::line) addPoint(point, params, survey);
-  for (const PinkPercept& patch : percepts.pinkPatches)
-    if (usable(patch)) addBearing(patch, params, survey);
+  for (const PinkSight& sight : sights) addBearing(sight, params, survey);
 }
 
 SeenLines linesOf(const Survey& survey, std::size_t most) {

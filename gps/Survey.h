@@ -6,14 +6,18 @@
 
 #include "gps/LineFit.h"
 #include "gps/PinkParams.h"
+#include "gps/PinkSight.h"
 #include "gps/PinkState.h"
 #include "robot/core/FrameInput.h"
 #include "robot/core/Percepts.h"
 
 namespace kelpie::gps {
 
-// Adds one frame. Percepts that are not finite are left out.
-void addToSurvey(const Odometry& odometry, double elapsed, const Percepts& percepts,
+// The robot moved for a frame.
+void moveSurvey(const Odometry& odometry, double elapsed, Survey& survey);
+
+// What it sees now. Line points that are not finite are left out.
+void addToSurvey(const FixedVector<LinePoint, 256>& points, const PinkSights& sights,
                  const SearchParams& params, Survey& survey);
 
 // The line points, thinned to at most `most` of them.

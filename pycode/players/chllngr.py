@@ -93,11 +93,11 @@ class Challenger:
         return self.localising(self.skill.tick(world))
 
     def announce(self, world):
+        command = self.localising(kelpie.Command(head=self.skill.watch.tick(world)))
+        command.mouth_open = True
         if world.time_s - self.since_s > Challenge.ANNOUNCE_TIME:
             self.points.pop(0)
             self.next_point(world)
-        command = self.localising(kelpie.Command(head=self.skill.watch.tick(world)))
-        command.mouth_open = True
         return command
 
     def rest(self, world):

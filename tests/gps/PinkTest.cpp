@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pink patches on the outer wall: where they are mapped, what is not, and what one tells of the pose.
+// Pink patches on the outer wall: where they are mapped, what is not, and what one tells of the
+// pose.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -14,13 +15,15 @@ namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
-PinkPercept patchAt(double headingDeg, double elevationDeg = 0.0, double size = 10.0) {
-  PinkPercept patch;
-  patch.heading = Angle::deg(headingDeg);
-  patch.elevation = Angle::deg(elevationDeg);
-  patch.headingVariance = maths::square(Angle::deg(0.7).rad());
-  patch.box = {0.0, 0.0, size, size};
-  return patch;
+// Seen from a camera above the robot frame's origin.
+PinkSight sightAt(double headingDeg, double elevationDeg = 0.0) {
+  PinkSight sight;
+  sight.eyeHeight = 20.0;
+  sight.heading = Angle::deg(headingDeg);
+  sight.elevation = Angle::deg(elevationDeg);
+  sight.variance = maths::square(Angle::deg(0.7).rad());
+  sight.area = 100.0;
+  return sight;
 }
 
 // A robot in the middle of the field, sure of its place, facing up-field.
@@ -34,10 +37,10 @@ struct Mapper {
     state.modes.push_back(mode);
     state.lost = false;
   }
-  void see(const PinkPercept& patch) {
-    FixedVector<PinkPercept, 8> patches;
-    patches.push_back(patch);
-    mapPatches(patches, TeamColour::red, params, state);
+  void see(const PinkSight& sight) {
+    PinkSights sights;
+    sights.push_back(sight);
+    mapPatches(sights, TeamColour::red, params, state);
   }
   int refused(Refusal reason) const {
     return state.counts.refused[static_cast<std::size_t>(reason)];
@@ -71,14 +74,15 @@ TEST(PinkWall, FromOutsideTheNearerSideCountsAndAwayFromItNone) {
   EXPECT_FALSE(meetWall({{-100, 200}, {-1, 0}}, PinkParams{}.wall));
 }
 
-TEST(PinkMap, ElevationBoundsKeepAndDropAtTheirLimits) {
+TEST(PinkMap, HeightAtTheWallKeepsAndDropsAtItsLimits) {
   PinkParams params;
-  params.minElevation = Angle::deg(-2);
-  params.maxAbove = 30.0;
-  EXPECT_TRUE(mayHangOnWall(Angle::deg(-1.9), 300, params));
-  EXPECT_FALSE(mayHangOnWall(Angle::deg(-2.1), 300, params));
-  EXPECT_TRUE(mayHangOnWall(Angle::deg(10), 150, params));   // 26 cm
-  EXPECT_FALSE(mayHangOnWall(Angle::deg(10), 200, params));  // 35 cm
+  params.minHeight = 0.0;
+  params.maxHeight = 30.0;
+  EXPECT_TRUE(mayHangOnWall(20, Angle::deg(1.9), 300, params));   // 20 + 10.0 cm
+  EXPECT_FALSE(mayHangOnWall(20, Angle::deg(2.0), 300, params));  // 20 + 10.5
+  EXPECT_TRUE(mayHangOnWall(20, Angle::deg(5.0), 100, params));   // 20 + 8.7: nearer, so higher
+  EXPECT_TRUE(mayHangOnWall(20, Angle::deg(-3.8), 300, params));  // 20 - 19.9
+  EXPECT_FALSE(mayHangOnWall(20, Angle::deg(-3.9), 300, params));
 }
 
 TEST(PinkMap, RayPastABeaconIsRefusedOneBehindIsNot) {
@@ -88,25 +92,21 @@ TEST(PinkMap, RayPastABeaconIsRefusedOneBehindIsNot) {
   EXPECT_TRUE(clearOfBeacons({{180, 161}, {-1, 0}}, field, TeamColour::red, 25.0));
   EXPECT_FALSE(clearOfBeacons({{180, 159}, {-1, 0}}, field, TeamColour::red, 25.0));
   EXPECT_TRUE(clearOfBeacons({{0, 135}, {0.0, 1.0}}, field, TeamColour::red, 10.0));
-  EXPECT_TRUE(clearOfBeacons({{0, 140}, {0.8, 0.6}}, field, TeamColour::red, 25.0));
+  EXPECT_TRUE(clearOfBeacons({{0, 140}, {0.6, -0.8}}, field, TeamColour::red, 25.0));
 }
 
 TEST(PinkMap, SightingsAreMappedByTheirReasonOrCounted) {
   Mapper mapper;
-  mapper.see(patchAt(0));
+  mapper.see(sightAt(0));
   ASSERT_EQ(mapper.state.pinks.map.size(), 1U);
   EXPECT_NEAR(mapper.state.pinks.map[0].position.y, 585.0, 1e-6);
-  mapper.see(patchAt(0, 40));
+  mapper.see(sightAt(0, 40));
   EXPECT_EQ(mapper.refused(Refusal::pinkElevation), 1);
   const double beacon = std::atan2(405.0 - 270.0, 375.0 - 180.0) * 180 / maths::kPi - 90.0;
-  mapper.see(patchAt(beacon));
+  mapper.see(sightAt(beacon));
   EXPECT_EQ(mapper.refused(Refusal::pinkNearBeacon), 1);
-  PinkPercept broken = patchAt(0);
-  broken.headingVariance = kNan;
-  mapper.see(broken);
-  EXPECT_EQ(mapper.refused(Refusal::pinkNotFinite), 1);
   mapper.state.modes[0].covariance[0] = 400.0;
-  mapper.see(patchAt(0));
+  mapper.see(sightAt(0));
   EXPECT_EQ(mapper.refused(Refusal::pinkPoseUnsure), 1);
   EXPECT_EQ(mapper.state.pinks.map[0].weight, 1.0);
 }
@@ -156,7 +156,7 @@ TEST(PinkUpdate, MakesMTimesNPlusOneModesWithTheirWeights) {
   state.pinks.map.push_back({{180.0, 585.0}, 10.0});
   state.pinks.map.push_back({{395.0, 270.0}, 10.0});
   params.pinks.mapSd = 0.0;
-  ASSERT_TRUE(updateByPink(patchAt(0), params, state));
+  ASSERT_TRUE(updateByPink(sightAt(0), params, state));
   ASSERT_EQ(state.modes.size(), 6U);
   // Mode 0 and the patch ahead: the innovation is 0, so w S / N = 0.75 / 2.
   EXPECT_NEAR(state.modes[1].weight, 0.375, 1e-9);
@@ -180,32 +180,61 @@ TEST(PinkUpdate, KeepsTheHeaviestWhenThereIsNoRoom) {
   GpsState& state = mapper.state;
   for (int i = 1; i < 8; ++i) state.modes.push_back(state.modes[0]);
   for (std::size_t i = 0; i < 8; ++i) state.modes[i].weight = i == 7 ? 0.93 : 0.01;
-  for (int i = 0; i < 16; ++i) state.pinks.map.push_back({{25.0 * i, 585.0}, 10.0});
-  ASSERT_TRUE(updateByPink(patchAt(0), mapper.params, state));
+  for (int i = 0; i < 16; ++i) state.pinks.map.push_back({{25.0 * i + 5.0, 585.0}, 10.0});
+  ASSERT_TRUE(updateByPink(sightAt(0), mapper.params, state));
   EXPECT_EQ(state.modes.size(), kWorkModes);
   double heaviest = 0.0;
   for (const PoseMode& mode : state.modes) heaviest = std::max(heaviest, mode.weight);
-  EXPECT_GT(heaviest, 0.9 * 0.93 / 16);
+  EXPECT_NEAR(heaviest, 0.93 / 16, 1e-9);
 }
 
 TEST(PinkUpdate, PatchTooHighForAMappedOneIsNotTakenForIt) {
   Mapper mapper;
   mapper.state.pinks.map.push_back({{180.0, 585.0}, 10.0});
-  ASSERT_TRUE(updateByPink(patchAt(0, 30), mapper.params, mapper.state));
+  ASSERT_TRUE(updateByPink(sightAt(0, 30), mapper.params, mapper.state));
   EXPECT_EQ(mapper.state.modes.size(), 1U);  // the copy alone
 }
 
-TEST(PinkUpdate, EmptyMapAndBrokenPatchesChangeNothing) {
+TEST(PinkUpdate, WithoutAMapNothingChanges) {
   Mapper mapper;
-  EXPECT_FALSE(updateByPink(patchAt(0), mapper.params, mapper.state));
-  mapper.state.pinks.map.push_back({{180.0, 585.0}, 10.0});
-  PinkPercept broken = patchAt(0);
-  broken.heading = Angle::rad(kNan);
-  EXPECT_FALSE(updateByPink(broken, mapper.params, mapper.state));
-  EXPECT_EQ(mapper.refused(Refusal::pinkNotFinite), 1);
-  mapper.state.pinks.map[0].weight = 1.0;  // too little to be believed
-  EXPECT_FALSE(updateByPink(patchAt(0), mapper.params, mapper.state));
+  EXPECT_FALSE(updateByPink(sightAt(0), mapper.params, mapper.state));
+  mapper.state.pinks.map.push_back({{180.0, 585.0}, 1.0});  // too little weight to be believed
+  EXPECT_FALSE(updateByPink(sightAt(0), mapper.params, mapper.state));
   EXPECT_EQ(mapper.state.modes.size(), 1U);
+}
+
+PinkPercept perceptAt(double distance, double headingDeg, double size) {
+  PinkPercept percept;
+  percept.distance = distance;
+  percept.heading = Angle::deg(headingDeg);
+  percept.headingVariance = 1e-4;
+  percept.box = {0.0, 0.0, size, size};
+  return percept;
+}
+
+TEST(PinkSight, IsTheDirectionFromTheCamera) {
+  CameraPose camera;
+  camera.position = {-10.0, 0.0, 20.0};
+  const auto sight = sightOf(perceptAt(250.0, 0.0, 10.0), camera);
+  ASSERT_TRUE(sight);
+  EXPECT_NEAR(sight->heading.deg(), -std::atan2(10.0, 250.0) * 180 / maths::kPi, 1e-9);
+  EXPECT_NEAR(headingAt(*sight, 250.0).deg(), 0.0, 1e-9);
+  // Through (0, 250) from (-10, 0): at y = 125 it is 5 cm to the left.
+  EXPECT_NEAR(headingAt(*sight, std::hypot(5.0, 125.0)).deg(),
+              std::atan2(5.0, 125.0) * 180 / maths::kPi, 1e-9);
+}
+
+TEST(PinkSight, LargestComeFirstAndBrokenOnesAreCounted) {
+  Mapper mapper;
+  FrameInput input;
+  Percepts percepts;
+  percepts.pinkPatches.push_back(perceptAt(250.0, 10.0, 5.0));
+  percepts.pinkPatches.push_back(perceptAt(250.0, kNan, 30.0));
+  percepts.pinkPatches.push_back(perceptAt(250.0, 20.0, 9.0));
+  const PinkSights sights = sightsOf(input, percepts, mapper.state);
+  ASSERT_EQ(sights.size(), 2U);
+  EXPECT_NEAR(sights[0].area, 81.0, 1e-9);
+  EXPECT_EQ(mapper.refused(Refusal::pinkNotFinite), 1);
 }
 
 }  // namespace

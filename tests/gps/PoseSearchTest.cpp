@@ -31,6 +31,7 @@ class CarriedRobot : public SimulatedRobot {
           std::atan2(pink.position.y - truth.y, pink.position.x - truth.x) - truth.heading;
       if (Angle::rad(direction - pan).abs().deg() > 28.0) continue;
       PinkPercept patch;
+      patch.distance = std::hypot(pink.position.y - truth.y, pink.position.x - truth.x);
       patch.heading = Angle::rad(direction + random_.gaussian(0.0, 0.7 * kDegree));
       patch.headingVariance = maths::square(0.7 * kDegree);
       percepts.pinkPatches.push_back(patch);
@@ -95,39 +96,27 @@ TEST(PoseSearch, LandmarksDoNotCountWhileLocalisingByPinks) {
 
 TEST(Survey, CarriesWhatItSawThroughATurnOnTheSpot) {
   Survey survey;
-  Percepts percepts;
-  PinkPercept patch;
-  patch.heading = Angle::deg(30);
-  patch.headingVariance = 1e-4;
-  percepts.pinkPatches.push_back(patch);
-  LinePoint point;
-  point.position = {0.0, 100.0};
-  point.weight = 1.0;
-  percepts.linePoints.push_back(point);
-  addToSurvey({}, 0.0, percepts, {}, survey);
-  percepts.pinkPatches[0].heading = Angle::deg(-60);
-  percepts.linePoints[0].position = {100.0, 0.0};  // the same place after a quarter turn left
-  addToSurvey({0, 0, Angle::deg(90)}, 0.0, percepts, {}, survey);
+  PinkSights sights;
+  sights.push_back({{}, 20.0, Angle::deg(30), Angle(), 1e-4, 100.0});
+  FixedVector<LinePoint, 256> points;
+  points.push_back({LinePointKind::line, {0.0, 100.0}, 1.0, {}});
+  addToSurvey(points, sights, {}, survey);
+  moveSurvey({0, 0, Angle::deg(90)}, 1.0, survey);
+  sights[0].heading = Angle::deg(-60);
+  points[0].position = {100.0, 0.0};  // the same place after a quarter turn left
+  addToSurvey(points, sights, {}, survey);
   ASSERT_EQ(survey.bearings.size(), 1U);
   EXPECT_NEAR(survey.bearings[0].heading.deg(), 30.0, 1e-9);
   EXPECT_EQ(survey.bearings[0].weight, 2.0);
   EXPECT_EQ(survey.points.size(), 1U);
-  const Pose2 now = poseNow(survey, {{180, 270}, Angle::deg(10)});
-  EXPECT_NEAR(now.heading.deg(), 100.0, 1e-9);
+  EXPECT_NEAR(poseNow(survey, {{180, 270}, Angle::deg(10)}).heading.deg(), 100.0, 1e-9);
 }
 
-TEST(Survey, BrokenPerceptsAreLeftOut) {
+TEST(Survey, BrokenLinePointsAreLeftOut) {
   Survey survey;
-  Percepts percepts;
-  PinkPercept patch;
-  patch.heading = Angle::rad(kNan);
-  percepts.pinkPatches.push_back(patch);
-  LinePoint point;
-  point.position = {kNan, 100.0};
-  point.weight = 1.0;
-  percepts.linePoints.push_back(point);
-  addToSurvey({}, 0.0, percepts, {}, survey);
-  EXPECT_TRUE(survey.bearings.empty());
+  FixedVector<LinePoint, 256> points;
+  points.push_back({LinePointKind::line, {kNan, 100.0}, 1.0, {}});
+  addToSurvey(points, {}, {}, survey);
   EXPECT_TRUE(survey.points.empty());
 }
 

@@ -98,8 +98,13 @@ struct Announcement {
 
 class Watch {
  public:
-  explicit Watch(const std::string& table) {
-    if (!table.empty()) csv_.open(table);
+  // `tables`: where tables of every frame and patch go, less ".csv"; empty: none.
+  explicit Watch(const std::string& tables) {
+    if (tables.empty()) return;
+    csv_.open(tables + ".csv");
+    pinks_.open(tables + "-pinks.csv");
+    pinks_ << "t_s,use,x_cm,y_cm,heading_deg,estimate_x_cm,estimate_y_cm,estimate_heading_deg,"
+              "pink_deg,elevation_deg,width_px,height_px\n";
     if (csv_.is_open())
       csv_ << "t_s,x_cm,y_cm,heading_deg,estimate_x_cm,estimate_y_cm,estimate_heading_deg,sd_cm,"
               "error_cm,error_deg,pinks,line_points,use,mouth\n";
@@ -146,6 +151,13 @@ class Watch {
          << frame.output.percepts.linePoints.size() << ','
          << static_cast<int>(frame.output.command.pinks) << ',' << frame.output.command.mouthOpen
          << '\n';
+    for (const PinkPercept& pink : frame.output.percepts.pinkPatches)
+      pinks_ << frame.input.time.seconds() << ',' << static_cast<int>(frame.input.lastCommand.pinks)
+             << ',' << frame.truth.position.x << ',' << frame.truth.position.y << ','
+             << frame.truth.heading.deg() << ',' << belief.position.x << ',' << belief.position.y
+             << ',' << belief.heading.deg() << ',' << pink.heading.deg() << ','
+             << pink.elevation.deg() << ',' << pink.box.right - pink.box.left << ','
+             << pink.box.bottom - pink.box.top << '\n';
   }
 
   WorldModel last_;
@@ -156,6 +168,7 @@ class Watch {
   double knownError_ = -1.0;
   bool open_ = false;
   std::ofstream csv_;
+  std::ofstream pinks_;
 };
 
 Json judgeMap(const WorldModel& world, const Points& pinks, double minWeight) {
@@ -220,12 +233,15 @@ Expected<Json> oneChallenge(const ExperimentOptions& options, int number) {
   match.world().ball() = {{4.0, 4.0}, {}};  // nobody plays with it
   Status status = match.world().carry(0, setup.start);
   if (!status) return Error{status.error()};
-  Watch watch(
-      options.pictures.empty() ? "" : options.pictures + "/slam-" + std::to_string(seed) + ".csv");
+  Watch watch(options.pictures.empty() ? "" : options.pictures + "/slam-" + std::to_string(seed));
   const auto watcher = [&watch](const WatchedFrame& frame) { watch.frame(frame); };
   status = match.play(kStage1, watcher);
   if (!status) return Error{status.error()};
   Json answer{{"seed", seed}};
+  for (const Point2<Field> pink : pinkPlaces(setup.wall))
+    answer["pink_places_cm"].push_back({pink.x, pink.y});
+  for (const PinkLandmark& pink : watch.world().pinkMap)
+    answer["map_cm"].push_back({pink.position.x, pink.position.y, pink.weight});
   answer.update(judgeMap(watch.world(), pinkPlaces(setup.wall), config->gps.pinks.minWeight));
   status = halfTime(setup, match, watcher);
   const double begin = kStage1 + kHalt;
