@@ -46,6 +46,7 @@ void fill(WorldFrame& frame, const FrameInput& input, const Percepts& percepts,
   frame.opponents = world.opponents;
   frame.teammates = world.teammates;
   frame.obstacles = world.obstacles;
+  frame.pinkMap = world.pinkMap;
 }
 
 BehaviourState::BehaviourState(const std::string& scripts)

@@ -16,12 +16,16 @@ namespace {
 constexpr const char* kEnums =
     "GOAL_BLUE, GOAL_YELLOW, BEACON_BLUE_ON_PINK, BEACON_PINK_ON_BLUE, BEACON_YELLOW_ON_PINK, \\\n"
     "    BEACON_PINK_ON_YELLOW = range(6)\n"
+    "PINKS_OFF, PINKS_MAP, PINKS_LOCALISE = range(3)\n"
+    "STRIKER, CHALLENGER = range(2)\n"
     "NO_MOTION, STAND, KICK_FORWARD = range(3)\n"
     "RED, BLUE = range(2)\n"
     "INITIAL, READY, SET, PLAYING, FINISHED = range(5)\n"
     "LINE, BORDER, FIELD = range(3)\n"
     "NECK_TILT, HEAD_PAN, HEAD_NOD, MOUTH = range(4)\n";
-static_assert(kLandmarkKindCount == 6 && kMotionKindCount == 3, "kEnums must follow its enums");
+static_assert(kLandmarkKindCount == 6 && kMotionKindCount == 3 && kPinkUseCount == 3 &&
+                  kPlayerKindCount == 2,
+              "kEnums must follow its enums");
 
 std::string number(double value) {
   const std::string text = numberText(value);

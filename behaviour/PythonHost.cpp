@@ -107,6 +107,7 @@ Fallback PythonHost::decide(const BehaviourIn& in, const BehaviourParams& params
   reloadIfEdited(params);
   if (!decide_) return Fallback::notLoaded;
   fill(*frame_, in.input, in.percepts, in.world);
+  frame_->task = params.task;
   return call(params.timeLimit, command);
 }
 

@@ -3,6 +3,7 @@
 // reference kept by a script never dangles (it then shows the newest frame).
 #pragma once
 
+#include "behaviour/BehaviourParams.h"
 #include "robot/core/FrameInput.h"
 #include "robot/core/Percepts.h"
 #include "robot/core/WorldModel.h"
@@ -47,6 +48,8 @@ struct WorldFrame {
   FixedVector<OpponentEstimate, kOpponents> opponents;
   FixedVector<TeammateEstimate, kTeammates> teammates;
   ObstacleEstimate obstacles;
+  FixedVector<PinkLandmark, kMaxPinks> pinkMap;
+  Task task;
 
   static constexpr auto fields() {
     using W = WorldFrame;
@@ -62,7 +65,7 @@ struct WorldFrame {
         field("covariance", &W::covariance, "cm2, cm rad, rad2"), field("modes", &W::modes),
         field("second", &W::second), field("ball", &W::ball), field("teamBall", &W::teamBall),
         field("opponents", &W::opponents), field("teammates", &W::teammates),
-        field("obstacles", &W::obstacles));
+        field("obstacles", &W::obstacles), field("pinkMap", &W::pinkMap), field("task", &W::task));
   }
 };
 

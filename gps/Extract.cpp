@@ -62,6 +62,7 @@ WorldModel extract(const GpsState& state) {
   world.second = secondOf(state.modes);
   world.stuck = state.stuck.share;
   world.ball = extractBall(state.ball, world.pose);
+  world.pinkMap = state.pinks.map;
   world.counts = state.counts;
   return world;
 }

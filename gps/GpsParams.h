@@ -6,6 +6,7 @@
 #include "gps/LineMapParams.h"
 #include "gps/LineParams.h"
 #include "gps/OthersParams.h"
+#include "gps/PinkParams.h"
 #include "gps/StuckParams.h"
 #include "robot/body/FieldDescription.h"
 #include "robot/core/Geometry.h"
@@ -170,6 +171,7 @@ struct GpsParams {
   SearchParams search;
   BallParams ball;
   OthersParams others;
+  PinkParams pinks;
 
   static constexpr auto fields() {
     using kelpie::field;
@@ -179,7 +181,8 @@ struct GpsParams {
                      field("gates", &GpsParams::gates), field("modes", &GpsParams::modes),
                      field("line", &GpsParams::line), field("lineMap", &GpsParams::lineMap),
                      field("symmetry", &GpsParams::symmetry), field("search", &GpsParams::search),
-                     field("ball", &GpsParams::ball), field("others", &GpsParams::others));
+                     field("ball", &GpsParams::ball), field("others", &GpsParams::others),
+                     field("pinks", &GpsParams::pinks));
   }
 };
 

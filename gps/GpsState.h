@@ -9,6 +9,7 @@
 #include "gps/FieldFeatures.h"
 #include "gps/LineState.h"
 #include "gps/OthersState.h"
+#include "gps/PinkState.h"
 #include "robot/core/WorldModel.h"
 
 namespace kelpie::gps {
@@ -32,8 +33,14 @@ enum class Refusal : std::uint8_t {
   opponentUncertain,  // vague, or far from the field
   linesMatchNothing,  // near a likely mode
   effortNotFinite,    // or not what a mean of duties can be
+  pinkNotFinite,
+  pinkPoseUnsure,  // the robot knows its own place too badly to map what it sees
+  pinkOffWall,     // its direction meets no wall
+  pinkElevation,   // too low or too high for the wall
+  pinkNearBeacon,
+  pinkMapFull,
 };
-constexpr std::size_t kRefusalCount = 17;
+constexpr std::size_t kRefusalCount = 23;
 
 // Each of the modes and the wide one may be split in two.
 constexpr std::size_t kWorkModes = 2 * (kMaxModes + 1);
@@ -78,6 +85,7 @@ struct GpsState {
   std::uint32_t unexplained = 0;  // landmarks in a row that no mode foretold
   BallTrack ball;
   OthersState others;
+  PinkState pinks;
   GpsCounts counts;
   LineMap map;
   GlobalSearch search;

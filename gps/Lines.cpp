@@ -6,6 +6,7 @@
 #include "gps/GlobalSearch.h"
 #include "gps/LineMap.h"
 #include "gps/LineUpdate.h"
+#include "gps/Pinks.h"
 #include "robot/body/Camera.h"
 
 namespace kelpie::gps {
@@ -35,7 +36,8 @@ bool stepLines(const FrameInput& input, const Percepts& percepts, const GpsParam
                GpsState& state) {
   if (!params.line.use) return false;
   stepMap(input, percepts.linePoints, params.line, params.lineMap, state.map);
-  if (stepSearch(input, params, state)) return true;
+  // Among pinks their own search finds the pose.
+  if (landmarksCount(input) && stepSearch(input, params, state)) return true;
   if (!linesUsable(params, state)) return false;
   const SeenLines seen = linesToMatch(percepts, params, state.map);
   const bool used = updateByLines(seen, headSpeedOf(input), params, state);

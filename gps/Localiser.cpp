@@ -12,6 +12,7 @@
 #include "gps/Lines.h"
 #include "gps/Modes.h"
 #include "gps/Others.h"
+#include "gps/Pinks.h"
 #include "gps/Predict.h"
 #include "gps/Stuck.h"
 #include "gps/Symmetry.h"
@@ -107,12 +108,14 @@ WorldModel step(const GpsIn& in, const GpsParams& params, GpsState& state) {
   state.secondsSinceLandmark += in.input.elapsed;
   state.secondsSinceLines += in.input.elapsed;
   const Step moved = move(in, params, state);
-  if (inOneUpdate(params, state)) {
+  const bool joint = inOneUpdate(params, state) && landmarksCount(in.input);
+  if (joint) {
     useTogether(in, params, state);
-  } else {
+  } else if (landmarksCount(in.input)) {
     useLandmarks(in, params, state);
-    useLines(in, params, state);
   }
+  usePinks(in, moved.odometry, params, state);
+  if (!joint) useLines(in, params, state);
   stepBall(in.input, in.percepts.ball, moved, params, state);
   applyReferee(in.input, params, state);
   WorldModel world = extract(state);

@@ -1,6 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
 # Where the host starts: decide(world) -> Command, once per camera frame. What a robot remembers
-# lives in the one player made here; an edited file makes a new one.
+# lives in the player made here; an edited file makes a new one.
+import kelpie
+from players.chllngr import Challenger
 from players.striker import Striker
 
-decide = Striker().tick
+players = {kelpie.STRIKER: Striker(), kelpie.CHALLENGER: Challenger()}
+
+
+def decide(world):
+    return players[world.task.player].tick(world)

@@ -12,11 +12,13 @@ namespace {
 
 // A patch that is askew stands on its lowest corner.
 constexpr double kFootReach = 0.8;
-constexpr double kUnknownSd = 1e3;  // cm, of a distance that nothing tells
+// Of a distance that nothing tells. The heading is that of a place so far away: cm off for walls.
+constexpr double kUnknownDistance = 250.0;
+constexpr double kUnknownSd = 1e3;
 constexpr double kBeside = 6.0;  // px from the patch's edge where the carpet behind is looked for
 
 struct Estimate {
-  double distance = 0.0;  // cm along the ground from the camera
+  double distance = kUnknownDistance;  // cm along the ground from the camera
   double variance = kUnknownSd * kUnknownSd;
 };
 

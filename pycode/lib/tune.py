@@ -97,3 +97,50 @@ class Goal:
 class Stuck:
     STEP_BACK = 1.0          # after a skill ran out of time
     SPEED = -12.0
+
+
+class Look:
+    PAN = 86.0
+    PAN_SPEED = 75.0         # deg/s; line points need less than 156
+    DOWN = (4.0, 18.0)       # deg of the view below the horizon, in turn
+    SETTLE = 0.35            # s until the head has come to a row's beginning
+    TURN = 115.0             # deg of the body between two rounds
+    TURN_SPEED = 60.0
+
+
+class Features:
+    """What the challenger's head looks at, on the 2006 field (thesis 2004 section 4.1.6)."""
+    PRIMARY = ((0, 0), (360, 0), (0, 540), (360, 540), (0, 270), (360, 270), (180, 270),
+               (115, 65), (245, 65), (115, 0), (245, 0), (115, 475), (245, 475), (115, 540),
+               (245, 540))
+    SECONDARY = ((0, 135), (360, 135), (0, 405), (360, 405), (90, 270), (270, 270), (180, 65),
+                 (180, 475), (60, 0), (300, 0), (60, 540), (300, 540))
+    REACH = 80.0
+    NEAREST, FARTHEST = 15.0, 200.0
+    CHOICE = 3               # of the best are looked at in turn
+    TIME = 1.0               # the thesis has 1.3 s
+    WALL_PAN = 40.0
+
+
+class Challenge:
+    STANDS = ((180.0, 205.0), (180.0, 335.0))  # where the map is made from
+    STAND_NEAR = 12.0
+    STAND_TIME = 12.0        # s; then map from where it is
+    MAP_ROUNDS = 3
+    LEAST_STAGE = 10.0       # s; play halted earlier is the start
+    SURE_SD = 15.0           # cm
+    SURE_HEADING_SD = 6.0    # deg
+    SURE_WEIGHT = 0.6        # of the best mode
+    LOST_SD = 40.0
+    NEAR = 3.0               # cm from a point that count as there
+    SETTLE = 0.8             # s of standing before it is announced
+    ANNOUNCE_TIME = 0.8
+    SPEED = 32.0
+    SLOW = 7.0
+    SLOW_DOWN = 1.3          # cm/s per cm
+    FACE_FIRST = 6.0         # deg; turning on the spot ends
+    FACE_AGAIN = 22.0        # and begins
+    FACE_NEAR = 170.0        # deg cm: 3 cm aside
+    STEP_BACK = 15.0         # a point nearer than this and behind is backed to
+    TURN_GAIN = 2.0
+    TURN_SPEED = 80.0

@@ -43,6 +43,11 @@ constexpr std::uint8_t kMotionKindCount = 3;
 // Why the behaviour host answered in place of the script.
 enum class Fallback : std::uint8_t { none, notLoaded, scriptError, badCommand, timeLimit };
 
+// What the localiser does with pink patches on the outer wall (thesis 2004 section 4.1): nothing,
+// remember where they are, or find out by them where the robot is.
+enum class PinkUse : std::uint8_t { off, map, localise };
+constexpr std::uint8_t kPinkUseCount = 3;
+
 struct Command {
   WalkRequest walk;
   HeadRequest head;
@@ -50,6 +55,7 @@ struct Command {
   MotionKind motion = MotionKind::none;  // started when it differs from none and nothing runs
   std::uint32_t leds = 0;
   bool localise = false;  // while standing: find the pose by the field lines alone
+  PinkUse pinks = PinkUse::off;
   Fallback fallback = Fallback::none;
 
   static constexpr auto fields() {
@@ -57,6 +63,7 @@ struct Command {
                      field("mouthOpen", &Command::mouthOpen),
                      field("motion", &Command::motion, "", 0, kMotionKindCount - 1),
                      field("leds", &Command::leds), field("localise", &Command::localise),
+                     field("pinks", &Command::pinks, "", 0, kPinkUseCount - 1),
                      field("fallback", &Command::fallback, "", 0, 4));
   }
 };

@@ -74,6 +74,18 @@ struct GpsCounts {
 
 constexpr std::size_t kMaxModes = 8;
 
+// A pink patch on the outer wall, as mapped.
+struct PinkLandmark {
+  Point2<Field> position;
+  double weight = 0.0;  // sightings, less one every few seconds
+
+  static constexpr auto fields() {
+    return fieldList(field("position", &PinkLandmark::position),
+                     field("weight", &PinkLandmark::weight, "", 0, 1e6));
+  }
+};
+constexpr std::size_t kMaxPinks = 16;
+
 struct WorldModel {
   Pose2 pose;                          // mean of the heaviest mode
   std::array<double, 9> covariance{};  // of that mode
@@ -89,6 +101,7 @@ struct WorldModel {
   FixedVector<OpponentEstimate, kOpponents> opponents;  // those known of, in no order
   FixedVector<TeammateEstimate, kTeammates> teammates;  // those heard of lately
   ObstacleEstimate obstacles;
+  FixedVector<PinkLandmark, kMaxPinks> pinkMap;  // in the order of their discovery
   TeamMessage message;  // for the team, when its number differs from the last
   GpsCounts counts;
 
@@ -104,7 +117,8 @@ struct WorldModel {
         field("second", &WorldModel::second), field("ball", &WorldModel::ball),
         field("teamBall", &WorldModel::teamBall), field("opponents", &WorldModel::opponents),
         field("teammates", &WorldModel::teammates), field("obstacles", &WorldModel::obstacles),
-        field("message", &WorldModel::message), field("counts", &WorldModel::counts));
+        field("pinkMap", &WorldModel::pinkMap), field("message", &WorldModel::message),
+        field("counts", &WorldModel::counts));
   }
 };
 

@@ -101,7 +101,7 @@ TEST(ObstacleMap, ASeenRobotIsAnObstacle) {
 TEST(ObstacleMap, GoalsAndBeaconsAlwaysStandInIt) {
   Mapping m;
   build(field2006(), m.params, *m.map);
-  EXPECT_NEAR(m.at({180, 571}), 40.0, 1e-6);  // the far goal's back wall
+  EXPECT_NEAR(m.at({180, 571}), 40.0, 1e-6);                    // the far goal's back wall
   EXPECT_NEAR(m.at({-15, 135}), 40.0, 1e-6);                    // a beacon
   EXPECT_NEAR(m.at({180, 545}), 0.0, 1e-6);                     // its mouth is free
   EXPECT_TRUE(fullest(*m.map, field2006(), m.params).empty());  // nobody needs to be told

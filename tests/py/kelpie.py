@@ -3,6 +3,8 @@
 # behaviour_names > tests/py/kelpie.py; a test compares.
 GOAL_BLUE, GOAL_YELLOW, BEACON_BLUE_ON_PINK, BEACON_PINK_ON_BLUE, BEACON_YELLOW_ON_PINK, \
     BEACON_PINK_ON_YELLOW = range(6)
+PINKS_OFF, PINKS_MAP, PINKS_LOCALISE = range(3)
+STRIKER, CHALLENGER = range(2)
 NO_MOTION, STAND, KICK_FORWARD = range(3)
 RED, BLUE = range(2)
 INITIAL, READY, SET, PLAYING, FINISHED = range(5)
@@ -56,6 +58,7 @@ class Command(Fields):
         'motion',
         'leds',
         'localise',
+        'pinks',
     )
 
     def __init__(self, **given):
@@ -65,6 +68,7 @@ class Command(Fields):
         self.motion = 0
         self.leds = 0
         self.localise = False
+        self.pinks = 0
         self._take(given)
 
 
@@ -580,6 +584,10 @@ class ObstacleCell(Fields):
     __slots__ = (
         'position',
         'count',
+class PinkLandmark(Fields):
+    __slots__ = (
+        'position',
+        'weight',
     )
 
     def __init__(self, **given):
@@ -603,6 +611,19 @@ class ObstacleEstimate(Fields):
         self.to_goal = 0.0
         self.gap_to_goal = ObstacleGap()
         self.cells = []
+        self.weight = 0.0
+        self._take(given)
+
+
+class Task(Fields):
+    __slots__ = (
+        'player',
+        'points',
+    )
+
+    def __init__(self, **given):
+        self.player = 0
+        self.points = [0.0] * 10
         self._take(given)
 
 
@@ -633,6 +654,8 @@ class WorldFrame(Fields):
         'opponents',
         'teammates',
         'obstacles',
+        'pink_map',
+        'task',
     )
 
     def __init__(self, **given):
@@ -661,4 +684,6 @@ class WorldFrame(Fields):
         self.opponents = []
         self.teammates = []
         self.obstacles = ObstacleEstimate()
+        self.pink_map = []
+        self.task = Task()
         self._take(given)

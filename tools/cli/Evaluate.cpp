@@ -69,11 +69,11 @@ void addEvaluate(CLI::App& app, int& code) {
   command
       ->add_option("--pictures", options->pictures,
                    "Folder for pictures of what went wrong (experiment `objects`) or a table of "
-                   "every frame (`localise`, `kidnap`)")
+                   "every frame (`localise`, `kidnap`, `slam`)")
       ->check(CLI::ExistingDirectory);
   command
       ->add_option("--params", options->params,
-                   "The agent's TOML files (experiments `localise`, `kidnap`)")
+                   "The agent's TOML files (experiments `localise`, `kidnap`, `slam`)")
       ->check(CLI::ExistingFile);
   command->add_flag("--list", options->list, "What each experiment measures");
   command->callback([options, &code] { code = evaluate(*options); });

@@ -183,6 +183,7 @@ Scene fieldScene(const body::FieldDescription& field, std::uint64_t crowdSeed) {
   for (const body::Landmark& mark : field.landmarks) {
     if (mark.kind == LandmarkKind::goalBlue || mark.kind == LandmarkKind::goalYellow) {
       addGoal(scene, field, mark);
+      ++scene.goals;
     } else {
       addBeacon(scene, field, mark);
     }

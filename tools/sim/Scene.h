@@ -72,6 +72,7 @@ struct Scene {
   std::vector<Quad> lines;
   std::vector<Disc> circle;  // painted in order, under the lines' intersections
   std::vector<Solid> fixtures;
+  std::size_t goals = 0;  // the first so many fixtures are goals
   std::vector<Cylinder> beacons;
   // Set for each image:
   std::vector<Disc> markers;

@@ -181,6 +181,21 @@ Status World::shove(std::size_t robot, Point2<Field> way, Angle turn) {
   return Done{};
 }
 
+void World::putUp(const OuterWall& wall) {
+  addWall(scene_, wall);
+  for (std::size_t side = 0; side < 4; ++side)
+    obstacles_.push_back({wall.corners[side], wall.corners[(side + 1) % 4], 1.0});
+}
+
+void World::takeLandmarksAway() {
+  hideLandmarks(scene_);
+  const auto isBeacon = [this](const Obstacle& obstacle) {
+    return distance(obstacle.a, obstacle.b) == 0.0 && obstacle.radius == field_.beaconRadius;
+  };
+  obstacles_.erase(std::remove_if(obstacles_.begin(), obstacles_.end(), isBeacon),
+                   obstacles_.end());
+}
+
 ColumnCameras World::cameras(std::size_t robot, TimeUs end) const {
   ColumnCameras cameras;
   for (std::size_t x = 0; x < kImageWidth; ++x) {

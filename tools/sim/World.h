@@ -15,6 +15,7 @@
 #include "robot/host/WorldProtocol.h"
 #include "tools/sim/Ball.h"
 #include "tools/sim/Camera.h"
+#include "tools/sim/OuterWall.h"
 #include "tools/sim/Referee.h"
 #include "tools/sim/RobotModel.h"
 #include "tools/sim/Sensors.h"
@@ -71,6 +72,9 @@ class World {
   Status hold(std::size_t robot, double share);
   // Somebody pushes and turns it, as far as that in one tick.
   Status shove(std::size_t robot, Point2<Field> way, Angle turn);
+  // Somebody changes what stands round the field, as between the stages of the 2004 challenge.
+  void putUp(const OuterWall& wall);
+  void takeLandmarksAway();  // no beacons, goals covered with white
   std::uint32_t ticks() const { return ticks_; }
   TimeUs time() const { return {static_cast<std::int64_t>(ticks_) * kTickUs}; }
   bool finished() const { return referee_.finished(); }

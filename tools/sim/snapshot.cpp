@@ -10,6 +10,7 @@
 
 #include "robot/body/Camera.h"
 #include "tools/sim/Camera.h"
+#include "tools/sim/OuterWall.h"
 
 namespace kelpie::sim {
 namespace {
@@ -23,6 +24,8 @@ struct Options {
   double panRate = 0.0;      // deg/s
   int robots = 4;
   bool ideal = false;
+  bool wall = false;
+  bool hidden = false;
 };
 
 Pose2 chosenPose(const Options& options, Random& random) {
@@ -72,6 +75,8 @@ int run(const Options& options) {
   }
   Random random(options.seed);
   Scene scene = fieldScene(*field, random.next() | 1U);
+  if (options.wall) addWall(scene, outerWall(*field, 8.0, options.seed));
+  if (options.hidden) hideLandmarks(scene);
   const Pose2 pose = chosenPose(options, random);
   const Point2<Field> ahead = fieldFromRobot(pose, {random.uniform(-30, 30), 80.0});
   setBall(scene,
@@ -110,6 +115,8 @@ int main(int argc, char** argv) {
   app.add_option("--ball", options.ball, "x y in cm")->expected(2);
   app.add_option("--pan-rate", options.panRate, "deg/s during the exposure");
   app.add_option("--others", options.robots, "other robots on the field");
+  app.add_flag("--wall", options.wall, "the outer wall of the 2004 challenge, with sheets");
+  app.add_flag("--hidden", options.hidden, "no beacons, goals covered");
   app.add_flag("--ideal", options.ideal, "no artefacts");
   CLI11_PARSE(app, argc, argv);
   return kelpie::sim::run(options);

@@ -49,6 +49,10 @@ std::vector<Experiment> ofBelieving() {
        "reported, "
        "hits and false alarms, turns with weak legs; after scrums, seconds until the pose is right",
        8, stuck},
+      {"slam",
+       "the 2004 localisation challenge from pixels: a minute to map sheets on the wall, landmarks "
+       "hidden, robot carried away, two minutes for five points: points, errors of the map, ghosts",
+       50, slam},
       {"ball",
        "the ball filter: errors of place and velocity standing and walking, the speed of a lying "
        "ball, where a rolling one will lie after half a second of sight",

@@ -52,6 +52,7 @@ Expected<Json> fieldEdge(const ExperimentOptions& options);
 Expected<Json> colour(const ExperimentOptions& options);
 Expected<Json> kidnap(const ExperimentOptions& options);
 Expected<Json> localise(const ExperimentOptions& options);
+Expected<Json> slam(const ExperimentOptions& options);
 Expected<Json> ring(const ExperimentOptions& options);
 Expected<Json> ballFilter(const ExperimentOptions& options);
 Expected<Json> opponents(const ExperimentOptions& options);

@@ -85,7 +85,9 @@ void LocaliseMatch::send(const std::array<JointFrame, kTicksPerMessage>& joints,
 
 void LocaliseMatch::see(TimeUs now) {
   world_->render(0, now, *image_);
-  loops_->setGame(world_->gameFor(0));
+  GameState game = world_->gameFor(0);
+  if (halted_) game.state = PlayState::set;
+  loops_->setGame(game);
   loops_->camera(*image_, {now.us - kExposureUs / 2});
   replaceBall();
   trouble_ = loops_->scriptError();

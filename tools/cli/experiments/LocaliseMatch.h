@@ -32,6 +32,8 @@ class LocaliseMatch : private agent::LogSink {
 
   // Plays until that time; an error tells that the script broke.
   Status play(double seconds, const Watcher& watch);
+  // The GameController halts play (PlayState::set) or lets it go on.
+  void halt(bool halted) { halted_ = halted; }
   sim::World& world() { return *world_; }
 
  private:
@@ -50,6 +52,7 @@ class LocaliseMatch : private agent::LogSink {
   Watcher watch_;
   Pose2 before_;
   bool seen_ = false;
+  bool halted_ = false;
   std::string trouble_;
 };
 

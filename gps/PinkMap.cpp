@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gps/PinkMap.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace kelpie::gps {
+namespace {
+
+double cross(Point2<Field> a, Point2<Field> b) { return a.x * b.y - a.y * b.x; }
+double dot(Point2<Field> a, Point2<Field> b) { return a.x * b.x + a.y * b.y; }
+
+bool knowsItsPlace(const GpsState& state, const PinkParams& params) {
+  if (state.lost || state.modes.empty()) return false;
+  const std::array<double, 9>& c = state.modes[0].covariance;
+  const double most = maths::square(params.maxPositionSd);
+  return c[0] <= most && c[4] <= most && c[8] <= maths::square(params.maxHeadingSd.rad());
+}
+
+std::optional<Refusal> refusal(const PinkSight& sight, TeamColour team, const GpsParams& params,
+                               const GpsState& state) {
+  if (!knowsItsPlace(state, params.pinks)) return Refusal::pinkPoseUnsure;
+  const Ray ray = rayOf(state.modes[0].pose, sight);
+  const auto place = meetWall(ray, params.pinks.wall);
+  if (!place) return Refusal::pinkOffWall;
+  if (!mayHangOnWall(sight.eyeHeight, sight.elevation, distance(*place, ray.from), params.pinks))
+    return Refusal::pinkElevation;
+  if (!clearOfBeacons(ray, params.field, team, params.pinks.beaconClearance))
+    return Refusal::pinkNearBeacon;
+  return std::nullopt;
+}
+
+}  // namespace
+
+Ray rayOf(const Pose2& pose, const PinkSight& sight) {
+  const Angle direction = pose.heading + sight.heading;
+  return {fieldFromRobot(pose, sight.eye), {direction.cos(), direction.sin()}};
+}
+
+std::optional<Point2<Field>> meetWall(const Ray& ray, const std::array<double, 8>& wall) {
+  double nearest = 0.0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const std::size_t next = (i + 1) % 4;
+    const Point2<Field> a{wall[2 * i], wall[2 * i + 1]};
+    const Point2<Field> side = Point2<Field>{wall[2 * next], wall[2 * next + 1]} - a;
+    const double slant = cross(ray.along, side);
+    if (std::fabs(slant) < 1e-9) continue;  // parallel
+    const double ahead = cross(a - ray.from, side) / slant;
+    const double share = cross(a - ray.from, ray.along) / slant;
+    if (!(ahead > 0.0) || share < 0.0 || share > 1.0) continue;
+    if (nearest == 0.0 || ahead < nearest) nearest = ahead;
+  }
+  if (nearest == 0.0) return std::nullopt;
+  return ray.from + ray.along * nearest;
+}
+
+bool mayHangOnWall(double eyeHeight, Angle elevation, double distance, const PinkParams& params) {
+  const double height = eyeHeight + distance * maths::tan(elevation.rad());
+  return height >= params.minHeight && height <= params.maxHeight;
+}
+
+bool clearOfBeacons(const Ray& ray, const body::FieldDescription& field, TeamColour team,
+                    double clearance) {
+  for (const body::Landmark& mark : body::landmarksFor(field, team)) {
+    if (mark.kind <= LandmarkKind::goalYellow) continue;
+    const Point2<Field> way = mark.position - ray.from;
+    if (dot(way, ray.along) > 0.0 && std::fabs(cross(ray.along, way)) <= clearance) return false;
+  }
+  return true;
+}
+
+bool addToMap(Point2<Field> place, double mergeRadius, PinkLandmarks& map) {
+  PinkLandmark* nearest = nullptr;
+  double least = mergeRadius;
+  for (PinkLandmark& landmark : map) {
+    const double away = distance(landmark.position, place);
+    if (away > least) continue;
+    least = away;
+    nearest = &landmark;
+  }
+  if (nearest == nullptr) return map.push_back({place, 1.0});
+  nearest->weight += 1.0;
+  nearest->position = nearest->position + (place - nearest->position) * (1.0 / nearest->weight);
+  return true;
+}
+
+void forget(double seconds, const PinkParams& params, PinkState& state) {
+  state.sinceForgotten += seconds;
+  if (state.sinceForgotten < params.forgetSeconds) return;
+  state.sinceForgotten = 0.0;
+  PinkLandmarks kept;
+  for (PinkLandmark landmark : state.map) {
+    landmark.weight -= 1.0;
+    if (landmark.weight > 0.0) kept.push_back(landmark);
+  }
+  state.map = kept;
+}
+
+void mapPatches(const PinkSights& sights, TeamColour team, const GpsParams& params,
+                GpsState& state) {
+  for (const PinkSight& sight : sights) {
+    if (const auto reason = refusal(sight, team, params, state)) {
+      state.count(*reason);
+      continue;
+    }
+    const auto place = meetWall(rayOf(state.modes[0].pose, sight), params.pinks.wall);
+    if (!addToMap(*place, params.pinks.mergeRadius, state.pinks.map))
+      state.count(Refusal::pinkMapFull);
+  }
+}
+
+}  // namespace kelpie::gps

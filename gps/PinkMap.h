@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where on the outer wall the pink patches hang (thesis 2004 section 4.1.2): the ray from the
+// robot's pose through the patch meets the wall. Only as good as the pose and the measured wall.
+#pragma once
+
+#include <optional>
+
+#include "gps/GpsParams.h"
+#include "gps/GpsState.h"
+#include "gps/PinkSight.h"
+
+namespace kelpie::gps {
+
+struct Ray {
+  Point2<Field> from;
+  Point2<Field> along;  // unit vector
+};
+Ray rayOf(const Pose2& pose, const PinkSight& sight);
+
+// The nearest place ahead at which the ray meets the wall; the wall need not be a rectangle.
+std::optional<Point2<Field>> meetWall(const Ray& ray, const std::array<double, 8>& wall);
+
+// What a camera at eyeHeight sees at that elevation can hang on a wall that far away: its middle is
+// between minHeight and maxHeight there. The highest elevation falls with the distance (thesis 2004
+// section 4.1.2).
+bool mayHangOnWall(double eyeHeight, Angle elevation, double distance, const PinkParams& params);
+
+// The ray passes no beacon within beaconClearance; those behind the robot do not count.
+bool clearOfBeacons(const Ray& ray, const body::FieldDescription& field, TeamColour team,
+                    double clearance);
+
+// Adds a sighting of weight 1, or merges it into the nearest entry within the radius, by weight.
+// False when the map is full.
+bool addToMap(Point2<Field> place, double mergeRadius, PinkLandmarks& map);
+
+// Takes one from every weight each `forgetSeconds` and drops what has none left.
+void forget(double seconds, const PinkParams& params, PinkState& state);
+
+// Maps the patches of one frame; what is not used is counted.
+void mapPatches(const PinkSights& sights, TeamColour team, const GpsParams& params,
+                GpsState& state);
+
+}  // namespace kelpie::gps
