@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <memory>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
@@ -82,6 +83,7 @@ int run(const Options& options) {
   setBall(scene,
           options.ball.size() == 2 ? Point2<Field>{options.ball[0], options.ball[1]} : ahead);
   std::vector<RobotLook> looks;
+  looks.reserve(static_cast<std::size_t>(std::max(0, options.robots)));
   for (int i = 0; i < options.robots; ++i) {
     looks.push_back(
         {{{random.uniform(20, 340), random.uniform(20, 520)}, Angle::deg(random.uniform(0, 360))},

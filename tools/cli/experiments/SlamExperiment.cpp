@@ -263,6 +263,7 @@ std::vector<double> joined(const std::vector<Json>& all, const std::string& key)
 
 std::vector<double> each(const std::vector<Json>& all, const std::string& key) {
   std::vector<double> values;
+  values.reserve(all.size());
   for (const Json& one : all) values.push_back(one[key].get<double>());
   return values;
 }
