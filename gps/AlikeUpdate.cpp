@@ -2,7 +2,7 @@
 #include "gps/AlikeUpdate.h"
 
 #include <algorithm>
-#include <cmath>
+#include <utility>
 
 namespace kelpie::gps {
 namespace {
@@ -17,13 +17,11 @@ bool isWithin(const PoseMode& mode, const Pose2& pose) {
          turn * turn <= reach2 * mode.covariance[8];
 }
 
-void keep(const PoseMode& mode, std::size_t most, FixedVector<PoseMode, kMaxAlike>& modes) {
-  std::size_t at = modes.size();
-  while (at > 0 && modes[at - 1].weight < mode.weight) --at;
-  if (at >= most) return;
-  if (modes.size() < most) modes.resize(modes.size() + 1);
-  for (std::size_t i = modes.size() - 1; i > at; --i) modes[i] = modes[i - 1];
-  modes[at] = mode;
+// Heaviest first; the lightest is lost when there is no room.
+void keep(PoseMode mode, std::size_t most, FixedVector<PoseMode, kMaxAlike>& modes) {
+  for (PoseMode& kept : modes)
+    if (mode.weight > kept.weight) std::swap(mode, kept);
+  if (modes.size() < most) modes.push_back(mode);
 }
 
 }  // namespace

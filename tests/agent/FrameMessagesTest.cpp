@@ -10,7 +10,11 @@
 namespace kelpie::agent {
 namespace {
 
-std::string pathOf(const std::string& name) { return testing::TempDir() + "kelpie_" + name; }
+// A file of its own for each test: they run side by side.
+std::string pathOf(const std::string& name) {
+  const std::string test = testing::UnitTest::GetInstance()->current_test_info()->name();
+  return testing::TempDir() + "kelpie_" + name + test;
+}
 
 // A log of one frame; the error of reading its input, empty when there is none.
 template <class Frame>

@@ -584,10 +584,6 @@ class ObstacleCell(Fields):
     __slots__ = (
         'position',
         'count',
-class PinkLandmark(Fields):
-    __slots__ = (
-        'position',
-        'weight',
     )
 
     def __init__(self, **given):
@@ -611,6 +607,17 @@ class ObstacleEstimate(Fields):
         self.to_goal = 0.0
         self.gap_to_goal = ObstacleGap()
         self.cells = []
+        self._take(given)
+
+
+class PinkLandmark(Fields):
+    __slots__ = (
+        'position',
+        'weight',
+    )
+
+    def __init__(self, **given):
+        self.position = Point2()
         self.weight = 0.0
         self._take(given)
 
