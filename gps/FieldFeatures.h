@@ -23,7 +23,7 @@ class FieldFeatures {
  public:
   static constexpr std::size_t kMaxCells = 32768;
 
-  // Builds the table, 20 M instructions on a PC: once, in the first frame.
+  // Builds the table, 20 M instructions on a PC: once, before the first frame.
   void build(const body::FieldDescription& field);
   bool built() const { return columns_ > 0; }
 

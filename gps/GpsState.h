@@ -89,7 +89,7 @@ struct GpsState {
   GpsCounts counts;
   LineMap map;
   GlobalSearch search;
-  FieldFeatures features;   // built in the first frame
+  FieldFeatures features;   // built by prepare()
   PaintedFeatures painted;  // with them
 
   void count(Refusal reason) { ++counts.refused[static_cast<std::size_t>(reason)]; }

@@ -93,15 +93,17 @@ Step move(const GpsIn& in, const GpsParams& params, GpsState& state) {
   return step;
 }
 
+}  // namespace
+
 void prepare(const GpsParams& params, GpsState& state) {
   if (!state.features.built()) {
     state.features.build(params.field);
     state.painted = paintedFeatures(params.field);
   }
+  if (!state.others.obstacles.built)
+    build(params.field, params.others.obstacles, state.others.obstacles);
   if (!state.started) start(params, state);
 }
-
-}  // namespace
 
 WorldModel step(const GpsIn& in, const GpsParams& params, GpsState& state) {
   prepare(params, state);

@@ -16,6 +16,10 @@ struct GpsIn {
   const Percepts& percepts;
 };
 
+// Builds what follows from the field alone: 20 M instructions, more than a frame has on the robot.
+// A step does it for a state that nobody prepared.
+void prepare(const GpsParams& params, GpsState& state);
+
 WorldModel step(const GpsIn& in, const GpsParams& params, GpsState& state);
 
 }  // namespace kelpie::gps

@@ -34,7 +34,6 @@ using Heard = FixedVector<TeamMessage, kTeammates>;
 ObstacleEstimate stepObstacles(const GpsIn& in, const GpsParams& params, const Heard& heard,
                                const WorldModel& world, ObstacleMap& map) {
   const ObstacleMapParams& p = params.others.obstacles;
-  if (!map.built) build(params.field, p, map);
   forget(in.input.elapsed, p, map);
   see({in.percepts, world}, params.field, p, map);
   for (const TeamMessage& message : heard) hear(message, params.field, p, map);

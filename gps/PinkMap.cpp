@@ -69,6 +69,17 @@ bool clearOfBeacons(const Ray& ray, const body::FieldDescription& field, TeamCol
   return true;
 }
 
+PinkLandmark* glancedAt(const Ray& ray, Point2<Field> place, const PinkParams& params,
+                        PinkLandmarks& map) {
+  for (PinkLandmark& landmark : map) {
+    const double away = distance(landmark.position, place);
+    if (landmark.weight < params.minWeight || away <= params.mergeRadius) continue;
+    const double aside = std::fabs(cross(ray.along, landmark.position - ray.from));
+    if (away <= params.glanceReach && aside <= params.glanceAside) return &landmark;
+  }
+  return nullptr;
+}
+
 bool addToMap(Point2<Field> place, double mergeRadius, PinkLandmarks& map) {
   PinkLandmark* nearest = nullptr;
   double least = mergeRadius;
@@ -103,7 +114,12 @@ void mapPatches(const PinkSights& sights, TeamColour team, const GpsParams& para
       state.count(*reason);
       continue;
     }
-    const auto place = meetWall(rayOf(state.modes[0].pose, sight), params.pinks.wall);
+    const Ray ray = rayOf(state.modes[0].pose, sight);
+    const auto place = meetWall(ray, params.pinks.wall);
+    if (PinkLandmark* known = glancedAt(ray, *place, params.pinks, state.pinks.map)) {
+      known->weight += 1.0;
+      continue;
+    }
     if (!addToMap(*place, params.pinks.mergeRadius, state.pinks.map))
       state.count(Refusal::pinkMapFull);
   }

@@ -29,6 +29,11 @@ bool mayHangOnWall(double eyeHeight, Angle elevation, double distance, const Pin
 bool clearOfBeacons(const Ray& ray, const body::FieldDescription& field, TeamColour team,
                     double clearance);
 
+// Along a wall a ray's small error is a long way: the mapped patch that it passes closely, though
+// it meets the wall farther from it than patches are merged; null when there is none.
+PinkLandmark* glancedAt(const Ray& ray, Point2<Field> place, const PinkParams& params,
+                        PinkLandmarks& map);
+
 // Adds a sighting of weight 1, or merges it into the nearest entry within the radius, by weight.
 // False when the map is full.
 bool addToMap(Point2<Field> place, double mergeRadius, PinkLandmarks& map);

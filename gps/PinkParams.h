@@ -16,6 +16,7 @@ namespace kelpie::gps {
 struct PinkSearchParams {
   double surveySeconds = 5.0;  // of looking round before the first search (thesis 4.1.4)
   double againSeconds = 2.5;   // more of it before the next, while none is sure
+  double keepSeconds = 25.0;   // of looking round, once around and a little; then all begins anew
   double cell = 8.0;           // cm, one line point is kept in each
   double farthest = 220.0;     // cm of a line point that is kept
   Angle sameBearing = Angle::deg(5);
@@ -29,17 +30,20 @@ struct PinkSearchParams {
   double fineSharpness = 0.015;           // 1/cm2: at 8 cm
   Angle coarseBearingSd = Angle::deg(8);  // the grid is that coarse
   Angle bearingSd = Angle::deg(3);
-  double missed = 0.02;     // odds of a bearing to something that is not in the map
-  double lineScore = 60.0;  // nats from no line point on a line to all of them
-  double sureShare = 0.9;   // of the best pose among all found
-  double placeSd = 12.0;    // cm, of the mode made of it
+  double missed = 0.02;        // odds of a bearing to something that is not in the map
+  double lineScore = 60.0;     // nats from no line point on a line to all of them
+  std::uint32_t patience = 9;  // searches, 4 s each, until a likely pose is enough
+  double likelyShare = 0.6;
+  double sureShare = 0.9;  // of the best pose among all found
+  double placeSd = 12.0;   // cm, of the mode made of it
   Angle headingSd = Angle::deg(4);
 
   static constexpr auto fields() {
     using P = PinkSearchParams;
     return fieldList(
         field("surveySeconds", &P::surveySeconds, "s", 0, 100),
-        field("againSeconds", &P::againSeconds, "s", 0, 100), field("cell", &P::cell, "cm", 1, 100),
+        field("againSeconds", &P::againSeconds, "s", 0, 100),
+        field("keepSeconds", &P::keepSeconds, "s", 1, 1000), field("cell", &P::cell, "cm", 1, 100),
         field("farthest", &P::farthest, "cm", 50, 500),
         field("sameBearing", &P::sameBearing, "rad", 0.1, 45),
         field("sameOrigin", &P::sameOrigin, "cm", 0, 100),
@@ -52,6 +56,8 @@ struct PinkSearchParams {
         field("coarseBearingSd", &P::coarseBearingSd, "rad", 0.1, 45),
         field("bearingSd", &P::bearingSd, "rad", 0.1, 45), field("missed", &P::missed, "", 1e-6, 1),
         field("lineScore", &P::lineScore, "", 0, 1000), field("sureShare", &P::sureShare, "", 0, 1),
+        field("patience", &P::patience, "", 0, 1e6),
+        field("likelyShare", &P::likelyShare, "", 0, 1),
         field("placeSd", &P::placeSd, "cm", 1, 200),
         field("headingSd", &P::headingSd, "rad", 0.1, 90));
   }
@@ -71,6 +77,8 @@ struct PinkParams {
   // ghosts.
   double beaconClearance = 10.0;
   double mergeRadius = 25.0;   // cm
+  double glanceReach = 60.0;   // cm between a patch and where a ray along its wall meets the wall
+  double glanceAside = 12.0;   // cm from the patch to that ray
   double forgetSeconds = 4.0;  // every so often each weight falls by one
   double maxPositionSd = 8.0;  // cm; a robot that knows its place less does not map
   Angle maxHeadingSd = Angle::deg(3);
@@ -89,6 +97,8 @@ struct PinkParams {
         field("maxHeight", &P::maxHeight, "cm", -1000, 1000),
         field("beaconClearance", &P::beaconClearance, "cm", 0, 200),
         field("mergeRadius", &P::mergeRadius, "cm", 0, 200),
+        field("glanceReach", &P::glanceReach, "cm", 0, 500),
+        field("glanceAside", &P::glanceAside, "cm", 0, 200),
         field("forgetSeconds", &P::forgetSeconds, "s", 0.1, 1000),
         field("maxPositionSd", &P::maxPositionSd, "cm", 0.1, 1000),
         field("maxHeadingSd", &P::maxHeadingSd, "rad", 0.1, 180),

@@ -32,7 +32,10 @@ void endSearch(const GpsParams& params, GpsState& state) {
   const PinkSearchParams& p = params.pinks.search;
   PinkState& pinks = state.pinks;
   ++pinks.search.count;
-  if (sureness(pinks.search) >= p.sureShare) {
+  // One that two poses explain for long: to guess is better than to stand and wait, and what a
+  // wrong pose does not foretell soon tells.
+  const bool patient = pinks.search.count < p.patience;
+  if (sureness(pinks.search) >= (patient ? p.sureShare : p.likelyShare)) {
     state.modes.clear();
     state.modes.push_back(modeAt(poseNow(pinks.survey, pinks.search.candidates[0].pose), p));
     state.lost = false;
@@ -41,7 +44,13 @@ void endSearch(const GpsParams& params, GpsState& state) {
   const std::uint32_t count = pinks.search.count;
   pinks.search = Search{};
   pinks.search.count = count;
-  pinks.survey.nextSearch = pinks.survey.seconds + p.againSeconds;
+  // By then the odometry's turns have set the first sightings beside the last.
+  if (pinks.survey.seconds > p.keepSeconds) {
+    pinks.survey = Survey{};
+    pinks.survey.nextSearch = p.surveySeconds;
+  } else {
+    pinks.survey.nextSearch = pinks.survey.seconds + p.againSeconds;
+  }
 }
 
 void searchAll(const GpsIn& in, const Odometry& odometry, const GpsParams& params,

@@ -6,7 +6,9 @@
 namespace kelpie::agent {
 
 FrameLoop::FrameLoop(const AgentConfig& config, const std::string& scripts)
-    : config_(config), vision_(config.calibration), behaviour_(scripts) {}
+    : config_(config), vision_(config.calibration), behaviour_(scripts) {
+  gps::prepare(config_.gps, gps_);
+}
 
 const FrameOutput& FrameLoop::step(const FrameInput& input, StageObserver& observer) {
   output_.frame = input.frame;

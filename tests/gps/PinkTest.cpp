@@ -237,5 +237,23 @@ TEST(PinkSight, LargestComeFirstAndBrokenOnesAreCounted) {
   EXPECT_EQ(mapper.refused(Refusal::pinkNotFinite), 1);
 }
 
+TEST(PinkMap, ARayAlongTheWallThatPassesAKnownPatchIsASightOfIt) {
+  const PinkParams params;
+  PinkLandmarks map;
+  map.push_back({{0.0, -45.0}, 10.0});
+  const Point2<Field> from{200.0, 15.0};
+  const auto rayTo = [&](Point2<Field> to) {
+    const Point2<Field> way = to - from;
+    const double length = maths::hypot(way.x, way.y);
+    return Ray{from, {way.x / length, way.y / length}};
+  };
+  EXPECT_EQ(glancedAt(rayTo({-28, -45}), {-28, -45}, params, map), &map[0]);
+  EXPECT_EQ(glancedAt(rayTo({-100, -45}), {-100, -45}, params, map), nullptr);  // too far beyond
+  const Ray across{{-28, 200}, {0.0, -1.0}};  // passes 28 cm beside it
+  EXPECT_EQ(glancedAt(across, {-28, -45}, params, map), nullptr);
+  map[0].weight = params.minWeight - 1.0;
+  EXPECT_EQ(glancedAt(rayTo({-28, -45}), {-28, -45}, params, map), nullptr);
+}
+
 }  // namespace
 }  // namespace kelpie::gps
