@@ -99,9 +99,10 @@ std::optional<std::size_t> cellAt(Point2<Field> p, const body::FieldDescription&
 }
 
 Point2<Field> middleOf(std::size_t cell, const body::FieldDescription& field) {
-  const auto column = static_cast<double>(cell % kMapColumns);
-  const auto row = static_cast<double>(cell / kMapColumns);
-  return {(column + 0.5) * kCell - field.sideFringe, (row + 0.5) * kCell - field.endFringe};
+  const std::size_t row = cell / kMapColumns;
+  const std::size_t column = cell - row * kMapColumns;
+  return {(static_cast<double>(column) + 0.5) * kCell - field.sideFringe,
+          (static_cast<double>(row) + 0.5) * kCell - field.endFringe};
 }
 
 void build(const body::FieldDescription& field, const ObstacleMapParams& params, ObstacleMap& map) {
