@@ -2,6 +2,7 @@
 // A robot carried to an unknown place finds it by field lines and mapped pink patches.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -72,6 +73,34 @@ TEST(PoseSearch, WithoutPinksItDoesNotGuessBetweenTwins) {
   const WorldModel world = robot.lookRound(600, false);
   EXPECT_TRUE(robot.state.lost);
   EXPECT_GT(world.positionSd, 100.0);
+}
+
+// Half a turn of the field puts each of these patches where another is.
+TEST(PoseSearch, TwinsThatNothingTellsApartAreNeverGuessedAndTheSurveyIsRenewed) {
+  CarriedRobot robot({100, 150, 1.0}, 3);
+  robot.state.pinks.map.clear();
+  for (const Point2<Field> place : {Point2<Field>{-35, 100}, {395, 440}, {60, 585}, {300, -45}})
+    robot.state.pinks.map.push_back({place, 20.0});
+  const PinkSearchParams& p = robot.params.pinks.search;
+  double oldest = 0.0;
+  for (int i = 0; i < 7; ++i) {
+    robot.lookRound(210);
+    oldest = std::max(oldest, robot.state.pinks.survey.seconds);
+  }
+  EXPECT_TRUE(robot.state.lost);
+  EXPECT_LT(oldest, p.keepSeconds + p.againSeconds + 5.0);  // a search takes a second or two
+}
+
+TEST(PoseSearch, AfterManySearchesALikelyPoseIsEnough) {
+  CarriedRobot robot({100, 150, 1.0}, 3);
+  robot.params.pinks.search.sureShare = 1.1;  // never
+  robot.params.pinks.search.patience = 1000;
+  robot.lookRound(420);
+  EXPECT_TRUE(robot.state.lost);
+  robot.params.pinks.search.patience = 2;
+  const WorldModel world = robot.lookRound(420);
+  EXPECT_FALSE(robot.state.lost);
+  EXPECT_LT(robot.error(world), 30.0);
 }
 
 TEST(PoseSearch, BeginsAnewWhenPlayDoes) {
