@@ -48,7 +48,6 @@ struct RobotParams {
   double edgeSd = 0.7;                // px, of the foot
   Angle directionSd = Angle::deg(1);  // camera against ground, while walking
   double headingSd = 4;               // cm across, of the middle of the patches
-  double heightSd = 4;                // cm, of patchHeight
 
   static constexpr auto fields() {
     using P = RobotParams;
@@ -89,8 +88,7 @@ struct RobotParams {
         field("maxDistance", &P::maxDistance, "cm", 50, 1000),
         field("edgeSd", &P::edgeSd, "px", 0.01, 5),
         field("directionSd", &P::directionSd, "rad", 0.05, 20),
-        field("headingSd", &P::headingSd, "cm", 0.1, 20),
-        field("heightSd", &P::heightSd, "cm", 0.1, 20));
+        field("headingSd", &P::headingSd, "cm", 0.1, 20));
   }
 };
 
