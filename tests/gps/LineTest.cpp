@@ -3,29 +3,15 @@
 #include <gtest/gtest.h>
 
 #include <limits>
-#include <memory>
 
 #include "gps/LineUpdate.h"
 #include "gps/MatchTable.h"
 #include "gps/Modes.h"
+#include "tests/gps/Field2006.h"
 #include "tools/cli/experiments/SimulatedRobot.h"
 
 namespace kelpie::gps {
 namespace {
-
-const body::FieldDescription& field2006() {
-  static const body::FieldDescription field = *body::fieldDescription("2006");
-  return field;
-}
-
-const FieldFeatures& features() {
-  static const auto built = [] {
-    auto f = std::make_unique<FieldFeatures>();
-    f->build(field2006());
-    return f;
-  }();
-  return *built;
-}
 
 // Points of the painted lines up to 250 cm around a pose, without noise.
 SeenLines seenFrom(const Pose2& pose) {

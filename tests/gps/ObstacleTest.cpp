@@ -7,15 +7,11 @@
 #include <memory>
 
 #include "gps/ObstacleQueries.h"
+#include "tests/gps/Field2006.h"
 #include "tools/cli/experiments/SimulatedRobot.h"
 
 namespace kelpie::gps {
 namespace {
-
-const body::FieldDescription& field2006() {
-  static const body::FieldDescription field = *body::fieldDescription("2006");
-  return field;
-}
 
 struct Mapping {
   ObstacleMapParams params;

@@ -2,27 +2,12 @@
 // Places that look alike, derived from the field's description.
 #include <gtest/gtest.h>
 
-#include <memory>
-
 #include "gps/Symmetry.h"
 #include "robot/core/Random.h"
+#include "tests/gps/Field2006.h"
 
 namespace kelpie::gps {
 namespace {
-
-const body::FieldDescription& field2006() {
-  static const body::FieldDescription field = *body::fieldDescription("2006");
-  return field;
-}
-
-const FieldFeatures& features() {
-  static const auto built = [] {
-    auto f = std::make_unique<FieldFeatures>();
-    f->build(field2006());
-    return f;
-  }();
-  return *built;
-}
 
 std::size_t countOf(const PaintedFeatures& all, FeatureKind kind) {
   std::size_t count = 0;
