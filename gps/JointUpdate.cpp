@@ -10,8 +10,6 @@
 namespace kelpie::gps {
 namespace {
 
-constexpr double kHopeless = 1e-20;  // weight factor where nothing can be computed
-
 // What one mode becomes: by the landmarks alone, and by all.
 struct Candidate {
   Evidence evidence;
@@ -125,8 +123,7 @@ PoseMode result(const PoseMode& mode, const Candidate& one, const SeenLines* see
 }  // namespace
 
 void Evidence::add(const PoseMode& mode, const Measurement& m, const Pose2& at) {
-  constexpr double kNearest = 5.0;  // cm, a beacon's radius
-  if (distance(m.landmark, at.position) < kNearest) {
+  if (standsOn(at, m.landmark)) {
     hopeless = true;
     return;
   }

@@ -8,9 +8,6 @@
 namespace kelpie::gps {
 namespace {
 
-constexpr double kNearest = 5.0;     // cm, a beacon's radius
-constexpr double kHopeless = 1e-20;  // weight factor where nothing can be computed
-
 template <int N>
 struct Linear {
   Eigen::Matrix<double, N, 1> innovation;
@@ -53,6 +50,11 @@ Linear<1> only(const Linear<2>& both, int row) {
 
 }  // namespace
 
+bool standsOn(const Pose2& pose, Point2<Field> landmark) {
+  constexpr double kNearest = 5.0;  // cm, a beacon's radius
+  return distance(landmark, pose.position) < kNearest;
+}
+
 Expectation expected(const Pose2& pose, Point2<Field> landmark) {
   const Point2<Field> d = landmark - pose.position;
   const double r = d.norm();
@@ -65,7 +67,7 @@ Expectation expected(const Pose2& pose, Point2<Field> landmark) {
 }
 
 void update(PoseMode& mode, const Measurement& measurement, bool determinant) {
-  if (distance(measurement.landmark, mode.pose.position) < kNearest) {
+  if (standsOn(mode.pose, measurement.landmark)) {
     mode.weight *= kHopeless;
     return;
   }

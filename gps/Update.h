@@ -15,6 +15,10 @@ struct Expectation {
   std::array<double, 6> jacobian{};
 };
 
+// Too near to be linearised.
+bool standsOn(const Pose2& pose, Point2<Field> landmark);
+constexpr double kHopeless = 1e-20;  // weight factor where nothing can be computed
+
 Expectation expected(const Pose2& pose, Point2<Field> landmark);
 
 // Corrects the mode and multiplies its weight by S in (0, 1]. A mode that stands on the landmark
