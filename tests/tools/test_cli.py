@@ -25,6 +25,31 @@ def test_unknown_command_is_a_usage_error():
     assert kelpie("dance").returncode == 2
 
 
+@pytest.mark.parametrize("words, told", [
+    (["plai"], "'plai' is not known; `kelpie --help`"),
+    (["replay", "--chek"], "'--chek' is not known; `kelpie replay --help`"),
+    (["play", "--seed", "abc"], "--seed: abc is no number"),
+    (["calibrate", "colour", "nominal", "--out", "x", "--seed", "-1"], "-1 is no number"),
+    (["calibrate", "ring", "2006", "--out", "x", "--prior", "nan"], "nan is no number"),
+    (["replay"], "LOG is required; `kelpie replay --help`"),
+])
+def test_a_mistyped_command_line_is_one_line_that_names_the_word(words, told):
+    result = kelpie(*words)
+    assert result.returncode == 2
+    assert told in complaint(result) and result.stderr.count("\n") == 1
+
+
+@pytest.mark.parametrize("words", [["kelpie-agent", "--socket", "s", "--seed", "-1"],
+                                   ["kelpie-world", "--socket", "s", "--seed", ""],
+                                   ["kelpie-world", "--socket", "s", "--wait", "-1"],
+                                   ["kelpie-world", "--socket", "s", "--seconds", "nan"]])
+def test_the_programs_behind_play_refuse_wrong_numbers_too(words):
+    result = subprocess.run([BIN / words[0], *words[1:]], capture_output=True, text=True,
+                            timeout=20, check=False)
+    assert result.returncode == 2
+    assert result.stderr.startswith(words[0] + ": ") and result.stderr.count("\n") == 1
+
+
 def test_evaluate_lists_what_it_measures():
     result = kelpie("evaluate", "--list")
     assert result.returncode == 0

@@ -8,6 +8,7 @@
 #include "tools/calibrate/TablePicture.h"
 #include "tools/cli/Calibrate.h"
 #include "tools/cli/Commands.h"
+#include "tools/cli/Usage.h"
 #include "vision/VisionCalibration.h"
 
 namespace kelpie::cli {
@@ -111,6 +112,7 @@ void addCalibrateColour(CLI::App& command, int& code) {
   colour->add_option("--ring", options->ring, "Correction of the images' pixels")
       ->capture_default_str();
   colour->add_option("--seed", options->seed, "Of the part held out to judge by")
+      ->check(inRange(0.0, kLargestSeed))
       ->capture_default_str();
   colour->add_option("--note", options->note, "Robot, venue, date: kept in the table");
   colour->callback([options, &code] { code = calibrateColour(*options); });

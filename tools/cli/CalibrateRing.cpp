@@ -8,6 +8,7 @@
 #include "tools/calibrate/RingLearner.h"
 #include "tools/cli/Calibrate.h"
 #include "tools/cli/Commands.h"
+#include "tools/cli/Usage.h"
 
 namespace kelpie::cli {
 namespace {
@@ -115,7 +116,7 @@ void addCalibrateRing(CLI::App& command, int& code) {
   ring->add_option("--prior", options->prior,
                    "Weight of the 2006 polynomial as a share of all pixels; lets sheets of one "
                    "colour do")
-      ->check(CLI::Range(0.0, 10.0));
+      ->check(inRange(0.0, 10.0));
   ring->add_option("--note", options->note, "Robot, venue, date: kept in the table");
   addShiftOptions(*ring, options->shift);
   ring->callback([options, &code] { code = calibrateRing(*options); });

@@ -65,19 +65,6 @@ Status applyCalibration(const ConfigOptions& options, vision::VisionCalibration&
 
 }  // namespace
 
-CLI::Validator inRange(double least, double most) {
-  const std::string range = fmt::format("[{:g} - {:g}]", least, most);
-  return CLI::Validator(
-      [=](std::string& text) -> std::string {
-        double value = 0.0;
-        const auto [rest, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-        const bool whole = error == std::errc() && rest == text.data() + text.size();
-        if (whole && value >= least && value <= most) return {};
-        return fmt::format("{} is no number in {}", text, range);
-      },
-      range);
-}
-
 void addConfigOptions(CLI::App& command, ConfigOptions& options) {
   command.add_option("--field", options.field, "2006, osaka2005 or 2004");
   command.add_option("--team", options.team, "red (attacks the blue goal) or blue")

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "robot/agent/AgentConfig.h"
+#include "tools/cli/Usage.h"
 
 namespace kelpie::cli {
 
@@ -20,10 +21,6 @@ struct ConfigOptions {
   std::string initial;              // "x,y,heading" in cm and degrees
   std::vector<std::string> params;  // TOML files, general to specific
 };
-
-// CLI11's own range check lets "nan" pass.
-CLI::Validator inRange(double least, double most);
-constexpr double kLargestSeed = 9e15;  // every whole number up to here is a double
 
 // Registers --field, --team, --colour-table, --ring, --init and --params.
 void addConfigOptions(CLI::App& command, ConfigOptions& options);

@@ -116,14 +116,13 @@ int main(int argc, char** argv) {
   app.add_option("--player", options.config.player, "Number in the team")->check(CLI::Range(1, 4));
   app.add_option("--drop-rate", options.dropRate, "Share of images lost on the way")
       ->check(kelpie::cli::inRange(0.0, 1.0));
-  app.add_option("--seed", options.seed, "Of the losses");
+  app.add_option("--seed", options.seed, "Of the losses")
+      ->check(kelpie::cli::inRange(0.0, kelpie::cli::kLargestSeed));
   app.add_flag("--status", options.status, "Says twice a second what the robot believes");
   addConfigOptions(app, options.config);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  }
+  bool done = false;
+  const int usage = kelpie::cli::parseOptions(app, argc, argv, done);
+  if (done) return usage;
   try {
     return kelpie::cli::run(options);
   } catch (const std::exception& error) {

@@ -10,6 +10,7 @@
 
 #include "tools/cli/Commands.h"
 #include "tools/cli/Process.h"
+#include "tools/cli/Usage.h"
 #include "tools/cli/WholeFile.h"
 
 namespace kelpie::cli {
@@ -77,11 +78,10 @@ int main(int argc, char** argv) {
   kelpie::cli::addBench(app, code);
   kelpie::cli::addCalibrate(app, code);
   try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? kelpie::cli::kDone : kelpie::cli::kBadInput;
+    bool done = false;  // after help, or a mistake in the options
+    const int usage = kelpie::cli::parseOptions(app, argc, argv, done);
+    return done ? usage : code;
   } catch (const std::exception& error) {
     return kelpie::cli::complain(error.what(), kelpie::cli::kBadInput);
   }
-  return code;
 }

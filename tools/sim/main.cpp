@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <fstream>
 
+#include "tools/cli/Usage.h"
 #include "tools/sim/Server.h"
 
 namespace kelpie::sim {
@@ -86,18 +87,20 @@ Status play(const Options& options) {
 void describe(CLI::App& app, Options& options) {
   app.add_option("--socket", options.socket, "Unix socket the agents come to")->required();
   app.add_option("--robots", options.robots, "agents to wait for")->check(CLI::Range(1, 8));
-  app.add_option("--seed", options.seed, "of everything random");
+  app.add_option("--seed", options.seed, "of everything random")
+      ->check(cli::inRange(0.0, cli::kLargestSeed));
   app.add_option("--field", options.field, "2006, osaka2005 or 2004")
       ->check(CLI::IsMember({"2006", "osaka2005", "2004"}));
   app.add_option("--scenario", options.scenario, "empty-goal or kickoff")
       ->check(CLI::IsMember({"empty-goal", "kickoff"}));
   app.add_option("--seconds", options.world.referee.seconds, "length of the match")
-      ->check(CLI::Range(0.0, 1e5));
+      ->check(cli::inRange(0.0, 1e5));
   app.add_option("--goals", options.world.referee.goals, "of one team end the match; 0 = never")
       ->check(CLI::Range(0, 100));
   app.add_option("--truth", options.truth, "log of what really happened (MCAP)");
   app.add_option("--result", options.result, "result file (JSON)");
-  app.add_option("--wait", options.wait, "seconds until the agents must be there");
+  app.add_option("--wait", options.wait, "seconds until the agents must be there")
+      ->check(cli::inRange(0.0, 1e5));
   app.add_flag("--no-ring", options.noRing, "no ring effect");
   app.add_flag("--no-noise", options.noNoise, "no sensor noise");
   app.add_flag("--no-shift", options.noShift, "no colour difference between robots");
@@ -112,13 +115,11 @@ void describe(CLI::App& app, Options& options) {
 
 int main(int argc, char** argv) {
   kelpie::sim::Options options;
-  CLI::App app("The simulated world of one match");
+  CLI::App app("The simulated world of one match", "kelpie-world");
   kelpie::sim::describe(app, options);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  }
+  bool done = false;
+  const int usage = kelpie::cli::parseOptions(app, argc, argv, done);
+  if (done) return usage;
   const kelpie::Status played = kelpie::sim::play(options);
   if (played) return 0;
   fmt::print(stderr, "kelpie-world: {}\n", played.error());

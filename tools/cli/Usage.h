@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the programs' command lines have in common: numbers that are checked, and one line for
+// whoever mistypes.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+namespace kelpie::cli {
+
+// A number in [least, most]; unlike CLI::Range it refuses what is no number, "nan" included.
+CLI::Validator inRange(double least, double most);
+constexpr double kLargestSeed = 9e15;  // every whole number up to here is a double
+
+// Parses; whatever is wrong becomes "NAME: what; `NAME --help` tells more" on standard error, naming
+// the word that is not known. Gives 0 when the program is to go on, else `done` is set and this is
+// its exit code: 0 after help, 2 for a usage error.
+int parseOptions(CLI::App& app, int argc, char** argv, bool& done);
+
+}  // namespace kelpie::cli
