@@ -21,6 +21,9 @@ Expected<bool> RecordingSource::next(WorldEvent& event) {
   while (reader_.next(message)) {
     event.step = WorldStep{};
     const bool sensors = message.topic() == kMotionInputTopic;
+    if (message.topic() == kPlaneFrameTopic)
+      return Error{log_ + ": holds class planes, no images of a camera that OPEN-R could give; " +
+                   "kelpie replay reads them"};
     if (!sensors && message.topic() != kFrameInputTopic) continue;
     const Status taken = sensors ? takeSensors(message, event) : takeImage(message, event);
     if (!taken) return Error{log_ + ": " + taken.error()};
@@ -28,6 +31,9 @@ Expected<bool> RecordingSource::next(WorldEvent& event) {
     return true;
   }
   if (!reader_.status()) return Error{reader_.status().error()};
+  if (reader_.truncated())
+    return Error{log_ + ": cut off at byte " + std::to_string(reader_.offset()) +
+                 "; whole up to there"};
   return false;
 }
 

@@ -2,7 +2,8 @@
 // A recorded log as the source of events: its sensor ticks and images pass the OPEN-R services and
 // the agent's object again, in the order in which the robot got them. What the agent commands goes
 // nowhere; vectors end as they would on the robot, one with every sensor message. Needs a log with
-// motion inputs; imported frames have none and are replayed without OPEN-R (kelpie replay).
+// motion inputs and images: imported frames and class planes are replayed without OPEN-R (kelpie
+// replay). A log that lacks its end is an error after its last whole event.
 #pragma once
 
 #include <memory>
