@@ -21,13 +21,18 @@ constexpr const char* kHeader =
     "t_s,neck_tilt_deg,head_pan_deg,head_nod_deg,body_tilt_deg,shoulder_height_mm,"
     "odo_forward_cm,odo_left_cm,odo_turn_deg";
 constexpr std::size_t kColumns = 9;
-constexpr double kLongest = 1e6;  // s, of a recording
+constexpr double kLongest = 1e6;     // s, of a recording
+constexpr double kLeastStep = 1e-3;  // s between frames; a thirtieth of a real one
+constexpr double kTurn = 360.0;      // deg; a joint or a step that says more is a slip of units
 
 void dropCarriageReturn(std::string& line) {
   if (!line.empty() && line.back() == '\r') line.pop_back();
 }
 
-// The nine numbers of a row; nothing when there are fewer, more, or one is not a finite number.
+bool isAngle(std::size_t column) { return (column >= 1 && column <= 4) || column == 8; }
+
+// The nine numbers of a row; nothing when there are fewer, more, or one is not a finite number or
+// no angle.
 bool parseNumbers(const std::string& line, std::array<double, kColumns>& numbers) {
   const char* next = line.data();
   const char* const end = line.data() + line.size();
@@ -36,6 +41,7 @@ bool parseNumbers(const std::string& line, std::array<double, kColumns>& numbers
     while (next != end && *next == ' ') ++next;
     const auto [rest, error] = std::from_chars(next, end, numbers[i]);
     if (error != std::errc() || !std::isfinite(numbers[i])) return false;
+    if (isAngle(i) && std::fabs(numbers[i]) > kTurn) return false;
     next = rest;
   }
   return next == end;
@@ -68,14 +74,15 @@ Expected<std::vector<RecordedRow>> readSensorRows(const std::string& path) {
     if (line.empty()) continue;
     std::array<double, kColumns> numbers{};
     if (!parseNumbers(line, numbers))
-      return Error{fmt::format("{}:{}: expected {} numbers", path, number, kColumns)};
-    if (!rows.empty() && numbers[0] <= rows.back().time)
-      return Error{fmt::format("{}:{}: time does not increase", path, number)};
+      return Error{
+          fmt::format("{}:{}: expected {} numbers, angles in -360..360", path, number, kColumns)};
+    if (!rows.empty() && numbers[0] < rows.back().time + kLeastStep)
+      return Error{fmt::format("{}:{}: time does not increase by {} s", path, number, kLeastStep)};
     if (!(numbers[0] >= 0.0 && numbers[0] < kLongest))
       return Error{fmt::format("{}:{}: time must lie in 0..{} s", path, number, kLongest)};
     const RecordedRow row = rowOf(numbers);
     std::string why;
-    if (!verify(frameInput(0, row, nullptr), &why))
+    if (!verify(frameInput(0, row, rows.empty() ? nullptr : &rows.back()), &why))
       return Error{fmt::format("{}:{}: {}", path, number, why)};
     rows.push_back(row);
   }
