@@ -40,6 +40,8 @@ Error wrong(const std::string& path, const std::string& what) { return Error{pat
 Expected<Bytes> readBytes(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   if (!file) return wrong(path, "cannot be opened");
+  file.peek();  // fails on a folder, where the iterators below would throw
+  if (file.bad()) return wrong(path, "cannot be read");
   Bytes bytes((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
   if (file.bad()) return wrong(path, "cannot be read");
   return bytes;

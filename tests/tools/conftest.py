@@ -19,6 +19,11 @@ def kelpie(*words, timeout=240):
                           timeout=timeout, check=False, cwd=ROOT)
 
 
+def agent(*words):
+    return subprocess.run([BIN / "kelpie-agent", *map(str, words)], capture_output=True, text=True,
+                          timeout=120, check=False)
+
+
 def complaint(result):
     """The one line that a user gets; fails when there are more."""
     lines = [line for line in result.stderr.splitlines() if line.startswith("kelpie: ")]

@@ -119,3 +119,28 @@ def test_one_sheet_a_short_file_and_an_empty_folder_are_one_line(sheets, tmp_pat
         assert result.returncode == 2
         assert part in complaint(result)
     assert not out.exists()
+
+
+def test_a_folder_in_place_of_a_table_is_named(tmp_path):
+    for words in (("colour", tmp_path, "--out", tmp_path / "t"), ("show", tmp_path)):
+        result = kelpie("calibrate", *words)
+        assert result.returncode == 2
+        assert f"{tmp_path}: cannot be read" in complaint(result)
+
+
+def test_an_earlier_table_survives_a_picture_that_cannot_be_drawn(tmp_path):
+    table = tmp_path / "t.kt"
+    table.write_bytes(b"precious")
+    result = kelpie("calibrate", "colour", "nominal", "--out", table, "--picture",
+                    tmp_path / "none" / "t.png")
+    assert result.returncode == 2 and "cannot be written" in complaint(result)
+    assert table.read_bytes() == b"precious"
+
+
+def test_labels_as_a_spreadsheet_writes_them_are_read(tmp_path):
+    labels = tmp_path / "l.csv"
+    labels.write_bytes("\ufeffY,Cr,Cb,class\r\n".encode() + b"74,191,99,0\r\n18,127,128,10\r\n" * 8)
+    assert kelpie("calibrate", "colour", labels, "--out", tmp_path / "t").returncode == 0
+    labels.write_text("Y,Cr,Cb,class\n74,191,99,0\n")
+    result = kelpie("calibrate", "colour", labels, "--out", tmp_path / "u")
+    assert result.returncode == 2 and "1 labelled pixels, too few" in complaint(result)

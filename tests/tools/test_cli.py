@@ -3,12 +3,13 @@
 
 import json
 import os
+import resource
 import signal
 import subprocess
 import time
 
 import pytest
-from conftest import BIN, HEADER, PLANE, ROOT, complaint, kelpie, make_recording
+from conftest import BIN, HEADER, PLANE, ROOT, agent, complaint, kelpie, make_recording
 
 
 def test_help_teaches_the_first_command():
@@ -219,6 +220,21 @@ def test_a_recording_through_the_openr_services_gives_the_same_frames(match, tmp
     assert kelpie("replay", again, "--check").returncode == 0
 
 
+def test_an_agent_without_a_world_keeps_the_log_that_is_there(tmp_path):
+    (tmp_path / "a.mcap").write_bytes(b"precious")
+    assert agent("--socket", tmp_path / "none", "--log", tmp_path / "a.mcap").returncode == 1
+    assert (tmp_path / "a.mcap").read_bytes() == b"precious"
+
+
+def test_a_cut_recording_is_told_after_its_last_whole_event(match, tmp_path):
+    cut = tmp_path / "cut.mcap"
+    cut.write_bytes(match.read_bytes()[:1_000_000])
+    result = agent("--recording", cut, "--log", tmp_path / "again.mcap")
+    assert result.returncode == 1
+    assert "cut off at byte" in result.stderr and result.stderr.count("\n") == 1
+    assert "/frame/output" in kelpie("info", tmp_path / "again.mcap").stdout
+
+
 def test_a_match_opens_in_a_third_party_reader(match):
     reader = BIN.parent / "log_reader"
     if not (reader / "node_modules").is_dir():
@@ -293,8 +309,18 @@ def test_an_earlier_match_survives_bad_input(tmp_path):
     assert (tmp_path / "match.mcap").read_bytes() == b"precious"
 
 
+def test_an_earlier_match_survives_scripts_that_do_not_load(tmp_path):
+    (tmp_path / "main.py").write_text("import os\n")
+    names = ("match.mcap", "match.png", "match.mp4")
+    for name in names:
+        (tmp_path / name).write_bytes(b"precious")
+    assert kelpie("play", "--pycode", tmp_path, "--out", tmp_path).returncode == 2
+    assert all((tmp_path / name).read_bytes() == b"precious" for name in names)
+
+
 def test_a_log_is_never_its_own_output(match):
     size = match.stat().st_size
+    assert agent("--recording", match, "--log", match).returncode == 2
     assert kelpie("replay", match, "--jsonl", match).returncode == 2
     assert kelpie("film", match, match).returncode == 2
     assert match.stat().st_size == size
@@ -377,6 +403,50 @@ def test_import_names_the_row_that_is_no_numbers(tmp_path):
     result = kelpie("import", folder, "--out", tmp_path / "r.mcap")
     assert result.returncode == 2
     assert "sensors.csv:3" in complaint(result)
+
+
+@pytest.mark.parametrize("row, told", [
+    ("0.0334,1e308,0,0,14.25,100,0,0,0", "angles in -360..360"),
+    ("0.0000001,-20,0,0,14.25,100,0,0,0", "time does not increase"),
+    ("0.0044,-20,85,0,14.25,100,0,0,0", "headRate.headPan"),
+    ("99,-20,0,0,14.25,100,0,0,0", "elapsed"),
+])
+def test_import_refuses_rows_that_no_robot_could_give(tmp_path, row, told):
+    folder = make_recording(tmp_path / "rec", [bytes(3 * PLANE)] * 2)
+    table = folder / "sensors.csv"
+    table.write_text("\n".join([*table.read_text().splitlines()[:2], row]) + "\n")
+    result = kelpie("import", folder, "--out", tmp_path / "out.mcap")
+    assert result.returncode == 2
+    assert told in complaint(result) and "sensors.csv:3" in complaint(result)
+
+
+def full_disk():
+    """Files end at 40 KB, as on a disk that is full, and no signal tells."""
+    signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (40_000, 40_000))
+
+
+def test_what_was_there_survives_a_full_disk(match, tmp_path):
+    out = {name: tmp_path / name for name in ("film.mp4", "frame.png", "ring.kt", "small.mcap")}
+    commands = (["film", match, out["film.mp4"]], ["show", match, "--out", out["frame.png"]],
+                ["calibrate", "ring", "2006", "--out", out["ring.kt"]],
+                ["compress", match, "--out", out["small.mcap"]])
+    for words, path in zip(commands, out.values()):
+        path.write_bytes(b"precious")
+        result = subprocess.run([BIN / "kelpie", *map(str, words)], capture_output=True, text=True,
+                                timeout=240, check=False, preexec_fn=full_disk,
+                                restore_signals=False)
+        assert result.returncode == 2, words
+        assert "written" in complaint(result) or "write" in complaint(result)
+        assert path.read_bytes() == b"precious"
+    assert sorted(tmp_path.iterdir()) == sorted(out.values())
+
+
+def test_what_cannot_be_written_is_told_before_the_measurement(tmp_path):
+    for words in (["evaluate", "localise", "--json"], ["replay", "no.mcap", "--jsonl"],
+                  ["bench", "no.mcap", "--json"]):
+        for out in (tmp_path / "none" / "f.json", tmp_path):
+            assert "cannot be written" in complaint(kelpie(*words, out, timeout=20))
 
 
 def test_import_names_the_frame_of_a_wrong_size(tmp_path):

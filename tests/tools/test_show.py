@@ -5,7 +5,7 @@ import json
 import struct
 
 import pytest
-from conftest import PLANE, complaint, kelpie, make_recording
+from conftest import PLANE, agent, complaint, kelpie, make_recording
 
 
 @pytest.fixture(name="small", scope="module")
@@ -103,6 +103,13 @@ def test_a_compressed_log_shows_the_same_balls(match, small):
     assert sum(same) >= 0.95 * len(same)
     near = [abs(b["distance_cm"] / a["distance_cm"] - 1) < 0.05 for a, b in pairs if a and b]
     assert near and sum(near) >= 0.9 * len(near)
+
+
+def test_class_planes_do_not_pass_for_images_of_a_camera(small, tmp_path):
+    result = agent("--recording", small, "--log", tmp_path / "again.mcap")
+    assert result.returncode == 1
+    assert "class planes" in result.stderr and "kelpie replay" in result.stderr
+    assert result.stderr.count("\n") == 1
 
 
 def test_compressing_twice_changes_no_frame(small, tmp_path):

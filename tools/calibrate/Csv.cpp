@@ -41,8 +41,9 @@ Status forEachRow(const std::string& path, const std::string& header,
   std::ifstream file(path);
   if (!file) return Error{path + ": cannot be opened"};
   std::string line;
-  if (!nextLine(file, line) || line != header)
-    return Error{path + ":1: the header must be " + header};
+  const bool begun = nextLine(file, line);
+  if (line.compare(0, 3, "\xEF\xBB\xBF") == 0) line.erase(0, 3);  // spreadsheets write a mark
+  if (!begun || line != header) return Error{path + ":1: the header must be " + header};
   const std::size_t columns = cellsOf(header, ',').size();
   for (int number = 2; nextLine(file, line); ++number) {
     if (line.empty()) continue;

@@ -4,6 +4,8 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "tools/calibrate/PngFile.h"
+
 namespace kelpie::calibrate {
 namespace {
 
@@ -34,13 +36,7 @@ Status writeTablePicture(const vision::ColourTable& table, const std::string& pa
   cv::Mat picture(kSlices / kAcross * (kSize + kTitle) + kGap, kAcross * (kSize + kGap) + kGap,
                   CV_8UC3, cv::Scalar(235, 235, 235));
   for (int slice = 0; slice < kSlices; ++slice) drawSlice(picture, table, slice);
-  bool written = false;
-  try {
-    written = cv::imwrite(path, picture);
-  } catch (const cv::Exception&) {  // an extension that OpenCV does not know
-  }
-  if (!written) return Error{path + ": cannot be written as a picture"};
-  return Done{};
+  return writePng(path, picture);
 }
 
 }  // namespace kelpie::calibrate

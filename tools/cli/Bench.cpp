@@ -7,6 +7,7 @@
 #include "robot/agent/Replay.h"
 #include "tools/cli/Commands.h"
 #include "tools/cli/Config.h"
+#include "tools/cli/WholeFile.h"
 #include "tools/cli/experiments/Experiment.h"
 
 namespace kelpie::cli {
@@ -58,10 +59,11 @@ int bench(const BenchOptions& options) {
   StopWatch watch;
   agent::ReplayOptions request;
   request.scripts = options.pycode;
-  const auto result = agent::replay(options.log, request, watch);
-  if (!result) return complain(result.error(), kBadInput);
   if (sameFile(options.log, options.json))
     return complain(options.json + ": is the log itself", kBadInput);
+  if (!canWrite(options.json)) return complain(options.json + ": cannot be written", kBadInput);
+  const auto result = agent::replay(options.log, request, watch);
+  if (!result) return complain(result.error(), kBadInput);
   if (!writeWhole(options.json, watch.figures().dump(2) + "\n"))
     return complain(options.json + ": cannot be written", kBadInput);
   if (result->truncated)

@@ -9,6 +9,7 @@
 #include "tools/cli/Calibrate.h"
 #include "tools/cli/Commands.h"
 #include "tools/cli/Usage.h"
+#include "tools/cli/WholeFile.h"
 #include "vision/VisionCalibration.h"
 
 namespace kelpie::cli {
@@ -58,6 +59,9 @@ Expected<vision::ColourTable> train(const ColourOptions& options, std::string& p
   if (!pixels) return Error{pixels.error()};
   Random random(options.seed);
   const auto split = calibrate::splitLabelled(*pixels, kHeldOut, random);
+  if (split.heldOut.empty())
+    return Error{fmt::format("{}: {} labelled pixels, too few to hold some out to judge by",
+                             options.input, pixels->size())};
   const calibrate::TableBits bits;
   const auto kernel = calibrate::chooseKernel(split.training, bits, random);
   const auto judged = trainTable(split.training, kernel, bits);
@@ -82,17 +86,22 @@ Expected<vision::ColourTable> makeTable(const ColourOptions& options, std::strin
 }
 
 int calibrateColour(const ColourOptions& options) {
+  for (const auto& path : {options.out, options.picture})
+    if (isDevice(path)) return complain(path + ": not a plain file", kBadInput);
   std::string provenance = "kelpie calibrate colour from " + options.input;
   const auto table = makeTable(options, provenance);
   if (!table) return complain(table.error(), kBadInput);
   if (!options.note.empty()) provenance += "; " + options.note;
-  const Status saved = saveColourTable(*table, options.out, provenance);
+  // The picture first: a command that fails leaves an earlier table as it was.
+  if (!options.picture.empty()) {
+    const Status drawn = calibrate::writeTablePicture(*table, options.picture);
+    if (!drawn) return complain(drawn.error(), kBadInput);
+    fmt::print("{}\n", options.picture);
+  }
+  const std::string part = options.out + ".part";
+  const Status saved = putInPlace(saveColourTable(*table, part, provenance), part, options.out);
   if (!saved) return complain(saved.error(), kBadInput);
   fmt::print("{}\n", options.out);
-  if (options.picture.empty()) return kDone;
-  const Status drawn = calibrate::writeTablePicture(*table, options.picture);
-  if (!drawn) return complain(drawn.error(), kBadInput);
-  fmt::print("{}\n", options.picture);
   return kDone;
 }
 

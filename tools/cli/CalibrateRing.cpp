@@ -9,6 +9,7 @@
 #include "tools/cli/Calibrate.h"
 #include "tools/cli/Commands.h"
 #include "tools/cli/Usage.h"
+#include "tools/cli/WholeFile.h"
 
 namespace kelpie::cli {
 namespace {
@@ -85,6 +86,7 @@ Expected<vision::RingTable> makeTable(const RingOptions& options, const vision::
 }
 
 int calibrateRing(const RingOptions& options) {
+  if (isDevice(options.out)) return complain(options.out + ": not a plain file", kBadInput);
   const auto shift = chosenShift(options.shift);
   if (!shift) return complain(shift.error(), kBadInput);
   std::string provenance = "kelpie calibrate ring from " + options.input;
@@ -93,7 +95,8 @@ int calibrateRing(const RingOptions& options) {
   if (!options.shift.samples.empty())
     provenance += "; shift of " + options.shift.robot + " from " + options.shift.samples;
   if (!options.note.empty()) provenance += "; " + options.note;
-  const Status saved = saveRingTable(*table, options.out, provenance);
+  const std::string part = options.out + ".part";
+  const Status saved = putInPlace(saveRingTable(*table, part, provenance), part, options.out);
   if (!saved) return complain(saved.error(), kBadInput);
   fmt::print("{}\n", options.out);
   return kDone;

@@ -27,9 +27,8 @@ void addCalibrate(CLI::App& app, int& code);
 int complain(const std::string& message, int code);
 // Whether progress may be drawn: standard error is a terminal.
 bool onTerminal();
-// Something that is there but no plain file: a device, a pipe, a folder. Never replaced.
-bool isDevice(const std::string& path);
-bool sameFile(const std::string& a, const std::string& b);
+// Whether writeWhole may succeed: asked before minutes of work.
+bool canWrite(const std::string& path);
 // Writes a file whole or not at all; "-" is standard output, a device is written into.
 bool writeWhole(const std::string& path, const std::string& text);
 

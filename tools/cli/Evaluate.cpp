@@ -38,6 +38,7 @@ int evaluate(const EvaluateOptions& options) {
                         : "no experiment '" + options.name +
                               "'; `kelpie evaluate --list` tells which there are",
                     kBadInput);
+  if (!canWrite(options.json)) return complain(options.json + ": cannot be written", kBadInput);
   ExperimentOptions request;
   request.trials = options.trials > 0 ? options.trials : found->trials;
   request.seed = options.seed;

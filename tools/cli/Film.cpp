@@ -5,10 +5,10 @@
 
 #include <filesystem>
 #include <memory>
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 #include <opencv2/videoio.hpp>
 
+#include "tools/calibrate/PngFile.h"
 #include "tools/cli/Commands.h"
 #include "tools/cli/Describe.h"
 #include "tools/cli/Draw.h"
@@ -88,6 +88,15 @@ std::string partName(const std::string& out) {
       .string();
 }
 
+// The video writer does not say that the disk is full: what it wrote is opened again.
+Status checkFilm(const std::string& part, const std::string& out, std::size_t frames) {
+  const cv::VideoCapture film(part, cv::CAP_FFMPEG);
+  const double held = film.isOpened() ? film.get(cv::CAP_PROP_FRAME_COUNT) : 0.0;
+  if (held + 0.5 > static_cast<double>(frames)) return Done{};
+  return Error{
+      fmt::format("{}: the film cannot be written whole ({:.0f} of {} frames)", out, held, frames)};
+}
+
 // The frames shown in the picture: evenly spread, the first and the last whole one included.
 bool isShown(std::size_t frame, std::size_t all) {
   if (all <= kPictureFrames) return true;
@@ -134,7 +143,7 @@ Status filmMatch(const std::string& log, const std::string& out, const Progress&
     if (progress) progress(++done, match->frames());
   });
   film.close();
-  return putInPlace(Done{}, part, out);
+  return putInPlace(checkFilm(part, out, match->frames()), part, out);
 }
 
 Status drawMatchPicture(const std::string& log, const std::string& out) {
@@ -153,9 +162,7 @@ Status drawMatchPicture(const std::string& log, const std::string& out) {
       drawPlaces(ground, field, kPictureFieldScale, moment);
     }
   });
-  const std::string part = partName(out);
-  const bool drawn = cv::imwrite(part, arrange(ground, frames));
-  return putInPlace(drawn ? Status(Done{}) : Error{out + ": cannot be written"}, part, out);
+  return calibrate::writePng(out, arrange(ground, frames));
 }
 
 namespace {

@@ -74,14 +74,15 @@ int play(PlayOptions& options) {
   fs::create_directories(options.out, error);
   if (error) return complain(options.out + ": " + error.message(), kBadInput);
   options.session.log = options.out + "/match.mcap";
-  for (const char* name : {"match.png", "match.mp4", "match.mcap"})
-    fs::remove(options.out + "/" + name, error);
 
   const auto start = std::chrono::steady_clock::now();
   StatusPrinter printer;
   const SessionResult result =
       runSession(options.session, [&printer](const std::string& line) { printer(line); });
   printer.finish();
+  // An earlier match stays until there is another; then its pictures would be of the wrong one.
+  if (result.logged)
+    for (const char* name : {"match.png", "match.mp4"}) fs::remove(options.out + "/" + name, error);
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
   if (!result.trouble.empty())
     return complain(result.trouble, result.badInput ? kBadInput : kCheckFailed);

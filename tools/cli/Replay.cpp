@@ -8,6 +8,7 @@
 #include "tools/cli/Commands.h"
 #include "tools/cli/Config.h"
 #include "tools/cli/Jsonl.h"
+#include "tools/cli/WholeFile.h"
 
 namespace kelpie::cli {
 namespace {
@@ -41,6 +42,8 @@ int report(const ReplayCommand& command, const agent::ReplayResult& result) {
 int replayLog(const ReplayCommand& command) {
   if (sameFile(command.log, command.jsonl))
     return complain(command.jsonl + ": is the log itself", kBadInput);
+  if (!command.jsonl.empty() && !canWrite(command.jsonl))
+    return complain(command.jsonl + ": cannot be written", kBadInput);
   std::string objects;
   agent::ReplayOptions options;
   options.scripts = command.pycode;

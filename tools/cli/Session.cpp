@@ -177,6 +177,7 @@ void play(const SessionOptions& options, const StatusLine& status, const Worksho
       if (fs::exists(workshop.path(half))) halves.push_back(workshop.path(half));
     const Status merged = mergeLogs(halves, options.log);
     if (!merged) result.trouble = merged.error();
+    result.logged = merged.ok();
   }
   if (result.trouble.empty())
     readResult(workshop.path("result.json"), options.team == "blue", result);

@@ -29,6 +29,7 @@ struct SessionOptions {
 struct SessionResult {
   std::string trouble;    // one line: what died and when; empty when the match was played out
   bool badInput = false;  // the trouble is what was asked for
+  bool logged = false;    // the log is in its place, of a whole match or of one cut short
   int goals = 0;
   int ownGoals = 0;
   int outs = 0;

@@ -4,11 +4,11 @@
 
 #include <filesystem>
 #include <memory>
-#include <opencv2/imgcodecs.hpp>
 
 #include "robot/agent/FrameMessages.h"
 #include "robot/core/FieldCheck.h"
 #include "tools/calibrate/Images.h"
+#include "tools/calibrate/PngFile.h"
 #include "tools/cli/Commands.h"
 #include "tools/cli/Config.h"
 #include "tools/cli/Recording.h"
@@ -109,10 +109,7 @@ Status draw(const ShowOptions& options, const Shot& shot) {
   std::string why;
   if (!verify(*shot.input, &why))
     return Error{fmt::format("{}: frame {} is damaged: {}", options.source, options.frame, why)};
-  const std::string part = options.out + ".part.png";
-  const bool drawn = cv::imwrite(part, sheetOf(options, shot));
-  return putInPlace(drawn ? Status(Done{}) : Error{options.out + ": cannot be written"}, part,
-                    options.out);
+  return calibrate::writePng(options.out, sheetOf(options, shot));
 }
 
 int show(const ShowOptions& options) {

@@ -8,6 +8,9 @@
 
 namespace kelpie::cli {
 
+// Something that is there but no plain file: a device, a pipe, a folder. Never replaced.
+bool isDevice(const std::string& path);
+bool sameFile(const std::string& a, const std::string& b);
 // Ends the writing of `part`: it becomes `out` when that went well, and is removed when it did not.
 Status putInPlace(const Status& written, const std::string& part, const std::string& out);
 

@@ -6,6 +6,7 @@
 
 #include <CLI/CLI.hpp>
 #include <exception>
+#include <memory>
 #include <optional>
 
 #include "robot/agent/AgentLoops.h"
@@ -17,6 +18,7 @@
 #include "tools/cli/Describe.h"
 #include "tools/cli/Logs.h"
 #include "tools/cli/Process.h"
+#include "tools/cli/WholeFile.h"
 
 namespace kelpie::cli {
 namespace {
@@ -68,14 +70,17 @@ Status runFrom(host::Source& source, const AgentOptions& options, agent::AgentLo
   return Done{};
 }
 
-Status play(const AgentOptions& options, agent::AgentLoops& loops,
-            const agent::AgentConfig& config) {
+using SourcePtr = std::unique_ptr<host::Source>;
+
+Expected<SourcePtr> openSource(const AgentOptions& options, const agent::AgentConfig& config) {
   if (!options.recording.empty()) {
     auto recording = host::RecordingSource::open(options.recording);
-    return recording ? runFrom(*recording, options, loops) : Status(Error{recording.error()});
+    if (!recording) return Error{recording.error()};
+    return SourcePtr(std::make_unique<host::RecordingSource>(std::move(*recording)));
   }
   auto world = host::WorldSource::connect(options.socket, {config.team, config.player}, {});
-  return world ? runFrom(*world, options, loops) : Status(Error{world.error()});
+  if (!world) return Error{world.error()};
+  return SourcePtr(std::make_unique<host::WorldSource>(std::move(*world)));
 }
 
 // A script that does not load is bad input: told before the match, not during it.
@@ -84,6 +89,11 @@ int run(const AgentOptions& options) {
   if (!scripts) return fail(scripts.error(), 2);
   const auto config = makeConfig(options.config);
   if (!config) return fail(config.error(), 2);
+  if (sameFile(options.recording, options.log))
+    return fail(options.log + ": is the recording itself", 2);
+  auto source = openSource(options, *config);
+  if (!source) return fail(source.error(), 1);
+  // Only now: an earlier log is not lost to a world that is not there.
   std::optional<LogFile> log;
   if (!options.log.empty()) {
     auto created = LogFile::create(options.log, *config, parameterNotes(options.config));
@@ -93,7 +103,7 @@ int run(const AgentOptions& options) {
   AgentSink sink(log ? &*log : nullptr, options.status);
   agent::AgentLoops loops(*config, options.pycode, sink);
   if (!loops.scriptError().empty()) return fail(loops.scriptError(), 2);
-  const Status played = play(options, loops, *config);
+  const Status played = runFrom(**source, options, loops);
   const Status closed = log ? log->close() : Status(Done{});
   if (!played) return fail(played.error(), 1);
   return closed ? 0 : fail(closed.error(), 1);

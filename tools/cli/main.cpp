@@ -22,16 +22,6 @@ int complain(const std::string& message, int code) {
 
 bool onTerminal() { return isatty(STDERR_FILENO) != 0; }
 
-bool isDevice(const std::string& path) {
-  std::error_code error;
-  return std::filesystem::exists(path, error) && !std::filesystem::is_regular_file(path, error);
-}
-
-bool sameFile(const std::string& a, const std::string& b) {
-  std::error_code error;
-  return std::filesystem::equivalent(a, b, error) && !error;
-}
-
 namespace {
 
 bool writeInto(const std::string& path, const std::string& text) {
@@ -42,6 +32,16 @@ bool writeInto(const std::string& path, const std::string& text) {
 }
 
 }  // namespace
+
+bool canWrite(const std::string& path) {
+  if (path == "-") return true;
+  std::error_code error;
+  if (std::filesystem::is_directory(path, error)) return false;
+  if (isDevice(path)) return access(path.c_str(), W_OK) == 0;
+  const auto cut = path.rfind('/');
+  const std::string folder = cut == std::string::npos ? "." : path.substr(0, cut + 1);
+  return !path.empty() && access(folder.c_str(), W_OK | X_OK) == 0;
+}
 
 bool writeWhole(const std::string& path, const std::string& text) {
   if (path == "-") return std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
