@@ -47,7 +47,7 @@ ObstacleGap gapOf(const Run& run, Angle wished, const ObstacleMapParams& params)
   if (left - right < params.gapWidth.rad()) return {};
   const double margin = 0.5 * params.gapWidth.rad();
   const double heading = maths::clamp(wished.rad(), right + margin, left - margin);
-  return {true, Angle::rad(heading), Angle::rad(left - right)};
+  return {true, Angle::rad(heading), Angle::rad(std::min(left - right, maths::kPi))};
 }
 
 }  // namespace
