@@ -82,7 +82,7 @@ void see(const FrameInput& input, const BallPercept& percept, const BallParams& 
   const double gate = ball.rolling.weight > 0.5 ? params.bounceGate : params.gate;
   if (!ball.present) {
     consider(z, params.startSpeedSd, ball);
-  } else if (correctModels(z, gate, ball) || jumped(z, input.elapsed, params, ball)) {
+  } else if (correctModels(z, gate, ball) || jumped(z, elapsedOf(input), params, ball)) {
     seenNow(ball);
   } else {
     state.count(Refusal::ballOutsideGate);
@@ -102,8 +102,8 @@ bool shouldBeSeen(const FrameInput& input, const BallTrack& ball, const BallPara
 void miss(const FrameInput& input, const BallParams& params, BallTrack& ball) {
   ball.missed = shouldBeSeen(input, ball, params) ? ball.missed + 1 : 0;
   const double pace = ball.missed > params.missedFrames ? params.missedFactor : 1.0;
-  ball.doubt += pace * input.elapsed;
-  widenModels(pace * params.unseenNoise * input.elapsed, ball);
+  ball.doubt += pace * elapsedOf(input);
+  widenModels(pace * params.unseenNoise * elapsedOf(input), ball);
   if (ball.doubt > params.keep) ball.present = false;
 }
 
@@ -130,9 +130,12 @@ void keepOutOfBody(BallTrack& ball) {
   combineModels(ball);
 }
 
-void checkFinite(GpsState& state) {
+// After a jump of the clock the velocity may be of nothing and carries the ball away in one step.
+void checkSound(GpsState& state) {
+  constexpr double kFarthest = 1500.0;  // cm, twice the field's diagonal
   const BallTrack& ball = state.ball;
-  if (meanOf(ball.both).allFinite() && covarianceOf(ball.both).allFinite()) return;
+  const bool near = maths::hypot(ball.both.mean[0], ball.both.mean[1]) <= kFarthest;
+  if (near && meanOf(ball.both).allFinite() && covarianceOf(ball.both).allFinite()) return;
   state.ball = BallTrack{};
   state.count(Refusal::ballNotFinite);
 }
@@ -142,11 +145,11 @@ void checkFinite(GpsState& state) {
 void stepBall(const FrameInput& input, const BallPercept& percept, const Step& step,
               const GpsParams& params, GpsState& state) {
   BallTrack& ball = state.ball;
-  ball.secondsSinceSeen += input.elapsed;
-  ball.candidateAge += input.elapsed;
+  ball.secondsSinceSeen += elapsedOf(input);
+  ball.candidateAge += elapsedOf(input);
   if (ball.present) {
     expectKick(input, params.ball, ball);
-    predictModels(step.odometry, step.noise, input.elapsed, params.ball, ball);
+    predictModels(step.odometry, step.noise, elapsedOf(input), params.ball, ball);
     keepOutOfBody(ball);
   }
   const bool good = percept.present && usable(percept);
@@ -156,7 +159,7 @@ void stepBall(const FrameInput& input, const BallPercept& percept, const Step& s
   } else if (ball.present) {
     miss(input, params.ball, ball);
   }
-  checkFinite(state);
+  checkSound(state);
 }
 
 }  // namespace kelpie::gps

@@ -16,7 +16,7 @@ namespace kelpie::gps {
 
 // Why something was not used; the index into GpsCounts::refused.
 enum class Refusal : std::uint8_t {
-  odometryNotFinite,  // or farther than a robot can walk in one frame
+  odometryNotFinite,  // or farther than a robot can walk in one frame, or without a sound time
   landmarkNotFinite,  // or without a positive variance
   landmarkUnknown,    // the field has no such landmark
   headingUncertain,

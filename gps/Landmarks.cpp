@@ -12,9 +12,9 @@ bool isGoal(LandmarkKind kind) {
 }
 
 bool usable(const LandmarkPercept& p) {
-  return std::isfinite(p.distance) && p.distance > 0.0 && std::isfinite(p.heading.rad()) &&
-         std::isfinite(p.distanceVariance) && p.distanceVariance > 0.0 &&
-         std::isfinite(p.headingVariance) && p.headingVariance > 0.0;
+  return std::isfinite(p.distance) && p.distance > 0.0 &&
+         std::fabs(p.heading.rad()) <= maths::kPi && std::isfinite(p.distanceVariance) &&
+         p.distanceVariance > 0.0 && std::isfinite(p.headingVariance) && p.headingVariance > 0.0;
 }
 
 const body::Landmark* find(const LandmarkMap& map, LandmarkKind kind) {
@@ -59,8 +59,10 @@ std::optional<Measurement> measurement(const LandmarkPercept& percept, const Lan
   m.leastAway = goal ? gates.goalLineShare * params.field.length : 0.0;
   m.distance = percept.distance;
   m.heading = percept.heading;
-  m.distanceVariance = std::max(gates.distanceVarianceFactor * percept.distanceVariance,
-                                maths::square(gates.minDistanceSd));
+  // A mode seeded by a distance that says nothing must not be wider than the field allows.
+  m.distanceVariance = maths::clamp(gates.distanceVarianceFactor * percept.distanceVariance,
+                                    maths::square(gates.minDistanceSd),
+                                    maths::square(params.modes.widePositionSd));
   m.headingVariance = std::max(gates.headingVarianceFactor * percept.headingVariance,
                                maths::square(gates.minHeadingSd.rad()));
   m.useDistance =

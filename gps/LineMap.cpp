@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gps/Predict.h"
+
 namespace kelpie::gps {
 namespace {
 
@@ -156,7 +158,7 @@ void stepMap(const FrameInput& input, const FixedVector<LinePoint, 256>& points,
   addKind(points, LinePointKind::line, lines.maxPoints, params, map);
   addKind(points, LinePointKind::border, lines.maxPoints, params, map);
   addKind(points, LinePointKind::field, 12, params, map);
-  decay(maths::clamp(input.elapsed, 0.0, 10.0), params, map);
+  decay(elapsedOf(input), params, map);
 }
 
 SeenLines seenLines(const LineMap& map, std::size_t most, const LineMapParams& params) {

@@ -79,15 +79,14 @@ void useTogether(const GpsIn& in, const GpsParams& params, GpsState& state) {
 // Moves the modes by the odometry, less where the robot is stuck.
 Step move(const GpsIn& in, const GpsParams& params, GpsState& state) {
   Odometry walked = in.input.odometry;
-  if (!plausible(walked)) {
-    walked = Odometry{};
-    state.count(Refusal::odometryNotFinite);
-  }
+  const bool sound = plausible(walked);
+  if (!sound) walked = Odometry{};
+  if (!sound || elapsedOf(in.input) != in.input.elapsed) state.count(Refusal::odometryNotFinite);
   const double excess = excessEffort(in.input, params.stuck, state);
-  stepStuck(excess, in.input.elapsed, params.stuck, state.stuck);
-  const StepNoise noise = stepNoise(walked, in.input.elapsed, params.motion);
+  stepStuck(excess, elapsedOf(in.input), params.stuck, state.stuck);
+  const StepNoise noise = stepNoise(walked, elapsedOf(in.input), params.motion);
   const Step step{shortened(walked, excess, params.stuck),
-                  grown(noise, excess, in.input.elapsed, params.stuck)};
+                  grown(noise, excess, elapsedOf(in.input), params.stuck)};
   for (PoseMode& mode : state.modes) predict(mode, step.odometry, step.noise);
   keepNearField(params.field, state.modes);
   return step;
@@ -107,8 +106,8 @@ void prepare(const GpsParams& params, GpsState& state) {
 
 WorldModel step(const GpsIn& in, const GpsParams& params, GpsState& state) {
   prepare(params, state);
-  state.secondsSinceLandmark += in.input.elapsed;
-  state.secondsSinceLines += in.input.elapsed;
+  state.secondsSinceLandmark += elapsedOf(in.input);
+  state.secondsSinceLines += elapsedOf(in.input);
   const Step moved = move(in, params, state);
   const bool joint = inOneUpdate(params, state) && landmarksCount(in.input);
   if (joint) {

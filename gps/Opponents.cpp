@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "gps/OnField.h"
+#include "gps/Predict.h"
 #include "robot/body/Camera.h"
 
 namespace kelpie::gps {
@@ -72,8 +73,8 @@ void passTime(const GpsIn& in, const GpsParams& params, GpsState& state) {
   for (std::size_t i = 0; i < filters.size(); ++i) {
     OpponentFilter& filter = filters[i];
     filter.assigned = false;
-    filter.secondsSinceSeen += in.input.elapsed;
-    if (filter.known) widen(p.walkNoise * in.input.elapsed, filter);
+    filter.secondsSinceSeen += elapsedOf(in.input);
+    if (filter.known) widen(p.walkNoise * elapsedOf(in.input), filter);
   }
 }
 
@@ -84,7 +85,7 @@ void missUnseen(const GpsIn& in, const GpsParams& params, GpsState& state) {
     if (!filter.known || filter.assigned) continue;
     const Point2<Field> at = pointOf(placeOf(filter.belief).mean);
     if (shouldBeSeen(in.input, robotFromField(state.modes[0].pose, at), p)) {
-      widen(p.missedNoise * in.input.elapsed, filter);
+      widen(p.missedNoise * elapsedOf(in.input), filter);
     }
   }
 }

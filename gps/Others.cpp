@@ -5,6 +5,7 @@
 #include "gps/ObstacleQueries.h"
 #include "gps/OnField.h"
 #include "gps/Opponents.h"
+#include "gps/Predict.h"
 #include "gps/Team.h"
 #include "gps/TeamBall.h"
 
@@ -34,7 +35,7 @@ using Heard = FixedVector<TeamMessage, kTeammates>;
 ObstacleEstimate stepObstacles(const GpsIn& in, const GpsParams& params, const Heard& heard,
                                const WorldModel& world, ObstacleMap& map) {
   const ObstacleMapParams& p = params.others.obstacles;
-  forget(in.input.elapsed, p, map);
+  forget(elapsedOf(in.input), p, map);
   see({in.percepts, world}, params.field, p, map);
   for (const TeamMessage& message : heard) hear(message, params.field, p, map);
   return extractObstacles({map, params.field, p}, world);

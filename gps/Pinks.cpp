@@ -5,6 +5,7 @@
 #include "gps/PinkMap.h"
 #include "gps/PinkUpdate.h"
 #include "gps/PoseSearch.h"
+#include "gps/Predict.h"
 #include "gps/Survey.h"
 
 namespace kelpie::gps {
@@ -57,7 +58,7 @@ void searchAll(const GpsIn& in, const Odometry& odometry, const GpsParams& param
                GpsState& state) {
   const PinkSearchParams& p = params.pinks.search;
   PinkState& pinks = state.pinks;
-  moveSurvey(odometry, in.input.elapsed, pinks.survey);
+  moveSurvey(odometry, elapsedOf(in.input), pinks.survey);
   addToSurvey(in.percepts.linePoints, sightsOf(in.input, in.percepts, state), p, pinks.survey);
   const PinkLandmarks known = knownPinks(pinks, params.pinks);
   if (!pinks.search.running && (pinks.survey.seconds < pinks.survey.nextSearch ||
@@ -79,7 +80,7 @@ void usePinks(const GpsIn& in, const Odometry& odometry, const GpsParams& params
   state.pinks.use = use;
   if (use == PinkUse::map) {
     mapPatches(sightsOf(in.input, in.percepts, state), in.input.game.team, params, state);
-    forget(in.input.elapsed, params.pinks, state.pinks);
+    forget(elapsedOf(in.input), params.pinks, state.pinks);
   }
   if (use != PinkUse::localise) return;
   const bool carried = in.input.game.state != PlayState::playing || in.input.game.penalised;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gps/Predict.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "gps/Gaussian.h"
@@ -17,10 +18,15 @@ Angle directionOfStep(const Pose2& pose, const Odometry& odometry) {
 
 }  // namespace
 
+double elapsedOf(const FrameInput& input) {
+  constexpr double kLongest = 10.0;  // s; whoever was away longer is lost in any case
+  return input.elapsed > 0.0 ? std::min(input.elapsed, kLongest) : 0.0;
+}
+
 bool plausible(const Odometry& odometry) {
   return std::isfinite(odometry.forward) && std::isfinite(odometry.left) &&
-         std::isfinite(odometry.turn.rad()) && std::fabs(odometry.forward) <= kFarthestStep &&
-         std::fabs(odometry.left) <= kFarthestStep;
+         std::fabs(odometry.turn.rad()) <= maths::kPi &&
+         std::fabs(odometry.forward) <= kFarthestStep && std::fabs(odometry.left) <= kFarthestStep;
 }
 
 StepNoise stepNoise(const Odometry& odometry, double elapsed, const MotionNoise& noise) {

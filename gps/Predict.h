@@ -5,6 +5,7 @@
 
 #include "gps/GpsParams.h"
 #include "gps/GpsState.h"
+#include "robot/core/FrameInput.h"
 #include "robot/core/Motion.h"
 
 namespace kelpie::gps {
@@ -22,7 +23,10 @@ struct Step {
   StepNoise noise;
 };
 
-// False for what no walk can do in one frame (30 cm) and for what is not a number.
+// s since the frame before: at least 0, at most 10, and 0 when it is not a number.
+double elapsedOf(const FrameInput& input);
+
+// False for what no walk can do in one frame (30 cm, half a turn) and for what is not a number.
 bool plausible(const Odometry& odometry);
 
 StepNoise stepNoise(const Odometry& odometry, double elapsed, const MotionNoise& noise);

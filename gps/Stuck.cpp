@@ -16,10 +16,10 @@ bool walks(const FrameInput& input) {
 
 // How fast the feet move, in cm/s of walking forward that costs as much effort.
 double speedOfFeet(const FrameInput& input, const StuckParams& params) {
-  if (!(input.elapsed > 0.0) || !plausible(input.odometry)) return 0.0;
+  if (!(elapsedOf(input) > 0.0) || !plausible(input.odometry)) return 0.0;
   const double left = params.sidewaysFactor * input.odometry.left;
   const double turn = params.turnLever * input.odometry.turn.rad();
-  return maths::hypot(maths::hypot(input.odometry.forward, left), turn) / input.elapsed;
+  return maths::hypot(maths::hypot(input.odometry.forward, left), turn) / elapsedOf(input);
 }
 
 double factor(double excess, const StuckParams& params) {
@@ -34,7 +34,7 @@ double freeEffort(double speed, const StuckParams& params) {
 
 double excessEffort(const FrameInput& input, const StuckParams& params, GpsState& state) {
   const double now = speedOfFeet(input, params);
-  state.stuck.speed += (now - state.stuck.speed) * std::min(1.0, input.elapsed / kStepSeconds);
+  state.stuck.speed += (now - state.stuck.speed) * std::min(1.0, elapsedOf(input) / kStepSeconds);
   const double effort = input.motion.effort;
   if (!(effort >= 0.0 && effort <= 1.0)) {
     state.count(Refusal::effortNotFinite);

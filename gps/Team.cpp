@@ -6,6 +6,7 @@
 
 #include "gps/OnField.h"
 #include "gps/Opponents.h"
+#include "gps/Predict.h"
 
 namespace kelpie::gps {
 namespace {
@@ -75,7 +76,7 @@ FixedVector<TeamMessage, kTeammates> hear(const FrameInput& input, const GpsPara
                                           GpsState& state) {
   FixedVector<TeamMessage, kTeammates> heard;
   for (Teammate& mate : state.others.mates) {
-    mate.last.age += input.elapsed;
+    mate.last.age += elapsedOf(input);
     if (mate.last.age > params.others.team.keep) mate = Teammate{};
   }
   for (const TeamMessage& message : input.team) {
@@ -110,7 +111,7 @@ FixedVector<TeammateEstimate, kTeammates> extractMates(const TeamParams& params,
 void speak(const FrameInput& input, const WorldModel& world, const TeamParams& params,
            OthersState& others) {
   constexpr double kHalfFrame = 0.5 / 30.0;
-  others.secondsSinceMessage += input.elapsed;
+  others.secondsSinceMessage += elapsedOf(input);
   if (others.secondsSinceMessage + kHalfFrame < params.interval) return;
   others.secondsSinceMessage = 0.0;
   TeamMessage& m = others.message;

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+// Whatever reaches the localiser, what it believes stays finite, and good sightings afterwards
+// bring the pose back.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "robot/core/FieldCheck.h"
+#include "tests/core/RandomValue.h"
+#include "tools/cli/experiments/SimulatedRobot.h"
+
+namespace kelpie::gps {
+namespace {
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInf = std::numeric_limits<double>::infinity();
+constexpr std::array<double, 14> kNasty = {kNan,  kInf,   -kInf, 0.0,     -0.0,   -1.0, 1e-300,
+                                           1e300, -1e300, 1e9,   -1000.0, 1000.0, 1e-9, 3e38};
+
+// Gives one number of every `rarity` a value that no sensor gives.
+template <class T>
+void spoil(T& value, Random& random, std::uint32_t rarity) {
+  if constexpr (std::is_same_v<T, bool> || std::is_same_v<T, TimeUs>) {
+    return;
+  } else if constexpr (std::is_same_v<T, Angle>) {
+    if (random.index(rarity) == 0) value = Angle::rad(kNasty[random.index(kNasty.size())]);
+  } else if constexpr (std::is_floating_point_v<T>) {
+    if (random.index(rarity) == 0) value = static_cast<T>(kNasty[random.index(kNasty.size())]);
+  } else if constexpr (std::is_enum_v<T> || std::is_integral_v<T>) {
+    return;
+  } else if constexpr (kIsSequence<T>) {
+    for (auto& item : value) spoil(item, random, rarity);
+  } else {
+    forEachField(value, [&](const auto&, auto& member) { spoil(member, random, rarity); });
+  }
+}
+
+// A frame of random percepts, odometry and messages, every list of random length, spoilt here and
+// there; joints, images and games are left out.
+void attack(SimulatedRobot& robot, Random& random) {
+  const std::uint32_t rarity = 1U << random.index(9);
+  randomise(robot.percepts, random);
+  spoil(robot.percepts, random, rarity);
+  FrameInput& in = robot.input;
+  randomise(in.odometry, random);
+  randomise(in.headRate, random);
+  randomise(in.motion, random);
+  randomise(in.team, random);
+  randomise(in.sensors.joints, random);
+  in.elapsed = random.chance(0.5) ? 1.0 / 30 : random.uniform(0.0, 10.0);
+  spoil(in.elapsed, random, 3);
+  spoil(in.odometry, random, rarity);
+  spoil(in.headRate, random, rarity);
+  spoil(in.motion, random, rarity);
+  spoil(in.team, random, rarity);
+  spoil(in.sensors.joints, random, rarity);
+  spoil(in.stance, random, rarity);
+}
+
+class HostileInput : public testing::TestWithParam<int> {};
+
+TEST_P(HostileInput, LeavesAFiniteBeliefAndGoodSightingsBringThePoseBack) {
+  const auto seed = static_cast<std::uint64_t>(GetParam());
+  Random random(seed);
+  SimulatedRobot robot({180, 200, 1.0}, seed);
+  robot.params.modes.noiseMethod = static_cast<NoiseMethod>(seed % 3);
+  robot.params.line.combine = static_cast<LineCombine>(seed / 3 % 2);
+  const FrameInput calm = robot.input;
+  for (int i = 0; i < 40; ++i) {
+    attack(robot, random);
+    const WorldModel world = robot.step();
+    std::string why;
+    ASSERT_TRUE(verify(world, &why)) << "frame " << i << ": " << why;
+  }
+  robot.params = GpsParams{};
+  robot.params.field = *body::fieldDescription("2006");
+  robot.input = calm;
+  robot.percepts = Percepts{};
+  WorldModel world;
+  for (int i = 0; i < 400; ++i) {
+    robot.walk(0.0, 0.0, 0.0);
+    robot.lookAround(panAt(i));
+    world = robot.step();
+  }
+  EXPECT_LT(robot.error(world), 15.0);
+}
+INSTANTIATE_TEST_SUITE_P(Seeds, HostileInput, testing::Range(1, 37));
+
+}  // namespace
+}  // namespace kelpie::gps
