@@ -49,6 +49,18 @@ TEST(ObstacleMap, PointsCountInTheCellWhereTheyLieOnTheField) {
   EXPECT_NEAR(m.at({240, 270}), 3.0, 1e-6);
 }
 
+TEST(ObstacleMap, ARobotFartherThanPointsAreMappedIsNot) {
+  Mapping m;
+  RobotPercept robot;
+  robot.distance = m.params.maxReach + 1.0;
+  m.percepts.robots.push_back(robot);
+  see({m.percepts, m.world}, field2006(), m.params, *m.map);
+  EXPECT_EQ(m.at({180, 521}), 0.0);
+  m.percepts.robots[0].distance = m.params.maxReach - 1.0;
+  see({m.percepts, m.world}, field2006(), m.params, *m.map);
+  EXPECT_GT(m.at({180, 519}), 0.0);
+}
+
 TEST(ObstacleMap, AFrameForgetsTwoInAHundred) {
   Mapping m;
   m.seePoints({0, 60}, 50);
@@ -170,6 +182,10 @@ TEST(ObstacleQueries, TheBestGapIsTheWishedWayWhenItIsFree) {
   const ObstacleGap gap = bestGap(free, Angle::deg(25), {});
   ASSERT_TRUE(gap.present);
   EXPECT_NEAR(gap.heading.deg(), 25.0, 1e-9);
+}
+
+TEST(ObstacleQueries, AGapAllAroundIsAsWideAsAnAngleCanSay) {
+  EXPECT_NEAR(bestGap(Sectors{}, Angle::deg(0), {}).width.deg(), 180.0, 1e-9);
 }
 
 TEST(ObstacleQueries, TheBestGapPassesAnObstacleOnTheNearerSide) {

@@ -206,6 +206,7 @@ INSTANTIATE_TEST_SUITE_P(Others, Hostile,
                                          [](TeamMessage& m) { m.opponents[0].covariance[0] = 0.0; },
                                          [](TeamMessage& m) { m.age = kNan; },
                                          [](TeamMessage& m) { m.age = -1.0; },
+                                         [](TeamMessage& m) { m.age = 2.1; },
                                          [](TeamMessage& m) { m.player = 1; },
                                          [](TeamMessage& m) { m.player = 200; },
                                          [](TeamMessage& m) { m.number = 0; }));
@@ -217,6 +218,30 @@ TEST(Hostile, ARepeatedMessageAddsNothing) {
   const WorldModel world = robot.step();
   EXPECT_GT(world.opponents[0].covariance[0], once);
   EXPECT_EQ(world.counts.refused[static_cast<std::size_t>(Refusal::messageRepeated)], 1);
+}
+
+TEST(Hostile, AMessageThatWasOvertakenAddsNothingAndNumbersGoRound) {
+  SimulatedRobot robot = robotAt(180, 100);
+  const auto refusedAfter = [&robot](std::uint16_t number) {
+    robot.input.team.clear();
+    robot.input.team.push_back(messageFrom(2, number));
+    return robot.step().counts.refused[static_cast<std::size_t>(Refusal::messageRepeated)];
+  };
+  EXPECT_EQ(refusedAfter(65534), 0);
+  EXPECT_EQ(refusedAfter(65533), 1);
+  EXPECT_EQ(refusedAfter(3), 1);
+  EXPECT_EQ(refusedAfter(65535), 2);
+}
+
+TEST(TeamBall, AnOlderMessageSaysLessSurely) {
+  const auto varianceAt = [](double age) {
+    SimulatedRobot robot = robotAt(180, 100);
+    robot.input.team.push_back(messageFrom(2, 1));
+    robot.input.team[0].age = age;
+    return robot.step().teamBall.covariance[0];
+  };
+  const TeamBallParams params;
+  EXPECT_GE(varianceAt(1.0) - varianceAt(0.0), 0.99 * params.growth);
 }
 
 TEST(Hostile, BrokenRobotPerceptsAreCountedAndLeaveAFiniteState) {
