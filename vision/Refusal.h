@@ -87,6 +87,7 @@ enum class Refusal : std::uint8_t {
   goalUnsure,        // few columns tell its distance, and their feet do not quite fit the ground
   robotSpeck,        // its patches are far too small for so near a robot
   robotFeetNear,     // its feet should show: the image shows ground far behind where it stands
+  postureUnsound,    // the camera's pose or the horizon is made of no numbers: nothing is looked at
 };
 constexpr std::size_t kRefusalCount = 75;
 

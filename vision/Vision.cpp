@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "vision/Vision.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "vision/BallFinder.h"
 #include "vision/BeaconFinder.h"
 #include "vision/FieldEdge.h"
@@ -14,9 +17,32 @@
 #include "vision/Together.h"
 
 namespace kelpie::vision {
+namespace {
+
+// False where a joint or the stance was no number: rows and columns made from it lie anywhere in
+// memory. The axes are of length one, as far as rounding lets them be.
+bool postureIsSound(const BodyState& body) {
+  constexpr double kMostTurn = 10.0;      // rad over an image
+  constexpr double kFarthest = 1000.0;    // cm from the robot's middle to its camera
+  constexpr double kFarthestRow = 1.1e4;  // px, a little beyond the horizon's limit
+  const auto within = [](double value, double most) { return std::fabs(value) <= most; };
+  const Point3<Robot>& at = body.camera.position;
+  const auto& axes = body.camera.axes;
+  const auto& turn = body.camera.turn;
+  return within(at.x, kFarthest) && within(at.y, kFarthest) && within(at.z, kFarthest) &&
+         std::all_of(axes.begin(), axes.end(), [&](double a) { return within(a, 1.000001); }) &&
+         std::all_of(turn.begin(), turn.end(), [&](double t) { return within(t, kMostTurn); }) &&
+         within(body.horizon.atLeft, kFarthestRow) && within(body.horizon.atRight, kFarthestRow);
+}
+
+}  // namespace
 
 Percepts step(const VisionIn& in, const VisionParams& params, VisionState& state) {
   Percepts out;
+  if (!postureIsSound(in.body)) {
+    refuse(out.counts, Refusal::postureUnsound);
+    return out;
+  }
   Sampler sampler(in.input.image, state.calibration, state.distances, state.classes);
   sampler.reset();
   const Level level = levelOf(in.body.camera);

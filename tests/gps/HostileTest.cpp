@@ -3,39 +3,12 @@
 // bring the pose back.
 #include <gtest/gtest.h>
 
-#include <array>
-#include <cmath>
-#include <limits>
-
 #include "robot/core/FieldCheck.h"
-#include "tests/core/RandomValue.h"
+#include "tests/core/SpoiltValue.h"
 #include "tools/cli/experiments/SimulatedRobot.h"
 
 namespace kelpie::gps {
 namespace {
-
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInf = std::numeric_limits<double>::infinity();
-constexpr std::array<double, 14> kNasty = {kNan,  kInf,   -kInf, 0.0,     -0.0,   -1.0, 1e-300,
-                                           1e300, -1e300, 1e9,   -1000.0, 1000.0, 1e-9, 3e38};
-
-// Gives one number of every `rarity` a value that no sensor gives.
-template <class T>
-void spoil(T& value, Random& random, std::uint32_t rarity) {
-  if constexpr (std::is_same_v<T, bool> || std::is_same_v<T, TimeUs>) {
-    return;
-  } else if constexpr (std::is_same_v<T, Angle>) {
-    if (random.index(rarity) == 0) value = Angle::rad(kNasty[random.index(kNasty.size())]);
-  } else if constexpr (std::is_floating_point_v<T>) {
-    if (random.index(rarity) == 0) value = static_cast<T>(kNasty[random.index(kNasty.size())]);
-  } else if constexpr (std::is_enum_v<T> || std::is_integral_v<T>) {
-    return;
-  } else if constexpr (kIsSequence<T>) {
-    for (auto& item : value) spoil(item, random, rarity);
-  } else {
-    forEachField(value, [&](const auto&, auto& member) { spoil(member, random, rarity); });
-  }
-}
 
 // A frame of random percepts, odometry and messages, every list of random length, spoilt here and
 // there; joints, images and games are left out.

@@ -8,6 +8,7 @@
 
 #include "robot/core/FieldCheck.h"
 #include "tests/AllocationCount.h"
+#include "tests/core/SpoiltValue.h"
 #include "tests/vision/Hostile.h"
 #include "vision/BallFinder.h"
 #include "vision/Vision.h"
@@ -46,6 +47,23 @@ std::string nameOfKind(const ::testing::TestParamInfo<int>& kind) {
 
 INSTANTIATE_TEST_SUITE_P(Kinds, Fuzz, ::testing::Range(0, static_cast<int>(kHostileKindCount)),
                          nameOfKind);
+
+TEST_F(Fuzz, APostureOfNoNumbersGivesPerceptsInRange) {
+  Random random(53);
+  HostileFrames frames(53);
+  for (int i = 0; i < 8 * kFrames; ++i) {
+    frames.make(static_cast<HostileKind>(i % static_cast<int>(kHostileKindCount)), *frame_);
+    const std::uint32_t rarity = 1U << random.index(6);
+    FrameInput& in = frame_->input;
+    spoil(in.sensors.joints, random, rarity);
+    spoil(in.stance, random, rarity);
+    spoil(in.headRate, random, rarity);
+    spoil(in.odometry, random, rarity);
+    spoil(in.elapsed, random, 4);
+    frame_->body = body::step(in, {});
+    survive(*frame_, "seed 53, frame " + std::to_string(i));
+  }
+}
 
 TEST_F(Fuzz, AnyBytesAreAFrame) {
   Random random(31);
