@@ -23,7 +23,7 @@ namespace {
 // memory. The axes are of length one, as far as rounding lets them be.
 bool postureIsSound(const BodyState& body) {
   constexpr double kMostTurn = 10.0;      // rad over an image
-  constexpr double kFarthest = 1000.0;    // cm from the robot's middle to its camera
+  constexpr double kFarthest = 100.0;     // cm from the robot to its camera, three times an ERS-7
   constexpr double kFarthestRow = 1.1e4;  // px, a little beyond the horizon's limit
   const auto within = [](double value, double most) { return std::fabs(value) <= most; };
   const Point3<Robot>& at = body.camera.position;

@@ -74,6 +74,20 @@ TEST(DropIn, ABallThatRolledOutUnseenIsPutIn) {
   EXPECT_LT(world.ball.velocity.norm(), 0.1);
 }
 
+TEST(DropIn, ALostRobotDoesNotKnowWhatIsOut) {
+  Watcher watcher(200, 150);
+  watcher.ball = {330, 270};
+  for (int i = 0; i < 10; ++i) watcher.step(true);
+  GpsState& state = watcher.robot.state;
+  for (BallHypothesis* ball : {&state.ball.still, &state.ball.rolling, &state.ball.both})
+    ball->mean[0] += 60.0;  // 390 cm across the field, 30 cm beyond the line
+  state.ball.secondsSinceSeen = 10.0;
+  state.lost = true;
+  EXPECT_GT(watcher.step(false).ball.position.x, 360.0);
+  state.lost = false;
+  EXPECT_LT(watcher.step(false).ball.position.x, 330.0);
+}
+
 TEST(DropIn, ABallSeenOutsideIsWhereItIsSeen) {
   Watcher watcher(300, 250);
   watcher.ball = {375, 270};
