@@ -113,6 +113,19 @@ TEST(Modes, MergeAcrossTheHeadingWrapGoesTheShortWay) {
   EXPECT_NEAR(one.weight, 1.0, 1e-12);
 }
 
+TEST(Modes, SeedsOfADistanceAloneDoubtTheHeadingThatCameWithIt) {
+  GpsParams params;
+  params.field = *body::fieldDescription("2006");
+  const auto headingVariance = [&params](bool useHeading) {
+    GpsState state;
+    Measurement m = seenAt({180, 540}, 150, 0.2);
+    m.useHeading = useHeading;
+    seedAround(m, params, state);
+    return state.modes.empty() ? 0.0 : state.modes[0].covariance[8];
+  };
+  EXPECT_NEAR(headingVariance(false) - headingVariance(true), 15.0 * 0.004, 1e-9);
+}
+
 TEST(Modes, BrokenModeIsRemovedAndTheLastOneReplaced) {
   SimulatedRobot robot({180, 200, 1.0});
   robot.step();

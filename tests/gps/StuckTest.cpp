@@ -55,6 +55,20 @@ TEST(Stuck, TheHarderTheLegsWorkTheLessIsWalkedAndTheMoreIsDoubted) {
   }
 }
 
+TEST(Stuck, TheEffortOfAFasterStepBeforeIsNoHold) {
+  const StuckParams params;
+  SimulatedRobot robot = walker(freeEffort(40.0, params));
+  const auto excessAt = [&](double speed) {
+    robot.input.odometry = {speed * kFrameSeconds, 0.0, {}};
+    return excessEffort(robot.input, params, robot.state);
+  };
+  for (int i = 0; i < 60; ++i) excessAt(40.0);
+  ASSERT_GT(freeEffort(40.0, params), freeEffort(0.0, params) + params.margin);
+  EXPECT_EQ(excessAt(0.0), 0.0);
+  for (int i = 0; i < 60; ++i) excessAt(0.0);
+  EXPECT_GT(excessAt(0.0), 0.0);
+}
+
 TEST(Stuck, FreeWalkingKeepsEveryBit) {
   const StuckParams params;
   const Odometry same = shortened(kStep, 0.0, params);
