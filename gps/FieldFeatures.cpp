@@ -54,10 +54,12 @@ std::uint8_t FieldFeatures::nearestPiece(Point2<Field> p) const {
 }
 
 std::size_t FieldFeatures::cellOf(Point2<Field> p) const {
-  const double last = 0.5;  // keeps the conversion of a far place in range
-  const double x = maths::clamp((p.x + kMargin) / cell_, 0.0, columns_ - last);
-  const double y = maths::clamp((p.y + kMargin) / cell_, 0.0, rows_ - last);
-  return static_cast<std::size_t>(static_cast<int>(y) * columns_ + static_cast<int>(x));
+  // The conversion of a far place stays in range, and that of a place that is no number is 0.
+  const auto step = [this](double along, int count) {
+    const double at = (along + kMargin) / cell_;
+    return at > 0.0 ? static_cast<int>(std::min(at, count - 0.5)) : 0;
+  };
+  return static_cast<std::size_t>(step(p.y, rows_) * columns_ + step(p.x, columns_));
 }
 
 // Beyond a straight piece's end the distance is that to the end.

@@ -60,9 +60,9 @@ std::optional<Measurement> measurement(const LandmarkPercept& percept, const Lan
   m.distance = percept.distance;
   m.heading = percept.heading;
   // A mode seeded by a distance that says nothing must not be wider than the field allows.
-  m.distanceVariance = maths::clamp(gates.distanceVarianceFactor * percept.distanceVariance,
-                                    maths::square(gates.minDistanceSd),
-                                    maths::square(params.modes.widePositionSd));
+  m.distanceVariance =
+      maths::clamp(gates.distanceVarianceFactor * percept.distanceVariance,
+                   maths::square(gates.minDistanceSd), maths::square(params.modes.widePositionSd));
   m.headingVariance = std::max(gates.headingVarianceFactor * percept.headingVariance,
                                maths::square(gates.minHeadingSd.rad()));
   m.useDistance =

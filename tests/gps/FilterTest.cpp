@@ -102,6 +102,16 @@ TEST(Update, PerfectForecastKeepsTheWeight) {
   EXPECT_NEAR(mode.weight, 1.0, 1e-12);
 }
 
+TEST(Update, AModeThatStandsOnTheLandmarkLosesItsWeightAndStays) {
+  PoseMode mode = modeAt(178, 541, 0.7);
+  const PoseMode before = mode;
+  update(mode, seenAt({180, 540}, 150, 0.2), true);
+  EXPECT_LT(mode.weight, 1e-6 * before.weight);
+  EXPECT_GT(mode.weight, 0.0);
+  EXPECT_EQ(mode.pose.position.x, before.pose.position.x);
+  EXPECT_EQ(mode.covariance, before.covariance);
+}
+
 TEST(Modes, MergeAcrossTheHeadingWrapGoesTheShortWay) {
   PoseMode a = modeAt(100, 100, maths::kPi - 0.02), b = modeAt(104, 100, -maths::kPi + 0.02);
   a.weight = b.weight = 0.5;

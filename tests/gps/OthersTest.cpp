@@ -191,25 +191,23 @@ TEST_P(Hostile, MessageIsRefusedWholeAndCounted) {
   EXPECT_TRUE(std::isfinite(world.pose.position.x));
 }
 
-INSTANTIATE_TEST_SUITE_P(Others, Hostile,
-                         testing::Values([](TeamMessage& m) { m.pose.position.x = kNan; },
-                                         [](TeamMessage& m) { m.pose.position.y += 1000.0; },
-                                         [](TeamMessage& m) { m.covariance[0] = -1.0; },
-                                         [](TeamMessage& m) { m.covariance[8] = kInfinity; },
-                                         [](TeamMessage& m) { m.ball.position.x = -1000.0; },
-                                         [](TeamMessage& m) { m.ball.covariance[3] = kInfinity; },
-                                         [](TeamMessage& m) {
-                                           m.ball.covariance = {20, 30, 30, 20};
-                                         },
-                                         [](TeamMessage& m) { m.ball.velocity.x = kNan; },
-                                         [](TeamMessage& m) { m.opponents[0].position.y = kNan; },
-                                         [](TeamMessage& m) { m.opponents[0].covariance[0] = 0.0; },
-                                         [](TeamMessage& m) { m.age = kNan; },
-                                         [](TeamMessage& m) { m.age = -1.0; },
-                                         [](TeamMessage& m) { m.age = 2.1; },
-                                         [](TeamMessage& m) { m.player = 1; },
-                                         [](TeamMessage& m) { m.player = 200; },
-                                         [](TeamMessage& m) { m.number = 0; }));
+INSTANTIATE_TEST_SUITE_P(
+    Others, Hostile,
+    testing::Values([](TeamMessage& m) { m.pose.position.x = kNan; },
+                    [](TeamMessage& m) { m.pose.position.y += 1000.0; },
+                    [](TeamMessage& m) { m.covariance[0] = -1.0; },
+                    [](TeamMessage& m) { m.covariance[8] = kInfinity; },
+                    [](TeamMessage& m) { m.ball.position.x = -1000.0; },
+                    [](TeamMessage& m) { m.ball.covariance[3] = kInfinity; },
+                    [](TeamMessage& m) {
+                      m.ball.covariance = {20, 30, 30, 20};
+                    },
+                    [](TeamMessage& m) { m.ball.velocity.x = kNan; },
+                    [](TeamMessage& m) { m.opponents[0].position.y = kNan; },
+                    [](TeamMessage& m) { m.opponents[0].covariance[0] = 0.0; },
+                    [](TeamMessage& m) { m.age = kNan; }, [](TeamMessage& m) { m.age = -1.0; },
+                    [](TeamMessage& m) { m.age = 2.1; }, [](TeamMessage& m) { m.player = 1; },
+                    [](TeamMessage& m) { m.player = 200; }, [](TeamMessage& m) { m.number = 0; }));
 
 TEST(Hostile, ARepeatedMessageAddsNothing) {
   SimulatedRobot robot = robotAt(180, 100);

@@ -45,8 +45,8 @@ int parseOptions(CLI::App& app, int argc, char** argv, bool& done) {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);
-    fmt::print(stderr, "{}: {}; `{} --help` tells more\n", app.get_name(),
-               whatIsWrong(app, error), commandOf(app));
+    fmt::print(stderr, "{}: {}; `{} --help` tells more\n", app.get_name(), whatIsWrong(app, error),
+               commandOf(app));
     return kUsageError;
   }
   done = false;
