@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/calibrate/TablePicture.h"
 
+#include <filesystem>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
@@ -33,6 +34,8 @@ void drawSlice(cv::Mat& picture, const vision::ColourTable& table, int slice) {
 }  // namespace
 
 Status writeTablePicture(const vision::ColourTable& table, const std::string& path) {
+  if (std::filesystem::path(path).extension() != ".png")
+    return Error{path + ": cannot be written as a picture"};
   cv::Mat picture(kSlices / kAcross * (kSize + kTitle) + kGap, kAcross * (kSize + kGap) + kGap,
                   CV_8UC3, cv::Scalar(235, 235, 235));
   for (int slice = 0; slice < kSlices; ++slice) drawSlice(picture, table, slice);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A picture of a colour table: eight slices of rising brightness, Cr to the right and Cb upwards,
-// each cell in the colour that viewers draw its class in (kColourPalette).
+// each cell in the colour that viewers draw its class in (kColourPalette). The name must end in
+// .png.
 #pragma once
 
 #include <string>
