@@ -17,6 +17,7 @@ constexpr double kBandHeight = 10.0;  // cm; four bands, the upper two coloured 
 constexpr double kBeaconRadius = 5.0;
 constexpr double kTopHeight = 40.0;
 constexpr std::size_t kMaxCandidates = 12;
+constexpr int kLeastWhite = 4;  // half pixels of the white part that must show
 
 PixelPoint moved(PixelPoint p, ImageUp up, double length) {
   return {p.x + length * up.dx, p.y + length * up.dy};
@@ -319,8 +320,9 @@ bool beaconBandIsSquare(const BeaconCandidate& c, const BeaconParams& p) {
 }
 
 // Pink on a coat is on far more of the coat's colour. A goal or trousers behind a beacon are far
-// wider too, but then the white below tells it.
+// wider too, but then the white below tells it, if both bands' ends show.
 bool beaconBandsStandAlone(const BeaconCandidate& c, const BeaconParams& p) {
+  if (c.onWhite && c.topCut) return c.widest <= p.maxBandWidths * c.width;
   return c.onWhite ||
          c.widest <= (c.topCut || c.bottomCut ? p.maxCutBandWidths : p.maxBandWidths) * c.width;
 }
@@ -329,7 +331,8 @@ bool beaconReachesHorizon(const Scene& scene, const BeaconCandidate& c, const Be
   return belowHorizon(scene, c.middle) <= p.maxBelowHorizon;
 }
 
-// The lower two bands are white, as far as the image shows them.
+// The lower two bands are white, as far as the image shows them. More of it must show where the
+// height does not fit the size well.
 bool beaconHasWhiteBelow(const Scene& scene, const BeaconCandidate& c, const BeaconParams& p) {
   const double band = bandOf(c);
   int probes = 0;
@@ -341,7 +344,8 @@ bool beaconHasWhiteBelow(const Scene& scene, const BeaconCandidate& c, const Bea
     ++probes;
     white += colour == ColourClass::white || colour == ColourClass::grey ? 1 : 0;
   }
-  return white >= p.minWhiteShare * probes || (c.bottomCut && c.sure);
+  if (c.sure) return c.bottomCut || white >= p.minWhiteShare * probes;
+  return probes >= kLeastWhite && white >= p.minUnsureWhiteShare * probes;
 }
 
 // Three bands below the colours' border is its foot, and beacons stand at the carpet's edge.

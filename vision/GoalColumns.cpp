@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 
 #include "vision/Sight.h"
@@ -128,6 +129,39 @@ double likelyDistance(const GoalCandidate& c, const GoalParams& p) {
   return best;
 }
 
+double heightOf(const GoalColumn& column) {
+  return maths::hypot(column.top.x - column.foot.x, column.top.y - column.foot.y);
+}
+
+double widthOf(const GoalCandidate& c, double distance) {
+  double left = 1e9;
+  double right = -1e9;
+  for (const GoalColumn& column : c.columns) {
+    if (!column.chosen) continue;
+    left = std::min(left, column.u);
+    right = std::max(right, column.u);
+  }
+  return (right - left) * distance / body::kFocalLength;
+}
+
+// A low strip of the goal's colour beside it has a foot in line with its own. Where a robot's head
+// hides the top the columns are low too, so only of what is wider than a goal aslant.
+void dropLowEnds(GoalCandidate& c, double distance) {
+  constexpr double kWidest = 110.0;  // cm
+  constexpr double kLow = 0.7;       // of the goal's height
+  if (widthOf(c, distance) <= kWidest) return;
+  const double least = kLow * kGoalHeight * body::kFocalLength / std::max(distance, 1.0);
+  const auto isLow = [least](const GoalColumn& column) {
+    return column.chosen && column.distance <= 0.0 && !column.topCut && !column.footCut &&
+           heightOf(column) < least;
+  };
+  const auto drop = [&isLow](auto from, auto to) {
+    for (; from != to && (!from->chosen || isLow(*from)); ++from) from->chosen = false;
+  };
+  drop(c.columns.begin(), c.columns.end());
+  drop(std::make_reverse_iterator(c.columns.end()), std::make_reverse_iterator(c.columns.begin()));
+}
+
 double middleFoot(const Scene& scene, const GoalCandidate& c) {
   FixedVector<double, kGoalColumns> feet;
   for (const GoalColumn& column : c.columns) {
@@ -149,12 +183,12 @@ void chooseColumns(const Scene& scene, const GoalParams& p, GoalCandidate& c) {
   const double foot = middleFoot(scene, c);
   for (GoalColumn& column : c.columns) {
     if (column.chosen || column.footCut || !column.green) continue;
-    const double height = maths::hypot(column.top.x - column.foot.x, column.top.y - column.foot.y);
     const double aside = std::fabs(scene.level.fromImage(column.foot).v - foot);
-    if (aside > kFootRows + 0.1 * height) continue;
+    if (aside > kFootRows + 0.1 * heightOf(column)) continue;
     column.chosen = true;
     column.distance = 0.0;
   }
+  if (reference > 0.0) dropLowEnds(c, reference);
 }
 
 GoalColumn medianColumn(const GoalCandidate& c) {
@@ -201,7 +235,7 @@ const GoalColumn* outermost(const GoalCandidate& c, bool left) {
 // Whether a robot stands where the goal seems to end: its legs hide the carpet that else lies below
 // the foot beside the end. A line may cross one of the three places.
 bool endHidden(const Scene& scene, const GoalColumn& column, PixelPoint end, ImageUp outwards) {
-  const double height = maths::hypot(column.top.x - column.foot.x, column.top.y - column.foot.y);
+  const double height = heightOf(column);
   const ImageUp up = scene.level.up();
   int hidden = 0;
   for (const double share : {0.2, 0.45, 0.7}) {

@@ -135,7 +135,7 @@ bool accepted(const Scene& scene, const GoalCandidate& c, const GoalParams& p,
          check(goalStandsBelowHorizon(scene, c, p), Refusal::goalAboveHorizon) &&
          check(goalStandsInsideFieldEdge(scene, c, p), Refusal::goalAboveFieldEdge) &&
          check(goalHasNoPinkBeside(scene, c), Refusal::goalIsBeacon) &&
-         check(goalHasFieldBelow(c, p), Refusal::goalNoField) &&
+         check(goalHasFieldBelow(scene, c, p), Refusal::goalNoField) &&
          check(goalIsMeasured(c), Refusal::goalNoHeight) &&
          check(goalIsSure(c, p), Refusal::goalUnsure) &&
          check(goalHasWidth(scene, c, p), Refusal::goalWidth) &&
@@ -232,8 +232,16 @@ bool goalStandsInsideFieldEdge(const Scene& scene, const GoalCandidate& c, const
          (feet.lowest >= -p.maxAboveFieldEdge && feet.sum >= -p.maxMeanAboveFieldEdge * feet.count);
 }
 
-// Of the columns between the goal's ends.
-bool goalHasFieldBelow(const GoalCandidate& c, const GoalParams& p) {
+// Both posts show, a mouth's width apart at the distance of its height, and it fits the ground.
+bool goalIsWhole(const Scene& scene, const GoalCandidate& c, const GoalParams& p) {
+  constexpr double kWidthError = 6.0;  // cm
+  return !c.left.open() && !c.right.open() && goalIsMeasured(c) &&
+         std::fabs(seenWidth(scene, c, p) - p.width) <= kWidthError &&
+         std::fabs(c.footError) <= p.partDirection.rad();
+}
+
+// Of the columns between the goal's ends. Of a whole goal robots may hide most of the feet.
+bool goalHasFieldBelow(const Scene& scene, const GoalCandidate& c, const GoalParams& p) {
   int columns = 0;
   int green = 0;
   for (const GoalColumn& column : c.columns) {
@@ -241,7 +249,8 @@ bool goalHasFieldBelow(const GoalCandidate& c, const GoalParams& p) {
     ++columns;
     green += column.green ? 1 : 0;
   }
-  return green > 0 && green >= p.minFieldColumns * columns;
+  const double least = goalIsWhole(scene, c, p) ? p.minWholeFieldColumns : p.minFieldColumns;
+  return green > 0 && green >= least * columns;
 }
 
 // A beacon that was not recognised has its pink right above or below.

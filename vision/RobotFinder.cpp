@@ -41,6 +41,7 @@ bool looksLikeRobot(const Scene& scene, const RobotParams& p, RobotPatch& patch,
                     VisionCounts& counts) {
   measureSurroundings(scene, patch);
   return check(robotPatchIsPure(patch, p), Refusal::robotOtherColour, counts) &&
+         check(robotPatchIsEvident(patch, p), Refusal::robotOtherColour, counts) &&
          check(robotIsNoSpeck(patch, p), Refusal::robotSpeck, counts) &&
          check(robotIsInsideFieldEdge(scene, patch, p), Refusal::robotAboveFieldEdge, counts) &&
          check(robotIsNear(patch, p), Refusal::robotTooFar, counts) &&

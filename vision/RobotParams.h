@@ -19,10 +19,13 @@ struct RobotParams {
   double cleanForeignShare = 0.1;
   Angle maxElevation = Angle::deg(14);  // a patch 20 cm high seen from 12 cm at 35 cm: 13 deg
   double minInsideFieldEdge = 2;        // px, of the foot from the field edge
+  double minCarpetBeyond = 20;          // cm from a carpet foot to the edge: players are inside lines
   double minCarpetBehind = 1.2;         // px of green beside the robot, above the foot's level
   double minPatchWidth = 1.5;           // cm
   double minCutPatch = 3;               // cm, height of a patch whose robot shows no feet
   double maxPatchWidth = 13;            // cm
+  double maxHighWidth = 11;             // cm, of one whose middle is higher than the next value:
+  double highPatch = 18;                // the head's patches are small, the trunk's lower
   double maxPatchHeight = 9;            // cm
   double maxTall = 3.5;                 // height to width of a patch: trouser legs are taller
   double minHeight = 8;                 // cm, of a patch's middle above the ground
@@ -32,6 +35,8 @@ struct RobotParams {
   double minShellOfFew = 0.35;          // minShell of such
   double maxSpeckDistance = 115;        // cm, of a patch of so few samples
   double speckCarpetBehind = 6;         // px: before so much carpet a speck may be nearer than that
+  double minEvidence = 1.0;             // shares of uniform and shell less foreign, see evidenceOf
+  double evidentCarpetBehind = 7;       // px: with so much carpet behind a patch needs none
   double partSamples = 20;              // of a patch that only tells its robot's distance
   double maxBorderRatio = 2.4;          // of the way to the ground that the border shows, feet cut
   double patchHeight = 12;              // cm, assumed when the image border cuts the feet
@@ -41,7 +46,7 @@ struct RobotParams {
   double reach = 9;                     // cm beside a patch where legs are looked for
   double maxGap = 13;                   // cm between two patches of one robot
   double maxLength = 30;                // cm, of all patches of one robot
-  double maxDepthRatio = 4;             // of the distances of two patches of one robot
+  double maxDepthRatio = 2;             // of the distances of two patches of one robot
   double minTeamRatio = 2;  // of samples, for one team\'s patches to rule out those of the other
   double depth = 7;         // cm from the nearest leg to the body's middle
   double maxDistance = 220;
@@ -61,18 +66,23 @@ struct RobotParams {
         field("cleanOwnShare", &P::cleanOwnShare, "", 0, 1),
         field("cleanForeignShare", &P::cleanForeignShare, "", 0, 1),
         field("maxElevation", &P::maxElevation, "rad", -90, 90),
+        field("minCarpetBeyond", &P::minCarpetBeyond, "cm", 0, 100),
         field("minCarpetBehind", &P::minCarpetBehind, "px", -10, 10),
         field("minInsideFieldEdge", &P::minInsideFieldEdge, "px", -160, 160),
         field("minPatchWidth", &P::minPatchWidth, "cm", 0, 100),
         field("minCutPatch", &P::minCutPatch, "cm", 0, 100),
         field("maxPatchWidth", &P::maxPatchWidth, "cm", 1, 100),
         field("maxTall", &P::maxTall, "", 0.1, 20),
+        field("maxHighWidth", &P::maxHighWidth, "cm", 1, 100),
+        field("highPatch", &P::highPatch, "cm", 0, 100),
         field("maxPatchHeight", &P::maxPatchHeight, "cm", 1, 100),
         field("minHeight", &P::minHeight, "cm", -20, 50),
         field("maxHeight", &P::maxHeight, "cm", 0, 100), field("minShell", &P::minShell, "", 0, 1),
         field("fewSamples", &P::fewSamples, "", 0, 1000),
         field("minShellOfFew", &P::minShellOfFew, "", 0, 1),
         field("maxSpeckDistance", &P::maxSpeckDistance, "cm", 0, 500),
+        field("minEvidence", &P::minEvidence, "", -1, 2),
+        field("evidentCarpetBehind", &P::evidentCarpetBehind, "px", -10, 50),
         field("speckCarpetBehind", &P::speckCarpetBehind, "px", -10, 50),
         field("partSamples", &P::partSamples, "", 1, 1000),
         field("maxBorderRatio", &P::maxBorderRatio, "", 1, 100),

@@ -129,6 +129,21 @@ bool meanIsOwn(const Scene& scene, ImageUp up, const RobotPatch& patch) {
   return isOwn(scene.sampler.classOf({mean(y), mean(cr), mean(cb)}), patch.team);
 }
 
+// Along the ground from the foot to the field edge above it in the image; kNoDistance where no edge
+// or only the horizon is above.
+double carpetBeyond(const Scene& scene, ImageUp up, const Foot& foot) {
+  if (scene.fieldEdges.empty()) return kNoDistance;
+  const PixelPoint edge = moved(foot.pixel, up, 0.0, belowFieldEdge(scene, foot.pixel));
+  const auto distance = groundDistance(scene.body.camera, edge);
+  return distance ? *distance - foot.distance : kNoDistance;
+}
+
+// Clothes show other colours beside specks of the uniform's; a robot shows its shell.
+double evidenceOf(const RobotPatch& patch) {
+  constexpr double kMean = 0.2;
+  return patch.own + patch.shell - patch.foreign + (patch.meanIsOwn ? kMean : 0.0);
+}
+
 }  // namespace
 
 RobotPatch patchOf(const Scene& scene, const Blob& blob) {
@@ -153,6 +168,7 @@ void measureSurroundings(const Scene& scene, RobotPatch& patch) {
   measureRing(scene, up, patch);
   patch.meanIsOwn = meanIsOwn(scene, up, patch);
   patch.behind = carpetBehind(scene, up, patch.foot.pixel, kBeside * patch.scale);
+  patch.beyond = carpetBeyond(scene, up, patch.foot);
 }
 
 bool robotPatchIsLow(const Scene& scene, const RobotPatch& patch, const RobotParams& p) {
@@ -163,6 +179,8 @@ bool robotPatchHasSize(const RobotPatch& patch, const RobotParams& p) {
   // Without feet the size is all that tells the distance, so the whole patch must show.
   const bool cut = patch.foot.end != FootEnd::carpet;
   if (cut && patch.extent.height() + 1.0 < p.minCutPatch * patch.scale) return false;
+  if (patch.height > p.highPatch && patch.extent.width() > p.maxHighWidth * patch.scale)
+    return false;
   return patch.extent.width() + 1.0 >= p.minPatchWidth * patch.scale &&
          patch.extent.width() <= p.maxPatchWidth * patch.scale + 2.0 &&
          patch.extent.height() <= p.maxPatchHeight * patch.scale + 2.0 &&
@@ -193,6 +211,10 @@ bool robotPatchTellsDistance(const RobotPatch& patch, const RobotParams& p) {
          patch.height <= p.maxHeight && patch.extent.width() <= p.maxPatchWidth * patch.scale + 2.0;
 }
 
+bool robotPatchIsEvident(const RobotPatch& patch, const RobotParams& p) {
+  return patch.behind >= p.evidentCarpetBehind || evidenceOf(patch) >= p.minEvidence;
+}
+
 bool robotHasShell(const RobotPatch& patch, const RobotParams& p) {
   return patch.shell >= (patch.samples <= p.fewSamples ? p.minShellOfFew : p.minShell);
 }
@@ -210,6 +232,7 @@ bool robotFeetMayBeCut(const RobotPatch& patch, const RobotParams& p) {
 }
 
 bool robotIsInsideFieldEdge(const Scene& scene, const RobotPatch& patch, const RobotParams& p) {
+  if (patch.foot.end == FootEnd::carpet && patch.beyond < p.minCarpetBeyond) return false;
   const bool unknown = patch.behind <= kUnknownBehind;
   if (!unknown && patch.behind < p.minCarpetBehind) return false;
   if (unknown && patch.foot.end == FootEnd::carpet && scene.fieldEdges.empty())

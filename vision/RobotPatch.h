@@ -23,6 +23,7 @@ struct RobotPatch {
   double scale = 1.0;      // px per cm there
   double height = 0.0;     // cm of the centre above the ground
   double behind = 0.0;     // px of carpet beyond the foot, beside the robot
+  double beyond = kNoDistance;  // cm along the ground from the foot to the field edge
   double shell = 0.0;      // share of white and grey round the patch
   double foreign = 0.0;    // share on the same ring of colours that no robot wears
   double own = 0.0;        // share of its colour among all the colours inside its box
@@ -46,6 +47,8 @@ bool robotPatchIsPure(const RobotPatch& patch, const RobotParams& p);
 bool robotPatchIsClean(const RobotPatch& patch, const RobotParams& p);
 // Large and of one colour: part of a robot, if one stands there at all.
 bool robotPatchTellsDistance(const RobotPatch& patch, const RobotParams& p);
+// Uniform in the patch and shell round it outweigh other colours, or carpet shows behind.
+bool robotPatchIsEvident(const RobotPatch& patch, const RobotParams& p);
 bool robotHasShell(const RobotPatch& patch, const RobotParams& p);
 bool robotIsNoSpeck(const RobotPatch& patch, const RobotParams& p);
 bool robotFeetMayBeCut(const RobotPatch& patch, const RobotParams& p);

@@ -26,8 +26,8 @@ struct BallParams {
   double maxAboveShare = 0.03;       // more for each px of radius
   double maxPatch = 1.6;             // area of the orange patch to that of the circle
   double minFieldPoints = 2;         // green or lower image border among 7 points beside and below
-  double maxDistance = 450;          // 2006 field: 420 is the far corner seen from the middle
-  Angle directionError = Angle::deg(3);  // camera against ground, for ballOffGround
+  double maxDistance = 390;          // beyond, most orange of under two pixels' radius is clothes
+  Angle directionError = Angle::deg(1.7);  // camera against ground, for ballOffGround
   Angle directionSd = Angle::deg(1);     // the same as a standard deviation, while walking
   double edgeSd = 0.3;                   // px, of the radius
   Angle headingSd = Angle::deg(0.7);
@@ -59,6 +59,7 @@ struct BeaconParams {
   double maxAspect = 1.35;        // width to height of a band, and its inverse; the rule is 1
   double maxBelowHorizon = 25;    // px, facts-2005 4.5 check 5
   double minWhiteShare = 0.5;     // of the two bands below the coloured part
+  double minUnsureWhiteShare = 0.75;  // the same where the height does not fit the size well
   double maxFootAboveEdge = 2;    // px, of where its foot should be from the field edge
   double maxFootBelowEdge = 0.6;  // bands: beacons stand at most 20 cm inside the carpet's edge
   double maxBandWidths = 5;       // of its wider band to its width, where no white told its foot
@@ -77,6 +78,7 @@ struct BeaconParams {
                      field("maxAspect", &BeaconParams::maxAspect, "", 1, 10),
                      field("maxBelowHorizon", &BeaconParams::maxBelowHorizon, "px", -160, 160),
                      field("minWhiteShare", &BeaconParams::minWhiteShare, "", 0, 1),
+                     field("minUnsureWhiteShare", &BeaconParams::minUnsureWhiteShare, "", 0, 1),
                      field("maxFootAboveEdge", &BeaconParams::maxFootAboveEdge, "px", 0, 160),
                      field("maxFootBelowEdge", &BeaconParams::maxFootBelowEdge, "", 0, 20),
                      field("sureElevation", &BeaconParams::sureElevation, "rad", 0, 45),
@@ -100,6 +102,7 @@ struct GoalParams {
   double maxAboveFieldEdge = 0.3;    // px, of the lowest foot: of true goals 1 in 100 is higher
   double maxMeanAboveFieldEdge = 2;  // px, of all feet
   double minFieldColumns = 0.4;      // share of columns with green below, check 8
+  double minWholeFieldColumns = 0.15;  // the same of one with both posts, a mouth's width apart
   double minSeenWidth = 32;          // cm between the ends, seen 60 deg from the side: 66
   double minCutWidth = 30;           // cm of a goal that the image border cuts
   double minHiddenWidth = 32;        // cm between two robots that hide both posts
@@ -135,6 +138,7 @@ struct GoalParams {
         field("maxAboveFieldEdge", &GoalParams::maxAboveFieldEdge, "px", -160, 160),
         field("maxMeanAboveFieldEdge", &GoalParams::maxMeanAboveFieldEdge, "px", -160, 160),
         field("minFieldColumns", &GoalParams::minFieldColumns, "", 0, 1),
+        field("minWholeFieldColumns", &GoalParams::minWholeFieldColumns, "", 0, 1),
         field("minSeenWidth", &GoalParams::minSeenWidth, "cm", 0, 200),
         field("minCutWidth", &GoalParams::minCutWidth, "cm", 0, 200),
         field("minHiddenWidth", &GoalParams::minHiddenWidth, "cm", 0, 200),

@@ -151,9 +151,9 @@ TEST(BallChecks, EdgesRoundnessAndRangeDecideAtTheirLimits) {
   EXPECT_TRUE(ballIsRound(c, p));
   c.cone.rms = 0.31;
   EXPECT_FALSE(ballIsRound(c, p));
-  c.range = 449;
+  c.range = 389;
   EXPECT_TRUE(ballIsNear(c, p));
-  c.range = 451;
+  c.range = 391;
   EXPECT_FALSE(ballIsNear(c, p));
 }
 

@@ -189,6 +189,30 @@ TEST(BeaconChecks, BandOfAColourThatGoesOnFarAsideIsPartOfSomethingElse) {
   EXPECT_FALSE(beaconBandsStandAlone(c, p));
   c.onWhite = true;
   EXPECT_TRUE(beaconBandsStandAlone(c, p));
+  c.topCut = true;  // trousers over socks look so, and far wider
+  c.widest = 51;
+  EXPECT_FALSE(beaconBandsStandAlone(c, p));
+}
+
+TEST(BeaconChecks, WhereHeightAndSizeDisagreeMoreOfItsWhiteMustShow) {
+  const BeaconParams p;
+  Board board(cameraAt(16, 0, 0));
+  BeaconCandidate c;
+  c.upper = c.lower = 20;
+  c.bottom = {104, 80};
+  const auto passes = [&](int whiteRows, bool sure) {
+    board.fill(98, 80, 110, 80 + whiteRows, kWhitePaint);
+    board.fill(98, 80 + whiteRows, 110, 125, kGreenPaint);
+    c.sure = sure;
+    return beaconHasWhiteBelow(board.scene(), c, p);
+  };
+  EXPECT_TRUE(passes(26, true));  // 0.65 of what is probed
+  EXPECT_FALSE(passes(26, false));
+  EXPECT_TRUE(passes(34, false));
+  c.bottom = {104, kUsableBottom - 0.5};  // below the image nothing shows
+  c.bottomCut = true;
+  EXPECT_FALSE(passes(0, false));
+  EXPECT_TRUE(passes(0, true));
 }
 
 TEST(BeaconChecks, BandCutAtItsSideMayShowSixTenthsOfItsWidth) {

@@ -113,6 +113,53 @@ TEST(RobotChecks, FieldEdgeAndCarpetBehind) {
   EXPECT_FALSE(robotIsInsideFieldEdge(empty.scene, patch, {}));
 }
 
+TEST(RobotChecks, StandsAHandAndMoreInsideTheCarpetsEdge) {
+  const EmptyScene empty;
+  RobotPatch patch = goodPatch();
+  patch.beyond = 19;
+  EXPECT_FALSE(robotIsInsideFieldEdge(empty.scene, patch, {}));
+  patch.beyond = 21;
+  EXPECT_TRUE(robotIsInsideFieldEdge(empty.scene, patch, {}));
+  patch.beyond = 19;
+  patch.foot.end = FootEnd::imageBorder;  // its feet are nearer than what the border shows
+  EXPECT_TRUE(robotIsInsideFieldEdge(empty.scene, patch, {}));
+}
+
+TEST(RobotChecks, CarpetBeyondTheFootIsMeasuredAlongTheGround) {
+  EmptyScene scene;
+  RobotPatch patch = goodPatch();
+  measureSurroundings(scene.scene, patch);
+  EXPECT_EQ(patch.beyond, kNoDistance);
+  const auto foot = groundDistance(scene.body.camera, {100, 90});
+  const auto edge = groundDistance(scene.body.camera, {100, 80});
+  ASSERT_TRUE(foot && edge);
+  patch.foot = {FootEnd::carpet, {100, 90}, *foot};
+  scene.edges.push_back({80, 80});
+  measureSurroundings(scene.scene, patch);
+  EXPECT_NEAR(patch.beyond, *edge - *foot, 0.01);
+}
+
+TEST(RobotChecks, AWidePatchIsOfTheTrunkAndNotSoHigh) {
+  RobotPatch patch = goodPatch();
+  patch.extent = {10, 10, 3, 3};  // 12.5 cm wide
+  EXPECT_TRUE(robotPatchHasSize(patch, {}));
+  patch.height = 19;
+  EXPECT_FALSE(robotPatchHasSize(patch, {}));
+}
+
+TEST(RobotChecks, UniformAndShellOutweighOtherColoursWhereLittleCarpetIsBehind) {
+  RobotPatch patch = goodPatch();
+  patch.behind = 6;
+  patch.own = 0.6;
+  patch.shell = 0.3;
+  patch.foreign = 0.0;
+  EXPECT_TRUE(robotPatchIsEvident(patch, {}));
+  patch.foreign = 0.2;
+  EXPECT_FALSE(robotPatchIsEvident(patch, {}));
+  patch.behind = 8;
+  EXPECT_TRUE(robotPatchIsEvident(patch, {}));
+}
+
 TEST(RobotChecks, WithoutCarpetOrEdgeInTheImageOnlyACleanPatchIsBelieved) {
   const EmptyScene empty;
   RobotPatch patch = goodPatch();
