@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "vision/GoalColumns.h"
+#include "vision/GoalEvidence.h"
 #include "vision/GoalGaps.h"
 #include "vision/GoalShape.h"
 #include "vision/Refusal.h"
@@ -92,14 +93,6 @@ GoalCandidate grouped(const Scene& scene, const Blob& seed, const Landmarks& bea
   return c;
 }
 
-// cm of the mouth's line that is seen, between two ends at the mouth's distance.
-double seenWidth(const Scene& scene, const GoalCandidate& c, const GoalParams& p) {
-  const CameraPose& camera = scene.body.camera;
-  const double d = std::max(c.wall - p.depth, 5.0);
-  return distance(placeAt(camera, sightOf(camera, c.left.point), d),
-                  placeAt(camera, sightOf(camera, c.right.point), d));
-}
-
 LandmarkPercept perceptOf(const Scene& scene, const GoalCandidate& c, const GoalShape& shape,
                           const GoalParams& p) {
   const Point3<Robot>& eye = scene.body.camera.position;
@@ -135,7 +128,7 @@ bool accepted(const Scene& scene, const GoalCandidate& c, const GoalParams& p,
          check(goalStandsBelowHorizon(scene, c, p), Refusal::goalAboveHorizon) &&
          check(goalStandsInsideFieldEdge(scene, c, p), Refusal::goalAboveFieldEdge) &&
          check(goalHasNoPinkBeside(scene, c), Refusal::goalIsBeacon) &&
-         check(goalHasFieldBelow(scene, c, p), Refusal::goalNoField) &&
+         check(goalHasFieldBelow(c, p), Refusal::goalNoField) &&
          check(goalIsMeasured(c), Refusal::goalNoHeight) &&
          check(goalIsSure(c, p), Refusal::goalUnsure) &&
          check(goalHasWidth(scene, c, p), Refusal::goalWidth) &&
@@ -195,14 +188,21 @@ Feet feetOf(const Scene& scene, const GoalCandidate& c) {
 }
 
 // A box behind the carpet stands a little above the field edge, or its feet do not fit the ground.
-bool hasFirmFeet(const Scene& scene, const GoalCandidate& c, const GoalParams& p, Angle direction) {
-  if (std::fabs(c.footError) > direction.rad()) return false;
+bool hasFirmFeet(const Scene& scene, const GoalCandidate& c, const GoalParams& p) {
+  if (std::fabs(c.footError) > p.partDirection.rad()) return false;
   const Feet feet = feetOf(scene, c);
   return feet.count == 0 || (feet.lowest >= p.minPartBelowFieldEdge &&
                              feet.sum >= -p.maxPartMeanAboveFieldEdge * feet.count);
 }
 
 }  // namespace
+
+double seenWidth(const Scene& scene, const GoalCandidate& c, const GoalParams& p) {
+  const CameraPose& camera = scene.body.camera;
+  const double d = std::max(c.wall - p.depth, 5.0);
+  return distance(placeAt(camera, sightOf(camera, c.left.point), d),
+                  placeAt(camera, sightOf(camera, c.right.point), d));
+}
 
 bool goalIsLarge(const GoalCandidate& c, const GoalParams& p) {
   return c.samples >= p.minSamples && c.box.width() >= p.minWidth && c.box.height() >= p.minHeight;
@@ -232,16 +232,8 @@ bool goalStandsInsideFieldEdge(const Scene& scene, const GoalCandidate& c, const
          (feet.lowest >= -p.maxAboveFieldEdge && feet.sum >= -p.maxMeanAboveFieldEdge * feet.count);
 }
 
-// Both posts show, a mouth's width apart at the distance of its height, and it fits the ground.
-bool goalIsWhole(const Scene& scene, const GoalCandidate& c, const GoalParams& p) {
-  constexpr double kWidthError = 6.0;  // cm
-  return !c.left.open() && !c.right.open() && goalIsMeasured(c) &&
-         std::fabs(seenWidth(scene, c, p) - p.width) <= kWidthError &&
-         std::fabs(c.footError) <= p.partDirection.rad();
-}
-
-// Of the columns between the goal's ends. Of a whole goal robots may hide most of the feet.
-bool goalHasFieldBelow(const Scene& scene, const GoalCandidate& c, const GoalParams& p) {
+// Of the columns between the goal's ends; robots may hide most of the feet.
+bool goalHasFieldBelow(const GoalCandidate& c, const GoalParams& p) {
   int columns = 0;
   int green = 0;
   for (const GoalColumn& column : c.columns) {
@@ -249,8 +241,7 @@ bool goalHasFieldBelow(const Scene& scene, const GoalCandidate& c, const GoalPar
     ++columns;
     green += column.green ? 1 : 0;
   }
-  const double least = goalIsWhole(scene, c, p) ? p.minWholeFieldColumns : p.minFieldColumns;
-  return green > 0 && green >= least * columns;
+  return green > 0 && green >= p.minFieldColumns * columns;
 }
 
 // A beacon that was not recognised has its pink right above or below.
@@ -289,17 +280,7 @@ bool goalHasWidth(const Scene& scene, const GoalCandidate& c, const GoalParams& 
 }
 
 bool goalIsPart(const Scene& scene, const GoalCandidate& c, const GoalParams& p) {
-  return seenWidth(scene, c, p) <= p.maxPartWidth && hasFirmFeet(scene, c, p, p.partDirection);
-}
-
-bool goalStandsFirmly(const Scene& scene, const GoalCandidate& c, const GoalShape& shape,
-                      const GoalParams& p) {
-  const double seen = seenWidth(scene, c, p);
-  const double turn = std::fabs((Angle::rad(shape.turn) - bearing(shape.middle)).rad());
-  const bool open = c.left.open() || c.right.open();
-  const bool wide = open ? seen >= p.minOpenWidth : seen > p.maxPartWidth;
-  if (wide || (!open && turn <= p.aslantTurn.rad())) return true;
-  return hasFirmFeet(scene, c, p, p.openDirection);
+  return seenWidth(scene, c, p) <= p.maxPartWidth && hasFirmFeet(scene, c, p);
 }
 
 bool goalFacesField(const GoalShape& shape, const GoalParams& p) {
@@ -329,8 +310,8 @@ void findGoals(const Scene& scene, const GoalParams& params, VisionCounts& count
       refuse(counts, Refusal::goalAslant);
       continue;
     }
-    if (!goalStandsFirmly(scene, best, shape, params)) {
-      refuse(counts, Refusal::goalLoose);
+    if (goalDoubt(goalFacts(scene, best, shape, params)) > params.maxDoubt) {
+      refuse(counts, Refusal::goalDoubtful);
       continue;
     }
     landmarks.push_back(perceptOf(scene, best, shape, params));

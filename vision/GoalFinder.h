@@ -50,13 +50,15 @@ struct GoalCandidate {
   double footError = 0.0;   // rad, of the middle column
 };
 
+// cm of the mouth's line that is seen, between two ends at the mouth's distance.
+double seenWidth(const Scene& scene, const GoalCandidate& c, const GoalParams& p);
+
 // The checks: true = keep.
 bool goalIsLarge(const GoalCandidate& c, const GoalParams& p);
 bool goalHasShape(const GoalCandidate& c, const GoalParams& p);
 bool goalStandsBelowHorizon(const Scene& scene, const GoalCandidate& c, const GoalParams& p);
 bool goalStandsInsideFieldEdge(const Scene& scene, const GoalCandidate& c, const GoalParams& p);
-bool goalIsWhole(const Scene& scene, const GoalCandidate& c, const GoalParams& p);
-bool goalHasFieldBelow(const Scene& scene, const GoalCandidate& c, const GoalParams& p);
+bool goalHasFieldBelow(const GoalCandidate& c, const GoalParams& p);
 bool goalHasNoPinkBeside(const Scene& scene, const GoalCandidate& c);
 bool goalIsMeasured(const GoalCandidate& c);
 bool goalIsSure(const GoalCandidate& c, const GoalParams& p);

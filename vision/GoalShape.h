@@ -28,11 +28,6 @@ struct GoalShape {
 // A check, true = keep: the mouth is seen from the field, not from behind or from the goal line.
 bool goalFacesField(const GoalShape& shape, const GoalParams& params);
 
-// Another: little of a goal, or a narrow one aslant, may be a box beyond the carpet; then its feet
-// must stand on the ground inside the field edge.
-bool goalStandsFirmly(const Scene& scene, const GoalCandidate& c, const GoalShape& shape,
-                      const GoalParams& params);
-
 GoalShape fitGoal(const Scene& scene, const GoalCandidate& c, const GoalParams& params);
 
 }  // namespace kelpie::vision

@@ -48,7 +48,7 @@ enum class Refusal : std::uint8_t {
   ballOnGoal,       // a goal's or beacon's colour right below it
   ballPartOfPatch,  // the orange is far larger than the circle
   goalAslant,       // seen from behind or along its goal line
-  goalLoose,        // a narrow part of one that does not stand firmly on the carpet
+  goalDoubtful,  // each check passed, but few of them well
   robotTooSmall,
   robotAboveHorizon,
   robotAboveFieldEdge,
@@ -127,7 +127,7 @@ constexpr std::array<const char*, kRefusalCount> kRefusalNames = {"ballTooSmall"
                                                                   "ballOnGoal",
                                                                   "ballPartOfPatch",
                                                                   "goalAslant",
-                                                                  "goalLoose",
+                                                                  "goalDoubtful",
                                                                   "robotTooSmall",
                                                                   "robotAboveHorizon",
                                                                   "robotAboveFieldEdge",

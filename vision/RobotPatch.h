@@ -18,16 +18,16 @@ struct RobotPatch {
   PixelBox box;  // the same in the image
   PixelPoint centre;
   Extent extent;
-  Foot foot;               // the nearest of the columns below and beside the patch
-  double distance = 0.0;   // cm along the ground from the camera to the nearest leg
-  double scale = 1.0;      // px per cm there
-  double height = 0.0;     // cm of the centre above the ground
-  double behind = 0.0;     // px of carpet beyond the foot, beside the robot
+  Foot foot;                    // the nearest of the columns below and beside the patch
+  double distance = 0.0;        // cm along the ground from the camera to the nearest leg
+  double scale = 1.0;           // px per cm there
+  double height = 0.0;          // cm of the centre above the ground
+  double behind = 0.0;          // px of carpet beyond the foot, beside the robot
   double beyond = kNoDistance;  // cm along the ground from the foot to the field edge
-  double shell = 0.0;      // share of white and grey round the patch
-  double foreign = 0.0;    // share on the same ring of colours that no robot wears
-  double own = 0.0;        // share of its colour among all the colours inside its box
-  bool meanIsOwn = false;  // its mean colour is the uniform's
+  double shell = 0.0;           // share of white and grey round the patch
+  double foreign = 0.0;         // share on the same ring of colours that no robot wears
+  double own = 0.0;             // share of its colour among all the colours inside its box
+  bool meanIsOwn = false;       // its mean colour is the uniform's
 };
 
 // What is cheap to know of a blob in a uniform's colour.

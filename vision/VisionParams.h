@@ -28,8 +28,8 @@ struct BallParams {
   double minFieldPoints = 2;         // green or lower image border among 7 points beside and below
   double maxDistance = 390;          // beyond, most orange of under two pixels' radius is clothes
   Angle directionError = Angle::deg(1.7);  // camera against ground, for ballOffGround
-  Angle directionSd = Angle::deg(1);     // the same as a standard deviation, while walking
-  double edgeSd = 0.3;                   // px, of the radius
+  Angle directionSd = Angle::deg(1);       // the same as a standard deviation, while walking
+  double edgeSd = 0.3;                     // px, of the radius
   Angle headingSd = Angle::deg(0.7);
 
   static constexpr auto fields() {
@@ -53,17 +53,17 @@ struct BallParams {
 };
 
 struct BeaconParams {
-  double minSamples = 2;          // lattice samples of pink
-  double minBand = 2.5;           // px, each coloured band
-  double maxRatio = 1.35;         // of the two bands' heights
-  double maxAspect = 1.35;        // width to height of a band, and its inverse; the rule is 1
-  double maxBelowHorizon = 25;    // px, facts-2005 4.5 check 5
-  double minWhiteShare = 0.5;     // of the two bands below the coloured part
+  double minSamples = 2;              // lattice samples of pink
+  double minBand = 2.5;               // px, each coloured band
+  double maxRatio = 1.35;             // of the two bands' heights
+  double maxAspect = 1.35;            // width to height of a band, and its inverse; the rule is 1
+  double maxBelowHorizon = 25;        // px, facts-2005 4.5 check 5
+  double minWhiteShare = 0.5;         // of the two bands below the coloured part
   double minUnsureWhiteShare = 0.75;  // the same where the height does not fit the size well
-  double maxFootAboveEdge = 2;    // px, of where its foot should be from the field edge
-  double maxFootBelowEdge = 0.6;  // bands: beacons stand at most 20 cm inside the carpet's edge
-  double maxBandWidths = 5;       // of its wider band to its width, where no white told its foot
-  double maxCutBandWidths = 3;    // the same when a band's end is hidden or cut
+  double maxFootAboveEdge = 2;        // px, of where its foot should be from the field edge
+  double maxFootBelowEdge = 0.6;      // bands: beacons stand at most 20 cm inside the carpet's edge
+  double maxBandWidths = 5;     // of its wider band to its width, where no white told its foot
+  double maxCutBandWidths = 3;  // the same when a band's end is hidden or cut
   Angle elevationError = Angle::deg(1.2);  // the camera's tilt is known to about a degree
   Angle sureElevation = Angle::deg(0.4);   // so small an error makes up for what is hidden or cut
   double maxSureAspect = 1.6;
@@ -93,20 +93,19 @@ struct BeaconParams {
 };
 
 struct GoalParams {
-  double minSamples = 20;            // lattice samples
-  double minWidth = 8;               // px
-  double minHeight = 5;              // px
-  double maxTall = 1.3;              // height to width of a goal that no image border cuts
-  double maxFlat = 4.5;              // width to height; 80 : 30 seen from the front is 2.7
-  double maxAboveHorizon = 12;       // px, of the lower edge: facts-2005 4.5 check 7 has 20
-  double maxAboveFieldEdge = 0.3;    // px, of the lowest foot: of true goals 1 in 100 is higher
-  double maxMeanAboveFieldEdge = 2;  // px, of all feet
-  double minFieldColumns = 0.4;      // share of columns with green below, check 8
-  double minWholeFieldColumns = 0.15;  // the same of one with both posts, a mouth's width apart
-  double minSeenWidth = 32;          // cm between the ends, seen 60 deg from the side: 66
-  double minCutWidth = 30;           // cm of a goal that the image border cuts
-  double minHiddenWidth = 32;        // cm between two robots that hide both posts
-  double maxSeenWidth = 125;         // cm, with a side wall seen from outside
+  double minSamples = 20;                  // lattice samples
+  double minWidth = 8;                     // px
+  double minHeight = 5;                    // px
+  double maxTall = 1.95;                   // height to width of a goal that no image border cuts
+  double maxFlat = 5.85;                   // width to height; 80 : 30 seen from the front is 2.7
+  double maxAboveHorizon = 12;             // px, of the lower edge: facts-2005 4.5 check 7 has 20
+  double maxAboveFieldEdge = 0.8;          // px, of the lowest foot
+  double maxMeanAboveFieldEdge = 3;        // px, of all feet
+  double minFieldColumns = 0.2;            // share of columns with green below, check 8
+  double minSeenWidth = 25;                // cm between the ends, seen 60 deg from the side: 66
+  double minCutWidth = 22;                 // cm of a goal that the image border cuts
+  double minHiddenWidth = 25;              // cm between two robots that hide both posts
+  double maxSeenWidth = 140;               // cm, with a side wall seen from outside
   Angle directionError = Angle::deg(1.7);  // a column's foot against the ground at its distance
   double minSureShare = 0.6;  // of the feet that are measured: with less, the next limit counts
   double maxPartWidth = 65;   // cm of a goal that would stand aslant if its ends were posts
@@ -114,14 +113,12 @@ struct GoalParams {
       -0.1;  // px, of such a part's lowest foot: a box beyond it has less
   double maxPartMeanAboveFieldEdge = 0.8;  // px, of all its feet
   Angle partDirection = Angle::deg(0.3);   // of its feet against the ground
-  double minOpenWidth = 40;                // cm; less with an open end is judged as such a part is
-  Angle aslantTurn = Angle::deg(45);       // so is a narrow one that seems to stand farther aslant
-  Angle openDirection = Angle::deg(0.6);   // of the feet of these two
   Angle doubtfulDirection = Angle::deg(0.8);
+  double maxDoubt = 0.9;              // log odds, see GoalEvidence.h
   double maxDistance = 560;           // the opposite goal's back wall, seen from the own mouth: 570
   double width = 80;                  // cm, of the mouth
   double depth = 30;                  // cm from the mouth to the back wall
-  Angle maxTurn = Angle::deg(72);     // of the mouth from square to the sight
+  Angle maxTurn = Angle::deg(80);     // of the mouth from square to the sight
   double maxAside = 450;              // cm from the goal's axis: half the field, and a turn's error
   double edgeSd = 0.5;                // px, of the upper and of the lower edge
   Angle directionSd = Angle::deg(1);  // camera against ground, while walking
@@ -138,7 +135,6 @@ struct GoalParams {
         field("maxAboveFieldEdge", &GoalParams::maxAboveFieldEdge, "px", -160, 160),
         field("maxMeanAboveFieldEdge", &GoalParams::maxMeanAboveFieldEdge, "px", -160, 160),
         field("minFieldColumns", &GoalParams::minFieldColumns, "", 0, 1),
-        field("minWholeFieldColumns", &GoalParams::minWholeFieldColumns, "", 0, 1),
         field("minSeenWidth", &GoalParams::minSeenWidth, "cm", 0, 200),
         field("minCutWidth", &GoalParams::minCutWidth, "cm", 0, 200),
         field("minHiddenWidth", &GoalParams::minHiddenWidth, "cm", 0, 200),
@@ -149,9 +145,7 @@ struct GoalParams {
         field("minPartBelowFieldEdge", &GoalParams::minPartBelowFieldEdge, "px", -160, 160),
         field("maxPartMeanAboveFieldEdge", &GoalParams::maxPartMeanAboveFieldEdge, "px", -160, 160),
         field("partDirection", &GoalParams::partDirection, "rad", 0, 20),
-        field("minOpenWidth", &GoalParams::minOpenWidth, "cm", 0, 200),
-        field("aslantTurn", &GoalParams::aslantTurn, "rad", 0, 90),
-        field("openDirection", &GoalParams::openDirection, "rad", 0, 20),
+        field("maxDoubt", &GoalParams::maxDoubt, "", -20, 20),
         field("doubtfulDirection", &GoalParams::doubtfulDirection, "rad", 0, 20),
         field("maxDistance", &GoalParams::maxDistance, "cm", 50, 1000),
         field("maxTurn", &GoalParams::maxTurn, "rad", 0, 90),

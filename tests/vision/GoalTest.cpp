@@ -5,6 +5,7 @@
 
 #include "tests/vision/Board.h"
 #include "tests/vision/Painting.h"
+#include "vision/GoalEvidence.h"
 #include "vision/GoalFinder.h"
 #include "vision/GoalShape.h"
 #include "vision/Refusal.h"
@@ -188,7 +189,7 @@ TEST(GoalChecks, ShapeAndDistanceDecideAtTheirLimits) {
   GoalCandidate c;
   c.box = {50, 50, 90, 65};
   EXPECT_TRUE(goalHasShape(c, p));
-  c.box.bottom = 110;
+  c.box.bottom = 130;
   EXPECT_FALSE(goalHasShape(c, p));
   c.left.cut = true;
   EXPECT_TRUE(goalHasShape(c, p));
@@ -268,32 +269,82 @@ TEST(GoalChecks, NarrowOneWhoseFootFitsMayBePartOfAGoal) {
   EXPECT_FALSE(goalIsPart(board.scene(), wide(board.body.camera, p.maxPartWidth + 2.0), p));
 }
 
-TEST(GoalChecks, LittleOfAGoalMustFitTheGround) {
-  const Board board(cameraAt(16, 0, 0));
-  const GoalParams p;
-  const GoalShape square{true, {0, 200}, 0.0, 0.0};
-  GoalCandidate c = wide(board.body.camera, p.minOpenWidth - 2.0);
-  c.left.hidden = true;
-  c.footError = p.openDirection.rad() - 0.001;
-  EXPECT_TRUE(goalStandsFirmly(board.scene(), c, square, p));
-  c.footError = p.openDirection.rad() + 0.001;
-  EXPECT_FALSE(goalStandsFirmly(board.scene(), c, square, p));
-  GoalCandidate more = wide(board.body.camera, p.minOpenWidth + 2.0);
-  more.left.hidden = true;
-  more.footError = c.footError;
-  EXPECT_TRUE(goalStandsFirmly(board.scene(), more, square, p));
+GoalFacts factsOfAWholeGoal() {
+  GoalFacts facts;
+  facts.wall = 300;
+  facts.seen = 79;
+  facts.widthOff = 1;
+  facts.lowest = 0.4;
+  facts.meanFoot = 0.1;
+  facts.misfit = 0.05;
+  facts.footError = 0.1;
+  facts.measured = 20;
+  facts.chosen = 22;
+  facts.chosenShare = 0.95;
+  facts.edges = 1;
+  facts.samples = 200;
+  return facts;
 }
 
-TEST(GoalChecks, NarrowOneFarAslantMustFitTheGroundToo) {
-  const Board board(cameraAt(16, 0, 0));
+TEST(GoalEvidence, OneWeakFactDoesNotMakeAWholeGoalDoubtful) {
   const GoalParams p;
-  GoalCandidate c = wide(board.body.camera, p.maxPartWidth - 2.0);
-  c.footError = p.openDirection.rad() + 0.001;
-  const auto kept = [&](double turn) {
-    return goalStandsFirmly(board.scene(), c, {true, {0, 200}, turn, 0.0}, p);
-  };
-  EXPECT_TRUE(kept(p.aslantTurn.rad() - 0.01));
-  EXPECT_FALSE(kept(p.aslantTurn.rad() + 0.01));
+  const GoalFacts whole = factsOfAWholeGoal();
+  EXPECT_LE(goalDoubt(whole), p.maxDoubt);
+  GoalFacts high = whole;
+  high.lowest = -0.2;
+  GoalFacts narrow = whole;
+  narrow.seen = 45;
+  narrow.widthOff = 35;
+  GoalFacts few = whole;
+  few.measured = 2;
+  for (const GoalFacts& facts : {high, narrow, few}) {
+    EXPECT_GT(goalDoubt(facts), goalDoubt(whole));
+    EXPECT_LE(goalDoubt(facts), p.maxDoubt);
+  }
+}
+
+TEST(GoalEvidence, SeveralWeakFactsDo) {
+  GoalFacts facts = factsOfAWholeGoal();
+  facts.lowest = -0.2;
+  facts.seen = 45;
+  facts.widthOff = 35;
+  facts.measured = 2;
+  facts.samples = 50;
+  EXPECT_GT(goalDoubt(facts), GoalParams{}.maxDoubt);
+}
+
+TEST(GoalEvidence, FeetFarBelowTheEdgeCountAgainstAGoalNearByMore) {
+  GoalFacts facts = factsOfAWholeGoal();
+  facts.meanFoot = 3.0;
+  GoalFacts near = facts;
+  near.wall = 150;
+  EXPECT_NEAR(goalDoubt(near) - goalDoubt(facts), 1.9 + 1.3 - 1.7, 1e-9);
+}
+
+TEST(GoalEvidence, FactsAreCountedOverTheChosenColumns) {
+  Board board(cameraAt(16, 0, 0));
+  board.edges.push_back({100, 100, 20, 0.5});
+  GoalCandidate c = wide(board.body.camera, 60);
+  for (const double foot : {99.0, 102.0, 120.0}) {
+    GoalColumn column;
+    column.chosen = foot < 110.0;
+    column.distance = foot < 100.0 ? 230.0 : 0.0;
+    column.foot = {100, foot};
+    c.columns.push_back(column);
+  }
+  c.footError = Angle::deg(-0.5).rad();
+  const GoalFacts facts = goalFacts(board.scene(), c, {true, {0, 200}, 0.0, 3.0}, {});
+  EXPECT_NEAR(facts.seen, 60, 0.5);
+  EXPECT_NEAR(facts.widthOff, 20, 0.5);
+  EXPECT_NEAR(facts.lowest, 2.0, 1e-9);
+  EXPECT_NEAR(facts.meanFoot, 0.5, 1e-9);
+  EXPECT_EQ(facts.measured, 1.0);
+  EXPECT_EQ(facts.chosen, 2.0);
+  EXPECT_NEAR(facts.chosenShare, 2.0 / 3.0, 1e-9);
+  EXPECT_EQ(facts.misfit, 3.0);
+  EXPECT_NEAR(facts.footError, 0.5, 1e-9);
+  c.left.cut = true;
+  EXPECT_EQ(goalFacts(board.scene(), c, {true, {0, 200}, 0.0, 3.0}, {}).widthOff, 40.0);
 }
 
 TEST(GoalChecks, LittleOfAGoalMustStandInsideTheFieldEdge) {
@@ -319,19 +370,19 @@ TEST(GoalChecks, BetweenTwoRobotsMoreOfItMustShow) {
   EXPECT_FALSE(goalHasWidth(board.scene(), c, p));
 }
 
-TEST(GoalChecks, MouthFacesTheFieldWithin72Degrees) {
+TEST(GoalChecks, MouthFacesTheFieldWithin80Degrees) {
   const GoalParams p;
   const auto kept = [&p](double turnDegrees, bool valid = true) {
     return goalFacesField({valid, {0, 250}, turnDegrees / kDegrees, 0.0}, p);
   };
-  EXPECT_TRUE(kept(71));
-  EXPECT_TRUE(kept(-71));
-  EXPECT_FALSE(kept(73));
-  EXPECT_FALSE(kept(-73));
+  EXPECT_TRUE(kept(79));
+  EXPECT_TRUE(kept(-79));
+  EXPECT_FALSE(kept(81));
+  EXPECT_FALSE(kept(-81));
   EXPECT_FALSE(kept(0, false));
   // Seen 45 deg to the right, square to the sight is a turn of -45.
   EXPECT_TRUE(goalFacesField({true, {200, 200}, -110 / kDegrees, 0.0}, p));
-  EXPECT_FALSE(goalFacesField({true, {200, 200}, 30 / kDegrees, 0.0}, p));
+  EXPECT_FALSE(goalFacesField({true, {200, 200}, 40 / kDegrees, 0.0}, p));
 }
 
 }  // namespace
