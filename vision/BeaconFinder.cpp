@@ -205,6 +205,39 @@ std::optional<PixelPoint> pinkStart(const Scene& scene, const Blob& blob, ImageU
   return std::nullopt;
 }
 
+struct White {
+  int probes = 0;
+  int white = 0;
+  double share() const { return probes > 0 ? static_cast<double>(white) / probes : 0.5; }
+};
+
+// Of the two bands below the coloured part, as far as the image shows them.
+White whiteBelow(const Scene& scene, const BeaconCandidate& c) {
+  const double band = bandOf(c);
+  White all;
+  for (double down = 0.2 * band; down < 1.9 * band; down += 0.5) {
+    const PixelPoint at = moved(c.bottom, scene.level.up(), -down);
+    if (!Sampler::usable(at)) break;
+    const ColourClass colour = scene.sampler.classAt(at);
+    ++all.probes;
+    all.white += colour == ColourClass::white || colour == ColourClass::grey ? 1 : 0;
+  }
+  return all;
+}
+
+// px below the field edge, of where its foot should be: three bands below the colours' border.
+double footBelowEdge(const Scene& scene, const BeaconCandidate& c) {
+  return belowFieldEdge(scene, moved(c.middle, scene.level.up(), -3.0 * bandOf(c)));
+}
+
+// How unlike a beacon it is: of several of one kind the one with the least is kept.
+double misfit(const Scene& scene, const BeaconCandidate& c) {
+  const double height = std::max(1.0, std::min(c.upper, c.lower));
+  const double bands = c.topCut || c.bottomCut ? 0.3 : std::fabs(maths::log(c.upper / c.lower));
+  const double aspect = std::fabs(maths::log(std::max(c.width, 0.5) / height));
+  return bands + aspect + 10.0 * std::fabs(elevationError(scene, c)) + (c.onWhite ? 0.0 : 0.3);
+}
+
 LandmarkKind kindOf(const BeaconCandidate& c) {
   if (c.partner == ColourClass::blue) {
     return c.pinkIsLower ? LandmarkKind::beaconBlueOnPink : LandmarkKind::beaconPinkOnBlue;
@@ -251,15 +284,8 @@ bool accepted(const Scene& scene, const BeaconCandidate& c, const BeaconParams& 
          check(beaconHasWhiteBelow(scene, c, p), Refusal::beaconNoWhiteBelow) &&
          check(beaconIsInImage(c), Refusal::beaconCut) &&
          check(beaconStandsAtFieldEdge(scene, c, p), Refusal::beaconOffFieldEdge) &&
-         check(beaconStandsOnField(scene, c), Refusal::beaconNoField);
-}
-
-// How unlike a beacon it is: of several of one kind the one with the least is kept.
-double misfit(const Scene& scene, const BeaconCandidate& c) {
-  const double height = std::max(1.0, std::min(c.upper, c.lower));
-  const double bands = c.topCut || c.bottomCut ? 0.3 : std::fabs(maths::log(c.upper / c.lower));
-  const double aspect = std::fabs(maths::log(std::max(c.width, 0.5) / height));
-  return bands + aspect + 10.0 * std::fabs(elevationError(scene, c)) + (c.onWhite ? 0.0 : 0.3);
+         check(beaconStandsOnField(scene, c), Refusal::beaconNoField) &&
+         check(beaconDoubts(scene, c) <= p.maxDoubts, Refusal::beaconDoubtful);
 }
 
 bool insideBeacon(const Landmarks& landmarks, PixelPoint p) {
@@ -331,29 +357,19 @@ bool beaconReachesHorizon(const Scene& scene, const BeaconCandidate& c, const Be
   return belowHorizon(scene, c.middle) <= p.maxBelowHorizon;
 }
 
-// The lower two bands are white, as far as the image shows them. More of it must show where the
+// The lower two bands are white, as far as the image shows them. Some of it must show where the
 // height does not fit the size well.
 bool beaconHasWhiteBelow(const Scene& scene, const BeaconCandidate& c, const BeaconParams& p) {
-  const double band = bandOf(c);
-  int probes = 0;
-  int white = 0;
-  for (double down = 0.2 * band; down < 1.9 * band; down += 0.5) {
-    const PixelPoint at = moved(c.bottom, scene.level.up(), -down);
-    if (!Sampler::usable(at)) break;
-    const ColourClass colour = scene.sampler.classAt(at);
-    ++probes;
-    white += colour == ColourClass::white || colour == ColourClass::grey ? 1 : 0;
-  }
-  if (c.sure) return c.bottomCut || white >= p.minWhiteShare * probes;
-  return probes >= kLeastWhite && white >= p.minUnsureWhiteShare * probes;
+  const White white = whiteBelow(scene, c);
+  if (c.sure) return c.bottomCut || white.share() >= p.minWhiteShare;
+  return white.probes >= kLeastWhite && white.share() >= p.minUnsureWhiteShare;
 }
 
-// Three bands below the colours' border is its foot, and beacons stand at the carpet's edge.
+// Beacons stand at the carpet's edge.
 bool beaconStandsAtFieldEdge(const Scene& scene, const BeaconCandidate& c, const BeaconParams& p) {
   if (scene.fieldEdges.empty()) return true;
-  const double band = bandOf(c);
-  const double below = belowFieldEdge(scene, moved(c.middle, scene.level.up(), -3.0 * band));
-  return below >= -p.maxFootAboveEdge && below <= p.maxFootBelowEdge * band + 1.0;
+  const double below = footBelowEdge(scene, c);
+  return below >= -p.maxFootAboveEdge && below <= p.maxFootBelowEdge * bandOf(c) + 1.0;
 }
 
 // What the image's border cuts above or below must show its whole width.
@@ -387,6 +403,20 @@ bool beaconHeightFitsSize(const Scene& scene, const BeaconCandidate& c, const Be
 
 bool beaconIsNear(const BeaconCandidate& c, const BeaconParams& p) {
   return c.distance <= p.maxDistance;
+}
+
+int beaconDoubts(const Scene& scene, const BeaconCandidate& c) {
+  const double elevation = std::fabs(Angle::rad(elevationError(scene, c)).deg());
+  const double band = std::max(bandOf(c), 0.5);
+  const double wider = c.widest / std::max(c.width, 0.5);
+  const double aspect = std::fabs(maths::log(std::max(c.width, 0.5) / band));
+  const bool edgeFar = !scene.fieldEdges.empty() && footBelowEdge(scene, c) >= 0.3 * band;
+  int doubts = 0;
+  for (const bool doubt :
+       {misfit(scene, c) >= 0.5, aspect >= 0.37, elevation >= 0.5, elevation >= 1.0, wider >= 1.75,
+        wider >= 4.5, whiteBelow(scene, c).share() < 0.9, edgeFar})
+    doubts += doubt ? 1 : 0;
+  return doubts;
 }
 
 void findBeacons(const Scene& scene, const BeaconParams& params, VisionCounts& counts,

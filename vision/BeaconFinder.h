@@ -46,6 +46,11 @@ bool beaconStandsOnField(const Scene& scene, const BeaconCandidate& c);
 bool beaconHeightFitsSize(const Scene& scene, const BeaconCandidate& c, const BeaconParams& p);
 bool beaconIsNear(const BeaconCandidate& c, const BeaconParams& p);
 
+// How many of eight facts are unlike a beacon though no check refuses any: height and size, bands'
+// likeness and squareness, white below, foot at the edge, colours that go on beside it. Trousers
+// over socks have four, a beacon seldom (1 in 240).
+int beaconDoubts(const Scene& scene, const BeaconCandidate& c);
+
 using Landmarks = FixedVector<LandmarkPercept, 8>;
 void findBeacons(const Scene& scene, const BeaconParams& params, VisionCounts& counts,
                  Landmarks& landmarks);

@@ -48,7 +48,7 @@ enum class Refusal : std::uint8_t {
   ballOnGoal,       // a goal's or beacon's colour right below it
   ballPartOfPatch,  // the orange is far larger than the circle
   goalAslant,       // seen from behind or along its goal line
-  goalDoubtful,  // each check passed, but few of them well
+  goalDoubtful,     // each check passed, but few of them well
   robotTooSmall,
   robotAboveHorizon,
   robotAboveFieldEdge,
@@ -88,8 +88,9 @@ enum class Refusal : std::uint8_t {
   robotSpeck,        // its patches are far too small for so near a robot
   robotFeetNear,     // its feet should show: the image shows ground far behind where it stands
   postureUnsound,    // the camera's pose or the horizon is made of no numbers: nothing is looked at
+  beaconDoubtful,    // each check passed, but few of them well
 };
-constexpr std::size_t kRefusalCount = 75;
+constexpr std::size_t kRefusalCount = 76;
 
 constexpr std::array<const char*, kRefusalCount> kRefusalNames = {"ballTooSmall",
                                                                   "ballFewEdges",

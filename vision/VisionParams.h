@@ -53,20 +53,21 @@ struct BallParams {
 };
 
 struct BeaconParams {
-  double minSamples = 2;              // lattice samples of pink
-  double minBand = 2.5;               // px, each coloured band
-  double maxRatio = 1.35;             // of the two bands' heights
-  double maxAspect = 1.35;            // width to height of a band, and its inverse; the rule is 1
-  double maxBelowHorizon = 25;        // px, facts-2005 4.5 check 5
-  double minWhiteShare = 0.5;         // of the two bands below the coloured part
-  double minUnsureWhiteShare = 0.75;  // the same where the height does not fit the size well
-  double maxFootAboveEdge = 2;        // px, of where its foot should be from the field edge
-  double maxFootBelowEdge = 0.6;      // bands: beacons stand at most 20 cm inside the carpet's edge
-  double maxBandWidths = 5;     // of its wider band to its width, where no white told its foot
-  double maxCutBandWidths = 3;  // the same when a band's end is hidden or cut
-  Angle elevationError = Angle::deg(1.2);  // the camera's tilt is known to about a degree
+  double minSamples = 2;             // lattice samples of pink
+  double minBand = 2.0;              // px, each coloured band
+  double maxRatio = 1.6;             // of the two bands' heights
+  double maxAspect = 1.6;            // width to height of a band, and its inverse; the rule is 1
+  double maxBelowHorizon = 25;       // px, facts-2005 4.5 check 5
+  double minWhiteShare = 0.3;        // of the two bands below the coloured part
+  double minUnsureWhiteShare = 0.5;  // the same where the height does not fit the size well
+  double maxFootAboveEdge = 4;       // px, of where its foot should be from the field edge
+  double maxFootBelowEdge = 0.9;     // bands: beacons stand at most 20 cm inside the carpet's edge
+  double maxBandWidths = 8;          // of its wider band to its width, where no white told its foot
+  double maxCutBandWidths = 3;       // the same when a band's end is hidden or cut
+  Angle elevationError = Angle::deg(1.7);  // the camera's tilt is known to about a degree
   Angle sureElevation = Angle::deg(0.4);   // so small an error makes up for what is hidden or cut
-  double maxSureAspect = 1.6;
+  double maxSureAspect = 2.2;
+  double maxDoubts = 3;      // of the eight that beaconDoubts counts
   double maxDistance = 500;  // beyond, two pixels of clothes pass for a band
   double edgeSd = 0.35;      // px, of each band edge
   Angle headingSd = Angle::deg(0.7);
@@ -86,6 +87,7 @@ struct BeaconParams {
                      field("maxBandWidths", &BeaconParams::maxBandWidths, "", 1, 100),
                      field("maxCutBandWidths", &BeaconParams::maxCutBandWidths, "", 1, 100),
                      field("elevationError", &BeaconParams::elevationError, "rad", 0, 45),
+                     field("maxDoubts", &BeaconParams::maxDoubts, "", 0, 8),
                      field("maxDistance", &BeaconParams::maxDistance, "cm", 50, 1000),
                      field("edgeSd", &BeaconParams::edgeSd, "px", 0.01, 5),
                      field("headingSd", &BeaconParams::headingSd, "rad", 0.01, 20));

@@ -152,9 +152,9 @@ TEST(BeaconChecks, BandsAreOfOneHeightUnlessTheBorderCutsOne) {
   const BeaconParams p;
   BeaconCandidate c;
   c.upper = 10;
-  c.lower = 14.4;  // 1.35 * 10 + 1 = 14.5
+  c.lower = 16.9;  // 1.6 * 10 + 1 = 17
   EXPECT_TRUE(beaconBandsAreEqual(c, p));
-  c.lower = 14.6;
+  c.lower = 17.1;
   EXPECT_FALSE(beaconBandsAreEqual(c, p));
   c.topCut = true;
   EXPECT_TRUE(beaconBandsAreEqual(c, p));
@@ -164,13 +164,13 @@ TEST(BeaconChecks, BandIsAboutAsWideAsHigh) {
   const BeaconParams p;
   BeaconCandidate c;
   c.upper = c.lower = 10;
-  c.width = 14.4;  // 1.35 * 10 + 1 = 14.5
+  c.width = 16.9;  // 1.6 * 10 + 1 = 17
   EXPECT_TRUE(beaconBandIsSquare(c, p));
-  c.width = 14.6;
+  c.width = 17.1;
   EXPECT_FALSE(beaconBandIsSquare(c, p));
-  c.width = 6.7;  // 1.35 * 6.7 + 1 = 10.05
+  c.width = 5.7;  // 1.6 * 5.7 + 1 = 10.12
   EXPECT_TRUE(beaconBandIsSquare(c, p));
-  c.width = 6.6;
+  c.width = 5.6;
   EXPECT_FALSE(beaconBandIsSquare(c, p));
 }
 
@@ -178,9 +178,9 @@ TEST(BeaconChecks, BandOfAColourThatGoesOnFarAsideIsPartOfSomethingElse) {
   const BeaconParams p;
   BeaconCandidate c;
   c.width = 10;
-  c.widest = 49;
+  c.widest = 79;
   EXPECT_TRUE(beaconBandsStandAlone(c, p));
-  c.widest = 51;
+  c.widest = 81;
   EXPECT_FALSE(beaconBandsStandAlone(c, p));
   c.bottomCut = true;
   c.widest = 29;
@@ -190,7 +190,7 @@ TEST(BeaconChecks, BandOfAColourThatGoesOnFarAsideIsPartOfSomethingElse) {
   c.onWhite = true;
   EXPECT_TRUE(beaconBandsStandAlone(c, p));
   c.topCut = true;  // trousers over socks look so, and far wider
-  c.widest = 51;
+  c.widest = 81;
   EXPECT_FALSE(beaconBandsStandAlone(c, p));
 }
 
@@ -206,13 +206,38 @@ TEST(BeaconChecks, WhereHeightAndSizeDisagreeMoreOfItsWhiteMustShow) {
     c.sure = sure;
     return beaconHasWhiteBelow(board.scene(), c, p);
   };
-  EXPECT_TRUE(passes(26, true));  // 0.65 of what is probed
-  EXPECT_FALSE(passes(26, false));
-  EXPECT_TRUE(passes(34, false));
+  EXPECT_FALSE(passes(12, true));  // 0.24 of what is probed
+  EXPECT_TRUE(passes(16, true));
+  EXPECT_FALSE(passes(16, false));
+  EXPECT_TRUE(passes(24, false));
   c.bottom = {104, kUsableBottom - 0.5};  // below the image nothing shows
   c.bottomCut = true;
   EXPECT_FALSE(passes(0, false));
   EXPECT_TRUE(passes(0, true));
+}
+
+TEST(BeaconChecks, DoubtsAreCountedEachForItself) {
+  Board board(cameraAt(16, 0, 0));
+  BeaconCandidate c;  // 30 cm up at 100 cm, with a camera 16 cm up
+  c.distance = 105.0;
+  c.onWhite = true;
+  c.middle = *body::project(board.body.camera, {0, board.body.camera.position.y + 100, 30});
+  c.upper = c.lower = c.width = c.widest = 19.0;
+  c.bottom = {c.middle.x, c.middle.y + 19.0};
+  board.fill(90, static_cast<int>(c.bottom.y), 120, 155, kWhitePaint);
+  EXPECT_EQ(beaconDoubts(board.scene(), c), 0);
+  c.widest = 2.0 * c.width;
+  EXPECT_EQ(beaconDoubts(board.scene(), c), 1);
+  c.widest = 5.0 * c.width;
+  EXPECT_EQ(beaconDoubts(board.scene(), c), 2);
+  c.width *= 0.6;
+  EXPECT_EQ(beaconDoubts(board.scene(), c), 4);  // not square, and so less like a beacon
+  board.edges.push_back({80, 80, 20, 0.5});
+  EXPECT_EQ(beaconDoubts(board.scene(), c), 5);
+  board.fill(90, static_cast<int>(c.bottom.y), 120, 155, kGreenPaint);
+  EXPECT_EQ(beaconDoubts(board.scene(), c), 6);
+  c.distance = 140.0;
+  EXPECT_EQ(beaconDoubts(board.scene(), c), 8);
 }
 
 TEST(BeaconChecks, BandCutAtItsSideMayShowSixTenthsOfItsWidth) {
@@ -223,21 +248,21 @@ TEST(BeaconChecks, BandCutAtItsSideMayShowSixTenthsOfItsWidth) {
   EXPECT_FALSE(beaconBandIsSquare(c, p));
   c.widthCut = true;
   EXPECT_TRUE(beaconBandIsSquare(c, p));
-  c.width = 3.9;  // of at most 6.5
+  c.width = 3.3;  // of at most 5.5
   EXPECT_FALSE(beaconBandIsSquare(c, p));
 }
 
 TEST(BeaconChecks, BothBandsAreLargeEnoughToMeasure) {
   const BeaconParams p;
   BeaconCandidate c;
-  c.upper = c.lower = 2.6;
+  c.upper = c.lower = 2.1;
   EXPECT_TRUE(beaconIsLarge(c, p));
-  c.upper = 2.4;
+  c.upper = 1.9;
   EXPECT_FALSE(beaconIsLarge(c, p));
   c.topCut = true;
-  c.upper = 1.1;  // 1.5 * 1.1 + 1 = 2.65
+  c.upper = 0.7;  // 1.5 * 0.7 + 1 = 2.05
   EXPECT_TRUE(beaconIsLarge(c, p));
-  c.upper = 0.9;
+  c.upper = 0.6;
   EXPECT_FALSE(beaconIsLarge(c, p));
 }
 
