@@ -2,43 +2,36 @@
 #include "vision/GoalEvidence.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+
+#include "vision/Lattice.h"
+#include "vision/LogOdds.h"
 
 namespace kelpie::vision {
 namespace {
 
 constexpr double kNear = 210.0;  // cm: nearer, the image borders cut most goals
-constexpr double kOpenWidthOff = 40.0;
-constexpr double kPrior = 5.5;
+constexpr double kPrior = 5.0;
 
-enum class Range { any, near, far };
-
-// A fact of at least `least` adds `logOdds`.
-struct Weight {
-  double GoalFacts::*fact;
-  double least;
-  double logOdds;
-  Range range = Range::any;
-};
-
-constexpr std::array<Weight, 16> kWeights = {{
-    {&GoalFacts::seen, 50.0, -2.5},
-    {&GoalFacts::widthOff, 23.0, 1.4},
-    {&GoalFacts::lowest, -0.04, -2.7},
-    {&GoalFacts::meanFoot, -0.75, -1.7},
-    {&GoalFacts::meanFoot, -0.5, -1.3, Range::far},
-    {&GoalFacts::meanFoot, 0.7, 1.2},
-    {&GoalFacts::meanFoot, 2.1, 1.9, Range::near},
-    {&GoalFacts::misfit, 0.13, 1.2},
-    {&GoalFacts::misfit, 0.45, 1.2},
-    {&GoalFacts::footError, 0.35, 1.6, Range::far},
-    {&GoalFacts::footError, 0.45, 1.8, Range::far},
-    {&GoalFacts::measured, 3.0, -2.2},
-    {&GoalFacts::chosen, 21.0, -1.6},
-    {&GoalFacts::chosenShare, 0.875, 1.7, Range::far},
-    {&GoalFacts::edges, 2.0, -1.4},
-    {&GoalFacts::samples, 70.0, -1.8},
+constexpr std::array<Weight<GoalFacts>, 18> kWeights = {{
+    {&GoalFacts::seen, 36.5, -1.5},
+    {&GoalFacts::seen, 49.5, -1.9},
+    {&GoalFacts::lowest, -0.05, -2.5, Range::far},
+    {&GoalFacts::meanFoot, -0.8, -2.1},
+    {&GoalFacts::meanFoot, -0.5, -1.8},
+    {&GoalFacts::meanFoot, 1.6, 2.0},
+    {&GoalFacts::footError, 0.36, 1.9, Range::far},
+    {&GoalFacts::footError, 0.6, 1.6},
+    {&GoalFacts::misfit, 0.45, 1.3},
+    {&GoalFacts::misfit, 10.0, 1.0},
+    {&GoalFacts::measured, 10.0, -1.6},
+    {&GoalFacts::chosen, 21.0, -1.3},
+    {&GoalFacts::chosenShare, 0.875, 1.8, Range::far},
+    {&GoalFacts::edges, 2.0, -1.2},
+    {&GoalFacts::coloured, 1.19, -1.5},
+    {&GoalFacts::hidden, 1.0, 1.1, Range::far},
+    {&GoalFacts::slant, 240.0, 1.3},
+    {&GoalFacts::topCut, 1.0, 0.6},
 }};
 
 void addColumns(const Scene& scene, const GoalCandidate& c, GoalFacts& facts) {
@@ -62,25 +55,22 @@ GoalFacts goalFacts(const Scene& scene, const GoalCandidate& c, const GoalShape&
                     const GoalParams& p) {
   GoalFacts facts;
   addColumns(scene, c, facts);
-  const bool open = c.left.open() || c.right.open();
   facts.wall = c.wall;
   facts.seen = seenWidth(scene, c, p);
-  facts.widthOff = open ? kOpenWidthOff : std::fabs(facts.seen - p.width);
   facts.misfit = shape.cost / std::max(facts.measured, 1.0);
   facts.footError = std::fabs(Angle::rad(c.footError).deg());
   facts.edges = static_cast<double>(scene.fieldEdges.size());
-  facts.samples = c.samples;
+  facts.coloured =
+      c.samples * maths::square(kLatticeStep) / std::max(1.0, c.box.width() * c.box.height());
+  facts.hidden = (c.left.hidden ? 1.0 : 0.0) + (c.right.hidden ? 1.0 : 0.0);
+  const Angle turn = Angle::rad(shape.turn) - bearing(shape.middle);
+  facts.slant = shape.middle.norm() * maths::sin(std::fabs(turn.rad()));
+  facts.topCut = c.topCut ? 1.0 : 0.0;
   return facts;
 }
 
 double goalDoubt(const GoalFacts& facts) {
-  const bool near = facts.wall < kNear;
-  double doubt = kPrior;
-  for (const Weight& w : kWeights) {
-    const bool applies = w.range == Range::any || near == (w.range == Range::near);
-    if (applies && facts.*w.fact >= w.least) doubt += w.logOdds;
-  }
-  return doubt;
+  return logOdds(kPrior, kWeights, facts, facts.wall < kNear);
 }
 
 }  // namespace kelpie::vision

@@ -12,7 +12,6 @@ namespace kelpie::vision {
 struct GoalFacts {
   double wall = 0.0;       // cm, camera to the wall
   double seen = 0.0;       // cm of the mouth's line between the ends
-  double widthOff = 0.0;   // cm by which it is not a mouth's width; an open end counts as 40
   double lowest = -1e9;    // px below the field edge, of the lowest foot
   double meanFoot = 0.0;   // the same in the mean of the chosen columns
   double misfit = 0.0;     // cost of the fitted shape for each measured column
@@ -20,15 +19,18 @@ struct GoalFacts {
   double measured = 0.0;   // columns whose height tells their distance
   double chosen = 0.0;     // columns of the goal
   double chosenShare = 0.0;
-  double edges = 0.0;    // field edges in view
-  double samples = 0.0;  // lattice samples
+  double edges = 0.0;     // field edges in view
+  double coloured = 0.0;  // area of its samples to that of the box of its columns
+  double hidden = 0.0;    // ends before which a robot stands
+  double slant = 0.0;     // cm of the camera from the goal's axis
+  double topCut = 0.0;    // 1: the image cuts a column's top
 };
 
 GoalFacts goalFacts(const Scene& scene, const GoalCandidate& c, const GoalShape& shape,
                     const GoalParams& p);
 
 // Natural log of the odds that it is no goal, up to a constant (logistic regression on candidates
-// of 42 000 rendered views; experiments.md tells how).
+// of 60 000 rendered views; experiments.md tells how).
 double goalDoubt(const GoalFacts& facts);
 
 }  // namespace kelpie::vision

@@ -89,8 +89,9 @@ enum class Refusal : std::uint8_t {
   robotFeetNear,     // its feet should show: the image shows ground far behind where it stands
   postureUnsound,    // the camera's pose or the horizon is made of no numbers: nothing is looked at
   beaconDoubtful,    // each check passed, but few of them well
+  robotDoubtful,     // the same
 };
-constexpr std::size_t kRefusalCount = 76;
+constexpr std::size_t kRefusalCount = 77;
 
 constexpr std::array<const char*, kRefusalCount> kRefusalNames = {"ballTooSmall",
                                                                   "ballFewEdges",

@@ -41,7 +41,6 @@ bool looksLikeRobot(const Scene& scene, const RobotParams& p, RobotPatch& patch,
                     VisionCounts& counts) {
   measureSurroundings(scene, patch);
   return check(robotPatchIsPure(patch, p), Refusal::robotOtherColour, counts) &&
-         check(robotPatchIsEvident(patch, p), Refusal::robotOtherColour, counts) &&
          check(robotIsNoSpeck(patch, p), Refusal::robotSpeck, counts) &&
          check(robotIsInsideFieldEdge(scene, patch, p), Refusal::robotAboveFieldEdge, counts) &&
          check(robotIsNear(patch, p), Refusal::robotTooFar, counts) &&
@@ -95,6 +94,13 @@ void bringNearer(const PatchGroup& part, const RobotParams& p, Groups& groups) {
   }
 }
 
+bool isLikely(const PatchGroup& group, const RobotParams& p) {
+  RobotFacts facts = group.facts;
+  facts.distance = group.distance;
+  facts.width = (group.right - group.left) / group.scale;
+  return robotDoubt(facts) <= p.maxDoubt;
+}
+
 double distanceSd(const Scene& scene, const PatchGroup& group, const RobotParams& p) {
   const double above = scene.body.camera.position.z;
   const double d = group.distance;
@@ -132,7 +138,8 @@ PatchGroup groupOf(const RobotPatch& patch, ImageUp up) {
           patch.box,
           patch.foot.end != FootEnd::carpet,
           patch.distance,
-          patch.scale};
+          patch.scale,
+          robotFacts(patch)};
 }
 
 bool areOfOneRobot(const PatchGroup& a, const PatchGroup& b, const RobotParams& p) {
@@ -150,6 +157,7 @@ bool areOfOneRobot(const PatchGroup& a, const PatchGroup& b, const RobotParams& 
 PatchGroup joined(const PatchGroup& larger, const PatchGroup& other) {
   PatchGroup both = larger;
   both.samples += other.samples;
+  both.facts.patches += other.facts.patches;
   both.left = std::min(larger.left, other.left);
   both.right = std::max(larger.right, other.right);
   both.box = {std::min(larger.box.left, other.box.left), std::min(larger.box.top, other.box.top),
@@ -189,7 +197,8 @@ void findRobots(const Scene& scene, const RobotParams& params, VisionCounts& cou
   }
   for (const PatchGroup& part : parts) bringNearer(part, params, groups);
   for (const PatchGroup& group : groups) {
-    if (check(!isOnAnother(group, groups, params), Refusal::robotOnAnother, counts))
+    if (check(!isOnAnother(group, groups, params), Refusal::robotOnAnother, counts) &&
+        check(isLikely(group, params), Refusal::robotDoubtful, counts))
       robots.push_back(perceptOf(scene, group, params));
   }
 }

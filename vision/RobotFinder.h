@@ -5,6 +5,7 @@
 #pragma once
 
 #include "robot/core/Percepts.h"
+#include "vision/RobotEvidence.h"
 #include "vision/RobotPatch.h"
 
 namespace kelpie::vision {
@@ -20,6 +21,7 @@ struct PatchGroup {
   bool cut = false;       // the feet are not in the image
   double distance = 0.0;  // cm along the ground from the camera to the nearest leg
   double scale = 1.0;     // px per cm there
+  RobotFacts facts;       // of the largest patch, and the number of patches
 };
 
 PatchGroup groupOf(const RobotPatch& patch, ImageUp up);

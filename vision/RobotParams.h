@@ -9,45 +9,41 @@
 namespace kelpie::vision {
 
 struct RobotParams {
-  double minSamples = 2;               // lattice samples of a patch
-  double minOwnShare = 0.4;            // of its colour among those it may be confused with
-  double sureCarpetBehind = 5;         // px: with so much carpet behind it clothes are ruled out
-  double doubtfulSamples = 3;          // minSamples with less carpet than that
-  double doubtfulOwnShare = 0.6;       // minOwnShare with less carpet than that
-  double doubtfulForeignShare = 0.25;  // most of other colours on a ring round a patch, then
-  double cleanOwnShare = 0.9;          // of a patch that is believed without carpet behind it
-  double cleanForeignShare = 0.1;
+  double minSamples = 2;              // lattice samples of a patch
+  double minOwnShare = 0.4;           // of its colour among those it may be confused with
+  double sureCarpetBehind = 5;        // px: with so much carpet behind it clothes are ruled out
+  double doubtfulOwnShare = 0.4;      // minOwnShare with less carpet than that
+  double doubtfulForeignShare = 0.5;  // most of other colours on a ring round a patch, then
+  double cleanOwnShare = 0.8;         // of a patch that is believed without carpet behind it
+  double cleanForeignShare = 0.2;
   Angle maxElevation = Angle::deg(14);  // a patch 20 cm high seen from 12 cm at 35 cm: 13 deg
-  double minInsideFieldEdge = 2;        // px, of the foot from the field edge
-  double minCarpetBeyond = 20;     // cm from a carpet foot to the edge: players are inside lines
-  double minCarpetBehind = 1.2;    // px of green beside the robot, above the foot's level
-  double minPatchWidth = 1.5;      // cm
-  double minCutPatch = 3;          // cm, height of a patch whose robot shows no feet
-  double maxPatchWidth = 13;       // cm
-  double maxHighWidth = 11;        // cm, of one whose middle is higher than the next value:
-  double highPatch = 18;           // the head's patches are small, the trunk's lower
-  double maxPatchHeight = 9;       // cm
-  double maxTall = 3.5;            // height to width of a patch: trouser legs are taller
-  double minHeight = 8;            // cm, of a patch's middle above the ground
-  double maxHeight = 21.5;         // cm
-  double minShell = 0.2;           // share of white and grey round a patch
-  double fewSamples = 4;           // lattice samples of a patch that may be a speck
-  double minShellOfFew = 0.35;     // minShell of such
-  double maxSpeckDistance = 115;   // cm, of a patch of so few samples
-  double speckCarpetBehind = 6;    // px: before so much carpet a speck may be nearer than that
-  double minEvidence = 1.0;        // shares of uniform and shell less foreign, see evidenceOf
-  double evidentCarpetBehind = 7;  // px: with so much carpet behind a patch needs none
-  double partSamples = 20;         // of a patch that only tells its robot's distance
-  double maxBorderRatio = 2.4;     // of the way to the ground that the border shows, feet cut
-  double patchHeight = 12;         // cm, assumed when the image border cuts the feet
-  double patchSize = 5.5;          // cm, upright; the same
-  double maxCutDistance = 60;      // cm, for such a robot: farther ones show their feet
-  double maxDoubtfulCutDistance = 40;  // with other colours round its patch
+  double minInsideFieldEdge = 1.3;      // px, of the foot from the field edge
+  double minCarpetBeyond = 10;   // cm from a carpet foot to the edge: players are inside lines
+  double minCarpetBehind = 0.6;  // px of green beside the robot, above the foot's level
+  double minPatchWidth = 1.5;    // cm
+  double minCutPatch = 2;        // cm, height of a patch whose robot shows no feet
+  double maxPatchWidth = 13;     // cm
+  double maxPatchHeight = 9;     // cm
+  double maxTall = 3.5;          // height to width of a patch: trouser legs are taller
+  double minHeight = 6;          // cm, of a patch's middle above the ground
+  double maxHeight = 23;         // cm
+  double minShell = 0.1;         // share of white and grey round a patch
+  double fewSamples = 4;         // lattice samples of a patch that may be a speck
+  double minShellOfFew = 0.2;    // minShell of such
+  double maxSpeckDistance = 60;  // cm, of a patch of so few samples
+  double speckCarpetBehind = 6;  // px: before so much carpet a speck may be nearer than that
+  double maxDoubt = -0.4;        // log odds, see RobotEvidence.h
+  double partSamples = 20;       // of a patch that only tells its robot's distance
+  double maxBorderRatio = 2.4;   // of the way to the ground that the border shows, feet cut
+  double patchHeight = 12;       // cm, assumed when the image border cuts the feet
+  double patchSize = 5.5;        // cm, upright; the same
+  double maxCutDistance = 70;    // cm, for such a robot: farther ones show their feet
+  double maxDoubtfulCutDistance = 50;  // with other colours round its patch
   double reach = 9;                    // cm beside a patch where legs are looked for
   double maxGap = 13;                  // cm between two patches of one robot
   double maxLength = 30;               // cm, of all patches of one robot
   double maxDepthRatio = 2;            // of the distances of two patches of one robot
-  double minTeamRatio = 2;  // of samples, for one team\'s patches to rule out those of the other
+  double minTeamRatio = 2;  // of samples, for one team's patches to rule out those of the other
   double depth = 7;         // cm from the nearest leg to the body's middle
   double maxDistance = 220;
   double edgeSd = 0.7;                // px, of the foot
@@ -60,7 +56,6 @@ struct RobotParams {
         field("minSamples", &P::minSamples, "", 1, 100),
         field("minOwnShare", &P::minOwnShare, "", 0, 1),
         field("sureCarpetBehind", &P::sureCarpetBehind, "px", -10, 50),
-        field("doubtfulSamples", &P::doubtfulSamples, "", 1, 100),
         field("doubtfulOwnShare", &P::doubtfulOwnShare, "", 0, 1),
         field("doubtfulForeignShare", &P::doubtfulForeignShare, "", 0, 1),
         field("cleanOwnShare", &P::cleanOwnShare, "", 0, 1),
@@ -73,17 +68,14 @@ struct RobotParams {
         field("minCutPatch", &P::minCutPatch, "cm", 0, 100),
         field("maxPatchWidth", &P::maxPatchWidth, "cm", 1, 100),
         field("maxTall", &P::maxTall, "", 0.1, 20),
-        field("maxHighWidth", &P::maxHighWidth, "cm", 1, 100),
-        field("highPatch", &P::highPatch, "cm", 0, 100),
         field("maxPatchHeight", &P::maxPatchHeight, "cm", 1, 100),
         field("minHeight", &P::minHeight, "cm", -20, 50),
         field("maxHeight", &P::maxHeight, "cm", 0, 100), field("minShell", &P::minShell, "", 0, 1),
         field("fewSamples", &P::fewSamples, "", 0, 1000),
         field("minShellOfFew", &P::minShellOfFew, "", 0, 1),
         field("maxSpeckDistance", &P::maxSpeckDistance, "cm", 0, 500),
-        field("minEvidence", &P::minEvidence, "", -1, 2),
-        field("evidentCarpetBehind", &P::evidentCarpetBehind, "px", -10, 50),
         field("speckCarpetBehind", &P::speckCarpetBehind, "px", -10, 50),
+        field("maxDoubt", &P::maxDoubt, "", -20, 20),
         field("partSamples", &P::partSamples, "", 1, 1000),
         field("maxBorderRatio", &P::maxBorderRatio, "", 1, 100),
         field("patchSize", &P::patchSize, "cm", 1, 50),

@@ -138,12 +138,6 @@ double carpetBeyond(const Scene& scene, ImageUp up, const Foot& foot) {
   return distance ? *distance - foot.distance : kNoDistance;
 }
 
-// Clothes show other colours beside specks of the uniform's; a robot shows its shell.
-double evidenceOf(const RobotPatch& patch) {
-  constexpr double kMean = 0.2;
-  return patch.own + patch.shell - patch.foreign + (patch.meanIsOwn ? kMean : 0.0);
-}
-
 }  // namespace
 
 RobotPatch patchOf(const Scene& scene, const Blob& blob) {
@@ -169,6 +163,25 @@ void measureSurroundings(const Scene& scene, RobotPatch& patch) {
   patch.meanIsOwn = meanIsOwn(scene, up, patch);
   patch.behind = carpetBehind(scene, up, patch.foot.pixel, kBeside * patch.scale);
   patch.beyond = carpetBeyond(scene, up, patch.foot);
+  patch.inside = belowFieldEdge(scene, patch.foot.pixel);
+  patch.edges = static_cast<double>(scene.fieldEdges.size());
+}
+
+RobotFacts robotFacts(const RobotPatch& patch) {
+  constexpr double kTrunkHeight = 14.0;  // cm, of most patches' middle
+  constexpr double kEnoughBehind = 30.0;
+  RobotFacts facts;
+  facts.own = patch.own;
+  facts.shell = patch.shell;
+  facts.patchWidth = patch.extent.width() / patch.scale;
+  facts.patchHeight = patch.extent.height() / patch.scale;
+  facts.heightOff = std::fabs(patch.height - kTrunkHeight);
+  facts.beyond = patch.beyond;
+  facts.inside = patch.inside;
+  facts.behind = patch.behind <= kUnknownBehind ? kEnoughBehind : patch.behind;
+  facts.footCut = patch.foot.end == FootEnd::carpet ? 0.0 : 1.0;
+  facts.edges = patch.edges;
+  return facts;
 }
 
 bool robotPatchIsLow(const Scene& scene, const RobotPatch& patch, const RobotParams& p) {
@@ -179,8 +192,6 @@ bool robotPatchHasSize(const RobotPatch& patch, const RobotParams& p) {
   // Without feet the size is all that tells the distance, so the whole patch must show.
   const bool cut = patch.foot.end != FootEnd::carpet;
   if (cut && patch.extent.height() + 1.0 < p.minCutPatch * patch.scale) return false;
-  if (patch.height > p.highPatch && patch.extent.width() > p.maxHighWidth * patch.scale)
-    return false;
   return patch.extent.width() + 1.0 >= p.minPatchWidth * patch.scale &&
          patch.extent.width() <= p.maxPatchWidth * patch.scale + 2.0 &&
          patch.extent.height() <= p.maxPatchHeight * patch.scale + 2.0 &&
@@ -197,8 +208,8 @@ bool robotPatchIsSolid(const RobotPatch& patch) {
 // Before carpet that goes on behind it, other colours near a patch are the background's.
 bool robotPatchIsPure(const RobotPatch& patch, const RobotParams& p) {
   if (patch.behind >= p.sureCarpetBehind) return true;
-  return patch.meanIsOwn && robotPatchIsSolid(patch) && patch.samples >= p.doubtfulSamples &&
-         patch.own >= p.doubtfulOwnShare && patch.foreign <= p.doubtfulForeignShare;
+  return patch.meanIsOwn && robotPatchIsSolid(patch) && patch.own >= p.doubtfulOwnShare &&
+         patch.foreign <= p.doubtfulForeignShare;
 }
 
 bool robotPatchIsClean(const RobotPatch& patch, const RobotParams& p) {
@@ -209,10 +220,6 @@ bool robotPatchTellsDistance(const RobotPatch& patch, const RobotParams& p) {
   return patch.foot.end != FootEnd::hidden && patch.samples >= p.partSamples &&
          patch.own >= p.doubtfulOwnShare && patch.height >= p.minHeight &&
          patch.height <= p.maxHeight && patch.extent.width() <= p.maxPatchWidth * patch.scale + 2.0;
-}
-
-bool robotPatchIsEvident(const RobotPatch& patch, const RobotParams& p) {
-  return patch.behind >= p.evidentCarpetBehind || evidenceOf(patch) >= p.minEvidence;
 }
 
 bool robotHasShell(const RobotPatch& patch, const RobotParams& p) {

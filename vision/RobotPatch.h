@@ -6,6 +6,7 @@
 
 #include "robot/core/Percepts.h"
 #include "vision/Foot.h"
+#include "vision/RobotEvidence.h"
 #include "vision/RobotParams.h"
 #include "vision/Scene.h"
 
@@ -28,6 +29,8 @@ struct RobotPatch {
   double foreign = 0.0;         // share on the same ring of colours that no robot wears
   double own = 0.0;             // share of its colour among all the colours inside its box
   bool meanIsOwn = false;       // its mean colour is the uniform's
+  double inside = 0.0;          // px of the foot below the field edge
+  double edges = 0.0;           // field edges in view
 };
 
 // What is cheap to know of a blob in a uniform's colour.
@@ -36,6 +39,9 @@ RobotPatch patchOf(const Scene& scene, const Blob& blob);
 void measurePatch(const Scene& scene, const RobotParams& p, RobotPatch& patch);
 // What is round the patch and behind the foot.
 void measureSurroundings(const Scene& scene, RobotPatch& patch);
+
+// After both: what tells whether it is a robot's.
+RobotFacts robotFacts(const RobotPatch& patch);
 
 // The checks, each alone: true = keep.
 bool robotPatchIsLow(const Scene& scene, const RobotPatch& patch, const RobotParams& p);
@@ -47,8 +53,6 @@ bool robotPatchIsPure(const RobotPatch& patch, const RobotParams& p);
 bool robotPatchIsClean(const RobotPatch& patch, const RobotParams& p);
 // Large and of one colour: part of a robot, if one stands there at all.
 bool robotPatchTellsDistance(const RobotPatch& patch, const RobotParams& p);
-// Uniform in the patch and shell round it outweigh other colours, or carpet shows behind.
-bool robotPatchIsEvident(const RobotPatch& patch, const RobotParams& p);
 bool robotHasShell(const RobotPatch& patch, const RobotParams& p);
 bool robotIsNoSpeck(const RobotPatch& patch, const RobotParams& p);
 bool robotFeetMayBeCut(const RobotPatch& patch, const RobotParams& p);

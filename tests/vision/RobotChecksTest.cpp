@@ -64,7 +64,7 @@ TEST(RobotChecks, SizeAtItsDistance) {
 
 TEST(RobotChecks, OtherColoursMatterOnlyWithoutCarpetBehind) {
   RobotPatch patch = goodPatch();
-  patch.foreign = 0.5;
+  patch.foreign = 0.6;
   EXPECT_TRUE(robotPatchIsPure(patch, {}));
   patch.behind = 3;
   EXPECT_FALSE(robotPatchIsPure(patch, {}));
@@ -82,12 +82,10 @@ TEST(RobotChecks, ATallPatchIsATrouserLeg) {
   EXPECT_TRUE(robotPatchHasSize(patch, {}));
 }
 
-TEST(RobotChecks, FewSamplesOrSpecksNeedCarpetBehind) {
+TEST(RobotChecks, SpecksNeedCarpetBehind) {
   RobotPatch patch = goodPatch();
   patch.behind = 3;
   EXPECT_TRUE(robotPatchIsPure(patch, {}));
-  patch.samples = 2;
-  EXPECT_FALSE(robotPatchIsPure(patch, {}));
   patch.samples = 40;  // 160 px in an extent of 48
   EXPECT_FALSE(robotPatchIsSolid(patch));
   EXPECT_FALSE(robotPatchIsPure(patch, {}));
@@ -98,7 +96,7 @@ TEST(RobotChecks, FewSamplesOrSpecksNeedCarpetBehind) {
 TEST(RobotChecks, ShellRoundThePatch) {
   RobotPatch patch = goodPatch();
   EXPECT_TRUE(robotHasShell(patch, {}));
-  patch.shell = 0.1;
+  patch.shell = 0.05;
   EXPECT_FALSE(robotHasShell(patch, {}));
 }
 
@@ -113,14 +111,14 @@ TEST(RobotChecks, FieldEdgeAndCarpetBehind) {
   EXPECT_FALSE(robotIsInsideFieldEdge(empty.scene, patch, {}));
 }
 
-TEST(RobotChecks, StandsAHandAndMoreInsideTheCarpetsEdge) {
+TEST(RobotChecks, StandsAHandsBreadthInsideTheCarpetsEdge) {
   const EmptyScene empty;
   RobotPatch patch = goodPatch();
-  patch.beyond = 19;
+  patch.beyond = 9;
   EXPECT_FALSE(robotIsInsideFieldEdge(empty.scene, patch, {}));
-  patch.beyond = 21;
+  patch.beyond = 11;
   EXPECT_TRUE(robotIsInsideFieldEdge(empty.scene, patch, {}));
-  patch.beyond = 19;
+  patch.beyond = 9;
   patch.foot.end = FootEnd::imageBorder;  // its feet are nearer than what the border shows
   EXPECT_TRUE(robotIsInsideFieldEdge(empty.scene, patch, {}));
 }
@@ -139,25 +137,71 @@ TEST(RobotChecks, CarpetBeyondTheFootIsMeasuredAlongTheGround) {
   EXPECT_NEAR(patch.beyond, *edge - *foot, 0.01);
 }
 
-TEST(RobotChecks, AWidePatchIsOfTheTrunkAndNotSoHigh) {
-  RobotPatch patch = goodPatch();
-  patch.extent = {10, 10, 3, 3};  // 12.5 cm wide
-  EXPECT_TRUE(robotPatchHasSize(patch, {}));
-  patch.height = 19;
-  EXPECT_FALSE(robotPatchHasSize(patch, {}));
+RobotFacts factsOfATrunk() {
+  RobotFacts facts;
+  facts.patches = 2;
+  facts.distance = 150;
+  facts.width = 10;
+  facts.own = 0.95;
+  facts.shell = 0.8;
+  facts.patchWidth = 7;
+  facts.patchHeight = 4;
+  facts.heightOff = 3;
+  facts.beyond = 90;
+  facts.inside = 15;
+  facts.behind = 9;
+  facts.edges = 1;
+  return facts;
 }
 
-TEST(RobotChecks, UniformAndShellOutweighOtherColoursWhereLittleCarpetIsBehind) {
+TEST(RobotEvidence, OneWeakFactDoesNotMakeATrunkDoubtful) {
+  const RobotParams p;
+  RobotFacts single = factsOfATrunk();
+  EXPECT_LE(robotDoubt(single), p.maxDoubt);
+  single.patches = 1;
+  RobotFacts atTheEdge = factsOfATrunk();
+  atTheEdge.beyond = 22;
+  RobotFacts mixed = factsOfATrunk();
+  mixed.own = 0.6;
+  for (const RobotFacts& facts : {single, atTheEdge, mixed}) {
+    EXPECT_GT(robotDoubt(facts), robotDoubt(factsOfATrunk()));
+    EXPECT_LE(robotDoubt(facts), p.maxDoubt);
+  }
+}
+
+TEST(RobotEvidence, ASmallMixedPatchAtTheEdgeIsNoRobot) {
+  RobotFacts facts = factsOfATrunk();
+  facts.patches = 1;
+  facts.width = 2;
+  facts.own = 0.6;
+  facts.patchHeight = 2;
+  facts.beyond = 22;
+  facts.inside = 4;
+  EXPECT_GT(robotDoubt(facts), RobotParams{}.maxDoubt);
+}
+
+TEST(RobotEvidence, FeetCutOffCountAgainstANearRobotOnly) {
+  RobotFacts facts = factsOfATrunk();
+  facts.shell = 0.5;
+  RobotFacts cut = facts;
+  cut.footCut = 1;
+  EXPECT_EQ(robotDoubt(cut), robotDoubt(facts));
+  facts.distance = cut.distance = 80;
+  EXPECT_GT(robotDoubt(cut), robotDoubt(facts));
+}
+
+TEST(RobotEvidence, FactsAreThoseOfThePatch) {
   RobotPatch patch = goodPatch();
-  patch.behind = 6;
-  patch.own = 0.6;
-  patch.shell = 0.3;
-  patch.foreign = 0.0;
-  EXPECT_TRUE(robotPatchIsEvident(patch, {}));
-  patch.foreign = 0.2;
-  EXPECT_FALSE(robotPatchIsEvident(patch, {}));
-  patch.behind = 8;
-  EXPECT_TRUE(robotPatchIsEvident(patch, {}));
+  patch.height = 20;
+  patch.behind = kUnknownBehind;
+  patch.foot.end = FootEnd::imageBorder;
+  const RobotFacts facts = robotFacts(patch);
+  EXPECT_EQ(facts.patchWidth, 8 / 1.6);
+  EXPECT_EQ(facts.patchHeight, 6 / 1.6);
+  EXPECT_EQ(facts.heightOff, 6.0);
+  EXPECT_EQ(facts.behind, 30.0);
+  EXPECT_EQ(facts.footCut, 1.0);
+  EXPECT_EQ(facts.own, 1.0);
 }
 
 TEST(RobotChecks, WithoutCarpetOrEdgeInTheImageOnlyACleanPatchIsBelieved) {
@@ -165,7 +209,7 @@ TEST(RobotChecks, WithoutCarpetOrEdgeInTheImageOnlyACleanPatchIsBelieved) {
   RobotPatch patch = goodPatch();
   patch.behind = kUnknownBehind;
   EXPECT_TRUE(robotIsInsideFieldEdge(empty.scene, patch, {}));
-  patch.foreign = 0.2;
+  patch.foreign = 0.25;
   EXPECT_FALSE(robotIsInsideFieldEdge(empty.scene, patch, {}));
 }
 
@@ -185,17 +229,17 @@ TEST(RobotChecks, FeetCutOffAreBelievedNearOnly) {
   patch.foot.end = FootEnd::imageBorder;
   patch.behind = 3;
   EXPECT_FALSE(robotIsNear(patch, {}));
-  patch.distance = 59;
+  patch.distance = 69;
   EXPECT_TRUE(robotIsNear(patch, {}));
-  patch.own = 0.8;  // other colours on it
+  patch.own = 0.7;  // other colours on it
   EXPECT_FALSE(robotIsNear(patch, {}));
-  patch.distance = 39;
+  patch.distance = 49;
   EXPECT_TRUE(robotIsNear(patch, {}));
 }
 
 TEST(RobotChecks, APatchCutByTheImageIsNoMeasure) {
   RobotPatch patch = goodPatch();
-  patch.scale = 2.8;  // 6 px are 2.1 cm, less than a whole patch's 5.5
+  patch.scale = 3.6;  // 6 px are 1.7 cm, less than a whole patch's 5.5
   patch.distance = 50;
   EXPECT_TRUE(robotPatchHasSize(patch, {}));
   patch.foot.end = FootEnd::imageBorder;
@@ -204,7 +248,7 @@ TEST(RobotChecks, APatchCutByTheImageIsNoMeasure) {
 
 TEST(RobotChecks, ASpeckNeedsMoreShellAroundIt) {
   RobotPatch patch = goodPatch();
-  patch.shell = 0.3;
+  patch.shell = 0.15;
   EXPECT_TRUE(robotHasShell(patch, {}));
   patch.samples = 3;
   EXPECT_FALSE(robotHasShell(patch, {}));
@@ -215,7 +259,7 @@ TEST(RobotChecks, ASpeckIsBelievedFarAwayOrBeforeMuchCarpet) {
   patch.samples = 4;
   patch.behind = 5;
   EXPECT_TRUE(robotIsNoSpeck(patch, {}));
-  patch.distance = 114;
+  patch.distance = 59;
   EXPECT_FALSE(robotIsNoSpeck(patch, {}));
   patch.behind = 6;
   EXPECT_TRUE(robotIsNoSpeck(patch, {}));
