@@ -411,7 +411,7 @@ int beaconDoubts(const Scene& scene, const BeaconCandidate& c) {
   const double wider = c.widest / std::max(c.width, 0.5);
   const double aspect = std::fabs(maths::log(std::max(c.width, 0.5) / band));
   const bool edgeFar = !scene.fieldEdges.empty() && footBelowEdge(scene, c) >= 0.3 * band;
-  int doubts = 0;
+  int doubts = c.widthCut ? -1 : 0;  // the border may make it unlike in width
   for (const bool doubt :
        {misfit(scene, c) >= 0.5, aspect >= 0.37, elevation >= 0.5, elevation >= 1.0, wider >= 1.75,
         wider >= 4.5, whiteBelow(scene, c).share() < 0.9, edgeFar})

@@ -47,8 +47,8 @@ bool beaconHeightFitsSize(const Scene& scene, const BeaconCandidate& c, const Be
 bool beaconIsNear(const BeaconCandidate& c, const BeaconParams& p);
 
 // How many of eight facts are unlike a beacon though no check refuses any: height and size, bands'
-// likeness and squareness, white below, foot at the edge, colours that go on beside it. Trousers
-// over socks have four, a beacon seldom (1 in 240).
+// likeness and squareness, white below, foot at the edge, colours that go on beside it. One is
+// forgiven when the image border cuts its width. Trousers over socks have three, one beacon in 90.
 int beaconDoubts(const Scene& scene, const BeaconCandidate& c);
 
 using Landmarks = FixedVector<LandmarkPercept, 8>;

@@ -67,7 +67,7 @@ struct BeaconParams {
   Angle elevationError = Angle::deg(1.7);  // the camera's tilt is known to about a degree
   Angle sureElevation = Angle::deg(0.4);   // so small an error makes up for what is hidden or cut
   double maxSureAspect = 2.2;
-  double maxDoubts = 3;      // of the eight that beaconDoubts counts
+  double maxDoubts = 2;      // of the eight that beaconDoubts counts
   double maxDistance = 500;  // beyond, two pixels of clothes pass for a band
   double edgeSd = 0.35;      // px, of each band edge
   Angle headingSd = Angle::deg(0.7);
@@ -116,7 +116,7 @@ struct GoalParams {
   double maxPartMeanAboveFieldEdge = 0.8;  // px, of all its feet
   Angle partDirection = Angle::deg(0.3);   // of its feet against the ground
   Angle doubtfulDirection = Angle::deg(0.8);
-  double maxDoubt = 0.4;             // log odds, see GoalEvidence.h
+  double maxDoubt = 0.1;              // log odds, see GoalEvidence.h
   double maxDistance = 560;           // the opposite goal's back wall, seen from the own mouth: 570
   double width = 80;                  // cm, of the mouth
   double depth = 30;                  // cm from the mouth to the back wall

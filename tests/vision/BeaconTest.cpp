@@ -238,6 +238,8 @@ TEST(BeaconChecks, DoubtsAreCountedEachForItself) {
   EXPECT_EQ(beaconDoubts(board.scene(), c), 6);
   c.distance = 140.0;
   EXPECT_EQ(beaconDoubts(board.scene(), c), 8);
+  c.widthCut = true;
+  EXPECT_EQ(beaconDoubts(board.scene(), c), 7);
 }
 
 TEST(BeaconChecks, BandCutAtItsSideMayShowSixTenthsOfItsWidth) {
