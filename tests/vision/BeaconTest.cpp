@@ -61,9 +61,9 @@ TEST(Beacon, WithItsTopOutsideTheImageIsMeasuredByThePinkBand) {
   EXPECT_NEAR(beacon->distance, 100, 8);
 }
 
-TEST(Beacon, BeforeTheGoalOfItsColourIsFoundAndTheGoalToo) {
+TEST(Beacon, AtTheCarpetsEdgeBeforeTheGoalOfItsColourIsFound) {
   Painting p = beaconAt(200, 0, kPinkPaint, kBluePaint);
-  p.carpetEnd = 260;
+  p.carpetEnd = 220;
   addGoal(p, -10, 225, kBluePaint);
   const Seen seen = look(p, cameraAt(16, 0, 0));
   EXPECT_NE(find(seen.percepts, LandmarkKind::beaconPinkOnBlue), nullptr);
