@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "vision/GoalColumns.h"
-#include "vision/GoalEvidence.h"
+#include "vision/GoalDoubt.h"
 #include "vision/GoalGaps.h"
 #include "vision/GoalShape.h"
 #include "vision/Refusal.h"

@@ -5,7 +5,7 @@
 #pragma once
 
 #include "robot/core/Percepts.h"
-#include "vision/RobotEvidence.h"
+#include "vision/RobotDoubt.h"
 #include "vision/RobotPatch.h"
 
 namespace kelpie::vision {

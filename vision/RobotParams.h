@@ -32,7 +32,7 @@ struct RobotParams {
   double minShellOfFew = 0.2;    // minShell of such
   double maxSpeckDistance = 60;  // cm, of a patch of so few samples
   double speckCarpetBehind = 6;  // px: before so much carpet a speck may be nearer than that
-  double maxDoubt = -0.8;        // log odds, see RobotEvidence.h
+  double maxDoubt = -0.8;        // log odds, see RobotDoubt.h
   double partSamples = 20;       // of a patch that only tells its robot's distance
   double maxBorderRatio = 2.4;   // of the way to the ground that the border shows, feet cut
   double patchHeight = 12;       // cm, assumed when the image border cuts the feet

@@ -6,7 +6,7 @@
 
 #include "robot/core/Percepts.h"
 #include "vision/Foot.h"
-#include "vision/RobotEvidence.h"
+#include "vision/RobotDoubt.h"
 #include "vision/RobotParams.h"
 #include "vision/Scene.h"
 

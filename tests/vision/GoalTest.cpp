@@ -5,7 +5,7 @@
 
 #include "tests/vision/Board.h"
 #include "tests/vision/Painting.h"
-#include "vision/GoalEvidence.h"
+#include "vision/GoalDoubt.h"
 #include "vision/GoalFinder.h"
 #include "vision/GoalShape.h"
 #include "vision/Refusal.h"
@@ -285,7 +285,7 @@ GoalFacts factsOfAWholeGoal() {
   return facts;
 }
 
-TEST(GoalEvidence, OneWeakFactDoesNotMakeAWholeGoalDoubtful) {
+TEST(GoalDoubt, OneWeakFactDoesNotMakeAWholeGoalDoubtful) {
   const GoalParams p;
   const GoalFacts whole = factsOfAWholeGoal();
   EXPECT_LE(goalDoubt(whole), p.maxDoubt);
@@ -301,7 +301,7 @@ TEST(GoalEvidence, OneWeakFactDoesNotMakeAWholeGoalDoubtful) {
   }
 }
 
-TEST(GoalEvidence, SeveralWeakFactsDo) {
+TEST(GoalDoubt, SeveralWeakFactsDo) {
   GoalFacts facts = factsOfAWholeGoal();
   facts.lowest = -0.2;
   facts.seen = 45;
@@ -310,7 +310,7 @@ TEST(GoalEvidence, SeveralWeakFactsDo) {
   EXPECT_GT(goalDoubt(facts), GoalParams{}.maxDoubt);
 }
 
-TEST(GoalEvidence, FeetFarBelowTheEdgeCountAgainstAGoal) {
+TEST(GoalDoubt, FeetFarBelowTheEdgeCountAgainstAGoal) {
   GoalFacts facts = factsOfAWholeGoal();
   facts.meanFoot = 3.0;
   GoalFacts near = facts;
@@ -319,7 +319,7 @@ TEST(GoalEvidence, FeetFarBelowTheEdgeCountAgainstAGoal) {
   EXPECT_GT(goalDoubt(near), goalDoubt(facts));
 }
 
-TEST(GoalEvidence, FactsAreCountedOverTheChosenColumns) {
+TEST(GoalDoubt, FactsAreCountedOverTheChosenColumns) {
   Board board(cameraAt(16, 0, 0));
   board.edges.push_back({100, 100, 20, 0.5});
   GoalCandidate c = wide(board.body.camera, 60);

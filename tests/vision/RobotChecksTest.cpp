@@ -154,7 +154,7 @@ RobotFacts factsOfATrunk() {
   return facts;
 }
 
-TEST(RobotEvidence, OneWeakFactDoesNotMakeATrunkDoubtful) {
+TEST(RobotDoubt, OneWeakFactDoesNotMakeATrunkDoubtful) {
   const RobotParams p;
   RobotFacts single = factsOfATrunk();
   EXPECT_LE(robotDoubt(single), p.maxDoubt);
@@ -169,7 +169,7 @@ TEST(RobotEvidence, OneWeakFactDoesNotMakeATrunkDoubtful) {
   }
 }
 
-TEST(RobotEvidence, ASmallMixedPatchAtTheEdgeIsNoRobot) {
+TEST(RobotDoubt, ASmallMixedPatchAtTheEdgeIsNoRobot) {
   RobotFacts facts = factsOfATrunk();
   facts.patches = 1;
   facts.width = 2;
@@ -180,7 +180,7 @@ TEST(RobotEvidence, ASmallMixedPatchAtTheEdgeIsNoRobot) {
   EXPECT_GT(robotDoubt(facts), RobotParams{}.maxDoubt);
 }
 
-TEST(RobotEvidence, FeetCutOffCountAgainstANearRobotOnly) {
+TEST(RobotDoubt, FeetCutOffCountAgainstANearRobotOnly) {
   RobotFacts facts = factsOfATrunk();
   facts.shell = 0.5;
   RobotFacts cut = facts;
@@ -190,7 +190,7 @@ TEST(RobotEvidence, FeetCutOffCountAgainstANearRobotOnly) {
   EXPECT_GT(robotDoubt(cut), robotDoubt(facts));
 }
 
-TEST(RobotEvidence, FactsAreThoseOfThePatch) {
+TEST(RobotDoubt, FactsAreThoseOfThePatch) {
   RobotPatch patch = goodPatch();
   patch.height = 20;
   patch.behind = kUnknownBehind;

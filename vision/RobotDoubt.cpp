@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "vision/RobotEvidence.h"
+#include "vision/RobotDoubt.h"
 
 #include "vision/LogOdds.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "vision/GoalEvidence.h"
+#include "vision/GoalDoubt.h"
 
 #include <algorithm>
 #include <cmath>
