@@ -91,7 +91,7 @@ enum class Refusal : std::uint8_t {
   beaconDoubtful,    // each check passed, but few of them well
   robotDoubtful,     // the same
 };
-constexpr std::size_t kRefusalCount = 77;
+constexpr std::size_t kRefusalCount = static_cast<std::size_t>(Refusal::robotDoubtful) + 1;
 
 constexpr std::array<const char*, kRefusalCount> kRefusalNames = {"ballTooSmall",
                                                                   "ballFewEdges",
@@ -167,7 +167,11 @@ constexpr std::array<const char*, kRefusalCount> kRefusalNames = {"ballTooSmall"
                                                                   "beaconMerged",
                                                                   "goalUnsure",
                                                                   "robotSpeck",
-                                                                  "robotFeetNear"};
+                                                                  "robotFeetNear",
+                                                                  "postureUnsound",
+                                                                  "beaconDoubtful",
+                                                                  "robotDoubtful"};
+static_assert(kRefusalNames.back() != nullptr, "a refusal without a name");
 
 inline void refuse(VisionCounts& counts, Refusal reason) {
   ++counts.refused[static_cast<std::size_t>(reason)];
