@@ -116,7 +116,7 @@ struct GoalParams {
   double maxPartMeanAboveFieldEdge = 0.8;  // px, of all its feet
   Angle partDirection = Angle::deg(0.3);   // of its feet against the ground
   Angle doubtfulDirection = Angle::deg(0.8);
-  double maxDoubt = 0.1;              // log odds, see GoalDoubt.h
+  double maxDoubt = 0.6;              // log odds, see GoalDoubt.h
   double maxDistance = 560;           // the opposite goal's back wall, seen from the own mouth: 570
   double width = 80;                  // cm, of the mouth
   double depth = 30;                  // cm from the mouth to the back wall
