@@ -348,9 +348,9 @@ bool beaconBandIsSquare(const BeaconCandidate& c, const BeaconParams& p) {
 // Pink on a coat is on far more of the coat's colour. A goal or trousers behind a beacon are far
 // wider too, but then the white below tells it, if both bands' ends show.
 bool beaconBandsStandAlone(const BeaconCandidate& c, const BeaconParams& p) {
-  if (c.onWhite && c.topCut) return c.widest <= p.maxBandWidths * c.width;
-  return c.onWhite ||
-         c.widest <= (c.topCut || c.bottomCut ? p.maxCutBandWidths : p.maxBandWidths) * c.width;
+  if (c.onWhite && !c.topCut) return true;
+  const bool endUnknown = !c.onWhite && (c.topCut || c.bottomCut);
+  return c.widest <= (endUnknown ? p.maxCutBandWidths : p.maxBandWidths) * c.width;
 }
 
 bool beaconReachesHorizon(const Scene& scene, const BeaconCandidate& c, const BeaconParams& p) {

@@ -30,31 +30,22 @@ constexpr std::array<Weight<GoalFacts>, 18> kWeights = {{
     {&GoalFacts::edges, 2.0, -1.2},
     {&GoalFacts::coloured, 1.19, -1.5},
     {&GoalFacts::hidden, 1.0, 1.1, Range::far},
-    {&GoalFacts::slant, 240.0, 1.3},
+    {&GoalFacts::aside, 240.0, 1.3},
     {&GoalFacts::topCut, 1.0, 0.6},
 }};
-
-void addColumns(const Scene& scene, const GoalCandidate& c, GoalFacts& facts) {
-  double sum = 0.0;
-  for (const GoalColumn& column : c.columns) {
-    if (!column.chosen) continue;
-    facts.chosen += 1.0;
-    facts.measured += column.distance > 0.0 ? 1.0 : 0.0;
-    if (column.footCut) continue;
-    const double below = belowFieldEdge(scene, column.foot);
-    facts.lowest = std::max(facts.lowest, below);
-    sum += below;
-  }
-  facts.meanFoot = sum / std::max(facts.chosen, 1.0);
-  facts.chosenShare = facts.chosen / std::max(1.0, static_cast<double>(c.columns.size()));
-}
 
 }  // namespace
 
 GoalFacts goalFacts(const Scene& scene, const GoalCandidate& c, const GoalShape& shape,
                     const GoalParams& p) {
   GoalFacts facts;
-  addColumns(scene, c, facts);
+  const ColumnCounts columns = countColumns(c);
+  const GoalFeet feet = feetOf(scene, c);
+  facts.chosen = columns.chosen;
+  facts.measured = columns.measured;
+  facts.chosenShare = facts.chosen / std::max(1.0, static_cast<double>(c.columns.size()));
+  facts.lowest = feet.lowest;
+  facts.meanFoot = feet.sum / std::max(facts.chosen, 1.0);
   facts.wall = c.wall;
   facts.seen = seenWidth(scene, c, p);
   facts.misfit = shape.cost / std::max(facts.measured, 1.0);
@@ -63,8 +54,7 @@ GoalFacts goalFacts(const Scene& scene, const GoalCandidate& c, const GoalShape&
   facts.coloured =
       c.samples * maths::square(kLatticeStep) / std::max(1.0, c.box.width() * c.box.height());
   facts.hidden = (c.left.hidden ? 1.0 : 0.0) + (c.right.hidden ? 1.0 : 0.0);
-  const Angle turn = Angle::rad(shape.turn) - bearing(shape.middle);
-  facts.slant = shape.middle.norm() * maths::sin(std::fabs(turn.rad()));
+  facts.aside = shape.aside();
   facts.topCut = c.topCut ? 1.0 : 0.0;
   return facts;
 }

@@ -22,7 +22,7 @@ struct GoalFacts {
   double edges = 0.0;     // field edges in view
   double coloured = 0.0;  // area of its samples to that of the box of its columns
   double hidden = 0.0;    // ends before which a robot stands
-  double slant = 0.0;     // cm of the camera from the goal's axis
+  double aside = 0.0;     // cm of the camera from the goal's axis
   double topCut = 0.0;    // 1: the image cuts a column's top
 };
 

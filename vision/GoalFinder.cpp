@@ -168,29 +168,10 @@ PixelPoint footOf(const Scene& scene, const GoalCandidate& c) {
   return scene.level.toImage({c.box.middle(), c.box.bottom});
 }
 
-// Of the chosen columns, px below the field edge.
-struct Feet {
-  double lowest = -1e9;
-  double sum = 0.0;
-  int count = 0;
-};
-
-Feet feetOf(const Scene& scene, const GoalCandidate& c) {
-  Feet feet;
-  for (const GoalColumn& column : c.columns) {
-    if (!column.chosen || column.footCut) continue;
-    const double below = belowFieldEdge(scene, column.foot);
-    feet.lowest = std::max(feet.lowest, below);
-    feet.sum += below;
-    ++feet.count;
-  }
-  return feet;
-}
-
 // A box behind the carpet stands a little above the field edge, or its feet do not fit the ground.
 bool hasFirmFeet(const Scene& scene, const GoalCandidate& c, const GoalParams& p) {
   if (std::fabs(c.footError) > p.partDirection.rad()) return false;
-  const Feet feet = feetOf(scene, c);
+  const GoalFeet feet = feetOf(scene, c);
   return feet.count == 0 || (feet.lowest >= p.minPartBelowFieldEdge &&
                              feet.sum >= -p.maxPartMeanAboveFieldEdge * feet.count);
 }
@@ -204,6 +185,28 @@ double seenWidth(const Scene& scene, const GoalCandidate& c, const GoalParams& p
                   placeAt(camera, sightOf(camera, c.right.point), d));
 }
 
+GoalFeet feetOf(const Scene& scene, const GoalCandidate& c) {
+  GoalFeet feet;
+  for (const GoalColumn& column : c.columns) {
+    if (!column.chosen || column.footCut) continue;
+    const double below = belowFieldEdge(scene, column.foot);
+    feet.lowest = std::max(feet.lowest, below);
+    feet.sum += below;
+    ++feet.count;
+  }
+  return feet;
+}
+
+ColumnCounts countColumns(const GoalCandidate& c) {
+  ColumnCounts counts;
+  for (const GoalColumn& column : c.columns) {
+    if (!column.chosen) continue;
+    ++counts.chosen;
+    counts.measured += column.distance > 0.0 ? 1 : 0;
+  }
+  return counts;
+}
+
 bool goalIsLarge(const GoalCandidate& c, const GoalParams& p) {
   return c.samples >= p.minSamples && c.box.width() >= p.minWidth && c.box.height() >= p.minHeight;
 }
@@ -213,12 +216,8 @@ bool goalHasShape(const GoalCandidate& c, const GoalParams& p) {
   const bool tall = !sideCut && c.box.height() > p.maxTall * c.box.width();
   const bool flat = !c.topCut && !c.bottomCut && c.box.width() > p.maxFlat * c.box.height();
   int tallColumns = 0;
-  int chosen = 0;
-  for (const GoalColumn& column : c.columns) {
-    tallColumns += column.tall ? 1 : 0;
-    chosen += column.chosen ? 1 : 0;
-  }
-  return !tall && !flat && 2 * tallColumns <= 3 * chosen;
+  for (const GoalColumn& column : c.columns) tallColumns += column.tall ? 1 : 0;
+  return !tall && !flat && 2 * tallColumns <= 3 * countColumns(c).chosen;
 }
 
 bool goalStandsBelowHorizon(const Scene& scene, const GoalCandidate& c, const GoalParams& p) {
@@ -227,7 +226,7 @@ bool goalStandsBelowHorizon(const Scene& scene, const GoalCandidate& c, const Go
 
 // A goal stands on the carpet, clothes on the floor behind it: some column's foot meets the edge.
 bool goalStandsInsideFieldEdge(const Scene& scene, const GoalCandidate& c, const GoalParams& p) {
-  const Feet feet = feetOf(scene, c);
+  const GoalFeet feet = feetOf(scene, c);
   return feet.count == 0 ||
          (feet.lowest >= -p.maxAboveFieldEdge && feet.sum >= -p.maxMeanAboveFieldEdge * feet.count);
 }
@@ -262,13 +261,9 @@ bool goalIsMeasured(const GoalCandidate& c) { return c.wall > 0.0; }
 // A robot before the top or clothes behind it change the height of many columns: then the few that
 // are left must fit the ground better.
 bool goalIsSure(const GoalCandidate& c, const GoalParams& p) {
-  int chosen = 0;
-  int measured = 0;
-  for (const GoalColumn& column : c.columns) {
-    chosen += column.chosen ? 1 : 0;
-    measured += column.chosen && column.distance > 0.0 ? 1 : 0;
-  }
-  return measured >= p.minSureShare * chosen || std::fabs(c.footError) <= p.doubtfulDirection.rad();
+  const ColumnCounts columns = countColumns(c);
+  return columns.measured >= p.minSureShare * columns.chosen ||
+         std::fabs(c.footError) <= p.doubtfulDirection.rad();
 }
 
 bool goalHasWidth(const Scene& scene, const GoalCandidate& c, const GoalParams& p) {
@@ -284,10 +279,7 @@ bool goalIsPart(const Scene& scene, const GoalCandidate& c, const GoalParams& p)
 }
 
 bool goalFacesField(const GoalShape& shape, const GoalParams& p) {
-  if (!shape.valid) return false;
-  const Angle sight = bearing(shape.middle);
-  const double turn = std::fabs((Angle::rad(shape.turn) - sight).rad());
-  return turn <= p.maxTurn.rad() && shape.middle.norm() * maths::sin(turn) <= p.maxAside;
+  return shape.valid && shape.oblique() <= p.maxTurn.rad() && shape.aside() <= p.maxAside;
 }
 
 bool goalIsNear(const GoalCandidate& c, const GoalParams& p) { return c.wall <= p.maxDistance; }

@@ -53,6 +53,20 @@ struct GoalCandidate {
 // cm of the mouth's line that is seen, between two ends at the mouth's distance.
 double seenWidth(const Scene& scene, const GoalCandidate& c, const GoalParams& p);
 
+// Of the chosen columns, px below the field edge.
+struct GoalFeet {
+  double lowest = -1e9;
+  double sum = 0.0;
+  int count = 0;
+};
+GoalFeet feetOf(const Scene& scene, const GoalCandidate& c);
+
+struct ColumnCounts {
+  int chosen = 0;
+  int measured = 0;  // of these, columns whose height tells their distance
+};
+ColumnCounts countColumns(const GoalCandidate& c);
+
 // The checks: true = keep.
 bool goalIsLarge(const GoalCandidate& c, const GoalParams& p);
 bool goalHasShape(const GoalCandidate& c, const GoalParams& p);

@@ -214,6 +214,10 @@ Fit improved(const Measured& m, State state, const GoalParams& p) {
 
 }  // namespace
 
+double GoalShape::oblique() const { return std::fabs((Angle::rad(turn) - bearing(middle)).rad()); }
+
+double GoalShape::aside() const { return middle.norm() * maths::sin(oblique()); }
+
 Point2<Robot> GoalShape::leftPost(const GoalParams& p) const {
   return cornersOf({middle.x, middle.y, turn}, 0.5 * p.width, p.depth).leftPost;
 }

@@ -19,6 +19,10 @@ struct GoalShape {
   double turn = 0.0;     // rad, of the mouth's line from the robot frame's x axis
   double cost = 0.0;     // sum of squared errors in standard deviations
 
+  // rad from square to the sight, and cm of the camera from the goal's axis.
+  double oblique() const;
+  double aside() const;
+
   Point2<Robot> leftPost(const GoalParams& params) const;
   Point2<Robot> rightPost(const GoalParams& params) const;
   // From the camera to the first wall in a direction (unit vector); nothing beside the goal.

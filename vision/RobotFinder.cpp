@@ -139,7 +139,7 @@ PatchGroup groupOf(const RobotPatch& patch, ImageUp up) {
           patch.foot.end != FootEnd::carpet,
           patch.distance,
           patch.scale,
-          robotFacts(patch)};
+          {}};
 }
 
 bool areOfOneRobot(const PatchGroup& a, const PatchGroup& b, const RobotParams& p) {
@@ -190,7 +190,9 @@ void findRobots(const Scene& scene, const RobotParams& params, VisionCounts& cou
     const bool sure =
         standsOnField(patch, params, counts) && looksLikeRobot(scene, params, patch, counts);
     if (sure) {
-      addToGroups(groupOf(patch, up), params, groups);
+      PatchGroup group = groupOf(patch, up);
+      group.facts = robotFacts(scene, patch);
+      addToGroups(group, params, groups);
     } else if (robotPatchTellsDistance(patch, params)) {
       parts.push_back(groupOf(patch, up));
     }

@@ -24,6 +24,7 @@ struct PatchGroup {
   RobotFacts facts;       // of the largest patch, and the number of patches
 };
 
+// Without its facts.
 PatchGroup groupOf(const RobotPatch& patch, ImageUp up);
 // Whether two groups can be of one robot.
 bool areOfOneRobot(const PatchGroup& a, const PatchGroup& b, const RobotParams& p);

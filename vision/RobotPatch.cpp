@@ -163,11 +163,9 @@ void measureSurroundings(const Scene& scene, RobotPatch& patch) {
   patch.meanIsOwn = meanIsOwn(scene, up, patch);
   patch.behind = carpetBehind(scene, up, patch.foot.pixel, kBeside * patch.scale);
   patch.beyond = carpetBeyond(scene, up, patch.foot);
-  patch.inside = belowFieldEdge(scene, patch.foot.pixel);
-  patch.edges = static_cast<double>(scene.fieldEdges.size());
 }
 
-RobotFacts robotFacts(const RobotPatch& patch) {
+RobotFacts robotFacts(const Scene& scene, const RobotPatch& patch) {
   constexpr double kTrunkHeight = 14.0;  // cm, of most patches' middle
   constexpr double kEnoughBehind = 30.0;
   RobotFacts facts;
@@ -177,10 +175,10 @@ RobotFacts robotFacts(const RobotPatch& patch) {
   facts.patchHeight = patch.extent.height() / patch.scale;
   facts.heightOff = std::fabs(patch.height - kTrunkHeight);
   facts.beyond = patch.beyond;
-  facts.inside = patch.inside;
+  facts.inside = belowFieldEdge(scene, patch.foot.pixel);
   facts.behind = patch.behind <= kUnknownBehind ? kEnoughBehind : patch.behind;
   facts.footCut = patch.foot.end == FootEnd::carpet ? 0.0 : 1.0;
-  facts.edges = patch.edges;
+  facts.edges = static_cast<double>(scene.fieldEdges.size());
   return facts;
 }
 

@@ -29,8 +29,6 @@ struct RobotPatch {
   double foreign = 0.0;         // share on the same ring of colours that no robot wears
   double own = 0.0;             // share of its colour among all the colours inside its box
   bool meanIsOwn = false;       // its mean colour is the uniform's
-  double inside = 0.0;          // px of the foot below the field edge
-  double edges = 0.0;           // field edges in view
 };
 
 // What is cheap to know of a blob in a uniform's colour.
@@ -41,7 +39,7 @@ void measurePatch(const Scene& scene, const RobotParams& p, RobotPatch& patch);
 void measureSurroundings(const Scene& scene, RobotPatch& patch);
 
 // After both: what tells whether it is a robot's.
-RobotFacts robotFacts(const RobotPatch& patch);
+RobotFacts robotFacts(const Scene& scene, const RobotPatch& patch);
 
 // The checks, each alone: true = keep.
 bool robotPatchIsLow(const Scene& scene, const RobotPatch& patch, const RobotParams& p);

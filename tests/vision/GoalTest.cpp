@@ -340,11 +340,11 @@ TEST(GoalDoubt, FactsAreCountedOverTheChosenColumns) {
   EXPECT_NEAR(facts.chosenShare, 2.0 / 3.0, 1e-9);
   EXPECT_EQ(facts.misfit, 3.0);
   EXPECT_NEAR(facts.footError, 0.5, 1e-9);
-  EXPECT_NEAR(facts.slant, 0.0, 1e-9);
+  EXPECT_NEAR(facts.aside, 0.0, 1e-9);
   c.left.hidden = true;
   const GoalFacts aslant = goalFacts(board.scene(), c, {true, {0, 200}, -0.5, 3.0}, {});
   EXPECT_EQ(aslant.hidden, 1.0);
-  EXPECT_NEAR(aslant.slant, 200.0 * std::sin(0.5), 1e-6);
+  EXPECT_NEAR(aslant.aside, 200.0 * std::sin(0.5), 1e-6);
 }
 
 TEST(GoalChecks, LittleOfAGoalMustStandInsideTheFieldEdge) {

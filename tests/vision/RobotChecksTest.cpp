@@ -195,7 +195,7 @@ TEST(RobotDoubt, FactsAreThoseOfThePatch) {
   patch.height = 20;
   patch.behind = kUnknownBehind;
   patch.foot.end = FootEnd::imageBorder;
-  const RobotFacts facts = robotFacts(patch);
+  const RobotFacts facts = robotFacts(EmptyScene{}.scene, patch);
   EXPECT_EQ(facts.patchWidth, 8 / 1.6);
   EXPECT_EQ(facts.patchHeight, 6 / 1.6);
   EXPECT_EQ(facts.heightOff, 6.0);
