@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "robot/core/Maths.h"
+
 namespace kelpie::vision {
 namespace {
 
@@ -32,9 +34,10 @@ int nextStep(const Profile& y, int i, int minStep) {
   return i;
 }
 
-// Where a straight line from (i, a) to (i + 1, b) passes `level`.
+// Where a straight line from (i, a) to (i + 1, b) passes `level`; the nearer end when both are on
+// one side of it, as where the pixel beside a stretch is itself half bright.
 double passes(int i, double a, double b, double level) {
-  return a == b ? i + 0.5 : i + (level - a) / (b - a);
+  return a == b ? i + 0.5 : i + maths::clamp((level - a) / (b - a), 0.0, 1.0);
 }
 
 double halfUp(const Profile& y, int first, int last, double level) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include "robot/core/Random.h"
 #include "tests/vision/Board.h"
 #include "vision/LineScan.h"
 
@@ -71,6 +72,34 @@ TEST(LineScan, FootOfWhiteThatDoesNotEndIsARise) {
   ASSERT_EQ(rises.size(), 1U);
   EXPECT_NEAR(scan.at(rises[0].foot).y, 70.0, 0.01);
   EXPECT_NEAR(*riseBeside(board.sampler, scan, rises[0], 6), rises[0].foot, 0.01);
+}
+
+// Beside the bright pixels may lie a half bright one, brighter than half-way: then the edge is
+// there and not where a line through two nearly equal pixels reaches half-way, far outside the
+// image.
+TEST(LineScan, EdgesStayBetweenTheCarpetOnBothSides) {
+  Random random(7205);
+  Board board;
+  int stretches = 0;
+  for (int plane = 0; plane < 300; ++plane) {
+    for (int x = 0; x < kImageWidth; ++x) {
+      const double grey = 60.0 + random.index(3) * 45.0 + random.index(6);
+      board.fill(x, 84, x + 1, 85, {grey, 110, 110});
+    }
+    const Scan scan = scanRight(84);
+    for (const Stretch& s : brightStretches(board.sampler, scan, {})) {
+      ++stretches;
+      EXPECT_GE(s.from, s.first);
+      EXPECT_LE(s.from, s.last);
+      EXPECT_GE(s.to, s.first);
+      EXPECT_LE(s.to, s.last);
+    }
+    for (const Rise& r : risesOn(board.sampler, scan, {})) {
+      EXPECT_GE(r.foot, r.first);
+      EXPECT_LE(r.foot, r.last + 1);
+    }
+  }
+  EXPECT_GT(stretches, 1000);
 }
 
 }  // namespace
