@@ -12,25 +12,48 @@ namespace kelpie::vision {
 struct GoalFacts {
   double wall = 0.0;       // cm, camera to the wall
   double seen = 0.0;       // cm of the mouth's line between the ends
-  double lowest = -1e9;    // px below the field edge, of the lowest foot
+  double width = 0.0;      // px
+  double lowest = 0.0;     // px below the field edge, of the lowest foot
   double meanFoot = 0.0;   // the same in the mean of the chosen columns
-  double misfit = 0.0;     // cost of the fitted shape for each measured column
   double footError = 0.0;  // deg, of the middle column
+  double misfit = 0.0;     // cost of the fitted shape for each measured column
   double measured = 0.0;   // columns whose height tells their distance
   double chosen = 0.0;     // columns of the goal
-  double chosenShare = 0.0;
-  double edges = 0.0;     // field edges in view
-  double coloured = 0.0;  // area of its samples to that of the box of its columns
-  double hidden = 0.0;    // ends before which a robot stands
-  double aside = 0.0;     // cm of the camera from the goal's axis
-  double topCut = 0.0;    // 1: the image cuts a column's top
+  double coloured = 0.0;   // area of its samples to that of the box of its columns
+  double green = 0.0;      // share of all columns with carpet below
+  double hidden = 0.0;     // ends before which a robot stands
+  double cut = 0.0;        // ends that an image border cuts
+  double topCut = 0.0;     // 1: the image cuts a column's top
+  double aside = 0.0;      // cm of the camera from the goal's axis
+  // Its place on the field (GoalPlace.h); 0 where nothing in the image tells.
+  double fromEdge = 0.0;   // cm from the back wall to the field edge below it
+  double edgeTurn = 0.0;   // deg between that and the mouth
+  double edgeAside = 0.0;  // cm of the camera from the goal's axis, which is square to the edge
+  double cornerOff = 0.0;  // cm by which another edge is not half a carpet from the goal's middle
+  double beaconOff = 0.0;  // cm by which the goal is too near to a beacon or too far from it
+  double outside = 0.0;    // cm of the camera off the carpet, as goal and beacon place it
+
+  static constexpr auto fields() {
+    using Facts = GoalFacts;
+    return fieldList(field("wall", &Facts::wall), field("seen", &Facts::seen),
+                     field("width", &Facts::width), field("lowest", &Facts::lowest),
+                     field("meanFoot", &Facts::meanFoot), field("footError", &Facts::footError),
+                     field("misfit", &Facts::misfit), field("measured", &Facts::measured),
+                     field("chosen", &Facts::chosen), field("coloured", &Facts::coloured),
+                     field("green", &Facts::green), field("hidden", &Facts::hidden),
+                     field("cut", &Facts::cut), field("topCut", &Facts::topCut),
+                     field("aside", &Facts::aside), field("fromEdge", &Facts::fromEdge),
+                     field("edgeTurn", &Facts::edgeTurn), field("edgeAside", &Facts::edgeAside),
+                     field("cornerOff", &Facts::cornerOff), field("beaconOff", &Facts::beaconOff),
+                     field("outside", &Facts::outside));
+  }
 };
 
 GoalFacts goalFacts(const Scene& scene, const GoalCandidate& c, const GoalShape& shape,
-                    const GoalParams& p);
+                    const Landmarks& beacons, const GoalParams& p);
 
-// Natural log of the odds that it is no goal, up to a constant (logistic regression on candidates
-// of 60 000 rendered views; experiments.md tells how).
+// Natural log of the odds that it is no goal, up to a constant (learned from candidates of 72 000
+// rendered views: kelpie evaluate doubts).
 double goalDoubt(const GoalFacts& facts);
 
 }  // namespace kelpie::vision

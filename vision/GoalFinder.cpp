@@ -8,6 +8,7 @@
 #include "vision/GoalDoubt.h"
 #include "vision/GoalGaps.h"
 #include "vision/GoalShape.h"
+#include "vision/Judged.h"
 #include "vision/Refusal.h"
 #include "vision/Sight.h"
 #include "vision/SpanWalk.h"
@@ -101,7 +102,7 @@ LandmarkPercept perceptOf(const Scene& scene, const GoalCandidate& c, const Goal
   const bool open = c.left.open() || c.right.open();
   const double hidden = open ? std::max(0.0, p.width - seenWidth(scene, c, p)) : 0.0;
   LandmarkPercept percept;
-  percept.kind = c.colour == ColourClass::blue ? LandmarkKind::goalBlue : LandmarkKind::goalYellow;
+  percept.kind = goalKind(c.colour);
   percept.distance = middle.norm();
   percept.heading = bearing(middle);
   const PixelPoint centre = scene.level.toImage({c.box.middle(), 0.5 * (c.box.top + c.box.bottom)});
@@ -130,7 +131,6 @@ bool accepted(const Scene& scene, const GoalCandidate& c, const GoalParams& p,
          check(goalHasNoPinkBeside(scene, c), Refusal::goalIsBeacon) &&
          check(goalHasFieldBelow(c, p), Refusal::goalNoField) &&
          check(goalIsMeasured(c), Refusal::goalNoHeight) &&
-         check(goalIsSure(c, p), Refusal::goalUnsure) &&
          check(goalHasWidth(scene, c, p), Refusal::goalWidth) &&
          check(goalIsNear(c, p), Refusal::goalTooFar);
 }
@@ -142,15 +142,6 @@ bool tried(const Scene& scene, GoalCandidate& c, const GoalParams& p, VisionCoun
   }
   measureGoal(scene, p, c);
   return accepted(scene, c, p, counts);
-}
-
-// The one whose width is nearer to a goal's; a part of one that an image border cuts counts as far.
-void keepBetter(const Scene& scene, const GoalCandidate& c, const GoalParams& p,
-                GoalCandidate& best) {
-  const auto misfit = [&](const GoalCandidate& g) {
-    return std::fabs(seenWidth(scene, g, p) - p.width);
-  };
-  if (!goalIsMeasured(best) || misfit(c) < misfit(best)) best = c;
 }
 
 // A narrow part of a goal stands aslant when its ends are taken for posts: then what hides the rest
@@ -176,7 +167,40 @@ bool hasFirmFeet(const Scene& scene, const GoalCandidate& c, const GoalParams& p
                              feet.sum >= -p.maxPartMeanAboveFieldEdge * feet.count);
 }
 
+struct Likeliest {
+  bool found = false;
+  GoalCandidate candidate;
+  GoalShape shape;
+  double doubt = 0.0;
+};
+
+struct Finder {
+  const Scene& scene;
+  const GoalParams& params;
+  const Landmarks& beacons;
+  VisionCounts& counts;
+  JudgedGoals& judged;
+
+  // Of several candidates the least doubtful is the goal: the two goals are at opposite ends, so
+  // that one image shows one of them (facts-2005 4.5 check 10).
+  void consider(GoalCandidate c, Likeliest& best) const {
+    if (!tried(scene, c, params, counts)) return;
+    const GoalShape shape = shapeOf(scene, c, params);
+    if (!goalFacesField(shape, params)) return refuse(counts, Refusal::goalAslant);
+    const GoalFacts facts = goalFacts(scene, c, shape, beacons, params);
+    const double doubt = goalDoubt(facts);
+    judged.push_back({perceptOf(scene, c, shape, params), facts, doubt});
+    if (doubt > params.maxDoubt) return refuse(counts, Refusal::goalDoubtful);
+    if (best.found && best.candidate.colour != c.colour) refuse(counts, Refusal::goalOpposite);
+    if (!best.found || doubt < best.doubt) best = {true, c, shape, doubt};
+  }
+};
+
 }  // namespace
+
+LandmarkKind goalKind(ColourClass colour) {
+  return colour == ColourClass::blue ? LandmarkKind::goalBlue : LandmarkKind::goalYellow;
+}
 
 double seenWidth(const Scene& scene, const GoalCandidate& c, const GoalParams& p) {
   const CameraPose& camera = scene.body.camera;
@@ -258,14 +282,6 @@ bool goalHasNoPinkBeside(const Scene& scene, const GoalCandidate& c) {
 
 bool goalIsMeasured(const GoalCandidate& c) { return c.wall > 0.0; }
 
-// A robot before the top or clothes behind it change the height of many columns: then the few that
-// are left must fit the ground better.
-bool goalIsSure(const GoalCandidate& c, const GoalParams& p) {
-  const ColumnCounts columns = countColumns(c);
-  return columns.measured >= p.minSureShare * columns.chosen ||
-         std::fabs(c.footError) <= p.doubtfulDirection.rad();
-}
-
 bool goalHasWidth(const Scene& scene, const GoalCandidate& c, const GoalParams& p) {
   const double seen = seenWidth(scene, c, p);
   // Anything may show between two pairs of legs.
@@ -285,30 +301,20 @@ bool goalFacesField(const GoalShape& shape, const GoalParams& p) {
 bool goalIsNear(const GoalCandidate& c, const GoalParams& p) { return c.wall <= p.maxDistance; }
 
 void findGoals(const Scene& scene, const GoalParams& params, VisionCounts& counts,
-               Landmarks& landmarks, GoalGaps& gaps) {
+               Landmarks& landmarks, GoalGaps& gaps, JudgedGoals& judged) {
   const Landmarks beacons = landmarks;
+  const Finder finder{scene, params, beacons, counts, judged};
+  Likeliest best;
   for (const ColourClass colour : {ColourClass::blue, ColourClass::yellow}) {
-    GoalCandidate best;
     for (const Blob* seed : seedsOf(scene, colour, beacons)) {
-      GoalCandidate group = grouped(scene, *seed, beacons);
-      const bool same = group.samples == seed->samples;
-      GoalCandidate single = alone(*seed);
-      if (tried(scene, group, params, counts)) keepBetter(scene, group, params, best);
-      if (!same && tried(scene, single, params, counts)) keepBetter(scene, single, params, best);
+      const GoalCandidate group = grouped(scene, *seed, beacons);
+      finder.consider(group, best);
+      if (group.samples != seed->samples) finder.consider(alone(*seed), best);
     }
-    if (!goalIsMeasured(best)) continue;
-    const GoalShape shape = shapeOf(scene, best, params);
-    if (!goalFacesField(shape, params)) {
-      refuse(counts, Refusal::goalAslant);
-      continue;
-    }
-    if (goalDoubt(goalFacts(scene, best, shape, params)) > params.maxDoubt) {
-      refuse(counts, Refusal::goalDoubtful);
-      continue;
-    }
-    landmarks.push_back(perceptOf(scene, best, shape, params));
-    findGaps(scene, best, shape, params, gaps);
   }
+  if (!best.found) return;
+  landmarks.push_back(perceptOf(scene, best.candidate, best.shape, params));
+  findGaps(scene, best.candidate, best.shape, params, gaps);
 }
 
 }  // namespace kelpie::vision

@@ -50,6 +50,8 @@ struct GoalCandidate {
   double footError = 0.0;   // rad, of the middle column
 };
 
+LandmarkKind goalKind(ColourClass colour);
+
 // cm of the mouth's line that is seen, between two ends at the mouth's distance.
 double seenWidth(const Scene& scene, const GoalCandidate& c, const GoalParams& p);
 
@@ -75,16 +77,17 @@ bool goalStandsInsideFieldEdge(const Scene& scene, const GoalCandidate& c, const
 bool goalHasFieldBelow(const GoalCandidate& c, const GoalParams& p);
 bool goalHasNoPinkBeside(const Scene& scene, const GoalCandidate& c);
 bool goalIsMeasured(const GoalCandidate& c);
-bool goalIsSure(const GoalCandidate& c, const GoalParams& p);
 bool goalHasWidth(const Scene& scene, const GoalCandidate& c, const GoalParams& p);
 // Whether it may be the part of a goal that something else leaves.
 bool goalIsPart(const Scene& scene, const GoalCandidate& c, const GoalParams& p);
 bool goalIsNear(const GoalCandidate& c, const GoalParams& p);
 
+struct JudgedGoal;
+using JudgedGoals = FixedVector<JudgedGoal, 16>;
 using GoalGaps = FixedVector<GoalGap, 6>;
 
 // Call after findBeacons: `landmarks` holds the beacons found, whose bands are left out.
 void findGoals(const Scene& scene, const GoalParams& params, VisionCounts& counts,
-               Landmarks& landmarks, GoalGaps& gaps);
+               Landmarks& landmarks, GoalGaps& gaps, JudgedGoals& judged);
 
 }  // namespace kelpie::vision

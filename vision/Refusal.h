@@ -41,7 +41,7 @@ enum class Refusal : std::uint8_t {
   goalAboveFieldEdge,
   bufferFull,
   goalWidth,      // its angle and distance make no 80 cm
-  goalOpposite,   // the other goal is in the image and larger
+  goalOpposite,   // the other goal is in the image and likelier, or less likely
   beaconCut,      // by two borders of the image
   beaconNoField,  // no carpet at the foot of its white part
   beaconOffFieldEdge,
@@ -84,7 +84,6 @@ enum class Refusal : std::uint8_t {
   robotOtherColour,  // as much pink, orange, blue or black as uniform
   robotOnAnother,    // specks of one team's colour on a robot of the other team
   beaconMerged,      // one of its bands is part of something far wider
-  goalUnsure,        // few columns tell its distance, and their feet do not quite fit the ground
   robotSpeck,        // its patches are far too small for so near a robot
   robotFeetNear,     // its feet should show: the image shows ground far behind where it stands
   postureUnsound,    // the camera's pose or the horizon is made of no numbers: nothing is looked at
@@ -165,7 +164,6 @@ constexpr std::array<const char*, kRefusalCount> kRefusalNames = {"ballTooSmall"
                                                                   "robotOtherColour",
                                                                   "robotOnAnother",
                                                                   "beaconMerged",
-                                                                  "goalUnsure",
                                                                   "robotSpeck",
                                                                   "robotFeetNear",
                                                                   "postureUnsound",

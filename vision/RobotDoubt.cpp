@@ -6,30 +6,32 @@
 namespace kelpie::vision {
 namespace {
 
-constexpr double kNear = 100.0;  // cm: the image often cuts the feet of nearer robots
-constexpr double kPrior = 8.75;
-
-constexpr std::array<Weight<RobotFacts>, 14> kWeights = {{
-    {&RobotFacts::patches, 2.0, -1.8},
-    {&RobotFacts::width, 2.4, -1.5},
-    {&RobotFacts::own, 0.82, -1.3},
-    {&RobotFacts::shell, 0.75, -1.1, Range::far},
-    {&RobotFacts::patchWidth, 8.3, 1.4},
-    {&RobotFacts::patchHeight, 3.1, -1.9},
-    {&RobotFacts::patchHeight, 5.5, 2.3},
-    {&RobotFacts::heightOff, 2.0, -1.1},
-    {&RobotFacts::heightOff, 6.1, 1.6},
-    {&RobotFacts::beyond, 26.0, -2.3},
-    {&RobotFacts::inside, 5.5, -1.2},
-    {&RobotFacts::behind, 8.0, -0.9},
-    {&RobotFacts::footCut, 1.0, 1.6, Range::near},
-    {&RobotFacts::edges, 1.0, -2.0},
+constexpr double kPrior = -2.7;
+constexpr std::array<Curve<RobotFacts>, 10> kCurves = {{
+    {&RobotFacts::patches, {1, 2, 3, 5, 5, 5}, {0.54, -0.46, -1, -1.63, -1.63, -1.63}},
+    {&RobotFacts::samples, {2, 3, 5, 11, 31, 259}, {1.77, 1.1, 0.43, -0.33, -0.27, -0.26}},
+    {&RobotFacts::own, {0.33, 0.5, 0.57, 0.78, 0.97, 1}, {1.89, 1.47, 1.79, 1.02, 0.64, -0.29}},
+    {&RobotFacts::meanIsOwn, {0, 1, 1, 1, 1, 1}, {-0.91, 0.03, 0.03, 0.03, 0.03, 0.03}},
+    {&RobotFacts::patchWidth,
+     {1.13, 2.43, 4.09, 5.77, 7.23, 12.71},
+     {1.22, 0.41, 0.39, -0.14, -0.7, 2.18}},
+    {&RobotFacts::patchHeight,
+     {1.04, 2.63, 3.92, 4.53, 5.33, 10.31},
+     {1.35, 1.52, -0.34, -0.94, 0.91, 2.95}},
+    {&RobotFacts::heightOff,
+     {0.38, 2.31, 3.45, 4.49, 6.04, 10.02},
+     {1.13, 0.41, -0.2, -0.45, 0.21, 2.19}},
+    {&RobotFacts::beyond,
+     {5.74, 11.31, 25.19, 111.96, 226.39, 300},
+     {3.16, 4.82, 1.08, -0.09, -0.45, -0.1}},
+    {&RobotFacts::inside,
+     {0.64, 0.98, 3.47, 9.41, 22.01, 40},
+     {1.45, 1.18, 0.36, -0.2, -0.18, 0.15}},
+    {&RobotFacts::footCut, {0, 1, 1, 1, 1, 1}, {-0.19, 2.26, 2.26, 2.26, 2.26, 2.26}},
 }};
 
 }  // namespace
 
-double robotDoubt(const RobotFacts& facts) {
-  return logOdds(kPrior, kWeights, facts, facts.distance < kNear);
-}
+double robotDoubt(const RobotFacts& facts) { return logOdds(kPrior, kCurves, facts); }
 
 }  // namespace kelpie::vision

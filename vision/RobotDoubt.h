@@ -5,27 +5,36 @@
 // one small patch shows at the carpet's edge.
 #pragma once
 
+#include "robot/core/Fields.h"
+
 namespace kelpie::vision {
 
 struct RobotFacts {
   double patches = 1.0;
-  double distance = 0.0;  // cm, camera to the nearest leg
-  double width = 0.0;     // cm, of all patches together
+  double samples = 0.0;  // of all patches
   // Of the largest patch:
   double own = 0.0;          // share of its colour inside its box
-  double shell = 0.0;        // share of white and grey round it
+  double meanIsOwn = 0.0;    // 1: its mean colour is the uniform's
   double patchWidth = 0.0;   // cm
   double patchHeight = 0.0;  // cm
   double heightOff = 0.0;    // cm of its middle from a trunk's height
   double beyond = 0.0;       // cm of carpet from its foot to the field edge
   double inside = 0.0;       // px of its foot below the field edge
-  double behind = 0.0;       // px of carpet seen behind, 30 where the image does not tell
   double footCut = 0.0;      // 1: the image ends before the foot
-  double edges = 0.0;        // field edges in view
+
+  static constexpr auto fields() {
+    using Facts = RobotFacts;
+    return fieldList(field("patches", &Facts::patches), field("samples", &Facts::samples),
+                     field("own", &Facts::own), field("meanIsOwn", &Facts::meanIsOwn),
+                     field("patchWidth", &Facts::patchWidth),
+                     field("patchHeight", &Facts::patchHeight),
+                     field("heightOff", &Facts::heightOff), field("beyond", &Facts::beyond),
+                     field("inside", &Facts::inside), field("footCut", &Facts::footCut));
+  }
 };
 
-// Natural log of the odds that it is no robot, up to a constant (logistic regression on candidates
-// of 60 000 rendered views; experiments.md tells how).
+// Natural log of the odds that it is no robot, up to a constant (learned from candidates of 72 000
+// rendered views: kelpie evaluate doubts).
 double robotDoubt(const RobotFacts& facts);
 
 }  // namespace kelpie::vision

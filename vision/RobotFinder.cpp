@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "robot/core/Maths.h"
+#include "vision/Judged.h"
 #include "vision/Refusal.h"
 #include "vision/Sight.h"
 
@@ -94,11 +95,10 @@ void bringNearer(const PatchGroup& part, const RobotParams& p, Groups& groups) {
   }
 }
 
-bool isLikely(const PatchGroup& group, const RobotParams& p) {
+RobotFacts factsOf(const PatchGroup& group) {
   RobotFacts facts = group.facts;
-  facts.distance = group.distance;
-  facts.width = (group.right - group.left) / group.scale;
-  return robotDoubt(facts) <= p.maxDoubt;
+  facts.samples = group.samples;
+  return facts;
 }
 
 double distanceSd(const Scene& scene, const PatchGroup& group, const RobotParams& p) {
@@ -180,8 +180,8 @@ PatchGroup nearer(const PatchGroup& group, const PatchGroup& part) {
   return both;
 }
 
-void findRobots(const Scene& scene, const RobotParams& params, VisionCounts& counts,
-                Robots& robots) {
+void findRobots(const Scene& scene, const RobotParams& params, VisionCounts& counts, Robots& robots,
+                JudgedRobots& judged) {
   const ImageUp up = imageUp(scene.body.camera);
   Groups groups;
   Groups parts;
@@ -199,9 +199,12 @@ void findRobots(const Scene& scene, const RobotParams& params, VisionCounts& cou
   }
   for (const PatchGroup& part : parts) bringNearer(part, params, groups);
   for (const PatchGroup& group : groups) {
-    if (check(!isOnAnother(group, groups, params), Refusal::robotOnAnother, counts) &&
-        check(isLikely(group, params), Refusal::robotDoubtful, counts))
-      robots.push_back(perceptOf(scene, group, params));
+    if (!check(!isOnAnother(group, groups, params), Refusal::robotOnAnother, counts)) continue;
+    const RobotFacts facts = factsOf(group);
+    const JudgedRobot robot{perceptOf(scene, group, params), facts, robotDoubt(facts)};
+    judged.push_back(robot);
+    if (check(robot.doubt <= params.maxDoubt, Refusal::robotDoubtful, counts))
+      robots.push_back(robot.percept);
   }
 }
 

@@ -33,8 +33,10 @@ PatchGroup joined(const PatchGroup& larger, const PatchGroup& other);
 // The trunk's patch may be too dubious to be a robot by itself, but it tells how near that one is.
 PatchGroup nearer(const PatchGroup& group, const PatchGroup& part);
 
+struct JudgedRobot;
+using JudgedRobots = FixedVector<JudgedRobot, 8>;
 using Robots = FixedVector<RobotPercept, 8>;
-void findRobots(const Scene& scene, const RobotParams& params, VisionCounts& counts,
-                Robots& robots);
+void findRobots(const Scene& scene, const RobotParams& params, VisionCounts& counts, Robots& robots,
+                JudgedRobots& judged);
 
 }  // namespace kelpie::vision

@@ -10,29 +10,27 @@ namespace kelpie::vision {
 
 struct RobotParams {
   double minSamples = 2;              // lattice samples of a patch
-  double minOwnShare = 0.4;           // of its colour among those it may be confused with
+  double minOwnShare = 0.3;           // of its colour among those it may be confused with
   double sureCarpetBehind = 5;        // px: with so much carpet behind it clothes are ruled out
-  double doubtfulOwnShare = 0.4;      // minOwnShare with less carpet than that
   double doubtfulForeignShare = 0.5;  // most of other colours on a ring round a patch, then
   double cleanOwnShare = 0.8;         // of a patch that is believed without carpet behind it
   double cleanForeignShare = 0.2;
   Angle maxElevation = Angle::deg(14);  // a patch 20 cm high seen from 12 cm at 35 cm: 13 deg
-  double minInsideFieldEdge = 1.3;      // px, of the foot from the field edge
-  double minCarpetBeyond = 10;   // cm from a carpet foot to the edge: players are inside lines
-  double minCarpetBehind = 0.6;  // px of green beside the robot, above the foot's level
-  double minPatchWidth = 1.5;    // cm
+  double minInsideFieldEdge = 0.6;      // px, of the foot from the field edge
+  double minCarpetBeyond = 5;    // cm from a carpet foot to the edge: players are inside lines
+  double minPatchWidth = 1.2;    // cm
   double minCutPatch = 2;        // cm, height of a patch whose robot shows no feet
-  double maxPatchWidth = 13;     // cm
-  double maxPatchHeight = 9;     // cm
+  double maxPatchWidth = 15;     // cm
+  double maxPatchHeight = 11;    // cm
   double maxTall = 3.5;          // height to width of a patch: trouser legs are taller
   double minHeight = 6;          // cm, of a patch's middle above the ground
-  double maxHeight = 23;         // cm
-  double minShell = 0.1;         // share of white and grey round a patch
-  double fewSamples = 4;         // lattice samples of a patch that may be a speck
-  double minShellOfFew = 0.2;    // minShell of such
+  double maxHeight = 25;         // cm
+  double minShell = 0.05;        // share of white and grey round a patch
+  double fewSamples = 3;         // lattice samples of a patch that may be a speck
+  double minShellOfFew = 0.1;    // minShell of such
   double maxSpeckDistance = 60;  // cm, of a patch of so few samples
   double speckCarpetBehind = 6;  // px: before so much carpet a speck may be nearer than that
-  double maxDoubt = -0.8;        // log odds, see RobotDoubt.h
+  double maxDoubt = -0.7;        // log odds, see RobotDoubt.h
   double partSamples = 20;       // of a patch that only tells its robot's distance
   double maxBorderRatio = 2.4;   // of the way to the ground that the border shows, feet cut
   double patchHeight = 12;       // cm, assumed when the image border cuts the feet
@@ -45,7 +43,7 @@ struct RobotParams {
   double maxDepthRatio = 2;            // of the distances of two patches of one robot
   double minTeamRatio = 2;  // of samples, for one team's patches to rule out those of the other
   double depth = 7;         // cm from the nearest leg to the body's middle
-  double maxDistance = 220;
+  double maxDistance = 240;
   double edgeSd = 0.7;                // px, of the foot
   Angle directionSd = Angle::deg(1);  // camera against ground, while walking
   double headingSd = 4;               // cm across, of the middle of the patches
@@ -56,13 +54,11 @@ struct RobotParams {
         field("minSamples", &P::minSamples, "", 1, 100),
         field("minOwnShare", &P::minOwnShare, "", 0, 1),
         field("sureCarpetBehind", &P::sureCarpetBehind, "px", -10, 50),
-        field("doubtfulOwnShare", &P::doubtfulOwnShare, "", 0, 1),
         field("doubtfulForeignShare", &P::doubtfulForeignShare, "", 0, 1),
         field("cleanOwnShare", &P::cleanOwnShare, "", 0, 1),
         field("cleanForeignShare", &P::cleanForeignShare, "", 0, 1),
         field("maxElevation", &P::maxElevation, "rad", -90, 90),
         field("minCarpetBeyond", &P::minCarpetBeyond, "cm", 0, 100),
-        field("minCarpetBehind", &P::minCarpetBehind, "px", -10, 10),
         field("minInsideFieldEdge", &P::minInsideFieldEdge, "px", -160, 160),
         field("minPatchWidth", &P::minPatchWidth, "cm", 0, 100),
         field("minCutPatch", &P::minCutPatch, "cm", 0, 100),

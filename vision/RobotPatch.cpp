@@ -167,18 +167,17 @@ void measureSurroundings(const Scene& scene, RobotPatch& patch) {
 
 RobotFacts robotFacts(const Scene& scene, const RobotPatch& patch) {
   constexpr double kTrunkHeight = 14.0;  // cm, of most patches' middle
-  constexpr double kEnoughBehind = 30.0;
+  constexpr double kFarBeyond = 300.0;   // cm; without an edge in view as well
+  constexpr double kFarInside = 40.0;    // px; the same
   RobotFacts facts;
   facts.own = patch.own;
-  facts.shell = patch.shell;
+  facts.meanIsOwn = patch.meanIsOwn ? 1.0 : 0.0;
   facts.patchWidth = patch.extent.width() / patch.scale;
   facts.patchHeight = patch.extent.height() / patch.scale;
   facts.heightOff = std::fabs(patch.height - kTrunkHeight);
-  facts.beyond = patch.beyond;
-  facts.inside = belowFieldEdge(scene, patch.foot.pixel);
-  facts.behind = patch.behind <= kUnknownBehind ? kEnoughBehind : patch.behind;
+  facts.beyond = std::min(patch.beyond, kFarBeyond);
+  facts.inside = std::min(belowFieldEdge(scene, patch.foot.pixel), kFarInside);
   facts.footCut = patch.foot.end == FootEnd::carpet ? 0.0 : 1.0;
-  facts.edges = static_cast<double>(scene.fieldEdges.size());
   return facts;
 }
 
@@ -206,7 +205,7 @@ bool robotPatchIsSolid(const RobotPatch& patch) {
 // Before carpet that goes on behind it, other colours near a patch are the background's.
 bool robotPatchIsPure(const RobotPatch& patch, const RobotParams& p) {
   if (patch.behind >= p.sureCarpetBehind) return true;
-  return patch.meanIsOwn && robotPatchIsSolid(patch) && patch.own >= p.doubtfulOwnShare &&
+  return patch.meanIsOwn && robotPatchIsSolid(patch) && patch.own >= p.minOwnShare &&
          patch.foreign <= p.doubtfulForeignShare;
 }
 
@@ -216,8 +215,8 @@ bool robotPatchIsClean(const RobotPatch& patch, const RobotParams& p) {
 
 bool robotPatchTellsDistance(const RobotPatch& patch, const RobotParams& p) {
   return patch.foot.end != FootEnd::hidden && patch.samples >= p.partSamples &&
-         patch.own >= p.doubtfulOwnShare && patch.height >= p.minHeight &&
-         patch.height <= p.maxHeight && patch.extent.width() <= p.maxPatchWidth * patch.scale + 2.0;
+         patch.own >= p.minOwnShare && patch.height >= p.minHeight && patch.height <= p.maxHeight &&
+         patch.extent.width() <= p.maxPatchWidth * patch.scale + 2.0;
 }
 
 bool robotHasShell(const RobotPatch& patch, const RobotParams& p) {
@@ -239,7 +238,6 @@ bool robotFeetMayBeCut(const RobotPatch& patch, const RobotParams& p) {
 bool robotIsInsideFieldEdge(const Scene& scene, const RobotPatch& patch, const RobotParams& p) {
   if (patch.foot.end == FootEnd::carpet && patch.beyond < p.minCarpetBeyond) return false;
   const bool unknown = patch.behind <= kUnknownBehind;
-  if (!unknown && patch.behind < p.minCarpetBehind) return false;
   if (unknown && patch.foot.end == FootEnd::carpet && scene.fieldEdges.empty())
     return robotPatchIsClean(patch, p);
   return belowFieldEdge(scene, patch.foot.pixel) >= p.minInsideFieldEdge;

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// What every finder reads: the classified image, its blobs and the camera's place.
+// What every finder reads: the classified image, its blobs, the camera's place and the field.
 #pragma once
 
 #include <cmath>
 
+#include "robot/body/FieldDescription.h"
 #include "robot/core/Percepts.h"
 #include "vision/Blobs.h"
 #include "vision/Level.h"
@@ -19,6 +20,7 @@ struct Scene {
   Level level;
   const Lattice& lattice;
   const RunBuffer& runs;
+  const body::FieldDescription& field;
 };
 
 inline double horizonRow(const Scene& scene, double x) {

@@ -14,7 +14,6 @@
 #include "vision/Refusal.h"
 #include "vision/RobotFinder.h"
 #include "vision/Scene.h"
-#include "vision/Together.h"
 
 namespace kelpie::vision {
 namespace {
@@ -39,6 +38,7 @@ bool postureIsSound(const BodyState& body) {
 
 Percepts step(const VisionIn& in, const VisionParams& params, VisionState& state) {
   Percepts out;
+  state.judged = {};
   if (!postureIsSound(in.body)) {
     refuse(out.counts, Refusal::postureUnsound);
     return out;
@@ -58,12 +58,12 @@ Percepts step(const VisionIn& in, const VisionParams& params, VisionState& state
   out.fieldEdges =
       findFieldEdges(sampler, in.body.camera, params.scan, params.fieldEdge, out.counts);
 
-  const Scene scene{sampler, state.blobs, in.body, out.fieldEdges, level, lattice, state.runs};
+  const Scene scene{sampler, state.blobs, in.body,    out.fieldEdges,
+                    level,   lattice,     state.runs, params.field};
   findBeacons(scene, params.beacon, out.counts, out.landmarks);
-  findGoals(scene, params.goal, out.counts, out.landmarks, out.gaps);
-  keepOneGoal(out);
+  findGoals(scene, params.goal, out.counts, out.landmarks, out.gaps, state.judged.goals);
   out.ball = findBall(scene, params.ball, out.counts);
-  findRobots(scene, params.robot, out.counts, out.robots);
+  findRobots(scene, params.robot, out.counts, out.robots, state.judged.robots);
   findPinkPatches(scene, out.landmarks, params.pink, out.counts, out.pinkPatches);
   const Obstacles obstacles = findObstacles(scene, params.obstacle, out.counts);
   out.obstacles = obstacles.points;

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 
+#include "robot/body/FieldDescription.h"
 #include "robot/core/Angle.h"
 #include "robot/core/Fields.h"
 #include "vision/FieldEdgeParams.h"
@@ -67,7 +68,7 @@ struct BeaconParams {
   Angle elevationError = Angle::deg(1.7);  // the camera's tilt is known to about a degree
   Angle sureElevation = Angle::deg(0.4);   // so small an error makes up for what is hidden or cut
   double maxSureAspect = 2.2;
-  double maxDoubts = 2;      // of the eight that beaconDoubts counts
+  double maxDoubts = 3;      // of the eight that beaconDoubts counts
   double maxDistance = 500;  // beyond, two pixels of clothes pass for a band
   double edgeSd = 0.35;      // px, of each band edge
   Angle headingSd = Angle::deg(0.7);
@@ -98,25 +99,23 @@ struct GoalParams {
   double minSamples = 20;                  // lattice samples
   double minWidth = 8;                     // px
   double minHeight = 5;                    // px
-  double maxTall = 1.95;                   // height to width of a goal that no image border cuts
-  double maxFlat = 5.85;                   // width to height; 80 : 30 seen from the front is 2.7
+  double maxTall = 3;                      // height to width of a goal that no image border cuts
+  double maxFlat = 8;                      // width to height; 80 : 30 seen from the front is 2.7
   double maxAboveHorizon = 12;             // px, of the lower edge: facts-2005 4.5 check 7 has 20
-  double maxAboveFieldEdge = 0.8;          // px, of the lowest foot
-  double maxMeanAboveFieldEdge = 3;        // px, of all feet
-  double minFieldColumns = 0.2;            // share of columns with green below, check 8
-  double minSeenWidth = 25;                // cm between the ends, seen 60 deg from the side: 66
-  double minCutWidth = 22;                 // cm of a goal that the image border cuts
-  double minHiddenWidth = 25;              // cm between two robots that hide both posts
-  double maxSeenWidth = 140;               // cm, with a side wall seen from outside
-  Angle directionError = Angle::deg(1.7);  // a column's foot against the ground at its distance
-  double minSureShare = 0.6;  // of the feet that are measured: with less, the next limit counts
-  double maxPartWidth = 65;   // cm of a goal that would stand aslant if its ends were posts
+  double maxAboveFieldEdge = 1.6;          // px, of the lowest foot
+  double maxMeanAboveFieldEdge = 5;        // px, of all feet
+  double minFieldColumns = 0.1;            // share of columns with green below, check 8
+  double minSeenWidth = 18;                // cm between the ends, seen 60 deg from the side: 66
+  double minCutWidth = 15;                 // cm of a goal that the image border cuts
+  double minHiddenWidth = 12;              // cm between two robots that hide both posts
+  double maxSeenWidth = 170;               // cm, with a side wall seen from outside
+  Angle directionError = Angle::deg(2.2);  // a column's foot against the ground at its distance
+  double maxPartWidth = 65;  // cm of a goal that would stand aslant if its ends were posts
   double minPartBelowFieldEdge =
       -0.1;  // px, of such a part's lowest foot: a box beyond it has less
   double maxPartMeanAboveFieldEdge = 0.8;  // px, of all its feet
   Angle partDirection = Angle::deg(0.3);   // of its feet against the ground
-  Angle doubtfulDirection = Angle::deg(0.8);
-  double maxDoubt = 0.6;              // log odds, see GoalDoubt.h
+  double maxDoubt = -0.3;                  // log odds, see GoalDoubt.h
   double maxDistance = 560;           // the opposite goal's back wall, seen from the own mouth: 570
   double width = 80;                  // cm, of the mouth
   double depth = 30;                  // cm from the mouth to the back wall
@@ -142,15 +141,14 @@ struct GoalParams {
         field("minHiddenWidth", &GoalParams::minHiddenWidth, "cm", 0, 200),
         field("maxSeenWidth", &GoalParams::maxSeenWidth, "cm", 0, 500),
         field("directionError", &GoalParams::directionError, "rad", 0, 20),
-        field("minSureShare", &GoalParams::minSureShare, "", 0, 1),
         field("maxPartWidth", &GoalParams::maxPartWidth, "cm", 0, 200),
         field("minPartBelowFieldEdge", &GoalParams::minPartBelowFieldEdge, "px", -160, 160),
         field("maxPartMeanAboveFieldEdge", &GoalParams::maxPartMeanAboveFieldEdge, "px", -160, 160),
         field("partDirection", &GoalParams::partDirection, "rad", 0, 20),
         field("maxDoubt", &GoalParams::maxDoubt, "", -20, 20),
-        field("doubtfulDirection", &GoalParams::doubtfulDirection, "rad", 0, 20),
         field("maxDistance", &GoalParams::maxDistance, "cm", 50, 1000),
         field("maxTurn", &GoalParams::maxTurn, "rad", 0, 90),
+        field("maxAside", &GoalParams::maxAside, "cm", 0, 2000),
         field("width", &GoalParams::width, "cm", 20, 200),
         field("depth", &GoalParams::depth, "cm", 0, 60),
         field("edgeSd", &GoalParams::edgeSd, "px", 0.01, 5),
@@ -160,6 +158,7 @@ struct GoalParams {
 };
 
 struct VisionParams {
+  body::FieldDescription field = *body::fieldDescription("2006");  // the loader may set another
   BallParams ball;
   BeaconParams beacon;
   GoalParams goal;
@@ -171,12 +170,13 @@ struct VisionParams {
   ObstacleParams obstacle;
 
   static constexpr auto fields() {
-    return fieldList(field("ball", &VisionParams::ball), field("beacon", &VisionParams::beacon),
-                     field("goal", &VisionParams::goal), field("scan", &VisionParams::scan),
-                     field("fieldEdge", &VisionParams::fieldEdge),
-                     field("line", &VisionParams::line), field("robot", &VisionParams::robot),
-                     field("pink", &VisionParams::pink),
-                     field("obstacle", &VisionParams::obstacle));
+    using kelpie::field;
+    return fieldList(
+        field("field", &VisionParams::field), field("ball", &VisionParams::ball),
+        field("beacon", &VisionParams::beacon), field("goal", &VisionParams::goal),
+        field("scan", &VisionParams::scan), field("fieldEdge", &VisionParams::fieldEdge),
+        field("line", &VisionParams::line), field("robot", &VisionParams::robot),
+        field("pink", &VisionParams::pink), field("obstacle", &VisionParams::obstacle));
   }
 };
 

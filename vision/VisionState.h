@@ -4,6 +4,7 @@
 #pragma once
 
 #include "vision/Blobs.h"
+#include "vision/Judged.h"
 #include "vision/RingTable.h"
 #include "vision/Sampler.h"
 #include "vision/VisionCalibration.h"
@@ -19,6 +20,7 @@ struct VisionState {
   ClassPlane classes{};
   RunBuffer runs;
   BlobBuffer blobs;
+  Judged judged;
 };
 
 }  // namespace kelpie::vision

@@ -29,13 +29,14 @@ class Board {
   }
 
   Scene scene() const {
-    return {sampler, *blobs_, body, edges, levelOf(body.camera), lattice_, *runs_};
+    return {sampler, *blobs_, body, edges, levelOf(body.camera), lattice_, *runs_, field_};
   }
 
   BodyState body;
   FixedVector<FieldEdgePercept, 3> edges;
 
  private:
+  body::FieldDescription field_ = *body::fieldDescription("2006");
   Lattice lattice_{levelOf(body.camera)};
   std::unique_ptr<Image> image_ = std::make_unique<Image>();
   std::unique_ptr<VisionCalibration> calibration_ =

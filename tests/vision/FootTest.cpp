@@ -26,7 +26,8 @@ struct Look {
   BodyState body;
   FixedVector<FieldEdgePercept, 3> edges;
   Lattice lattice{levelOf(body.camera)};
-  Scene scene{sampler, state->blobs, body, edges, lattice.level(), lattice, state->runs};
+  body::FieldDescription field = *body::fieldDescription("2006");
+  Scene scene{sampler, state->blobs, body, edges, lattice.level(), lattice, state->runs, field};
 };
 
 Painting wallAt(double y, Paint paint) {

@@ -133,7 +133,7 @@ TEST(Goal, BandUnderPinkIsNoGoalEither) {
 
 TEST(Goal, NarrowBlueBoxAsHighAsAGoalIsRefusedByItsWidth) {
   Painting p;
-  p.walls.push_back({{-14, 200}, {14, 200}, 0, 30, kBluePaint});
+  p.walls.push_back({{-9, 200}, {9, 200}, 0, 30, kBluePaint});
   const Seen seen = look(p, cameraAt(16, 0, 0));
   EXPECT_TRUE(seen.percepts.landmarks.empty());
   EXPECT_EQ(refused(seen, Refusal::goalWidth), 1);
@@ -143,7 +143,9 @@ TEST(Goal, MiddleOfOneWhoseEndsAreHiddenIsNotTakenForATurnedOne) {
   Painting p;
   p.carpetEnd = 430;
   p.walls.push_back({{-21, 400}, {21, 400}, 0, 30, kBluePaint});
-  const Seen seen = look(p, cameraAt(16, 0, 0));
+  VisionParams params;
+  params.goal.maxDoubt = 20;  // so narrow a one is doubted
+  const Seen seen = look(p, cameraAt(16, 0, 0), params);
   const auto* goal = find(seen.percepts, LandmarkKind::goalBlue);
   ASSERT_NE(goal, nullptr);
   EXPECT_TRUE(goal->leftEdgeCut && goal->rightEdgeCut);
@@ -153,7 +155,7 @@ TEST(Goal, MiddleOfOneWhoseEndsAreHiddenIsNotTakenForATurnedOne) {
 
 TEST(Goal, OnTheFloorBehindTheCarpetIsRefused) {
   Painting p;
-  p.carpetEnd = 215;
+  p.carpetEnd = 200;
   addGoal(p, 0, 230, kBluePaint);
   const Seen seen = look(p, cameraAt(24, 0, -3));
   EXPECT_TRUE(seen.percepts.landmarks.empty());
@@ -176,6 +178,16 @@ TEST(Goal, BlueWallThatLeavesTheImageAtTheTopIsRefused) {
   EXPECT_EQ(refused(seen, Refusal::goalAspect), 1);
 }
 
+// The goal shows its width, a box of the other colour beside it half of that.
+TEST(Goal, OfBothColoursTheLikelierIsKept) {
+  Painting p = goalAt(0, 300, kBluePaint);
+  p.walls.push_back({{110, 330}, {150, 330}, 0.0, 30.0, kYellowPaint});
+  const Seen seen = look(p, cameraAt(16, -10, -4));
+  EXPECT_NE(find(seen.percepts, LandmarkKind::goalBlue), nullptr);
+  EXPECT_EQ(find(seen.percepts, LandmarkKind::goalYellow), nullptr);
+  EXPECT_EQ(seen.percepts.landmarks.size(), 1U);
+}
+
 TEST(Goal, FarPatchOfAFewPixelsIsRefused) {
   Painting p;
   p.walls.push_back({{-8, 500}, {8, 500}, 0, 10, kYellowPaint});
@@ -189,11 +201,11 @@ TEST(GoalChecks, ShapeAndDistanceDecideAtTheirLimits) {
   GoalCandidate c;
   c.box = {50, 50, 90, 65};
   EXPECT_TRUE(goalHasShape(c, p));
-  c.box.bottom = 130;
+  c.box.bottom = 52 + 40 * p.maxTall;
   EXPECT_FALSE(goalHasShape(c, p));
   c.left.cut = true;
   EXPECT_TRUE(goalHasShape(c, p));
-  c.box = {10, 50, 190, 80};
+  c.box = {10, 50, 190, 49 + 180 / p.maxFlat};
   EXPECT_FALSE(goalHasShape(c, p));
   EXPECT_FALSE(goalIsMeasured(c));
   c.wall = 559;
@@ -215,26 +227,6 @@ TEST(GoalChecks, MostColumnsTallIsNoGoal) {
   EXPECT_TRUE(goalHasShape(c, {}));
   c.columns.push_back(tall);
   EXPECT_FALSE(goalHasShape(c, {}));
-}
-
-GoalCandidate withColumns(int measured, int chosen, Angle footError) {
-  GoalCandidate c;
-  c.footError = footError.rad();
-  for (int i = 0; i < chosen; ++i) {
-    GoalColumn column;
-    column.chosen = true;
-    column.distance = i < measured ? 300 : 0;
-    c.columns.push_back(column);
-  }
-  return c;
-}
-
-TEST(GoalChecks, FewMeasuredColumnsMustFitTheGround) {
-  const GoalParams p;
-  EXPECT_TRUE(goalIsSure(withColumns(6, 10, Angle::deg(1.2)), p));
-  EXPECT_FALSE(goalIsSure(withColumns(5, 10, Angle::deg(1.2)), p));
-  EXPECT_FALSE(goalIsSure(withColumns(5, 10, Angle::deg(-1.2)), p));
-  EXPECT_TRUE(goalIsSure(withColumns(5, 10, Angle::deg(0.7)), p));
 }
 
 // Ends `width` cm apart, both 200 cm from the camera: the mouth is 30 cm before a wall at 230.
@@ -273,15 +265,18 @@ GoalFacts factsOfAWholeGoal() {
   GoalFacts facts;
   facts.wall = 300;
   facts.seen = 79;
+  facts.width = 50;
   facts.lowest = 0.4;
   facts.meanFoot = 0.1;
   facts.misfit = 0.05;
   facts.footError = 0.1;
   facts.measured = 20;
   facts.chosen = 22;
-  facts.chosenShare = 0.95;
-  facts.edges = 1;
-  facts.coloured = 1.0;
+  facts.coloured = 0.9;
+  facts.green = 0.95;
+  facts.aside = 60;
+  facts.edgeAside = 60;
+  facts.edgeTurn = 4;
   return facts;
 }
 
@@ -290,11 +285,11 @@ TEST(GoalDoubt, OneWeakFactDoesNotMakeAWholeGoalDoubtful) {
   const GoalFacts whole = factsOfAWholeGoal();
   EXPECT_LE(goalDoubt(whole), p.maxDoubt);
   GoalFacts high = whole;
-  high.lowest = -0.2;
+  high.lowest = -0.3;
   GoalFacts narrow = whole;
   narrow.seen = 45;
   GoalFacts few = whole;
-  few.measured = 2;
+  few.measured = 4;
   for (const GoalFacts& facts : {high, narrow, few}) {
     EXPECT_GT(goalDoubt(facts), goalDoubt(whole));
     EXPECT_LE(goalDoubt(facts), p.maxDoubt);
@@ -303,20 +298,23 @@ TEST(GoalDoubt, OneWeakFactDoesNotMakeAWholeGoalDoubtful) {
 
 TEST(GoalDoubt, SeveralWeakFactsDo) {
   GoalFacts facts = factsOfAWholeGoal();
-  facts.lowest = -0.2;
-  facts.seen = 45;
-  facts.measured = 2;
-  facts.footError = 0.5;
+  facts.lowest = -0.6;
+  facts.seen = 30;
+  facts.measured = 4;
+  facts.footError = 0.6;
   EXPECT_GT(goalDoubt(facts), GoalParams{}.maxDoubt);
 }
 
-TEST(GoalDoubt, FeetFarBelowTheEdgeCountAgainstAGoal) {
-  GoalFacts facts = factsOfAWholeGoal();
-  facts.meanFoot = 3.0;
-  GoalFacts near = facts;
-  near.wall = 150;
-  EXPECT_GT(goalDoubt(facts), goalDoubt(factsOfAWholeGoal()));
-  EXPECT_GT(goalDoubt(near), goalDoubt(facts));
+TEST(GoalDoubt, AGoalFarFromItsPlaceIsDoubted) {
+  const GoalFacts whole = factsOfAWholeGoal();
+  GoalFacts atACorner = whole;
+  atACorner.cornerOff = 150;
+  GoalFacts atABeacon = whole;
+  atABeacon.beaconOff = 200;
+  GoalFacts beyondTheEdge = whole;
+  beyondTheEdge.fromEdge = -150;
+  for (const GoalFacts& facts : {atACorner, atABeacon, beyondTheEdge})
+    EXPECT_GT(goalDoubt(facts), goalDoubt(whole) + 1.0);
 }
 
 TEST(GoalDoubt, FactsAreCountedOverTheChosenColumns) {
@@ -331,18 +329,17 @@ TEST(GoalDoubt, FactsAreCountedOverTheChosenColumns) {
     c.columns.push_back(column);
   }
   c.footError = Angle::deg(-0.5).rad();
-  const GoalFacts facts = goalFacts(board.scene(), c, {true, {0, 200}, 0.0, 3.0}, {});
+  const GoalFacts facts = goalFacts(board.scene(), c, {true, {0, 200}, 0.0, 3.0}, {}, {});
   EXPECT_NEAR(facts.seen, 60, 0.5);
   EXPECT_NEAR(facts.lowest, 2.0, 1e-9);
   EXPECT_NEAR(facts.meanFoot, 0.5, 1e-9);
   EXPECT_EQ(facts.measured, 1.0);
   EXPECT_EQ(facts.chosen, 2.0);
-  EXPECT_NEAR(facts.chosenShare, 2.0 / 3.0, 1e-9);
   EXPECT_EQ(facts.misfit, 3.0);
   EXPECT_NEAR(facts.footError, 0.5, 1e-9);
   EXPECT_NEAR(facts.aside, 0.0, 1e-9);
   c.left.hidden = true;
-  const GoalFacts aslant = goalFacts(board.scene(), c, {true, {0, 200}, -0.5, 3.0}, {});
+  const GoalFacts aslant = goalFacts(board.scene(), c, {true, {0, 200}, -0.5, 3.0}, {}, {});
   EXPECT_EQ(aslant.hidden, 1.0);
   EXPECT_NEAR(aslant.aside, 200.0 * std::sin(0.5), 1e-6);
 }
@@ -360,29 +357,36 @@ TEST(GoalChecks, LittleOfAGoalMustStandInsideTheFieldEdge) {
   EXPECT_FALSE(goalIsPart(board.scene(), c, p));
 }
 
-TEST(GoalChecks, BetweenTwoRobotsMoreOfItMustShow) {
+TEST(GoalChecks, BetweenTwoRobotsAndAtAnImageBorderLessOfItNeedsToShow) {
   const Board board(cameraAt(16, 0, 0));
   const GoalParams p;
-  GoalCandidate c = wide(board.body.camera, p.minHiddenWidth - 2.0);
-  c.left.hidden = true;
-  EXPECT_TRUE(goalHasWidth(board.scene(), c, p));
-  c.right.hidden = true;
-  EXPECT_FALSE(goalHasWidth(board.scene(), c, p));
+  const auto kept = [&](double width, bool cut, bool hidden) {
+    GoalCandidate c = wide(board.body.camera, width);
+    c.left.cut = cut;
+    c.left.hidden = c.right.hidden = hidden;
+    return goalHasWidth(board.scene(), c, p);
+  };
+  EXPECT_FALSE(kept(p.minCutWidth + 1.0, false, false));
+  EXPECT_TRUE(kept(p.minCutWidth + 1.0, true, false));
+  EXPECT_FALSE(kept(p.minHiddenWidth + 1.0, true, false));
+  EXPECT_TRUE(kept(p.minHiddenWidth + 1.0, false, true));
+  EXPECT_FALSE(kept(p.minHiddenWidth - 1.0, false, true));
 }
 
-TEST(GoalChecks, MouthFacesTheFieldWithin80Degrees) {
+TEST(GoalChecks, MouthFacesTheFieldUpToItsLargestTurn) {
   const GoalParams p;
   const auto kept = [&p](double turnDegrees, bool valid = true) {
     return goalFacesField({valid, {0, 250}, turnDegrees / kDegrees, 0.0}, p);
   };
-  EXPECT_TRUE(kept(79));
-  EXPECT_TRUE(kept(-79));
-  EXPECT_FALSE(kept(81));
-  EXPECT_FALSE(kept(-81));
+  const double most = p.maxTurn.deg();
+  EXPECT_TRUE(kept(most - 1));
+  EXPECT_TRUE(kept(1 - most));
+  EXPECT_FALSE(kept(most + 1));
+  EXPECT_FALSE(kept(-1 - most));
   EXPECT_FALSE(kept(0, false));
   // Seen 45 deg to the right, square to the sight is a turn of -45.
   EXPECT_TRUE(goalFacesField({true, {200, 200}, -110 / kDegrees, 0.0}, p));
-  EXPECT_FALSE(goalFacesField({true, {200, 200}, 40 / kDegrees, 0.0}, p));
+  EXPECT_FALSE(goalFacesField({true, {200, 200}, 50 / kDegrees, 0.0}, p));
 }
 
 }  // namespace

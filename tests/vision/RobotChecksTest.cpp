@@ -17,7 +17,8 @@ struct EmptyScene {
   BodyState body = bodyOf(cameraAt(17, 0, -8));
   FixedVector<FieldEdgePercept, 3> edges;
   Lattice lattice{levelOf(body.camera)};
-  Scene scene{sampler, state->blobs, body, edges, lattice.level(), lattice, state->runs};
+  body::FieldDescription field = *body::fieldDescription("2006");
+  Scene scene{sampler, state->blobs, body, edges, lattice.level(), lattice, state->runs, field};
 };
 
 RobotPatch goodPatch() {
@@ -96,29 +97,30 @@ TEST(RobotChecks, SpecksNeedCarpetBehind) {
 TEST(RobotChecks, ShellRoundThePatch) {
   RobotPatch patch = goodPatch();
   EXPECT_TRUE(robotHasShell(patch, {}));
-  patch.shell = 0.05;
+  patch.shell = RobotParams{}.minShell - 0.01;
   EXPECT_FALSE(robotHasShell(patch, {}));
 }
 
-TEST(RobotChecks, FieldEdgeAndCarpetBehind) {
+TEST(RobotChecks, FootIsBelowTheFieldEdge) {
   EmptyScene empty;
   RobotPatch patch = goodPatch();
   EXPECT_TRUE(robotIsInsideFieldEdge(empty.scene, patch, {}));
-  patch.behind = 0.5;
-  EXPECT_FALSE(robotIsInsideFieldEdge(empty.scene, patch, {}));
-  patch.behind = 9;
-  empty.edges.push_back({85, 85});
+  const double row = patch.foot.pixel.y - RobotParams{}.minInsideFieldEdge;
+  empty.edges.push_back({row - 0.2, row - 0.2});
+  EXPECT_TRUE(robotIsInsideFieldEdge(empty.scene, patch, {}));
+  empty.edges[0] = {row + 0.2, row + 0.2};
   EXPECT_FALSE(robotIsInsideFieldEdge(empty.scene, patch, {}));
 }
 
-TEST(RobotChecks, StandsAHandsBreadthInsideTheCarpetsEdge) {
+TEST(RobotChecks, StandsAFootInsideTheCarpetsEdge) {
   const EmptyScene empty;
+  const double least = RobotParams{}.minCarpetBeyond;
   RobotPatch patch = goodPatch();
-  patch.beyond = 9;
+  patch.beyond = least - 1;
   EXPECT_FALSE(robotIsInsideFieldEdge(empty.scene, patch, {}));
-  patch.beyond = 11;
+  patch.beyond = least + 1;
   EXPECT_TRUE(robotIsInsideFieldEdge(empty.scene, patch, {}));
-  patch.beyond = 9;
+  patch.beyond = least - 1;
   patch.foot.end = FootEnd::imageBorder;  // its feet are nearer than what the border shows
   EXPECT_TRUE(robotIsInsideFieldEdge(empty.scene, patch, {}));
 }
@@ -140,17 +142,14 @@ TEST(RobotChecks, CarpetBeyondTheFootIsMeasuredAlongTheGround) {
 RobotFacts factsOfATrunk() {
   RobotFacts facts;
   facts.patches = 2;
-  facts.distance = 150;
-  facts.width = 10;
+  facts.samples = 20;
   facts.own = 0.95;
-  facts.shell = 0.8;
+  facts.meanIsOwn = 1;
   facts.patchWidth = 7;
   facts.patchHeight = 4;
   facts.heightOff = 3;
   facts.beyond = 90;
   facts.inside = 15;
-  facts.behind = 9;
-  facts.edges = 1;
   return facts;
 }
 
@@ -172,21 +171,17 @@ TEST(RobotDoubt, OneWeakFactDoesNotMakeATrunkDoubtful) {
 TEST(RobotDoubt, ASmallMixedPatchAtTheEdgeIsNoRobot) {
   RobotFacts facts = factsOfATrunk();
   facts.patches = 1;
-  facts.width = 2;
-  facts.own = 0.6;
+  facts.own = 0.5;
   facts.patchHeight = 2;
-  facts.beyond = 22;
-  facts.inside = 4;
+  facts.beyond = 12;
+  facts.inside = 2;
   EXPECT_GT(robotDoubt(facts), RobotParams{}.maxDoubt);
 }
 
-TEST(RobotDoubt, FeetCutOffCountAgainstANearRobotOnly) {
-  RobotFacts facts = factsOfATrunk();
-  facts.shell = 0.5;
+TEST(RobotDoubt, FeetCutOffCountAgainstARobot) {
+  const RobotFacts facts = factsOfATrunk();
   RobotFacts cut = facts;
   cut.footCut = 1;
-  EXPECT_EQ(robotDoubt(cut), robotDoubt(facts));
-  facts.distance = cut.distance = 80;
   EXPECT_GT(robotDoubt(cut), robotDoubt(facts));
 }
 
@@ -199,7 +194,6 @@ TEST(RobotDoubt, FactsAreThoseOfThePatch) {
   EXPECT_EQ(facts.patchWidth, 8 / 1.6);
   EXPECT_EQ(facts.patchHeight, 6 / 1.6);
   EXPECT_EQ(facts.heightOff, 6.0);
-  EXPECT_EQ(facts.behind, 30.0);
   EXPECT_EQ(facts.footCut, 1.0);
   EXPECT_EQ(facts.own, 1.0);
 }
@@ -248,15 +242,16 @@ TEST(RobotChecks, APatchCutByTheImageIsNoMeasure) {
 
 TEST(RobotChecks, ASpeckNeedsMoreShellAroundIt) {
   RobotPatch patch = goodPatch();
-  patch.shell = 0.15;
+  patch.shell = 0.5 * (RobotParams{}.minShell + RobotParams{}.minShellOfFew);
   EXPECT_TRUE(robotHasShell(patch, {}));
-  patch.samples = 3;
+  patch.samples = RobotParams{}.fewSamples - 1;
   EXPECT_FALSE(robotHasShell(patch, {}));
 }
 
 TEST(RobotChecks, ASpeckIsBelievedFarAwayOrBeforeMuchCarpet) {
+  const double few = RobotParams{}.fewSamples;
   RobotPatch patch = goodPatch();
-  patch.samples = 4;
+  patch.samples = few;
   patch.behind = 5;
   EXPECT_TRUE(robotIsNoSpeck(patch, {}));
   patch.distance = 59;
@@ -264,7 +259,7 @@ TEST(RobotChecks, ASpeckIsBelievedFarAwayOrBeforeMuchCarpet) {
   patch.behind = 6;
   EXPECT_TRUE(robotIsNoSpeck(patch, {}));
   patch.behind = 5;
-  patch.samples = 5;
+  patch.samples = few + 1;
   EXPECT_TRUE(robotIsNoSpeck(patch, {}));
 }
 

@@ -86,6 +86,9 @@ Status applyConfig(const ConfigOptions& options, agent::AgentConfig& config) {
     const auto field = body::fieldDescription(options.field);
     if (!field) return Error{field.error()};
     config.gps.field = *field;
+    config.vision.field = *field;
+    config.vision.goal.width = field->goalWidth;
+    config.vision.goal.depth = field->goalDepth;
   }
   if (!options.team.empty())
     config.team = options.team == "blue" ? TeamColour::blue : TeamColour::red;

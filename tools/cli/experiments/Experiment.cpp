@@ -86,7 +86,11 @@ std::vector<Experiment> ofSeeingAndPlaying() {
        "rendered random views with every artefact and spectators: recall, false percepts, errors "
        "of "
        "distance and heading by object and distance",
-       3000, objects},
+       6000, objects},
+      {"doubts",
+       "how well vision judges candidates for goals and robots: real ones lost against false ones "
+       "left, with its own curves and with curves learned from the same views",
+       6000, doubts},
       {"ring",
        "the ring learner on seeded sheets of six colours: largest error of F and of the centres, "
        "what is left on a white sheet, the simplex beside least squares, the genuine frames",

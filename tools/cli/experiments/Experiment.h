@@ -47,6 +47,7 @@ Expected<Json> pinkPatches(const ExperimentOptions& options);
 Expected<Json> obstaclesAhead(const ExperimentOptions& options);
 Expected<Json> robots(const ExperimentOptions& options);
 Expected<Json> projection(const ExperimentOptions& options);
+Expected<Json> doubts(const ExperimentOptions& options);
 Expected<Json> objects(const ExperimentOptions& options);
 Expected<Json> fieldEdge(const ExperimentOptions& options);
 Expected<Json> colour(const ExperimentOptions& options);

@@ -25,6 +25,23 @@ struct TrueObject {
 std::vector<TrueObject> trueObjects(const View& view, const body::FieldDescription& field,
                                     Visibility& visibility);
 
+// A percept of any of them.
+struct SeenObject {
+  ObjectKind kind = ObjectKind::ball;
+  LandmarkKind landmark = LandmarkKind::goalBlue;
+  TeamColour team = TeamColour::red;
+  double distance = 0.0;
+  Angle heading;
+};
+
+SeenObject seenObject(const LandmarkPercept& landmark);
+SeenObject seenObject(const RobotPercept& robot);
+std::vector<SeenObject> seenObjects(const Percepts& percepts);
+
+// Whether a percept is of the object; one that matches none is of nothing. A robot's team does not
+// count.
+bool matches(const SeenObject& percept, const TrueObject& object);
+
 // A free stretch of a goal's mouth as it really is, its ends as directions from the robot.
 struct TrueGap {
   LandmarkKind goal = LandmarkKind::goalBlue;

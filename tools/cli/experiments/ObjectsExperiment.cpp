@@ -21,15 +21,6 @@
 namespace kelpie::cli {
 namespace {
 
-// A percept farther than this from every object of its kind is of nothing.
-constexpr double kMatchHeadingDeg = 8.0;
-constexpr double kMatchGoalDeg = 15.0;
-constexpr double kMatchGoal = 40.0;  // cm, half a mouth: what is seen is within the goal
-constexpr double kMatchRobotDeg = 15.0;
-constexpr double kMatchShare = 0.4;   // of the distance
-constexpr double kMatchLeast = 15.0;  // cm
-constexpr double kMatchRobot = 25.0;  // cm, as long as a robot is
-
 struct Sums {
   int toSee = 0;
   int seen = 0;
@@ -79,44 +70,7 @@ const char* nameOf(ObjectKind kind) {
   return "";
 }
 
-struct Percept {
-  ObjectKind kind;
-  LandmarkKind landmark;
-  TeamColour team;
-  double distance;
-  Angle heading;
-};
-
-std::vector<Percept> perceptsOf(const Percepts& seen) {
-  std::vector<Percept> all;
-  if (seen.ball.present)
-    all.push_back({ObjectKind::ball, {}, {}, seen.ball.distance, seen.ball.heading});
-  for (const auto& l : seen.landmarks)
-    all.push_back({l.kind <= LandmarkKind::goalYellow ? ObjectKind::goal : ObjectKind::beacon,
-                   l.kind,
-                   {},
-                   l.distance,
-                   l.heading});
-  for (const auto& r : seen.robots)
-    all.push_back({ObjectKind::robot, {}, r.team, r.distance, r.heading});
-  return all;
-}
-
-double headingLimit(ObjectKind kind, double distance) {
-  if (kind == ObjectKind::goal)
-    return std::fmax(kMatchGoalDeg, Angle::rad(std::atan2(kMatchGoal, distance)).deg());
-  return kind == ObjectKind::robot ? kMatchRobotDeg : kMatchHeadingDeg;
-}
-
-double offDeg(const Percept& p, const TrueObject& o) { return (p.heading - o.heading).deg(); }
-
-bool matches(const Percept& p, const TrueObject& o) {
-  if (p.kind != o.kind || p.landmark != o.landmark || !o.inView) return false;
-  const double least = p.kind == ObjectKind::robot ? kMatchRobot : kMatchLeast;
-  const double allowed = std::fmax(kMatchShare * o.distance, least);
-  return std::fabs(offDeg(p, o)) <= headingLimit(p.kind, o.distance) &&
-         std::fabs(p.distance - o.distance) <= allowed;
-}
+double offDeg(const SeenObject& p, const TrueObject& o) { return (p.heading - o.heading).deg(); }
 
 constexpr int kMostPictures = 80;
 
@@ -148,7 +102,7 @@ class Score {
   void add(const View& view, const body::FieldDescription& field,
            const std::vector<TrueObject>& objects, const Percepts& seen) {
     ++views_;
-    const auto percepts = perceptsOf(seen);
+    const auto percepts = seenObjects(seen);
     faults_.clear();
     for (const auto& object : objects) judge(object, percepts);
     for (const auto& p : percepts) {
@@ -194,12 +148,12 @@ class Score {
   }
 
  private:
-  void judge(const TrueObject& object, const std::vector<Percept>& percepts) {
+  void judge(const TrueObject& object, const std::vector<SeenObject>& percepts) {
     const auto band = bandOf(object);
     if (!band || !object.toSee) return;
     Sums& sums = sums_[*band];
     ++sums.toSee;
-    const Percept* best = nullptr;
+    const SeenObject* best = nullptr;
     for (const auto& p : percepts)
       if (matches(p, object) &&
           (best == nullptr || std::fabs(offDeg(p, object)) < std::fabs(offDeg(*best, object))))
