@@ -44,6 +44,9 @@ TEST(RingLearner, FindsACentreForEachChannel) {
   for (std::size_t c = 0; c < 3; ++c) {
     EXPECT_NEAR(fit->model.centre[c].column, truth.centre[c].column, 1.0);
     EXPECT_NEAR(fit->model.centre[c].row, truth.centre[c].row, 1.0);
+    // As it is used: a half pixel would be rounded away from the truth.
+    EXPECT_EQ(fit->channel[c].centre[0], fit->model.centre[c].column);
+    EXPECT_EQ(fit->channel[c].centre[1], fit->model.centre[c].row);
   }
   EXPECT_LT(worstError(fit->model, truth), 1.0);
 }

@@ -178,8 +178,8 @@ bool allowed(const Centre& c) {
          std::fabs(c[1] - kImageCentre[1]) <= vision::kMostOffCentre;
 }
 
-// Pattern search: four neighbours at 4, 2, 1 px; the cost has one valley. Whole pixels, as the model
-// has them: a half found by chance is rounded a pixel away, which costs Y 1.7 levels in a corner.
+// Pattern search: four neighbours at 4, 2, 1 px; the cost has one valley. Whole pixels, as the
+// model has them: a half one is rounded a pixel away, which costs Y 1.7 levels in a corner.
 Centre findCentre(const std::vector<Sheet>& sheets, std::size_t channel, double priorShare) {
   const auto all = observe(sheets, channel, kImageCentre, kSearchEvery);
   const auto first = solve(all, static_cast<Index>(sheets.size()), channel, priorShare);
