@@ -17,16 +17,10 @@ bool usable(const LandmarkPercept& p) {
          p.distanceVariance > 0.0 && std::isfinite(p.headingVariance) && p.headingVariance > 0.0;
 }
 
-const body::Landmark* find(const LandmarkMap& map, LandmarkKind kind) {
-  const auto it = std::find_if(map.begin(), map.end(),
-                               [kind](const body::Landmark& l) { return l.kind == kind; });
-  return it == map.end() ? nullptr : it;
-}
-
 std::optional<Refusal> refusal(const LandmarkPercept& percept, const LandmarkMap& map,
                                const GpsParams& params) {
   if (!usable(percept)) return Refusal::landmarkNotFinite;
-  const body::Landmark* landmark = find(map, percept.kind);
+  const body::Landmark* landmark = body::findLandmark(map, percept.kind);
   if (landmark == nullptr) return Refusal::landmarkUnknown;
   const double maxSd = params.gates.maxHeadingSd.rad();
   if (percept.headingVariance > maxSd * maxSd) return Refusal::headingUncertain;
@@ -55,7 +49,7 @@ std::optional<Measurement> measurement(const LandmarkPercept& percept, const Lan
   const bool goal = isGoal(percept.kind);
   const double farthest = goal ? gates.goalMaxDistance : gates.beaconMaxDistance;
   Measurement m;
-  m.landmark = find(map, percept.kind)->position;
+  m.landmark = body::findLandmark(map, percept.kind)->position;
   m.leastAway = goal ? gates.goalLineShare * params.field.length : 0.0;
   m.distance = percept.distance;
   m.heading = percept.heading;

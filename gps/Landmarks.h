@@ -33,7 +33,7 @@ inline bool seenObliquely(const PoseMode& mode, const Measurement& m) {
 // What is left of a goal for a mode that would see it obliquely: roughly where it is.
 Measurement headingOnly(const Measurement& measurement, const LandmarkGates& gates);
 
-using LandmarkMap = FixedVector<body::Landmark, kLandmarkKindCount>;
+using body::LandmarkMap;
 
 std::optional<Measurement> measurement(const LandmarkPercept& percept, const LandmarkMap& map,
                                        const GpsParams& params, GpsState& state);

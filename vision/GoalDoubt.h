@@ -52,7 +52,7 @@ struct GoalFacts {
 GoalFacts goalFacts(const Scene& scene, const GoalCandidate& c, const GoalShape& shape,
                     const Landmarks& beacons, const GoalParams& p);
 
-// Natural log of the odds that it is no goal, up to a constant (learned from candidates of 72 000
+// Natural log of the odds that it is no goal, up to a constant (learned from candidates of 60 000
 // rendered views: kelpie evaluate doubts).
 double goalDoubt(const GoalFacts& facts);
 

@@ -171,6 +171,7 @@ struct Likeliest {
   bool found = false;
   GoalCandidate candidate;
   GoalShape shape;
+  LandmarkPercept percept;
   double doubt = 0.0;
 };
 
@@ -189,10 +190,11 @@ struct Finder {
     if (!goalFacesField(shape, params)) return refuse(counts, Refusal::goalAslant);
     const GoalFacts facts = goalFacts(scene, c, shape, beacons, params);
     const double doubt = goalDoubt(facts);
-    judged.push_back({perceptOf(scene, c, shape, params), facts, doubt});
+    const LandmarkPercept percept = perceptOf(scene, c, shape, params);
+    judged.push_back({percept, facts, doubt});
     if (doubt > params.maxDoubt) return refuse(counts, Refusal::goalDoubtful);
     if (best.found && best.candidate.colour != c.colour) refuse(counts, Refusal::goalOpposite);
-    if (!best.found || doubt < best.doubt) best = {true, c, shape, doubt};
+    if (!best.found || doubt < best.doubt) best = {true, c, shape, percept, doubt};
   }
 };
 
@@ -313,7 +315,7 @@ void findGoals(const Scene& scene, const GoalParams& params, VisionCounts& count
     }
   }
   if (!best.found) return;
-  landmarks.push_back(perceptOf(scene, best.candidate, best.shape, params));
+  landmarks.push_back(best.percept);
   findGaps(scene, best.candidate, best.shape, params, gaps);
 }
 

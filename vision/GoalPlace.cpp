@@ -24,9 +24,7 @@ struct GroundLine {
 
 std::optional<GroundLine> groundLine(const Scene& scene, const FieldEdgePercept& e) {
   const CameraPose& camera = scene.body.camera;
-  const auto at = [&](double x) {
-    return body::groundPoint(camera, {x, e.atLeft + (e.atRight - e.atLeft) * x / kImageWidth});
-  };
+  const auto at = [&](double x) { return body::groundPoint(camera, {x, edgeRow(e, x)}); };
   const auto left = at(0.25 * kImageWidth);
   const auto right = at(0.75 * kImageWidth);
   if (!left || !right) return std::nullopt;
@@ -38,16 +36,12 @@ std::optional<GroundLine> groundLine(const Scene& scene, const FieldEdgePercept&
   return away >= 0.0 ? GroundLine{normal, away} : GroundLine{normal * -1.0, -away};
 }
 
-double rowAt(const FieldEdgePercept& e, double x) {
-  return e.atLeft + (e.atRight - e.atLeft) * x / kImageWidth;
-}
-
 // The edge below the goal, which counts as the one that it stands on.
 const FieldEdgePercept* edgeBelow(const Scene& scene, const GoalCandidate& c) {
   const double x = scene.level.toImage({c.box.middle(), c.box.bottom}).x;
   const FieldEdgePercept* lowest = nullptr;
   for (const FieldEdgePercept& e : scene.fieldEdges)
-    if (lowest == nullptr || rowAt(e, x) > rowAt(*lowest, x)) lowest = &e;
+    if (lowest == nullptr || edgeRow(e, x) > edgeRow(*lowest, x)) lowest = &e;
   return lowest;
 }
 
@@ -69,15 +63,8 @@ void judgeEdges(const Scene& scene, const GoalCandidate& c, const GoalShape& sha
     facts.fromEdge = maths::clamp(line->away - ahead - p.depth, -kFar, kFar);
     facts.edgeAside = std::fabs(dot({line->normal.y, -line->normal.x}, shape.middle));
     const Vec mouth{maths::cos(shape.turn), maths::sin(shape.turn)};
-    facts.edgeTurn =
-        std::fabs(Angle::rad(maths::asin(maths::clamp(dot(line->normal, mouth), -1.0, 1.0))).deg());
+    facts.edgeTurn = std::fabs(Angle::rad(maths::asin(dot(line->normal, mouth))).deg());
   }
-}
-
-const body::Landmark* landmarkOf(const Scene& scene, LandmarkKind kind) {
-  for (const body::Landmark& landmark : scene.field.landmarks)
-    if (landmark.kind == kind) return &landmark;
-  return nullptr;
 }
 
 // cm outside the carpet.
@@ -89,8 +76,8 @@ double outsideOf(const body::FieldDescription& f, Point2<Field> p) {
 // Goal and beacon together place the camera.
 void judgeBeacon(const Scene& scene, LandmarkKind kind, const GoalShape& shape,
                  const LandmarkPercept& beacon, GoalFacts& facts) {
-  const body::Landmark* goal = landmarkOf(scene, kind);
-  const body::Landmark* known = landmarkOf(scene, beacon.kind);
+  const body::Landmark* goal = body::findLandmark(scene.field.landmarks, kind);
+  const body::Landmark* known = body::findLandmark(scene.field.landmarks, beacon.kind);
   if (goal == nullptr || known == nullptr) return;
   const Point3<Robot>& eye = scene.body.camera.position;
   const Vec seen = robotPolar(beacon.distance, beacon.heading) - Vec{eye.x, eye.y} - shape.middle;

@@ -3,10 +3,33 @@
 // (kelpie evaluate doubts). Facts are taken as independent.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 
 namespace kelpie::vision {
+
+// Where a value lies among rising knots: the one at or below it, and its share of the way to the
+// next. Outside them it lies on the first or the last.
+struct KnotPlace {
+  std::size_t knot = 0;
+  double share = 0.0;
+};
+
+template <typename Knots>
+KnotPlace placeAmong(const Knots& at, double value) {
+  if (at.empty() || !(value > at.front())) return {};
+  if (value >= at.back()) return {at.size() - 1, 0.0};
+  const auto next = std::upper_bound(at.begin(), at.end(), value);
+  const auto knot = static_cast<std::size_t>(next - at.begin()) - 1;
+  return {knot, (value - at[knot]) / (at[knot + 1] - at[knot])};
+}
+
+template <typename Values>
+double valueAt(const Values& values, KnotPlace place) {
+  const double below = values[place.knot];
+  return place.share > 0.0 ? below + place.share * (values[place.knot + 1] - below) : below;
+}
 
 // Straight between six values of the fact, constant below and above them. A fact of fewer values
 // repeats the last.
@@ -18,14 +41,7 @@ struct Curve {
   std::array<double, kKnots> logOdds;
 
   double operator()(const Facts& facts) const {
-    const double value = facts.*fact;
-    if (!(value > at[0])) return logOdds[0];
-    for (std::size_t i = 1; i < kKnots; ++i) {
-      if (value >= at[i]) continue;
-      const double share = (value - at[i - 1]) / (at[i] - at[i - 1]);
-      return logOdds[i - 1] + share * (logOdds[i] - logOdds[i - 1]);
-    }
-    return logOdds[kKnots - 1];
+    return valueAt(logOdds, placeAmong(at, facts.*fact));
   }
 };
 

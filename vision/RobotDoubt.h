@@ -33,7 +33,7 @@ struct RobotFacts {
   }
 };
 
-// Natural log of the odds that it is no robot, up to a constant (learned from candidates of 72 000
+// Natural log of the odds that it is no robot, up to a constant (learned from candidates of 60 000
 // rendered views: kelpie evaluate doubts).
 double robotDoubt(const RobotFacts& facts);
 

@@ -205,8 +205,7 @@ bool robotPatchIsSolid(const RobotPatch& patch) {
 // Before carpet that goes on behind it, other colours near a patch are the background's.
 bool robotPatchIsPure(const RobotPatch& patch, const RobotParams& p) {
   if (patch.behind >= p.sureCarpetBehind) return true;
-  return patch.meanIsOwn && robotPatchIsSolid(patch) && patch.own >= p.minOwnShare &&
-         patch.foreign <= p.doubtfulForeignShare;
+  return patch.meanIsOwn && robotPatchIsSolid(patch) && patch.foreign <= p.doubtfulForeignShare;
 }
 
 bool robotPatchIsClean(const RobotPatch& patch, const RobotParams& p) {
@@ -215,7 +214,7 @@ bool robotPatchIsClean(const RobotPatch& patch, const RobotParams& p) {
 
 bool robotPatchTellsDistance(const RobotPatch& patch, const RobotParams& p) {
   return patch.foot.end != FootEnd::hidden && patch.samples >= p.partSamples &&
-         patch.own >= p.minOwnShare && patch.height >= p.minHeight && patch.height <= p.maxHeight &&
+         patch.height >= p.minHeight && patch.height <= p.maxHeight &&
          patch.extent.width() <= p.maxPatchWidth * patch.scale + 2.0;
 }
 

@@ -28,11 +28,15 @@ inline double horizonRow(const Scene& scene, double x) {
   return h.atLeft + (h.atRight - h.atLeft) * x / kImageWidth;
 }
 
+inline double edgeRow(const FieldEdgePercept& e, double x) {
+  return e.atLeft + (e.atRight - e.atLeft) * x / kImageWidth;
+}
+
 // The carpet is convex, so of several edges the lowest counts. Above the image without any.
 inline double fieldEdgeRow(const FixedVector<FieldEdgePercept, 3>& edges, double x) {
   double row = -1e6;
   for (const FieldEdgePercept& e : edges) {
-    const double here = e.atLeft + (e.atRight - e.atLeft) * x / kImageWidth;
+    const double here = edgeRow(e, x);
     row = here > row ? here : row;
   }
   return row;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robot/body/FieldDescription.h"
 
+#include <algorithm>
 #include <string>
 
 namespace kelpie::body {
@@ -102,8 +103,13 @@ Expected<FieldDescription> fieldDescription(std::string_view name) {
   return Error{"no field '" + std::string(name) + "'; there are 2006, osaka2005 and 2004"};
 }
 
-FixedVector<Landmark, kLandmarkKindCount> landmarksFor(const FieldDescription& field,
-                                                       TeamColour team) {
+const Landmark* findLandmark(const LandmarkMap& map, LandmarkKind kind) {
+  const auto it =
+      std::find_if(map.begin(), map.end(), [kind](const Landmark& l) { return l.kind == kind; });
+  return it == map.end() ? nullptr : it;
+}
+
+LandmarkMap landmarksFor(const FieldDescription& field, TeamColour team) {
   auto landmarks = field.landmarks;
   if (team == TeamColour::red) return landmarks;
   for (auto& landmark : landmarks)

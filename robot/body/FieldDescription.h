@@ -78,8 +78,12 @@ struct FieldDescription {
 // "2006", "osaka2005" or "2004"; an error names the three for anything else.
 Expected<FieldDescription> fieldDescription(std::string_view name);
 
+using LandmarkMap = FixedVector<Landmark, kLandmarkKindCount>;
+
+// Nothing when the map has none of the kind.
+const Landmark* findLandmark(const LandmarkMap& map, LandmarkKind kind);
+
 // The landmarks with coordinates for the given team: the blue team's field is turned by 180 deg.
-FixedVector<Landmark, kLandmarkKindCount> landmarksFor(const FieldDescription& field,
-                                                       TeamColour team);
+LandmarkMap landmarksFor(const FieldDescription& field, TeamColour team);
 
 }  // namespace kelpie::body

@@ -7,10 +7,13 @@
 #include <iterator>
 #include <map>
 
+#include "vision/LogOdds.h"
+
 namespace kelpie::calibrate {
 namespace {
 
 using Eigen::Index;
+using vision::KnotPlace;
 
 // How much of the examples has a value, both kinds counting half: the positive ones are few.
 using Masses = std::map<double, double>;
@@ -57,21 +60,8 @@ std::vector<double> knotsOf(const std::vector<CurveExample>& examples, std::size
   return knots;
 }
 
-// The hat functions of one fact: its two knots and the share of the upper one.
-struct Place {
-  std::size_t knot = 0;
-  double share = 0.0;
-};
-
-Place placeOf(const std::vector<double>& at, double value) {
-  if (at.size() < 2 || !(value > at.front())) return {};
-  if (value >= at.back()) return {at.size() - 2, 1.0};
-  const auto next = std::upper_bound(at.begin(), at.end(), value);
-  const auto knot = static_cast<std::size_t>(next - at.begin()) - 1;
-  return {knot, (value - at[knot]) / (at[knot + 1] - at[knot])};
-}
-
-// Two entries for each fact, then the constant.
+// A row for each example: the hat functions of each fact, of which two are not 0, then the
+// constant.
 class Design {
  public:
   Design(const std::vector<CurveExample>& examples, const std::vector<FittedCurve>& curves)
@@ -93,7 +83,7 @@ class Design {
   void fill(std::size_t example) {
     const auto row = static_cast<Index>(example);
     for (std::size_t k = 0; k < curves_.size(); ++k) {
-      const Place place = placeOf(curves_[k].at, examples_[example].facts[k]);
+      const KnotPlace place = vision::placeAmong(curves_[k].at, examples_[example].facts[k]);
       const Index column = first_[k] + static_cast<Index>(place.knot);
       rows_(row, column) += 1.0 - place.share;
       if (place.share > 0.0) rows_(row, column + 1) += place.share;
@@ -153,10 +143,7 @@ void centre(const std::vector<CurveExample>& examples, CurveFit& fit) {
 }  // namespace
 
 double FittedCurve::operator()(double value) const {
-  if (at.empty()) return 0.0;
-  const Place place = placeOf(at, value);
-  const std::size_t above = std::min(place.knot + 1, at.size() - 1);
-  return (1.0 - place.share) * logOdds[place.knot] + place.share * logOdds[above];
+  return at.empty() ? 0.0 : vision::valueAt(logOdds, vision::placeAmong(at, value));
 }
 
 double CurveFit::operator()(const std::vector<double>& facts) const {

@@ -4,14 +4,13 @@
 // view judged by what the others taught. The learned curves are what GoalDoubt and RobotDoubt hold.
 #include <algorithm>
 #include <cmath>
-#include <memory>
 
-#include "robot/body/Camera.h"
 #include "robot/core/Fields.h"
 #include "tools/calibrate/CurveFit.h"
 #include "tools/cli/experiments/Experiment.h"
+#include "tools/cli/experiments/Looks.h"
 #include "tools/cli/experiments/Objects.h"
-#include "vision/Vision.h"
+#include "vision/VisionParams.h"
 
 namespace kelpie::cli {
 namespace {
@@ -125,21 +124,15 @@ Expected<Json> doubts(const ExperimentOptions& options) {
   if (!field) return Error{field.error()};
   ViewParams params;
   params.field = *field;
-  auto maker = std::make_unique<ViewMaker>(params, options.seed);
   Visibility visibility;
-  auto state = std::make_unique<vision::VisionState>();
   const vision::VisionParams vision;
   Judgements goals{namesOf<vision::GoalFacts>(), 80, 500, vision.goal.maxDoubt, {}, {}, {}};
   Judgements robots{namesOf<vision::RobotFacts>(), 30, 200, vision.robot.maxDoubt, {}, {}, {}};
-  for (int i = 0; i < options.trials; ++i) {
-    const View& view = maker->next();
-    const BodyState body = body::step(view.input, {});
-    vision::step({view.input, body}, vision, *state);
-    const auto objects = trueObjects(view, *field, visibility);
-    add(state->judged.goals, objects, i, goals);
-    add(state->judged.robots, objects, i, robots);
-    if (options.progress) options.progress(i + 1, options.trials);
-  }
+  lookAtViews(params, options, [&](const Look& look) {
+    const auto objects = trueObjects(look.view, *field, visibility);
+    add(look.judged.goals, objects, look.number, goals);
+    add(look.judged.robots, objects, look.number, robots);
+  });
   return Json{{"experiment", "doubts"},
               {"trials", options.trials},
               {"seed", options.seed},

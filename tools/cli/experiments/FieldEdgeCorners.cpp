@@ -23,17 +23,13 @@ constexpr int kViewsPerCorner = 40;  // drawn at most
 
 using Edges = FixedVector<FieldEdgePercept, 3>;
 
-double rowOf(const FieldEdgePercept& edge, double x) {
-  return edge.atLeft + (edge.atRight - edge.atLeft) * x / kImageWidth;
-}
-
 // Largest row error of an edge where a border is in sight.
 double worstError(const EdgeTruth& truth, int border, const FieldEdgePercept& edge) {
   double worst = 0.0;
   for (int x = 0; x < kImageWidth; ++x) {
     const EdgeColumn& column = truth.column[static_cast<std::size_t>(x)];
     if (column.border == border && !column.hidden)
-      worst = std::fmax(worst, std::fabs(rowOf(edge, x + 0.5) - column.row));
+      worst = std::fmax(worst, std::fabs(vision::edgeRow(edge, x + 0.5) - column.row));
   }
   return worst;
 }
@@ -62,7 +58,7 @@ double meetingError(const FieldEdgePercept& a, const FieldEdgePercept& b, PixelP
   const double slopes = (b.atRight - b.atLeft) - (a.atRight - a.atLeft);
   if (slopes == 0.0) return 1e3;
   const double x = kImageWidth * (a.atLeft - b.atLeft) / slopes;
-  return maths::hypot(x - truth.x, rowOf(a, x) - truth.y);
+  return maths::hypot(x - truth.x, vision::edgeRow(a, x) - truth.y);
 }
 
 struct Tally {

@@ -3,14 +3,13 @@
 // thrown away as lying beyond it; corners of the carpet; the horizon beside it.
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <optional>
 
 #include "robot/body/Camera.h"
 #include "tools/cli/experiments/FieldEdgeParts.h"
 #include "tools/cli/experiments/FieldEdgeTruth.h"
+#include "tools/cli/experiments/Looks.h"
 #include "vision/Scene.h"
-#include "vision/Vision.h"
 
 namespace kelpie::cli {
 namespace {
@@ -168,19 +167,13 @@ Json figures(const Tally& t) {
 Json fieldEdgeViews(const ExperimentOptions& options) {
   ViewParams params;
   params.field = *body::fieldDescription("2006");
-  ViewMaker maker(params, options.seed);
-  const auto state = std::make_unique<vision::VisionState>();
   Random random(options.seed);
   Tally tally;
-  for (int trial = 0; trial < options.trials; ++trial) {
-    const View& view = maker.next();
-    const BodyState body = body::step(view.input, {});
-    const Percepts seen = vision::step({view.input, body}, {}, *state);
-    judge(edgeTruth(view), seen.fieldEdges, tally);
-    judgeBalls(view, seen.fieldEdges, random, tally);
-    judgeHorizon(view, body.horizon, tally);
-    if (options.progress) options.progress(trial + 1, options.trials);
-  }
+  lookAtViews(params, options, [&](const Look& look) {
+    judge(edgeTruth(look.view), look.seen.fieldEdges, tally);
+    judgeBalls(look.view, look.seen.fieldEdges, random, tally);
+    judgeHorizon(look.view, look.body.horizon, tally);
+  });
   return figures(tally);
 }
 

@@ -7,16 +7,14 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <memory>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "robot/body/Camera.h"
 #include "tools/cli/Draw.h"
 #include "tools/cli/experiments/Experiment.h"
+#include "tools/cli/experiments/Looks.h"
 #include "tools/cli/experiments/Objects.h"
 #include "vision/Refusal.h"
-#include "vision/Vision.h"
 
 namespace kelpie::cli {
 namespace {
@@ -75,12 +73,12 @@ double offDeg(const SeenObject& p, const TrueObject& o) { return (p.heading - o.
 constexpr int kMostPictures = 80;
 
 // The image with the percepts and, in words, what is wrong with them and what was refused.
-void keepPicture(const std::string& folder, int number, const View& view, const BodyState& body,
-                 const Percepts& seen, const std::vector<std::string>& faults) {
+void keepPicture(const std::string& folder, const Look& look,
+                 const std::vector<std::string>& faults) {
   FrameOutput output;
-  output.body = body;
-  output.percepts = seen;
-  cv::Mat picture = drawCamera(view.input, output, 4);
+  output.body = look.body;
+  output.percepts = look.seen;
+  cv::Mat picture = drawCamera(look.view.input, output, 4);
   int row = 16;
   for (const auto& fault : faults) {
     cv::putText(picture, fault, {4, row}, cv::FONT_HERSHEY_SIMPLEX, 0.5, {0, 0, 255}, 1,
@@ -89,12 +87,12 @@ void keepPicture(const std::string& folder, int number, const View& view, const 
   }
   std::string refusals;
   for (std::size_t i = 0; i < vision::kRefusalCount; ++i)
-    if (seen.counts.refused[i] > 0)
-      refusals += fmt::format("{} {}  ", vision::kRefusalNames[i], seen.counts.refused[i]);
+    if (look.seen.counts.refused[i] > 0)
+      refusals += fmt::format("{} {}  ", vision::kRefusalNames[i], look.seen.counts.refused[i]);
   for (std::size_t at = 0; at < refusals.size(); at += 95, row += 16)
     cv::putText(picture, refusals.substr(at, 95), {4, row}, cv::FONT_HERSHEY_SIMPLEX, 0.45,
                 {255, 255, 255}, 1, cv::LINE_AA);
-  cv::imwrite(fmt::format("{}/view{:05}.png", folder, number), picture);
+  cv::imwrite(fmt::format("{}/view{:05}.png", folder, look.number), picture);
 }
 
 class Score {
@@ -256,21 +254,14 @@ Expected<Json> objects(const ExperimentOptions& options) {
   if (!field) return Error{field.error()};
   ViewParams params;
   params.field = *field;
-  auto maker = std::make_unique<ViewMaker>(params, options.seed);
   Visibility visibility;
-  auto state = std::make_unique<vision::VisionState>();
-  const vision::VisionParams visionParams;
   Score score;
   int pictures = 0;
-  for (int i = 0; i < options.trials; ++i) {
-    const View& view = maker->next();
-    const BodyState body = body::step(view.input, {});
-    const Percepts seen = vision::step({view.input, body}, visionParams, *state);
-    score.add(view, *field, trueObjects(view, *field, visibility), seen);
+  lookAtViews(params, options, [&](const Look& look) {
+    score.add(look.view, *field, trueObjects(look.view, *field, visibility), look.seen);
     if (!options.pictures.empty() && !score.faults().empty() && pictures++ < kMostPictures)
-      keepPicture(options.pictures, i, view, body, seen, score.faults());
-    if (options.progress) options.progress(i + 1, options.trials);
-  }
+      keepPicture(options.pictures, look, score.faults());
+  });
   Json json{{"experiment", "objects"}, {"trials", options.trials}, {"seed", options.seed}};
   json.update(score.figures());
   return json;

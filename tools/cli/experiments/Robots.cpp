@@ -3,12 +3,10 @@
 // and what it takes for a robot that is none.
 #include <array>
 #include <cmath>
-#include <memory>
 
-#include "robot/body/Camera.h"
 #include "tools/cli/experiments/Experiment.h"
+#include "tools/cli/experiments/Looks.h"
 #include "tools/cli/experiments/SeenRobots.h"
-#include "vision/Vision.h"
 
 namespace kelpie::cli {
 namespace {
@@ -128,17 +126,11 @@ Json figures(const Tally& tally, const ExperimentOptions& options) {
 Expected<Json> robots(const ExperimentOptions& options) {
   ViewParams params;
   params.field = *body::fieldDescription("2006");
-  ViewMaker maker(params, options.seed);
-  const auto state = std::make_unique<vision::VisionState>();
   Tally tally;
-  for (int trial = 0; trial < options.trials; ++trial) {
-    const View& view = maker.next();
-    const BodyState body = body::step(view.input, {});
-    const Percepts percepts = vision::step({view.input, body}, {}, *state);
-    judge(percepts, seenRobots(view), tally);
+  lookAtViews(params, options, [&tally](const Look& look) {
+    judge(look.seen, seenRobots(look.view), tally);
     ++tally.views;
-    if (options.progress) options.progress(trial + 1, options.trials);
-  }
+  });
   return figures(tally, options);
 }
 
