@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "robot/agent/LoggedTypes.h"
 #include "robot/core/LogReader.h"
 #include "robot/core/LogTopics.h"
 #include "robot/core/PlaneFrame.h"

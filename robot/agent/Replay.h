@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "robot/agent/FrameLoop.h"
+#include "robot/agent/LoggedTypes.h"
 #include "robot/agent/MotionLoop.h"
 #include "robot/core/LogReader.h"
 #include "robot/core/LogTopics.h"

@@ -7,7 +7,7 @@
 #include "gps/Modes.h"
 #include "gps/Predict.h"
 #include "gps/Update.h"
-#include "tools/cli/experiments/SimulatedRobot.h"
+#include "tools/experiments/SimulatedRobot.h"
 
 namespace kelpie::gps {
 namespace {

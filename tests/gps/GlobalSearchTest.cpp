@@ -5,12 +5,12 @@
 #include "gps/GlobalSearch.h"
 #include "gps/LineMap.h"
 #include "gps/Symmetry.h"
-#include "tools/cli/experiments/StandingRobot.h"
+#include "tools/experiments/StandingRobot.h"
 
 namespace kelpie::gps {
 namespace {
 
-int framesUntilServed(cli::StandingRobot& robot, WorldModel& world, int most) {
+int framesUntilServed(experiments::StandingRobot& robot, WorldModel& world, int most) {
   for (int i = 0; i < most; ++i) {
     robot.look(false);
     world = robot.step();
@@ -22,19 +22,19 @@ int framesUntilServed(cli::StandingRobot& robot, WorldModel& world, int most) {
 TEST(GlobalSearch, FindsThePoseOrItsTwinFromNowhere) {
   int found = 0;
   for (std::uint64_t seed = 500; seed < 510; ++seed) {
-    cli::StandingRobot robot(seed);
+    experiments::StandingRobot robot(seed);
     robot.input.lastCommand.localise = true;
     WorldModel world;
     if (framesUntilServed(robot, world, 400) < 0) continue;
-    const bool here = cli::standingError(world.pose, robot.truth).within(20, 10);
-    const bool twin = cli::standingError(world.pose, robot.twin()).within(20, 10);
+    const bool here = experiments::standingError(world.pose, robot.truth).within(20, 10);
+    const bool twin = experiments::standingError(world.pose, robot.twin()).within(20, 10);
     found += here || twin ? 1 : 0;
   }
   EXPECT_GE(found, 8);
 }
 
 TEST(GlobalSearch, EveryModeHasItsTwinOfTheSameWeight) {
-  cli::StandingRobot robot(500);
+  experiments::StandingRobot robot(500);
   robot.input.lastCommand.localise = true;
   WorldModel world;
   ASSERT_GT(framesUntilServed(robot, world, 400), 0);
@@ -45,7 +45,7 @@ TEST(GlobalSearch, EveryModeHasItsTwinOfTheSameWeight) {
 }
 
 TEST(GlobalSearch, TakesManyFramesAndAnswersOnceForOneRequest) {
-  cli::StandingRobot robot(500);
+  experiments::StandingRobot robot(500);
   robot.input.lastCommand.localise = true;
   WorldModel world;
   const int frames = framesUntilServed(robot, world, 400);
@@ -62,7 +62,7 @@ TEST(GlobalSearch, TakesManyFramesAndAnswersOnceForOneRequest) {
 }
 
 TEST(GlobalSearch, BeginsByItselfWhenLostAndOnlyWhileStanding) {
-  cli::StandingRobot robot(501);
+  experiments::StandingRobot robot(501);
   for (int i = 0; i < 200; ++i) {
     robot.look(false);
     robot.input.odometry.forward = 0.5;
@@ -78,7 +78,7 @@ TEST(GlobalSearch, BeginsByItselfWhenLostAndOnlyWhileStanding) {
 }
 
 TEST(GlobalSearch, AMoveDropsWhatWasBegun) {
-  cli::StandingRobot robot(502);
+  experiments::StandingRobot robot(502);
   robot.input.lastCommand.localise = true;
   for (int i = 0; i < 400 && robot.state->search.next < 20; ++i) {
     robot.look(false);

@@ -5,7 +5,7 @@
 
 #include "robot/core/FieldCheck.h"
 #include "tests/core/SpoiltValue.h"
-#include "tools/cli/experiments/SimulatedRobot.h"
+#include "tools/experiments/SimulatedRobot.h"
 
 namespace kelpie::gps {
 namespace {

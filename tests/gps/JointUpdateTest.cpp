@@ -5,7 +5,7 @@
 #include "gps/JointUpdate.h"
 #include "gps/Modes.h"
 #include "gps/Update.h"
-#include "tools/cli/experiments/SimulatedRobot.h"
+#include "tools/experiments/SimulatedRobot.h"
 
 namespace kelpie::gps {
 namespace {

@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "gps/LineMap.h"
-#include "tools/cli/experiments/SimulatedRobot.h"
+#include "tools/experiments/SimulatedRobot.h"
 
 namespace kelpie::gps {
 namespace {

@@ -8,7 +8,7 @@
 #include "gps/MatchTable.h"
 #include "gps/Modes.h"
 #include "tests/gps/Field2006.h"
-#include "tools/cli/experiments/SimulatedRobot.h"
+#include "tools/experiments/SimulatedRobot.h"
 
 namespace kelpie::gps {
 namespace {

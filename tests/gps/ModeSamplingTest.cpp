@@ -4,7 +4,7 @@
 
 #include "gps/ModeSampling.h"
 #include "gps/Modes.h"
-#include "tools/cli/experiments/SimulatedRobot.h"
+#include "tools/experiments/SimulatedRobot.h"
 
 namespace kelpie::gps {
 namespace {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "gps/Modes.h"
-#include "tools/cli/experiments/SimulatedRobot.h"
+#include "tools/experiments/SimulatedRobot.h"
 
 namespace kelpie::gps {
 namespace {

@@ -6,7 +6,7 @@
 #include "gps/OnField.h"
 #include "gps/Team.h"
 #include "gps/TeamBall.h"
-#include "tools/cli/experiments/SimulatedRobot.h"
+#include "tools/experiments/SimulatedRobot.h"
 
 namespace kelpie::gps {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "gps/PinkMap.h"
 #include "gps/PinkUpdate.h"
-#include "tools/cli/experiments/SimulatedRobot.h"
+#include "tools/experiments/SimulatedRobot.h"
 
 namespace kelpie::gps {
 namespace {

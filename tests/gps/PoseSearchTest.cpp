@@ -8,7 +8,7 @@
 
 #include "gps/PoseSearch.h"
 #include "gps/Survey.h"
-#include "tools/cli/experiments/SimulatedRobot.h"
+#include "tools/experiments/SimulatedRobot.h"
 
 namespace kelpie::gps {
 namespace {

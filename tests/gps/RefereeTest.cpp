@@ -4,7 +4,7 @@
 
 #include "gps/BallMotion.h"
 #include "gps/DropIn.h"
-#include "tools/cli/experiments/SimulatedRobot.h"
+#include "tools/experiments/SimulatedRobot.h"
 
 namespace kelpie::gps {
 namespace {

@@ -2,12 +2,12 @@
 // What a walking robot's body and legs do when something holds it, and with weak legs.
 #include <gtest/gtest.h>
 
-#include "tools/cli/experiments/WalkingBody.h"
+#include "tools/experiments/WalkingBody.h"
 
 namespace kelpie::sim {
 namespace {
 
-using cli::WalkingBody;
+using experiments::WalkingBody;
 
 struct Walk {
   double cm = 0.0;       // true way

@@ -3,9 +3,9 @@
 // its two constants an object to these very data. `kelpie evaluate distances` prints the figures.
 #include <gtest/gtest.h>
 
-#include "tools/cli/experiments/DistanceData.h"
+#include "tools/experiments/DistanceData.h"
 
-namespace kelpie::cli {
+namespace kelpie::experiments {
 namespace {
 
 class DistanceData : public ::testing::Test {
@@ -70,4 +70,4 @@ TEST_F(DistanceData, FocalLengthOf201FitsNoWorseThanTheTeamsConstants) {
 }
 
 }  // namespace
-}  // namespace kelpie::cli
+}  // namespace kelpie::experiments

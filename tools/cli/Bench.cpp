@@ -7,8 +7,8 @@
 #include "robot/agent/Replay.h"
 #include "tools/cli/Commands.h"
 #include "tools/cli/Config.h"
+#include "tools/cli/Figures.h"
 #include "tools/cli/WholeFile.h"
-#include "tools/cli/experiments/Experiment.h"
 
 namespace kelpie::cli {
 namespace {

@@ -7,6 +7,7 @@
 #include "tools/calibrate/Shift.h"
 #include "tools/cli/Calibrate.h"
 #include "tools/cli/Commands.h"
+#include "tools/cli/WholeFile.h"
 
 namespace kelpie::cli {
 namespace {

@@ -4,13 +4,10 @@
 #pragma once
 
 #include <CLI/App.hpp>
-#include <string>
+
+#include "tools/cli/Terminal.h"
 
 namespace kelpie::cli {
-
-constexpr int kDone = 0;
-constexpr int kCheckFailed = 1;
-constexpr int kBadInput = 2;
 
 void addPlay(CLI::App& app, int& code);
 void addReplay(CLI::App& app, int& code);
@@ -22,14 +19,5 @@ void addEvaluate(CLI::App& app, int& code);
 void addFilm(CLI::App& app, int& code);
 void addBench(CLI::App& app, int& code);
 void addCalibrate(CLI::App& app, int& code);
-
-// Prints "kelpie: message" to standard error and returns `code`.
-int complain(const std::string& message, int code);
-// Whether progress may be drawn: standard error is a terminal.
-bool onTerminal();
-// Whether writeWhole may succeed: asked before minutes of work.
-bool canWrite(const std::string& path);
-// Writes a file whole or not at all; "-" is standard output, a device is written into.
-bool writeWhole(const std::string& path, const std::string& text);
 
 }  // namespace kelpie::cli

@@ -7,6 +7,7 @@
 
 #include "robot/agent/AgentConfig.h"
 #include "robot/agent/LogSink.h"
+#include "robot/agent/LoggedTypes.h"
 #include "robot/core/LogReader.h"
 #include "robot/core/LogWriter.h"
 

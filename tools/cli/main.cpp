@@ -1,61 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // kelpie: play, replay, look at, measure.
-#include <fmt/core.h>
-#include <unistd.h>
-
 #include <CLI/CLI.hpp>
-#include <cstdio>
 #include <exception>
-#include <filesystem>
 
 #include "tools/cli/Commands.h"
 #include "tools/cli/Process.h"
 #include "tools/cli/Usage.h"
-#include "tools/cli/WholeFile.h"
-
-namespace kelpie::cli {
-
-int complain(const std::string& message, int code) {
-  fmt::print(stderr, "kelpie: {}\n", message);
-  return code;
-}
-
-bool onTerminal() { return isatty(STDERR_FILENO) != 0; }
-
-namespace {
-
-bool writeInto(const std::string& path, const std::string& text) {
-  std::FILE* file = std::fopen(path.c_str(), "wb");
-  if (file == nullptr) return false;
-  const bool written = std::fwrite(text.data(), 1, text.size(), file) == text.size();
-  return std::fclose(file) == 0 && written;
-}
-
-}  // namespace
-
-bool canWrite(const std::string& path) {
-  if (path == "-") return true;
-  std::error_code error;
-  if (std::filesystem::is_directory(path, error)) return false;
-  if (isDevice(path)) return access(path.c_str(), W_OK) == 0;
-  const auto cut = path.rfind('/');
-  const std::string folder = cut == std::string::npos ? "." : path.substr(0, cut + 1);
-  return !path.empty() && access(folder.c_str(), W_OK | X_OK) == 0;
-}
-
-bool writeWhole(const std::string& path, const std::string& text) {
-  if (path == "-") return std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
-  if (isDevice(path)) return writeInto(path, text);
-  const std::string part = path + ".part";
-  std::FILE* file = std::fopen(part.c_str(), "wb");
-  if (file == nullptr) return false;
-  const bool written = std::fwrite(text.data(), 1, text.size(), file) == text.size();
-  const bool closed = std::fclose(file) == 0;
-  const Status whole = written && closed ? Status(Done{}) : Error{path};
-  return putInPlace(whole, part, path).ok();
-}
-
-}  // namespace kelpie::cli
 
 int main(int argc, char** argv) {
   kelpie::cli::useTargetMaths(argv);

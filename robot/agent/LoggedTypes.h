@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// Schema, encoding and decoding of the messages of an agent's log, compiled once in
+// LoggedTypes.cpp: the field list of AgentConfig alone takes the compiler 10 s wherever it is taken
+// apart. Whoever reads or writes such logs includes this.
+#pragma once
+
+#include "robot/agent/AgentConfig.h"
+#include "robot/core/Encoding.h"
+#include "robot/core/FrameInput.h"
+#include "robot/core/FrameOutput.h"
+#include "robot/core/Motion.h"
+#include "robot/core/PlaneFrame.h"
+
+namespace kelpie {
+
+extern template std::string schemaText<agent::AgentConfig>();
+extern template std::size_t encodedSize(const agent::AgentConfig&);
+extern template void encode(const agent::AgentConfig&, std::vector<std::uint8_t>&);
+extern template bool decode(const std::uint8_t*, std::size_t, agent::AgentConfig&);
+
+extern template std::string schemaText<FrameInput>();
+extern template std::size_t encodedSize(const FrameInput&);
+extern template void encode(const FrameInput&, std::vector<std::uint8_t>&);
+extern template bool decode(const std::uint8_t*, std::size_t, FrameInput&);
+
+extern template std::string schemaText<PlaneFrame>();
+extern template std::size_t encodedSize(const PlaneFrame&);
+extern template void encode(const PlaneFrame&, std::vector<std::uint8_t>&);
+extern template bool decode(const std::uint8_t*, std::size_t, PlaneFrame&);
+
+extern template std::string schemaText<FrameOutput>();
+extern template std::size_t encodedSize(const FrameOutput&);
+extern template void encode(const FrameOutput&, std::vector<std::uint8_t>&);
+extern template bool decode(const std::uint8_t*, std::size_t, FrameOutput&);
+
+extern template std::string schemaText<MotionInput>();
+extern template std::size_t encodedSize(const MotionInput&);
+extern template void encode(const MotionInput&, std::vector<std::uint8_t>&);
+extern template bool decode(const std::uint8_t*, std::size_t, MotionInput&);
+
+extern template std::string schemaText<MotionOutput>();
+extern template std::size_t encodedSize(const MotionOutput&);
+extern template void encode(const MotionOutput&, std::vector<std::uint8_t>&);
+extern template bool decode(const std::uint8_t*, std::size_t, MotionOutput&);
+
+}  // namespace kelpie

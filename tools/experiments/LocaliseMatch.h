@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+// One robot against an empty goal in one process, from pixels to joints, every camera artefact on
+// and the timing of a real match (sensors every 32 ms, images every 1/30 s, two command vectors in
+// flight). After each image a watcher gets what the agent read and believed beside the truth of the
+// same instant; the agent itself never sees the truth. The match goes on for ever: after a goal the
+// ball lies anywhere, so that the robot gets everywhere.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "robot/agent/AgentLoops.h"
+#include "robot/core/Random.h"
+#include "tools/sim/World.h"
+
+namespace kelpie::experiments {
+
+struct WatchedFrame {
+  const FrameInput& input;
+  const FrameOutput& output;
+  Pose2 truth;   // in the middle of the exposure: the time of the input
+  Pose2 before;  // the truth of the frame before
+};
+
+class LocaliseMatch : private agent::LogSink {
+ public:
+  using Watcher = std::function<void(const WatchedFrame&)>;
+
+  // `scripts`: folder of behaviours. The config's field is the world's.
+  LocaliseMatch(const agent::AgentConfig& config, const std::string& scripts, std::uint64_t seed);
+
+  // Plays until that time; an error tells that the script broke.
+  Status play(double seconds, const Watcher& watch);
+  // The GameController halts play (PlayState::set) or lets it go on.
+  void halt(bool halted) { halted_ = halted; }
+  sim::World& world() { return *world_; }
+
+ private:
+  void frame(const FrameInput& input, const FrameOutput& output) override;
+  void sense();
+  void see(TimeUs now);
+  void replaceBall();
+  void send(const std::array<JointFrame, kTicksPerMessage>& joints, bool lowGain);
+
+  body::FieldDescription field_;
+  std::unique_ptr<sim::World> world_;
+  std::unique_ptr<agent::AgentLoops> loops_;
+  std::unique_ptr<Image> image_ = std::make_unique<Image>();
+  Random random_;  // of the ball's places
+  MotionInput motion_;
+  Watcher watch_;
+  Pose2 before_;
+  bool seen_ = false;
+  bool halted_ = false;
+  std::string trouble_;
+};
+
+}  // namespace kelpie::experiments

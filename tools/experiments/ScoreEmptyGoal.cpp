@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+// The spine's own measure: from pixels to joints to a goal. Every trial is a match of its own seed
+// (seed, seed + 1, ...), which draws start pose, ball, slip, noise and the robot's colour shift.
+#include <algorithm>
+#include <atomic>
+#include <mutex>
+#include <thread>
+
+#include "tools/cli/Session.h"
+#include "tools/experiments/Experiment.h"
+
+namespace kelpie::experiments {
+namespace {
+
+constexpr double kLimit = 60.0;  // simulated seconds
+
+struct Trials {
+  std::vector<cli::SessionResult> results;
+  std::string error;  // of the first trial that broke
+};
+
+Trials playAll(const ExperimentOptions& options, int trials) {
+  Trials all;
+  all.results.resize(static_cast<std::size_t>(trials));
+  std::atomic<int> next{0};
+  std::atomic<int> done{0};
+  std::mutex mutex;
+  const auto worker = [&] {
+    for (int i = next++; i < trials; i = next++) {
+      cli::SessionOptions session;
+      session.seed = options.seed + static_cast<std::uint64_t>(i);
+      session.seconds = kLimit;
+      const cli::SessionResult result = cli::runSession(session, {});
+      const std::lock_guard<std::mutex> lock(mutex);
+      all.results[static_cast<std::size_t>(i)] = result;
+      if (!result.trouble.empty() && all.error.empty())
+        all.error = "seed " + std::to_string(session.seed) + ": " + result.trouble;
+      if (options.progress) options.progress(++done, trials);
+    }
+  };
+  std::vector<std::thread> workers;
+  for (unsigned i = 0; i < std::max(1U, std::thread::hardware_concurrency()); ++i)
+    workers.emplace_back(worker);
+  for (auto& thread : workers) thread.join();
+  return all;
+}
+
+}  // namespace
+
+Expected<Json> scoreEmptyGoal(const ExperimentOptions& options) {
+  const Trials all = playAll(options, options.trials);
+  if (!all.error.empty()) return Error{all.error};
+  std::vector<double> times;
+  Json trials = Json::array();
+  int scored = 0;
+  int ownGoals = 0;
+  for (std::size_t i = 0; i < all.results.size(); ++i) {
+    const auto& result = all.results[i];
+    const bool goal = result.goals > 0 && result.firstGoal <= kLimit;
+    scored += goal ? 1 : 0;
+    ownGoals += result.ownGoals;
+    times.push_back(goal ? result.firstGoal : kLimit);
+    trials.push_back({{"seed", options.seed + i},
+                      {"goal", goal ? 1 : 0},
+                      {"seconds_s", times.back()},
+                      {"outs", result.outs}});
+  }
+  return Json{{"experiment", "score-empty-goal"},
+              {"trials", options.trials},
+              {"seed", options.seed},
+              {"goals_rate", static_cast<double>(scored) / options.trials},
+              {"median_s", percentile(times, 0.5)},
+              {"p90_s", percentile(times, 0.9)},
+              {"own_goals", ownGoals},
+              {"each", trials}};
+}
+
+}  // namespace kelpie::experiments

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+// Scrums: a robot that plays is held, pushed and turned for some seconds while it walks on, again
+// and again. Localisers with and without awareness of being stuck, with and without a pause of the
+// lines, with lines and landmarks in one update or two, listen to the same matches.
+#pragma once
+
+#include "tools/experiments/Experiment.h"
+
+namespace kelpie::experiments {
+
+// For each localiser: error and standard deviation when the scrum ends, seconds from then until the
+// error is below 30 cm for good (until the next scrum).
+Expected<Json> scrums(const ExperimentOptions& options);
+
+}  // namespace kelpie::experiments

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+// A seeded random view of a field: what the robot's camera and joints deliver, and beside it what
+// really was there. Every artefact is on: ring effect, colour shift of the robot, noise, blur,
+// columns exposed one after the other while head and body turn, errors of the joints' sensors;
+// people and things in the ball's and the goals' colours stand beyond the carpet.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "robot/body/FieldDescription.h"
+#include "robot/core/FrameInput.h"
+#include "tools/sim/Camera.h"
+
+namespace kelpie::experiments {
+
+enum class ViewTarget { ball, landmark, robot, anywhere };
+
+struct ViewParams {
+  body::FieldDescription field;
+  sim::CameraParams camera;
+  bool crowd = true;
+  bool ball = true;
+  int maxRobots = 4;
+  double headTurning = 0.5;  // share of views in which the head turns
+  double bodyTurning = 0.3;
+};
+
+// Truth: for judging what vision says, never for vision.
+struct View {
+  ViewTarget target = ViewTarget::anywhere;
+  Pose2 pose;         // in the middle of the exposure
+  CameraPose camera;  // the same
+  sim::ColumnCameras columns;
+  Point2<Field> ball;
+  std::vector<sim::RobotLook> robots;
+  sim::Scene scene;
+  sim::ColourShift shift;
+  FrameInput input;  // what the agent gets
+};
+
+// Draws one view after the other; the same seed gives the same views. Keeps a crowd for 25 of them.
+class ViewMaker {
+ public:
+  ViewMaker(const ViewParams& params, std::uint64_t seed);
+
+  const View& next();
+
+ private:
+  void placeThings();
+  void placeRobots();
+  void lookAt(Point3<Field> target);
+  void turnAndRender();
+
+  ViewParams params_;
+  Random random_;
+  int made_ = 0;
+  JointAngles joints_;
+  Stance stance_;
+  View view_;
+};
+
+}  // namespace kelpie::experiments
