@@ -10,18 +10,15 @@ FrameLoop::FrameLoop(const AgentConfig& config, const std::string& scripts)
   gps::prepare(config_.gps, gps_);
 }
 
-const FrameOutput& FrameLoop::step(const FrameInput& input, StageObserver& observer) {
+void FrameLoop::sense(const FrameInput& input, StageObserver& observer) {
   output_.frame = input.frame;
   output_.time = input.time;
-
   observer.begin(Stage::body);
   output_.body = body::step(input, config_.body);
   observer.end(Stage::body);
+}
 
-  observer.begin(Stage::vision);
-  output_.percepts = vision::step({input, output_.body}, config_.vision, vision_);
-  observer.end(Stage::vision);
-
+void FrameLoop::decide(const FrameInput& input, StageObserver& observer) {
   observer.begin(Stage::gps);
   output_.world = gps::step({input, output_.percepts}, config_.gps, gps_);
   observer.end(Stage::gps);
@@ -30,6 +27,22 @@ const FrameOutput& FrameLoop::step(const FrameInput& input, StageObserver& obser
   output_.command =
       behaviour::step({input, output_.percepts, output_.world}, config_.behaviour, behaviour_);
   observer.end(Stage::behaviour);
+}
+
+const FrameOutput& FrameLoop::step(const FrameInput& input, StageObserver& observer) {
+  sense(input, observer);
+  observer.begin(Stage::vision);
+  output_.percepts = vision::step({input, output_.body}, config_.vision, vision_);
+  observer.end(Stage::vision);
+  decide(input, observer);
+  return output_;
+}
+
+const FrameOutput& FrameLoop::stepFrom(const Percepts& seen, const FrameInput& input,
+                                       StageObserver& observer) {
+  sense(input, observer);
+  output_.percepts = seen;
+  decide(input, observer);
   return output_;
 }
 

@@ -23,10 +23,16 @@ class FrameLoop {
 
   // The result stays valid until the next step.
   const FrameOutput& step(const FrameInput& input, StageObserver& observer);
+  // The same without vision: goes on from what it made of an image that is no longer there.
+  const FrameOutput& stepFrom(const Percepts& seen, const FrameInput& input,
+                              StageObserver& observer);
 
   const std::string& scriptError() const { return behaviour_.lastError(); }
 
  private:
+  void sense(const FrameInput& input, StageObserver& observer);
+  void decide(const FrameInput& input, StageObserver& observer);
+
   AgentConfig config_;
   vision::VisionState vision_;
   gps::GpsState gps_;

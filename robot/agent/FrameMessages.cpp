@@ -8,11 +8,21 @@
 namespace kelpie::agent {
 
 bool isFrameInput(const std::string& topic) {
-  return topic == kFrameInputTopic || topic == kPlaneFrameTopic;
+  return topic == kFrameInputTopic || topic == kPlaneFrameTopic || topic == kPictureFrameTopic;
 }
 
-Status decodeFrameInput(const LogMessage& message, FrameInput& input) {
-  if (message.topic() != kPlaneFrameTopic) return decodeAs(message, input);
+namespace {
+
+Status decodePictureFrame(const LogMessage& message, FrameInput& input) {
+  const auto frame = std::make_unique<PictureFrame>();
+  const Status read = decodeAs(message, *frame);
+  if (!read) return read;
+  frame->image = input.image;
+  input = *frame;
+  return Done{};
+}
+
+Status decodePlaneFrame(const LogMessage& message, FrameInput& input) {
   const auto frame = std::make_unique<PlaneFrame>();
   const Status read = decodeAs(message, *frame);
   if (!read) return read;
@@ -24,6 +34,14 @@ Status decodeFrameInput(const LogMessage& message, FrameInput& input) {
   vision::imageOf(plane, frame->image);
   input = *frame;
   return Done{};
+}
+
+}  // namespace
+
+Status decodeFrameInput(const LogMessage& message, FrameInput& input) {
+  if (message.topic() == kPlaneFrameTopic) return decodePlaneFrame(message, input);
+  if (message.topic() == kPictureFrameTopic) return decodePictureFrame(message, input);
+  return decodeAs(message, input);
 }
 
 }  // namespace kelpie::agent

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A frame's input as a log holds it: with the image, or with a class plane from which an image is
-// made again (robot/core/PlaneFrame.h, vision/PlaneImage.h).
+// A frame's input as a log holds it: with the image, with a class plane from which an image is made
+// again (robot/core/PlaneFrame.h, vision/PlaneImage.h), or with a picture for people only
+// (robot/core/PictureFrame.h).
 #pragma once
 
 #include <string>
@@ -13,7 +14,7 @@
 namespace kelpie::agent {
 
 bool isFrameInput(const std::string& topic);
-// An error names topic and byte.
+// An error names topic and byte. Of a picture frame the image is left as it was.
 Status decodeFrameInput(const LogMessage& message, FrameInput& input);
 
 }  // namespace kelpie::agent

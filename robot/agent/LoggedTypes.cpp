@@ -18,6 +18,11 @@ template std::size_t encodedSize(const PlaneFrame&);
 template void encode(const PlaneFrame&, std::vector<std::uint8_t>&);
 template bool decode(const std::uint8_t*, std::size_t, PlaneFrame&);
 
+template std::string schemaText<PictureFrame>();
+template std::size_t encodedSize(const PictureFrame&);
+template void encode(const PictureFrame&, std::vector<std::uint8_t>&);
+template bool decode(const std::uint8_t*, std::size_t, PictureFrame&);
+
 template std::string schemaText<FrameOutput>();
 template std::size_t encodedSize(const FrameOutput&);
 template void encode(const FrameOutput&, std::vector<std::uint8_t>&);

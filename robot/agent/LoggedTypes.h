@@ -9,6 +9,7 @@
 #include "robot/core/FrameInput.h"
 #include "robot/core/FrameOutput.h"
 #include "robot/core/Motion.h"
+#include "robot/core/PictureFrame.h"
 #include "robot/core/PlaneFrame.h"
 
 namespace kelpie {
@@ -27,6 +28,11 @@ extern template std::string schemaText<PlaneFrame>();
 extern template std::size_t encodedSize(const PlaneFrame&);
 extern template void encode(const PlaneFrame&, std::vector<std::uint8_t>&);
 extern template bool decode(const std::uint8_t*, std::size_t, PlaneFrame&);
+
+extern template std::string schemaText<PictureFrame>();
+extern template std::size_t encodedSize(const PictureFrame&);
+extern template void encode(const PictureFrame&, std::vector<std::uint8_t>&);
+extern template bool decode(const std::uint8_t*, std::size_t, PictureFrame&);
 
 extern template std::string schemaText<FrameOutput>();
 extern template std::size_t encodedSize(const FrameOutput&);

@@ -50,16 +50,26 @@ class Player {
   Status frameIn(const LogMessage& message) {
     const Status read = decodeFrameInput(message, input_);
     if (!read) return read;
+    withoutImage_ = message.topic() == kPictureFrameTopic;
+    if (!withoutImage_) step();
+    return Done{};
+  }
+  // Runs the stages on input_, from the recorded percepts when the image was not kept.
+  void step() {
     observer_.beginFrame();
-    frameOutput_ = &frameLoop_->step(input_, observer_);
+    frameOutput_ = withoutImage_ ? &frameLoop_->stepFrom(recordedFrame_.percepts, input_, observer_)
+                                 : &frameLoop_->step(input_, observer_);
     observer_.endFrame();
     ++result_.frames;
+    result_.framesFromPercepts += withoutImage_ ? 1 : 0;
+    withoutImage_ = false;
     if (options_.onFrame) options_.onFrame(input_, *frameOutput_);
-    return Done{};
   }
   Status frameOut(const LogMessage& message) {
     const Status read = decodeAs(message, recordedFrame_);
-    if (!read || frameOutput_ == nullptr) return read;
+    if (!read) return read;
+    if (withoutImage_) step();
+    if (frameOutput_ == nullptr) return read;
     compare("frame " + std::to_string(input_.frame), recordedFrame_, *frameOutput_);
     frameOutput_ = nullptr;
     return Done{};
@@ -96,6 +106,7 @@ class Player {
   std::unique_ptr<MotionLoop> motionLoop_;
   FrameInput input_;
   MotionInput motionInput_;
+  bool withoutImage_ = false;  // input_ waits for its recorded percepts
   FrameOutput recordedFrame_;
   MotionOutput recordedMotion_;
   const FrameOutput* frameOutput_ = nullptr;    // made, not yet compared

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Runs the loops again on the inputs of a log and compares every output with the recorded one, bit
-// for bit. The same code on the PC and on the emulated target.
+// for bit. A frame whose image was not kept goes on from its recorded percepts: everything but
+// vision runs again. The same code on the PC and on the emulated target.
 #pragma once
 
 #include <cstdint>
@@ -28,6 +29,7 @@ struct ReplayOptions {
 
 struct ReplayResult {
   std::uint32_t frames = 0;
+  std::uint32_t framesFromPercepts = 0;  // of these, those whose image was not kept
   std::uint32_t motionSteps = 0;
   std::uint32_t compared = 0;  // outputs found in the log and compared
   std::uint32_t differing = 0;

@@ -4,6 +4,8 @@
 #pragma once
 
 #include <cstdint>
+#include <tuple>
+#include <type_traits>
 
 #include "robot/core/Command.h"
 #include "robot/core/Image.h"
@@ -69,5 +71,28 @@ struct FrameInput {
         field("team", &FrameInput::team), field("image", &FrameInput::image));
   }
 };
+
+namespace detail {
+
+template <class Struct, class Member>
+constexpr auto unlessImage(FieldOf<Struct, Member> f) {
+  if constexpr (std::is_same_v<Member, Image>) {
+    return std::tuple<>();
+  } else {
+    return std::make_tuple(f);
+  }
+}
+
+}  // namespace detail
+
+// The field list of a message that has something else in place of the image.
+template <class Fields, class Instead>
+constexpr auto withoutImage(Fields fields, Instead instead) {
+  return std::apply(
+      [instead](auto... fs) {
+        return std::tuple_cat(detail::unlessImage(fs)..., std::make_tuple(instead));
+      },
+      fields);
+}
 
 }  // namespace kelpie

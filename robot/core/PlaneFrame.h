@@ -7,9 +7,6 @@
 // byte n - 16 for n = 16..271; longer runs follow each other.
 #pragma once
 
-#include <tuple>
-#include <type_traits>
-
 #include "robot/core/Expected.h"
 #include "robot/core/FixedVector.h"
 #include "robot/core/FrameInput.h"
@@ -27,30 +24,12 @@ void encodePlane(const ClassNumbers& plane, PlaneCode& code);
 // `plane` then holds nothing of use.
 Status decodePlane(const PlaneCode& code, std::uint8_t classes, ClassNumbers& plane);
 
-namespace detail {
-
-template <class Struct, class Member>
-constexpr auto unlessImage(FieldOf<Struct, Member> f) {
-  if constexpr (std::is_same_v<Member, Image>) {
-    return std::tuple<>();
-  } else {
-    return std::make_tuple(f);
-  }
-}
-
-}  // namespace detail
-
 // Its image is not part of the message.
 struct PlaneFrame : FrameInput {
   PlaneCode plane;
 
   static constexpr auto fields() {
-    return std::apply(
-        [](auto... fs) {
-          return std::tuple_cat(detail::unlessImage(fs)...,
-                                fieldList(field("plane", &PlaneFrame::plane)));
-        },
-        FrameInput::fields());
+    return withoutImage(FrameInput::fields(), field("plane", &PlaneFrame::plane));
   }
 };
 

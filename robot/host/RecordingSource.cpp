@@ -24,6 +24,9 @@ Expected<bool> RecordingSource::next(WorldEvent& event) {
     if (message.topic() == kPlaneFrameTopic)
       return Error{log_ + ": holds class planes, no images of a camera that OPEN-R could give; " +
                    "kelpie replay reads them"};
+    if (message.topic() == kPictureFrameTopic)
+      return Error{log_ + ": holds pictures in place of images; record with --images all to go " +
+                   "through OPEN-R again, or use kelpie replay"};
     if (!sensors && message.topic() != kFrameInputTopic) continue;
     const Status taken = sensors ? takeSensors(message, event) : takeImage(message, event);
     if (!taken) return Error{log_ + ": " + taken.error()};

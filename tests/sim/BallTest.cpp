@@ -102,7 +102,8 @@ TEST(Referee, MatchEndsAtTheGoalLimitAndAtTheTimeLimit) {
   ball.position.y = 550;
   referee.tick({16000}, ball);
   EXPECT_TRUE(referee.finished());
-  EXPECT_DOUBLE_EQ(*referee.score().firstRedGoal, 0.008);
+  ASSERT_EQ(referee.score().goals.size(), 1U);
+  EXPECT_DOUBLE_EQ(referee.score().goals[0].time, 0.008);
   Referee timed(params, field);
   Ball still{{180, 270}, {}};
   timed.tick({10000000}, still);

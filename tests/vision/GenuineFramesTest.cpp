@@ -6,9 +6,9 @@
 #include <array>
 #include <cmath>
 #include <memory>
-#include <opencv2/imgcodecs.hpp>
 
 #include "tests/vision/Painting.h"
+#include "tools/picture/PngFile.h"
 #include "vision/ClassPicture.h"
 #include "vision/TableFile.h"
 #include "vision/Vision.h"
@@ -42,7 +42,8 @@ void writePicture(const ClassPlane& plane, const std::string& path) {
       picture.at<cv::Vec3b>(y, x) = {c.b, c.g, c.r};
     }
   }
-  EXPECT_TRUE(cv::imwrite(path, picture)) << path;
+  const Status written = picture::writePng(path, picture);
+  EXPECT_TRUE(written) << written.error();
 }
 
 using Shares = std::array<double, kColourClassCount>;

@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <opencv2/imgcodecs.hpp>
-#include <opencv2/imgproc.hpp>
 
 #include "robot/core/FrameInput.h"
 #include "robot/core/LogReader.h"
 #include "robot/core/LogTopics.h"
+#include "tools/picture/CameraPicture.h"
+#include "tools/picture/PngFile.h"
 
 namespace kelpie::calibrate {
 namespace {
@@ -58,21 +58,13 @@ Image fromRows(const std::vector<std::uint8_t>& bytes) {
 }
 
 Expected<Image> fromPicture(const std::string& path) {
-  const cv::Mat picture = cv::imread(path, cv::IMREAD_COLOR);
-  if (picture.empty()) return Error{path + ": not a picture that can be read"};
-  if (picture.cols != kImageWidth || picture.rows != kImageHeight)
-    return Error{
-        sized(path, std::to_string(picture.cols) + " x " + std::to_string(picture.rows) + " pixels",
-              "208 x 160")};
-  cv::Mat converted;
-  cv::cvtColor(picture, converted, cv::COLOR_BGR2YCrCb);
-  Image image;
-  for (int y = 0; y < kImageHeight; ++y)
-    for (int x = 0; x < kImageWidth; ++x) {
-      const auto pixel = converted.at<cv::Vec3b>(y, x);
-      image.set(x, y, {pixel[0], pixel[1], pixel[2]});
-    }
-  return image;
+  const auto picture = picture::readPng(path);
+  if (!picture) return Error{picture.error()};
+  if (picture->cols != kImageWidth || picture->rows != kImageHeight)
+    return Error{sized(
+        path, std::to_string(picture->cols) + " x " + std::to_string(picture->rows) + " pixels",
+        "208 x 160")};
+  return picture::imageOf(*picture);
 }
 
 bool isImage(const fs::path& path) {
@@ -147,16 +139,7 @@ Expected<std::vector<NamedImage>> readImages(const std::string& path, std::size_
 }
 
 Status writePicture(const Image& image, const std::string& path) {
-  cv::Mat planes(kImageHeight, kImageWidth, CV_8UC3);
-  for (int y = 0; y < kImageHeight; ++y)
-    for (int x = 0; x < kImageWidth; ++x) {
-      const Yuv p = image.pixel(x, y);
-      planes.at<cv::Vec3b>(y, x) = {p.y, p.cr, p.cb};
-    }
-  cv::Mat picture;
-  cv::cvtColor(planes, picture, cv::COLOR_YCrCb2BGR);
-  if (!cv::imwrite(path, picture)) return Error{path + ": cannot be written"};
-  return Done{};
+  return picture::writePng(path, picture::pictureOf(image));
 }
 
 }  // namespace kelpie::calibrate

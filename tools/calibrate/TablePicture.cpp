@@ -2,10 +2,9 @@
 #include "tools/calibrate/TablePicture.h"
 
 #include <filesystem>
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "tools/calibrate/PngFile.h"
+#include "tools/picture/PngFile.h"
 
 namespace kelpie::calibrate {
 namespace {
@@ -39,7 +38,7 @@ Status writeTablePicture(const vision::ColourTable& table, const std::string& pa
   cv::Mat picture(kSlices / kAcross * (kSize + kTitle) + kGap, kAcross * (kSize + kGap) + kGap,
                   CV_8UC3, cv::Scalar(235, 235, 235));
   for (int slice = 0; slice < kSlices; ++slice) drawSlice(picture, table, slice);
-  return writePng(path, picture);
+  return picture::writePng(path, picture);
 }
 
 }  // namespace kelpie::calibrate

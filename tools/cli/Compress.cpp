@@ -55,7 +55,7 @@ class Compressor {
   }
   Status frame(const LogMessage& message) {
     if (!loop_) return Error{message.topic() + " comes before " + kConfigTopic};
-    const Status read = agent::decodeFrameInput(message, *frame_);
+    const Status read = decodeForPeople(message, *frame_);
     if (!read) return read;
     vision::ClassPlane plane{};
     vision::classifyWhole(frame_->image, *calibration_, plane);

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
+#include "tools/picture/CameraPicture.h"
+
 namespace kelpie::cli {
 namespace {
 
@@ -171,20 +173,9 @@ cv::Scalar inkFor(LinePointKind kind) {
   }
 }
 
-cv::Mat colourPicture(const Image& image) {
-  const auto plane = [](const Image::Plane& p) {
-    return cv::Mat(kImageHeight, kImageWidth, CV_8UC1, const_cast<std::uint8_t*>(p.data()));
-  };
-  cv::Mat joined;
-  cv::merge(std::vector<cv::Mat>{plane(image.y), plane(image.cr), plane(image.cb)}, joined);
-  cv::Mat bgr;
-  cv::cvtColor(joined, bgr, cv::COLOR_YCrCb2BGR);
-  return bgr;
-}
-
 cv::Mat drawCamera(const FrameInput& input, const FrameOutput& output, int scale) {
   cv::Mat picture;
-  cv::resize(colourPicture(input.image), picture, {}, scale, scale, cv::INTER_NEAREST);
+  cv::resize(picture::pictureOf(input.image), picture, {}, scale, scale, cv::INTER_NEAREST);
   drawLine(picture, output.body.horizon.atLeft, output.body.horizon.atRight, scale, kGrey);
   for (const auto& edge : output.percepts.fieldEdges)
     drawLine(picture, edge.atLeft, edge.atRight, scale, kRed);

@@ -55,8 +55,6 @@ cv::Scalar inkFor(LandmarkKind kind);
 cv::Scalar inkFor(TeamColour team);
 cv::Scalar inkFor(LinePointKind kind);
 
-// The image in colours that a screen shows, one pixel a pixel.
-cv::Mat colourPicture(const Image& image);
 // Everything that vision found, over the image.
 cv::Mat drawCamera(const FrameInput& input, const FrameOutput& output, int scale);
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Figures of experiments and benchmarks: plain numbers under snake_case keys that end in their unit.
+// Figures of experiments and benchmarks: plain numbers under snake_case keys that end in their
+// unit.
 #pragma once
 
 #include <nlohmann/json.hpp>

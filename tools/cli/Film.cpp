@@ -6,23 +6,27 @@
 #include <filesystem>
 #include <memory>
 #include <opencv2/imgproc.hpp>
-#include <opencv2/videoio.hpp>
 
-#include "tools/calibrate/PngFile.h"
 #include "tools/cli/Commands.h"
 #include "tools/cli/Describe.h"
 #include "tools/cli/Draw.h"
 #include "tools/cli/Match.h"
+#include "tools/cli/Process.h"
+#include "tools/cli/Progress.h"
 #include "tools/cli/WholeFile.h"
+#include "tools/picture/FilmFile.h"
+#include "tools/picture/PngFile.h"
 
 namespace kelpie::cli {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kCameraScale = 4;         // 832 x 640
+constexpr int kCameraScale = 3;         // 624 x 480
 constexpr double kFieldScale = 1.0;     // pixels per cm
+constexpr int kFilmRate = 30;           // frames a second
 constexpr int kCaption = 32;            // px below the pictures
+constexpr std::size_t kTrail = 300;     // frames of the paths that a film shows: ten seconds
 constexpr int kPictureFrames = 6;       // camera frames in the picture
 constexpr int kPictureCameraScale = 2;  // 416 x 320
 constexpr double kPictureFieldScale = 1.5;
@@ -33,6 +37,14 @@ void follow(Paths& paths, const Moment& moment) {
   if (!moment.truth.present) return;
   paths.robot.push_back(moment.truth.robot.position);
   paths.ball.push_back(moment.truth.ball);
+}
+
+// Drops all but the last of each path: a film that drew whole paths took longer with every frame,
+// 45 ms in the mean of four minutes.
+void cutToTrail(Paths& paths) {
+  for (auto* path : {&paths.robot, &paths.ball, &paths.belief})
+    if (path->size() > kTrail)
+      path->erase(path->begin(), path->end() - static_cast<std::ptrdiff_t>(kTrail));
 }
 
 void write(cv::Mat& picture, const std::string& text, cv::Point where) {
@@ -48,20 +60,20 @@ void paste(cv::Mat& canvas, const cv::Mat& part, int x, int y) {
 
 int even(int n) { return n + n % 2; }  // H.264 wants even sizes
 
-class FilmWriter {
+// Draws the frames of a film.
+class FilmFrames {
  public:
-  FilmWriter(const std::string& path, const Match& match)
+  explicit FilmFrames(const Match& match)
       : field_(match.field()), ground_(drawField(match.field(), match.team(), kFieldScale)) {
     const int width = kCameraScale * kImageWidth + ground_.cols;
     const int height = std::max(kCameraScale * kImageHeight, ground_.rows) + kCaption;
     canvas_ = cv::Mat(even(height), even(width), CV_8UC3, cv::Scalar(30, 30, 30));
-    const int codec = cv::VideoWriter::fourcc('a', 'v', 'c', '1');
-    video_.open(path, cv::CAP_FFMPEG, codec, 1.0 / kFrameSeconds, canvas_.size());
   }
-  bool ready() const { return video_.isOpened(); }
+  cv::Size size() const { return canvas_.size(); }
 
-  void add(const Moment& moment) {
+  const cv::Mat& next(const Moment& moment) {
     follow(paths_, moment);
+    cutToTrail(paths_);
     canvas_.setTo(cv::Scalar(30, 30, 30));
     paste(canvas_, drawCamera(moment.input, moment.output, kCameraScale), 0, 0);
     cv::Mat ground = ground_.clone();
@@ -69,15 +81,13 @@ class FilmWriter {
     drawPlaces(ground, field_, kFieldScale, moment);
     paste(canvas_, ground, kCameraScale * kImageWidth, 0);
     write(canvas_, describe(moment.output), {8, canvas_.rows - 10});
-    video_.write(canvas_);
+    return canvas_;
   }
-  void close() { video_.release(); }
 
  private:
   body::FieldDescription field_;
   cv::Mat ground_;
   cv::Mat canvas_;
-  cv::VideoWriter video_;
   Paths paths_;
 };
 
@@ -86,15 +96,6 @@ std::string partName(const std::string& out) {
   const fs::path path(out);
   return (path.parent_path() / (path.stem().string() + ".part" + path.extension().string()))
       .string();
-}
-
-// The video writer does not say that the disk is full: what it wrote is opened again.
-Status checkFilm(const std::string& part, const std::string& out, std::size_t frames) {
-  const cv::VideoCapture film(part, cv::CAP_FFMPEG);
-  const double held = film.isOpened() ? film.get(cv::CAP_PROP_FRAME_COUNT) : 0.0;
-  if (held + 0.5 > static_cast<double>(frames)) return Done{};
-  return Error{
-      fmt::format("{}: the film cannot be written whole ({:.0f} of {} frames)", out, held, frames)};
 }
 
 // The frames shown in the picture: evenly spread, the first and the last whole one included.
@@ -129,40 +130,46 @@ cv::Mat tile(const Moment& moment) {
   return result;
 }
 
-}  // namespace
-
-Status filmMatch(const std::string& log, const std::string& out, const Progress& progress) {
-  const auto match = Match::open(log);
-  if (!match) return Error{match.error()};
-  const std::string part = partName(out);
-  FilmWriter film(part, *match);
-  if (!film.ready()) return putInPlace(Error{out + ": the film cannot be written"}, part, out);
+Status writeFilm(const Match& match, const std::string& part) {
+  FilmFrames frames(match);
+  auto film = picture::FilmFile::create(part, frames.size(), kFilmRate);
+  if (!film) return Error{film.error()};
+  Progress progress("film", "frames");
   std::size_t done = 0;
-  match->forEachMoment([&](const Moment& moment) {
-    film.add(moment);
-    if (progress) progress(++done, match->frames());
+  Status status = Done{};
+  match.forEachMoment([&](const Moment& moment) {
+    status = interrupted() ? Status(Error{"interrupted"}) : film->add(frames.next(moment));
+    progress(++done, match.frames());
+    return status.ok();
   });
-  film.close();
-  return putInPlace(checkFilm(part, out, match->frames()), part, out);
+  if (!status) return status;
+  return film->close();
 }
 
-Status drawMatchPicture(const std::string& log, const std::string& out) {
-  const auto match = Match::open(log);
-  if (!match) return Error{match.error()};
-  const auto& field = match->field();
-  cv::Mat ground = drawField(field, match->team(), kPictureFieldScale);
+}  // namespace
+
+Status filmMatch(const Match& match, const std::string& out) {
+  const std::string part = partName(out);
+  const Status written = writeFilm(match, part);
+  return putInPlace(written ? written : Status(Error{out + ": " + written.error()}), part, out);
+}
+
+Status drawMatchPicture(const Match& match, const std::string& out) {
+  const auto& field = match.field();
+  cv::Mat ground = drawField(field, match.team(), kPictureFieldScale);
   Paths paths;
   std::vector<cv::Mat> frames;
   std::size_t number = 0;
-  match->forEachMoment([&](const Moment& moment) {
+  match.forEachMoment([&](const Moment& moment) {
     follow(paths, moment);
-    if (isShown(number++, match->frames())) frames.push_back(tile(moment));
-    if (number == match->frames()) {
+    if (isShown(number++, match.frames())) frames.push_back(tile(moment));
+    if (number == match.frames()) {
       drawPaths(ground, field, kPictureFieldScale, paths);
       drawPlaces(ground, field, kPictureFieldScale, moment);
     }
+    return true;
   });
-  return calibrate::writePng(out, arrange(ground, frames));
+  return picture::writePng(out, arrange(ground, frames));
 }
 
 namespace {
@@ -176,16 +183,12 @@ int film(const FilmOptions& options) {
   if (isDevice(options.out)) return complain(options.out + ": not a plain file", kBadInput);
   if (sameFile(options.log, options.out))
     return complain(options.out + ": is the log itself", kBadInput);
-  Progress progress;
-  if (onTerminal())
-    progress = [](std::size_t done, std::size_t all) {
-      if (done % 10 == 0 || done == all)
-        fmt::print(stderr, "\r{} of {} frames{}", done, all, done == all ? "\n" : "");
-    };
-  const Status made = filmMatch(options.log, options.out, progress);
-  if (!made) return complain(made.error(), kBadInput);
+  catchInterrupts();
   const auto match = Match::open(options.log);
-  return match && match->truncated() ? complain(match->cutOff(), kBadInput) : kDone;
+  if (!match) return complain(match.error(), kBadInput);
+  const Status made = filmMatch(*match, options.out);
+  if (!made) return complain(made.error(), kBadInput);
+  return match->truncated() ? complain(match->cutOff(), kBadInput) : kDone;
 }
 
 }  // namespace

@@ -1,17 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/cli/Logs.h"
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <optional>
 
-#include "robot/agent/Replay.h"
-#include "robot/core/PlaneFrame.h"
+#include "robot/agent/FrameMessages.h"
+#include "robot/core/LogTopics.h"
 #include "tools/cli/WholeFile.h"
+#include "tools/picture/Jpeg.h"
 #include "tools/sim/Truth.h"
 
 namespace kelpie::cli {
 namespace {
+
+constexpr int kPictureQuality = 75;  // 3 KB; 2 KB at 60 shows its blocks when enlarged
 
 // Reads one log ahead by one message.
 struct Source {
@@ -34,10 +38,11 @@ struct TopicCopy {
   const char* topic;
   Status (*copy)(const LogMessage&, LogWriter&);
 };
-constexpr std::array<TopicCopy, 8> kCopies = {{
+constexpr std::array<TopicCopy, 9> kCopies = {{
     {kConfigTopic, copyAs<agent::AgentConfig>},
     {kFrameInputTopic, copyAs<FrameInput>},
     {kPlaneFrameTopic, copyAs<PlaneFrame>},
+    {kPictureFrameTopic, copyAs<PictureFrame>},
     {kFrameOutputTopic, copyAs<FrameOutput>},
     {kMotionInputTopic, copyAs<MotionInput>},
     {kMotionOutputTopic, copyAs<MotionOutput>},
@@ -78,12 +83,12 @@ Status copyMessage(const LogMessage& message, LogWriter& out) {
 }
 
 Expected<LogFile> LogFile::create(const std::string& path, const agent::AgentConfig& config,
-                                  const LogMap& parameterNotes) {
+                                  const LogMap& parameterNotes, ImagesKept images) {
   auto writer = LogWriter::open(path);
   if (!writer) return Error{writer.error()};
   writer->metadata("parameters", parameterNotes);
   writer->write(kConfigTopic, TimeUs{}, config);
-  return LogFile(std::move(*writer));
+  return LogFile(std::move(*writer), images);
 }
 
 void LogFile::motion(const MotionInput& input, const MotionOutput& output) {
@@ -91,9 +96,37 @@ void LogFile::motion(const MotionInput& input, const MotionOutput& output) {
   writer_.write(kMotionOutputTopic, input.time, output);
 }
 
+bool LogFile::keepsImage(const FrameInput& input) {
+  const double now = input.time.seconds();
+  if (images_ == ImagesKept::all || now < kAllImagesSeconds) return true;
+  if (now < nextImage_) return false;
+  nextImage_ = now + kOneImageSeconds;
+  return true;
+}
+
 void LogFile::frame(const FrameInput& input, const FrameOutput& output) {
-  writer_.write(kFrameInputTopic, input.time, input);
+  if (keepsImage(input)) {
+    writer_.write(kFrameInputTopic, input.time, input);
+  } else {
+    static_cast<FrameInput&>(*picture_) = input;
+    const auto jpeg = picture::jpegOf(input.image, kPictureQuality);
+    picture_->jpeg.resize(std::min(jpeg.size(), JpegBytes::kCapacity));
+    std::copy_n(jpeg.begin(), picture_->jpeg.size(), picture_->jpeg.begin());
+    writer_.write(kPictureFrameTopic, input.time, *picture_);
+  }
   writer_.write(kFrameOutputTopic, input.time, output);
+}
+
+Status decodeForPeople(const LogMessage& message, FrameInput& input) {
+  if (message.topic() != kPictureFrameTopic) return agent::decodeFrameInput(message, input);
+  const auto frame = std::make_unique<PictureFrame>();
+  const Status read = decodeAs(message, *frame);
+  if (!read) return read;
+  if (!picture::imageOfJpeg(frame->jpeg.begin(), frame->jpeg.size(), frame->image))
+    return Error{"topic " + message.topic() + ", byte " + std::to_string(message.offset) +
+                 ": no picture of 208 x 160 pixels"};
+  input = *frame;
+  return Done{};
 }
 
 Status mergeLogs(const std::vector<std::string>& logs, const std::string& out) {

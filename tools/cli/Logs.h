@@ -2,6 +2,8 @@
 // Logs of an agent: writing one while it plays, and joining it with the world's.
 #pragma once
 
+#include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -13,23 +15,37 @@
 
 namespace kelpie::cli {
 
+// Which camera images a log keeps; the others become JPEG pictures of 3 KB (an image compresses to
+// 64 KB only, since it is full of noise). With `some` a match of ten minutes takes 150 MB.
+enum class ImagesKept : std::uint8_t { some, all };
+constexpr double kAllImagesSeconds = 30.0;  // of the beginning, with `some`
+constexpr double kOneImageSeconds = 5.0;    // afterwards one in so many
+
 // Writes each input and output as it passes. Its first error stays in status().
 class LogFile : public agent::LogSink {
  public:
   static Expected<LogFile> create(const std::string& path, const agent::AgentConfig& config,
-                                  const LogMap& parameterNotes);
+                                  const LogMap& parameterNotes, ImagesKept images);
 
   void motion(const MotionInput& input, const MotionOutput& output) override;
   void frame(const FrameInput& input, const FrameOutput& output) override;
   Status close() { return writer_.close(); }
 
  private:
-  explicit LogFile(LogWriter writer) : writer_(std::move(writer)) {}
+  LogFile(LogWriter writer, ImagesKept images) : writer_(std::move(writer)), images_(images) {}
+  bool keepsImage(const FrameInput& input);
+
   LogWriter writer_;
+  ImagesKept images_;
+  double nextImage_ = 0.0;  // s
+  std::unique_ptr<PictureFrame> picture_ = std::make_unique<PictureFrame>();
 };
 
 // Copies a message of a topic that we know, leaves out any other.
 Status copyMessage(const LogMessage& message, LogWriter& out);
+
+// As agent::decodeFrameInput, with the picture as the image where the image was not kept.
+Status decodeForPeople(const LogMessage& message, FrameInput& input);
 
 // Joins logs by time, with their metadata, into `out`, written whole or not at all; what a cut-off
 // log still holds is taken.

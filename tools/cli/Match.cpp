@@ -5,6 +5,7 @@
 
 #include "robot/agent/FrameMessages.h"
 #include "robot/agent/Replay.h"
+#include "tools/cli/Logs.h"
 #include "tools/sim/Truth.h"
 
 namespace kelpie::cli {
@@ -59,7 +60,7 @@ std::string Match::cutOff() const {
   return path_ + ": cut off at byte " + std::to_string(offset_) + "; whole frames up to there";
 }
 
-void Match::forEachMoment(const std::function<void(const Moment&)>& show) const {
+void Match::forEachMoment(const std::function<bool(const Moment&)>& show) const {
   auto reader = LogReader::open(path_);
   if (!reader) return;
   const auto input = std::make_unique<FrameInput>();
@@ -71,10 +72,10 @@ void Match::forEachMoment(const std::function<void(const Moment&)>& show) const 
   while (reader->next(message)) {
     if (message.topic() == sim::kTruthTopic && decodeAs(message, truth))
       places = placesOf(truth, field_, team_);
-    if (agent::isFrameInput(message.topic()))
-      inputKnown = agent::decodeFrameInput(message, *input).ok();
-    if (message.topic() == kFrameOutputTopic && inputKnown && decodeAs(message, *output))
-      show({*input, *output, places});
+    if (agent::isFrameInput(message.topic())) inputKnown = decodeForPeople(message, *input).ok();
+    if (message.topic() == kFrameOutputTopic && inputKnown && decodeAs(message, *output) &&
+        !show({*input, *output, places}))
+      return;
   }
 }
 

@@ -23,7 +23,8 @@ class Match {
   std::size_t frames() const { return frames_; }
   bool truncated() const { return truncated_; }
   std::string cutOff() const;  // "LOG: cut off at byte N; ..."
-  void forEachMoment(const std::function<void(const Moment&)>& show) const;
+  // Until `show` answers false.
+  void forEachMoment(const std::function<bool(const Moment&)>& show) const;
 
  private:
   std::string path_;

@@ -8,7 +8,9 @@
 #include "tools/cli/Commands.h"
 #include "tools/cli/Config.h"
 #include "tools/cli/Film.h"
+#include "tools/cli/Logs.h"
 #include "tools/cli/Process.h"
+#include "tools/cli/Progress.h"
 #include "tools/cli/Session.h"
 
 namespace kelpie::cli {
@@ -16,41 +18,67 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr double kLongestMatch = 3600.0;  // s
+constexpr int kMostGoals = 99;
+
 struct PlayOptions {
   SessionOptions session;
   std::string out = "out";
+  std::string images = "some";
   bool noFilm = false;
+
+  std::string file(const char* name) const { return out + "/" + name; }
 };
 
-// On a terminal one line that is drawn again; quiet in a pipe.
-class StatusPrinter {
- public:
-  void operator()(const std::string& line) {
-    if (!onTerminal()) return;
-    ++lines_;
-    fmt::print(stderr, "\r\033[K{}", line);
-  }
-  void finish() const {
-    if (onTerminal() && lines_ > 0) fmt::print(stderr, "\n");
-  }
+// "19.6, 44.0"
+std::string listOf(const std::vector<double>& seconds) {
+  std::string text;
+  for (const double t : seconds) text += fmt::format("{}{:.1f}", text.empty() ? "" : ", ", t);
+  return text;
+}
 
- private:
-  int lines_ = 0;
-};
+std::string outcome(const SessionResult& result) {
+  std::string text = result.goals.empty() ? fmt::format("no goal in {:.0f} s", result.seconds)
+                                          : "GOAL after " + listOf(result.goals) + " s";
+  if (!result.ownGoals.empty()) text += ", own goal after " + listOf(result.ownGoals) + " s";
+  return text;
+}
 
+// The picture first: whoever interrupts the film keeps it.
 int makePictures(const PlayOptions& options) {
-  const std::string log = options.session.log;
-  const Status picture = drawMatchPicture(log, options.out + "/match.png");
+  const auto match = Match::open(options.session.log);
+  if (!match) return complain(match.error(), kCheckFailed);
+  const Status picture = drawMatchPicture(*match, options.file("match.png"));
   if (!picture) return complain(picture.error(), kCheckFailed);
-  if (!options.noFilm) {
-    const Status film = filmMatch(log, options.out + "/match.mp4", {});
-    if (!film) return complain(film.error(), kCheckFailed);
-  }
-  for (const char* name : {"match.png", "match.mp4", "match.mcap"}) {
-    const std::string path = options.out + "/" + name;
-    if (fs::exists(path)) fmt::print("{}\n", path);
-  }
-  return kDone;
+  if (options.noFilm || interrupted()) return kDone;
+  const Status film = filmMatch(*match, options.file("match.mp4"));
+  if (film || interrupted()) return kDone;
+  return complain(film.error(), kCheckFailed);
+}
+
+std::string describeLog(const PlayOptions& options) {
+  std::error_code error;
+  const double megabytes = 1e-6 * static_cast<double>(fs::file_size(options.session.log, error));
+  const std::string images =
+      options.session.allImages
+          ? "every image"
+          : fmt::format(
+                "every image of the first {:.0f} s, later one in {:.0f} s and pictures "
+                "(--images all keeps all)",
+                kAllImagesSeconds, kOneImageSeconds);
+  return fmt::format("log, {:.0f} MB: {}", megabytes, images);
+}
+
+void nameFiles(const PlayOptions& options) {
+  const auto name = [&](const char* file, const std::string& what) {
+    if (fs::exists(options.file(file))) fmt::print("{}: {}\n", options.file(file), what);
+  };
+  name("match.png", "paths of robot and ball, six camera frames");
+  name("match.mp4", "film: camera with what vision saw, field from above");
+  name("match.mcap", describeLog(options));
+  if (!options.noFilm && !fs::exists(options.file("match.mp4")))
+    fmt::print("the film was left out; kelpie film {} {} makes it\n", options.session.log,
+               options.file("match.mp4"));
 }
 
 // What is wrong with the options is told before anything is started or an earlier match replaced.
@@ -66,6 +94,39 @@ Status checkConfig(const SessionOptions& session) {
   return session.pycode.empty() ? Status(Done{}) : checkScripts(session.pycode);
 }
 
+SessionResult runShown(const PlayOptions& options) {
+  LiveLine live;
+  int goals = 0;
+  int ownGoals = 0;
+  SessionTalk talk;
+  talk.status = [&](const std::string& line) {
+    live(fmt::format("{}:{}  {}", goals, ownGoals, line));
+  };
+  talk.goal = [&](bool own, double seconds) {
+    ++(own ? goals : ownGoals);
+    live(fmt::format("{} after {:.1f} s", own ? "GOAL" : "own goal", seconds));
+    live.finish();
+  };
+  if (!onTerminal())
+    fmt::print(stderr, "playing: seed {}, {:.0f} simulated seconds at most\n", options.session.seed,
+               options.session.seconds);
+  SessionResult result = runSession(options.session, talk);
+  live.finish();
+  return result;
+}
+
+// An earlier match stays until there is another; then its pictures would be of the wrong one.
+void removeOldPictures(const PlayOptions& options) {
+  std::error_code ignored;
+  for (const char* name : {"match.png", "match.mp4"}) fs::remove(options.file(name), ignored);
+}
+
+// A match without an end of its own is ended by an interrupt; any other is cut short by it.
+int exitCode(const PlayOptions& options, const SessionResult& result) {
+  if (result.interrupted && !options.session.realTime) return complain("interrupted", kCheckFailed);
+  return result.goals.empty() && !options.session.realTime ? kCheckFailed : kDone;
+}
+
 int play(PlayOptions& options) {
   const Status checked = checkConfig(options.session);
   if (!checked) return complain(checked.error(), kBadInput);
@@ -73,28 +134,21 @@ int play(PlayOptions& options) {
   std::error_code error;
   fs::create_directories(options.out, error);
   if (error) return complain(options.out + ": " + error.message(), kBadInput);
-  options.session.log = options.out + "/match.mcap";
+  options.session.log = options.file("match.mcap");
+  options.session.allImages = options.images == "all";
 
   const auto start = std::chrono::steady_clock::now();
-  StatusPrinter printer;
-  const SessionResult result =
-      runSession(options.session, [&printer](const std::string& line) { printer(line); });
-  printer.finish();
-  // An earlier match stays until there is another; then its pictures would be of the wrong one.
-  if (result.logged)
-    for (const char* name : {"match.png", "match.mp4"}) fs::remove(options.out + "/" + name, error);
+  const SessionResult result = runShown(options);
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+  if (result.logged) removeOldPictures(options);
   if (!result.trouble.empty())
     return complain(result.trouble, result.badInput ? kBadInput : kCheckFailed);
-  if (result.goals > 0)
-    fmt::print("GOAL after {:.1f} s", result.firstGoal);
-  else
-    fmt::print("no goal in {:.0f} s", result.seconds);
-  fmt::print(" (seed {}, {:.1f} simulated seconds in {:.1f} s)\n", options.session.seed,
-             result.seconds, took.count());
   const int pictures = makePictures(options);
   if (pictures != kDone) return pictures;
-  return result.goals > 0 ? kDone : kCheckFailed;
+  nameFiles(options);
+  fmt::print("{} (seed {}, {:.1f} simulated seconds in {:.1f} s)\n", outcome(result),
+             options.session.seed, result.seconds, took.count());
+  return exitCode(options, result);
 }
 
 }  // namespace
@@ -109,12 +163,12 @@ void addPlay(CLI::App& app, int& code) {
   command->add_option("--seed", session.seed, "Start pose, ball, noise and slip")
       ->check(inRange(0.0, kLargestSeed))
       ->capture_default_str();
-  command->add_option("--seconds", session.seconds, "Simulated time at most")
-      ->check(inRange(1.0, 3600.0))
-      ->capture_default_str();
-  command->add_option("--goals", session.goals, "Ends after so many goals")
-      ->check(CLI::Range(1, 99))
-      ->capture_default_str();
+  auto* seconds = command->add_option("--seconds", session.seconds, "Simulated time at most")
+                      ->check(inRange(1.0, kLongestMatch))
+                      ->capture_default_str();
+  auto* goals = command->add_option("--goals", session.goals, "Ends after so many goals")
+                    ->check(CLI::Range(1, kMostGoals))
+                    ->capture_default_str();
   command->add_option("--scenario", session.scenario, "What is on the field at the start")
       ->check(CLI::IsMember({"empty-goal", "kickoff"}))
       ->capture_default_str();
@@ -136,8 +190,22 @@ void addPlay(CLI::App& app, int& code) {
       ->check(inRange(0.0, 1.0));
   command->add_option("--without", session.artefactsOff, "Camera artefacts switched off")
       ->check(CLI::IsMember({"ring", "noise", "shift", "rolling", "blur", "spectators"}));
+  command
+      ->add_option("--images", options->images,
+                   "Which images the log keeps: some (30 s, then one in 5 s; the others as JPEG "
+                   "pictures; a match of ten minutes takes 150 MB) or all (1.2 GB)")
+      ->check(CLI::IsMember({"some", "all"}))
+      ->capture_default_str();
+  command->add_flag("--real-time", session.realTime,
+                    "No faster than a clock, and until Ctrl-C unless --seconds or --goals say "
+                    "otherwise: for editing pycode/ while it plays");
   command->add_flag("--no-film", options->noFilm, "Leave out match.mp4");
-  command->callback([options, &code] { code = play(*options); });
+  command->callback([=, &code] {
+    if (options->session.realTime && seconds->count() == 0)
+      options->session.seconds = kLongestMatch;
+    if (options->session.realTime && goals->count() == 0) options->session.goals = kMostGoals;
+    code = play(*options);
+  });
 }
 
 }  // namespace kelpie::cli

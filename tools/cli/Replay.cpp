@@ -30,6 +30,9 @@ int report(const ReplayCommand& command, const agent::ReplayResult& result) {
   if (command.check)
     fmt::print(to, ": {} outputs compared, {} differ", result.compared, result.differing);
   fmt::print(to, "\n");
+  if (result.framesFromPercepts > 0)
+    fmt::print(to, "vision ran again on {} frames; the images of the other {} were not kept\n",
+               result.frames - result.framesFromPercepts, result.framesFromPercepts);
   if (result.truncated)
     return complain(fmt::format("{}: cut off at byte {}; all whole frames before it were replayed",
                                 command.log, result.offset),

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <string_view>
 #include <thread>
 
@@ -58,7 +59,9 @@ std::vector<std::string> worldCommand(const SessionOptions& options, const Works
                                    "--goals",
                                    std::to_string(options.goals),
                                    "--result",
-                                   workshop.path("result.json")};
+                                   workshop.path("result.json"),
+                                   "--tell-goals"};
+  if (options.realTime) argv.push_back("--real-time");
   if (!options.log.empty()) {
     argv.insert(argv.end(), {"--truth", workshop.path("world.mcap")});
   }
@@ -82,6 +85,7 @@ std::vector<std::string> agentCommand(const SessionOptions& options, const Works
                                    std::to_string(options.seed),
                                    "--status"};
   if (!options.log.empty()) argv.insert(argv.end(), {"--log", workshop.path("agent.mcap")});
+  if (options.allImages) argv.push_back("--all-images");
   if (!options.pycode.empty()) argv.insert(argv.end(), {"--pycode", options.pycode});
   if (!options.colourTable.empty())
     argv.insert(argv.end(), {"--colour-table", options.colourTable});
@@ -97,12 +101,23 @@ void readResult(const std::string& path, bool blue, SessionResult& result) {
     return;
   }
   const std::string own = blue ? "blue" : "red";
-  const std::string other = blue ? "red" : "blue";
-  result.goals = json.value(own + "_goals", 0);
-  result.ownGoals = json.value(other + "_goals", 0);
+  for (const auto& goal : json.value("goals", nlohmann::json::array()))
+    (goal.value("team", "") == own ? result.goals : result.ownGoals)
+        .push_back(goal.value("t_s", 0.0));
   result.outs = json.value("outs", 0);
   result.seconds = json.value("seconds", 0.0);
-  if (result.goals > 0) result.firstGoal = json.value("first_" + own + "_goal_s", -1.0);
+}
+
+// Lines of the world: goals for the caller, anything else (its complaint) for the user.
+void hearWorld(const std::string& line, bool blue, const SessionTalk& talk) {
+  std::istringstream words(line);
+  std::string word;
+  std::string team;
+  double seconds = 0.0;
+  if (!(words >> word >> team >> seconds) || word != "goal")
+    fmt::print(stderr, "{}\n", line);
+  else if (talk.goal)
+    talk.goal(team == (blue ? "red" : "blue"), seconds);
 }
 
 // What the agent prints: status lines for the caller, its last complaint for the end, the rest (a
@@ -113,13 +128,13 @@ struct AgentTalk {
   bool began = false;
   std::string early;  // said before the match began; a complaint then says all in one line
 
-  void hear(const std::string& line, const StatusLine& status) {
+  void hear(const std::string& line, const SessionTalk& talk) {
     const std::string_view text = line;
     if (text.substr(0, kStatusMark.size()) == kStatusMark) {
       last = text.substr(kStatusMark.size());
       if (!began) fmt::print(stderr, "{}", early);
       began = true;
-      if (status) status(last);
+      if (talk.status) talk.status(last);
     } else if (text.substr(0, kComplaintMark.size()) == kComplaintMark) {
       complaint = text.substr(kComplaintMark.size());
     } else if (began) {
@@ -130,47 +145,68 @@ struct AgentTalk {
   }
 };
 
+struct Ends {
+  int agent = 0;
+  int world = 0;
+  bool worldAlive = true;  // when the agent had ended
+};
+
 // Runs until both have ended. The world's death ends the agent (its socket closes); an agent that
 // ends in trouble takes the world with it.
-void watch(Process& world, Process& agent, const StatusLine& status, SessionResult& result) {
-  AgentTalk talk;
+Ends waitForBoth(Process& world, Process& agent, bool blue, const SessionTalk& talk,
+                 AgentTalk& said) {
   std::string line;
+  bool asked = false;
   while (!agent.ended()) {
-    while (agent.readLine(line, 50)) talk.hear(line, status);
-    if (interrupted()) world.terminate();  // the agent then closes its log and ends
+    while (agent.readLine(line, 50)) said.hear(line, talk);
+    while (world.readLine(line, 0)) hearWorld(line, blue, talk);
+    if (interrupted() && !asked) world.terminate();  // it ends the match, the agent its log
+    asked = interrupted();
   }
-  while (agent.readLine(line, 0)) talk.hear(line, status);
-  const int agentCode = agent.wait();
+  while (agent.readLine(line, 0)) said.hear(line, talk);
+  Ends ends;
+  ends.agent = agent.wait();
   // A world that was killed may be a moment behind the agent that its end has stopped.
-  for (int i = 0; i < 20 && agentCode == 1 && !world.ended(); ++i)
+  for (int i = 0; i < 20 && ends.agent == 1 && !world.ended(); ++i)
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  const bool alive = !world.ended();
-  if (alive && agentCode != 0) world.terminate();
-  const int worldCode = world.wait();
-  if (interrupted())
-    result.trouble = "interrupted; last: " + talk.last;
-  else if (!alive && worldCode >= 128)
-    result.trouble =
-        fmt::format("the world died (signal {}); last: {}", worldCode - 128, talk.last);
-  else if (agentCode >= 128)
-    result.trouble =
-        fmt::format("the agent died (signal {}); last: {}", agentCode - 128, talk.last);
-  else if (agentCode != 0)
-    result.trouble = talk.complaint.empty() ? "the agent gave up" : talk.complaint;
-  else if (worldCode != 0)
-    result.trouble = fmt::format("the world stopped with code {}", worldCode);
-  result.badInput = agentCode == 2;
+  ends.worldAlive = !world.ended();
+  if (ends.worldAlive && ends.agent != 0) world.terminate();
+  ends.world = world.wait();
+  while (world.readLine(line, 0)) hearWorld(line, blue, talk);
+  return ends;
 }
 
-void play(const SessionOptions& options, const StatusLine& status, const Workshop& workshop,
+std::string troubleOf(const Ends& ends, const AgentTalk& said) {
+  if (!ends.worldAlive && ends.world >= 128)
+    return fmt::format("the world died (signal {}); last: {}", ends.world - 128, said.last);
+  if (ends.agent >= 128)
+    return fmt::format("the agent died (signal {}); last: {}", ends.agent - 128, said.last);
+  if (ends.agent != 0) return said.complaint.empty() ? "the agent gave up" : said.complaint;
+  if (ends.world != 0) return fmt::format("the world stopped with code {}", ends.world);
+  return {};
+}
+
+void watch(Process& world, Process& agent, bool blue, const SessionTalk& talk,
+           SessionResult& result) {
+  AgentTalk said;
+  const Ends ends = waitForBoth(world, agent, blue, talk, said);
+  result.trouble = troubleOf(ends, said);
+  result.interrupted = interrupted();
+  if (result.interrupted && !result.trouble.empty())
+    result.trouble = "interrupted; last: " + said.last;
+  result.badInput = ends.agent == 2;
+}
+
+void play(const SessionOptions& options, const SessionTalk& talk, const Workshop& workshop,
           SessionResult& result) {
-  auto world = Process::start(worldCommand(options, workshop), false);
+  auto world = Process::start(worldCommand(options, workshop), true);
   auto agent = Process::start(agentCommand(options, workshop), true);
   if (!world || !agent) {
     result.trouble = world ? agent.error() : world.error();
     return;
   }
-  watch(*world, *agent, status, result);
+  const bool blue = options.team == "blue";
+  watch(*world, *agent, blue, talk, result);
   if (!options.log.empty() && fs::exists(workshop.path("agent.mcap")) && !result.badInput) {
     std::vector<std::string> halves;
     for (const char* half : {"agent.mcap", "world.mcap"})
@@ -179,17 +215,16 @@ void play(const SessionOptions& options, const StatusLine& status, const Worksho
     if (!merged) result.trouble = merged.error();
     result.logged = merged.ok();
   }
-  if (result.trouble.empty())
-    readResult(workshop.path("result.json"), options.team == "blue", result);
+  if (result.trouble.empty()) readResult(workshop.path("result.json"), blue, result);
 }
 
 }  // namespace
 
-SessionResult runSession(const SessionOptions& options, const StatusLine& status) {
+SessionResult runSession(const SessionOptions& options, const SessionTalk& talk) {
   SessionResult result;
   const Workshop workshop;
   if (workshop.ready())
-    play(options, status, workshop, result);
+    play(options, talk, workshop, result);
   else
     result.trouble = "cannot make a temporary folder";
   return result;

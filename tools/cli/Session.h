@@ -24,23 +24,29 @@ struct SessionOptions {
   std::string ring = "2006";
   std::vector<std::string> artefactsOff;  // of ring, noise, shift, rolling, blur, spectators
   std::string log;                        // where the merged log goes; empty: none is kept
+  bool allImages = false;                 // the log keeps every image (Logs.h)
+  bool realTime = false;                  // no faster than a clock
 };
 
 struct SessionResult {
-  std::string trouble;    // one line: what died and when; empty when the match was played out
-  bool badInput = false;  // the trouble is what was asked for
-  bool logged = false;    // the log is in its place, of a whole match or of one cut short
-  int goals = 0;
-  int ownGoals = 0;
+  std::string trouble;        // one line: what died and when; empty when the match was played out
+  bool badInput = false;      // the trouble is what was asked for
+  bool logged = false;        // the log is in its place, of a whole match or of one cut short
+  bool interrupted = false;   // by the user; the rest tells what was played until then
+  std::vector<double> goals;  // s
+  std::vector<double> ownGoals;  // s
   int outs = 0;
-  double firstGoal = -1.0;  // s; meaningful when goals > 0
-  double seconds = 0.0;     // simulated
+  double seconds = 0.0;  // simulated
 };
 
-// Called with each status line of the agent (what the robot believes, in words).
-using StatusLine = std::function<void(const std::string&)>;
+// Called with each status line of the agent (what the robot believes, in words), and with each goal
+// as it falls; either may be empty.
+struct SessionTalk {
+  std::function<void(const std::string&)> status;
+  std::function<void(bool own, double seconds)> goal;
+};
 
 // After trouble the log is still there up to the last whole frame.
-SessionResult runSession(const SessionOptions& options, const StatusLine& status);
+SessionResult runSession(const SessionOptions& options, const SessionTalk& talk);
 
 }  // namespace kelpie::cli

@@ -8,12 +8,13 @@
 #include "robot/agent/FrameMessages.h"
 #include "robot/core/FieldCheck.h"
 #include "tools/calibrate/Images.h"
-#include "tools/calibrate/PngFile.h"
 #include "tools/cli/Commands.h"
 #include "tools/cli/Config.h"
+#include "tools/cli/Logs.h"
 #include "tools/cli/Recording.h"
 #include "tools/cli/Sheet.h"
 #include "tools/cli/WholeFile.h"
+#include "tools/picture/PngFile.h"
 #include "vision/Vision.h"
 
 namespace kelpie::cli {
@@ -32,6 +33,7 @@ struct Shot {
   std::unique_ptr<FrameInput> input = std::make_unique<FrameInput>();
   std::unique_ptr<agent::AgentConfig> config = std::make_unique<agent::AgentConfig>();
   bool configured = false;
+  bool pictureOnly = false;  // vision sees a JPEG picture in place of the image
   std::uint32_t frames = 0;  // in the source
   std::string cutOff;        // a complaint when the log lacks its end
 };
@@ -51,7 +53,8 @@ Status takeMessage(const LogMessage& message, const ShowOptions& options, Shot& 
   if (!agent::isFrameInput(message.topic())) return Done{};
   if (!shot.configured) return Error{message.topic() + " comes before " + kConfigTopic};
   if (shot.frames++ != options.frame) return Done{};
-  return agent::decodeFrameInput(message, *shot.input);
+  shot.pictureOnly = message.topic() == kPictureFrameTopic;
+  return decodeForPeople(message, *shot.input);
 }
 
 Expected<Shot> fromLog(const ShowOptions& options) {
@@ -99,9 +102,10 @@ cv::Mat sheetOf(const ShowOptions& options, const Shot& shot) {
   const auto state = std::make_unique<vision::VisionState>(shot.config->calibration);
   output->body = body::step(*shot.input, shot.config->body);
   output->percepts = vision::step({*shot.input, output->body}, shot.config->vision, *state);
-  const auto title = fmt::format("{}: frame {} (of 0 to {}), {:.2f} s",
-                                 fs::path(options.source).filename().string(), options.frame,
-                                 shot.frames - 1, shot.input->time.seconds());
+  const auto title =
+      fmt::format("{}: frame {} (of 0 to {}), {:.2f} s{}",
+                  fs::path(options.source).filename().string(), options.frame, shot.frames - 1,
+                  shot.input->time.seconds(), shot.pictureOnly ? ", seen in its JPEG picture" : "");
   return drawSheet({title, *shot.input, *output, *state});
 }
 
@@ -109,7 +113,7 @@ Status draw(const ShowOptions& options, const Shot& shot) {
   std::string why;
   if (!verify(*shot.input, &why))
     return Error{fmt::format("{}: frame {} is damaged: {}", options.source, options.frame, why)};
-  return calibrate::writePng(options.out, sheetOf(options, shot));
+  return picture::writePng(options.out, sheetOf(options, shot));
 }
 
 int show(const ShowOptions& options) {

@@ -33,6 +33,7 @@ struct AgentOptions {
   double dropRate = 0.0;
   std::uint64_t seed = 1;
   bool status = false;
+  bool allImages = false;
   ConfigOptions config;
 };
 
@@ -96,7 +97,8 @@ int run(const AgentOptions& options) {
   // Only now: an earlier log is not lost to a world that is not there.
   std::optional<LogFile> log;
   if (!options.log.empty()) {
-    auto created = LogFile::create(options.log, *config, parameterNotes(options.config));
+    auto created = LogFile::create(options.log, *config, parameterNotes(options.config),
+                                   options.allImages ? ImagesKept::all : ImagesKept::some);
     if (!created) return fail(created.error(), 2);
     log.emplace(std::move(*created));
   }
@@ -122,6 +124,8 @@ int main(int argc, char** argv) {
   from->add_option("--recording", options.recording, "Log of an agent, through OPEN-R again");
   from->require_option(1);
   app.add_option("--log", options.log, "Log to write");
+  app.add_flag("--all-images", options.allImages,
+               "The log keeps every image, not only those of the beginning");
   app.add_option("--pycode", options.pycode, "Behaviours, folder or zip");
   app.add_option("--player", options.config.player, "Number in the team")->check(CLI::Range(1, 4));
   app.add_option("--drop-rate", options.dropRate, "Share of images lost on the way")

@@ -7,13 +7,13 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
 #include "tools/cli/Draw.h"
 #include "tools/experiments/Experiment.h"
 #include "tools/experiments/Looks.h"
 #include "tools/experiments/Objects.h"
+#include "tools/picture/PngFile.h"
 #include "vision/Refusal.h"
 
 namespace kelpie::experiments {
@@ -92,7 +92,9 @@ void keepPicture(const std::string& folder, const Look& look,
   for (std::size_t at = 0; at < refusals.size(); at += 95, row += 16)
     cv::putText(picture, refusals.substr(at, 95), {4, row}, cv::FONT_HERSHEY_SIMPLEX, 0.45,
                 {255, 255, 255}, 1, cv::LINE_AA);
-  cv::imwrite(fmt::format("{}/view{:05}.png", folder, look.number), picture);
+  const std::string path = fmt::format("{}/view{:05}.png", folder, look.number);
+  const Status written = picture::writePng(path, picture);
+  if (!written) fmt::print(stderr, "{}\n", written.error());
 }
 
 class Score {

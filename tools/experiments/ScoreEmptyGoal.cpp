@@ -56,10 +56,10 @@ Expected<Json> scoreEmptyGoal(const ExperimentOptions& options) {
   int ownGoals = 0;
   for (std::size_t i = 0; i < all.results.size(); ++i) {
     const auto& result = all.results[i];
-    const bool goal = result.goals > 0 && result.firstGoal <= kLimit;
+    const bool goal = !result.goals.empty() && result.goals[0] <= kLimit;
     scored += goal ? 1 : 0;
-    ownGoals += result.ownGoals;
-    times.push_back(goal ? result.firstGoal : kLimit);
+    ownGoals += static_cast<int>(result.ownGoals.size());
+    times.push_back(goal ? result.goals[0] : kLimit);
     trials.push_back({{"seed", options.seed + i},
                       {"goal", goal ? 1 : 0},
                       {"seconds_s", times.back()},

@@ -45,8 +45,7 @@ void Referee::tick(TimeUs now, Ball& ball) {
     record(now, EventKind::goal, *team, ball.position);
     int& goals = *team == TeamColour::red ? score_.red : score_.blue;
     ++goals;
-    auto& first = *team == TeamColour::red ? score_.firstRedGoal : score_.firstBlueGoal;
-    if (!first) first = now.seconds();
+    score_.goals.push_back({*team, now.seconds()});
     finished_ = params_.goals > 0 && goals >= params_.goals;
     if (!finished_) ball = {{field_.width / 2.0, field_.length / 2.0}, {}};
   } else if (ballOut(field_, ball.position)) {

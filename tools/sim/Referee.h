@@ -28,12 +28,16 @@ struct RefereeParams {
   }
 };
 
+struct Goal {
+  TeamColour team = TeamColour::red;  // that scored
+  double time = 0.0;                  // s
+};
+
 struct Score {
   int red = 0;   // balls in the blue goal, y = length
   int blue = 0;  // balls in the yellow goal, y = 0
   int outs = 0;
-  std::optional<double> firstRedGoal;   // s
-  std::optional<double> firstBlueGoal;  // s
+  std::vector<Goal> goals;  // in their order
 };
 
 // The whole ball is behind a goal line and between the posts: which team scores.

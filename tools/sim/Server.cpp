@@ -2,6 +2,7 @@
 #include "tools/sim/Server.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "robot/core/Encoding.h"
 
@@ -49,8 +50,12 @@ Expected<std::vector<Agent>> gatherAgents(host::Listener& listener, std::size_t 
   return agents;
 }
 
-Server::Server(World& world, std::vector<Agent>& agents, LogWriter* log)
-    : world_(world), agents_(agents), log_(log), image_(std::make_unique<Image>()) {}
+Server::Server(World& world, std::vector<Agent>& agents, LogWriter* log, ServerHooks hooks)
+    : world_(world),
+      agents_(agents),
+      log_(log),
+      hooks_(std::move(hooks)),
+      image_(std::make_unique<Image>()) {}
 
 std::string Server::nameOf(std::size_t robot) const { return titleOf(agents_[robot].hello); }
 
@@ -102,6 +107,8 @@ Status Server::step(TimeUs now, bool sensors, bool image) {
 
 void Server::writeTruth(TimeUs now, bool image) {
   const std::vector<MatchEvent> events = world_.takeEvents();
+  if (hooks_.onEvent)
+    for (const MatchEvent& event : events) hooks_.onEvent(event);
   if (log_ == nullptr) return;
   for (const MatchEvent& event : events) log_->write(kEventTopic, event.time, event);
   if (image) log_->write(kTruthTopic, now, world_.truth(now));
@@ -117,11 +124,12 @@ void Server::sayGoodbye(std::uint8_t reason) {
 Status Server::run() {
   std::int64_t messages = 1;
   std::int64_t images = 1;
-  while (!world_.finished()) {
+  while (!world_.finished() && !(hooks_.stopped && hooks_.stopped())) {
     const std::int64_t sensorsAt = messages * kMessageUs;
     const std::int64_t imageAt = images * 1000000 / 30;
     const std::int64_t now = std::min(sensorsAt, imageAt);
     while (static_cast<std::int64_t>(world_.ticks()) * kTickUs < now) world_.tick();
+    if (hooks_.beforeStep) hooks_.beforeStep({now});
     const bool sensors = now == sensorsAt;
     const bool image = now == imageAt;
     const Status done = step({now}, sensors, image);

@@ -4,6 +4,7 @@
 // time; no agent can be late, and none can be early.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,10 +24,17 @@ struct Agent {
 Expected<std::vector<Agent>> gatherAgents(host::Listener& listener, std::size_t count,
                                           double seconds);
 
+// What else hears of a match while it is played; each may be empty.
+struct ServerHooks {
+  std::function<void(const MatchEvent&)> onEvent;
+  std::function<void(TimeUs now)> beforeStep;  // may wait
+  std::function<bool()> stopped;               // ends the match before its time
+};
+
 class Server {
  public:
   // `log` may be null. World and log must outlive the server.
-  Server(World& world, std::vector<Agent>& agents, LogWriter* log);
+  Server(World& world, std::vector<Agent>& agents, LogWriter* log, ServerHooks hooks = {});
 
   // Plays to the end. An agent that dies or talks nonsense ends the match with one line.
   Status run();
@@ -42,6 +50,7 @@ class Server {
   World& world_;
   std::vector<Agent>& agents_;
   LogWriter* log_;
+  ServerHooks hooks_;
   std::vector<std::uint8_t> buffer_;
   std::unique_ptr<Image> image_;
 };

@@ -4,8 +4,12 @@
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
+#include <chrono>
+#include <cstdio>
 #include <fstream>
+#include <thread>
 
+#include "tools/cli/Process.h"
 #include "tools/cli/Usage.h"
 #include "tools/sim/Server.h"
 
@@ -20,6 +24,8 @@ struct Options {
   std::string scenario = "empty-goal";
   std::string truth;
   std::string result;
+  bool tellGoals = false;
+  bool realTime = false;
   double wait = 60.0;  // s for the agents to come
   bool noRing = false, noNoise = false, noShift = false, noRolling = false;
   bool noBlur = false, noSlip = false, noSpectators = false;
@@ -39,22 +45,39 @@ WorldParams worldParams(const Options& options) {
   return params;
 }
 
-std::string secondsOrNull(const std::optional<double>& time) {
-  return time ? fmt::format("{:.3f}", *time) : "null";
-}
+const char* nameOf(TeamColour team) { return team == TeamColour::red ? "red" : "blue"; }
 
 Status writeResult(const Options& options, const World& world) {
   if (options.result.empty()) return Done{};
   const Score& score = world.score();
+  std::string goals;
+  for (const Goal& goal : score.goals)
+    goals += fmt::format("{}{{\"team\":\"{}\",\"t_s\":{:.3f}}}", goals.empty() ? "" : ",",
+                         nameOf(goal.team), goal.time);
   std::ofstream file(options.result);
-  file << fmt::format(
-      "{{\"red_goals\":{},\"blue_goals\":{},\"first_red_goal_s\":{},\"first_blue_goal_s\":{},"
-      "\"seconds\":{:.3f},\"outs\":{},\"seed\":{}}}\n",
-      score.red, score.blue, secondsOrNull(score.firstRedGoal), secondsOrNull(score.firstBlueGoal),
-      world.time().seconds(), score.outs, options.seed);
+  file << fmt::format("{{\"goals\":[{}],\"seconds\":{:.3f},\"outs\":{},\"seed\":{}}}\n", goals,
+                      world.time().seconds(), score.outs, options.seed);
   file.close();
   if (!file) return Error{"cannot write " + options.result};
   return Done{};
+}
+
+// Goals are told as they fall: "goal red 19.633".
+void tell(const MatchEvent& event) {
+  if (event.kind != EventKind::goal) return;
+  fmt::print("goal {} {:.3f}\n", nameOf(event.team), event.time.seconds());
+  std::fflush(stdout);
+}
+
+ServerHooks hooks(const Options& options) {
+  ServerHooks hooks;
+  if (options.tellGoals) hooks.onEvent = tell;
+  hooks.stopped = cli::interrupted;
+  if (options.realTime)
+    hooks.beforeStep = [start = std::chrono::steady_clock::now()](TimeUs now) {
+      std::this_thread::sleep_until(start + std::chrono::microseconds(now.us));
+    };
+  return hooks;
 }
 
 Status play(const Options& options) {
@@ -75,7 +98,7 @@ Status play(const Options& options) {
   const auto setup = scenario(options.scenario, *field, hellos, options.seed);
   if (!setup) return Error{setup.error()};
   World world(worldParams(options), *field, *setup, options.seed);
-  const Status played = Server(world, *agents, log ? &*log : nullptr).run();
+  const Status played = Server(world, *agents, log ? &*log : nullptr, hooks(options)).run();
   if (!played) return played;
   if (log) {
     const Status closed = log->close();
@@ -99,6 +122,8 @@ void describe(CLI::App& app, Options& options) {
       ->check(CLI::Range(0, 100));
   app.add_option("--truth", options.truth, "log of what really happened (MCAP)");
   app.add_option("--result", options.result, "result file (JSON)");
+  app.add_flag("--tell-goals", options.tellGoals, "each goal as a line on standard output");
+  app.add_flag("--real-time", options.realTime, "no faster than a clock");
   app.add_option("--wait", options.wait, "seconds until the agents must be there")
       ->check(cli::inRange(0.0, 1e5));
   app.add_flag("--no-ring", options.noRing, "no ring effect");
@@ -120,6 +145,7 @@ int main(int argc, char** argv) {
   bool done = false;
   const int usage = kelpie::cli::parseOptions(app, argc, argv, done);
   if (done) return usage;
+  kelpie::cli::catchInterrupts();  // a match that is stopped still leaves log and result whole
   const kelpie::Status played = kelpie::sim::play(options);
   if (played) return 0;
   fmt::print(stderr, "kelpie-world: {}\n", played.error());

@@ -6,10 +6,11 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
 #include "robot/body/Camera.h"
+#include "tools/picture/CameraPicture.h"
+#include "tools/picture/PngFile.h"
 #include "tools/sim/Camera.h"
 #include "tools/sim/OuterWall.h"
 
@@ -54,18 +55,10 @@ ColumnCameras cameras(const Options& options, const Pose2& pose) {
   return columns;
 }
 
-bool writePng(const std::string& path, const Image& image) {
-  cv::Mat planes(kImageHeight, kImageWidth, CV_8UC3);
-  for (int y = 0; y < kImageHeight; ++y) {
-    for (int x = 0; x < kImageWidth; ++x) {
-      const Yuv p = image.pixel(x, y);
-      planes.at<cv::Vec3b>(y, x) = {p.y, p.cr, p.cb};
-    }
-  }
-  cv::Mat rgb;
-  cv::cvtColor(planes, rgb, cv::COLOR_YCrCb2BGR);
-  cv::resize(rgb, rgb, {}, 3.0, 3.0, cv::INTER_NEAREST);
-  return cv::imwrite(path, rgb);
+Status writeLarge(const std::string& path, const Image& image) {
+  cv::Mat picture;
+  cv::resize(picture::pictureOf(image), picture, {}, 3.0, 3.0, cv::INTER_NEAREST);
+  return picture::writePng(path, picture);
 }
 
 int run(const Options& options) {
@@ -95,8 +88,9 @@ int run(const Options& options) {
       std::make_unique<Camera>(options.ideal ? idealCamera() : CameraParams{}, randomShift(random));
   const auto image = std::make_unique<Image>();
   camera->render(scene, cameras(options, pose), random, *image);
-  if (!writePng(options.out, *image)) {
-    fmt::print(stderr, "sim_snapshot: cannot write {}\n", options.out);
+  const Status written = writeLarge(options.out, *image);
+  if (!written) {
+    fmt::print(stderr, "sim_snapshot: {}\n", written.error());
     return 1;
   }
   fmt::print("{}: seen from ({:.0f}, {:.0f}), heading {:.0f} deg\n", options.out, pose.position.x,

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// PNG files by libpng. They appear whole or not at all: another name is written first and moved in
+// place.
+#pragma once
+
+#include <opencv2/core.hpp>
+#include <string>
+
+#include "robot/core/Expected.h"
+
+namespace kelpie::picture {
+
+// 8 bits a channel, blue green red.
+Status writePng(const std::string& path, const cv::Mat& picture);
+
+// As blue green red, whatever the file has; what is transparent is laid on black.
+Expected<cv::Mat> readPng(const std::string& path);
+
+}  // namespace kelpie::picture
