@@ -9,7 +9,7 @@ import subprocess
 import time
 
 import pytest
-from conftest import BIN, HEADER, PLANE, ROOT, agent, complaint, kelpie, make_recording
+from conftest import BIN, ROOT, agent, complaint, kelpie
 
 
 def test_help_teaches_the_first_command():
@@ -388,38 +388,6 @@ def test_a_world_that_dies_ends_the_match_and_keeps_the_log(tmp_path):
     assert kelpie("replay", out / "match.mcap", "--check").returncode == 0
 
 
-def test_import_wants_the_exact_header(tmp_path):
-    folder = make_recording(tmp_path / "r", [bytes(3 * PLANE)])
-    (folder / "sensors.csv").write_text("t,pan\n0,1\n")
-    result = kelpie("import", folder, "--out", tmp_path / "r.mcap")
-    assert result.returncode == 2
-    assert "sensors.csv:1" in complaint(result)
-    assert not list(tmp_path.glob("*.mcap*"))
-
-
-def test_import_names_the_row_that_is_no_numbers(tmp_path):
-    folder = make_recording(tmp_path / "r", [bytes(3 * PLANE)] * 2)
-    (folder / "sensors.csv").write_text(HEADER + "\n0,0,0,0,0,100,0,0,0\n0.03,0,oops,0,0,1,0,0,0\n")
-    result = kelpie("import", folder, "--out", tmp_path / "r.mcap")
-    assert result.returncode == 2
-    assert "sensors.csv:3" in complaint(result)
-
-
-@pytest.mark.parametrize("row, told", [
-    ("0.0334,1e308,0,0,14.25,100,0,0,0", "angles in -360..360"),
-    ("0.0000001,-20,0,0,14.25,100,0,0,0", "time does not increase"),
-    ("0.0044,-20,85,0,14.25,100,0,0,0", "headRate.headPan"),
-    ("99,-20,0,0,14.25,100,0,0,0", "elapsed"),
-])
-def test_import_refuses_rows_that_no_robot_could_give(tmp_path, row, told):
-    folder = make_recording(tmp_path / "rec", [bytes(3 * PLANE)] * 2)
-    table = folder / "sensors.csv"
-    table.write_text("\n".join([*table.read_text().splitlines()[:2], row]) + "\n")
-    result = kelpie("import", folder, "--out", tmp_path / "out.mcap")
-    assert result.returncode == 2
-    assert told in complaint(result) and "sensors.csv:3" in complaint(result)
-
-
 def full_disk():
     """Files end at 40 KB, as on a disk that is full, and no signal tells."""
     signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
@@ -447,21 +415,3 @@ def test_what_cannot_be_written_is_told_before_the_measurement(tmp_path):
                   ["bench", "no.mcap", "--json"]):
         for out in (tmp_path / "none" / "f.json", tmp_path):
             assert "cannot be written" in complaint(kelpie(*words, out, timeout=20))
-
-
-def test_import_names_the_frame_of_a_wrong_size(tmp_path):
-    folder = make_recording(tmp_path / "r", [bytes(3 * PLANE), bytes(100)])
-    result = kelpie("import", folder, "--out", tmp_path / "r.mcap")
-    assert result.returncode == 2
-    assert "000001.yuv" in complaint(result)
-    assert not list(tmp_path.glob("*.mcap*"))
-
-
-def test_imported_frames_replay(tmp_path):
-    folder = make_recording(tmp_path / "r", [bytes([90]) * PLANE + bytes([128]) * (2 * PLANE)] * 3)
-    log = tmp_path / "r.mcap"
-    assert kelpie("import", folder, "--out", log).returncode == 0
-    result = kelpie("replay", log, "--jsonl", "-", "--init", "180,100,90")
-    assert result.returncode == 0, result.stderr
-    first = json.loads(result.stdout.splitlines()[0])
-    assert abs(first["pose"]["x_cm"] - 180) < 1 and first["percepts"] == []

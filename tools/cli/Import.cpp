@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
+// A log made of somebody's own images and joint angles: their inputs, and the outputs that the
+// stages make of them, so that it can be shown, filmed and checked like the log of a match.
 #include <fmt/core.h>
 
+#include <functional>
 #include <memory>
 
-#include "robot/agent/Replay.h"
+#include "robot/agent/FrameLoop.h"
+#include "robot/core/LogTopics.h"
 #include "robot/core/LogWriter.h"
 #include "tools/calibrate/Images.h"
 #include "tools/cli/Commands.h"
@@ -17,42 +21,73 @@ namespace {
 struct ImportOptions {
   std::string folder;
   std::string out;
+  std::string pycode = defaultScripts();
   ConfigOptions config;
 };
 
-Status writeFrames(const std::vector<std::string>& files, const std::vector<RecordedRow>& rows,
-                   LogWriter& log) {
-  for (std::size_t i = 0; i < files.size(); ++i) {
-    const auto image = calibrate::readImage(files[i]);
+struct Recording {
+  std::vector<std::string> files;
+  std::vector<RecordedRow> rows;  // one a file
+};
+
+Expected<Recording> readRecording(const std::string& folder) {
+  const auto files = listFrames(folder + "/frames");
+  if (!files) return Error{files.error()};
+  const std::string table = folder + "/sensors.csv";
+  const auto rows = readSensorRows(table);
+  if (!rows) return Error{rows.error()};
+  if (rows->size() != files->size())
+    return Error{fmt::format("{}: {} rows for {} frames", table, rows->size(), files->size())};
+  return Recording{*files, *rows};
+}
+
+// A terminal is told how far it is: a second of images takes about a tenth of one.
+std::function<void(std::size_t, std::size_t)> progressOnTerminal() {
+  if (!onTerminal()) return [](std::size_t, std::size_t) {};
+  return [](std::size_t done, std::size_t all) {
+    if (done % 10 == 0 || done == all)
+      fmt::print(stderr, "\r{} of {} frames{}", done, all, done == all ? "\n" : "");
+  };
+}
+
+Status writeFrames(const Recording& recording, agent::FrameLoop& loop, LogWriter& log) {
+  const auto progress = progressOnTerminal();
+  agent::StageObserver silent;
+  const auto& rows = recording.rows;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const auto image = calibrate::readImage(recording.files[i]);
     if (!image) return Error{image.error()};
     FrameInput input =
         frameInput(static_cast<std::uint32_t>(i), rows[i], i > 0 ? &rows[i - 1] : nullptr);
     input.image = *image;
     log.write(kFrameInputTopic, input.time, input);
+    log.write(kFrameOutputTopic, input.time, loop.step(input, silent));
+    progress(i + 1, rows.size());
   }
   return Done{};
 }
 
 Status importFolder(const ImportOptions& options, const std::string& part) {
-  const auto files = listFrames(options.folder + "/frames");
-  if (!files) return Error{files.error()};
-  const std::string table = options.folder + "/sensors.csv";
-  const auto rows = readSensorRows(table);
-  if (!rows) return Error{rows.error()};
-  if (rows->size() != files->size())
-    return Error{fmt::format("{}: {} rows for {} frames", table, rows->size(), files->size())};
-  const auto config = makeConfig(options.config);
+  const auto recording = readRecording(options.folder);
+  if (!recording) return Error{recording.error()};
+  auto config = makeConfig(options.config);
   if (!config) return Error{config.error()};
+  config->behaviour.reload = false;  // the scripts as they are now, to the recording's end
+  const auto loop = std::make_unique<agent::FrameLoop>(*config, options.pycode);
+  if (!loop->scriptError().empty()) return Error{loop->scriptError()};
   auto log = LogWriter::open(part);
   if (!log) return Error{log.error()};
-  log->metadata("kelpie", {{"imported", std::to_string(files->size()) + " frames"}});
+  log->metadata("kelpie", {{"imported", std::to_string(recording->files.size()) + " frames"}});
+  log->metadata("parameters", parameterNotes(options.config));
   log->write(kConfigTopic, TimeUs{}, *config);
-  const Status frames = writeFrames(*files, *rows, *log);
+  const Status frames = writeFrames(*recording, *loop, *log);
   return frames ? log->close() : frames;
 }
 
 int import(const ImportOptions& options) {
   if (isDevice(options.out)) return complain(options.out + ": not a plain file", kBadInput);
+  const Status scripts = checkScripts(options.pycode);
+  if (!scripts) return complain(scripts.error(), kBadInput);
   const std::string part = options.out + ".part";
   const Status done = putInPlace(importFolder(options, part), part, options.out);
   if (!done) return complain(done.error(), kBadInput);
@@ -64,11 +99,15 @@ int import(const ImportOptions& options) {
 
 void addImport(CLI::App& app, int& code) {
   auto* command = app.add_subcommand(
-      "import", "A log of foreign recordings: frames/NNNNNN.yuv|png and sensors.csv");
+      "import", "A log of your own frames and joint angles, with what the stages make of them");
   auto options = std::make_shared<ImportOptions>();
-  command->add_option("DIR", options->folder, "Folder with frames/ and sensors.csv")->required();
+  command->add_option("DIR", options->folder, "Folder with frames/ and sensors.csv, see below")
+      ->required();
   command->add_option("--out", options->out, "The log to write")->required();
+  command->add_option("--pycode", options->pycode, "Behaviours (default: pycode/)")
+      ->check(CLI::ExistingPath);
   addConfigOptions(*command, options->config);
+  command->footer(recordingHelp());
   command->callback([options, &code] { code = import(*options); });
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Foreign recordings in a folder: frames/NNNNNN.yuv (planes Y, Cr, Cb of 208 x 160 bytes) or .png
-// (RGB), and sensors.csv with one row a frame.
+// (RGB), and sensors.csv with one row a frame. recordingHelp() says it all to a user.
 #pragma once
 
 #include <string>
@@ -21,9 +21,13 @@ struct RecordedRow {
   Odometry odometry;  // since the row before
 };
 
-// Errors name the file and the line.
+// What a recording's folder must hold, with an example of sensors.csv that is accepted as it is.
+std::string recordingHelp();
+// Errors are one line that names the file: all that is wrong with the header, or the first row that
+// is wrong and how many more are.
 Expected<std::vector<RecordedRow>> readSensorRows(const std::string& path);
-// The frame files in order; an error when a number is missing or nothing is there.
+// The frame files by number; an error when a number is missing or there twice, a name is no number,
+// or nothing is there.
 Expected<std::vector<std::string>> listFrames(const std::string& folder);
 // Fills everything but the image; `previous` is null for the first row.
 FrameInput frameInput(std::uint32_t frame, const RecordedRow& row, const RecordedRow* previous);
