@@ -5,6 +5,8 @@
 
 #include <charconv>
 
+#include "tools/cli/Version.h"
+
 namespace kelpie::cli {
 namespace {
 
@@ -41,6 +43,8 @@ CLI::Validator inRange(double least, double most) {
 
 int parseOptions(CLI::App& app, int argc, char** argv, bool& done) {
   done = true;
+  app.set_version_flag("--version", versionLine,
+                       "Version, commit and field lists (logs of the same field lists fit)");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

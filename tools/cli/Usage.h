@@ -12,9 +12,9 @@ namespace kelpie::cli {
 CLI::Validator inRange(double least, double most);
 constexpr double kLargestSeed = 9e15;  // every whole number up to here is a double
 
-// Parses; whatever is wrong becomes "NAME: what; `NAME --help` tells more" on standard error, and
-// names the word that is not known. With `done` set the program ends with the code given: 0 after
-// help, 2 for a usage error.
+// Adds --version and parses; whatever is wrong becomes "NAME: what; `NAME --help` tells more" on
+// standard error, and names the word that is not known. With `done` set the program ends with the
+// code given: 0 after help or version, 2 for a usage error.
 int parseOptions(CLI::App& app, int argc, char** argv, bool& done);
 
 }  // namespace kelpie::cli

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/cli/Version.h"
+
+#include <fmt/core.h>
+
+#include "robot/agent/AgentConfig.h"
+#include "robot/core/FrameOutput.h"
+#include "robot/core/LogTopics.h"
+#include "robot/core/PlaneFrame.h"
+#include "robot/core/Schema.h"
+#include "tools/cli/Commit.h"
+#include "tools/sim/Truth.h"
+
+namespace kelpie::cli {
+namespace {
+
+template <class T>
+std::string described(const char* topic) {
+  return std::string(topic) + "\n" + schemaName<T>() + "\n" + schemaText<T>() + "\n";
+}
+
+std::uint64_t fnv1a(const std::string& text) {
+  std::uint64_t hash = 0xcbf29ce484222325ULL;
+  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3ULL;
+  return hash;
+}
+
+}  // namespace
+
+std::string fieldListVersion() {
+  const std::string all =
+      described<agent::AgentConfig>(kConfigTopic) + described<FrameInput>(kFrameInputTopic) +
+      described<PlaneFrame>(kPlaneFrameTopic) + described<FrameOutput>(kFrameOutputTopic) +
+      described<MotionInput>(kMotionInputTopic) + described<MotionOutput>(kMotionOutputTopic) +
+      described<sim::TruthFrame>(sim::kTruthTopic) + described<sim::MatchEvent>(sim::kEventTopic);
+  return fmt::format("{:016x}", fnv1a(all));
+}
+
+std::string versionLine() {
+  return fmt::format("kelpie {}, commit {}, field lists {}", projectVersion(), sourceCommit(),
+                     fieldListVersion());
+}
+
+LogMap versionNotes() {
+  return {{"version", projectVersion()},
+          {"commit", sourceCommit()},
+          {"field_lists", fieldListVersion()}};
+}
+
+}  // namespace kelpie::cli
