@@ -20,6 +20,10 @@ std::string written(const char* name, const std::string& text) {
   return inFolder(name);
 }
 
+constexpr const char* kClasses =
+    "the classes are none, orange, blue, yellow, pink, robotBlue, robotRed, green, grey, white, "
+    "black or a number of 2005 (0 to 12, 127)";
+
 TEST(Labels, CsvHasTheClassIdsOf2005) {
   const auto pixels =
       readLabelledCsv(written("labels.csv", "Y,Cr,Cb,class\n74,191,99,0\n30,126,130,5\n"));
@@ -30,11 +34,30 @@ TEST(Labels, CsvHasTheClassIdsOf2005) {
   EXPECT_EQ((*pixels)[1].value.cb, 130);
 }
 
+TEST(Labels, CsvMayHaveNamesAndNumbersOfClasses) {
+  const auto pixels = readLabelledCsv(
+      written("names.csv", "Y,Cr,Cb,class\n74,191,99,orange\n30,126,130,5\n1,2,3,none\n9,9,9,127"));
+  ASSERT_TRUE(pixels) << pixels.error();
+  ASSERT_EQ(pixels->size(), 4U);
+  EXPECT_EQ((*pixels)[0].colour, ColourClass::orange);
+  EXPECT_EQ((*pixels)[1].colour, ColourClass::robotBlue);
+  EXPECT_EQ((*pixels)[2].colour, ColourClass::none);
+  EXPECT_EQ((*pixels)[3].colour, ColourClass::none);
+}
+
+TEST(Labels, UnknownClassesAreOneLineWithFileLineAndList) {
+  for (const std::string name : {"purple", "13", "Orange", "200", ""}) {
+    const auto file = written("purple.csv", "Y,Cr,Cb,class\n1,2,3,4\n1,2,3," + name + "\n");
+    EXPECT_EQ(readLabelledCsv(file).error(), file + ":3: no class '" + name + "', " + kClasses);
+  }
+}
+
 TEST(Labels, BadCsvIsOneLineWithFileAndLine) {
   const auto columns = written("columns.csv", "Y,Cr,Cb,class\n1,2,3\n");
   EXPECT_EQ(readLabelledCsv(columns).error(), columns + ":2: expected 4 columns");
   const auto large = written("large.csv", "Y,Cr,Cb,class\n1,2,3,4\n1,2,256,4\n");
-  EXPECT_EQ(readLabelledCsv(large).error(), large + ":3: expected four bytes");
+  EXPECT_EQ(readLabelledCsv(large).error(),
+            large + ":3: expected three numbers in 0..255 and a class");
   const auto none = written("none.csv", "Y,Cr,Cb,class\n");
   EXPECT_EQ(readLabelledCsv(none).error(), none + ": no labelled pixels");
 }
@@ -52,13 +75,23 @@ TEST(Labels, BoxesInImagesGiveCorrectedPixels) {
   EXPECT_NEAR(sum, kPapers[2].y, 4.0);  // 130 uncorrected
 }
 
+TEST(Labels, BoxesMayHaveNumbersOfClasses) {
+  Random random(1);
+  ASSERT_TRUE(writePicture(sheetImage(kPapers[2], {}, random), inFolder("paper.png")));
+  const auto pixels =
+      readRegions(written("numbers.txt", "paper.png 4 4 5 6 9\n"), vision::buildRingTable({}));
+  ASSERT_TRUE(pixels) << pixels.error();
+  ASSERT_EQ(pixels->size(), 2U);
+  EXPECT_EQ((*pixels)[1].colour, ColourClass::white);
+}
+
 TEST(Labels, BadBoxesAreOneLineWithFileAndLine) {
   const auto ring = vision::buildRingTable({});
   const auto outside = written("outside.txt", "\nwhite.png 0 0 300 10 white\n");
   EXPECT_EQ(readRegions(outside, ring).error(),
             outside + ":2: the box must lie in 208 x 160 pixels");
   const auto unknown = written("unknown.txt", "white.png 0 0 10 10 purple\n");
-  EXPECT_EQ(readRegions(unknown, ring).error(), unknown + ":1: no class 'purple'");
+  EXPECT_EQ(readRegions(unknown, ring).error(), unknown + ":1: no class 'purple', " + kClasses);
   const auto few = written("few.txt", "white.png 0 0 white\n");
   EXPECT_EQ(readRegions(few, ring).error(),
             few + ":1: expected: image left top right bottom class");

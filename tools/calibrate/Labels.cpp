@@ -25,12 +25,8 @@ struct Region {
   vision::ColourClass colour = vision::ColourClass::none;
 };
 
-Expected<vision::ColourClass> classNamed(const std::string& name) {
-  const auto& names = vision::kColourNames;
-  const auto found = std::find(names.begin(), names.end(), name);
-  if (found == names.end()) return Error{"no class '" + name + "'"};
-  return static_cast<vision::ColourClass>(found - names.begin());
-}
+constexpr std::uint8_t kLastIdOf2005 = 12;
+constexpr std::uint8_t kNoneOf2005 = 127;
 
 Expected<Region> parseRegion(const std::string& line) {
   std::istringstream in(line);
@@ -41,7 +37,7 @@ Expected<Region> parseRegion(const std::string& line) {
   if (r.left < 0 || r.top < 0 || r.right > kImageWidth || r.bottom > kImageHeight ||
       r.left >= r.right || r.top >= r.bottom)
     return Error{"the box must lie in 208 x 160 pixels"};
-  const auto colour = classNamed(name);
+  const auto colour = colourClassOf(name);
   if (!colour) return Error{colour.error()};
   r.colour = *colour;
   return r;
@@ -64,15 +60,34 @@ Expected<std::vector<Region>> parseRegions(const std::string& path) {
 
 }  // namespace
 
+std::string colourClassList() {
+  std::string list;
+  for (const char* name : vision::kColourNames)
+    list += (list.empty() ? "" : ", ") + std::string(name);
+  return list;
+}
+
+Expected<vision::ColourClass> colourClassOf(const std::string& text) {
+  const auto& names = vision::kColourNames;
+  const auto found = std::find(names.begin(), names.end(), text);
+  if (found != names.end()) return static_cast<vision::ColourClass>(found - names.begin());
+  std::uint8_t id = 0;
+  if (parseByte(text, id) && (id <= kLastIdOf2005 || id == kNoneOf2005))
+    return vision::classOf2005(id);
+  return Error{"no class '" + text + "', the classes are " + colourClassList() +
+               " or a number of 2005 (0 to 12, 127)"};
+}
+
 Expected<LabelledPixels> readLabelledCsv(const std::string& path) {
   LabelledPixels pixels;
   const Status read = forEachRow(path, "Y,Cr,Cb,class", [&](const Cells& cells) -> Status {
     LabelledPixel p;
-    std::uint8_t id = 0;
     if (!parseByte(cells[0], p.value.y) || !parseByte(cells[1], p.value.cr) ||
-        !parseByte(cells[2], p.value.cb) || !parseByte(cells[3], id))
-      return Error{"expected four bytes"};
-    p.colour = vision::classOf2005(id);
+        !parseByte(cells[2], p.value.cb))
+      return Error{"expected three numbers in 0..255 and a class"};
+    const auto colour = colourClassOf(std::string(cells[3]));
+    if (!colour) return Error{colour.error()};
+    p.colour = *colour;
     pixels.push_back(p);
     return Done{};
   });
