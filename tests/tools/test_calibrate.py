@@ -3,15 +3,18 @@
 
 import math
 import random
+from pathlib import Path
 
 import pytest
-from conftest import PLANE, complaint, kelpie, make_recording
+from conftest import PLANE, ROOT, complaint, kelpie, make_recording
 
 RING_BYTES = 6 + 3 * 149 * 256  # of a ring table file, before its checksum: centres, channels
+GENUINE = Path(ROOT).parent / "shared" / "data" / "frames-ers7"
+CLASSES = "none, orange, blue, yellow, pink, robotBlue, robotRed, green, grey, white, black"
 PAPERS = [(82, 121, 167), (189, 124, 129), (120, 160, 61)]
 
 
-def sheet(paper, seed):
+def sheet(paper, seed, loss=0.25):
     """Planes of a sheet that loses a quarter of its light towards the corners, with noise."""
     noise = random.Random(seed)
     planes = bytearray()
@@ -19,7 +22,7 @@ def sheet(paper, seed):
         for y in range(160):
             for x in range(208):
                 d = math.hypot(x - 103.5, y - 79.5) / 130
-                planes.append(max(0, min(255, round(value * (1 - 0.25 * d * d)
+                planes.append(max(0, min(255, round(value * (1 - loss * d * d)
                                                     + noise.gauss(0, 2)))))
     return bytes(planes)
 
@@ -42,6 +45,82 @@ def test_ring_table_from_a_folder_of_sheets_says_where_it_came_from(sheets, tmp_
     assert "3 sheets" in result.stdout and "centre 10" in result.stdout
     shown = kelpie("calibrate", "show", table).stdout
     assert "ring table" in shown and "3 sheets" in shown and "my lab" in shown
+
+
+def test_a_ring_table_that_helps_is_told_without_a_warning(sheets, tmp_path):
+    for i, planes in enumerate(sheets):
+        (tmp_path / f"{i}.yuv").write_bytes(planes)
+    result = kelpie("calibrate", "ring", tmp_path, "--out", tmp_path / "ring.kt")
+    assert result.returncode == 0 and result.stderr == ""
+    line = [line for line in result.stdout.splitlines() if line.startswith("unevenness")][0]
+    assert "Y 0.1" in line and "2006: 1" in line and "none: 1" in line
+
+
+def test_a_ring_table_worse_than_none_is_written_with_a_warning_of_levels(tmp_path):
+    # The camera has no ring effect, and a heavy prior bends the table to that of 2006 all the same.
+    for i, paper in enumerate(PAPERS):
+        (tmp_path / f"{i}.yuv").write_bytes(sheet(paper, i, loss=0))
+    table = tmp_path / "ring.kt"
+    result = kelpie("calibrate", "ring", tmp_path, "--surface", "--prior", "5", "--out", table)
+    assert result.returncode == 0, result.stderr
+    told = complaint(result)
+    assert told.startswith("kelpie: warning: the sheets look less even than before")
+    for channel in ("Y 1", "Cr 1", "Cb 4"):
+        assert channel in told
+    assert "2006: " in told and "none: 0." in told and result.stderr.count("\n") == 1
+    assert "less even than before" in kelpie("calibrate", "show", table).stdout
+
+
+@pytest.mark.skipif(not GENUINE.is_dir(), reason="../shared/data is not there: no genuine frames")
+def test_three_busy_frames_teach_a_worse_table_than_2006_and_it_is_told(tmp_path):
+    result = kelpie("calibrate", "ring", GENUINE, "--surface", "--prior", "0.05", "--out",
+                    tmp_path / "ring.kt")
+    assert result.returncode == 0 and (tmp_path / "ring.kt").is_file()
+    assert "Y 13." in complaint(result) and "2006: 10." in complaint(result)
+
+
+@pytest.mark.parametrize("words, told", [
+    (("ring", "2006", "--surface"), "2006: is a table: --surface and --prior are for images"),
+    (("ring", "none", "--prior", "0.1"), "none: is a table: --surface and --prior are for images"),
+    (("ring", "2006", "--robot", "r1"), "--robot requires --shift"),
+    (("colour", "nominal", "--seed", "3"), "--seed: only for labelled pixels"),
+    (("colour", "labels.csv", "--ring", "none"), "--ring: only for a .txt of boxes"),
+])
+def test_an_option_without_effect_is_refused(words, told, tmp_path):
+    result = kelpie("calibrate", *words, "--out", tmp_path / "t.kt")
+    assert result.returncode == 2
+    assert told in complaint(result)
+    assert not list(tmp_path.iterdir())
+
+
+def test_the_help_alone_tells_what_a_file_of_labels_holds(tmp_path):
+    text = kelpie("calibrate", "colour", "--help").stdout
+    assert CLASSES in text and "3 yellow" in text and "\n  Y,Cr,Cb,class\n" in text
+    rows = [line.strip() for line in text.splitlines() if line.strip().count(",") == 3]
+    table = [row for row in rows if row == "Y,Cr,Cb,class" or row[0].isdigit()]
+    (tmp_path / "l.csv").write_text("\n".join(table[:1] + table[1:] * 4) + "\n")
+    assert len(table) == 3
+    assert kelpie("calibrate", "colour", tmp_path / "l.csv", "--out",
+                  tmp_path / "t.kt").returncode == 0
+
+
+def test_a_table_is_the_same_from_names_as_from_numbers(tmp_path):
+    for name, classes in (("names", ("orange", "black")), ("numbers", ("0", "10"))):
+        rows = [f"{74 + i},191,99,{classes[0]}\n{18 + i},127,128,{classes[1]}" for i in range(9)]
+        (tmp_path / f"{name}.csv").write_text("\n".join(["Y,Cr,Cb,class", *rows]) + "\n")
+        assert kelpie("calibrate", "colour", tmp_path / f"{name}.csv", "--out",
+                      tmp_path / name).returncode == 0
+    tables = [(tmp_path / name).read_bytes()[-65540:-4] for name in ("names", "numbers")]
+    assert tables[0] == tables[1] and len(set(tables[0])) > 1
+
+
+@pytest.mark.parametrize("name, text", [("l.csv", "Y,Cr,Cb,class\n1,2,3,purple\n"),
+                                        ("l.txt", "# boxes\na.png 0 0 9 9 purple\n")])
+def test_an_unknown_class_is_one_line_with_file_line_and_the_classes(tmp_path, name, text):
+    (tmp_path / name).write_text(text)
+    result = kelpie("calibrate", "colour", tmp_path / name, "--out", tmp_path / "t.kt")
+    assert result.returncode == 2
+    assert f"{name}:2: no class 'purple', the classes are {CLASSES}" in complaint(result)
 
 
 def test_ring_table_from_a_log_is_the_one_from_its_images(sheets, tmp_path):

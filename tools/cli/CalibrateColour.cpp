@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "tools/calibrate/KernelTrainer.h"
+#include "tools/calibrate/Labels.h"
 #include "tools/calibrate/TablePicture.h"
 #include "tools/cli/Calibrate.h"
 #include "tools/cli/Commands.h"
@@ -27,6 +28,34 @@ struct ColourOptions {
   std::string note;
   std::uint64_t seed = 1;
 };
+
+constexpr const char* kHelp =
+    R"(
+A .csv holds one labelled pixel a row, Y, Cr, Cb in 0..255, already corrected for the ring effect:
+  Y,Cr,Cb,class
+  74,191,99,orange
+  18,127,128,black
+
+A .txt holds one labelled box a line: an image (208 x 160, .png, .yuv or .bin, its path relative to
+the .txt), left, top, right, bottom in pixels (right and bottom exclusive), class; # begins a
+comment:
+  shots/goal.png 40 20 90 60 blue
+
+A quarter of the pixels is held out to judge by; the printed table has a row for each labelled class
+and a column for what the new colour table makes of it.
+)";
+
+// The classes by name, and by the numbers that the 2005 release gave them.
+std::string help() {
+  std::string numbers;
+  for (std::uint8_t id = 0; id < vision::kColourClassCount; ++id) {
+    const auto colour = vision::classOf2005(id);
+    if (colour != vision::ColourClass::none)
+      numbers += fmt::format("{} {}, ", id, vision::kColourNames[vision::index(colour)]);
+  }
+  return fmt::format("{}\nClasses: {}\nor by number: {}others up to\n12 and 127 none", kHelp,
+                     calibrate::colourClassList(), numbers);
+}
 
 bool endsIn(const std::string& path, const char* extension) {
   return std::filesystem::path(path).extension() == extension;
@@ -85,6 +114,16 @@ Expected<vision::ColourTable> makeTable(const ColourOptions& options, std::strin
   return calibration->colour;
 }
 
+// An option that has nothing to act on is a slip: told, not passed over.
+Status checkUse(const CLI::App& colour, const std::string& input) {
+  const bool boxes = endsIn(input, ".txt");
+  if (colour.count("--ring") > 0 && !boxes)
+    return Error{"--ring: only for a .txt of boxes in images, not for " + input};
+  if (colour.count("--seed") > 0 && !boxes && !endsIn(input, ".csv"))
+    return Error{"--seed: only for labelled pixels (.csv or .txt), not for " + input};
+  return Done{};
+}
+
 int calibrateColour(const ColourOptions& options) {
   for (const auto& path : {options.out, options.picture})
     if (isDevice(path)) return complain(path + ": not a plain file", kBadInput);
@@ -118,13 +157,17 @@ void addCalibrateColour(CLI::App& command, int& code) {
       ->required();
   colour->add_option("--out", options->out, "The colour table to write")->required();
   colour->add_option("--picture", options->picture, "PNG of slices through the table");
-  colour->add_option("--ring", options->ring, "Correction of the images' pixels")
+  colour->add_option("--ring", options->ring, "Correction of the images of a .txt")
       ->capture_default_str();
   colour->add_option("--seed", options->seed, "Of the part held out to judge by")
       ->check(inRange(0.0, kLargestSeed))
       ->capture_default_str();
   colour->add_option("--note", options->note, "Robot, venue, date: kept in the table");
-  colour->callback([options, &code] { code = calibrateColour(*options); });
+  colour->footer(help());
+  colour->callback([options, colour, &code] {
+    const Status used = checkUse(*colour, options->input);
+    code = used ? calibrateColour(*options) : complain(used.error(), kBadInput);
+  });
 }
 
 }  // namespace kelpie::cli

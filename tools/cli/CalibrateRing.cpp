@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "tools/calibrate/Images.h"
+#include "tools/calibrate/RingJudge.h"
 #include "tools/calibrate/RingLearner.h"
 #include "tools/cli/Calibrate.h"
 #include "tools/cli/Commands.h"
@@ -18,6 +19,23 @@ constexpr std::size_t kMostOfLog = 40;  // images of a log; each counts as a she
 constexpr double kTextured = 30.0;      // grey levels; carpet in uneven light has 15
 constexpr int kStep = 2;                // every second pixel in x and y
 constexpr std::array<const char*, 3> kChannels = {"Y", "Cr", "Cb"};
+
+constexpr const char* kHelp =
+    R"(
+A sheet is evenly coloured paper, evenly lit, that fills the image. Give sheets of at least two
+colours that differ by 15 levels in each of Y, Cr, Cb: white, blue, orange and green card will do.
+Images are 208 x 160: .png (RGB), .yuv (planes Y, Cr, Cb, see `kelpie import --help`) or .bin (160
+rows, each 208 Y, 208 Cr, 208 Cb).
+
+Said of each channel: the levels by which pixels differ from an even sheet, before -> after the fit,
+its centre, the six coefficients; then how uneven the sheets look through the new table, through
+that of 2006 and through none. Where the new one is worse a warning says so; it is written all the
+same and the exit code is 0, for other sheets may speak for it.
+
+  kelpie calibrate ring sheets/ --out ring.kt --note "robot 3, lab, neon light"
+  kelpie calibrate ring match.mcap --surface --prior 0.05 --out ring.kt    the carpet as the sheet
+  kelpie calibrate show ring.kt
+  kelpie play --ring ring.kt)";
 
 struct RingOptions {
   std::string input;
@@ -70,6 +88,29 @@ void report(const calibrate::RingFit& fit) {
   }
 }
 
+std::string listed(const calibrate::RingVerdict& verdict,
+                   const std::vector<std::size_t>& channels) {
+  std::string text;
+  for (const std::size_t c : channels)
+    text += fmt::format("{}{} {:.2f} (2006: {:.2f}, none: {:.2f})", text.empty() ? "" : ", ",
+                        kChannels[c], verdict.learnt[c], verdict.published[c], verdict.none[c]);
+  return text;
+}
+
+// Says how even the sheets look through the new table, and warns where an older one does better.
+std::string compare(const calibrate::RingVerdict& verdict) {
+  fmt::print("unevenness of the sheets in levels: {}\n", listed(verdict, {0, 1, 2}));
+  std::vector<std::size_t> worse;
+  for (std::size_t c = 0; c < 3; ++c)
+    if (isWorse(verdict, c)) worse.push_back(c);
+  if (worse.empty()) return "";
+  const std::string told = "less even than before through this table: " + listed(verdict, worse);
+  complain("warning: the sheets look " + told +
+               "; it is written all the same: try more sheets, even and of more colours",
+           kDone);
+  return "; " + told;
+}
+
 Expected<vision::RingTable> makeTable(const RingOptions& options, const vision::RobotShift& shift,
                                       std::string& provenance) {
   if (isTable(options.input)) {
@@ -82,10 +123,14 @@ Expected<vision::RingTable> makeTable(const RingOptions& options, const vision::
   report(*fit);
   provenance += fmt::format("; {} sheets", fit->used.size());
   for (std::size_t c = 0; c < 3; ++c) provenance += "; " + describeChannel(*fit, c);
+  provenance += compare(calibrate::judge(fit->used, buildRingTable(fit->model)));
   return buildRingTable(fit->model, shift);
 }
 
 int calibrateRing(const RingOptions& options) {
+  if (isTable(options.input) && (options.surface || options.prior > 0.0))
+    return complain(options.input + ": is a table: --surface and --prior are for images",
+                    kBadInput);
   if (isDevice(options.out)) return complain(options.out + ": not a plain file", kBadInput);
   const auto shift = chosenShift(options.shift);
   if (!shift) return complain(shift.error(), kBadInput);
@@ -122,6 +167,7 @@ void addCalibrateRing(CLI::App& command, int& code) {
       ->check(inRange(0.0, 10.0));
   ring->add_option("--note", options->note, "Robot, venue, date: kept in the table");
   addShiftOptions(*ring, options->shift);
+  ring->footer(kHelp);
   ring->callback([options, &code] { code = calibrateRing(*options); });
 }
 

@@ -14,6 +14,20 @@ namespace {
 
 constexpr const char* kHeader = "date,dog,mac_low4,n,My,Cy,Mu,Cu,Mv,Cv\n";
 
+constexpr const char* kHelp =
+    R"(
+Hold the same papers before the robot and before the base robot, whose colour table is used, and
+write one row for each paper: date, the robot's name, the last four bytes of its hardware address,
+the base robot's name, the paper's, then for each channel a pixel's value seen by the robot (0..255)
+and the mean of the base robot's. At least two papers that differ in each channel.
+
+  date,dog,mac_low4,base_dog,paper,y_dog,y_base_mean,u_dog,u_base_mean,v_dog,v_base_mean
+  2005-07-12,r1,c6240000,b1,white,150,157.2,128,127.1,126,128.4
+
+Here u is Cr and v is Cb, as everywhere in the 2005 release. The result has a gain M and an offset C
+for each channel: base = M * robot + C. `kelpie calibrate ring 2006 --shift pairs.csv --robot r1
+--out ring_r1.kt` folds it into a ring table.)";
+
 struct ShiftOptions {
   std::string samples;
   std::string out;
@@ -72,6 +86,7 @@ void addCalibrateShift(CLI::App& command, int& code) {
       ->add_option("INPUT", options->samples,
                    "CSV: date,dog,mac_low4,base_dog,paper,y_dog,y_base_mean,u_...,v_...")
       ->required();
+  shift->footer(kHelp);
   options->out = "-";
   shift->add_option("--out", options->out, "CSV of gains and offsets, - for standard output");
   shift->callback([options, &code] { code = calibrateShift(*options); });
