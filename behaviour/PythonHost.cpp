@@ -7,7 +7,6 @@
 #include "behaviour/CommandReader.h"
 #include "behaviour/Guard.h"
 #include "behaviour/KelpieModule.h"
-#include "behaviour/Sources.h"
 #include "behaviour/Watchdog.h"
 
 namespace kelpie::behaviour {
@@ -23,7 +22,7 @@ std::string absolute(const std::string& path) {
 }
 
 // The pending Python exception, taken over.
-PythonRef takeError() {
+PythonRef pendingError() {
   PyObject* type = nullptr;
   PyObject* value = nullptr;
   PyObject* trace = nullptr;
@@ -53,7 +52,8 @@ PythonHost::PythonHost(const std::string& scripts)
   }
   prepare();
   if (!world_) fail(Fallback::notLoaded);
-  if (world_) load();
+  seen_ = sourceStamps(scripts_);
+  if (world_ && load()) loaded_ = seen_;
 }
 
 void PythonHost::prepare() {
@@ -74,8 +74,7 @@ void PythonHost::prepare() {
   if (watched && commandType_ && types_->good()) world_ = std::move(world);
 }
 
-void PythonHost::load() {
-  stamp_ = sourceStamp(scripts_);
+bool PythonHost::load() {
   PyObject* zip = isZip(scripts_) ? Py_True : Py_False;
   PythonRef version;
   {
@@ -86,19 +85,33 @@ void PythonHost::load() {
   PythonRef decide(version ? PyObject_GetAttrString(version.get(), "decide") : nullptr);
   broken_ = !decide;
   if (broken_) {
-    fail(Fallback::notLoaded);
-    return;
+    failLoading();
+    return false;
   }
   version_ = std::move(version);
   decide_ = std::move(decide);
   reported_.clear();
   lastError_.clear();
+  return true;
 }
 
 void PythonHost::reloadIfEdited(const BehaviourParams& params) {
   if (!params.reload || framesToLook_-- > 0) return;
   framesToLook_ = params.reloadFrames - 1;
-  if (sourceStamp(scripts_) != stamp_) load();
+  SourceStamps now = sourceStamps(scripts_);
+  if (now == seen_) return;
+  const SourceChanges changes = changesBetween(seen_, now);
+  seen_ = std::move(now);
+  if (!load()) return;
+  loaded_ = seen_;
+  tellLoaded(changes);
+}
+
+// Who edits while a match runs sees that the edit took effect.
+void PythonHost::tellLoaded(const SourceChanges& changes) {
+  const std::string gone = changes.gone.empty() ? "" : listed(changes.gone) + ": gone; ";
+  const std::string what = changes.edited.empty() ? "the rest" : listed(changes.edited);
+  std::fprintf(stderr, "behaviour: %s%s: loaded again\n", gone.c_str(), what.c_str());
 }
 
 Fallback PythonHost::decide(const BehaviourIn& in, const BehaviourParams& params,
@@ -136,16 +149,33 @@ Fallback PythonHost::read(PyObject* answer, Command& command) {
 }
 
 Fallback PythonHost::fail(Fallback reason) {
-  const PythonRef error = takeError();
-  const PythonRef calm(PyObject_CallMethod(guard_.get(), "calm", nullptr));
   std::string line, all;
-  if (!error || !describe(error.get(), line, all)) line = all = scripts_ + ": unknown error";
-  PyErr_Clear();
+  const PythonRef error = takeError(line, all);
   report(line, all);
   const PythonRef limit(PyObject_GetAttrString(guard_.get(), "TimeLimit"));
   const bool late = error && limit && PyObject_IsInstance(error.get(), limit.get()) == 1;
   PyErr_Clear();
   return late && reason == Fallback::scriptError ? Fallback::timeLimit : reason;
+}
+
+// A module that is not found because its file is gone is told by that file's name.
+void PythonHost::failLoading() {
+  std::string line, all;
+  const PythonRef error = takeError(line, all);
+  const auto gone = changesBetween(loaded_, seen_).gone;
+  if (error && !gone.empty() &&
+      PyErr_GivenExceptionMatches(error.get(), PyExc_ModuleNotFoundError) != 0)
+    line = all = listed(gone) + ": gone";
+  if (decide_) all += "; the version before plays on";
+  report(line, all);
+}
+
+PythonRef PythonHost::takeError(std::string& line, std::string& all) {
+  PythonRef error = pendingError();
+  const PythonRef calm(PyObject_CallMethod(guard_.get(), "calm", nullptr));
+  if (!error || !describe(error.get(), line, all)) line = all = scripts_ + ": unknown error";
+  PyErr_Clear();
+  return error;
 }
 
 bool PythonHost::describe(PyObject* error, std::string& line, std::string& all) {

@@ -8,6 +8,7 @@
 
 #include "behaviour/Behaviour.h"
 #include "behaviour/Interpreter.h"
+#include "behaviour/Sources.h"
 #include "behaviour/ViewTypes.h"
 #include "behaviour/WorldFrame.h"
 
@@ -25,18 +26,22 @@ class PythonHost {
 
  private:
   void prepare();
-  void load();
+  bool load();
   void reloadIfEdited(const BehaviourParams& params);
   Fallback call(double timeLimit, Command& command);
   Fallback read(PyObject* answer, Command& command);
   Fallback fail(Fallback reason);
+  void failLoading();
+  PythonRef takeError(std::string& line, std::string& all);
+  void tellLoaded(const SourceChanges& changes);
   void report(const std::string& line, const std::string& all);
   bool describe(PyObject* error, std::string& line, std::string& all);
 
   std::string scripts_;
   std::string lastError_;
   std::set<std::string> reported_;
-  std::uint64_t stamp_ = 0;
+  SourceStamps seen_;    // at the last look
+  SourceStamps loaded_;  // of the version that plays
   std::uint32_t framesToLook_ = 0;
   bool broken_ = false;  // an edit failed to load; an older version may still be running
 

@@ -17,27 +17,58 @@ std::uint64_t mixed(std::uint64_t hash, std::string_view bytes) {
   return hash;
 }
 
+constexpr std::size_t kMostListed = 3;
+
 std::uint64_t fileStamp(const fs::path& path) {
   std::error_code error;
   const auto time = fs::last_write_time(path, error).time_since_epoch().count();
   const auto size = fs::file_size(path, error);
+  const auto rights = static_cast<unsigned>(fs::status(path, error).permissions());
   return mixed(0xcbf29ce484222325ULL,
-               path.string() + ' ' + std::to_string(time) + ' ' + std::to_string(size));
+               std::to_string(time) + ' ' + std::to_string(size) + ' ' + std::to_string(rights));
+}
+
+bool isSource(const fs::path& path) {
+  return path.extension() == ".py" && path.filename().string().front() != '.';
 }
 
 }  // namespace
 
-std::uint64_t sourceStamp(const std::string& scripts) {
+SourceStamps sourceStamps(const std::string& scripts) {
   std::error_code error;
-  if (!fs::exists(scripts, error)) return 0;
-  if (!fs::is_directory(scripts, error)) return fileStamp(scripts);
-  std::uint64_t sum = 1;  // a sum: the order in which a folder is listed does not matter
+  SourceStamps stamps;
+  if (!fs::exists(scripts, error)) return stamps;
+  if (!fs::is_directory(scripts, error)) {
+    stamps[fs::path(scripts).filename().string()] = fileStamp(scripts);
+    return stamps;
+  }
   const auto options = fs::directory_options::skip_permission_denied;
   for (fs::recursive_directory_iterator it(scripts, options, error), end; it != end && !error;
        it.increment(error)) {
-    if (it->path().extension() == ".py") sum += fileStamp(it->path());
+    if (isSource(it->path()))
+      stamps[it->path().lexically_relative(scripts).string()] = fileStamp(it->path());
   }
-  return sum;
+  return stamps;
+}
+
+SourceChanges changesBetween(const SourceStamps& before, const SourceStamps& now) {
+  SourceChanges changes;
+  for (const auto& [name, stamp] : now) {
+    const auto found = before.find(name);
+    if (found == before.end() || found->second != stamp) changes.edited.push_back(name);
+  }
+  for (const auto& [name, stamp] : before)
+    if (now.count(name) == 0) changes.gone.push_back(name);
+  return changes;
+}
+
+std::string listed(const std::vector<std::string>& files) {
+  std::string text;
+  for (std::size_t i = 0; i < files.size() && i < kMostListed; ++i)
+    text += (i > 0 ? ", " : "") + files[i];
+  if (files.size() > kMostListed)
+    text += " and " + std::to_string(files.size() - kMostListed) + " more";
+  return text;
 }
 
 bool isZip(const std::string& scripts) {

@@ -77,7 +77,14 @@ class Version:
         self.builtins = {name: value for name, value in vars(builtins).items()
                          if name not in WITHHELD}
         self.builtins['__import__'] = self.bring
-        self.decide = self.load('main').decide
+        self.decide = getattr(self.load('main'), 'decide', None)
+        if self.decide is None:
+            raise AttributeError('main.py has no decide(world)')
+
+    def missing(self, name):
+        if name == 'main':
+            return 'there is no main.py'
+        return 'behaviours may import math, kelpie and each other, not %r' % name
 
     def bring(self, name, globals=None, locals=None, fromlist=(), level=0):
         if level:
@@ -96,7 +103,7 @@ class Version:
         parent = self.load(above) if above else None
         found = self.source.code(name)
         if found is None:
-            raise ImportError('behaviours may import math, kelpie and each other, not %r' % name)
+            raise ModuleNotFoundError(self.missing(name))
         module = type(sys)(name)
         module.__dict__['__builtins__'] = self.builtins
         if found[1]:
@@ -142,7 +149,7 @@ def make_kelpie(text):
 
 
 def describe(error):
-    """One line with file and line, and the whole traceback."""
+    """One line with file and line, and that line behind its traceback if there is more to tell."""
     places = []
     step = error.__traceback__
     while step is not None:
@@ -157,7 +164,10 @@ def describe(error):
         said = ''
     if isinstance(error, SyntaxError) and error.filename:
         said = error.msg
-        places.append('%s:%s: in the text' % (error.filename, error.lineno))
+        places = ['%s:%s: in the text' % (error.filename, error.lineno)]
     where = places[-1].rpartition(': in ')[0] + ': ' if places else ''
     line = where + what + (': ' + said if said else '')
-    return line, '\n'.join(['  ' + place for place in places] + [line])
+    if len(places) > 8:  # a recursion has a thousand
+        places[4:-4] = ['... %d more' % (len(places) - 8)]
+    trace = ['  ' + place for place in places] if len(places) > 1 else []
+    return line, '\n'.join(trace + [line])

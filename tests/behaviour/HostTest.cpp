@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <ctime>
+#include <filesystem>
 
 #include "tests/behaviour/Scripts.h"
 
@@ -65,10 +67,14 @@ TEST(Host, SystemExitIsAScriptError) {
   EXPECT_EQ(run.step().fallback, Fallback::scriptError);
 }
 
-TEST(Host, EndlessRecursionIsAScriptError) {
+TEST(Host, EndlessRecursionIsAScriptErrorOfAFewLines) {
   const Scripts scripts("return decide(world)");
   HostRun run(scripts);
+  testing::internal::CaptureStderr();
   EXPECT_EQ(run.step().fallback, Fallback::scriptError);
+  const std::string told = testing::internal::GetCapturedStderr();
+  EXPECT_EQ(std::count(told.begin(), told.end(), '\n'), 10) << told;
+  EXPECT_TRUE(contains(told, "main.py:5: RecursionError")) << told;
 }
 
 TEST(Host, EndlessLoopIsCutOffAndTheEditedFileWorks) {
@@ -131,6 +137,132 @@ TEST(Host, BrokenEditKeepsTheOldRunningAndReports) {
   const Command command = run.step();
   EXPECT_EQ(command.walk.forward, 7.0);
   EXPECT_TRUE(contains(run.state.lastError(), "main.py:2:")) << run.state.lastError();
+}
+
+// What a step prints.
+std::string heard(HostRun& run) {
+  testing::internal::CaptureStderr();
+  run.step();
+  return testing::internal::GetCapturedStderr();
+}
+
+constexpr const char* kSeven = "return kelpie.Command(walk=kelpie.WalkRequest(forward=7))";
+
+TEST(Host, FirstLoadingIsSilent) {
+  testing::internal::CaptureStderr();
+  const Scripts scripts(kSeven);
+  HostRun run(scripts);
+  run.step();
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+
+TEST(Host, EditIsToldByItsNameWhenItTakesEffect) {
+  const Scripts scripts(kSeven);
+  scripts.write("skills/go.py", "SPEED = 3\n");
+  HostRun run(scripts);
+  run.step();
+  scripts.write("skills/go.py", "SPEED = 17\n");
+  EXPECT_EQ(heard(run), "behaviour: skills/go.py: loaded again\n");
+  EXPECT_EQ(heard(run), "");
+}
+
+TEST(Host, SyntaxErrorInAnEditIsOneLineOnceAndTheMendedFilePlays) {
+  const Scripts scripts(kSeven);
+  HostRun run(scripts);
+  run.step();
+  scripts.write("main.py", "import kelpie\nboom(\n");
+  const std::string told = heard(run);
+  EXPECT_TRUE(contains(told, scripts.path() + "/main.py:2: SyntaxError: ")) << told;
+  EXPECT_TRUE(contains(told, "; the version before plays on\n")) << told;
+  EXPECT_EQ(std::count(told.begin(), told.end(), '\n'), 1) << told;
+  for (int i = 0; i < 3; ++i) EXPECT_EQ(heard(run), "");
+  EXPECT_TRUE(contains(run.state.lastError(), "main.py:2:"));
+  scripts.writeDecide("return kelpie.Command(walk=kelpie.WalkRequest(forward=5))");
+  EXPECT_EQ(heard(run), "behaviour: main.py: loaded again\n");
+  EXPECT_EQ(run.step().walk.forward, 5.0);
+  EXPECT_EQ(run.state.lastError(), "");
+}
+
+TEST(Host, DeletedFileIsToldOnceAndTheOldVersionPlaysOnUntilItIsBack) {
+  const Scripts scripts(kSeven);
+  HostRun run(scripts);
+  run.step();
+  for (int time = 0; time < 2; ++time) {  // it is told again when it goes again
+    scripts.remove("main.py");
+    EXPECT_EQ(heard(run), "behaviour: main.py: gone; the version before plays on\n");
+    EXPECT_EQ(heard(run), "");
+    EXPECT_EQ(run.step().walk.forward, 7.0);
+    EXPECT_EQ(run.state.lastError(), "main.py: gone");
+    scripts.writeDecide(kSeven);
+    EXPECT_EQ(heard(run), "behaviour: main.py: loaded again\n");
+    EXPECT_EQ(run.state.lastError(), "");
+  }
+}
+
+TEST(Host, DeletedModuleIsToldByItsNameOneThatNobodyNeedsByTheWay) {
+  const Scripts scripts("from skills.go import SPEED\n    " + std::string(kSeven));
+  scripts.write("main.py",
+                "import kelpie\nfrom skills.go import SPEED\n\ndef decide(world):\n    " +
+                    std::string(kSeven) + "\n");
+  scripts.write("skills/go.py", "SPEED = 3\n");
+  scripts.write("skills/spare.py", "");
+  HostRun run(scripts);
+  run.step();
+  scripts.remove("skills/spare.py");
+  EXPECT_EQ(heard(run), "behaviour: skills/spare.py: gone; the rest: loaded again\n");
+  scripts.remove("skills/go.py");
+  EXPECT_EQ(heard(run), "behaviour: skills/go.py: gone; the version before plays on\n");
+  EXPECT_EQ(run.step().walk.forward, 7.0);
+}
+
+TEST(Host, WholeFolderGoneIsOneLine) {
+  const Scripts scripts(kSeven);
+  for (const char* name : {"a.py", "b.py", "c.py"}) scripts.write(name, "");
+  HostRun run(scripts);
+  run.step();
+  std::filesystem::remove_all(scripts.path());
+  EXPECT_EQ(heard(run),
+            "behaviour: a.py, b.py, c.py and 1 more: gone; the version before plays on\n");
+  EXPECT_EQ(run.step().walk.forward, 7.0);
+  scripts.writeDecide(kSeven);
+  EXPECT_TRUE(contains(heard(run), "main.py: loaded again\n"));
+}
+
+TEST(Host, FileThatCannotBeReadIsToldByItsName) {
+  const Scripts scripts(kSeven);
+  HostRun run(scripts);
+  run.step();
+  scripts.remove("main.py");
+  std::filesystem::create_directory(scripts.path() + "/main.py");  // unreadable, for root too
+  const std::string told = heard(run);
+  EXPECT_TRUE(contains(told, scripts.path() + "/main.py")) << told;
+  EXPECT_TRUE(contains(told, "; the version before plays on\n")) << told;
+  EXPECT_EQ(std::count(told.begin(), told.end(), '\n'), 1) << told;
+  EXPECT_EQ(run.step().walk.forward, 7.0);
+}
+
+TEST(Host, ChangedPermissionsAreLookedAt) {
+  const Scripts scripts(kSeven);
+  HostRun run(scripts);
+  run.step();
+  std::filesystem::permissions(scripts.path() + "/main.py", std::filesystem::perms::none);
+  EXPECT_TRUE(contains(heard(run), "main.py"));  // root reads it all the same, others cannot
+  EXPECT_EQ(run.step().walk.forward, 7.0);
+}
+
+TEST(Host, EditorsLocksAreNoEdits) {
+  const Scripts scripts(kSeven);
+  HostRun run(scripts);
+  run.step();
+  std::filesystem::create_symlink("user@host", scripts.path() + "/.#main.py");
+  EXPECT_EQ(heard(run), "");
+}
+
+TEST(Host, MainWithoutDecideIsNamed) {
+  const Scripts scripts;
+  scripts.write("main.py", "import kelpie\n");
+  HostRun run(scripts);
+  EXPECT_TRUE(contains(run.state.lastError(), "main.py has no decide(world)"));
 }
 
 TEST(Host, ReloadCanBeSwitchedOff) {

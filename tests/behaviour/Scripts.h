@@ -31,6 +31,7 @@ class Scripts {
   void writeDecide(const std::string& body) const {
     write("main.py", "import kelpie\nimport math\n\ndef decide(world):\n    " + body + "\n");
   }
+  void remove(const std::string& name) const { std::filesystem::remove_all(folder_ / name); }
   std::string path() const { return folder_.string(); }
 
  private:
