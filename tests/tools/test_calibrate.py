@@ -82,6 +82,7 @@ def test_three_busy_frames_teach_a_worse_table_than_2006_and_it_is_told(tmp_path
 @pytest.mark.parametrize("words, told", [
     (("ring", "2006", "--surface"), "2006: is a table: --surface and --prior are for images"),
     (("ring", "none", "--prior", "0.1"), "none: is a table: --surface and --prior are for images"),
+    (("ring", "2006", "--prior", "0"), "2006: is a table: --surface and --prior are for images"),
     (("ring", "2006", "--robot", "r1"), "--robot requires --shift"),
     (("colour", "nominal", "--seed", "3"), "--seed: only for labelled pixels"),
     (("colour", "labels.csv", "--ring", "none"), "--ring: only for a .txt of boxes"),
@@ -91,6 +92,20 @@ def test_an_option_without_effect_is_refused(words, told, tmp_path):
     assert result.returncode == 2
     assert told in complaint(result)
     assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize("words", [("colour", "labels.csv", "--out", "labels.csv"),
+                                   ("colour", "labels.csv", "--out", "t", "--picture", "labels.csv"),
+                                   ("shift", "labels.csv", "--out", "labels.csv"),
+                                   ("ring", "none", "--shift", "labels.csv", "--out", "labels.csv"),
+                                   ("ring", "labels.csv", "--out", "labels.csv")])
+def test_the_input_is_never_written_over(words, tmp_path):
+    labels = tmp_path / "labels.csv"
+    labels.write_text("precious")
+    words = [labels if word == "labels.csv" else word for word in words]
+    result = kelpie("calibrate", *words)
+    assert result.returncode == 2 and "labels.csv: is the input itself" in complaint(result)
+    assert labels.read_text() == "precious" and not (ROOT / "t").exists()
 
 
 def test_the_help_alone_tells_what_a_file_of_labels_holds(tmp_path):

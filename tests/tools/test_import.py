@@ -213,6 +213,14 @@ def test_an_earlier_log_survives_a_recording_that_is_no_good(tmp_path):
     assert not (tmp_path / "r.mcap.part").exists()
 
 
+def test_the_log_never_takes_the_place_of_the_recording(tmp_path):
+    folder = make_recording(tmp_path / "r", [GREY])
+    for name in ("sensors.csv", "frames/000000.yuv"):
+        before = (folder / name).read_bytes()
+        assert "is part of the recording itself" in refusal(folder, folder / name)
+        assert (folder / name).read_bytes() == before
+
+
 def test_a_known_start_is_where_the_robot_is(log):
     result = kelpie("replay", log, "--jsonl", "-", "--init", "180,100,90")
     assert result.returncode == 0, result.stderr

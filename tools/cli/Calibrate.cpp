@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "tools/cli/Commands.h"
+#include "tools/cli/WholeFile.h"
 #include "vision/ColourTable.h"
 #include "vision/TableFile.h"
 
@@ -27,6 +28,12 @@ int show(const std::string& path) {
 }
 
 }  // namespace
+
+Status checkTarget(const std::string& out, const std::string& input) {
+  if (isDevice(out)) return Error{out + ": not a plain file"};
+  if (sameFile(out, input)) return Error{out + ": is the input itself"};
+  return Done{};
+}
 
 void addCalibrate(CLI::App& app, int& code) {
   auto* command = app.add_subcommand(

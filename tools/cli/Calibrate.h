@@ -14,6 +14,9 @@ void addCalibrateRing(CLI::App& command, int& code);
 void addCalibrateColour(CLI::App& command, int& code);
 void addCalibrateShift(CLI::App& command, int& code);
 
+// Whether `out` may be written: a plain file or none yet, and not the very input.
+Status checkTarget(const std::string& out, const std::string& input);
+
 // Which robot's shift is folded into a ring table; none when `samples` is empty.
 struct ShiftChoice {
   std::string samples;  // CSV of pairs of robot and base

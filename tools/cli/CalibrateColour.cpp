@@ -125,8 +125,10 @@ Status checkUse(const CLI::App& colour, const std::string& input) {
 }
 
 int calibrateColour(const ColourOptions& options) {
-  for (const auto& path : {options.out, options.picture})
-    if (isDevice(path)) return complain(path + ": not a plain file", kBadInput);
+  for (const auto& path : {options.out, options.picture}) {
+    const Status target = checkTarget(path, options.input);
+    if (!target) return complain(target.error(), kBadInput);
+  }
   std::string provenance = "kelpie calibrate colour from " + options.input;
   const auto table = makeTable(options, provenance);
   if (!table) return complain(table.error(), kBadInput);

@@ -128,10 +128,10 @@ Expected<vision::RingTable> makeTable(const RingOptions& options, const vision::
 }
 
 int calibrateRing(const RingOptions& options) {
-  if (isTable(options.input) && (options.surface || options.prior > 0.0))
-    return complain(options.input + ": is a table: --surface and --prior are for images",
-                    kBadInput);
-  if (isDevice(options.out)) return complain(options.out + ": not a plain file", kBadInput);
+  for (const auto& input : {options.input, options.shift.samples}) {
+    const Status target = checkTarget(options.out, input);
+    if (!target) return complain(target.error(), kBadInput);
+  }
   const auto shift = chosenShift(options.shift);
   if (!shift) return complain(shift.error(), kBadInput);
   std::string provenance = "kelpie calibrate ring from " + options.input;
@@ -168,7 +168,12 @@ void addCalibrateRing(CLI::App& command, int& code) {
   ring->add_option("--note", options->note, "Robot, venue, date: kept in the table");
   addShiftOptions(*ring, options->shift);
   ring->footer(kHelp);
-  ring->callback([options, &code] { code = calibrateRing(*options); });
+  ring->callback([options, ring, &code] {
+    const bool idle = isTable(options->input) && ring->count("--surface") + ring->count("--prior");
+    code = idle ? complain(options->input + ": is a table: --surface and --prior are for images",
+                           kBadInput)
+                : calibrateRing(*options);
+  });
 }
 
 }  // namespace kelpie::cli

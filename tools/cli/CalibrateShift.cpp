@@ -43,6 +43,8 @@ std::string rowText(const calibrate::ShiftRow& row) {
 }
 
 int calibrateShift(const ShiftOptions& options) {
+  if (sameFile(options.out, options.samples))
+    return complain(options.out + ": is the input itself", kBadInput);
   const auto rows = calibrate::fitShifts(options.samples);
   if (!rows) return complain(rows.error(), kBadInput);
   std::string text = kHeader;

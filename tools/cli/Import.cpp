@@ -67,9 +67,20 @@ Status writeFrames(const Recording& recording, agent::FrameLoop& loop, LogWriter
   return Done{};
 }
 
+// The log must not take the place of what it is made from.
+Status checkTarget(const std::string& out, const Recording& recording, const std::string& folder) {
+  std::vector<std::string> inputs = recording.files;
+  inputs.push_back(folder + "/sensors.csv");
+  for (const auto& input : inputs)
+    if (sameFile(out, input)) return Error{out + ": is part of the recording itself"};
+  return Done{};
+}
+
 Status importFolder(const ImportOptions& options, const std::string& part) {
   const auto recording = readRecording(options.folder);
   if (!recording) return Error{recording.error()};
+  const Status target = checkTarget(options.out, *recording, options.folder);
+  if (!target) return target;
   auto config = makeConfig(options.config);
   if (!config) return Error{config.error()};
   config->behaviour.reload = false;  // the scripts as they are now, to the recording's end
