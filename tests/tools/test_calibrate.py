@@ -95,7 +95,8 @@ def test_an_option_without_effect_is_refused(words, told, tmp_path):
 
 
 @pytest.mark.parametrize("words", [("colour", "labels.csv", "--out", "labels.csv"),
-                                   ("colour", "labels.csv", "--out", "t", "--picture", "labels.csv"),
+                                   ("colour", "labels.csv", "--out", "t", "--picture",
+                                    "labels.csv"),
                                    ("shift", "labels.csv", "--out", "labels.csv"),
                                    ("ring", "none", "--shift", "labels.csv", "--out", "labels.csv"),
                                    ("ring", "labels.csv", "--out", "labels.csv")])

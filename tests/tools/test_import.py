@@ -167,7 +167,8 @@ def test_the_first_wrong_row_is_named_and_the_others_are_counted(tmp_path):
 
 def test_blanks_a_mark_and_carriage_returns_do_no_harm(tmp_path):
     folder = make_recording(tmp_path / "r", [GREY])
-    table = "\ufeff" + HEADER.replace(",", ", ") + "\r\n" + GOOD.format(0).replace(",", " ,") + "\r\n"
+    rows = (HEADER.replace(",", ", "), GOOD.format(0).replace(",", " ,"))
+    table = "\ufeff" + "\r\n".join(rows) + "\r\n"
     (folder / "sensors.csv").write_bytes(table.encode() + b"\r\n")
     result = kelpie("import", folder, "--out", tmp_path / "r.mcap")
     assert result.returncode == 0, result.stderr

@@ -45,7 +45,7 @@ def words_of(command):
 
 
 def sheet(colour):
-    """Planes of an evenly coloured sheet, a little darker below, so that there is a ring to learn."""
+    """Planes of a coloured sheet, a little darker below."""
     rows = [bytes([value - y // 16]) * 208 for value in colour for y in range(160)]
     return b"".join(rows)
 
