@@ -3,7 +3,6 @@
 // stages make of them, so that it can be shown, filmed and checked like the log of a match.
 #include <fmt/core.h>
 
-#include <functional>
 #include <memory>
 
 #include "robot/agent/FrameLoop.h"
@@ -12,6 +11,7 @@
 #include "tools/calibrate/Images.h"
 #include "tools/cli/Commands.h"
 #include "tools/cli/Config.h"
+#include "tools/cli/Progress.h"
 #include "tools/cli/Recording.h"
 #include "tools/cli/WholeFile.h"
 
@@ -42,16 +42,8 @@ Expected<Recording> readRecording(const std::string& folder) {
 }
 
 // A terminal is told how far it is: an image takes a few ms, but an hour of them has 108000.
-std::function<void(std::size_t, std::size_t)> progressOnTerminal() {
-  if (!onTerminal()) return [](std::size_t, std::size_t) {};
-  return [](std::size_t done, std::size_t all) {
-    if (done % 10 == 0 || done == all)
-      fmt::print(stderr, "\r{} of {} frames{}", done, all, done == all ? "\n" : "");
-  };
-}
-
 Status writeFrames(const Recording& recording, agent::FrameLoop& loop, LogWriter& log) {
-  const auto progress = progressOnTerminal();
+  Progress progress("import", "frames");
   agent::StageObserver silent;
   const auto& rows = recording.rows;
   for (std::size_t i = 0; i < rows.size(); ++i) {

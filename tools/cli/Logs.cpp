@@ -8,6 +8,7 @@
 
 #include "robot/agent/FrameMessages.h"
 #include "robot/core/LogTopics.h"
+#include "tools/cli/Version.h"
 #include "tools/cli/WholeFile.h"
 #include "tools/picture/Jpeg.h"
 #include "tools/sim/Truth.h"
@@ -86,6 +87,7 @@ Expected<LogFile> LogFile::create(const std::string& path, const agent::AgentCon
                                   const LogMap& parameterNotes, ImagesKept images) {
   auto writer = LogWriter::open(path);
   if (!writer) return Error{writer.error()};
+  writer->metadata("version", versionNotes());
   writer->metadata("parameters", parameterNotes);
   writer->write(kConfigTopic, TimeUs{}, config);
   return LogFile(std::move(*writer), images);

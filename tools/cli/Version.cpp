@@ -3,11 +3,8 @@
 
 #include <fmt/core.h>
 
-#include "robot/agent/AgentConfig.h"
-#include "robot/core/FrameOutput.h"
+#include "robot/agent/LoggedTypes.h"
 #include "robot/core/LogTopics.h"
-#include "robot/core/PlaneFrame.h"
-#include "robot/core/Schema.h"
 #include "tools/cli/Commit.h"
 #include "tools/sim/Truth.h"
 
@@ -30,9 +27,10 @@ std::uint64_t fnv1a(const std::string& text) {
 std::string fieldListVersion() {
   const std::string all =
       described<agent::AgentConfig>(kConfigTopic) + described<FrameInput>(kFrameInputTopic) +
-      described<PlaneFrame>(kPlaneFrameTopic) + described<FrameOutput>(kFrameOutputTopic) +
-      described<MotionInput>(kMotionInputTopic) + described<MotionOutput>(kMotionOutputTopic) +
-      described<sim::TruthFrame>(sim::kTruthTopic) + described<sim::MatchEvent>(sim::kEventTopic);
+      described<PlaneFrame>(kPlaneFrameTopic) + described<PictureFrame>(kPictureFrameTopic) +
+      described<FrameOutput>(kFrameOutputTopic) + described<MotionInput>(kMotionInputTopic) +
+      described<MotionOutput>(kMotionOutputTopic) + described<sim::TruthFrame>(sim::kTruthTopic) +
+      described<sim::MatchEvent>(sim::kEventTopic);
   return fmt::format("{:016x}", fnv1a(all));
 }
 
