@@ -22,6 +22,7 @@ namespace mcap {
 constexpr std::array<std::uint8_t, 8> kMagic = {0x89, 'M', 'C', 'A', 'P', 0x30, '\r', '\n'};
 constexpr std::size_t kRecordHead = 9;    // code and length
 constexpr std::size_t kMessageHead = 22;  // channel, sequence, log time, publish time
+constexpr std::size_t kFooter = 20;       // where the summary and its offsets start, checksum
 
 enum class Op : std::uint8_t {
   header = 0x01,
@@ -30,11 +31,14 @@ enum class Op : std::uint8_t {
   channel = 0x04,
   message = 0x05,
   chunk = 0x06,
+  messageIndex = 0x07,
+  chunkIndex = 0x08,
   attachment = 0x09,
   attachmentIndex = 0x0a,
   statistics = 0x0b,
   metadata = 0x0c,
   metadataIndex = 0x0d,
+  summaryOffset = 0x0e,
   dataEnd = 0x0f,
 };
 
@@ -76,7 +80,14 @@ class RecordWriter {
   std::size_t start_ = 0;
 };
 
-// Takes a record's content apart. Past the end everything is 0 or empty and good() is false.
+struct Record {
+  Op op{};
+  const std::uint8_t* data = nullptr;
+  std::size_t size = 0;
+};
+
+// Takes a record's content, or records one behind the other, apart. Past the end everything is 0 or
+// empty and good() is false.
 class ContentReader {
  public:
   ContentReader(const std::uint8_t* data, std::size_t size) : at_(data), left_(size) {}
@@ -97,6 +108,14 @@ class ContentReader {
     return from == nullptr ? std::string() : std::string(from, from + size);
   }
   LogMap map();
+  Record record() {
+    Record record;
+    record.op = number<Op>();
+    const auto length = number<std::uint64_t>();
+    record.data = take(length);
+    record.size = record.data == nullptr ? 0 : static_cast<std::size_t>(length);
+    return record;
+  }
   // nullptr when fewer are left.
   const std::uint8_t* take(std::uint64_t count) {
     if (count > left_) good_ = false;

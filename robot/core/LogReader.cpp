@@ -11,6 +11,13 @@ namespace kelpie {
 using mcap::ContentReader;
 using mcap::Op;
 
+namespace {
+
+// Writers make chunks of about a megabyte; a chunk that says more than this is not believed.
+constexpr std::uint64_t kMaxChunk = 256U << 20;
+
+}  // namespace
+
 Expected<LogReader> LogReader::open(const std::string& path) {
   errno = 0;
   std::ifstream file(path, std::ios::binary);
@@ -44,9 +51,45 @@ void LogReader::fail(const std::string& what) {
 bool LogReader::next(LogMessage& message) {
   Record record;
   while (error_.empty() && !ended_ && readRecord(record)) {
-    if (take(record, message)) return true;
+    if (!take(record, message) || message.time < from_) continue;
+    from_ = kFromStart;
+    return true;
   }
   return false;
+}
+
+void LogReader::seek(TimeUs time) {
+  if (!error_.empty()) return;
+  if (indexState_ == IndexState::unread)
+    indexState_ = readIndex() ? IndexState::read : IndexState::none;
+  const bool indexed = indexState_ == IndexState::read;
+  offset_ = indexed ? index_.placeOf(time) : mcap::kMagic.size();
+  file_.clear();
+  file_.seekg(static_cast<std::streamoff>(offset_));
+  chunk_.clear();
+  chunkAt_ = 0;
+  truncated_ = false;
+  ended_ = false;
+  from_ = time;
+}
+
+// With the schemas and channels, which may stand in chunks that are passed over.
+bool LogReader::readIndex() {
+  const std::vector<std::uint8_t> summary = readSummary(file_, fileSize_);
+  ContentReader records(summary.data(), summary.size());
+  while (records.left() > 0) {
+    const Record record = records.record();
+    if (!records.good()) return false;
+    const ContentReader content(record.data, record.size);
+    if (record.op == Op::schema) takeSchema(content);
+    if (record.op == Op::channel) takeChannel(content);
+    if (record.op == Op::chunkIndex && !index_.add(content, fileSize_)) return false;
+    if (error_.empty()) continue;
+    error_.clear();  // the log is read without the index
+    return false;
+  }
+  index_.sort();
+  return !index_.chunks.empty();
 }
 
 bool LogReader::cutOff() {
@@ -56,7 +99,8 @@ bool LogReader::cutOff() {
 }
 
 bool LogReader::readRecord(Record& record) {
-  if (chunkAt_ < chunk_.size()) return readChunkRecord(record);
+  inChunk_ = chunkAt_ < chunk_.size();
+  if (inChunk_) return readChunkRecord(record);
   recordOffset_ = offset_;
   std::array<std::uint8_t, mcap::kRecordHead> head{};
   file_.read(reinterpret_cast<char*>(head.data()), head.size());
@@ -75,16 +119,11 @@ bool LogReader::readRecord(Record& record) {
 
 bool LogReader::readChunkRecord(Record& record) {
   ContentReader content(chunk_.data() + chunkAt_, chunk_.size() - chunkAt_);
-  record.op = content.number<Op>();
-  const auto length = content.number<std::uint64_t>();
-  record.data = content.take(length);
-  record.size = static_cast<std::size_t>(length);
-  if (!content.good()) {
-    fail("damaged chunk");
-    return false;
-  }
+  record = content.record();
   chunkAt_ = chunk_.size() - content.left();
-  return true;
+  if (content.good() && record.op != Op::chunk) return true;
+  fail(content.good() ? "a chunk inside a chunk" : "damaged chunk");
+  return false;
 }
 
 // True when the record is a message.
@@ -94,13 +133,22 @@ bool LogReader::take(const Record& record, LogMessage& message) {
     case Op::message: return takeMessage(content, message);
     case Op::schema: takeSchema(content); break;
     case Op::channel: takeChannel(content); break;
+    default:
+      if (!inChunk_) takeOutside(record);
+  }
+  return false;
+}
+
+// Records that have no place in a chunk.
+void LogReader::takeOutside(const Record& record) {
+  const ContentReader content(record.data, record.size);
+  switch (record.op) {
     case Op::chunk: takeChunk(content); break;
     case Op::attachment: takeAttachment(record); break;
     case Op::metadata: takeMetadata(content); break;
     case Op::footer: takeEnd(); break;
     default: break;  // indexes, statistics, and what later versions of MCAP add
   }
-  return false;
 }
 
 void LogReader::takeSchema(ContentReader content) {
@@ -143,16 +191,40 @@ bool LogReader::takeMessage(ContentReader content, LogMessage& message) {
 }
 
 void LogReader::takeChunk(ContentReader content) {
-  content.take(8 + 8 + 8 + 4);  // times, size and checksum of the content
+  content.take(8 + 8);  // first and last time
+  const auto size = content.number<std::uint64_t>();
+  const auto checksum = content.number<std::uint32_t>();
   const std::string compression = content.string();
   const auto length = content.number<std::uint64_t>();
-  const std::uint8_t* records = content.take(length);
+  const std::uint8_t* stored = content.take(length);
   if (!content.good()) return fail("damaged chunk");
-  if (chunkAt_ < chunk_.size()) return fail("a chunk inside a chunk");
-  if (!compression.empty())
-    return fail("compressed with " + compression + ", which we cannot read");
-  chunk_.assign(records, records + length);
+  const Status unpacked = unpack(compression, stored, length, size);
+  if (!unpacked) return fail(unpacked.error());
+  if (checksum != 0 && checksum != mcap::crc32(chunk_.data(), chunk_.size()))
+    return fail("damaged chunk: wrong checksum");
   chunkAt_ = 0;
+  chunkCounts_.compression = compression;
+  ++chunkCounts_.chunks;
+  chunkCounts_.stored += length;
+  chunkCounts_.held += size;
+}
+
+// Fills chunk_ with the `size` bytes of records that `length` bytes hold.
+Status LogReader::unpack(const std::string& compression, const std::uint8_t* stored,
+                         std::uint64_t length, std::uint64_t size) {
+  const std::string says = "damaged chunk: says that it holds " + std::to_string(size) + " bytes";
+  if (size > kMaxChunk) return Error{says};
+  if (compression.empty()) {
+    if (size != length) return Error{says + ", has " + std::to_string(length)};
+    chunk_.assign(stored, stored + length);
+    return Done{};
+  }
+  if (!codec_ || codecName_ != compression) codec_ = makeChunkCodec(compression);
+  if (!codec_) return Error{"compressed with " + compression + ", which we cannot read"};
+  codecName_ = compression;
+  const Status done = codec_->decompress(stored, static_cast<std::size_t>(length),
+                                         static_cast<std::size_t>(size), chunk_);
+  return done ? done : Error{"damaged chunk: " + done.error()};
 }
 
 void LogReader::takeAttachment(const Record& record) {
@@ -169,7 +241,7 @@ void LogReader::takeAttachment(const Record& record) {
   if (checksum != 0 && checksum != mcap::crc32(record.data, covered)) {
     return fail("attachment " + attachment.name + ": wrong checksum");
   }
-  attachments_.push_back(std::move(attachment));
+  if (met_.insert(recordOffset_).second) attachments_.push_back(std::move(attachment));
 }
 
 void LogReader::takeMetadata(ContentReader content) {
@@ -177,7 +249,7 @@ void LogReader::takeMetadata(ContentReader content) {
   metadata.name = content.string();
   metadata.entries = content.map();
   if (!content.good()) return fail("damaged metadata record");
-  metadata_.push_back(std::move(metadata));
+  if (met_.insert(recordOffset_).second) metadata_.push_back(std::move(metadata));
 }
 
 void LogReader::takeEnd() {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Reads a log message by message. A log without its end, cut off anywhere, gives all its whole
-// messages and then says truncated(). Reads MCAP files of others as well, as long as they are not
-// compressed; decodeAs() then says whether a message is one of ours.
+// records and chunks and then says truncated(). Reads MCAP files of others as well, if the program
+// is linked with what decompresses them; decodeAs() then says whether a message is one of ours.
 //
 //   LogMessage message;
 //   while (reader.next(message)) ...
@@ -10,14 +10,19 @@
 
 #include <cstdint>
 #include <fstream>
+#include <limits>
 #include <map>
+#include <memory>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "robot/core/ChunkCodec.h"
 #include "robot/core/Encoding.h"
 #include "robot/core/Expected.h"
 #include "robot/core/LogFormat.h"
+#include "robot/core/LogIndex.h"
 
 namespace kelpie {
 
@@ -57,12 +62,24 @@ struct LogAttachment {
   std::vector<std::uint8_t> data;
 };
 
+// How the messages read so far were stored.
+struct LogChunkCounts {
+  std::string compression;  // of the last; empty: none
+  std::uint64_t chunks = 0;
+  std::uint64_t stored = 0;  // bytes
+  std::uint64_t held = 0;    // bytes of records
+};
+
 class LogReader {
  public:
   static Expected<LogReader> open(const std::string& path);
 
   // False at the end and after an error.
   bool next(LogMessage& message);
+  // From here on next() begins with the first message in the file that is of `time` or later, as if
+  // those before it had been read, but goes by the chunk index where the log has one. The metadata
+  // and attachments on the way are then not met.
+  void seek(TimeUs time);
   Status status() const;  // "path: byte 1234: what is wrong"
   // The file ends without footer; known when next() has returned false.
   bool truncated() const { return truncated_; }
@@ -73,26 +90,29 @@ class LogReader {
   const std::map<std::uint16_t, LogChannel>& channels() const { return channels_; }
   const std::vector<LogMetadata>& metadata() const { return metadata_; }
   const std::vector<LogAttachment>& attachments() const { return attachments_; }
+  const LogChunkCounts& chunkCounts() const { return chunkCounts_; }
 
  private:
-  struct Record {
-    mcap::Op op{};
-    const std::uint8_t* data = nullptr;
-    std::size_t size = 0;
-  };
+  using Record = mcap::Record;
+  enum class IndexState { unread, none, read };
+  static constexpr TimeUs kFromStart{std::numeric_limits<std::int64_t>::min()};
 
   LogReader(std::string path, std::ifstream file, std::uint64_t size);
   bool readRecord(Record& record);
   bool readChunkRecord(Record& record);
   bool cutOff();
   bool take(const Record& record, LogMessage& message);
+  void takeOutside(const Record& record);
   void takeSchema(mcap::ContentReader content);
   void takeChannel(mcap::ContentReader content);
   bool takeMessage(mcap::ContentReader content, LogMessage& message);
   void takeChunk(mcap::ContentReader content);
+  Status unpack(const std::string& compression, const std::uint8_t* stored, std::uint64_t length,
+                std::uint64_t size);
   void takeAttachment(const Record& record);
   void takeMetadata(mcap::ContentReader content);
   void takeEnd();
+  bool readIndex();
   void fail(const std::string& what);
 
   std::string path_;
@@ -106,10 +126,18 @@ class LogReader {
   std::vector<std::uint8_t> record_;  // content of the record read last
   std::vector<std::uint8_t> chunk_;   // records of the chunk being read
   std::size_t chunkAt_ = 0;
+  bool inChunk_ = false;  // the record being taken is of the chunk
+  std::unique_ptr<ChunkCodec> codec_;
+  std::string codecName_;
+  LogChunkCounts chunkCounts_;
+  IndexState indexState_ = IndexState::unread;
+  LogIndex index_;
+  TimeUs from_ = kFromStart;  // messages before it are passed over
   std::map<std::uint16_t, LogSchema> schemas_;
   std::map<std::uint16_t, LogChannel> channels_;
   std::vector<LogMetadata> metadata_;
   std::vector<LogAttachment> attachments_;
+  std::set<std::uint64_t> met_;  // where those two stood: after seek() they are met again
 };
 
 // How the recorded schema differs from ours: names the topic and the first line.

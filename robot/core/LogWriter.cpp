@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robot/core/LogWriter.h"
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <cerrno>
 #include <utility>
 
 namespace kelpie {
@@ -19,84 +15,47 @@ std::uint64_t nanoseconds(TimeUs time) {
   return time.us > 0 ? static_cast<std::uint64_t>(time.us) * 1000 : 0;
 }
 
-void append(std::vector<std::uint8_t>& to, const std::vector<std::uint8_t>& from) {
-  to.insert(to.end(), from.begin(), from.end());
-}
-
 }  // namespace
 
-Expected<LogWriter> LogWriter::open(const std::string& path) {
-  const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-  if (file < 0) return Error{path + ": " + std::strerror(errno)};
-  LogWriter writer(path, file);
+Expected<LogWriter> LogWriter::open(const std::string& path, const LogOptions& options) {
+  std::unique_ptr<ChunkCodec> codec;
+  if (options.chunks && !options.compression.empty()) {
+    codec = makeChunkCodec(options.compression);
+    if (codec == nullptr) return Error{path + ": no compressor for " + options.compression};
+  }
+  auto output = LogOutput::open(path);
+  if (!output) return Error{output.error()};
+  LogWriter writer(std::move(*output), options, std::move(codec));
   RecordWriter record(writer.buffer_);
   record.bytes(mcap::kMagic.data(), mcap::kMagic.size());
   record.begin(Op::header);
   record.string("ros1");
   record.string("kelpie");
   record.end();
-  writer.flush();
-  if (!writer.error_.empty()) return Error{writer.error_};
+  writer.output_.write(writer.buffer_);
+  const Status started = writer.status();
+  if (!started) return Error{started.error()};
   return Expected<LogWriter>(std::move(writer));
 }
 
-LogWriter::LogWriter(std::string path, int file) : path_(std::move(path)), file_(file) {}
-
-LogWriter::LogWriter(LogWriter&& other) noexcept : LogWriter(std::string(), -1) {
-  *this = std::move(other);
-}
+LogWriter::LogWriter(LogOutput output, LogOptions options, std::unique_ptr<ChunkCodec> codec)
+    : output_(std::move(output)), options_(std::move(options)), codec_(std::move(codec)) {}
 
 LogWriter& LogWriter::operator=(LogWriter&& other) noexcept {
   if (this == &other) return *this;
   close();
-  path_ = std::move(other.path_);
-  file_ = std::exchange(other.file_, -1);
-  bytes_ = other.bytes_;
-  error_ = std::move(other.error_);
+  output_ = std::move(other.output_);
+  options_ = std::move(other.options_);
+  codec_ = std::move(other.codec_);
+  chunk_ = std::move(other.chunk_);
+  summary_ = std::move(other.summary_);
   channels_ = std::move(other.channels_);
   schemas_ = std::move(other.schemas_);
   buffer_ = std::move(other.buffer_);
-  schemaRecords_ = std::move(other.schemaRecords_);
-  channelRecords_ = std::move(other.channelRecords_);
-  attachmentIndexes_ = std::move(other.attachmentIndexes_);
-  metadataIndexes_ = std::move(other.metadataIndexes_);
-  attachments_ = other.attachments_;
-  metadata_ = other.metadata_;
-  messages_ = other.messages_;
-  firstTime_ = other.firstTime_;
-  lastTime_ = other.lastTime_;
   return *this;
 }
 
 LogWriter::~LogWriter() { close(); }
-
-void LogWriter::fail(const std::string& what) {
-  if (!error_.empty()) return;
-  error_ = path_ + ": byte " + std::to_string(bytes_) + ": " + what;
-}
-
-Status LogWriter::status() const {
-  if (!error_.empty()) return Error{error_};
-  return Done{};
-}
-
-// On an error the file is cut back to its last whole record.
-void LogWriter::flush() {
-  if (file_ < 0 || !error_.empty()) return;
-  std::size_t done = 0;
-  while (done < buffer_.size()) {
-    const ssize_t count = ::write(file_, buffer_.data() + done, buffer_.size() - done);
-    if (count < 0 && errno == EINTR) continue;
-    if (count <= 0) {
-      fail(std::string("cannot write the log: ") + std::strerror(errno));
-      if (::ftruncate(file_, static_cast<off_t>(bytes_)) != 0) return;  // the reader copes
-      return;
-    }
-    done += static_cast<std::size_t>(count);
-  }
-  bytes_ += buffer_.size();
-  buffer_.clear();
-}
 
 std::uint16_t LogWriter::schemaId(SchemaOf schema) {
   const std::string name = schema.name();
@@ -112,22 +71,25 @@ std::uint16_t LogWriter::schemaId(SchemaOf schema) {
   record.string("ros1msg");
   record.string(schema.text());
   record.end();
-  schemaRecords_.insert(schemaRecords_.end(), buffer_.begin() + static_cast<long>(start),
-                        buffer_.end());
+  ++summary_.schemaCount;
+  summary_.schemas.insert(summary_.schemas.end(), buffer_.begin() + static_cast<long>(start),
+                          buffer_.end());
   return id;
 }
 
-LogWriter::Channel* LogWriter::channelFor(std::string_view topic, SchemaOf schema) {
-  if (file_ < 0 || !error_.empty()) return nullptr;
-  for (Channel& channel : channels_) {
+const LogWriter::Channel* LogWriter::channelFor(std::string_view topic, SchemaOf schema) {
+  if (!output_.good()) return nullptr;
+  for (const Channel& channel : channels_) {
     if (channel.topic != topic) continue;
     if (channel.schema.text == schema.text) return &channel;
-    fail("topic " + channel.topic + " holds " + channel.schema.name() + ", not " + schema.name());
+    flush();
+    output_.fail("topic " + channel.topic + " holds " + channel.schema.name() + ", not " +
+                 schema.name());
     return nullptr;
   }
   const std::uint16_t schemaNumber = schemaId(schema);
   channels_.push_back(
-      {std::string(topic), schema, static_cast<std::uint16_t>(channels_.size() + 1), 0});
+      {std::string(topic), schema, static_cast<std::uint16_t>(channels_.size() + 1)});
   const std::size_t start = buffer_.size();
   RecordWriter record(buffer_);
   record.begin(Op::channel);
@@ -137,8 +99,9 @@ LogWriter::Channel* LogWriter::channelFor(std::string_view topic, SchemaOf schem
   record.string("ros1");
   record.map({});
   record.end();
-  channelRecords_.insert(channelRecords_.end(), buffer_.begin() + static_cast<long>(start),
-                         buffer_.end());
+  summary_.messageCounts.push_back(0);
+  summary_.channels.insert(summary_.channels.end(), buffer_.begin() + static_cast<long>(start),
+                           buffer_.end());
   return &channels_.back();
 }
 
@@ -147,26 +110,38 @@ std::size_t LogWriter::beginMessage(const Channel& channel, TimeUs time) {
   RecordWriter record(buffer_);
   record.begin(Op::message);
   record.number(channel.id);
-  record.number(channel.messages);
+  record.number(summary_.messageCounts[channel.id - 1U]);  // sequence
   record.number(nanoseconds(time));
   record.number(nanoseconds(time));
   return start;
 }
 
-void LogWriter::endMessage(Channel& channel, std::size_t start, TimeUs time) {
+void LogWriter::endMessage(const Channel& channel, std::size_t start, TimeUs time) {
   const std::uint64_t length = buffer_.size() - start - mcap::kRecordHead;
   std::memcpy(buffer_.data() + start + 1, &length, sizeof length);
-  flush();
-  if (!error_.empty()) return;
   const std::uint64_t stamp = nanoseconds(time);
-  firstTime_ = messages_ == 0 ? stamp : std::min(firstTime_, stamp);
-  lastTime_ = std::max(lastTime_, stamp);
-  ++channel.messages;
-  ++messages_;
+  if (options_.chunks) {
+    if (chunk_.spanWith(stamp) >= nanoseconds({options_.chunkUs})) flush();
+    chunk_.add(buffer_, start, channel.id, stamp);
+    if (chunk_.size() >= options_.chunkBytes) flush();
+  } else {
+    output_.write(buffer_);
+  }
+  if (output_.good()) summary_.count(channel.id, stamp);
+}
+
+void LogWriter::flush() {
+  if (!output_.good() || chunk_.empty()) return;
+  std::vector<std::uint8_t> records;
+  const Status closed = chunk_.close(codec_.get(), options_.compression, output_.bytes(), records,
+                                     summary_.chunkIndexes);
+  if (!closed) return output_.fail(closed.error());
+  ++summary_.chunkCount;
+  output_.write(records);
 }
 
 void LogWriter::metadata(const std::string& name, const LogMap& entries) {
-  const std::uint64_t offset = bytes_;
+  const std::uint64_t offset = output_.bytes();
   buffer_.clear();
   RecordWriter record(buffer_);
   record.begin(Op::metadata);
@@ -174,10 +149,10 @@ void LogWriter::metadata(const std::string& name, const LogMap& entries) {
   record.map(entries);
   record.end();
   const std::uint64_t size = buffer_.size();
-  flush();
-  if (file_ < 0 || !error_.empty()) return;
-  ++metadata_;
-  RecordWriter index(metadataIndexes_);
+  output_.write(buffer_);
+  if (!output_.good()) return;
+  ++summary_.metadataCount;
+  RecordWriter index(summary_.metadataIndexes);
   index.begin(Op::metadataIndex);
   index.number(offset);
   index.number(size);
@@ -187,12 +162,12 @@ void LogWriter::metadata(const std::string& name, const LogMap& entries) {
 
 void LogWriter::attachment(const std::string& name, const std::string& mediaType,
                            const std::vector<std::uint8_t>& data) {
-  const std::uint64_t offset = bytes_;
+  const std::uint64_t offset = output_.bytes();
   buffer_.clear();
   RecordWriter record(buffer_);
   record.begin(Op::attachment);
-  record.number(lastTime_);
-  record.number(lastTime_);
+  record.number(summary_.lastTime);
+  record.number(summary_.lastTime);
   record.string(name);
   record.string(mediaType);
   record.number(static_cast<std::uint64_t>(data.size()));
@@ -201,63 +176,24 @@ void LogWriter::attachment(const std::string& name, const std::string& mediaType
   record.number(mcap::crc32(buffer_.data() + start, buffer_.size() - start));
   record.end();
   const std::uint64_t size = buffer_.size();
-  flush();
-  if (file_ < 0 || !error_.empty()) return;
-  ++attachments_;
-  RecordWriter index(attachmentIndexes_);
+  output_.write(buffer_);
+  if (!output_.good()) return;
+  ++summary_.attachmentCount;
+  RecordWriter index(summary_.attachmentIndexes);
   index.begin(Op::attachmentIndex);
-  for (const std::uint64_t value : {offset, size, lastTime_, lastTime_}) index.number(value);
+  for (const std::uint64_t value : {offset, size, summary_.lastTime, summary_.lastTime})
+    index.number(value);
   index.number(static_cast<std::uint64_t>(data.size()));
   index.string(name);
   index.string(mediaType);
   index.end();
 }
 
-void LogWriter::addStatistics(std::vector<std::uint8_t>& out) const {
-  RecordWriter record(out);
-  record.begin(Op::statistics);
-  record.number(messages_);
-  record.number(static_cast<std::uint16_t>(schemas_.size()));
-  record.number(static_cast<std::uint32_t>(channels_.size()));
-  record.number(attachments_);
-  record.number(metadata_);
-  record.number(std::uint32_t{0});  // chunks
-  record.number(firstTime_);
-  record.number(lastTime_);
-  record.number(static_cast<std::uint32_t>(channels_.size() * 10));  // bytes of the map
-  for (const Channel& channel : channels_) {
-    record.number(channel.id);
-    record.number(static_cast<std::uint64_t>(channel.messages));
-  }
-  record.end();
-}
-
-void LogWriter::writeSummary() {
-  buffer_.clear();
-  RecordWriter record(buffer_);
-  record.begin(Op::dataEnd);
-  record.number(std::uint32_t{0});  // no checksum
-  record.end();
-  const std::uint64_t summary = bytes_ + buffer_.size();
-  append(buffer_, schemaRecords_);
-  append(buffer_, channelRecords_);
-  addStatistics(buffer_);
-  append(buffer_, attachmentIndexes_);
-  append(buffer_, metadataIndexes_);
-  record.begin(Op::footer);
-  record.number(summary);
-  record.number(std::uint64_t{0});  // no summary offsets
-  record.number(std::uint32_t{0});  // no checksum
-  record.end();
-  record.bytes(mcap::kMagic.data(), mcap::kMagic.size());
-  flush();
-}
-
 Status LogWriter::close() {
-  if (file_ < 0) return status();
-  if (error_.empty()) writeSummary();
-  if (::close(file_) != 0) fail(std::strerror(errno));
-  file_ = -1;
+  if (!output_.isOpen()) return status();
+  flush();
+  if (output_.good()) output_.write(summary_.end(output_.bytes()));
+  output_.close();
   return status();
 }
 

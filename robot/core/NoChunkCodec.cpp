@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
+// For the robot: logs without chunks, and no compressor in the program.
+#include "robot/core/ChunkCodec.h"
+
+namespace kelpie {
+
+LogOptions defaultLogOptions() { return {}; }
+
+std::unique_ptr<ChunkCodec> makeChunkCodec(std::string_view /*compression*/) { return nullptr; }
+
+}  // namespace kelpie
