@@ -21,8 +21,12 @@ class ChunkCodec {
   ChunkCodec& operator=(const ChunkCodec&) = delete;
   virtual ~ChunkCodec() = default;
 
-  // Both replace what `to` holds.
-  virtual Status compress(const std::vector<std::uint8_t>& from, std::vector<std::uint8_t>& to) = 0;
+  // Takes the records of a chunk out of the caller's hands and compresses them while the caller
+  // goes on: one chunk at a time. Whether and how long that takes changes no byte of the result.
+  virtual void start(std::vector<std::uint8_t>& records) = 0;
+  virtual bool ready() const = 0;  // finish() will not wait
+  // What start() was given, compressed, in place of what `to` holds.
+  virtual Status finish(std::vector<std::uint8_t>& to) = 0;
   // `count` is what the chunk says of itself; anything else is an error, and memory is taken only
   // for as much as `size` bytes can hold.
   virtual Status decompress(const std::uint8_t* from, std::size_t size, std::size_t count,

@@ -22,21 +22,21 @@ void LogChunk::add(const std::vector<std::uint8_t>& records, std::size_t message
   records_.insert(records_.end(), records.begin(), records.end());
 }
 
-Status LogChunk::close(ChunkCodec* codec, const std::string& compression, std::uint64_t offset,
-                       std::vector<std::uint8_t>& out, std::vector<std::uint8_t>& index) {
-  const Status done = codec == nullptr ? Status(Done{}) : codec->compress(records_, compressed_);
-  if (!done) return done;
-  const std::vector<std::uint8_t>& stored = codec == nullptr ? records_ : compressed_;
+void LogChunk::seal() {
+  size_ = records_.size();
+  checksum_ = mcap::crc32(records_.data(), records_.size());
+}
+
+void LogChunk::write(const std::string& compression, std::uint64_t offset,
+                     std::vector<std::uint8_t>& out, std::vector<std::uint8_t>& index) const {
   const std::size_t start = out.size();
   RecordWriter record(out);
   record.begin(Op::chunk);
-  record.number(first_);
-  record.number(last_);
-  record.number(static_cast<std::uint64_t>(records_.size()));
-  record.number(mcap::crc32(records_.data(), records_.size()));
+  for (const std::uint64_t value : {first_, last_, size_}) record.number(value);
+  record.number(checksum_);
   record.string(compression);
-  record.number(static_cast<std::uint64_t>(stored.size()));
-  record.bytes(stored.data(), stored.size());
+  record.number(static_cast<std::uint64_t>(records_.size()));
+  record.bytes(records_.data(), records_.size());
   record.end();
   const std::uint64_t length = out.size() - start;
 
@@ -58,12 +58,14 @@ Status LogChunk::close(ChunkCodec* codec, const std::string& compression, std::u
   }
   place.number(static_cast<std::uint64_t>(out.size() - start - length));
   place.string(compression);
-  place.number(static_cast<std::uint64_t>(stored.size()));
   place.number(static_cast<std::uint64_t>(records_.size()));
+  place.number(size_);
   place.end();
+}
+
+void LogChunk::clear() {
   records_.clear();
   messages_.clear();
-  return Done{};
 }
 
 }  // namespace kelpie

@@ -48,6 +48,7 @@ LogWriter& LogWriter::operator=(LogWriter&& other) noexcept {
   options_ = std::move(other.options_);
   codec_ = std::move(other.codec_);
   chunk_ = std::move(other.chunk_);
+  packing_ = std::move(other.packing_);
   summary_ = std::move(other.summary_);
   channels_ = std::move(other.channels_);
   schemas_ = std::move(other.schemas_);
@@ -121,26 +122,52 @@ void LogWriter::endMessage(const Channel& channel, std::size_t start, TimeUs tim
   std::memcpy(buffer_.data() + start + 1, &length, sizeof length);
   const std::uint64_t stamp = nanoseconds(time);
   if (options_.chunks) {
-    if (chunk_.spanWith(stamp) >= nanoseconds({options_.chunkUs})) flush();
-    chunk_.add(buffer_, start, channel.id, stamp);
-    if (chunk_.size() >= options_.chunkBytes) flush();
+    gather(channel, start, stamp);
   } else {
     output_.write(buffer_);
   }
   if (output_.good()) summary_.count(channel.id, stamp);
 }
 
-void LogWriter::flush() {
+void LogWriter::gather(const Channel& channel, std::size_t start, std::uint64_t time) {
+  if (chunk_.spanWith(time) >= nanoseconds({options_.chunkUs})) closeChunk();
+  chunk_.add(buffer_, start, channel.id, time);
+  if (chunk_.records().size() >= options_.chunkBytes) closeChunk();
+  if (codec_ && !packing_.empty() && codec_->ready()) writeChunk();
+}
+
+// The chunk goes to be compressed, and to the file when that is done. Should the one before not be
+// done yet, this waits for it: the log never holds more than two chunks in memory.
+void LogWriter::closeChunk() {
   if (!output_.good() || chunk_.empty()) return;
+  writeChunk();
+  std::swap(chunk_, packing_);
+  packing_.seal();
+  if (codec_) {
+    codec_->start(packing_.records());
+  } else {
+    writeChunk();
+  }
+}
+
+void LogWriter::writeChunk() {
+  if (packing_.empty()) return;
+  const Status packed = codec_ ? codec_->finish(packing_.records()) : Status(Done{});
+  if (!packed) output_.fail(packed.error());
   std::vector<std::uint8_t> records;
-  const Status closed = chunk_.close(codec_.get(), options_.compression, output_.bytes(), records,
-                                     summary_.chunkIndexes);
-  if (!closed) return output_.fail(closed.error());
-  ++summary_.chunkCount;
+  packing_.write(options_.compression, output_.bytes(), records, summary_.chunkIndexes);
   output_.write(records);
+  ++summary_.chunkCount;
+  packing_.clear();
+}
+
+void LogWriter::flush() {
+  closeChunk();
+  writeChunk();
 }
 
 void LogWriter::metadata(const std::string& name, const LogMap& entries) {
+  writeChunk();
   const std::uint64_t offset = output_.bytes();
   buffer_.clear();
   RecordWriter record(buffer_);
@@ -162,6 +189,7 @@ void LogWriter::metadata(const std::string& name, const LogMap& entries) {
 
 void LogWriter::attachment(const std::string& name, const std::string& mediaType,
                            const std::vector<std::uint8_t>& data) {
+  writeChunk();
   const std::uint64_t offset = output_.bytes();
   buffer_.clear();
   RecordWriter record(buffer_);

@@ -42,7 +42,7 @@ class LogWriter {
     endMessage(*channel, start, time);
   }
 
-  // These two stand outside chunks, and are written at once.
+  // These two stand outside chunks and are written at once.
   void metadata(const std::string& name, const LogMap& entries);
   // A file that belongs to the log: parameters, colour table.
   void attachment(const std::string& name, const std::string& mediaType,
@@ -54,7 +54,7 @@ class LogWriter {
   Status status() const { return output_.status(); }
   // Writes statistics, indexes and footer. The log is readable without them.
   Status close();
-  // In the file; what the open chunk holds comes on top.
+  // In the file; what the open chunk and the one being compressed hold comes on top.
   std::uint64_t bytes() const { return output_.bytes(); }
 
  private:
@@ -73,11 +73,15 @@ class LogWriter {
   std::uint16_t schemaId(SchemaOf schema);
   std::size_t beginMessage(const Channel& channel, TimeUs time);
   void endMessage(const Channel& channel, std::size_t start, TimeUs time);
+  void gather(const Channel& channel, std::size_t start, std::uint64_t time);
+  void closeChunk();
+  void writeChunk();
 
   LogOutput output_;
   LogOptions options_;
   std::unique_ptr<ChunkCodec> codec_;  // null: chunks are not compressed
   LogChunk chunk_;                     // the open one
+  LogChunk packing_;                   // the one before, until it is in the file
   LogSummary summary_;
   std::vector<Channel> channels_;     // the id is the place plus 1
   std::vector<std::string> schemas_;  // names; the id is the place plus 1

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// For the host: chunks are compressed with zstd, one frame each.
+// For the host: chunks are compressed with zstd, one frame each, by a thread of their own.
 #include <zstd.h>
+
+#include <atomic>
+#include <future>
+#include <system_error>
 
 #include "robot/core/ChunkCodec.h"
 
@@ -28,18 +32,32 @@ Status statusOf(std::size_t result) {
 class ZstdChunkCodec : public ChunkCodec {
  public:
   ~ZstdChunkCodec() override {
+    if (job_.valid()) job_.wait();
     ZSTD_freeCCtx(compressor_);
     ZSTD_freeDCtx(decompressor_);
   }
 
-  Status compress(const std::vector<std::uint8_t>& from, std::vector<std::uint8_t>& to) override {
-    if (compressor_ == nullptr) compressor_ = ZSTD_createCCtx();
-    if (compressor_ == nullptr) return Error{"zstd: no memory"};
-    to.resize(ZSTD_compressBound(from.size()));
-    const std::size_t size =
-        ZSTD_compressCCtx(compressor_, to.data(), to.size(), from.data(), from.size(), kLevel);
-    const Status done = statusOf(size);
-    to.resize(done ? size : 0);
+  void start(std::vector<std::uint8_t>& records) override {
+    records_.swap(records);
+    ready_ = false;
+    const auto work = [this] {
+      Status done = compress();
+      ready_ = true;
+      return done;
+    };
+    try {
+      job_ = std::async(std::launch::async, work);
+    } catch (const std::system_error&) {  // no more threads: finish() does it
+      job_ = std::async(std::launch::deferred, work);
+      ready_ = true;
+    }
+  }
+
+  bool ready() const override { return ready_; }
+
+  Status finish(std::vector<std::uint8_t>& to) override {
+    Status done = job_.get();
+    to.swap(compressed_);
     return done;
   }
 
@@ -62,8 +80,23 @@ class ZstdChunkCodec : public ChunkCodec {
   }
 
  private:
+  Status compress() {
+    if (compressor_ == nullptr) compressor_ = ZSTD_createCCtx();
+    if (compressor_ == nullptr) return Error{"zstd: no memory"};
+    compressed_.resize(ZSTD_compressBound(records_.size()));
+    const std::size_t size = ZSTD_compressCCtx(compressor_, compressed_.data(), compressed_.size(),
+                                               records_.data(), records_.size(), kLevel);
+    Status done = statusOf(size);
+    compressed_.resize(done ? size : 0);
+    return done;
+  }
+
   ZSTD_CCtx* compressor_ = nullptr;
   ZSTD_DCtx* decompressor_ = nullptr;
+  std::vector<std::uint8_t> records_;  // these two belong to the job while it runs
+  std::vector<std::uint8_t> compressed_;
+  std::atomic<bool> ready_ = false;
+  std::future<Status> job_;
 };
 
 }  // namespace
