@@ -7,6 +7,7 @@
 
 #include <csignal>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <functional>
 #include <iterator>
@@ -20,10 +21,23 @@
 
 namespace kelpie {
 
-inline std::string pathOf(const std::string& name) {
+// Of the running test alone.
+inline std::string folderOfTest() {
   const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-  return testing::TempDir() + "kelpie_" + test->test_suite_name() + test->name() + "_" + name;
+  return testing::TempDir() + "kelpie_" + test->test_suite_name() + "_" + test->name();
 }
+
+inline std::string pathOf(const std::string& name) { return folderOfTest() + "/" + name; }
+
+// Its files go with the test.
+class LogFiles : public testing::Test {
+ protected:
+  LogFiles() { std::filesystem::create_directories(folderOfTest()); }
+  ~LogFiles() override {
+    std::error_code ignored;
+    std::filesystem::remove_all(folderOfTest(), ignored);
+  }
+};
 
 inline std::string contentOf(const std::string& path) {
   std::ifstream file(path, std::ios::binary);

@@ -12,6 +12,8 @@
 namespace kelpie {
 namespace {
 
+class Log : public LogFiles {};
+
 // Two topics, three messages, no chunks; the sizes of what was written after each record.
 std::vector<std::size_t> writeSmallLog(const std::string& path) {
   LogWriter log = std::move(*LogWriter::open(path, LogOptions{}));
@@ -30,7 +32,7 @@ std::vector<std::size_t> writeSmallLog(const std::string& path) {
   return ends;
 }
 
-TEST(Log, GivesBackEveryMessageOfEveryType) {
+TEST_F(Log, GivesBackEveryMessageOfEveryType) {
   const std::string path = pathOf("log");
   ASSERT_TRUE(writeSampleLog(path, 3));
   auto reader = LogReader::open(path);
@@ -52,7 +54,7 @@ TEST(Log, GivesBackEveryMessageOfEveryType) {
   EXPECT_EQ(reader->offset(), contentOf(path).size());
 }
 
-TEST(Log, KeepsTheValueBitForBit) {
+TEST_F(Log, KeepsTheValueBitForBit) {
   const std::string path = pathOf("log");
   ASSERT_TRUE(writeSampleLog(path, 1));
   Random random(1);
@@ -67,7 +69,7 @@ TEST(Log, KeepsTheValueBitForBit) {
   EXPECT_FALSE(firstDifference(*expected, *read, &difference)) << difference;
 }
 
-TEST(Log, KeepsMetadataAndAttachments) {
+TEST_F(Log, KeepsMetadataAndAttachments) {
   const std::string path = pathOf("log");
   ASSERT_TRUE(writeSampleLog(path, 0));
   auto reader = LogReader::open(path);
@@ -79,7 +81,7 @@ TEST(Log, KeepsMetadataAndAttachments) {
   EXPECT_EQ(reader->attachments()[0].data.size(), 4U);
 }
 
-TEST(Log, CutAtAnyByteGivesAllWholeMessages) {
+TEST_F(Log, CutAtAnyByteGivesAllWholeMessages) {
   const std::string path = pathOf("log");
   const std::vector<std::size_t> ends = writeSmallLog(path);
   EXPECT_FALSE(readAll(path).truncated);
@@ -94,7 +96,7 @@ TEST(Log, CutAtAnyByteGivesAllWholeMessages) {
   }
 }
 
-TEST(Log, ZerosAtTheEndAreACut) {
+TEST_F(Log, ZerosAtTheEndAreACut) {
   const std::string path = pathOf("log");
   const std::vector<std::size_t> ends = writeSmallLog(path);
   const std::string cut = contentOf(path).substr(0, ends[1]) + std::string(4096, '\0');
@@ -104,7 +106,7 @@ TEST(Log, ZerosAtTheEndAreACut) {
   EXPECT_EQ(reading.offset, ends[1]);
 }
 
-TEST(Log, AnyByteBrokenNeverCrashes) {
+TEST_F(Log, AnyByteBrokenNeverCrashes) {
   const std::string path = pathOf("log");
   writeSmallLog(path);
   const std::string whole = contentOf(path);
@@ -120,7 +122,7 @@ TEST(Log, AnyByteBrokenNeverCrashes) {
   EXPECT_EQ(readAll(path).messages, 3);
 }
 
-TEST(Log, ForeignFileIsRefusedByName) {
+TEST_F(Log, ForeignFileIsRefusedByName) {
   const std::string text = fileWith("foreign", "This is not a log, it is a text file.\n");
   EXPECT_EQ(readAll(text).error, text + ": byte 0: not an MCAP log");
   const std::string empty = fileWith("empty", "");
@@ -128,7 +130,7 @@ TEST(Log, ForeignFileIsRefusedByName) {
   EXPECT_EQ(readAll("/nowhere/log").error, "/nowhere/log: No such file or directory");
 }
 
-TEST(Log, AnotherFieldListIsNamedWithTopicAndLine) {
+TEST_F(Log, AnotherFieldListIsNamedWithTopicAndLine) {
   const std::string path = pathOf("log");
   writeSmallLog(path);
   auto reader = LogReader::open(path);
@@ -142,7 +144,7 @@ TEST(Log, AnotherFieldListIsNamedWithTopicAndLine) {
             "\"float64 forward  # cm/s, -30..42\", expected \"float64 forward  # cm, -100..100\"");
 }
 
-TEST(Log, FullDiskIsReportedOnceAndEndsTheWriting) {
+TEST_F(Log, FullDiskIsReportedOnceAndEndsTheWriting) {
   struct stat info {};
   if (stat("/dev/full", &info) != 0) GTEST_SKIP() << "no /dev/full here";
   auto log = LogWriter::open("/dev/full");
@@ -151,7 +153,7 @@ TEST(Log, FullDiskIsReportedOnceAndEndsTheWriting) {
   EXPECT_EQ(LogWriter::open("/nowhere/log").error(), "/nowhere/log: No such file or directory");
 }
 
-TEST(Log, RecordThatDoesNotFitIsTakenBack) {
+TEST_F(Log, RecordThatDoesNotFitIsTakenBack) {
   const std::string path = pathOf("log");
   LogWriter log = std::move(*LogWriter::open(path, LogOptions{}));
   withFilesUpTo(1000, [&] {
@@ -165,7 +167,7 @@ TEST(Log, RecordThatDoesNotFitIsTakenBack) {
   EXPECT_EQ(readAll(path).offset, log.bytes());
 }
 
-TEST(Log, TopicKeepsItsType) {
+TEST_F(Log, TopicKeepsItsType) {
   LogWriter log = std::move(*LogWriter::open(pathOf("log")));
   log.write("walk", TimeUs{0}, WalkRequest{});
   log.write("walk", TimeUs{1}, HeadRequest{});
@@ -174,7 +176,7 @@ TEST(Log, TopicKeepsItsType) {
   EXPECT_EQ(readAll(pathOf("log")).messages, 1);
 }
 
-TEST(Log, ChecksumIsThatOfZip) {
+TEST_F(Log, ChecksumIsThatOfZip) {
   const std::string text = "123456789";  // check value of CRC-32/ISO-HDLC
   EXPECT_EQ(mcap::crc32(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()),
             0xcbf43926U);
