@@ -8,15 +8,36 @@ namespace {
 
 using mcap::ContentReader;
 
-// `count` bytes of the file, or none.
-std::vector<std::uint8_t> bytesAt(std::istream& file, std::uint64_t offset, std::uint64_t count) {
-  std::vector<std::uint8_t> bytes(static_cast<std::size_t>(count));
+constexpr std::size_t kFooterRecord = mcap::kRecordHead + mcap::kFooter;
+constexpr std::size_t kTail = kFooterRecord + mcap::kMagic.size();
+
+struct Footer {
+  std::uint64_t summary = 0;  // where it starts
+  std::uint32_t checksum = 0;
+};
+
+bool readAt(std::istream& file, std::uint64_t offset, std::uint8_t* to, std::size_t count) {
   file.clear();
   file.seekg(static_cast<std::streamoff>(offset));
-  file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(count));
-  if (!file) bytes.clear();
+  file.read(reinterpret_cast<char*>(to), static_cast<std::streamsize>(count));
+  const bool whole = file.good();
   file.clear();
-  return bytes;
+  return whole;
+}
+
+bool readFooter(std::istream& file, std::uint64_t offset, Footer& footer) {
+  std::array<std::uint8_t, kTail> tail{};
+  if (!readAt(file, offset, tail.data(), tail.size())) return false;
+  if (!std::equal(mcap::kMagic.begin(), mcap::kMagic.end(), tail.begin() + kFooterRecord))
+    return false;
+  ContentReader content(tail.data(), kFooterRecord);
+  const auto op = content.number<mcap::Op>();
+  const auto length = content.number<std::uint64_t>();
+  footer.summary = content.number<std::uint64_t>();
+  content.number<std::uint64_t>();  // summary offsets
+  footer.checksum = content.number<std::uint32_t>();
+  return op == mcap::Op::footer && length == mcap::kFooter &&
+         footer.summary >= mcap::kMagic.size() && footer.summary < offset;
 }
 
 }  // namespace
@@ -44,26 +65,17 @@ std::uint64_t LogIndex::placeOf(TimeUs time) const {
 }
 
 std::vector<std::uint8_t> readSummary(std::istream& file, std::uint64_t fileSize) {
-  constexpr std::size_t kFooterRecord = mcap::kRecordHead + mcap::kFooter;
-  constexpr std::size_t kTail = kFooterRecord + mcap::kMagic.size();
   if (fileSize < mcap::kMagic.size() + kTail) return {};
-  const std::uint64_t footer = fileSize - kTail;
-  const std::vector<std::uint8_t> tail = bytesAt(file, footer, kTail);
-  if (tail.empty() ||
-      !std::equal(mcap::kMagic.begin(), mcap::kMagic.end(), tail.begin() + kFooterRecord))
+  const std::uint64_t end = fileSize - kTail;
+  Footer footer;
+  if (!readFooter(file, end, footer)) return {};
+  // The checksum covers the footer up to itself.
+  std::vector<std::uint8_t> summary(static_cast<std::size_t>(end - footer.summary) + kFooterRecord -
+                                    sizeof footer.checksum);
+  if (!readAt(file, footer.summary, summary.data(), summary.size())) return {};
+  if (footer.checksum != 0 && footer.checksum != mcap::crc32(summary.data(), summary.size()))
     return {};
-  ContentReader content(tail.data(), kFooterRecord);
-  const auto op = content.number<mcap::Op>();
-  const auto length = content.number<std::uint64_t>();
-  const auto start = content.number<std::uint64_t>();
-  content.number<std::uint64_t>();  // summary offsets
-  const auto checksum = content.number<std::uint32_t>();
-  if (op != mcap::Op::footer || length != mcap::kFooter) return {};
-  if (start < mcap::kMagic.size() || start >= footer) return {};
-  std::vector<std::uint8_t> summary =
-      bytesAt(file, start, footer - start + kFooterRecord - sizeof checksum);
-  if (checksum != 0 && checksum != mcap::crc32(summary.data(), summary.size())) return {};
-  if (!summary.empty()) summary.resize(static_cast<std::size_t>(footer - start));
+  summary.resize(static_cast<std::size_t>(end - footer.summary));
   return summary;
 }
 
