@@ -27,6 +27,18 @@ void printTopics(const std::map<std::string, TopicCount>& topics) {
                count.last.seconds());
 }
 
+void printStorage(const LogChunkCounts& counts) {
+  if (counts.chunks == 0) {
+    fmt::print("without chunks\n");
+    return;
+  }
+  const double held = static_cast<double>(counts.held);
+  const double stored = static_cast<double>(counts.stored);
+  fmt::print("{} chunks, {}: {:.1f} KB in {:.1f} KB, {:.0f} %\n", counts.chunks,
+             counts.compression.empty() ? "not compressed" : counts.compression, held / 1024.0,
+             stored / 1024.0, held > 0.0 ? 100.0 * stored / held : 100.0);
+}
+
 int info(const std::string& log) {
   auto reader = LogReader::open(log);
   if (!reader) return complain(reader.error(), kBadInput);
@@ -41,6 +53,7 @@ int info(const std::string& log) {
   }
   if (!reader->status()) return complain(reader->status().error(), kBadInput);
   printTopics(topics);
+  printStorage(reader->chunkCounts());
   for (const auto& metadata : reader->metadata())
     for (const auto& [key, value] : metadata.entries)
       fmt::print("{}.{} = {}\n", metadata.name, key, value);
