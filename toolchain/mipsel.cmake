@@ -2,8 +2,8 @@
 # Debian's mipsel as a stand-in for the ERS-7's R7000: static programs, MIPS II instructions only.
 # MIPS II is a subset of both the R7000's MIPS IV and of what Debian's C library is built for;
 # -march=r7000 itself compiles but does not link with that library, and costs within 4 % the same.
-# Python, zlib and Eigen come from the private sysroot of toolchain/make-sysroot (KELPIE_SYSROOT, or
-# the default directory), libc and libstdc++ from the cross compiler.
+# Python, zlib, zstd and Eigen come from the private sysroot of toolchain/make-sysroot
+# (KELPIE_SYSROOT, or the default directory), libc and libstdc++ from the cross compiler.
 set(CMAKE_SYSTEM_NAME Linux)
 set(CMAKE_SYSTEM_PROCESSOR mipsel)
 

@@ -219,11 +219,11 @@ Status LogReader::unpack(const std::string& compression, const std::uint8_t* sto
     chunk_.assign(stored, stored + length);
     return Done{};
   }
-  if (!codec_ || codecName_ != compression) codec_ = makeChunkCodec(compression);
-  if (!codec_) return Error{"compressed with " + compression + ", which we cannot read"};
-  codecName_ = compression;
-  const Status done = codec_->decompress(stored, static_cast<std::size_t>(length),
-                                         static_cast<std::size_t>(size), chunk_);
+  if (!decompressor_ || decompresses_ != compression) decompressor_ = makeDecompressor(compression);
+  if (!decompressor_) return Error{"compressed with " + compression + ", which we cannot read"};
+  decompresses_ = compression;
+  const Status done = decompressor_->decompress(stored, static_cast<std::size_t>(length),
+                                                static_cast<std::size_t>(size), chunk_);
   return done ? done : Error{"damaged chunk: " + done.error()};
 }
 

@@ -127,8 +127,8 @@ class LogReader {
   std::vector<std::uint8_t> chunk_;   // records of the chunk being read
   std::size_t chunkAt_ = 0;
   bool inChunk_ = false;  // the record being taken is of the chunk
-  std::unique_ptr<ChunkCodec> codec_;
-  std::string codecName_;
+  std::unique_ptr<ChunkDecompressor> decompressor_;
+  std::string decompresses_;  // compression that it is for
   LogChunkCounts chunkCounts_;
   IndexState indexState_ = IndexState::unread;
   LogIndex index_;

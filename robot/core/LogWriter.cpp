@@ -18,14 +18,14 @@ std::uint64_t nanoseconds(TimeUs time) {
 }  // namespace
 
 Expected<LogWriter> LogWriter::open(const std::string& path, const LogOptions& options) {
-  std::unique_ptr<ChunkCodec> codec;
+  std::unique_ptr<ChunkCompressor> compressor;
   if (options.chunks && !options.compression.empty()) {
-    codec = makeChunkCodec(options.compression);
-    if (codec == nullptr) return Error{path + ": no compressor for " + options.compression};
+    compressor = makeCompressor(options.compression);
+    if (compressor == nullptr) return Error{path + ": no compressor for " + options.compression};
   }
   auto output = LogOutput::open(path);
   if (!output) return Error{output.error()};
-  LogWriter writer(std::move(*output), options, std::move(codec));
+  LogWriter writer(std::move(*output), options, std::move(compressor));
   RecordWriter record(writer.buffer_);
   record.bytes(mcap::kMagic.data(), mcap::kMagic.size());
   record.begin(Op::header);
@@ -38,15 +38,18 @@ Expected<LogWriter> LogWriter::open(const std::string& path, const LogOptions& o
   return Expected<LogWriter>(std::move(writer));
 }
 
-LogWriter::LogWriter(LogOutput output, LogOptions options, std::unique_ptr<ChunkCodec> codec)
-    : output_(std::move(output)), options_(std::move(options)), codec_(std::move(codec)) {}
+LogWriter::LogWriter(LogOutput output, LogOptions options,
+                     std::unique_ptr<ChunkCompressor> compressor)
+    : output_(std::move(output)),
+      options_(std::move(options)),
+      compressor_(std::move(compressor)) {}
 
 LogWriter& LogWriter::operator=(LogWriter&& other) noexcept {
   if (this == &other) return *this;
   close();
   output_ = std::move(other.output_);
   options_ = std::move(other.options_);
-  codec_ = std::move(other.codec_);
+  compressor_ = std::move(other.compressor_);
   chunk_ = std::move(other.chunk_);
   packing_ = std::move(other.packing_);
   summary_ = std::move(other.summary_);
@@ -133,7 +136,7 @@ void LogWriter::gather(const Channel& channel, std::size_t start, std::uint64_t 
   if (chunk_.spanWith(time) >= nanoseconds({options_.chunkUs})) closeChunk();
   chunk_.add(buffer_, start, channel.id, time);
   if (chunk_.records().size() >= options_.chunkBytes) closeChunk();
-  if (codec_ && !packing_.empty() && codec_->ready()) writeChunk();
+  if (compressor_ && !packing_.empty() && compressor_->ready()) writeChunk();
 }
 
 // The chunk goes to be compressed, and to the file when that is done. Should the one before not be
@@ -143,8 +146,8 @@ void LogWriter::closeChunk() {
   writeChunk();
   std::swap(chunk_, packing_);
   packing_.seal();
-  if (codec_) {
-    codec_->start(packing_.records());
+  if (compressor_) {
+    compressor_->start(packing_.records());
   } else {
     writeChunk();
   }
@@ -152,7 +155,7 @@ void LogWriter::closeChunk() {
 
 void LogWriter::writeChunk() {
   if (packing_.empty()) return;
-  const Status packed = codec_ ? codec_->finish(packing_.records()) : Status(Done{});
+  const Status packed = compressor_ ? compressor_->finish(packing_.records()) : Status(Done{});
   if (!packed) output_.fail(packed.error());
   std::vector<std::uint8_t> records;
   packing_.write(options_.compression, output_.bytes(), records, summary_.chunkIndexes);

@@ -68,7 +68,7 @@ class LogWriter {
     std::uint16_t id;
   };
 
-  LogWriter(LogOutput output, LogOptions options, std::unique_ptr<ChunkCodec> codec);
+  LogWriter(LogOutput output, LogOptions options, std::unique_ptr<ChunkCompressor> compressor);
   const Channel* channelFor(std::string_view topic, SchemaOf schema);
   std::uint16_t schemaId(SchemaOf schema);
   std::size_t beginMessage(const Channel& channel, TimeUs time);
@@ -79,9 +79,9 @@ class LogWriter {
 
   LogOutput output_;
   LogOptions options_;
-  std::unique_ptr<ChunkCodec> codec_;  // null: chunks are not compressed
-  LogChunk chunk_;                     // the open one
-  LogChunk packing_;                   // the one before, until it is in the file
+  std::unique_ptr<ChunkCompressor> compressor_;  // null: chunks are not compressed
+  LogChunk chunk_;                               // the open one
+  LogChunk packing_;                             // the one before, until it is in the file
   LogSummary summary_;
   std::vector<Channel> channels_;     // the id is the place plus 1
   std::vector<std::string> schemas_;  // names; the id is the place plus 1

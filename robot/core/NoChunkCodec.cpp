@@ -6,6 +6,12 @@ namespace kelpie {
 
 LogOptions defaultLogOptions() { return {}; }
 
-std::unique_ptr<ChunkCodec> makeChunkCodec(std::string_view /*compression*/) { return nullptr; }
+std::unique_ptr<ChunkCompressor> makeCompressor(std::string_view /*compression*/) {
+  return nullptr;
+}
+
+std::unique_ptr<ChunkDecompressor> makeDecompressor(std::string_view /*compression*/) {
+  return nullptr;
+}
 
 }  // namespace kelpie

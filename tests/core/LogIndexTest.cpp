@@ -63,7 +63,7 @@ std::string contentOfChunk(const FileRecord& chunk) {
   if (!compression.empty()) {
     const Bytes packed = records;
     EXPECT_TRUE(
-        makeChunkCodec(compression)
+        makeDecompressor(compression)
             ->decompress(packed.data(), packed.size(), static_cast<std::size_t>(size), records));
   }
   EXPECT_EQ(records.size(), size);

@@ -6,6 +6,7 @@
 import { createReadStream } from "node:fs";
 import { McapStreamReader } from "@mcap/core";
 import { parse } from "@foxglove/rosmsg";
+import { decompress } from "fzstd";
 import { MessageReader, MessageWriter } from "@foxglove/rosmsg-serialization";
 
 const schemas = new Map(); // id -> { name, reader, writer }
@@ -45,7 +46,10 @@ function take(record) {
 }
 
 async function readLog(path) {
-  const reader = new McapStreamReader({ validateCrcs: true });
+  const reader = new McapStreamReader({
+    validateCrcs: true,
+    decompressHandlers: { zstd: (data, size) => decompress(data, new Uint8Array(Number(size))) },
+  });
   for await (const piece of createReadStream(path)) {
     reader.append(piece);
     for (let record = reader.nextRecord(); record; record = reader.nextRecord()) take(record);
