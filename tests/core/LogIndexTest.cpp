@@ -230,17 +230,29 @@ std::vector<std::string> scanned(const std::string& path, TimeUs time) {
   return contents;
 }
 
+// Of every message, in random order, and between them, before the first and after the last.
+std::vector<TimeUs> timesToSeek(const std::string& path) {
+  Random random(11);
+  std::vector<TimeUs> times = {{-1}, {0}, {5000000}};
+  auto reader = LogReader::open(path);
+  LogMessage message;
+  while (reader->next(message)) {
+    times.insert(times.begin() + random.index(static_cast<std::uint32_t>(times.size())),
+                 message.time);
+    times.push_back({message.time.us + random.index(20000)});
+  }
+  return times;
+}
+
 TEST_F(LogIndexes, SeekingGivesWhatScanningGives) {
   const std::string whole = pathOf("whole");
   writeLog(whole, chunksOf(800));
   const std::string cut = fileWith("cut", contentOf(whole).substr(0, 9000));
   const std::string plain = pathOf("plain");
   writeLog(plain, LogOptions{});
-  Random random(11);
   for (const std::string& path : {whole, cut, plain}) {
     auto reader = LogReader::open(path);
-    for (int i = 0; i < 60; ++i) {
-      const TimeUs time{static_cast<std::int64_t>(random.index(4400000)) - 200000};
+    for (const TimeUs time : timesToSeek(whole)) {
       reader->seek(time);
       const Reading reading = readOn(*reader);
       ASSERT_EQ(reading.error, "");
