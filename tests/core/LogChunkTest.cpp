@@ -288,7 +288,7 @@ TEST_F(LogChunks, InsideChunksAreRefused) {
 
 TEST_F(LogChunks, WithMoreOrLessInsideThanTheySayAreRefused) {
   const std::string small = zstd(std::string(1000, 'x'));
-  for (const std::uint64_t size : {0, 1, 999, 1001, 200000000}) {
+  for (const std::uint64_t size : {0U, 1U, 999U, 1001U, 200000000U}) {
     const ChunkFile chunk{"zstd", small, size, 0};
     EXPECT_EQ(chunk.error().substr(0, 20), "damaged chunk: zstd:") << size;
   }

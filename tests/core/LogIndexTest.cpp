@@ -24,7 +24,7 @@ void writeLog(const std::string& path, const LogOptions& options) {
   Random random(7);
   log.metadata("start", {{"a", "b"}});
   for (int i = 0; i < 200; ++i) {
-    const TimeUs time{i * 20000 + random.index(30000)};
+    const TimeUs time{i * 20000 + static_cast<std::int64_t>(random.index(30000))};
     if (i % 90 == 50) log.attachment("table", "text/plain", {1, 2, 3});
     if (i % 3 == 0) writeRandom<HeadRequest>(log, "head", time, random);
     if (i % 3 != 0) writeRandom<WalkRequest>(log, i > 100 ? "late" : "walk", time, random);
