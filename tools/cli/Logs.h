@@ -15,17 +15,18 @@
 
 namespace kelpie::cli {
 
-// Which camera images a log keeps; the others become JPEG pictures of 3 KB (an image compresses to
-// 64 KB only, since it is full of noise). With `some` a match of ten minutes takes 150 MB.
+// Which camera images a log keeps; the others become JPEG pictures of 2.5 KB (an image compresses to
+// 70 KB only, since it is full of noise). With `some` a match of ten minutes takes 160 MB.
 enum class ImagesKept : std::uint8_t { some, all };
-constexpr double kAllImagesSeconds = 30.0;  // of the beginning, with `some`
+constexpr double kAllImagesSeconds = 20.0;  // of the beginning, with `some`
 constexpr double kOneImageSeconds = 5.0;    // afterwards one in so many
 
 // Writes each input and output as it passes. Its first error stays in status().
 class LogFile : public agent::LogSink {
  public:
   static Expected<LogFile> create(const std::string& path, const agent::AgentConfig& config,
-                                  const LogMap& parameterNotes, ImagesKept images);
+                                  const LogMap& parameterNotes, ImagesKept images,
+                                  const LogOptions& options = defaultLogOptions());
 
   void motion(const MotionInput& input, const MotionOutput& output) override;
   void frame(const FrameInput& input, const FrameOutput& output) override;
@@ -37,7 +38,7 @@ class LogFile : public agent::LogSink {
 
   LogWriter writer_;
   ImagesKept images_;
-  double nextImage_ = 0.0;  // s
+  double nextImage_ = kAllImagesSeconds + kOneImageSeconds;  // s
   std::unique_ptr<PictureFrame> picture_ = std::make_unique<PictureFrame>();
 };
 

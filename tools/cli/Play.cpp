@@ -192,8 +192,8 @@ void addPlay(CLI::App& app, int& code) {
       ->check(CLI::IsMember({"ring", "noise", "shift", "rolling", "blur", "spectators"}));
   command
       ->add_option("--images", options->images,
-                   "Which images the log keeps: some (30 s, then one in 5 s; the others as JPEG "
-                   "pictures; a match of ten minutes takes 150 MB) or all (1.2 GB)")
+                   "Which images the log keeps: some (all of the first 20 s, then one in 5 s; the "
+                   "others as JPEG pictures; a match of ten minutes takes 160 MB) or all (1.3 GB)")
       ->check(CLI::IsMember({"some", "all"}))
       ->capture_default_str();
   command->add_flag("--real-time", session.realTime,

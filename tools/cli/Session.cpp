@@ -84,7 +84,9 @@ std::vector<std::string> agentCommand(const SessionOptions& options, const Works
                                    "--seed",
                                    std::to_string(options.seed),
                                    "--status"};
-  if (!options.log.empty()) argv.insert(argv.end(), {"--log", workshop.path("agent.mcap")});
+  // Plain: it is compressed when it is joined with the world's.
+  if (!options.log.empty())
+    argv.insert(argv.end(), {"--plain-log", "--log", workshop.path("agent.mcap")});
   if (options.allImages) argv.push_back("--all-images");
   if (!options.pycode.empty()) argv.insert(argv.end(), {"--pycode", options.pycode});
   if (!options.colourTable.empty())

@@ -34,6 +34,7 @@ struct AgentOptions {
   std::uint64_t seed = 1;
   bool status = false;
   bool allImages = false;
+  bool plainLog = false;
   ConfigOptions config;
 };
 
@@ -98,7 +99,8 @@ int run(const AgentOptions& options) {
   std::optional<LogFile> log;
   if (!options.log.empty()) {
     auto created = LogFile::create(options.log, *config, parameterNotes(options.config),
-                                   options.allImages ? ImagesKept::all : ImagesKept::some);
+                                   options.allImages ? ImagesKept::all : ImagesKept::some,
+                                   options.plainLog ? LogOptions{} : defaultLogOptions());
     if (!created) return fail(created.error(), 2);
     log.emplace(std::move(*created));
   }
@@ -126,6 +128,8 @@ int main(int argc, char** argv) {
   app.add_option("--log", options.log, "Log to write");
   app.add_flag("--all-images", options.allImages,
                "The log keeps every image, not only those of the beginning");
+  app.add_flag("--plain-log", options.plainLog,
+               "The log's records go out one by one, uncompressed");
   app.add_option("--pycode", options.pycode, "Behaviours, folder or zip");
   app.add_option("--player", options.config.player, "Number in the team")->check(CLI::Range(1, 4));
   app.add_option("--drop-rate", options.dropRate, "Share of images lost on the way")

@@ -3,8 +3,9 @@
 
 #include <turbojpeg.h>
 
-#include <array>
 #include <memory>
+
+#include "tools/picture/CameraPicture.h"
 
 namespace kelpie::picture {
 namespace {
@@ -18,13 +19,12 @@ using Handle = std::unique_ptr<void, Destroy>;
 
 std::vector<std::uint8_t> jpegOf(const Image& image, int quality) {
   const Handle compressor(tjInitCompress());
-  std::array<const unsigned char*, 3> planes = {image.y.data(), image.cb.data(), image.cr.data()};
-  std::vector<std::uint8_t> bytes(tjBufSize(kImageWidth, kImageHeight, TJSAMP_444));
+  const cv::Mat picture = pictureOf(image);
+  std::vector<std::uint8_t> bytes(tjBufSize(kImageWidth, kImageHeight, TJSAMP_420));
   unsigned char* to = bytes.data();
   unsigned long size = bytes.size();
-  if (!compressor ||
-      tjCompressFromYUVPlanes(compressor.get(), planes.data(), kImageWidth, nullptr, kImageHeight,
-                              TJSAMP_444, &to, &size, quality, TJFLAG_NOREALLOC) != 0)
+  if (!compressor || tjCompress2(compressor.get(), picture.data, kImageWidth, 0, kImageHeight,
+                                 TJPF_BGR, &to, &size, TJSAMP_420, quality, TJFLAG_NOREALLOC) != 0)
     return {};
   bytes.resize(size);
   return bytes;
@@ -39,10 +39,12 @@ bool imageOfJpeg(const std::uint8_t* bytes, std::size_t size, Image& image) {
   if (!expander ||
       tjDecompressHeader3(expander.get(), bytes, size, &width, &height, &sampling, &colours) != 0)
     return false;
-  if (width != kImageWidth || height != kImageHeight || sampling != TJSAMP_444) return false;
-  std::array<unsigned char*, 3> planes = {image.y.data(), image.cb.data(), image.cr.data()};
-  return tjDecompressToYUVPlanes(expander.get(), bytes, size, planes.data(), width, nullptr, height,
-                                 0) == 0;
+  if (width != kImageWidth || height != kImageHeight) return false;
+  cv::Mat picture(kImageHeight, kImageWidth, CV_8UC3);
+  if (tjDecompress2(expander.get(), bytes, size, picture.data, width, 0, height, TJPF_BGR, 0) != 0)
+    return false;
+  image = imageOf(picture);
+  return true;
 }
 
 }  // namespace kelpie::picture

@@ -1,0 +1,149 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What a match leaves and tells: goals as they fall, files in proportion, films that can be
+interrupted, and logs whose images were not all kept."""
+
+import json
+import os
+import pty
+import re
+import signal
+import subprocess
+import time
+
+import pytest
+from conftest import BIN, ROOT, agent, complaint, kelpie
+
+
+@pytest.fixture(scope="session")
+def long_match(tmp_path_factory):
+    """22 simulated seconds: the images of the last two are pictures only."""
+    out = tmp_path_factory.mktemp("long")
+    result = kelpie("play", "--seconds", "22", "--goals", "99", "--seed", "4", "--out", out,
+                    "--no-film")
+    assert (out / "match.mcap").exists(), result.stderr
+    return out / "match.mcap"
+
+
+def topics_of(log):
+    """{topic: number of messages}"""
+    lines = kelpie("info", log).stdout.splitlines()
+    return {words[0]: int(words[2]) for words in map(str.split, lines) if words[0][0] == "/"}
+
+
+def start_match(out, *words, tmp, **options):
+    return subprocess.Popen([BIN / "kelpie", "play", "--out", out, *words], cwd=ROOT, text=True,
+                            env=dict(os.environ, TMPDIR=str(tmp)), stdout=subprocess.PIPE,
+                            stderr=subprocess.PIPE, **options)
+
+
+def test_the_last_line_tells_every_goal_and_the_others_what_each_file_is(tmp_path):
+    result = kelpie("play", "--seconds", "90", "--goals", "2", "--seed", "7", "--out", tmp_path)
+    assert result.returncode == 0, result.stderr
+    *files, last = result.stdout.splitlines()
+    goals = re.fullmatch(r"GOAL after ([\d.]+), ([\d.]+) s \(seed 7, ([\d.]+) simulated seconds in "
+                         r"[\d.]+ s\)", last)
+    assert goals and float(goals[1]) < float(goals[2]) <= float(goals[3])
+    assert [line.split(": ")[0] for line in files] == [
+        str(tmp_path / name) for name in ("match.png", "match.mp4", "match.mcap")]
+    assert "--images all" in files[2]
+    assert result.stderr.startswith("playing: seed 7")  # in a pipe: when it begins ...
+    assert re.search(r"film: \d+ frames\nfilm: (\d+) of \1 frames in \d+ s\n$", result.stderr)
+
+
+def test_the_log_of_a_longer_match_is_small_and_replays_with_the_same_bits(long_match):
+    topics = topics_of(long_match)
+    assert topics["/frame/input"] == 600 and topics["/frame/picture"] == 60
+    result = kelpie("replay", long_match, "--check")
+    assert result.returncode == 0, result.stderr
+    assert "660 frames" in result.stdout and ", 0 differ" in result.stdout
+    assert "vision ran again on 600 frames" in result.stdout
+
+
+def test_other_parameters_are_noticed_on_frames_without_images(long_match, tmp_path):
+    params = tmp_path / "p.toml"
+    params.write_text("[gps.gates]\nmaxHeadingSd = '1deg'\n")
+    result = kelpie("replay", long_match, "--check", "--params", params)
+    assert result.returncode == 1, result.stdout + result.stderr
+
+
+def test_frames_without_images_can_be_shown_filmed_and_compressed(long_match, tmp_path):
+    assert kelpie("show", long_match, "--frame", 659, "--out", tmp_path / "f.png").returncode == 0
+    assert kelpie("film", long_match, tmp_path / "f.mp4").returncode == 0
+    assert kelpie("compress", long_match, "--out", tmp_path / "c.mcap").returncode == 0
+    assert topics_of(tmp_path / "c.mcap")["/frame/plane"] == 660
+    assert kelpie("replay", tmp_path / "c.mcap", "--check").returncode == 0
+
+
+def test_a_log_without_all_images_cannot_go_through_the_camera_again(long_match, tmp_path):
+    result = agent("--recording", long_match, "--log", tmp_path / "again.mcap")
+    assert result.returncode == 1
+    assert "--images all" in result.stderr
+
+
+def test_all_images_are_kept_on_request(tmp_path):
+    kelpie("play", "--seconds", "21", "--goals", "99", "--seed", "4", "--out", tmp_path,
+           "--no-film", "--images", "all")
+    topics = topics_of(tmp_path / "match.mcap")
+    assert topics["/frame/input"] == 630 and "/frame/picture" not in topics
+
+
+def test_an_interrupted_film_ends_at_once_and_keeps_log_and_picture(tmp_path):
+    out = tmp_path / "out"
+    play = start_match(out, "--seconds", "90", "--goals", "99", tmp=tmp_path)
+    for line in play.stderr:
+        if line.startswith("film: "):
+            break
+    before = time.monotonic()
+    play.send_signal(signal.SIGINT)
+    said, errors = play.communicate(timeout=30)
+    assert time.monotonic() - before < 10  # a film of 90 s takes longer; it should be one second
+    assert sorted(p.name for p in out.iterdir()) == ["match.mcap", "match.png"]
+    assert "the film was left out; kelpie film" in said
+    assert kelpie("replay", out / "match.mcap", "--check").returncode == 0
+
+
+def test_a_film_by_hand_leaves_nothing_when_it_is_interrupted(long_match, tmp_path):
+    film = subprocess.Popen([BIN / "kelpie", "film", long_match, tmp_path / "f.mp4"],
+                            stderr=subprocess.PIPE, text=True)
+    film.stderr.readline()
+    film.send_signal(signal.SIGINT)
+    _, errors = film.communicate(timeout=30)
+    assert film.returncode == 2 and "interrupted" in errors
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_match_in_real_time_goes_on_until_it_is_stopped(tmp_path):
+    out = tmp_path / "out"
+    play = start_match(out, "--real-time", "--no-film", tmp=tmp_path)
+    time.sleep(4.0)
+    assert play.poll() is None
+    play.send_signal(signal.SIGINT)
+    said, errors = play.communicate(timeout=30)
+    assert play.returncode == 0, errors
+    played = float(re.search(r"([\d.]+) simulated seconds", said)[1])
+    assert 1.0 < played < 4.5  # no faster than a clock; the start takes a part of the time
+    assert [p.name for p in tmp_path.iterdir()] == ["out"]
+
+
+def test_on_a_terminal_the_line_is_alive(tmp_path):
+    leader, follower = pty.openpty()
+    play = subprocess.Popen([BIN / "kelpie", "play", "--seconds", "3", "--no-film", "--out",
+                             tmp_path], stderr=follower, stdout=subprocess.DEVNULL)
+    os.close(follower)
+    seen = b""
+    while True:
+        try:
+            piece = os.read(leader, 4096)
+        except OSError:
+            break
+        if not piece:
+            break
+        seen += piece
+    play.wait(timeout=30)
+    assert seen.count(b"\r\x1b[K0:0  ") >= 4  # score and belief, twice a simulated second
+
+
+def test_json_lines_go_on_where_images_were_not_kept(long_match):
+    result = kelpie("replay", long_match, "--jsonl", "-")
+    frames = [json.loads(line)["frame"] for line in result.stdout.splitlines()]
+    assert frames == list(range(660))
