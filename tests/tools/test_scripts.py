@@ -61,7 +61,7 @@ def test_help_names_the_script_and_does_nothing_else(name):
 def test_programs_are_built_without_googletest(built):
     result, calls = built("host", "kelpie", gtest=0)
     assert result.returncode == 0
-    assert calls == ["--preset host", "--build --preset host --target kelpie"]
+    assert calls == ["--preset host", "--build --preset host --target kelpie -- --quiet"]
 
 
 def test_tests_that_would_not_be_built_are_an_error(built):
@@ -72,9 +72,9 @@ def test_tests_that_would_not_be_built_are_an_error(built):
 
 def test_folder_without_tests_gets_them_when_googletest_came_later(built):
     built("host", gtest=0)
-    assert built("host", gtest=1)[1] == ["--build --preset host"]
-    assert built("--tests", "host", gtest=1)[1] == ["--preset host", "--build --preset host"]
-    assert built("--tests", "host", gtest=1)[1] == ["--build --preset host"]
+    assert built("host", gtest=1)[1] == ["--build --preset host -- --quiet"]
+    assert built("--tests", "host", gtest=1)[1] == ["--preset host", "--build --preset host -- --quiet"]
+    assert built("--tests", "host", gtest=1)[1] == ["--build --preset host -- --quiet"]
 
 
 def test_stage_shows_what_a_failed_command_printed_and_keeps_its_code():
