@@ -4,8 +4,8 @@
 import json
 import os
 import resource
-import signal
 import shutil
+import signal
 import subprocess
 import time
 

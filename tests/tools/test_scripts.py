@@ -72,9 +72,10 @@ def test_tests_that_would_not_be_built_are_an_error(built):
 
 def test_folder_without_tests_gets_them_when_googletest_came_later(built):
     built("host", gtest=0)
-    assert built("host", gtest=1)[1] == ["--build --preset host -- --quiet"]
-    assert built("--tests", "host", gtest=1)[1] == ["--preset host", "--build --preset host -- --quiet"]
-    assert built("--tests", "host", gtest=1)[1] == ["--build --preset host -- --quiet"]
+    build = "--build --preset host -- --quiet"
+    assert built("host", gtest=1)[1] == [build]
+    assert built("--tests", "host", gtest=1)[1] == ["--preset host", build]
+    assert built("--tests", "host", gtest=1)[1] == [build]
 
 
 def test_stage_shows_what_a_failed_command_printed_and_keeps_its_code():
@@ -101,8 +102,8 @@ def test_bare_names_the_program_that_it_lacks(tmp_path):
 
 def test_bare_without_root_rights_says_so():
     drop = ["setpriv", "--reuid=65534", "--clear-groups"] if os.getuid() == 0 else []
-    script = (TOOLS / "bare").read_text()  # nobody may not be allowed to read the tree
-    result = run(*drop, "/bin/bash", "-c", script.replace('cd "$(dirname "$0")/.."', "cd /").replace(
-        ". tools/progress", "true"), "tools/bare", "run")
+    script = (TOOLS / "bare").read_text()  # as text: nobody may not be allowed to read the tree
+    script = script.replace('cd "$(dirname "$0")/.."', "cd /").replace(". tools/progress", "true")
+    result = run(*drop, "/bin/bash", "-c", script, "tools/bare", "run")
     assert result.returncode == 2
     assert result.stderr == "tools/bare: needs root, to make the folder of a machine\n"
