@@ -6,7 +6,7 @@ namespace kelpie {
 
 constexpr const char* kConfigTopic = "/config";
 constexpr const char* kFrameInputTopic = "/frame/input";
-constexpr const char* kPlaneFrameTopic = "/frame/plane";  // in place of /frame/input
+constexpr const char* kPlaneFrameTopic = "/frame/plane";      // in place of /frame/input
 constexpr const char* kPictureFrameTopic = "/frame/picture";  // in place of /frame/input
 constexpr const char* kFrameOutputTopic = "/frame/output";
 constexpr const char* kMotionInputTopic = "/motion/input";

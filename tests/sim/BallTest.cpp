@@ -102,8 +102,9 @@ TEST(Referee, MatchEndsAtTheGoalLimitAndAtTheTimeLimit) {
   ball.position.y = 550;
   referee.tick({16000}, ball);
   EXPECT_TRUE(referee.finished());
-  ASSERT_EQ(referee.score().goals.size(), 1U);
+  ASSERT_EQ(referee.score().goals.size(), 2U);
   EXPECT_DOUBLE_EQ(referee.score().goals[0].time, 0.008);
+  EXPECT_DOUBLE_EQ(referee.score().goals[1].time, 0.016);
   Referee timed(params, field);
   Ball still{{180, 270}, {}};
   timed.tick({10000000}, still);

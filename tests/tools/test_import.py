@@ -2,14 +2,11 @@
 """kelpie import: somebody's own images and joint angles become a log like any other."""
 
 import json
-import os
-import pty
 import struct
-import subprocess
 import zlib
 
 import pytest
-from conftest import BIN, HEADER, PLANE, complaint, kelpie, make_recording
+from conftest import HEADER, PLANE, complaint, kelpie, make_recording
 
 GREY = bytes([90]) * PLANE + bytes([128]) * (2 * PLANE)
 GREEN = bytes([77]) * PLANE + bytes([103]) * PLANE + bytes([97]) * PLANE
@@ -110,13 +107,6 @@ def test_a_reddish_picture_is_bright_in_the_second_plane(tmp_path):
         logs.append(tmp_path / f"{name}.mcap")
         assert kelpie("import", folder, "--out", logs[-1]).returncode == 0
     assert logs[0].read_bytes() == logs[1].read_bytes()
-
-
-def test_progress_is_drawn_on_a_terminal(log, tmp_path):
-    leader, follower = pty.openpty()
-    subprocess.run([BIN / "kelpie", "import", log.parent / "r", "--out", tmp_path / "t.mcap"],
-                   stderr=follower, stdout=subprocess.DEVNULL, check=True, timeout=60)
-    assert b"5 of 5 frames" in os.read(leader, 1000)
 
 
 def test_all_complaints_about_a_header_come_at_once(tmp_path):

@@ -6,6 +6,7 @@ import json
 import os
 import pty
 import re
+import select
 import signal
 import subprocess
 import time
@@ -125,22 +126,32 @@ def test_a_match_in_real_time_goes_on_until_it_is_stopped(tmp_path):
     assert [p.name for p in tmp_path.iterdir()] == ["out"]
 
 
-def test_on_a_terminal_the_line_is_alive(tmp_path):
+def on_a_terminal(*words):
+    """What a command draws on standard error when that is a terminal."""
     leader, follower = pty.openpty()
-    play = subprocess.Popen([BIN / "kelpie", "play", "--seconds", "3", "--no-film", "--out",
-                             tmp_path], stderr=follower, stdout=subprocess.DEVNULL)
+    command = subprocess.Popen([BIN / "kelpie", *words], stderr=follower,
+                               stdout=subprocess.DEVNULL)
     os.close(follower)
     seen = b""
-    while True:
+    while select.select([leader], [], [], 30)[0]:
         try:
-            piece = os.read(leader, 4096)
-        except OSError:
+            seen += os.read(leader, 4096)
+        except OSError:  # the command has closed its end
             break
-        if not piece:
-            break
-        seen += piece
-    play.wait(timeout=30)
+    os.close(leader)
+    command.wait(timeout=30)
+    return seen
+
+
+def test_on_a_terminal_the_line_is_alive(tmp_path):
+    seen = on_a_terminal("play", "--seconds", "3", "--no-film", "--out", tmp_path)
     assert seen.count(b"\r\x1b[K0:0  ") >= 4  # score and belief, twice a simulated second
+
+
+def test_on_a_terminal_a_film_tells_how_long_it_will_take(long_match, tmp_path):
+    seen = on_a_terminal("film", long_match, tmp_path / "f.mp4")
+    assert re.search(rb"\r\x1b\[Kfilm: \d+ of 660 frames, \d+ s left", seen)
+    assert re.search(rb"\r\x1b\[Kfilm: 660 of 660 frames in \d+ s\r\n$", seen)
 
 
 def test_json_lines_go_on_where_images_were_not_kept(long_match):

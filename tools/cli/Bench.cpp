@@ -19,14 +19,23 @@ struct BenchOptions {
   std::string pycode = defaultScripts();
 };
 
+// Frames whose image the log did not keep run without vision; as whole frames they do not count.
 class StopWatch : public agent::StageObserver {
  public:
-  void begin(agent::Stage) override { stageStart_ = Clock::now(); }
+  void begin(agent::Stage stage) override {
+    withVision_ = withVision_ || stage == agent::Stage::vision;
+    stageStart_ = Clock::now();
+  }
   void end(agent::Stage stage) override {
     stages_[static_cast<std::size_t>(stage)].push_back(since(stageStart_));
   }
-  void beginFrame() override { frameStart_ = Clock::now(); }
-  void endFrame() override { frames_.push_back(since(frameStart_)); }
+  void beginFrame() override {
+    withVision_ = false;
+    frameStart_ = Clock::now();
+  }
+  void endFrame() override {
+    if (withVision_) frames_.push_back(since(frameStart_));
+  }
 
   Json figures() const {
     Json stages = Json::object();
@@ -51,6 +60,7 @@ class StopWatch : public agent::StageObserver {
 
   Clock::time_point stageStart_;
   Clock::time_point frameStart_;
+  bool withVision_ = false;
   std::array<std::vector<double>, agent::kStageCount> stages_;
   std::vector<double> frames_;
 };

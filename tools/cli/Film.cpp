@@ -160,6 +160,7 @@ Status drawMatchPicture(const Match& match, const std::string& out) {
   Paths paths;
   std::vector<cv::Mat> frames;
   std::size_t number = 0;
+  Progress progress("picture", "frames");
   match.forEachMoment([&](const Moment& moment) {
     follow(paths, moment);
     if (isShown(number++, match.frames())) frames.push_back(tile(moment));
@@ -167,6 +168,7 @@ Status drawMatchPicture(const Match& match, const std::string& out) {
       drawPaths(ground, field, kPictureFieldScale, paths);
       drawPlaces(ground, field, kPictureFieldScale, moment);
     }
+    progress(number, match.frames());
     return true;
   });
   return picture::writePng(out, arrange(ground, frames));

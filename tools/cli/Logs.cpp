@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <memory>
 #include <optional>
 
 #include "robot/agent/FrameMessages.h"
 #include "robot/core/LogTopics.h"
+#include "tools/cli/Progress.h"
 #include "tools/cli/Version.h"
 #include "tools/cli/WholeFile.h"
 #include "tools/picture/Jpeg.h"
@@ -60,12 +62,20 @@ Source* oldest(std::vector<Source>& sources) {
   return best;
 }
 
-Status joinInto(std::vector<Source>& sources, LogWriter& out) {
+std::size_t megabytesRead(const std::vector<Source>& sources) {
+  std::uint64_t bytes = 0;
+  for (const auto& source : sources) bytes += source.reader.offset();
+  return static_cast<std::size_t>(bytes / 1000000);
+}
+
+Status joinInto(std::vector<Source>& sources, std::size_t megabytes, LogWriter& out) {
+  Progress progress("log", "MB");
   for (auto& source : sources) source.advance();
   for (Source* next = oldest(sources); next != nullptr; next = oldest(sources)) {
     const Status copied = copyMessage(next->message, out);
     if (!copied) return copied;
     next->advance();
+    progress(megabytesRead(sources), megabytes);
   }
   for (const auto& source : sources)
     for (const auto& metadata : source.reader.metadata())
@@ -134,7 +144,10 @@ Status decodeForPeople(const LogMessage& message, FrameInput& input) {
 
 Status mergeLogs(const std::vector<std::string>& logs, const std::string& out) {
   std::vector<Source> sources;
+  std::uint64_t bytes = 0;
   for (const auto& path : logs) {
+    std::error_code ignored;
+    bytes += std::filesystem::file_size(path, ignored);
     auto reader = LogReader::open(path);
     if (!reader) return Error{reader.error()};
     sources.push_back({std::move(*reader), {}, false});
@@ -142,7 +155,8 @@ Status mergeLogs(const std::vector<std::string>& logs, const std::string& out) {
   const std::string part = out + ".part";
   auto writer = LogWriter::open(part);
   if (!writer) return Error{writer.error()};
-  return putInPlace(joinInto(sources, *writer), part, out);
+  return putInPlace(joinInto(sources, static_cast<std::size_t>(bytes / 1000000), *writer), part,
+                    out);
 }
 
 }  // namespace kelpie::cli

@@ -15,8 +15,8 @@
 
 namespace kelpie::cli {
 
-// Which camera images a log keeps; the others become JPEG pictures of 2.5 KB (an image compresses to
-// 70 KB only, since it is full of noise). With `some` a match of ten minutes takes 160 MB.
+// Which camera images a log keeps; the others become JPEG pictures of 2.5 KB (an image, full of
+// noise, compresses to no less than 70 KB). With `some` a match of ten minutes takes 160 MB.
 enum class ImagesKept : std::uint8_t { some, all };
 constexpr double kAllImagesSeconds = 20.0;  // of the beginning, with `some`
 constexpr double kOneImageSeconds = 5.0;    // afterwards one in so many

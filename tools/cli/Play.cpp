@@ -56,11 +56,11 @@ int makePictures(const PlayOptions& options) {
   return complain(film.error(), kCheckFailed);
 }
 
-std::string describeLog(const PlayOptions& options) {
+std::string describeLog(const PlayOptions& options, double seconds) {
   std::error_code error;
   const double megabytes = 1e-6 * static_cast<double>(fs::file_size(options.session.log, error));
   const std::string images =
-      options.session.allImages
+      options.session.allImages || seconds <= kAllImagesSeconds
           ? "every image"
           : fmt::format(
                 "every image of the first {:.0f} s, later one in {:.0f} s and pictures "
@@ -69,13 +69,13 @@ std::string describeLog(const PlayOptions& options) {
   return fmt::format("log, {:.0f} MB: {}", megabytes, images);
 }
 
-void nameFiles(const PlayOptions& options) {
+void nameFiles(const PlayOptions& options, double seconds) {
   const auto name = [&](const char* file, const std::string& what) {
     if (fs::exists(options.file(file))) fmt::print("{}: {}\n", options.file(file), what);
   };
   name("match.png", "paths of robot and ball, six camera frames");
   name("match.mp4", "film: camera with what vision saw, field from above");
-  name("match.mcap", describeLog(options));
+  name("match.mcap", describeLog(options, seconds));
   if (!options.noFilm && !fs::exists(options.file("match.mp4")))
     fmt::print("the film was left out; kelpie film {} {} makes it\n", options.session.log,
                options.file("match.mp4"));
@@ -145,7 +145,7 @@ int play(PlayOptions& options) {
     return complain(result.trouble, result.badInput ? kBadInput : kCheckFailed);
   const int pictures = makePictures(options);
   if (pictures != kDone) return pictures;
-  nameFiles(options);
+  nameFiles(options, result.seconds);
   fmt::print("{} (seed {}, {:.1f} simulated seconds in {:.1f} s)\n", outcome(result),
              options.session.seed, result.seconds, took.count());
   return exitCode(options, result);
