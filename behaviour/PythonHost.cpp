@@ -186,10 +186,13 @@ bool PythonHost::describe(PyObject* error, std::string& line, std::string& all) 
   return true;
 }
 
-// Each different error goes to stderr once per loaded version.
+// Each different error goes to stderr once per loaded version; the same place and kind of error
+// with another message ("main.py:3: ValueError: 17") is the same error.
 void PythonHost::report(const std::string& line, const std::string& all) {
   lastError_ = line;
-  if (reported_.size() >= kMostReports || !reported_.insert(line).second) return;
+  const std::size_t place = line.find(": ");
+  const std::size_t kind = place == std::string::npos ? place : line.find(": ", place + 2);
+  if (reported_.size() >= kMostReports || !reported_.insert(line.substr(0, kind)).second) return;
   std::fprintf(stderr, "behaviour: %s\n", all.c_str());
 }
 

@@ -12,6 +12,11 @@ WITHHELD = ('open', 'exec', 'eval', 'compile', 'input', 'print', 'breakpoint', '
             'quit', 'copyright', 'credits', 'license', 'id', 'globals', 'BaseException')
 
 
+# Importing _signal makes an interrupt an exception of Python's; it stays the program's.
+if _signal.getsignal(_signal.SIGINT) is _signal.default_int_handler:
+    _signal.signal(_signal.SIGINT, _signal.SIG_DFL)
+
+
 class TimeLimit(BaseException):
     pass
 

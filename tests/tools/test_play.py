@@ -48,6 +48,8 @@ def test_the_last_line_tells_every_goal_and_the_others_what_each_file_is(tmp_pat
         str(tmp_path / name) for name in ("match.png", "match.mp4", "match.mcap")]
     assert "--images all" in files[2]
     assert result.stderr.startswith("playing: seed 7")  # in a pipe: when it begins ...
+    told = re.findall(r"^GOAL after ([\d.]+) s$", result.stderr, re.M)
+    assert told == [goals[1], goals[2]] and "own goal" not in result.stderr
     assert re.search(r"film: \d+ frames\nfilm: (\d+) of \1 frames in \d+ s\n$", result.stderr)
 
 
@@ -124,6 +126,55 @@ def test_a_match_in_real_time_goes_on_until_it_is_stopped(tmp_path):
     played = float(re.search(r"([\d.]+) simulated seconds", said)[1])
     assert 1.0 < played < 4.5  # no faster than a clock; the start takes a part of the time
     assert [p.name for p in tmp_path.iterdir()] == ["out"]
+
+
+def agent_of(play):
+    for _ in range(100):
+        listing = subprocess.run(["pgrep", "-P", str(play.pid), "kelpie-agent"],
+                                 capture_output=True, text=True, check=False).stdout.split()
+        if listing:
+            return int(listing[0])
+        time.sleep(0.1)
+    raise AssertionError("no agent started")
+
+
+def test_an_agent_that_does_not_answer_is_killed_after_an_interrupt(tmp_path):
+    out = tmp_path / "out"
+    play = start_match(out, "--real-time", "--no-film", tmp=tmp_path)
+    os.kill(agent_of(play), signal.SIGSTOP)
+    play.send_signal(signal.SIGINT)
+    _, errors = play.communicate(timeout=60)
+    assert play.returncode == 1 and "interrupted" in errors
+    assert [p.name for p in tmp_path.iterdir()] == ["out"]
+
+
+def test_goals_come_while_the_match_goes_on(tmp_path):
+    play = start_match(tmp_path / "out", "--seed", "7", "--seconds", "600", "--goals", "99",
+                       "--no-film", tmp=tmp_path)
+    assert play.stderr.readline().startswith("playing")
+    assert play.stderr.readline().startswith("GOAL after ")
+    assert play.poll() is None
+    play.send_signal(signal.SIGINT)
+    said, _ = play.communicate(timeout=60)
+    assert "GOAL after" in said and play.returncode == 1
+
+
+def test_an_interrupted_compress_leaves_nothing(long_match, tmp_path):
+    command = subprocess.Popen([BIN / "kelpie", "compress", long_match, "--out",
+                                tmp_path / "c.mcap"], stderr=subprocess.PIPE, text=True)
+    time.sleep(0.3)
+    command.send_signal(signal.SIGINT)
+    _, errors = command.communicate(timeout=30)
+    assert command.returncode == 2 and errors.count("interrupted") == 1
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_folder_that_cannot_be_written_is_told_before_the_match(tmp_path):
+    (tmp_path / "out").mkdir()
+    (tmp_path / "out/match.mcap").mkdir()
+    result = kelpie("play", "--seconds", "5", "--out", tmp_path / "out")
+    assert result.returncode == 2
+    assert "cannot be written" in complaint(result) and "playing" not in result.stderr
 
 
 def on_a_terminal(*words):

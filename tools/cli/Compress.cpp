@@ -3,6 +3,7 @@
 // that the stages make of them: a recording small enough to keep, and to compare with later.
 #include <fmt/core.h>
 
+#include <filesystem>
 #include <memory>
 #include <optional>
 
@@ -11,6 +12,8 @@
 #include "tools/cli/Commands.h"
 #include "tools/cli/Config.h"
 #include "tools/cli/Logs.h"
+#include "tools/cli/Process.h"
+#include "tools/cli/Progress.h"
 #include "tools/cli/WholeFile.h"
 #include "vision/PlaneImage.h"
 
@@ -89,7 +92,12 @@ Expected<Outcome> compressInto(const CompressOptions& options, const std::string
   if (!writer) return Error{writer.error()};
   Compressor compressor(*writer, options.pycode);
   LogMessage message;
+  Progress progress("compress", "MB");
+  std::error_code ignored;
+  const auto bytes = std::filesystem::file_size(options.log, ignored);
   while (reader->next(message)) {
+    if (interrupted()) return Error{"interrupted"};
+    progress(reader->offset() / 1000000, bytes / 1000000);
     const Status taken = compressor.take(message);
     if (!taken) return Error{options.log + ": " + taken.error()};
   }
@@ -107,6 +115,7 @@ Expected<Outcome> compressInto(const CompressOptions& options, const std::string
 }
 
 int compress(const CompressOptions& options) {
+  catchInterrupts();
   if (isDevice(options.out)) return complain(options.out + ": not a plain file", kBadInput);
   if (sameFile(options.log, options.out))
     return complain(options.out + ": is the log itself", kBadInput);

@@ -11,6 +11,7 @@
 #include "tools/calibrate/Images.h"
 #include "tools/cli/Commands.h"
 #include "tools/cli/Config.h"
+#include "tools/cli/Process.h"
 #include "tools/cli/Progress.h"
 #include "tools/cli/Recording.h"
 #include "tools/cli/WholeFile.h"
@@ -54,6 +55,7 @@ Status writeFrames(const Recording& recording, agent::FrameLoop& loop, LogWriter
     input.image = *image;
     log.write(kFrameInputTopic, input.time, input);
     log.write(kFrameOutputTopic, input.time, loop.step(input, silent));
+    if (interrupted()) return Error{"interrupted"};
     progress(i + 1, rows.size());
   }
   return Done{};
@@ -88,6 +90,7 @@ Status importFolder(const ImportOptions& options, const std::string& part) {
 }
 
 int import(const ImportOptions& options) {
+  catchInterrupts();
   if (isDevice(options.out)) return complain(options.out + ": not a plain file", kBadInput);
   const Status scripts = checkScripts(options.pycode);
   if (!scripts) return complain(scripts.error(), kBadInput);

@@ -154,7 +154,7 @@ Status mergeLogs(const std::vector<std::string>& logs, const std::string& out) {
   }
   const std::string part = out + ".part";
   auto writer = LogWriter::open(part);
-  if (!writer) return Error{writer.error()};
+  if (!writer) return putInPlace(Error{writer.error()}, part, out);
   return putInPlace(joinInto(sources, static_cast<std::size_t>(bytes / 1000000), *writer), part,
                     out);
 }

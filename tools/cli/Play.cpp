@@ -12,6 +12,7 @@
 #include "tools/cli/Process.h"
 #include "tools/cli/Progress.h"
 #include "tools/cli/Session.h"
+#include "tools/cli/WholeFile.h"
 
 namespace kelpie::cli {
 namespace {
@@ -102,10 +103,13 @@ SessionResult runShown(const PlayOptions& options) {
   talk.status = [&](const std::string& line) {
     live(fmt::format("{}:{}  {}", goals, ownGoals, line));
   };
+  talk.line = [&](const std::string& line) {
+    live.clear();
+    fmt::print(stderr, "{}\n", line);
+  };
   talk.goal = [&](bool own, double seconds) {
     ++(own ? goals : ownGoals);
-    live(fmt::format("{} after {:.1f} s", own ? "GOAL" : "own goal", seconds));
-    live.finish();
+    talk.line(fmt::format("{} after {:.1f} s", own ? "GOAL" : "own goal", seconds));
   };
   if (!onTerminal())
     fmt::print(stderr, "playing: seed {}, {:.0f} simulated seconds at most\n", options.session.seed,
@@ -121,10 +125,11 @@ void removeOldPictures(const PlayOptions& options) {
   for (const char* name : {"match.png", "match.mp4"}) fs::remove(options.file(name), ignored);
 }
 
-// A match without an end of its own is ended by an interrupt; any other is cut short by it.
+// A match in real time is meant to be ended by an interrupt; any other is cut short by it.
 int exitCode(const PlayOptions& options, const SessionResult& result) {
-  if (result.interrupted && !options.session.realTime) return complain("interrupted", kCheckFailed);
-  return result.goals.empty() && !options.session.realTime ? kCheckFailed : kDone;
+  if (result.interrupted && options.session.realTime) return kDone;
+  if (result.interrupted) return complain("interrupted", kCheckFailed);
+  return result.goals.empty() ? kCheckFailed : kDone;
 }
 
 int play(PlayOptions& options) {
@@ -133,8 +138,10 @@ int play(PlayOptions& options) {
   catchInterrupts();
   std::error_code error;
   fs::create_directories(options.out, error);
-  if (error) return complain(options.out + ": " + error.message(), kBadInput);
+  if (error) return complain("'" + options.out + "': " + error.message(), kBadInput);
   options.session.log = options.file("match.mcap");
+  if (!canWrite(options.session.log))
+    return complain(options.out + ": cannot be written", kBadInput);
   options.session.allImages = options.images == "all";
 
   const auto start = std::chrono::steady_clock::now();

@@ -27,7 +27,9 @@ void rememberInterrupt(int) { interruptSeen = 1; }
 [[noreturn]] void becomeProgram(char* const* argv, int output, pid_t parent) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   signal(SIGINT, SIG_IGN);
+  signal(SIGHUP, SIG_IGN);
   signal(SIGTERM, SIG_DFL);
+  signal(SIGPIPE, SIG_DFL);
   if (getppid() != parent) _exit(127);
   if (output >= 0) {
     dup2(output, STDOUT_FILENO);
@@ -66,7 +68,7 @@ Process::Process(Process&& other) noexcept
 
 Process::~Process() {
   if (pid_ > 0 && !ended_) {
-    kill(pid_, SIGKILL);
+    kill();
     wait();
   }
   if (output_ >= 0) close(output_);
@@ -112,7 +114,11 @@ int Process::wait() {
 }
 
 void Process::terminate() {
-  if (!ended_) kill(pid_, SIGTERM);
+  if (!ended_) ::kill(pid_, SIGTERM);
+}
+
+void Process::kill() {
+  if (!ended_) ::kill(pid_, SIGKILL);
 }
 
 void catchInterrupts() {
@@ -120,6 +126,8 @@ void catchInterrupts() {
   action.sa_handler = rememberInterrupt;
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
+  sigaction(SIGHUP, &action, nullptr);
+  signal(SIGPIPE, SIG_IGN);
 }
 
 bool interrupted() { return interruptSeen != 0; }

@@ -27,6 +27,7 @@ class Process {
   bool ended();      // has exited; its status is then known
   int wait();        // waits for the end; the exit code, or 128 + signal
   void terminate();  // asks it to stop
+  void kill();       // stops it
 
  private:
   Process(pid_t pid, int output) : pid_(pid), output_(output) {}
@@ -39,8 +40,9 @@ class Process {
   std::string pending_;
 };
 
-// From now on an interrupt (Ctrl-C) or a request to end is only remembered; children that are
-// started later do not hear of an interrupt.
+// From now on an interrupt (Ctrl-C), a closed terminal or a request to end is only remembered, and
+// a pipe that nobody reads is an error of the write; children that are started later do not hear
+// of an interrupt.
 void catchInterrupts();
 bool interrupted();
 

@@ -54,6 +54,11 @@ void LiveLine::operator()(const std::string& text) {
   fmt::print(stderr, "\r\033[K{}", text);
 }
 
+void LiveLine::clear() {
+  if (drawn_) fmt::print(stderr, "\r\033[K");
+  drawn_ = false;
+}
+
 void LiveLine::finish() {
   if (drawn_) fmt::print(stderr, "\n");
   drawn_ = false;

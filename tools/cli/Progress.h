@@ -32,10 +32,12 @@ class Progress {
   bool begun_ = false;
 };
 
-// One line that is drawn again: on a terminal only. Standard error goes on below it after finish().
+// One line that is drawn again: on a terminal only. Standard error goes on in its place after
+// clear(), below it after finish().
 class LiveLine {
  public:
   void operator()(const std::string& text);
+  void clear();
   void finish();
 
  private:

@@ -11,6 +11,7 @@
 #include <sstream>
 #include <string_view>
 #include <thread>
+#include <vector>
 
 #include "tools/cli/AgentTalk.h"
 #include "tools/cli/Logs.h"
@@ -110,6 +111,13 @@ void readResult(const std::string& path, bool blue, SessionResult& result) {
   result.seconds = json.value("seconds", 0.0);
 }
 
+void tell(const std::string& line, const SessionTalk& talk) {
+  if (talk.line)
+    talk.line(line);
+  else
+    fmt::print(stderr, "{}\n", line);
+}
+
 // Lines of the world: goals for the caller, anything else (its complaint) for the user.
 void hearWorld(const std::string& line, bool blue, const SessionTalk& talk) {
   std::istringstream words(line);
@@ -117,32 +125,33 @@ void hearWorld(const std::string& line, bool blue, const SessionTalk& talk) {
   std::string team;
   double seconds = 0.0;
   if (!(words >> word >> team >> seconds) || word != "goal")
-    fmt::print(stderr, "{}\n", line);
+    tell(line, talk);
   else if (talk.goal)
-    talk.goal(team == (blue ? "red" : "blue"), seconds);
+    talk.goal(team == (blue ? "blue" : "red"), seconds);
 }
 
 // What the agent prints: status lines for the caller, its last complaint for the end, the rest (a
 // script's error) for the user at once.
 struct AgentTalk {
-  std::string last = "before the first frame";
+  std::string last;  // what the robot believed; empty before its first frame
   std::string complaint;
-  bool began = false;
-  std::string early;  // said before the match began; a complaint then says all in one line
+  std::vector<std::string> early;  // said before that; a complaint then says all in one line
+
+  std::string when() const { return last.empty() ? "before the first frame" : last; }
 
   void hear(const std::string& line, const SessionTalk& talk) {
     const std::string_view text = line;
     if (text.substr(0, kStatusMark.size()) == kStatusMark) {
       last = text.substr(kStatusMark.size());
-      if (!began) fmt::print(stderr, "{}", early);
-      began = true;
+      for (const auto& each : early) tell(each, talk);
+      early.clear();
       if (talk.status) talk.status(last);
     } else if (text.substr(0, kComplaintMark.size()) == kComplaintMark) {
       complaint = text.substr(kComplaintMark.size());
-    } else if (began) {
-      fmt::print(stderr, "{}\n", line);
+    } else if (last.empty()) {
+      early.push_back(line);
     } else {
-      early += line + "\n";
+      tell(line, talk);
     }
   }
 };
@@ -151,22 +160,47 @@ struct Ends {
   int agent = 0;
   int world = 0;
   bool worldAlive = true;  // when the agent had ended
+  bool stuck = false;      // the agent had to be killed
+};
+
+// Ends a match that is over but for one of its processes: a script inside a long call of Python's
+// hears of nothing.
+class Patience {
+ public:
+  // True from five seconds after the first call on.
+  bool ended() {
+    const auto now = std::chrono::steady_clock::now();
+    if (!begun_) since_ = now;
+    begun_ = true;
+    return now - since_ > std::chrono::seconds(5);
+  }
+
+ private:
+  bool begun_ = false;
+  std::chrono::steady_clock::time_point since_;
 };
 
 // Runs until both have ended. The world's death ends the agent (its socket closes); an agent that
 // ends in trouble takes the world with it.
 Ends waitForBoth(Process& world, Process& agent, bool blue, const SessionTalk& talk,
                  AgentTalk& said) {
+  Ends ends;
   std::string line;
   bool asked = false;
+  Patience patience;
   while (!agent.ended()) {
-    while (agent.readLine(line, 50)) said.hear(line, talk);
+    if (agent.readLine(line, 50)) said.hear(line, talk);
     while (world.readLine(line, 0)) hearWorld(line, blue, talk);
-    if (interrupted() && !asked) world.terminate();  // it ends the match, the agent its log
-    asked = interrupted();
+    if (interrupted() && !asked) {
+      asked = true;
+      world.terminate();  // it ends the match, and with it the agent
+    }
+    if ((asked || world.ended()) && !ends.stuck && patience.ended()) {
+      ends.stuck = true;
+      agent.kill();
+    }
   }
   while (agent.readLine(line, 0)) said.hear(line, talk);
-  Ends ends;
   ends.agent = agent.wait();
   // A world that was killed may be a moment behind the agent that its end has stopped.
   for (int i = 0; i < 20 && ends.agent == 1 && !world.ended(); ++i)
@@ -180,9 +214,12 @@ Ends waitForBoth(Process& world, Process& agent, bool blue, const SessionTalk& t
 
 std::string troubleOf(const Ends& ends, const AgentTalk& said) {
   if (!ends.worldAlive && ends.world >= 128)
-    return fmt::format("the world died (signal {}); last: {}", ends.world - 128, said.last);
+    return fmt::format("the world died (signal {}); last: {}", ends.world - 128, said.when());
+  if (ends.stuck)
+    return "the agent did not answer and was killed (a script in a long call?); last: " +
+           said.when();
   if (ends.agent >= 128)
-    return fmt::format("the agent died (signal {}); last: {}", ends.agent - 128, said.last);
+    return fmt::format("the agent died (signal {}); last: {}", ends.agent - 128, said.when());
   if (ends.agent != 0) return said.complaint.empty() ? "the agent gave up" : said.complaint;
   if (ends.world != 0) return fmt::format("the world stopped with code {}", ends.world);
   return {};
@@ -195,7 +232,7 @@ void watch(Process& world, Process& agent, bool blue, const SessionTalk& talk,
   result.trouble = troubleOf(ends, said);
   result.interrupted = interrupted();
   if (result.interrupted && !result.trouble.empty())
-    result.trouble = "interrupted; last: " + said.last;
+    result.trouble = "interrupted; last: " + said.when();
   result.badInput = ends.agent == 2;
 }
 

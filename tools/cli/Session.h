@@ -39,10 +39,12 @@ struct SessionResult {
   double seconds = 0.0;  // simulated
 };
 
-// Called with each status line of the agent (what the robot believes, in words), and with each goal
-// as it falls; either may be empty.
+// Called with each status line of the agent (what the robot believes, in words), with each goal as
+// it falls, and with any other line for the user (an error in a script), which goes to standard
+// error without it. Each may be empty.
 struct SessionTalk {
   std::function<void(const std::string&)> status;
+  std::function<void(const std::string&)> line;
   std::function<void(bool own, double seconds)> goal;
 };
 

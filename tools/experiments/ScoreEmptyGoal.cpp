@@ -6,6 +6,7 @@
 #include <mutex>
 #include <thread>
 
+#include "tools/cli/Process.h"
 #include "tools/cli/Session.h"
 #include "tools/experiments/Experiment.h"
 
@@ -20,13 +21,14 @@ struct Trials {
 };
 
 Trials playAll(const ExperimentOptions& options, int trials) {
+  cli::catchInterrupts();  // so that no match leaves its folder behind
   Trials all;
   all.results.resize(static_cast<std::size_t>(trials));
   std::atomic<int> next{0};
   std::atomic<int> done{0};
   std::mutex mutex;
   const auto worker = [&] {
-    for (int i = next++; i < trials; i = next++) {
+    for (int i = next++; i < trials && !cli::interrupted(); i = next++) {
       cli::SessionOptions session;
       session.seed = options.seed + static_cast<std::uint64_t>(i);
       session.seconds = kLimit;
@@ -42,6 +44,7 @@ Trials playAll(const ExperimentOptions& options, int trials) {
   for (unsigned i = 0; i < std::max(1U, std::thread::hardware_concurrency()); ++i)
     workers.emplace_back(worker);
   for (auto& thread : workers) thread.join();
+  if (cli::interrupted()) all.error = "interrupted";
   return all;
 }
 

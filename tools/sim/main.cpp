@@ -74,8 +74,12 @@ ServerHooks hooks(const Options& options) {
   if (options.tellGoals) hooks.onEvent = tell;
   hooks.stopped = cli::interrupted;
   if (options.realTime)
-    hooks.beforeStep = [start = std::chrono::steady_clock::now()](TimeUs now) {
-      std::this_thread::sleep_until(start + std::chrono::microseconds(now.us));
+    hooks.beforeStep = [start = std::chrono::steady_clock::now()](TimeUs now) mutable {
+      const auto due = start + std::chrono::microseconds(now.us);
+      const auto late = std::chrono::steady_clock::now() - due;
+      // After a stall (a script that hung) time goes on from there; it does not catch up.
+      if (late > std::chrono::milliseconds(200)) start += late;
+      std::this_thread::sleep_until(due);
     };
   return hooks;
 }
