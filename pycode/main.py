@@ -2,7 +2,7 @@
 # Where the host starts: decide(world) -> Command, once per camera frame. What a robot remembers
 # lives in the player made here; an edited file makes a new one.
 import kelpie
-from players.chllngr import Challenger
+from players.challenger import Challenger
 from players.striker import Striker
 
 players = {kelpie.STRIKER: Striker(), kelpie.CHALLENGER: Challenger()}

@@ -6,10 +6,10 @@ from lib.geom import heading
 from lib.goal import OpponentGoal
 from lib.head import look_at, view
 from lib.tune import Approach, Goal, LineUp, Stuck, Watch
-from skills.findball import FindBall
-from skills.goball import GoToBall
+from skills.find_ball import FindBall
+from skills.go_to_ball import GoToBall
 from skills.kick import KickForward
-from skills.lineup import CircleBall, aim_error
+from skills.line_up import CircleBall, aim_error
 from skills.strike import StepToKick
 from skills.watch import Scan, Sweep, WatchBall
 

@@ -3,7 +3,7 @@ import math
 
 import pytest
 import kelpie
-from idealwld import IdealWorld
+from ideal_world import IdealWorld
 from lib import head
 
 

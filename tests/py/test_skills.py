@@ -3,9 +3,9 @@ import pytest
 import kelpie
 from lib.goal import OpponentGoal
 from lib.tune import Goal, Kick, Strike
-from skills.goball import GoToBall, behind
+from skills.go_to_ball import GoToBall, behind
 from skills.kick import KickForward
-from skills.lineup import CircleBall, aim_error
+from skills.line_up import CircleBall, aim_error
 from skills.strike import StepToKick
 
 

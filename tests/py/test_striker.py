@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 import pathlib
+import re
 
 import kelpie
-from idealwld import IdealWorld, play
+from ideal_world import IdealWorld, play
 from players.striker import Striker
 
 PYCODE = pathlib.Path(__file__).resolve().parent.parent.parent / 'pycode'
@@ -58,8 +59,9 @@ def test_nobody_walks_before_the_game_is_on():
         assert (command.walk.forward, command.walk.turn_deg, command.motion) == (0, 0, 0)
 
 
-def test_file_names_fit_a_memory_stick():
+def test_file_names_are_whole_words():
     names = [p.relative_to(PYCODE) for p in PYCODE.rglob('*.py')]
     assert names
     for name in names:
-        assert all(len(part.split('.')[0]) <= 8 for part in name.parts), name
+        assert all(re.fullmatch(r'[a-z]+(_[a-z]+)*', part.split('.')[0])
+                   for part in name.parts), name

@@ -7,7 +7,7 @@ import math
 import kelpie
 from lib.geom import clamp, from_field, heading
 from lib.tune import Challenge
-from skills.watchfld import WatchField
+from skills.watch_field import WatchField
 
 
 class GoToPoint:

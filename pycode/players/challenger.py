@@ -6,8 +6,8 @@
 import kelpie
 from lib.route import points_of, shortest
 from lib.tune import Challenge
-from skills.gopoint import GoToPoint
-from skills.lookrnd import LookRound
+from skills.go_to_point import GoToPoint
+from skills.look_round import LookRound
 
 
 class Challenger:
