@@ -168,7 +168,7 @@ class Score {
     sums.add(best->distance / object.distance - 1.0, offDeg(*best, object));
   }
 
-  // A gap of two degrees or more is to be seen; its ends count where they are in the image.
+  // A gap of five degrees or more is to be seen; its ends count where they are in the image.
   void judgeGaps(const View& view, const body::FieldDescription& field, const TrueObject& goal,
                  const Percepts& seen) {
     for (const TrueGap& gap : trueGaps(view, field, goal.landmark)) {
