@@ -8,9 +8,9 @@
 namespace kelpie::gps {
 namespace {
 
-constexpr double kLeastWeight = 1e-6;  // neither model dies for ever
-constexpr double kWitness = 1e-3;      // least weight of a model that may pass the gate
-constexpr double kJumpWeight = 0.9;    // of rolling, after a jump
+constexpr double kLeastWeight = 1e-6;      // neither model dies for ever
+constexpr double kMinGatingWeight = 1e-3;  // least weight of a model that may pass the gate
+constexpr double kJumpWeight = 0.9;        // of rolling, after a jump
 
 struct Fit {
   Vector2 innovation;
@@ -131,8 +131,8 @@ void jumpModels(double elapsed, const BallParams& params, BallTrack& ball) {
 bool correctModels(const BallSighting& z, double gate, BallTrack& ball) {
   const Fit still = fitOf(ball.still, z);
   const Fit rolling = fitOf(ball.rolling, z);
-  const bool stillFits = ball.still.weight > kWitness && still.squared <= gate * gate;
-  const bool rollingFits = ball.rolling.weight > kWitness && rolling.squared <= gate * gate;
+  const bool stillFits = ball.still.weight > kMinGatingWeight && still.squared <= gate * gate;
+  const bool rollingFits = ball.rolling.weight > kMinGatingWeight && rolling.squared <= gate * gate;
   if (!stillFits && !rollingFits) return false;
   correct(z, still, ball.still);
   correct(z, rolling, ball.rolling);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The ball under two models at once, lying and rolling, each a Kalman filter, weighed by how well
-// they foretell the sightings (an interacting multiple model filter: Blom and Bar-Shalom 1988). One
+// they predict the sightings (an interacting multiple model filter: Blom and Bar-Shalom 1988). One
 // filter alone must choose its noise between a lying ball that seems to move and a rolling one that
 // lags. Fails on a ball pushed along slowly: it lies, again and again.
 #pragma once

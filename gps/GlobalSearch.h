@@ -11,7 +11,8 @@
 
 namespace kelpie::gps {
 
-// Once a frame, after stepMap(). Returns whether the modes were replaced: call tidy() then.
+// Once a frame, after stepMap(). Returns whether the modes were replaced: call mergeAndPrune()
+// then.
 bool stepSearch(const FrameInput& input, const GpsParams& params, GpsState& state);
 
 }  // namespace kelpie::gps

@@ -72,7 +72,7 @@ struct StuckState {
   double speed = 0.0;           // cm/s of the feet, a mean over about a step
   bool paused = false;          // no lines until the pose is confirmed
   double secondsPaused = 0.0;   // since something last held us
-  std::uint32_t confirmed = 0;  // landmarks that the best mode foretold since
+  std::uint32_t confirmed = 0;  // landmarks that the best mode predicted since
 };
 
 struct GpsState {
@@ -82,7 +82,7 @@ struct GpsState {
   double secondsSinceLandmark = 0.0;
   double secondsSinceLines = 0.0;
   StuckState stuck;
-  std::uint32_t unexplained = 0;  // landmarks in a row that no mode foretold
+  std::uint32_t unexplained = 0;  // landmarks in a row that no mode predicted
   BallTrack ball;
   OthersState others;
   PinkState pinks;

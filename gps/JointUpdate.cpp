@@ -12,19 +12,19 @@ namespace {
 
 // What one mode becomes: by the landmarks alone, and by all.
 struct Candidate {
-  Evidence evidence;
+  InformationSum information;
   PoseMode byLandmarks;
   bool asked = false;  // for the lines
   std::optional<PoseObservation> lines;
 };
 using Candidates = FixedVector<Candidate, kWorkModes>;
 
-Evidence evidenceOf(const PoseMode& mode, const Pose2& at, const Measurements& landmarks,
-                    const GpsParams& params) {
-  Evidence evidence;
+InformationSum informationOf(const PoseMode& mode, const Pose2& at, const Measurements& landmarks,
+                             const GpsParams& params) {
+  InformationSum information;
   for (const Measurement& m : landmarks)
-    evidence.add(mode, seenObliquely(mode, m) ? headingOnly(m, params.gates) : m, at);
-  return evidence;
+    information.add(mode, atGrazingAngle(mode, m) ? headingOnly(m, params.gates) : m, at);
+  return information;
 }
 
 bool movedFar(const Pose2& from, const Pose2& to) {
@@ -39,8 +39,8 @@ Candidate candidateOf(const PoseMode& mode, const Measurements& landmarks,
   Candidate one;
   Pose2 at = mode.pose;
   for (int round = 0; round < kRounds; ++round) {
-    one.evidence = evidenceOf(mode, at, landmarks, params);
-    one.byLandmarks = corrected(mode, one.evidence, params.modes.determinant);
+    one.information = informationOf(mode, at, landmarks, params);
+    one.byLandmarks = corrected(mode, one.information, params.modes.weighByDeterminant);
     if (!movedFar(at, one.byLandmarks.pose)) break;
     at = one.byLandmarks.pose;
   }
@@ -86,22 +86,22 @@ bool askLines(const SeenLines& seen, double headSpeed, const GpsParams& params, 
 PoseMode copyOf(const PoseMode& mode, const Candidate& one, bool landmarks,
                 const GpsParams& params) {
   PoseMode untouched = mode;
-  if (landmarks) untouched.weight *= params.modes.noiseWeight;
+  if (landmarks) untouched.weight *= params.modes.outlierWeight;
   PoseMode withoutLines = one.byLandmarks;
-  withoutLines.weight *= params.line.noiseWeight;
+  withoutLines.weight *= params.line.outlierWeight;
   if (!one.lines) return untouched;
   return landmarks && untouched.weight > withoutLines.weight ? untouched : withoutLines;
 }
 
-// As when landmarks come one by one: many that no mode foretold in a row, and all begins anew.
+// As when landmarks come one by one: many that no mode predicted in a row, and all begins anew.
 void judge(const Modes& modes, const Candidates& candidates, std::size_t landmarks,
            const GpsParams& params, GpsState& state) {
   double copies = 0.0;
   double explained = 0.0;
-  for (const PoseMode& mode : modes) copies += mode.weight * params.modes.noiseWeight;
+  for (const PoseMode& mode : modes) copies += mode.weight * params.modes.outlierWeight;
   for (const Candidate& one : candidates) explained += one.byLandmarks.weight;
-  const bool foretold = explained > params.modes.explainedShare * (copies + explained);
-  state.unexplained = foretold ? 0 : state.unexplained + static_cast<std::uint32_t>(landmarks);
+  const bool predicted = explained > params.modes.explainedShare * (copies + explained);
+  state.unexplained = predicted ? 0 : state.unexplained + static_cast<std::uint32_t>(landmarks);
   if (state.unexplained <= params.modes.maxUnexplained) return;
   state.unexplained = 0;
   state.lost = true;
@@ -115,16 +115,16 @@ PoseMode result(const PoseMode& mode, const Candidate& one, const SeenLines* see
     if (seen != nullptr) kept.weight *= unaskedWeight(kept, *seen, params.line);
     return kept;
   }
-  Evidence all = one.evidence;
+  InformationSum all = one.information;
   all.add(mode, *one.lines);
-  return corrected(mode, all, params.modes.determinant);
+  return corrected(mode, all, params.modes.weighByDeterminant);
 }
 
 }  // namespace
 
-void Evidence::add(const PoseMode& mode, const Measurement& m, const Pose2& at) {
-  if (standsOn(at, m.landmark)) {
-    hopeless = true;
+void InformationSum::add(const PoseMode& mode, const Measurement& m, const Pose2& at) {
+  if (tooCloseToLinearise(at, m.landmark)) {
+    degenerate = true;
     return;
   }
   const Expectation e = expected(at, m.landmark);
@@ -138,35 +138,37 @@ void Evidence::add(const PoseMode& mode, const Measurement& m, const Pose2& at) 
     const double* j = e.jacobian.data() + 3 * row;
     const Vector3 h(j[0], j[1], j[2]);
     const double fromMode = innovation[row] + h.dot(offset);
-    information += h * h.transpose() / variance[row];
+    matrix += h * h.transpose() / variance[row];
     vector += h * (fromMode / variance[row]);
-    squares += fromMode * fromMode / variance[row];
+    chiSquared += fromMode * fromMode / variance[row];
   }
 }
 
-void Evidence::add(const PoseMode& mode, const PoseObservation& observation) {
+void InformationSum::add(const PoseMode& mode, const PoseObservation& observation) {
   const Point2<Field> apart = observation.pose.position - mode.pose.position;
   const Vector3 innovation(apart.x, apart.y, (observation.pose.heading - mode.pose.heading).rad());
   const Vector3 pull = observation.information * innovation;
-  information += observation.information;
+  matrix += observation.information;
   vector += pull;
-  squares += innovation.dot(pull);
+  chiSquared += innovation.dot(pull);
 }
 
-PoseMode corrected(const PoseMode& mode, const Evidence& evidence, bool determinant) {
+PoseMode corrected(const PoseMode& mode, const InformationSum& information,
+                   bool weighByDeterminant) {
   PoseMode result = mode;
-  if (evidence.hopeless) {
-    result.weight *= kHopeless;
+  if (information.degenerate) {
+    result.weight *= kDegenerateWeight;
     return result;
   }
   const Matrix3 p = covarianceOf(mode);
-  const Matrix3 sum = Matrix3::Identity() + p * evidence.information;
+  const Matrix3 sum = Matrix3::Identity() + p * information.matrix;
   const Matrix3 after = sum.inverse() * p;
-  const Vector3 shift = after * evidence.vector;
+  const Vector3 shift = after * information.vector;
   // nu' E^-1 nu = nu' R^-1 nu - y' P' y, by the matrix inversion lemma.
-  const double surprise = std::max(0.0, evidence.squares - evidence.vector.dot(shift));
-  result.weight *= maths::exp(-0.5 * surprise);
-  if (determinant) result.weight /= std::sqrt(sum.determinant());
+  const double squaredInnovation =
+      std::max(0.0, information.chiSquared - information.vector.dot(shift));
+  result.weight *= maths::exp(-0.5 * squaredInnovation);
+  if (weighByDeterminant) result.weight /= std::sqrt(sum.determinant());
   result.pose = poseOf(meanOf(mode) + shift);
   setCovariance(result, after);
   return result;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// A frame's landmarks and lines in one update of each mode (thesis 2004 section 5.1, wished for):
-// all is linearised at the foretold pose and added up as information, and one copy that nothing
-// corrected stays for the case that any of it was false. The alternative, one landmark after the
-// other and then the lines, keeps a copy for each. Which is better: docs/experiments.md.
+// A frame's landmarks and lines in one update of each mode (thesis 2004 section 5.1, future work
+// there): all is linearised at the predicted pose and added up as information, and one copy that
+// nothing corrected stays for the case that any of it was false. The alternative, one landmark
+// after the other and then the lines, keeps a copy for each. Which is better: docs/experiments.md.
 // Fails as a whole where one of many landmarks is false; then the copy has to live.
 #pragma once
 
@@ -13,13 +13,13 @@
 
 namespace kelpie::gps {
 
-// What several observations say of a mode's error: information Y, the vector y = Y times the
-// error, and the observations' own sum of squared innovations over their variances.
-struct Evidence {
-  Matrix3 information = Matrix3::Zero();
+// What several observations say of a mode's error: the information matrix Y, the information vector
+// y = Y times the error, and chi squared, the sum of squared innovations over their variances.
+struct InformationSum {
+  Matrix3 matrix = Matrix3::Zero();
   Vector3 vector = Vector3::Zero();
-  double squares = 0.0;
-  bool hopeless = false;  // the mode stands on a landmark
+  double chiSquared = 0.0;
+  bool degenerate = false;  // the mode stands on a landmark
 
   // Linearised at a pose near the mode's; at its own, this is the extended Kalman filter.
   void add(const PoseMode& mode, const Measurement& measurement, const Pose2& at);
@@ -27,12 +27,13 @@ struct Evidence {
 };
 
 // The mode after all of it: P' = (1 + P Y)^-1 P, mean + P' y, weight times S in (0, 1] of the
-// stacked innovation (equation 2.9), times 1 / sqrt(det(1 + P Y)) with `determinant`.
-PoseMode corrected(const PoseMode& mode, const Evidence& evidence, bool determinant);
+// stacked innovation (equation 2.9), times 1 / sqrt(det(1 + P Y)) with `weighByDeterminant`.
+PoseMode corrected(const PoseMode& mode, const InformationSum& information,
+                   bool weighByDeterminant);
 
 using Measurements = FixedVector<Measurement, 8>;
 
-// Lines may be empty. Returns whether anything was used; then call tidy().
+// Lines may be empty. Returns whether anything was used; then call mergeAndPrune().
 bool updateJointly(const Measurements& landmarks, const SeenLines& seen, double headSpeed,
                    const GpsParams& params, GpsState& state);
 

@@ -50,7 +50,7 @@ std::optional<Measurement> measurement(const LandmarkPercept& percept, const Lan
   const double farthest = goal ? gates.goalMaxDistance : gates.beaconMaxDistance;
   Measurement m;
   m.landmark = body::findLandmark(map, percept.kind)->position;
-  m.leastAway = goal ? gates.goalLineShare * params.field.length : 0.0;
+  m.minGoalLineDistance = goal ? gates.goalLineShare * params.field.length : 0.0;
   m.distance = percept.distance;
   m.heading = percept.heading;
   // A mode seeded by a distance that says nothing must not be wider than the field allows.

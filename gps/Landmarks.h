@@ -23,11 +23,11 @@ struct Measurement {
   double headingVariance = 0.0;   // rad2
   // cm of y from the landmark: from nearer a goal looks like a line (thesis 2004 Fig 2.9). Each
   // mode is asked alone, so that a wrong best one cannot veto what would correct it.
-  double leastAway = 0.0;
+  double minGoalLineDistance = 0.0;
 };
 
-inline bool seenObliquely(const PoseMode& mode, const Measurement& m) {
-  return std::fabs(mode.pose.position.y - m.landmark.y) < m.leastAway;
+inline bool atGrazingAngle(const PoseMode& mode, const Measurement& m) {
+  return std::fabs(mode.pose.position.y - m.landmark.y) < m.minGoalLineDistance;
 }
 
 // What is left of a goal for a mode that would see it obliquely: roughly where it is.

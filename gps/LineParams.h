@@ -28,15 +28,15 @@ struct LineParams {
   double correlation = 10.0;       // how many points of how many frames err alike
   double floorSd = 2.0;            // cm, of a pose from lines, whatever their number
   Angle floorHeadingSd = Angle::deg(1);
-  double match = 0.5;          // least match with a still head is match + matchStill (3.22)
-  double matchStill = 0.3;     // and falls with the head's speed
-  double headSpeed = 50.0;     // 1/rad a frame, of equations 3.22 and 3.23
-  double offField = 0.02;      // 1/cm2, of equation 3.21
-  double noiseWeight = 0.05;   // of the copy that the lines do not correct
-  double refusedWeight = 0.5;  // of a mode whose lines do not match anything
-  double leastWeight = 0.02;   // of the heaviest; lighter modes are not fitted
-  std::uint32_t maxModes = 3;  // so many are fitted
-  double maxSd = 60.0;         // cm; wider modes say nothing about which line is seen
+  double match = 0.5;           // least match with a still head is match + matchStill (3.22)
+  double matchStill = 0.3;      // and falls with the head's speed
+  double headSpeed = 50.0;      // 1/rad a frame, of equations 3.22 and 3.23
+  double offField = 0.02;       // 1/cm2, of equation 3.21
+  double outlierWeight = 0.05;  // of the copy that the lines do not correct
+  double refusedWeight = 0.5;   // of a mode whose lines do not match anything
+  double leastWeight = 0.02;    // of the heaviest; lighter modes are not fitted
+  std::uint32_t maxModes = 3;   // so many are fitted
+  double maxSd = 60.0;          // cm; wider modes say nothing about which line is seen
   Angle maxHeadingSd = Angle::deg(30);
 
   static constexpr auto fields() {
@@ -57,7 +57,7 @@ struct LineParams {
         field("match", &P::match, "", 0, 1), field("matchStill", &P::matchStill, "", 0, 1),
         field("headSpeed", &P::headSpeed, "", 0, 1000),
         field("offField", &P::offField, "1/cm2", 0, 1),
-        field("noiseWeight", &P::noiseWeight, "", 0, 1),
+        field("outlierWeight", &P::outlierWeight, "", 0, 1),
         field("refusedWeight", &P::refusedWeight, "", 0, 1),
         field("leastWeight", &P::leastWeight, "", 0, 1), field("maxModes", &P::maxModes, "", 1, 8),
         field("maxSd", &P::maxSd, "cm", 1, 1000),

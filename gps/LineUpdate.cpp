@@ -100,7 +100,7 @@ bool updateByLines(const SeenLines& seen, double headSpeed, const GpsParams& par
       continue;
     }
     PoseMode copy = modes[i];
-    copy.weight *= p.noiseWeight;
+    copy.weight *= p.outlierWeight;
     correct(modes[i], *found[i]);
     modes.push_back(copy);
   }

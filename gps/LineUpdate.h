@@ -35,7 +35,7 @@ std::optional<PoseObservation> observationAt(const PoseMode& mode, const SeenLin
 // Weight factor of a mode without such an observation when another mode has one.
 double unaskedWeight(const PoseMode& mode, const SeenLines& seen, const LineParams& params);
 
-// Returns whether any mode was corrected. Call tidy() afterwards.
+// Returns whether any mode was corrected. Call mergeAndPrune() afterwards.
 bool updateByLines(const SeenLines& seen, double headSpeed, const GpsParams& params,
                    GpsState& state);
 

@@ -16,7 +16,7 @@ double headSpeedOf(const FrameInput& input);
 // Not after a scrum until the pose is confirmed.
 bool linesUsable(const GpsParams& params, const GpsState& state);
 
-// Returns whether modes were changed: call tidy() then.
+// Returns whether modes were changed: call mergeAndPrune() then.
 bool stepLines(const FrameInput& input, const Percepts& percepts, const GpsParams& params,
                GpsState& state);
 

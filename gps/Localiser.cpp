@@ -39,7 +39,7 @@ void useLandmarks(const GpsIn& in, const GpsParams& params, GpsState& state) {
     } else {
       updateAll(*m, params, state);
     }
-    tidy(params, state);
+    mergeAndPrune(params, state);
     keepNearField(params.field, state.modes);
     if (state.lost) continue;  // no place on the field fits it
     ++state.counts.updates;
@@ -50,7 +50,7 @@ void useLandmarks(const GpsIn& in, const GpsParams& params, GpsState& state) {
 
 void useLines(const GpsIn& in, const GpsParams& params, GpsState& state) {
   if (!stepLines(in.input, in.percepts, params, state)) return;
-  tidy(params, state);
+  mergeAndPrune(params, state);
   keepNearField(params.field, state.modes);
   state.secondsSinceLines = 0.0;
 }
@@ -68,7 +68,7 @@ void useTogether(const GpsIn& in, const GpsParams& params, GpsState& state) {
   SeenLines seen;
   if (linesUsable(params, state)) seen = seenLines(in.percepts.linePoints, params.line);
   if (!updateJointly(landmarks, seen, headSpeedOf(in.input), params, state)) return;
-  tidy(params, state);
+  mergeAndPrune(params, state);
   keepNearField(params.field, state.modes);
   if (state.lost || landmarks.empty()) return;
   state.counts.updates += static_cast<std::uint32_t>(landmarks.size());

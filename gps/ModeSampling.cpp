@@ -130,7 +130,7 @@ bool updateBySampling(const SeenLines& seen, const SamplingFloor& floor, const G
   // Room for the copies first: the peaks of light modes are what may be left out.
   for (const PoseMode& mode : before) {
     state.modes.push_back(mode);
-    state.modes.back().weight *= params.line.noiseWeight;
+    state.modes.back().weight *= params.line.outlierWeight;
   }
   for (const PoseMode& mode : before) updateOne(mode, seen, floor, params, state);
   return true;

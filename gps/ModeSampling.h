@@ -24,7 +24,7 @@ std::optional<Bell> bellOf(double before, double here, double after);
 std::optional<Bell> bellAtEdge(double inside, double edge);
 
 // All modes by all of their peaks, with uncorrected copies; the peaks' standard deviations are at
-// least `floorSd` (cm) and `floorHeadingSd`, 0 as in the thesis. Call tidy() afterwards.
+// least `floorSd` (cm) and `floorHeadingSd`, 0 as in the thesis. Call mergeAndPrune() afterwards.
 struct SamplingFloor {
   double sd = 0.0;
   Angle headingSd;

@@ -154,11 +154,11 @@ static void refuseUnlikely(const Measurement& measurement, const GpsParams& para
                            GpsState& state) {
   constexpr double kGrowthPerCm = 0.5 / kDegrees;  // rad: 5 deg for 10 cm
   const double growth = params.modes.refusedGrowth;
-  const Measurement aslant = headingOnly(measurement, params.gates);
+  const Measurement withoutDistance = headingOnly(measurement, params.gates);
   for (PoseMode& mode : state.modes) {
     PoseMode corrected = mode;
-    update(corrected, seenObliquely(mode, measurement) ? aslant : measurement,
-           params.modes.determinant);
+    update(corrected, atGrazingAngle(mode, measurement) ? withoutDistance : measurement,
+           params.modes.weighByDeterminant);
     if (corrected.weight >= params.modes.refuseBelow * mode.weight) {
       mode = corrected;
       continue;
@@ -176,17 +176,17 @@ void updateAll(const Measurement& measurement, const GpsParams& params, GpsState
   Modes& modes = state.modes;
   if (wide) modes.push_back(wideMode(params, params.modes.wideWeight));
   const std::size_t before = modes.size();
-  const Measurement aslant = headingOnly(measurement, params.gates);
+  const Measurement withoutDistance = headingOnly(measurement, params.gates);
   double copies = 0.0;
   double corrected = 0.0;
   for (std::size_t i = 0; i < before; ++i) {
-    const bool oblique = seenObliquely(modes[i], measurement);
+    const bool oblique = atGrazingAngle(modes[i], measurement);
     if (oblique && i == 0) state.count(Refusal::goalTooOblique);
     PoseMode copy = modes[i];
-    copy.weight *= params.modes.noiseWeight;
+    copy.weight *= params.modes.outlierWeight;
     copies += copy.weight;
     modes.push_back(copy);
-    update(modes[i], oblique ? aslant : measurement, params.modes.determinant);
+    update(modes[i], oblique ? withoutDistance : measurement, params.modes.weighByDeterminant);
     corrected += modes[i].weight;
   }
   // The wide mode alone is not enough: near modes crowd it out, and it cannot be linearised well.
@@ -198,7 +198,7 @@ void updateAll(const Measurement& measurement, const GpsParams& params, GpsState
   state.lost = true;
 }
 
-void tidy(const GpsParams& params, GpsState& state) {
+void mergeAndPrune(const GpsParams& params, GpsState& state) {
   removeBroken(state);
   mergeAll(state.modes, params.modes);
   sortByWeight(state.modes);

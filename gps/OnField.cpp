@@ -52,7 +52,7 @@ Place productOf(const Place& a, const Place& b) {
           keep * a.covariance * keep.transpose() + gain * b.covariance * gain.transpose()};
 }
 
-double apart(const Place& a, const Place& b) {
+double mahalanobisSquared(const Place& a, const Place& b) {
   const Vector2 d = a.mean - b.mean;
   return d.dot((a.covariance + b.covariance).inverse() * d);
 }

@@ -29,7 +29,7 @@ void add(const Information& more, Information& sum);
 Place productOf(const Place& a, const Place& b);
 
 // Squared Mahalanobis distance of two independent places.
-double apart(const Place& a, const Place& b);
+double mahalanobisSquared(const Place& a, const Place& b);
 
 // Finite, symmetric enough and positive, and no diagonal element below `least` or above `most`.
 bool soundCovariance(const std::array<double, 4>& rows, double least, double most);

@@ -137,7 +137,8 @@ int matchByAngle(const Place& seen, Angle heading, const Pose2& pose, const Oppo
     if (!filters[i].known || filters[i].assigned) continue;
     const Place place = placeOf(filters[i].belief);
     const Angle off = (bearing(robotFromField(pose, pointOf(place.mean))) - heading).abs();
-    const bool far = p.matchGate > 0.0 && apart(place, seen) > maths::square(p.matchGate);
+    const bool far =
+        p.matchGate > 0.0 && mahalanobisSquared(place, seen) > maths::square(p.matchGate);
     if (far || off.rad() >= least.rad()) continue;
     best = static_cast<int>(i);
     least = off;
@@ -151,7 +152,7 @@ int matchByPlace(const Place& seen, double gate, const Filters& filters) {
   double least = gate * gate;
   for (std::size_t i = 0; i < filters.size(); ++i) {
     if (!filters[i].known || filters[i].assigned) continue;
-    const double squared = apart(placeOf(filters[i].belief), seen);
+    const double squared = mahalanobisSquared(placeOf(filters[i].belief), seen);
     if (squared >= least) continue;
     best = static_cast<int>(i);
     least = squared;

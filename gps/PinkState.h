@@ -59,7 +59,7 @@ struct PinkState {
   PinkUse use = PinkUse::off;  // in the last frame
   PinkLandmarks map;
   double sinceForgotten = 0.0;    // s
-  std::uint32_t unexplained = 0;  // sightings in a row that no mode foretold
+  std::uint32_t unexplained = 0;  // sightings in a row that no mode predicted
   Survey survey;
   Search search;
 };

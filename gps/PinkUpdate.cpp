@@ -47,7 +47,7 @@ bool isAboveWall(const PinkSight& sight, const PinkParams& params, const GpsStat
          !mayHangOnWall(sight.eyeHeight, sight.elevation, distance(*place, ray.from), params);
 }
 
-// Sightings in a row that no mode foretold mean that the robot is elsewhere.
+// Sightings in a row that no mode predicted mean that the robot is elsewhere.
 void judge(double corrected, double copies, const GpsParams& params, GpsState& state) {
   const bool explained = corrected > params.modes.explainedShare * (copies + corrected);
   std::uint32_t& unexplained = state.pinks.unexplained;
@@ -71,7 +71,7 @@ bool updateByPink(const PinkSight& sight, const GpsParams& params, GpsState& sta
   double copies = 0.0;
   for (const PoseMode& mode : state.modes) {
     PoseMode copy = mode;
-    copy.weight *= params.modes.noiseWeight;
+    copy.weight *= params.modes.outlierWeight;
     copies += copy.weight;
     offer(copy, best);
     for (const PinkLandmark& landmark : known) {
@@ -79,7 +79,7 @@ bool updateByPink(const PinkSight& sight, const GpsParams& params, GpsState& sta
       PoseMode moved = mode;
       moved.weight /= static_cast<double>(known.size());
       update(moved, headingOf(sight, landmark.position, mode.pose, params),
-             params.modes.determinant);
+             params.modes.weighByDeterminant);
       corrected += moved.weight;
       offer(moved, best);
     }
@@ -95,7 +95,7 @@ void updateByPatches(const PinkSights& sights, const GpsParams& params, GpsState
     if (isAboveWall(sights[i], params.pinks, state)) {
       state.count(Refusal::pinkElevation);
     } else if (updateByPink(sights[i], params, state)) {
-      tidy(params, state);
+      mergeAndPrune(params, state);
     }
   }
 }

@@ -14,8 +14,8 @@ namespace kelpie::gps {
 PinkLandmarks knownPinks(const PinkState& state, const PinkParams& params);
 
 // One sighting. A corrected mode weighs w S / N (equation 2.9, equal priors), the uncorrected copy
-// w times modes.noiseWeight. A mode does not take a mapped patch at which the elevation cannot be.
-// Call tidy() afterwards. False without a map.
+// w times modes.outlierWeight. A mode does not take a mapped patch at which the elevation cannot
+// be. Call mergeAndPrune() afterwards. False without a map.
 bool updateByPink(const PinkSight& sight, const GpsParams& params, GpsState& state);
 
 // All patches of a frame, largest first, at most maxPatches; tidies. Refuses what the best mode

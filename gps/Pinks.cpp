@@ -34,7 +34,7 @@ void endSearch(const GpsParams& params, GpsState& state) {
   PinkState& pinks = state.pinks;
   ++pinks.search.count;
   // One that two poses explain for long: to guess is better than to stand and wait, and what a
-  // wrong pose does not foretell soon tells.
+  // wrong pose does not predict soon tells.
   const bool patient = pinks.search.count < p.patience;
   if (sureness(pinks.search) >= (patient ? p.sureShare : p.likelyShare)) {
     state.modes.clear();

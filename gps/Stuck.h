@@ -28,7 +28,7 @@ StepNoise grown(const StepNoise& noise, double excess, double elapsed, const Stu
 // Once a frame, before the modes move: share lost, and the pause of the lines.
 void stepStuck(double excess, double elapsed, const StuckParams& params, StuckState& state);
 
-// A landmark that the modes foretold has corrected them.
+// A landmark that the modes predicted has corrected them.
 void confirm(const StuckParams& params, StuckState& state);
 
 }  // namespace kelpie::gps

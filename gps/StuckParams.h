@@ -23,7 +23,7 @@ struct StuckParams {
   double turned = 0.3;               // rad2/s: and turn
   double pauseAbove = 0.3;           // share of the way lost from which lines are not trusted
   double pauseSeconds = 0.0;         // how long afterwards; 0: lines are never paused
-  std::uint32_t pauseLandmarks = 2;  // foretold landmarks that end the pause sooner
+  std::uint32_t pauseLandmarks = 2;  // predicted landmarks that end the pause sooner
 
   static constexpr auto fields() {
     using P = StuckParams;

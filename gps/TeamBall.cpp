@@ -18,7 +18,7 @@ bool agree(unsigned members, const Witnesses& witnesses, double gate) {
   for (std::size_t i = 0; i < witnesses.size(); ++i) {
     for (std::size_t k = i + 1; k < witnesses.size(); ++k) {
       if (!in(members, i) || !in(members, k)) continue;
-      if (apart(witnesses[i].place, witnesses[k].place) > gate) return false;
+      if (mahalanobisSquared(witnesses[i].place, witnesses[k].place) > gate) return false;
     }
   }
   return true;

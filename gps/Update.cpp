@@ -16,7 +16,7 @@ struct Linear {
 };
 
 template <int N>
-void correct(PoseMode& mode, const Linear<N>& z, bool determinant) {
+void correct(PoseMode& mode, const Linear<N>& z, bool weighByDeterminant) {
   using Square = Eigen::Matrix<double, N, N>;
   const Matrix3 p = covarianceOf(mode);
   const Square r = z.variance.asDiagonal();
@@ -24,9 +24,9 @@ void correct(PoseMode& mode, const Linear<N>& z, bool determinant) {
   const Square inverse = e.inverse();
   const Eigen::Matrix<double, 3, N> gain = p * z.jacobian.transpose() * inverse;
   const Matrix3 keep = Matrix3::Identity() - gain * z.jacobian;
-  const double surprise = z.innovation.dot(inverse * z.innovation);
-  mode.weight *= maths::exp(-0.5 * surprise);
-  if (determinant) mode.weight *= std::sqrt(r.determinant() / e.determinant());
+  const double squaredInnovation = z.innovation.dot(inverse * z.innovation);
+  mode.weight *= maths::exp(-0.5 * squaredInnovation);
+  if (weighByDeterminant) mode.weight *= std::sqrt(r.determinant() / e.determinant());
   mode.pose = poseOf(meanOf(mode) + gain * z.innovation);
   // Joseph's form: stays positive where (1 - K H) P would not.
   setCovariance(mode, keep * p * keep.transpose() + gain * r * gain.transpose());
@@ -50,7 +50,7 @@ Linear<1> only(const Linear<2>& both, int row) {
 
 }  // namespace
 
-bool standsOn(const Pose2& pose, Point2<Field> landmark) {
+bool tooCloseToLinearise(const Pose2& pose, Point2<Field> landmark) {
   constexpr double kNearest = 5.0;  // cm, a beacon's radius
   return distance(landmark, pose.position) < kNearest;
 }
@@ -66,14 +66,15 @@ Expectation expected(const Pose2& pose, Point2<Field> landmark) {
   return e;
 }
 
-void update(PoseMode& mode, const Measurement& measurement, bool determinant) {
-  if (standsOn(mode.pose, measurement.landmark)) {
-    mode.weight *= kHopeless;
+void update(PoseMode& mode, const Measurement& measurement, bool weighByDeterminant) {
+  if (tooCloseToLinearise(mode.pose, measurement.landmark)) {
+    mode.weight *= kDegenerateWeight;
     return;
   }
   const Linear<2> z = linearised(measurement, expected(mode.pose, measurement.landmark));
-  if (measurement.useDistance && measurement.useHeading) return correct(mode, z, determinant);
-  correct(mode, only(z, measurement.useDistance ? 0 : 1), determinant);
+  if (measurement.useDistance && measurement.useHeading)
+    return correct(mode, z, weighByDeterminant);
+  correct(mode, only(z, measurement.useDistance ? 0 : 1), weighByDeterminant);
 }
 
 }  // namespace kelpie::gps

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Corrects one mode by one landmark measurement, an extended Kalman filter's update, and weighs it
-// by how well it foretold the measurement (thesis 2004 equations 2.9 and 2.10, signs as in
+// by how well it predicted the measurement (thesis 2004 equations 2.9 and 2.10, signs as in
 // checklist H04 and H05).
 #pragma once
 
@@ -16,13 +16,13 @@ struct Expectation {
 };
 
 // Too near to be linearised.
-bool standsOn(const Pose2& pose, Point2<Field> landmark);
-constexpr double kHopeless = 1e-20;  // weight factor where nothing can be computed
+bool tooCloseToLinearise(const Pose2& pose, Point2<Field> landmark);
+constexpr double kDegenerateWeight = 1e-20;  // weight factor where nothing can be computed
 
 Expectation expected(const Pose2& pose, Point2<Field> landmark);
 
 // Corrects the mode and multiplies its weight by S in (0, 1]. A mode that stands on the landmark
 // cannot be linearised and keeps its mean; its weight falls as for a very bad prediction.
-void update(PoseMode& mode, const Measurement& measurement, bool determinant);
+void update(PoseMode& mode, const Measurement& measurement, bool weighByDeterminant);
 
 }  // namespace kelpie::gps

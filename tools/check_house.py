@@ -1,7 +1,8 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
 """Fails on what the house style bans in every file: no SPDX line, #ifdef for host or robot, #pragma
-to silence a warning, clocks and unseeded randomness in the stages, paths of one machine."""
+to silence a warning, clocks and unseeded randomness in the stages, paths of one machine, and words
+that gave way to the field's own."""
 
 import re
 import subprocess
@@ -20,6 +21,20 @@ RULES = [
      "C library function with other bits on the target; use kelpie::maths"),
 ]
 MACHINE_PATH = re.compile(r"(^|[^A-Za-z0-9_.])/(work|root|home)/[A-Za-z]")
+# What is no longer said, and what is said in its place.
+RETIRED = {
+    "surprise": "squaredInnovation in a filter, nees of an estimate",
+    "foretold": "predicted",
+    "foretell": "predict",
+    "hopeless": "degenerate",
+    "kHopeless": "kDegenerateWeight",
+    "standsOn": "tooCloseToLinearise",
+    "noiseWeight": "outlierWeight",
+    "leastAway": "minGoalLineDistance",
+    "seenObliquely": "atGrazingAngle",
+    "kWitness": "kMinGatingWeight",
+}
+RETIRED_WORD = re.compile(r"\b(" + "|".join(RETIRED) + r")\b")
 
 
 def tracked(*patterns):
@@ -38,8 +53,17 @@ def code_problems(path):
                 yield f"{path}:{number}: {what}"
 
 
+def retired_words(path):
+    for number, line in enumerate((ROOT / path).read_text().splitlines(), 1):
+        for word in RETIRED_WORD.findall(line):
+            yield f"{path}:{number}: '{word}': say {RETIRED[word]}"
+
+
 def main():
     found = [p for path in tracked("*.h", "*.cpp") for p in code_problems(path)]
+    for path in tracked("*.h", "*.cpp", "*.py", "*.md"):
+        if path != "tools/check_house.py":
+            found += retired_words(path)
     for path in tracked("*.py", "tools/*", "toolchain/*", "*.cmake"):
         if not (ROOT / path).is_file() or path == "tools/check_house.py":
             continue

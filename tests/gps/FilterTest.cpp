@@ -141,11 +141,11 @@ TEST(Modes, BrokenModeIsRemovedAndTheLastOneReplaced) {
   robot.step();
   robot.state.modes[0].pose.position.x = std::nan("");
   robot.state.modes.push_back(modeAt(50, 60, 1.0));
-  tidy(robot.params, robot.state);
+  mergeAndPrune(robot.params, robot.state);
   ASSERT_EQ(robot.state.modes.size(), 1u);
   EXPECT_EQ(robot.state.modes[0].pose.position.x, 50.0);
   robot.state.modes[0].covariance[4] = -1.0;
-  tidy(robot.params, robot.state);
+  mergeAndPrune(robot.params, robot.state);
   EXPECT_TRUE(robot.state.lost);
   EXPECT_EQ(robot.state.modes[0].pose.position.x, 180.0);
 }

@@ -39,20 +39,20 @@ TEST(JointUpdate, OneUpdateIsTwoWhereAllIsLinear) {
   PoseMode two = someMode();
   correct(two, first);
   correct(two, second);
-  Evidence evidence;
-  evidence.add(someMode(), first);
-  evidence.add(someMode(), second);
-  expectSame(corrected(someMode(), evidence, false), two);
+  InformationSum information;
+  information.add(someMode(), first);
+  information.add(someMode(), second);
+  expectSame(corrected(someMode(), information, false), two);
 }
 
 TEST(JointUpdate, OneLandmarkCorrectsAsInItsOwnUpdate) {
   const Measurement seen{{0.0, 405.0}, true, true, 260.0, Angle::deg(-30.0), 400.0, 0.004};
-  for (const bool determinant : {false, true}) {
+  for (const bool weighByDeterminant : {false, true}) {
     PoseMode alone = someMode();
-    update(alone, seen, determinant);
-    Evidence evidence;
-    evidence.add(someMode(), seen, someMode().pose);
-    expectSame(corrected(someMode(), evidence, determinant), alone);
+    update(alone, seen, weighByDeterminant);
+    InformationSum information;
+    information.add(someMode(), seen, someMode().pose);
+    expectSame(corrected(someMode(), information, weighByDeterminant), alone);
   }
 }
 
@@ -65,9 +65,9 @@ TEST(JointUpdate, AHandMadeCase) {
   PoseObservation seen;
   seen.pose = {{2.0, 0.0}, Angle()};
   seen.information = Vector3(0.25, 0.0, 0.0).asDiagonal();
-  Evidence evidence;
-  evidence.add(mode, seen);
-  const PoseMode after = corrected(mode, evidence, false);
+  InformationSum information;
+  information.add(mode, seen);
+  const PoseMode after = corrected(mode, information, false);
   EXPECT_NEAR(after.pose.position.x, 1.0, 1e-12);
   EXPECT_NEAR(after.pose.position.y, 0.0, 1e-12);
   EXPECT_NEAR(after.covariance[0], 2.0, 1e-12);
@@ -78,9 +78,9 @@ TEST(JointUpdate, AHandMadeCase) {
 // Where all is linear it does not matter where it is linearised: a heading far from the landmark.
 TEST(JointUpdate, LinearisedElsewhereTheSameObservationSaysNearlyTheSame) {
   Measurement seen{{1e6, 220.0}, false, true, 1e6, Angle::deg(-165.0), 1.0, 0.004};
-  Evidence here;
+  InformationSum here;
   here.add(someMode(), seen, someMode().pose);
-  Evidence there;
+  InformationSum there;
   there.add(someMode(), seen, {{170.0, 200.0}, Angle::deg(155.0)});
   const PoseMode a = corrected(someMode(), here, false);
   const PoseMode b = corrected(someMode(), there, false);
@@ -90,9 +90,9 @@ TEST(JointUpdate, LinearisedElsewhereTheSameObservationSaysNearlyTheSame) {
 
 TEST(JointUpdate, AModeOnALandmarkKeepsItsPlaceAndLosesItsWeight) {
   const Measurement seen{someMode().pose.position, true, true, 50.0, Angle(), 400.0, 0.004};
-  Evidence evidence;
-  evidence.add(someMode(), seen, someMode().pose);
-  const PoseMode after = corrected(someMode(), evidence, false);
+  InformationSum information;
+  information.add(someMode(), seen, someMode().pose);
+  const PoseMode after = corrected(someMode(), information, false);
   EXPECT_EQ(after.pose.position.x, someMode().pose.position.x);
   EXPECT_LT(after.weight, 1e-19);
 }

@@ -152,7 +152,7 @@ TEST_F(Standing, WhatTheMapHoldsCountsOnce) {
 }
 
 TEST_F(Standing, TheEstimateStaysWiderThanItsErrors) {
-  double surprise = 0.0;
+  double nees = 0.0;
   for (std::uint64_t run = 0; run < 20; ++run) {
     SimulatedRobot other({180, 200, 1.0}, run);
     other.params.initialPose = {true, {{185, 195}, Angle::rad(1.05)}, 20.0, Angle::deg(10)};
@@ -161,9 +161,9 @@ TEST_F(Standing, TheEstimateStaysWiderThanItsErrors) {
       world = other.step();
     }
     EXPECT_GT(world.positionSd, 0.7);
-    surprise += maths::square(other.error(world) / world.positionSd) / 20.0;
+    nees += maths::square(other.error(world) / world.positionSd) / 20.0;
   }
-  EXPECT_LT(surprise, 4.0);
+  EXPECT_LT(nees, 4.0);
 }
 
 TEST_F(Standing, AMapOfElsewhereIsGivenUp) {

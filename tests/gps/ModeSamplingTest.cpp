@@ -51,7 +51,7 @@ TEST(ModeSampling, MovesTowardsTheTruePose) {
       robot.lookAtLines(0.0);
       ASSERT_TRUE(updateBySampling(seenLines(robot.percepts.linePoints, {}), {}, robot.params,
                                    robot.state));
-      tidy(robot.params, robot.state);
+      mergeAndPrune(robot.params, robot.state);
     }
     const Pose2 pose = robot.state.modes[0].pose;
     after += std::hypot(pose.position.x - 180, pose.position.y - 130);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The three ways to treat a sighting that a mode did not foretell (thesis 2004 section 2.2.3).
+// The three ways to treat a sighting that a mode did not predict (thesis 2004 section 2.2.3).
 #include <gtest/gtest.h>
 
 #include "gps/Modes.h"

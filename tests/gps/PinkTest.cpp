@@ -166,8 +166,8 @@ TEST(PinkUpdate, MakesMTimesNPlusOneModesWithTheirWeights) {
   const double e = 4.0 / (215.0 * 215.0) + 1e-4 + sd2;
   const double s = std::exp(-0.5 * maths::square(maths::kPi / 2) / e);
   EXPECT_NEAR(state.modes[2].weight, 0.375 * s, 1e-12);
-  EXPECT_NEAR(state.modes[0].weight, 0.75 * params.modes.noiseWeight, 1e-12);
-  EXPECT_NEAR(state.modes[3].weight, 0.25 * params.modes.noiseWeight, 1e-12);
+  EXPECT_NEAR(state.modes[0].weight, 0.75 * params.modes.outlierWeight, 1e-12);
+  EXPECT_NEAR(state.modes[3].weight, 0.25 * params.modes.outlierWeight, 1e-12);
   // Its heading: h' = h - gain * innovation with innovation 0; the variance shrinks to
   // P - P H' H P / e with H = (0, 0, -1) and (1 / 315) across: only x and heading.
   const double ahead = 4.0 / (315.0 * 315.0) + 1e-4 + sd2;

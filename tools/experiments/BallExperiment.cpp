@@ -11,7 +11,7 @@
 namespace kelpie::experiments {
 namespace {
 
-constexpr double kSight = 0.5;     // s of sight until the end is foretold
+constexpr double kSight = 0.5;     // s of sight until the end is predicted
 constexpr double kSettled = 0.3;   // s until errors count
 constexpr double kNearest = 30.0;  // cm
 constexpr double kFarthest = 300.0;

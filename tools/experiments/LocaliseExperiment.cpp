@@ -102,7 +102,7 @@ class Watch {
     csv_ << frame.input.time.seconds() << ',' << frame.truth.position.x << ','
          << frame.truth.position.y << ',' << frame.truth.heading.deg() << ','
          << world.pose.position.x << ',' << world.pose.position.y << ',' << world.pose.heading.deg()
-         << ',' << world.positionSd << ',' << world.headingSd.deg() << ',' << error.surprise << ','
+         << ',' << world.positionSd << ',' << world.headingSd.deg() << ',' << error.nees << ','
          << world.secondsSinceLandmark << ',' << frame.output.percepts.landmarks.size() << ','
          << frame.output.percepts.linePoints.size() << '\n';
   }

@@ -85,7 +85,7 @@ PoseError poseError(const WorldModel& world, const Pose2& truth) {
   PoseError error;
   error.cm = away.norm();
   error.deg = turned.abs().deg();
-  error.surprise = e.dot(p.inverse() * e);
+  error.nees = e.dot(p.inverse() * e);
   return error;
 }
 
@@ -97,16 +97,16 @@ double mean(const std::vector<double>& values) {
 void ErrorTrack::add(const PoseError& error) {
   cm.push_back(error.cm);
   deg.push_back(error.deg);
-  surprise.push_back(error.surprise);
+  nees.push_back(error.nees);
 }
 
 void ErrorTrack::add(const Json& track) {
   append(track["cm"], cm);
   append(track["deg"], deg);
-  append(track["surprise"], surprise);
+  append(track["nees"], nees);
 }
 
-Json ErrorTrack::json() const { return {{"cm", cm}, {"deg", deg}, {"surprise", surprise}}; }
+Json ErrorTrack::json() const { return {{"cm", cm}, {"deg", deg}, {"nees", nees}}; }
 
 Json ErrorTrack::summary() const {
   return {{"mean_cm", mean(cm)},
@@ -115,8 +115,8 @@ Json ErrorTrack::summary() const {
           {"mean_deg", mean(deg)},
           {"p95_deg", percentile(deg, 0.95)},
           {"gross_rate", share(cm, kGross)},
-          {"understated_rate", share(surprise, kNinetyFive)},
-          {"nees", percentile(surprise, 0.5) / kMedian}};
+          {"understated_rate", share(nees, kNinetyFive)},
+          {"nees", percentile(nees, 0.5) / kMedian}};
 }
 
 }  // namespace kelpie::experiments

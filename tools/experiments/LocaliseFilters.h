@@ -55,7 +55,7 @@ bool isThere(const LandmarkPercept& percept, const TrueLandmark& truth);
 struct PoseError {
   double cm = 0.0;
   double deg = 0.0;
-  double surprise = 0.0;  // squared error over the claimed covariance (NEES); 3 on average if true
+  double nees = 0.0;  // squared error over the claimed covariance (NEES); 3 on average if true
 };
 PoseError poseError(const WorldModel& world, const Pose2& truth);
 
@@ -63,7 +63,7 @@ PoseError poseError(const WorldModel& world, const Pose2& truth);
 struct ErrorTrack {
   std::vector<double> cm;
   std::vector<double> deg;
-  std::vector<double> surprise;
+  std::vector<double> nees;
 
   void add(const PoseError& error);
   void add(const Json& track);

@@ -67,7 +67,7 @@ WorldModel stepOf(Way way, gps::SimulatedRobot& robot) {
   if (way == Way::samplingFloored) floor = {4.0, Angle::deg(2)};
   const auto seen = gps::seenLines(robot.percepts.linePoints, robot.params.line);
   if (!gps::updateBySampling(seen, floor, robot.params, robot.state)) return world;
-  gps::tidy(robot.params, robot.state);
+  gps::mergeAndPrune(robot.params, robot.state);
   return gps::extract(robot.state);
 }
 

@@ -48,7 +48,7 @@ void addFigures(const std::string& prefix, const Stands& stands, Json& json) {
   const Json all = stands.errors.summary();
   for (const char* key : {"mean_cm", "median_cm", "p95_cm", "mean_deg", "nees"})
     json[prefix + key] = all[key];
-  json[prefix + "nees_mean"] = mean(stands.errors.surprise);
+  json[prefix + "nees_mean"] = mean(stands.errors.nees);
   json[prefix + "within_10_cm_rate"] = stands.good / static_cast<double>(stands.errors.cm.size());
 }
 

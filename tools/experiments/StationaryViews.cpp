@@ -34,9 +34,8 @@ class Stand {
     theirs_ = poseError(without_->hear(frame), frame.truth);
   }
   Json json() const {
-    return {
-        {"cm", ours_.cm},         {"deg", ours_.deg},         {"surprise", ours_.surprise},
-        {"other_cm", theirs_.cm}, {"other_deg", theirs_.deg}, {"other_surprise", theirs_.surprise}};
+    return {{"cm", ours_.cm},         {"deg", ours_.deg},         {"nees", ours_.nees},
+            {"other_cm", theirs_.cm}, {"other_deg", theirs_.deg}, {"other_nees", theirs_.nees}};
   }
 
  private:
@@ -95,8 +94,8 @@ Expected<Json> stationaryViews(const ExperimentOptions& options) {
   ErrorTrack with, without;
   for (const Json& robot : *robots)
     for (const Json& stand : robot) {
-      with.add(PoseError{stand["cm"], stand["deg"], stand["surprise"]});
-      without.add(PoseError{stand["other_cm"], stand["other_deg"], stand["other_surprise"]});
+      with.add(PoseError{stand["cm"], stand["deg"], stand["nees"]});
+      without.add(PoseError{stand["other_cm"], stand["other_deg"], stand["other_nees"]});
     }
   Json json{{"experiment", "stationary-views"},
             {"trials", options.trials},
