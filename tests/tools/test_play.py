@@ -162,7 +162,8 @@ def test_goals_come_while_the_match_goes_on(tmp_path):
 def test_an_interrupted_compress_leaves_nothing(long_match, tmp_path):
     command = subprocess.Popen([BIN / "kelpie", "compress", long_match, "--out",
                                 tmp_path / "c.mcap"], stderr=subprocess.PIPE, text=True)
-    time.sleep(0.3)
+    while command.poll() is None and not (tmp_path / "c.mcap.part").exists():
+        time.sleep(0.01)
     command.send_signal(signal.SIGINT)
     _, errors = command.communicate(timeout=30)
     assert command.returncode == 2 and errors.count("interrupted") == 1
