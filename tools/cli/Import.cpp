@@ -26,22 +26,6 @@ struct ImportOptions {
   ConfigOptions config;
 };
 
-struct Recording {
-  std::vector<std::string> files;
-  std::vector<RecordedRow> rows;  // one a file
-};
-
-Expected<Recording> readRecording(const std::string& folder) {
-  const auto files = listFrames(folder + "/frames");
-  if (!files) return Error{files.error()};
-  const std::string table = folder + "/sensors.csv";
-  const auto rows = readSensorRows(table);
-  if (!rows) return Error{rows.error()};
-  if (rows->size() != files->size())
-    return Error{fmt::format("{}: {} rows for {} frames", table, rows->size(), files->size())};
-  return Recording{*files, *rows};
-}
-
 // A terminal is told how far it is: an image takes a few ms, but an hour of them has 108000.
 Status writeFrames(const Recording& recording, agent::FrameLoop& loop, LogWriter& log) {
   Progress progress("import", "frames");

@@ -248,6 +248,17 @@ Expected<std::vector<std::string>> listFrames(const std::string& folder) {
   return paths;
 }
 
+Expected<Recording> readRecording(const std::string& folder) {
+  const auto files = listFrames(folder + "/frames");
+  if (!files) return Error{files.error()};
+  const std::string table = folder + "/sensors.csv";
+  const auto rows = readSensorRows(table);
+  if (!rows) return Error{rows.error()};
+  if (rows->size() != files->size())
+    return Error{fmt::format("{}: {} rows for {} frames", table, rows->size(), files->size())};
+  return Recording{*files, *rows};
+}
+
 FrameInput frameInput(std::uint32_t frame, const RecordedRow& row, const RecordedRow* previous) {
   FrameInput input;
   input.frame = frame;

@@ -29,6 +29,14 @@ Expected<std::vector<RecordedRow>> readSensorRows(const std::string& path);
 // The frame files by number; an error when a number is missing or there twice, a name is no number,
 // or nothing is there.
 Expected<std::vector<std::string>> listFrames(const std::string& folder);
+
+struct Recording {
+  std::vector<std::string> files;
+  std::vector<RecordedRow> rows;  // one a file
+};
+// Both of a folder; an error as above, or when there are not as many rows as frames.
+Expected<Recording> readRecording(const std::string& folder);
+
 // Fills everything but the image; `previous` is null for the first row.
 FrameInput frameInput(std::uint32_t frame, const RecordedRow& row, const RecordedRow* previous);
 

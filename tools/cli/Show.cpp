@@ -76,20 +76,16 @@ Expected<Shot> fromLog(const ShowOptions& options) {
 }
 
 Expected<Shot> fromFolder(const ShowOptions& options) {
-  const auto files = listFrames(options.source + "/frames");
-  if (!files) return Error{files.error()};
-  const std::string table = options.source + "/sensors.csv";
-  const auto rows = readSensorRows(table);
-  if (!rows) return Error{rows.error()};
-  if (rows->size() != files->size())
-    return Error{fmt::format("{}: {} rows for {} frames", table, rows->size(), files->size())};
+  const auto recording = readRecording(options.source);
+  if (!recording) return Error{recording.error()};
+  const auto& rows = recording->rows;
   Shot shot;
-  shot.frames = static_cast<std::uint32_t>(files->size());
+  shot.frames = static_cast<std::uint32_t>(rows.size());
   const std::uint32_t n = options.frame;
   if (n >= shot.frames) return noSuchFrame(options, shot);
-  const auto image = calibrate::readImage((*files)[n]);
+  const auto image = calibrate::readImage(recording->files[n]);
   if (!image) return Error{image.error()};
-  *shot.input = frameInput(n, (*rows)[n], n > 0 ? &(*rows)[n - 1] : nullptr);
+  *shot.input = frameInput(n, rows[n], n > 0 ? &rows[n - 1] : nullptr);
   shot.input->image = *image;
   const auto config = makeConfig(options.config);
   if (!config) return Error{config.error()};
