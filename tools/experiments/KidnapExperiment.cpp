@@ -150,9 +150,7 @@ Pose2 anywhere(const body::FieldDescription& field, Random& random) {
 
 Expected<Json> oneMatch(const ExperimentOptions& options, int number) {
   const std::uint64_t seed = options.seed + static_cast<std::uint64_t>(number);
-  cli::ConfigOptions request;
-  request.params = options.params;
-  const auto config = cli::makeConfig(request);
+  const auto config = agentConfig(options);
   if (!config) return Error{config.error()};
   const std::string csv =
       options.pictures.empty() ? "" : options.pictures + "/kidnap-" + std::to_string(seed) + ".csv";

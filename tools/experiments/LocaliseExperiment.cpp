@@ -118,9 +118,7 @@ class Watch {
 
 Expected<Json> oneMatch(const ExperimentOptions& options, int number) {
   const std::uint64_t seed = options.seed + static_cast<std::uint64_t>(number);
-  cli::ConfigOptions request;
-  request.params = options.params;
-  const auto config = cli::makeConfig(request);
+  const auto config = agentConfig(options);
   if (!config) return Error{config.error()};
   LocaliseMatch match(*config, cli::defaultScripts(), seed);
   const std::string tables =

@@ -5,6 +5,7 @@
 
 #include "robot/body/Ers7.h"
 #include "robot/body/FieldDescription.h"
+#include "tools/cli/Config.h"
 
 namespace kelpie::experiments {
 namespace {
@@ -23,6 +24,12 @@ std::unique_ptr<sim::World> endlessMatch(const agent::AgentConfig& config, std::
 }
 
 }  // namespace
+
+Expected<agent::AgentConfig> agentConfig(const ExperimentOptions& options) {
+  cli::ConfigOptions request;
+  request.params = options.params;
+  return cli::makeConfig(request);
+}
 
 LocaliseMatch::LocaliseMatch(const agent::AgentConfig& config, const std::string& scripts,
                              std::uint64_t seed)

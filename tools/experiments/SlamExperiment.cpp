@@ -222,9 +222,7 @@ Status halfTime(const Setup& setup, LocaliseMatch& match, const LocaliseMatch::W
 
 Expected<Json> oneChallenge(const ExperimentOptions& options, int number) {
   const std::uint64_t seed = options.seed + static_cast<std::uint64_t>(number);
-  cli::ConfigOptions request;
-  request.params = options.params;
-  auto config = cli::makeConfig(request);
+  auto config = agentConfig(options);
   if (!config) return Error{config.error()};
   const Setup setup = setupOf(config->gps.field, seed);
   tell(setup, *config);

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "robot/core/Random.h"
-#include "tools/cli/Config.h"
 #include "tools/experiments/LocaliseApart.h"
 #include "tools/experiments/LocaliseFilters.h"
 #include "tools/experiments/StandingRobot.h"
@@ -54,9 +53,7 @@ Pose2 beside(const Pose2& pose, Random& random) {
 
 Expected<Json> oneRobot(const ExperimentOptions& options, int number) {
   const std::uint64_t seed = options.seed + static_cast<std::uint64_t>(number);
-  cli::ConfigOptions request;
-  request.params = options.params;
-  const auto config = cli::makeConfig(request);
+  const auto config = agentConfig(options);
   if (!config) return Error{config.error()};
   LocaliseMatch match(*config, KELPIE_SOURCE_DIR "/tools/experiments/standing", seed);
   Random random(seed ^ 0x57a2dULL);

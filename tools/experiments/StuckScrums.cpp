@@ -174,9 +174,7 @@ Status playScrum(const Scrum& scrum, Watch& watch, LocaliseMatch& match) {
 
 Expected<Json> oneMatch(const ExperimentOptions& options, int number) {
   const std::uint64_t seed = options.seed + static_cast<std::uint64_t>(number);
-  cli::ConfigOptions request;
-  request.params = options.params;
-  const auto config = cli::makeConfig(request);
+  const auto config = agentConfig(options);
   if (!config) return Error{config.error()};
   Watch watch(config->gps);
   LocaliseMatch match(*config, cli::defaultScripts(), seed);
