@@ -12,8 +12,8 @@
 namespace kelpie::behaviour {
 namespace {
 
-constexpr std::size_t kMostReports = 64;  // different errors remembered as already reported
-constexpr double kLoadLimit = 3.0;        // CPU seconds; loading compiles every file
+constexpr std::size_t kMaxReports = 64;  // different errors remembered as already reported
+constexpr double kLoadLimit = 3.0;       // CPU seconds; loading compiles every file
 
 std::string absolute(const std::string& path) {
   std::error_code error;
@@ -192,7 +192,7 @@ void PythonHost::report(const std::string& line, const std::string& all) {
   lastError_ = line;
   const std::size_t place = line.find(": ");
   const std::size_t kind = place == std::string::npos ? place : line.find(": ", place + 2);
-  if (reported_.size() >= kMostReports || !reported_.insert(line.substr(0, kind)).second) return;
+  if (reported_.size() >= kMaxReports || !reported_.insert(line.substr(0, kind)).second) return;
   std::fprintf(stderr, "behaviour: %s\n", all.c_str());
 }
 

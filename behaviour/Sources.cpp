@@ -17,7 +17,7 @@ std::uint64_t mixed(std::uint64_t hash, std::string_view bytes) {
   return hash;
 }
 
-constexpr std::size_t kMostListed = 3;
+constexpr std::size_t kMaxListed = 3;
 
 std::uint64_t fileStamp(const fs::path& path) {
   std::error_code error;
@@ -64,10 +64,10 @@ SourceChanges changesBetween(const SourceStamps& before, const SourceStamps& now
 
 std::string listed(const std::vector<std::string>& files) {
   std::string text;
-  for (std::size_t i = 0; i < files.size() && i < kMostListed; ++i)
+  for (std::size_t i = 0; i < files.size() && i < kMaxListed; ++i)
     text += (i > 0 ? ", " : "") + files[i];
-  if (files.size() > kMostListed)
-    text += " and " + std::to_string(files.size() - kMostListed) + " more";
+  if (files.size() > kMaxListed)
+    text += " and " + std::to_string(files.size() - kMaxListed) + " more";
   return text;
 }
 

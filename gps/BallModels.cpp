@@ -8,7 +8,7 @@
 namespace kelpie::gps {
 namespace {
 
-constexpr double kLeastWeight = 1e-6;      // neither model dies for ever
+constexpr double kMinWeight = 1e-6;        // neither model dies for ever
 constexpr double kMinGatingWeight = 1e-3;  // least weight of a model that may pass the gate
 constexpr double kJumpWeight = 0.9;        // of rolling, after a jump
 
@@ -84,8 +84,8 @@ void changeModels(double elapsed, const BallParams& params, BallTrack& ball) {
 }
 
 void normalise(BallTrack& ball) {
-  ball.still.weight = std::max(ball.still.weight, kLeastWeight);
-  ball.rolling.weight = std::max(ball.rolling.weight, kLeastWeight);
+  ball.still.weight = std::max(ball.still.weight, kMinWeight);
+  ball.rolling.weight = std::max(ball.rolling.weight, kMinWeight);
   const double sum = ball.still.weight + ball.rolling.weight;
   ball.still.weight /= sum;
   ball.rolling.weight /= sum;

@@ -104,7 +104,7 @@ bool conclude(const GpsParams& params, GpsState& state) {
   FixedVector<FoundPose, kFoundPoses> refined = state.search.best;
   state.search.best.clear();
   for (const FoundPose& found : refined) keep(found, params, state.search);
-  if (state.search.best.empty() || state.search.best[0].match < params.search.leastMatch)
+  if (state.search.best.empty() || state.search.best[0].match < params.search.minMatch)
     return false;
   const SeenLines seen = seenLines(state.map, params.lineMap.matched, params.lineMap);
   LineParams only = params.line;
@@ -128,7 +128,7 @@ bool isWanted(const FrameInput& input, const GpsParams& params, const GpsState& 
   if (!params.search.use || !params.lineMap.use || !standing(input)) return false;
   const std::size_t points = countOf(state.map, LinePointKind::line);
   const bool patient = state.map.age < params.search.patience;
-  if (points < (patient ? params.search.leastPoints : kFewest)) return false;
+  if (points < (patient ? params.search.minPoints : kFewest)) return false;
   return state.lost || (input.lastCommand.localise && !state.search.served);
 }
 

@@ -72,7 +72,7 @@ bool askLines(const SeenLines& seen, double headSpeed, const GpsParams& params, 
   bool any = false;
   for (std::uint32_t asked = 0; asked < params.line.maxModes; ++asked) {
     Candidate* one = heaviest(all);
-    if (one == nullptr || one->byLandmarks.weight < params.line.leastWeight * first) break;
+    if (one == nullptr || one->byLandmarks.weight < params.line.minWeight * first) break;
     first = std::max(first, one->byLandmarks.weight);
     one->asked = true;
     one->lines = observationAt(one->byLandmarks, seen, headSpeed, params, state);

@@ -59,11 +59,11 @@ struct SearchParams {
   std::uint32_t rows = 3;          // along its own half; the other looks the same
   std::uint32_t turns = 12;        // headings at each place
   std::uint32_t startsAFrame = 2;  // 150 k instructions of a PC
-  std::uint32_t leastPoints = 64;  // of lines in the map: what a pan shows
+  std::uint32_t minPoints = 64;    // of lines in the map: what a pan shows
   double patience = 5.0;           // s of standing after which fewer will do
   std::uint32_t points = 32;       // matched from each start
   double coarseShare = 0.0625;     // of LineParams::sharpness, for the steps from a start
-  double leastMatch = 0.6;
+  double minMatch = 0.6;
   double apart = 15.0;  // cm, and degrees: nearer poses are the same
 
   static constexpr auto fields() {
@@ -72,10 +72,10 @@ struct SearchParams {
         field("use", &P::use), field("columns", &P::columns, "", 1, 40),
         field("rows", &P::rows, "", 1, 40), field("turns", &P::turns, "", 1, 72),
         field("startsAFrame", &P::startsAFrame, "", 1, 1000),
-        field("leastPoints", &P::leastPoints, "", 8, 128),
+        field("minPoints", &P::minPoints, "", 8, 128),
         field("patience", &P::patience, "s", 0, 1000), field("points", &P::points, "", 8, 128),
         field("coarseShare", &P::coarseShare, "", 0.001, 1),
-        field("leastMatch", &P::leastMatch, "", 0, 1), field("apart", &P::apart, "cm", 0.1, 100));
+        field("minMatch", &P::minMatch, "", 0, 1), field("apart", &P::apart, "cm", 0.1, 100));
   }
 };
 

@@ -34,7 +34,7 @@ struct LineParams {
   double offField = 0.02;       // 1/cm2, of equation 3.21
   double outlierWeight = 0.05;  // of the copy that the lines do not correct
   double refusedWeight = 0.5;   // of a mode whose lines do not match anything
-  double leastWeight = 0.02;    // of the heaviest; lighter modes are not fitted
+  double minWeight = 0.02;      // of the heaviest; lighter modes are not fitted
   std::uint32_t maxModes = 3;   // so many are fitted
   double maxSd = 60.0;          // cm; wider modes say nothing about which line is seen
   Angle maxHeadingSd = Angle::deg(30);
@@ -59,7 +59,7 @@ struct LineParams {
         field("offField", &P::offField, "1/cm2", 0, 1),
         field("outlierWeight", &P::outlierWeight, "", 0, 1),
         field("refusedWeight", &P::refusedWeight, "", 0, 1),
-        field("leastWeight", &P::leastWeight, "", 0, 1), field("maxModes", &P::maxModes, "", 1, 8),
+        field("minWeight", &P::minWeight, "", 0, 1), field("maxModes", &P::maxModes, "", 1, 8),
         field("maxSd", &P::maxSd, "cm", 1, 1000),
         field("maxHeadingSd", &P::maxHeadingSd, "rad", 1, 180));
   }

@@ -86,7 +86,7 @@ bool updateByLines(const SeenLines& seen, double headSpeed, const GpsParams& par
   FixedVector<std::optional<PoseObservation>, kWorkModes> found;
   bool any = false;
   for (std::size_t i = 0; i < std::min<std::size_t>(before, p.maxModes); ++i) {
-    const bool light = modes[i].weight < p.leastWeight * modes[0].weight;
+    const bool light = modes[i].weight < p.minWeight * modes[0].weight;
     found.push_back(light ? std::nullopt : observationAt(modes[i], seen, headSpeed, params, state));
     any = any || found.back().has_value();
   }

@@ -10,9 +10,9 @@
 namespace kelpie::gps {
 namespace {
 
-constexpr double kFlat = 1e-9;         // less bend than that is none
-constexpr double kSmallest = 1e-3;     // cm, rad: what can be inverted
-constexpr std::size_t kMostPeaks = 4;  // of one mode
+constexpr double kFlat = 1e-9;        // less bend than that is none
+constexpr double kSmallest = 1e-3;    // cm, rad: what can be inverted
+constexpr std::size_t kMaxPeaks = 4;  // of one mode
 
 struct Samples {
   std::array<double, 27> values{};
@@ -96,7 +96,7 @@ void updateOne(const PoseMode& mode, const SeenLines& seen, const SamplingFloor&
   for (int i = -1; i <= 1; ++i)
     for (int j = -1; j <= 1; ++j)
       for (int k = -1; k <= 1; ++k) {
-        if (peaks >= kMostPeaks || !isPeak(samples, {i, j, k})) continue;
+        if (peaks >= kMaxPeaks || !isPeak(samples, {i, j, k})) continue;
         PoseMode corrected = mode;
         correct(corrected, observationOf(samples, {i, j, k}, mode, floor));
         corrected.weight *= samples.at(i, j, k);

@@ -13,7 +13,7 @@ namespace kelpie::gps {
 namespace {
 
 // Where the ball will lie: each model's end, weighed.
-Point2<Robot> restOf(const BallTrack& ball, const BallParams& params) {
+Point2<Robot> stoppingPointOf(const BallTrack& ball, const BallParams& params) {
   const std::array<double, 4>& rolling = ball.rolling.mean;
   const double speed = maths::hypot(rolling[2], rolling[3]);
   const double way = speed > 0.0 ? rollingDistance(speed, params) / speed : 0.0;
@@ -27,7 +27,7 @@ void putBallOnField(const GpsParams& params, const GpsState& state, BallEstimate
   const PoseMode& pose = state.modes[0];
   const Place place = placeOnField(pose, ball.relative, matrixOf(ball.covariance));
   ball.fieldCovariance = rowsOf(place.covariance);
-  ball.rest = fieldFromRobot(pose.pose, restOf(state.ball, params.ball));
+  ball.stoppingPoint = fieldFromRobot(pose.pose, stoppingPointOf(state.ball, params.ball));
 }
 
 using Heard = FixedVector<TeamMessage, kTeammates>;

@@ -32,7 +32,7 @@ Point2<Field> middlePoint(const SeenLines& seen, const Pose2& pose);
 bool isInWindow(const PaintedFeature& feature, Point2<Field> point, const SymmetryParams& params);
 
 // Poses that may look like the fitted one, with its information turned; the twin first. Each is
-// worth its own match (equation 3.20), those below `leastMatch` are left out; best first.
+// worth its own match (equation 3.20), those below `minMatch` are left out; best first.
 struct AlikePose {
   Pose2 pose;
   double match = 0.0;

@@ -11,11 +11,11 @@
 namespace kelpie::gps {
 namespace {
 
-constexpr double kLeastVariance = 0.01;       // cm2
-constexpr double kMostVariance = 1e6;         // cm2
+constexpr double kMinVariance = 0.01;         // cm2
+constexpr double kMaxVariance = 1e6;          // cm2
 constexpr double kMaxHeadingVariance = 40.0;  // rad2
 constexpr double kMaxSpeed = 500.0;           // cm/s, of a ball
-constexpr double kMostCount = 1e4;            // of an obstacle's points
+constexpr double kMaxCount = 1e4;             // of an obstacle's points
 
 // False for what is not a number, too.
 bool near(Point2<Field> p, const GpsParams& params) {
@@ -29,7 +29,7 @@ bool soundPose(const TeamMessage& m, const GpsParams& params) {
                                     m.covariance[4]};
   const double heading = m.covariance[8];
   return near(m.pose.position, params) && std::isfinite(m.pose.heading.rad()) &&
-         soundCovariance(block, kLeastVariance, kMostVariance) && heading >= 0.0 &&
+         soundCovariance(block, kMinVariance, kMaxVariance) && heading >= 0.0 &&
          heading < kMaxHeadingVariance;
 }
 
@@ -38,7 +38,7 @@ bool soundBall(const SharedBall& b, const GpsParams& params) {
   return near(b.position, params) && std::fabs(b.velocity.x) < kMaxSpeed &&
          std::fabs(b.velocity.y) < kMaxSpeed && b.secondsSinceSeen >= 0.0 &&
          std::isfinite(b.secondsSinceSeen) &&
-         soundCovariance(b.covariance, kLeastVariance, kMostVariance);
+         soundCovariance(b.covariance, kMinVariance, kMaxVariance);
 }
 
 // Numbers go round; a mate silent for long may have begun anew.
@@ -64,11 +64,11 @@ bool believable(const TeamMessage& message, const GpsParams& params) {
   return std::all_of(message.opponents.begin(), message.opponents.end(),
                      [&](const SharedOpponent& o) {
                        return near(o.position, params) &&
-                              soundCovariance(o.covariance, kLeastVariance, kMostVariance);
+                              soundCovariance(o.covariance, kMinVariance, kMaxVariance);
                      }) &&
          std::all_of(message.obstacles.begin(), message.obstacles.end(),
                      [&](const ObstacleCell& o) {
-                       return near(o.position, params) && o.count >= 0.0 && o.count < kMostCount;
+                       return near(o.position, params) && o.count >= 0.0 && o.count < kMaxCount;
                      });
 }
 

@@ -126,8 +126,8 @@ struct Range {
 // By size, and by the ground below when the ray descends; weighted by their variances.
 Range fusedRange(const Scene& scene, const BallCandidate& c, const BallParams& p) {
   Range range{c.range, maths::square(c.range * p.edgeSd / c.cone.radius)};
-  constexpr double kLeastDescent = 0.02;
-  if (c.axis.z > -kLeastDescent) return range;
+  constexpr double kMinDescent = 0.02;
+  if (c.axis.z > -kMinDescent) return range;
   const double ground = groundRange(scene, c);
   const double sd = ground * p.directionSd.rad() / -c.axis.z;
   const double weight = range.variance / (range.variance + sd * sd);
@@ -210,7 +210,7 @@ bool ballHasEdges(const BallCandidate& c, const BallParams& p) {
 
 bool ballIsRound(const BallCandidate& c, const BallParams& p) {
   return c.cone.radius <= kLargestRadius &&
-         c.cone.rms <= std::max(p.maxCircleError * c.cone.radius, p.leastCircleError);
+         c.cone.rms <= std::max(p.maxCircleError * c.cone.radius, p.minCircleError);
 }
 
 bool ballIsOrange(const Scene& scene, const BallCandidate& c, const BallParams& p) {

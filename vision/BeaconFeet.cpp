@@ -7,9 +7,9 @@
 namespace kelpie::vision {
 namespace {
 
-constexpr double kNear = 3.0;        // px between samples of one foot, in u
-constexpr double kNearRows = 6.0;    // in v
-constexpr double kMostAside = 60.0;  // px from the horizon: 20 cm of height at 50 cm and an error
+constexpr double kNear = 3.0;       // px between samples of one foot, in u
+constexpr double kNearRows = 6.0;   // in v
+constexpr double kMaxAside = 60.0;  // px from the horizon: 20 cm of height at 50 cm and an error
 
 bool isWhite(ColourClass c) { return c == ColourClass::white || c == ColourClass::grey; }
 
@@ -48,7 +48,7 @@ BeaconFeet findBeaconFeet(const Scene& scene) {
       continue;
     const double v = scene.lattice.v(run.row);
     const double middle = scene.lattice.u(0.5 * (run.first + run.last));
-    if (std::fabs(belowHorizon(scene, scene.level.toImage({middle, v}))) > kMostAside) continue;
+    if (std::fabs(belowHorizon(scene, scene.level.toImage({middle, v}))) > kMaxAside) continue;
     for (int k = run.first; k <= run.last; ++k) {
       const double u = scene.lattice.u(k);
       if (standsOnWhite(scene, u, v)) addSample(feet, run.colour, u, v);

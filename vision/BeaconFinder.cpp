@@ -17,7 +17,7 @@ constexpr double kBandHeight = 10.0;  // cm; four bands, the upper two coloured 
 constexpr double kBeaconRadius = 5.0;
 constexpr double kTopHeight = 40.0;
 constexpr std::size_t kMaxCandidates = 12;
-constexpr int kLeastWhite = 4;  // half pixels of the white part that must show
+constexpr int kMinWhite = 4;  // half pixels of the white part that must show
 
 PixelPoint moved(PixelPoint p, ImageUp up, double length) {
   return {p.x + length * up.dx, p.y + length * up.dy};
@@ -362,7 +362,7 @@ bool beaconReachesHorizon(const Scene& scene, const BeaconCandidate& c, const Be
 bool beaconHasWhiteBelow(const Scene& scene, const BeaconCandidate& c, const BeaconParams& p) {
   const White white = whiteBelow(scene, c);
   if (c.sure) return c.bottomCut || white.share() >= p.minWhiteShare;
-  return white.probes >= kLeastWhite && white.share() >= p.minUnsureWhiteShare;
+  return white.probes >= kMinWhite && white.share() >= p.minUnsureWhiteShare;
 }
 
 // Beacons stand at the carpet's edge.

@@ -9,7 +9,7 @@ namespace {
 constexpr int kStep = 2;         // px between the lattice samples of a scan line
 constexpr int kWidestLine = 24;  // px, of a white line before the robot's feet
 constexpr int kClear = 3;        // px above the carpet where no pixel is a mixture any more
-constexpr int kLeastWindow = 4;  // px that must be left of the window at the image's end
+constexpr int kMinWindow = 4;    // px that must be left of the window at the image's end
 
 bool isGreen(const Sampler& sampler, const ScanLine& line, int step) {
   return latticeClass(sampler, line, step) == ColourClass::green;
@@ -20,7 +20,7 @@ bool isGreen(const Sampler& sampler, const ScanLine& line, int step) {
 bool carpetBegins(const Sampler& sampler, const ScanLine& line, int step,
                   const FieldEdgeParams& params) {
   const int window = std::min(static_cast<int>(params.window), line.steps - step);
-  if (window < kLeastWindow) return false;
+  if (window < kMinWindow) return false;
   int missing = static_cast<int>((1.0 - params.minGreen) * window / kStep);
   for (int i = 0; i < window; i += kStep) {
     if (!isGreen(sampler, line, step + i) && --missing < 0) return false;

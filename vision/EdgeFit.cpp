@@ -77,7 +77,7 @@ void sortForDrawing(const EdgeEvidence& evidence, Pool& pool) {
 }
 
 constexpr std::uint32_t kFirstPool = 6;  // features to draw from in the first round; 3 more in each
-constexpr int kLeastGap = 4;             // scan lines between two points, if it can be had
+constexpr int kMinGap = 4;               // scan lines between two points, if it can be had
 
 struct Pair {
   std::uint8_t a = 0;
@@ -91,7 +91,7 @@ Pair drawn(Search& search, const Pool& pool, int round) {
   pair.a = pool.number[search.random.index(reach)];
   for (int again = 0; again < 5; ++again) {
     pair.b = pool.number[search.random.index(reach)];
-    if (std::abs(pair.a - pair.b) >= kLeastGap) break;
+    if (std::abs(pair.a - pair.b) >= kMinGap) break;
   }
   return pair;
 }
@@ -125,9 +125,9 @@ Outline withOneMore(Search& search, const Outline& known, Pool pool, double leas
   return best;
 }
 
-constexpr double kBendHint = 0.5;     // of the ratio, before outliers nearby are sorted out
-constexpr double kBendBand = 2.0;     // tolerances to both sides in which a bend is looked for
-constexpr std::size_t kLeastArm = 3;  // features on each arm
+constexpr double kBendHint = 0.5;   // of the ratio, before outliers nearby are sorted out
+constexpr double kBendBand = 2.0;   // tolerances to both sides in which a bend is looked for
+constexpr std::size_t kMinArm = 3;  // features on each arm
 
 using Numbers = FixedVector<std::uint8_t, kMaxScanLines>;
 
@@ -147,10 +147,10 @@ Bend bestBend(const EdgeFeatures& features, const Numbers& near) {
   }
   EdgeMoments right;
   Bend best{0, 1e12, before[near.size() - 1]};
-  for (std::size_t k = near.size() - 1; k >= kLeastArm; --k) {
+  for (std::size_t k = near.size() - 1; k >= kMinArm; --k) {
     right.add(features[near[k]].at, features[near[k]].weight);
     const double squares = before[k - 1] + right.leastSquares();
-    if (near.size() - k < kLeastArm || squares >= best.squares) continue;
+    if (near.size() - k < kMinArm || squares >= best.squares) continue;
     best.at = k;
     best.squares = squares;
   }
@@ -168,10 +168,10 @@ Outline bent(const EdgeEvidence& evidence, const EdgeLines& known, std::size_t w
         std::fabs(place.beyond) <= kBendBand * evidence.params.tolerance)
       near.push_back(static_cast<std::uint8_t>(i));
   }
-  if (near.size() < 2 * kLeastArm) return outline;
+  if (near.size() < 2 * kMinArm) return outline;
   const Bend bend = bestBend(evidence.features, near);
   // A straight line, as most are: not worth a refit.
-  const double noise = std::fmax(bend.squares, kLeastNoise * static_cast<double>(near.size()));
+  const double noise = std::fmax(bend.squares, kMinNoise * static_cast<double>(near.size()));
   if ((bend.straight - bend.squares) * static_cast<double>(near.size()) <
       kBendHint * evidence.params.minBendRatio * noise)
     return outline;
@@ -203,13 +203,13 @@ bool squareToNeighbours(const EdgeEvidence& evidence, const EdgeLines& lines) {
   return true;
 }
 
-constexpr std::size_t kLeastClear = 2;  // features on an edge that are at no goal
+constexpr std::size_t kMinClear = 2;  // features on an edge that are at no goal
 
 // Enough features on every edge. A goal alone shows none: its side walls have feet like edges, and
 // its inside has a corner.
 bool supported(const EdgeLines& lines, double least) {
   return std::all_of(lines.begin(), lines.end(), [&](const EdgeLine& line) {
-    return static_cast<double>(line.support) >= least && line.atGoal + kLeastClear <= line.support;
+    return static_cast<double>(line.support) >= least && line.atGoal + kMinClear <= line.support;
   });
 }
 

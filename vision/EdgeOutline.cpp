@@ -73,7 +73,7 @@ double noiseOf(const EdgeLines& lines) {
     squares += static_cast<double>(line.support) * line.rms * line.rms;
     count += static_cast<double>(line.support);
   }
-  return count > 0.0 ? std::fmax(squares / count, kLeastNoise) : kLeastNoise;
+  return count > 0.0 ? std::fmax(squares / count, kMinNoise) : kMinNoise;
 }
 
 }  // namespace kelpie::vision

@@ -52,7 +52,7 @@ void measure(const EdgeEvidence& evidence, EdgeLines& lines);
 // Features beyond the outline: carpet that it would deny.
 double denied(const EdgeEvidence& evidence, const EdgeLines& lines);
 
-constexpr double kLeastNoise = 0.09;  // px^2: features lie on whole pixels
+constexpr double kMinNoise = 0.09;  // px^2: features lie on whole pixels
 // px^2, mean over the features on the measured edges.
 double noiseOf(const EdgeLines& lines);
 

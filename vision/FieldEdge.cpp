@@ -7,8 +7,8 @@
 namespace kelpie::vision {
 namespace {
 
-constexpr double kFarRow = 1e4;      // px; as the horizon's rows
-constexpr double kLeastTilt = 0.02;  // a steeper line would reach the far row inside the image
+constexpr double kFarRow = 1e4;    // px; as the horizon's rows
+constexpr double kMinTilt = 0.02;  // a steeper line would reach the far row inside the image
 
 double rowAt(const EdgeLine& line, double x) {
   return maths::clamp((line.offset - line.nx * x) / line.ny, -kFarRow, kFarRow);
@@ -26,7 +26,7 @@ FieldEdges findFieldEdges(const Sampler& sampler, const CameraPose& camera, cons
 FieldEdges edgeRows(const EdgeLines& lines) {
   FieldEdges edges;
   for (const EdgeLine& line : lines) {
-    if (line.ny > -kLeastTilt) continue;
+    if (line.ny > -kMinTilt) continue;
     edges.push_back(
         {rowAt(line, 0.0), rowAt(line, kImageWidth), static_cast<double>(line.support), line.rms});
   }

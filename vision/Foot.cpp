@@ -17,7 +17,7 @@ constexpr int kOthers = 2;  // in a row that are another thing
 // believed of one side alone, where another thing may stand.
 constexpr double kFarthest = 16.0;
 constexpr double kEnough = 6.0;
-constexpr double kMostOneSided = 3.0;
+constexpr double kMaxOneSided = 3.0;
 constexpr double kFarShare = 1.6;  // of the second place beside a foot over the first
 constexpr int kWidestLine = 4;     // px of white that the carpet goes on behind
 
@@ -114,7 +114,7 @@ double carpetBehind(const Scene& scene, ImageUp up, PixelPoint foot, double besi
   const double lean = 1.0 / (kFarShare - 1.0);
   if (right && farRight) best = std::max(best, *right - lean * (*farRight - *right));
   if (left && farLeft) best = std::max(best, *left - lean * (*farLeft - *left));
-  return std::min(best, kMostOneSided);
+  return std::min(best, kMaxOneSided);
 }
 
 std::optional<double> groundDistance(const CameraPose& camera, PixelPoint pixel) {

@@ -14,11 +14,11 @@ namespace {
 
 constexpr double kGoalHeight = 30.0;
 constexpr int kHoles = 2;
-constexpr double kLeastSpacing = 2.0;  // px between columns
-constexpr double kTooTall = 1.4;       // of the goal's height
-constexpr double kAgree = 0.2;         // share by which columns' distances may differ
-constexpr double kFootSd = 0.012;      // rad, between a column's foot and the ground
-constexpr double kFootRows = 2.5;      // px by which the feet of a goal's columns differ
+constexpr double kMinSpacing = 2.0;  // px between columns
+constexpr double kTooTall = 1.4;     // of the goal's height
+constexpr double kAgree = 0.2;       // share by which columns' distances may differ
+constexpr double kFootSd = 0.012;    // rad, between a column's foot and the ground
+constexpr double kFootRows = 2.5;    // px by which the feet of a goal's columns differ
 
 // The lowest pixel of the candidate's colour in a level column, two lattice steps of it in a row.
 std::optional<PixelPoint> lowestIn(const Scene& scene, const GoalCandidate& c, double u) {
@@ -37,8 +37,8 @@ std::optional<PixelPoint> lowestIn(const Scene& scene, const GoalCandidate& c, d
 bool isTooTall(const Scene& scene, const EdgeHit& top, double low) {
   const CameraPose& camera = scene.body.camera;
   const double high = sightOf(camera, top.point).slope;
-  constexpr double kLeastSlope = 0.01;  // a foot at the horizon: nothing of 30 cm fills the view
-  const double d = camera.position.z / std::max(-low, kLeastSlope);
+  constexpr double kMinSlope = 0.01;  // a foot at the horizon: nothing of 30 cm fills the view
+  const double d = camera.position.z / std::max(-low, kMinSlope);
   const double allowed = top.cut ? kTooTall : 2.0 * kTooTall;
   return (high - low) * d > allowed * kGoalHeight;
 }
@@ -268,7 +268,7 @@ GoalEnd endOf(const Scene& scene, const GoalCandidate& c, bool left, double spac
 }  // namespace
 
 void measureGoal(const Scene& scene, const GoalParams& params, GoalCandidate& c) {
-  const double spacing = std::max(kLeastSpacing, c.box.width() / static_cast<double>(kGoalColumns));
+  const double spacing = std::max(kMinSpacing, c.box.width() / static_cast<double>(kGoalColumns));
   c.columns.clear();
   for (double u = c.box.left + 0.5 * spacing; u < c.box.right; u += spacing) {
     const auto column = columnAt(scene, params, c, u);

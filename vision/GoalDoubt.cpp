@@ -67,7 +67,7 @@ constexpr std::array<Curve<GoalFacts>, 21> kCurves = {{
 GoalFacts goalFacts(const Scene& scene, const GoalCandidate& c, const GoalShape& shape,
                     const Landmarks& beacons, const GoalParams& p) {
   constexpr double kFarFoot = 20.0;  // px; without an edge in view as well
-  constexpr double kMostMisfit = 50.0;
+  constexpr double kMaxMisfit = 50.0;
   GoalFacts facts;
   const ColumnCounts columns = countColumns(c);
   const GoalFeet feet = feetOf(scene, c);
@@ -77,7 +77,7 @@ GoalFacts goalFacts(const Scene& scene, const GoalCandidate& c, const GoalShape&
   facts.meanFoot = maths::clamp(feet.sum / std::max(facts.chosen, 1.0), -kFarFoot, kFarFoot);
   facts.wall = c.wall;
   facts.seen = seenWidth(scene, c, p);
-  facts.misfit = std::min(shape.cost / std::max(facts.measured, 1.0), kMostMisfit);
+  facts.misfit = std::min(shape.cost / std::max(facts.measured, 1.0), kMaxMisfit);
   facts.footError = std::fabs(Angle::rad(c.footError).deg());
   facts.coloured =
       c.samples * maths::square(kLatticeStep) / std::max(1.0, c.box.width() * c.box.height());

@@ -16,8 +16,8 @@
 namespace kelpie::vision {
 namespace {
 
-constexpr double kBeaconAspect = 1.3;    // a beacon's band is no wider for its height
-constexpr std::uint32_t kLeastPart = 6;  // samples of a blob worth joining
+constexpr double kBeaconAspect = 1.3;  // a beacon's band is no wider for its height
+constexpr std::uint32_t kMinPart = 6;  // samples of a blob worth joining
 
 bool contains(const PixelBox& box, PixelPoint p, double margin) {
   return p.x >= box.left - margin && p.x <= box.right + margin && p.y >= box.top - margin &&
@@ -86,7 +86,7 @@ GoalCandidate alone(const Blob& seed) {
 GoalCandidate grouped(const Scene& scene, const Blob& seed, const Landmarks& beacons) {
   GoalCandidate c = alone(seed);
   for (const Blob& blob : scene.blobs) {
-    if (&blob == &seed || blob.colour != c.colour || blob.samples < kLeastPart) continue;
+    if (&blob == &seed || blob.colour != c.colour || blob.samples < kMinPart) continue;
     if (isBeaconBand(blob, beacons) || !belongs(c.box, blob.box)) continue;
     c.box = hull(c.box, blob.box);
     c.samples += blob.samples;

@@ -12,9 +12,9 @@ namespace {
 constexpr double kGoalHeight = 30.0;
 constexpr int kHeights = 7;          // places looked at between foot and top
 constexpr double kFreeShare = 0.85;  // of these must show the goal's colour
-constexpr int kLeastPlaces = 3;      // of these must be in the image
-constexpr int kMostSteps = 260;      // the image's width and a quarter
-constexpr double kLeastGap = 2.5;    // px
+constexpr int kMinPlaces = 3;        // of these must be in the image
+constexpr int kMaxSteps = 260;       // the image's width and a quarter
+constexpr double kMinGap = 2.5;      // px
 
 using Vec = Point2<Robot>;
 
@@ -63,7 +63,7 @@ Look lookAlong(const Scene& scene, ColourClass colour, Vec wall, double shift) {
     ++places;
     open += seen == colour || seen == ColourClass::orange ? 1 : 0;
   }
-  if (places < kLeastPlaces) return Look::outside;
+  if (places < kMinPlaces) return Look::outside;
   return open >= kFreeShare * places ? Look::free : Look::blocked;
 }
 
@@ -90,7 +90,7 @@ Mouth mouthOf(const GoalShape& shape, const GoalParams& params) {
   Mouth m{shape.leftPost(params), shape.rightPost(params)};
   m.from = directionOf(m.left);
   const double width = Angle::rad(directionOf(m.right) - m.from).rad();
-  m.steps = static_cast<int>(maths::clamp(width * body::kFocalLength, 0.0, kMostSteps * 1.0));
+  m.steps = static_cast<int>(maths::clamp(width * body::kFocalLength, 0.0, kMaxSteps * 1.0));
   m.step = m.steps > 0 ? width / m.steps : 0.0;
   return m;
 }
@@ -143,7 +143,7 @@ void findGaps(const Scene& scene, const GoalCandidate& c, const GoalShape& shape
       first = i;
       leftCut = before == Look::outside;
     } else if (look != Look::free && first >= 0) {
-      if (i - first >= kLeastGap) {
+      if (i - first >= kMinGap) {
         GoalGap gap = gapOf(scene, c, m, first, i - 1);
         gap.leftCut = leftCut;
         gap.rightCut = look == Look::outside;

@@ -10,11 +10,11 @@
 namespace kelpie::vision {
 namespace {
 
-constexpr std::size_t kMostColumns = 12;  // used in the fit
-constexpr double kEndSd = 0.006;          // rad, direction of an end that is seen
-constexpr double kLeastColumnSd = 0.012;  // of a column's distance, as a share of it
-constexpr double kTurnSd = 0.7;           // rad; goals are seen from within the field
-constexpr double kMostError = 3.0;        // standard deviations, beyond which an error counts less
+constexpr std::size_t kMaxColumns = 12;  // used in the fit
+constexpr double kEndSd = 0.006;         // rad, direction of an end that is seen
+constexpr double kMinColumnSd = 0.012;   // of a column's distance, as a share of it
+constexpr double kTurnSd = 0.7;          // rad; goals are seen from within the field
+constexpr double kMaxError = 3.0;        // standard deviations, beyond which an error counts less
 constexpr int kRounds = 8;
 constexpr double kNone = 1e9;  // cm, of a ray that meets no wall
 
@@ -30,7 +30,7 @@ struct Column {
   double sd;
 };
 struct Measured {
-  FixedVector<Column, kMostColumns> columns;
+  FixedVector<Column, kMaxColumns> columns;
   double left = 0.0;  // rad, direction of the ends, right positive
   double right = 0.0;
   bool leftOpen = false;  // the true end may lie farther out
@@ -57,8 +57,8 @@ Measured measuredOf(const Scene& scene, const GoalCandidate& c) {
   for (const GoalColumn& column : c.columns) {
     if (!column.chosen || !(column.distance > 0.0)) continue;
     // Evenly thinned to what the fit takes.
-    const std::size_t before = index * kMostColumns / usable;
-    const bool take = usable <= kMostColumns || (index + 1) * kMostColumns / usable != before;
+    const std::size_t before = index * kMaxColumns / usable;
+    const bool take = usable <= kMaxColumns || (index + 1) * kMaxColumns / usable != before;
     ++index;
     if (!take) continue;
     const Sight s = sightOf(scene.body.camera, column.foot);
@@ -106,14 +106,14 @@ double nearestWall(Vec ray, const Corners& c) {
                    hit(ray, c.rightBack, c.rightPost)});
 }
 
-constexpr std::size_t kErrors = kMostColumns + 3;
+constexpr std::size_t kErrors = kMaxColumns + 3;
 using Errors = std::array<double, kErrors>;
 
 // Huber's weight as an error: beyond the limit its square grows with the error, not its square.
 double limited(double error) {
   const double size = std::fabs(error);
-  if (size <= kMostError) return error;
-  const double root = std::sqrt(kMostError * (2.0 * size - kMostError));
+  if (size <= kMaxError) return error;
+  const double root = std::sqrt(kMaxError * (2.0 * size - kMaxError));
   return error > 0.0 ? root : -root;
 }
 
@@ -137,7 +137,7 @@ Errors errorsOf(const Measured& m, const State& s, const GoalParams& p) {
   for (std::size_t i = 0; i < m.columns.size(); ++i) {
     const Column& column = m.columns[i];
     const double wall = std::min(nearestWall(column.way, c), 2.0 * column.distance);
-    const double sd = std::max(column.sd, kLeastColumnSd * column.distance);
+    const double sd = std::max(column.sd, kMinColumnSd * column.distance);
     e[3 + i] = limited((wall - column.distance) / sd);
   }
   return e;

@@ -9,35 +9,35 @@
 namespace kelpie::vision {
 
 struct LineParams {
-  double minStep = 12;          // grey levels of Y over two pixels, at both edges
-  double minContrast = 14;      // grey levels, the brightest pixel above the carpet
-  double maxChroma = 40;        // grey levels that Cr and Cb may change by, facts-2005 4.2
-  double maxStretch = 60;       // px of white; more is never a line
-  double lineWidth = 2.5;       // cm, thesis 2004 3.1.1
-  double widthTolerance = 0.4;  // of the line's width
-  double widthSlack = 0.6;      // px, on top of it
-  double whiteOverGreen = 2.4;  // brightness of paint over that of carpet
-  double besideReach = 3;       // px to both sides in which a line must go on
-  double cornerBuffer = 10;     // px, thesis 2004 equation 3.1
-  double objectMargin = 2;      // px around the boxes of ball, landmarks and robots
-  bool border = false;          // the field has a white border (before 2005)
-  double borderMin = 20;        // px without green that make a border, checklist U10
-  double borderHeight = 10;     // cm, thesis 2004 3.1.1
-  double borderShare = 0.85;    // of the height that must be white
-  double borderWhite = 0.7;     // of these pixels
-  double borderReach = 6;       // px to both sides in which its foot must go on
-  double borderBend = 2;        // px that it may be off a straight line there
-  double borderSide = 15;       // px to each side, thesis 2004 3.1.3
-  double fieldSpacing = 25;     // cm between field points along a scan
-  double fieldLeast = 4;        // px, of the field interval
-  double fieldMost = 40;        // px
-  double fieldBump = 8;         // grey levels that a point may be brighter than 4 px away
-  double fieldSide = 15;        // px to each side that must be green, thesis 2004 3.1.3
-  double fieldMaxOther = 2;     // of these not green
-  double fullWeight = 70;       // cm, thesis 2004 3.2.1
-  double noWeight = 350;        // cm
-  bool linearWeight = true;     // in the distance (thesis 2004); false: in its square (2005)
-  double minOfKind = 4;         // fewer points of a kind are dropped, thesis 2004 3.2.1
+  double minStep = 12;           // grey levels of Y over two pixels, at both edges
+  double minContrast = 14;       // grey levels, the brightest pixel above the carpet
+  double maxChroma = 40;         // grey levels that Cr and Cb may change by, facts-2005 4.2
+  double maxStretch = 60;        // px of white; more is never a line
+  double lineWidth = 2.5;        // cm, thesis 2004 3.1.1
+  double widthTolerance = 0.4;   // of the line's width
+  double widthSlack = 0.6;       // px, on top of it
+  double whiteOverGreen = 2.4;   // brightness of paint over that of carpet
+  double besideReach = 3;        // px to both sides in which a line must go on
+  double cornerBuffer = 10;      // px, thesis 2004 equation 3.1
+  double objectMargin = 2;       // px around the boxes of ball, landmarks and robots
+  bool border = false;           // the field has a white border (before 2005)
+  double borderMin = 20;         // px without green that make a border, checklist U10
+  double borderHeight = 10;      // cm, thesis 2004 3.1.1
+  double borderShare = 0.85;     // of the height that must be white
+  double borderWhite = 0.7;      // of these pixels
+  double borderReach = 6;        // px to both sides in which its foot must go on
+  double borderBend = 2;         // px that it may be off a straight line there
+  double borderSide = 15;        // px to each side, thesis 2004 3.1.3
+  double fieldSpacing = 25;      // cm between field points along a scan
+  double minFieldInterval = 4;   // px, of the field interval
+  double maxFieldInterval = 40;  // px
+  double fieldBump = 8;          // grey levels that a point may be brighter than 4 px away
+  double fieldSide = 15;         // px to each side that must be green, thesis 2004 3.1.3
+  double fieldMaxOther = 2;      // of these not green
+  double fullWeight = 70;        // cm, thesis 2004 3.2.1
+  double noWeight = 350;         // cm
+  bool linearWeight = true;      // in the distance (thesis 2004); false: in its square (2005)
+  double minOfKind = 4;          // fewer points of a kind are dropped, thesis 2004 3.2.1
   // Per frame. Checklist U11 proposes 3 deg, 2005 took 0.09 rad. With the turn during the exposure
   // taken into account the median error within 150 cm is 0.7 cm at rest and 0.7 to 1.4 cm at 4 to
   // 5 deg, the fastest measured (`kelpie evaluate line-points`).
@@ -64,8 +64,8 @@ struct LineParams {
                      field("borderBend", &LineParams::borderBend, "px", 0, 20),
                      field("borderSide", &LineParams::borderSide, "px", 1, 60),
                      field("fieldSpacing", &LineParams::fieldSpacing, "cm", 1, 200),
-                     field("fieldLeast", &LineParams::fieldLeast, "px", 2, 100),
-                     field("fieldMost", &LineParams::fieldMost, "px", 2, 160),
+                     field("minFieldInterval", &LineParams::minFieldInterval, "px", 2, 100),
+                     field("maxFieldInterval", &LineParams::maxFieldInterval, "px", 2, 160),
                      field("fieldBump", &LineParams::fieldBump, "", 0, 100),
                      field("fieldSide", &LineParams::fieldSide, "px", 1, 60),
                      field("fieldMaxOther", &LineParams::fieldMaxOther, "", 0, 60),

@@ -177,7 +177,7 @@ double pointWeight(LinePointKind kind, double distance, const LineParams& p) {
 
 double fieldInterval(double rows, double cameraHeight, const LineParams& p) {
   const double even = p.fieldSpacing * rows * rows / (cameraHeight * body::kFocalLength);
-  return maths::clamp(even, p.fieldLeast, p.fieldMost);
+  return maths::clamp(even, p.minFieldInterval, p.maxFieldInterval);
 }
 
 void findLinePoints(const Scene& scene, const LineParams& params, Percepts& out) {

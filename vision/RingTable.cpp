@@ -25,15 +25,15 @@ void fill(const RingChannel& model, const ChannelShift& shift, RingTable::Channe
 }
 
 bool allowed(RingCentre c) {
-  return std::abs(c.column - kMiddleColumn) <= kMostOffCentre &&
-         std::abs(c.row - kMiddleRow) <= kMostOffCentre;
+  return std::abs(c.column - kMiddleColumn) <= kMaxCentreOffset &&
+         std::abs(c.row - kMiddleRow) <= kMaxCentreOffset;
 }
 
 // Beyond the distances of the printed fit (132) a cubic may turn; the last useful gain is kept.
-constexpr double kLeastGain = 0.25;
+constexpr double kMinGain = 0.25;
 
 double gain(const RingChannel& c, double d) {
-  return std::fmax(kLeastGain, ((c.a1 * d + c.a2) * d + c.a3) * d + 1.0);
+  return std::fmax(kMinGain, ((c.a1 * d + c.a2) * d + c.a3) * d + 1.0);
 }
 double offset(const RingChannel& c, double d) { return ((c.b1 * d + c.b2) * d + c.b3) * d; }
 

@@ -18,7 +18,7 @@ namespace kelpie::vision {
 
 // A real robot's centres lay 6 columns right (Y), 1 right (Cr) and 7 left (Cb) of the image's
 // (facts-2005 section 3); twice that is allowed, in columns and in rows.
-constexpr int kMostOffCentre = 12;
+constexpr int kMaxCentreOffset = 12;
 constexpr int kMiddleColumn = kImageWidth / 2;
 constexpr int kMiddleRow = kImageHeight / 2;
 constexpr std::size_t kRingDistances = 149;  // hypot(104 + 12, 80 + 12) = 148.1
@@ -40,10 +40,10 @@ struct RingCentre {
   std::int32_t row = kMiddleRow;
 
   static constexpr auto fields() {
-    return fieldList(field("column", &RingCentre::column, "px", kMiddleColumn - kMostOffCentre,
-                           kMiddleColumn + kMostOffCentre),
-                     field("row", &RingCentre::row, "px", kMiddleRow - kMostOffCentre,
-                           kMiddleRow + kMostOffCentre));
+    return fieldList(field("column", &RingCentre::column, "px", kMiddleColumn - kMaxCentreOffset,
+                           kMiddleColumn + kMaxCentreOffset),
+                     field("row", &RingCentre::row, "px", kMiddleRow - kMaxCentreOffset,
+                           kMiddleRow + kMaxCentreOffset));
   }
 };
 
@@ -102,9 +102,9 @@ constexpr std::size_t kRingFileBytes = 6 + 3 * sizeof(RingTable::Channel);  // c
 // Distance of every pixel's centre from any allowed ring centre, rounded; the lower half, the upper
 // one mirrors (21 KB). A whole row, so that one channel costs one read and no arithmetic.
 struct RingDistances {
-  static constexpr int kColumns = kImageWidth + 2 * kMostOffCentre;
-  static constexpr int kMiddle = kMiddleColumn + kMostOffCentre;
-  static constexpr int kRows = kMiddleRow + kMostOffCentre;
+  static constexpr int kColumns = kImageWidth + 2 * kMaxCentreOffset;
+  static constexpr int kMiddle = kMiddleColumn + kMaxCentreOffset;
+  static constexpr int kRows = kMiddleRow + kMaxCentreOffset;
   std::array<std::uint8_t, static_cast<std::size_t>(kColumns) * kRows> map{};
 
   RingDistances();

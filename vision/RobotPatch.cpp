@@ -197,9 +197,9 @@ bool robotPatchHasSize(const RobotPatch& patch, const RobotParams& p) {
 
 // In speckled clothes the way from the centre to the edge ends far too soon for so many samples.
 bool robotPatchIsSolid(const RobotPatch& patch) {
-  constexpr double kMostOfExtent = 3.0;
+  constexpr double kMaxShareOfExtent = 3.0;
   const double pixels = patch.samples * kLatticeStep * kLatticeStep;
-  return pixels <= kMostOfExtent * patch.extent.width() * patch.extent.height();
+  return pixels <= kMaxShareOfExtent * patch.extent.width() * patch.extent.height();
 }
 
 // Before carpet that goes on behind it, other colours near a patch are the background's.

@@ -54,7 +54,7 @@ struct Blend {
 };
 
 // Colours closer than this cannot be told apart above the noise (sd 3): take the class's edge.
-constexpr double kLeastContrast = 18.0;
+constexpr double kMinContrast = 18.0;
 
 // `last` is the last step inside; two steps on the mixed pixels of the edge are passed.
 PixelPoint halfWay(const Sampler& sampler, const SpanWalk& walk, int last) {
@@ -68,7 +68,7 @@ PixelPoint halfWay(const Sampler& sampler, const SpanWalk& walk, int last) {
                       inside.cb - blend.outside.cb};
   blend.norm = maths::square(blend.difference.y) + maths::square(blend.difference.cr) +
                maths::square(blend.difference.cb);
-  if (blend.norm < maths::square(kLeastContrast)) return plain;
+  if (blend.norm < maths::square(kMinContrast)) return plain;
   double before = 1.0;
   for (int step = last >= 1 ? last - 1 : 0; step <= beyond; ++step) {
     const double now = blend(colourAt(sampler, along(walk, step)));

@@ -21,7 +21,7 @@ namespace {
 // False where a joint or the stance was no number: rows and columns made from it lie anywhere in
 // memory. The axes are of length one, as far as rounding lets them be.
 bool postureIsSound(const BodyState& body) {
-  constexpr double kMostTurn = 10.0;      // rad over an image
+  constexpr double kMaxTurn = 10.0;       // rad over an image
   constexpr double kFarthest = 100.0;     // cm from the robot to its camera, three times an ERS-7
   constexpr double kFarthestRow = 1.1e4;  // px, a little beyond the horizon's limit
   const auto within = [](double value, double most) { return std::fabs(value) <= most; };
@@ -30,7 +30,7 @@ bool postureIsSound(const BodyState& body) {
   const auto& turn = body.camera.turn;
   return within(at.x, kFarthest) && within(at.y, kFarthest) && within(at.z, kFarthest) &&
          std::all_of(axes.begin(), axes.end(), [&](double a) { return within(a, 1.000001); }) &&
-         std::all_of(turn.begin(), turn.end(), [&](double t) { return within(t, kMostTurn); }) &&
+         std::all_of(turn.begin(), turn.end(), [&](double t) { return within(t, kMaxTurn); }) &&
          within(body.horizon.atLeft, kFarthestRow) && within(body.horizon.atRight, kFarthestRow);
 }
 

@@ -19,7 +19,7 @@ struct BallParams {
   double minSamples = 2;             // lattice samples of orange
   double minEdgePoints = 5;          // of 16 spokes
   double maxCircleError = 0.05;      // rms of the edge points, in radii
-  double leastCircleError = 0.3;     // px, allowed of the smallest: edges are whole pixels
+  double minCircleError = 0.3;       // px, allowed of the smallest: edges are whole pixels
   double minOrangeShare = 0.4;       // of the circle; a robot may hide half of it
   double maxOtherShare = 0.35;       // of pink, yellow and robot red together, of the circle
   double maxAboveHorizon = 10;       // facts-2005 4.5 check 1
@@ -37,7 +37,7 @@ struct BallParams {
     return fieldList(field("minSamples", &BallParams::minSamples, "", 1, 100),
                      field("minEdgePoints", &BallParams::minEdgePoints, "", 4, 16),
                      field("maxCircleError", &BallParams::maxCircleError, "", 0, 1),
-                     field("leastCircleError", &BallParams::leastCircleError, "px", 0, 5),
+                     field("minCircleError", &BallParams::minCircleError, "px", 0, 5),
                      field("minOrangeShare", &BallParams::minOrangeShare, "", 0, 1),
                      field("maxOtherShare", &BallParams::maxOtherShare, "", 0, 1),
                      field("maxAboveHorizon", &BallParams::maxAboveHorizon, "px", -160, 160),

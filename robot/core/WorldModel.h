@@ -47,7 +47,7 @@ struct BallEstimate {
   Angle heading;
   double secondsSinceSeen = 0.0;
   std::array<double, 4> fieldCovariance{};  // of the position on the field, the pose's included
-  Point2<Field> rest;                       // where it will lie when nothing stops it
+  Point2<Field> stoppingPoint;              // where it will lie when nothing stops it
 
   static constexpr auto fields() {
     return fieldList(field("present", &BallEstimate::present),
@@ -59,7 +59,7 @@ struct BallEstimate {
                      field("heading", &BallEstimate::heading, "rad", -180, 180),
                      field("secondsSinceSeen", &BallEstimate::secondsSinceSeen, "s", 0, 1e6),
                      field("fieldCovariance", &BallEstimate::fieldCovariance, "cm2"),
-                     field("rest", &BallEstimate::rest));
+                     field("stoppingPoint", &BallEstimate::stoppingPoint));
   }
 };
 

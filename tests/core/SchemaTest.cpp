@@ -30,7 +30,7 @@ TEST(Schema, TextHasUnitsRangesAndNestedTypesOnce) {
             "float64 heading  # rad, -180..180 deg\n"
             "float64 secondsSinceSeen  # s, 0..1e+06\n"
             "float64[4] fieldCovariance  # cm2\n"
-            "kelpie/Point2 rest\n" +
+            "kelpie/Point2 stoppingPoint\n" +
                 rule + "\nMSG: kelpie/Point2\nfloat64 x  # cm\nfloat64 y  # cm\n");
 }
 

@@ -66,7 +66,7 @@ TEST(DropIn, ABallThatRolledOutUnseenIsPutIn) {
     world = watcher.step(true);
   }
   EXPECT_LT(world.ball.position.x, 345.0);
-  EXPECT_GT(world.ball.rest.x, 380.0);
+  EXPECT_GT(world.ball.stoppingPoint.x, 380.0);
   for (int i = 0; i < 45; ++i) world = watcher.step(false);
   ASSERT_TRUE(world.ball.present);
   EXPECT_NEAR(world.ball.position.x, 320.0, 1.0);

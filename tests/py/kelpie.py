@@ -481,7 +481,7 @@ class BallEstimate(Fields):
         'heading_deg',
         'seconds_since_seen',
         'field_covariance',
-        'rest',
+        'stopping_point',
     )
 
     def __init__(self, **given):
@@ -494,7 +494,7 @@ class BallEstimate(Fields):
         self.heading_deg = 0.0
         self.seconds_since_seen = 0.0
         self.field_covariance = [0.0] * 4
-        self.rest = Point2()
+        self.stopping_point = Point2()
         self._take(given)
 
 

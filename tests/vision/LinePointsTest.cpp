@@ -153,8 +153,8 @@ TEST(LinePoints, FieldPointsWeighTheSameUpToTheEnd) {
 // Largest over smallest gap between neighbours on the ground, along the middle column.
 double unevenness(double least, double most) {
   VisionParams params;
-  params.line.fieldLeast = least;
-  params.line.fieldMost = most;
+  params.line.minFieldInterval = least;
+  params.line.maxFieldInterval = most;
   const Percepts seen = look(Painting{}, cameraAt(18, 0, -15), params).percepts;
   double low = 1e9;
   double high = 0.0;

@@ -20,7 +20,7 @@ constexpr int kHuberRounds = 4;
 constexpr int kTukeyRounds = 6;
 constexpr double kHuber = 1.345;         // standard deviations; 95 % efficiency for normal noise
 constexpr double kTukey = 4.685;         // the same
-constexpr double kLeastScale = 0.5;      // grey levels; bytes are rounded
+constexpr double kMinScale = 0.5;        // grey levels; bytes are rounded
 constexpr std::size_t kSearchEvery = 8;  // of the pixels; a thousand of each sheet place the centre
 constexpr std::size_t kFewestPixels = 200;
 constexpr std::array<const char*, 3> kChannels = {"Y", "Cr", "Cb"};
@@ -104,7 +104,7 @@ double scaleOf(const std::vector<double>& errors) {
                  [](double e) { return std::fabs(e); });
   const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
   std::nth_element(sizes.begin(), middle, sizes.end());
-  return std::fmax(kLeastScale, 1.4826 * *middle);
+  return std::fmax(kMinScale, 1.4826 * *middle);
 }
 
 double huberWeight(double e) { return std::fabs(e) <= kHuber ? 1.0 : kHuber / std::fabs(e); }
@@ -174,8 +174,8 @@ double costAt(const std::vector<Sheet>& sheets, std::size_t channel, const Centr
 constexpr Centre kImageCentre = {kImageWidth / 2.0, kImageHeight / 2.0};
 
 bool allowed(const Centre& c) {
-  return std::fabs(c[0] - kImageCentre[0]) <= vision::kMostOffCentre &&
-         std::fabs(c[1] - kImageCentre[1]) <= vision::kMostOffCentre;
+  return std::fabs(c[0] - kImageCentre[0]) <= vision::kMaxCentreOffset &&
+         std::fabs(c[1] - kImageCentre[1]) <= vision::kMaxCentreOffset;
 }
 
 // Pattern search: four neighbours at 4, 2, 1 px; the cost has one valley. Whole pixels, as the
@@ -280,7 +280,7 @@ bool leaveOneOut(RingFit& fit, const RingLearnParams& params) {
   const double median = sorted[(sorted.size() - 1) / 2];
   const auto worst = std::max_element(uneven.begin(), uneven.end()) - uneven.begin();
   const double most = uneven[static_cast<std::size_t>(worst)];
-  if (most <= std::fmax(params.mostUneven, params.unevenRatio * median)) return false;
+  if (most <= std::fmax(params.maxUneven, params.unevenRatio * median)) return false;
   fit.leftOut.push_back(fit.used[static_cast<std::size_t>(worst)].name);
   fit.used.erase(fit.used.begin() + worst);
   return true;
@@ -291,10 +291,10 @@ Status enoughColours(const RingFit& fit, const RingLearnParams& params) {
   for (std::size_t c = 0; c < 3; ++c) {
     const auto& colours = fit.channel[c].colour;
     const auto [low, high] = std::minmax_element(colours.begin(), colours.end());
-    if (*high - *low < params.leastSpread)
+    if (*high - *low < params.minSpread)
       return Error{std::string("the sheets' ") + kChannels[c] + " spans " +
                    std::to_string(std::lround(*high - *low)) + " grey levels, at least " +
-                   std::to_string(std::lround(params.leastSpread)) +
+                   std::to_string(std::lround(params.minSpread)) +
                    " are needed: add sheets of other colours"};
   }
   return Done{};
@@ -302,7 +302,7 @@ Status enoughColours(const RingFit& fit, const RingLearnParams& params) {
 
 Status evenSheets(const RingFit& fit, const RingLearnParams& params) {
   for (std::size_t c = 0; c < 3; ++c)
-    if (fit.channel[c].after > params.mostResidual)
+    if (fit.channel[c].after > params.maxResidual)
       return Error{std::string("no even sheets: ") + kChannels[c] + " is off by " +
                    std::to_string(std::lround(fit.channel[c].after)) +
                    " grey levels after the fit"};

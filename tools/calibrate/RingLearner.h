@@ -20,11 +20,11 @@ namespace kelpie::calibrate {
 
 struct RingLearnParams {
   bool findCentre = true;
-  double leastSpread = 15.0;  // grey levels between the sheets' colours, in each channel
-  double mostUneven = 1.5;    // grey levels, rms of a sheet's ring means after the fit
-  double unevenRatio = 4.0;   // and that many times the median sheet's
-  double mostResidual = 6.0;  // grey levels; the camera's noise is 2 to 3, a scene leaves 10 to 20
-  double priorShare = 0.0;    // weight of the 2006 polynomial as a share of all pixels
+  double minSpread = 15.0;   // grey levels between the sheets' colours, in each channel
+  double maxUneven = 1.5;    // grey levels, rms of a sheet's ring means after the fit
+  double unevenRatio = 4.0;  // and that many times the median sheet's
+  double maxResidual = 6.0;  // grey levels; the camera's noise is 2 to 3, a scene leaves 10 to 20
+  double priorShare = 0.0;   // weight of the 2006 polynomial as a share of all pixels
 };
 
 struct ChannelFit {

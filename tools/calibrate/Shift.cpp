@@ -11,7 +11,7 @@ namespace {
 
 constexpr const char* kHeader =
     "date,dog,mac_low4,base_dog,paper,y_dog,y_base_mean,u_dog,u_base_mean,v_dog,v_base_mean";
-constexpr double kLeastSlope = 0.2;  // robots measured in 2005 lie in 0.89 to 1.11
+constexpr double kMinSlope = 0.2;  // robots measured in 2005 lie in 0.89 to 1.11
 
 struct Group {
   ShiftRow row;
@@ -57,7 +57,7 @@ Expected<vision::RobotShift> fitShift(const std::vector<ShiftPair>& pairs) {
     }
     const double spread = count * xx - x * x;
     const double slope = spread > 1.0 ? (count * xy - x * y) / spread : 0.0;
-    if (slope < kLeastSlope) return Error{"the papers' colours do not differ enough"};
+    if (slope < kMinSlope) return Error{"the papers' colours do not differ enough"};
     shift[c] = {1.0 / slope, -(y - slope * x) / count / slope};
   }
   return shift;

@@ -15,9 +15,9 @@
 namespace kelpie::cli {
 namespace {
 
-constexpr std::size_t kMostOfLog = 40;  // images of a log; each counts as a sheet
-constexpr double kTextured = 30.0;      // grey levels; carpet in uneven light has 15
-constexpr int kStep = 2;                // every second pixel in x and y
+constexpr std::size_t kMaxLogImages = 40;  // images of a log; each counts as a sheet
+constexpr double kTextured = 30.0;         // grey levels; carpet in uneven light has 15
+constexpr int kStep = 2;                   // every second pixel in x and y
 constexpr std::array<const char*, 3> kChannels = {"Y", "Cr", "Cb"};
 
 constexpr const char* kHelp =
@@ -55,7 +55,7 @@ bool isTable(const std::string& input) {
 }
 
 Expected<calibrate::RingFit> learn(const RingOptions& options) {
-  const auto images = calibrate::readImages(options.input, kMostOfLog);
+  const auto images = calibrate::readImages(options.input, kMaxLogImages);
   if (!images) return Error{images.error()};
   std::vector<calibrate::Sheet> sheets;
   for (const auto& [name, image] : *images)
@@ -64,7 +64,7 @@ Expected<calibrate::RingFit> learn(const RingOptions& options) {
   calibrate::RingLearnParams params;
   // A carpet with things on it fills a part of the image only and does not show the centre.
   params.findCentre = !options.surface;
-  if (options.surface) params.mostResidual = kTextured;
+  if (options.surface) params.maxResidual = kTextured;
   params.priorShare = options.prior;
   auto fit = calibrate::learnRing(sheets, params);
   if (!fit) return Error{options.input + ": " + fit.error()};

@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double kLongestMatch = 3600.0;  // s
-constexpr int kMostGoals = 99;
+constexpr int kMaxGoals = 99;
 
 struct PlayOptions {
   SessionOptions session;
@@ -174,7 +174,7 @@ void addPlay(CLI::App& app, int& code) {
                       ->check(inRange(1.0, kLongestMatch))
                       ->capture_default_str();
   auto* goals = command->add_option("--goals", session.goals, "Ends after so many goals")
-                    ->check(CLI::Range(1, kMostGoals))
+                    ->check(CLI::Range(1, kMaxGoals))
                     ->capture_default_str();
   command->add_option("--scenario", session.scenario, "What is on the field at the start")
       ->check(CLI::IsMember({"empty-goal", "kickoff"}))
@@ -210,7 +210,7 @@ void addPlay(CLI::App& app, int& code) {
   command->callback([=, &code] {
     if (options->session.realTime && seconds->count() == 0)
       options->session.seconds = kLongestMatch;
-    if (options->session.realTime && goals->count() == 0) options->session.goals = kMostGoals;
+    if (options->session.realTime && goals->count() == 0) options->session.goals = kMaxGoals;
     code = play(*options);
   });
 }

@@ -33,9 +33,9 @@ constexpr std::array<Column, kColumns> kTable = {{
     {"odo_left_cm", "way to the left since the row before, left positive"},
     {"odo_turn_deg", "turn since the row before, left (counter-clockwise) positive"},
 }};
-constexpr double kLongest = 1e6;     // s, of a recording
-constexpr double kLeastStep = 1e-3;  // s between frames; a thirtieth of a real one
-constexpr double kTurn = 360.0;      // deg; a joint or a step that says more is a slip of units
+constexpr double kLongest = 1e6;   // s, of a recording
+constexpr double kMinStep = 1e-3;  // s between frames; a thirtieth of a real one
+constexpr double kTurn = 360.0;    // deg; a joint or a step that says more is a slip of units
 
 constexpr const char* kHelpOfFrames =
     R"(DIR holds the images and one table:
@@ -149,9 +149,9 @@ RecordedRow rowOf(const Numbers& n) {
 Status checkRow(const RecordedRow& row, const RecordedRow* previous) {
   if (!(row.time >= 0.0 && row.time < kLongest))
     return Error{fmt::format("t_s: {}, expected 0..{} s", row.time, kLongest)};
-  if (previous != nullptr && row.time < previous->time + kLeastStep)
+  if (previous != nullptr && row.time < previous->time + kMinStep)
     return Error{
-        fmt::format("t_s: time does not increase by {} s, as in frames of a camera", kLeastStep)};
+        fmt::format("t_s: time does not increase by {} s, as in frames of a camera", kMinStep)};
   std::string why;
   if (!verify(frameInput(0, row, previous), &why)) return Error{why};
   return Done{};

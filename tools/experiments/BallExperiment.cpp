@@ -80,7 +80,7 @@ Point2<Field> endOf(sim::Ball ball) {
 
 // What of it concerns the ball is compared in the robot's frame: the pose has its own experiments.
 double stopError(const Scene& scene, const WorldModel& world) {
-  const Point2<Robot> said = robotFromField(world.pose, world.ball.rest);
+  const Point2<Robot> said = robotFromField(world.pose, world.ball.stoppingPoint);
   return distance(said, robotFromField(scene.player.truth, endOf(scene.ball)));
 }
 

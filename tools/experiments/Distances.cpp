@@ -32,11 +32,11 @@ struct Constants {
 
 // Edge and blur; blur only where the outline is round.
 Family opticsOf(SizedObject object, double focalLength) {
-  const double mostBlur = object == SizedObject::ball ? 4.0 : 0.0;
+  const double maxBlur = object == SizedObject::ball ? 4.0 : 0.0;
   return {[=](double edge, double blur) {
             return geometry(object, {focalLength, edge, blur});
           },
-          -4.0, 4.0, 0.0, mostBlur};
+          -4.0, 4.0, 0.0, maxBlur};
 }
 
 Family hyperbolas(SizedObject object) {

@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kAllowed = 6.0;     // px
 constexpr double kMeeting = 5.0;     // px, checklist
-constexpr int kLeastArm = 40;        // columns
+constexpr int kMinArm = 40;          // columns
 constexpr int kViewsPerCorner = 40;  // drawn at most
 
 using Edges = FixedVector<FieldEdgePercept, 3>;
@@ -46,8 +46,8 @@ std::optional<Corner> cornerIn(const EdgeTruth& truth) {
     const int a = truth.column[x].border;
     const int b = truth.column[x + 1].border;
     if (a == b || a == kNoBorder || b == kNoBorder) continue;
-    if (truth.borderColumns[static_cast<std::size_t>(a)] < kLeastArm ||
-        truth.borderColumns[static_cast<std::size_t>(b)] < kLeastArm)
+    if (truth.borderColumns[static_cast<std::size_t>(a)] < kMinArm ||
+        truth.borderColumns[static_cast<std::size_t>(b)] < kMinArm)
       continue;
     return Corner{a, b, {static_cast<double>(x) + 1.0, truth.column[x].row}};
   }

@@ -15,7 +15,7 @@ namespace kelpie::experiments {
 namespace {
 
 constexpr double kAllowed = 6.0;      // px
-constexpr int kLeastShown = 52;       // columns, a quarter: a view shows the edge
+constexpr int kMinShown = 52;         // columns, a quarter: a view shows the edge
 constexpr double kBallAllowed = 4.0;  // px, BallParams::maxAboveFieldEdge
 
 using Edges = FixedVector<FieldEdgePercept, 3>;
@@ -87,7 +87,7 @@ void judge(const EdgeTruth& truth, const Edges& edges, Tally& tally) {
     ++tally.notShown;
     tally.claimedNone += insideImage(edges) ? 1 : 0;
   }
-  if (truth.shown < kLeastShown) return;
+  if (truth.shown < kMinShown) return;
   ++tally.shown;
   if (edges.empty()) {
     ++tally.missed;

@@ -66,8 +66,8 @@ Json genuineFrames() {
     surfaces.push_back(calibrate::dominantSurface(name, *image, 1));
   }
   calibrate::RingLearnParams params;
-  params.findCentre = false;   // a carpet that fills the lower half does not show it
-  params.mostResidual = 30.0;  // nor is it even: 15 levels of texture and shade
+  params.findCentre = false;  // a carpet that fills the lower half does not show it
+  params.maxResidual = 30.0;  // nor is it even: 15 levels of texture and shade
   params.priorShare = kPriorShare;
   const auto fit = calibrate::learnRing(surfaces, params);
   if (!fit) return absent(fit.error());

@@ -12,7 +12,7 @@
 namespace kelpie::experiments {
 namespace {
 
-constexpr int kMostFrames = 450;
+constexpr int kMaxFrames = 450;
 constexpr int kLandmarkFrames = 60;
 constexpr double kNearCm = 20.0;
 constexpr double kNearDeg = 10.0;
@@ -34,10 +34,10 @@ bool right(const Pose2& pose, const StandingRobot& robot) {
          standingError(pose, robot.twin()).within(kNearCm, kNearDeg);
 }
 
-// Frames until the search has answered; none within `kMostFrames` is -1.
+// Frames until the search has answered; none within `kMaxFrames` is -1.
 int search(StandingRobot& robot, WorldModel& world) {
   robot.input.lastCommand.localise = true;
-  for (int i = 0; i < kMostFrames; ++i) {
+  for (int i = 0; i < kMaxFrames; ++i) {
     robot.look(false);
     world = robot.step();
     if (robot.state->search.served) return i + 1;

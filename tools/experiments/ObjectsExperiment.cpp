@@ -70,7 +70,7 @@ const char* nameOf(ObjectKind kind) {
 
 double offDeg(const SeenObject& p, const TrueObject& o) { return (p.heading - o.heading).deg(); }
 
-constexpr int kMostPictures = 80;
+constexpr int kMaxPictures = 80;
 
 // The image with the percepts and, in words, what is wrong with them and what was refused.
 void keepPicture(const std::string& folder, const Look& look,
@@ -261,7 +261,7 @@ Expected<Json> objects(const ExperimentOptions& options) {
   int pictures = 0;
   lookAtViews(params, options, [&](const Look& look) {
     score.add(look.view, *field, trueObjects(look.view, *field, visibility), look.seen);
-    if (!options.pictures.empty() && !score.faults().empty() && pictures++ < kMostPictures)
+    if (!options.pictures.empty() && !score.faults().empty() && pictures++ < kMaxPictures)
       keepPicture(options.pictures, look, score.faults());
   });
   Json json{{"experiment", "objects"}, {"trials", options.trials}, {"seed", options.seed}};

@@ -12,7 +12,7 @@ namespace kelpie::experiments {
 namespace {
 
 constexpr double kFarthest = 200.0;    // cm, of a robot that must be seen
-constexpr double kLeastShare = 0.6;    // of its pixels
+constexpr double kMinShare = 0.6;      // of its pixels
 constexpr double kGate = 12.0;         // deg between a percept and a robot of which it can be
 constexpr double kPatchPixels = 12.0;  // of uniform: three samples of the lattice
 
@@ -52,7 +52,7 @@ Match matchOf(const RobotPercept& percept, const std::vector<SeenRobot>& seen) {
 }
 
 bool isDue(const SeenRobot& robot) {
-  return robot.distance <= kFarthest && robot.share >= kLeastShare;
+  return robot.distance <= kFarthest && robot.share >= kMinShare;
 }
 
 void judgeFound(const RobotPercept& percept, const SeenRobot& robot, Tally& tally) {

@@ -11,9 +11,9 @@ constexpr double kMatchHeadingDeg = 8.0;
 constexpr double kMatchGoalDeg = 15.0;
 constexpr double kMatchGoal = 40.0;  // cm, half a mouth: what is seen is within the goal
 constexpr double kMatchRobotDeg = 15.0;
-constexpr double kMatchShare = 0.4;   // of the distance
-constexpr double kMatchLeast = 15.0;  // cm
-constexpr double kMatchRobot = 25.0;  // cm, as long as a robot is
+constexpr double kMatchShare = 0.4;         // of the distance
+constexpr double kMinMatchDistance = 15.0;  // cm
+constexpr double kMatchRobot = 25.0;        // cm, as long as a robot is
 
 double headingLimit(ObjectKind kind, double distance) {
   if (kind == ObjectKind::goal)
@@ -43,7 +43,7 @@ std::vector<SeenObject> seenObjects(const Percepts& seen) {
 
 bool matches(const SeenObject& p, const TrueObject& o) {
   if (p.kind != o.kind || p.landmark != o.landmark || !o.inView) return false;
-  const double least = p.kind == ObjectKind::robot ? kMatchRobot : kMatchLeast;
+  const double least = p.kind == ObjectKind::robot ? kMatchRobot : kMinMatchDistance;
   const double allowed = std::fmax(kMatchShare * o.distance, least);
   return std::fabs((p.heading - o.heading).deg()) <= headingLimit(p.kind, o.distance) &&
          std::fabs(p.distance - o.distance) <= allowed;

@@ -52,7 +52,7 @@ class StandingRobot {
 struct StandingError {
   double cm = 0.0;
   double deg = 0.0;
-  bool within(double mostCm, double mostDeg) const { return cm <= mostCm && deg <= mostDeg; }
+  bool within(double maxCm, double maxDeg) const { return cm <= maxCm && deg <= maxDeg; }
 };
 StandingError standingError(const Pose2& believed, const Pose2& truth);
 

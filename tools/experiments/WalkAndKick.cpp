@@ -83,7 +83,7 @@ Expected<Json> walkAndKick(const ExperimentOptions& options) {
               {"weak_turn_ratio", walkRatio({0.0, 0.0, 1.2}, options.seed, true).turn},
               {"kicks", kicks},
               {"kick_mean_cm", mean / kicks},
-              {"kick_least_cm", least},
+              {"kick_min_cm", least},
               {"kick_aside_deg", aside}};
 }
 

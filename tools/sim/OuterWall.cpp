@@ -11,7 +11,7 @@ constexpr double kBeyondCarpet = 15.0;  // cm
 constexpr double kApart = 70.0;         // cm between the middles of two sheets
 constexpr double kFromCorner = 15.0;    // cm, of a sheet's end
 constexpr double kBehindGoal = 75.0;    // cm to either side of a goal's middle hang none
-constexpr double kLeastPaper = 10.0;    // cm
+constexpr double kMinPaper = 10.0;      // cm
 constexpr double kLargestPaper = 22.0;
 constexpr double kInFront = 1.0;  // cm, so that paper hides sheet and sheet hides wall
 
@@ -33,7 +33,7 @@ Colour printed(Colour colour, Random& random) {
 // A paper somewhere in a cell of the sheet.
 Paper paperIn(const Paper& cell, bool pink, Random& random) {
   const auto size = [&random](double room) {
-    return random.uniform(kLeastPaper, std::max(kLeastPaper, std::min(room, kLargestPaper)));
+    return random.uniform(kMinPaper, std::max(kMinPaper, std::min(room, kLargestPaper)));
   };
   Paper paper;
   const double width = size(cell.right - cell.left);
@@ -52,7 +52,7 @@ Paper paperIn(const Paper& cell, bool pink, Random& random) {
 void stickPapers(WallSheet& sheet, bool pink, Random& random) {
   Paper first{0.0, sheet.width, sheet.low, sheet.high, {}, false};
   Paper second = first;
-  if (sheet.width < 2.0 * kLeastPaper || random.chance(0.5)) {
+  if (sheet.width < 2.0 * kMinPaper || random.chance(0.5)) {
     first.high = second.low = 0.5 * (sheet.low + sheet.high);
   } else {
     first.right = second.left = 0.5 * sheet.width;
