@@ -8,5 +8,5 @@ from players.striker import Striker
 players = {kelpie.STRIKER: Striker(), kelpie.CHALLENGER: Challenger()}
 
 
-def decide(world):
-    return players[world.task.player].tick(world)
+def decide(world) -> kelpie.Command:
+    return players[world.task.player].command(world)

@@ -1,30 +1,35 @@
 # SPDX-License-Identifier: Apache-2.0
-# Where the opponent goal is in the robot frame: as seen, then carried by odometry for a while, else
-# from the pose if that is good; None when nobody knows.
+# Keeps where the opponent goal is in the robot frame: as last seen, carried along by odometry for
+# Goal.FRESH seconds, else from the pose if that is good. None when neither is. Fails after a slip
+# that odometry does not report: a carried goal is then wrong until it is seen again.
 import kelpie
-from lib.geom import from_field, moved, polar
+from lib.geom import Point, from_field, moved, polar
 from lib.tune import Field, Goal
+
+NEVER_S = -1e9
+MIN_DISTANCE = 30.0  # cm; a percept of a nearer goal would put it inside the robot
 
 
 class OpponentGoal:
     def __init__(self):
-        self.point = None
-        self.seen_s = -1e9
+        self.point = None       # as last seen, moved on since
+        self.seen_s = NEVER_S
 
-    def tick(self, world):
+    def update(self, world):
+        """Takes one frame's odometry and percepts; to be called in every frame."""
         if self.point is not None:
             self.point = moved(*self.point, world.odometry)
         target = kelpie.GOAL_BLUE if world.game.team == kelpie.RED else kelpie.GOAL_YELLOW
         for mark in world.percepts.landmarks:
             # The visible part of a cut goal is still goal: good enough to shoot at.
             if mark.kind == target:
-                self.point = polar(max(mark.distance, 30.0), mark.heading_deg)
+                self.point = polar(max(mark.distance, MIN_DISTANCE), mark.heading_deg)
                 self.seen_s = world.time_s
 
-    def seen(self, world):
+    def seen(self, world) -> bool:
         return self.point is not None and world.time_s - self.seen_s < Goal.FRESH
 
-    def where(self, world):
+    def where(self, world) -> Point | None:
         if self.seen(world):
             return self.point
         good = (world.heading_sd_deg < Goal.POSE_HEADING_SD and

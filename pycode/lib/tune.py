@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-# The numbers of the behaviours that one would tune, by who uses them. In cm, degrees and seconds.
+# The numbers of the behaviours that one would tune, by who uses them. In cm, degrees and seconds,
+# speeds in cm/s and deg/s, gains in those per cm or degree. Tuned in the simulator, where no source
+# is given.
 
 
 class Field:
@@ -22,7 +24,7 @@ class Search:
 class Approach:
     SLOW_DOWN = 45.0         # distance from which the speed falls
     SPEED = 34.0
-    LEAST_SPEED = 10.0
+    MIN_SPEED = 10.0
     TURN_GAIN = 1.8          # deg/s per deg
     TURN_SPEED = 70.0
     TURN_FIRST = 50.0        # a ball farther aside: turn on the spot
@@ -48,13 +50,13 @@ class LineUp:
 class Strike:
     # The ball's place in the robot frame from which the kick hits it.
     KICK_NEAR = 6.0          # chest against the ball
-    KICK_FAR = 9.6           # 190 ms pass until the push begins: 1.5 cm at LEAST_SPEED
+    KICK_FAR = 9.6           # 190 ms pass until the push begins: 1.5 cm at MIN_SPEED
     KICK_SIDE = 2.5          # the chest is flat, the paws are 18 cm apart
     KICK_AIM = 14.0          # deg between the robot's and the goal's direction
     FORWARD_GAIN = 1.5
     FORWARD_SPEED = 26.0
     GONE = 45.0              # the ball has rolled away: walk to it again
-    LEAST_SPEED = 8.0
+    MIN_SPEED = 8.0
     SIDE_GAIN = 1.5
     SIDE_SPEED = 7.0
     SIDE_FIRST = 3.0         # the ball farther aside: do not go closer than STAND_OFF
@@ -70,12 +72,15 @@ class Strike:
 class Kick:
     START_TIME = 1.5         # for the motion to begin
     TIME = 5.0
+    LOOK_AFTER = 1.0         # the ball rolls away ahead: look there that long
+    LOOK_DOWN = 20.0         # pitch of the view below the horizontal while kicking
+    LOOK_AHEAD = 12.0        # and after it
 
 
 class Watch:
     FRESH = 0.4              # an estimate that old is still looked at
     SCAN_PAN = 75.0
-    SCAN_PERIOD = 2.4        # of one sweep there and back
+    SCAN_PERIOD = 2.4        # one sweep there and back
     SCAN_LOW = -32.0         # pitch of the view, sweeps alternate between the two
     SCAN_HIGH = -12.0
     SPIN_PAN = 15.0          # a small sweep, ahead of the turn, while turning on the spot
@@ -90,8 +95,9 @@ class Watch:
 class Goal:
     FRESH = 6.0              # seconds for which a seen goal is carried along by odometry
     POSE_HEADING_SD = 20.0   # poses worse than this say nothing about the goal
-    POSE_FRESH = 15.0        # nor those without a landmark for so long
+    POSE_FRESH = 15.0        # neither do those without a landmark for so long
     SWEEP = 2.6              # look for it that long before playing without
+    REGAIN = 1.0             # then look for the ball again that long
 
 
 class Stuck:
@@ -115,10 +121,10 @@ class Features:
                (245, 540))
     SECONDARY = ((0, 135), (360, 135), (0, 405), (360, 405), (90, 270), (270, 270), (180, 65),
                  (180, 475), (60, 0), (300, 0), (60, 540), (300, 540))
-    REACH = 80.0
+    REACH = 80.0             # to either side
     NEAREST, FARTHEST = 15.0, 200.0
-    CHOICE = 3               # of the best are looked at in turn
-    TIME = 1.0               # the thesis has 1.3 s
+    CHOICE = 3               # so many of the best are looked at in turn
+    TIME = 1.0               # a look; thesis 2004 section 4.1.6 has 1.3 s
     WALL_PAN = 40.0
 
 
@@ -127,19 +133,19 @@ class Challenge:
     STAND_NEAR = 12.0
     STAND_TIME = 12.0        # s; then map from where it is
     MAP_ROUNDS = 3
-    LEAST_STAGE = 10.0       # s; play halted earlier is the start
+    MIN_STAGE = 10.0         # s; play halted earlier is the start
     SURE_SD = 15.0           # cm
     SURE_HEADING_SD = 6.0    # deg
-    SURE_WEIGHT = 0.6        # of the best mode
-    LOST_SD = 40.0
+    SURE_WEIGHT = 0.6        # weight of the best mode
+    LOST_SD = 40.0           # cm
     NEAR = 3.0               # cm from a point that count as there
-    SETTLE = 0.8             # s of standing before it is announced
+    SETTLE = 0.8             # s that it stands before it announces the point
     ANNOUNCE_TIME = 0.8
     SPEED = 32.0
     SLOW = 7.0
     SLOW_DOWN = 1.3          # cm/s per cm
     FACE_FIRST = 6.0         # deg; turning on the spot ends
-    FACE_AGAIN = 22.0        # and begins
+    FACE_AGAIN = 22.0        # deg; turning on the spot begins again
     FACE_NEAR = 170.0        # deg cm: 3 cm aside
     STEP_BACK = 15.0         # a point nearer than this and behind is backed to
     TURN_GAIN = 2.0

@@ -2,112 +2,105 @@
 # The 2004 localisation challenge (thesis 2004 section 4.1). Stage 1: from two places near the
 # middle, map the pink patches on the outer wall. While play is halted somebody hides the landmarks
 # and carries the robot away. Stage 2: look round until the pose is known, then visit the five
-# points of world.task by the shortest way and say so at each (open mouth).
+# points of world.task by the shortest way and say so at each (open mouth). Keeps the state, whether
+# there is a map and which points are left. Fails when the pose is sure and wrong: it then announces
+# the wrong places.
 import kelpie
+from lib.machine import Machine
 from lib.route import points_of, shortest
 from lib.tune import Challenge
 from skills.go_to_point import GoToPoint
 from skills.look_round import LookRound
 
 
-class Challenger:
+class Challenger(Machine):
     def __init__(self):
-        self.state = self.find_out
-        self.since_s = None
-        self.skill = LookRound()
+        super().__init__(self.find_out, LookRound())
         self.stands = list(Challenge.STANDS)
         self.mapped = False
         self.points = []
 
-    def tick(self, world):
-        if self.since_s is None:
-            self.since_s = world.time_s
+    def command(self, world) -> kelpie.Command:
         if world.game.state != kelpie.PLAYING or world.game.penalised:
-            return self.halted(world)
-        if not self.stage2 and self.mapped:
-            return self.begin_stage2(world)
-        return self.state(world)
+            # Whatever was mapped by now is the map; the next play is the second stage.
+            self.mapped = world.time_s > Challenge.MIN_STAGE
+            return self.idle(world)
+        if self.mapped and not self.stage2:
+            self.points = points_of(world.task)
+            self.reset(world, 'carried away', self.reorient, LookRound())
+        return self.step(world)
+
+    def idle(self, world) -> kelpie.Command:
+        return self.localising(kelpie.Command())
 
     @property
-    def stage2(self):
-        return self.state in (self.reorient, self.walk, self.announce, self.rest)
-
-    def enter(self, state, skill, world):
-        self.state, self.skill, self.since_s = state, skill, world.time_s
-
-    def halted(self, world):
-        """Whatever was mapped by now is the map; the next play is the second stage."""
-        self.mapped = world.time_s > Challenge.LEAST_STAGE
-        return kelpie.Command(pinks=kelpie.PINKS_LOCALISE)
+    def stage2(self) -> bool:
+        return self.state in (self.reorient, self.visit, self.announce, self.finish)
 
     # Stage 1
 
     def find_out(self, world):
         if self.knows_place(world) and self.skill.rows > 0:
-            self.enter(self.go_to_stand, self.to_stand(), world)
-        return self.skill.tick(world)
+            return self.enter(world, self.go_to_stand, self.to_stand())
+        return self.skill.command(world)
 
-    def to_stand(self):
+    def to_stand(self) -> GoToPoint:
         return GoToPoint(self.stands[0], Challenge.STAND_NEAR)
 
     def go_to_stand(self, world):
-        if self.skill.arrived(world) or world.time_s - self.since_s > Challenge.STAND_TIME:
+        if self.skill.arrived(world) or self.timed_out(world, Challenge.STAND_TIME):
             self.stands.append(self.stands.pop(0))
-            self.enter(self.map_pinks, LookRound(), world)
-        return self.skill.tick(world)
+            self.enter(world, self.map_pinks, LookRound())
+        # The map begins with the next frame: what this one saw, it may have seen while walking.
+        return self.skill.command(world)
 
     def map_pinks(self, world):
         if self.skill.rounds >= Challenge.MAP_ROUNDS:
-            self.enter(self.go_to_stand, self.to_stand(), world)
-        command = self.skill.tick(world)
+            return self.enter(world, self.go_to_stand, self.to_stand())
+        command = self.skill.command(world)
         if not self.skill.turning:
             command.pinks = kelpie.PINKS_MAP
         return command
 
     # Stage 2
 
-    def begin_stage2(self, world):
-        self.points = points_of(world.task)
-        self.enter(self.reorient, LookRound(), world)
-        return self.reorient(world)
-
     def reorient(self, world):
-        command = self.skill.tick(world)
-        command.pinks = kelpie.PINKS_LOCALISE
+        command = self.localising(self.skill.command(world))
         if self.knows_place(world):
             self.points = shortest(world.pose.position, self.points)
             self.next_point(world)
         return command
 
     def next_point(self, world):
+        """The way to the next point, or the end, begins with the next frame."""
         if self.points:
-            self.enter(self.walk, GoToPoint(self.points[0], Challenge.NEAR), world)
+            self.enter(world, self.visit, GoToPoint(self.points[0], Challenge.NEAR))
         else:
-            self.enter(self.rest, None, world)
+            self.enter(world, self.finish)
 
-    def walk(self, world):
+    def visit(self, world):
         if world.position_sd > Challenge.LOST_SD:
-            self.enter(self.reorient, LookRound(), world)
-        elif self.skill.arrived(world):
-            self.enter(self.announce, self.skill, world)
-        return self.localising(self.skill.tick(world))
+            return self.reset(world, 'the pose is lost', self.reorient, LookRound())
+        if self.skill.arrived(world):
+            self.enter(world, self.announce, self.skill)
+        return self.localising(self.skill.command(world))
 
     def announce(self, world):
-        command = self.localising(kelpie.Command(head=self.skill.watch.tick(world)))
+        command = self.localising(kelpie.Command(head=self.skill.watch.head(world)))
         command.mouth_open = True
-        if world.time_s - self.since_s > Challenge.ANNOUNCE_TIME:
+        if self.timed_out(world, Challenge.ANNOUNCE_TIME):
             self.points.pop(0)
             self.next_point(world)
         return command
 
-    def rest(self, world):
-        return self.localising(kelpie.Command())
+    def finish(self, world):
+        return self.idle(world)
 
-    def localising(self, command):
+    def localising(self, command) -> kelpie.Command:
         command.pinks = kelpie.PINKS_LOCALISE
         return command
 
-    def knows_place(self, world):
+    def knows_place(self, world) -> bool:
         return (world.position_sd < Challenge.SURE_SD and
                 world.heading_sd_deg < Challenge.SURE_HEADING_SD and
                 world.modes[0].weight > Challenge.SURE_WEIGHT)

@@ -1,32 +1,26 @@
 # SPDX-License-Identifier: Apache-2.0
 # Walks to the ball, or rather to a place behind it as seen from the goal, fast and facing ahead.
+# Keeps nothing. Knows no obstacles and no field borders: it walks straight.
 import math
 
 import kelpie
-from lib.geom import clamp, heading
+from lib.geom import Point, clamp, heading
 from lib.tune import Approach
 
 
-def behind(ball, goal):
+def behind(ball, goal_point) -> Point:
     """The place to stand at: BEHIND cm from the ball on the line from the goal through it."""
-    if goal is None:
+    if goal_point is None:
         return ball
-    dx, dy = ball[0] - goal[0], ball[1] - goal[1]
+    dx, dy = ball[0] - goal_point[0], ball[1] - goal_point[1]
     away = max(math.hypot(dx, dy), 1.0)
     return ball[0] + Approach.BEHIND * dx / away, ball[1] + Approach.BEHIND * dy / away
 
 
 class GoToBall:
-    def __init__(self, world):
-        self.start_s = world.time_s
-
-    def timed_out(self, world):
-        return world.time_s - self.start_s > Approach.TIME
-
-    def tick(self, world, goal):
-        """goal: the opponent goal in the robot frame or None."""
+    def walk(self, world, goal_point: Point | None) -> kelpie.WalkRequest:
         ball = (world.ball.relative.x, world.ball.relative.y)
-        place = behind(ball, goal)
+        place = behind(ball, goal_point)
         # A place beyond the ball would be reached through it: go to the ball and circle there.
         if math.hypot(*place) > world.ball.distance:
             place = ball
@@ -35,5 +29,5 @@ class GoToBall:
         if abs(aside) > Approach.TURN_FIRST:
             return kelpie.WalkRequest(turn_deg=turn)
         share = clamp(world.ball.distance / Approach.SLOW_DOWN, 0.0, 1.0)
-        speed = max(Approach.LEAST_SPEED, Approach.SPEED * share)
+        speed = max(Approach.MIN_SPEED, Approach.SPEED * share)
         return kelpie.WalkRequest(forward=speed * math.cos(math.radians(aside)), turn_deg=turn)

@@ -1,35 +1,33 @@
 # SPDX-License-Identifier: Apache-2.0
 # Walks to a point of the field by the pose: turns on the spot until it faces the point, then ahead,
 # with small corrections only, since odometry is best when one direction rules (thesis 2004 section
-# 4.1.5). Stops, looks once more at what helps the pose, and corrects what is left.
+# 4.1.5). Stops, looks once more at what helps the pose, and corrects what is left. Keeps whether it
+# turns and since when it stands at the point. Is as wrong as the pose.
 import math
 
 import kelpie
-from lib.geom import clamp, from_field, heading
+from lib.geom import Point, clamp, from_field, heading
 from lib.tune import Challenge
 from skills.watch_field import WatchField
 
 
 class GoToPoint:
-    def __init__(self, point, near):
-        self.point = point
+    def __init__(self, point: Point, near):
+        self.point = point   # of the field
         self.near = near     # cm that count as there
         self.watch = WatchField()
         self.turning = True
         self.still_s = None  # since when it stands there
 
-    def away(self, world):
-        x, y = from_field(world.pose, *self.point)
-        return x, y, math.hypot(x, y)
-
-    def arrived(self, world):
+    def arrived(self, world) -> bool:
         return self.still_s is not None and world.time_s - self.still_s > Challenge.SETTLE
 
-    def tick(self, world):
-        return kelpie.Command(walk=self.walk(world), head=self.watch.tick(world))
+    def command(self, world) -> kelpie.Command:
+        return kelpie.Command(walk=self.walk(world), head=self.watch.head(world))
 
-    def walk(self, world):
-        x, y, away = self.away(world)
+    def walk(self, world) -> kelpie.WalkRequest:
+        x, y = from_field(world.pose, *self.point)
+        away = math.hypot(x, y)
         # Once there, errors of the pose alone must not set it walking again.
         if away < (self.near if self.still_s is None else 2.0 * self.near):
             self.still_s = self.still_s if self.still_s is not None else world.time_s

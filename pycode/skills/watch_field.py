@@ -1,37 +1,40 @@
 # SPDX-License-Identifier: Apache-2.0
 # Active localisation (thesis 2004 section 4.1.6): the head looks at corners and crossings of lines
 # that are within its reach, from one to the next, and in between at the walls, where pinks hang.
-from lib.geom import from_field, heading
+# Keeps the target of this look and when it ends, from the pose; a wrong pose makes it look at
+# nothing of use.
+import kelpie
+from lib.geom import Point, from_field, heading
 from lib.head import look_at, view
 from lib.tune import Features, Look
 
-KINDS = 3  # of four looks one is at the wall, to the left and to the right in turn
+WALL_EVERY = 3  # every third look is at the wall, to the left and to the right in turn
 
 
 class WatchField:
     def __init__(self):
         self.next_s = 0.0
-        self.number = 0
+        self.looks = 0
         self.target = None  # a point of the field, or None: the wall
 
-    def tick(self, world):
+    def head(self, world) -> kelpie.HeadRequest:
         if world.time_s >= self.next_s:
             self.next_s = world.time_s + Features.TIME
-            self.number += 1
+            self.looks += 1
             self.target = self.choose(world)
         if self.target is None:
-            side = 1.0 if self.number % (2 * KINDS) == 0 else -1.0
+            side = 1.0 if self.looks % (2 * WALL_EVERY) == 0 else -1.0
             return view(side * Features.WALL_PAN, Look.DOWN[0], world.stance)
         return look_at(*from_field(world.pose, *self.target), 0.0, world.stance)
 
-    def choose(self, world):
-        if self.number % KINDS == 0:
+    def choose(self, world) -> Point | None:
+        if self.looks % WALL_EVERY == 0:
             return None
         seen = in_reach(world.pose)
-        return seen[self.number % len(seen)] if seen else None
+        return seen[self.looks % len(seen)] if seen else None
 
 
-def in_reach(pose):
+def in_reach(pose) -> list[Point]:
     """Features within 80 deg and 15 to 200 cm; corners and crossings first, the nearest of each."""
     def rank(kind, point):
         x, y = from_field(pose, *point)

@@ -57,16 +57,16 @@ class IdealWorld:
         self.roll()
         self.see()
 
-    def move_head(self, wish):
+    def move_head(self, request):
         head = self.world.head
         for name in ('neck_tilt_deg', 'head_pan_deg', 'head_nod_deg'):
-            step = getattr(wish, name) - getattr(head, name)
+            step = getattr(request, name) - getattr(head, name)
             step = max(-12.0, min(12.0, step))  # 360 deg/s
             setattr(head, name, getattr(head, name) + step)
 
-    def walk(self, wish):
-        turn = math.radians(max(-218.0, min(218.0, wish.turn_deg))) * FRAME_S
-        step = complex(max(-30.0, min(42.0, wish.forward)), max(-20.0, min(20.0, wish.left)))
+    def walk(self, request):
+        turn = math.radians(max(-218.0, min(218.0, request.turn_deg))) * FRAME_S
+        step = complex(max(-30.0, min(42.0, request.forward)), max(-20.0, min(20.0, request.left)))
         step *= FRAME_S
         self.at += (1 - 0.1 * self.noise) * step * self.facing * cmath.rect(1, turn / 2)
         self.facing *= cmath.rect(1, (1 - 0.1 * self.noise) * turn)

@@ -13,17 +13,17 @@ def test_looking_at_the_ball_brings_it_into_the_image(distance, aside):
     world = IdealWorld(1)
     x = -distance * math.sin(math.radians(aside))
     y = distance * math.cos(math.radians(aside))
-    wish = head.look_at(x, y, 4.2, world.world.stance)
+    request = head.look_at(x, y, 4.2, world.world.stance)
     for name in ('neck_tilt_deg', 'head_pan_deg', 'head_nod_deg'):
-        setattr(world.world.head, name, getattr(wish, name))
+        setattr(world.world.head, name, getattr(request, name))
     assert world.in_view(world.at + complex(y, -x) * world.facing, 4.2)
 
 
 def test_shares_stay_inside_the_joints():
     for pitch in range(-120, 90):
         neck, nod = head.split(float(pitch))
-        assert head.LEAST_NECK <= neck <= 0 and head.LEAST_NOD <= nod <= 45
-        if head.LEAST_NECK + head.LEAST_NOD <= pitch <= 45:
+        assert head.MIN_NECK <= neck <= 0 and head.MIN_NOD <= nod <= head.MAX_NOD
+        if head.MIN_NECK + head.MIN_NOD <= pitch <= head.MAX_NOD:
             assert neck + nod == pytest.approx(pitch)
 
 

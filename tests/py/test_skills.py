@@ -22,46 +22,46 @@ def test_place_behind_the_ball_lies_on_the_line_from_the_goal():
 
 
 def test_walk_to_a_ball_on_the_left_turns_left():
-    walk = GoToBall(world_with_ball(-50, 100)).tick(world_with_ball(-50, 100), None)
+    walk = GoToBall().walk(world_with_ball(-50, 100), None)
     assert walk.turn_deg > 0 and walk.forward > 0
 
 
 def test_ball_behind_is_turned_to_on_the_spot():
-    walk = GoToBall(world_with_ball(10, -60)).tick(world_with_ball(10, -60), None)
+    walk = GoToBall().walk(world_with_ball(10, -60), None)
     assert walk.forward == 0 and abs(walk.turn_deg) > 30
 
 
 def test_goal_to_the_left_of_the_ball_is_lined_up_by_stepping_right():
     world = world_with_ball(0, 20)
-    goal = (-100.0, 120.0)
-    assert aim_error((0, 20), goal) == pytest.approx(45.0)
-    walk = CircleBall(world).tick(world, goal)
+    goal_point = (-100.0, 120.0)
+    assert aim_error((0, 20), goal_point) == pytest.approx(45.0)
+    walk = CircleBall().walk(world, goal_point)
     assert walk.left < 0 and walk.turn_deg > 0
 
 
 def test_ball_aside_is_not_approached_further_until_it_is_centred():
     world = world_with_ball(6, Strike.STAND_OFF)
-    walk = StepToKick(world).tick(world, (6.0, 200.0))
+    walk = StepToKick().walk(world, (6.0, 200.0))
     assert walk.forward == pytest.approx(0) and walk.left < 0
 
 
 @pytest.mark.parametrize('x, y, can', [(0, 7.5, True), (2.6, 7.5, False), (0, 9.7, False)])
 def test_kick_zone(x, y, can):
     world = world_with_ball(x, y)
-    assert StepToKick(world).can_kick(world, (0.0, 200.0)) is can
+    assert StepToKick().can_kick(world, (0.0, 200.0)) is can
 
 
 def test_no_kick_past_the_goal():
     world = world_with_ball(0, 7.5)
-    assert not StepToKick(world).can_kick(world, (100.0, 200.0))
+    assert not StepToKick().can_kick(world, (100.0, 200.0))
 
 
-def test_kick_is_asked_for_until_it_runs_and_ends_with_it():
+def test_kick_is_requested_until_it_runs_and_ends_with_it():
     world = kelpie.WorldFrame()
     kick = KickForward(world)
-    assert kick.tick(world) == kelpie.KICK_FORWARD
+    assert kick.motion(world) == kelpie.KICK_FORWARD
     world.motion.running = kelpie.KICK_FORWARD
-    assert kick.tick(world) == kelpie.NO_MOTION and not kick.done(world)
+    assert kick.motion(world) == kelpie.NO_MOTION and not kick.done(world)
     world.motion.running = kelpie.NO_MOTION
     assert kick.done(world)
 
@@ -81,10 +81,10 @@ def test_only_the_opponents_goal_is_shot_at(team, kind):
     other = kelpie.GOAL_BLUE + kelpie.GOAL_YELLOW - kind
     goal = OpponentGoal()
     world.percepts.landmarks = [kelpie.LandmarkPercept(kind=other, distance=200.0)]
-    goal.tick(world)
+    goal.update(world)
     assert goal.where(world) is None
     world.percepts.landmarks = [kelpie.LandmarkPercept(kind=kind, distance=200.0)]
-    goal.tick(world)
+    goal.update(world)
     assert goal.where(world) == pytest.approx((0.0, 200.0))
 
 
@@ -92,10 +92,10 @@ def test_seen_goal_is_carried_along_and_then_forgotten():
     world = kelpie.WorldFrame(heading_sd_deg=180.0)
     world.percepts.landmarks = [kelpie.LandmarkPercept(kind=kelpie.GOAL_BLUE, distance=200.0)]
     goal = OpponentGoal()
-    goal.tick(world)
+    goal.update(world)
     world.percepts.landmarks = []
     world.odometry.turn_deg = 90.0
-    goal.tick(world)
+    goal.update(world)
     assert goal.where(world) == pytest.approx((200.0, 0.0))
     world.time_s += Goal.FRESH + 0.1
     assert goal.where(world) is None

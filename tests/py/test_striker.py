@@ -1,21 +1,16 @@
 # SPDX-License-Identifier: Apache-2.0
-import pathlib
-import re
-
 import kelpie
 from ideal_world import IdealWorld, play
 from players.striker import Striker
 
-PYCODE = pathlib.Path(__file__).resolve().parent.parent.parent / 'pycode'
-
 
 def test_scores_from_19_of_20_starts_in_a_minute():
-    goals = [play(Striker().tick, seed, 60.0).scored for seed in range(20)]
+    goals = [play(Striker().command, seed, 60.0).scored for seed in range(20)]
     assert sum(goals) >= 19
 
 
 def test_scores_with_noise_and_a_wrong_pose():
-    goals = [play(Striker().tick, seed, 60.0, noise=1.0).scored for seed in range(20)]
+    goals = [play(Striker().command, seed, 60.0, noise=1.0).scored for seed in range(20)]
     assert sum(goals) >= 17
 
 
@@ -26,7 +21,7 @@ def test_ball_never_seen_is_searched_for_without_end():
     turned = walked = 0.0
     for _ in range(30 * 60):
         ideal.see()
-        command = player.tick(ideal.world)
+        command = player.command(ideal.world)
         turned += abs(command.walk.turn_deg) / 30
         walked += abs(command.walk.forward) / 30
         ideal.move_head(command.head)
@@ -44,7 +39,7 @@ def test_ball_that_vanishes_in_any_state_is_searched_for():
             if not ideal.hidden and ideal.world.time_s > vanish_s:
                 ideal.hidden = True
                 left.add(player.state.__name__)
-            ideal.step(player.tick(ideal.world))
+            ideal.step(player.command(ideal.world))
         assert player.state == player.search
     assert {'approach', 'line_up', 'strike'} <= left
 
@@ -55,13 +50,36 @@ def test_nobody_walks_before_the_game_is_on():
     player = Striker()
     for _ in range(150):
         ideal.see()
-        command = player.tick(ideal.world)
+        command = player.command(ideal.world)
         assert (command.walk.forward, command.walk.turn_deg, command.motion) == (0, 0, 0)
 
 
-def test_file_names_are_whole_words():
-    names = [p.relative_to(PYCODE) for p in PYCODE.rglob('*.py')]
-    assert names
-    for name in names:
-        assert all(re.fullmatch(r'[a-z]+(_[a-z]+)*', part.split('.')[0])
-                   for part in name.parts), name
+def test_whoever_stands_in_the_way_makes_it_step_back_and_start_over():
+    ideal = IdealWorld(5)
+    player = Striker()
+    ideal.see()
+    ideal.ball = ideal.at + 100 * ideal.facing
+    states = []
+    while ideal.world.time_s < 60.0 and 'step_back' not in states:
+        command = player.command(ideal.world)
+        states.append(player.state.__name__)
+        command.walk = kelpie.WalkRequest()  # held
+        ideal.step(command)
+    assert 'approach' in states and states[-1] == 'step_back'
+    assert player.why == 'approach timed out'
+
+
+def test_a_halt_in_any_state_leads_back_to_search():
+    halted_in = set()
+    for halt_s in range(2, 40, 3):
+        ideal = IdealWorld(halt_s)
+        player = Striker()
+        ideal.see()
+        while ideal.world.time_s < halt_s:
+            ideal.step(player.command(ideal.world))
+        halted_in.add(player.state.__name__)
+        ideal.world.game.penalised = True
+        command = player.command(ideal.world)
+        assert (command.walk.forward, command.walk.turn_deg, command.motion) == (0, 0, 0)
+        assert player.state == player.search and player.why == 'play is halted'
+    assert {'approach', 'line_up', 'strike'} <= halted_in
