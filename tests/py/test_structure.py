@@ -1,0 +1,81 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The layers of pycode/, read from its text: main -> players -> skills -> lib, and nothing else but
+`kelpie` and `math`."""
+import ast
+import pathlib
+import re
+
+import pytest
+
+PYCODE = pathlib.Path(__file__).resolve().parent.parent.parent / 'pycode'
+FILES = sorted(PYCODE.rglob('*.py'))
+LAYERS = ('lib', 'skills', 'players', 'main')  # a file may import from its own and those before it
+SHARED = ('kelpie', 'math')
+FUNCTION_LINES = 40
+SIGNATURES = {'walk': 'kelpie.WalkRequest', 'head': 'kelpie.HeadRequest',
+              'command': 'kelpie.Command', 'motion': 'int'}
+
+
+def imports(tree):
+    """Every module that a file imports, by its full name."""
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Import):
+            yield from (name.name for name in node.names)
+        elif isinstance(node, ast.ImportFrom):
+            yield node.module or '.'
+
+
+def upward_imports(layer, text):
+    allowed = SHARED + LAYERS[:LAYERS.index(layer) + 1]
+    return [name for name in imports(ast.parse(text)) if name.split('.')[0] not in allowed]
+
+
+def functions(path):
+    tree = ast.parse(path.read_text())
+    return [node for node in ast.walk(tree) if isinstance(node, ast.FunctionDef)]
+
+
+def name_of(path):
+    return path.relative_to(PYCODE).as_posix()
+
+
+@pytest.mark.parametrize('path', FILES, ids=name_of)
+def test_a_file_imports_nothing_of_the_layers_above_it(path):
+    layer = path.relative_to(PYCODE).parts[0].removesuffix('.py')
+    assert upward_imports(layer, path.read_text()) == []
+
+
+@pytest.mark.parametrize('layer, text, found', [
+    ('lib', 'import math\nfrom lib.geom import clamp', []),
+    ('lib', 'from skills.kick import KickForward', ['skills.kick']),
+    ('lib', 'def late():\n    import players.striker', ['players.striker']),
+    ('skills', 'from lib import geom\nfrom players import striker', ['players']),
+    ('skills', 'import os.path', ['os.path']),
+    ('players', 'from main import decide', ['main']),
+    ('players', 'from .striker import Striker', ['striker'])])
+def test_an_import_upwards_is_found(layer, text, found):
+    assert upward_imports(layer, text) == found
+
+
+@pytest.mark.parametrize('path', FILES, ids=name_of)
+def test_a_skill_says_what_its_methods_return(path):
+    for function in functions(path):
+        wanted = SIGNATURES.get(function.name)
+        if wanted:
+            assert function.returns is not None, f'{function.name}, line {function.lineno}'
+            assert ast.unparse(function.returns) == wanted, f'line {function.lineno}'
+        assert function.name != 'tick', f'line {function.lineno}: say what it returns'
+
+
+@pytest.mark.parametrize('path', FILES, ids=name_of)
+def test_functions_are_short(path):
+    long = [f.name for f in functions(path) if f.end_lineno - f.lineno >= FUNCTION_LINES]
+    assert long == []
+
+
+@pytest.mark.parametrize('path', FILES, ids=name_of)
+def test_file_names_are_whole_words_and_their_first_lines_say_what_they_keep(path):
+    for part in path.relative_to(PYCODE).parts:
+        assert re.fullmatch(r'[a-z]+(_[a-z]+)*', part.split('.')[0])
+    lines = path.read_text().splitlines()
+    assert lines[0] == '# SPDX-License-Identifier: Apache-2.0' and lines[1].startswith('# ')
