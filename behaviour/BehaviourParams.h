@@ -10,11 +10,12 @@
 
 namespace kelpie::behaviour {
 
-// Who plays: against a goal, or the 2004 localisation challenge (thesis 2004 section 4.1).
+// The player: it plays against a goal, or the 2004 localisation challenge (thesis 2004
+// section 4.1).
 enum class PlayerKind : std::uint8_t { striker, challenger };
 constexpr std::uint8_t kPlayerKindCount = 2;
 
-// What the scripts are told before the match.
+// The part of `world` that is fixed before the match.
 struct Task {
   PlayerKind player = PlayerKind::striker;
   std::array<double, 10> points{};  // cm on the field: x, y of the challenge's five points
@@ -32,7 +33,7 @@ struct BehaviourParams {
   double timeLimit = 0.25;
   bool reload = true;               // take over edited files; off on the robot
   std::uint32_t reloadFrames = 15;  // frames between two looks at the files
-  // The head of the fallback Command.
+  // The fallback Command stands and swings the head; period, width and tilt of that.
   double scanPeriod = 3.0;
   Angle scanPan = Angle::deg(60.0);
   Angle scanTilt = Angle::deg(-20.0);

@@ -37,7 +37,7 @@ bool readStruct(PyObject* object, T& value, std::string& why) {
   bool good = true;
   forEachField(value, [&](const auto& f, auto& member) {
     using Member = std::decay_t<decltype(member)>;
-    // The host answers for the fallback, not the script.
+    // The fallback is for the host to set, not for the script.
     if (!good || std::is_same_v<Member, Fallback>) return;
     const std::string name = pythonName<Member>(f.name, f.unit);
     const PythonRef attribute(PyObject_GetAttrString(object, name.c_str()));

@@ -4,6 +4,6 @@
 
 namespace kelpie::behaviour {
 
-const char* guardText();  // of behaviour/guard.py
+const char* guardText();  // the text of behaviour/guard.py
 
 }  // namespace kelpie::behaviour

@@ -32,7 +32,7 @@ std::string number(double value) {
   return text.find_first_of(".en") == std::string::npos ? text + ".0" : text;
 }
 
-// `WalkRequest`, and `Point2` for all its frames.
+// "WalkRequest"; "Point2" for a point of any frame of reference.
 template <class T>
 std::string className() {
   const std::string name = schemaName<T>();
@@ -42,7 +42,7 @@ std::string className() {
 template <class T>
 std::string defaultText(const T& value, const char* unit) {
   if constexpr (kIsSequence<T>) {
-    // In these structs all elements of an array begin alike.
+    // In these structs all elements of an array have the same default.
     if (value.size() == 0) return "[]";
     return "[" + defaultText(value[0], unit) + "] * " + std::to_string(value.size());
   } else if constexpr (HasFields<T>::value) {
@@ -96,7 +96,7 @@ class ClassWriter {
   std::set<std::string> done_;
 };
 
-// A wrong name is an error at once, not a wish that nobody reads.
+// A wrong name raises an error at once; otherwise nobody would notice that the request is lost.
 constexpr const char* kFields =
     "\n\nclass Fields:\n"
     "    __slots__ = ()\n\n"

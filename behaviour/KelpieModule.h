@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The Python text of the module `kelpie`, written from the field lists: constants and the classes
-// of the Command. With the world's classes it is the stand-in for a plain python3
-// (tests/py/kelpie.py).
+// The Python text of the module `kelpie`, written from the field lists: constants, the Command and
+// its parts. With the world's classes it is the stand-in for a plain python3 (tests/py/kelpie.py).
+// Keeps nothing. Enums have no field list: their names are typed once more in KelpieModule.cpp.
 #pragma once
 
 #include <string>
@@ -9,6 +9,6 @@
 namespace kelpie::behaviour {
 
 std::string kelpieModuleText();
-std::string kelpieStandInText();  // the same and World and its parts, writable
+std::string kelpieStandInText();  // with WorldFrame and its parts, writable
 
 }  // namespace kelpie::behaviour

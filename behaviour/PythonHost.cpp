@@ -107,7 +107,7 @@ void PythonHost::reloadIfEdited(const BehaviourParams& params) {
   tellLoaded(changes);
 }
 
-// Who edits while a match runs sees that the edit took effect.
+// Tells whoever edits during a match that the edit took effect.
 void PythonHost::tellLoaded(const SourceChanges& changes) {
   const std::string gone = changes.gone.empty() ? "" : listed(changes.gone) + ": gone; ";
   const std::string what = changes.edited.empty() ? "the rest" : listed(changes.edited);
@@ -158,7 +158,7 @@ Fallback PythonHost::fail(Fallback reason) {
   return late && reason == Fallback::scriptError ? Fallback::timeLimit : reason;
 }
 
-// A module that is not found because its file is gone is told by that file's name.
+// Where a module is missing because its file is gone, the line names the file.
 void PythonHost::failLoading() {
   std::string line, all;
   const PythonRef error = takeError(line, all);

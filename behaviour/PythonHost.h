@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Owns the interpreter, the loaded version of the behaviours and the frame they look at.
+// Owns the interpreter, the loaded version of the behaviours, the frame that they look at and the
+// last error. Fails where a script stays in one long C call: no watchdog breaks into that.
 #pragma once
 
 #include <memory>
@@ -19,7 +20,7 @@ class PythonHost {
   explicit PythonHost(const std::string& scripts);
 
   // Takes over edited files, calls decide() and reads its answer. The Fallback tells what went
-  // wrong; `command` is the script's only when it is none.
+  // wrong; `command` is the script's only with Fallback::none.
   Fallback decide(const BehaviourIn& in, const BehaviourParams& params, Command& command);
 
   const std::string& lastError() const { return lastError_; }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How a field of a field list is called in Python and in which unit it is given there: snake_case;
-// angles in degrees with a name that ends in _deg, their squares in _deg2; times in seconds.
+// The name and the unit of a field in Python, from its field list: snake_case; angles in degrees
+// with a name that ends in _deg, their squares in _deg2; times in seconds. Keeps nothing.
 #pragma once
 
 #include <string>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which state the behaviours' files are in, to notice an edit: a number for each file, made of its
-// time, size and permissions. Hidden files are no behaviours: editors keep their locks in them.
+// The state of the behaviours' files, to notice an edit: a number for each file, made of its time,
+// size and permissions. Hidden files do not count: editors keep their locks in them. Fails where an
+// edit keeps all three, as within one tick of the file system's clock.
 #pragma once
 
 #include <cstdint>
@@ -10,10 +11,10 @@
 
 namespace kelpie::behaviour {
 
-// By path within the folder, or the name of the one zip.
+// The keys are paths within the folder, or the name of the one zip.
 using SourceStamps = std::map<std::string, std::uint64_t>;
 
-// Never throws; a folder that is not there holds nothing.
+// Never throws; a missing folder holds no files.
 SourceStamps sourceStamps(const std::string& scripts);
 
 struct SourceChanges {

@@ -15,7 +15,7 @@ struct View {
 struct Sequence {
   PyObject_HEAD;
   const char* data;
-  const Item* item;  // of the whole sequence
+  const Item* item;  // describes the whole sequence
 };
 
 template <class T>

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The Python types through which scripts read the frame structs in place: one read-only type per
-// struct, made from its field list; a member is found by its offset. Nothing is written per member.
+// struct, made from its field list; a member is found by its offset, so no member needs code of its
+// own. Keeps the types. A view shows whatever its address holds now: it must not outlive the
+// struct.
 #pragma once
 
 #include <deque>

@@ -6,7 +6,7 @@
 namespace kelpie::behaviour {
 namespace {
 
-constexpr double kAgain = 0.02;  // s until the next try, if a script caught the first exception
+constexpr double kAgain = 0.02;  // s until the next interrupt, if a script caught the first one
 
 timeval timeOf(double seconds) {
   timeval time{};

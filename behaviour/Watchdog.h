@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Interrupts a decide() that does not end. Counts CPU time, not the wall's: a busy machine must not
-// change what a replay gives. Here by POSIX's virtual interval timer, whose signal Python turns
-// into an exception (guard.py); another system links another file.
+// Interrupts a decide() that does not end. It counts CPU seconds of the process, not the clock's: a
+// busy machine must not change what a replay gives. Watchdog.cpp uses POSIX's virtual interval
+// timer, whose signal Python turns into an exception (guard.py); another system links another file.
 #pragma once
 
 namespace kelpie::behaviour {

@@ -39,7 +39,7 @@ struct WorldFrame {
   Angle headingSd;
   double secondsSinceLandmark = 0.0;
   double secondsSinceLines = 0.0;
-  std::array<double, 9> covariance{};  // of x, y and heading
+  std::array<double, 9> covariance{};  // x, y and heading, row by row
   double stuck = 0.0;
   FixedVector<PoseMode, kMaxModes> modes;
   SecondHypothesis second;

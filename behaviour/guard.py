@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 # The host's side of the behaviours. A Version is one loading of all their files: it has modules of
 # its own (nothing is shared with sys.modules), so that an edited file replaces everything or
-# nothing. What a behaviour can import is other behaviours, `kelpie` and `math`: no files, sockets,
-# clocks or randomness. This keeps honest code repeatable; it is no prison for hostile code.
+# nothing. A behaviour can import other behaviours, `kelpie` and `math`: no files, sockets, clocks
+# or randomness. This keeps honest code repeatable; it does not stop hostile code.
 import _signal
 import builtins
 import math
@@ -18,7 +18,7 @@ if _signal.getsignal(_signal.SIGINT) is _signal.default_int_handler:
 
 
 class TimeLimit(BaseException):
-    pass
+    """Not an Exception: `except Exception` in a behaviour must not swallow it."""
 
 
 class Folder:
@@ -37,6 +37,7 @@ class Folder:
         return self.namespace(stem)
 
     def namespace(self, stem):
+        """An empty package for a folder without __init__.py, or None."""
         import posix
         try:
             posix.listdir(stem)
@@ -101,6 +102,7 @@ class Version:
         return module if fromlist else self.load(name.partition('.')[0])
 
     def load(self, name):
+        """The module of that full name, run at its first import; those above it come first."""
         known = self.shared.get(name) or self.modules.get(name)
         if known is not None:
             return known
@@ -140,10 +142,12 @@ def on_time_limit(number, frame):
 
 
 def watch():
+    """Makes the watchdog's signal an exception."""
     _signal.signal(_signal.SIGVTALRM, on_time_limit)
 
 
 def calm():
+    """Ends what on_time_limit() began."""
     sys.settrace(None)
 
 

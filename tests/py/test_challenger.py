@@ -47,7 +47,7 @@ def test_features_in_reach_are_neither_near_nor_far_nor_behind():
 
 
 class Challenge2004:
-    """An ideal world with a wall clock: play, a halt, play again at another place."""
+    """The challenger in an ideal world that knows its pose; run() plays it for some seconds."""
 
     def __init__(self, seed):
         self.ideal = IdealWorld(seed)
