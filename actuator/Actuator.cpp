@@ -128,7 +128,7 @@ bool walking(const ActuatorParams& params, const ActuatorState& state) {
   return ready(params, state) && !motionRunning(state) && !state.gait.standing;
 }
 
-// A kick needs all the strength there is (facts-2005 section 3).
+// A kick needs all the strength there is (facts-2005 section 2.5).
 bool lowGain(const ActuatorState& state) { return state.gain.low && !motionRunning(state); }
 
 // What the body did in the last four ticks: commanded velocity some ticks ago, calibrated.

@@ -81,7 +81,7 @@ struct OdometryParams {
 };
 
 // When the leg joints are held weakly, to keep the battery's current below what makes OPEN-R shut
-// the robot down. Currents of facts-2005 section 3; ours are means over some seconds.
+// the robot down. Currents of facts-2005 section 2.5; ours are means over some seconds.
 struct GainParams {
   double lowAbove = 3500.0;   // mA
   double highBelow = 2500.0;  // mA

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The head chain and the camera as exact geometry: where the camera is for given joints and stance,
 // which ground point a pixel sees, and which pixel a point falls on. Pinhole with square pixels and
-// a focal length of 192 px (facts-2005 section 2); lens errors are the ring correction's business.
+// a focal length of 192 px (facts-2005 section 2.1); lens errors are the ring correction's
+// business.
 #pragma once
 
 #include <cstddef>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The ERS-7's body in numbers: sizes (facts-2005 section 2, data/robot/geometry.csv), soft joint
-// limits, gains and OPEN-R locators (spec openr.md 5.6). Lengths in cm, angles in degrees.
+// The ERS-7's body in numbers: sizes (facts-2005 sections 2.2 and 2.4, data/robot/geometry.csv),
+// soft joint limits, gains and OPEN-R locators (spec openr.md 5.6). Lengths in cm, angles in
+// degrees.
 #pragma once
 
 #include <array>
@@ -63,7 +64,7 @@ constexpr JointGain kMouthGain = {0x08, 0x00, 0x04};
 constexpr JointGain kLegGain = {0x1C, 0x08, 0x01};  // rotator and knee
 constexpr JointGain kShoulderGain = {0x14, 0x04, 0x01};
 constexpr JointGain kWeakLegGain = {0x10, 0x04,
-                                    0x01};  // to spare the battery (facts-2005 section 3)
+                                    0x01};  // to spare the battery (facts-2005 section 2.5)
 constexpr JointGain kWeakShoulderGain = {0x0A, 0x04, 0x01};
 constexpr JointGain kTailGain = {0x0A, 0x04, 0x04};
 constexpr JointGain kGainShift = {0x0E, 0x02, 0x0F};  // shift exponents of all joints

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The playing field as data: sizes, lines, landmarks. Three are shipped: "2006", "osaka2005" and
-// "2004" (spec: checklist K01..K08; numbers of osaka2005 measured, facts-2005 section 1).
+// "2004" (checklist K01..K04 and K08; numbers of osaka2005 measured, facts-2005 section 1).
 #pragma once
 
 #include <string_view>

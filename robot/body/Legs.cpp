@@ -31,8 +31,8 @@ Reach fromTorso(LegId leg, const Point3<Torso>& p) {
   return {mirrorOf(leg) * (p.y - axisForward(leg)), -p.z, sideOf(leg) * p.x - kBodyWidth / 2};
 }
 
-// Foot in the leg's plane, before shoulder and rotator turn it: thesis-independent geometry of
-// facts-2005 section 2.4 (knee, then upper leg, then shoulder, then rotator).
+// Foot in the leg's plane, before shoulder and rotator turn it: the geometry of facts-2005
+// section 2.4 (knee, then upper leg, then shoulder, then rotator).
 struct PlaneFoot {
   double x;
   double y;

@@ -28,7 +28,7 @@ std::unique_ptr<Image> sheet(const ArtefactParams& params, std::array<float, 3> 
   return image;
 }
 
-// Checklist part E3: white (200, 128, 128) becomes (113, 121, 150) in the corner, d = 131.
+// Checklist E3: white (200, 128, 128) becomes (113, 121, 150) in the corner, d = 131.
 TEST(Artefacts, WhiteInTheCornerIsAsTheTableSays) {
   EXPECT_NEAR(ringValue(0, 200, 131) - 200, -86.47, 0.01);
   EXPECT_NEAR(ringValue(1, 128, 131) - 128, -6.88, 0.01);

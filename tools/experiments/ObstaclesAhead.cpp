@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // How well the count of dark pixels in the box ahead tells that a robot stands there (thesis 2006
-// section 6.4.4.2, which leaves the threshold open): rates of hits and false alarms by threshold,
-// with dark pixels alone and with grey ones. Views in which the box is in the image.
+// section 6.4.4, which leaves the threshold open: checklist U07): rates of hits and false alarms by
+// threshold, with dark pixels alone and with grey ones. Views in which the box is in the image.
 #include <array>
 #include <memory>
 

@@ -2,7 +2,8 @@
 // The ring learner against a ring effect that it does not know: sheets of six colours, made with
 // the simulator's polynomial (its own code, thesis 2006 section 2.3.2) and noise of 2 grey levels;
 // every second trial with each channel's centre displaced. Also what the correction does to a white
-// sheet, to the genuine frames, and how large the tables of thesis section 2.4 are.
+// sheet, to the genuine frames, and how large the tables of
+// thesis 2006 section 2.4 are.
 #include <cmath>
 #include <memory>
 

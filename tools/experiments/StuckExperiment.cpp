@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Being stuck: what the legs tell of it, what the localiser makes of that (thesis 2004 section
-// 2.2.4, figure 2.10), and how soon the pose is right again after a scrum (section 5.1).
+// 2.2.4, figure 2.10), and how soon the pose is right again after a scrum
+// (thesis 2004 section 5.1).
 #include "tools/experiments/StuckScrums.h"
 #include "tools/experiments/StuckWalks.h"
 

@@ -48,8 +48,8 @@ struct ArtefactParams {
   }
 };
 
-// A robot drawn at random, inside the range measured on 16 robots (facts-2005 section 3): chroma
-// turns about 128 there, because grey stays grey.
+// A robot drawn at random, inside the range of the 35 fits to real robots (facts-2005 section 3).
+// There chroma turns about 128, because grey stays grey.
 ColourShift randomShift(Random& random);
 
 // Value after the ring effect: the published forward polynomial (thesis 2006 equations 2.1 and 2.2,

@@ -20,7 +20,7 @@ namespace kelpie::sim {
 
 // What weakly held legs carry of the way that they walk: they give under the weight. Thesis 2004
 // section 2.2.4 has about a half of the turn; 2005's odometry calibrations of its walks, weak over
-// standard, 0.99, 0.63 and 0.64 (facts-2005).
+// standard, 0.99, 0.63 and 0.64 (facts-2005 section 6.3).
 struct WeakLegParams {
   double below = 0.8;  // of the standard gain
   double forward = 0.97;
@@ -75,7 +75,7 @@ struct BodySphere {
 };
 
 // The trunk seen from above, in the robot frame. The chest is 1.8 cm ahead of the neck base
-// (facts-2005 data geometry.csv).
+// (data/robot/geometry.csv).
 constexpr double kChestAhead = 1.8;
 constexpr double kTrunkBack = -16.0;
 constexpr double kTrunkHalfWidth = 4.5;
