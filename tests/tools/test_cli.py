@@ -83,7 +83,7 @@ def test_the_body_walks_as_its_odometry_says_and_kicks_straight(tmp_path):
 
 def test_the_playing_robot_knows_its_place(tmp_path):
     figures = tmp_path / "f.json"
-    assert kelpie("evaluate", "localise", "--trials", "1", "--seed", "31", "--pictures", tmp_path,
+    assert kelpie("evaluate", "localise", "--trials", "1", "--seed", "31", "--traces", tmp_path,
                   "--json", figures).returncode == 0
     values = json.loads(figures.read_text())
     assert values["mean_cm"] < 6 and values["mean_deg"] < 2 and values["p95_cm"] < 15

@@ -9,7 +9,7 @@ from conftest import kelpie
 
 def test_one_set_up_is_mapped_and_walked(tmp_path):
     figures = tmp_path / "figures.json"
-    result = kelpie("evaluate", "slam", "--trials", "1", "--seed", "31", "--pictures", tmp_path,
+    result = kelpie("evaluate", "slam", "--trials", "1", "--seed", "31", "--traces", tmp_path,
                     "--json", figures, timeout=600)
     assert result.returncode == 0, result.stderr
     answer = json.loads(figures.read_text())

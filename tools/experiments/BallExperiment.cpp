@@ -4,8 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tools/experiments/Experiment.h"
 #include "tools/experiments/TruePlayer.h"
+#include "tools/experiments/harness/Statistics.h"
+#include "tools/experiments/harness/Trials.h"
 #include "tools/sim/Ball.h"
 
 namespace kelpie::experiments {
@@ -18,10 +19,10 @@ constexpr double kFarthest = 300.0;
 constexpr double kRecall = 0.97;
 
 struct Errors {
-  std::vector<double> position;
-  std::vector<double> velocity;
-  std::vector<double> speed;  // of a ball that lies
-  std::vector<double> stop;
+  Values position;
+  Values velocity;
+  Values speed;  // of a ball that lies
+  Values stop;
 };
 
 // A walk that changes its mind.
@@ -78,7 +79,7 @@ Point2<Field> endOf(sim::Ball ball) {
   return ball.position;
 }
 
-// What of it concerns the ball is compared in the robot's frame: the pose has its own experiments.
+// Compared in the robot's frame: the pose has its own experiments.
 double stopError(const Scene& scene, const WorldModel& world) {
   const Point2<Robot> said = robotFromField(world.pose, world.ball.stoppingPoint);
   return distance(said, robotFromField(scene.player.truth, endOf(scene.ball)));
@@ -125,29 +126,17 @@ void lying(std::uint64_t seed, bool walks, bool sway, Errors& errors) {
   }
 }
 
-double mean(const std::vector<double>& values) {
-  double sum = 0.0;
-  for (const double v : values) sum += v;
-  return values.empty() ? 0.0 : sum / static_cast<double>(values.size());
-}
-
-}  // namespace
-
-Expected<Json> ballFilter(const ExperimentOptions& options) {
+Expected<Json> ballFilter(const Request& request) {
   Errors standing, walking, still, stillStanding, sway;
-  Random seeds(options.seed);
-  for (int trial = 0; trial < options.trials; ++trial) {
+  Random seeds(request.seed);
+  eachTrial(request, [&](const Trial&) {
     rolling(seeds.next(), false, standing);
     rolling(seeds.next(), true, walking);
     lying(seeds.next(), true, false, still);
     lying(seeds.next(), false, false, stillStanding);
     lying(seeds.next(), true, true, sway);
-    if (options.progress) options.progress(trial + 1, options.trials);
-  }
-  return Json{{"experiment", "ball"},
-              {"trials", options.trials},
-              {"seed", options.seed},
-              {"standing_cm", mean(standing.position)},
+  });
+  return Json{{"standing_cm", mean(standing.position)},
               {"standing_cm_s", mean(standing.velocity)},
               {"walking_cm", mean(walking.position)},
               {"walking_cm_s", mean(walking.velocity)},
@@ -163,4 +152,9 @@ Expected<Json> ballFilter(const ExperimentOptions& options) {
               {"stop_walking_p90_cm", percentile(walking.stop, 0.9)}};
 }
 
+const Registration kBall("ball",
+                         "the ball filter: place, velocity, a lying ball's speed, where one stops",
+                         {Option::trials, Option::seed}, 200, ballFilter);
+
+}  // namespace
 }  // namespace kelpie::experiments

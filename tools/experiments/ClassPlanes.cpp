@@ -7,8 +7,8 @@
 
 #include "robot/body/Camera.h"
 #include "robot/core/PlaneFrame.h"
-#include "tools/experiments/Experiment.h"
 #include "tools/experiments/View.h"
+#include "tools/experiments/harness/Statistics.h"
 #include "vision/PlaneImage.h"
 #include "vision/Vision.h"
 
@@ -17,28 +17,21 @@ namespace {
 
 // One kind of percept over all views, as seen in the image and in the plane.
 struct Agreement {
-  int views = 0;  // compared
-  int same = 0;   // seen in both or in neither
+  Share same;  // seen in both or in neither
   int inImage = 0;
   int inBoth = 0;
-  std::vector<double> distance;  // %
-  std::vector<double> heading;   // deg
+  Values distance;  // difference in %
+  Values heading;   // deg
 
   template <class Percept>
   void compare(const Percept* image, const Percept* plane) {
-    ++views;
-    same += (image == nullptr) == (plane == nullptr) ? 1 : 0;
+    same.count((image == nullptr) == (plane == nullptr));
     if (image == nullptr) return;
     ++inImage;
     if (plane == nullptr) return;
     ++inBoth;
     distance.push_back(100.0 * std::fabs(plane->distance / image->distance - 1.0));
     heading.push_back(std::fabs((plane->heading - image->heading).deg()));
-  }
-  double within(double percent) const {
-    const auto near =
-        std::count_if(distance.begin(), distance.end(), [&](double d) { return d <= percent; });
-    return distance.empty() ? 0.0 : static_cast<double>(near) / static_cast<double>(inBoth);
   }
 };
 
@@ -76,10 +69,8 @@ class Comparison {
     points_ += static_cast<double>(made.linePoints.size());
     pointsInImage_ += static_cast<double>(image.linePoints.size());
   }
-  void report(Json& json) const {
-    double sum = 0.0;
-    for (const double b : bytes_) sum += b;
-    json["plane_mean_bytes"] = sum / static_cast<double>(bytes_.size());
+  Json figures() const {
+    Json json{{"plane_mean_bytes", mean(bytes_)}};
     json["plane_p95_bytes"] = percentile(bytes_, 0.95);
     json["plane_max_bytes"] = percentile(bytes_, 1.0);
     json["image_bytes"] = 3 * kImagePixels;
@@ -87,14 +78,15 @@ class Comparison {
     add("goal", goals_, json);
     add("beacon", beacons_, json);
     json["line_points_ratio"] = points_ / std::fmax(pointsInImage_, 1.0);
+    return json;
   }
 
  private:
   static void add(const std::string& name, const Agreement& a, Json& json) {
-    json[name + "_same_rate"] = static_cast<double>(a.same) / a.views;
+    json[name + "_same_rate"] = a.same.value();
     json[name + "_in_image"] = a.inImage;
     json[name + "_in_both"] = a.inBoth;
-    json[name + "_within_5_percent_rate"] = a.within(5.0);
+    json[name + "_within_5_percent_rate"] = shareUpTo(a.distance, 5.0);
     json[name + "_distance_median_percent"] = percentile(a.distance, 0.5);
     json[name + "_distance_p90_percent"] = percentile(a.distance, 0.9);
     json[name + "_heading_p90_deg"] = percentile(a.heading, 0.9);
@@ -103,7 +95,7 @@ class Comparison {
   std::unique_ptr<vision::VisionState> onImage_;
   std::unique_ptr<vision::VisionState> onPlane_;
   std::unique_ptr<PlaneFrame> again_;
-  std::vector<double> bytes_;
+  Values bytes_;
   Agreement ball_;
   Agreement goals_;
   Agreement beacons_;
@@ -111,20 +103,15 @@ class Comparison {
   double pointsInImage_ = 0.0;
 };
 
-}  // namespace
-
-Expected<Json> classPlanes(const ExperimentOptions& options) {
-  ViewParams params;
-  params.field = *body::fieldDescription("2006");
-  ViewMaker views(params, options.seed);
+Expected<Json> classPlanes(const Request& request) {
   Comparison comparison;
-  for (int trial = 0; trial < options.trials; ++trial) {
-    comparison.add(views.next().input);
-    if (options.progress) options.progress(trial + 1, options.trials);
-  }
-  Json json{{"experiment", "class-planes"}, {"trials", options.trials}, {"seed", options.seed}};
-  comparison.report(json);
-  return json;
+  eachView({}, request, [&](const View& view) { comparison.add(view.input); });
+  return comparison.figures();
 }
 
+const Registration kClassPlanes(
+    "class-planes", "class planes for images: their size, and what vision loses by them",
+    {Option::trials, Option::seed}, 500, classPlanes);
+
+}  // namespace
 }  // namespace kelpie::experiments

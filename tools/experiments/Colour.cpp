@@ -12,8 +12,8 @@
 #include "tools/calibrate/KernelTrainer.h"
 #include "tools/calibrate/SharedData.h"
 #include "tools/calibrate/Shift.h"
-#include "tools/experiments/Experiment.h"
 #include "tools/experiments/View.h"
+#include "tools/experiments/harness/Statistics.h"
 #include "vision/ClassPicture.h"
 
 namespace kelpie::experiments {
@@ -41,8 +41,8 @@ double shareRight(const LabelledPixels& pixels, const std::function<ColourClass(
   return calibrate::accuracyOf(confusionOf(classOf, pixels));
 }
 
-void judgeSplit(const LabelledPixels& pixels, const vision::ColourTable& table2005, Random& random,
-                LabelledFigures& sum) {
+void addSplit(const LabelledPixels& pixels, const vision::ColourTable& table2005, Random& random,
+              LabelledFigures& sum) {
   const auto split = calibrate::splitLabelled(pixels, kHeldOut, random);
   const auto kernel = calibrate::chooseKernel(split.training, {}, random);
   const auto robot = robotTable(trainTable(split.training, kernel, {}));
@@ -75,7 +75,7 @@ Json labelledFigures(Random& random) {
   if (!pixels || !table2005)
     return {{"accuracy", nullptr}, {"note", "without ../shared/data/colour"}};
   LabelledFigures sum;
-  for (int i = 0; i < kSplits; ++i) judgeSplit(*pixels, *table2005, random, sum);
+  for (int i = 0; i < kSplits; ++i) addSplit(*pixels, *table2005, random, sum);
   return {{"splits", kSplits},
           {"accuracy", sum.table},
           {"accuracy_2005", sum.table2005},
@@ -150,7 +150,7 @@ Zone zoneAt(int px, int py) {
   return d < kMiddle ? Zone::middle : d < kCorners ? Zone::between : Zone::corners;
 }
 
-constexpr double kFewest = 50.0;  // pixels that make a share
+constexpr double kMinPixels = 50.0;  // pixels that make a share
 
 struct Score {
   std::array<double, kColourClassCount> right{};
@@ -163,18 +163,18 @@ struct Score {
       good += right[c];
       count += all[c];
     }
-    return count > 0.0 ? good / count : 0.0;
+    return ratio(good, count);
   }
   // Mean of the classes' shares: the carpet counts no more than a robot's patch.
   double classMean() const {
     double sum = 0.0;
     double classes = 0.0;
     for (std::size_t c = 0; c < kColourClassCount; ++c) {
-      if (all[c] < kFewest) continue;
+      if (all[c] < kMinPixels) continue;
       sum += right[c] / all[c];
       classes += 1.0;
     }
-    return classes > 0.0 ? sum / classes : 0.0;
+    return ratio(sum, classes);
   }
   Json byClass() const {
     Json out;
@@ -242,7 +242,7 @@ struct SceneScores {
   Scores uncorrected;
 };
 
-Status judgeView(const View& view, Random& random, sim::Camera& idealCamera, SceneScores& scores) {
+Status addView(const View& view, Random& random, sim::Camera& idealCamera, SceneScores& scores) {
   const auto ideal = std::make_unique<Image>();
   idealCamera.render(view.scene, view.columns, random, *ideal);
   const auto shift = calibratedShift(view.shift, random);
@@ -266,24 +266,15 @@ void addScores(Json& out, const std::string& ending, const Scores& scores) {
   out["room_coloured_share" + ending] = scores.roomColoured / std::fmax(1.0, scores.room);
 }
 
-}  // namespace
-
-Expected<Json> colour(const ExperimentOptions& options) {
-  Random random(options.seed);
-  Json out{{"experiment", "colour"}, {"trials", options.trials}, {"seed", options.seed}};
-  out.update(labelledFigures(random));
-  const auto field = body::fieldDescription("2006");
-  if (!field) return Error{field.error()};
-  ViewParams params;
-  params.field = *field;
-  ViewMaker views(params, options.seed);
+Expected<Json> colour(const Request& request) {
+  Random random(request.seed);
+  Json out = labelledFigures(random);
+  ViewMaker views({}, request.seed);
   sim::Camera idealCamera(sim::idealCamera(), {});
   SceneScores scores;
-  for (int trial = 0; trial < options.trials; ++trial) {
-    const Status done = judgeView(views.next(), random, idealCamera, scores);
-    if (!done) return Error{done.error()};
-    if (options.progress) options.progress(trial + 1, options.trials);
-  }
+  const Status done = eachTrial(
+      request, [&](const Trial&) { return addView(views.next(), random, idealCamera, scores); });
+  if (!done) return Error{done.error()};
   addScores(out, "", scores.calibrated);
   addScores(out, "_unshifted", scores.unshifted);
   addScores(out, "_uncorrected", scores.uncorrected);
@@ -292,4 +283,9 @@ Expected<Json> colour(const ExperimentOptions& options) {
   return out;
 }
 
+const Registration kColour("colour",
+                           "share of pixels that get their class: held-out labels, rendered views",
+                           {Option::trials, Option::seed}, 60, colour);
+
+}  // namespace
 }  // namespace kelpie::experiments

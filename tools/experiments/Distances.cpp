@@ -8,7 +8,7 @@
 
 #include "robot/core/Maths.h"
 #include "tools/experiments/DistanceData.h"
-#include "tools/experiments/Experiment.h"
+#include "tools/experiments/harness/Experiment.h"
 
 namespace kelpie::experiments {
 namespace {
@@ -69,11 +69,11 @@ Constants fitted(const Measurements& rows, Family family) {
   return best;
 }
 
-// Each series judged with constants chosen on all the others; cm.
+// Each series compared with constants chosen on all the others; cm.
 double unseenRms(const Measurements& rows, const Family& family) {
   double sum = 0.0;
-  std::size_t judged = 0;
-  for (int series = 0; judged < rows.size(); ++series) {
+  std::size_t compared = 0;
+  for (int series = 0; compared < rows.size(); ++series) {
     Measurements own;
     Measurements others;
     for (const Measured& m : rows) (m.series == series ? own : others).push_back(m);
@@ -81,7 +81,7 @@ double unseenRms(const Measurements& rows, const Family& family) {
     const Constants chosen = fitted(others, family);
     const double rms = misfit(own, family.make(chosen.first, chosen.second)).rms;
     sum += rms * rms * static_cast<double>(own.size());
-    judged += own.size();
+    compared += own.size();
   }
   return std::sqrt(sum / static_cast<double>(rows.size()));
 }
@@ -140,9 +140,7 @@ void report(const Object& o, double focalLength, Json& json) {
   json[name + "_calibrated_unseen_rms_cm"] = unseenRms(o.rows, optics);
 }
 
-}  // namespace
-
-Expected<Json> distances(const ExperimentOptions& options) {
+Expected<Json> distances(const Request& /*request*/) {
   std::vector<Object> objects = {{"ball", SizedObject::ball, {}},
                                  {"beacon", SizedObject::beacon, {}},
                                  {"goal", SizedObject::goal, {}}};
@@ -152,12 +150,14 @@ Expected<Json> distances(const ExperimentOptions& options) {
     o.rows = *rows;
   }
   const double focalLength = commonFocalLength(objects);
-  Json json{{"experiment", "distances"},
-            {"trials", options.trials},
-            {"seed", options.seed},
-            {"calibrated_focal_px", focalLength}};
+  Json json{{"calibrated_focal_px", focalLength}};
   for (const auto& o : objects) report(o, focalLength, json);
   return json;
 }
 
+const Registration kDistances("distances",
+                              "models of distance against sizes measured on real robots in 2005",
+                              {}, 1, distances);
+
+}  // namespace
 }  // namespace kelpie::experiments

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// How well vision judges candidates for goals and robots that passed every check: real ones lost
+// How well vision tells candidates for goals and robots that passed every check: real ones lost
 // against false ones left, with its own curves and with curves learned from the same views, each
-// view judged by what the others taught. The learned curves are what GoalDoubt and RobotDoubt hold.
+// view with what the others taught. The learned curves are what GoalDoubt and RobotDoubt hold.
 #include <algorithm>
 #include <cmath>
 
 #include "robot/core/Fields.h"
 #include "tools/calibrate/CurveFit.h"
-#include "tools/experiments/Experiment.h"
 #include "tools/experiments/Looks.h"
 #include "tools/experiments/Objects.h"
 #include "vision/VisionParams.h"
@@ -25,7 +24,7 @@ double weightOf(Label label) {
   return label == Label::nothing ? 40.0 : label == Label::toSee ? 2.0 : 0.3;
 }
 
-struct Judgements {
+struct Candidates {
   std::vector<std::string> facts;
   double from;  // cm, of the objects to see
   double to;
@@ -53,9 +52,9 @@ Label labelOf(const SeenObject& seen, const std::vector<TrueObject>& objects, do
   return label;
 }
 
-template <typename Candidates>
-void add(const Candidates& candidates, const std::vector<TrueObject>& objects, int view,
-         Judgements& all) {
+template <typename List>
+void add(const List& candidates, const std::vector<TrueObject>& objects, int view,
+         Candidates& all) {
   for (const auto& candidate : candidates) {
     const Label label = labelOf(seenObject(candidate.percept), objects, all.from, all.to);
     calibrate::CurveExample example;
@@ -71,7 +70,7 @@ void add(const Candidates& candidates, const std::vector<TrueObject>& objects, i
 }
 
 // With a limit on the doubt: false ones left a thousand views, and shares that it loses.
-Json atLimit(const Judgements& all, const std::vector<double>& doubts, double limit, int views) {
+Json atLimit(const Candidates& all, const std::vector<double>& doubts, double limit, int views) {
   std::array<int, 3> count{};
   std::array<int, 3> kept{};
   for (std::size_t i = 0; i < doubts.size(); ++i) {
@@ -86,7 +85,7 @@ Json atLimit(const Judgements& all, const std::vector<double>& doubts, double li
           {"all_lost", 1.0 - (kept[1] + kept[2]) / std::max(1.0, 1.0 * (count[1] + count[2]))}};
 }
 
-Json curvesOf(const Judgements& all, const calibrate::CurveFit& fit) {
+Json curvesOf(const Candidates& all, const calibrate::CurveFit& fit) {
   Json curves = Json::array();
   for (std::size_t i = 0; i < fit.curves.size(); ++i) {
     const auto& curve = fit.curves[i];
@@ -97,7 +96,7 @@ Json curvesOf(const Judgements& all, const calibrate::CurveFit& fit) {
   return curves;
 }
 
-Json figuresOf(const Judgements& all, int views) {
+Json figuresOf(const Candidates& all, int views) {
   const auto count = [&all](Label label) {
     return std::count(all.labels.begin(), all.labels.end(), label);
   };
@@ -117,27 +116,24 @@ Json figuresOf(const Judgements& all, int views) {
   return json;
 }
 
-}  // namespace
-
-Expected<Json> doubts(const ExperimentOptions& options) {
-  const auto field = body::fieldDescription("2006");
-  if (!field) return Error{field.error()};
-  ViewParams params;
-  params.field = *field;
+Expected<Json> doubts(const Request& request) {
+  const ViewParams params;
   Visibility visibility;
   const vision::VisionParams vision;
-  Judgements goals{namesOf<vision::GoalFacts>(), 80, 500, vision.goal.maxDoubt, {}, {}, {}};
-  Judgements robots{namesOf<vision::RobotFacts>(), 30, 200, vision.robot.maxDoubt, {}, {}, {}};
-  lookAtViews(params, options, [&](const Look& look) {
-    const auto objects = trueObjects(look.view, *field, visibility);
+  Candidates goals{namesOf<vision::GoalFacts>(), 80, 500, vision.goal.maxDoubt, {}, {}, {}};
+  Candidates robots{namesOf<vision::RobotFacts>(), 30, 200, vision.robot.maxDoubt, {}, {}, {}};
+  lookAtViews(params, request, [&](const Look& look) {
+    const auto objects = trueObjects(look.view, params.field, visibility);
     add(look.judged.goals, objects, look.number, goals);
     add(look.judged.robots, objects, look.number, robots);
   });
-  return Json{{"experiment", "doubts"},
-              {"trials", options.trials},
-              {"seed", options.seed},
-              {"goals", figuresOf(goals, options.trials)},
-              {"robots", figuresOf(robots, options.trials)}};
+  return Json{{"goals", figuresOf(goals, request.trials)},
+              {"robots", figuresOf(robots, request.trials)}};
 }
 
+const Registration kDoubts("doubts",
+                           "candidates for goals and robots: vision's log odds beside learned ones",
+                           {Option::trials, Option::seed}, 6000, doubts);
+
+}  // namespace
 }  // namespace kelpie::experiments

@@ -10,6 +10,7 @@
 #include "robot/body/Camera.h"
 #include "tools/experiments/FieldEdgeParts.h"
 #include "tools/experiments/FieldEdgeTruth.h"
+#include "tools/experiments/harness/Statistics.h"
 #include "vision/Scene.h"
 #include "vision/Vision.h"
 
@@ -67,7 +68,7 @@ struct Tally {
   int one = 0;
   int met = 0;
   int noEdge = 0;
-  std::vector<double> meeting;  // px
+  Values meeting;  // px
 };
 
 struct Match {
@@ -96,7 +97,7 @@ bool oneFollows(const EdgeTruth& truth, const Corner& corner, const Edges& edges
   });
 }
 
-void judge(const EdgeTruth& truth, const Corner& corner, const Edges& edges, Tally& tally) {
+void addCorner(const EdgeTruth& truth, const Corner& corner, const Edges& edges, Tally& tally) {
   ++tally.corners;
   tally.noEdge += edges.empty() ? 1 : 0;
   tally.one += oneFollows(truth, corner, edges) ? 1 : 0;
@@ -107,16 +108,12 @@ void judge(const EdgeTruth& truth, const Corner& corner, const Edges& edges, Tal
   tally.met += tally.meeting.back() <= kMeeting ? 1 : 0;
 }
 
-double share(int part, int all) { return all > 0 ? static_cast<double>(part) / all : 0.0; }
-
 }  // namespace
 
-Json fieldEdgeCorners(const ExperimentOptions& options) {
-  ViewParams params;
-  params.field = *body::fieldDescription("2006");
-  ViewMaker maker(params, options.seed + 1);
+Json fieldEdgeCorners(const Request& request) {
+  ViewMaker maker({}, request.seed + 1);
   const auto state = std::make_unique<vision::VisionState>();
-  const int wanted = std::max(1, options.trials / 5);
+  const int wanted = std::max(1, request.trials / 5);
   Tally tally;
   for (int drawn = 0; drawn < wanted * kViewsPerCorner && tally.corners < wanted; ++drawn) {
     const View& view = maker.next();
@@ -125,13 +122,13 @@ Json fieldEdgeCorners(const ExperimentOptions& options) {
     if (!corner) continue;
     const BodyState body = body::step(view.input, {});
     const Percepts seen = vision::step({view.input, body}, {}, *state);
-    judge(truth, *corner, seen.fieldEdges, tally);
+    addCorner(truth, *corner, seen.fieldEdges, tally);
   }
   return Json{{"corners", tally.corners},
-              {"corner_success_rate", share(tally.both, tally.corners)},
-              {"one_edge_rate", share(tally.one, tally.corners)},
-              {"no_edge_rate", share(tally.noEdge, tally.corners)},
-              {"meeting_within_5_px_rate", share(tally.met, tally.corners)},
+              {"corner_success_rate", ratio(tally.both, tally.corners)},
+              {"one_edge_rate", ratio(tally.one, tally.corners)},
+              {"no_edge_rate", ratio(tally.noEdge, tally.corners)},
+              {"meeting_within_5_px_rate", ratio(tally.met, tally.corners)},
               {"meeting_median_px", percentile(tally.meeting, 0.5)},
               {"meeting_p90_px", percentile(tally.meeting, 0.9)}};
 }

@@ -3,21 +3,24 @@
 #include "tools/experiments/FieldEdgeParts.h"
 
 namespace kelpie::experiments {
+namespace {
 
 // The figures asked for stand first: at each share of wrong points those of the worst slope.
-Expected<Json> fieldEdge(const ExperimentOptions& options) {
-  const Json points = fieldEdgePoints(options);
-  const Json corners = fieldEdgeCorners(options);
-  return Json{{"experiment", "field-edge"},
-              {"trials", options.trials},
-              {"seed", options.seed},
-              {"success_0", points.at("success_0_worst_rate")},
+Expected<Json> fieldEdge(const Request& request) {
+  const Json points = fieldEdgePoints(request);
+  const Json corners = fieldEdgeCorners(request);
+  return Json{{"success_0", points.at("success_0_worst_rate")},
               {"success_20", points.at("success_20_worst_rate")},
               {"success_50", points.at("success_50_worst_rate")},
               {"corner_success", corners.at("corner_success_rate")},
               {"points", points},
-              {"views", fieldEdgeViews(options)},
+              {"views", fieldEdgeViews(request)},
               {"corners", corners}};
 }
 
+const Registration kFieldEdge("field-edge",
+                              "where the carpet ends: the fit on made-up points, views, corners",
+                              {Option::trials, Option::seed}, 1000, fieldEdge);
+
+}  // namespace
 }  // namespace kelpie::experiments

@@ -129,15 +129,15 @@ using Scatter = std::function<vision::EdgeFeatures(Random&, const Line&)>;
 
 // Share of successes. Slope: fixed, or drawn up to kSteepest to either side when not given.
 double successRate(const Fit& fit, const Scatter& scatter, std::optional<double> slope,
-                   const ExperimentOptions& options) {
-  Random random(options.seed);
+                   const Request& request) {
+  Random random(request.seed);
   int good = 0;
-  for (int trial = 0; trial < options.trials; ++trial) {
+  for (int trial = 0; trial < request.trials; ++trial) {
     const Line truth = randomLine(random, slope ? *slope : random.uniform(-kSteepest, kSteepest));
     const auto points = scatter(random, truth);
     good += succeeds(fit(points, static_cast<std::uint32_t>(trial)), truth) ? 1 : 0;
   }
-  return static_cast<double>(good) / options.trials;
+  return static_cast<double>(good) / request.trials;
 }
 
 struct Slope {
@@ -148,7 +148,7 @@ const std::array<Slope, 4> kSlopes = {
     {{"slope_000", 0.0}, {"slope_002", 0.02}, {"slope_010", 0.1}, {"slope_any", std::nullopt}}};
 constexpr std::array<int, 5> kShares = {0, 10, 20, 30, 50};  // %
 
-Json uniformTable(const Fit& fit, const ExperimentOptions& options) {
+Json uniformTable(const Fit& fit, const Request& request) {
   Json table;
   for (const Slope& slope : kSlopes) {
     Json row;
@@ -157,7 +157,7 @@ Json uniformTable(const Fit& fit, const ExperimentOptions& options) {
         return uniformPoints(random, line, percent / 100.0);
       };
       row["success_" + std::to_string(percent) + "_rate"] =
-          successRate(fit, scatter, slope.value, options);
+          successRate(fit, scatter, slope.value, request);
     }
     table[slope.name] = row;
   }
@@ -180,7 +180,7 @@ void summarise(const Json& table, Json& out) {
   }
 }
 
-Json coveredTable(const Fit& fit, const ExperimentOptions& options) {
+Json coveredTable(const Fit& fit, const Request& request) {
   Json table;
   for (const Slope& slope : kSlopes) {
     Json row;
@@ -190,7 +190,7 @@ Json coveredTable(const Fit& fit, const ExperimentOptions& options) {
           return coveredPoints(random, line, percent / 100.0, beyond);
         };
         row[std::string(beyond ? "green_beyond_" : "obstacle_") + std::to_string(percent) +
-            "_rate"] = successRate(fit, scatter, slope.value, options);
+            "_rate"] = successRate(fit, scatter, slope.value, request);
       }
     }
     table[slope.name] = row;
@@ -200,21 +200,21 @@ Json coveredTable(const Fit& fit, const ExperimentOptions& options) {
 
 }  // namespace
 
-Json fieldEdgePoints(const ExperimentOptions& options) {
-  const Json table = uniformTable(ours, options);
+Json fieldEdgePoints(const Request& request) {
+  const Json table = uniformTable(ours, request);
   Json out;
   summarise(table, out);
   out["uniform"] = table;
-  out["covered"] = coveredTable(ours, options);
+  out["covered"] = coveredTable(ours, request);
   using vision::EdgeFitness;
   const Fit r8 = thesis(8, EdgeFitness::correlation);
   const Fit r2 = thesis(2, EdgeFitness::correlation);
   const Fit count2 = thesis(2, EdgeFitness::count);
-  out["thesis_r_n8"] = uniformTable(r8, options);
-  out["thesis_r_n2"] = uniformTable(r2, options);
-  out["count_n2"] = uniformTable(count2, options);
-  out["thesis_r_n8_covered"] = coveredTable(r8, options);
-  out["count_n2_covered"] = coveredTable(count2, options);
+  out["thesis_r_n8"] = uniformTable(r8, request);
+  out["thesis_r_n2"] = uniformTable(r2, request);
+  out["count_n2"] = uniformTable(count2, request);
+  out["thesis_r_n8_covered"] = coveredTable(r8, request);
+  out["count_n2_covered"] = coveredTable(count2, request);
   return out;
 }
 

@@ -9,6 +9,7 @@
 #include "tools/experiments/FieldEdgeParts.h"
 #include "tools/experiments/FieldEdgeTruth.h"
 #include "tools/experiments/Looks.h"
+#include "tools/experiments/harness/Statistics.h"
 #include "vision/Scene.h"
 
 namespace kelpie::experiments {
@@ -21,8 +22,8 @@ constexpr double kBallAllowed = 4.0;  // px, BallParams::maxAboveFieldEdge
 using Edges = FixedVector<FieldEdgePercept, 3>;
 
 // Row errors where the edge is in sight, or also where something hides it.
-std::vector<double> rowErrors(const EdgeTruth& truth, const Edges& edges, bool hidden) {
-  std::vector<double> errors;
+Values rowErrors(const EdgeTruth& truth, const Edges& edges, bool hidden) {
+  Values errors;
   for (int x = 0; x < kImageWidth; ++x) {
     const EdgeColumn& column = truth.column[static_cast<std::size_t>(x)];
     if (column.border != kNoBorder && (hidden || !column.hidden))
@@ -31,7 +32,7 @@ std::vector<double> rowErrors(const EdgeTruth& truth, const Edges& edges, bool h
   return errors;
 }
 
-bool allWithin(const std::vector<double>& errors) {
+bool allWithin(const Values& errors) {
   return std::all_of(errors.begin(), errors.end(),
                      [](double e) { return std::fabs(e) <= kAllowed; });
 }
@@ -67,9 +68,9 @@ struct Tally {
   int ballsLost = 0;
   int spots = 0;
   int spotsLost = 0;
-  std::vector<double> errors;  // px, median of each found view
-  std::vector<double> horizonStill;
-  std::vector<double> horizonTurning;
+  Values errors;  // px, median of each found view
+  Values horizonStill;
+  Values horizonTurning;
 };
 
 bool insideImage(const Edges& edges) {
@@ -80,7 +81,7 @@ bool insideImage(const Edges& edges) {
   return false;
 }
 
-void judge(const EdgeTruth& truth, const Edges& edges, Tally& tally) {
+void addEdges(const EdgeTruth& truth, const Edges& edges, Tally& tally) {
   ++tally.views;
   tally.edges += static_cast<int>(edges.size());
   if (truth.inImage == 0) {
@@ -99,7 +100,7 @@ void judge(const EdgeTruth& truth, const Edges& edges, Tally& tally) {
   tally.wrong += found ? 0 : 1;
   tally.tooLow += *std::max_element(errors.begin(), errors.end()) > kAllowed ? 1 : 0;
   tally.foundHidden += allWithin(rowErrors(truth, edges, true)) ? 1 : 0;
-  std::vector<double> size;
+  Values size;
   size.reserve(errors.size());
   for (const double e : errors) size.push_back(std::fabs(e));
   if (found) tally.errors.push_back(percentile(size, 0.5));
@@ -107,7 +108,7 @@ void judge(const EdgeTruth& truth, const Edges& edges, Tally& tally) {
 
 constexpr int kSpots = 20;
 
-void judgeBalls(const View& view, const Edges& edges, Random& random, Tally& tally) {
+void addBalls(const View& view, const Edges& edges, Random& random, Tally& tally) {
   if (const auto foot = ballFoot(view, view.ball)) {
     ++tally.ballViews;
     tally.ballsLost += thrownAway(edges, *foot) ? 1 : 0;
@@ -127,7 +128,7 @@ bool turns(const View& view) {
 }
 
 // Where the true one is in the image. While the camera is still only the sensors' noise counts.
-void judgeHorizon(const View& view, const Horizon& horizon, Tally& tally) {
+void addHorizon(const View& view, const Horizon& horizon, Tally& tally) {
   auto& errors = turns(view) ? tally.horizonTurning : tally.horizonStill;
   for (const int x : {0, kImageWidth / 2, kImageWidth - 1}) {
     const double truth = horizonTruth(view, x);
@@ -138,24 +139,22 @@ void judgeHorizon(const View& view, const Horizon& horizon, Tally& tally) {
   }
 }
 
-double share(int part, int all) { return all > 0 ? static_cast<double>(part) / all : 0.0; }
-
 Json figures(const Tally& t) {
   return Json{{"views", t.views},
               {"shown_views", t.shown},
-              {"found_rate", share(t.found, t.shown)},
-              {"found_hidden_too_rate", share(t.foundHidden, t.shown)},
-              {"missed_rate", share(t.missed, t.shown)},
-              {"wrong_rate", share(t.wrong, t.shown)},
-              {"too_low_rate", share(t.tooLow, t.shown)},
+              {"found_rate", ratio(t.found, t.shown)},
+              {"found_hidden_too_rate", ratio(t.foundHidden, t.shown)},
+              {"missed_rate", ratio(t.missed, t.shown)},
+              {"wrong_rate", ratio(t.wrong, t.shown)},
+              {"too_low_rate", ratio(t.tooLow, t.shown)},
               {"without_edge_views", t.notShown},
-              {"false_rate", share(t.claimedNone, t.notShown)},
-              {"edges_per_view", share(t.edges, t.views)},
+              {"false_rate", ratio(t.claimedNone, t.notShown)},
+              {"edges_per_view", ratio(t.edges, t.views)},
               {"error_median_px", percentile(t.errors, 0.5)},
               {"error_p95_px", percentile(t.errors, 0.95)},
               {"ball_views", t.ballViews},
-              {"ball_lost_rate", share(t.ballsLost, t.ballViews)},
-              {"spot_lost_rate", share(t.spotsLost, t.spots)},
+              {"ball_lost_rate", ratio(t.ballsLost, t.ballViews)},
+              {"spot_lost_rate", ratio(t.spotsLost, t.spots)},
               {"horizon_still_median_px", percentile(t.horizonStill, 0.5)},
               {"horizon_still_p95_px", percentile(t.horizonStill, 0.95)},
               {"horizon_turning_median_px", percentile(t.horizonTurning, 0.5)},
@@ -164,15 +163,13 @@ Json figures(const Tally& t) {
 
 }  // namespace
 
-Json fieldEdgeViews(const ExperimentOptions& options) {
-  ViewParams params;
-  params.field = *body::fieldDescription("2006");
-  Random random(options.seed);
+Json fieldEdgeViews(const Request& request) {
+  Random random(request.seed);
   Tally tally;
-  lookAtViews(params, options, [&](const Look& look) {
-    judge(edgeTruth(look.view), look.seen.fieldEdges, tally);
-    judgeBalls(look.view, look.seen.fieldEdges, random, tally);
-    judgeHorizon(look.view, look.body.horizon, tally);
+  lookAtViews({}, request, [&](const Look& look) {
+    addEdges(edgeTruth(look.view), look.seen.fieldEdges, tally);
+    addBalls(look.view, look.seen.fieldEdges, random, tally);
+    addHorizon(look.view, look.body.horizon, tally);
   });
   return figures(tally);
 }

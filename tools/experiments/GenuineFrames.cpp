@@ -7,6 +7,9 @@
 #include "tools/calibrate/SharedData.h"
 
 namespace kelpie::experiments {
+
+using cli::Json;
+
 namespace {
 
 using calibrate::Sheet;
@@ -38,8 +41,8 @@ Json withTable(const Sheet& surface, const vision::RingTable& table) {
   });
 }
 
-Json judged(const Sheet& surface, const vision::RingTable& learnt,
-            const Expected<calibrate::Ring2005>& real) {
+Json spreadsOf(const Sheet& surface, const vision::RingTable& learnt,
+               const Expected<calibrate::Ring2005>& real) {
   Json out{{"pixels", surface.pixels.size()}};
   out["raw_spread_levels"] = spreads(
       surface, [](const SheetPixel& p, std::size_t c) { return calibrate::channelOf(p.value, c); });
@@ -74,7 +77,7 @@ Json genuineFrames() {
   const auto learnt = buildRingTable(fit->model);
   const auto real = calibrate::loadRing2005(calibrate::sharedData() + "camera");
   Json out;
-  for (const Sheet& surface : surfaces) out[surface.name] = judged(surface, learnt, real);
+  for (const Sheet& surface : surfaces) out[surface.name] = spreadsOf(surface, learnt, real);
   return out;
 }
 

@@ -3,11 +3,11 @@
 // search that was asked for has answered. Judged are the heaviest mode and any mode, a pose and its
 // twin alike, within 20 cm and 10 deg (checklist M43); then landmarks are seen too for two seconds,
 // and the twin no longer counts.
-#include <vector>
+#include <algorithm>
 
-#include "tools/experiments/Experiment.h"
-#include "tools/experiments/LocaliseFilters.h"
 #include "tools/experiments/StandingRobot.h"
+#include "tools/experiments/harness/Statistics.h"
+#include "tools/experiments/harness/Trials.h"
 
 namespace kelpie::experiments {
 namespace {
@@ -18,15 +18,12 @@ constexpr double kNearCm = 20.0;
 constexpr double kNearDeg = 10.0;
 
 struct Tally {
-  int trials = 0;
-  int answered = 0;
-  int best = 0;
-  int any = 0;
-  int known = 0;
-  std::vector<double> cm;       // of the best mode, if right
-  std::vector<double> seconds;  // until the answer
-
-  double rate(int count) const { return trials > 0 ? static_cast<double>(count) / trials : 0.0; }
+  Share answered;
+  Share best;
+  Share any;
+  Share known;
+  Values cm;       // of the best mode, if right
+  Values seconds;  // until the answer
 };
 
 bool right(const Pose2& pose, const StandingRobot& robot) {
@@ -45,49 +42,44 @@ int search(StandingRobot& robot, WorldModel& world) {
   return -1;
 }
 
-void judge(StandingRobot& robot, Tally& tally) {
+void searchAndLook(StandingRobot& robot, Tally& tally) {
   WorldModel world;
-  ++tally.trials;
   const int frames = search(robot, world);
-  if (frames >= 0) {
-    ++tally.answered;
-    tally.seconds.push_back(frames * kFrameSeconds);
-    const double away = std::min(standingError(world.pose, robot.truth).cm,
-                                 standingError(world.pose, robot.twin()).cm);
-    if (right(world.pose, robot)) {
-      ++tally.best;
-      tally.cm.push_back(away);
-    }
-    bool any = false;
-    for (const PoseMode& mode : world.modes) any = any || right(mode.pose, robot);
-    tally.any += any ? 1 : 0;
-  }
+  const bool answered = frames >= 0;
+  tally.answered.count(answered);
+  if (answered) tally.seconds.push_back(frames * kFrameSeconds);
+  const bool best = answered && right(world.pose, robot);
+  tally.best.count(best);
+  if (best)
+    tally.cm.push_back(std::min(standingError(world.pose, robot.truth).cm,
+                                standingError(world.pose, robot.twin()).cm));
+  tally.any.count(answered && std::any_of(world.modes.begin(), world.modes.end(),
+                                          [&](const PoseMode& m) { return right(m.pose, robot); }));
   for (int i = 0; i < kLandmarkFrames; ++i) {
     robot.look(true);
     world = robot.step();
   }
-  tally.known += standingError(world.pose, robot.truth).within(kNearCm, kNearDeg) ? 1 : 0;
+  tally.known.count(standingError(world.pose, robot.truth).within(kNearCm, kNearDeg));
 }
 
-}  // namespace
-
-Expected<Json> globalLocalise(const ExperimentOptions& options) {
+Expected<Json> globalLocalise(const Request& request) {
   Tally tally;
-  for (int i = 0; i < options.trials; ++i) {
-    StandingRobot robot(options.seed + static_cast<std::uint64_t>(i));
-    judge(robot, tally);
-    if (options.progress) options.progress(i + 1, options.trials);
-  }
-  return Json{{"experiment", "global-localise"},
-              {"trials", options.trials},
-              {"seed", options.seed},
-              {"answered_rate", tally.rate(tally.answered)},
-              {"best_rate", tally.rate(tally.best)},
-              {"any_mode_rate", tally.rate(tally.any)},
-              {"with_landmarks_rate", tally.rate(tally.known)},
+  eachTrial(request, [&](const Trial& trial) {
+    StandingRobot robot(trial.seed);
+    searchAndLook(robot, tally);
+  });
+  return Json{{"answered_rate", tally.answered.value()},
+              {"best_rate", tally.best.value()},
+              {"any_mode_rate", tally.any.value()},
+              {"with_landmarks_rate", tally.known.value()},
               {"mean_cm", mean(tally.cm)},
               {"median_s", percentile(tally.seconds, 0.5)},
               {"p95_s", percentile(tally.seconds, 0.95)}};
 }
 
+const Registration kGlobalLocalise(
+    "global-localise", "the search by lines alone: pose or twin, time; then with landmarks",
+    {Option::trials, Option::seed}, 200, globalLocalise);
+
+}  // namespace
 }  // namespace kelpie::experiments

@@ -3,15 +3,14 @@
 // again where it is. The three ways to treat unlikely sightings (thesis 2004 section 2.2.3) listen
 // to the same matches.
 #include <algorithm>
-#include <fstream>
 #include <optional>
 #include <set>
 
-#include "robot/core/ParameterFile.h"
 #include "robot/core/Random.h"
 #include "tools/cli/Config.h"
-#include "tools/experiments/LocaliseApart.h"
 #include "tools/experiments/LocaliseFilters.h"
+#include "tools/experiments/harness/ChildProcesses.h"
+#include "tools/experiments/harness/Trace.h"
 
 namespace kelpie::experiments {
 namespace {
@@ -21,9 +20,9 @@ constexpr double kEvery = 20.0;    // s; also before the first
 constexpr double kFromLines = 30;  // cm, of the place carried to
 constexpr double kNearCm = 30.0;
 constexpr double kNearDeg = 15.0;
-constexpr double kForGood = 1.0;  // s
-constexpr int kMethods = 3;
-constexpr const char* kMethodKey = "gps.modes.noiseMethod";  // 0, 1, 2
+constexpr double kRightFor = 1.0;  // s
+constexpr gps::NoiseMethod kMethods[] = {gps::NoiseMethod::refuse, gps::NoiseMethod::split,
+                                         gps::NoiseMethod::splitAndWide};
 
 // From being carried away to the first time from which the belief is right for a second. One that
 // is never right counts as the whole time.
@@ -43,17 +42,17 @@ class Recovery {
     if (done_) return;
     if (error.cm > kNearCm || error.deg > kNearDeg) return goodSince_.reset();
     if (!goodSince_) goodSince_ = time;
-    if (time - *goodSince_ < kForGood) return;
+    if (time - *goodSince_ < kRightFor) return;
     times_.push_back(*goodSince_ - began_);
     done_ = true;
   }
-  const std::vector<double>& times() const { return times_; }
+  const Values& times() const { return times_; }
 
  private:
   double began_ = 0.0;
   std::optional<double> goodSince_;
   bool done_ = true;
-  std::vector<double> times_;
+  Values times_;
 };
 
 // Time until so many different landmarks have been seen.
@@ -73,73 +72,114 @@ class Sightings {
       if (kinds_.size() == 2) second_.back() = time - began_;
     }
   }
-  const std::vector<double>& first() const { return first_; }
-  const std::vector<double>& second() const { return second_; }
+  const Values& first() const { return first_; }
+  const Values& second() const { return second_; }
 
  private:
   double began_ = 0.0;
   std::set<LandmarkKind> kinds_;
-  std::vector<double> first_;
-  std::vector<double> second_;
+  Values first_;
+  Values second_;
 };
 
-std::string nameOf(int method) { return "method" + std::to_string(method + 1); }
+struct NamedTimes {
+  std::string name;
+  Values times;  // s, of each recovery
 
-// The three methods, all else as the player has it; none while the localiser knows only one.
+  static constexpr auto fields() {
+    return fieldList(field("name", &NamedTimes::name), field("times", &NamedTimes::times, "s"));
+  }
+};
+
+// All that is kept of one match.
+struct MatchRecord {
+  std::vector<NamedTimes> filters;  // the player's own first
+  Values firstLandmark;             // s, until it was seen
+  Values secondLandmark;
+
+  static constexpr auto fields() {
+    return fieldList(field("filters", &MatchRecord::filters),
+                     field("firstLandmark", &MatchRecord::firstLandmark, "s"),
+                     field("secondLandmark", &MatchRecord::secondLandmark, "s"));
+  }
+  void add(const MatchRecord& other) {
+    filters.resize(other.filters.size());
+    for (std::size_t i = 0; i < filters.size(); ++i) {
+      filters[i].name = other.filters[i].name;
+      append(other.filters[i].times, filters[i].times);
+    }
+    append(other.firstLandmark, firstLandmark);
+    append(other.secondLandmark, secondLandmark);
+  }
+};
+
+struct FilterRow {
+  TimeUs time;
+  std::string filter;
+  double error;
+  double errorDeg;
+  double sd;
+  std::size_t landmarks;
+
+  static constexpr auto fields() {
+    return fieldList(field("t_s", &FilterRow::time), field("filter", &FilterRow::filter),
+                     field("error_cm", &FilterRow::error), field("error_deg", &FilterRow::errorDeg),
+                     field("sd_cm", &FilterRow::sd), field("landmarks", &FilterRow::landmarks));
+  }
+};
+
+// The three methods, all else as the player has it.
 std::vector<Listener> listeners(const gps::GpsParams& params) {
   std::vector<Listener> all;
-  for (int method = 0; method < kMethods; ++method) {
+  for (const gps::NoiseMethod method : kMethods) {
     gps::GpsParams other = params;
-    ParameterSet set;
-    set.add("gps", other);
-    if (set.assign(kMethodKey, method)) all.emplace_back(nameOf(method), other, Hearing{});
+    other.modes.noiseMethod = method;
+    all.emplace_back("method" + std::to_string(all.size() + 1), other, Hearing{});
   }
   return all;
 }
 
-class Watch {
+class MatchRecorder {
  public:
-  Watch(std::vector<Listener> listeners, const std::string& csv)
-      : listeners_(std::move(listeners)), recoveries_(listeners_.size() + 1) {
-    if (!csv.empty()) csv_.open(csv);
-    if (csv_.is_open()) csv_ << "t_s,filter,error_cm,error_deg,sd_cm,landmarks\n";
-  }
+  MatchRecorder(const gps::GpsParams& params, const std::string& tracePath)
+      : listeners_(listeners(params)), recoveries_(listeners_.size() + 1), trace_(tracePath) {}
+
   void begin(double time) {
     for (Recovery& recovery : recoveries_) recovery.begin(time);
     sightings_.begin(time);
   }
   void frame(const WatchedFrame& frame) {
-    hear(frame, frame.output.world, 0);
+    addBelief(frame, frame.output.world, 0);
     for (std::size_t i = 0; i < listeners_.size(); ++i)
-      hear(frame, listeners_[i].hear(frame), i + 1);
+      addBelief(frame, listeners_[i].hear(frame), i + 1);
     sightings_.frame(frame.input.time.seconds(), frame.output.percepts);
   }
-  Json json() {
-    Json all;
+  MatchRecord record() {
+    MatchRecord record;
     for (std::size_t i = 0; i < recoveries_.size(); ++i) {
       recoveries_[i].end();
-      all[i == 0 ? "own" : listeners_[i - 1].name()] = recoveries_[i].times();
+      record.filters.push_back({nameOf(i), recoveries_[i].times()});
     }
-    all["first"] = sightings_.first();
-    all["second"] = sightings_.second();
-    return all;
+    record.firstLandmark = sightings_.first();
+    record.secondLandmark = sightings_.second();
+    return record;
   }
 
  private:
-  void hear(const WatchedFrame& frame, const WorldModel& world, std::size_t filter) {
-    const double time = frame.input.time.seconds();
+  std::string nameOf(std::size_t filter) const {
+    return filter == 0 ? "own" : listeners_[filter - 1].name();
+  }
+  void addBelief(const WatchedFrame& frame, const WorldModel& world, std::size_t filter) {
     const PoseError error = poseError(world, frame.truth);
-    recoveries_[filter].frame(time, error);
-    if (!csv_.is_open()) return;
-    csv_ << time << ',' << (filter == 0 ? "own" : listeners_[filter - 1].name()) << ',' << error.cm
-         << ',' << error.deg << ',' << world.positionSd << ','
-         << frame.output.percepts.landmarks.size() << '\n';
+    recoveries_[filter].frame(frame.input.time.seconds(), error);
+    trace_.add({frame.input.time, nameOf(filter), error.cm, error.deg, world.positionSd,
+                frame.output.percepts.landmarks.size()});
   }
 
   std::vector<Listener> listeners_;
   std::vector<Recovery> recoveries_;
   Sightings sightings_;
-  std::ofstream csv_;
+  Trace<FilterRow> trace_;
 };
 
 Pose2 anywhere(const body::FieldDescription& field, Random& random) {
@@ -148,60 +188,49 @@ Pose2 anywhere(const body::FieldDescription& field, Random& random) {
   return {{x, y}, Angle::rad(random.uniform(-maths::kPi, maths::kPi))};
 }
 
-Expected<Json> oneMatch(const ExperimentOptions& options, int number) {
-  const std::uint64_t seed = options.seed + static_cast<std::uint64_t>(number);
-  const auto config = agentConfig(options);
-  if (!config) return Error{config.error()};
-  const std::string csv =
-      options.pictures.empty() ? "" : options.pictures + "/kidnap-" + std::to_string(seed) + ".csv";
-  Watch watch(listeners(config->gps), csv);
-  LocaliseMatch match(*config, cli::defaultScripts(), seed);
+Expected<MatchRecord> playMatch(const Request& request, const agent::AgentConfig& config,
+                                std::uint64_t seed) {
+  MatchRecorder recorder(config.gps, request.tracePath("kidnap-" + std::to_string(seed)));
+  LocaliseMatch match(config, cli::defaultScripts(), seed);
   Random random(seed ^ 0x51dca9ULL);
   for (int kidnap = 0; kidnap <= kKidnaps; ++kidnap) {
-    const Status played = match.play(kEvery * (kidnap + 1),
-                                     [&watch](const WatchedFrame& frame) { watch.frame(frame); });
-    if (!played) return Error{"seed " + std::to_string(seed) + ": " + played.error()};
+    const Status played = match.play(
+        kEvery * (kidnap + 1), [&recorder](const WatchedFrame& frame) { recorder.frame(frame); });
+    if (!played) return Error{played.error()};
     if (kidnap == kKidnaps) break;
-    const Status carried = match.world().carry(0, anywhere(config->gps.field, random));
+    const Status carried = match.world().carry(0, anywhere(config.gps.field, random));
     if (!carried) return Error{carried.error()};
-    watch.begin(match.world().time().seconds());
+    recorder.begin(match.world().time().seconds());
   }
-  return watch.json();
+  return recorder.record();
 }
 
-std::vector<double> joined(const std::vector<Json>& matches, const std::string& key) {
-  std::vector<double> all;
-  for (const Json& match : matches)
-    for (const Json& value : match.value(key, Json::array())) all.push_back(value.get<double>());
-  return all;
-}
-
-void addTimes(const std::string& prefix, const std::vector<double>& times, Json& figures) {
+void addTimes(const std::string& prefix, const Values& times, Json& figures) {
   const auto never = std::count(times.begin(), times.end(), kEvery);
   figures[prefix + "median_s"] = percentile(times, 0.5);
   figures[prefix + "p95_s"] = percentile(times, 0.95);
   figures[prefix + "never_rate"] = static_cast<double>(never) / static_cast<double>(times.size());
 }
 
-}  // namespace
-
-Expected<Json> kidnap(const ExperimentOptions& options) {
-  const auto matches = runApart(
-      options.trials, [&](int number) { return oneMatch(options, number); }, options.progress);
+Expected<Json> kidnap(const Request& request) {
+  const auto config = agentConfig(request);
+  if (!config) return Error{config.error()};
+  const auto matches = trialsInChildProcesses(
+      request, [&](const Trial& trial) { return playMatch(request, *config, trial.seed); });
   if (!matches) return Error{matches.error()};
-  const std::vector<double> own = joined(*matches, "own");
-  Json figures{{"experiment", "kidnap"},
-               {"trials", options.trials},
-               {"seed", options.seed},
-               {"kidnaps", own.size()}};
-  addTimes("", own, figures);
-  for (int method = 0; method < kMethods; ++method) {
-    const std::vector<double> times = joined(*matches, nameOf(method));
-    if (!times.empty()) addTimes(nameOf(method) + "_", times, figures);
-  }
-  addTimes("first_landmark_", joined(*matches, "first"), figures);
-  addTimes("second_landmark_", joined(*matches, "second"), figures);
+  MatchRecord all;
+  for (const MatchRecord& match : *matches) all.add(match);
+  Json figures{{"kidnaps", all.filters[0].times.size()}};
+  for (const NamedTimes& filter : all.filters)
+    addTimes(filter.name == "own" ? "" : filter.name + "_", filter.times, figures);
+  addTimes("first_landmark_", all.firstLandmark, figures);
+  addTimes("second_landmark_", all.secondLandmark, figures);
   return figures;
 }
 
+const Registration kKidnap(
+    "kidnap", "carried away every 20 s while playing: time until the pose is right again",
+    {Option::trials, Option::seed, Option::params, Option::traces}, 8, kidnap);
+
+}  // namespace
 }  // namespace kelpie::experiments

@@ -2,15 +2,15 @@
 // Line, border and field points in random views with every artefact: how many really lie on paint,
 // border and carpet, how far from the lines they are projected, and how many of the crossings that
 // a perfect observer would see are found. Truth is a second picture of the same view in colours
-// that only the judge knows.
+// that vision never sees.
 #include <array>
 #include <cmath>
 #include <memory>
 #include <vector>
 
 #include "robot/body/Camera.h"
-#include "tools/experiments/Experiment.h"
 #include "tools/experiments/LineTruth.h"
+#include "tools/experiments/harness/Statistics.h"
 #include "vision/Refusal.h"
 #include "vision/Vision.h"
 
@@ -35,22 +35,14 @@ std::string bandName(std::size_t band) {
          std::to_string(static_cast<int>(kBands[band + 1])) + "_cm";
 }
 
-struct Share {
-  int hits = 0;
-  int all = 0;
-
-  void count(bool hit) {
-    ++all;
-    if (hit) ++hits;
-  }
-  double value() const { return all > 0 ? static_cast<double>(hits) / all : 1.0; }
-};
+// 1 of none: nothing was wrong, nothing missed.
+double valueOf(const Share& share) { return share.all > 0 ? share.value() : 1.0; }
 
 struct KindTally {
   Share truth;
   std::array<Share, kBandCount> truthInBand;
-  std::array<std::vector<double>, kBandCount> errors;  // cm, of true points
-  int views = 0;                                       // with points of the kind
+  std::array<Values, kBandCount> errors;  // cm, of true points
+  int views = 0;                          // with points of the kind
 };
 
 struct Tally {
@@ -90,7 +82,7 @@ std::size_t speedOf(double headSpeed) {
 }
 
 // Line points within 150 cm, whose errors tell a warped image from a far point.
-void judgeSpeed(const View& view, const BodyState& body, const Percepts& percepts,
+void addBySpeed(const View& view, const BodyState& body, const Percepts& percepts,
                 const LineTruth& truth, Tally& tally) {
   KindTally& kind = tally.atSpeed[speedOf(body.headSpeed)];
   for (const LinePoint& point : percepts.linePoints) {
@@ -100,7 +92,7 @@ void judgeSpeed(const View& view, const BodyState& body, const Percepts& percept
   }
 }
 
-void judgePoint(const View& view, const LineTruth& truth, const LinePoint& point, Tally& tally) {
+void addPoint(const View& view, const LineTruth& truth, const LinePoint& point, Tally& tally) {
   KindTally& kind = tally.kind[static_cast<std::size_t>(point.kind)];
   const bool good = isTrue(truth, point);
   const std::size_t band = bandOf(point.position.norm());
@@ -128,8 +120,8 @@ bool found(const Crossing& crossing, const Percepts& percepts) {
   return false;
 }
 
-void judgeRecall(const BodyState& body, const LineTruth& truth, const Percepts& percepts,
-                 Tally& tally) {
+void addCrossings(const BodyState& body, const LineTruth& truth, const Percepts& percepts,
+                  Tally& tally) {
   int seen = 0;
   for (const Crossing& crossing : crossings(truth)) {
     const auto place = body::groundPoint(body.camera, crossing.middle);
@@ -145,39 +137,37 @@ void judgeRecall(const BodyState& body, const LineTruth& truth, const Percepts& 
     tally.pointsThere += p.kind == LinePointKind::line ? 1 : 0;
 }
 
-void judge(const View& view, const BodyState& body, const Percepts& percepts,
-           const LineTruth& truth, Tally& tally) {
+void addView(const View& view, const BodyState& body, const Percepts& percepts,
+             const LineTruth& truth, Tally& tally) {
   ++tally.views;
-  judgeSpeed(view, body, percepts, truth, tally);
+  addBySpeed(view, body, percepts, truth, tally);
   for (std::size_t i = 0; i < percepts.counts.refused.size(); ++i)
     tally.counts.refused[i] += percepts.counts.refused[i];
   if (body.headSpeed >= tally.params.line.maxHeadSpeed.rad()) return;
   ++tally.open;
   std::array<bool, 3> any{};
   for (const LinePoint& point : percepts.linePoints) {
-    judgePoint(view, truth, point, tally);
+    addPoint(view, truth, point, tally);
     any[static_cast<std::size_t>(point.kind)] = true;
   }
   for (std::size_t i = 0; i < any.size(); ++i) tally.kind[i].views += any[i] ? 1 : 0;
-  judgeRecall(body, truth, percepts, tally);
+  addCrossings(body, truth, percepts, tally);
 }
 
 // Vision's own gate for a turning head is opened, so that what it keeps out can be measured; views
 // beyond it count in figures by head speed only.
-Tally look(const ViewParams& params, vision::VisionParams vision, int views, std::uint64_t seed) {
+Tally look(const ViewParams& params, vision::VisionParams vision, const Request& request) {
   Tally tally;
   tally.params = vision;
   vision.line.maxHeadSpeed = Angle::deg(180.0);
-  ViewMaker maker(params, seed);
   LineTruth truth(params.field);
   const auto state = std::make_unique<vision::VisionState>();
-  for (int i = 0; i < views; ++i) {
-    const View& view = maker.next();
+  eachView(params, request, [&](const View& view) {
     const BodyState body = body::step(view.input, {});
     const Percepts percepts = vision::step({view.input, body}, vision, *state);
     truth.see(view);
-    judge(view, body, percepts, truth, tally);
-  }
+    addView(view, body, percepts, truth, tally);
+  });
   return tally;
 }
 
@@ -185,14 +175,10 @@ Json bandFigures(const KindTally& kind) {
   Json bands = Json::object();
   for (std::size_t i = 0; i < kBandCount; ++i)
     bands[bandName(i)] = {{"points", kind.truthInBand[i].all},
-                          {"true_share", kind.truthInBand[i].value()},
+                          {"true_share", valueOf(kind.truthInBand[i])},
                           {"median_error_cm", percentile(kind.errors[i], 0.5)},
                           {"p90_error_cm", percentile(kind.errors[i], 0.9)}};
   return bands;
-}
-
-double perOpen(const Tally& tally, int count) {
-  return tally.open > 0 ? static_cast<double>(count) / tally.open : 0.0;
 }
 
 Json lineFigures(const Tally& tally) {
@@ -200,15 +186,14 @@ Json lineFigures(const Tally& tally) {
   Json recall = Json::object();
   for (std::size_t i = 0; i < kBandCount; ++i)
     recall[bandName(i)] = {{"crossings", tally.recallInBand[i].all},
-                           {"recall_share", tally.recallInBand[i].value()}};
+                           {"recall_share", valueOf(tally.recallInBand[i])}};
   return {{"points", line.truth.all},
-          {"true_share", line.truth.value()},
-          {"exact_pixel_share", tally.pixelExact.value()},
+          {"true_share", valueOf(line.truth)},
+          {"exact_pixel_share", valueOf(tally.pixelExact)},
           {"views_with_crossings", tally.withLines},
-          {"points_per_view_with_crossings",
-           tally.withLines > 0 ? static_cast<double>(tally.pointsThere) / tally.withLines : 0.0},
+          {"points_per_view_with_crossings", ratio(tally.pointsThere, tally.withLines)},
           {"crossings", tally.recall.all},
-          {"recall_share", tally.recall.value()},
+          {"recall_share", valueOf(tally.recall)},
           {"recall_by_distance", recall},
           {"by_distance", bandFigures(line)}};
 }
@@ -219,7 +204,7 @@ Json speedFigures(const Tally& tally) {
     const KindTally& kind = tally.atSpeed[i];
     all["from_" + std::to_string(static_cast<int>(10.0 * kSpeeds[i])) + "_tenth_deg_a_frame"] = {
         {"points", kind.truth.all},
-        {"true_share", kind.truth.value()},
+        {"true_share", valueOf(kind.truth)},
         {"median_error_cm", percentile(kind.errors[0], 0.5)},
         {"p90_error_cm", percentile(kind.errors[0], 0.9)}};
   }
@@ -239,47 +224,43 @@ Json refusals(const Tally& tally) {
 Json fieldFigures(const Tally& tally) {
   const KindTally& field = tally.kind[static_cast<std::size_t>(LinePointKind::field)];
   return {{"points", field.truth.all},
-          {"true_share", field.truth.value()},
-          {"points_per_view", perOpen(tally, field.truth.all)}};
+          {"true_share", valueOf(field.truth)},
+          {"points_per_view", ratio(field.truth.all, tally.open)}};
 }
 
 Json borderFigures(const Tally& tally) {
   const KindTally& border = tally.kind[static_cast<std::size_t>(LinePointKind::border)];
   return {{"points", border.truth.all},
-          {"border_true_share", border.truth.value()},
-          {"points_per_view", perOpen(tally, border.truth.all)},
+          {"border_true_share", valueOf(border.truth)},
+          {"points_per_view", ratio(border.truth.all, tally.open)},
           {"views_with_points", border.views},
           {"by_distance", bandFigures(border)}};
 }
 
-}  // namespace
-
-Expected<Json> linePoints(const ExperimentOptions& options) {
-  const auto field = body::fieldDescription("2006");
-  const auto old = body::fieldDescription("2004");
-  if (!field || !old) return Error{"no such field"};
+Expected<Json> linePoints(const Request& request) {
   ViewParams views;
-  views.field = *field;
   vision::VisionParams params;
-  const Tally now = look(views, params, options.trials, options.seed);
-  views.field = *old;
+  const Tally now = look(views, params, request);
+  views.field = *body::fieldDescription("2004");
   params.line.border = true;
-  params.line.lineWidth = old->lineWidth;
-  const Tally before = look(views, params, options.trials, options.seed);
-  return Json{{"experiment", "line-points"},
-              {"trials", options.trials},
-              {"seed", options.seed},
-              {"head_slow_share", static_cast<double>(now.open) / now.views},
-              {"true_share", now.kind[0].truth.value()},
+  params.line.lineWidth = views.field.lineWidth;
+  const Tally before = look(views, params, request);
+  return Json{{"head_slow_share", ratio(now.open, now.views)},
+              {"true_share", valueOf(now.kind[0].truth)},
               {"line", lineFigures(now)},
               {"by_head_speed", speedFigures(now)},
               {"field", fieldFigures(now)},
               {"refused", refusals(now)},
               {"field_2004",
-               {{"line_true_share", before.kind[0].truth.value()},
-                {"line_recall_share", before.recall.value()},
+               {{"line_true_share", valueOf(before.kind[0].truth)},
+                {"line_recall_share", valueOf(before.recall)},
                 {"border", borderFigures(before)},
                 {"refused", refusals(before)}}}};
 }
 
+const Registration kLinePoints(
+    "line-points", "points on lines, border and carpet: share that is true, error, recall",
+    {Option::trials, Option::seed}, 400, linePoints);
+
+}  // namespace
 }  // namespace kelpie::experiments

@@ -2,12 +2,12 @@
 // How well the robot knows its place while it plays: matches of three minutes from an unknown
 // start, from pixels. Beside the player's own filter others listen that lack lines or landmarks, or
 // are helped by the truth in one thing; the difference tells what the error comes from.
-#include <fstream>
+#include <algorithm>
 
 #include "tools/cli/Config.h"
-#include "tools/experiments/LocaliseApart.h"
 #include "tools/experiments/LocaliseFilters.h"
 #include "tools/experiments/LocaliseSenses.h"
+#include "tools/experiments/harness/ChildProcesses.h"
 
 namespace kelpie::experiments {
 namespace {
@@ -16,7 +16,7 @@ constexpr double kSeconds = 180.0;
 constexpr double kSettle = 10.0;  // s that are not counted
 constexpr double kBin = 10.0;     // s
 
-gps::GpsParams from(const Pose2& start, gps::GpsParams params) {
+gps::GpsParams startingAt(const Pose2& start, gps::GpsParams params) {
   params.initialPose.present = true;
   params.initialPose.pose = start;
   return params;
@@ -29,9 +29,9 @@ std::vector<Listener> listeners(const gps::GpsParams& params, const Pose2& start
   };
   Hearing only;
   only.landmarks = false;
-  all.emplace_back("lines_only", from(start, params), only);
+  all.emplace_back("lines_only", startingAt(start, params), only);
   only.lines = false;  // nothing but odometry: what lines must beat
-  all.emplace_back("odometry_only", from(start, params), only);
+  all.emplace_back("odometry_only", startingAt(start, params), only);
   only = {};
   only.lines = false;
   add("landmarks_only", only);
@@ -54,137 +54,198 @@ std::vector<Listener> listeners(const gps::GpsParams& params, const Pose2& start
   return all;
 }
 
-// What is kept of one match.
-class Watch {
+struct NamedTrack {
+  std::string name;
+  ErrorTrack errors;
+
+  static constexpr auto fields() {
+    return fieldList(field("name", &NamedTrack::name), field("errors", &NamedTrack::errors));
+  }
+};
+
+// What the figures tell of each match by itself.
+struct MatchResult {
+  std::uint64_t seed = 0;
+  int goals = 0;
+  int ownGoals = 0;
+  int outs = 0;
+  double mean = 0.0;
+
+  static constexpr auto fields() {
+    return fieldList(field("seed", &MatchResult::seed), field("goals", &MatchResult::goals),
+                     field("own_goals", &MatchResult::ownGoals), field("outs", &MatchResult::outs),
+                     field("mean_cm", &MatchResult::mean));
+  }
+};
+
+// All that is kept of one match.
+struct MatchRecord {
+  std::vector<NamedTrack> tracks;  // the player's own first
+  Values binMeans;                 // cm, every ten seconds
+  Values sinceLandmark;            // s
+  SenseErrors senses;
+  MatchResult result;
+
+  static constexpr auto fields() {
+    return fieldList(field("tracks", &MatchRecord::tracks),
+                     field("binMeans", &MatchRecord::binMeans, "cm"),
+                     field("sinceLandmark", &MatchRecord::sinceLandmark, "s"),
+                     field("senses", &MatchRecord::senses), field("result", &MatchRecord::result));
+  }
+};
+
+struct FrameRow {
+  TimeUs time;
+  double x, y;
+  Angle heading;
+  double believedX, believedY;
+  Angle believedHeading;
+  double sd;
+  Angle headingSd;
+  double nees;
+  double sinceLandmark;
+  std::size_t landmarks;
+  std::size_t linePoints;
+
+  static constexpr auto fields() {
+    return fieldList(
+        field("t_s", &FrameRow::time), field("x_cm", &FrameRow::x), field("y_cm", &FrameRow::y),
+        field("heading_deg", &FrameRow::heading), field("estimate_x_cm", &FrameRow::believedX),
+        field("estimate_y_cm", &FrameRow::believedY),
+        field("estimate_heading_deg", &FrameRow::believedHeading), field("sd_cm", &FrameRow::sd),
+        field("sd_deg", &FrameRow::headingSd), field("nees", &FrameRow::nees),
+        field("since_landmark_s", &FrameRow::sinceLandmark),
+        field("landmarks", &FrameRow::landmarks), field("line_points", &FrameRow::linePoints));
+  }
+};
+
+FrameRow rowOf(const WatchedFrame& frame, const PoseError& error) {
+  const WorldModel& world = frame.output.world;
+  return {frame.input.time,
+          frame.truth.position.x,
+          frame.truth.position.y,
+          frame.truth.heading,
+          world.pose.position.x,
+          world.pose.position.y,
+          world.pose.heading,
+          world.positionSd,
+          world.headingSd,
+          error.nees,
+          world.secondsSinceLandmark,
+          frame.output.percepts.landmarks.size(),
+          frame.output.percepts.linePoints.size()};
+}
+
+class MatchRecorder {
  public:
-  // `tables`: where tables of every frame and landmark go, less "-frames.csv"; empty: none.
-  Watch(const gps::GpsParams& params, const Pose2& start, const std::string& tables)
+  // The traces' names begin with `name`.
+  MatchRecorder(const gps::GpsParams& params, const Pose2& start, const Request& request,
+                const std::string& name)
       : listeners_(listeners(params, start)),
-        senses_(params, tables.empty() ? "" : tables + "-landmarks.csv") {
-    for (const Listener& listener : listeners_) names_.push_back(listener.name());
-    names_.insert(names_.begin(), "both");
-    tracks_.resize(names_.size());
-    if (tables.empty()) return;
-    csv_.open(tables + "-frames.csv");
-    csv_ << "t_s,x_cm,y_cm,heading_deg,estimate_x_cm,estimate_y_cm,estimate_heading_deg,sd_cm,"
-            "sd_deg,nees,since_landmark_s,landmarks,line_points\n";
+        senses_(params, request.tracePath(name + "-landmarks")),
+        trace_(request.tracePath(name + "-frames")) {
+    record_.tracks.push_back({"both", {}});
+    for (const Listener& listener : listeners_) record_.tracks.push_back({listener.name(), {}});
   }
 
   void frame(const WatchedFrame& frame) {
     const double time = frame.input.time.seconds();
     const PoseError own = poseError(frame.output.world, frame.truth);
-    if (csv_.is_open()) write(frame, own);
+    trace_.add(rowOf(frame, own));
     const auto bin = static_cast<std::size_t>(time / kBin);
     bins_.resize(std::max(bins_.size(), bin + 1));
     bins_[bin].push_back(own.cm);
     if (time >= kSettle) {
-      tracks_[0].add(own);
-      since_.push_back(frame.output.world.secondsSinceLandmark);
+      record_.tracks[0].errors.add(own);
+      record_.sinceLandmark.push_back(frame.output.world.secondsSinceLandmark);
     }
     for (std::size_t i = 0; i < listeners_.size(); ++i) {
       const PoseError error = poseError(listeners_[i].hear(frame), frame.truth);
-      if (time >= kSettle) tracks_[i + 1].add(error);
+      if (time >= kSettle) record_.tracks[i + 1].errors.add(error);
     }
     senses_.frame(frame);
   }
 
-  Json json() const {
-    Json tracks;
-    for (std::size_t i = 0; i < names_.size(); ++i) tracks[names_[i]] = tracks_[i].json();
-    std::vector<double> bins;
-    for (const auto& bin : bins_) bins.push_back(mean(bin));
-    return {{"tracks", tracks}, {"bins", bins}, {"since", since_}, {"senses", senses_.json()}};
+  MatchRecord record() const {
+    MatchRecord record = record_;
+    for (const Values& bin : bins_) record.binMeans.push_back(mean(bin));
+    record.senses = senses_.errors();
+    return record;
   }
 
  private:
-  void write(const WatchedFrame& frame, const PoseError& error) {
-    const WorldModel& world = frame.output.world;
-    csv_ << frame.input.time.seconds() << ',' << frame.truth.position.x << ','
-         << frame.truth.position.y << ',' << frame.truth.heading.deg() << ','
-         << world.pose.position.x << ',' << world.pose.position.y << ',' << world.pose.heading.deg()
-         << ',' << world.positionSd << ',' << world.headingSd.deg() << ',' << error.nees << ','
-         << world.secondsSinceLandmark << ',' << frame.output.percepts.landmarks.size() << ','
-         << frame.output.percepts.linePoints.size() << '\n';
-  }
-
   std::vector<Listener> listeners_;
-  SenseErrors senses_;
-  std::vector<std::string> names_;
-  std::vector<ErrorTrack> tracks_;
-  std::vector<std::vector<double>> bins_;
-  std::vector<double> since_;
-  std::ofstream csv_;
+  SenseRecorder senses_;
+  Trace<FrameRow> trace_;
+  MatchRecord record_;
+  std::vector<Values> bins_;
 };
 
-Expected<Json> oneMatch(const ExperimentOptions& options, int number) {
-  const std::uint64_t seed = options.seed + static_cast<std::uint64_t>(number);
-  const auto config = agentConfig(options);
-  if (!config) return Error{config.error()};
-  LocaliseMatch match(*config, cli::defaultScripts(), seed);
-  const std::string tables =
-      options.pictures.empty() ? "" : options.pictures + "/localise-" + std::to_string(seed);
-  Watch watch(config->gps, match.world().truth({}).robots[0].pose, tables);
+Expected<MatchRecord> playMatch(const Request& request, const agent::AgentConfig& config,
+                                std::uint64_t seed) {
+  LocaliseMatch match(config, cli::defaultScripts(), seed);
+  MatchRecorder recorder(config.gps, match.world().truth({}).robots[0].pose, request,
+                         "localise-" + std::to_string(seed));
   const Status played =
-      match.play(kSeconds, [&watch](const WatchedFrame& frame) { watch.frame(frame); });
-  if (!played) return Error{"seed " + std::to_string(seed) + ": " + played.error()};
-  Json answer = watch.json();
+      match.play(kSeconds, [&recorder](const WatchedFrame& frame) { recorder.frame(frame); });
+  if (!played) return Error{played.error()};
+  MatchRecord record = recorder.record();
   const sim::Score& score = match.world().score();
-  answer["match"] = {{"seed", seed},
-                     {"goals", score.red},
-                     {"own_goals", score.blue},
-                     {"outs", score.outs},
-                     {"mean_cm", mean(answer["tracks"]["both"]["cm"].get<std::vector<double>>())}};
-  return answer;
+  record.result = {seed, score.red, score.blue, score.outs, mean(record.tracks[0].errors.cm)};
+  return record;
 }
 
-// Mean over the matches, bin by bin.
-std::vector<double> meanBins(const std::vector<Json>& matches) {
-  std::vector<double> bins;
-  for (const Json& match : matches) {
-    const auto own = match["bins"].get<std::vector<double>>();
-    bins.resize(std::max(bins.size(), own.size()));
-    for (std::size_t i = 0; i < own.size(); ++i)
-      bins[i] += own[i] / static_cast<double>(matches.size());
+// All matches together.
+struct Totals {
+  std::vector<NamedTrack> tracks;
+  Values binMeans;  // mean over the matches
+  Values sinceLandmark;
+  SenseErrors senses;
+  std::vector<MatchResult> results;
+
+  void add(const MatchRecord& match, std::size_t matches) {
+    tracks.resize(match.tracks.size());
+    for (std::size_t i = 0; i < tracks.size(); ++i) {
+      tracks[i].name = match.tracks[i].name;
+      tracks[i].errors.add(match.tracks[i].errors);
+    }
+    binMeans.resize(std::max(binMeans.size(), match.binMeans.size()));
+    for (std::size_t i = 0; i < match.binMeans.size(); ++i)
+      binMeans[i] += match.binMeans[i] / static_cast<double>(matches);
+    append(match.sinceLandmark, sinceLandmark);
+    senses.add(match.senses);
+    results.push_back(match.result);
   }
-  return bins;
-}
+};
 
-}  // namespace
-
-Expected<Json> localise(const ExperimentOptions& options) {
-  const auto matches = runApart(
-      options.trials, [&](int number) { return oneMatch(options, number); }, options.progress);
+Expected<Json> localise(const Request& request) {
+  const auto config = agentConfig(request);
+  if (!config) return Error{config.error()};
+  const auto matches = trialsInChildProcesses(
+      request, [&](const Trial& trial) { return playMatch(request, *config, trial.seed); });
   if (!matches) return Error{matches.error()};
+  Totals all;
+  for (const MatchRecord& match : *matches) all.add(match, matches->size());
   Json filters;
-  for (const auto& [name, unused] : (*matches)[0]["tracks"].items()) {
-    ErrorTrack track;
-    for (const Json& match : *matches) track.add(match["tracks"][name]);
-    filters[name] = track.summary();
-  }
-  std::vector<double> since;
-  std::vector<Json> senses;
-  Json each = Json::array();
-  for (const Json& match : *matches) {
-    for (const Json& value : match["since"]) since.push_back(value.get<double>());
-    senses.push_back(match["senses"]);
-    each.push_back(match["match"]);
-  }
-  return Json{{"experiment", "localise"},
-              {"trials", options.trials},
-              {"seed", options.seed},
-              {"mean_cm", filters["both"]["mean_cm"]},
+  for (const NamedTrack& track : all.tracks) filters[track.name] = track.errors.summary();
+  return Json{{"mean_cm", filters["both"]["mean_cm"]},
               {"mean_deg", filters["both"]["mean_deg"]},
               {"p95_cm", filters["both"]["p95_cm"]},
               {"lines_only_cm", filters["lines_only"]["mean_cm"]},
               {"odometry_only_cm", filters["odometry_only"]["mean_cm"]},
               {"landmarks_only_cm", filters["landmarks_only"]["mean_cm"]},
               {"both_cm", filters["both"]["mean_cm"]},
-              {"since_landmark_mean_s", mean(since)},
-              {"since_landmark_p95_s", percentile(since, 0.95)},
+              {"since_landmark_mean_s", mean(all.sinceLandmark)},
+              {"since_landmark_p95_s", percentile(all.sinceLandmark, 0.95)},
               {"filters", filters},
-              {"senses", SenseErrors::summary(senses)},
-              {"by_10_s_cm", meanBins(*matches)},
-              {"each", each}};
+              {"senses", all.senses.summary()},
+              {"by_10_s_cm", all.binMeans},
+              {"each", toJson(all.results)}};
 }
 
+const Registration kLocalise(
+    "localise", "three minutes of play from pixels: errors of the pose and their causes",
+    {Option::trials, Option::seed, Option::params, Option::traces}, 8, localise);
+
+}  // namespace
 }  // namespace kelpie::experiments

@@ -4,7 +4,6 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
 namespace kelpie::experiments {
@@ -23,16 +22,6 @@ Odometry trueStep(const Pose2& before, const Pose2& now) {
   odometry.forward = moved.y;
   odometry.left = -moved.x;
   return odometry;
-}
-
-double share(const std::vector<double>& values, double above) {
-  const auto count =
-      std::count_if(values.begin(), values.end(), [above](double v) { return v > above; });
-  return values.empty() ? 0.0 : static_cast<double>(count) / static_cast<double>(values.size());
-}
-
-void append(const Json& from, std::vector<double>& to) {
-  for (const Json& value : from) to.push_back(value.get<double>());
 }
 
 }  // namespace
@@ -89,24 +78,17 @@ PoseError poseError(const WorldModel& world, const Pose2& truth) {
   return error;
 }
 
-double mean(const std::vector<double>& values) {
-  if (values.empty()) return 0.0;
-  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-}
-
 void ErrorTrack::add(const PoseError& error) {
   cm.push_back(error.cm);
   deg.push_back(error.deg);
   nees.push_back(error.nees);
 }
 
-void ErrorTrack::add(const Json& track) {
-  append(track["cm"], cm);
-  append(track["deg"], deg);
-  append(track["nees"], nees);
+void ErrorTrack::add(const ErrorTrack& other) {
+  append(other.cm, cm);
+  append(other.deg, deg);
+  append(other.nees, nees);
 }
-
-Json ErrorTrack::json() const { return {{"cm", cm}, {"deg", deg}, {"nees", nees}}; }
 
 Json ErrorTrack::summary() const {
   return {{"mean_cm", mean(cm)},
@@ -114,8 +96,8 @@ Json ErrorTrack::summary() const {
           {"p95_cm", percentile(cm, 0.95)},
           {"mean_deg", mean(deg)},
           {"p95_deg", percentile(deg, 0.95)},
-          {"gross_rate", share(cm, kGross)},
-          {"understated_rate", share(nees, kNinetyFive)},
+          {"gross_rate", shareAbove(cm, kGross)},
+          {"understated_rate", shareAbove(nees, kNinetyFive)},
           {"nees", percentile(nees, 0.5) / kMedian}};
 }
 

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "gps/Localiser.h"
-#include "tools/experiments/Experiment.h"
 #include "tools/experiments/LocaliseMatch.h"
+#include "tools/experiments/harness/Statistics.h"
 
 namespace kelpie::experiments {
 
@@ -56,24 +56,30 @@ struct PoseError {
   double cm = 0.0;
   double deg = 0.0;
   double nees = 0.0;  // squared error over the claimed covariance (NEES); 3 on average if true
+
+  static constexpr auto fields() {
+    return fieldList(field("cm", &PoseError::cm), field("deg", &PoseError::deg),
+                     field("nees", &PoseError::nees));
+  }
 };
 PoseError poseError(const WorldModel& world, const Pose2& truth);
 
 // Errors of one localiser over a match.
 struct ErrorTrack {
-  std::vector<double> cm;
-  std::vector<double> deg;
-  std::vector<double> nees;
+  Values cm;
+  Values deg;
+  Values nees;
 
+  static constexpr auto fields() {
+    return fieldList(field("cm", &ErrorTrack::cm), field("deg", &ErrorTrack::deg),
+                     field("nees", &ErrorTrack::nees));
+  }
   void add(const PoseError& error);
-  void add(const Json& track);
-  Json json() const;
+  void add(const ErrorTrack& other);
   // mean_cm, median_cm, p95_cm, mean_deg, p95_deg, gross_rate (beyond 50 cm), understated_rate
   // (beyond what 5 % of the frames may be, were the covariance true), nees (its median over the
   // 2.37 of a true covariance).
   Json summary() const;
 };
-
-double mean(const std::vector<double>& values);
 
 }  // namespace kelpie::experiments

@@ -25,10 +25,10 @@ std::unique_ptr<sim::World> endlessMatch(const agent::AgentConfig& config, std::
 
 }  // namespace
 
-Expected<agent::AgentConfig> agentConfig(const ExperimentOptions& options) {
-  cli::ConfigOptions request;
-  request.params = options.params;
-  return cli::makeConfig(request);
+Expected<agent::AgentConfig> agentConfig(const Request& request) {
+  cli::ConfigOptions options;
+  options.params = request.params;
+  return cli::makeConfig(options);
 }
 
 LocaliseMatch::LocaliseMatch(const agent::AgentConfig& config, const std::string& scripts,

@@ -12,13 +12,13 @@
 
 #include "robot/agent/AgentLoops.h"
 #include "robot/core/Random.h"
-#include "tools/experiments/Experiment.h"
+#include "tools/experiments/harness/Experiment.h"
 #include "tools/sim/World.h"
 
 namespace kelpie::experiments {
 
 // The agent's default configuration, changed by the experiment's parameter files.
-Expected<agent::AgentConfig> agentConfig(const ExperimentOptions& options);
+Expected<agent::AgentConfig> agentConfig(const Request& request);
 
 struct WatchedFrame {
   const FrameInput& input;

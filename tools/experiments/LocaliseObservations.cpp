@@ -5,15 +5,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
-#include "tools/experiments/Experiment.h"
 #include "tools/experiments/SimulatedRobot.h"
+#include "tools/experiments/harness/Trials.h"
 
 namespace kelpie::experiments {
 namespace {
 
 constexpr int kFrames = 120;
-constexpr int kJudged = 60;
+constexpr int kCounted = 60;  // the last of them
 constexpr std::array<double, 4> kHeadings{0.0, 90.0, 180.0, 270.0};
 
 struct Conditions {
@@ -54,58 +55,81 @@ Errors walk(const Conditions& conditions, std::uint64_t seed) {
     robot.walk(0.7, 0.0, 0.008 * std::sin(frame / 20.0));
     see(robot, conditions, frame, random);
     const WorldModel world = robot.step();
-    if (frame < kFrames - kJudged) continue;
-    errors.cm += robot.error(world) / kJudged;
-    errors.deg += robot.headingError(world) / kJudged;
+    if (frame < kFrames - kCounted) continue;
+    errors.cm += robot.error(world) / kCounted;
+    errors.deg += robot.headingError(world) / kCounted;
   }
   return errors;
 }
 
-Errors mean(const ExperimentOptions& options, const Conditions& conditions) {
-  Errors sum;
-  for (int run = 0; run < options.trials; ++run) {
-    const Errors one = walk(conditions, options.seed + static_cast<std::uint64_t>(run));
-    sum.cm += one.cm / options.trials;
-    sum.deg += one.deg / options.trials;
-  }
-  return sum;
+// One kind of walk, with the errors over all trials.
+struct Walks {
+  Conditions conditions;
+  Errors mean;
+};
+
+// The four headings first.
+std::vector<Walks> allWalks() {
+  constexpr auto kJoint = gps::LineCombine::joint;
+  std::vector<Walks> all;
+  for (const double heading : kHeadings) all.push_back({{heading, 0.0, false, true}, {}});
+  for (const Conditions& conditions : std::array<Conditions, 6>{{{90.0, 0.05, false, true},
+                                                                 {90.0, 0.0, true, true},
+                                                                 {90.0, 0.0, true, false},
+                                                                 {90.0, 0.0, true, true, kJoint},
+                                                                 {90.0, 0.05, true, true},
+                                                                 {90.0, 0.05, true, true, kJoint}}})
+    all.push_back({conditions, {}});
+  return all;
 }
 
-}  // namespace
-
-Expected<Json> localiseObservations(const ExperimentOptions& options) {
-  Json json{
-      {"experiment", "localise-observations"}, {"trials", options.trials}, {"seed", options.seed}};
+void addHeadings(const std::vector<Walks>& walks, Json& json) {
   Errors all;
   Json headings = Json::array();
-  double least = 1e9;
-  double most = 0.0;
-  for (const double heading : kHeadings) {
-    const Errors e = mean(options, {heading, 0.0, false, true});
-    headings.push_back({{"heading_deg", heading}, {"mean_cm", e.cm}, {"mean_deg", e.deg}});
+  double best = 1e9;
+  double worst = 0.0;
+  for (std::size_t i = 0; i < kHeadings.size(); ++i) {
+    const Errors& e = walks[i].mean;
+    headings.push_back({{"heading_deg", kHeadings[i]}, {"mean_cm", e.cm}, {"mean_deg", e.deg}});
     all.cm += e.cm / 4.0;
     all.deg += e.deg / 4.0;
-    least = std::min(least, e.cm);
-    most = std::max(most, e.cm);
+    best = std::min(best, e.cm);
+    worst = std::max(worst, e.cm);
   }
   json["mean_cm"] = all.cm;
   json["mean_deg"] = all.deg;
   json["headings"] = headings;
-  json["headings_ratio"] = most / least;
-  json["false_mean_cm"] = mean(options, {90.0, 0.05, false, true}).cm;
-  const Errors both = mean(options, {90.0, 0.0, true, true});
-  json["with_lines_cm"] = both.cm;
-  json["with_lines_deg"] = both.deg;
-  const Errors lines = mean(options, {90.0, 0.0, true, false});
-  json["lines_only_cm"] = lines.cm;
-  json["lines_only_deg"] = lines.deg;
-  constexpr auto kJoint = gps::LineCombine::joint;
-  const Errors joint = mean(options, {90.0, 0.0, true, true, kJoint});
-  json["joint_with_lines_cm"] = joint.cm;
-  json["joint_with_lines_deg"] = joint.deg;
-  json["false_with_lines_cm"] = mean(options, {90.0, 0.05, true, true}).cm;
-  json["joint_false_with_lines_cm"] = mean(options, {90.0, 0.05, true, true, kJoint}).cm;
+  json["headings_ratio"] = worst / best;
+}
+
+Expected<Json> localiseObservations(const Request& request) {
+  std::vector<Walks> walks = allWalks();
+  eachTrial(request, [&](const Trial& trial) {
+    for (Walks& one : walks) {
+      const Errors errors = walk(one.conditions, trial.seed);
+      one.mean.cm += errors.cm / request.trials;
+      one.mean.deg += errors.deg / request.trials;
+    }
+  });
+  Json json;
+  addHeadings(walks, json);
+  const Walks* other = &walks[kHeadings.size()];
+  json["false_mean_cm"] = other[0].mean.cm;
+  json["with_lines_cm"] = other[1].mean.cm;
+  json["with_lines_deg"] = other[1].mean.deg;
+  json["lines_only_cm"] = other[2].mean.cm;
+  json["lines_only_deg"] = other[2].mean.deg;
+  json["joint_with_lines_cm"] = other[3].mean.cm;
+  json["joint_with_lines_deg"] = other[3].mean.deg;
+  json["false_with_lines_cm"] = other[4].mean.cm;
+  json["joint_false_with_lines_cm"] = other[5].mean.cm;
   return json;
 }
 
+const Registration kLocaliseObservations(
+    "localise-observations",
+    "made sightings (6 %, 2 deg, some false) and line points on walks: errors",
+    {Option::trials, Option::seed}, 20, localiseObservations);
+
+}  // namespace
 }  // namespace kelpie::experiments

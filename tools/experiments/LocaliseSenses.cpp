@@ -8,129 +8,121 @@ namespace {
 
 constexpr double kDegrees = 180.0 / maths::kPi;
 
-std::vector<double> joined(const std::vector<Json>& matches, const std::string& key) {
-  std::vector<double> all;
-  for (const Json& match : matches)
-    for (const Json& value : match[key]) all.push_back(value.get<double>());
-  return all;
+bool isGoal(LandmarkKind kind) {
+  return kind == LandmarkKind::goalBlue || kind == LandmarkKind::goalYellow;
 }
 
-double rms(const std::vector<double>& values) {
-  double sum = 0.0;
-  for (const double v : values) sum += v * v;
-  return values.empty() ? 0.0 : std::sqrt(sum / static_cast<double>(values.size()));
-}
+bool isCut(const LandmarkPercept& percept) { return percept.leftEdgeCut || percept.rightEdgeCut; }
 
-double sum(const std::vector<double>& values) {
-  return mean(values) * static_cast<double>(values.size());
-}
-
-// Slope through the origin of what was done over what was said, and the rest's spread.
-Json slope(const std::vector<double>& said, const std::vector<double>& did) {
-  double cross = 0.0;
-  double square = 0.0;
-  for (std::size_t i = 0; i < said.size(); ++i) {
-    cross += said[i] * did[i];
-    square += said[i] * said[i];
-  }
-  const double ratio = square > 0.0 ? cross / square : 0.0;
-  std::vector<double> rest;
-  for (std::size_t i = 0; i < said.size(); ++i) rest.push_back(did[i] - ratio * said[i]);
-  return {{"ratio", ratio}, {"bias", mean(rest)}, {"rms", rms(rest)}};
+LandmarkRow rowOf(const LandmarkPercept& percept, const TrueLandmark& truth, TimeUs time) {
+  LandmarkRow row;
+  row.time = time;
+  row.kind = percept.kind;
+  row.distance = percept.distance;
+  row.trueDistance = truth.distance;
+  row.heading = percept.heading;
+  row.trueHeading = truth.heading;
+  row.distanceSd = std::sqrt(percept.distanceVariance);
+  row.headingSd = std::sqrt(percept.headingVariance) * kDegrees;
+  row.cut = isCut(percept);
+  return row;
 }
 
 }  // namespace
 
-SenseErrors::SenseErrors(const gps::GpsParams& params, const std::string& csv) : params_(params) {
-  if (csv.empty()) return;
-  csv_.open(csv);
-  csv_ << "t_s,kind,distance_cm,true_distance_cm,heading_deg,true_heading_deg,distance_sd_cm,"
-          "heading_sd_deg,cut\n";
+void LandmarkErrors::add(const LandmarkErrors& other) {
+  append(other.distance, distance);
+  append(other.heading, heading);
+  append(other.distanceOverSd, distanceOverSd);
+  append(other.headingOverSd, headingOverSd);
 }
 
-void SenseErrors::write(const LandmarkPercept& percept, const TrueLandmark& truth, TimeUs time) {
-  csv_ << time.seconds() << ',' << static_cast<int>(percept.kind) << ',' << percept.distance << ','
-       << truth.distance << ',' << percept.heading.deg() << ',' << truth.heading.deg() << ','
-       << std::sqrt(percept.distanceVariance) << ','
-       << std::sqrt(percept.headingVariance) * kDegrees << ','
-       << (percept.leftEdgeCut || percept.rightEdgeCut ? 1 : 0) << '\n';
+Json LandmarkErrors::summary(double seconds) const {
+  return {{"per_s", static_cast<double>(distance.size()) / seconds},
+          {"distance_bias_rate", mean(distance)},
+          {"distance_rms_rate", rms(distance)},
+          {"heading_bias_deg", mean(heading)},
+          {"heading_rms_deg", rms(heading)},
+          {"distance_over_sd_rms", rms(distanceOverSd)},
+          {"heading_over_sd_rms", rms(headingOverSd)}};
 }
 
-void SenseErrors::landmark(const LandmarkPercept& percept, const WatchedFrame& frame) {
+void OdometryErrors::add(const OdometryErrors& other) {
+  append(other.reported, reported);
+  append(other.real, real);
+}
+
+Json OdometryErrors::summary() const {
+  double cross = 0.0;
+  double square = 0.0;
+  for (std::size_t i = 0; i < reported.size(); ++i) {
+    cross += reported[i] * real[i];
+    square += reported[i] * reported[i];
+  }
+  const double slope = ratio(cross, square);
+  Values residuals;
+  for (std::size_t i = 0; i < reported.size(); ++i)
+    residuals.push_back(real[i] - slope * reported[i]);
+  return {{"ratio", slope}, {"bias", mean(residuals)}, {"rms", rms(residuals)}};
+}
+
+void SenseErrors::add(const SenseErrors& other) {
+  seconds += other.seconds;
+  falseLandmarks += other.falseLandmarks;
+  beacons.add(other.beacons);
+  goals.add(other.goals);
+  forward.add(other.forward);
+  left.add(other.left);
+  turn.add(other.turn);
+}
+
+Json SenseErrors::summary() const {
+  return {{"beacon", beacons.summary(seconds)},      {"goal", goals.summary(seconds)},
+          {"false_per_s", falseLandmarks / seconds}, {"odometryForward", forward.summary()},
+          {"odometryLeft", left.summary()},          {"odometryTurn", turn.summary()}};
+}
+
+void SenseRecorder::addLandmark(const LandmarkPercept& percept, const WatchedFrame& frame) {
   const TrueLandmark truth =
       trueLandmark(percept.kind, frame.truth, params_, frame.input.game.team);
-  if (csv_.is_open()) write(percept, truth, frame.input.time);
+  trace_.add(rowOf(percept, truth, frame.input.time));
   if (!isThere(percept, truth)) {
-    ++falseOnes_[0];
+    ++errors_.falseLandmarks;
     return;
   }
-  const bool goal =
-      percept.kind == LandmarkKind::goalBlue || percept.kind == LandmarkKind::goalYellow;
-  if (goal && (percept.leftEdgeCut || percept.rightEdgeCut)) return;
-  Errors& errors = errors_[goal ? 1 : 0];
-  const double far = percept.distance - truth.distance;
+  const bool goal = isGoal(percept.kind);
+  if (goal && isCut(percept)) return;
+  LandmarkErrors& errors = goal ? errors_.goals : errors_.beacons;
+  const double farther = percept.distance - truth.distance;
   const double aside = (percept.heading - truth.heading).rad();
-  errors.distance.push_back(far / truth.distance);
+  errors.distance.push_back(farther / truth.distance);
   errors.heading.push_back(aside * kDegrees);
-  errors.distanceOverSd.push_back(far / std::sqrt(percept.distanceVariance));
+  errors.distanceOverSd.push_back(farther / std::sqrt(percept.distanceVariance));
   errors.headingOverSd.push_back(aside / std::sqrt(percept.headingVariance));
 }
 
-void SenseErrors::step(const WatchedFrame& frame) {
+void SenseRecorder::addStep(const WatchedFrame& frame) {
   const auto second = static_cast<std::size_t>(frame.input.time.seconds());
-  if (second >= saidTurn_.size())
-    for (auto* sums : {&saidForward_, &saidLeft_, &saidTurn_, &didForward_, &didLeft_, &didTurn_})
-      sums->resize(second + 1);
-  const Odometry& said = frame.input.odometry;
+  if (second >= errors_.turn.reported.size())
+    for (OdometryErrors* one : {&errors_.forward, &errors_.left, &errors_.turn})
+      for (Values* sums : {&one->reported, &one->real}) sums->resize(second + 1);
+  const Odometry& reported = frame.input.odometry;
   const Angle turn = frame.truth.heading - frame.before.heading;
   const Point2<Robot> moved = robotFromField(
       {frame.before.position, frame.before.heading + turn * 0.5}, frame.truth.position);
-  saidForward_[second] += said.forward;
-  saidLeft_[second] += said.left;
-  saidTurn_[second] += said.turn.deg();
-  didForward_[second] += moved.y;
-  didLeft_[second] -= moved.x;
-  didTurn_[second] += turn.deg();
+  errors_.forward.reported[second] += reported.forward;
+  errors_.left.reported[second] += reported.left;
+  errors_.turn.reported[second] += reported.turn.deg();
+  errors_.forward.real[second] += moved.y;
+  errors_.left.real[second] -= moved.x;
+  errors_.turn.real[second] += turn.deg();
 }
 
-void SenseErrors::frame(const WatchedFrame& frame) {
-  seconds_[0] = frame.input.time.seconds();
-  for (const LandmarkPercept& percept : frame.output.percepts.landmarks) landmark(percept, frame);
-  step(frame);
-}
-
-Json SenseErrors::json() const {
-  Json all{{"seconds", seconds_},   {"false", falseOnes_},   {"saidForward", saidForward_},
-           {"saidLeft", saidLeft_}, {"saidTurn", saidTurn_}, {"didForward", didForward_},
-           {"didLeft", didLeft_},   {"didTurn", didTurn_}};
-  for (std::size_t i = 0; i < errors_.size(); ++i) {
-    const std::string kind = i == 0 ? "beacon" : "goal";
-    all[kind + "Distance"] = errors_[i].distance;
-    all[kind + "Heading"] = errors_[i].heading;
-    all[kind + "DistanceOverSd"] = errors_[i].distanceOverSd;
-    all[kind + "HeadingOverSd"] = errors_[i].headingOverSd;
-  }
-  return all;
-}
-
-Json SenseErrors::summary(const std::vector<Json>& matches) {
-  const double seconds = sum(joined(matches, "seconds"));
-  Json all;
-  for (const std::string kind : {"beacon", "goal"}) {
-    const auto distance = joined(matches, kind + "Distance");
-    const auto heading = joined(matches, kind + "Heading");
-    all[kind] = {{"per_s", static_cast<double>(distance.size()) / seconds},
-                 {"distance_bias_rate", mean(distance)},
-                 {"distance_rms_rate", rms(distance)},
-                 {"heading_bias_deg", mean(heading)},
-                 {"heading_rms_deg", rms(heading)},
-                 {"distance_over_sd_rms", rms(joined(matches, kind + "DistanceOverSd"))},
-                 {"heading_over_sd_rms", rms(joined(matches, kind + "HeadingOverSd"))}};
-  }
-  all["false_per_s"] = sum(joined(matches, "false")) / seconds;
-  for (const std::string way : {"Forward", "Left", "Turn"})
-    all["odometry" + way] = slope(joined(matches, "said" + way), joined(matches, "did" + way));
-  return all;
+void SenseRecorder::frame(const WatchedFrame& frame) {
+  errors_.seconds = frame.input.time.seconds();
+  for (const LandmarkPercept& percept : frame.output.percepts.landmarks)
+    addLandmark(percept, frame);
+  addStep(frame);
 }
 
 }  // namespace kelpie::experiments

@@ -8,18 +8,16 @@
 
 namespace kelpie::experiments {
 
-void lookAtViews(const ViewParams& params, const ExperimentOptions& options,
-                 const std::function<void(const Look&)>& judge) {
-  const auto maker = std::make_unique<ViewMaker>(params, options.seed);
+void lookAtViews(const ViewParams& params, const Request& request,
+                 const std::function<void(const Look&)>& use) {
   const auto state = std::make_unique<vision::VisionState>();
   const vision::VisionParams vision;
-  for (int i = 0; i < options.trials; ++i) {
-    const View& view = maker->next();
+  int number = 0;
+  eachView(params, request, [&](const View& view) {
     const BodyState body = body::step(view.input, {});
     const Percepts seen = vision::step({view.input, body}, vision, *state);
-    judge({i, view, body, seen, state->judged});
-    if (options.progress) options.progress(i + 1, options.trials);
-  }
+    use({number++, view, body, seen, state->judged});
+  });
 }
 
 }  // namespace kelpie::experiments

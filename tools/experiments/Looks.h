@@ -5,7 +5,6 @@
 #include <functional>
 
 #include "robot/core/Percepts.h"
-#include "tools/experiments/Experiment.h"
 #include "tools/experiments/View.h"
 #include "vision/Judged.h"
 
@@ -19,8 +18,8 @@ struct Look {
   const vision::Judged& judged;
 };
 
-// Calls `judge` for as many views as there are trials, and the options' progress after each.
-void lookAtViews(const ViewParams& params, const ExperimentOptions& options,
-                 const std::function<void(const Look&)>& judge);
+// Calls use(look) for one view a trial.
+void lookAtViews(const ViewParams& params, const Request& request,
+                 const std::function<void(const Look&)>& use);
 
 }  // namespace kelpie::experiments

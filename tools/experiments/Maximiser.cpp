@@ -7,14 +7,16 @@
 #include <memory>
 
 #include "gps/MatchTable.h"
-#include "tools/experiments/Experiment.h"
 #include "tools/experiments/SimulatedRobot.h"
+#include "tools/experiments/harness/Statistics.h"
+#include "tools/experiments/harness/Trials.h"
 
 namespace kelpie::experiments {
 namespace {
 
-constexpr double kGood = 10.0;    // cm
-constexpr double kGoodDeg = 5.0;  // deg
+constexpr double kGoodCm = 10.0;
+constexpr double kGoodDeg = 5.0;
+
 struct Start {
   double sd;     // cm
   double sdDeg;  // deg
@@ -53,20 +55,31 @@ struct Result {
     const double turned = (pose.heading - Angle::rad(truth.heading)).abs().deg();
     ++views;
     steps += used;
-    if (off > kGood || turned > kGoodDeg) return;
+    if (off > kGoodCm || turned > kGoodDeg) return;
     ++good;
     error2 += off * off;
   }
   Json json() const {
-    return {{"success", views > 0 ? static_cast<double>(good) / views : 0.0},
-            {"steps", views > 0 ? steps / views : 0.0},
-            {"rms_cm", good > 0 ? std::sqrt(error2 / good) : 0.0}};
+    return {{"success", ratio(good, views)},
+            {"steps", ratio(steps, views)},
+            {"rms_cm", std::sqrt(ratio(error2, good))}};
   }
 };
 
-}  // namespace
+// The three ways from the same guesses.
+struct Results {
+  Result fit;
+  Result ascent;
+  Result asPrinted;
+};
 
-Expected<Json> maximiser(const ExperimentOptions& options) {
+Pose2 guessBeside(const gps::Truth& truth, const Start& start, std::uint64_t seed) {
+  Random random(seed + 77);
+  return {{truth.x + random.gaussian(0.0, start.sd), truth.y + random.gaussian(0.0, start.sd)},
+          Angle::rad(truth.heading) + Angle::deg(random.gaussian(0.0, start.sdDeg))};
+}
+
+Expected<Json> maximiser(const Request& request) {
   const auto field = body::fieldDescription("2006");
   if (!field) return Error{field.error()};
   const gps::LineParams params;
@@ -75,36 +88,34 @@ Expected<Json> maximiser(const ExperimentOptions& options) {
   const gps::MatchTables tables(*field, *features, params.sharpness);
   gps::AscentParams printed;
   printed.headingScale = 1.0;
-  Json json{{"experiment", "maximiser"}, {"trials", options.trials}, {"seed", options.seed}};
-  json["table_bytes"] = tables.lines.bytes();
-  Json starts = Json::array();
-  for (const Start& start : kStarts) {
-    Result ours, ascent, asPrinted;
-    for (int i = 0; i < options.trials; ++i) {
-      const auto seed = options.seed + static_cast<std::uint64_t>(i);
-      const View view = viewOf(params, seed);
-      if (view.seen.lines.size() < params.minPoints) continue;
-      Random random(seed + 77);
-      const Pose2 guess{
-          {view.truth.x + random.gaussian(0.0, start.sd),
-           view.truth.y + random.gaussian(0.0, start.sd)},
-          Angle::rad(view.truth.heading) + Angle::deg(random.gaussian(0.0, start.sdDeg))};
+  std::array<Results, kStarts.size()> results;
+  eachTrial(request, [&](const Trial& trial) {
+    const View view = viewOf(params, trial.seed);
+    if (view.seen.lines.size() < params.minPoints) return;
+    for (std::size_t i = 0; i < kStarts.size(); ++i) {
+      const Pose2 guess = guessBeside(view.truth, kStarts[i], trial.seed);
       const gps::LineFit fit =
-          gps::fitLines(view.seen, guess, *features, params, start.sd > params.coarseAbove);
-      ours.add(fit.pose, fit.steps, view.truth);
+          gps::fitLines(view.seen, guess, *features, params, kStarts[i].sd > params.coarseAbove);
+      results[i].fit.add(fit.pose, fit.steps, view.truth);
       const gps::Ascent thesis = gps::ascend(view.seen, guess, tables, {});
-      ascent.add(thesis.pose, thesis.steps, view.truth);
+      results[i].ascent.add(thesis.pose, thesis.steps, view.truth);
       const gps::Ascent raw = gps::ascend(view.seen, guess, tables, printed);
-      asPrinted.add(raw.pose, raw.steps, view.truth);
+      results[i].asPrinted.add(raw.pose, raw.steps, view.truth);
     }
-    starts.push_back({{"start_cm", start.sd},
-                      {"start_deg", start.sdDeg},
-                      {"ours", ours.json()},
-                      {"ascent", ascent.json()},
-                      {"ascent_as_printed", asPrinted.json()}});
-  }
-  json["starts"] = starts;
+  });
+  Json json{{"table_bytes", tables.lines.bytes()}};
+  for (std::size_t i = 0; i < kStarts.size(); ++i)
+    json["starts"].push_back({{"start_cm", kStarts[i].sd},
+                              {"start_deg", kStarts[i].sdDeg},
+                              {"ours", results[i].fit.json()},
+                              {"ascent", results[i].ascent.json()},
+                              {"ascent_as_printed", results[i].asPrinted.json()}});
   return json;
 }
 
+const Registration kMaximiser(
+    "maximiser", "from a guess to the best match: Gauss-Newton beside the thesis' ascent",
+    {Option::trials, Option::seed}, 500, maximiser);
+
+}  // namespace
 }  // namespace kelpie::experiments

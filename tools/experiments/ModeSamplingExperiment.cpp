@@ -9,17 +9,17 @@
 #include "gps/Extract.h"
 #include "gps/ModeSampling.h"
 #include "gps/Modes.h"
-#include "tools/experiments/Experiment.h"
 #include "tools/experiments/SimulatedRobot.h"
+#include "tools/experiments/harness/Trials.h"
 
 namespace kelpie::experiments {
 namespace {
 
 constexpr int kFrames = 120;
-constexpr int kJudged = 60;
+constexpr int kCounted = 60;   // the last of them
 constexpr double kJump = 5.0;  // cm a frame
 
-enum class Way { fit, sampling, samplingFloored };
+enum class Method { fit, sampling, samplingFloored };
 constexpr std::array<const char*, 3> kNames{"fit", "sampling", "sampling_floored"};
 
 struct Outcome {
@@ -45,12 +45,12 @@ struct Outcome {
   }
 };
 
-gps::SimulatedRobot robotOf(Way way, bool landmarks, std::uint64_t seed) {
+gps::SimulatedRobot robotOf(Method method, bool landmarks, std::uint64_t seed) {
   Random random(seed + 1000003);
   const gps::Truth start{random.uniform(110.0, 250.0), random.uniform(150.0, 390.0),
                          random.uniform(-maths::kPi, maths::kPi)};
   gps::SimulatedRobot robot(start, seed);
-  robot.params.line.use = way == Way::fit;
+  robot.params.line.use = method == Method::fit;
   robot.params.lineMap.use = false;
   if (landmarks) return robot;
   const double x = start.x + random.gaussian(0.0, 20.0);
@@ -60,19 +60,19 @@ gps::SimulatedRobot robotOf(Way way, bool landmarks, std::uint64_t seed) {
   return robot;
 }
 
-WorldModel stepOf(Way way, gps::SimulatedRobot& robot) {
+WorldModel stepOf(Method method, gps::SimulatedRobot& robot) {
   const WorldModel world = robot.step();
-  if (way == Way::fit || robot.state.lost) return world;
+  if (method == Method::fit || robot.state.lost) return world;
   gps::SamplingFloor floor;
-  if (way == Way::samplingFloored) floor = {4.0, Angle::deg(2)};
+  if (method == Method::samplingFloored) floor = {4.0, Angle::deg(2)};
   const auto seen = gps::seenLines(robot.percepts.linePoints, robot.params.line);
   if (!gps::updateBySampling(seen, floor, robot.params, robot.state)) return world;
   gps::mergeAndPrune(robot.params, robot.state);
   return gps::extract(robot.state);
 }
 
-Outcome walk(Way way, bool landmarks, std::uint64_t seed) {
-  gps::SimulatedRobot robot = robotOf(way, landmarks, seed);
+Outcome walk(Method method, bool landmarks, std::uint64_t seed) {
+  gps::SimulatedRobot robot = robotOf(method, landmarks, seed);
   Outcome outcome;
   double offX = 0.0;
   double offY = 0.0;
@@ -80,36 +80,41 @@ Outcome walk(Way way, bool landmarks, std::uint64_t seed) {
     robot.walk(0.7, 0.0, 0.008 * std::sin(frame / 20.0));
     if (landmarks) robot.lookAround(gps::panAt(frame));
     robot.lookAtLines(gps::panAt(frame));
-    const WorldModel world = stepOf(way, robot);
+    const WorldModel world = stepOf(method, robot);
     const double x = world.pose.position.x - robot.truth.x;
     const double y = world.pose.position.y - robot.truth.y;
     const double jump = std::hypot(x - offX, y - offY);
     offX = x;
     offY = y;
-    if (frame < kFrames - kJudged) continue;
+    if (frame < kFrames - kCounted) continue;
     outcome.add({robot.error(world), robot.headingError(world), jump, jump > kJump ? 1.0 : 0.0,
                  world.positionSd},
-                1.0 / kJudged);
+                1.0 / kCounted);
   }
   return outcome;
 }
 
-}  // namespace
-
-Expected<Json> modeSampling(const ExperimentOptions& options) {
-  Json json{{"experiment", "mode-sampling"}, {"trials", options.trials}, {"seed", options.seed}};
+Expected<Json> modeSampling(const Request& request) {
+  std::array<std::array<Outcome, kNames.size()>, 2> outcomes{};  // without landmarks, with
+  eachTrial(request, [&](const Trial& trial) {
+    for (const bool landmarks : {false, true})
+      for (std::size_t m = 0; m < kNames.size(); ++m)
+        outcomes[landmarks ? 1 : 0][m].add(walk(static_cast<Method>(m), landmarks, trial.seed),
+                                           1.0 / request.trials);
+  });
+  Json json;
   for (const bool landmarks : {false, true}) {
-    Json ways;
-    for (const Way way : {Way::fit, Way::sampling, Way::samplingFloored}) {
-      Outcome all;
-      for (int i = 0; i < options.trials; ++i)
-        all.add(walk(way, landmarks, options.seed + static_cast<std::uint64_t>(i)),
-                1.0 / options.trials);
-      ways[kNames[static_cast<std::size_t>(way)]] = all.json();
-    }
-    json[landmarks ? "with_landmarks" : "lines_alone"] = ways;
+    Json methods;
+    for (std::size_t m = 0; m < kNames.size(); ++m)
+      methods[kNames[m]] = outcomes[landmarks ? 1 : 0][m].json();
+    json[landmarks ? "with_landmarks" : "lines_alone"] = methods;
   }
   return json;
 }
 
+const Registration kModeSampling(
+    "mode-sampling", "the thesis' sampling of the match beside the fit: errors and jumps",
+    {Option::trials, Option::seed}, 50, modeSampling);
+
+}  // namespace
 }  // namespace kelpie::experiments

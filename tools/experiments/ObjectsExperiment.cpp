@@ -10,7 +10,6 @@
 #include <opencv2/imgproc.hpp>
 
 #include "tools/cli/Draw.h"
-#include "tools/experiments/Experiment.h"
 #include "tools/experiments/Looks.h"
 #include "tools/experiments/Objects.h"
 #include "tools/picture/PngFile.h"
@@ -104,7 +103,7 @@ class Score {
     ++views_;
     const auto percepts = seenObjects(seen);
     faults_.clear();
-    for (const auto& object : objects) judge(object, percepts);
+    for (const auto& object : objects) addObject(object, percepts);
     for (const auto& p : percepts) {
       const bool real = std::any_of(objects.begin(), objects.end(),
                                     [&p](const TrueObject& o) { return matches(p, o); });
@@ -114,7 +113,7 @@ class Score {
                                     static_cast<int>(p.landmark), p.distance, p.heading.deg()));
     }
     for (const auto& object : objects)
-      if (object.kind == ObjectKind::goal && object.toSee) judgeGaps(view, field, object, seen);
+      if (object.kind == ObjectKind::goal && object.toSee) addGaps(view, field, object, seen);
   }
 
   // What went wrong in the last view, a line each.
@@ -148,7 +147,7 @@ class Score {
   }
 
  private:
-  void judge(const TrueObject& object, const std::vector<SeenObject>& percepts) {
+  void addObject(const TrueObject& object, const std::vector<SeenObject>& percepts) {
     const auto band = bandOf(object);
     if (!band || !object.toSee) return;
     Sums& sums = sums_[*band];
@@ -169,8 +168,8 @@ class Score {
   }
 
   // A gap of five degrees or more is to be seen; its ends count where they are in the image.
-  void judgeGaps(const View& view, const body::FieldDescription& field, const TrueObject& goal,
-                 const Percepts& seen) {
+  void addGaps(const View& view, const body::FieldDescription& field, const TrueObject& goal,
+               const Percepts& seen) {
     for (const TrueGap& gap : trueGaps(view, field, goal.landmark)) {
       if ((gap.left - gap.right).deg() < 5.0 || (!gap.leftInImage && !gap.rightInImage)) continue;
       ++gapsToSee_;
@@ -249,24 +248,23 @@ class Score {
   double gapDeg2_ = 0.0;
 };
 
-}  // namespace
-
-Expected<Json> objects(const ExperimentOptions& options) {
-  const auto field = body::fieldDescription("2006");
-  if (!field) return Error{field.error()};
-  ViewParams params;
-  params.field = *field;
+Expected<Json> objects(const Request& request) {
+  const ViewParams params;
+  const body::FieldDescription& field = params.field;
   Visibility visibility;
   Score score;
   int pictures = 0;
-  lookAtViews(params, options, [&](const Look& look) {
-    score.add(look.view, *field, trueObjects(look.view, *field, visibility), look.seen);
-    if (!options.pictures.empty() && !score.faults().empty() && pictures++ < kMaxPictures)
-      keepPicture(options.pictures, look, score.faults());
+  lookAtViews(params, request, [&](const Look& look) {
+    score.add(look.view, field, trueObjects(look.view, field, visibility), look.seen);
+    if (!request.pictures.empty() && !score.faults().empty() && pictures++ < kMaxPictures)
+      keepPicture(request.pictures, look, score.faults());
   });
-  Json json{{"experiment", "objects"}, {"trials", options.trials}, {"seed", options.seed}};
-  json.update(score.figures());
-  return json;
+  return score.figures();
 }
 
+const Registration kObjects("objects",
+                            "rendered views: recall, false percepts, errors by object and distance",
+                            {Option::trials, Option::seed, Option::pictures}, 6000, objects);
+
+}  // namespace
 }  // namespace kelpie::experiments

@@ -6,7 +6,6 @@
 #include <memory>
 
 #include "robot/body/Camera.h"
-#include "tools/experiments/Experiment.h"
 #include "tools/experiments/View.h"
 #include "vision/Vision.h"
 
@@ -66,36 +65,30 @@ int countAhead(const FrameInput& input, bool grey, vision::VisionState& state) {
   return vision::step({input, body::step(input, {})}, params, state).obstaclesAhead;
 }
 
-}  // namespace
-
-Expected<Json> obstaclesAhead(const ExperimentOptions& options) {
-  ViewParams params;
-  params.field = *body::fieldDescription("2006");
-  ViewMaker maker(params, options.seed);
+Expected<Json> obstaclesAhead(const Request& request) {
   const auto state = std::make_unique<vision::VisionState>();
   Roc dark;
   Roc grey;
   int robots = 0;
   int empties = 0;
-  for (int trial = 0; trial < options.trials; ++trial) {
-    const View& view = maker.next();
+  eachView({}, request, [&](const View& view) {
     const Presence there = presence(view);
-    if (inImage(view.camera, {0.0, kMiddle}) && there != Presence::part) {
-      const bool robot = there == Presence::robot;
-      ++(robot ? robots : empties);
-      dark.add(countAhead(view.input, false, *state), robot);
-      grey.add(countAhead(view.input, true, *state), robot);
-    }
-    if (options.progress) options.progress(trial + 1, options.trials);
-  }
+    if (!inImage(view.camera, {0.0, kMiddle}) || there == Presence::part) return;
+    const bool robot = there == Presence::robot;
+    ++(robot ? robots : empties);
+    dark.add(countAhead(view.input, false, *state), robot);
+    grey.add(countAhead(view.input, true, *state), robot);
+  });
   if (robots == 0 || empties == 0) return Error{"too few views show the box ahead"};
-  return Json{{"experiment", "obstacles-ahead"},
-              {"trials", options.trials},
-              {"seed", options.seed},
-              {"with_robot_count", robots},
+  return Json{{"with_robot_count", robots},
               {"without_count", empties},
               {"dark", dark.figures(robots, empties)},
               {"dark_and_grey", grey.figures(robots, empties)}};
 }
 
+const Registration kObstaclesAhead(
+    "obstacles-ahead", "dark pixels in the box ahead: hits and false alarms by threshold",
+    {Option::trials, Option::seed}, 3000, obstaclesAhead);
+
+}  // namespace
 }  // namespace kelpie::experiments

@@ -5,8 +5,9 @@
 #include <array>
 #include <cmath>
 
-#include "tools/experiments/Experiment.h"
 #include "tools/experiments/TruePlayer.h"
+#include "tools/experiments/harness/Statistics.h"
+#include "tools/experiments/harness/Trials.h"
 
 namespace kelpie::experiments {
 namespace {
@@ -21,13 +22,11 @@ constexpr double kOnRobot = 35.0;      // cm; a filter so near an opponent sits 
 using Places = std::vector<Point2<Field>>;
 
 struct Tally {
-  std::vector<double> error;
-  std::vector<double> seen;  // of those seen within the last second
-  std::vector<double> separation;
-  int due = 0;
-  int found = 0;
-  int frames = 0;
-  int merged = 0;
+  Values error;
+  Values seen;  // of those seen within the last second
+  Values separation;
+  Share found;
+  Share merged;  // frames in which two filters sat on one robot
 };
 
 std::pair<std::size_t, double> nearest(Point2<Field> at, const Places& places) {
@@ -44,7 +43,7 @@ Places placesOf(const WorldModel& world) {
   return places;
 }
 
-void judgePairs(const Places& filters, const Places& opponents, Tally& tally) {
+void addSeparation(const Places& filters, const Places& opponents, Tally& tally) {
   double least = 1e9;
   bool merged = false;
   for (std::size_t i = 0; i < filters.size(); ++i) {
@@ -56,22 +55,19 @@ void judgePairs(const Places& filters, const Places& opponents, Tally& tally) {
     }
   }
   if (filters.size() > 1) tally.separation.push_back(least);
-  ++tally.frames;
-  tally.merged += merged ? 1 : 0;
+  tally.merged.count(merged);
 }
 
-void judge(const WorldModel& world, const Places& opponents, Tally& tally) {
+void addErrors(const WorldModel& world, const Places& opponents, Tally& tally) {
   const Places filters = placesOf(world);
   for (const OpponentEstimate& o : world.opponents) {
     const double error = nearest(o.position, opponents).second;
     tally.error.push_back(error);
     if (o.secondsSinceSeen < 1.0) tally.seen.push_back(error);
   }
-  for (const Point2<Field>& opponent : opponents) {
-    ++tally.due;
-    if (!filters.empty() && nearest(opponent, filters).second < kFoundWithin) ++tally.found;
-  }
-  judgePairs(filters, opponents, tally);
+  for (const Point2<Field>& opponent : opponents)
+    tally.found.count(!filters.empty() && nearest(opponent, filters).second < kFoundWithin);
+  addSeparation(filters, opponents, tally);
 }
 
 struct Match {
@@ -137,55 +133,49 @@ void playMatch(Match match, Tally& alone, Tally& shared) {
       player.input.team = match.radio.receive(i);
       if (i == 0) {
         const WorldModel world = player.stepAlone();
-        if (frame >= kSettled) judge(world, opponents, alone);
+        if (frame >= kSettled) addErrors(world, opponents, alone);
       }
       const WorldModel world = player.step();
       match.radio.send(i, world.message);
-      if (i == 0 && frame >= kSettled) judge(world, opponents, shared);
+      if (i == 0 && frame >= kSettled) addErrors(world, opponents, shared);
     }
   }
 }
-
-double mean(const std::vector<double>& values) {
-  double sum = 0.0;
-  for (const double v : values) sum += v;
-  return values.empty() ? 0.0 : sum / static_cast<double>(values.size());
-}
-
-double share(int part, int whole) { return whole > 0 ? static_cast<double>(part) / whole : 0.0; }
 
 void put(Json& json, const std::string& name, const Tally& tally) {
   json[name + "_cm"] = mean(tally.error);
   json[name + "_just_seen_cm"] = mean(tally.seen);
   json[name + "_median_cm"] = percentile(tally.error, 0.5);
-  json[name + "_found_share"] = share(tally.found, tally.due);
-  json[name + "_merged_share"] = share(tally.merged, tally.frames);
+  json[name + "_found_share"] = tally.found.value();
+  json[name + "_merged_share"] = tally.merged.value();
   json[name + "_separation_cm"] = mean(tally.separation);
 }
 
-}  // namespace
-
-Expected<Json> opponents(const ExperimentOptions& options) {
+Expected<Json> opponents(const Request& request) {
   Tally single, shared, angleSingle, angleShared;
-  Random seeds(options.seed);
+  Random seeds(request.seed);
   const gps::OpponentParams ours;
   gps::OpponentParams thesis = ours;  // by the angle alone, nothing joined, nothing missed
   thesis.matchGate = thesis.joinDistance = thesis.missedNoise = 0.0;
-  for (int trial = 0; trial < options.trials; ++trial) {
+  eachTrial(request, [&](const Trial&) {
     const std::uint64_t seed = seeds.next();
     playMatch(matchOf(seed, ours), single, shared);
     playMatch(matchOf(seed, thesis), angleSingle, angleShared);
-    if (options.progress) options.progress(trial + 1, options.trials);
-  }
-  Json json{{"experiment", "opponents"}, {"trials", options.trials}, {"seed", options.seed}};
+  });
+  Json json;
   put(json, "single", single);
   put(json, "shared", shared);
   json["separation_cm"] = mean(shared.separation);
-  json["merged_share"] = share(shared.merged, shared.frames);
-  json["found_share"] = share(shared.found, shared.due);
+  json["merged_share"] = shared.merged.value();
+  json["found_share"] = shared.found.value();
   put(json, "angle_alone_single", angleSingle);
   put(json, "angle_alone_shared", angleShared);
   return json;
 }
 
+const Registration kOpponents("opponents",
+                              "four opponents wander about: the filters of one robot and of a team",
+                              {Option::trials, Option::seed}, 20, opponents);
+
+}  // namespace
 }  // namespace kelpie::experiments

@@ -2,13 +2,14 @@
 // Pink sheets of 12 x 20 cm stand on the carpet in random views, square to the camera: how many are
 // found and where they seem to be; and how many pink patches vision reports in the same views
 // without a sheet, where pink is on beacons and spectators only.
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <optional>
 
 #include "robot/body/Camera.h"
-#include "tools/experiments/Experiment.h"
 #include "tools/experiments/View.h"
+#include "tools/experiments/harness/Statistics.h"
 #include "vision/Vision.h"
 
 namespace kelpie::experiments {
@@ -55,23 +56,22 @@ sim::Solid sheetAt(const View& view, Point2<Robot> place) {
 }
 
 struct Tally {
-  int falses = 0;
-  int sheets = 0;
-  int found = 0;
-  double heading = 0.0;   // sum of squares, deg2
-  double distance = 0.0;  // the same, of shares
+  int falsePatches = 0;
+  Share found;
+  Values heading;   // deg
+  Values distance;  // share of the true one
 };
 
-void judge(const Percepts& percepts, Point2<Robot> place, Tally& tally) {
-  ++tally.sheets;
-  for (const PinkPercept& pink : percepts.pinkPatches) {
-    const double off = (pink.heading - bearing(place)).deg();
-    if (std::fabs(off) > kGate) continue;
-    ++tally.found;
-    tally.heading += off * off;
-    tally.distance += maths::square(pink.distance / place.norm() - 1.0);
-    return;
-  }
+void addPatch(const Percepts& percepts, Point2<Robot> place, Tally& tally) {
+  const auto error = [&](const PinkPercept& pink) { return (pink.heading - bearing(place)).deg(); };
+  const auto pink =
+      std::find_if(percepts.pinkPatches.begin(), percepts.pinkPatches.end(),
+                   [&](const PinkPercept& p) { return std::fabs(error(p)) <= kGate; });
+  const bool found = pink != percepts.pinkPatches.end();
+  tally.found.count(found);
+  if (!found) return;
+  tally.heading.push_back(error(*pink));
+  tally.distance.push_back(pink->distance / place.norm() - 1.0);
 }
 
 Percepts seenIn(const FrameInput& input, vision::VisionState& state) {
@@ -79,19 +79,14 @@ Percepts seenIn(const FrameInput& input, vision::VisionState& state) {
   return vision::step({input, body}, {}, state);
 }
 
-}  // namespace
-
-Expected<Json> pinkPatches(const ExperimentOptions& options) {
-  ViewParams params;
-  params.field = *body::fieldDescription("2006");
-  ViewMaker maker(params, options.seed);
-  Random random(options.seed + 1);
+Expected<Json> pinkPatches(const Request& request) {
+  const ViewParams params;
+  Random random(request.seed + 1);
   const auto state = std::make_unique<vision::VisionState>();
   const auto input = std::make_unique<FrameInput>();
   Tally tally;
-  for (int trial = 0; trial < options.trials; ++trial) {
-    const View& view = maker.next();
-    tally.falses += static_cast<int>(seenIn(view.input, *state).pinkPatches.size());
+  eachView(params, request, [&](const View& view) {
+    tally.falsePatches += static_cast<int>(seenIn(view.input, *state).pinkPatches.size());
     if (const auto place = placeInView(view, params.field, random)) {
       sim::Scene scene = view.scene;
       scene.robots.clear();
@@ -99,19 +94,20 @@ Expected<Json> pinkPatches(const ExperimentOptions& options) {
       scene.fixtures.push_back(sheetAt(view, *place));
       *input = view.input;
       sim::Camera(params.camera, view.shift).render(scene, view.columns, random, input->image);
-      judge(seenIn(*input, *state), *place, tally);
+      addPatch(seenIn(*input, *state), *place, tally);
     }
-    if (options.progress) options.progress(trial + 1, options.trials);
-  }
-  if (tally.found == 0) return Error{"no sheet was found"};
-  return Json{{"experiment", "pink-patches"},
-              {"trials", options.trials},
-              {"seed", options.seed},
-              {"sheets_count", tally.sheets},
-              {"recall_rate", static_cast<double>(tally.found) / tally.sheets},
-              {"heading_rms_deg", std::sqrt(tally.heading / tally.found)},
-              {"distance_rms_rate", std::sqrt(tally.distance / tally.found)},
-              {"false_per_1000_views", 1000.0 * tally.falses / options.trials}};
+  });
+  if (tally.found.hits == 0) return Error{"no sheet was found"};
+  return Json{{"sheets_count", tally.found.all},
+              {"recall_rate", tally.found.value()},
+              {"heading_rms_deg", rms(tally.heading)},
+              {"distance_rms_rate", rms(tally.distance)},
+              {"false_per_1000_views", 1000.0 * tally.falsePatches / request.trials}};
 }
 
+const Registration kPinkPatches("pink-patches",
+                                "pink sheets on the carpet: recall, errors, false ones",
+                                {Option::trials, Option::seed}, 400, pinkPatches);
+
+}  // namespace
 }  // namespace kelpie::experiments

@@ -11,7 +11,7 @@
 
 #include "robot/body/Camera.h"
 #include "robot/core/Random.h"
-#include "tools/experiments/Experiment.h"
+#include "tools/experiments/harness/Trials.h"
 #include "tools/sim/Camera.h"
 
 namespace kelpie::experiments {
@@ -83,9 +83,9 @@ std::vector<Sight> sightsOf(const CameraPose& camera, const std::vector<Marker>&
 // Whether the light of another disc may fall into this one's window.
 bool alone(const Sight& sight, const std::vector<Sight>& all) {
   for (const auto& other : all) {
-    const double apart = sight.reach + other.reach;
-    if (other.marker != sight.marker && std::fabs(other.centre.x - sight.centre.x) < apart &&
-        std::fabs(other.centre.y - sight.centre.y) < apart)
+    const double reach = sight.reach + other.reach;
+    if (other.marker != sight.marker && std::fabs(other.centre.x - sight.centre.x) < reach &&
+        std::fabs(other.centre.y - sight.centre.y) < reach)
       return false;
   }
   return true;
@@ -134,15 +134,13 @@ void compare(const Image& image, const CameraPose& camera, const Sight& sight, E
     worst.atOneMetre = std::fmax(worst.atOneMetre, kelpie::distance(*ground, sight.marker->place));
 }
 
-}  // namespace
-
-Expected<Json> projection(const ExperimentOptions& options) {
-  Random random(options.seed);
+Expected<Json> projection(const Request& request) {
+  Random random(request.seed);
   sim::Camera renderer(sim::idealCamera(), {});
   const auto markers = markerGrid();
   auto image = std::make_unique<Image>();
   Errors worst;
-  for (int trial = 0; trial < options.trials; ++trial) {
+  eachTrial(request, [&](const Trial&) {
     const HeadPose head = randomHead(random);
     const Pose2 pose{{random.uniform(0.0, 360.0), random.uniform(0.0, 540.0)},
                      Angle::deg(random.uniform(-180.0, 180.0))};
@@ -153,12 +151,14 @@ Expected<Json> projection(const ExperimentOptions& options) {
     const auto sights = sightsOf(camera, markers);
     for (const auto& sight : sights)
       if (alone(sight, sights)) compare(*image, camera, sight, worst);
-    if (options.progress) options.progress(trial + 1, options.trials);
-  }
+  });
   if (worst.discs == 0) return Error{"no disc was in view"};
-  return Json{{"experiment", "projection"}, {"trials", options.trials},
-              {"seed", options.seed},       {"discs", worst.discs},
-              {"max_px", worst.pixels},     {"max_cm_at_1m", worst.atOneMetre}};
+  return Json{{"discs", worst.discs}, {"max_px", worst.pixels}, {"max_cm_at_1m", worst.atOneMetre}};
 }
 
+const Registration kProjection(
+    "projection", "rendered discs found again, against their projection: largest error",
+    {Option::trials, Option::seed}, 500, projection);
+
+}  // namespace
 }  // namespace kelpie::experiments

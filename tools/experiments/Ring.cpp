@@ -10,8 +10,9 @@
 #include "robot/core/Random.h"
 #include "tools/calibrate/RingLearner.h"
 #include "tools/calibrate/RingSimplex.h"
-#include "tools/experiments/Experiment.h"
 #include "tools/experiments/GenuineFrames.h"
+#include "tools/experiments/harness/Statistics.h"
+#include "tools/experiments/harness/Trials.h"
 #include "tools/sim/Artefacts.h"
 #include "tools/sim/Colours.h"
 #include "vision/RingTable.h"
@@ -77,9 +78,9 @@ struct Figures {
   double fallOfSd = 1.0;  // of Y over a white sheet, smallest
 };
 
-void keepLarger(double& most, double value) { most = std::fmax(most, value); }
+void keepLarger(double& largest, double value) { largest = std::fmax(largest, value); }
 
-void judgeFit(const RingFit& fit, const Centres& truth, Figures& worst) {
+void addFit(const RingFit& fit, const Centres& truth, Figures& worst) {
   for (std::size_t c = 0; c < 3; ++c) {
     double low = 255.0;
     double high = 0.0;
@@ -100,21 +101,10 @@ void judgeFit(const RingFit& fit, const Centres& truth, Figures& worst) {
   }
 }
 
-double standardDeviation(const std::vector<double>& values) {
-  double sum = 0.0;
-  double squares = 0.0;
-  for (const double v : values) {
-    sum += v;
-    squares += v * v;
-  }
-  const auto count = static_cast<double>(values.size());
-  return std::sqrt(std::fmax(0.0, squares / count - maths::square(sum / count)));
-}
-
-void judgeWhite(const Image& white, const vision::RingTable& table, Figures& worst) {
+void addWhite(const Image& white, const vision::RingTable& table, Figures& worst) {
   const vision::RingDistances distances;
   std::array<calibrate::RingMeans, 2> chroma;
-  std::vector<double> raw, corrected;
+  Values raw, corrected;
   for (const auto& pixel : calibrate::wholeSheet("white", white, 1).pixels) {
     const auto place = distances(pixel.px, pixel.py, table.centre);
     const Yuv c = table(pixel.value, place);
@@ -146,8 +136,8 @@ Status runTrial(Random& random, bool displaced, Figures& worst) {
   }
   const auto fit = calibrate::learnRing(sheets, {});
   if (!fit) return Error{fit.error()};
-  judgeFit(*fit, centres, worst);
-  judgeWhite(white, buildRingTable(fit->model), worst);
+  addFit(*fit, centres, worst);
+  addWhite(white, buildRingTable(fit->model), worst);
   return Done{};
 }
 
@@ -187,19 +177,15 @@ Json roundingCost() {
   return perChannel(worst);
 }
 
-}  // namespace
-
-Expected<Json> ring(const ExperimentOptions& options) {
-  Random random(options.seed);
+Expected<Json> ring(const Request& request) {
+  Random random(request.seed);
   Figures centred, displaced;
-  for (int trial = 0; trial < options.trials; ++trial) {
-    for (const bool away : {false, true}) {
-      const Status done = runTrial(random, away, away ? displaced : centred);
-      if (!done) return Error{done.error()};
-    }
-    if (options.progress) options.progress(trial + 1, options.trials);
-  }
-  Json out{{"experiment", "ring"}, {"trials", options.trials}, {"seed", options.seed}};
+  const Status learned = eachTrial(request, [&](const Trial&) {
+    const Status done = runTrial(random, false, centred);
+    return done ? runTrial(random, true, displaced) : done;
+  });
+  if (!learned) return Error{learned.error()};
+  Json out;
   for (const bool away : {false, true}) {
     const Figures& f = away ? displaced : centred;
     out[away ? "displaced" : "centred"] = {
@@ -218,4 +204,9 @@ Expected<Json> ring(const ExperimentOptions& options) {
   return out;
 }
 
+const Registration kRing(
+    "ring", "the ring learner on seeded sheets: errors of F and centres; genuine frames",
+    {Option::trials, Option::seed}, 2, ring);
+
+}  // namespace
 }  // namespace kelpie::experiments

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Robots in random views: which of those that can be seen vision finds, how far off it places them,
-// and what it takes for a robot that is none.
+// and where it finds one that is not there.
 #include <array>
 #include <cmath>
 
-#include "tools/experiments/Experiment.h"
 #include "tools/experiments/Looks.h"
 #include "tools/experiments/SeenRobots.h"
+#include "tools/experiments/harness/Statistics.h"
 
 namespace kelpie::experiments {
 namespace {
@@ -18,19 +18,17 @@ constexpr double kPatchPixels = 12.0;  // of uniform: three samples of the latti
 
 struct Tally {
   int views = 0;
-  int due = 0;  // robots that must be seen
-  int found = 0;
-  int patched = 0;  // of those due, with enough of their uniform in view
-  int patchedFound = 0;
+  Share found;                   // of the robots that must be seen
+  std::array<Share, 2> foundOf;  // the same by team
+  Share patched;                 // of those, with enough of their uniform in view
+  Share patchedFound;
   int matched = 0;  // percepts of any robot
   int wrongTeam = 0;
   int doubles = 0;  // further percepts of a robot that has one
-  int falses = 0;
-  std::array<int, 2> dueOf{};
-  std::array<int, 2> foundOf{};
-  std::vector<double> heading;   // deg, of the robots due
-  std::vector<double> distance;  // share of the true one, of the robots due
-  std::vector<double> spread;    // error over the standard deviation that vision gives
+  int falseOnes = 0;
+  Values heading;   // deg, of the robots due
+  Values distance;  // share of the true one, of the robots due
+  Values spread;    // error over the standard deviation that vision gives
 };
 
 struct Match {
@@ -55,7 +53,7 @@ bool isDue(const SeenRobot& robot) {
   return robot.distance <= kFarthest && robot.share >= kMinShare;
 }
 
-void judgeFound(const RobotPercept& percept, const SeenRobot& robot, Tally& tally) {
+void addErrors(const RobotPercept& percept, const SeenRobot& robot, Tally& tally) {
   if (percept.team != robot.team) ++tally.wrongTeam;
   if (!isDue(robot)) return;
   tally.heading.push_back((percept.heading - robot.heading).deg());
@@ -63,12 +61,12 @@ void judgeFound(const RobotPercept& percept, const SeenRobot& robot, Tally& tall
   tally.spread.push_back((percept.distance - robot.distance) / std::sqrt(percept.distanceVariance));
 }
 
-void judge(const Percepts& percepts, const std::vector<SeenRobot>& seen, Tally& tally) {
+void addView(const Percepts& percepts, const std::vector<SeenRobot>& seen, Tally& tally) {
   std::vector<int> hits(seen.size(), 0);
   for (const RobotPercept& percept : percepts.robots) {
     const Match match = matchOf(percept, seen);
     if (match.robot < 0) {
-      ++tally.falses;
+      ++tally.falseOnes;
       continue;
     }
     const auto at = static_cast<std::size_t>(match.robot);
@@ -76,62 +74,50 @@ void judge(const Percepts& percepts, const std::vector<SeenRobot>& seen, Tally& 
     if (hits[at]++ > 0) {
       ++tally.doubles;
     } else {
-      judgeFound(percept, seen[at], tally);
+      addErrors(percept, seen[at], tally);
     }
   }
   for (std::size_t i = 0; i < seen.size(); ++i) {
     if (!isDue(seen[i])) continue;
-    const int hit = hits[i] > 0 ? 1 : 0;
+    const bool found = hits[i] > 0;
     const bool patched = seen[i].patchPixels >= kPatchPixels;
-    ++tally.due;
-    tally.found += hit;
-    tally.patched += patched ? 1 : 0;
-    tally.patchedFound += patched ? hit : 0;
-    ++tally.dueOf[static_cast<std::size_t>(seen[i].team)];
-    tally.foundOf[static_cast<std::size_t>(seen[i].team)] += hit;
+    tally.found.count(found);
+    tally.foundOf[static_cast<std::size_t>(seen[i].team)].count(found);
+    tally.patched.count(patched);
+    if (patched) tally.patchedFound.count(found);
   }
 }
 
-double rms(const std::vector<double>& values) {
-  double sum = 0.0;
-  for (const double v : values) sum += v * v;
-  return values.empty() ? 0.0 : std::sqrt(sum / static_cast<double>(values.size()));
-}
-
-double share(int part, int whole) { return whole > 0 ? static_cast<double>(part) / whole : 0.0; }
-
-Json figures(const Tally& tally, const ExperimentOptions& options) {
+Json figures(const Tally& tally) {
   const double views = tally.views;
-  return Json{{"experiment", "robots"},
-              {"trials", options.trials},
-              {"seed", options.seed},
-              {"due_count", tally.due},
-              {"recall_rate", share(tally.found, tally.due)},
-              {"recall_red_rate", share(tally.foundOf[0], tally.dueOf[0])},
-              {"recall_blue_rate", share(tally.foundOf[1], tally.dueOf[1])},
-              {"patch_in_view_rate", share(tally.patched, tally.due)},
-              {"recall_with_patch_rate", share(tally.patchedFound, tally.patched)},
+  return Json{{"due_count", tally.found.all},
+              {"recall_rate", tally.found.value()},
+              {"recall_red_rate", tally.foundOf[0].value()},
+              {"recall_blue_rate", tally.foundOf[1].value()},
+              {"patch_in_view_rate", tally.patched.value()},
+              {"recall_with_patch_rate", tally.patchedFound.value()},
               {"heading_rms_deg", rms(tally.heading)},
               {"heading_median_deg", percentile(tally.heading, 0.5)},
               {"distance_rms_rate", rms(tally.distance)},
               {"distance_median_rate", percentile(tally.distance, 0.5)},
               {"distance_rms_sd", rms(tally.spread)},
-              {"false_per_1000_views", 1000.0 * tally.falses / views},
+              {"false_per_1000_views", 1000.0 * tally.falseOnes / views},
               {"double_per_1000_views", 1000.0 * tally.doubles / views},
-              {"wrong_team_rate", share(tally.wrongTeam, tally.matched)}};
+              {"wrong_team_rate", ratio(tally.wrongTeam, tally.matched)}};
 }
 
-}  // namespace
-
-Expected<Json> robots(const ExperimentOptions& options) {
-  ViewParams params;
-  params.field = *body::fieldDescription("2006");
+Expected<Json> robots(const Request& request) {
   Tally tally;
-  lookAtViews(params, options, [&tally](const Look& look) {
-    judge(look.seen, seenRobots(look.view), tally);
+  lookAtViews({}, request, [&tally](const Look& look) {
+    addView(look.seen, seenRobots(look.view), tally);
     ++tally.views;
   });
-  return figures(tally, options);
+  return figures(tally);
 }
 
+const Registration kRobots(
+    "robots", "other robots in views: recall to 200 cm, errors, false ones, wrong teams",
+    {Option::trials, Option::seed}, 400, robots);
+
+}  // namespace
 }  // namespace kelpie::experiments

@@ -8,7 +8,8 @@
 
 #include "tools/cli/Process.h"
 #include "tools/cli/Session.h"
-#include "tools/experiments/Experiment.h"
+#include "tools/experiments/harness/Statistics.h"
+#include "tools/experiments/harness/Trials.h"
 
 namespace kelpie::experiments {
 namespace {
@@ -20,24 +21,24 @@ struct Trials {
   std::string error;  // of the first trial that broke
 };
 
-Trials playAll(const ExperimentOptions& options, int trials) {
+Trials playAll(const Request& request) {
   cli::catchInterrupts();  // so that no match leaves its folder behind
   Trials all;
-  all.results.resize(static_cast<std::size_t>(trials));
+  all.results.resize(static_cast<std::size_t>(request.trials));
   std::atomic<int> next{0};
   std::atomic<int> done{0};
   std::mutex mutex;
   const auto worker = [&] {
-    for (int i = next++; i < trials && !cli::interrupted(); i = next++) {
+    for (int i = next++; i < request.trials && !cli::interrupted(); i = next++) {
       cli::SessionOptions session;
-      session.seed = options.seed + static_cast<std::uint64_t>(i);
+      session.seed = trialOf(request, i).seed;
       session.seconds = kLimit;
       const cli::SessionResult result = cli::runSession(session, {});
       const std::lock_guard<std::mutex> lock(mutex);
       all.results[static_cast<std::size_t>(i)] = result;
       if (!result.trouble.empty() && all.error.empty())
         all.error = "seed " + std::to_string(session.seed) + ": " + result.trouble;
-      if (options.progress) options.progress(++done, trials);
+      if (request.progress) request.progress(++done, request.trials);
     }
   };
   std::vector<std::thread> workers;
@@ -48,34 +49,34 @@ Trials playAll(const ExperimentOptions& options, int trials) {
   return all;
 }
 
-}  // namespace
-
-Expected<Json> scoreEmptyGoal(const ExperimentOptions& options) {
-  const Trials all = playAll(options, options.trials);
+Expected<Json> scoreEmptyGoal(const Request& request) {
+  const Trials all = playAll(request);
   if (!all.error.empty()) return Error{all.error};
-  std::vector<double> times;
+  Values times;
   Json trials = Json::array();
-  int scored = 0;
+  Share scored;
   int ownGoals = 0;
   for (std::size_t i = 0; i < all.results.size(); ++i) {
     const auto& result = all.results[i];
     const bool goal = !result.goals.empty() && result.goals[0] <= kLimit;
-    scored += goal ? 1 : 0;
+    scored.count(goal);
     ownGoals += static_cast<int>(result.ownGoals.size());
     times.push_back(goal ? result.goals[0] : kLimit);
-    trials.push_back({{"seed", options.seed + i},
+    trials.push_back({{"seed", request.seed + i},
                       {"goal", goal ? 1 : 0},
                       {"seconds_s", times.back()},
                       {"outs", result.outs}});
   }
-  return Json{{"experiment", "score-empty-goal"},
-              {"trials", options.trials},
-              {"seed", options.seed},
-              {"goals_rate", static_cast<double>(scored) / options.trials},
+  return Json{{"goals_rate", scored.value()},
               {"median_s", percentile(times, 0.5)},
               {"p90_s", percentile(times, 0.9)},
               {"own_goals", ownGoals},
               {"each", trials}};
 }
 
+const Registration kScoreEmptyGoal(
+    "score-empty-goal", "one robot against an empty goal: share of goals within 60 s, time",
+    {Option::trials, Option::seed}, 20, scoreEmptyGoal);
+
+}  // namespace
 }  // namespace kelpie::experiments

@@ -5,12 +5,12 @@
 // seed. A point counts when the robot says so within 15 cm of it: the sources state no radius, so
 // this is ours, as small as what the thesis calls the accuracy of its map.
 #include <algorithm>
-#include <fstream>
 
 #include "robot/core/Random.h"
 #include "tools/cli/Config.h"
-#include "tools/experiments/LocaliseApart.h"
 #include "tools/experiments/LocaliseFilters.h"
+#include "tools/experiments/harness/ChildProcesses.h"
+#include "tools/experiments/harness/Trace.h"
 
 namespace kelpie::experiments {
 namespace {
@@ -24,7 +24,7 @@ constexpr double kSlant = 8.0;        // cm of the wall's corners
 constexpr double kMeasured = 1.0;     // cm, sd of the corners as given to the robot
 constexpr double kStartReach = 80.0;  // cm from the middle at the start
 constexpr double kFromLines = 40.0;   // cm, of the points and of the place carried to
-constexpr double kApart = 80.0;       // cm between two points
+constexpr double kMinBetween = 80.0;  // cm between two points
 constexpr std::size_t kPoints = 5;
 
 using Points = std::vector<Point2<Field>>;
@@ -44,12 +44,12 @@ Point2<Field> somewhere(const body::FieldDescription& field, Random& random) {
 
 Angle anyHeading(Random& random) { return Angle::rad(random.uniform(-maths::kPi, maths::kPi)); }
 
-Points apart(const body::FieldDescription& field, Random& random) {
+Points randomPoints(const body::FieldDescription& field, Random& random) {
   Points points;
   while (points.size() < kPoints) {
     const Point2<Field> point = somewhere(field, random);
     const bool near = std::any_of(points.begin(), points.end(), [&](Point2<Field> other) {
-      return distance(point, other) < kApart;
+      return distance(point, other) < kMinBetween;
     });
     if (!near) points.push_back(point);
   }
@@ -60,7 +60,7 @@ Setup setupOf(const body::FieldDescription& field, std::uint64_t seed) {
   Random random(seed ^ 0x51a4ULL);
   Setup setup;
   setup.wall = sim::outerWall(field, kSlant, random.next());
-  setup.points = apart(field, random);
+  setup.points = randomPoints(field, random);
   const double x = 0.5 * field.width + random.uniform(-kStartReach, kStartReach);
   setup.start.position = {x, 0.5 * field.length + random.uniform(-kStartReach, kStartReach)};
   setup.start.heading = anyHeading(random);
@@ -73,7 +73,7 @@ Setup setupOf(const body::FieldDescription& field, std::uint64_t seed) {
   return setup;
 }
 
-void tell(const Setup& setup, agent::AgentConfig& config) {
+void configure(const Setup& setup, agent::AgentConfig& config) {
   config.vision.pink.onField = false;
   config.gps.pinks.wall = setup.measured;
   config.behaviour.task.player = behaviour::PlayerKind::challenger;
@@ -83,10 +83,10 @@ void tell(const Setup& setup, agent::AgentConfig& config) {
   }
 }
 
-double nearest(Point2<Field> place, const Points& all) {
-  double least = 1e9;
-  for (const Point2<Field> other : all) least = std::min(least, distance(place, other));
-  return least;
+double distanceToNearest(Point2<Field> place, const Points& all) {
+  double shortest = 1e9;
+  for (const Point2<Field> other : all) shortest = std::min(shortest, distance(place, other));
+  return shortest;
 }
 
 // One announcement: the robot says that it stands on a point.
@@ -96,23 +96,138 @@ struct Announcement {
   double poseError = 0.0;  // cm
 };
 
-class Watch {
- public:
-  // `tables`: where tables of every frame and patch go, less ".csv"; empty: none.
-  explicit Watch(const std::string& tables) {
-    if (tables.empty()) return;
-    csv_.open(tables + ".csv");
-    pinks_.open(tables + "-pinks.csv");
-    pinks_ << "t_s,use,x_cm,y_cm,heading_deg,estimate_x_cm,estimate_y_cm,estimate_heading_deg,"
-              "pink_deg,elevation_deg,width_px,height_px\n";
-    if (csv_.is_open())
-      csv_ << "t_s,x_cm,y_cm,heading_deg,estimate_x_cm,estimate_y_cm,estimate_heading_deg,sd_cm,"
-              "error_cm,error_deg,pinks,line_points,use,mouth\n";
+// All that is kept of one trial; the figures tell it as it is.
+struct ChallengeResult {
+  std::uint64_t seed = 0;
+  std::vector<std::array<double, 2>> pinkPlaces;
+  std::vector<std::array<double, 3>> map;  // place and weight
+  int pinks = 0;
+  int found = 0;
+  int ghosts = 0;
+  Values mapErrors;
+  int points = 0;  // reached
+  Values pointErrors;
+  Values poseErrors;
+  Values times;
+  double mappingPose = 0.0;  // mean error
+  double known = -1.0;       // s of stage 2
+  double knownError = -1.0;
+  double poseMean = 0.0;
+  double poseP95 = 0.0;
+
+  static constexpr auto fields() {
+    return fieldList(
+        field("seed", &ChallengeResult::seed),
+        field("pink_places_cm", &ChallengeResult::pinkPlaces),
+        field("map_cm", &ChallengeResult::map), field("pinks", &ChallengeResult::pinks),
+        field("found", &ChallengeResult::found), field("ghosts", &ChallengeResult::ghosts),
+        field("errors_cm", &ChallengeResult::mapErrors), field("points", &ChallengeResult::points),
+        field("point_errors_cm", &ChallengeResult::pointErrors),
+        field("pose_errors_cm", &ChallengeResult::poseErrors),
+        field("times_s", &ChallengeResult::times),
+        field("mapping_pose_cm", &ChallengeResult::mappingPose),
+        field("known_s", &ChallengeResult::known),
+        field("known_error_cm", &ChallengeResult::knownError),
+        field("pose_mean_cm", &ChallengeResult::poseMean),
+        field("pose_p95_cm", &ChallengeResult::poseP95));
   }
+};
+
+struct FrameRow {
+  TimeUs time;
+  double x, y;
+  Angle heading;
+  double believedX, believedY;
+  Angle believedHeading;
+  double sd;
+  double error;
+  double errorDeg;
+  std::size_t pinks;
+  std::size_t linePoints;
+  PinkUse use;
+  bool mouth;
+
+  static constexpr auto fields() {
+    return fieldList(
+        field("t_s", &FrameRow::time), field("x_cm", &FrameRow::x), field("y_cm", &FrameRow::y),
+        field("heading_deg", &FrameRow::heading), field("estimate_x_cm", &FrameRow::believedX),
+        field("estimate_y_cm", &FrameRow::believedY),
+        field("estimate_heading_deg", &FrameRow::believedHeading), field("sd_cm", &FrameRow::sd),
+        field("error_cm", &FrameRow::error), field("error_deg", &FrameRow::errorDeg),
+        field("pinks", &FrameRow::pinks), field("line_points", &FrameRow::linePoints),
+        field("use", &FrameRow::use), field("mouth", &FrameRow::mouth));
+  }
+};
+
+FrameRow rowOf(const WatchedFrame& frame, const PoseError& error) {
+  const Pose2& belief = frame.output.world.pose;
+  return {frame.input.time,
+          frame.truth.position.x,
+          frame.truth.position.y,
+          frame.truth.heading,
+          belief.position.x,
+          belief.position.y,
+          belief.heading,
+          frame.output.world.positionSd,
+          error.cm,
+          error.deg,
+          frame.output.percepts.pinkPatches.size(),
+          frame.output.percepts.linePoints.size(),
+          frame.output.command.pinks,
+          frame.output.command.mouthOpen};
+}
+
+struct PinkRow {
+  TimeUs time;
+  PinkUse use;
+  double x, y;
+  Angle heading;
+  double believedX, believedY;
+  Angle believedHeading;
+  Angle pink;
+  Angle elevation;
+  double width;
+  double height;
+
+  static constexpr auto fields() {
+    return fieldList(
+        field("t_s", &PinkRow::time), field("use", &PinkRow::use), field("x_cm", &PinkRow::x),
+        field("y_cm", &PinkRow::y), field("heading_deg", &PinkRow::heading),
+        field("estimate_x_cm", &PinkRow::believedX), field("estimate_y_cm", &PinkRow::believedY),
+        field("estimate_heading_deg", &PinkRow::believedHeading), field("pink_deg", &PinkRow::pink),
+        field("elevation_deg", &PinkRow::elevation), field("width_px", &PinkRow::width),
+        field("height_px", &PinkRow::height));
+  }
+};
+
+PinkRow rowOf(const WatchedFrame& frame, const PinkPercept& pink) {
+  const Pose2& belief = frame.output.world.pose;
+  return {frame.input.time,
+          frame.input.lastCommand.pinks,
+          frame.truth.position.x,
+          frame.truth.position.y,
+          frame.truth.heading,
+          belief.position.x,
+          belief.position.y,
+          belief.heading,
+          pink.heading,
+          pink.elevation,
+          pink.box.right - pink.box.left,
+          pink.box.bottom - pink.box.top};
+}
+
+// Poses and announcements of one trial, frame by frame.
+class ChallengeRecorder {
+ public:
+  // The traces' names begin with `name`.
+  ChallengeRecorder(const Request& request, const std::string& name)
+      : frames_(request.tracePath(name)), pinks_(request.tracePath(name + "-pinks")) {}
 
   void frame(const WatchedFrame& frame) {
     const PoseError error = poseError(frame.output.world, frame.truth);
-    if (csv_.is_open()) write(frame, error);
+    frames_.add(rowOf(frame, error));
+    for (const PinkPercept& pink : frame.output.percepts.pinkPatches)
+      pinks_.add(rowOf(frame, pink));
     const double time = frame.input.time.seconds();
     last_ = frame.output.world;
     if (time < kStage1) {
@@ -132,80 +247,58 @@ class Watch {
 
   const WorldModel& world() const { return last_; }
   const std::vector<Announcement>& announcements() const { return announcements_; }
-  Json json() const {
-    return {{"mapping_pose_cm", mean(mapping_)},
-            {"known_s", known_},
-            {"known_error_cm", knownError_},
-            {"pose_mean_cm", mean(walking_)},
-            {"pose_p95_cm", percentile(walking_, 0.95)}};
+  void addPoses(ChallengeResult& result) const {
+    result.mappingPose = mean(mapping_);
+    result.known = known_;
+    result.knownError = knownError_;
+    result.poseMean = mean(walking_);
+    result.poseP95 = percentile(walking_, 0.95);
   }
 
  private:
-  void write(const WatchedFrame& frame, const PoseError& error) {
-    const Pose2& belief = frame.output.world.pose;
-    csv_ << frame.input.time.seconds() << ',' << frame.truth.position.x << ','
-         << frame.truth.position.y << ',' << frame.truth.heading.deg() << ',' << belief.position.x
-         << ',' << belief.position.y << ',' << belief.heading.deg() << ','
-         << frame.output.world.positionSd << ',' << error.cm << ',' << error.deg << ','
-         << frame.output.percepts.pinkPatches.size() << ','
-         << frame.output.percepts.linePoints.size() << ','
-         << static_cast<int>(frame.output.command.pinks) << ',' << frame.output.command.mouthOpen
-         << '\n';
-    for (const PinkPercept& pink : frame.output.percepts.pinkPatches)
-      pinks_ << frame.input.time.seconds() << ',' << static_cast<int>(frame.input.lastCommand.pinks)
-             << ',' << frame.truth.position.x << ',' << frame.truth.position.y << ','
-             << frame.truth.heading.deg() << ',' << belief.position.x << ',' << belief.position.y
-             << ',' << belief.heading.deg() << ',' << pink.heading.deg() << ','
-             << pink.elevation.deg() << ',' << pink.box.right - pink.box.left << ','
-             << pink.box.bottom - pink.box.top << '\n';
-  }
-
   WorldModel last_;
-  std::vector<double> mapping_;
-  std::vector<double> walking_;
+  Values mapping_;
+  Values walking_;
   std::vector<Announcement> announcements_;
   double known_ = -1.0;  // s of stage 2 at which the pose was believed
   double knownError_ = -1.0;
   bool open_ = false;
-  std::ofstream csv_;
-  std::ofstream pinks_;
+  Trace<FrameRow> frames_;
+  Trace<PinkRow> pinks_;
 };
 
-Json judgeMap(const WorldModel& world, const Points& pinks, double minWeight) {
-  std::vector<double> errors;
+void addMap(const WorldModel& world, const Points& pinks, double minWeight,
+            ChallengeResult& result) {
   Points mapped;
-  int ghosts = 0;
+  for (const Point2<Field> pink : pinks) result.pinkPlaces.push_back({pink.x, pink.y});
   for (const PinkLandmark& landmark : world.pinkMap) {
+    const Point2<Field> place = landmark.position;
+    result.map.push_back({place.x, place.y, landmark.weight});
     if (landmark.weight < minWeight) continue;
-    mapped.push_back(landmark.position);
-    const double error = nearest(landmark.position, pinks);
-    ghosts += error > kGhost ? 1 : 0;
-    if (error <= kGhost) errors.push_back(error);
+    mapped.push_back(place);
+    const double error = distanceToNearest(place, pinks);
+    result.ghosts += error > kGhost ? 1 : 0;
+    if (error <= kGhost) result.mapErrors.push_back(error);
   }
-  const auto found = std::count_if(pinks.begin(), pinks.end(), [&mapped](Point2<Field> pink) {
-    return nearest(pink, mapped) <= kGhost;
-  });
-  return {{"pinks", pinks.size()}, {"found", found}, {"ghosts", ghosts}, {"errors_cm", errors}};
+  result.pinks = static_cast<int>(pinks.size());
+  for (const Point2<Field> pink : pinks)
+    result.found += distanceToNearest(pink, mapped) <= kGhost ? 1 : 0;
 }
 
-Json judgePoints(const std::vector<Announcement>& said, const Points& points) {
-  int reached = 0;
+void addPoints(const std::vector<Announcement>& announcements, const Points& points,
+               ChallengeResult& result) {
   for (const Point2<Field> point : points)
-    reached += std::any_of(said.begin(), said.end(), [point](const Announcement& one) {
-      return distance(one.truth.position, point) <= kRadius;
-    });
-  std::vector<double> errors;
-  std::vector<double> times;
-  std::vector<double> poses;
-  for (const Announcement& one : said) {
-    errors.push_back(nearest(one.truth.position, points));
-    times.push_back(one.time);
-    poses.push_back(one.poseError);
+    result.points += std::any_of(announcements.begin(), announcements.end(),
+                                 [point](const Announcement& one) {
+                                   return distance(one.truth.position, point) <= kRadius;
+                                 })
+                         ? 1
+                         : 0;
+  for (const Announcement& one : announcements) {
+    result.pointErrors.push_back(distanceToNearest(one.truth.position, points));
+    result.times.push_back(one.time);
+    result.poseErrors.push_back(one.poseError);
   }
-  return {{"points", reached},
-          {"point_errors_cm", errors},
-          {"pose_errors_cm", poses},
-          {"times_s", times}};
 }
 
 Status halfTime(const Setup& setup, LocaliseMatch& match, const LocaliseMatch::Watcher& watch) {
@@ -220,84 +313,81 @@ Status halfTime(const Setup& setup, LocaliseMatch& match, const LocaliseMatch::W
   return after;
 }
 
-Expected<Json> oneChallenge(const ExperimentOptions& options, int number) {
-  const std::uint64_t seed = options.seed + static_cast<std::uint64_t>(number);
-  auto config = agentConfig(options);
-  if (!config) return Error{config.error()};
-  const Setup setup = setupOf(config->gps.field, seed);
-  tell(setup, *config);
-  LocaliseMatch match(*config, cli::defaultScripts(), seed);
+Expected<ChallengeResult> playChallenge(const Request& request, agent::AgentConfig config,
+                                        std::uint64_t seed) {
+  const Setup setup = setupOf(config.gps.field, seed);
+  configure(setup, config);
+  LocaliseMatch match(config, cli::defaultScripts(), seed);
   match.world().putUp(setup.wall);
   match.world().ball() = {{4.0, 4.0}, {}};  // nobody plays with it
   Status status = match.world().carry(0, setup.start);
   if (!status) return Error{status.error()};
-  Watch watch(options.pictures.empty() ? "" : options.pictures + "/slam-" + std::to_string(seed));
-  const auto watcher = [&watch](const WatchedFrame& frame) { watch.frame(frame); };
+  ChallengeRecorder recorder(request, "slam-" + std::to_string(seed));
+  const auto watcher = [&recorder](const WatchedFrame& frame) { recorder.frame(frame); };
   status = match.play(kStage1, watcher);
   if (!status) return Error{status.error()};
-  Json answer{{"seed", seed}};
-  for (const Point2<Field> pink : pinkPlaces(setup.wall))
-    answer["pink_places_cm"].push_back({pink.x, pink.y});
-  for (const PinkLandmark& pink : watch.world().pinkMap)
-    answer["map_cm"].push_back({pink.position.x, pink.position.y, pink.weight});
-  answer.update(judgeMap(watch.world(), pinkPlaces(setup.wall), config->gps.pinks.minWeight));
+  ChallengeResult result;
+  result.seed = seed;
+  addMap(recorder.world(), pinkPlaces(setup.wall), config.gps.pinks.minWeight, result);
   status = halfTime(setup, match, watcher);
   const double begin = kStage1 + kHalt;
-  for (double time = 1.0; status && time <= kStage2 && watch.announcements().size() < kPoints;
+  for (double time = 1.0; status && time <= kStage2 && recorder.announcements().size() < kPoints;
        time += 1.0)
     status = match.play(begin + time, watcher);
-  if (!status) return Error{"seed " + std::to_string(seed) + ": " + status.error()};
-  answer.update(judgePoints(watch.announcements(), setup.points));
-  answer.update(watch.json());
-  return answer;
+  if (!status) return Error{status.error()};
+  addPoints(recorder.announcements(), setup.points, result);
+  recorder.addPoses(result);
+  return result;
 }
 
-std::vector<double> joined(const std::vector<Json>& all, const std::string& key) {
-  std::vector<double> values;
-  for (const Json& one : all)
-    for (const Json& value : one[key]) values.push_back(value.get<double>());
-  return values;
+// All trials together.
+struct Totals {
+  Values points;
+  Values mapErrors;
+  Values pointErrors;
+  Values known;
+  Values ends;  // s of stage 2
+  double ghosts = 0.0;
+  int found = 0;
+  int pinks = 0;
+
+  void add(const ChallengeResult& one) {
+    points.push_back(one.points);
+    append(one.mapErrors, mapErrors);
+    append(one.pointErrors, pointErrors);
+    known.push_back(one.known);
+    ends.push_back(one.times.size() < kPoints ? kStage2 : one.times.back());
+    ghosts += one.ghosts;
+    found += one.found;
+    pinks += one.pinks;
+  }
+};
+
+Expected<Json> slam(const Request& request) {
+  const auto config = agentConfig(request);
+  if (!config) return Error{config.error()};
+  const auto results = trialsInChildProcesses(
+      request, [&](const Trial& trial) { return playChallenge(request, *config, trial.seed); });
+  if (!results) return Error{results.error()};
+  Totals all;
+  for (const ChallengeResult& one : *results) all.add(one);
+  return Json{{"mean_points", mean(all.points)},
+              {"map_p90_cm", percentile(all.mapErrors, 0.9)},
+              {"map_mean_cm", mean(all.mapErrors)},
+              {"ghosts", all.ghosts},
+              {"pinks_found_rate", ratio(all.found, all.pinks)},
+              {"known_median_s", percentile(all.known, 0.5)},
+              {"known_p90_s", percentile(all.known, 0.9)},
+              {"point_error_median_cm", percentile(all.pointErrors, 0.5)},
+              {"point_error_p90_cm", percentile(all.pointErrors, 0.9)},
+              {"done_median_s", percentile(all.ends, 0.5)},
+              {"done_p90_s", percentile(all.ends, 0.9)},
+              {"each", toJson(*results)}};
 }
 
-std::vector<double> each(const std::vector<Json>& all, const std::string& key) {
-  std::vector<double> values;
-  values.reserve(all.size());
-  for (const Json& one : all) values.push_back(one[key].get<double>());
-  return values;
-}
-
-double sum(const std::vector<double>& values) {
-  double total = 0.0;
-  for (const double value : values) total += value;
-  return total;
-}
+const Registration kSlam("slam",
+                         "the 2004 localisation challenge: map of sheets on the wall, five points",
+                         {Option::trials, Option::seed, Option::params, Option::traces}, 50, slam);
 
 }  // namespace
-
-Expected<Json> slam(const ExperimentOptions& options) {
-  const auto all = runApart(
-      options.trials, [&](int number) { return oneChallenge(options, number); }, options.progress);
-  if (!all) return Error{all.error()};
-  const std::vector<double> errors = joined(*all, "errors_cm");
-  const std::vector<double> points = joined(*all, "point_errors_cm");
-  std::vector<double> ends;
-  for (const Json& one : *all)
-    ends.push_back(one["times_s"].size() < kPoints ? kStage2 : one["times_s"].back().get<double>());
-  return Json{{"experiment", "slam"},
-              {"trials", options.trials},
-              {"seed", options.seed},
-              {"mean_points", mean(each(*all, "points"))},
-              {"map_p90_cm", percentile(errors, 0.9)},
-              {"map_mean_cm", mean(errors)},
-              {"ghosts", sum(each(*all, "ghosts"))},
-              {"pinks_found_rate", sum(each(*all, "found")) / sum(each(*all, "pinks"))},
-              {"known_median_s", percentile(each(*all, "known_s"), 0.5)},
-              {"known_p90_s", percentile(each(*all, "known_s"), 0.9)},
-              {"point_error_median_cm", percentile(points, 0.5)},
-              {"point_error_p90_cm", percentile(points, 0.9)},
-              {"done_median_s", percentile(ends, 0.5)},
-              {"done_p90_s", percentile(ends, 0.9)},
-              {"each", *all}};
-}
-
 }  // namespace kelpie::experiments

@@ -7,9 +7,10 @@
 #include <vector>
 
 #include "gps/LineMap.h"
-#include "tools/experiments/Experiment.h"
 #include "tools/experiments/LocaliseFilters.h"
 #include "tools/experiments/StandingRobot.h"
+#include "tools/experiments/harness/Statistics.h"
+#include "tools/experiments/harness/Trials.h"
 
 namespace kelpie::experiments {
 namespace {
@@ -19,14 +20,8 @@ constexpr double kGoodCm = 10.0;  // checklist M38
 
 struct Stands {
   ErrorTrack errors;
-  std::vector<double> points;  // in the map, after five seconds
-  std::vector<double> lines;
-  double good = 0.0;
-
-  void add(const PoseError& error) {
-    errors.add(error);
-    good += error.cm <= kGoodCm ? 1.0 : 0.0;
-  }
+  Values points;  // in the map, after five seconds
+  Values lines;
 };
 
 void stand(StandingRobot& robot, bool search, Stands& stands) {
@@ -38,7 +33,7 @@ void stand(StandingRobot& robot, bool search, Stands& stands) {
   }
   const PoseError here = poseError(world, robot.truth);
   const PoseError twin = poseError(world, robot.twin());
-  stands.add(search && twin.cm < here.cm ? twin : here);
+  stands.errors.add(search && twin.cm < here.cm ? twin : here);
   const gps::LineMap& map = robot.state->map;
   stands.points.push_back(static_cast<double>(map.points.size()));
   stands.lines.push_back(static_cast<double>(gps::countOf(map, LinePointKind::line)));
@@ -49,26 +44,22 @@ void addFigures(const std::string& prefix, const Stands& stands, Json& json) {
   for (const char* key : {"mean_cm", "median_cm", "p95_cm", "mean_deg", "nees"})
     json[prefix + key] = all[key];
   json[prefix + "nees_mean"] = mean(stands.errors.nees);
-  json[prefix + "within_10_cm_rate"] = stands.good / static_cast<double>(stands.errors.cm.size());
+  json[prefix + "within_10_cm_rate"] = shareUpTo(stands.errors.cm, kGoodCm);
 }
 
-}  // namespace
-
-Expected<Json> stationaryMap(const ExperimentOptions& options) {
+Expected<Json> stationaryMap(const Request& request) {
   Stands with, without, searched;
-  for (int i = 0; i < options.trials; ++i) {
-    const std::uint64_t seed = options.seed + static_cast<std::uint64_t>(i);
+  eachTrial(request, [&](const Trial& trial) {
     for (const bool map : {true, false}) {
-      StandingRobot robot(seed);
+      StandingRobot robot(trial.seed);
       robot.params.lineMap.use = map;
       robot.believeCoarsely();
       stand(robot, false, map ? with : without);
     }
-    StandingRobot lost(seed);
+    StandingRobot lost(trial.seed);
     stand(lost, true, searched);
-    if (options.progress) options.progress(i + 1, options.trials);
-  }
-  Json json{{"experiment", "stationary-map"}, {"trials", options.trials}, {"seed", options.seed}};
+  });
+  Json json;
   addFigures("", with, json);
   json["points_mean"] = mean(with.points);
   json["points_min"] = *std::min_element(with.points.begin(), with.points.end());
@@ -79,4 +70,9 @@ Expected<Json> stationaryMap(const ExperimentOptions& options) {
   return json;
 }
 
+const Registration kStationaryMap(
+    "stationary-map", "standing, lines alone: errors with the map, without it and by the search",
+    {Option::trials, Option::seed}, 200, stationaryMap);
+
+}  // namespace
 }  // namespace kelpie::experiments

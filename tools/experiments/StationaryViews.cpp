@@ -5,9 +5,8 @@
 #include <cmath>
 
 #include "robot/core/Random.h"
-#include "tools/experiments/LocaliseApart.h"
 #include "tools/experiments/LocaliseFilters.h"
-#include "tools/experiments/StandingRobot.h"
+#include "tools/experiments/harness/ChildProcesses.h"
 
 namespace kelpie::experiments {
 namespace {
@@ -16,6 +15,23 @@ constexpr int kPlaces = 10;      // of one robot
 constexpr double kSettle = 1.0;  // s, to stand still after being put there
 constexpr double kStand = 8.0;   // s
 constexpr double kFromLines = 30.0;
+
+// Errors at the end of one stand.
+struct StandErrors {
+  PoseError with;
+  PoseError without;
+
+  static constexpr auto fields() {
+    return fieldList(field("with", &StandErrors::with), field("without", &StandErrors::without));
+  }
+};
+
+// Those of all places of one robot.
+struct Stands {
+  std::vector<StandErrors> errors;
+
+  static constexpr auto fields() { return fieldList(field("errors", &Stands::errors)); }
+};
 
 class Stand {
  public:
@@ -29,19 +45,15 @@ class Stand {
     without_ = std::make_unique<Listener>("without", known, lines);
   }
   void frame(const WatchedFrame& frame) {
-    ours_ = poseError(with_->hear(frame), frame.truth);
-    theirs_ = poseError(without_->hear(frame), frame.truth);
+    errors_.with = poseError(with_->hear(frame), frame.truth);
+    errors_.without = poseError(without_->hear(frame), frame.truth);
   }
-  Json json() const {
-    return {{"cm", ours_.cm},         {"deg", ours_.deg},         {"nees", ours_.nees},
-            {"other_cm", theirs_.cm}, {"other_deg", theirs_.deg}, {"other_nees", theirs_.nees}};
-  }
+  const StandErrors& errors() const { return errors_; }
 
  private:
   std::unique_ptr<Listener> with_;
   std::unique_ptr<Listener> without_;
-  PoseError ours_;
-  PoseError theirs_;
+  StandErrors errors_;
 };
 
 Pose2 beside(const Pose2& pose, Random& random) {
@@ -51,27 +63,24 @@ Pose2 beside(const Pose2& pose, Random& random) {
           pose.heading + Angle::deg(random.uniform(-20.0, 20.0))};
 }
 
-Expected<Json> oneRobot(const ExperimentOptions& options, int number) {
-  const std::uint64_t seed = options.seed + static_cast<std::uint64_t>(number);
-  const auto config = agentConfig(options);
-  if (!config) return Error{config.error()};
-  LocaliseMatch match(*config, KELPIE_SOURCE_DIR "/tools/experiments/standing", seed);
+Expected<Stands> standAtPlaces(const agent::AgentConfig& config, std::uint64_t seed) {
+  LocaliseMatch match(config, KELPIE_SOURCE_DIR "/tools/experiments/standing", seed);
   Random random(seed ^ 0x57a2dULL);
-  const body::FieldDescription& field = config->gps.field;
-  Json stands = Json::array();
+  const body::FieldDescription& field = config.gps.field;
+  Stands stands;
   for (int place = 0; place < kPlaces; ++place) {
     const Pose2 pose{{random.uniform(kFromLines, field.width - kFromLines),
                       random.uniform(kFromLines, field.length - kFromLines)},
                      Angle::rad(random.uniform(-maths::kPi, maths::kPi))};
     const Status carried = match.world().carry(0, pose);
     if (!carried) return Error{carried.error()};
-    Stand stand(config->gps, beside(pose, random));
+    Stand stand(config.gps, beside(pose, random));
     const double began = match.world().time().seconds();
     const Status played = match.play(began + kSettle + kStand, [&](const WatchedFrame& frame) {
       if (frame.input.time.seconds() > began + kSettle) stand.frame(frame);
     });
-    if (!played) return Error{"seed " + std::to_string(seed) + ": " + played.error()};
-    stands.push_back(stand.json());
+    if (!played) return Error{played.error()};
+    stands.errors.push_back(stand.errors());
   }
   return stands;
 }
@@ -82,25 +91,27 @@ void addFigures(const std::string& prefix, const ErrorTrack& track, Json& json) 
     json[prefix + key] = all[key];
 }
 
-}  // namespace
-
-Expected<Json> stationaryViews(const ExperimentOptions& options) {
-  const auto robots = runApart(
-      options.trials, [&](int number) { return oneRobot(options, number); }, options.progress);
+Expected<Json> stationaryViews(const Request& request) {
+  const auto config = agentConfig(request);
+  if (!config) return Error{config.error()};
+  const auto robots = trialsInChildProcesses(
+      request, [&](const Trial& trial) { return standAtPlaces(*config, trial.seed); });
   if (!robots) return Error{robots.error()};
   ErrorTrack with, without;
-  for (const Json& robot : *robots)
-    for (const Json& stand : robot) {
-      with.add(PoseError{stand["cm"], stand["deg"], stand["nees"]});
-      without.add(PoseError{stand["other_cm"], stand["other_deg"], stand["other_nees"]});
+  for (const Stands& stands : *robots)
+    for (const StandErrors& errors : stands.errors) {
+      with.add(errors.with);
+      without.add(errors.without);
     }
-  Json json{{"experiment", "stationary-views"},
-            {"trials", options.trials},
-            {"seed", options.seed},
-            {"stands", with.cm.size()}};
+  Json json{{"stands", with.cm.size()}};
   addFigures("", with, json);
   addFigures("without_map_", without, json);
   return json;
 }
 
+const Registration kStationaryViews(
+    "stationary-views", "standing, from pixels, lines alone: errors with the map and without it",
+    {Option::trials, Option::seed, Option::params}, 4, stationaryViews);
+
+}  // namespace
 }  // namespace kelpie::experiments

@@ -6,17 +6,20 @@
 #include "tools/experiments/StuckWalks.h"
 
 namespace kelpie::experiments {
+namespace {
 
-Expected<Json> stuck(const ExperimentOptions& options) {
-  const auto after = scrums(options);
-  if (!after) return Error{after.error()};
-  return Json{{"experiment", "stuck"},
-              {"trials", options.trials},
-              {"seed", options.seed},
-              {"walks", heldWalks(options)},
-              {"effort", effortCalibration(options)},
-              {"weak_legs", weakTurns(options)},
-              {"scrums", *after}};
+Expected<Json> stuck(const Request& request) {
+  const auto afterScrums = scrums(request);
+  if (!afterScrums) return Error{afterScrums.error()};
+  return Json{{"walks", heldWalks(request)},
+              {"effort", effortCalibration(request)},
+              {"weak_legs", weakTurns(request)},
+              {"scrums", *afterScrums}};
 }
 
+const Registration kStuck("stuck",
+                          "held while walking, weak legs, scrums: what is noticed and believed",
+                          {Option::trials, Option::seed, Option::params}, 8, stuck);
+
+}  // namespace
 }  // namespace kelpie::experiments

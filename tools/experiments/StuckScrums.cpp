@@ -5,8 +5,8 @@
 
 #include "robot/core/Random.h"
 #include "tools/cli/Config.h"
-#include "tools/experiments/LocaliseApart.h"
 #include "tools/experiments/LocaliseFilters.h"
+#include "tools/experiments/harness/ChildProcesses.h"
 
 namespace kelpie::experiments {
 namespace {
@@ -38,11 +38,66 @@ Scrum drawn(Random& random) {
 }
 
 // What one localiser made of the scrums of a match.
-class Track {
+struct ScrumTrack {
+  std::string name;
+  Values recovery;   // s
+  Values endErrors;  // cm
+  Values endSds;     // cm
+  ErrorTrack inside;
+  ErrorTrack after;
+
+  static constexpr auto fields() {
+    return fieldList(field("name", &ScrumTrack::name),
+                     field("recovery", &ScrumTrack::recovery, "s"),
+                     field("endErrors", &ScrumTrack::endErrors, "cm"),
+                     field("endSds", &ScrumTrack::endSds, "cm"),
+                     field("inside", &ScrumTrack::inside), field("after", &ScrumTrack::after));
+  }
+  void add(const ScrumTrack& other) {
+    name = other.name;
+    append(other.recovery, recovery);
+    append(other.endErrors, endErrors);
+    append(other.endSds, endSds);
+    inside.add(other.inside);
+    after.add(other.after);
+  }
+  Json summary() const {
+    return {{"recovery_mean_s", mean(recovery)},
+            {"recovery_p90_s", percentile(recovery, 0.9)},
+            {"end_error_mean_cm", mean(endErrors)},
+            {"end_error_p90_cm", percentile(endErrors, 0.9)},
+            {"end_sd_mean_cm", mean(endSds)},
+            {"inside", inside.summary()},
+            {"after", after.summary()}};
+  }
+};
+
+// All that is kept of one match, or of several.
+struct ScrumRecord {
+  std::vector<ScrumTrack> tracks;  // the player's own first
+  Share heldNoticed;               // frames held that were thought stuck
+  Share freeNoticed;
+
+  static constexpr auto fields() {
+    return fieldList(field("tracks", &ScrumRecord::tracks),
+                     field("heldNoticed", &ScrumRecord::heldNoticed),
+                     field("freeNoticed", &ScrumRecord::freeNoticed));
+  }
+  void add(const ScrumRecord& other) {
+    tracks.resize(other.tracks.size());
+    for (std::size_t i = 0; i < tracks.size(); ++i) tracks[i].add(other.tracks[i]);
+    heldNoticed.add(other.heldNoticed);
+    freeNoticed.add(other.freeNoticed);
+  }
+};
+
+class TrackRecorder {
  public:
+  explicit TrackRecorder(std::string name) { track_.name = std::move(name); }
+
   void frame(double time, bool scrum, const WorldModel& world, const PoseError& error) {
     if (scrum) {
-      inside_.add(error);
+      track_.inside.add(error);
       if (!inScrum_) finish();
       inScrum_ = true;
       atEnd_ = error.cm;
@@ -51,25 +106,19 @@ class Track {
     }
     if (inScrum_) {
       began_ = lastFar_ = time;
-      errors_.push_back(atEnd_);
-      sds_.push_back(sdAtEnd_);
+      track_.endErrors.push_back(atEnd_);
+      track_.endSds.push_back(sdAtEnd_);
       open_ = true;
     }
     inScrum_ = false;
-    if (open_) after_.add(error);
+    if (open_) track_.after.add(error);
     if (open_ && error.cm > kNearCm) lastFar_ = time;
   }
   void finish() {
-    if (open_) times_.push_back(lastFar_ - began_);
+    if (open_) track_.recovery.push_back(lastFar_ - began_);
     open_ = false;
   }
-  Json json() const {
-    return {{"recovery", times_},
-            {"error", errors_},
-            {"sd", sds_},
-            {"inside", inside_.json()},
-            {"after", after_.json()}};
-  }
+  const ScrumTrack& track() const { return track_; }
 
  private:
   bool inScrum_ = false;
@@ -78,14 +127,11 @@ class Track {
   double lastFar_ = 0.0;
   double atEnd_ = 0.0;
   double sdAtEnd_ = 0.0;
-  std::vector<double> times_;
-  std::vector<double> errors_;
-  std::vector<double> sds_;
-  ErrorTrack inside_;
-  ErrorTrack after_;
+  ScrumTrack track_;
 };
 
-struct Way {
+// A localiser that listens.
+struct Variant {
   const char* name;
   bool aware;
   double pause;  // s
@@ -93,7 +139,7 @@ struct Way {
   gps::NoiseMethod method;
 };
 
-constexpr Way kWays[] = {
+constexpr Variant kVariants[] = {
     {"unaware", false, 0.0, gps::LineCombine::separate, gps::NoiseMethod::splitAndWide},
     {"aware", true, 0.0, gps::LineCombine::separate, gps::NoiseMethod::splitAndWide},
     {"aware_pause_2_s", true, 2.0, gps::LineCombine::separate, gps::NoiseMethod::splitAndWide},
@@ -108,58 +154,59 @@ constexpr Way kWays[] = {
 
 std::vector<Listener> listeners(const gps::GpsParams& params) {
   std::vector<Listener> all;
-  for (const Way& way : kWays) {
+  for (const Variant& variant : kVariants) {
     gps::GpsParams other = params;
-    other.stuck.use = way.aware;
-    other.stuck.pauseSeconds = way.pause;
-    other.line.combine = way.combine;
-    other.modes.noiseMethod = way.method;
-    all.emplace_back(way.name, other, Hearing{});
+    other.stuck.use = variant.aware;
+    other.stuck.pauseSeconds = variant.pause;
+    other.line.combine = variant.combine;
+    other.modes.noiseMethod = variant.method;
+    all.emplace_back(variant.name, other, Hearing{});
   }
   return all;
 }
 
-class Watch {
+class MatchRecorder {
  public:
-  explicit Watch(const gps::GpsParams& params)
-      : listeners_(listeners(params)), tracks_(listeners_.size() + 1) {}
+  explicit MatchRecorder(const gps::GpsParams& params) : listeners_(listeners(params)) {
+    tracks_.emplace_back("own");
+    for (const Listener& listener : listeners_) tracks_.emplace_back(listener.name());
+  }
 
   void frame(const WatchedFrame& frame, bool scrum) {
     const double time = frame.input.time.seconds();
     const WorldModel& own = frame.output.world;
     tracks_[0].frame(time, scrum, own, poseError(own, frame.truth));
-    judge(scrum, time, own.stuck > 0.0, frame.input.motion.effort > 0.0);
+    countNoticed(scrum, frame.input.motion.effort > 0.0, time, own.stuck > 0.0);
     for (std::size_t i = 0; i < listeners_.size(); ++i) {
       const WorldModel& world = listeners_[i].hear(frame);
       tracks_[i + 1].frame(time, scrum, world, poseError(world, frame.truth));
     }
   }
-  Json json() {
-    Json tracks;
-    for (std::size_t i = 0; i < tracks_.size(); ++i) {
-      tracks_[i].finish();
-      tracks[i == 0 ? "own" : listeners_[i - 1].name()] = tracks_[i].json();
+  ScrumRecord record() {
+    for (TrackRecorder& recorder : tracks_) {
+      recorder.finish();
+      record_.tracks.push_back(recorder.track());
     }
-    return {{"tracks", tracks}, {"held", held_}, {"free", free_}};
+    return record_;
   }
 
  private:
   // Hits and false alarms, less the step after a change that the effort is a mean over.
-  void judge(bool scrum, double time, bool stuck, bool walks) {
+  void countNoticed(bool scrum, bool walks, double time, bool stuck) {
     if (scrum != scrum_) changed_ = time;
     scrum_ = scrum;
-    if (walks && time - changed_ > kStep) (scrum ? held_ : free_).push_back(stuck ? 1.0 : 0.0);
+    if (!walks || time - changed_ <= kStep) return;
+    (scrum ? record_.heldNoticed : record_.freeNoticed).count(stuck);
   }
 
   std::vector<Listener> listeners_;
-  std::vector<Track> tracks_;
+  std::vector<TrackRecorder> tracks_;
+  ScrumRecord record_;
   bool scrum_ = false;
   double changed_ = 0.0;
-  std::vector<double> held_;  // 1 where the frame was thought stuck
-  std::vector<double> free_;
 };
 
-Status playScrum(const Scrum& scrum, Watch& watch, LocaliseMatch& match) {
+Status playScrum(const Scrum& scrum, MatchRecorder& recorder, LocaliseMatch& match) {
   Status done = match.world().hold(0, scrum.held);
   const double share = kSlice / scrum.seconds;
   double time = match.world().time().seconds();
@@ -167,70 +214,42 @@ Status playScrum(const Scrum& scrum, Watch& watch, LocaliseMatch& match) {
   while (done && time < end) {
     done = match.world().shove(0, scrum.push * share, scrum.turn * share);
     time += kSlice;
-    if (done) done = match.play(time, [&](const WatchedFrame& f) { watch.frame(f, true); });
+    if (done) done = match.play(time, [&](const WatchedFrame& f) { recorder.frame(f, true); });
   }
   return done ? match.world().hold(0, 0.0) : done;
 }
 
-Expected<Json> oneMatch(const ExperimentOptions& options, int number) {
-  const std::uint64_t seed = options.seed + static_cast<std::uint64_t>(number);
-  const auto config = agentConfig(options);
-  if (!config) return Error{config.error()};
-  Watch watch(config->gps);
-  LocaliseMatch match(*config, cli::defaultScripts(), seed);
+Expected<ScrumRecord> playMatch(const agent::AgentConfig& config, std::uint64_t seed) {
+  MatchRecorder recorder(config.gps);
+  LocaliseMatch match(config, cli::defaultScripts(), seed);
   Random random(seed ^ 0x5c4a11ULL);
   const auto calm = [&](double seconds) {
     const double until = match.world().time().seconds() + seconds;
-    return match.play(until, [&](const WatchedFrame& frame) { watch.frame(frame, false); });
+    return match.play(until, [&](const WatchedFrame& frame) { recorder.frame(frame, false); });
   };
   Status done = calm(kFirst);
   for (int i = 0; i < kScrums && done; ++i) {
-    done = playScrum(drawn(random), watch, match);
+    done = playScrum(drawn(random), recorder, match);
     if (done) done = calm(kCalm);
   }
-  if (!done) return Error{"seed " + std::to_string(seed) + ": " + done.error()};
-  return watch.json();
-}
-
-std::vector<double> joined(const std::vector<Json>& parts, const char* key) {
-  std::vector<double> all;
-  for (const Json& part : parts)
-    for (const Json& value : part[key]) all.push_back(value.get<double>());
-  return all;
-}
-
-Json summary(const std::vector<Json>& tracks) {
-  ErrorTrack inside;
-  ErrorTrack after;
-  for (const Json& track : tracks) {
-    inside.add(track["inside"]);
-    after.add(track["after"]);
-  }
-  const std::vector<double> recovery = joined(tracks, "recovery");
-  const std::vector<double> error = joined(tracks, "error");
-  return {{"recovery_mean_s", mean(recovery)},
-          {"recovery_p90_s", percentile(recovery, 0.9)},
-          {"end_error_mean_cm", mean(error)},
-          {"end_error_p90_cm", percentile(error, 0.9)},
-          {"end_sd_mean_cm", mean(joined(tracks, "sd"))},
-          {"inside", inside.summary()},
-          {"after", after.summary()}};
+  if (!done) return Error{done.error()};
+  return recorder.record();
 }
 
 }  // namespace
 
-Expected<Json> scrums(const ExperimentOptions& options) {
-  const auto matches = runApart(
-      options.trials, [&](int number) { return oneMatch(options, number); }, options.progress);
+Expected<Json> scrums(const Request& request) {
+  const auto config = agentConfig(request);
+  if (!config) return Error{config.error()};
+  const auto matches = trialsInChildProcesses(
+      request, [&](const Trial& trial) { return playMatch(*config, trial.seed); });
   if (!matches) return Error{matches.error()};
-  Json figures{{"scrums", kScrums * options.trials},
-               {"hit_rate", mean(joined(*matches, "held"))},
-               {"false_rate", mean(joined(*matches, "free"))}};
-  for (const auto& [name, unused] : (*matches)[0]["tracks"].items()) {
-    std::vector<Json> tracks;
-    for (const Json& match : *matches) tracks.push_back(match["tracks"][name]);
-    figures[name] = summary(tracks);
-  }
+  ScrumRecord all;
+  for (const ScrumRecord& match : *matches) all.add(match);
+  Json figures{{"scrums", kScrums * request.trials},
+               {"hit_rate", all.heldNoticed.value()},
+               {"false_rate", all.freeNoticed.value()}};
+  for (const ScrumTrack& track : all.tracks) figures[track.name] = track.summary();
   return figures;
 }
 

@@ -4,12 +4,12 @@
 // lines, with lines and landmarks in one update or two, listen to the same matches.
 #pragma once
 
-#include "tools/experiments/Experiment.h"
+#include "tools/experiments/harness/Experiment.h"
 
 namespace kelpie::experiments {
 
 // For each localiser: error and standard deviation when the scrum ends, seconds from then until the
-// error is below 30 cm for good (until the next scrum).
-Expected<Json> scrums(const ExperimentOptions& options);
+// error stays below 30 cm until the next scrum.
+Expected<Json> scrums(const Request& request);
 
 }  // namespace kelpie::experiments

@@ -6,8 +6,9 @@
 #include "gps/Localiser.h"
 #include "gps/Stuck.h"
 #include "robot/core/Random.h"
-#include "tools/experiments/LocaliseFilters.h"
 #include "tools/experiments/WalkingBody.h"
+#include "tools/experiments/harness/Statistics.h"
+#include "tools/experiments/harness/Trials.h"
 
 namespace kelpie::experiments {
 namespace {
@@ -45,20 +46,16 @@ class Blind {
   std::unique_ptr<WorldModel> world_ = std::make_unique<WorldModel>();
 };
 
-std::uint64_t seedOf(const ExperimentOptions& options, int trial) {
-  return options.seed + static_cast<std::uint64_t>(trial);
-}
-
 // The figure's columns for one way of holding.
-Json heldWalk(const ExperimentOptions& options, double held) {
+Json heldWalk(const Request& request, double held) {
   constexpr int kMessages = 171;  // at 20 cm/s 97 cm of odometry, the way in the figure
-  std::vector<double> way[2];
-  std::vector<double> sd[2];
-  std::vector<double> truth;
+  Values way[2];
+  Values sd[2];
+  Values truth;
   Command command;
   command.walk.forward = 20.0;
-  for (int trial = 0; trial < options.trials; ++trial) {
-    WalkingBody body(seedOf(options, trial));
+  for (int trial = 0; trial < request.trials; ++trial) {
+    WalkingBody body(trialOf(request, trial).seed);
     (void)body.world().hold(0, held);
     const Pose2 start = body.pose();
     Blind filters[] = {Blind(start, false), Blind(start, true)};
@@ -93,9 +90,9 @@ WalkRequest randomWalk(Random& random) {
 
 // One message of a steady walk: its effort, and how far the robot really went.
 struct Felt {
-  double effort;  // beyond that of walking freely
-  double said;    // cm, a turn counted on a lever of 12 cm
-  double did;     // along what was said
+  double effort;    // beyond that of walking freely
+  double reported;  // cm, a turn counted on a lever of 12 cm
+  double real;      // along what was reported
 };
 
 void walkHeld(double held, std::uint64_t seed, std::vector<Felt>& felt) {
@@ -115,39 +112,40 @@ void walkHeld(double held, std::uint64_t seed, std::vector<Felt>& felt) {
         robotFromField({before.position, before.heading + turn * 0.5}, body.pose().position);
     const Odometry& o = output.odometry;
     const double spin = kLever * o.turn.rad();
-    const double said = std::sqrt(o.forward * o.forward + o.left * o.left + spin * spin);
-    const double did = moved.y * o.forward - moved.x * o.left + kLever * turn.rad() * spin;
+    const double reported = std::sqrt(o.forward * o.forward + o.left * o.left + spin * spin);
+    const double real = moved.y * o.forward - moved.x * o.left + kLever * turn.rad() * spin;
     const gps::StuckParams params;
     const double side = params.sidewaysFactor * o.left;
     const double swing = params.turnLever * o.turn.rad();
     const double speed = std::sqrt(o.forward * o.forward + side * side + swing * swing) / kMessage;
-    felt.push_back({output.status.effort - gps::freeEffort(speed, params), said, did / said});
+    felt.push_back(
+        {output.status.effort - gps::freeEffort(speed, params), reported, real / reported});
   }
 }
 
-std::vector<Felt> walks(const ExperimentOptions& options, double least, double most) {
+std::vector<Felt> walks(const Request& request, double minHeld, double maxHeld) {
   constexpr int kPerTrial = 5;
   std::vector<Felt> felt;
-  for (int walk = 0; walk < kPerTrial * options.trials; ++walk) {
-    const std::uint64_t seed = seedOf(options, walk) * 31 + (most > 0.0 ? 7 : 0);
+  for (int walk = 0; walk < kPerTrial * request.trials; ++walk) {
+    const std::uint64_t seed = trialOf(request, walk).seed * 31 + (maxHeld > 0.0 ? 7 : 0);
     Random random(seed);
-    walkHeld(random.uniform(least, most), seed, felt);
+    walkHeld(random.uniform(minHeld, maxHeld), seed, felt);
   }
   return felt;
 }
 
-double shareAbove(const std::vector<Felt>& felt, double effort) {
-  double above = 0.0;
-  for (const Felt& one : felt) above += one.effort > effort ? 1.0 : 0.0;
-  return above / static_cast<double>(felt.size());
+Values effortsOf(const std::vector<Felt>& felt) {
+  Values efforts;
+  for (const Felt& one : felt) efforts.push_back(one.effort);
+  return efforts;
 }
 
 // Squared error of the believed ways.
 double misfit(const std::vector<Felt>& felt, double margin, double slowing) {
   double sum = 0.0;
   for (const Felt& one : felt) {
-    const double believed = one.said / (1.0 + slowing * std::fmax(0.0, one.effort - margin));
-    sum += (believed - one.did) * (believed - one.did);
+    const double believed = one.reported / (1.0 + slowing * std::fmax(0.0, one.effort - margin));
+    sum += (believed - one.real) * (believed - one.real);
   }
   return sum;
 }
@@ -159,61 +157,57 @@ double bestSlowing(const std::vector<Felt>& felt, double margin) {
   return best;
 }
 
-Json turned(const ExperimentOptions& options, const actuator::ActuatorParams& params) {
+Json turned(const Request& request, const actuator::ActuatorParams& params) {
   constexpr double kTurns = 10.0 * 2.0 * maths::kPi;
-  std::vector<double> drift;
+  Values drift;
   Command command;
   command.walk.turn = 1.2;
-  for (int trial = 0; trial < options.trials; ++trial) {
-    WalkingBody body(seedOf(options, trial), params);
+  for (int trial = 0; trial < request.trials; ++trial) {
+    WalkingBody body(trialOf(request, trial).seed, params);
     body.wearOut();
     for (int i = 0; i < 200; ++i) body.step(command);  // until the legs are spared
-    double said = 0.0;
-    double did = 0.0;
-    while (did < kTurns) {
+    double reported = 0.0;
+    double real = 0.0;
+    while (real < kTurns) {
       const Angle before = body.pose().heading;
-      said += body.step(command).odometry.turn.rad();
-      did += (body.pose().heading - before).rad();
+      reported += body.step(command).odometry.turn.rad();
+      real += (body.pose().heading - before).rad();
     }
-    drift.push_back(100.0 * (said - did) / said);
+    drift.push_back(100.0 * (reported - real) / reported);
   }
   return mean(drift);
 }
 
 }  // namespace
 
-Json heldWalks(const ExperimentOptions& options) {
-  return {{"free", heldWalk(options, 0.0)},
-          {"half_held", heldWalk(options, 0.5)},
-          {"held", heldWalk(options, 1.0)}};
+Json heldWalks(const Request& request) {
+  return {{"free", heldWalk(request, 0.0)},
+          {"half_held", heldWalk(request, 0.5)},
+          {"held", heldWalk(request, 1.0)}};
 }
 
-Json effortCalibration(const ExperimentOptions& options) {
+Json effortCalibration(const Request& request) {
   const gps::StuckParams used;
-  const std::vector<Felt> free = walks(options, 0.0, 0.0);
-  const std::vector<Felt> half = walks(options, 0.3, 0.7);
-  const std::vector<Felt> held = walks(options, 0.7, 1.0);
-  std::vector<double> efforts;
+  const std::vector<Felt> free = walks(request, 0.0, 0.0);
+  const std::vector<Felt> half = walks(request, 0.3, 0.7);
+  const std::vector<Felt> held = walks(request, 0.7, 1.0);
   std::vector<Felt> all = free;
-  efforts.reserve(free.size());
-  for (const Felt& one : free) efforts.push_back(one.effort);
   for (const auto* some : {&half, &held}) all.insert(all.end(), some->begin(), some->end());
-  const double quantile = percentile(efforts, 0.995);
-  return {{"false_rate", shareAbove(free, used.margin)},
-          {"half_held_hit_rate", shareAbove(half, used.margin)},
-          {"held_hit_rate", shareAbove(held, used.margin)},
-          {"margin", quantile},
+  return {{"false_rate", shareAbove(effortsOf(free), used.margin)},
+          {"half_held_hit_rate", shareAbove(effortsOf(half), used.margin)},
+          {"held_hit_rate", shareAbove(effortsOf(held), used.margin)},
+          {"margin", percentile(effortsOf(free), 0.995)},
           {"slowing", bestSlowing(all, used.margin)},
           {"used_margin", used.margin},
           {"used_slowing", used.slowing}};
 }
 
-Json weakTurns(const ExperimentOptions& options) {
+Json weakTurns(const Request& request) {
   actuator::ActuatorParams one;
   one.odometry.low = one.odometry.high;
   return {{"turns", 10},
-          {"two_sets_drift_percent", turned(options, {})},
-          {"one_set_drift_percent", turned(options, one)}};
+          {"two_sets_drift_percent", turned(request, {})},
+          {"one_set_drift_percent", turned(request, one)}};
 }
 
 }  // namespace kelpie::experiments

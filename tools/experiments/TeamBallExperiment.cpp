@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Four robots see one ball; in every second trial one of them is wrong about its own place. The
 // team's ball against that of the robot which is surest of its own.
-#include <algorithm>
 #include <cmath>
 
-#include "tools/experiments/Experiment.h"
 #include "tools/experiments/TruePlayer.h"
+#include "tools/experiments/harness/Statistics.h"
+#include "tools/experiments/harness/Trials.h"
 #include "tools/sim/Ball.h"
 
 namespace kelpie::experiments {
@@ -16,12 +16,12 @@ constexpr int kFrames = 240;
 constexpr int kSettled = 120;
 constexpr double kReach = 250.0;  // cm, to which the ball is seen
 constexpr double kRecall = 0.95;
-constexpr double kLate = 1.5;  // s; an older ball is none
+constexpr double kMaxAge = 1.5;  // s since the ball was seen
 
 struct Tally {
-  std::vector<double> single, fused, singleSd, fusedSd, ratio;
-  int frames = 0;
-  int outvoted = 0;
+  Values single, fused, singleSd, fusedSd;
+  Values nees;     // of the fused ball
+  Share outvoted;  // frames in which a robot's ball was
 };
 
 struct Team {
@@ -79,12 +79,12 @@ double sdOf(const std::array<double, 4>& covariance) {
   return std::sqrt(0.5 * (covariance[0] + covariance[3]));
 }
 
-// Everything as the first player knows it that is not wrong itself.
-void judge(const Team& team, const std::vector<WorldModel>& worlds, Tally& tally) {
+// The team's ball is the one that the first player knows who is not wrong himself.
+void compareBalls(const Team& team, const std::vector<WorldModel>& worlds, Tally& tally) {
   const BallEstimate* surest = nullptr;
   for (const WorldModel& world : worlds) {
     const BallEstimate& ball = world.ball;
-    if (!ball.present || ball.secondsSinceSeen > kLate) continue;
+    if (!ball.present || ball.secondsSinceSeen > kMaxAge) continue;
     if (surest == nullptr || sdOf(ball.fieldCovariance) < sdOf(surest->fieldCovariance))
       surest = &ball;
   }
@@ -95,9 +95,8 @@ void judge(const Team& team, const std::vector<WorldModel>& worlds, Tally& tally
   tally.fused.push_back(error);
   tally.singleSd.push_back(sdOf(surest->fieldCovariance));
   tally.fusedSd.push_back(sdOf(fused.covariance));
-  tally.ratio.push_back(maths::square(error / sdOf(fused.covariance)));
-  ++tally.frames;
-  tally.outvoted += fused.outvoted > 0 ? 1 : 0;
+  tally.nees.push_back(maths::square(error / sdOf(fused.covariance)));
+  tally.outvoted.count(fused.outvoted > 0);
 }
 
 void play(Team team, Tally& tally) {
@@ -106,14 +105,8 @@ void play(Team team, Tally& tally) {
     sim::roll(team.ball, kFrameSeconds, {});
     team.radio.pass();
     for (std::size_t i = 0; i < kPlayers; ++i) worlds[i] = stepPlayer(team, i, frame);
-    if (frame >= kSettled) judge(team, worlds, tally);
+    if (frame >= kSettled) compareBalls(team, worlds, tally);
   }
-}
-
-double mean(const std::vector<double>& values) {
-  double sum = 0.0;
-  for (const double v : values) sum += v;
-  return values.empty() ? 0.0 : sum / static_cast<double>(values.size());
 }
 
 void put(Json& json, const std::string& prefix, const Tally& tally) {
@@ -123,24 +116,26 @@ void put(Json& json, const std::string& prefix, const Tally& tally) {
   json[prefix + "fused_p95_cm"] = percentile(tally.fused, 0.95);
   json[prefix + "single_sd_cm"] = mean(tally.singleSd);
   json[prefix + "fused_sd_cm"] = mean(tally.fusedSd);
-  json[prefix + "fused_rms_over_sd"] = std::sqrt(0.5 * mean(tally.ratio));
-  json[prefix + "outvoted_share"] = static_cast<double>(tally.outvoted) / std::max(1, tally.frames);
+  json[prefix + "fused_rms_over_sd"] = std::sqrt(0.5 * mean(tally.nees));
+  json[prefix + "outvoted_share"] = tally.outvoted.value();
 }
 
-}  // namespace
-
-Expected<Json> teamBall(const ExperimentOptions& options) {
+Expected<Json> teamBall(const Request& request) {
   Tally right, wrong;
-  Random seeds(options.seed);
-  for (int trial = 0; trial < options.trials; ++trial) {
-    const bool oneWrong = trial % 2 == 1;
+  Random seeds(request.seed);
+  eachTrial(request, [&](const Trial& trial) {
+    const bool oneWrong = trial.number % 2 == 1;
     play(teamOf(seeds.next(), oneWrong), oneWrong ? wrong : right);
-    if (options.progress) options.progress(trial + 1, options.trials);
-  }
-  Json json{{"experiment", "team-ball"}, {"trials", options.trials}, {"seed", options.seed}};
+  });
+  Json json;
   put(json, "", right);
   put(json, "one_wrong_", wrong);
   return json;
 }
 
+const Registration kTeamBall("team-ball",
+                             "four robots and one ball, at times a wrong pose: the fused ball",
+                             {Option::trials, Option::seed}, 100, teamBall);
+
+}  // namespace
 }  // namespace kelpie::experiments

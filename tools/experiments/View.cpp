@@ -20,9 +20,9 @@ constexpr double kFastestPanDeg = 150.0;  // deg/s, a scanning head
 constexpr double kFastestTiltDeg = 60.0;
 constexpr double kFastestTurnDeg = 60.0;
 
-bool apart(const std::vector<sim::RobotLook>& robots, Point2<Field> place, double least) {
+bool awayFrom(const std::vector<sim::RobotLook>& robots, Point2<Field> place, double minDistance) {
   return std::all_of(robots.begin(), robots.end(), [&](const sim::RobotLook& robot) {
-    return distance(fieldFromRobot(robot.pose, {0.0, -4.0}), place) >= least;
+    return distance(fieldFromRobot(robot.pose, {0.0, -4.0}), place) >= minDistance;
   });
 }
 
@@ -108,7 +108,7 @@ void ViewMaker::placeRobots() {
     const bool inside = middle.x > -10.0 && middle.x < field.width + 10.0 && middle.y > 0.0 &&
                         middle.y < field.length;
     if (inside && distance(middle, view_.pose.position) > 38.0 &&
-        distance(middle, view_.ball) > 24.0 && apart(view_.robots, middle, 36.0))
+        distance(middle, view_.ball) > 24.0 && awayFrom(view_.robots, middle, 36.0))
       view_.robots.push_back(look);
   }
 }

@@ -10,6 +10,7 @@
 
 #include "robot/body/FieldDescription.h"
 #include "robot/core/FrameInput.h"
+#include "tools/experiments/harness/Trials.h"
 #include "tools/sim/Camera.h"
 
 namespace kelpie::experiments {
@@ -17,7 +18,7 @@ namespace kelpie::experiments {
 enum class ViewTarget { ball, landmark, robot, anywhere };
 
 struct ViewParams {
-  body::FieldDescription field;
+  body::FieldDescription field = *body::fieldDescription("2006");
   sim::CameraParams camera;
   bool crowd = true;
   bool ball = true;
@@ -26,7 +27,7 @@ struct ViewParams {
   double bodyTurning = 0.3;
 };
 
-// Truth: for judging what vision says, never for vision.
+// Truth: to compare with what vision says, never for vision.
 struct View {
   ViewTarget target = ViewTarget::anywhere;
   Pose2 pose;         // in the middle of the exposure
@@ -59,5 +60,12 @@ class ViewMaker {
   Stance stance_;
   View view_;
 };
+
+// Calls use(view) for one view a trial.
+template <class Use>
+void eachView(const ViewParams& params, const Request& request, Use&& use) {
+  const auto maker = std::make_unique<ViewMaker>(params, request.seed);
+  eachTrial(request, [&](const Trial&) { use(maker->next()); });
+}
 
 }  // namespace kelpie::experiments

@@ -3,8 +3,8 @@
 // odometry says, and how far and straight the ball goes from each place in the kick's zone.
 #include <cmath>
 
-#include "tools/experiments/Experiment.h"
 #include "tools/experiments/WalkingBody.h"
+#include "tools/experiments/harness/Experiment.h"
 
 namespace kelpie::experiments {
 namespace {
@@ -19,7 +19,7 @@ struct Way {
 };
 
 // Until the actuator spares the legs, and they stand still.
-void tire(WalkingBody& body) {
+void wearOut(WalkingBody& body) {
   constexpr int kMessages = 200;
   body.wearOut();
   for (int i = 0; i < kMessages; ++i) body.step({});
@@ -28,22 +28,23 @@ void tire(WalkingBody& body) {
 // True way over the way that the odometry reports.
 Way walkRatio(const WalkRequest& request, std::uint64_t seed, bool weak = false) {
   WalkingBody body(seed);
-  if (weak) tire(body);
-  Way said;
+  if (weak) wearOut(body);
+  Way reported;
   Way walked;
   Pose2 last = body.pose();
   for (int i = 0; i < kWalkMessages + kStopMessages; ++i) {
     Command command;
     if (i < kWalkMessages) command.walk = request;
     const Odometry odometry = body.step(command).odometry;
-    said = {said.forward + odometry.forward, said.left + odometry.left,
-            said.turn + odometry.turn.rad()};
+    reported = {reported.forward + odometry.forward, reported.left + odometry.left,
+                reported.turn + odometry.turn.rad()};
     const Point2<Robot> moved = robotFromField(last, body.pose().position);
     walked = {walked.forward + moved.y, walked.left - moved.x,
               walked.turn + (body.pose().heading - last.heading).rad()};
     last = body.pose();
   }
-  return {walked.forward / said.forward, walked.left / said.left, walked.turn / said.turn};
+  return {walked.forward / reported.forward, walked.left / reported.left,
+          walked.turn / reported.turn};
 }
 
 // Where the ball comes to rest, in the robot frame at the kick, less where it lay.
@@ -57,34 +58,35 @@ Point2<Robot> kicked(Point2<Robot> from, std::uint64_t seed) {
   return robotFromField(pose, body.ball().position) - from;
 }
 
-}  // namespace
-
-Expected<Json> walkAndKick(const ExperimentOptions& options) {
-  double least = 1e9;
-  double mean = 0.0;
+Expected<Json> walkAndKick(const Request& request) {
+  double shortest = 1e9;
+  double sum = 0.0;
   double aside = 0.0;
   int kicks = 0;
   for (const double ahead : {6.0, 7.0, 8.0, 9.0, 10.0})
     for (const double x : {-4.0, -2.0, 0.0, 2.0, 4.0}) {
-      const Point2<Robot> way = kicked({x, ahead}, options.seed);
-      least = std::fmin(least, way.y);
-      mean += way.y;
+      const Point2<Robot> way = kicked({x, ahead}, request.seed);
+      shortest = std::fmin(shortest, way.y);
+      sum += way.y;
       aside = std::fmax(aside, std::fabs(bearing(way).deg()));
       ++kicks;
     }
-  return Json{{"experiment", "walk-and-kick"},
-              {"seed", options.seed},
-              {"forward_ratio", walkRatio({20.0, 0.0, 0.0}, options.seed).forward},
-              {"back_ratio", walkRatio({-15.0, 0.0, 0.0}, options.seed).forward},
-              {"side_ratio", walkRatio({0.0, 12.0, 0.0}, options.seed).left},
-              {"turn_ratio", walkRatio({0.0, 0.0, 1.2}, options.seed).turn},
-              {"weak_forward_ratio", walkRatio({20.0, 0.0, 0.0}, options.seed, true).forward},
-              {"weak_side_ratio", walkRatio({0.0, 12.0, 0.0}, options.seed, true).left},
-              {"weak_turn_ratio", walkRatio({0.0, 0.0, 1.2}, options.seed, true).turn},
+  return Json{{"forward_ratio", walkRatio({20.0, 0.0, 0.0}, request.seed).forward},
+              {"back_ratio", walkRatio({-15.0, 0.0, 0.0}, request.seed).forward},
+              {"side_ratio", walkRatio({0.0, 12.0, 0.0}, request.seed).left},
+              {"turn_ratio", walkRatio({0.0, 0.0, 1.2}, request.seed).turn},
+              {"weak_forward_ratio", walkRatio({20.0, 0.0, 0.0}, request.seed, true).forward},
+              {"weak_side_ratio", walkRatio({0.0, 12.0, 0.0}, request.seed, true).left},
+              {"weak_turn_ratio", walkRatio({0.0, 0.0, 1.2}, request.seed, true).turn},
               {"kicks", kicks},
-              {"kick_mean_cm", mean / kicks},
-              {"kick_min_cm", least},
+              {"kick_mean_cm", sum / kicks},
+              {"kick_min_cm", shortest},
               {"kick_aside_deg", aside}};
 }
 
+const Registration kWalkAndKick("walk-and-kick",
+                                "walked way over reported way; how far and straight the ball goes",
+                                {Option::seed}, 1, walkAndKick);
+
+}  // namespace
 }  // namespace kelpie::experiments

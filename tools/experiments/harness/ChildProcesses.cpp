@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tools/experiments/LocaliseApart.h"
+#include "tools/experiments/harness/ChildProcesses.h"
 
 #include <poll.h>
 #include <sys/prctl.h>
@@ -96,16 +96,16 @@ void finish(const Child& child, std::vector<Json>& answers, std::string& trouble
 
 }  // namespace
 
-Expected<std::vector<Json>> runApart(int jobs, const Job& job,
-                                     const std::function<void(int done, int all)>& progress) {
-  const std::size_t most = std::max(1U, std::thread::hardware_concurrency());
+Expected<std::vector<Json>> runInChildProcesses(
+    int jobs, const Job& job, const std::function<void(int done, int all)>& progress) {
+  const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
   std::vector<Json> answers(static_cast<std::size_t>(jobs));
   std::vector<Child> children;
   std::string trouble;
   int next = 0;
   int done = 0;
   while (!children.empty() || (next < jobs && trouble.empty())) {
-    while (next < jobs && children.size() < most && trouble.empty()) {
+    while (next < jobs && children.size() < cores && trouble.empty()) {
       auto child = startChild(job, next++);
       if (!child) trouble = child.error();
       if (child) children.push_back(std::move(*child));

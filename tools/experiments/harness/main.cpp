@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+// kelpie-experiments: what `kelpie evaluate` runs. A program of its own, since the experiments take
+// longer to compile than everything that a match needs.
+#include <fmt/core.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <exception>
+
+#include "tools/cli/Process.h"
+#include "tools/cli/Progress.h"
+#include "tools/cli/Terminal.h"
+#include "tools/cli/Usage.h"
+#include "tools/cli/WholeFile.h"
+#include "tools/experiments/harness/Experiment.h"
+
+namespace kelpie::experiments {
+namespace {
+
+struct EvaluateOptions {
+  std::string name;
+  Request request;
+  std::string json = "-";
+  bool list = false;
+};
+
+std::string listed(const std::vector<Experiment>& experiments) {
+  std::string lines;
+  for (const Experiment& one : experiments)
+    lines += fmt::format("  {:22} {}\n", one.name, one.measures);
+  return lines;
+}
+
+int listExperiments(const std::vector<Experiment>& experiments) {
+  for (const Experiment& one : experiments) {
+    fmt::print("{:22} {}\n", one.name, one.measures);
+    std::string options =
+        one.uses.has(Option::trials) ? fmt::format("--trials (default {})", one.trials) : "";
+    for (const Option option : kAllOptions)
+      if (option != Option::trials && one.uses.has(option))
+        options += fmt::format("{}{}", options.empty() ? "" : ", ", nameOf(option));
+    if (!options.empty()) fmt::print("{:22} {}\n", "", options);
+  }
+  return cli::kDone;
+}
+
+void addOptions(CLI::App& app, EvaluateOptions& options) {
+  Request& request = options.request;
+  app.add_option("NAME", options.name, "The experiment");
+  app.add_option(nameOf(Option::trials), request.trials,
+                 "How often (default: the experiment's own)")
+      ->check(CLI::Range(1, 1000000));
+  app.add_option(nameOf(Option::seed), request.seed, "Seed of the first trial")
+      ->check(cli::inRange(0.0, cli::kLargestSeed))
+      ->capture_default_str();
+  app.add_option(nameOf(Option::params), request.params, "The agent's TOML files")
+      ->check(CLI::ExistingFile);
+  app.add_option(nameOf(Option::traces), request.traces, "Folder for tables of every frame, as CSV")
+      ->check(CLI::ExistingDirectory);
+  app.add_option(nameOf(Option::pictures), request.pictures,
+                 "Folder for pictures of what went wrong")
+      ->check(CLI::ExistingDirectory);
+  app.add_option("--json", options.json, "File for the figures, - for standard output");
+  app.add_flag("--list", options.list, "Each experiment with the options that it uses");
+}
+
+Options givenOptions(const CLI::App& app) {
+  Options given;
+  for (const Option option : kAllOptions)
+    if (app.count(nameOf(option)) > 0) given.add(option);
+  return given;
+}
+
+Expected<Json> measureWithProgress(const Experiment& experiment, Request& request) {
+  cli::Progress progress(experiment.name, "trials");
+  request.progress = [&progress](int done, int all) {
+    progress(static_cast<std::size_t>(done), static_cast<std::size_t>(all));
+  };
+  return measure(experiment, request);
+}
+
+int run(const Experiment& experiment, EvaluateOptions& options) {
+  const Expected<Json> figures = measureWithProgress(experiment, options.request);
+  if (!figures) return cli::complain(figures.error(), cli::kCheckFailed);
+  if (!cli::writeWhole(options.json, figures->dump(2) + "\n"))
+    return cli::complain(options.json + ": cannot be written", cli::kBadInput);
+  return cli::kDone;
+}
+
+int evaluate(const std::vector<Experiment>& experiments, Options given, EvaluateOptions& options) {
+  if (options.list) return listExperiments(experiments);
+  const auto found = std::find_if(experiments.begin(), experiments.end(),
+                                  [&](const Experiment& one) { return one.name == options.name; });
+  if (found == experiments.end())
+    return cli::complain(
+        (options.name.empty() ? "name an experiment" : "no experiment '" + options.name + "'") +
+            "; `kelpie evaluate --list` tells which there are",
+        cli::kBadInput);
+  const Status usable = checkOptions(*found, given);
+  if (!usable) return cli::complain(usable.error(), cli::kBadInput);
+  if (!cli::canWrite(options.json))
+    return cli::complain(options.json + ": cannot be written", cli::kBadInput);
+  if (!given.has(Option::trials)) options.request.trials = found->trials;
+  return run(*found, options);
+}
+
+}  // namespace
+}  // namespace kelpie::experiments
+
+int main(int argc, char** argv) {
+  using namespace kelpie;
+  cli::useTargetMaths(argv);
+  const auto known = experiments::sortedByName(experiments::Registration::all());
+  if (!known) return cli::complain(known.error(), cli::kBadInput);
+  CLI::App app{"Measure: one JSON object of plain figures", "kelpie evaluate"};
+  app.footer("Experiments:\n" + experiments::listed(*known));
+  experiments::EvaluateOptions options;
+  experiments::addOptions(app, options);
+  bool done = false;
+  const int usage = cli::parseOptions(app, argc, argv, done);
+  if (done) return usage;
+  try {
+    return experiments::evaluate(*known, experiments::givenOptions(app), options);
+  } catch (const std::exception& error) {
+    return cli::complain(error.what(), cli::kBadInput);
+  }
+}
