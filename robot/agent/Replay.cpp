@@ -128,6 +128,7 @@ Expected<ReplayResult> replay(const std::string& log, const ReplayOptions& optio
   }
   if (!reader->status()) return Error{reader->status().error()};
   player->finish();
+  result.notes = reader->notes();
   result.truncated = reader->truncated();
   result.offset = reader->offset();
   if (result.frames + result.motionSteps == 0) return Error{log + ": holds no frames of an agent"};

@@ -37,6 +37,7 @@ struct ReplayResult {
   bool truncated = false;                // the log ends without its footer
   std::uint64_t offset = 0;              // where its last whole record ends
   std::string scriptError;
+  std::vector<std::string> notes;  // of field lists other than today's (LogReader::notes)
 };
 
 // An error names file and place. Frames before it have been seen by onFrame.

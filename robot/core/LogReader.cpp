@@ -260,12 +260,10 @@ void LogReader::takeEnd() {
   if (!truncated_) offset_ += magic.size();
 }
 
-Status schemaMismatch(const LogMessage& message, const std::string& ours) {
-  const std::string start = "topic " + message.topic() + " (" + message.schema().name + "): ";
-  if (message.channel->messageEncoding != "ros1") {
-    return Error{start + "encoded as " + message.channel->messageEncoding + ", not ros1"};
-  }
-  std::istringstream theirLines(message.schema().text);
+namespace {
+
+std::string firstDifference(const std::string& theirs, const std::string& ours) {
+  std::istringstream theirLines(theirs);
   std::istringstream ourLines(ours);
   std::string theirLine;
   std::string ourLine;
@@ -275,8 +273,50 @@ Status schemaMismatch(const LogMessage& message, const std::string& ours) {
     if (!std::getline(theirLines, theirLine)) theirLine = "(end)";
     if (!std::getline(ourLines, ourLine)) ourLine = "(end)";
   } while (theirLine == ourLine && theirLine != "(end)");
-  return Error{start + "recorded with another field list; schema line " + std::to_string(line) +
-               " is \"" + theirLine + "\", expected \"" + ourLine + "\""};
+  return "schema line " + std::to_string(line) + " is \"" + theirLine + "\", expected \"" +
+         ourLine + '"';
+}
+
+// "a, b, c and 4 more"
+std::string listed(const std::vector<std::string>& names) {
+  constexpr std::size_t kShown = 4;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(kShown, names.size()); ++i)
+    text += (i > 0 ? ", " : "") + names[i];
+  if (names.size() > kShown) text += " and " + std::to_string(names.size() - kShown) + " more";
+  return text;
+}
+
+}  // namespace
+
+Status learnSchema(const LogMessage& message, const std::string& name, const std::string& ours) {
+  const LogSchema& schema = message.schema();
+  const std::string start = "topic " + message.topic() + " (" + schema.name + "): ";
+  if (message.channel->messageEncoding != "ros1")
+    return Error{start + "encoded as " + message.channel->messageEncoding + ", not ros1"};
+  schema.translation = nullptr;
+  if (schema.text == ours) return Done{};
+  const std::string other =
+      start + "recorded with another field list; " + firstDifference(schema.text, ours);
+  if (schema.name != name) return Error{other};
+  auto translation = SchemaTranslation::make(name, schema.text, ours);
+  if (!translation) return Error{other};
+  schema.translation = std::make_shared<const SchemaTranslation>(std::move(*translation));
+  return Done{};
+}
+
+std::vector<std::string> LogReader::notes() const {
+  std::vector<std::string> notes;
+  for (const auto& [id, schema] : schemas_) {
+    if (!schema.translation) continue;
+    const auto& defaulted = schema.translation->defaulted();
+    const auto& leftOut = schema.translation->leftOut();
+    std::string note = schema.name + ": recorded with another field list";
+    if (!defaulted.empty()) note += "; not recorded, set to the default: " + listed(defaulted);
+    if (!leftOut.empty()) note += "; recorded, no longer known: " + listed(leftOut);
+    notes.push_back(std::move(note));
+  }
+  return notes;
 }
 
 }  // namespace kelpie

@@ -2,6 +2,7 @@
 // Reads a log message by message. A log without its end, cut off anywhere, gives all its whole
 // records and chunks and then says truncated(). Reads MCAP files of others as well, if the program
 // is linked with what decompresses them; decodeAs() then says whether a message is one of ours.
+// A message of an older field list is translated member by member; notes() says which differ.
 //
 //   LogMessage message;
 //   while (reader.next(message)) ...
@@ -23,6 +24,7 @@
 #include "robot/core/Expected.h"
 #include "robot/core/LogFormat.h"
 #include "robot/core/LogIndex.h"
+#include "robot/core/SchemaTranslation.h"
 
 namespace kelpie {
 
@@ -30,7 +32,13 @@ struct LogSchema {
   std::string name;
   std::string encoding;  // "ros1msg"
   std::string text;
-  mutable std::string (*knownAs)() = nullptr;  // the last type found to have this text
+
+  // How decodeAs() read it the last time: as which type, and by which translation if the text is
+  // not that of today's field list.
+  mutable std::string (*knownAs)() = nullptr;
+  mutable std::shared_ptr<const SchemaTranslation> translation;
+  mutable std::vector<std::uint8_t> defaults;    // a default value of that type, encoded
+  mutable std::vector<std::uint8_t> translated;  // the last message
 };
 
 struct LogChannel {
@@ -86,11 +94,13 @@ class LogReader {
   // Where the last whole record ends.
   std::uint64_t offset() const { return offset_; }
 
-  // Those met so far.
+  // What was read so far.
   const std::map<std::uint16_t, LogChannel>& channels() const { return channels_; }
   const std::vector<LogMetadata>& metadata() const { return metadata_; }
   const std::vector<LogAttachment>& attachments() const { return attachments_; }
   const LogChunkCounts& chunkCounts() const { return chunkCounts_; }
+  // A line for each type that was decoded by translation: what got defaults, what was left out.
+  std::vector<std::string> notes() const;
 
  private:
   using Record = mcap::Record;
@@ -140,21 +150,27 @@ class LogReader {
   std::set<std::uint64_t> met_;  // where those two stood: after seek() they are met again
 };
 
-// How the recorded schema differs from ours: names the topic and the first line.
-Status schemaMismatch(const LogMessage& message, const std::string& ours);
+// Finds out how to read messages like this one as a type called `name` whose text is `ours`. Fails
+// for another type, and where the recorded text cannot be read; names topic and first line.
+Status learnSchema(const LogMessage& message, const std::string& name, const std::string& ours);
 
-// Decodes a message recorded with exactly T's field list.
+// Decodes a message recorded with T's field list, or with another version of it.
 template <class T>
 Status decodeAs(const LogMessage& message, T& out) {
   const LogSchema& schema = message.schema();
   if (schema.knownAs != &schemaText<T>) {
-    const std::string ours = schemaText<T>();
-    if (schema.text != ours || message.channel->messageEncoding != "ros1") {
-      return schemaMismatch(message, ours);
-    }
+    const Status learnt = learnSchema(message, schemaName<T>(), schemaText<T>());
+    if (!learnt) return learnt;
+    schema.defaults.clear();
+    if (schema.translation) encode(*std::make_unique<T>(), schema.defaults);
     schema.knownAs = &schemaText<T>;
   }
-  if (decode(message.data, message.size, out)) return Done{};
+  const bool done = schema.translation
+                        ? schema.translation->translate(message.data, message.size, schema.defaults,
+                                                        schema.translated) &&
+                              decode(schema.translated.data(), schema.translated.size(), out)
+                        : decode(message.data, message.size, out);
+  if (done) return Done{};
   return Error{"topic " + message.topic() + ", byte " + std::to_string(message.offset) +
                ": damaged message"};
 }

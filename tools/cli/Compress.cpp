@@ -34,7 +34,7 @@ class Compressor {
   Status take(const LogMessage& message) {
     if (message.topic() == kConfigTopic) return configure(message);
     if (agent::isFrameInput(message.topic())) return frame(message);
-    if (message.topic() == kFrameOutputTopic) return Done{};  // of the images: made anew
+    if (message.topic() == kFrameOutputTopic) return Done{};  // of the images: made again here
     return copyMessage(message, out_);
   }
   std::size_t frames() const { return frames_; }
@@ -102,6 +102,7 @@ Expected<Outcome> compressInto(const CompressOptions& options, const std::string
     if (!taken) return Error{options.log + ": " + taken.error()};
   }
   if (!reader->status()) return Error{reader->status().error()};
+  tellNotes(*reader);
   if (compressor.frames() == 0) return Error{options.log + ": holds no frames of an agent"};
   for (const auto& metadata : reader->metadata()) writer->metadata(metadata.name, metadata.entries);
   writer->metadata("compressed", {{"frames", std::to_string(compressor.frames())}});
@@ -116,17 +117,17 @@ Expected<Outcome> compressInto(const CompressOptions& options, const std::string
 
 int compress(const CompressOptions& options) {
   catchInterrupts();
-  if (isDevice(options.out)) return complain(options.out + ": not a plain file", kBadInput);
+  if (isDevice(options.out)) return fail(options.out + ": not a plain file", kExitBadInput);
   if (sameFile(options.log, options.out))
-    return complain(options.out + ": is the log itself", kBadInput);
+    return fail(options.out + ": is the log itself", kExitBadInput);
   const Status scripts = checkScripts(options.pycode);
-  if (!scripts) return complain(scripts.error(), kBadInput);
+  if (!scripts) return fail(scripts.error(), kExitBadInput);
   const std::string part = options.out + ".part";
   const auto outcome = compressInto(options, part);
   const Status done = outcome ? Status(Done{}) : Error{outcome.error()};
   const Status placed = putInPlace(done, part, options.out);
-  if (!placed) return complain(placed.error(), kBadInput);
-  return outcome->cutOff.empty() ? kDone : complain(outcome->cutOff, kBadInput);
+  if (!placed) return fail(placed.error(), kExitBadInput);
+  return outcome->cutOff.empty() ? kExitDone : fail(outcome->cutOff, kExitBadInput);
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/cli/Logs.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <filesystem>
@@ -140,6 +142,10 @@ Status decodeForPeople(const LogMessage& message, FrameInput& input) {
                  ": no picture of 208 x 160 pixels"};
   input = *frame;
   return Done{};
+}
+
+void tellNotes(const LogReader& reader) {
+  for (const auto& note : reader.notes()) fmt::print(stderr, "kelpie: {}\n", note);
 }
 
 Status mergeLogs(const std::vector<std::string>& logs, const std::string& out) {

@@ -48,6 +48,9 @@ Status copyMessage(const LogMessage& message, LogWriter& out);
 // As agent::decodeFrameInput, with the picture as the image where the image was not kept.
 Status decodeForPeople(const LogMessage& message, FrameInput& input);
 
+// Tells the user which messages were read by translation from other field lists.
+void tellNotes(const LogReader& reader);
+
 // Joins logs by time, with their metadata, into `out`, written whole or not at all; what a cut-off
 // log still holds is taken.
 Status mergeLogs(const std::vector<std::string>& logs, const std::string& out);

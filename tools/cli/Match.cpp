@@ -37,9 +37,12 @@ Expected<Match> Match::open(const std::string& path) {
   Match match;
   match.path_ = path;
   bool configured = false;
+  const auto output = std::make_unique<FrameOutput>();
   LogMessage message;
   while (reader->next(message)) {
-    if (message.topic() == kFrameOutputTopic) ++match.frames_;
+    if (message.topic() == kFrameOutputTopic && match.frames_++ == 0)
+      static_cast<void>(
+          decodeAs(message, *output));  // for the notes; the film passes damaged ones over
     if (message.topic() != kConfigTopic) continue;
     const auto config = std::make_unique<agent::AgentConfig>();
     const Status read = decodeAs(message, *config);
@@ -49,6 +52,7 @@ Expected<Match> Match::open(const std::string& path) {
     configured = true;
   }
   if (!reader->status()) return Error{reader->status().error()};
+  tellNotes(*reader);
   match.truncated_ = reader->truncated();
   match.offset_ = reader->offset();
   if (!configured || match.frames_ == 0)

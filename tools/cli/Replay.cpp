@@ -25,6 +25,7 @@ int report(const ReplayCommand& command, const agent::ReplayResult& result) {
   // With --jsonl - the figures must not mix with the objects.
   std::FILE* const to = command.jsonl == "-" ? stderr : stdout;
   if (!result.scriptError.empty()) fmt::print(stderr, "kelpie: {}\n", result.scriptError);
+  for (const auto& note : result.notes) fmt::print(stderr, "kelpie: {}\n", note);
   for (const auto& line : result.differences) fmt::print(stderr, "{}\n", line);
   fmt::print(to, "replayed {} frames and {} motion steps", result.frames, result.motionSteps);
   if (command.check)
@@ -34,19 +35,19 @@ int report(const ReplayCommand& command, const agent::ReplayResult& result) {
     fmt::print(to, "vision ran again on {} frames; the images of the other {} were not kept\n",
                result.frames - result.framesFromPercepts, result.framesFromPercepts);
   if (result.truncated)
-    return complain(fmt::format("{}: cut off at byte {}; all whole frames before it were replayed",
-                                command.log, result.offset),
-                    kBadInput);
+    return fail(fmt::format("{}: cut off at byte {}; all whole frames before it were replayed",
+                            command.log, result.offset),
+                kExitBadInput);
   if (command.check && result.compared == 0)
-    return complain(command.log + ": holds no outputs to compare with", kCheckFailed);
-  return command.check && result.differing > 0 ? kCheckFailed : kDone;
+    return fail(command.log + ": holds no outputs to compare with", kExitCheckFailed);
+  return command.check && result.differing > 0 ? kExitCheckFailed : kExitDone;
 }
 
 int replayLog(const ReplayCommand& command) {
   if (sameFile(command.log, command.jsonl))
-    return complain(command.jsonl + ": is the log itself", kBadInput);
+    return fail(command.jsonl + ": is the log itself", kExitBadInput);
   if (!command.jsonl.empty() && !canWrite(command.jsonl))
-    return complain(command.jsonl + ": cannot be written", kBadInput);
+    return fail(command.jsonl + ": cannot be written", kExitBadInput);
   std::string objects;
   agent::ReplayOptions options;
   options.scripts = command.pycode;
@@ -58,15 +59,15 @@ int replayLog(const ReplayCommand& command) {
       objects += frameObject(input, output).dump() + "\n";
     };
   const Status scripts = checkScripts(command.pycode);
-  if (!scripts) return complain(scripts.error(), kBadInput);
+  if (!scripts) return fail(scripts.error(), kExitBadInput);
   agent::AgentConfig trial;  // options are checked before a long replay, not after it
   const Status applied = applyConfig(command.config, trial);
-  if (!applied) return complain(applied.error(), kBadInput);
+  if (!applied) return fail(applied.error(), kExitBadInput);
   agent::StageObserver silent;
   const auto result = agent::replay(command.log, options, silent);
-  if (!result) return complain(result.error(), kBadInput);
+  if (!result) return fail(result.error(), kExitBadInput);
   if (!command.jsonl.empty() && !writeWhole(command.jsonl, objects))
-    return complain(command.jsonl + ": cannot be written", kBadInput);
+    return fail(command.jsonl + ": cannot be written", kExitBadInput);
   return report(command, *result);
 }
 

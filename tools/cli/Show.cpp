@@ -67,6 +67,7 @@ Expected<Shot> fromLog(const ShowOptions& options) {
     if (!taken) return Error{options.source + ": " + taken.error()};
   }
   if (!reader->status()) return Error{reader->status().error()};
+  tellNotes(*reader);
   if (reader->truncated())
     shot.cutOff = fmt::format("cut off at byte {}, whole frames up to there", reader->offset());
   if (options.frame >= shot.frames) return noSuchFrame(options, shot);
@@ -113,17 +114,18 @@ Status draw(const ShowOptions& options, const Shot& shot) {
 }
 
 int show(const ShowOptions& options) {
-  if (isDevice(options.out)) return complain(options.out + ": not a plain file", kBadInput);
+  if (isDevice(options.out)) return fail(options.out + ": not a plain file", kExitBadInput);
   if (sameFile(options.source, options.out))
-    return complain(options.out + ": is the log itself", kBadInput);
+    return fail(options.out + ": is the log itself", kExitBadInput);
   std::error_code error;
   const auto shot =
       fs::is_directory(options.source, error) ? fromFolder(options) : fromLog(options);
-  if (!shot) return complain(shot.error(), kBadInput);
+  if (!shot) return fail(shot.error(), kExitBadInput);
   const Status drawn = draw(options, *shot);
-  if (!drawn) return complain(drawn.error(), kBadInput);
+  if (!drawn) return fail(drawn.error(), kExitBadInput);
   fmt::print("{}\n", options.out);
-  return shot->cutOff.empty() ? kDone : complain(options.source + ": " + shot->cutOff, kBadInput);
+  return shot->cutOff.empty() ? kExitDone
+                              : fail(options.source + ": " + shot->cutOff, kExitBadInput);
 }
 
 }  // namespace
