@@ -48,13 +48,13 @@ std::string outcome(const SessionResult& result) {
 // The picture first: whoever interrupts the film keeps it.
 int makePictures(const PlayOptions& options) {
   const auto match = Match::open(options.session.log);
-  if (!match) return complain(match.error(), kCheckFailed);
+  if (!match) return fail(match.error(), kExitCheckFailed);
   const Status picture = drawMatchPicture(*match, options.file("match.png"));
-  if (!picture) return complain(picture.error(), kCheckFailed);
-  if (options.noFilm || interrupted()) return kDone;
+  if (!picture) return fail(picture.error(), kExitCheckFailed);
+  if (options.noFilm || interrupted()) return kExitDone;
   const Status film = filmMatch(*match, options.file("match.mp4"));
-  if (film || interrupted()) return kDone;
-  return complain(film.error(), kCheckFailed);
+  if (film || interrupted()) return kExitDone;
+  return fail(film.error(), kExitCheckFailed);
 }
 
 std::string describeLog(const PlayOptions& options, double seconds) {
@@ -125,23 +125,31 @@ void removeOldPictures(const PlayOptions& options) {
   for (const char* name : {"match.png", "match.mp4"}) fs::remove(options.file(name), ignored);
 }
 
-// A match in real time is meant to be ended by an interrupt; any other is cut short by it.
+// What a match that was killed left beside its log.
+void removeParts(const PlayOptions& options) {
+  std::error_code ignored;
+  for (const char* name : {"match.mcap.part", "match.png.part", "match.part.mp4"})
+    fs::remove(options.file(name), ignored);
+}
+
+// A match in real time ends by an interrupt; any other is cut short by it.
 int exitCode(const PlayOptions& options, const SessionResult& result) {
-  if (result.interrupted && options.session.realTime) return kDone;
-  if (result.interrupted) return complain("interrupted", kCheckFailed);
-  return result.goals.empty() ? kCheckFailed : kDone;
+  if (result.interrupted && options.session.realTime) return kExitDone;
+  if (result.interrupted) return fail("interrupted", kExitCheckFailed);
+  return result.goals.empty() ? kExitCheckFailed : kExitDone;
 }
 
 int play(PlayOptions& options) {
   const Status checked = checkConfig(options.session);
-  if (!checked) return complain(checked.error(), kBadInput);
+  if (!checked) return fail(checked.error(), kExitBadInput);
   catchInterrupts();
   std::error_code error;
   fs::create_directories(options.out, error);
-  if (error) return complain("'" + options.out + "': " + error.message(), kBadInput);
+  if (error) return fail("'" + options.out + "': " + error.message(), kExitBadInput);
   options.session.log = options.file("match.mcap");
   if (!canWrite(options.session.log))
-    return complain(options.out + ": cannot be written", kBadInput);
+    return fail(options.out + ": cannot be written", kExitBadInput);
+  removeParts(options);
   options.session.allImages = options.images == "all";
 
   const auto start = std::chrono::steady_clock::now();
@@ -149,9 +157,9 @@ int play(PlayOptions& options) {
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
   if (result.logged) removeOldPictures(options);
   if (!result.trouble.empty())
-    return complain(result.trouble, result.badInput ? kBadInput : kCheckFailed);
+    return fail(result.trouble, result.badInput ? kExitBadInput : kExitCheckFailed);
   const int pictures = makePictures(options);
-  if (pictures != kDone) return pictures;
+  if (pictures != kExitDone) return pictures;
   nameFiles(options, result.seconds);
   fmt::print("{} (seed {}, {:.1f} simulated seconds in {:.1f} s)\n", outcome(result),
              options.session.seed, result.seconds, took.count());

@@ -4,7 +4,6 @@
 #include <fmt/core.h>
 
 #include <chrono>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -16,32 +15,12 @@
 #include "tools/cli/AgentTalk.h"
 #include "tools/cli/Logs.h"
 #include "tools/cli/Process.h"
+#include "tools/cli/Workshop.h"
 
 namespace kelpie::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-// A private folder for the socket and the two halves of the log; goes with the object.
-class Workshop {
- public:
-  Workshop() {
-    std::string pattern = (fs::temp_directory_path() / "kelpie-XXXXXX").string();
-    if (mkdtemp(pattern.data()) != nullptr) folder_ = pattern;
-  }
-  ~Workshop() {
-    std::error_code ignored;
-    if (!folder_.empty()) fs::remove_all(folder_, ignored);
-  }
-  Workshop(const Workshop&) = delete;
-  Workshop& operator=(const Workshop&) = delete;
-
-  bool ready() const { return !folder_.empty(); }
-  std::string path(const char* name) const { return (folder_ / name).string(); }
-
- private:
-  fs::path folder_;
-};
 
 std::vector<std::string> worldCommand(const SessionOptions& options, const Workshop& workshop) {
   std::vector<std::string> argv = {programFolder() + "/kelpie-world",
