@@ -220,7 +220,8 @@ std::size_t Agent::inFlight() const {
 void Agent::NotifyImage(const ONotifyEvent& event) {
   const auto& vector = *static_cast<const OFbkImageVectorData*>(event.Data(0));
   if (readImage(vector, image_)) {
-    loops_.camera(image_, {now().us - kExposureUs / 2});
+    loops_.camera(image_, {now().us - kExposureUs / 2},
+                  vector.GetInfo(ofbkimageLAYER_H)->frameNumber);
   } else {
     OSYSLOG1((osyslogERROR, "an image of another type or size is left out"));
   }

@@ -2,6 +2,17 @@
 #include "robot/agent/AgentLoops.h"
 
 namespace kelpie::agent {
+namespace {
+
+// More than this between two images is no gap: the camera began to count again.
+constexpr std::uint32_t kMaxDropped = 900;  // 30 s
+
+std::uint32_t droppedBetween(std::uint32_t last, std::uint32_t now) {
+  const std::uint32_t step = now - last;  // modulo 2^32, as the counter runs over
+  return step > 0 && step <= kMaxDropped ? step - 1 : 0;
+}
+
+}  // namespace
 
 AgentLoops::AgentLoops(const AgentConfig& config, const std::string& scripts, LogSink& log)
     : frameLoop_(config, scripts), motionLoop_(config), log_(log) {
@@ -24,9 +35,11 @@ const MotionOutput& AgentLoops::motion(const MotionInput& withoutCommand) {
   return *motionOutput_;
 }
 
-void AgentLoops::camera(const Image& image, TimeUs exposureMiddle) {
+void AgentLoops::camera(const Image& image, TimeUs exposureMiddle, std::uint32_t number) {
   if (motionOutput_ == nullptr) return;  // no joints known yet: the image cannot be used
   input_.elapsed = frameCount_ == 0 ? 0.0 : (exposureMiddle - input_.time).seconds();
+  if (frameCount_ > 0) input_.droppedFrames += droppedBetween(cameraNumber_, number);
+  cameraNumber_ = number;
   input_.frame = frameCount_++;
   input_.time = exposureMiddle;
   input_.sensors = joints_.at(exposureMiddle);

@@ -21,7 +21,7 @@ class AgentLoops : public Loops {
   AgentLoops(const AgentConfig& config, const std::string& scripts, LogSink& log);
 
   const MotionOutput& motion(const MotionInput& withoutCommand) override;
-  void camera(const Image& image, TimeUs exposureMiddle) override;
+  void camera(const Image& image, TimeUs exposureMiddle, std::uint32_t number) override;
 
   void setGame(const GameState& game) { game_ = game; }
   const std::string& scriptError() const { return frameLoop_.scriptError(); }
@@ -37,6 +37,7 @@ class AgentLoops : public Loops {
   FrameInput input_;  // a member because of its size
   const FrameOutput* frame_ = nullptr;
   std::uint32_t frameCount_ = 0;
+  std::uint32_t cameraNumber_ = 0;  // of the last image
   JointTrack joints_;
   OdometryTrack odometry_;
 };

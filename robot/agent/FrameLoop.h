@@ -23,7 +23,7 @@ class FrameLoop {
 
   // The result stays valid until the next step.
   const FrameOutput& step(const FrameInput& input, StageObserver& observer);
-  // The same without vision: goes on from what it made of an image that is no longer there.
+  // Runs the stages after vision, from the percepts of an image that was not kept.
   const FrameOutput& stepFrom(const Percepts& seen, const FrameInput& input,
                               StageObserver& observer);
 

@@ -16,8 +16,9 @@ class Loops {
   // fill in. The result is valid until the next call.
   virtual const MotionOutput& motion(const MotionInput& withoutCommand) = 0;
 
-  // Every image. The image is valid during the call only.
-  virtual void camera(const Image& image, TimeUs exposureMiddle) = 0;
+  // Every image that arrives, with the camera's own number of it, which tells how many did not. The
+  // image is valid during the call only.
+  virtual void camera(const Image& image, TimeUs exposureMiddle, std::uint32_t number) = 0;
 };
 
 }  // namespace kelpie::agent

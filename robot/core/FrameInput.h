@@ -48,10 +48,11 @@ struct HeadRate {
 };
 
 struct FrameInput {
-  std::uint32_t frame = 0;  // counts camera frames of this robot from 0
-  TimeUs time;              // middle of the exposure
-  double elapsed = 0.0;     // s since the previous frame; 0 for the first
-  SensorFrame sensors;      // joints at the middle of the exposure, latest of everything else
+  std::uint32_t frame = 0;          // counts camera frames of this robot from 0
+  TimeUs time;                      // middle of the exposure
+  double elapsed = 0.0;             // s since the previous frame; 0 for the first
+  std::uint32_t droppedFrames = 0;  // images that the camera took since the first and nobody got
+  SensorFrame sensors;  // joints at the middle of the exposure, latest of everything else
   HeadRate headRate;
   Stance stance;
   Odometry odometry;  // since the previous frame
@@ -64,7 +65,8 @@ struct FrameInput {
   static constexpr auto fields() {
     return fieldList(
         field("frame", &FrameInput::frame), field("time", &FrameInput::time, "us"),
-        field("elapsed", &FrameInput::elapsed, "s", 0, 10), field("sensors", &FrameInput::sensors),
+        field("elapsed", &FrameInput::elapsed, "s", 0, 10),
+        field("droppedFrames", &FrameInput::droppedFrames), field("sensors", &FrameInput::sensors),
         field("headRate", &FrameInput::headRate), field("stance", &FrameInput::stance),
         field("odometry", &FrameInput::odometry), field("motion", &FrameInput::motion),
         field("game", &FrameInput::game), field("lastCommand", &FrameInput::lastCommand),

@@ -71,13 +71,15 @@ class FakeLoops : public agent::Loops {
     }
     return output;
   }
-  void camera(const Image& image, TimeUs exposureMiddle) override {
+  void camera(const Image& image, TimeUs exposureMiddle, std::uint32_t number) override {
     lastImage = image;
     exposures.push_back(exposureMiddle);
+    cameraNumbers.push_back(number);
   }
 
   std::vector<MotionInput> inputs;
   std::vector<TimeUs> exposures;
+  std::vector<std::uint32_t> cameraNumbers;
   Image lastImage;
   MotionOutput output;
   std::uint32_t leds = 0;

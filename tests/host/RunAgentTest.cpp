@@ -2,6 +2,8 @@
 // The whole object against a source without a world.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "FakeWorld.h"
 #include "robot/agent/Agent.h"
 #include "robot/host/AgentStub.h"
@@ -162,6 +164,10 @@ TEST(RunAgentTest, DropsExactlyTheImagesThatTheSeedChooses) {
   EXPECT_EQ(kept, summary->images);
   EXPECT_EQ(300U, summary->images + summary->droppedImages);
   EXPECT_NEAR(225, kept, 25);
+  // The camera's numbers tell which are missing.
+  EXPECT_LT(loops.cameraNumbers.back(), 300U);
+  EXPECT_GT(loops.cameraNumbers.back(), kept);
+  EXPECT_TRUE(std::is_sorted(loops.cameraNumbers.begin(), loops.cameraNumbers.end()));
 }
 
 TEST(RunAgentTest, NothingIsDroppedUnasked) {

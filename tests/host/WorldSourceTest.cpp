@@ -121,7 +121,7 @@ TEST_F(WorldSourceTest, NotANumberIsRefused) {
   WorldStep step;
   step.sensors[3].acceleration[1] = std::numeric_limits<double>::quiet_NaN();
   sendStep(step);
-  EXPECT_EQ("world socket: a sensor value of a step is not a number at 0.000 s", error());
+  EXPECT_EQ("world socket: a sensor value of a step is not finite at 0.000 s", error());
 }
 
 TEST_F(WorldSourceTest, SilentWorldIsNoticed) {

@@ -5,7 +5,7 @@
 
 namespace kelpie::cli {
 
-std::string describe(const FrameOutput& output) {
+std::string describe(const FrameInput& input, const FrameOutput& output) {
   const auto& world = output.world;
   std::string text = fmt::format("{:6.1f} s  me ({:.0f}, {:.0f}) {:.0f} deg +-{:.0f} cm",
                                  output.time.seconds(), world.pose.position.x,
@@ -18,6 +18,7 @@ std::string describe(const FrameOutput& output) {
     text += "  no ball";
   if (output.command.motion == MotionKind::kickForward) text += "  KICK";
   if (output.command.fallback != Fallback::none) text += "  FALLBACK";
+  if (input.droppedFrames > 0) text += fmt::format("  {} frames dropped", input.droppedFrames);
   return text;
 }
 

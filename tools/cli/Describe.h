@@ -4,11 +4,12 @@
 
 #include <string>
 
+#include "robot/core/FrameInput.h"
 #include "robot/core/FrameOutput.h"
 
 namespace kelpie::cli {
 
 // "12.3 s  me (180, 240) 88 deg +-7 cm  ball 85 cm 12 deg left" in one line.
-std::string describe(const FrameOutput& output);
+std::string describe(const FrameInput& input, const FrameOutput& output);
 
 }  // namespace kelpie::cli

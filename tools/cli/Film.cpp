@@ -40,7 +40,7 @@ void follow(Paths& paths, const Moment& moment) {
 }
 
 // Drops all but the last of each path: a film that drew whole paths took longer with every frame,
-// 45 ms in the mean of four minutes.
+// 45 ms on average over four minutes.
 void cutToTrail(Paths& paths) {
   for (auto* path : {&paths.robot, &paths.ball, &paths.belief})
     if (path->size() > kTrail)
@@ -80,7 +80,7 @@ class FilmFrames {
     drawPaths(ground, field_, kFieldScale, paths_);
     drawPlaces(ground, field_, kFieldScale, moment);
     paste(canvas_, ground, kCameraScale * kImageWidth, 0);
-    write(canvas_, describe(moment.output), {8, canvas_.rows - 10});
+    write(canvas_, describe(moment.input, moment.output), {8, canvas_.rows - 10});
     return canvas_;
   }
 
@@ -124,7 +124,7 @@ cv::Mat tile(const Moment& moment) {
   const cv::Mat camera = drawCamera(moment.input, moment.output, kPictureCameraScale);
   cv::Mat result(camera.rows + 22, camera.cols, CV_8UC3, cv::Scalar(30, 30, 30));
   paste(result, camera, 0, 0);
-  std::string text = describe(moment.output);
+  std::string text = describe(moment.input, moment.output);
   cv::putText(result, text, {2, camera.rows + 15}, cv::FONT_HERSHEY_SIMPLEX, 0.35, kInk, 1,
               cv::LINE_AA);
   return result;
@@ -182,15 +182,15 @@ struct FilmOptions {
 };
 
 int film(const FilmOptions& options) {
-  if (isDevice(options.out)) return complain(options.out + ": not a plain file", kBadInput);
+  if (isDevice(options.out)) return fail(options.out + ": not a plain file", kExitBadInput);
   if (sameFile(options.log, options.out))
-    return complain(options.out + ": is the log itself", kBadInput);
+    return fail(options.out + ": is the log itself", kExitBadInput);
   catchInterrupts();
   const auto match = Match::open(options.log);
-  if (!match) return complain(match.error(), kBadInput);
+  if (!match) return fail(match.error(), kExitBadInput);
   const Status made = filmMatch(*match, options.out);
-  if (!made) return complain(made.error(), kBadInput);
-  return match->truncated() ? complain(match->cutOff(), kBadInput) : kDone;
+  if (!made) return fail(made.error(), kExitBadInput);
+  return match->truncated() ? fail(match->cutOff(), kExitBadInput) : kExitDone;
 }
 
 }  // namespace

@@ -3,7 +3,9 @@
 
 #include <map>
 #include <memory>
+#include <vector>
 
+#include "robot/agent/FrameMessages.h"
 #include "robot/core/LogReader.h"
 #include "tools/cli/Commands.h"
 
@@ -39,28 +41,53 @@ void printStorage(const LogChunkCounts& counts) {
              stored / 1024.0, held > 0.0 ? 100.0 * stored / held : 100.0);
 }
 
+// The newest frame of the log, copied: a message lives only until the next is read.
+struct NewestFrame {
+  LogMessage message;
+  std::vector<std::uint8_t> bytes;
+
+  void take(const LogMessage& frame) {
+    bytes.assign(frame.data, frame.data + frame.size);
+    message = frame;
+  }
+};
+
+// How many images the agent got, and how many the camera took in that time that it did not get.
+void printFrames(NewestFrame& newest) {
+  if (newest.bytes.empty()) return;
+  newest.message.data = newest.bytes.data();
+  const auto input = std::make_unique<FrameInput>();
+  if (!agent::decodeFrameInput(newest.message, *input)) return;
+  fmt::print("{} camera frames, {} more dropped before the agent got them\n", input->frame + 1,
+             input->droppedFrames);
+}
+
 int info(const std::string& log) {
   auto reader = LogReader::open(log);
-  if (!reader) return complain(reader.error(), kBadInput);
+  if (!reader) return fail(reader.error(), kExitBadInput);
   std::map<std::string, TopicCount> topics;
   LogMessage message;
+  NewestFrame newest;
   while (reader->next(message)) {
+    if (agent::isFrameInput(message.topic())) newest.take(message);
     auto& count = topics[message.topic()];
     if (count.messages++ == 0) count.first = message.time;
     count.schema = message.schema().name;
     count.last = message.time;
     count.bytes += message.size;
   }
-  if (!reader->status()) return complain(reader->status().error(), kBadInput);
+  if (!reader->status()) return fail(reader->status().error(), kExitBadInput);
   printTopics(topics);
+  printFrames(newest);
   printStorage(reader->chunkCounts());
+  for (const auto& note : reader->notes()) fmt::print("{}\n", note);
   for (const auto& metadata : reader->metadata())
     for (const auto& [key, value] : metadata.entries)
       fmt::print("{}.{} = {}\n", metadata.name, key, value);
   if (reader->truncated())
-    return complain(fmt::format("{}: cut off at byte {}; whole up to there", log, reader->offset()),
-                    kBadInput);
-  return kDone;
+    return fail(fmt::format("{}: cut off at byte {}; whole up to there", log, reader->offset()),
+                kExitBadInput);
+  return kExitDone;
 }
 
 }  // namespace

@@ -48,7 +48,7 @@ class AgentSink : public agent::LogSink {
   void frame(const FrameInput& input, const FrameOutput& output) override {
     if (log_ != nullptr) log_->frame(input, output);
     if (!status_ || input.frame % kStatusFrames != 0) return;
-    fmt::print("{}{}\n", kStatusMark, describe(output));
+    fmt::print("{}{}\n", kStatusMark, describe(input, output));
     std::fflush(stdout);
   }
 

@@ -95,7 +95,7 @@ void LocaliseMatch::see(TimeUs now) {
   GameState game = world_->gameFor(0);
   if (halted_) game.state = PlayState::set;
   loops_->setGame(game);
-  loops_->camera(*image_, {now.us - kExposureUs / 2});
+  loops_->camera(*image_, {now.us - kExposureUs / 2}, images_++);
   replaceBall();
   trouble_ = loops_->scriptError();
 }

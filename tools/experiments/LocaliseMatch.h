@@ -51,7 +51,8 @@ class LocaliseMatch : private agent::LogSink {
   std::unique_ptr<sim::World> world_;
   std::unique_ptr<agent::AgentLoops> loops_;
   std::unique_ptr<Image> image_ = std::make_unique<Image>();
-  Random random_;  // of the ball's places
+  std::uint32_t images_ = 0;  // the camera has taken
+  Random random_;             // of the ball's places
   MotionInput motion_;
   Watcher watch_;
   Pose2 before_;
