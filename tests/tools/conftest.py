@@ -14,9 +14,9 @@ HEADER = ("t_s,neck_tilt_deg,head_pan_deg,head_nod_deg,body_tilt_deg,shoulder_he
 PLANE = 208 * 160
 
 
-def kelpie(*words, timeout=240):
+def kelpie(*words, timeout=240, env=None):
     return subprocess.run([BIN / "kelpie", *map(str, words)], capture_output=True, text=True,
-                          timeout=timeout, check=False, cwd=ROOT)
+                          timeout=timeout, check=False, cwd=ROOT, env=env)
 
 
 def agent(*words):

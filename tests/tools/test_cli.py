@@ -29,9 +29,9 @@ def test_unknown_command_is_a_usage_error():
 @pytest.mark.parametrize("words, told", [
     (["plai"], "'plai' is not known; `kelpie --help`"),
     (["replay", "--chek"], "'--chek' is not known; `kelpie replay --help`"),
-    (["play", "--seed", "abc"], "--seed: abc is no number"),
-    (["calibrate", "colour", "nominal", "--out", "x", "--seed", "-1"], "-1 is no number"),
-    (["calibrate", "ring", "2006", "--out", "x", "--prior", "nan"], "nan is no number"),
+    (["play", "--seed", "abc"], "--seed: abc is not a number"),
+    (["calibrate", "colour", "nominal", "--out", "x", "--seed", "-1"], "-1 is not a number"),
+    (["calibrate", "ring", "2006", "--out", "x", "--prior", "nan"], "nan is not a number"),
     (["replay"], "LOG is required; `kelpie replay --help`"),
 ])
 def test_a_mistyped_command_line_is_one_line_that_names_the_word(words, told):
@@ -206,9 +206,19 @@ def test_jsonl_has_one_object_a_frame(match, tmp_path):
     assert kelpie("replay", match, "--jsonl", out).returncode == 0
     objects = [json.loads(line) for line in out.read_text().splitlines()]
     assert [o["frame"] for o in objects] == list(range(len(objects)))
-    assert set(objects[-1]) == {"frame", "t_s", "percepts", "field_edges", "line_points", "pose",
-                                "ball"}
-    assert set(objects[-1]["pose"]) == {"x_cm", "y_cm", "heading_deg", "sd_cm", "sd_deg"}
+    assert list(objects[-1]) == [
+        "frame", "t_s", "dropped_frames", "percepts", "gaps", "field_edge", "line_points",
+        "obstacle_points", "obstacles_ahead", "refused", "pose", "modes", "ball", "team_ball",
+        "opponents", "teammates", "obstacles", "pink_map", "command"]
+    assert set(objects[-1]["pose"]) == {"x_cm", "y_cm", "heading_deg", "sd_cm", "sd_deg", "stuck"}
+    seen = [percept for o in objects for percept in o["percepts"]]
+    assert {"ball", "goal_blue"} <= {percept["kind"] for percept in seen}
+    assert all(abs(percept["heading_deg"]) <= 180 and percept["distance_cm"] >= 0 and
+               percept["distance_variance_cm2"] >= 0 for percept in seen)
+    assert all(name[0].islower() and count > 0
+               for o in objects for name, count in o["refused"].items())
+    documented = (ROOT / "docs" / "logs.md").read_text()
+    assert all(f"`{key}`" in documented for key in objects[-1])
 
 
 def test_a_recording_through_the_openr_services_gives_the_same_frames(match, tmp_path):

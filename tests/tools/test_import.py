@@ -131,8 +131,8 @@ GOOD = "{},-20,0,0,14.25,100,0,0,0"
 
 @pytest.mark.parametrize("row, told", [
     ("0.0334,1e308,0,0,14.25,100,0,0,0", "neck_tilt_deg: 1e+308, expected angles in -360..360"),
-    ("0.0334,-20,oops,0,14.25,100,0,0,0", "head_pan_deg: 'oops' is no number"),
-    ("0.0334,-20,,0,14.25,100,0,0,0", "head_pan_deg: '' is no number"),
+    ("0.0334,-20,oops,0,14.25,100,0,0,0", "head_pan_deg: 'oops' is not a number"),
+    ("0.0334,-20,,0,14.25,100,0,0,0", "head_pan_deg: '' is not a number"),
     ("0.0334,-20,0,0,14.25,100,0,0", "8 columns, expected 9"),
     ("0.0334;-20;0;0;14.25;100;0;0;0", "1 columns, expected 9"),
     ("0.0000001,-20,0,0,14.25,100,0,0,0", "time does not increase"),
@@ -150,7 +150,7 @@ def test_the_first_wrong_row_is_named_and_the_others_are_counted(tmp_path):
     for wrong in (2, 5):
         rows[wrong] = rows[wrong].replace("-20", "down")
     text = "\n".join([HEADER, *rows]) + "\n"
-    assert refusal_of_table(tmp_path, text, 8).endswith("'down' is no number; 1 more row is wrong")
+    assert refusal_of_table(tmp_path, text, 8).endswith("'down' is not a number; 1 more row is wrong")
     told = refusal_of_table(tmp_path / "b", text + "wrong too\n", 8)
     assert "sensors.csv:4:" in told and told.endswith("; 2 more rows are wrong")
 

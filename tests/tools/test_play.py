@@ -170,6 +170,51 @@ def test_an_interrupted_compress_leaves_nothing(long_match, tmp_path):
     assert list(tmp_path.iterdir()) == []
 
 
+def folders_of_matches(tmp):
+    return sorted(p for p in tmp.iterdir() if p.name.startswith("kelpie-play-"))
+
+
+def test_what_a_killed_match_left_is_removed_by_the_next_and_a_running_one_is_spared(tmp_path):
+    tmp = tmp_path / "tmp"
+    tmp.mkdir()
+    plays = [start_match(tmp_path / name, "--real-time", tmp=tmp) for name in ("killed", "running")]
+    while len(folders_of_matches(tmp)) < 2:
+        time.sleep(0.05)
+    for play in plays:
+        agent_of(play)  # both processes are there
+    plays[0].kill()
+    plays[0].communicate(timeout=20)
+    assert len(folders_of_matches(tmp)) == 2
+    (tmp_path / "next").mkdir()
+    (tmp_path / "next" / "match.mcap.part").write_bytes(b"half a log")
+    for folder in folders_of_matches(tmp):
+        os.utime(folder, (1e9, 1e9))  # nobody is that young
+    result = kelpie("play", "--seconds", "2", "--no-film", "--out", tmp_path / "next",
+                    env=dict(os.environ, TMPDIR=str(tmp)))
+    assert "no goal" in result.stdout, result.stderr
+    assert len(folders_of_matches(tmp)) == 1 and plays[1].poll() is None
+    plays[1].terminate()
+    plays[1].communicate(timeout=60)
+    assert not folders_of_matches(tmp)
+    assert not list((tmp_path / "next").glob("*.part*"))
+
+
+def test_frames_that_the_agent_never_got_are_counted_by_the_cameras_numbers(tmp_path):
+    result = kelpie("play", "--seconds", "6", "--seed", "3", "--drop-rate", "0.2", "--no-film",
+                    "--out", tmp_path)
+    log = tmp_path / "match.mcap"
+    frames = [json.loads(line) for line in
+              kelpie("replay", log, "--jsonl", "-").stdout.splitlines()]
+    dropped = [frame["dropped_frames"] for frame in frames]
+    assert dropped == sorted(dropped) and dropped[0] == 0, result.stderr
+    # 180 images in 6 s; those before the first and behind the last that came are nobody's loss.
+    assert 175 <= len(frames) + dropped[-1] <= 180 and 20 <= dropped[-1] <= 55
+    told = re.search(r"^(\d+) camera frames, (\d+) more dropped", kelpie("info", log).stdout, re.M)
+    assert [int(told[1]), int(told[2])] == [len(frames), dropped[-1]]
+    gaps = [(b["t_s"] - a["t_s"]) * 30 for a, b in zip(frames, frames[1:])]
+    assert [round(g) - 1 for g in gaps] == [b - a for a, b in zip(dropped, dropped[1:])]
+
+
 def test_a_folder_that_cannot_be_written_is_told_before_the_match(tmp_path):
     (tmp_path / "out").mkdir()
     (tmp_path / "out/match.mcap").mkdir()

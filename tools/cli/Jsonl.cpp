@@ -1,40 +1,52 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/cli/Jsonl.h"
 
-#include <array>
 #include <cmath>
 
+#include "tools/cli/FieldJson.h"
+#include "vision/Refusal.h"
+
 namespace kelpie::cli {
+
+template <>
+inline constexpr std::array<const char*, kLandmarkKindCount> kEnumNames<LandmarkKind> = {
+    "goal_blue", "goal_yellow", "beacon_bp", "beacon_pb", "beacon_yp", "beacon_py"};
+template <>
+inline constexpr std::array<const char*, 2> kEnumNames<TeamColour> = {"red", "blue"};
+template <>
+inline constexpr std::array<const char*, 3> kEnumNames<LinePointKind> = {"line", "border", "field"};
+
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-Json percept(const char* kind, double distance, Angle heading) {
-  return {{"kind", kind}, {"distance_cm", distance}, {"heading_deg", heading.deg()}};
+template <class T>
+void addPercept(const char* kind, const T& percept, Json& list) {
+  Json object = {{"kind", kind}};
+  object.update(fieldJson(percept));
+  list.push_back(std::move(object));
 }
 
+// One list of all objects: distance and heading first, as a reader looks for them.
 Json percepts(const Percepts& seen) {
   Json list = Json::array();
-  if (seen.ball.present) list.push_back(percept("ball", seen.ball.distance, seen.ball.heading));
-  for (const auto& landmark : seen.landmarks)
-    list.push_back(percept(landmarkName(landmark.kind), landmark.distance, landmark.heading));
+  if (seen.ball.present) addPercept("ball", seen.ball, list);
+  for (const auto& landmark : seen.landmarks) list.push_back(fieldJson(landmark));
+  for (const auto& robot : seen.robots) addPercept("robot", robot, list);
+  for (const auto& patch : seen.pinkPatches) addPercept("pink", patch, list);
   return list;
 }
 
-// Of each edge the rows of the image at its left and right border.
-Json fieldEdges(const Percepts& seen) {
-  Json list = Json::array();
-  for (const auto& edge : seen.fieldEdges)
-    list.push_back({{"left_px", edge.atLeft}, {"right_px", edge.atRight}});
-  return list;
+// What was refused and how often, by the reason's name.
+Json refusals(const VisionCounts& counts) {
+  Json object = Json::object();
+  for (std::size_t i = 0; i < vision::kRefusalCount; ++i)
+    if (counts.refused[i] > 0) object[vision::kRefusalNames[i]] = counts.refused[i];
+  return object;
 }
 
 Json pose(const WorldModel& world) {
-  return {{"x_cm", world.pose.position.x},
-          {"y_cm", world.pose.position.y},
-          {"heading_deg", world.pose.heading.deg()},
-          {"sd_cm", world.positionSd},
-          {"sd_deg", world.headingSd.deg()}};
+  return {{"x_cm", world.pose.position.x},           {"y_cm", world.pose.position.y},
+          {"heading_deg", world.pose.heading.deg()}, {"sd_cm", world.positionSd},
+          {"sd_deg", world.headingSd.deg()},         {"stuck", world.stuck}};
 }
 
 // Null until the ball has been seen, and again when it is given up.
@@ -47,25 +59,41 @@ Json ball(const BallEstimate& estimate) {
           {"y_cm", estimate.position.y},
           {"vx_cm_s", estimate.velocity.x},
           {"vy_cm_s", estimate.velocity.y},
-          {"sd_cm", std::sqrt(std::fmax(0.0, larger))}};
+          {"sd_cm", std::sqrt(std::fmax(0.0, larger))},
+          {"distance_cm", estimate.distance},
+          {"heading_deg", estimate.heading.deg()},
+          {"since_seen_s", estimate.secondsSinceSeen},
+          {"stopping_point", fieldJson(estimate.stoppingPoint)}};
 }
 
 }  // namespace
 
 const char* landmarkName(LandmarkKind kind) {
-  static constexpr std::array<const char*, kLandmarkKindCount> kNames = {
-      "goal_blue", "goal_yellow", "beacon_bp", "beacon_pb", "beacon_yp", "beacon_py"};
-  return kNames[static_cast<std::size_t>(kind)];
+  return kEnumNames<LandmarkKind>[static_cast<std::size_t>(kind)];
 }
 
 nlohmann::ordered_json frameObject(const FrameInput& input, const FrameOutput& output) {
+  const Percepts& seen = output.percepts;
+  const WorldModel& world = output.world;
   return {{"frame", input.frame},
           {"t_s", input.time.seconds()},
-          {"percepts", percepts(output.percepts)},
-          {"field_edges", fieldEdges(output.percepts)},
-          {"line_points", output.percepts.linePoints.size()},
-          {"pose", pose(output.world)},
-          {"ball", ball(output.world.ball)}};
+          {"dropped_frames", input.droppedFrames},
+          {"percepts", percepts(seen)},
+          {"gaps", fieldJson(seen.gaps)},
+          {"field_edge", fieldJson(seen.fieldEdges)},
+          {"line_points", fieldJson(seen.linePoints)},
+          {"obstacle_points", fieldJson(seen.obstacles)},
+          {"obstacles_ahead", seen.obstaclesAhead},
+          {"refused", refusals(seen.counts)},
+          {"pose", pose(world)},
+          {"modes", fieldJson(world.modes)},
+          {"ball", ball(world.ball)},
+          {"team_ball", fieldJson(world.teamBall)},
+          {"opponents", fieldJson(world.opponents)},
+          {"teammates", fieldJson(world.teammates)},
+          {"obstacles", fieldJson(world.obstacles)},
+          {"pink_map", fieldJson(world.pinkMap)},
+          {"command", fieldJson(output.command)}};
 }
 
 }  // namespace kelpie::cli

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// One JSON object a frame: what was seen and what is believed, in centimetres and degrees.
+// One JSON object a frame: what was seen, refused and believed, and what was decided, in
+// centimetres, degrees and seconds. docs/logs.md lists the keys.
 #pragma once
 
 #include <nlohmann/json.hpp>
