@@ -6,19 +6,11 @@
 #include <memory>
 #include <string>
 
+#include "behaviour/BehaviourIn.h"
 #include "behaviour/BehaviourParams.h"
 #include "robot/core/Command.h"
-#include "robot/core/FrameInput.h"
-#include "robot/core/Percepts.h"
-#include "robot/core/WorldModel.h"
 
 namespace kelpie::behaviour {
-
-struct BehaviourIn {
-  const FrameInput& input;
-  const Percepts& percepts;
-  const WorldModel& world;
-};
 
 class PythonHost;  // the only owner of Python objects
 

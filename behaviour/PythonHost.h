@@ -7,11 +7,13 @@
 #include <set>
 #include <string>
 
-#include "behaviour/Behaviour.h"
+#include "behaviour/BehaviourIn.h"
+#include "behaviour/BehaviourParams.h"
 #include "behaviour/Interpreter.h"
 #include "behaviour/Sources.h"
 #include "behaviour/ViewTypes.h"
 #include "behaviour/WorldFrame.h"
+#include "robot/core/Command.h"
 
 namespace kelpie::behaviour {
 

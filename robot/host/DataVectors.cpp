@@ -6,6 +6,7 @@
 
 #include "robot/core/Random.h"
 #include "robot/host/RobotPrimitives.h"
+#include "robot/host/VectorLayout.h"
 
 namespace kelpie::host {
 namespace {

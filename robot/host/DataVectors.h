@@ -3,7 +3,6 @@
 // an object sends. All in the layouts of OPENR/ODataFormats.h.
 #pragma once
 
-#include <OPENR/ODataFormats.h>
 #include <OPENR/RCRegion.h>
 
 #include <string>
@@ -15,28 +14,6 @@
 namespace kelpie::host {
 
 class RobotPrimitives;
-
-template <class Info>
-std::size_t vectorBytes(std::size_t count, std::size_t dataBytes) {
-  return sizeof(ODataVectorInfo) + count * (sizeof(Info) + dataBytes);
-}
-
-// Fills the header, and where the data of each info are. The memory is zero before.
-template <class Info, class Data>
-void layOut(ODataVector<Info, Data>& vector, ODataType type, std::size_t count,
-            std::size_t dataBytes) {
-  ODataVectorInfo& header = vector.vectorInfo;
-  header.type = type;
-  header.totalSize = static_cast<longword>(vectorBytes<Info>(count, dataBytes));
-  header.infoOffset = sizeof(ODataVectorInfo);
-  header.infoSize = sizeof(Info);
-  header.maxNumData = static_cast<longword>(count);
-  const std::size_t dataStart = sizeof(ODataVectorInfo) + count * sizeof(Info);
-  for (std::size_t i = 0; i < count; ++i) {
-    vector.GetInfo(i)->dataOffset = static_cast<longword>(dataStart + i * dataBytes);
-    vector.GetInfo(i)->dataSize = static_cast<longword>(dataBytes);
-  }
-}
 
 // Joints and sensors in an order that only the seed knows (0: the order of the tables), as the
 // robot's is not documented either.

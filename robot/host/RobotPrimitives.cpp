@@ -6,7 +6,7 @@
 #include <cstring>
 
 #include "robot/body/Ers7.h"
-#include "robot/host/DataVectors.h"
+#include "robot/host/VectorLayout.h"
 
 namespace kelpie::host {
 namespace {

@@ -9,7 +9,7 @@
 namespace kelpie::host {
 namespace {
 
-// Values out of range are the sensors' business (they saturate); not a number is the world's fault.
+// Values out of range are for the sensors to saturate; NaN and infinity are errors of the world.
 bool isFinite(const SensorFrame& frame) {
   bool good = std::isfinite(frame.headNearDistance) && std::isfinite(frame.headFarDistance) &&
               std::isfinite(frame.chestDistance) && std::isfinite(frame.headTouch);
@@ -32,47 +32,46 @@ Expected<WorldSource> WorldSource::connect(const std::string& path, const AgentH
 Expected<WorldSource> WorldSource::join(Connection connection, const AgentHello& hello) {
   WorldSource source(std::move(connection));
   const Status sent = sendMessage(source.connection_, MessageType::hello, hello, source.body_);
-  if (!sent) return source.complaint(sent.error());
+  if (!sent) return source.error(sent.error());
   return source;
 }
 
 Expected<bool> WorldSource::next(WorldEvent& event) {
   const Expected<MessageType> type = connection_.receive(body_);
-  if (!type) return complaint(type.error());
+  if (!type) return error(type.error());
   if (*type == MessageType::step) return readStep(event);
   if (*type != MessageType::goodbye) {
-    return complaint(std::string(messageName(*type)) +
-                     " message where step or goodbye was expected");
+    return error(std::string(messageName(*type)) + " message where step or goodbye was expected");
   }
   Goodbye goodbye;
   const Status read = readBody(*type, body_, goodbye);
-  if (!read) return complaint(read.error());
+  if (!read) return error(read.error());
   return false;
 }
 
 Expected<bool> WorldSource::readStep(WorldEvent& event) {
   const Status read = readBody(MessageType::step, body_, event.step);
-  if (!read) return complaint(read.error());
-  if (event.step.time < time_) return complaint("the time of a step runs backwards");
+  if (!read) return error(read.error());
+  if (event.step.time < time_) return error("the time of a step runs backwards");
   time_ = event.step.time;
   for (const SensorFrame& frame : event.step.sensors) {
-    if (!isFinite(frame)) return complaint("a sensor value of a step is not a number");
+    if (!isFinite(frame)) return error("a sensor value of a step is not finite");
   }
   if (!std::isfinite(event.step.batteryCurrent))
-    return complaint("the battery's current is not a number");
+    return error("the battery's current is not finite");
   if (!event.step.imagePresent) return true;
   const Status image = receiveMessage(connection_, MessageType::image, event.image, body_);
-  if (!image) return complaint(image.error());
+  if (!image) return error(image.error());
   return true;
 }
 
 Status WorldSource::reply(const AgentReply& reply) {
   const Status sent = sendMessage(connection_, MessageType::reply, reply, body_);
-  if (!sent) return complaint(sent.error());
+  if (!sent) return error(sent.error());
   return Done{};
 }
 
-Error WorldSource::complaint(const std::string& what) const {
+Error WorldSource::error(const std::string& what) const {
   char time[32];
   std::snprintf(time, sizeof time, " at %.3f s", time_.seconds());
   return {"world socket: " + what + time};

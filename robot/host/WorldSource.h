@@ -26,7 +26,7 @@ class WorldSource : public Source {
  private:
   explicit WorldSource(Connection connection) : connection_(std::move(connection)) {}
   Expected<bool> readStep(WorldEvent& event);
-  Error complaint(const std::string& what) const;
+  Error error(const std::string& what) const;
 
   Connection connection_;
   std::vector<std::uint8_t> body_;  // of the message at hand; its memory is used again

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the behaviours see of one frame.
+#pragma once
+
+#include "robot/core/FrameInput.h"
+#include "robot/core/Percepts.h"
+#include "robot/core/WorldModel.h"
+
+namespace kelpie::behaviour {
+
+struct BehaviourIn {
+  const FrameInput& input;
+  const Percepts& percepts;
+  const WorldModel& world;
+};
+
+}  // namespace kelpie::behaviour
