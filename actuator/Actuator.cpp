@@ -29,7 +29,7 @@ void begin(const MotionInput& in, ActuatorState& state) {
   state.target = state.rampFrom;
 }
 
-// A motion starts when it is asked for anew, between two steps, when all feet are down.
+// A motion starts when it is newly requested, between two steps, when all feet are down.
 void startMotion(const Command& command, const ActuatorParams& params, ActuatorState& state) {
   const bool asked = command.motion != MotionKind::none;
   if (!asked) state.motion.answered = false;
@@ -62,44 +62,44 @@ void stepLegs(const Command& command, const ActuatorParams& params, ActuatorStat
     stepGait(command.walk, params, state.gait);
 }
 
-JointAngles wished(const Command& command, const ActuatorParams& params,
-                   const ActuatorState& state) {
-  JointAngles wish = headWish(command.head, state.target, params);
-  legsForFeet(state.gait, params.stance, wish);
-  wish[Joint::mouth] = Angle::deg(command.mouthOpen ? kMouthOpen : kMouthClosed);
-  wish[Joint::tailTilt] = Angle::deg(kTailRest);
-  return wish;
+JointAngles targetsOf(const Command& command, const ActuatorParams& params,
+                      const ActuatorState& state) {
+  JointAngles target = headTarget(command.head, state.target, params);
+  legsForFeet(state.gait, params.stance, target);
+  target[Joint::mouth] = Angle::deg(command.mouthOpen ? kMouthOpen : kMouthClosed);
+  target[Joint::tailTilt] = Angle::deg(kTailRest);
+  return target;
 }
 
 // From the sensed pose to the stance along a straight line in joint space.
-JointAngles ramped(const JointAngles& wish, const ActuatorParams& params, ActuatorState& state) {
+JointAngles ramped(const JointAngles& target, const ActuatorParams& params, ActuatorState& state) {
   const std::uint32_t all = rampTicks(params);
-  if (state.rampTick >= all) return wish;
+  if (state.rampTick >= all) return target;
   const double share = static_cast<double>(++state.rampTick) / static_cast<double>(all);
-  JointAngles between = wish;
+  JointAngles between = target;
   for (std::size_t j = 0; j < kJointCount; ++j) {
     const Angle from = state.rampFrom.angle[j];
-    between.angle[j] = from + (wish.angle[j] - from) * share;
+    between.angle[j] = from + (target.angle[j] - from) * share;
   }
   return between;
 }
 
 // The one clamp that every joint passes: soft limits, and a limited change per tick.
-void guard(const JointAngles& wish, const ActuatorParams& params, ActuatorState& state) {
-  const JointAngles limited = body::withinLimits(wish);
+void guard(const JointAngles& target, const ActuatorParams& params, ActuatorState& state) {
+  const JointAngles limited = body::withinLimits(target);
   const bool motion = motionRunning(state);
   for (std::size_t j = 0; j < kJointCount; ++j) {
     const bool leg = j >= index(Joint::leftFrontRotator) && j <= index(Joint::rightHindKnee);
-    const double most = (!leg     ? params.headSlew
-                         : motion ? params.motionSlew
-                                  : params.walkSlew)
-                            .rad();
+    const double maxStep = (!leg     ? params.headSlew
+                            : motion ? params.motionSlew
+                                     : params.walkSlew)
+                               .rad();
     const double step = (limited.angle[j] - state.target.angle[j]).rad();
     if (!std::isfinite(step)) continue;
     state.target.angle[j] =
-        std::fabs(step) <= most
+        std::fabs(step) <= maxStep
             ? limited.angle[j]
-            : Angle::rad(state.target.angle[j].rad() + (step > 0 ? most : -most));
+            : Angle::rad(state.target.angle[j].rad() + (step > 0 ? maxStep : -maxStep));
   }
 }
 
@@ -118,7 +118,7 @@ void tick(const Command& command, const ActuatorParams& params, ActuatorState& s
     stepLegs(command, params, state);
   else
     stepGait({}, params, state.gait);
-  guard(ramped(wished(command, params, state), params, state), params, state);
+  guard(ramped(targetsOf(command, params, state), params, state), params, state);
   record(state);
   // A motion ends at rest: what its last tick leaves of speed would cost two half steps.
   if (moving && !motionRunning(state)) state.gait.velocity = {};

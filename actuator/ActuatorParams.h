@@ -100,7 +100,7 @@ struct KickParams {
   double leanBack = 3.0;
   double pushAhead = 6.0;  // beyond the place where it began
   std::uint32_t leanTicks = 18;
-  std::uint32_t pushTicks = 9;  // 9 cm in 72 ms from rest: 2.5 m/s wished, servos give half
+  std::uint32_t pushTicks = 9;  // 9 cm in 72 ms from rest: 2.5 m/s commanded, servos give half
   std::uint32_t holdTicks = 8;
   std::uint32_t returnTicks = 22;
 

@@ -31,18 +31,18 @@ double stanceSeconds(const GaitParams& gait) {
 }
 
 // Share of the request that no foot's ground stroke is too long for.
-double affordable(const Velocity& wish, const ActuatorParams& params) {
+double affordable(const Velocity& target, const ActuatorParams& params) {
   double longest = 0.0;
   for (std::size_t leg = 0; leg < kLegCount; ++leg) {
     const Point3<Robot> home = footHome(static_cast<LegId>(leg), params.stance);
-    longest = std::fmax(longest, groundVelocity(wish, {home.x, home.y}).norm());
+    longest = std::fmax(longest, groundVelocity(target, {home.x, home.y}).norm());
   }
   const double stroke = longest * stanceSeconds(params.gait);
   return stroke > params.gait.maxStroke ? params.gait.maxStroke / stroke : 1.0;
 }
 
-double approach(double now, double wish, double most) {
-  return now + maths::clamp(wish - now, -most, most);
+double approach(double now, double target, double most) {
+  return now + maths::clamp(target - now, -most, most);
 }
 
 // How far a leg's swing has come, 0..1; negative while it is on the ground.
@@ -117,14 +117,14 @@ Point3<Robot> footHome(LegId leg, const StanceParams& stance) {
 }
 
 Velocity slewed(const Velocity& now, const WalkRequest& request, const ActuatorParams& params) {
-  const Velocity wish{maths::clamp(finite(request.forward), -30.0, 42.0),
-                      maths::clamp(finite(request.left), -20.0, 20.0),
-                      maths::clamp(finite(request.turn), -3.8, 3.8)};
-  const double share = affordable(wish, params);
+  const Velocity target{maths::clamp(finite(request.forward), -30.0, 42.0),
+                        maths::clamp(finite(request.left), -20.0, 20.0),
+                        maths::clamp(finite(request.turn), -3.8, 3.8)};
+  const double share = affordable(target, params);
   const double most = params.gait.acceleration * kTick;
-  return {approach(now.forward, share * wish.forward, most),
-          approach(now.left, share * wish.left, most),
-          approach(now.turn, share * wish.turn, params.gait.turnAcceleration * kTick)};
+  return {approach(now.forward, share * target.forward, most),
+          approach(now.left, share * target.left, most),
+          approach(now.turn, share * target.turn, params.gait.turnAcceleration * kTick)};
 }
 
 void stepGait(const WalkRequest& request, const ActuatorParams& params, GaitState& state) {

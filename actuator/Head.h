@@ -10,7 +10,7 @@
 namespace kelpie::actuator {
 
 // The joints of `now` with the head moved on by at most one tick of the requested speed.
-JointAngles headWish(const HeadRequest& request, const JointAngles& now,
-                     const ActuatorParams& params);
+JointAngles headTarget(const HeadRequest& request, const JointAngles& now,
+                       const ActuatorParams& params);
 
 }  // namespace kelpie::actuator

@@ -42,7 +42,8 @@ Point3<Robot> rayThrough(const CameraPose& camera, PixelPoint pixel);
 std::optional<Point2<Robot>> groundPoint(const CameraPose& camera, PixelPoint pixel,
                                          double height = 0.0);
 
-// The same for many pixels. Points that do not meet the plane are left with valid[i] = false.
+// Ground points of many pixels at once. Those that do not meet the plane are left with valid[i] =
+// false.
 void groundPoints(const CameraPose& camera, const PixelPoint* pixels, std::size_t count,
                   Point2<Robot>* points, bool* valid, double height = 0.0);
 

@@ -23,7 +23,7 @@ struct LogIndex {
   // Adds the chunk of a ChunkIndex record; false if it cannot be in the first `limit` bytes.
   bool add(mcap::ContentReader content, std::uint64_t limit);
   void sort();
-  // Of the first chunk with a message of that time or later, or the end.
+  // Offset of the first chunk with a message of that time or later, or of the end of the log.
   std::uint64_t placeOf(TimeUs time) const;
 };
 

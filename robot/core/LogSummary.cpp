@@ -72,7 +72,7 @@ std::vector<std::uint8_t> LogSummary::end(std::uint64_t offset) const {
   record.number(static_cast<std::uint64_t>(offset + offsetsStart));
   record.number(std::uint32_t{0});
   record.end();
-  // Of all from the summary's start to this number, the head of the footer included.
+  // The checksum covers the summary and the head of the footer, up to this number.
   const std::size_t covered = out.size() - sizeof(std::uint32_t);
   const std::uint32_t checksum = mcap::crc32(out.data() + start, covered - start);
   std::memcpy(out.data() + covered, &checksum, sizeof checksum);

@@ -25,7 +25,7 @@ struct ObstacleSector {
   }
 };
 
-// The way through nearest to the one that was wished for.
+// The gap nearest to the requested heading.
 struct ObstacleGap {
   bool present = false;
   Angle heading;

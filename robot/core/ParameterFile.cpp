@@ -37,11 +37,11 @@ class FileReader {
       } else if (!isSection(path)) {
         const bool section = node.is_table() || node.is_array_of_tables();
         const std::size_t line = section ? node.source().begin.line : key.source().begin.line;
-        complain(line, section ? "unknown section [" + path + ']' : "unknown key " + path);
+        report(line, section ? "unknown section [" + path + ']' : "unknown key " + path);
       } else if (const toml::table* inner = node.as_table()) {
         takeTable(*inner, path + '.');
       } else {
-        complain(key.source().begin.line, path + " is a section, not a key");
+        report(key.source().begin.line, path + " is a section, not a key");
       }
     }
   }
@@ -65,7 +65,7 @@ class FileReader {
     const Parameter& parameter = parameters_[index];
     const std::size_t line = node.source().begin.line;
     if (parameter.kind == Kind::list) {
-      return complain(line, parameter.key + ": a list that no parameter file can set");
+      return report(line, parameter.key + ": a list that no parameter file can set");
     }
     Assignment assignment{index, {}, line};
     if (!parameter.isSequence) {
@@ -80,13 +80,13 @@ class FileReader {
     const toml::array* items = node.as_array();
     const std::size_t line = node.source().begin.line;
     if (items == nullptr) {
-      complain(line, parameter.key + ": takes an array");
+      report(line, parameter.key + ": takes an array");
       return false;
     }
     if (items->size() < parameter.minCount || items->size() > parameter.maxCount) {
       const bool fixed = parameter.minCount == parameter.maxCount;
-      complain(line, parameter.key + ": " + std::to_string(items->size()) + " elements, expected " +
-                         (fixed ? "" : "at most ") + std::to_string(parameter.maxCount));
+      report(line, parameter.key + ": " + std::to_string(items->size()) + " elements, expected " +
+                       (fixed ? "" : "at most ") + std::to_string(parameter.maxCount));
       return false;
     }
     for (const toml::node& item : *items) values.push_back(scalar(parameter, item));
@@ -96,7 +96,7 @@ class FileReader {
   double scalar(const Parameter& parameter, const toml::node& node) {
     const Expected<double> value = scalarOf(parameter, node);
     if (value) return *value;
-    complain(node.source().begin.line, value.error());
+    report(node.source().begin.line, value.error());
     return 0.0;
   }
 
@@ -117,7 +117,7 @@ class FileReader {
     return node.is_array() ? "an array" : "a date";
   }
 
-  void complain(std::size_t line, const std::string& what) { complaints_.emplace(line, what); }
+  void report(std::size_t line, const std::string& what) { complaints_.emplace(line, what); }
 
   const std::vector<Parameter>& parameters_;
   std::vector<Assignment> assignments_;

@@ -49,7 +49,7 @@ class ParameterSet {
   // Sets one parameter that is a single number or yes or no, from the program.
   Status assign(const std::string& key, double number);
   std::vector<ParameterChange> changes() const;
-  // Of all names, units, ranges and values: equal hashes, equal parameters.
+  // Hash of all names, units, ranges and values: equal hashes, equal parameters.
   std::uint64_t hash() const;
 
  private:

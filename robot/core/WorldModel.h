@@ -99,7 +99,7 @@ struct WorldModel {
   BallEstimate ball;
   TeamBall teamBall;
   FixedVector<OpponentEstimate, kOpponents> opponents;  // those known of, in no order
-  FixedVector<TeammateEstimate, kTeammates> teammates;  // those heard of lately
+  FixedVector<TeammateEstimate, kTeammates> teammates;  // heard within the last seconds
   ObstacleEstimate obstacles;
   FixedVector<PinkLandmark, kMaxPinks> pinkMap;  // in the order of their discovery
   TeamMessage message;  // for the team, when its number differs from the last

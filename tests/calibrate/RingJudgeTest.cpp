@@ -12,7 +12,7 @@ using vision::ringModel2006;
 
 TEST(RingJudge, TheTrueTableMakesSheetsEvenAndNoneLeavesThemUneven) {
   const auto verdict =
-      judge(sheetsOf(allPapers(), ringModel2006()), buildRingTable(ringModel2006()));
+      compareUnevenness(sheetsOf(allPapers(), ringModel2006()), buildRingTable(ringModel2006()));
   for (std::size_t c = 0; c < 3; ++c) {
     EXPECT_LT(verdict.learnt[c], 0.35);
     EXPECT_EQ(verdict.learnt[c], verdict.published[c]);
@@ -22,7 +22,8 @@ TEST(RingJudge, TheTrueTableMakesSheetsEvenAndNoneLeavesThemUneven) {
 }
 
 TEST(RingJudge, ATableForAnotherCameraIsWorseThanNone) {
-  const auto verdict = judge(sheetsOf(allPapers(), {}), buildRingTable(ringModel2006()));
+  const auto verdict =
+      compareUnevenness(sheetsOf(allPapers(), {}), buildRingTable(ringModel2006()));
   for (std::size_t c = 0; c < 3; ++c) {
     EXPECT_LT(verdict.none[c], 0.2);
     EXPECT_TRUE(isWorse(verdict, c));

@@ -150,7 +150,8 @@ def test_the_first_wrong_row_is_named_and_the_others_are_counted(tmp_path):
     for wrong in (2, 5):
         rows[wrong] = rows[wrong].replace("-20", "down")
     text = "\n".join([HEADER, *rows]) + "\n"
-    assert refusal_of_table(tmp_path, text, 8).endswith("'down' is not a number; 1 more row is wrong")
+    told = refusal_of_table(tmp_path, text, 8)
+    assert told.endswith("'down' is not a number; 1 more row is wrong")
     told = refusal_of_table(tmp_path / "b", text + "wrong too\n", 8)
     assert "sensors.csv:4:" in told and told.endswith("; 2 more rows are wrong")
 

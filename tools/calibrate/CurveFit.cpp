@@ -124,7 +124,7 @@ Eigen::VectorXd regress(const Design& design, const std::vector<CurveExample>& e
   return theta;
 }
 
-// Moves what a curve is in the mean of the negative examples into the prior.
+// Moves each curve.s average over the negative examples into the prior.
 void centre(const std::vector<CurveExample>& examples, CurveFit& fit) {
   for (std::size_t k = 0; k < fit.curves.size(); ++k) {
     double sum = 0.0;

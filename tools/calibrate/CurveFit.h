@@ -23,7 +23,7 @@ struct FittedCurve {
   double operator()(double value) const;
 };
 
-// The curves are 0 in the mean of the negative examples.
+// Each curve averages 0 over the negative examples.
 struct CurveFit {
   double prior = 0.0;
   std::vector<FittedCurve> curves;  // one for each fact

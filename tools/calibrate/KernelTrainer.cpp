@@ -79,8 +79,8 @@ void forBump(const Axes& axes, const KernelParams& params, Yuv p, double wide, A
     }
 }
 
-// Of all pixels together, at each one's own colour: in cells of two levels, because in the table's
-// own the widths would follow its steps.
+// The density of all pixels together, at each one's own colour. Its cells are two levels wide: in
+// the table's own cells the widths would follow the table's steps.
 std::vector<double> densityAtPixels(const LabelledPixels& pixels, const KernelParams& params) {
   const Axes fine({7, 7, 7});
   std::vector<double> density(fine.cells(), 0.0);

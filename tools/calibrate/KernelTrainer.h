@@ -43,7 +43,7 @@ GridTable trainTable(const LabelledPixels& pixels, const KernelParams& params,
 // The default parameters, or those of a fixed set that fourfold cross-validation finds clearly
 // better.
 KernelParams chooseKernel(const LabelledPixels& pixels, const TableBits& bits, Random& random);
-// Of a grid with the robot's bits.
+// The colour table of a grid that has the robot's bits.
 vision::ColourTable robotTable(const GridTable& grid);
 
 // [labelled][found] in pixels.

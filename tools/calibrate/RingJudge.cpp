@@ -10,7 +10,7 @@ namespace {
 constexpr double kClearlyWorse = 0.2;  // grey levels; twice the noise of the figures
 constexpr Centre kImageCentre = {kImageWidth / 2.0, kImageHeight / 2.0};
 
-// Of one sheet and one channel; nothing when it is too small to fill a ring.
+// The unevenness of one sheet in one channel; nothing when it is too small to fill a ring.
 double unevennessOf(const Sheet& sheet, std::size_t channel, const vision::RingTable& table,
                     const vision::RingDistances& distances) {
   std::vector<double> values;
@@ -43,7 +43,7 @@ Levels unevenness(const std::vector<Sheet>& sheets, const vision::RingTable& tab
   return levels;
 }
 
-RingVerdict judge(const std::vector<Sheet>& sheets, const vision::RingTable& learnt) {
+RingVerdict compareUnevenness(const std::vector<Sheet>& sheets, const vision::RingTable& learnt) {
   return {unevenness(sheets, learnt),
           unevenness(sheets, vision::buildRingTable(vision::ringModel2006())),
           unevenness(sheets, vision::buildRingTable({}))};

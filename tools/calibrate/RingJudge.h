@@ -23,7 +23,7 @@ struct RingVerdict {
   Levels published{};  // the polynomial of 2006
   Levels none{};       // no correction
 };
-RingVerdict judge(const std::vector<Sheet>& sheets, const vision::RingTable& learnt);
+RingVerdict compareUnevenness(const std::vector<Sheet>& sheets, const vision::RingTable& learnt);
 // Less even than another table by more than noise could make it, in this channel.
 bool isWorse(const RingVerdict& verdict, std::size_t channel);
 

@@ -13,8 +13,8 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-constexpr double kFar = 132.0;      // px; distances enter as shares of it
-constexpr double kTypical = 100.0;  // grey level at which a gain's coefficient counts one for one
+constexpr double kFarthest = 132.0;  // px; distances enter as shares of it
+constexpr double kTypical = 100.0;   // grey level at which a gain's coefficient counts one for one
 constexpr Index kCoefficients = 6;
 constexpr int kHuberRounds = 4;
 constexpr int kTukeyRounds = 6;
@@ -26,7 +26,7 @@ constexpr std::size_t kFewestPixels = 200;
 constexpr std::array<const char*, 3> kChannels = {"Y", "Cr", "Cb"};
 
 struct Observation {
-  double t = 0.0;  // distance over kFar
+  double t = 0.0;  // distance over kFarthest
   double value = 0.0;
   Index sheet = 0;
 };
@@ -47,7 +47,7 @@ Observations observe(const std::vector<Sheet>& sheets, std::size_t channel, cons
   for (std::size_t s = 0; s < sheets.size(); ++s)
     for (std::size_t i = 0; i < sheets[s].pixels.size(); i += every) {
       const SheetPixel& pixel = sheets[s].pixels[i];
-      out.push_back({distanceTo(centre, pixel) / kFar,
+      out.push_back({distanceTo(centre, pixel) / kFarthest,
                      static_cast<double>(channelOf(pixel.value, channel)), static_cast<Index>(s)});
     }
   return out;
@@ -86,7 +86,7 @@ void addPrior(Normal& normal, const VectorXd& p, std::size_t channel, double wei
   for (const double value : {40.0, 120.0, 200.0})
     for (const double t : {0.25, 0.5, 0.75, 1.0}) {
       const double error =
-          gainOf(p, t) * value + offsetOf(p, t) - ringDistort(published, value, t * kFar);
+          gainOf(p, t) * value + offsetOf(p, t) - ringDistort(published, value, t * kFarthest);
       normal.add(p, t, value, -1, error, weight / 12.0);
     }
 }
@@ -204,10 +204,10 @@ Centre findCentre(const std::vector<Sheet>& sheets, std::size_t channel, double 
 }
 
 vision::RingChannel coefficients(const VectorXd& p) {
-  const double far2 = kFar * kFar;
-  const double far3 = far2 * kFar;
-  return {p[0] / kTypical / far3, p[1] / far3, p[2] / kTypical / far2, p[3] / far2,
-          p[4] / kTypical / kFar, p[5] / kFar};
+  const double far2 = kFarthest * kFarthest;
+  const double far3 = far2 * kFarthest;
+  return {p[0] / kTypical / far3,      p[1] / far3,     p[2] / kTypical / far2, p[3] / far2,
+          p[4] / kTypical / kFarthest, p[5] / kFarthest};
 }
 
 double weightedRms(const std::vector<double>& errors, const std::vector<double>& weights) {

@@ -11,16 +11,20 @@ namespace kelpie::calibrate {
 namespace {
 
 constexpr std::size_t kEvery = 8;
-constexpr double kFar = 132.0;
+constexpr double kFarthest = 132.0;
 constexpr double kTypical = 100.0;
 constexpr int kEvaluations = 6000;
 constexpr int kStarts = 4;  // afresh from where the last one ended: a simplex may collapse early
 
 // The simplex walks in grey levels: what each term adds to a value of 100 at distance 132.
 vision::RingChannel channelAt(const double* x) {
-  const double far2 = kFar * kFar;
-  return {x[0] / kTypical / far2 / kFar, x[1] / far2 / kFar, x[2] / kTypical / far2, x[3] / far2,
-          x[4] / kTypical / kFar,        x[5] / kFar};
+  const double far2 = kFarthest * kFarthest;
+  return {x[0] / kTypical / far2 / kFarthest,
+          x[1] / far2 / kFarthest,
+          x[2] / kTypical / far2,
+          x[3] / far2,
+          x[4] / kTypical / kFarthest,
+          x[5] / kFarthest};
 }
 
 double cost(unsigned /*count*/, const double* x, double* /*gradient*/, void* data) {

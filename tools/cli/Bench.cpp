@@ -70,17 +70,17 @@ int bench(const BenchOptions& options) {
   agent::ReplayOptions request;
   request.scripts = options.pycode;
   if (sameFile(options.log, options.json))
-    return complain(options.json + ": is the log itself", kBadInput);
-  if (!canWrite(options.json)) return complain(options.json + ": cannot be written", kBadInput);
+    return fail(options.json + ": is the log itself", kExitBadInput);
+  if (!canWrite(options.json)) return fail(options.json + ": cannot be written", kExitBadInput);
   const auto result = agent::replay(options.log, request, watch);
-  if (!result) return complain(result.error(), kBadInput);
+  if (!result) return fail(result.error(), kExitBadInput);
   if (!writeWhole(options.json, watch.figures().dump(2) + "\n"))
-    return complain(options.json + ": cannot be written", kBadInput);
+    return fail(options.json + ": cannot be written", kExitBadInput);
   if (result->truncated)
-    return complain(
+    return fail(
         fmt::format("{}: cut off at byte {}; measured up to there", options.log, result->offset),
-        kBadInput);
-  return kDone;
+        kExitBadInput);
+  return kExitDone;
 }
 
 }  // namespace

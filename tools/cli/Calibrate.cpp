@@ -15,16 +15,16 @@ namespace {
 
 int show(const std::string& path) {
   const auto bytes = vision::readBytes(path);
-  if (!bytes) return complain(bytes.error(), kBadInput);
+  if (!bytes) return fail(bytes.error(), kExitBadInput);
   auto file =
       vision::parseTableFile(path, *bytes, vision::TableKind::colour, sizeof(vision::ColourTable));
   const bool isColour = file.ok();
   if (!isColour)
     file = vision::parseTableFile(path, *bytes, vision::TableKind::ring, vision::kRingFileBytes);
-  if (!file) return complain(file.error(), kBadInput);
+  if (!file) return fail(file.error(), kExitBadInput);
   fmt::print("{}: {} table, {} bytes, {}\n", path, isColour ? "colour" : "ring", file->data.size(),
              file->provenance);
-  return kDone;
+  return kExitDone;
 }
 
 }  // namespace

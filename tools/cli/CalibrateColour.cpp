@@ -127,23 +127,23 @@ Status checkUse(const CLI::App& colour, const std::string& input) {
 int calibrateColour(const ColourOptions& options) {
   for (const auto& path : {options.out, options.picture}) {
     const Status target = checkTarget(path, options.input);
-    if (!target) return complain(target.error(), kBadInput);
+    if (!target) return fail(target.error(), kExitBadInput);
   }
   std::string provenance = "kelpie calibrate colour from " + options.input;
   const auto table = makeTable(options, provenance);
-  if (!table) return complain(table.error(), kBadInput);
+  if (!table) return fail(table.error(), kExitBadInput);
   if (!options.note.empty()) provenance += "; " + options.note;
   // The picture first: a command that fails leaves an earlier table as it was.
   if (!options.picture.empty()) {
     const Status drawn = calibrate::writeTablePicture(*table, options.picture);
-    if (!drawn) return complain(drawn.error(), kBadInput);
+    if (!drawn) return fail(drawn.error(), kExitBadInput);
     fmt::print("{}\n", options.picture);
   }
   const std::string part = options.out + ".part";
   const Status saved = putInPlace(saveColourTable(*table, part, provenance), part, options.out);
-  if (!saved) return complain(saved.error(), kBadInput);
+  if (!saved) return fail(saved.error(), kExitBadInput);
   fmt::print("{}\n", options.out);
-  return kDone;
+  return kExitDone;
 }
 
 }  // namespace
@@ -168,7 +168,7 @@ void addCalibrateColour(CLI::App& command, int& code) {
   colour->footer(help());
   colour->callback([options, colour, &code] {
     const Status used = checkUse(*colour, options->input);
-    code = used ? calibrateColour(*options) : complain(used.error(), kBadInput);
+    code = used ? calibrateColour(*options) : fail(used.error(), kExitBadInput);
   });
 }
 

@@ -105,9 +105,9 @@ std::string compare(const calibrate::RingVerdict& verdict) {
     if (isWorse(verdict, c)) worse.push_back(c);
   if (worse.empty()) return "";
   const std::string told = "less even than before through this table: " + listed(verdict, worse);
-  complain("warning: the sheets look " + told +
-               "; it is written all the same: try more sheets, even and of more colours",
-           kDone);
+  fail("warning: the sheets look " + told +
+           "; it is written all the same: try more sheets, even and of more colours",
+       kExitDone);
   return "; " + told;
 }
 
@@ -123,28 +123,28 @@ Expected<vision::RingTable> makeTable(const RingOptions& options, const vision::
   report(*fit);
   provenance += fmt::format("; {} sheets", fit->used.size());
   for (std::size_t c = 0; c < 3; ++c) provenance += "; " + describeChannel(*fit, c);
-  provenance += compare(calibrate::judge(fit->used, buildRingTable(fit->model)));
+  provenance += compare(calibrate::compareUnevenness(fit->used, buildRingTable(fit->model)));
   return buildRingTable(fit->model, shift);
 }
 
 int calibrateRing(const RingOptions& options) {
   for (const auto& input : {options.input, options.shift.samples}) {
     const Status target = checkTarget(options.out, input);
-    if (!target) return complain(target.error(), kBadInput);
+    if (!target) return fail(target.error(), kExitBadInput);
   }
   const auto shift = chosenShift(options.shift);
-  if (!shift) return complain(shift.error(), kBadInput);
+  if (!shift) return fail(shift.error(), kExitBadInput);
   std::string provenance = "kelpie calibrate ring from " + options.input;
   const auto table = makeTable(options, *shift, provenance);
-  if (!table) return complain(table.error(), kBadInput);
+  if (!table) return fail(table.error(), kExitBadInput);
   if (!options.shift.samples.empty())
     provenance += "; shift of " + options.shift.robot + " from " + options.shift.samples;
   if (!options.note.empty()) provenance += "; " + options.note;
   const std::string part = options.out + ".part";
   const Status saved = putInPlace(saveRingTable(*table, part, provenance), part, options.out);
-  if (!saved) return complain(saved.error(), kBadInput);
+  if (!saved) return fail(saved.error(), kExitBadInput);
   fmt::print("{}\n", options.out);
-  return kDone;
+  return kExitDone;
 }
 
 }  // namespace
@@ -170,8 +170,8 @@ void addCalibrateRing(CLI::App& command, int& code) {
   ring->footer(kHelp);
   ring->callback([options, ring, &code] {
     const bool idle = isTable(options->input) && ring->count("--surface") + ring->count("--prior");
-    code = idle ? complain(options->input + ": is a table: --surface and --prior are for images",
-                           kBadInput)
+    code = idle ? fail(options->input + ": is a table: --surface and --prior are for images",
+                       kExitBadInput)
                 : calibrateRing(*options);
   });
 }

@@ -44,14 +44,14 @@ std::string rowText(const calibrate::ShiftRow& row) {
 
 int calibrateShift(const ShiftOptions& options) {
   if (sameFile(options.out, options.samples))
-    return complain(options.out + ": is the input itself", kBadInput);
+    return fail(options.out + ": is the input itself", kExitBadInput);
   const auto rows = calibrate::fitShifts(options.samples);
-  if (!rows) return complain(rows.error(), kBadInput);
+  if (!rows) return fail(rows.error(), kExitBadInput);
   std::string text = kHeader;
   for (const auto& row : *rows) text += rowText(row);
   if (!writeWhole(options.out, text))
-    return complain(options.out + ": cannot be written", kBadInput);
-  return kDone;
+    return fail(options.out + ": cannot be written", kExitBadInput);
+  return kExitDone;
 }
 
 }  // namespace

@@ -17,15 +17,15 @@ namespace {
 int becomeExperiments(std::vector<std::string> words) {
   const std::string program = programFolder() + "/kelpie-experiments";
   if (access(program.c_str(), X_OK) != 0)
-    return complain("the experiments are not built yet: tools/build host kelpie-experiments",
-                    kBadInput);
+    return fail("the experiments are not built yet: tools/build host kelpie-experiments",
+                kExitBadInput);
   words.insert(words.begin(), program);
   std::vector<char*> argv;
   argv.reserve(words.size() + 1);
   for (auto& word : words) argv.push_back(word.data());
   argv.push_back(nullptr);
   execv(program.c_str(), argv.data());
-  return complain(program + ": " + std::strerror(errno), kBadInput);
+  return fail(program + ": " + std::strerror(errno), kExitBadInput);
 }
 
 }  // namespace

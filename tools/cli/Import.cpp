@@ -75,14 +75,14 @@ Status importFolder(const ImportOptions& options, const std::string& part) {
 
 int import(const ImportOptions& options) {
   catchInterrupts();
-  if (isDevice(options.out)) return complain(options.out + ": not a plain file", kBadInput);
+  if (isDevice(options.out)) return fail(options.out + ": not a plain file", kExitBadInput);
   const Status scripts = checkScripts(options.pycode);
-  if (!scripts) return complain(scripts.error(), kBadInput);
+  if (!scripts) return fail(scripts.error(), kExitBadInput);
   const std::string part = options.out + ".part";
   const Status done = putInPlace(importFolder(options, part), part, options.out);
-  if (!done) return complain(done.error(), kBadInput);
+  if (!done) return fail(done.error(), kExitBadInput);
   fmt::print("{}\n", options.out);
-  return kDone;
+  return kExitDone;
 }
 
 }  // namespace

@@ -127,7 +127,7 @@ Expected<Numbers> parseNumbers(const std::string& line) {
   Numbers numbers{};
   for (std::size_t i = 0; i < kColumns; ++i) {
     if (!calibrate::parseNumber(cells[i], numbers[i]))
-      return Error{fmt::format("{}: '{}' is no number", kTable[i].name, cells[i])};
+      return Error{fmt::format("{}: '{}' is not a number", kTable[i].name, cells[i])};
     if (isAngle(i) && std::fabs(numbers[i]) > kTurn)
       return Error{fmt::format("{}: {}, expected angles in -360..360", kTable[i].name, numbers[i])};
   }
@@ -162,10 +162,10 @@ class RowReader {
  public:
   void take(const std::string& line, int number) {
     const auto numbers = parseNumbers(line);
-    if (!numbers) return complain(number, numbers.error());
+    if (!numbers) return report(number, numbers.error());
     const RecordedRow row = rowOf(*numbers);
     const Status checked = checkRow(row, rows_.empty() ? nullptr : &rows_.back());
-    if (!checked) complain(number, checked.error());
+    if (!checked) report(number, checked.error());
     rows_.push_back(row);  // a wrong one too: the next is judged against what stands before it
   }
   Expected<std::vector<RecordedRow>> result(const std::string& path) const {
@@ -177,7 +177,7 @@ class RowReader {
   }
 
  private:
-  void complain(int number, const std::string& what) {
+  void report(int number, const std::string& what) {
     if (wrong_++ == 0) first_ = fmt::format(":{}: {}", number, what);
   }
   std::vector<RecordedRow> rows_;

@@ -26,8 +26,8 @@ std::string recordingHelp();
 // Errors are one line that names the file: all that is wrong with the header, or the first row that
 // is wrong and how many more are.
 Expected<std::vector<RecordedRow>> readSensorRows(const std::string& path);
-// The frame files by number; an error when a number is missing or there twice, a name is no number,
-// or nothing is there.
+// The frame files by number; an error when a number is missing or there twice, a name is not a
+// number, or nothing is there.
 Expected<std::vector<std::string>> listFrames(const std::string& folder);
 
 struct Recording {

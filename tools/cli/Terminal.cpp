@@ -6,7 +6,7 @@
 
 namespace kelpie::cli {
 
-int complain(const std::string& message, int code) {
+int fail(const std::string& message, int code) {
   fmt::print(stderr, "kelpie: {}\n", message);
   return code;
 }

@@ -7,12 +7,12 @@
 namespace kelpie::cli {
 
 // Exit codes of every program.
-constexpr int kDone = 0;
-constexpr int kCheckFailed = 1;
-constexpr int kBadInput = 2;
+constexpr int kExitDone = 0;
+constexpr int kExitCheckFailed = 1;
+constexpr int kExitBadInput = 2;
 
 // Prints "kelpie: message" to standard error and returns `code`.
-int complain(const std::string& message, int code);
+int fail(const std::string& message, int code);
 // Whether progress may be drawn: standard error is a terminal.
 bool onTerminal();
 

@@ -28,15 +28,15 @@ std::string whatIsWrong(const CLI::App& app, const CLI::Error& error) {
 
 }  // namespace
 
-CLI::Validator inRange(double least, double most) {
-  const std::string range = fmt::format("[{:g} - {:g}]", least, most);
+CLI::Validator inRange(double min, double max) {
+  const std::string range = fmt::format("[{:g} - {:g}]", min, max);
   return CLI::Validator(
       [=](std::string& text) -> std::string {
         double value = 0.0;
         const auto [rest, error] = std::from_chars(text.data(), text.data() + text.size(), value);
         const bool whole = error == std::errc() && rest == text.data() + text.size();
-        if (whole && value >= least && value <= most) return {};
-        return fmt::format("{} is no number in {}", text, range);
+        if (whole && value >= min && value <= max) return {};
+        return fmt::format("{} is not a number in {}", text, range);
       },
       range);
 }

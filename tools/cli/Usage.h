@@ -8,8 +8,8 @@
 
 namespace kelpie::cli {
 
-// A number in [least, most]; unlike CLI::Range it refuses what is no number, "nan" included.
-CLI::Validator inRange(double least, double most);
+// A number in [min, max]; unlike CLI::Range it refuses what is not a number, "nan" included.
+CLI::Validator inRange(double min, double max);
 constexpr double kLargestSeed = 9e15;  // every whole number up to here is a double
 
 // Adds --version and parses; whatever is wrong becomes "NAME: what; `NAME --help` tells more" on

@@ -13,7 +13,7 @@ namespace kelpie::cli {
 std::string fieldListVersion();
 // "kelpie 0.1, commit 1b70443-dirty, field lists 0123456789abcdef"
 std::string versionLine();
-// The same as metadata of a log: version, commit, field_lists.
+// The version as metadata of a log: version, commit, field_lists.
 LogMap versionNotes();
 
 }  // namespace kelpie::cli

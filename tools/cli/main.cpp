@@ -16,7 +16,7 @@ int main(int argc, char** argv) {
       "kelpie"};
   app.require_subcommand(1);
   app.footer("Exit codes: 0 done, 1 the check failed, 2 usage or bad input.");
-  int code = kelpie::cli::kDone;
+  int code = kelpie::cli::kExitDone;
   kelpie::cli::addPlay(app, code);
   kelpie::cli::addReplay(app, code);
   kelpie::cli::addInfo(app, code);
@@ -32,6 +32,6 @@ int main(int argc, char** argv) {
     const int usage = kelpie::cli::parseOptions(app, argc, argv, done);
     return done ? usage : code;
   } catch (const std::exception& error) {
-    return kelpie::cli::complain(error.what(), kelpie::cli::kBadInput);
+    return kelpie::cli::fail(error.what(), kelpie::cli::kExitBadInput);
   }
 }

@@ -41,7 +41,7 @@ int listExperiments(const std::vector<Experiment>& experiments) {
         options += fmt::format("{}{}", options.empty() ? "" : ", ", nameOf(option));
     if (!options.empty()) fmt::print("{:22} {}\n", "", options);
   }
-  return cli::kDone;
+  return cli::kExitDone;
 }
 
 void addOptions(CLI::App& app, EvaluateOptions& options) {
@@ -81,10 +81,10 @@ Expected<Json> measureWithProgress(const Experiment& experiment, Request& reques
 
 int run(const Experiment& experiment, EvaluateOptions& options) {
   const Expected<Json> figures = measureWithProgress(experiment, options.request);
-  if (!figures) return cli::complain(figures.error(), cli::kCheckFailed);
+  if (!figures) return cli::fail(figures.error(), cli::kExitCheckFailed);
   if (!cli::writeWhole(options.json, figures->dump(2) + "\n"))
-    return cli::complain(options.json + ": cannot be written", cli::kBadInput);
-  return cli::kDone;
+    return cli::fail(options.json + ": cannot be written", cli::kExitBadInput);
+  return cli::kExitDone;
 }
 
 int evaluate(const std::vector<Experiment>& experiments, Options given, EvaluateOptions& options) {
@@ -92,14 +92,14 @@ int evaluate(const std::vector<Experiment>& experiments, Options given, Evaluate
   const auto found = std::find_if(experiments.begin(), experiments.end(),
                                   [&](const Experiment& one) { return one.name == options.name; });
   if (found == experiments.end())
-    return cli::complain(
+    return cli::fail(
         (options.name.empty() ? "name an experiment" : "no experiment '" + options.name + "'") +
             "; `kelpie evaluate --list` tells which there are",
-        cli::kBadInput);
+        cli::kExitBadInput);
   const Status usable = checkOptions(*found, given);
-  if (!usable) return cli::complain(usable.error(), cli::kBadInput);
+  if (!usable) return cli::fail(usable.error(), cli::kExitBadInput);
   if (!cli::canWrite(options.json))
-    return cli::complain(options.json + ": cannot be written", cli::kBadInput);
+    return cli::fail(options.json + ": cannot be written", cli::kExitBadInput);
   if (!given.has(Option::trials)) options.request.trials = found->trials;
   return run(*found, options);
 }
@@ -111,7 +111,7 @@ int main(int argc, char** argv) {
   using namespace kelpie;
   cli::useTargetMaths(argv);
   const auto known = experiments::sortedByName(experiments::Registration::all());
-  if (!known) return cli::complain(known.error(), cli::kBadInput);
+  if (!known) return cli::fail(known.error(), cli::kExitBadInput);
   CLI::App app{"Measure: one JSON object of plain figures", "kelpie evaluate"};
   app.footer("Experiments:\n" + experiments::listed(*known));
   experiments::EvaluateOptions options;
@@ -122,6 +122,6 @@ int main(int argc, char** argv) {
   try {
     return experiments::evaluate(*known, experiments::givenOptions(app), options);
   } catch (const std::exception& error) {
-    return cli::complain(error.what(), cli::kBadInput);
+    return cli::fail(error.what(), cli::kExitBadInput);
   }
 }

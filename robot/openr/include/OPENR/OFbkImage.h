@@ -25,7 +25,8 @@ class OFbkImage {
   int Height() const { return height_; }
   int Skip() const { return skip_; }  // bytes from the end of a row to the start of the next
   byte Pixel(int x, int y) const { return pointer_[(width_ + skip_) * y + x]; }
-  // Of the tag that replaces the last line; for band Y and CDT, which start at the row's start.
+  // The field counter of the tag that replaces the last line, for band Y and CDT, which start at
+  // the row's start.
   word FieldCounter() const;
   byte ColorFrequency(int channel) const;
 
