@@ -32,7 +32,7 @@ bool cut(const BallPercept& p) {
          p.centre.y > kImageHeight - p.radius;
 }
 
-BallSighting sighting(const BallPercept& p, const BallParams& params) {
+BallSighting sighting(const BallPercept& p, const BallFilterParams& params) {
   const Point2<Robot> at = robotPolar(p.distance, p.heading);
   const Vector2 along(at.x / p.distance, at.y / p.distance);
   const Vector2 across(-along(1), along(0));
@@ -46,12 +46,13 @@ BallSighting sighting(const BallPercept& p, const BallParams& params) {
 
 void seenNow(BallTrack& ball) {
   ball.candidatePresent = false;
-  ball.secondsSinceSeen = ball.doubt = 0.0;
+  ball.secondsSinceSeen = ball.weightedUnseenSeconds = 0.0;
   ball.missed = 0;
 }
 
 // A kick or a bounce explains it: the ball is where a new velocity would have taken it.
-bool jumped(const BallSighting& z, double elapsed, const BallParams& params, BallTrack& ball) {
+bool jumped(const BallSighting& z, double elapsed, const BallFilterParams& params,
+            BallTrack& ball) {
   BallTrack other = ball;
   jumpModels(elapsed, params, other);
   if (!correctModels(z, params.gate, other)) return false;
@@ -75,7 +76,7 @@ void consider(const BallSighting& z, double speedSd, BallTrack& ball) {
   ball.candidate = {z.position(0), z.position(1)};
 }
 
-void see(const FrameInput& input, const BallPercept& percept, const BallParams& params,
+void see(const FrameInput& input, const BallPercept& percept, const BallFilterParams& params,
          GpsState& state) {
   BallTrack& ball = state.ball;
   const BallSighting z = sighting(percept, params);
@@ -90,7 +91,7 @@ void see(const FrameInput& input, const BallPercept& percept, const BallParams& 
   }
 }
 
-bool shouldBeSeen(const FrameInput& input, const BallTrack& ball, const BallParams& params) {
+bool shouldBeSeen(const FrameInput& input, const BallTrack& ball, const BallFilterParams& params) {
   const std::array<double, 4>& mean = ball.both.mean;
   if (maths::hypot(mean[0], mean[1]) > params.missedReach) return false;
   const CameraPose camera = body::cameraPose(input.sensors.joints, input.stance);
@@ -99,15 +100,15 @@ bool shouldBeSeen(const FrameInput& input, const BallTrack& ball, const BallPara
          pixel->y > kImageMargin && pixel->y < kImageHeight - kImageMargin;
 }
 
-void miss(const FrameInput& input, const BallParams& params, BallTrack& ball) {
+void miss(const FrameInput& input, const BallFilterParams& params, BallTrack& ball) {
   ball.missed = shouldBeSeen(input, ball, params) ? ball.missed + 1 : 0;
   const double pace = ball.missed > params.missedFrames ? params.missedFactor : 1.0;
-  ball.doubt += pace * elapsedOf(input);
+  ball.weightedUnseenSeconds += pace * elapsedOf(input);
   widenModels(pace * params.unseenNoise * elapsedOf(input), ball);
-  if (ball.doubt > params.keep) ball.present = false;
+  if (ball.weightedUnseenSeconds > params.keep) ball.present = false;
 }
 
-void expectKick(const FrameInput& input, const BallParams& params, BallTrack& ball) {
+void expectKick(const FrameInput& input, const BallFilterParams& params, BallTrack& ball) {
   const bool kicking = input.motion.running == MotionKind::kickForward;
   const double away = maths::hypot(ball.both.mean[0], ball.both.mean[1]);
   if (!kicking || away > params.kickReach) return;
@@ -132,9 +133,9 @@ void keepOutOfBody(BallTrack& ball) {
 
 // After a jump of the clock the velocity may be of nothing and carries the ball away in one step.
 void checkSound(GpsState& state) {
-  constexpr double kFarthest = 1500.0;  // cm, twice the field's diagonal
+  constexpr double kMaxDistance = 1500.0;  // cm, twice the field's diagonal
   const BallTrack& ball = state.ball;
-  const bool near = maths::hypot(ball.both.mean[0], ball.both.mean[1]) <= kFarthest;
+  const bool near = maths::hypot(ball.both.mean[0], ball.both.mean[1]) <= kMaxDistance;
   if (near && meanOf(ball.both).allFinite() && covarianceOf(ball.both).allFinite()) return;
   state.ball = BallTrack{};
   state.count(Refusal::ballNotFinite);

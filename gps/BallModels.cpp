@@ -8,7 +8,7 @@
 namespace kelpie::gps {
 namespace {
 
-constexpr double kMinWeight = 1e-6;        // neither model dies for ever
+constexpr double kMinWeight = 1e-6;        // neither model dies permanently
 constexpr double kMinGatingWeight = 1e-3;  // least weight of a model that may pass the gate
 constexpr double kJumpWeight = 0.9;        // of rolling, after a jump
 
@@ -68,7 +68,7 @@ BallHypothesis setRolling(const BallHypothesis& ball, double weight, double spee
 }
 
 // The mixing step: a lying ball begins to roll, a slow one lies.
-void changeModels(double elapsed, const BallParams& params, BallTrack& ball) {
+void changeModels(double elapsed, const BallFilterParams& params, BallTrack& ball) {
   const double starts = std::min(0.5, params.startRate * elapsed);
   const double speed = maths::hypot(ball.rolling.mean[2], ball.rolling.mean[3]);
   const double stops = speed < params.stopSpeed ? std::min(0.5, params.stopRate * elapsed) : 0.0;
@@ -102,7 +102,7 @@ void beginModels(const BallSighting& z, double speedSd, double stillWeight, Ball
 }
 
 void predictModels(const Odometry& odometry, const StepNoise& noise, double elapsed,
-                   const BallParams& params, BallTrack& ball) {
+                   const BallFilterParams& params, BallTrack& ball) {
   changeModels(elapsed, params, ball);
   const double wander = params.velocityNoise * elapsed;
   for (BallHypothesis* model : {&ball.still, &ball.rolling}) {
@@ -114,9 +114,9 @@ void predictModels(const Odometry& odometry, const StepNoise& noise, double elap
   combineModels(ball);
 }
 
-// Its last step is taken back, and taken again with a velocity of which nothing is known: so the
-// next sighting tells the velocity as well as the place.
-void jumpModels(double elapsed, const BallParams& params, BallTrack& ball) {
+// The last step is taken back, and taken again with an unknown velocity, so that the next sighting
+// tells the velocity as well as the place.
+void jumpModels(double elapsed, const BallFilterParams& params, BallTrack& ball) {
   const std::array<double, 4> mean = ball.both.mean;
   ball.rolling = setRolling(ball.both, kJumpWeight, params.kickSpeedSd);
   ball.still.weight = 1.0 - kJumpWeight;

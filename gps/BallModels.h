@@ -23,13 +23,13 @@ void beginModels(const BallSighting& z, double speedSd, double stillWeight, Ball
 
 // Own motion, change of model, rolling on.
 void predictModels(const Odometry& odometry, const StepNoise& noise, double elapsed,
-                   const BallParams& params, BallTrack& ball);
+                   const BallFilterParams& params, BallTrack& ball);
 
 // A kick or a bounce within the last `elapsed` seconds: the velocity is unknown.
-void jumpModels(double elapsed, const BallParams& params, BallTrack& ball);
+void jumpModels(double elapsed, const BallFilterParams& params, BallTrack& ball);
 
-// False when the sighting lies outside the gate of both models (one of hardly any
-// weight does not count); nothing is changed then.
+// False when the sighting lies outside the gate of both models (a model of hardly any weight does
+// not count); nothing is changed then.
 bool correctModels(const BallSighting& z, double gate, BallTrack& ball);
 
 // Adds to the variance of the position, cm2.

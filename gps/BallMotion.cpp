@@ -42,7 +42,7 @@ void moveRobot(BallHypothesis& ball, const Odometry& odometry, const StepNoise& 
   set(ball, mean, covariance);
 }
 
-void roll(BallHypothesis& ball, double elapsed, const BallParams& params) {
+void roll(BallHypothesis& ball, double elapsed, const BallFilterParams& params) {
   BallVector mean = meanOf(ball);
   const double speed = maths::hypot(mean(2), mean(3));
   const double slower = (params.deceleration + params.drag * speed) * elapsed;
@@ -57,7 +57,7 @@ void roll(BallHypothesis& ball, double elapsed, const BallParams& params) {
   set(ball, mean, covariance);
 }
 
-double rollingDistance(double speed, const BallParams& params) {
+double rollingDistance(double speed, const BallFilterParams& params) {
   const double k = params.drag;
   const double c = params.deceleration;
   if (k < 1e-6) return c > 0.0 ? 0.5 * speed * speed / c : 0.0;

@@ -21,11 +21,11 @@ void place(Point2<Field> point, double variance, const PoseMode& pose, BallTrack
                variance * Matrix2::Identity() + turned * onField * turned.transpose()},
               ball);
   ball.missed = 0;
-  ball.doubt = 0.0;
+  ball.weightedUnseenSeconds = 0.0;
 }
 
 bool believedOut(const GpsParams& params, const PoseMode& pose, const BallTrack& ball) {
-  const DropInParams& p = params.others.dropIn;
+  const DropInParams& p = params.players.dropIn;
   if (!ball.present || ball.secondsSinceSeen < p.unseen) return false;
   if (pose.covariance[0] + pose.covariance[4] > 2.0 * maths::square(p.maxPoseSd)) return false;
   const Matrix2 covariance = covarianceOf(ball.both).topLeftCorner<2, 2>();
@@ -59,16 +59,16 @@ void applyReferee(const FrameInput& input, const GpsParams& params, GpsState& st
   const PoseMode& pose = state.modes[0];
   BallTrack& ball = state.ball;
   const std::uint32_t goals = std::uint32_t{input.game.ownScore} + input.game.opponentScore;
-  const bool scored = goals > state.others.goals;
-  state.others.goals = goals;
+  const bool scored = goals > state.players.goals;
+  state.players.goals = goals;
   if (scored && ball.present && ball.secondsSinceSeen > 0.0) {
     const Point2<Field> centre{0.5 * params.field.width, 0.5 * params.field.length};
-    place(centre, params.others.dropIn.variance, pose, ball);
+    place(centre, params.players.dropIn.variance, pose, ball);
     return;
   }
   if (params.field.borderWidth > 0.0 || state.lost || !believedOut(params, pose, ball)) return;
   const Point2<Field> at = fieldFromRobot(pose.pose, {ball.both.mean[0], ball.both.mean[1]});
-  place(dropInPoint(params.field, params.others.dropIn, at), params.others.dropIn.variance, pose,
+  place(dropInPoint(params.field, params.players.dropIn, at), params.players.dropIn.variance, pose,
         ball);
 }
 

@@ -33,12 +33,12 @@ BallEstimate extractBall(const BallTrack& track, const Pose2& pose) {
 
 // Copies that a merge left apart say nothing new; a robot's length does, or a turn that misses the
 // goal.
-constexpr double kElsewhere = 30.0;  // cm
-const Angle kTurnedAway = Angle::deg(20.0);
+constexpr double kElsewhereDistance = 30.0;  // cm
+const Angle kElsewhereTurn = Angle::deg(20.0);
 
 bool isElsewhere(const Pose2& a, const Pose2& b) {
-  return distance(a.position, b.position) > kElsewhere ||
-         std::fabs((a.heading - b.heading).rad()) > kTurnedAway.rad();
+  return distance(a.position, b.position) > kElsewhereDistance ||
+         std::fabs((a.heading - b.heading).rad()) > kElsewhereTurn.rad();
 }
 
 SecondHypothesis secondOf(const Modes& modes) {

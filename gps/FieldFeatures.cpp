@@ -54,7 +54,7 @@ std::uint8_t FieldFeatures::nearestPiece(Point2<Field> p) const {
 }
 
 std::size_t FieldFeatures::cellOf(Point2<Field> p) const {
-  // The conversion of a far place stays in range, and that of a place that is no number is 0.
+  // The conversion of a far place stays in range, and NaN becomes 0.
   const auto step = [this](double along, int count) {
     const double at = (along + kMargin) / cell_;
     return at > 0.0 ? static_cast<int>(std::min(at, count - 0.5)) : 0;

@@ -35,7 +35,7 @@ class FieldFeatures {
  private:
   struct Piece {
     Point2<Field> from;
-    Point2<Field> along;  // unit vector; a circle has none
+    Point2<Field> along;  // unit vector; unused by the circle
     double length = 0.0;
     double radius = 0.0;  // of the circle, 0 for a straight piece
   };

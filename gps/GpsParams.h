@@ -4,9 +4,9 @@
 #pragma once
 
 #include "gps/LineMapParams.h"
-#include "gps/LineParams.h"
-#include "gps/OthersParams.h"
-#include "gps/PinkParams.h"
+#include "gps/LineUpdateParams.h"
+#include "gps/PinkMapParams.h"
+#include "gps/PlayersParams.h"
 #include "gps/StuckParams.h"
 #include "robot/body/FieldDescription.h"
 #include "robot/core/Geometry.h"
@@ -95,8 +95,8 @@ struct ModeParams {
   double mergeDistance = 5.0;       // cm, and degrees for the heading
   double mergeCovariance = 200.0;   // cm2, and deg2 for the heading
   double seedSpacing = 30.0;        // deg between the poses tried around the first landmark
-  double explainedShare = 0.1;      // least weight of the corrected modes in all, else unexplained
-  std::uint32_t maxUnexplained = 10;  // in a row; then all begins anew around the next landmark
+  double explainedShare = 0.1;      // of all weight in corrected modes, at least; else unexplained
+  std::uint32_t maxUnexplained = 10;  // in a row; then the next landmark gives new modes
 
   static constexpr auto fields() {
     return fieldList(field("noiseMethod", &ModeParams::noiseMethod, "", 0, 2),
@@ -115,7 +115,7 @@ struct ModeParams {
   }
 };
 
-struct BallParams {
+struct BallFilterParams {
   double deceleration = 6.0;       // cm/s2 of a slow rolling ball
   double drag = 0.8;               // 1/s more: keeps 0.975 a frame (checklist G52)
   double velocityNoise = 20.0;     // (cm/s)2 per s, of a rolling ball
@@ -132,12 +132,12 @@ struct BallParams {
   double gate = 4.0;               // standard deviations; a sighting outside waits for a second
   double bounceGate = 3.0;         // the same for a rolling ball: beyond it, it bounced
   double keep = 5.0;               // s until an unseen ball is given up
-  double missedReach = 100.0;      // cm; nearer than this a ball in the image must be seen
+  double missedReach = 100.0;      // cm; a ball in the image nearer than this must be seen
   std::uint32_t missedFrames = 5;  // so often in a row it may be missed
   double missedFactor = 4.0;       // how much faster it is given up then
 
   static constexpr auto fields() {
-    using B = BallParams;
+    using B = BallFilterParams;
     return fieldList(
         field("deceleration", &B::deceleration, "cm/s2", 0, 1000),
         field("drag", &B::drag, "1/s", 0, 10),
@@ -165,13 +165,13 @@ struct GpsParams {
   StuckParams stuck;
   LandmarkGates gates;
   ModeParams modes;
-  LineParams line;
+  LineUpdateParams line;
   LineMapParams lineMap;
   SymmetryParams symmetry;
-  SearchParams search;
-  BallParams ball;
-  OthersParams others;
-  PinkParams pinks;
+  LinePoseSearchParams search;
+  BallFilterParams ball;
+  PlayersParams players;
+  PinkMapParams pinks;
 
   static constexpr auto fields() {
     using kelpie::field;
@@ -181,7 +181,7 @@ struct GpsParams {
                      field("gates", &GpsParams::gates), field("modes", &GpsParams::modes),
                      field("line", &GpsParams::line), field("lineMap", &GpsParams::lineMap),
                      field("symmetry", &GpsParams::symmetry), field("search", &GpsParams::search),
-                     field("ball", &GpsParams::ball), field("others", &GpsParams::others),
+                     field("ball", &GpsParams::ball), field("players", &GpsParams::players),
                      field("pinks", &GpsParams::pinks));
   }
 };

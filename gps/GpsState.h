@@ -8,8 +8,8 @@
 
 #include "gps/FieldFeatures.h"
 #include "gps/LineState.h"
-#include "gps/OthersState.h"
 #include "gps/PinkState.h"
+#include "gps/PlayersState.h"
 #include "robot/core/WorldModel.h"
 
 namespace kelpie::gps {
@@ -59,14 +59,14 @@ struct BallTrack {
   BallHypothesis rolling;  // it rolls freely, slowed by the carpet
   BallHypothesis both;     // one Gaussian for the two: what is published
   double secondsSinceSeen = 0.0;
-  double doubt = 0.0;             // s unseen, those counting more in which it should be seen
-  std::uint32_t missed = 0;       // frames in a row in which it should have been seen
-  bool candidatePresent = false;  // a sighting that waits for a second one like it
+  double weightedUnseenSeconds = 0.0;  // seconds in which it should be seen count more
+  std::uint32_t missed = 0;            // frames in a row in which it should have been seen
+  bool candidatePresent = false;       // a sighting that waits for a second one like it
   std::array<double, 2> candidate{};
   double candidateAge = 0.0;  // s
 };
 
-// How hard walking has been of late.
+// How hard walking has been recently.
 struct StuckState {
   double share = 0.0;           // of the way that is thought lost now
   double speed = 0.0;           // cm/s of the feet, a mean over about a step
@@ -84,11 +84,11 @@ struct GpsState {
   StuckState stuck;
   std::uint32_t unexplained = 0;  // landmarks in a row that no mode predicted
   BallTrack ball;
-  OthersState others;
+  PlayersState players;
   PinkState pinks;
   GpsCounts counts;
   LineMap map;
-  GlobalSearch search;
+  LinePoseSearch search;
   FieldFeatures features;   // built by prepare()
   PaintedFeatures painted;  // with them
 

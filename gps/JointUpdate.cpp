@@ -11,13 +11,13 @@ namespace kelpie::gps {
 namespace {
 
 // What one mode becomes: by the landmarks alone, and by all.
-struct Candidate {
+struct UpdatedMode {
   InformationSum information;
   PoseMode byLandmarks;
-  bool asked = false;  // for the lines
+  bool lineFitTried = false;
   std::optional<PoseObservation> lines;
 };
-using Candidates = FixedVector<Candidate, kWorkModes>;
+using UpdatedModes = FixedVector<UpdatedMode, kWorkModes>;
 
 InformationSum informationOf(const PoseMode& mode, const Pose2& at, const Measurements& landmarks,
                              const GpsParams& params) {
@@ -31,12 +31,12 @@ bool movedFar(const Pose2& from, const Pose2& to) {
   return distance(from.position, to.position) > 10.0 || (to.heading - from.heading).abs().deg() > 5;
 }
 
-// A wide mode moves so far that what was linearised where it was is wrong where it comes to lie:
-// it is linearised there again, as one landmark after the other would be.
-Candidate candidateOf(const PoseMode& mode, const Measurements& landmarks,
-                      const GpsParams& params) {
+// A wide mode moves so far that a linearisation at its old pose is wrong at the new one: it is
+// linearised there again, as it would be by one landmark after the other.
+UpdatedMode updatedByLandmarks(const PoseMode& mode, const Measurements& landmarks,
+                               const GpsParams& params) {
   constexpr int kRounds = 3;
-  Candidate one;
+  UpdatedMode one;
   Pose2 at = mode.pose;
   for (int round = 0; round < kRounds; ++round) {
     one.information = informationOf(mode, at, landmarks, params);
@@ -47,34 +47,34 @@ Candidate candidateOf(const PoseMode& mode, const Measurements& landmarks,
   return one;
 }
 
-Candidates candidatesOf(const Modes& modes, const Measurements& landmarks,
-                        const GpsParams& params) {
-  Candidates all;
-  for (const PoseMode& mode : modes) all.push_back(candidateOf(mode, landmarks, params));
+UpdatedModes updatedModes(const Modes& modes, const Measurements& landmarks,
+                          const GpsParams& params) {
+  UpdatedModes all;
+  for (const PoseMode& mode : modes) all.push_back(updatedByLandmarks(mode, landmarks, params));
   return all;
 }
 
-// The heaviest that was not asked yet.
-Candidate* heaviest(Candidates& all) {
-  Candidate* best = nullptr;
-  for (Candidate& one : all) {
-    if (one.asked) continue;
+// The heaviest of those not tried yet.
+UpdatedMode* heaviest(UpdatedModes& all) {
+  UpdatedMode* best = nullptr;
+  for (UpdatedMode& one : all) {
+    if (one.lineFitTried) continue;
     if (best == nullptr || one.byLandmarks.weight > best->byLandmarks.weight) best = &one;
   }
   return best;
 }
 
-// Fits the lines near the heaviest candidates; true when any fits.
-bool askLines(const SeenLines& seen, double headSpeed, const GpsParams& params, Candidates& all,
-              GpsState& state) {
+// Fits the lines near the heaviest of them; true when any fits.
+bool fitLinesToHeaviest(const SeenLines& seen, double headSpeed, const GpsParams& params,
+                        UpdatedModes& all, GpsState& state) {
   if (seen.lines.size() < params.line.minPoints) return false;
   double first = 0.0;
   bool any = false;
-  for (std::uint32_t asked = 0; asked < params.line.maxModes; ++asked) {
-    Candidate* one = heaviest(all);
+  for (std::uint32_t tried = 0; tried < params.line.maxModes; ++tried) {
+    UpdatedMode* one = heaviest(all);
     if (one == nullptr || one->byLandmarks.weight < params.line.minWeight * first) break;
     first = std::max(first, one->byLandmarks.weight);
-    one->asked = true;
+    one->lineFitTried = true;
     one->lines = observationAt(one->byLandmarks, seen, headSpeed, params, state);
     any = any || one->lines.has_value();
   }
@@ -83,7 +83,7 @@ bool askLines(const SeenLines& seen, double headSpeed, const GpsParams& params, 
 
 // What stays beside a corrected mode: the likelier of the mode itself and, for the case that only
 // the lines are false, the mode as the landmarks alone correct it.
-PoseMode copyOf(const PoseMode& mode, const Candidate& one, bool landmarks,
+PoseMode copyOf(const PoseMode& mode, const UpdatedMode& one, bool landmarks,
                 const GpsParams& params) {
   PoseMode untouched = mode;
   if (landmarks) untouched.weight *= params.modes.outlierWeight;
@@ -93,13 +93,13 @@ PoseMode copyOf(const PoseMode& mode, const Candidate& one, bool landmarks,
   return landmarks && untouched.weight > withoutLines.weight ? untouched : withoutLines;
 }
 
-// As when landmarks come one by one: many that no mode predicted in a row, and all begins anew.
-void judge(const Modes& modes, const Candidates& candidates, std::size_t landmarks,
-           const GpsParams& params, GpsState& state) {
+// As when landmarks come one by one: after many in a row that no mode predicted, the robot is lost.
+void countUnexplained(const Modes& modes, const UpdatedModes& updated, std::size_t landmarks,
+                      const GpsParams& params, GpsState& state) {
   double copies = 0.0;
   double explained = 0.0;
   for (const PoseMode& mode : modes) copies += mode.weight * params.modes.outlierWeight;
-  for (const Candidate& one : candidates) explained += one.byLandmarks.weight;
+  for (const UpdatedMode& one : updated) explained += one.byLandmarks.weight;
   const bool predicted = explained > params.modes.explainedShare * (copies + explained);
   state.unexplained = predicted ? 0 : state.unexplained + static_cast<std::uint32_t>(landmarks);
   if (state.unexplained <= params.modes.maxUnexplained) return;
@@ -108,11 +108,11 @@ void judge(const Modes& modes, const Candidates& candidates, std::size_t landmar
 }
 
 // `seen` is null where no mode's lines fit.
-PoseMode result(const PoseMode& mode, const Candidate& one, const SeenLines* seen,
+PoseMode result(const PoseMode& mode, const UpdatedMode& one, const SeenLines* seen,
                 const GpsParams& params) {
   if (!one.lines) {
     PoseMode kept = one.byLandmarks;
-    if (seen != nullptr) kept.weight *= unaskedWeight(kept, *seen, params.line);
+    if (seen != nullptr) kept.weight *= weightWithoutLineFit(kept, *seen, params.line);
     return kept;
   }
   InformationSum all = one.information;
@@ -179,19 +179,19 @@ bool updateJointly(const Measurements& landmarks, const SeenLines& seen, double 
   Modes& modes = state.modes;
   if (!landmarks.empty() && params.modes.noiseMethod == NoiseMethod::splitAndWide)
     modes.push_back(wideMode(params, params.modes.wideWeight));
-  Candidates candidates = candidatesOf(modes, landmarks, params);
-  if (!landmarks.empty()) judge(modes, candidates, landmarks.size(), params, state);
-  const bool lines = askLines(seen, headSpeed, params, candidates, state);
+  UpdatedModes updated = updatedModes(modes, landmarks, params);
+  if (!landmarks.empty()) countUnexplained(modes, updated, landmarks.size(), params, state);
+  const bool lines = fitLinesToHeaviest(seen, headSpeed, params, updated, state);
   if (landmarks.empty() && !lines) return false;
   if (lines) state.secondsSinceLines = 0.0;
   const std::size_t before = modes.size();
   for (std::size_t i = 0; i < before; ++i) {
-    if (landmarks.empty() && !candidates[i].lines) {
-      modes[i].weight *= unaskedWeight(modes[i], seen, params.line);
+    if (landmarks.empty() && !updated[i].lines) {
+      modes[i].weight *= weightWithoutLineFit(modes[i], seen, params.line);
       continue;
     }
-    const PoseMode copy = copyOf(modes[i], candidates[i], !landmarks.empty(), params);
-    modes[i] = result(modes[i], candidates[i], lines ? &seen : nullptr, params);
+    const PoseMode copy = copyOf(modes[i], updated[i], !landmarks.empty(), params);
+    modes[i] = result(modes[i], updated[i], lines ? &seen : nullptr, params);
     modes.push_back(copy);
   }
   return true;

@@ -21,8 +21,8 @@ struct Measurement {
   Angle heading;
   double distanceVariance = 0.0;  // cm2
   double headingVariance = 0.0;   // rad2
-  // cm of y from the landmark: from nearer a goal looks like a line (thesis 2004 Fig 2.9). Each
-  // mode is asked alone, so that a wrong best one cannot veto what would correct it.
+  // cm of y from the landmark: from nearer a goal looks like a line (thesis 2004 Fig 2.9). It is
+  // judged for each mode by itself, so that a wrong best mode cannot veto its own correction.
   double minGoalLineDistance = 0.0;
 };
 
@@ -30,7 +30,7 @@ inline bool atGrazingAngle(const PoseMode& mode, const Measurement& m) {
   return std::fabs(mode.pose.position.y - m.landmark.y) < m.minGoalLineDistance;
 }
 
-// What is left of a goal for a mode that would see it obliquely: roughly where it is.
+// What a mode that would see the goal at a grazing angle takes from it: roughly its heading.
 Measurement headingOnly(const Measurement& measurement, const LandmarkGates& gates);
 
 using body::LandmarkMap;

@@ -9,8 +9,8 @@ namespace {
 
 constexpr double kLever = 100.0;  // cm: a turn's damping in the units of a step's
 constexpr double kFirstDamping = 0.01;
-constexpr double kDone = 0.05;      // cm
-constexpr double kDoneTurn = 5e-4;  // rad
+constexpr double kStepTolerance = 0.05;  // cm
+constexpr double kTurnTolerance = 5e-4;  // rad
 
 // Sums over the points at one pose: match, and the normal equations of the reweighted distances.
 struct Sums {
@@ -61,7 +61,7 @@ struct Evaluation {
 };
 
 Evaluation evaluate(const SeenLines& seen, const Pose2& pose, const FieldFeatures& field,
-                    const LineParams& params) {
+                    const LineUpdateParams& params) {
   const Turned t = turned(pose);
   const double s = params.sharpness;
   const Sums lines =
@@ -72,7 +72,7 @@ Evaluation evaluate(const SeenLines& seen, const Pose2& pose, const FieldFeature
           lines.gradient + carpet.gradient};
 }
 
-Vector3 stepOf(const Evaluation& e, double damping, const LineParams& params) {
+Vector3 stepOf(const Evaluation& e, double damping, const LineUpdateParams& params) {
   Matrix3 damped = e.curvature;
   const double scale = damping * std::max(e.curvature(0, 0) + e.curvature(1, 1), 1e-6);
   damped.diagonal() += scale * Vector3(1.0, 1.0, kLever * kLever);
@@ -101,7 +101,7 @@ void thin(const FixedVector<LinePoint, 256>& points, LinePointKind kind, std::si
 }
 
 // Damped steps from the fit's pose, which moves to the best found; returns what holds there.
-Evaluation climb(const SeenLines& seen, const FieldFeatures& field, const LineParams& params,
+Evaluation climb(const SeenLines& seen, const FieldFeatures& field, const LineUpdateParams& params,
                  LineFit& fit) {
   Evaluation here = evaluate(seen, fit.pose, field, params);
   double damping = kFirstDamping;
@@ -118,14 +118,15 @@ Evaluation climb(const SeenLines& seen, const FieldFeatures& field, const LinePa
     fit.pose = next;
     here = there;
     damping *= 0.2;
-    if (maths::hypot(step(0), step(1)) < kDone && std::fabs(step(2)) < kDoneTurn) break;
+    if (maths::hypot(step(0), step(1)) < kStepTolerance && std::fabs(step(2)) < kTurnTolerance)
+      break;
   }
   return here;
 }
 
 }  // namespace
 
-SeenLines seenLines(const FixedVector<LinePoint, 256>& points, const LineParams& params) {
+SeenLines seenLines(const FixedVector<LinePoint, 256>& points, const LineUpdateParams& params) {
   SeenLines seen;
   const auto most = std::min<std::size_t>(params.maxPoints, kMaxLinePoints);
   thin(points, LinePointKind::line, most, seen.lines);
@@ -134,16 +135,16 @@ SeenLines seenLines(const FixedVector<LinePoint, 256>& points, const LineParams&
 }
 
 double lineMatch(const SeenLines& seen, const Pose2& pose, const FieldFeatures& field,
-                 const LineParams& params) {
+                 const LineUpdateParams& params) {
   return evaluate(seen, pose, field, params).match;
 }
 
 LineFit fitLines(const SeenLines& seen, const Pose2& start, const FieldFeatures& field,
-                 const LineParams& params, bool fromFar) {
+                 const LineUpdateParams& params, bool fromFar) {
   LineFit fit;
   fit.pose = start;
   if (fromFar) {
-    LineParams coarse = params;
+    LineUpdateParams coarse = params;
     coarse.sharpness *= params.coarseShare;
     climb(seen, field, coarse, fit);
   }

@@ -8,7 +8,7 @@
 
 #include "gps/FieldFeatures.h"
 #include "gps/Gaussian.h"
-#include "gps/LineParams.h"
+#include "gps/LineUpdateParams.h"
 #include "robot/core/Percepts.h"
 
 namespace kelpie::gps {
@@ -22,7 +22,7 @@ struct SeenPoint {
 struct SeenLines {
   FixedVector<SeenPoint, kMaxLinePoints> lines;
   FixedVector<SeenPoint, 16> carpet;  // green; only says that the robot is near the field
-  double fresh = 1.0;                 // share of the evidence that no update has used before
+  double newEvidenceShare = 1.0;      // what no update has used before
 };
 
 // Whether the index is one of `most` that are spread evenly over `count`.
@@ -31,7 +31,7 @@ inline bool isSpread(std::size_t index, std::size_t count, std::size_t most) {
 }
 
 // Evenly thinned to `maxPoints`; points that are not finite or have no weight are left out.
-SeenLines seenLines(const FixedVector<LinePoint, 256>& points, const LineParams& params);
+SeenLines seenLines(const FixedVector<LinePoint, 256>& points, const LineUpdateParams& params);
 
 struct LineFit {
   Pose2 pose;
@@ -42,10 +42,10 @@ struct LineFit {
 
 // The match at a pose, without moving.
 double lineMatch(const SeenLines& seen, const Pose2& pose, const FieldFeatures& field,
-                 const LineParams& params);
+                 const LineUpdateParams& params);
 // `fromFar`: first with a blunter match, which leads from 40 cm and 20 deg where the true one does
 // not.
 LineFit fitLines(const SeenLines& seen, const Pose2& start, const FieldFeatures& field,
-                 const LineParams& params, bool fromFar = false);
+                 const LineUpdateParams& params, bool fromFar = false);
 
 }  // namespace kelpie::gps

@@ -9,13 +9,13 @@
 namespace kelpie::gps {
 namespace {
 
-constexpr double kStill = 1e-3;     // cm and rad a frame
-constexpr double kFarthest = 1e3;   // cm
-constexpr double kNearest2 = 1e-6;  // cm2: no direction of its own
+constexpr double kStillStep = 1e-3;        // cm and rad a frame
+constexpr double kMaxCoordinate = 1e3;     // cm
+constexpr double kMinRangeSquared = 1e-6;  // cm2; nearer, a point has no direction
 
 bool usable(const LinePoint& p) {
   return std::isfinite(p.position.x) && std::isfinite(p.position.y) &&
-         std::fabs(p.position.x) < kFarthest && std::fabs(p.position.y) < kFarthest &&
+         std::fabs(p.position.x) < kMaxCoordinate && std::fabs(p.position.y) < kMaxCoordinate &&
          p.weight > 0.0 && p.weight <= 1.0;
 }
 
@@ -31,13 +31,13 @@ double regionOf(const MapPoint& a, const MapPoint& b, const LineMapParams& param
 bool inOneDirection(Point2<Robot> a, Point2<Robot> b, Angle angle) {
   const double dot = a.x * b.x + a.y * b.y;
   const double squares = square2(a) * square2(b);
-  if (squares < kNearest2) return true;
+  if (squares < kMinRangeSquared) return true;
   const double cosine = angle.cos();
   return dot > 0.0 && dot * dot >= cosine * cosine * squares;
 }
 
-// Half the side of a square beyond which nothing lies in one region with the point: asked of every
-// point of the map, it saves four of five instructions.
+// Half the side of a square beyond which nothing lies in one region with the point. Compared with
+// every point of the map first, it saves four of five instructions.
 double boundOf(const MapPoint& point, const LineMapParams& params) {
   const bool green = point.kind == LinePointKind::field;
   const double share = green ? params.carpetShare : params.radiusShare;
@@ -50,13 +50,13 @@ bool isBeyond(const MapPoint& a, const MapPoint& b, double bound) {
          std::fabs(a.place.y - b.place.y) > bound;
 }
 
-// A merged point's place is the mean by worth, each sighting counting alike.
+// A merged point's place is the mean weighted by the counts: each sighting counts the same.
 MapPoint merged(const MapPoint& a, const MapPoint& b, const LineMapParams& params) {
   MapPoint sum = a;
-  const double share = b.worth / (a.worth + b.worth);
+  const double share = b.decayedCount / (a.decayedCount + b.decayedCount);
   sum.place = a.place + (b.place - a.place) * share;
   sum.weight += share * (b.weight - a.weight);
-  sum.worth = std::min(a.worth + b.worth, params.maxWorth);
+  sum.decayedCount = std::min(a.decayedCount + b.decayedCount, params.maxCount);
   return sum;
 }
 
@@ -71,8 +71,8 @@ void decay(double elapsed, const LineMapParams& params, LineMap& map) {
   if (map.sinceDecay < params.decay) return;
   map.sinceDecay -= params.decay;
   for (std::size_t i = 0; i < map.points.size();) {
-    map.points[i].worth -= 1.0;
-    if (map.points[i].worth > 0.0) {
+    map.points[i].decayedCount -= 1.0;
+    if (map.points[i].decayedCount > 0.0) {
       ++i;
     } else {
       remove(i, map);
@@ -80,32 +80,32 @@ void decay(double elapsed, const LineMapParams& params, LineMap& map) {
   }
 }
 
-// Green says little: it must not take the room of the lines.
+// Points on green say little: they must not take the room of the lines.
 bool hasRoom(const LineMap& map, LinePointKind kind, const LineMapParams& params) {
   return kind != LinePointKind::field || countOf(map, kind) < params.maxCarpet;
 }
 
-// A robot that is carried notices nothing, but its points lie where none were.
-void judge(bool stranger, LineMap& map) {
-  constexpr double kOfASecond = 1.0 / 300.0;  // some ten points a frame
-  map.strange += kOfASecond * ((stranger ? 1.0 : 0.0) - map.strange);
+// A robot that is carried does not notice it, but its points match none of the map.
+void noteUnmatched(bool unmatched, LineMap& map) {
+  constexpr double kSmoothing = 1.0 / 300.0;  // a second of some ten points a frame
+  map.unmatchedShare += kSmoothing * ((unmatched ? 1.0 : 0.0) - map.unmatchedShare);
 }
 
 bool isStale(const LineMap& map, const LineMapParams& params) {
-  return map.refused > params.maxRefused || map.strange > params.maxStrange;
+  return map.refused > params.maxRefused || map.unmatchedShare > params.maxUnmatchedShare;
 }
 
 void addKind(const FixedVector<LinePoint, 256>& points, LinePointKind kind, std::size_t most,
              const LineMapParams& params, LineMap& map) {
-  constexpr double kSettled = 2.0;  // s
+  constexpr double kSettledSeconds = 2.0;  // s
   std::size_t count = 0;
   for (const LinePoint& p : points) count += p.kind == kind ? 1 : 0;
   std::size_t index = 0;
   for (const LinePoint& p : points) {
     if (p.kind != kind) continue;
     if (!isSpread(index++, count, most)) continue;
-    const bool stranger = !add(p, params, map);
-    if (kind == LinePointKind::line && map.age > kSettled) judge(stranger, map);
+    const bool unmatched = !add(p, params, map);
+    if (kind == LinePointKind::line && map.age > kSettledSeconds) noteUnmatched(unmatched, map);
   }
 }
 
@@ -114,8 +114,8 @@ void addKind(const FixedVector<LinePoint, 256>& points, LinePointKind kind, std:
 bool standing(const FrameInput& input) {
   const Odometry& way = input.odometry;
   const WalkRequest& walk = input.lastCommand.walk;
-  return std::fabs(way.forward) < kStill && std::fabs(way.left) < kStill &&
-         std::fabs(way.turn.rad()) < kStill && walk.forward == 0.0 && walk.left == 0.0 &&
+  return std::fabs(way.forward) < kStillStep && std::fabs(way.left) < kStillStep &&
+         std::fabs(way.turn.rad()) < kStillStep && walk.forward == 0.0 && walk.left == 0.0 &&
          walk.turn == 0.0 && input.lastCommand.motion == MotionKind::none &&
          input.motion.running == MotionKind::none;
 }
@@ -130,7 +130,7 @@ bool inOneRegion(const MapPoint& a, const MapPoint& b, const LineMapParams& para
 bool add(const LinePoint& point, const LineMapParams& params, LineMap& map) {
   if (!usable(point)) return false;
   MapPoint mine{point.kind, point.position, point.weight, 1.0};
-  double fresh = 1.0;
+  double gained = 1.0;
   bool isNew = true;
   double bound = boundOf(mine, params);
   for (std::size_t i = 0; i < map.points.size();) {
@@ -141,18 +141,18 @@ bool add(const LinePoint& point, const LineMapParams& params, LineMap& map) {
     const MapPoint other = map.points[i];
     mine = merged(other, mine, params);
     bound = boundOf(mine, params);
-    if (isNew) fresh = mine.worth - other.worth;  // 0 where enough has been seen
+    if (isNew) gained = mine.decayedCount - other.decayedCount;  // 0 where enough has been seen
     isNew = false;
     remove(i, map);
-    i = 0;  // it has moved: into another's region, perhaps
+    i = 0;  // it has moved, perhaps into another's region
   }
   if (isNew && !hasRoom(map, mine.kind, params)) return false;
-  if (map.points.push_back(mine) && mine.kind == LinePointKind::line) map.fresh += fresh;
+  if (map.points.push_back(mine) && mine.kind == LinePointKind::line) map.newCount += gained;
   return !isNew;
 }
 
 void stepMap(const FrameInput& input, const FixedVector<LinePoint, 256>& points,
-             const LineParams& lines, const LineMapParams& params, LineMap& map) {
+             const LineUpdateParams& lines, const LineMapParams& params, LineMap& map) {
   if (!params.use || !standing(input) || isStale(map, params)) map = LineMap{};
   if (!params.use || !standing(input)) return;
   addKind(points, LinePointKind::line, lines.maxPoints, params, map);
@@ -169,14 +169,15 @@ SeenLines seenLines(const LineMap& map, std::size_t most, const LineMapParams& p
   std::size_t line = 0;
   std::size_t carpet = 0;
   for (const MapPoint& p : map.points) {
-    const SeenPoint point{p.place, p.weight * std::min(1.0, p.worth / params.wholeWorth)};
+    const SeenPoint point{p.place,
+                          p.weight * std::min(1.0, p.decayedCount / params.fullWeightCount)};
     if (p.kind == LinePointKind::field && isSpread(carpet++, green, 12))
       seen.carpet.push_back(point);
     if (p.kind != LinePointKind::line || !isSpread(line++, count, most)) continue;
     seen.lines.push_back(point);
     matched += point.weight;
   }
-  seen.fresh = matched > 0.0 ? std::min(1.0, map.fresh / matched) : 0.0;
+  seen.newEvidenceShare = matched > 0.0 ? std::min(1.0, map.newCount / matched) : 0.0;
   return seen;
 }
 

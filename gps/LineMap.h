@@ -4,7 +4,8 @@
 // image shows, and the errors of single images average out. Void as soon as the robot moves.
 //
 // The map is matched in every frame, but every sighting counts once: an update's information is
-// scaled by the sightings since the last one over the points matched (`SeenLines::fresh`).
+// scaled by the sightings since the last one over the points matched
+// (`SeenLines::newEvidenceShare`).
 #pragma once
 
 #include "gps/LineFit.h"
@@ -14,22 +15,22 @@
 
 namespace kelpie::gps {
 
-// No odometry, no walk asked for, no special motion.
+// No odometry, no walk requested, no special motion.
 bool standing(const FrameInput& input);
 
 // Equations 3.18 and 3.19 for either of the two; 3.19 with the numerator squared (checklist H10).
 bool inOneRegion(const MapPoint& a, const MapPoint& b, const LineMapParams& params);
 
-// Merges a point, and the merged one again, until it lies in nobody's region; a full map takes no
+// Merges a point, and the merged one again, until it lies in no other's region; a full map takes no
 // more. Points that are not finite, beyond 10 m or without weight are left out. Returns whether it
 // found a region to lie in.
 bool add(const LinePoint& point, const LineMapParams& params, LineMap& map);
 
 // One frame: evenly thinned points, then the decay. A frame of a moving robot clears the map.
 void stepMap(const FrameInput& input, const FixedVector<LinePoint, 256>& points,
-             const LineParams& lines, const LineMapParams& params, LineMap& map);
+             const LineUpdateParams& lines, const LineMapParams& params, LineMap& map);
 
-// The map's points as those of one frame, `most` of lines at most; `fresh` is set.
+// The map's points as those of one frame, `most` of lines at most; `newEvidenceShare` is set.
 SeenLines seenLines(const LineMap& map, std::size_t most, const LineMapParams& params);
 
 std::size_t countOf(const LineMap& map, LinePointKind kind);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tunables of what is made of field lines beyond one frame: the map of a standing robot (thesis
-// 2004 section 3.2.4), the poses that look alike (3.3.2) and the search over the field (4.1.4).
+// 2004 section 3.2.4), the ambiguous poses (3.3.2) and the search over the field (4.1.4).
 #pragma once
 
 #include <cstdint>
@@ -13,17 +13,17 @@ namespace kelpie::gps {
 struct LineMapParams {
   bool use = true;
   double radius = 2.5;  // cm, of a line point's merge region; checklist U21: 4 cm + 4 %, 3 deg,
-  double radiusShare = 0.025;     // of its distance, more; leaves 34 points at some places, not 64
-  Angle angle = Angle::deg(1.5);  // to either side of it
-  double carpetRadius = 8.0;      // cm, of a point on green
-  double carpetShare = 0.08;      // of its distance, more
-  double decay = 1.0;             // s in which every point loses a worth of 1 (checklist U12)
-  double maxWorth = 20.0;         // sightings that count in a point
-  std::uint32_t maxCarpet = 32;   // of the 128 points
-  std::uint32_t matched = 64;     // of its line points, spread evenly
-  std::uint32_t maxRefused = 15;  // frames in a row that match nothing: then it begins anew
-  double maxStrange = 0.6;        // more points in nobody's region: it was carried
-  double wholeWorth = 3.0;        // sightings from which a point has its full weight
+  double radiusShare = 0.025;      // of its distance, more; leaves 34 points at some places, not 64
+  Angle angle = Angle::deg(1.5);   // to either side of it
+  double carpetRadius = 8.0;       // cm, of a point on green
+  double carpetShare = 0.08;       // of its distance, more
+  double decay = 1.0;              // s in which every point loses a count of 1 (checklist U12)
+  double maxCount = 20.0;          // sightings that count in a point
+  std::uint32_t maxCarpet = 32;    // of the 128 points
+  std::uint32_t matched = 64;      // of its line points, spread evenly
+  std::uint32_t maxRefused = 15;   // frames in a row that match nothing; then it is cleared
+  double maxUnmatchedShare = 0.6;  // of points that match none; above, the robot was carried
+  double fullWeightCount = 3.0;    // sightings from which a point has its full weight
 
   static constexpr auto fields() {
     using P = LineMapParams;
@@ -32,42 +32,42 @@ struct LineMapParams {
         field("radiusShare", &P::radiusShare, "", 0, 1), field("angle", &P::angle, "rad", 0, 90),
         field("carpetRadius", &P::carpetRadius, "cm", 0, 100),
         field("carpetShare", &P::carpetShare, "", 0, 1), field("decay", &P::decay, "s", 0.01, 1000),
-        field("maxWorth", &P::maxWorth, "", 1, 1e4), field("maxCarpet", &P::maxCarpet, "", 0, 128),
+        field("maxCount", &P::maxCount, "", 1, 1e4), field("maxCarpet", &P::maxCarpet, "", 0, 128),
         field("matched", &P::matched, "", 8, 128), field("maxRefused", &P::maxRefused, "", 1, 1000),
-        field("maxStrange", &P::maxStrange, "", 0, 1),
-        field("wholeWorth", &P::wholeWorth, "", 1, 100));
+        field("maxUnmatchedShare", &P::maxUnmatchedShare, "", 0, 1),
+        field("fullWeightCount", &P::fullWeightCount, "", 1, 100));
   }
 };
 
 struct SymmetryParams {
   bool use = false;
-  double window = 20.0;         // cm around a feature in which the seen points lie about it
-  std::uint32_t maxOffers = 6;  // poses that look alike, the best matching
-  std::uint32_t points = 24;    // by which they are checked
+  double window = 20.0;        // cm around a feature in which the seen points lie about it
+  std::uint32_t maxPoses = 6;  // ambiguous poses, the best matching
+  std::uint32_t points = 24;   // by which they are checked
 
   static constexpr auto fields() {
     using P = SymmetryParams;
     return fieldList(field("use", &P::use), field("window", &P::window, "cm", 1, 200),
-                     field("maxOffers", &P::maxOffers, "", 1, 6),
+                     field("maxPoses", &P::maxPoses, "", 1, 6),
                      field("points", &P::points, "", 4, 128));
   }
 };
 
-struct SearchParams {
+struct LinePoseSearchParams {
   bool use = true;
   std::uint32_t columns = 4;       // of starts across the field
-  std::uint32_t rows = 3;          // along its own half; the other looks the same
+  std::uint32_t rows = 3;          // along the own half; the other looks the same
   std::uint32_t turns = 12;        // headings at each place
   std::uint32_t startsAFrame = 2;  // 150 k instructions of a PC
   std::uint32_t minPoints = 64;    // of lines in the map: what a pan shows
-  double patience = 5.0;           // s of standing after which fewer will do
+  double patience = 5.0;           // s of standing after which 16 are enough
   std::uint32_t points = 32;       // matched from each start
-  double coarseShare = 0.0625;     // of LineParams::sharpness, for the steps from a start
+  double coarseShare = 0.0625;     // of LineUpdateParams::sharpness, for the steps from a start
   double minMatch = 0.6;
   double apart = 15.0;  // cm, and degrees: nearer poses are the same
 
   static constexpr auto fields() {
-    using P = SearchParams;
+    using P = LinePoseSearchParams;
     return fieldList(
         field("use", &P::use), field("columns", &P::columns, "", 1, 40),
         field("rows", &P::rows, "", 1, 40), field("turns", &P::turns, "", 1, 72),

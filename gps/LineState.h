@@ -15,24 +15,24 @@ constexpr std::size_t kMapPoints = 128;
 struct MapPoint {
   LinePointKind kind = LinePointKind::line;
   Point2<Robot> place;
-  double weight = 0.0;  // of its sightings, by their distance: their mean
-  double worth = 0.0;   // sightings less the decay
+  double weight = 0.0;        // of its sightings, by their distance: their mean
+  double decayedCount = 0.0;  // sightings less the decay
 };
 
-// Of a standing robot.
+// The map of a standing robot.
 struct LineMap {
   FixedVector<MapPoint, kMapPoints> points;
-  double age = 0.0;           // s of standing
-  double sinceDecay = 0.0;    // s
-  double fresh = 0.0;         // worth of line points that came since the map was last used
-  std::uint32_t refused = 0;  // frames in a row in which the lines matched no mode
-  double strange = 0.0;       // share of line points that lay in nobody's region, over a second
+  double age = 0.0;             // s of standing
+  double sinceDecay = 0.0;      // s
+  double newCount = 0.0;        // of the sightings of lines since the map was last used
+  std::uint32_t refused = 0;    // frames in a row in which the lines matched no mode
+  double unmatchedShare = 0.0;  // of line points, those in no known point's region; over a second
 };
 
 enum class FeatureKind : std::uint8_t { corner, tee, circle, straight };
 
 // `direction`: a corner's bisector, a T's stem, the line through the circle, a straight piece's
-// normal; a T also gives two corners (one arm may be hidden), the circle and a straight piece are
+// normal. A T also gives two corners (one arm may be hidden); the circle and a straight piece are
 // listed in both directions.
 struct PaintedFeature {
   FeatureKind kind = FeatureKind::corner;
@@ -51,7 +51,7 @@ struct FoundPose {
 constexpr std::size_t kFoundPoses = 8;
 
 // A search over the field under way.
-struct GlobalSearch {
+struct LinePoseSearch {
   bool running = false;
   bool served = false;     // the request at hand has been answered
   std::uint32_t next = 0;  // start

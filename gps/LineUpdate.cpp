@@ -4,28 +4,29 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gps/AlikeUpdate.h"
 #include "gps/Symmetry.h"
+#include "gps/SymmetryUpdate.h"
 
 namespace kelpie::gps {
 namespace {
 
-// Weight factor of a mode that is too wide to be asked when lines fit another. A wide one explains
-// every landmark, so with 0.5 it outgrew the true one: corrections weigh 0.35 in the mean.
-constexpr double kTooWide = 0.1;
+// Weight factor of a mode that is too wide for a fit when lines fit another. A wide one explains
+// every landmark, so with 0.5 it outgrew the true one, whose weight a correction multiplies by 0.35
+// on average.
+constexpr double kWideWeight = 0.1;
 
 // Too wide a mode does not tell which of the lines is seen.
-bool isNarrow(const PoseMode& mode, const LineParams& params) {
+bool isNarrow(const PoseMode& mode, const LineUpdateParams& params) {
   return mode.covariance[0] + mode.covariance[4] <= 2.0 * maths::square(params.maxSd) &&
          mode.covariance[8] <= maths::square(params.maxHeadingSd.rad());
 }
 
-bool isUnsure(const PoseMode& mode, const LineParams& params) {
+bool isUnsure(const PoseMode& mode, const LineUpdateParams& params) {
   return mode.covariance[0] + mode.covariance[4] > 2.0 * maths::square(params.coarseAbove);
 }
 
-// The pose itself is known no better than the floor, however many points agree.
-Matrix3 floored(const Matrix3& information, const LineParams& params) {
+// However many points agree, the pose is known no better than the floor.
+Matrix3 floored(const Matrix3& information, const LineUpdateParams& params) {
   const double place = maths::square(params.floorSd);
   const Vector3 variances(place, place, maths::square(params.floorHeadingSd.rad()));
   const Matrix3 sum = Matrix3::Identity() + variances.asDiagonal() * information;
@@ -49,7 +50,7 @@ void correct(PoseMode& mode, const PoseObservation& observation) {
 }
 
 std::optional<PoseObservation> observationOf(const LineFit& fit, const FieldFeatures& field,
-                                             double headSpeed, const LineParams& params) {
+                                             double headSpeed, const LineUpdateParams& params) {
   const double moving = params.headSpeed * headSpeed;
   const double away = field.outside(fit.pose.position).value;
   const double inside = maths::exp(-params.offField * away * away);
@@ -63,23 +64,24 @@ std::optional<PoseObservation> observationOf(const LineFit& fit, const FieldFeat
 std::optional<PoseObservation> observationAt(const PoseMode& mode, const SeenLines& seen,
                                              double headSpeed, const GpsParams& params,
                                              GpsState& state) {
-  const LineParams& p = params.line;
+  const LineUpdateParams& p = params.line;
   if (!isNarrow(mode, p)) return std::nullopt;
   const LineFit fit = fitLines(seen, mode.pose, state.features, p, isUnsure(mode, p));
   auto observation = observationOf(fit, state.features, headSpeed, p);
   if (!observation) state.count(Refusal::linesMatchNothing);
-  if (observation) observation->information *= seen.fresh;
+  if (observation) observation->information *= seen.newEvidenceShare;
   return observation;
 }
 
-double unaskedWeight(const PoseMode& mode, const SeenLines& seen, const LineParams& params) {
-  const double kept = isNarrow(mode, params) ? params.refusedWeight : kTooWide;
-  return 1.0 - seen.fresh * (1.0 - kept);
+double weightWithoutLineFit(const PoseMode& mode, const SeenLines& seen,
+                            const LineUpdateParams& params) {
+  const double kept = isNarrow(mode, params) ? params.refusedWeight : kWideWeight;
+  return 1.0 - seen.newEvidenceShare * (1.0 - kept);
 }
 
 bool updateByLines(const SeenLines& seen, double headSpeed, const GpsParams& params,
                    GpsState& state) {
-  const LineParams& p = params.line;
+  const LineUpdateParams& p = params.line;
   if (seen.lines.size() < p.minPoints) return false;
   Modes& modes = state.modes;
   const std::size_t before = modes.size();
@@ -90,13 +92,14 @@ bool updateByLines(const SeenLines& seen, double headSpeed, const GpsParams& par
     found.push_back(light ? std::nullopt : observationAt(modes[i], seen, headSpeed, params, state));
     any = any || found.back().has_value();
   }
-  // Lines that fit no mode are false for all: who was asked must not be worse off than the others.
+  // Lines that fit no mode are false for all: modes with a failed fit must not lose weight against
+  // modes without a fit.
   if (!any) return false;
-  FixedVector<PoseMode, kMaxAlike> alike;
-  if (found[0]) alike = modesAlike(seen, *found[0], headSpeed, params, state);
+  FixedVector<PoseMode, kMaxAmbiguousPoses> symmetric;
+  if (found[0]) symmetric = symmetricModes(seen, *found[0], headSpeed, params, state);
   for (std::size_t i = 0; i < before; ++i) {
     if (i >= found.size() || !found[i]) {
-      modes[i].weight *= unaskedWeight(modes[i], seen, p);
+      modes[i].weight *= weightWithoutLineFit(modes[i], seen, p);
       continue;
     }
     PoseMode copy = modes[i];
@@ -104,7 +107,7 @@ bool updateByLines(const SeenLines& seen, double headSpeed, const GpsParams& par
     correct(modes[i], *found[i]);
     modes.push_back(copy);
   }
-  for (const PoseMode& mode : alike) modes.push_back(mode);
+  for (const PoseMode& mode : symmetric) modes.push_back(mode);
   return true;
 }
 

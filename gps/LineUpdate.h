@@ -2,7 +2,7 @@
 // Corrects the likely modes by the field lines (thesis 2004 section 3.3). Each likely mode gets the
 // pose near it at which the lines match best, as an observation of the pose itself whose
 // information is the match's curvature: along a lone straight line it is zero, so that direction
-// stays as it was. A copy without the correction stays for the case that the lines were others.
+// stays as it was. A copy without the correction stays for the case that other lines were seen.
 #pragma once
 
 #include "gps/GpsParams.h"
@@ -21,19 +21,20 @@ struct PoseObservation {
 // gain = A P L, P' = A P. Multiplies the weight by S in (0, 1] (equation 2.9).
 void correct(PoseMode& mode, const PoseObservation& observation);
 
-// What the fit is worth: nothing when it matches worse than equation 3.22 asks, off the field
-// (3.20, 3.21); wider the faster the head moves (3.23).
+// The fit as an observation: none when it matches worse than equation 3.22 requires or lies off the
+// field (3.20, 3.21); wider the faster the head moves (3.23).
 std::optional<PoseObservation> observationOf(const LineFit& fit, const FieldFeatures& field,
-                                             double headSpeed, const LineParams& params);
+                                             double headSpeed, const LineUpdateParams& params);
 
-// The fit near one mode and what it is worth; nothing for a mode that is too wide to be asked, or
-// near which the lines match nothing (counted).
+// The observation by a fit near one mode; none for a mode that is too wide for a fit, or near which
+// the lines match nothing (counted).
 std::optional<PoseObservation> observationAt(const PoseMode& mode, const SeenLines& seen,
                                              double headSpeed, const GpsParams& params,
                                              GpsState& state);
 
 // Weight factor of a mode without such an observation when another mode has one.
-double unaskedWeight(const PoseMode& mode, const SeenLines& seen, const LineParams& params);
+double weightWithoutLineFit(const PoseMode& mode, const SeenLines& seen,
+                            const LineUpdateParams& params);
 
 // Returns whether any mode was corrected. Call mergeAndPrune() afterwards.
 bool updateByLines(const SeenLines& seen, double headSpeed, const GpsParams& params,

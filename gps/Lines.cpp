@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "gps/GlobalSearch.h"
 #include "gps/LineMap.h"
+#include "gps/LinePoseSearch.h"
 #include "gps/LineUpdate.h"
 #include "gps/Pinks.h"
 #include "robot/body/Camera.h"
@@ -16,16 +16,16 @@ SeenLines linesToMatch(const Percepts& percepts, const GpsParams& params, LineMa
   const SeenLines frame = seenLines(percepts.linePoints, params.line);
   if (countOf(map, LinePointKind::line) <= frame.lines.size()) return frame;
   const SeenLines mapped = seenLines(map, params.lineMap.matched, params.lineMap);
-  map.fresh = 0.0;
+  map.newCount = 0.0;
   return mapped;
 }
 
 }  // namespace
 
 double headSpeedOf(const FrameInput& input) {
-  constexpr double kUnknown = 1.0;  // faster than any head
+  constexpr double kUnknownSpeed = 1.0;  // faster than any head
   const double speed = body::headSpeed(input.headRate);
-  return std::isfinite(speed) ? speed : kUnknown;
+  return std::isfinite(speed) ? speed : kUnknownSpeed;
 }
 
 bool linesUsable(const GpsParams& params, const GpsState& state) {
@@ -37,7 +37,7 @@ bool stepLines(const FrameInput& input, const Percepts& percepts, const GpsParam
   if (!params.line.use) return false;
   stepMap(input, percepts.linePoints, params.line, params.lineMap, state.map);
   // Among pinks their own search finds the pose.
-  if (landmarksCount(input) && stepSearch(input, params, state)) return true;
+  if (landmarksCount(input) && stepLinePoseSearch(input, params, state)) return true;
   if (!linesUsable(params, state)) return false;
   const SeenLines seen = linesToMatch(percepts, params, state.map);
   const bool used = updateByLines(seen, headSpeedOf(input), params, state);

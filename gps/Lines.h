@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A frame's field lines in the order of their use: the standing robot's map, the search on it, the
-// update by what holds more of map and frame.
+// update by the map or the frame, whichever holds more points.
 #pragma once
 
 #include "gps/GpsParams.h"
@@ -10,7 +10,7 @@
 
 namespace kelpie::gps {
 
-// rad a frame; very fast when it is not a number.
+// rad a frame; very fast when it is not finite.
 double headSpeedOf(const FrameInput& input);
 
 // Not after a scrum until the pose is confirmed.

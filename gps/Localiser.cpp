@@ -11,8 +11,8 @@
 #include "gps/Landmarks.h"
 #include "gps/Lines.h"
 #include "gps/Modes.h"
-#include "gps/Others.h"
 #include "gps/Pinks.h"
+#include "gps/Players.h"
 #include "gps/Predict.h"
 #include "gps/Stuck.h"
 #include "gps/Symmetry.h"
@@ -20,7 +20,7 @@
 namespace kelpie::gps {
 namespace {
 
-// Nobody stands farther out than the carpet.
+// No robot stands farther out than the carpet.
 void keepNearField(const body::FieldDescription& field, Modes& modes) {
   for (PoseMode& mode : modes) {
     Point2<Field>& p = mode.pose.position;
@@ -99,8 +99,8 @@ void prepare(const GpsParams& params, GpsState& state) {
     state.features.build(params.field);
     state.painted = paintedFeatures(params.field);
   }
-  if (!state.others.obstacles.built)
-    build(params.field, params.others.obstacles, state.others.obstacles);
+  if (!state.players.obstacles.built)
+    build(params.field, params.players.obstacles, state.players.obstacles);
   if (!state.started) start(params, state);
 }
 
@@ -120,7 +120,7 @@ WorldModel step(const GpsIn& in, const GpsParams& params, GpsState& state) {
   stepBall(in.input, in.percepts.ball, moved, params, state);
   applyReferee(in.input, params, state);
   WorldModel world = extract(state);
-  stepOthers(in, params, state, world);
+  stepPlayers(in, params, state, world);
   return world;
 }
 

@@ -17,7 +17,7 @@ struct GpsIn {
 };
 
 // Builds what follows from the field alone: 20 M instructions, more than a frame has on the robot.
-// A step does it for a state that nobody prepared.
+// A step does it for a state that was not prepared.
 void prepare(const GpsParams& params, GpsState& state);
 
 WorldModel step(const GpsIn& in, const GpsParams& params, GpsState& state);

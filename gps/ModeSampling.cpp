@@ -10,9 +10,9 @@
 namespace kelpie::gps {
 namespace {
 
-constexpr double kFlat = 1e-9;        // less bend than that is none
-constexpr double kSmallest = 1e-3;    // cm, rad: what can be inverted
-constexpr std::size_t kMaxPeaks = 4;  // of one mode
+constexpr double kMinCurvature = 1e-9;  // below it the values do not bend down
+constexpr double kMinSd = 1e-3;         // cm, rad: what can be inverted
+constexpr std::size_t kMaxPeaks = 4;    // of one mode
 
 struct Samples {
   std::array<double, 27> values{};
@@ -24,7 +24,7 @@ struct Samples {
 };
 
 Samples sampled(const PoseMode& mode, const SeenLines& seen, const FieldFeatures& field,
-                const LineParams& params) {
+                const LineUpdateParams& params) {
   Samples samples;
   for (std::size_t axis = 0; axis < 3; ++axis)
     samples.spacing[axis] = std::sqrt(mode.covariance[4 * axis]);
@@ -61,12 +61,12 @@ bool isPeak(const Samples& samples, std::array<int, 3> place) {
   return true;
 }
 
-std::optional<Bell> bellAlong(const Along& values) {
-  if (values[0] && values[2]) return bellOf(*values[0], *values[1], *values[2]);
+std::optional<Gaussian1d> fitAlong(const Along& values) {
+  if (values[0] && values[2]) return fitPeak(*values[0], *values[1], *values[2]);
   const bool upper = values[0].has_value();
-  auto bell = bellAtEdge(upper ? *values[0] : *values[2], *values[1]);
-  if (bell) bell->top = 0.0;  // seen from the edge's own place
-  return bell;
+  auto peak = fitEdgePeak(upper ? *values[0] : *values[2], *values[1]);
+  if (peak) peak->mean = 0.0;  // seen from the edge's own place
+  return peak;
 }
 
 // A flat axis says nothing: its information is zero.
@@ -78,11 +78,11 @@ PoseObservation observationOf(const Samples& samples, std::array<int, 3> place,
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const auto index = static_cast<Eigen::Index>(axis);
     mean(index) += place[axis] * samples.spacing[axis];
-    const auto bell = bellAlong(along(samples, place, axis));
-    if (!bell) continue;
-    mean(index) += bell->top * samples.spacing[axis];
+    const auto peak = fitAlong(along(samples, place, axis));
+    if (!peak) continue;
+    mean(index) += peak->mean * samples.spacing[axis];
     const double least = axis == 2 ? floor.headingSd.rad() : floor.sd;
-    const double sd = std::max({bell->sd * samples.spacing[axis], least, kSmallest});
+    const double sd = std::max({peak->sd * samples.spacing[axis], least, kMinSd});
     observation.information(index, index) = 1.0 / (sd * sd);
   }
   observation.pose = poseOf(mean);
@@ -107,19 +107,19 @@ void updateOne(const PoseMode& mode, const SeenLines& seen, const SamplingFloor&
 
 }  // namespace
 
-std::optional<Bell> bellOf(double before, double here, double after) {
+std::optional<Gaussian1d> fitPeak(double before, double here, double after) {
   if (!(before > 0.0 && here > 0.0 && after > 0.0)) return std::nullopt;
   const double q = maths::log(here * here / (before * after));
-  if (q < kFlat) return std::nullopt;
+  if (q < kMinCurvature) return std::nullopt;
   const double r = maths::log(here * here / (after * after));
-  return Bell{0.5 - r / (2.0 * q), 1.0 / std::sqrt(q)};
+  return Gaussian1d{0.5 - r / (2.0 * q), 1.0 / std::sqrt(q)};
 }
 
-std::optional<Bell> bellAtEdge(double inside, double edge) {
+std::optional<Gaussian1d> fitEdgePeak(double inside, double edge) {
   if (!(inside > 0.0 && edge > 0.0)) return std::nullopt;
   const double s = maths::log(edge * edge / (inside * inside));
-  if (s < kFlat) return std::nullopt;
-  return Bell{1.0, 1.0 / std::sqrt(s)};
+  if (s < kMinCurvature) return std::nullopt;
+  return Gaussian1d{1.0, 1.0 / std::sqrt(s)};
 }
 
 bool updateBySampling(const SeenLines& seen, const SamplingFloor& floor, const GpsParams& params,

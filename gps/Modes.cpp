@@ -49,7 +49,7 @@ double covarianceDifference(const PoseMode& a, const PoseMode& b) {
   return largest;
 }
 
-bool alike(const PoseMode& a, const PoseMode& b, const ModeParams& params) {
+bool mergeable(const PoseMode& a, const PoseMode& b, const ModeParams& params) {
   const Point2<Field> d = a.pose.position - b.pose.position;
   if (std::fabs(d.x) > params.mergeDistance || std::fabs(d.y) > params.mergeDistance) return false;
   if ((a.pose.heading - b.pose.heading).abs().deg() > params.mergeDistance) return false;
@@ -59,7 +59,7 @@ bool alike(const PoseMode& a, const PoseMode& b, const ModeParams& params) {
 void mergeAll(Modes& modes, const ModeParams& params) {
   for (std::size_t i = 0; i < modes.size(); ++i) {
     for (std::size_t j = i + 1; j < modes.size();) {
-      if (!alike(modes[i], modes[j], params)) {
+      if (!mergeable(modes[i], modes[j], params)) {
         ++j;
         continue;
       }
@@ -149,7 +149,7 @@ void seedAround(const Measurement& measurement, const GpsParams& params, GpsStat
   state.lost = false;
 }
 
-// Method 1: what is unlikely is not believed, but the mode becomes less sure of itself.
+// Method 1: an unlikely sighting is not used, but the mode becomes less sure of itself.
 static void refuseUnlikely(const Measurement& measurement, const GpsParams& params,
                            GpsState& state) {
   constexpr double kGrowthPerCm = 0.5 / kDegrees;  // rad: 5 deg for 10 cm
@@ -190,7 +190,7 @@ void updateAll(const Measurement& measurement, const GpsParams& params, GpsState
     corrected += modes[i].weight;
   }
   // The wide mode alone is not enough: near modes crowd it out, and it cannot be linearised well.
-  if (!wide) return;  // the thesis' second method never begins anew
+  if (!wide) return;  // the thesis' second method is never lost
   const bool explained = corrected > params.modes.explainedShare * (copies + corrected);
   state.unexplained = explained ? 0 : state.unexplained + 1;
   if (state.unexplained <= params.modes.maxUnexplained) return;

@@ -21,11 +21,11 @@ void seedAround(const Measurement& measurement, const GpsParams& params, GpsStat
 
 // Noise method 3 of the thesis: adds the wide mode; then corrects each mode, keeping a copy that
 // is not corrected with its weight times 1e-2. When no mode has predicted many landmarks in a row,
-// the state is lost, and the next landmark seeds it anew.
+// the state is lost, and the next landmark gives new modes.
 void updateAll(const Measurement& measurement, const GpsParams& params, GpsState& state);
 
 // Drops what is not finite (counted), merges, sorts by weight, cuts to kMaxModes, makes the weights
-// sum to 1. Starts anew when nothing is left.
+// sum to 1. Starts again when nothing is left.
 void mergeAndPrune(const GpsParams& params, GpsState& state);
 
 // One Gaussian with the mean and the covariance of both, their distance included.

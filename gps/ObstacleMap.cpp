@@ -9,8 +9,8 @@
 namespace kelpie::gps {
 namespace {
 
-constexpr float kForgotten = 0.1F;  // of a point
-constexpr double kBody = 8.0;       // cm from a robot's middle to where it counts as well
+constexpr float kMinCount = 0.1F;   // of a point
+constexpr double kBodyReach = 8.0;  // cm from a robot's middle to where it counts as well
 
 void enter(Point2<Field> p, double count, const body::FieldDescription& field,
            std::array<float, kMapCells>& layer, double most) {
@@ -23,7 +23,7 @@ void enter(Point2<Field> p, double count, const body::FieldDescription& field,
 // A wall from one point to another.
 void enterWall(Point2<Field> a, Point2<Field> b, const body::FieldDescription& field, double count,
                std::array<float, kMapCells>& layer) {
-  const int steps = 1 + static_cast<int>(2.0 * distance(a, b) / kCell);
+  const int steps = 1 + static_cast<int>(2.0 * distance(a, b) / kObstacleCell);
   for (int i = 0; i <= steps; ++i) {
     const double share = static_cast<double>(i) / steps;
     enter({a.x + share * (b.x - a.x), a.y + share * (b.y - a.y)}, count, field, layer, count);
@@ -64,8 +64,8 @@ void enterRobots(const ObstacleSightings& in, const body::FieldDescription& fiel
     const Point2<Robot> seen = robotPolar(robot.distance, robot.heading);
     const Point2<Field> p = fieldFromRobot(in.world.pose, seen);
     for (const Point2<Field>& aside :
-         {Point2<Field>{0, 0}, Point2<Field>{kBody, 0}, Point2<Field>{-kBody, 0},
-          Point2<Field>{0, kBody}, Point2<Field>{0, -kBody}}) {
+         {Point2<Field>{0, 0}, Point2<Field>{kBodyReach, 0}, Point2<Field>{-kBodyReach, 0},
+          Point2<Field>{0, kBodyReach}, Point2<Field>{0, -kBodyReach}}) {
       enter(p + aside, params.robotCount, field, map.own, params.maxCount);
     }
   }
@@ -85,15 +85,15 @@ void fade(std::array<float, kMapCells>& layer, double keep) {
   const auto share = static_cast<float>(keep);
   for (float& count : layer) {
     if (count == 0.0F) continue;
-    count = count * share < kForgotten ? 0.0F : count * share;
+    count = count * share < kMinCount ? 0.0F : count * share;
   }
 }
 
 }  // namespace
 
 std::optional<std::size_t> cellAt(Point2<Field> p, const body::FieldDescription& field) {
-  const double column = (p.x + field.sideFringe) / kCell;
-  const double row = (p.y + field.endFringe) / kCell;
+  const double column = (p.x + field.sideFringe) / kObstacleCell;
+  const double row = (p.y + field.endFringe) / kObstacleCell;
   if (!(column >= 0.0 && column < kMapColumns && row >= 0.0 && row < kMapRows)) return std::nullopt;
   return static_cast<std::size_t>(row) * kMapColumns + static_cast<std::size_t>(column);
 }
@@ -101,8 +101,8 @@ std::optional<std::size_t> cellAt(Point2<Field> p, const body::FieldDescription&
 Point2<Field> middleOf(std::size_t cell, const body::FieldDescription& field) {
   const std::size_t row = cell / kMapColumns;
   const std::size_t column = cell - row * kMapColumns;
-  return {(static_cast<double>(column) + 0.5) * kCell - field.sideFringe,
-          (static_cast<double>(row) + 0.5) * kCell - field.endFringe};
+  return {(static_cast<double>(column) + 0.5) * kObstacleCell - field.sideFringe,
+          (static_cast<double>(row) + 0.5) * kObstacleCell - field.endFringe};
 }
 
 void build(const body::FieldDescription& field, const ObstacleMapParams& params, ObstacleMap& map) {

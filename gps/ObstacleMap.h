@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Where something stands on the field: squares of 10 cm that count the dark and grey points and the
 // robots seen in them (facts-2005 section 4.7, thesis 2006 section 6.4.4), forget them, and are
-// emptied where carpet is seen. What mates say is kept apart, so that nobody hears his own rumour.
-// The map lies on the field: a robot that is wrong about its place writes beside the truth, so one
-// that is unsure writes nothing.
+// emptied where carpet is seen. What mates say is kept apart, so that no robot hears its own
+// report. The map lies on the field: a robot that is wrong about its place writes beside the truth,
+// so one that is unsure writes nothing.
 #pragma once
 
 #include <array>
@@ -19,7 +19,7 @@
 
 namespace kelpie::gps {
 
-constexpr double kCell = 10.0;  // cm
+constexpr double kObstacleCell = 10.0;  // cm
 // From the carpet's corner: 480 x 640 cm; what is farther on a larger field is not mapped.
 constexpr std::size_t kMapColumns = 48;
 constexpr std::size_t kMapRows = 64;

@@ -9,7 +9,7 @@
 namespace kelpie::gps {
 namespace {
 
-constexpr double kSector = 2.0 * maths::kPi / kObstacleSectors;
+constexpr double kSectorWidth = 2.0 * maths::kPi / kObstacleSectors;
 
 double awayFromWay(Point2<Field> p, Point2<Field> from, Point2<Field> to) {
   const Point2<Field> way = to - from;
@@ -21,12 +21,12 @@ double awayFromWay(Point2<Field> p, Point2<Field> from, Point2<Field> to) {
 }
 
 std::size_t sectorOf(Angle heading) {
-  const double turns = std::floor(heading.rad() / kSector + 0.5);
+  const double turns = std::floor(heading.rad() / kSectorWidth + 0.5);
   const int index = static_cast<int>(turns) + static_cast<int>(kObstacleSectors);
   return static_cast<std::size_t>(index) % kObstacleSectors;
 }
 
-Angle headingOf(int sector) { return Angle::rad(kSector * sector); }
+Angle headingOf(int sector) { return Angle::rad(kSectorWidth * sector); }
 
 // A run of free sectors by signed index, ahead is 0 and left is positive.
 struct Run {
@@ -39,14 +39,14 @@ bool isFree(const Sectors& sectors, int index, const ObstacleMapParams& params) 
   return sectors[static_cast<std::size_t>((index + kAll) % kAll)].nearest > params.gapReach;
 }
 
-// The direction of a run nearest to the wished one.
-ObstacleGap gapOf(const Run& run, Angle wished, const ObstacleMapParams& params) {
-  const double half = 0.5 * kSector;
-  const double right = kSector * run.first - half;
-  const double left = kSector * run.last + half;
+// The direction of a run nearest to the desired one.
+ObstacleGap gapOf(const Run& run, Angle desired, const ObstacleMapParams& params) {
+  const double half = 0.5 * kSectorWidth;
+  const double right = kSectorWidth * run.first - half;
+  const double left = kSectorWidth * run.last + half;
   if (left - right < params.gapWidth.rad()) return {};
   const double margin = 0.5 * params.gapWidth.rad();
-  const double heading = maths::clamp(wished.rad(), right + margin, left - margin);
+  const double heading = maths::clamp(desired.rad(), right + margin, left - margin);
   return {true, Angle::rad(heading), Angle::rad(std::min(left - right, maths::kPi))};
 }
 
@@ -87,8 +87,8 @@ double countInSector(const Sectors& sectors, Angle heading, Angle width) {
   return sum;
 }
 
-ObstacleGap bestGap(const Sectors& sectors, Angle wished, const ObstacleMapParams& params) {
-  const int most = static_cast<int>(params.gapAside.rad() / kSector);
+ObstacleGap bestGap(const Sectors& sectors, Angle desired, const ObstacleMapParams& params) {
+  const int most = static_cast<int>(params.gapAside.rad() / kSectorWidth);
   ObstacleGap best;
   Run run;
   bool open = false;
@@ -97,9 +97,9 @@ ObstacleGap bestGap(const Sectors& sectors, Angle wished, const ObstacleMapParam
     if (free) {
       run = {open ? run.first : i, i};
     } else if (open) {
-      const ObstacleGap gap = gapOf(run, wished, params);
-      const auto off = [wished](const ObstacleGap& g) {
-        return std::fabs((g.heading - wished).rad());
+      const ObstacleGap gap = gapOf(run, desired, params);
+      const auto off = [desired](const ObstacleGap& g) {
+        return std::fabs((g.heading - desired).rad());
       };
       if (gap.present && (!best.present || off(gap) < off(best))) best = gap;
     }
@@ -115,8 +115,8 @@ ObstacleEstimate extractObstacles(const ObstacleView& view, const WorldModel& wo
   estimate.sectors = sectorsAround(view, world.pose);
   if (world.ball.present) estimate.toBall = countInCorridor(view, me, world.ball.position);
   estimate.toGoal = countInCorridor(view, world.ball.present ? world.ball.position : me, goal);
-  const Angle wished = bearing(robotFromField(world.pose, goal));
-  estimate.gapToGoal = bestGap(estimate.sectors, wished, view.params);
+  const Angle desired = bearing(robotFromField(world.pose, goal));
+  estimate.gapToGoal = bestGap(estimate.sectors, desired, view.params);
   estimate.cells = fullest(view.map, view.field, view.params);
   return estimate;
 }

@@ -24,9 +24,9 @@ Sectors sectorsAround(const ObstacleView& view, const Pose2& robot);
 // Points of the sectors whose middle is within half the width of a heading.
 double countInSector(const Sectors& sectors, Angle heading, Angle width);
 
-// Of the runs of free sectors the direction nearest to the one wished for, at least half the
-// needed width from both of its ends; absent when all are too narrow.
-ObstacleGap bestGap(const Sectors& sectors, Angle wished, const ObstacleMapParams& params);
+// The direction nearest to the desired one in any run of free sectors, at least half the needed
+// width from both ends of the run; absent when all are too narrow.
+ObstacleGap bestGap(const Sectors& sectors, Angle desired, const ObstacleMapParams& params);
 
 // Everything that is published.
 ObstacleEstimate extractObstacles(const ObstacleView& view, const WorldModel& world);

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "gps/Gaussian.h"
-#include "gps/OthersState.h"
+#include "gps/PlayersState.h"
 
 namespace kelpie::gps {
 

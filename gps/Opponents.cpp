@@ -11,20 +11,20 @@
 namespace kelpie::gps {
 namespace {
 
-constexpr double kImageMargin = 20.0;  // px; robots cut by the image border may be missed
-constexpr double kBodyMiddle = 9.0;    // cm above the ground
-constexpr double kFarthest = 1000.0;   // cm, of a sighting
+constexpr double kImageMargin = 20.0;    // px; robots cut by the image border may be missed
+constexpr double kBodyMiddle = 9.0;      // cm above the ground
+constexpr double kMaxDistance = 1000.0;  // cm, of a sighting
 
 using Filters = std::array<OpponentFilter, kOpponents>;
 
-// Where nothing is known (facts-2005 section 5): the opponents' likely places.
+// The opponents' likely places, for filters that know nothing (facts-2005 section 5).
 Place startPlace(std::size_t index, const GpsParams& params) {
   const double w = params.field.width;
   const double l = params.field.length;
   const std::array<Vector2, kOpponents> places{Vector2(0.5 * w, l), Vector2(0.5 * w, 0.75 * l),
                                                Vector2(0.75 * w, 0.75 * l),
                                                Vector2(0.5 * w, 0.5 * l)};
-  return {places[index], params.others.opponents.startVariance * Matrix2::Identity()};
+  return {places[index], params.players.opponents.startVariance * Matrix2::Identity()};
 }
 
 void forget(std::size_t index, const GpsParams& params, Filters& filters) {
@@ -32,13 +32,13 @@ void forget(std::size_t index, const GpsParams& params, Filters& filters) {
   filters[index].belief = informationOf(startPlace(index, params));
 }
 
-// Equation 2.15, odd as it is (checklist H08): sqrt(C00^2 + C11^2).
+// Equation 2.15, kept as printed (checklist H08): sqrt(C00^2 + C11^2).
 double vagueness(const OpponentFilter& filter) {
   const Place place = placeOf(filter.belief);
   return maths::hypot(place.covariance(0, 0), place.covariance(1, 1));
 }
 
-// The vaguest of those not yet assigned: an unknown one when there is any. -1: all are assigned.
+// The vaguest filter not yet assigned: an unknown one when there is any. -1: all are assigned.
 int vaguest(const Filters& filters) {
   int best = -1;
   for (std::size_t i = 0; i < filters.size(); ++i) {
@@ -68,8 +68,8 @@ void widen(double variance, OpponentFilter& filter) {
 }
 
 void passTime(const GpsIn& in, const GpsParams& params, GpsState& state) {
-  Filters& filters = state.others.opponents;
-  const OpponentParams& p = params.others.opponents;
+  Filters& filters = state.players.opponents;
+  const OpponentParams& p = params.players.opponents;
   for (std::size_t i = 0; i < filters.size(); ++i) {
     OpponentFilter& filter = filters[i];
     filter.assigned = false;
@@ -78,10 +78,10 @@ void passTime(const GpsIn& in, const GpsParams& params, GpsState& state) {
   }
 }
 
-// A filter whose place is in the image, where nobody stands, is soon believed no more.
+// A filter whose place is in the image, where no robot stands, is soon no longer believed.
 void missUnseen(const GpsIn& in, const GpsParams& params, GpsState& state) {
-  const OpponentParams& p = params.others.opponents;
-  for (OpponentFilter& filter : state.others.opponents) {
+  const OpponentParams& p = params.players.opponents;
+  for (OpponentFilter& filter : state.players.opponents) {
     if (!filter.known || filter.assigned) continue;
     const Point2<Field> at = pointOf(placeOf(filter.belief).mean);
     if (shouldBeSeen(in.input, robotFromField(state.modes[0].pose, at), p)) {
@@ -91,8 +91,8 @@ void missUnseen(const GpsIn& in, const GpsParams& params, GpsState& state) {
 }
 
 void forgetVague(const GpsParams& params, GpsState& state) {
-  Filters& filters = state.others.opponents;
-  const OpponentParams& p = params.others.opponents;
+  Filters& filters = state.players.opponents;
+  const OpponentParams& p = params.players.opponents;
   for (std::size_t i = 0; i < filters.size(); ++i) {
     if (!filters[i].known) continue;
     const Place place = placeOf(filters[i].belief);
@@ -106,7 +106,7 @@ void forgetVague(const GpsParams& params, GpsState& state) {
 }
 
 bool usable(const RobotPercept& r) {
-  return std::isfinite(r.distance) && r.distance > 0.0 && r.distance < kFarthest &&
+  return std::isfinite(r.distance) && r.distance > 0.0 && r.distance < kMaxDistance &&
          std::isfinite(r.heading.rad()) && std::isfinite(r.distanceVariance) &&
          r.distanceVariance > 0.0 && std::isfinite(r.headingVariance) && r.headingVariance > 0.0;
 }
@@ -122,7 +122,7 @@ Place sightingOf(const RobotPercept& r, const PoseMode& pose, double factor) {
 }
 
 bool nearField(const Place& place, const GpsParams& params) {
-  const double margin = params.others.team.offField;
+  const double margin = params.players.team.offField;
   return place.mean(0) > -margin && place.mean(0) < params.field.width + margin &&
          place.mean(1) > -margin && place.mean(1) < params.field.length + margin;
 }
@@ -166,7 +166,7 @@ void forgetTwins(std::size_t index, const GpsParams& params, Filters& filters) {
   for (std::size_t i = 0; i < filters.size(); ++i) {
     if (i == index || !filters[i].known || filters[i].assigned) continue;
     const Vector2 off = placeOf(filters[i].belief).mean - at;
-    if (off.norm() < params.others.opponents.joinDistance) forget(i, params, filters);
+    if (off.norm() < params.players.opponents.joinDistance) forget(i, params, filters);
   }
 }
 
@@ -184,8 +184,8 @@ std::size_t take(int match, int spare, const Place& seen, Filters& filters) {
 }
 
 void see(const RobotPercept& percept, const GpsParams& params, GpsState& state) {
-  const OpponentParams& p = params.others.opponents;
-  Filters& filters = state.others.opponents;
+  const OpponentParams& p = params.players.opponents;
+  Filters& filters = state.players.opponents;
   if (!usable(percept)) {
     state.count(Refusal::opponentNotFinite);
     return;
@@ -202,7 +202,7 @@ void see(const RobotPercept& percept, const GpsParams& params, GpsState& state) 
   if (spare < 0) return;  // a fifth robot in one image
   const std::size_t index = take(match, spare, seen, filters);
   filters[index].secondsSinceSeen = 0.0;
-  add(informationOf(seen), filters[index].fresh);
+  add(informationOf(seen), filters[index].unsent);
   filters[index].seenSinceMessage = true;
   forgetTwins(index, params, filters);
 }
@@ -210,10 +210,10 @@ void see(const RobotPercept& percept, const GpsParams& params, GpsState& state) 
 }  // namespace
 
 void stepOpponents(const GpsIn& in, const GpsParams& params, GpsState& state) {
-  Filters& filters = state.others.opponents;
-  if (!state.others.started) {
+  Filters& filters = state.players.opponents;
+  if (!state.players.started) {
     for (std::size_t i = 0; i < filters.size(); ++i) forget(i, params, filters);
-    state.others.started = true;
+    state.players.started = true;
   }
   passTime(in, params, state);
   for (const RobotPercept& percept : in.percepts.robots) {
@@ -224,9 +224,9 @@ void stepOpponents(const GpsIn& in, const GpsParams& params, GpsState& state) {
 }
 
 void hearOpponents(const TeamMessage& message, const GpsParams& params, GpsState& state) {
-  Filters& filters = state.others.opponents;
+  Filters& filters = state.players.opponents;
   for (OpponentFilter& filter : filters) filter.assigned = false;
-  const OpponentParams& p = params.others.opponents;
+  const OpponentParams& p = params.players.opponents;
   const double older = p.walkNoise * message.age;
   for (const SharedOpponent& opponent : message.opponents) {
     const Place seen{vectorOf(opponent.position),
@@ -241,22 +241,22 @@ void hearOpponents(const TeamMessage& message, const GpsParams& params, GpsState
   }
 }
 
-FixedVector<SharedOpponent, kOpponents> takeFresh(OthersState& others) {
+FixedVector<SharedOpponent, kOpponents> takeUnsent(PlayersState& players) {
   FixedVector<SharedOpponent, kOpponents> list;
-  for (OpponentFilter& filter : others.opponents) {
+  for (OpponentFilter& filter : players.opponents) {
     if (filter.seenSinceMessage) {
-      const Place place = placeOf(filter.fresh);
+      const Place place = placeOf(filter.unsent);
       list.push_back({pointOf(place.mean), rowsOf(place.covariance)});
     }
-    filter.fresh = Information{};
+    filter.unsent = Information{};
     filter.seenSinceMessage = false;
   }
   return list;
 }
 
-FixedVector<OpponentEstimate, kOpponents> extractOpponents(const OthersState& others) {
+FixedVector<OpponentEstimate, kOpponents> extractOpponents(const PlayersState& players) {
   FixedVector<OpponentEstimate, kOpponents> list;
-  for (const OpponentFilter& filter : others.opponents) {
+  for (const OpponentFilter& filter : players.opponents) {
     if (!filter.known) continue;
     const Place place = placeOf(filter.belief);
     list.push_back({pointOf(place.mean), rowsOf(place.covariance), filter.secondsSinceSeen});

@@ -15,9 +15,9 @@ void stepOpponents(const GpsIn& in, const GpsParams& params, GpsState& state);
 // What one message of a team mate tells.
 void hearOpponents(const TeamMessage& message, const GpsParams& params, GpsState& state);
 
-// What the own sightings since the last message tell; forgets them.
-FixedVector<SharedOpponent, kOpponents> takeFresh(OthersState& others);
+// What the own sightings since the last message tell, which no message has sent; forgets them.
+FixedVector<SharedOpponent, kOpponents> takeUnsent(PlayersState& players);
 
-FixedVector<OpponentEstimate, kOpponents> extractOpponents(const OthersState& others);
+FixedVector<OpponentEstimate, kOpponents> extractOpponents(const PlayersState& players);
 
 }  // namespace kelpie::gps

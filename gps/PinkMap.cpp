@@ -10,20 +10,21 @@ namespace {
 double cross(Point2<Field> a, Point2<Field> b) { return a.x * b.y - a.y * b.x; }
 double dot(Point2<Field> a, Point2<Field> b) { return a.x * b.x + a.y * b.y; }
 
-bool knowsItsPlace(const GpsState& state, const PinkParams& params) {
+bool knowsItsPlace(const GpsState& state, const PinkMapParams& params) {
   if (state.lost || state.modes.empty()) return false;
   const std::array<double, 9>& c = state.modes[0].covariance;
   const double most = maths::square(params.maxPositionSd);
   return c[0] <= most && c[4] <= most && c[8] <= maths::square(params.maxHeadingSd.rad());
 }
 
-std::optional<Refusal> refusal(const PinkSight& sight, TeamColour team, const GpsParams& params,
+std::optional<Refusal> refusal(const PinkBearing& bearing, TeamColour team, const GpsParams& params,
                                const GpsState& state) {
   if (!knowsItsPlace(state, params.pinks)) return Refusal::pinkPoseUnsure;
-  const Ray ray = rayOf(state.modes[0].pose, sight);
+  const Ray ray = rayOf(state.modes[0].pose, bearing);
   const auto place = meetWall(ray, params.pinks.wall);
   if (!place) return Refusal::pinkOffWall;
-  if (!mayHangOnWall(sight.eyeHeight, sight.elevation, distance(*place, ray.from), params.pinks))
+  if (!mayHangOnWall(bearing.eyeHeight, bearing.elevation, distance(*place, ray.from),
+                     params.pinks))
     return Refusal::pinkElevation;
   if (!clearOfBeacons(ray, params.field, team, params.pinks.beaconClearance))
     return Refusal::pinkNearBeacon;
@@ -32,9 +33,9 @@ std::optional<Refusal> refusal(const PinkSight& sight, TeamColour team, const Gp
 
 }  // namespace
 
-Ray rayOf(const Pose2& pose, const PinkSight& sight) {
-  const Angle direction = pose.heading + sight.heading;
-  return {fieldFromRobot(pose, sight.eye), {direction.cos(), direction.sin()}};
+Ray rayOf(const Pose2& pose, const PinkBearing& bearing) {
+  const Angle direction = pose.heading + bearing.heading;
+  return {fieldFromRobot(pose, bearing.eye), {direction.cos(), direction.sin()}};
 }
 
 std::optional<Point2<Field>> meetWall(const Ray& ray, const std::array<double, 8>& wall) {
@@ -54,7 +55,8 @@ std::optional<Point2<Field>> meetWall(const Ray& ray, const std::array<double, 8
   return ray.from + ray.along * nearest;
 }
 
-bool mayHangOnWall(double eyeHeight, Angle elevation, double distance, const PinkParams& params) {
+bool mayHangOnWall(double eyeHeight, Angle elevation, double distance,
+                   const PinkMapParams& params) {
   const double height = eyeHeight + distance * maths::tan(elevation.rad());
   return height >= params.minHeight && height <= params.maxHeight;
 }
@@ -69,7 +71,7 @@ bool clearOfBeacons(const Ray& ray, const body::FieldDescription& field, TeamCol
   return true;
 }
 
-PinkLandmark* glancedAt(const Ray& ray, Point2<Field> place, const PinkParams& params,
+PinkLandmark* glancedAt(const Ray& ray, Point2<Field> place, const PinkMapParams& params,
                         PinkLandmarks& map) {
   for (PinkLandmark& landmark : map) {
     const double away = distance(landmark.position, place);
@@ -95,7 +97,7 @@ bool addToMap(Point2<Field> place, double mergeRadius, PinkLandmarks& map) {
   return true;
 }
 
-void forget(double seconds, const PinkParams& params, PinkState& state) {
+void forget(double seconds, const PinkMapParams& params, PinkState& state) {
   state.sinceForgotten += seconds;
   if (state.sinceForgotten < params.forgetSeconds) return;
   state.sinceForgotten = 0.0;
@@ -107,14 +109,14 @@ void forget(double seconds, const PinkParams& params, PinkState& state) {
   state.map = kept;
 }
 
-void mapPatches(const PinkSights& sights, TeamColour team, const GpsParams& params,
+void mapPatches(const PinkBearings& bearings, TeamColour team, const GpsParams& params,
                 GpsState& state) {
-  for (const PinkSight& sight : sights) {
-    if (const auto reason = refusal(sight, team, params, state)) {
+  for (const PinkBearing& bearing : bearings) {
+    if (const auto reason = refusal(bearing, team, params, state)) {
       state.count(*reason);
       continue;
     }
-    const Ray ray = rayOf(state.modes[0].pose, sight);
+    const Ray ray = rayOf(state.modes[0].pose, bearing);
     const auto place = meetWall(ray, params.pinks.wall);
     if (PinkLandmark* known = glancedAt(ray, *place, params.pinks, state.pinks.map)) {
       known->weight += 1.0;

@@ -7,7 +7,7 @@
 
 #include "gps/GpsParams.h"
 #include "gps/GpsState.h"
-#include "gps/PinkSight.h"
+#include "gps/PinkBearing.h"
 
 namespace kelpie::gps {
 
@@ -15,7 +15,7 @@ struct Ray {
   Point2<Field> from;
   Point2<Field> along;  // unit vector
 };
-Ray rayOf(const Pose2& pose, const PinkSight& sight);
+Ray rayOf(const Pose2& pose, const PinkBearing& bearing);
 
 // The nearest place ahead at which the ray meets the wall; the wall need not be a rectangle.
 std::optional<Point2<Field>> meetWall(const Ray& ray, const std::array<double, 8>& wall);
@@ -23,7 +23,7 @@ std::optional<Point2<Field>> meetWall(const Ray& ray, const std::array<double, 8
 // What a camera at eyeHeight sees at that elevation can hang on a wall that far away: its middle is
 // between minHeight and maxHeight there. The highest elevation falls with the distance (thesis 2004
 // section 4.1.2).
-bool mayHangOnWall(double eyeHeight, Angle elevation, double distance, const PinkParams& params);
+bool mayHangOnWall(double eyeHeight, Angle elevation, double distance, const PinkMapParams& params);
 
 // The ray passes no beacon within beaconClearance; those behind the robot do not count.
 bool clearOfBeacons(const Ray& ray, const body::FieldDescription& field, TeamColour team,
@@ -31,7 +31,7 @@ bool clearOfBeacons(const Ray& ray, const body::FieldDescription& field, TeamCol
 
 // Along a wall a ray's small error is a long way: the mapped patch that it passes closely, though
 // it meets the wall farther from it than patches are merged; null when there is none.
-PinkLandmark* glancedAt(const Ray& ray, Point2<Field> place, const PinkParams& params,
+PinkLandmark* glancedAt(const Ray& ray, Point2<Field> place, const PinkMapParams& params,
                         PinkLandmarks& map);
 
 // Adds a sighting of weight 1, or merges it into the nearest entry within the radius, by weight.
@@ -39,10 +39,10 @@ PinkLandmark* glancedAt(const Ray& ray, Point2<Field> place, const PinkParams& p
 bool addToMap(Point2<Field> place, double mergeRadius, PinkLandmarks& map);
 
 // Takes one from every weight each `forgetSeconds` and drops what has none left.
-void forget(double seconds, const PinkParams& params, PinkState& state);
+void forget(double seconds, const PinkMapParams& params, PinkState& state);
 
 // Maps the patches of one frame; what is not used is counted.
-void mapPatches(const PinkSights& sights, TeamColour team, const GpsParams& params,
+void mapPatches(const PinkBearings& bearings, TeamColour team, const GpsParams& params,
                 GpsState& state);
 
 }  // namespace kelpie::gps

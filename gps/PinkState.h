@@ -15,7 +15,7 @@ namespace kelpie::gps {
 using PinkLandmarks = FixedVector<PinkLandmark, kMaxPinks>;
 
 // A direction in which pink was seen, in the survey's frame.
-struct PinkBearing {
+struct SurveyBearing {
   Point2<Robot> origin;
   double eyeHeight = 0.0;  // cm, of the camera
   Angle heading;
@@ -37,21 +37,21 @@ struct Survey {
   double seconds = 0.0;
   double nextSearch = 0.0;  // s
   FixedVector<SurveyPoint, kSurveyPoints> points;
-  FixedVector<PinkBearing, 24> bearings;
+  FixedVector<SurveyBearing, 24> bearings;
 };
 
 // A pose of the survey's frame on the field.
-struct Candidate {
+struct PoseCandidate {
   Pose2 pose;
   double score = 0.0;  // log likelihood, up to a constant
   double match = 0.0;  // of the line points, 0 to 1
 };
 
-struct Search {
+struct PinkPoseSearch {
   bool running = false;
   std::uint32_t cursor = 0;   // the next pose to be tried
   std::uint32_t refined = 0;  // candidates done
-  FixedVector<Candidate, 32> candidates;
+  FixedVector<PoseCandidate, 32> candidates;
   std::uint32_t count = 0;  // searches that came to an end
 };
 
@@ -61,7 +61,7 @@ struct PinkState {
   double sinceForgotten = 0.0;    // s
   std::uint32_t unexplained = 0;  // sightings in a row that no mode predicted
   Survey survey;
-  Search search;
+  PinkPoseSearch search;
 };
 
 }  // namespace kelpie::gps

@@ -11,7 +11,7 @@ namespace kelpie::gps {
 namespace {
 
 // Keeps the heaviest of all that are offered: M (N + 1) modes can be more than there is room for.
-void offer(const PoseMode& mode, Modes& best) {
+void keepHeaviest(const PoseMode& mode, Modes& best) {
   if (best.push_back(mode)) return;
   PoseMode* lightest =
       std::min_element(best.begin(), best.end(),
@@ -19,36 +19,36 @@ void offer(const PoseMode& mode, Modes& best) {
   if (lightest->weight < mode.weight) *lightest = mode;
 }
 
-Measurement headingOf(const PinkSight& sight, Point2<Field> landmark, const Pose2& pose,
+Measurement headingOf(const PinkBearing& bearing, Point2<Field> landmark, const Pose2& pose,
                       const GpsParams& params) {
   const double away = distance(landmark, pose.position);
-  constexpr double kNearest = 50.0;  // cm; nearer, mapSd would be no small angle
+  constexpr double kMinDistance = 50.0;  // cm; nearer, mapSd would be no small angle
   Measurement m;
   m.landmark = landmark;
   m.useHeading = true;
-  m.heading = headingAt(sight, away);
-  m.headingVariance = std::max(params.gates.headingVarianceFactor * sight.variance,
-                               maths::square(params.pinks.minSightSd.rad())) +
-                      maths::square(params.pinks.mapSd / std::max(kNearest, away));
+  m.heading = headingAt(bearing, away);
+  m.headingVariance = std::max(params.gates.headingVarianceFactor * bearing.variance,
+                               maths::square(params.pinks.minBearingSd.rad())) +
+                      maths::square(params.pinks.mapSd / std::max(kMinDistance, away));
   return m;
 }
 
-bool fits(const PinkSight& sight, const PoseMode& mode, Point2<Field> landmark,
-          const PinkParams& params) {
-  const Point2<Field> eye = fieldFromRobot(mode.pose, sight.eye);
-  return mayHangOnWall(sight.eyeHeight, sight.elevation, distance(eye, landmark), params);
+bool fits(const PinkBearing& bearing, const PoseMode& mode, Point2<Field> landmark,
+          const PinkMapParams& params) {
+  const Point2<Field> eye = fieldFromRobot(mode.pose, bearing.eye);
+  return mayHangOnWall(bearing.eyeHeight, bearing.elevation, distance(eye, landmark), params);
 }
 
 // Pink clothes above the wall are no evidence of anything. Where the wall is the best mode says.
-bool isAboveWall(const PinkSight& sight, const PinkParams& params, const GpsState& state) {
-  const Ray ray = rayOf(state.modes[0].pose, sight);
+bool isAboveWall(const PinkBearing& bearing, const PinkMapParams& params, const GpsState& state) {
+  const Ray ray = rayOf(state.modes[0].pose, bearing);
   const auto place = meetWall(ray, params.wall);
   return place &&
-         !mayHangOnWall(sight.eyeHeight, sight.elevation, distance(*place, ray.from), params);
+         !mayHangOnWall(bearing.eyeHeight, bearing.elevation, distance(*place, ray.from), params);
 }
 
 // Sightings in a row that no mode predicted mean that the robot is elsewhere.
-void judge(double corrected, double copies, const GpsParams& params, GpsState& state) {
+void countUnexplained(double corrected, double copies, const GpsParams& params, GpsState& state) {
   const bool explained = corrected > params.modes.explainedShare * (copies + corrected);
   std::uint32_t& unexplained = state.pinks.unexplained;
   unexplained = explained ? 0 : unexplained + 1;
@@ -56,14 +56,14 @@ void judge(double corrected, double copies, const GpsParams& params, GpsState& s
 
 }  // namespace
 
-PinkLandmarks knownPinks(const PinkState& state, const PinkParams& params) {
+PinkLandmarks knownPinks(const PinkState& state, const PinkMapParams& params) {
   PinkLandmarks known;
   for (const PinkLandmark& landmark : state.map)
     if (landmark.weight >= params.minWeight) known.push_back(landmark);
   return known;
 }
 
-bool updateByPink(const PinkSight& sight, const GpsParams& params, GpsState& state) {
+bool updateByPink(const PinkBearing& bearing, const GpsParams& params, GpsState& state) {
   const PinkLandmarks known = knownPinks(state.pinks, params.pinks);
   if (known.empty()) return false;
   Modes best;
@@ -73,28 +73,28 @@ bool updateByPink(const PinkSight& sight, const GpsParams& params, GpsState& sta
     PoseMode copy = mode;
     copy.weight *= params.modes.outlierWeight;
     copies += copy.weight;
-    offer(copy, best);
+    keepHeaviest(copy, best);
     for (const PinkLandmark& landmark : known) {
-      if (!fits(sight, mode, landmark.position, params.pinks)) continue;
+      if (!fits(bearing, mode, landmark.position, params.pinks)) continue;
       PoseMode moved = mode;
       moved.weight /= static_cast<double>(known.size());
-      update(moved, headingOf(sight, landmark.position, mode.pose, params),
+      update(moved, headingOf(bearing, landmark.position, mode.pose, params),
              params.modes.weighByDeterminant);
       corrected += moved.weight;
-      offer(moved, best);
+      keepHeaviest(moved, best);
     }
   }
-  judge(corrected, copies, params, state);
+  countUnexplained(corrected, copies, params, state);
   state.modes = best;
   return true;
 }
 
-void updateByPatches(const PinkSights& sights, const GpsParams& params, GpsState& state) {
-  const std::size_t most = std::min<std::size_t>(sights.size(), params.pinks.maxPatches);
+void updateByPatches(const PinkBearings& bearings, const GpsParams& params, GpsState& state) {
+  const std::size_t most = std::min<std::size_t>(bearings.size(), params.pinks.maxPatches);
   for (std::size_t i = 0; i < most; ++i) {
-    if (isAboveWall(sights[i], params.pinks, state)) {
+    if (isAboveWall(bearings[i], params.pinks, state)) {
       state.count(Refusal::pinkElevation);
-    } else if (updateByPink(sights[i], params, state)) {
+    } else if (updateByPink(bearings[i], params, state)) {
       mergeAndPrune(params, state);
     }
   }

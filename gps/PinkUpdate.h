@@ -6,21 +6,21 @@
 
 #include "gps/GpsParams.h"
 #include "gps/GpsState.h"
-#include "gps/PinkSight.h"
+#include "gps/PinkBearing.h"
 
 namespace kelpie::gps {
 
 // Mapped patches of enough weight to be believed.
-PinkLandmarks knownPinks(const PinkState& state, const PinkParams& params);
+PinkLandmarks knownPinks(const PinkState& state, const PinkMapParams& params);
 
 // One sighting. A corrected mode weighs w S / N (equation 2.9, equal priors), the uncorrected copy
 // w times modes.outlierWeight. A mode does not take a mapped patch at which the elevation cannot
 // be. Call mergeAndPrune() afterwards. False without a map.
-bool updateByPink(const PinkSight& sight, const GpsParams& params, GpsState& state);
+bool updateByPink(const PinkBearing& bearing, const GpsParams& params, GpsState& state);
 
 // All patches of a frame, largest first, at most maxPatches; tidies. Refuses what the best mode
 // sees too high or too low for the wall: else spectators in pink would seem to show that it is
 // lost.
-void updateByPatches(const PinkSights& sights, const GpsParams& params, GpsState& state);
+void updateByPatches(const PinkBearings& bearings, const GpsParams& params, GpsState& state);
 
 }  // namespace kelpie::gps

@@ -3,8 +3,8 @@
 
 #include "gps/Modes.h"
 #include "gps/PinkMap.h"
+#include "gps/PinkPoseSearch.h"
 #include "gps/PinkUpdate.h"
-#include "gps/PoseSearch.h"
 #include "gps/Predict.h"
 #include "gps/Survey.h"
 
@@ -17,10 +17,10 @@ void lose(const GpsParams& params, GpsState& state) {
   state.pinks.unexplained = 0;
   state.pinks.survey = Survey{};
   state.pinks.survey.nextSearch = params.pinks.search.surveySeconds;
-  state.pinks.search = Search{};
+  state.pinks.search = PinkPoseSearch{};
 }
 
-PoseMode modeAt(const Pose2& pose, const PinkSearchParams& p) {
+PoseMode modeAt(const Pose2& pose, const PinkPoseSearchParams& p) {
   const double place = maths::square(p.placeSd);
   PoseMode mode;
   mode.weight = 1.0;
@@ -30,7 +30,7 @@ PoseMode modeAt(const Pose2& pose, const PinkSearchParams& p) {
 }
 
 void endSearch(const GpsParams& params, GpsState& state) {
-  const PinkSearchParams& p = params.pinks.search;
+  const PinkPoseSearchParams& p = params.pinks.search;
   PinkState& pinks = state.pinks;
   ++pinks.search.count;
   // One that two poses explain for long: to guess is better than to stand and wait, and what a
@@ -43,7 +43,7 @@ void endSearch(const GpsParams& params, GpsState& state) {
     return;
   }
   const std::uint32_t count = pinks.search.count;
-  pinks.search = Search{};
+  pinks.search = PinkPoseSearch{};
   pinks.search.count = count;
   // By then the odometry's turns have set the first sightings beside the last.
   if (pinks.survey.seconds > p.keepSeconds) {
@@ -56,16 +56,17 @@ void endSearch(const GpsParams& params, GpsState& state) {
 
 void searchAll(const GpsIn& in, const Odometry& odometry, const GpsParams& params,
                GpsState& state) {
-  const PinkSearchParams& p = params.pinks.search;
+  const PinkPoseSearchParams& p = params.pinks.search;
   PinkState& pinks = state.pinks;
   moveSurvey(odometry, elapsedOf(in.input), pinks.survey);
-  addToSurvey(in.percepts.linePoints, sightsOf(in.input, in.percepts, state), p, pinks.survey);
+  addToSurvey(in.percepts.linePoints, bearingsOf(in.input, in.percepts, state), p, pinks.survey);
   const PinkLandmarks known = knownPinks(pinks, params.pinks);
   if (!pinks.search.running && (pinks.survey.seconds < pinks.survey.nextSearch ||
                                 pinks.survey.bearings.size() < p.minBearings))
     return;
   pinks.search.running = true;
-  if (searchOn(pinks.survey, known, state.features, params, pinks.search)) endSearch(params, state);
+  if (stepPinkPoseSearch(pinks.survey, known, state.features, params, pinks.search))
+    endSearch(params, state);
 }
 
 }  // namespace
@@ -79,7 +80,7 @@ void usePinks(const GpsIn& in, const Odometry& odometry, const GpsParams& params
   const bool begins = use == PinkUse::localise && state.pinks.use != use;
   state.pinks.use = use;
   if (use == PinkUse::map) {
-    mapPatches(sightsOf(in.input, in.percepts, state), in.input.game.team, params, state);
+    mapPatches(bearingsOf(in.input, in.percepts, state), in.input.game.team, params, state);
     forget(elapsedOf(in.input), params.pinks, state.pinks);
   }
   if (use != PinkUse::localise) return;
@@ -87,7 +88,7 @@ void usePinks(const GpsIn& in, const Odometry& odometry, const GpsParams& params
   const bool astray = state.pinks.unexplained > params.pinks.maxUnexplained;
   if (begins || carried || astray) return lose(params, state);
   if (state.lost) return searchAll(in, odometry, params, state);
-  updateByPatches(sightsOf(in.input, in.percepts, state), params, state);
+  updateByPatches(bearingsOf(in.input, in.percepts, state), params, state);
 }
 
 }  // namespace kelpie::gps

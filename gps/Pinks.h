@@ -10,7 +10,7 @@
 namespace kelpie::gps {
 
 // Whether landmarks count in this frame: not while the robot localises by pinks, for then beacons
-// are removed and goals are covered, and what looks like one is none.
+// are removed and goals are covered, and what looks like one is false.
 bool landmarksCount(const FrameInput& input);
 
 // After odometry and landmarks, before the lines.

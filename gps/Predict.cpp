@@ -9,7 +9,7 @@
 namespace kelpie::gps {
 namespace {
 
-constexpr double kFarthestStep = 30.0;  // cm; 42 cm/s at 30 Hz is 1.4, a dropped second is 42
+constexpr double kMaxStep = 30.0;  // cm; 42 cm/s at 30 Hz is 1.4, a dropped second is 42
 
 // The step is an arc; half of the turn comes before the middle of it.
 Angle directionOfStep(const Pose2& pose, const Odometry& odometry) {
@@ -19,14 +19,14 @@ Angle directionOfStep(const Pose2& pose, const Odometry& odometry) {
 }  // namespace
 
 double elapsedOf(const FrameInput& input) {
-  constexpr double kLongest = 10.0;  // s; whoever was away longer is lost in any case
-  return input.elapsed > 0.0 ? std::min(input.elapsed, kLongest) : 0.0;
+  constexpr double kMaxElapsed = 10.0;  // s; after a longer gap the robot is lost in any case
+  return input.elapsed > 0.0 ? std::min(input.elapsed, kMaxElapsed) : 0.0;
 }
 
 bool plausible(const Odometry& odometry) {
   return std::isfinite(odometry.forward) && std::isfinite(odometry.left) &&
-         std::fabs(odometry.turn.rad()) <= maths::kPi &&
-         std::fabs(odometry.forward) <= kFarthestStep && std::fabs(odometry.left) <= kFarthestStep;
+         std::fabs(odometry.turn.rad()) <= maths::kPi && std::fabs(odometry.forward) <= kMaxStep &&
+         std::fabs(odometry.left) <= kMaxStep;
 }
 
 StepNoise stepNoise(const Odometry& odometry, double elapsed, const MotionNoise& noise) {

@@ -17,16 +17,16 @@ struct StepNoise {
   double turn = 0.0;     // rad2
 };
 
-// A step that was believed, and how far.
+// The step that is believed, and its noise.
 struct Step {
   Odometry odometry;
   StepNoise noise;
 };
 
-// s since the frame before: at least 0, at most 10, and 0 when it is not a number.
+// s since the frame before: at least 0, at most 10, and 0 for NaN.
 double elapsedOf(const FrameInput& input);
 
-// False for what no walk can do in one frame (30 cm, half a turn) and for what is not a number.
+// False for what no walk can do in one frame (30 cm, half a turn) and for what is not finite.
 bool plausible(const Odometry& odometry);
 
 StepNoise stepNoise(const Odometry& odometry, double elapsed, const MotionNoise& noise);

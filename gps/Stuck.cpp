@@ -10,8 +10,8 @@ constexpr double kStepSeconds = 0.35;  // 44 ticks, over which the effort is a m
 
 bool walks(const FrameInput& input) {
   const WalkRequest& walk = input.lastCommand.walk;
-  const bool asked = walk.forward != 0.0 || walk.left != 0.0 || walk.turn != 0.0;
-  return asked && input.motion.running == MotionKind::none;
+  const bool requested = walk.forward != 0.0 || walk.left != 0.0 || walk.turn != 0.0;
+  return requested && input.motion.running == MotionKind::none;
 }
 
 // How fast the feet move, in cm/s of walking forward that costs as much effort.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Walking while something holds the robot (thesis 2004 section 2.2.4, checklist U09): legs that
-// work harder than free walking asks get less far, and nobody knows how far. Keeps how much of the
-// way is thought lost, and whether the field lines are to be left out for a while afterwards
+// work harder than free walking needs get less far, and it is unknown how far. Keeps how much of
+// the way is thought lost, and whether the field lines are to be left out for a while afterwards
 // (section 5.1). Fails where the feet slip instead of stalling: then nothing is felt.
 #pragma once
 
@@ -16,7 +16,7 @@ namespace kelpie::gps {
 double freeEffort(double speed, const StuckParams& params);
 
 // q - q0: the effort beyond that of walking freely, 0 to 1; 0 while a special motion runs or no
-// walk is asked for. What no effort can be is refused and counted. Once a frame.
+// walk is requested. A value that no effort can have is refused and counted. Once a frame.
 double excessEffort(const FrameInput& input, const StuckParams& params, GpsState& state);
 
 // Shortened to 1 / (1 + k excess); the same bits when the excess is 0.

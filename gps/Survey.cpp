@@ -14,7 +14,7 @@ Point2<Robot> inSurvey(const Survey& survey, Point2<Robot> p) {
   return {survey.place.x + c * p.x - s * p.y, survey.place.y + s * p.x + c * p.y};
 }
 
-void addPoint(const LinePoint& point, const PinkSearchParams& params, Survey& survey) {
+void addPoint(const LinePoint& point, const PinkPoseSearchParams& params, Survey& survey) {
   const double away = point.position.norm();
   if (!std::isfinite(away) || away > params.farthest || !(point.weight > 0.0)) return;
   const Point2<Robot> place = inSurvey(survey, point.position);
@@ -25,21 +25,22 @@ void addPoint(const LinePoint& point, const PinkSearchParams& params, Survey& su
   survey.points.push_back({place, point.weight});
 }
 
-void addBearing(const PinkSight& sight, const PinkSearchParams& params, Survey& survey) {
-  const Angle heading = survey.turned + sight.heading;
-  const Point2<Robot> eye = inSurvey(survey, sight.eye);
-  for (PinkBearing& known : survey.bearings) {
+void addBearing(const PinkBearing& bearing, const PinkPoseSearchParams& params, Survey& survey) {
+  const Angle heading = survey.turned + bearing.heading;
+  const Point2<Robot> eye = inSurvey(survey, bearing.eye);
+  for (SurveyBearing& known : survey.bearings) {
     const Angle apart = heading - known.heading;
     if (apart.abs().rad() > params.sameBearing.rad() ||
         distance(known.origin, eye) > params.sameOrigin)
       continue;
     known.weight += 1.0;
     known.heading = known.heading + apart * (1.0 / known.weight);
-    known.elevation = known.elevation + (sight.elevation - known.elevation) * (1.0 / known.weight);
+    known.elevation =
+        known.elevation + (bearing.elevation - known.elevation) * (1.0 / known.weight);
     known.origin = known.origin + (eye - known.origin) * (1.0 / known.weight);
     return;
   }
-  survey.bearings.push_back({eye, sight.eyeHeight, heading, sight.elevation, 1.0});
+  survey.bearings.push_back({eye, bearing.eyeHeight, heading, bearing.elevation, 1.0});
 }
 
 }  // namespace
@@ -52,11 +53,11 @@ void moveSurvey(const Odometry& odometry, double elapsed, Survey& survey) {
   survey.seconds += elapsed;
 }
 
-void addToSurvey(const FixedVector<LinePoint, 256>& points, const PinkSights& sights,
-                 const PinkSearchParams& params, Survey& survey) {
+void addToSurvey(const FixedVector<LinePoint, 256>& points, const PinkBearings& bearings,
+                 const PinkPoseSearchParams& params, Survey& survey) {
   for (const LinePoint& point : points)
     if (point.kind == LinePointKind::line) addPoint(point, params, survey);
-  for (const PinkSight& sight : sights) addBearing(sight, params, survey);
+  for (const PinkBearing& bearing : bearings) addBearing(bearing, params, survey);
 }
 
 SeenLines linesOf(const Survey& survey, std::size_t most) {

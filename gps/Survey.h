@@ -5,8 +5,8 @@
 #pragma once
 
 #include "gps/LineFit.h"
-#include "gps/PinkParams.h"
-#include "gps/PinkSight.h"
+#include "gps/PinkBearing.h"
+#include "gps/PinkMapParams.h"
 #include "gps/PinkState.h"
 #include "robot/core/FrameInput.h"
 #include "robot/core/Percepts.h"
@@ -17,8 +17,8 @@ namespace kelpie::gps {
 void moveSurvey(const Odometry& odometry, double elapsed, Survey& survey);
 
 // What it sees now. Line points that are not finite are left out.
-void addToSurvey(const FixedVector<LinePoint, 256>& points, const PinkSights& sights,
-                 const PinkSearchParams& params, Survey& survey);
+void addToSurvey(const FixedVector<LinePoint, 256>& points, const PinkBearings& bearings,
+                 const PinkPoseSearchParams& params, Survey& survey);
 
 // The line points, thinned to at most `most` of them.
 SeenLines linesOf(const Survey& survey, std::size_t most);

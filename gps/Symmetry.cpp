@@ -7,7 +7,7 @@
 namespace kelpie::gps {
 namespace {
 
-constexpr double kTolerance = 3.0;  // cm: ends of lines that near meet
+constexpr double kJoinDistance = 3.0;  // cm: ends of lines that near meet
 constexpr double kRightAngle = 0.5 * maths::kPi;
 
 // Directions in which paint leaves a place.
@@ -24,21 +24,21 @@ Arms armsAt(Point2<Field> place, const body::FieldDescription& field) {
   for (const body::FieldLine& line : field.lines) {
     const Point2<Field> way = line.to - line.from;
     const double length = way.norm();
-    if (!(length > kTolerance)) continue;
+    if (!(length > kJoinDistance)) continue;
     const Angle along = Angle::rad(maths::atan2(way.y, way.x));
     const Point2<Field> d = place - line.from;
     const double at = (d.x * way.x + d.y * way.y) / length;
     const double aside = std::fabs(d.x * way.y - d.y * way.x) / length;
-    if (aside > kTolerance || at < -kTolerance || at > length + kTolerance) continue;
-    if (at < length - kTolerance) addArm(along, arms);
-    if (at > kTolerance) addArm(along + Angle::rad(maths::kPi), arms);
+    if (aside > kJoinDistance || at < -kJoinDistance || at > length + kJoinDistance) continue;
+    if (at < length - kJoinDistance) addArm(along, arms);
+    if (at > kJoinDistance) addArm(along + Angle::rad(maths::kPi), arms);
   }
   return arms;
 }
 
 bool known(const PaintedFeatures& all, Point2<Field> place) {
   for (const PaintedFeature& f : all)
-    if (distance(f.place, place) < kTolerance) return true;
+    if (distance(f.place, place) < kJoinDistance) return true;
   return false;
 }
 
@@ -46,7 +46,7 @@ bool isRight(Angle a, Angle b) { return std::fabs((a - b).abs().rad() - kRightAn
 
 Angle between(Angle a, Angle b) { return a + (b - a) * 0.5; }
 
-// Pairs of perpendicular arms are corners; of three arms the one square to both others is a stem.
+// Pairs of perpendicular arms are corners; of three arms the one square to the other two is a stem.
 void addCrossing(Point2<Field> place, const Arms& arms, PaintedFeatures& all) {
   for (std::size_t i = 0; i < arms.size(); ++i) {
     std::size_t square = 0;
@@ -62,7 +62,7 @@ void addCrossing(Point2<Field> place, const Arms& arms, PaintedFeatures& all) {
 void addStraight(const body::FieldLine& line, PaintedFeatures& all) {
   const Point2<Field> way = line.to - line.from;
   const double length = way.norm();
-  if (!(length > kTolerance)) return;
+  if (!(length > kJoinDistance)) return;
   const Point2<Field> middle = line.from + way * 0.5;
   const Angle normal = Angle::rad(maths::atan2(way.y, way.x) + kRightAngle);
   all.push_back({FeatureKind::straight, middle, normal, 0.5 * length});
@@ -70,8 +70,8 @@ void addStraight(const body::FieldLine& line, PaintedFeatures& all) {
 }
 
 // Keeps the best, sorted.
-void keep(const AlikePose& pose, std::size_t most, AlikePoses& poses) {
-  for (const AlikePose& other : poses)
+void keep(const AmbiguousPose& pose, std::size_t most, AmbiguousPoses& poses) {
+  for (const AmbiguousPose& other : poses)
     if (distance(other.pose.position, pose.pose.position) < 5.0 &&
         (other.pose.heading - pose.pose.heading).abs().deg() < 5.0)
       return;
@@ -111,7 +111,7 @@ Pose2 twinOf(const Pose2& pose, const body::FieldDescription& field) {
           pose.heading + Angle::rad(maths::kPi)};
 }
 
-Pose2 seenAlike(const Pose2& pose, const PaintedFeature& from, const PaintedFeature& to) {
+Pose2 movedWithFeature(const Pose2& pose, const PaintedFeature& from, const PaintedFeature& to) {
   const Angle by = to.direction - from.direction;
   const Point2<Field> d = pose.position - from.place;
   const Point2<Field> around{by.cos() * d.x - by.sin() * d.y, by.sin() * d.x + by.cos() * d.y};
@@ -158,10 +158,10 @@ bool isInWindow(const PaintedFeature& feature, Point2<Field> point, const Symmet
   return std::fabs(aside) <= params.window && std::fabs(along) <= feature.half - params.window;
 }
 
-AlikePoses posesAlike(const SeenLines& seen, const LineFit& fit, const AlikeField& field,
-                      const LineParams& lines, const SymmetryParams& params) {
-  AlikePoses poses;
-  const std::size_t most = std::min<std::size_t>(params.maxOffers, kMaxAlike);
+AmbiguousPoses ambiguousPoses(const SeenLines& seen, const LineFit& fit, const PaintedField& field,
+                              const LineUpdateParams& lines, const SymmetryParams& params) {
+  AmbiguousPoses poses;
+  const std::size_t most = std::min<std::size_t>(params.maxPoses, kMaxAmbiguousPoses);
   const Point2<Field> middle = middlePoint(seen, fit.pose);
   const SeenLines few = thinned(seen, params.points);
   keep({twinOf(fit.pose, field.description), fit.match, turned(fit.information, Angle::deg(180))},
@@ -173,7 +173,7 @@ AlikePoses posesAlike(const SeenLines& seen, const LineFit& fit, const AlikeFiel
     const Matrix3 known = straight ? withoutAlong(fit.information, along) : fit.information;
     for (const PaintedFeature& to : field.painted) {
       if (to.kind != from.kind) continue;
-      const Pose2 pose = seenAlike(fit.pose, from, to);
+      const Pose2 pose = movedWithFeature(fit.pose, from, to);
       const double match = lineMatch(few, pose, field.features, lines);
       if (match < lines.match) continue;
       keep({pose, match, turned(known, to.direction - from.direction)}, most, poses);

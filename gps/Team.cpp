@@ -17,9 +17,9 @@ constexpr double kMaxHeadingVariance = 40.0;  // rad2
 constexpr double kMaxSpeed = 500.0;           // cm/s, of a ball
 constexpr double kMaxCount = 1e4;             // of an obstacle's points
 
-// False for what is not a number, too.
+// False for NaN, too.
 bool near(Point2<Field> p, const GpsParams& params) {
-  const double margin = params.others.team.offField;
+  const double margin = params.players.team.offField;
   return p.x > -margin && p.x < params.field.width + margin && p.y > -margin &&
          p.y < params.field.length + margin;
 }
@@ -41,7 +41,7 @@ bool soundBall(const SharedBall& b, const GpsParams& params) {
          soundCovariance(b.covariance, kMinVariance, kMaxVariance);
 }
 
-// Numbers go round; a mate silent for long may have begun anew.
+// Numbers wrap round; a mate silent for long may have restarted.
 bool newer(const TeamMessage& message, const Teammate& mate) {
   if (!mate.present) return true;
   const auto ahead = static_cast<std::uint16_t>(message.number - mate.last.number);
@@ -59,7 +59,7 @@ double largerRoot(const std::array<double, 9>& c, double more) {
 bool believable(const TeamMessage& message, const GpsParams& params) {
   const double age = message.age;
   if (message.player < 1 || message.player > kTeammates + 1 || message.number == 0) return false;
-  if (!(age >= 0.0 && age <= params.others.team.maxAge)) return false;
+  if (!(age >= 0.0 && age <= params.players.team.maxAge)) return false;
   if (!soundPose(message, params) || !soundBall(message.ball, params)) return false;
   return std::all_of(message.opponents.begin(), message.opponents.end(),
                      [&](const SharedOpponent& o) {
@@ -75,16 +75,16 @@ bool believable(const TeamMessage& message, const GpsParams& params) {
 FixedVector<TeamMessage, kTeammates> hear(const FrameInput& input, const GpsParams& params,
                                           GpsState& state) {
   FixedVector<TeamMessage, kTeammates> heard;
-  for (Teammate& mate : state.others.mates) {
+  for (Teammate& mate : state.players.mates) {
     mate.last.age += elapsedOf(input);
-    if (mate.last.age > params.others.team.keep) mate = Teammate{};
+    if (mate.last.age > params.players.team.keep) mate = Teammate{};
   }
   for (const TeamMessage& message : input.team) {
     if (!believable(message, params) || message.player == input.game.player) {
       state.count(Refusal::messageBroken);
       continue;
     }
-    Teammate& mate = state.others.mates[message.player - std::size_t{1}];
+    Teammate& mate = state.players.mates[message.player - std::size_t{1}];
     if (!newer(message, mate)) {
       state.count(Refusal::messageRepeated);
       continue;
@@ -96,9 +96,9 @@ FixedVector<TeamMessage, kTeammates> hear(const FrameInput& input, const GpsPara
 }
 
 FixedVector<TeammateEstimate, kTeammates> extractMates(const TeamParams& params,
-                                                       const OthersState& others) {
+                                                       const PlayersState& players) {
   FixedVector<TeammateEstimate, kTeammates> list;
-  for (const Teammate& mate : others.mates) {
+  for (const Teammate& mate : players.mates) {
     if (!mate.present) continue;
     const TeamMessage& m = mate.last;
     const double headingSd = std::min(std::sqrt(std::max(0.0, m.covariance[8])), maths::kPi);
@@ -109,12 +109,12 @@ FixedVector<TeammateEstimate, kTeammates> extractMates(const TeamParams& params,
 }
 
 void speak(const FrameInput& input, const WorldModel& world, const TeamParams& params,
-           OthersState& others) {
+           PlayersState& players) {
   constexpr double kHalfFrame = 0.5 / 30.0;
-  others.secondsSinceMessage += elapsedOf(input);
-  if (others.secondsSinceMessage + kHalfFrame < params.interval) return;
-  others.secondsSinceMessage = 0.0;
-  TeamMessage& m = others.message;
+  players.secondsSinceMessage += elapsedOf(input);
+  if (players.secondsSinceMessage + kHalfFrame < params.interval) return;
+  players.secondsSinceMessage = 0.0;
+  TeamMessage& m = players.message;
   m.number = static_cast<std::uint16_t>(m.number + 1);
   if (m.number == 0) m.number = 1;
   m.player = input.game.player;
@@ -125,7 +125,7 @@ void speak(const FrameInput& input, const WorldModel& world, const TeamParams& p
   if (ball.present) {
     m.ball = {true, ball.position, ball.velocity, ball.fieldCovariance, ball.secondsSinceSeen};
   }
-  m.opponents = takeFresh(others);
+  m.opponents = takeUnsent(players);
   m.obstacles = world.obstacles.cells;
 }
 

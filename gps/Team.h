@@ -17,10 +17,10 @@ FixedVector<TeamMessage, kTeammates> hear(const FrameInput& input, const GpsPara
                                           GpsState& state);
 
 FixedVector<TeammateEstimate, kTeammates> extractMates(const TeamParams& params,
-                                                       const OthersState& others);
+                                                       const PlayersState& players);
 
 // Makes a new message when the last one is old enough.
 void speak(const FrameInput& input, const WorldModel& world, const TeamParams& params,
-           OthersState& others);
+           PlayersState& players);
 
 }  // namespace kelpie::gps

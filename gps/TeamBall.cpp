@@ -53,7 +53,7 @@ Witness witnessOf(const TeamMessage& message, const GpsParams& params) {
   const SharedBall& said = message.ball;
   ball.mean = {said.position.x, said.position.y, said.velocity.x, said.velocity.y};
   roll(ball, message.age, params.ball);
-  const double growth = params.others.teamBall.growth * message.age;
+  const double growth = params.players.teamBall.growth * message.age;
   return {{Vector2(ball.mean[0], ball.mean[1]),
            matrixOf(said.covariance) + growth * Matrix2::Identity()},
           {ball.mean[2], ball.mean[3]},
@@ -62,17 +62,18 @@ Witness witnessOf(const TeamMessage& message, const GpsParams& params) {
 
 }  // namespace
 
-Witnesses witnessesOf(const GpsParams& params, const BallEstimate& own, const OthersState& others) {
+Witnesses witnessesOf(const GpsParams& params, const BallEstimate& own,
+                      const PlayersState& players) {
   Witnesses list;
   if (own.present) {
     addWitness({{vectorOf(own.position), matrixOf(own.fieldCovariance)},
                 own.velocity,
                 own.secondsSinceSeen},
-               params.others.teamBall, list);
+               params.players.teamBall, list);
   }
-  for (const Teammate& mate : others.mates) {
+  for (const Teammate& mate : players.mates) {
     if (!mate.present || !mate.last.ball.present) continue;
-    addWitness(witnessOf(mate.last, params), params.others.teamBall, list);
+    addWitness(witnessOf(mate.last, params), params.players.teamBall, list);
   }
   return list;
 }

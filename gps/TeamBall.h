@@ -18,8 +18,9 @@ struct Witness {
 
 using Witnesses = FixedVector<Witness, kTeammates + 1>;
 
-// Those of the team, the own ball included, who saw the ball lately; the mates' rolled on to now.
-Witnesses witnessesOf(const GpsParams& params, const BallEstimate& own, const OthersState& others);
+// The balls that the team saw recently, the own included; those of mates have rolled on to now.
+Witnesses witnessesOf(const GpsParams& params, const BallEstimate& own,
+                      const PlayersState& players);
 
 TeamBall fused(const Witnesses& witnesses, const TeamBallParams& params);
 

@@ -51,8 +51,8 @@ Linear<1> only(const Linear<2>& both, int row) {
 }  // namespace
 
 bool tooCloseToLinearise(const Pose2& pose, Point2<Field> landmark) {
-  constexpr double kNearest = 5.0;  // cm, a beacon's radius
-  return distance(landmark, pose.position) < kNearest;
+  constexpr double kMinDistance = 5.0;  // cm, a beacon's radius
+  return distance(landmark, pose.position) < kMinDistance;
 }
 
 Expectation expected(const Pose2& pose, Point2<Field> landmark) {

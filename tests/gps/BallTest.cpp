@@ -127,7 +127,7 @@ TEST(Ball, UnseenBallIsGivenUpAfterItsTimeWithGrowingVariance) {
   EXPECT_FALSE(scene.step(false).ball.present);
 }
 
-TEST(Ball, OneSightingIsNoBallAndTwoFarApartAreNone) {
+TEST(Ball, OneSightingIsNoBallNorAreTwoFarApart) {
   BallScene scene({180, 200, 0.9}, 230, 280);
   EXPECT_FALSE(scene.step(true).ball.present);
   for (int i = 0; i < 20; ++i) EXPECT_FALSE(scene.step(false).ball.present);

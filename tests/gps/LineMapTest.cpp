@@ -41,7 +41,7 @@ TEST(LineMap, TwoSightingsOfAPlaceBecomeOneAtTheirMean) {
   ASSERT_EQ(map.points.size(), 1U);
   EXPECT_NEAR(map.points[0].place.x, 1.0, 1e-12);
   EXPECT_NEAR(map.points[0].place.y, 101.5, 1e-12);
-  EXPECT_EQ(map.points[0].worth, 2.0);
+  EXPECT_EQ(map.points[0].decayedCount, 2.0);
 }
 
 TEST(LineMap, PointsApartInRadiusOrAngleOrKindStayApart) {
@@ -60,7 +60,7 @@ TEST(LineMap, AMergedPointMergesAgainWhereItHasMoved) {
   add(pointAt(0.0, 106.0), {}, map);
   add(pointAt(0.0, 103.0), {}, map);  // brings the first to 101.5, near the second
   ASSERT_EQ(map.points.size(), 1U);
-  EXPECT_EQ(map.points[0].worth, 3.0);
+  EXPECT_EQ(map.points[0].decayedCount, 3.0);
   EXPECT_NEAR(map.points[0].place.y, 103.0, 1e-9);
 }
 
@@ -113,7 +113,7 @@ TEST_F(Standing, MapDoesNotStarve) {
   EXPECT_LT(robot.error(world), 5.0);
 }
 
-TEST_F(Standing, PointsOutOfSightFadeByTheirWorth) {
+TEST_F(Standing, PointsOutOfSightFadeByTheirCount) {
   for (int i = 0; i < 150; ++i) frame(i);
   const std::size_t before = robot.state.map.points.size();
   robot.percepts.linePoints.clear();

@@ -50,7 +50,7 @@ TEST(FieldFeatures, SlopeIsThatOfTheDistance) {
 
 TEST(LineFit, MatchIsWholeAtTheTruePoseAndAtItsTwin) {
   const SeenLines seen = seenFrom(kPose);
-  const LineParams p;
+  const LineUpdateParams p;
   EXPECT_GT(lineMatch(seen, kPose, features(), p), 0.99);
   const Pose2 twin{{360.0 - 150.0, 540.0 - 120.0}, Angle::deg(220.0)};
   EXPECT_NEAR(lineMatch(seen, twin, features(), p), lineMatch(seen, kPose, features(), p), 1e-6);
@@ -64,7 +64,7 @@ TEST(LineFit, FindsThePoseFromNearBy) {
   const LineFit fit = fitLines(seen, start, features(), {});
   EXPECT_LT(distance(fit.pose.position, kPose.position), 0.5);
   EXPECT_LT((fit.pose.heading - kPose.heading).abs().deg(), 0.3);
-  EXPECT_LE(fit.steps, LineParams{}.maxSteps);
+  EXPECT_LE(fit.steps, LineUpdateParams{}.maxSteps);
 }
 
 TEST(LineFit, AStraightLineSaysNothingAlongIt) {

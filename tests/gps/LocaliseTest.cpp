@@ -47,7 +47,7 @@ TEST(Localise, OneFalseSightingInTwentyCostsLittle) {
   EXPECT_LT(walkErrors(maths::kPi / 2, 0.05).cm, 5.0);
 }
 
-// Frames from the kidnapping until the estimate is within 30 cm and 15 deg for good.
+// Frames from the kidnapping until the estimate stays within 30 cm and 15 deg.
 int recovery(std::uint64_t seed) {
   Random random(seed);
   SimulatedRobot robot({180, 200, maths::kPi / 2}, seed);

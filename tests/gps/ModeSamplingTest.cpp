@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The bells of the thesis' mode sampling (2004 equations 3.24 to 3.26), and its update.
+// The fitted peaks of the thesis' mode sampling (2004 equations 3.24 to 3.26), and its update.
 #include <gtest/gtest.h>
 
 #include "gps/ModeSampling.h"
@@ -13,30 +13,30 @@ double gauss(double x, double top, double sd) {
   return 0.7 * std::exp(-0.5 * (x - top) * (x - top) / (sd * sd));
 }
 
-TEST(ModeSampling, ThreePointsGiveTheBellThatTheyLieOn) {
+TEST(ModeSampling, ThreePointsGiveTheGaussianThatTheyLieOn) {
   for (const double top : {-0.4, 0.0, 0.3}) {
     for (const double sd : {0.5, 1.0, 3.0}) {
-      const auto bell = bellOf(gauss(-1, top, sd), gauss(0, top, sd), gauss(1, top, sd));
-      ASSERT_TRUE(bell);
-      EXPECT_NEAR(bell->top, top, 1e-9);
-      EXPECT_NEAR(bell->sd, sd, 1e-9);
+      const auto peak = fitPeak(gauss(-1, top, sd), gauss(0, top, sd), gauss(1, top, sd));
+      ASSERT_TRUE(peak);
+      EXPECT_NEAR(peak->mean, top, 1e-9);
+      EXPECT_NEAR(peak->sd, sd, 1e-9);
     }
   }
 }
 
-TEST(ModeSampling, TwoPointsGiveTheBellWithItsTopAtTheEdge) {
-  const auto bell = bellAtEdge(gauss(0, 1.0, 0.8), gauss(1, 1.0, 0.8));
-  ASSERT_TRUE(bell);
-  EXPECT_EQ(bell->top, 1.0);
-  EXPECT_NEAR(bell->sd, 0.8, 1e-9);
+TEST(ModeSampling, TwoPointsGiveTheGaussianWithItsTopAtTheEdge) {
+  const auto peak = fitEdgePeak(gauss(0, 1.0, 0.8), gauss(1, 1.0, 0.8));
+  ASSERT_TRUE(peak);
+  EXPECT_EQ(peak->mean, 1.0);
+  EXPECT_NEAR(peak->sd, 0.8, 1e-9);
 }
 
 TEST(ModeSampling, FlatOrHollowOrBrokenValuesGiveNone) {
-  EXPECT_FALSE(bellOf(0.5, 0.5, 0.5));
-  EXPECT_FALSE(bellOf(0.6, 0.5, 0.6));
-  EXPECT_FALSE(bellOf(0.0, 0.5, 0.1));
-  EXPECT_FALSE(bellAtEdge(0.5, 0.5));
-  EXPECT_FALSE(bellAtEdge(-1.0, 0.5));
+  EXPECT_FALSE(fitPeak(0.5, 0.5, 0.5));
+  EXPECT_FALSE(fitPeak(0.6, 0.5, 0.6));
+  EXPECT_FALSE(fitPeak(0.0, 0.5, 0.1));
+  EXPECT_FALSE(fitEdgePeak(0.5, 0.5));
+  EXPECT_FALSE(fitEdgePeak(-1.0, 0.5));
 }
 
 TEST(ModeSampling, MovesTowardsTheTruePose) {

@@ -16,14 +16,14 @@ namespace {
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 // Seen from a camera above the robot frame's origin.
-PinkSight sightAt(double headingDeg, double elevationDeg = 0.0) {
-  PinkSight sight;
-  sight.eyeHeight = 20.0;
-  sight.heading = Angle::deg(headingDeg);
-  sight.elevation = Angle::deg(elevationDeg);
-  sight.variance = maths::square(Angle::deg(0.7).rad());
-  sight.area = 100.0;
-  return sight;
+PinkBearing bearingTo(double headingDeg, double elevationDeg = 0.0) {
+  PinkBearing bearing;
+  bearing.eyeHeight = 20.0;
+  bearing.heading = Angle::deg(headingDeg);
+  bearing.elevation = Angle::deg(elevationDeg);
+  bearing.variance = maths::square(Angle::deg(0.7).rad());
+  bearing.area = 100.0;
+  return bearing;
 }
 
 // A robot in the middle of the field, sure of its place, facing up-field.
@@ -37,10 +37,10 @@ struct Mapper {
     state.modes.push_back(mode);
     state.lost = false;
   }
-  void see(const PinkSight& sight) {
-    PinkSights sights;
-    sights.push_back(sight);
-    mapPatches(sights, TeamColour::red, params, state);
+  void see(const PinkBearing& bearing) {
+    PinkBearings bearings;
+    bearings.push_back(bearing);
+    mapPatches(bearings, TeamColour::red, params, state);
   }
   int refused(Refusal reason) const {
     return state.counts.refused[static_cast<std::size_t>(reason)];
@@ -50,7 +50,7 @@ struct Mapper {
 };
 
 TEST(PinkWall, RayMeetsTheSideAhead) {
-  const auto place = meetWall({{180, 270}, {0, 1}}, PinkParams{}.wall);
+  const auto place = meetWall({{180, 270}, {0, 1}}, PinkMapParams{}.wall);
   ASSERT_TRUE(place);
   EXPECT_NEAR(place->x, 180.0, 1e-9);
   EXPECT_NEAR(place->y, 585.0, 1e-9);
@@ -68,14 +68,14 @@ TEST(PinkWall, WallNeedNotBeARectangle) {
 }
 
 TEST(PinkWall, FromOutsideTheNearerSideCountsAndAwayFromItNone) {
-  const auto place = meetWall({{-100, 200}, {1, 0}}, PinkParams{}.wall);
+  const auto place = meetWall({{-100, 200}, {1, 0}}, PinkMapParams{}.wall);
   ASSERT_TRUE(place);
   EXPECT_NEAR(place->x, -35.0, 1e-9);
-  EXPECT_FALSE(meetWall({{-100, 200}, {-1, 0}}, PinkParams{}.wall));
+  EXPECT_FALSE(meetWall({{-100, 200}, {-1, 0}}, PinkMapParams{}.wall));
 }
 
 TEST(PinkMap, HeightAtTheWallKeepsAndDropsAtItsLimits) {
-  PinkParams params;
+  PinkMapParams params;
   params.minHeight = 0.0;
   params.maxHeight = 30.0;
   EXPECT_TRUE(mayHangOnWall(20, Angle::deg(1.9), 300, params));   // 20 + 10.0 cm
@@ -97,16 +97,16 @@ TEST(PinkMap, RayPastABeaconIsRefusedOneBehindIsNot) {
 
 TEST(PinkMap, SightingsAreMappedByTheirReasonOrCounted) {
   Mapper mapper;
-  mapper.see(sightAt(0));
+  mapper.see(bearingTo(0));
   ASSERT_EQ(mapper.state.pinks.map.size(), 1U);
   EXPECT_NEAR(mapper.state.pinks.map[0].position.y, 585.0, 1e-6);
-  mapper.see(sightAt(0, 40));
+  mapper.see(bearingTo(0, 40));
   EXPECT_EQ(mapper.refused(Refusal::pinkElevation), 1);
   const double beacon = std::atan2(405.0 - 270.0, 375.0 - 180.0) * 180 / maths::kPi - 90.0;
-  mapper.see(sightAt(beacon));
+  mapper.see(bearingTo(beacon));
   EXPECT_EQ(mapper.refused(Refusal::pinkNearBeacon), 1);
   mapper.state.modes[0].covariance[0] = 400.0;
-  mapper.see(sightAt(0));
+  mapper.see(bearingTo(0));
   EXPECT_EQ(mapper.refused(Refusal::pinkPoseUnsure), 1);
   EXPECT_EQ(mapper.state.pinks.map[0].weight, 1.0);
 }
@@ -156,7 +156,7 @@ TEST(PinkUpdate, MakesMTimesNPlusOneModesWithTheirWeights) {
   state.pinks.map.push_back({{180.0, 585.0}, 10.0});
   state.pinks.map.push_back({{395.0, 270.0}, 10.0});
   params.pinks.mapSd = 0.0;
-  ASSERT_TRUE(updateByPink(sightAt(0), params, state));
+  ASSERT_TRUE(updateByPink(bearingTo(0), params, state));
   ASSERT_EQ(state.modes.size(), 6U);
   // Mode 0 and the patch ahead: the innovation is 0, so w S / N = 0.75 / 2.
   EXPECT_NEAR(state.modes[1].weight, 0.375, 1e-9);
@@ -181,7 +181,7 @@ TEST(PinkUpdate, KeepsTheHeaviestWhenThereIsNoRoom) {
   for (int i = 1; i < 8; ++i) state.modes.push_back(state.modes[0]);
   for (std::size_t i = 0; i < 8; ++i) state.modes[i].weight = i == 7 ? 0.93 : 0.01;
   for (int i = 0; i < 16; ++i) state.pinks.map.push_back({{25.0 * i + 5.0, 585.0}, 10.0});
-  ASSERT_TRUE(updateByPink(sightAt(0), mapper.params, state));
+  ASSERT_TRUE(updateByPink(bearingTo(0), mapper.params, state));
   EXPECT_EQ(state.modes.size(), kWorkModes);
   double heaviest = 0.0;
   for (const PoseMode& mode : state.modes) heaviest = std::max(heaviest, mode.weight);
@@ -191,15 +191,15 @@ TEST(PinkUpdate, KeepsTheHeaviestWhenThereIsNoRoom) {
 TEST(PinkUpdate, PatchTooHighForAMappedOneIsNotTakenForIt) {
   Mapper mapper;
   mapper.state.pinks.map.push_back({{180.0, 585.0}, 10.0});
-  ASSERT_TRUE(updateByPink(sightAt(0, 30), mapper.params, mapper.state));
+  ASSERT_TRUE(updateByPink(bearingTo(0, 30), mapper.params, mapper.state));
   EXPECT_EQ(mapper.state.modes.size(), 1U);  // the copy alone
 }
 
 TEST(PinkUpdate, WithoutAMapNothingChanges) {
   Mapper mapper;
-  EXPECT_FALSE(updateByPink(sightAt(0), mapper.params, mapper.state));
+  EXPECT_FALSE(updateByPink(bearingTo(0), mapper.params, mapper.state));
   mapper.state.pinks.map.push_back({{180.0, 585.0}, 1.0});  // too little weight to be believed
-  EXPECT_FALSE(updateByPink(sightAt(0), mapper.params, mapper.state));
+  EXPECT_FALSE(updateByPink(bearingTo(0), mapper.params, mapper.state));
   EXPECT_EQ(mapper.state.modes.size(), 1U);
 }
 
@@ -212,33 +212,33 @@ PinkPercept perceptAt(double distance, double headingDeg, double size) {
   return percept;
 }
 
-TEST(PinkSight, IsTheDirectionFromTheCamera) {
+TEST(PinkBearing, IsTheDirectionFromTheCamera) {
   CameraPose camera;
   camera.position = {-10.0, 0.0, 20.0};
-  const auto sight = sightOf(perceptAt(250.0, 0.0, 10.0), camera);
-  ASSERT_TRUE(sight);
-  EXPECT_NEAR(sight->heading.deg(), -std::atan2(10.0, 250.0) * 180 / maths::kPi, 1e-9);
-  EXPECT_NEAR(headingAt(*sight, 250.0).deg(), 0.0, 1e-9);
+  const auto bearing = bearingOf(perceptAt(250.0, 0.0, 10.0), camera);
+  ASSERT_TRUE(bearing);
+  EXPECT_NEAR(bearing->heading.deg(), -std::atan2(10.0, 250.0) * 180 / maths::kPi, 1e-9);
+  EXPECT_NEAR(headingAt(*bearing, 250.0).deg(), 0.0, 1e-9);
   // Through (0, 250) from (-10, 0): at y = 125 it is 5 cm to the left.
-  EXPECT_NEAR(headingAt(*sight, std::hypot(5.0, 125.0)).deg(),
+  EXPECT_NEAR(headingAt(*bearing, std::hypot(5.0, 125.0)).deg(),
               std::atan2(5.0, 125.0) * 180 / maths::kPi, 1e-9);
 }
 
-TEST(PinkSight, LargestComeFirstAndBrokenOnesAreCounted) {
+TEST(PinkBearing, LargestComeFirstAndBrokenOnesAreCounted) {
   Mapper mapper;
   FrameInput input;
   Percepts percepts;
   percepts.pinkPatches.push_back(perceptAt(250.0, 10.0, 5.0));
   percepts.pinkPatches.push_back(perceptAt(250.0, kNan, 30.0));
   percepts.pinkPatches.push_back(perceptAt(250.0, 20.0, 9.0));
-  const PinkSights sights = sightsOf(input, percepts, mapper.state);
-  ASSERT_EQ(sights.size(), 2U);
-  EXPECT_NEAR(sights[0].area, 81.0, 1e-9);
+  const PinkBearings bearings = bearingsOf(input, percepts, mapper.state);
+  ASSERT_EQ(bearings.size(), 2U);
+  EXPECT_NEAR(bearings[0].area, 81.0, 1e-9);
   EXPECT_EQ(mapper.refused(Refusal::pinkNotFinite), 1);
 }
 
-TEST(PinkMap, ARayAlongTheWallThatPassesAKnownPatchIsASightOfIt) {
-  const PinkParams params;
+TEST(PinkMap, ARayAlongTheWallThatPassesAKnownPatchIsASightingOfIt) {
+  const PinkMapParams params;
   PinkLandmarks map;
   map.push_back({{0.0, -45.0}, 10.0});
   const Point2<Field> from{200.0, 15.0};

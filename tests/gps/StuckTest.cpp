@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Walking while something holds the robot: the way shrinks, the doubt grows, lines wait.
+// Walking while something holds the robot: the way shrinks, the noise grows, lines wait.
 #include <gtest/gtest.h>
 
 #include <cstring>
@@ -39,7 +39,7 @@ TEST(Stuck, TheHarderTheLegsWorkTheLessIsWalkedAndTheMoreIsDoubted) {
   const StuckParams params;
   const StepNoise noise = stepNoise(kStep, kFrameSeconds, MotionNoise{});
   Odometry last = kStep;
-  StepNoise doubt = noise;
+  StepNoise lastNoise = noise;
   for (double excess = 0.01; excess < 0.6; excess += 0.01) {
     const Odometry now = shortened(kStep, excess, params);
     const StepNoise more = grown(noise, excess, kFrameSeconds, params);
@@ -47,11 +47,11 @@ TEST(Stuck, TheHarderTheLegsWorkTheLessIsWalkedAndTheMoreIsDoubted) {
     EXPECT_LT(std::fabs(now.left), std::fabs(last.left));
     EXPECT_LT(now.turn.rad(), last.turn.rad());
     EXPECT_GT(now.forward, 0.0);
-    EXPECT_GT(more.forward, doubt.forward);
-    EXPECT_GT(more.left, doubt.left);
-    EXPECT_GT(more.turn, doubt.turn);
+    EXPECT_GT(more.forward, lastNoise.forward);
+    EXPECT_GT(more.left, lastNoise.left);
+    EXPECT_GT(more.turn, lastNoise.turn);
     last = now;
-    doubt = more;
+    lastNoise = more;
   }
 }
 
@@ -166,7 +166,7 @@ TEST(Stuck, NoPauseIsMadeOfNoSeconds) {
   EXPECT_FALSE(pause.state.paused);
 }
 
-// The same lines before the same robot: used, and in the pause not.
+// Lines before the same robot are used, and not used in the pause.
 TEST(Stuck, PausedLinesCorrectNothing) {
   double sd[2];
   for (const bool paused : {false, true}) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Places that look alike, derived from the field's description.
+// Places that look the same, derived from the field's description.
 #include <gtest/gtest.h>
 
 #include "gps/Symmetry.h"
@@ -48,12 +48,12 @@ TEST(PaintedFeatures, OfTheOtherFields) {
   }
 }
 
-TEST(PaintedFeatures, OfNoFieldAreNone) {
-  body::FieldDescription none;
-  none.circleDiameter = 0.0;
-  none.lines.clear();
-  none.lines.push_back({{1.0, 1.0}, {1.0, 1.0}});
-  EXPECT_TRUE(paintedFeatures(none).empty());
+TEST(PaintedFeatures, AreAbsentWithoutPaint) {
+  body::FieldDescription bare;
+  bare.circleDiameter = 0.0;
+  bare.lines.clear();
+  bare.lines.push_back({{1.0, 1.0}, {1.0, 1.0}});
+  EXPECT_TRUE(paintedFeatures(bare).empty());
 }
 
 TEST(Symmetry, TwinOfATwinIsThePose) {
@@ -82,7 +82,7 @@ TEST(Symmetry, PosesOfOneKindSeeTheSame) {
     EXPECT_GT(own, 0.98);
     for (const PaintedFeature& to : all) {
       if (to.kind != from.kind) continue;
-      EXPECT_NEAR(lineMatch(seen, seenAlike(pose, from, to), features(), {}), own, 0.02);
+      EXPECT_NEAR(lineMatch(seen, movedWithFeature(pose, from, to), features(), {}), own, 0.02);
     }
   }
 }
@@ -95,7 +95,7 @@ TEST(Symmetry, CornersThatAreNoPartOfATSeeTheSame) {
   const SeenLines seen = seenAround(pose, from.place);
   for (const PaintedFeature& to : all) {
     if (to.kind != FeatureKind::corner) continue;
-    EXPECT_GT(lineMatch(seen, seenAlike(pose, from, to), features(), {}), 0.97);
+    EXPECT_GT(lineMatch(seen, movedWithFeature(pose, from, to), features(), {}), 0.97);
   }
 }
 
@@ -122,16 +122,16 @@ TEST(Symmetry, NothingIsKnownAlongAStraightPiece) {
   EXPECT_TRUE(left.isApprox(wide, 1e-4));
 }
 
-TEST(Symmetry, OfferedPosesAreTheTwinAndThoseThatMatch) {
+TEST(Symmetry, AmbiguousPosesAreTheTwinAndThoseThatMatch) {
   const PaintedFeatures painted = paintedFeatures(field2006());
   const Pose2 pose{{60.0, 80.0}, Angle::deg(225)};  // before a corner
   const SeenLines seen = seenAround(pose, painted[0].place);
   LineFit fit = fitLines(seen, pose, features(), {});
-  const AlikePoses poses =
-      posesAlike(seen, fit, {field2006(), features(), painted}, LineParams{}, SymmetryParams{});
-  ASSERT_EQ(poses.size(), kMaxAlike);
+  const AmbiguousPoses poses = ambiguousPoses(seen, fit, {field2006(), features(), painted},
+                                              LineUpdateParams{}, SymmetryParams{});
+  ASSERT_EQ(poses.size(), kMaxAmbiguousPoses);
   bool twin = false;
-  for (const AlikePose& p : poses) {
+  for (const AmbiguousPose& p : poses) {
     EXPECT_GT(lineMatch(seen, p.pose, features(), {}), 0.95);
     twin = twin || distance(p.pose.position, twinOf(fit.pose, field2006()).position) < 1e-6;
   }

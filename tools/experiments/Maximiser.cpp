@@ -29,7 +29,7 @@ struct View {
 };
 
 // Looks to the left, ahead and to the right: lines 90 deg to each side.
-View viewOf(const gps::LineParams& params, std::uint64_t seed) {
+View viewOf(const gps::LineUpdateParams& params, std::uint64_t seed) {
   Random random(seed);
   View view;
   view.truth = {random.uniform(20.0, 340.0), random.uniform(20.0, 520.0),
@@ -82,7 +82,7 @@ Pose2 guessBeside(const gps::Truth& truth, const Start& start, std::uint64_t see
 Expected<Json> maximiser(const Request& request) {
   const auto field = body::fieldDescription("2006");
   if (!field) return Error{field.error()};
-  const gps::LineParams params;
+  const gps::LineUpdateParams params;
   const auto features = std::make_unique<gps::FieldFeatures>();
   features->build(*field);
   const gps::MatchTables tables(*field, *features, params.sharpness);

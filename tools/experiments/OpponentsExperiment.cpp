@@ -86,7 +86,7 @@ Match matchOf(std::uint64_t seed, const gps::OpponentParams& params) {
                      Angle::rad(random.uniform(-maths::kPi, maths::kPi))};
     match.players.emplace_back(pose, static_cast<std::uint8_t>(i + 1), random.next());
     match.players.back().believe(pose, 5.0, Angle::deg(3.0));
-    match.players.back().params.others.opponents = params;
+    match.players.back().params.players.opponents = params;
     match.minds.emplace_back(random.next());
   }
   for (std::size_t i = 0; i < kOpponents; ++i) {

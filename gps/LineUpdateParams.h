@@ -13,7 +13,7 @@ namespace kelpie::gps {
 // not corrected; or all in one update, with one copy (thesis 2004 section 5.1).
 enum class LineCombine : std::uint8_t { separate, joint };
 
-struct LineParams {
+struct LineUpdateParams {
   bool use = true;
   LineCombine combine = LineCombine::separate;
   std::uint32_t minPoints = 8;     // of painted lines in a frame; facts-2005 section 5 has 8
@@ -25,7 +25,7 @@ struct LineParams {
   double farStep = 20.0;           // cm, most of one step
   Angle farTurn = Angle::deg(15);  // the same for the heading
   double pointSd = 2.7;            // cm, of one point on the ground
-  double correlation = 10.0;       // how many points of how many frames err alike
+  double correlation = 10.0;       // how many points of how many frames share their error
   double floorSd = 2.0;            // cm, of a pose from lines, whatever their number
   Angle floorHeadingSd = Angle::deg(1);
   double match = 0.5;           // least match with a still head is match + matchStill (3.22)
@@ -40,7 +40,7 @@ struct LineParams {
   Angle maxHeadingSd = Angle::deg(30);
 
   static constexpr auto fields() {
-    using P = LineParams;
+    using P = LineUpdateParams;
     return fieldList(
         field("use", &P::use), field("combine", &P::combine, "", 0, 1),
         field("minPoints", &P::minPoints, "", 1, 256),

@@ -12,11 +12,11 @@
 namespace kelpie::gps {
 
 // The search over the whole field by what a standing robot has seen around it (thesis 2004 section
-// 4.1.4, "one time edge localise"), spread over frames so that none is dropped.
-struct PinkSearchParams {
+// 4.1.4, "one time edge localise"), spread over frames so that no frame is dropped.
+struct PinkPoseSearchParams {
   double surveySeconds = 5.0;  // of looking round before the first search (thesis 4.1.4)
-  double againSeconds = 2.5;   // more of it before the next, while none is sure
-  double keepSeconds = 25.0;   // of looking round, once around and a little; then all begins anew
+  double againSeconds = 2.5;   // more of it before the next, while no pose is sure
+  double keepSeconds = 25.0;   // of looking round, once around and a little; then it is restarted
   double cell = 8.0;           // cm, one line point is kept in each
   double farthest = 220.0;     // cm of a line point that is kept
   Angle sameBearing = Angle::deg(5);
@@ -39,7 +39,7 @@ struct PinkSearchParams {
   Angle headingSd = Angle::deg(4);
 
   static constexpr auto fields() {
-    using P = PinkSearchParams;
+    using P = PinkPoseSearchParams;
     return fieldList(
         field("surveySeconds", &P::surveySeconds, "s", 0, 100),
         field("againSeconds", &P::againSeconds, "s", 0, 100),
@@ -63,7 +63,7 @@ struct PinkSearchParams {
   }
 };
 
-struct PinkParams {
+struct PinkMapParams {
   // x, y of the outer wall's corners as measured before the challenge, going round; it need not be
   // a rectangle. By default 15 cm beyond the carpet of the 2006 field.
   std::array<double, 8> wall{-35, -45, 395, -45, 395, 585, -35, 585};
@@ -82,15 +82,15 @@ struct PinkParams {
   double forgetSeconds = 4.0;  // every so often each weight falls by one
   double maxPositionSd = 8.0;  // cm; a robot that knows its place less does not map
   Angle maxHeadingSd = Angle::deg(3);
-  double minWeight = 3.0;              // of a mapped patch that the robot localises by
-  double mapSd = 6.0;                  // cm, of a mapped patch
-  Angle minSightSd = Angle::deg(1.5);  // of one sighting: sway, and errors that repeat
-  std::uint32_t maxPatches = 8;        // of a frame, largest first; the thesis uses one
-  std::uint32_t maxUnexplained = 60;   // sightings in a row that fit no mode: the pose is lost
-  PinkSearchParams search;
+  double minWeight = 3.0;                // of a mapped patch that the robot localises by
+  double mapSd = 6.0;                    // cm, of a mapped patch
+  Angle minBearingSd = Angle::deg(1.5);  // of one bearing: sway, and errors that repeat
+  std::uint32_t maxPatches = 8;          // of a frame, largest first; the thesis uses one
+  std::uint32_t maxUnexplained = 60;     // sightings in a row that fit no mode: the pose is lost
+  PinkPoseSearchParams search;
 
   static constexpr auto fields() {
-    using P = PinkParams;
+    using P = PinkMapParams;
     return fieldList(
         field("wall", &P::wall, "cm", -1000, 2000),
         field("minHeight", &P::minHeight, "cm", -1000, 1000),
@@ -103,7 +103,7 @@ struct PinkParams {
         field("maxPositionSd", &P::maxPositionSd, "cm", 0.1, 1000),
         field("maxHeadingSd", &P::maxHeadingSd, "rad", 0.1, 180),
         field("minWeight", &P::minWeight, "", 0, 1e6), field("mapSd", &P::mapSd, "cm", 0, 100),
-        field("minSightSd", &P::minSightSd, "rad", 0.1, 45),
+        field("minBearingSd", &P::minBearingSd, "rad", 0.1, 45),
         field("maxPatches", &P::maxPatches, "", 1, 8),
         field("maxUnexplained", &P::maxUnexplained, "", 1, 10000), field("search", &P::search));
   }

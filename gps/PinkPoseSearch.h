@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Where on the whole field a survey fits: a grid of poses is tried, some each frame, the best are
 // refined by their lines, and the result counts when it outweighs all others (thesis 2004 section
-// 4.1.4, which never ran). Lines alone fit a pose and its twin alike; the mapped pinks decide.
+// 4.1.4, which never ran). Lines alone cannot tell a pose from its twin; the mapped pinks decide.
 #pragma once
 
 #include "gps/FieldFeatures.h"
@@ -15,17 +15,18 @@ namespace kelpie::gps {
 double surveyMatch(const SeenLines& lines, const Pose2& start, const FieldFeatures& field,
                    double sharpness);
 
-// Log likelihood of the survey's bearings: each to one of the mapped pinks, equally likely, or to
-// none of them; only to none where it would be too high or too low for the wall.
+// Log likelihood of the survey's bearings: each points to one of the mapped pinks, equally likely,
+// or to something else, and surely to something else where it is too high or low for the wall.
 double bearingScore(const Survey& survey, const Pose2& start, const PinkLandmarks& pinks, Angle sd,
-                    const PinkParams& params);
+                    const PinkMapParams& params);
 
 // One frame's share of the search. True when it came to an end; then `candidates` are sorted, best
 // first.
-bool searchOn(const Survey& survey, const PinkLandmarks& pinks, const FieldFeatures& field,
-              const GpsParams& params, Search& search);
+bool stepPinkPoseSearch(const Survey& survey, const PinkLandmarks& pinks,
+                        const FieldFeatures& field, const GpsParams& params,
+                        PinkPoseSearch& search);
 
 // The best candidate's share of the likelihood of all that are elsewhere; 0 for none.
-double sureness(const Search& search);
+double sureness(const PinkPoseSearch& search);
 
 }  // namespace kelpie::gps

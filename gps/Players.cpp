@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "gps/Others.h"
+#include "gps/Players.h"
 
 #include "gps/BallMotion.h"
 #include "gps/ObstacleQueries.h"
@@ -13,7 +13,7 @@ namespace kelpie::gps {
 namespace {
 
 // Where the ball will lie: each model's end, weighed.
-Point2<Robot> stoppingPointOf(const BallTrack& ball, const BallParams& params) {
+Point2<Robot> stoppingPointOf(const BallTrack& ball, const BallFilterParams& params) {
   const std::array<double, 4>& rolling = ball.rolling.mean;
   const double speed = maths::hypot(rolling[2], rolling[3]);
   const double way = speed > 0.0 ? rollingDistance(speed, params) / speed : 0.0;
@@ -34,7 +34,7 @@ using Heard = FixedVector<TeamMessage, kTeammates>;
 
 ObstacleEstimate stepObstacles(const GpsIn& in, const GpsParams& params, const Heard& heard,
                                const WorldModel& world, ObstacleMap& map) {
-  const ObstacleMapParams& p = params.others.obstacles;
+  const ObstacleMapParams& p = params.players.obstacles;
   forget(elapsedOf(in.input), p, map);
   see({in.percepts, world}, params.field, p, map);
   for (const TeamMessage& message : heard) hear(message, params.field, p, map);
@@ -43,18 +43,18 @@ ObstacleEstimate stepObstacles(const GpsIn& in, const GpsParams& params, const H
 
 }  // namespace
 
-void stepOthers(const GpsIn& in, const GpsParams& params, GpsState& state, WorldModel& world) {
+void stepPlayers(const GpsIn& in, const GpsParams& params, GpsState& state, WorldModel& world) {
   putBallOnField(params, state, world.ball);
   stepOpponents(in, params, state);
   const Heard heard = hear(in.input, params, state);
   for (const TeamMessage& message : heard) hearOpponents(message, params, state);
-  world.obstacles = stepObstacles(in, params, heard, world, state.others.obstacles);
-  const OthersState& others = state.others;
-  world.opponents = extractOpponents(others);
-  world.teammates = extractMates(params.others.team, others);
-  world.teamBall = fused(witnessesOf(params, world.ball, others), params.others.teamBall);
-  speak(in.input, world, params.others.team, state.others);
-  world.message = others.message;
+  world.obstacles = stepObstacles(in, params, heard, world, state.players.obstacles);
+  const PlayersState& players = state.players;
+  world.opponents = extractOpponents(players);
+  world.teammates = extractMates(params.players.team, players);
+  world.teamBall = fused(witnessesOf(params, world.ball, players), params.players.teamBall);
+  speak(in.input, world, params.players.team, state.players);
+  world.message = players.message;
   world.counts = state.counts;
 }
 

@@ -137,7 +137,7 @@ TEST(Opponents, OneInSightLeavesTheOthersWhereTheyWere) {
   const double places[4][2] = {{100, 200}, {260, 210}, {180, 280}, {60, 150}};
   for (const auto& at : places) robot.percepts.robots.push_back(opponentAt(robot, at[0], at[1]));
   ASSERT_EQ(robot.step().opponents.size(), 4U);
-  robot.params.others.opponents.missedNoise = 0.0;
+  robot.params.players.opponents.missedNoise = 0.0;
   robot.percepts.robots.clear();
   robot.percepts.robots.push_back(opponentAt(robot, 100, 200));
   WorldModel world;
@@ -151,7 +151,7 @@ TEST(Opponents, OneInSightLeavesTheOthersWhereTheyWere) {
   }
 }
 
-TEST(Opponents, MatesInTheOwnColourAreNone) {
+TEST(Opponents, MatesInTheOwnColourAreNotTaken) {
   SimulatedRobot robot = robotAt(180, 100);
   robot.percepts.robots.push_back(opponentAt(robot, 200, 220));
   robot.percepts.robots[0].team = TeamColour::red;
@@ -192,7 +192,7 @@ TEST_P(Hostile, MessageIsRefusedWholeAndCounted) {
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    Others, Hostile,
+    Players, Hostile,
     testing::Values([](TeamMessage& m) { m.pose.position.x = kNan; },
                     [](TeamMessage& m) { m.pose.position.y += 1000.0; },
                     [](TeamMessage& m) { m.covariance[0] = -1.0; },

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "gps/AlikeUpdate.h"
+#include "gps/SymmetryUpdate.h"
 
 #include <algorithm>
 #include <utility>
@@ -7,18 +7,18 @@
 namespace kelpie::gps {
 namespace {
 
-constexpr double kReach = 4.0;  // standard deviations: beyond them S is below 4e-4
+constexpr double kGateSds = 4.0;  // standard deviations: beyond, S is below 4e-4
 
 bool isWithin(const PoseMode& mode, const Pose2& pose) {
   const Point2<Field> d = pose.position - mode.pose.position;
   const double turn = (pose.heading - mode.pose.heading).rad();
-  const double reach2 = kReach * kReach;
+  const double reach2 = kGateSds * kGateSds;
   return d.x * d.x <= reach2 * mode.covariance[0] && d.y * d.y <= reach2 * mode.covariance[4] &&
          turn * turn <= reach2 * mode.covariance[8];
 }
 
 // Heaviest first; the lightest is lost when there is no room.
-void keep(PoseMode mode, std::size_t most, FixedVector<PoseMode, kMaxAlike>& modes) {
+void keep(PoseMode mode, std::size_t most, FixedVector<PoseMode, kMaxAmbiguousPoses>& modes) {
   for (PoseMode& kept : modes)
     if (mode.weight > kept.weight) std::swap(mode, kept);
   if (modes.size() < most) modes.push_back(mode);
@@ -26,21 +26,22 @@ void keep(PoseMode mode, std::size_t most, FixedVector<PoseMode, kMaxAlike>& mod
 
 }  // namespace
 
-FixedVector<PoseMode, kMaxAlike> modesAlike(const SeenLines& seen, const PoseObservation& found,
-                                            double headSpeed, const GpsParams& params,
-                                            const GpsState& state) {
-  FixedVector<PoseMode, kMaxAlike> modes;
+FixedVector<PoseMode, kMaxAmbiguousPoses> symmetricModes(const SeenLines& seen,
+                                                         const PoseObservation& found,
+                                                         double headSpeed, const GpsParams& params,
+                                                         const GpsState& state) {
+  FixedVector<PoseMode, kMaxAmbiguousPoses> modes;
   if (!params.symmetry.use) return modes;
-  LineParams lines = params.line;  // equation 3.20: who matches worse is no offer
+  LineUpdateParams lines = params.line;  // equation 3.20: worse matches are left out
   lines.match += lines.matchStill / (1.0 + lines.headSpeed * headSpeed);
   LineFit fit;
   fit.pose = found.pose;
   fit.information = found.information;
   fit.match = lineMatch(seen, found.pose, state.features, lines);
-  const AlikePoses poses =
-      posesAlike(seen, fit, {params.field, state.features, state.painted}, lines, params.symmetry);
-  const auto most = std::min<std::size_t>(params.symmetry.maxOffers, kMaxAlike);
-  for (const AlikePose& pose : poses) {
+  const AmbiguousPoses poses = ambiguousPoses(
+      seen, fit, {params.field, state.features, state.painted}, lines, params.symmetry);
+  const auto most = std::min<std::size_t>(params.symmetry.maxPoses, kMaxAmbiguousPoses);
+  for (const AmbiguousPose& pose : poses) {
     if (distance(pose.pose.position, found.pose.position) < params.modes.mergeDistance) continue;
     for (const PoseMode& mode : state.modes) {
       if (!isWithin(mode, pose.pose)) continue;

@@ -90,7 +90,7 @@ struct TeamParams {
   }
 };
 
-struct OthersParams {
+struct PlayersParams {
   DropInParams dropIn;
   TeamBallParams teamBall;
   OpponentParams opponents;
@@ -99,9 +99,9 @@ struct OthersParams {
 
   static constexpr auto fields() {
     return fieldList(
-        field("dropIn", &OthersParams::dropIn), field("teamBall", &OthersParams::teamBall),
-        field("opponents", &OthersParams::opponents), field("team", &OthersParams::team),
-        field("obstacles", &OthersParams::obstacles));
+        field("dropIn", &PlayersParams::dropIn), field("teamBall", &PlayersParams::teamBall),
+        field("opponents", &PlayersParams::opponents), field("team", &PlayersParams::team),
+        field("obstacles", &PlayersParams::obstacles));
   }
 };
 

@@ -11,7 +11,7 @@
 
 namespace kelpie::gps {
 
-struct PinkSight {
+struct PinkBearing {
   Point2<Robot> eye;       // below the camera
   double eyeHeight = 0.0;  // cm, of the camera
   Angle heading;           // from there
@@ -19,15 +19,15 @@ struct PinkSight {
   double variance = 0.0;   // rad2, of the heading
   double area = 0.0;       // px
 };
-using PinkSights = FixedVector<PinkSight, 8>;
+using PinkBearings = FixedVector<PinkBearing, 8>;
 
 // Nothing for what is not finite or has no positive variance.
-std::optional<PinkSight> sightOf(const PinkPercept& percept, const CameraPose& camera);
+std::optional<PinkBearing> bearingOf(const PinkPercept& percept, const CameraPose& camera);
 
 // All of a frame, largest first; those that cannot be used are counted.
-PinkSights sightsOf(const FrameInput& input, const Percepts& percepts, GpsState& state);
+PinkBearings bearingsOf(const FrameInput& input, const Percepts& percepts, GpsState& state);
 
 // The heading from the robot frame's origin when the patch is `distance` cm from there.
-Angle headingAt(const PinkSight& sight, double distance);
+Angle headingAt(const PinkBearing& seen, double distance);
 
 }  // namespace kelpie::gps

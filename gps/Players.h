@@ -7,6 +7,6 @@
 
 namespace kelpie::gps {
 
-void stepOthers(const GpsIn& in, const GpsParams& params, GpsState& state, WorldModel& world);
+void stepPlayers(const GpsIn& in, const GpsParams& params, GpsState& state, WorldModel& world);
 
 }  // namespace kelpie::gps

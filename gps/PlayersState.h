@@ -21,7 +21,7 @@ struct OpponentFilter {
   bool known = false;  // seen by somebody and not forgotten
   Information belief;
   double secondsSinceSeen = 0.0;
-  Information fresh;  // of the own sightings since the last message
+  Information unsent;  // of the own sightings since the last message
   bool seenSinceMessage = false;
   bool assigned = false;  // to a sighting of this frame, or of the message at hand
 };
@@ -31,7 +31,7 @@ struct Teammate {
   TeamMessage last;  // its age grows
 };
 
-struct OthersState {
+struct PlayersState {
   bool started = false;
   std::array<OpponentFilter, kOpponents> opponents{};
   std::array<Teammate, kTeammates + 1> mates{};  // by player number less one; the own stays empty

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "gps/PoseSearch.h"
+#include "gps/PinkPoseSearch.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,19 +12,19 @@ namespace {
 constexpr std::size_t kCoarsePoints = 40;
 constexpr double kSamePlace = 30.0;  // cm; candidates nearer to each other are one
 constexpr double kSameTurn = 20.0;   // deg
-constexpr std::size_t kFewestPoints = 8;
+constexpr std::size_t kMinFitPoints = 8;
 
-bool same(const Candidate& a, const Candidate& b) {
+bool samePose(const PoseCandidate& a, const PoseCandidate& b) {
   return distance(a.pose.position, b.pose.position) < kSamePlace &&
          (a.pose.heading - b.pose.heading).abs().deg() < kSameTurn;
 }
 
 // Keeps the best of those that are one, and the best of all when there is no more room.
-void keep(const Candidate& candidate, Search& search) {
+void keep(const PoseCandidate& candidate, PinkPoseSearch& search) {
   auto& kept = search.candidates;
-  Candidate* worst = kept.begin();
-  for (Candidate& other : kept) {
-    if (same(candidate, other)) {
+  PoseCandidate* worst = kept.begin();
+  for (PoseCandidate& other : kept) {
+    if (samePose(candidate, other)) {
       if (candidate.score > other.score) other = candidate;
       return;
     }
@@ -42,7 +42,7 @@ struct Grid {
   std::uint32_t size() const { return columns * rows * turns; }
 };
 
-Grid gridOf(const body::FieldDescription& field, const PinkSearchParams& p) {
+Grid gridOf(const body::FieldDescription& field, const PinkPoseSearchParams& p) {
   const auto steps = [](double length, double step) {
     return static_cast<std::uint32_t>(length / step) + 1;
   };
@@ -59,13 +59,13 @@ Pose2 poseAt(std::uint32_t index, const Grid& grid, const body::FieldDescription
 }
 
 void tryPoses(const Survey& survey, const PinkLandmarks& pinks, const FieldFeatures& features,
-              const GpsParams& params, Search& search) {
-  const PinkSearchParams& p = params.pinks.search;
+              const GpsParams& params, PinkPoseSearch& search) {
+  const PinkPoseSearchParams& p = params.pinks.search;
   const Grid grid = gridOf(params.field, p);
   const SeenLines lines = linesOf(survey, kCoarsePoints);
   const std::uint32_t end = std::min(grid.size(), search.cursor + p.startsPerFrame);
   for (; search.cursor < end; ++search.cursor) {
-    Candidate candidate;
+    PoseCandidate candidate;
     candidate.pose = poseAt(search.cursor, grid, params.field);
     candidate.match = surveyMatch(lines, candidate.pose, features, p.coarseSharpness);
     candidate.score = p.lineScore * candidate.match +
@@ -75,10 +75,10 @@ void tryPoses(const Survey& survey, const PinkLandmarks& pinks, const FieldFeatu
 }
 
 void refine(const Survey& survey, const PinkLandmarks& pinks, const FieldFeatures& features,
-            const GpsParams& params, Candidate& candidate) {
-  const PinkSearchParams& p = params.pinks.search;
+            const GpsParams& params, PoseCandidate& candidate) {
+  const PinkPoseSearchParams& p = params.pinks.search;
   const SeenLines lines = linesOf(survey, kSurveyPoints);
-  if (lines.lines.size() >= kFewestPoints)
+  if (lines.lines.size() >= kMinFitPoints)
     candidate.pose = fitLines(lines, candidate.pose, features, params.line, true).pose;
   candidate.match = surveyMatch(lines, candidate.pose, features, p.fineSharpness);
   candidate.score = p.lineScore * candidate.match +
@@ -119,10 +119,10 @@ double surveyMatch(const SeenLines& lines, const Pose2& start, const FieldFeatur
 }
 
 double bearingScore(const Survey& survey, const Pose2& start, const PinkLandmarks& pinks, Angle sd,
-                    const PinkParams& params) {
+                    const PinkMapParams& params) {
   if (pinks.empty()) return 0.0;
   double score = 0.0;
-  for (const PinkBearing& seen : survey.bearings) {
+  for (const SurveyBearing& seen : survey.bearings) {
     const Angle direction = start.heading + seen.heading;
     const Ray ray{fieldFromRobot(start, seen.origin), {direction.cos(), direction.sin()}};
     const auto place = meetWall(ray, params.wall);
@@ -134,9 +134,10 @@ double bearingScore(const Survey& survey, const Pose2& start, const PinkLandmark
   return score;
 }
 
-bool searchOn(const Survey& survey, const PinkLandmarks& pinks, const FieldFeatures& field,
-              const GpsParams& params, Search& search) {
-  const PinkSearchParams& p = params.pinks.search;
+bool stepPinkPoseSearch(const Survey& survey, const PinkLandmarks& pinks,
+                        const FieldFeatures& field, const GpsParams& params,
+                        PinkPoseSearch& search) {
+  const PinkPoseSearchParams& p = params.pinks.search;
   if (search.cursor < gridOf(params.field, p).size()) {
     tryPoses(survey, pinks, field, params, search);
     return false;
@@ -146,18 +147,19 @@ bool searchOn(const Survey& survey, const PinkLandmarks& pinks, const FieldFeatu
     refine(survey, pinks, field, params, search.candidates[search.refined++]);
   }
   if (search.refined < search.candidates.size()) return false;
-  std::stable_sort(search.candidates.begin(), search.candidates.end(),
-                   [](const Candidate& a, const Candidate& b) { return a.score > b.score; });
+  std::stable_sort(
+      search.candidates.begin(), search.candidates.end(),
+      [](const PoseCandidate& a, const PoseCandidate& b) { return a.score > b.score; });
   return true;
 }
 
-double sureness(const Search& search) {
+double sureness(const PinkPoseSearch& search) {
   if (search.candidates.empty()) return 0.0;
-  const Candidate& best = search.candidates[0];
-  double others = 0.0;
-  for (const Candidate& other : search.candidates)
-    if (!same(best, other)) others += maths::exp(other.score - best.score);
-  return 1.0 / (1.0 + others);
+  const PoseCandidate& best = search.candidates[0];
+  double elsewhere = 0.0;
+  for (const PoseCandidate& other : search.candidates)
+    if (!samePose(best, other)) elsewhere += maths::exp(other.score - best.score);
+  return 1.0 / (1.0 + elsewhere);
 }
 
 }  // namespace kelpie::gps

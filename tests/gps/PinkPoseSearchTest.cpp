@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "gps/PoseSearch.h"
+#include "gps/PinkPoseSearch.h"
 #include "gps/Survey.h"
 #include "tools/experiments/SimulatedRobot.h"
 
@@ -56,7 +56,7 @@ class CarriedRobot : public SimulatedRobot {
   Random random_;
 };
 
-TEST(PoseSearch, FindsTheRobotWhereverItWasPut) {
+TEST(PinkPoseSearch, FindsTheRobotWhereverItWasPut) {
   Random random(77);
   int found = 0;
   for (std::uint64_t run = 0; run < 10; ++run) {
@@ -68,7 +68,7 @@ TEST(PoseSearch, FindsTheRobotWhereverItWasPut) {
   EXPECT_GE(found, 9);
 }
 
-TEST(PoseSearch, WithoutPinksItDoesNotGuessBetweenTwins) {
+TEST(PinkPoseSearch, WithoutPinksItDoesNotGuessBetweenTwins) {
   CarriedRobot robot({100, 150, 1.0}, 3);
   const WorldModel world = robot.lookRound(600, false);
   EXPECT_TRUE(robot.state.lost);
@@ -76,12 +76,12 @@ TEST(PoseSearch, WithoutPinksItDoesNotGuessBetweenTwins) {
 }
 
 // Half a turn of the field puts each of these patches where another is.
-TEST(PoseSearch, TwinsThatNothingTellsApartAreNeverGuessedAndTheSurveyIsRenewed) {
+TEST(PinkPoseSearch, TwinsThatNothingTellsApartAreNeverGuessedAndTheSurveyIsRenewed) {
   CarriedRobot robot({100, 150, 1.0}, 3);
   robot.state.pinks.map.clear();
   for (const Point2<Field> place : {Point2<Field>{-35, 100}, {395, 440}, {60, 585}, {300, -45}})
     robot.state.pinks.map.push_back({place, 20.0});
-  const PinkSearchParams& p = robot.params.pinks.search;
+  const PinkPoseSearchParams& p = robot.params.pinks.search;
   double oldest = 0.0;
   for (int i = 0; i < 7; ++i) {
     robot.lookRound(210);
@@ -91,7 +91,7 @@ TEST(PoseSearch, TwinsThatNothingTellsApartAreNeverGuessedAndTheSurveyIsRenewed)
   EXPECT_LT(oldest, p.keepSeconds + p.againSeconds + 5.0);  // a search takes a second or two
 }
 
-TEST(PoseSearch, AfterManySearchesALikelyPoseIsEnough) {
+TEST(PinkPoseSearch, AfterManySearchesALikelyPoseIsEnough) {
   CarriedRobot robot({100, 150, 1.0}, 3);
   robot.params.pinks.search.sureShare = 1.1;  // never
   robot.params.pinks.search.patience = 1000;
@@ -103,7 +103,7 @@ TEST(PoseSearch, AfterManySearchesALikelyPoseIsEnough) {
   EXPECT_LT(robot.error(world), 30.0);
 }
 
-TEST(PoseSearch, BeginsAnewWhenPlayDoes) {
+TEST(PinkPoseSearch, BeginsAgainWhenPlayDoes) {
   CarriedRobot robot({100, 150, 1.0}, 3);
   robot.lookRound(600);
   EXPECT_FALSE(robot.state.lost);
@@ -113,7 +113,7 @@ TEST(PoseSearch, BeginsAnewWhenPlayDoes) {
   EXPECT_TRUE(robot.state.pinks.survey.points.empty());
 }
 
-TEST(PoseSearch, LandmarksDoNotCountWhileLocalisingByPinks) {
+TEST(PinkPoseSearch, LandmarksDoNotCountWhileLocalisingByPinks) {
   CarriedRobot robot({180, 200, 1.5}, 3);
   for (int i = 0; i < 20; ++i) {
     robot.lookAround(0.0);
@@ -125,15 +125,15 @@ TEST(PoseSearch, LandmarksDoNotCountWhileLocalisingByPinks) {
 
 TEST(Survey, CarriesWhatItSawThroughATurnOnTheSpot) {
   Survey survey;
-  PinkSights sights;
-  sights.push_back({{}, 20.0, Angle::deg(30), Angle(), 1e-4, 100.0});
+  PinkBearings bearings;
+  bearings.push_back({{}, 20.0, Angle::deg(30), Angle(), 1e-4, 100.0});
   FixedVector<LinePoint, 256> points;
   points.push_back({LinePointKind::line, {0.0, 100.0}, 1.0, {}});
-  addToSurvey(points, sights, {}, survey);
+  addToSurvey(points, bearings, {}, survey);
   moveSurvey({0, 0, Angle::deg(90)}, 1.0, survey);
-  sights[0].heading = Angle::deg(-60);
+  bearings[0].heading = Angle::deg(-60);
   points[0].position = {100.0, 0.0};  // the same place after a quarter turn left
-  addToSurvey(points, sights, {}, survey);
+  addToSurvey(points, bearings, {}, survey);
   ASSERT_EQ(survey.bearings.size(), 1U);
   EXPECT_NEAR(survey.bearings[0].heading.deg(), 30.0, 1e-9);
   EXPECT_EQ(survey.bearings[0].weight, 2.0);
@@ -149,7 +149,7 @@ TEST(Survey, BrokenLinePointsAreLeftOut) {
   EXPECT_TRUE(survey.points.empty());
 }
 
-TEST(PoseSearch, HostileFramesLeaveAFinitePose) {
+TEST(PinkPoseSearch, HostileFramesLeaveAFinitePose) {
   CarriedRobot robot({180, 200, 1.5}, 3);
   robot.params.pinks.search.surveySeconds = 0.1;
   robot.params.pinks.search.minBearings = 0;

@@ -2,8 +2,8 @@
 // The search over the field by lines alone.
 #include <gtest/gtest.h>
 
-#include "gps/GlobalSearch.h"
 #include "gps/LineMap.h"
+#include "gps/LinePoseSearch.h"
 #include "gps/Symmetry.h"
 #include "tools/experiments/StandingRobot.h"
 
@@ -19,7 +19,7 @@ int framesUntilServed(experiments::StandingRobot& robot, WorldModel& world, int 
   return -1;
 }
 
-TEST(GlobalSearch, FindsThePoseOrItsTwinFromNowhere) {
+TEST(LinePoseSearch, FindsThePoseOrItsTwinFromNowhere) {
   int found = 0;
   for (std::uint64_t seed = 500; seed < 510; ++seed) {
     experiments::StandingRobot robot(seed);
@@ -33,7 +33,7 @@ TEST(GlobalSearch, FindsThePoseOrItsTwinFromNowhere) {
   EXPECT_GE(found, 8);
 }
 
-TEST(GlobalSearch, EveryModeHasItsTwinOfTheSameWeight) {
+TEST(LinePoseSearch, EveryModeHasItsTwinOfTheSameWeight) {
   experiments::StandingRobot robot(500);
   robot.input.lastCommand.localise = true;
   WorldModel world;
@@ -44,7 +44,7 @@ TEST(GlobalSearch, EveryModeHasItsTwinOfTheSameWeight) {
   EXPECT_LT(distance(twin.position, world.modes[1].pose.position), 0.5);
 }
 
-TEST(GlobalSearch, TakesManyFramesAndAnswersOnceForOneRequest) {
+TEST(LinePoseSearch, TakesManyFramesAndAnswersOnceForOneRequest) {
   experiments::StandingRobot robot(500);
   robot.input.lastCommand.localise = true;
   WorldModel world;
@@ -61,7 +61,7 @@ TEST(GlobalSearch, TakesManyFramesAndAnswersOnceForOneRequest) {
   EXPECT_FALSE(robot.state->search.served);
 }
 
-TEST(GlobalSearch, BeginsByItselfWhenLostAndOnlyWhileStanding) {
+TEST(LinePoseSearch, BeginsByItselfWhenLostAndOnlyWhileStanding) {
   experiments::StandingRobot robot(501);
   for (int i = 0; i < 200; ++i) {
     robot.look(false);
@@ -77,7 +77,7 @@ TEST(GlobalSearch, BeginsByItselfWhenLostAndOnlyWhileStanding) {
   EXPECT_FALSE(robot.state->lost);
 }
 
-TEST(GlobalSearch, AMoveDropsWhatWasBegun) {
+TEST(LinePoseSearch, AMoveDropsWhatWasBegun) {
   experiments::StandingRobot robot(502);
   robot.input.lastCommand.localise = true;
   for (int i = 0; i < 400 && robot.state->search.next < 20; ++i) {

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+// Finds the pose by the map of a standing robot alone, without a prior (thesis 2004 section 4.1.4):
+// blunt fits from many starts over one half of the field, a few each frame so that no frame is
+// dropped; the best poses, fitted sharply, and their twins become the modes. Only a landmark tells
+// which of two twins is true. Runs on request (`Command::localise`), and by itself while lost.
+#pragma once
+
+#include "gps/GpsParams.h"
+#include "gps/GpsState.h"
+#include "robot/core/FrameInput.h"
+
+namespace kelpie::gps {
+
+// Once a frame, after stepMap(). Returns whether the modes were replaced: call mergeAndPrune()
+// then.
+bool stepLinePoseSearch(const FrameInput& input, const GpsParams& params, GpsState& state);
+
+}  // namespace kelpie::gps
