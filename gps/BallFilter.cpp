@@ -5,7 +5,9 @@
 #include <cmath>
 
 #include "gps/BallModels.h"
+#include "gps/Refusal.h"
 #include "robot/body/Camera.h"
+#include "robot/body/FieldDescription.h"
 
 namespace kelpie::gps {
 namespace {
@@ -76,17 +78,15 @@ void consider(const BallSighting& z, double speedSd, BallTrack& ball) {
   ball.candidate = {z.position(0), z.position(1)};
 }
 
-void see(const FrameInput& input, const BallPercept& percept, const BallFilterParams& params,
-         GpsState& state) {
-  BallTrack& ball = state.ball;
-  const BallSighting z = sighting(percept, params);
+void see(const BallIn& in, const BallFilterParams& params, BallTrack& ball, GpsCounts& counts) {
+  const BallSighting z = sighting(in.percept, params);
   const double gate = ball.rolling.weight > 0.5 ? params.bounceGate : params.gate;
   if (!ball.present) {
     consider(z, params.startSpeedSd, ball);
-  } else if (correctModels(z, gate, ball) || jumped(z, elapsedOf(input), params, ball)) {
+  } else if (correctModels(z, gate, ball) || jumped(z, elapsedOf(in.input), params, ball)) {
     seenNow(ball);
   } else {
-    state.count(Refusal::ballOutsideGate);
+    count(Refusal::ballOutsideGate, counts);
     consider(z, params.kickSpeedSd, ball);
   }
 }
@@ -132,35 +132,34 @@ void keepOutOfBody(BallTrack& ball) {
 }
 
 // After a jump of the clock the velocity may be of nothing and carries the ball away in one step.
-void checkSound(GpsState& state) {
+void checkSound(BallTrack& ball, GpsCounts& counts) {
   constexpr double kMaxDistance = 1500.0;  // cm, twice the field's diagonal
-  const BallTrack& ball = state.ball;
   const bool near = maths::hypot(ball.both.mean[0], ball.both.mean[1]) <= kMaxDistance;
   if (near && meanOf(ball.both).allFinite() && covarianceOf(ball.both).allFinite()) return;
-  state.ball = BallTrack{};
-  state.count(Refusal::ballNotFinite);
+  ball = BallTrack{};
+  count(Refusal::ballNotFinite, counts);
 }
 
 }  // namespace
 
-void stepBall(const FrameInput& input, const BallPercept& percept, const Step& step,
-              const GpsParams& params, GpsState& state) {
-  BallTrack& ball = state.ball;
-  ball.secondsSinceSeen += elapsedOf(input);
-  ball.candidateAge += elapsedOf(input);
+void stepBall(const BallIn& in, const BallFilterParams& params, BallTrack& ball,
+              GpsCounts& counts) {
+  const double elapsed = elapsedOf(in.input);
+  ball.secondsSinceSeen += elapsed;
+  ball.candidateAge += elapsed;
   if (ball.present) {
-    expectKick(input, params.ball, ball);
-    predictModels(step.odometry, step.noise, elapsedOf(input), params.ball, ball);
+    expectKick(in.input, params, ball);
+    predictModels(in.moved.odometry, in.moved.noise, elapsed, params, ball);
     keepOutOfBody(ball);
   }
-  const bool good = percept.present && usable(percept);
-  if (percept.present && !good) state.count(Refusal::ballNotFinite);
+  const bool good = in.percept.present && usable(in.percept);
+  if (in.percept.present && !good) count(Refusal::ballNotFinite, counts);
   if (good) {
-    see(input, percept, params.ball, state);
+    see(in, params, ball, counts);
   } else if (ball.present) {
-    miss(input, params.ball, ball);
+    miss(in.input, params, ball);
   }
-  checkSound(state);
+  checkSound(ball, counts);
 }
 
 }  // namespace kelpie::gps

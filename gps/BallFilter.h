@@ -4,15 +4,20 @@
 // sighting; an unseen ball is given up after a while, sooner when it should be in the image.
 #pragma once
 
-#include "gps/GpsParams.h"
-#include "gps/GpsState.h"
+#include "gps/BallFilterParams.h"
+#include "gps/BallState.h"
 #include "gps/Predict.h"
 #include "robot/core/FrameInput.h"
 #include "robot/core/Percepts.h"
 
 namespace kelpie::gps {
 
-void stepBall(const FrameInput& input, const BallPercept& percept, const Step& step,
-              const GpsParams& params, GpsState& state);
+struct BallIn {
+  const FrameInput& input;
+  const BallPercept& percept;
+  const Step& moved;  // by the robot
+};
+
+void stepBall(const BallIn& in, const BallFilterParams& params, BallTrack& ball, GpsCounts& counts);
 
 }  // namespace kelpie::gps

@@ -3,8 +3,8 @@
 // vx, vy).
 #pragma once
 
+#include "gps/BallState.h"
 #include "gps/Gaussian.h"
-#include "gps/GpsState.h"
 
 namespace kelpie::gps {
 

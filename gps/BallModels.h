@@ -5,9 +5,8 @@
 // lags. Fails on a ball pushed along slowly: it lies, again and again.
 #pragma once
 
+#include "gps/BallFilterParams.h"
 #include "gps/BallGaussian.h"
-#include "gps/GpsParams.h"
-#include "gps/GpsState.h"
 #include "gps/Predict.h"
 
 namespace kelpie::gps {

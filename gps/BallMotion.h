@@ -2,8 +2,8 @@
 // How the ball's state in the robot frame changes when the robot moves and the ball rolls.
 #pragma once
 
-#include "gps/GpsParams.h"
-#include "gps/GpsState.h"
+#include "gps/BallFilterParams.h"
+#include "gps/BallState.h"
 #include "gps/Predict.h"
 
 namespace kelpie::gps {

@@ -24,18 +24,19 @@ void place(Point2<Field> point, double variance, const PoseMode& pose, BallTrack
   ball.weightedUnseenSeconds = 0.0;
 }
 
-bool believedOut(const GpsParams& params, const PoseMode& pose, const BallTrack& ball) {
-  const DropInParams& p = params.players.dropIn;
+bool believedOut(const body::FieldDescription& field, const BallFilterParams& params,
+                 const PoseMode& pose, const BallTrack& ball) {
+  const DropInParams& p = params.dropIn;
   if (!ball.present || ball.secondsSinceSeen < p.unseen) return false;
   if (pose.covariance[0] + pose.covariance[4] > 2.0 * maths::square(p.maxPoseSd)) return false;
   const Matrix2 covariance = covarianceOf(ball.both).topLeftCorner<2, 2>();
   const Place at = placeOnField(pose, {ball.both.mean[0], ball.both.mean[1]}, covariance);
-  const double beyond = beyondLines(params.field, pointOf(at.mean));
-  const Point2<Field> middle{0.5 * params.field.width, 0.5 * params.field.length};
+  const double beyond = beyondLines(field, pointOf(at.mean));
+  const Point2<Field> middle{0.5 * field.width, 0.5 * field.length};
   const double side = std::fabs(at.mean(0) - middle.x) - middle.x;
   const double end = std::fabs(at.mean(1) - middle.y) - middle.y;
   const double variance = side > end ? at.covariance(0, 0) : at.covariance(1, 1);
-  const bool gone = ball.missed > params.ball.missedFrames;  // its place is in sight and empty
+  const bool gone = ball.missed > params.missedFrames;  // its place is in sight and empty
   return beyond > (gone ? 0.0 : p.outSds * std::sqrt(std::max(0.0, variance)));
 }
 
@@ -55,21 +56,21 @@ Point2<Field> dropInPoint(const body::FieldDescription& field, const DropInParam
           maths::clamp(ball.y, params.fromEnd, field.length - params.fromEnd)};
 }
 
-void applyReferee(const FrameInput& input, const GpsParams& params, GpsState& state) {
-  const PoseMode& pose = state.modes[0];
-  BallTrack& ball = state.ball;
-  const std::uint32_t goals = std::uint32_t{input.game.ownScore} + input.game.opponentScore;
-  const bool scored = goals > state.players.goals;
-  state.players.goals = goals;
-  if (scored && ball.present && ball.secondsSinceSeen > 0.0) {
-    const Point2<Field> centre{0.5 * params.field.width, 0.5 * params.field.length};
-    place(centre, params.players.dropIn.variance, pose, ball);
+void applyReferee(const GameState& game, const body::FieldDescription& field,
+                  const BallFilterParams& params, const PoseState& pose, BallState& ball) {
+  const PoseMode& mode = pose.modes[0];
+  BallTrack& track = ball.track;
+  const std::uint32_t goals = std::uint32_t{game.ownScore} + game.opponentScore;
+  const bool scored = goals > ball.goals;
+  ball.goals = goals;
+  if (scored && track.present && track.secondsSinceSeen > 0.0) {
+    const Point2<Field> centre{0.5 * field.width, 0.5 * field.length};
+    place(centre, params.dropIn.variance, mode, track);
     return;
   }
-  if (params.field.borderWidth > 0.0 || state.lost || !believedOut(params, pose, ball)) return;
-  const Point2<Field> at = fieldFromRobot(pose.pose, {ball.both.mean[0], ball.both.mean[1]});
-  place(dropInPoint(params.field, params.players.dropIn, at), params.players.dropIn.variance, pose,
-        ball);
+  if (field.borderWidth > 0.0 || pose.lost || !believedOut(field, params, mode, track)) return;
+  const Point2<Field> at = fieldFromRobot(mode.pose, {track.both.mean[0], track.both.mean[1]});
+  place(dropInPoint(field, params.dropIn, at), params.dropIn.variance, mode, track);
 }
 
 }  // namespace kelpie::gps

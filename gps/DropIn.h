@@ -4,8 +4,10 @@
 // when the pose is wrong by more than its covariance: the ball is then found again by sight.
 #pragma once
 
-#include "gps/GpsParams.h"
-#include "gps/GpsState.h"
+#include "gps/BallFilterParams.h"
+#include "gps/BallState.h"
+#include "gps/PoseState.h"
+#include "robot/body/FieldDescription.h"
 #include "robot/core/FrameInput.h"
 
 namespace kelpie::gps {
@@ -18,6 +20,7 @@ double beyondLines(const body::FieldDescription& field, Point2<Field> ball);
 Point2<Field> dropInPoint(const body::FieldDescription& field, const DropInParams& params,
                           Point2<Field> ball);
 
-void applyReferee(const FrameInput& input, const GpsParams& params, GpsState& state);
+void applyReferee(const GameState& game, const body::FieldDescription& field,
+                  const BallFilterParams& params, const PoseState& pose, BallState& ball);
 
 }  // namespace kelpie::gps

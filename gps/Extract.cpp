@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gps/BallMotion.h"
+#include "gps/OnField.h"
+
 namespace kelpie::gps {
 namespace {
 
@@ -14,7 +17,19 @@ double positionSd(const std::array<double, 9>& c) {
   return std::sqrt(std::max(0.0, mean + std::sqrt(half * half + c[1] * c[1])));
 }
 
-BallEstimate extractBall(const BallTrack& track, const Pose2& pose) {
+// Where the ball will lie: each model's end, weighed.
+Point2<Robot> stoppingPointOf(const BallTrack& ball, const BallFilterParams& params) {
+  const std::array<double, 4>& rolling = ball.rolling.mean;
+  const double speed = maths::hypot(rolling[2], rolling[3]);
+  const double way = speed > 0.0 ? rollingDistance(speed, params) / speed : 0.0;
+  const double share = ball.rolling.weight;
+  return {ball.both.mean[0] + share * way * rolling[2],
+          ball.both.mean[1] + share * way * rolling[3]};
+}
+
+BallEstimate extractBall(const BallTrack& track, const PoseMode& mode,
+                         const BallFilterParams& params) {
+  const Pose2& pose = mode.pose;
   BallEstimate ball;
   ball.present = track.present;
   ball.secondsSinceSeen = track.secondsSinceSeen;
@@ -28,6 +43,9 @@ BallEstimate extractBall(const BallTrack& track, const Pose2& pose) {
   ball.position = fieldFromRobot(pose, ball.relative);
   const Pose2 turnOnly{{}, pose.heading};
   ball.velocity = fieldFromRobot(turnOnly, {mean[2], mean[3]});
+  ball.fieldCovariance =
+      rowsOf(placeOnField(mode, ball.relative, matrixOf(ball.covariance)).covariance);
+  ball.stoppingPoint = fieldFromRobot(pose, stoppingPointOf(track, params));
   return ball;
 }
 
@@ -49,21 +67,20 @@ SecondHypothesis secondOf(const Modes& modes) {
 
 }  // namespace
 
-WorldModel extract(const GpsState& state) {
+WorldModel extract(const GpsState& state, const BallFilterParams& params) {
   WorldModel world;
-  for (const PoseMode& mode : state.modes) world.modes.push_back(mode);
-  world.pose = state.modes[0].pose;
-  world.covariance = state.modes[0].covariance;
+  for (const PoseMode& mode : state.pose.modes) world.modes.push_back(mode);
+  world.pose = state.pose.modes[0].pose;
+  world.covariance = state.pose.modes[0].covariance;
   world.positionSd = positionSd(world.covariance);
   const double headingSd = std::sqrt(std::max(0.0, world.covariance[8]));
   world.headingSd = Angle::rad(std::min(headingSd, maths::kPi));
-  world.secondsSinceLandmark = state.secondsSinceLandmark;
-  world.secondsSinceLines = state.secondsSinceLines;
-  world.second = secondOf(state.modes);
-  world.stuck = state.stuck.share;
-  world.ball = extractBall(state.ball, world.pose);
+  world.secondsSinceLandmark = state.pose.secondsSinceLandmark;
+  world.secondsSinceLines = state.pose.secondsSinceLines;
+  world.second = secondOf(state.pose.modes);
+  world.stuck = state.pose.stuck.share;
+  world.ball = extractBall(state.ball.track, state.pose.modes[0], params);
   world.pinkMap = state.pinks.map;
-  world.counts = state.counts;
   return world;
 }
 

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // What of the state the rest of the agent gets to see: the heaviest mode as the pose (thesis 2004
-// section 2.1.5), the other modes, the ball on the field.
+// section 2.1.5), the other modes, the ball on the field. The players are added by stepPlayers().
 #pragma once
 
+#include "gps/BallFilterParams.h"
 #include "gps/GpsState.h"
 
 namespace kelpie::gps {
 
-WorldModel extract(const GpsState& state);
+WorldModel extract(const GpsState& state, const BallFilterParams& params);
 
 }  // namespace kelpie::gps

@@ -19,11 +19,10 @@ struct UpdatedMode {
 };
 using UpdatedModes = FixedVector<UpdatedMode, kWorkModes>;
 
-InformationSum informationOf(const PoseMode& mode, const Pose2& at, const Measurements& landmarks,
-                             const GpsParams& params) {
+InformationSum informationOf(const PoseMode& mode, const Pose2& at, const Measurements& landmarks) {
   InformationSum information;
   for (const Measurement& m : landmarks)
-    information.add(mode, atGrazingAngle(mode, m) ? headingOnly(m, params.gates) : m, at);
+    information.add(mode, atGrazingAngle(mode, m) ? headingOnly(m) : m, at);
   return information;
 }
 
@@ -34,13 +33,13 @@ bool movedFar(const Pose2& from, const Pose2& to) {
 // A wide mode moves so far that a linearisation at its old pose is wrong at the new one: it is
 // linearised there again, as it would be by one landmark after the other.
 UpdatedMode updatedByLandmarks(const PoseMode& mode, const Measurements& landmarks,
-                               const GpsParams& params) {
+                               bool weighByDeterminant) {
   constexpr int kRounds = 3;
   UpdatedMode one;
   Pose2 at = mode.pose;
   for (int round = 0; round < kRounds; ++round) {
-    one.information = informationOf(mode, at, landmarks, params);
-    one.byLandmarks = corrected(mode, one.information, params.modes.weighByDeterminant);
+    one.information = informationOf(mode, at, landmarks);
+    one.byLandmarks = corrected(mode, one.information, weighByDeterminant);
     if (!movedFar(at, one.byLandmarks.pose)) break;
     at = one.byLandmarks.pose;
   }
@@ -48,9 +47,10 @@ UpdatedMode updatedByLandmarks(const PoseMode& mode, const Measurements& landmar
 }
 
 UpdatedModes updatedModes(const Modes& modes, const Measurements& landmarks,
-                          const GpsParams& params) {
+                          bool weighByDeterminant) {
   UpdatedModes all;
-  for (const PoseMode& mode : modes) all.push_back(updatedByLandmarks(mode, landmarks, params));
+  for (const PoseMode& mode : modes)
+    all.push_back(updatedByLandmarks(mode, landmarks, weighByDeterminant));
   return all;
 }
 
@@ -65,17 +65,17 @@ UpdatedMode* heaviest(UpdatedModes& all) {
 }
 
 // Fits the lines near the heaviest of them; true when any fits.
-bool fitLinesToHeaviest(const SeenLines& seen, double headSpeed, const GpsParams& params,
-                        UpdatedModes& all, GpsState& state) {
-  if (seen.lines.size() < params.line.minPoints) return false;
+bool fitLinesToHeaviest(const SeenLines& seen, const FieldFeatures& field,
+                        const LineUpdateParams& params, UpdatedModes& all, GpsCounts& counts) {
+  if (seen.lines.size() < params.minPoints) return false;
   double first = 0.0;
   bool any = false;
-  for (std::uint32_t tried = 0; tried < params.line.maxModes; ++tried) {
+  for (std::uint32_t tried = 0; tried < params.maxModes; ++tried) {
     UpdatedMode* one = heaviest(all);
-    if (one == nullptr || one->byLandmarks.weight < params.line.minWeight * first) break;
+    if (one == nullptr || one->byLandmarks.weight < params.minWeight * first) break;
     first = std::max(first, one->byLandmarks.weight);
     one->lineFitTried = true;
-    one->lines = observationAt(one->byLandmarks, seen, headSpeed, params, state);
+    one->lines = observationAt(one->byLandmarks, seen, field, params, counts);
     any = any || one->lines.has_value();
   }
   return any;
@@ -84,35 +84,35 @@ bool fitLinesToHeaviest(const SeenLines& seen, double headSpeed, const GpsParams
 // What stays beside a corrected mode: the likelier of the mode itself and, for the case that only
 // the lines are false, the mode as the landmarks alone correct it.
 PoseMode copyOf(const PoseMode& mode, const UpdatedMode& one, bool landmarks,
-                const GpsParams& params) {
+                const JointParams& params) {
   PoseMode untouched = mode;
   if (landmarks) untouched.weight *= params.modes.outlierWeight;
   PoseMode withoutLines = one.byLandmarks;
-  withoutLines.weight *= params.line.outlierWeight;
+  withoutLines.weight *= params.lines.outlierWeight;
   if (!one.lines) return untouched;
   return landmarks && untouched.weight > withoutLines.weight ? untouched : withoutLines;
 }
 
 // As when landmarks come one by one: after many in a row that no mode predicted, the robot is lost.
 void countUnexplained(const Modes& modes, const UpdatedModes& updated, std::size_t landmarks,
-                      const GpsParams& params, GpsState& state) {
+                      const ModeParams& params, PoseState& state) {
   double copies = 0.0;
   double explained = 0.0;
-  for (const PoseMode& mode : modes) copies += mode.weight * params.modes.outlierWeight;
+  for (const PoseMode& mode : modes) copies += mode.weight * params.outlierWeight;
   for (const UpdatedMode& one : updated) explained += one.byLandmarks.weight;
-  const bool predicted = explained > params.modes.explainedShare * (copies + explained);
+  const bool predicted = explained > params.explainedShare * (copies + explained);
   state.unexplained = predicted ? 0 : state.unexplained + static_cast<std::uint32_t>(landmarks);
-  if (state.unexplained <= params.modes.maxUnexplained) return;
+  if (state.unexplained <= params.maxUnexplained) return;
   state.unexplained = 0;
   state.lost = true;
 }
 
 // `seen` is null where no mode's lines fit.
 PoseMode result(const PoseMode& mode, const UpdatedMode& one, const SeenLines* seen,
-                const GpsParams& params) {
+                const JointParams& params) {
   if (!one.lines) {
     PoseMode kept = one.byLandmarks;
-    if (seen != nullptr) kept.weight *= weightWithoutLineFit(kept, *seen, params.line);
+    if (seen != nullptr) kept.weight *= weightWithoutLineFit(kept, *seen, params.lines);
     return kept;
   }
   InformationSum all = one.information;
@@ -174,24 +174,25 @@ PoseMode corrected(const PoseMode& mode, const InformationSum& information,
   return result;
 }
 
-bool updateJointly(const Measurements& landmarks, const SeenLines& seen, double headSpeed,
-                   const GpsParams& params, GpsState& state) {
+bool updateJointly(const Sightings& seen, const PaintedField& field, const JointParams& params,
+                   PoseState& state, GpsCounts& counts) {
   Modes& modes = state.modes;
-  if (!landmarks.empty() && params.modes.noiseMethod == NoiseMethod::splitAndWide)
-    modes.push_back(wideMode(params, params.modes.wideWeight));
-  UpdatedModes updated = updatedModes(modes, landmarks, params);
-  if (!landmarks.empty()) countUnexplained(modes, updated, landmarks.size(), params, state);
-  const bool lines = fitLinesToHeaviest(seen, headSpeed, params, updated, state);
-  if (landmarks.empty() && !lines) return false;
+  const bool landmarks = !seen.landmarks.empty();
+  if (landmarks && params.modes.noiseMethod == NoiseMethod::splitAndWide)
+    modes.push_back(wideMode(field.description, params.modes, params.modes.wideWeight));
+  UpdatedModes updated = updatedModes(modes, seen.landmarks, params.modes.weighByDeterminant);
+  if (landmarks) countUnexplained(modes, updated, seen.landmarks.size(), params.modes, state);
+  const bool lines = fitLinesToHeaviest(seen.lines, field.features, params.lines, updated, counts);
+  if (!landmarks && !lines) return false;
   if (lines) state.secondsSinceLines = 0.0;
   const std::size_t before = modes.size();
   for (std::size_t i = 0; i < before; ++i) {
-    if (landmarks.empty() && !updated[i].lines) {
-      modes[i].weight *= weightWithoutLineFit(modes[i], seen, params.line);
+    if (!landmarks && !updated[i].lines) {
+      modes[i].weight *= weightWithoutLineFit(modes[i], seen.lines, params.lines);
       continue;
     }
-    const PoseMode copy = copyOf(modes[i], updated[i], !landmarks.empty(), params);
-    modes[i] = result(modes[i], updated[i], lines ? &seen : nullptr, params);
+    const PoseMode copy = copyOf(modes[i], updated[i], landmarks, params);
+    modes[i] = result(modes[i], updated[i], lines ? &seen.lines : nullptr, params);
     modes.push_back(copy);
   }
   return true;

@@ -8,8 +8,8 @@
 
 #include "gps/Gaussian.h"
 #include "gps/Landmarks.h"
-#include "gps/LineFit.h"
 #include "gps/LineUpdate.h"
+#include "gps/PoseState.h"
 
 namespace kelpie::gps {
 
@@ -33,8 +33,19 @@ PoseMode corrected(const PoseMode& mode, const InformationSum& information,
 
 using Measurements = FixedVector<Measurement, 8>;
 
-// Lines may be empty. Returns whether anything was used; then call mergeAndPrune().
-bool updateJointly(const Measurements& landmarks, const SeenLines& seen, double headSpeed,
-                   const GpsParams& params, GpsState& state);
+// All that corrects the pose in a frame; either may be empty.
+struct Sightings {
+  Measurements landmarks;
+  SeenLines lines;
+};
+
+struct JointParams {
+  const ModeParams& modes;
+  const LineUpdateParams& lines;
+};
+
+// Returns whether anything was used; then call mergeAndPrune().
+bool updateJointly(const Sightings& seen, const PaintedField& field, const JointParams& params,
+                   PoseState& state, GpsCounts& counts);
 
 }  // namespace kelpie::gps

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gps/Refusal.h"
+
 namespace kelpie::gps {
 namespace {
 
@@ -18,53 +20,56 @@ bool usable(const LandmarkPercept& p) {
 }
 
 std::optional<Refusal> refusal(const LandmarkPercept& percept, const LandmarkMap& map,
-                               const GpsParams& params) {
+                               const LandmarkGates& gates) {
   if (!usable(percept)) return Refusal::landmarkNotFinite;
   const body::Landmark* landmark = body::findLandmark(map, percept.kind);
   if (landmark == nullptr) return Refusal::landmarkUnknown;
-  const double maxSd = params.gates.maxHeadingSd.rad();
+  const double maxSd = gates.maxHeadingSd.rad();
   if (percept.headingVariance > maxSd * maxSd) return Refusal::headingUncertain;
   if (!isGoal(percept.kind)) return std::nullopt;
-  if (percept.distance < params.gates.goalMin) return Refusal::goalTooClose;
+  if (percept.distance < gates.goalMin) return Refusal::goalTooClose;
   return std::nullopt;
 }
 
 }  // namespace
 
-Measurement headingOnly(const Measurement& measurement, const LandmarkGates& gates) {
+bool landmarksCount(const FrameInput& input) {
+  return input.lastCommand.pinks != PinkUse::localise;
+}
+
+Measurement headingOnly(const Measurement& measurement) {
   Measurement m = measurement;
   m.useDistance = false;
   m.useHeading = true;
-  m.headingVariance += maths::square(gates.maxHeadingSd.rad());
+  m.headingVariance = m.grazingHeadingVariance;
   return m;
 }
 
 std::optional<Measurement> measurement(const LandmarkPercept& percept, const LandmarkMap& map,
-                                       const GpsParams& params, GpsState& state) {
-  if (const auto reason = refusal(percept, map, params)) {
-    state.count(*reason);
+                                       const body::FieldDescription& field,
+                                       const LandmarkGates& gates, GpsCounts& counts) {
+  if (const auto reason = refusal(percept, map, gates)) {
+    count(*reason, counts);
     return std::nullopt;
   }
-  const LandmarkGates& gates = params.gates;
   const bool goal = isGoal(percept.kind);
   const double farthest = goal ? gates.goalMaxDistance : gates.beaconMaxDistance;
   Measurement m;
   m.landmark = body::findLandmark(map, percept.kind)->position;
-  m.minGoalLineDistance = goal ? gates.goalLineShare * params.field.length : 0.0;
+  m.minGoalLineDistance = goal ? gates.goalLineShare * field.length : 0.0;
   m.distance = percept.distance;
   m.heading = percept.heading;
-  // A mode seeded by a distance that says nothing must not be wider than the field allows.
-  m.distanceVariance =
-      maths::clamp(gates.distanceVarianceFactor * percept.distanceVariance,
-                   maths::square(gates.minDistanceSd), maths::square(params.modes.widePositionSd));
+  m.distanceVariance = std::max(gates.distanceVarianceFactor * percept.distanceVariance,
+                                maths::square(gates.minDistanceSd));
   m.headingVariance = std::max(gates.headingVarianceFactor * percept.headingVariance,
                                maths::square(gates.minHeadingSd.rad()));
+  m.grazingHeadingVariance = m.headingVariance + maths::square(gates.maxHeadingSd.rad());
   m.useDistance =
       percept.distance <= farthest && percept.distanceVariance <= gates.maxDistanceVariance;
   // The middle of a goal that the image cuts is not where it seems to be.
   m.useHeading = !goal || (!percept.leftEdgeCut && !percept.rightEdgeCut);
   if (!m.useDistance && !m.useHeading) {
-    state.count(Refusal::nothingMeasured);
+    count(Refusal::nothingMeasured, counts);
     return std::nullopt;
   }
   return m;

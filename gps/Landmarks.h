@@ -6,8 +6,9 @@
 #include <cmath>
 #include <optional>
 
-#include "gps/GpsParams.h"
-#include "gps/GpsState.h"
+#include "gps/PoseParams.h"
+#include "robot/body/FieldDescription.h"
+#include "robot/core/FrameInput.h"
 #include "robot/core/Percepts.h"
 #include "robot/core/WorldModel.h"
 
@@ -24,6 +25,7 @@ struct Measurement {
   // cm of y from the landmark: from nearer a goal looks like a line (thesis 2004 Fig 2.9). It is
   // judged for each mode by itself, so that a wrong best mode cannot veto its own correction.
   double minGoalLineDistance = 0.0;
+  double grazingHeadingVariance = 0.0;  // rad2, of the heading seen from there
 };
 
 inline bool atGrazingAngle(const PoseMode& mode, const Measurement& m) {
@@ -31,11 +33,16 @@ inline bool atGrazingAngle(const PoseMode& mode, const Measurement& m) {
 }
 
 // What a mode that would see the goal at a grazing angle takes from it: roughly its heading.
-Measurement headingOnly(const Measurement& measurement, const LandmarkGates& gates);
+Measurement headingOnly(const Measurement& measurement);
 
 using body::LandmarkMap;
 
+// Whether landmarks count in this frame: not while the robot localises by pinks, for then beacons
+// are removed and goals are covered, and what looks like one is false.
+bool landmarksCount(const FrameInput& input);
+
 std::optional<Measurement> measurement(const LandmarkPercept& percept, const LandmarkMap& map,
-                                       const GpsParams& params, GpsState& state);
+                                       const body::FieldDescription& field,
+                                       const LandmarkGates& gates, GpsCounts& counts);
 
 }  // namespace kelpie::gps

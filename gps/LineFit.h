@@ -23,6 +23,7 @@ struct SeenLines {
   FixedVector<SeenPoint, kMaxLinePoints> lines;
   FixedVector<SeenPoint, 16> carpet;  // green; only says that the robot is near the field
   double newEvidenceShare = 1.0;      // what no update has used before
+  double headSpeed = 0.0;             // rad a frame, while they were seen
 };
 
 // Whether the index is one of `most` that are spread evenly over `count`.

@@ -152,13 +152,14 @@ bool add(const LinePoint& point, const LineMapParams& params, LineMap& map) {
 }
 
 void stepMap(const FrameInput& input, const FixedVector<LinePoint, 256>& points,
-             const LineUpdateParams& lines, const LineMapParams& params, LineMap& map) {
-  if (!params.use || !standing(input) || isStale(map, params)) map = LineMap{};
-  if (!params.use || !standing(input)) return;
-  addKind(points, LinePointKind::line, lines.maxPoints, params, map);
-  addKind(points, LinePointKind::border, lines.maxPoints, params, map);
-  addKind(points, LinePointKind::field, 12, params, map);
-  decay(elapsedOf(input), params, map);
+             const LinesParams& params, LineMap& map) {
+  const LineMapParams& p = params.map;
+  if (!p.use || !standing(input) || isStale(map, p)) map = LineMap{};
+  if (!p.use || !standing(input)) return;
+  addKind(points, LinePointKind::line, params.update.maxPoints, p, map);
+  addKind(points, LinePointKind::border, params.update.maxPoints, p, map);
+  addKind(points, LinePointKind::field, 12, p, map);
+  decay(elapsedOf(input), p, map);
 }
 
 SeenLines seenLines(const LineMap& map, std::size_t most, const LineMapParams& params) {

@@ -9,8 +9,8 @@
 #pragma once
 
 #include "gps/LineFit.h"
-#include "gps/LineMapParams.h"
 #include "gps/LineState.h"
+#include "gps/LinesParams.h"
 #include "robot/core/FrameInput.h"
 
 namespace kelpie::gps {
@@ -28,7 +28,7 @@ bool add(const LinePoint& point, const LineMapParams& params, LineMap& map);
 
 // One frame: evenly thinned points, then the decay. A frame of a moving robot clears the map.
 void stepMap(const FrameInput& input, const FixedVector<LinePoint, 256>& points,
-             const LineUpdateParams& lines, const LineMapParams& params, LineMap& map);
+             const LinesParams& params, LineMap& map);
 
 // The map's points as those of one frame, `most` of lines at most; `newEvidenceShare` is set.
 SeenLines seenLines(const LineMap& map, std::size_t most, const LineMapParams& params);

@@ -64,7 +64,9 @@ struct LinePoseSearchParams {
   std::uint32_t points = 32;       // matched from each start
   double coarseShare = 0.0625;     // of LineUpdateParams::sharpness, for the steps from a start
   double minMatch = 0.6;
-  double apart = 15.0;  // cm, and degrees: nearer poses are the same
+  double apart = 15.0;     // cm, and degrees: nearer poses are the same
+  double priorSd = 250.0;  // cm, of a found pose where the lines say nothing
+  Angle priorHeadingSd = Angle::deg(150.0);
 
   static constexpr auto fields() {
     using P = LinePoseSearchParams;
@@ -75,7 +77,9 @@ struct LinePoseSearchParams {
         field("minPoints", &P::minPoints, "", 8, 128),
         field("patience", &P::patience, "s", 0, 1000), field("points", &P::points, "", 8, 128),
         field("coarseShare", &P::coarseShare, "", 0.001, 1),
-        field("minMatch", &P::minMatch, "", 0, 1), field("apart", &P::apart, "cm", 0.1, 100));
+        field("minMatch", &P::minMatch, "", 0, 1), field("apart", &P::apart, "cm", 0.1, 100),
+        field("priorSd", &P::priorSd, "cm", 10, 1e4),
+        field("priorHeadingSd", &P::priorHeadingSd, "rad", 10, 180));
   }
 };
 

@@ -5,14 +5,17 @@
 // which of two twins is true. Runs on request (`Command::localise`), and by itself while lost.
 #pragma once
 
-#include "gps/GpsParams.h"
-#include "gps/GpsState.h"
+#include "gps/LineState.h"
+#include "gps/LinesParams.h"
+#include "gps/PoseState.h"
+#include "gps/Symmetry.h"
 #include "robot/core/FrameInput.h"
 
 namespace kelpie::gps {
 
 // Once a frame, after stepMap(). Returns whether the modes were replaced: call mergeAndPrune()
 // then.
-bool stepLinePoseSearch(const FrameInput& input, const GpsParams& params, GpsState& state);
+bool stepLinePoseSearch(const FrameInput& input, const body::FieldDescription& field,
+                        const LinesParams& params, LinesState& lines, PoseState& pose);
 
 }  // namespace kelpie::gps

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 
+#include "gps/FieldFeatures.h"
 #include "robot/core/FixedVector.h"
 #include "robot/core/Geometry.h"
 #include "robot/core/Percepts.h"
@@ -56,6 +57,13 @@ struct LinePoseSearch {
   bool served = false;     // the request at hand has been answered
   std::uint32_t next = 0;  // start
   FixedVector<FoundPose, kFoundPoses> best;
+};
+
+struct LinesState {
+  LineMap map;
+  LinePoseSearch search;
+  FieldFeatures features;   // built once from the field's description
+  PaintedFeatures painted;  // with them
 };
 
 }  // namespace kelpie::gps

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gps/Symmetry.h"
+#include "gps/Refusal.h"
 #include "gps/SymmetryUpdate.h"
 
 namespace kelpie::gps {
@@ -34,20 +34,20 @@ Matrix3 floored(const Matrix3& information, const LineUpdateParams& params) {
   return 0.5 * (result + result.transpose());
 }
 
-}  // namespace
+using Observations = FixedVector<std::optional<PoseObservation>, kWorkModes>;
 
-void correct(PoseMode& mode, const PoseObservation& observation) {
-  const Matrix3 p = covarianceOf(mode);
-  const Matrix3 sum = Matrix3::Identity() + p * observation.information;
-  const Matrix3 a = sum.inverse();
-  Vector3 innovation(observation.pose.position.x - mode.pose.position.x,
-                     observation.pose.position.y - mode.pose.position.y,
-                     (observation.pose.heading - mode.pose.heading).rad());
-  const Matrix3 spread = observation.information * a;
-  mode.weight *= maths::exp(-0.5 * std::max(0.0, innovation.dot(spread * innovation)));
-  mode.pose = poseOf(meanOf(mode) + a * p * observation.information * innovation);
-  setCovariance(mode, a * p);
+// Of the heaviest modes; none for the lighter ones.
+Observations observationsAt(const SeenLines& seen, const FieldFeatures& field,
+                            const LineUpdateParams& params, const Modes& modes, GpsCounts& counts) {
+  Observations found;
+  for (std::size_t i = 0; i < std::min<std::size_t>(modes.size(), params.maxModes); ++i) {
+    const bool light = modes[i].weight < params.minWeight * modes[0].weight;
+    found.push_back(light ? std::nullopt : observationAt(modes[i], seen, field, params, counts));
+  }
+  return found;
 }
+
+}  // namespace
 
 std::optional<PoseObservation> observationOf(const LineFit& fit, const FieldFeatures& field,
                                              double headSpeed, const LineUpdateParams& params) {
@@ -62,13 +62,12 @@ std::optional<PoseObservation> observationOf(const LineFit& fit, const FieldFeat
 }
 
 std::optional<PoseObservation> observationAt(const PoseMode& mode, const SeenLines& seen,
-                                             double headSpeed, const GpsParams& params,
-                                             GpsState& state) {
-  const LineUpdateParams& p = params.line;
-  if (!isNarrow(mode, p)) return std::nullopt;
-  const LineFit fit = fitLines(seen, mode.pose, state.features, p, isUnsure(mode, p));
-  auto observation = observationOf(fit, state.features, headSpeed, p);
-  if (!observation) state.count(Refusal::linesMatchNothing);
+                                             const FieldFeatures& field,
+                                             const LineUpdateParams& params, GpsCounts& counts) {
+  if (!isNarrow(mode, params)) return std::nullopt;
+  const LineFit fit = fitLines(seen, mode.pose, field, params, isUnsure(mode, params));
+  auto observation = observationOf(fit, field, seen.headSpeed, params);
+  if (!observation) count(Refusal::linesMatchNothing, counts);
   if (observation) observation->information *= seen.newEvidenceShare;
   return observation;
 }
@@ -79,24 +78,18 @@ double weightWithoutLineFit(const PoseMode& mode, const SeenLines& seen,
   return 1.0 - seen.newEvidenceShare * (1.0 - kept);
 }
 
-bool updateByLines(const SeenLines& seen, double headSpeed, const GpsParams& params,
-                   GpsState& state) {
-  const LineUpdateParams& p = params.line;
+bool updateByLines(const SeenLines& seen, const PaintedField& field, const LinesParams& params,
+                   Modes& modes, GpsCounts& counts) {
+  const LineUpdateParams& p = params.update;
   if (seen.lines.size() < p.minPoints) return false;
-  Modes& modes = state.modes;
-  const std::size_t before = modes.size();
-  FixedVector<std::optional<PoseObservation>, kWorkModes> found;
-  bool any = false;
-  for (std::size_t i = 0; i < std::min<std::size_t>(before, p.maxModes); ++i) {
-    const bool light = modes[i].weight < p.minWeight * modes[0].weight;
-    found.push_back(light ? std::nullopt : observationAt(modes[i], seen, headSpeed, params, state));
-    any = any || found.back().has_value();
-  }
+  const Observations found = observationsAt(seen, field.features, p, modes, counts);
   // Lines that fit no mode are false for all: modes with a failed fit must not lose weight against
   // modes without a fit.
-  if (!any) return false;
+  if (std::none_of(found.begin(), found.end(), [](const auto& o) { return o.has_value(); }))
+    return false;
   FixedVector<PoseMode, kMaxAmbiguousPoses> symmetric;
-  if (found[0]) symmetric = symmetricModes(seen, *found[0], headSpeed, params, state);
+  if (found[0]) symmetric = symmetricModes(seen, *found[0], field, params, modes);
+  const std::size_t before = modes.size();
   for (std::size_t i = 0; i < before; ++i) {
     if (i >= found.size() || !found[i]) {
       modes[i].weight *= weightWithoutLineFit(modes[i], seen, p);

@@ -5,21 +5,13 @@
 // stays as it was. A copy without the correction stays for the case that other lines were seen.
 #pragma once
 
-#include "gps/GpsParams.h"
-#include "gps/GpsState.h"
 #include "gps/LineFit.h"
+#include "gps/LinesParams.h"
+#include "gps/PoseObservation.h"
+#include "gps/PoseState.h"
+#include "gps/Symmetry.h"
 
 namespace kelpie::gps {
-
-// An observation of the pose. Singular where the lines say nothing.
-struct PoseObservation {
-  Pose2 pose;
-  Matrix3 information;
-};
-
-// Kalman update in information form, valid for singular information: A = (1 + P L)^-1,
-// gain = A P L, P' = A P. Multiplies the weight by S in (0, 1] (equation 2.9).
-void correct(PoseMode& mode, const PoseObservation& observation);
 
 // The fit as an observation: none when it matches worse than equation 3.22 requires or lies off the
 // field (3.20, 3.21); wider the faster the head moves (3.23).
@@ -29,15 +21,15 @@ std::optional<PoseObservation> observationOf(const LineFit& fit, const FieldFeat
 // The observation by a fit near one mode; none for a mode that is too wide for a fit, or near which
 // the lines match nothing (counted).
 std::optional<PoseObservation> observationAt(const PoseMode& mode, const SeenLines& seen,
-                                             double headSpeed, const GpsParams& params,
-                                             GpsState& state);
+                                             const FieldFeatures& field,
+                                             const LineUpdateParams& params, GpsCounts& counts);
 
 // Weight factor of a mode without such an observation when another mode has one.
 double weightWithoutLineFit(const PoseMode& mode, const SeenLines& seen,
                             const LineUpdateParams& params);
 
 // Returns whether any mode was corrected. Call mergeAndPrune() afterwards.
-bool updateByLines(const SeenLines& seen, double headSpeed, const GpsParams& params,
-                   GpsState& state);
+bool updateByLines(const SeenLines& seen, const PaintedField& field, const LinesParams& params,
+                   Modes& modes, GpsCounts& counts);
 
 }  // namespace kelpie::gps

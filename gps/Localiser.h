@@ -3,18 +3,12 @@
 // (thesis 2004 chapter 2) and a ball filter.
 #pragma once
 
+#include "gps/GpsIn.h"
 #include "gps/GpsParams.h"
 #include "gps/GpsState.h"
-#include "robot/core/FrameInput.h"
-#include "robot/core/Percepts.h"
 #include "robot/core/WorldModel.h"
 
 namespace kelpie::gps {
-
-struct GpsIn {
-  const FrameInput& input;
-  const Percepts& percepts;
-};
 
 // Builds what follows from the field alone: 20 M instructions, more than a frame has on the robot.
 // A step does it for a state that was not prepared.

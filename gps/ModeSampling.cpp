@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "gps/LineUpdate.h"
+#include "gps/PoseObservation.h"
 
 namespace kelpie::gps {
 namespace {
@@ -89,9 +89,9 @@ PoseObservation observationOf(const Samples& samples, std::array<int, 3> place,
   return observation;
 }
 
-void updateOne(const PoseMode& mode, const SeenLines& seen, const SamplingFloor& floor,
-               const GpsParams& params, GpsState& state) {
-  const Samples samples = sampled(mode, seen, state.features, params.line);
+// The mode corrected by each peak of the match around it.
+void addCorrected(const PoseMode& mode, const Samples& samples, const SamplingFloor& floor,
+                  Modes& modes) {
   std::size_t peaks = 0;
   for (int i = -1; i <= 1; ++i)
     for (int j = -1; j <= 1; ++j)
@@ -100,7 +100,7 @@ void updateOne(const PoseMode& mode, const SeenLines& seen, const SamplingFloor&
         PoseMode corrected = mode;
         correct(corrected, observationOf(samples, {i, j, k}, mode, floor));
         corrected.weight *= samples.at(i, j, k);
-        state.modes.push_back(corrected);
+        modes.push_back(corrected);
         ++peaks;
       }
 }
@@ -122,17 +122,14 @@ std::optional<Gaussian1d> fitEdgePeak(double inside, double edge) {
   return Gaussian1d{1.0, 1.0 / std::sqrt(s)};
 }
 
-bool updateBySampling(const SeenLines& seen, const SamplingFloor& floor, const GpsParams& params,
-                      GpsState& state) {
-  if (seen.lines.size() < params.line.minPoints) return false;
-  const Modes before = state.modes;
-  state.modes.clear();
+bool updateBySampling(const SeenLines& seen, const SamplingFloor& floor, const FieldFeatures& field,
+                      const LineUpdateParams& params, Modes& modes) {
+  if (seen.lines.size() < params.minPoints) return false;
+  const Modes before = modes;
   // Room for the copies first: the peaks of light modes are what may be left out.
-  for (const PoseMode& mode : before) {
-    state.modes.push_back(mode);
-    state.modes.back().weight *= params.line.outlierWeight;
-  }
-  for (const PoseMode& mode : before) updateOne(mode, seen, floor, params, state);
+  for (PoseMode& mode : modes) mode.weight *= params.outlierWeight;
+  for (const PoseMode& mode : before)
+    addCorrected(mode, sampled(mode, seen, field, params), floor, modes);
   return true;
 }
 

@@ -7,9 +7,8 @@
 
 #include <optional>
 
-#include "gps/GpsParams.h"
-#include "gps/GpsState.h"
 #include "gps/LineFit.h"
+#include "gps/PoseState.h"
 
 namespace kelpie::gps {
 
@@ -30,7 +29,7 @@ struct SamplingFloor {
   double sd = 0.0;
   Angle headingSd;
 };
-bool updateBySampling(const SeenLines& seen, const SamplingFloor& floor, const GpsParams& params,
-                      GpsState& state);
+bool updateBySampling(const SeenLines& seen, const SamplingFloor& floor, const FieldFeatures& field,
+                      const LineUpdateParams& params, Modes& modes);
 
 }  // namespace kelpie::gps

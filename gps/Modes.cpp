@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "gps/Gaussian.h"
+#include "gps/Refusal.h"
 #include "gps/Update.h"
 
 namespace kelpie::gps {
@@ -19,16 +20,16 @@ bool finite(const PoseMode& mode) {
          c(0, 0) > 0.0 && c(1, 1) > 0.0 && c(2, 2) > 0.0;
 }
 
-void removeBroken(GpsState& state) {
+void removeBroken(Modes& modes, GpsCounts& counts) {
   Modes kept;
-  for (const PoseMode& mode : state.modes) {
+  for (const PoseMode& mode : modes) {
     if (finite(mode)) {
       kept.push_back(mode);
     } else {
-      state.count(Refusal::modeNotFinite);
+      count(Refusal::modeNotFinite, counts);
     }
   }
-  state.modes = kept;
+  modes = kept;
 }
 
 bool normalise(Modes& modes) {
@@ -82,7 +83,7 @@ void sortByWeight(Modes& modes) {
 
 // The pose at the angle `around` of the landmark, and how it varies with the three things it was
 // made of: distance, heading and that angle.
-PoseMode seed(const Measurement& m, double around, double aroundSd) {
+PoseMode seed(const Measurement& m, double around, double aroundSd, double maxSd) {
   const Angle out = Angle::rad(around);
   PoseMode mode;
   mode.weight = 1.0;
@@ -93,7 +94,9 @@ PoseMode seed(const Measurement& m, double around, double aroundSd) {
   // A heading alone says little about the distance that came with it.
   const double distanceFactor = m.useDistance ? 1.0 : 4.0;
   const double headingFactor = m.useHeading ? 1.0 : 16.0;
-  const Vector3 variances(distanceFactor * m.distanceVariance, headingFactor * m.headingVariance,
+  // A distance that says nothing must not make a mode wider than the field allows.
+  const double distanceVariance = std::min(m.distanceVariance, maths::square(maxSd));
+  const Vector3 variances(distanceFactor * distanceVariance, headingFactor * m.headingVariance,
                           aroundSd * aroundSd);
   setCovariance(mode, j * variances.asDiagonal() * j.transpose());
   return mode;
@@ -106,43 +109,47 @@ bool onCarpet(Point2<Field> p, const body::FieldDescription& field) {
 
 }  // namespace
 
-PoseMode wideMode(const GpsParams& params, double weight) {
+PoseMode wideMode(const body::FieldDescription& field, const ModeParams& params, double weight) {
   PoseMode mode;
   mode.weight = weight;
-  mode.pose.position = {0.5 * params.field.width, 0.5 * params.field.length};
+  mode.pose.position = {0.5 * field.width, 0.5 * field.length};
   mode.pose.heading = Angle::deg(90.0);
-  const double position = maths::square(params.modes.widePositionSd);
+  const double position = maths::square(params.widePositionSd);
   mode.covariance = {
-      position, 0, 0, 0, position, 0, 0, 0, maths::square(params.modes.wideHeadingSd.rad())};
+      position, 0, 0, 0, position, 0, 0, 0, maths::square(params.wideHeadingSd.rad())};
   return mode;
 }
 
-void start(const GpsParams& params, GpsState& state) {
-  const InitialPose& initial = params.initialPose;
-  const bool known = initial.present && !state.started;
-  PoseMode mode = wideMode(params, 1.0);
-  if (known) {
-    const double position = maths::square(initial.positionSd);
-    mode.pose = initial.pose;
-    mode.covariance = {
-        position, 0, 0, 0, position, 0, 0, 0, maths::square(initial.headingSd.rad())};
-  }
-  state.modes.clear();
-  state.modes.push_back(mode);
-  state.lost = !known;
+void start(const InitialPose& initial, const body::FieldDescription& field,
+           const ModeParams& params, PoseState& state) {
+  lose(field, params, state);
   state.started = true;
+  if (!initial.present) return;
+  const double position = maths::square(initial.positionSd);
+  state.modes[0].pose = initial.pose;
+  state.modes[0].covariance = {
+      position, 0, 0, 0, position, 0, 0, 0, maths::square(initial.headingSd.rad())};
+  state.lost = false;
 }
 
-void seedAround(const Measurement& measurement, const GpsParams& params, GpsState& state) {
-  const double spacing = params.modes.seedSpacing / kDegrees;
-  const int count = static_cast<int>(2.0 * maths::kPi / spacing + 0.5);
+void lose(const body::FieldDescription& field, const ModeParams& params, PoseState& state) {
+  state.modes.clear();
+  state.modes.push_back(wideMode(field, params, 1.0));
+  state.lost = true;
+}
+
+void seedAround(const Measurement& measurement, const body::FieldDescription& field,
+                const ModeParams& params, PoseState& state, GpsCounts& counts) {
+  const double spacing = params.seedSpacing / kDegrees;
+  const int number = static_cast<int>(2.0 * maths::kPi / spacing + 0.5);
   Modes seeds;
-  for (int i = 0; i < count; ++i) {
-    const PoseMode mode = seed(measurement, (i + 0.5) * spacing, 0.5 * spacing);
-    if (onCarpet(mode.pose.position, params.field)) seeds.push_back(mode);
+  for (int i = 0; i < number; ++i) {
+    const PoseMode mode =
+        seed(measurement, (i + 0.5) * spacing, 0.5 * spacing, params.widePositionSd);
+    if (onCarpet(mode.pose.position, field)) seeds.push_back(mode);
   }
   if (seeds.empty()) {
-    state.count(Refusal::seedOffField);
+    count(Refusal::seedOffField, counts);
     return;
   }
   state.modes = seeds;
@@ -150,61 +157,60 @@ void seedAround(const Measurement& measurement, const GpsParams& params, GpsStat
 }
 
 // Method 1: an unlikely sighting is not used, but the mode becomes less sure of itself.
-static void refuseUnlikely(const Measurement& measurement, const GpsParams& params,
-                           GpsState& state) {
+static void refuseUnlikely(const Measurement& measurement, const ModeParams& params, Modes& modes) {
   constexpr double kGrowthPerCm = 0.5 / kDegrees;  // rad: 5 deg for 10 cm
-  const double growth = params.modes.refusedGrowth;
-  const Measurement withoutDistance = headingOnly(measurement, params.gates);
-  for (PoseMode& mode : state.modes) {
+  const Measurement withoutDistance = headingOnly(measurement);
+  for (PoseMode& mode : modes) {
     PoseMode corrected = mode;
     update(corrected, atGrazingAngle(mode, measurement) ? withoutDistance : measurement,
-           params.modes.weighByDeterminant);
-    if (corrected.weight >= params.modes.refuseBelow * mode.weight) {
+           params.weighByDeterminant);
+    if (corrected.weight >= params.refuseBelow * mode.weight) {
       mode = corrected;
       continue;
     }
-    mode.covariance[0] += maths::square(growth);
-    mode.covariance[4] += maths::square(growth);
-    mode.covariance[8] += maths::square(growth * kGrowthPerCm);
+    mode.covariance[0] += maths::square(params.refusedGrowth);
+    mode.covariance[4] += maths::square(params.refusedGrowth);
+    mode.covariance[8] += maths::square(params.refusedGrowth * kGrowthPerCm);
   }
 }
 
-void updateAll(const Measurement& measurement, const GpsParams& params, GpsState& state) {
-  const bool wide = params.modes.noiseMethod == NoiseMethod::splitAndWide;
-  if (params.modes.noiseMethod == NoiseMethod::refuse)
-    return refuseUnlikely(measurement, params, state);
+void updateAll(const Measurement& measurement, const body::FieldDescription& field,
+               const ModeParams& params, PoseState& state, GpsCounts& counts) {
   Modes& modes = state.modes;
-  if (wide) modes.push_back(wideMode(params, params.modes.wideWeight));
+  if (params.noiseMethod == NoiseMethod::refuse) return refuseUnlikely(measurement, params, modes);
+  const bool wide = params.noiseMethod == NoiseMethod::splitAndWide;
+  if (wide) modes.push_back(wideMode(field, params, params.wideWeight));
   const std::size_t before = modes.size();
-  const Measurement withoutDistance = headingOnly(measurement, params.gates);
+  const Measurement withoutDistance = headingOnly(measurement);
   double copies = 0.0;
   double corrected = 0.0;
   for (std::size_t i = 0; i < before; ++i) {
     const bool oblique = atGrazingAngle(modes[i], measurement);
-    if (oblique && i == 0) state.count(Refusal::goalTooOblique);
+    if (oblique && i == 0) count(Refusal::goalTooOblique, counts);
     PoseMode copy = modes[i];
-    copy.weight *= params.modes.outlierWeight;
+    copy.weight *= params.outlierWeight;
     copies += copy.weight;
     modes.push_back(copy);
-    update(modes[i], oblique ? withoutDistance : measurement, params.modes.weighByDeterminant);
+    update(modes[i], oblique ? withoutDistance : measurement, params.weighByDeterminant);
     corrected += modes[i].weight;
   }
   // The wide mode alone is not enough: near modes crowd it out, and it cannot be linearised well.
   if (!wide) return;  // the thesis' second method is never lost
-  const bool explained = corrected > params.modes.explainedShare * (copies + corrected);
+  const bool explained = corrected > params.explainedShare * (copies + corrected);
   state.unexplained = explained ? 0 : state.unexplained + 1;
-  if (state.unexplained <= params.modes.maxUnexplained) return;
+  if (state.unexplained <= params.maxUnexplained) return;
   state.unexplained = 0;
   state.lost = true;
 }
 
-void mergeAndPrune(const GpsParams& params, GpsState& state) {
-  removeBroken(state);
-  mergeAll(state.modes, params.modes);
+void mergeAndPrune(const body::FieldDescription& field, const ModeParams& params, PoseState& state,
+                   GpsCounts& counts) {
+  removeBroken(state.modes, counts);
+  mergeAll(state.modes, params);
   sortByWeight(state.modes);
   state.modes.resize(std::min(state.modes.size(), kMaxModes));
   if (!state.modes.empty() && normalise(state.modes)) return;
-  start(params, state);
+  lose(field, params, state);
 }
 
 PoseMode merged(const PoseMode& a, const PoseMode& b) {

@@ -4,7 +4,6 @@
 #pragma once
 
 #include "gps/Gaussian.h"
-#include "gps/PlayersState.h"
 
 namespace kelpie::gps {
 
@@ -20,10 +19,6 @@ Place placeOnField(const PoseMode& pose, Point2<Robot> point, const Matrix2& cov
 // The covariance from row by row; symmetric part.
 Matrix2 matrixOf(const std::array<double, 4>& rows);
 std::array<double, 4> rowsOf(const Matrix2& matrix);
-
-Information informationOf(const Place& place);
-Place placeOf(const Information& information);
-void add(const Information& more, Information& sum);
 
 // The product of two Gaussians, in covariance form (checklist B-2.1, product identities).
 Place productOf(const Place& a, const Place& b);

@@ -4,8 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gps/OnField.h"
+#include "gps/Information.h"
 #include "gps/Predict.h"
+#include "gps/Refusal.h"
 #include "robot/body/Camera.h"
 
 namespace kelpie::gps {
@@ -18,18 +19,18 @@ constexpr double kMaxDistance = 1000.0;  // cm, of a sighting
 using Filters = std::array<OpponentFilter, kOpponents>;
 
 // The opponents' likely places, for filters that know nothing (facts-2005 section 5).
-Place startPlace(std::size_t index, const GpsParams& params) {
-  const double w = params.field.width;
-  const double l = params.field.length;
+Place startPlace(std::size_t index, const PlayersContext& context) {
+  const double w = context.field.width;
+  const double l = context.field.length;
   const std::array<Vector2, kOpponents> places{Vector2(0.5 * w, l), Vector2(0.5 * w, 0.75 * l),
                                                Vector2(0.75 * w, 0.75 * l),
                                                Vector2(0.5 * w, 0.5 * l)};
-  return {places[index], params.players.opponents.startVariance * Matrix2::Identity()};
+  return {places[index], context.players.opponents.startVariance * Matrix2::Identity()};
 }
 
-void forget(std::size_t index, const GpsParams& params, Filters& filters) {
+void forget(std::size_t index, const PlayersContext& context, Filters& filters) {
   filters[index] = OpponentFilter{};
-  filters[index].belief = informationOf(startPlace(index, params));
+  filters[index].belief = informationOf(startPlace(index, context));
 }
 
 // Equation 2.15, kept as printed (checklist H08): sqrt(C00^2 + C11^2).
@@ -67,40 +68,35 @@ void widen(double variance, OpponentFilter& filter) {
   filter.belief = informationOf(place);
 }
 
-void passTime(const GpsIn& in, const GpsParams& params, GpsState& state) {
-  Filters& filters = state.players.opponents;
-  const OpponentParams& p = params.players.opponents;
-  for (std::size_t i = 0; i < filters.size(); ++i) {
-    OpponentFilter& filter = filters[i];
+void passTime(double elapsed, const OpponentParams& p, Filters& filters) {
+  for (OpponentFilter& filter : filters) {
     filter.assigned = false;
-    filter.secondsSinceSeen += elapsedOf(in.input);
-    if (filter.known) widen(p.walkNoise * elapsedOf(in.input), filter);
+    filter.secondsSinceSeen += elapsed;
+    if (filter.known) widen(p.walkNoise * elapsed, filter);
   }
 }
 
 // A filter whose place is in the image, where no robot stands, is soon no longer believed.
-void missUnseen(const GpsIn& in, const GpsParams& params, GpsState& state) {
-  const OpponentParams& p = params.players.opponents;
-  for (OpponentFilter& filter : state.players.opponents) {
+void missUnseen(const FrameInput& input, const Pose2& pose, const OpponentParams& p,
+                Filters& filters) {
+  for (OpponentFilter& filter : filters) {
     if (!filter.known || filter.assigned) continue;
     const Point2<Field> at = pointOf(placeOf(filter.belief).mean);
-    if (shouldBeSeen(in.input, robotFromField(state.modes[0].pose, at), p)) {
-      widen(p.missedNoise * elapsedOf(in.input), filter);
-    }
+    if (shouldBeSeen(input, robotFromField(pose, at), p))
+      widen(p.missedNoise * elapsedOf(input), filter);
   }
 }
 
-void forgetVague(const GpsParams& params, GpsState& state) {
-  Filters& filters = state.players.opponents;
-  const OpponentParams& p = params.players.opponents;
+void forgetVague(const PlayersContext& context, Filters& filters, GpsCounts& counts) {
+  const OpponentParams& p = context.players.opponents;
   for (std::size_t i = 0; i < filters.size(); ++i) {
     if (!filters[i].known) continue;
     const Place place = placeOf(filters[i].belief);
     const bool sound = place.mean.allFinite() && place.covariance.allFinite();
-    if (!sound) state.count(Refusal::opponentNotFinite);
+    if (!sound) count(Refusal::opponentNotFinite, counts);
     const double variance = 0.5 * place.covariance.trace();
     if (!sound || variance > p.forgetVariance || filters[i].secondsSinceSeen > p.keep) {
-      forget(i, params, filters);
+      forget(i, context, filters);
     }
   }
 }
@@ -121,10 +117,10 @@ Place sightingOf(const RobotPercept& r, const PoseMode& pose, double factor) {
   return placeOnField(pose, at, covariance);
 }
 
-bool nearField(const Place& place, const GpsParams& params) {
-  const double margin = params.players.team.offField;
-  return place.mean(0) > -margin && place.mean(0) < params.field.width + margin &&
-         place.mean(1) > -margin && place.mean(1) < params.field.length + margin;
+bool nearField(const Place& place, const PlayersContext& context) {
+  const double margin = context.players.team.offField;
+  return place.mean(0) > -margin && place.mean(0) < context.field.width + margin &&
+         place.mean(1) > -margin && place.mean(1) < context.field.length + margin;
 }
 
 // The filter that this sighting is of: nearest in angle (equation 2.14) among those whose distance
@@ -161,12 +157,12 @@ int matchByPlace(const Place& seen, double gate, const Filters& filters) {
 }
 
 // Two filters on one robot: the one seen now stays.
-void forgetTwins(std::size_t index, const GpsParams& params, Filters& filters) {
+void forgetTwins(std::size_t index, const PlayersContext& context, Filters& filters) {
   const Vector2 at = placeOf(filters[index].belief).mean;
   for (std::size_t i = 0; i < filters.size(); ++i) {
     if (i == index || !filters[i].known || filters[i].assigned) continue;
     const Vector2 off = placeOf(filters[i].belief).mean - at;
-    if (off.norm() < params.players.opponents.joinDistance) forget(i, params, filters);
+    if (off.norm() < context.players.opponents.joinDistance) forget(i, context, filters);
   }
 }
 
@@ -183,18 +179,17 @@ std::size_t take(int match, int spare, const Place& seen, Filters& filters) {
   return index;
 }
 
-void see(const RobotPercept& percept, const GpsParams& params, GpsState& state) {
-  const OpponentParams& p = params.players.opponents;
-  Filters& filters = state.players.opponents;
+void see(const RobotPercept& percept, const PoseMode& pose, const PlayersContext& context,
+         Filters& filters, GpsCounts& counts) {
+  const OpponentParams& p = context.players.opponents;
   if (!usable(percept)) {
-    state.count(Refusal::opponentNotFinite);
+    count(Refusal::opponentNotFinite, counts);
     return;
   }
-  const PoseMode& pose = state.modes[0];
   const Place seen = sightingOf(percept, pose, p.varianceFactor);
   const double variance = 0.5 * seen.covariance.trace();
-  if (!(variance < p.maxVariance) || !nearField(seen, params)) {
-    state.count(Refusal::opponentUncertain);
+  if (!(variance < p.maxVariance) || !nearField(seen, context)) {
+    count(Refusal::opponentUncertain, counts);
     return;
   }
   const int match = matchByAngle(seen, percept.heading, pose.pose, p, filters);
@@ -204,29 +199,31 @@ void see(const RobotPercept& percept, const GpsParams& params, GpsState& state) 
   filters[index].secondsSinceSeen = 0.0;
   add(informationOf(seen), filters[index].unsent);
   filters[index].seenSinceMessage = true;
-  forgetTwins(index, params, filters);
+  forgetTwins(index, context, filters);
 }
 
 }  // namespace
 
-void stepOpponents(const GpsIn& in, const GpsParams& params, GpsState& state) {
-  Filters& filters = state.players.opponents;
-  if (!state.players.started) {
-    for (std::size_t i = 0; i < filters.size(); ++i) forget(i, params, filters);
-    state.players.started = true;
+void stepOpponents(const GpsIn& in, const PoseMode& pose, const PlayersContext& context,
+                   Opponents& opponents, GpsCounts& counts) {
+  Filters& filters = opponents.filters;
+  if (!opponents.started) {
+    for (std::size_t i = 0; i < filters.size(); ++i) forget(i, context, filters);
+    opponents.started = true;
   }
-  passTime(in, params, state);
+  passTime(elapsedOf(in.input), context.players.opponents, filters);
   for (const RobotPercept& percept : in.percepts.robots) {
-    if (percept.team != in.input.game.team) see(percept, params, state);
+    if (percept.team != in.input.game.team) see(percept, pose, context, filters, counts);
   }
-  missUnseen(in, params, state);
-  forgetVague(params, state);
+  missUnseen(in.input, pose.pose, context.players.opponents, filters);
+  forgetVague(context, filters, counts);
 }
 
-void hearOpponents(const TeamMessage& message, const GpsParams& params, GpsState& state) {
-  Filters& filters = state.players.opponents;
+void hearOpponents(const TeamMessage& message, const PlayersContext& context,
+                   Opponents& opponents) {
+  Filters& filters = opponents.filters;
   for (OpponentFilter& filter : filters) filter.assigned = false;
-  const OpponentParams& p = params.players.opponents;
+  const OpponentParams& p = context.players.opponents;
   const double older = p.walkNoise * message.age;
   for (const SharedOpponent& opponent : message.opponents) {
     const Place seen{vectorOf(opponent.position),
@@ -237,13 +234,13 @@ void hearOpponents(const TeamMessage& message, const GpsParams& params, GpsState
     const std::size_t index = take(match, spare, seen, filters);
     double& since = filters[index].secondsSinceSeen;
     since = match >= 0 ? std::min(since, message.age) : message.age;
-    forgetTwins(index, params, filters);
+    forgetTwins(index, context, filters);
   }
 }
 
-FixedVector<SharedOpponent, kOpponents> takeUnsent(PlayersState& players) {
+FixedVector<SharedOpponent, kOpponents> takeUnsent(Opponents& opponents) {
   FixedVector<SharedOpponent, kOpponents> list;
-  for (OpponentFilter& filter : players.opponents) {
+  for (OpponentFilter& filter : opponents.filters) {
     if (filter.seenSinceMessage) {
       const Place place = placeOf(filter.unsent);
       list.push_back({pointOf(place.mean), rowsOf(place.covariance)});
@@ -254,9 +251,9 @@ FixedVector<SharedOpponent, kOpponents> takeUnsent(PlayersState& players) {
   return list;
 }
 
-FixedVector<OpponentEstimate, kOpponents> extractOpponents(const PlayersState& players) {
+FixedVector<OpponentEstimate, kOpponents> extractOpponents(const Opponents& opponents) {
   FixedVector<OpponentEstimate, kOpponents> list;
-  for (const OpponentFilter& filter : players.opponents) {
+  for (const OpponentFilter& filter : opponents.filters) {
     if (!filter.known) continue;
     const Place place = placeOf(filter.belief);
     list.push_back({pointOf(place.mean), rowsOf(place.covariance), filter.secondsSinceSeen});

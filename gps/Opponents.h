@@ -5,19 +5,22 @@
 // Fails when two opponents cross unseen (they are not told apart), and with a wrong own pose.
 #pragma once
 
-#include "gps/Localiser.h"
+#include "gps/GpsIn.h"
+#include "gps/PlayersContext.h"
+#include "gps/PlayersState.h"
 
 namespace kelpie::gps {
 
-// Time passes; own sightings are used.
-void stepOpponents(const GpsIn& in, const GpsParams& params, GpsState& state);
+// Time passes; own sightings are used, as seen from the pose.
+void stepOpponents(const GpsIn& in, const PoseMode& pose, const PlayersContext& context,
+                   Opponents& opponents, GpsCounts& counts);
 
 // What one message of a team mate tells.
-void hearOpponents(const TeamMessage& message, const GpsParams& params, GpsState& state);
+void hearOpponents(const TeamMessage& message, const PlayersContext& context, Opponents& opponents);
 
-// What the own sightings since the last message tell, which no message has sent; forgets them.
-FixedVector<SharedOpponent, kOpponents> takeUnsent(PlayersState& players);
+// What the own sightings tell that no message has sent yet; forgets them.
+FixedVector<SharedOpponent, kOpponents> takeUnsent(Opponents& opponents);
 
-FixedVector<OpponentEstimate, kOpponents> extractOpponents(const PlayersState& players);
+FixedVector<OpponentEstimate, kOpponents> extractOpponents(const Opponents& opponents);
 
 }  // namespace kelpie::gps

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gps/Refusal.h"
 #include "robot/body/Camera.h"
 
 namespace kelpie::gps {
@@ -25,13 +26,13 @@ std::optional<PinkBearing> bearingOf(const PinkPercept& percept, const CameraPos
   return seen;
 }
 
-PinkBearings bearingsOf(const FrameInput& input, const Percepts& percepts, GpsState& state) {
-  const CameraPose camera = body::cameraPose(input.sensors.joints, input.stance);
+PinkBearings bearingsOf(const GpsIn& in, GpsCounts& counts) {
+  const CameraPose camera = body::cameraPose(in.input.sensors.joints, in.input.stance);
   PinkBearings bearings;
-  for (const PinkPercept& percept : percepts.pinkPatches) {
+  for (const PinkPercept& percept : in.percepts.pinkPatches) {
     const auto seen = bearingOf(percept, camera);
     if (seen) bearings.push_back(*seen);
-    if (!seen) state.count(Refusal::pinkNotFinite);
+    if (!seen) count(Refusal::pinkNotFinite, counts);
   }
   for (std::size_t i = 1; i < bearings.size(); ++i)
     for (std::size_t j = i; j > 0 && bearings[j - 1].area < bearings[j].area; --j)

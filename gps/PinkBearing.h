@@ -5,9 +5,8 @@
 
 #include <optional>
 
-#include "gps/GpsState.h"
-#include "robot/core/FrameInput.h"
-#include "robot/core/Percepts.h"
+#include "gps/GpsIn.h"
+#include "robot/core/WorldModel.h"
 
 namespace kelpie::gps {
 
@@ -25,7 +24,7 @@ using PinkBearings = FixedVector<PinkBearing, 8>;
 std::optional<PinkBearing> bearingOf(const PinkPercept& percept, const CameraPose& camera);
 
 // All of a frame, largest first; those that cannot be used are counted.
-PinkBearings bearingsOf(const FrameInput& input, const Percepts& percepts, GpsState& state);
+PinkBearings bearingsOf(const GpsIn& in, GpsCounts& counts);
 
 // The heading from the robot frame's origin when the patch is `distance` cm from there.
 Angle headingAt(const PinkBearing& seen, double distance);

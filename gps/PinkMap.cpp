@@ -4,30 +4,30 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gps/Refusal.h"
+
 namespace kelpie::gps {
 namespace {
 
 double cross(Point2<Field> a, Point2<Field> b) { return a.x * b.y - a.y * b.x; }
 double dot(Point2<Field> a, Point2<Field> b) { return a.x * b.x + a.y * b.y; }
 
-bool knowsItsPlace(const GpsState& state, const PinkMapParams& params) {
-  if (state.lost || state.modes.empty()) return false;
-  const std::array<double, 9>& c = state.modes[0].covariance;
+bool knowsItsPlace(const PoseState& pose, const PinkMapParams& params) {
+  if (pose.lost || pose.modes.empty()) return false;
+  const std::array<double, 9>& c = pose.modes[0].covariance;
   const double most = maths::square(params.maxPositionSd);
   return c[0] <= most && c[4] <= most && c[8] <= maths::square(params.maxHeadingSd.rad());
 }
 
-std::optional<Refusal> refusal(const PinkBearing& bearing, TeamColour team, const GpsParams& params,
-                               const GpsState& state) {
-  if (!knowsItsPlace(state, params.pinks)) return Refusal::pinkPoseUnsure;
-  const Ray ray = rayOf(state.modes[0].pose, bearing);
-  const auto place = meetWall(ray, params.pinks.wall);
+std::optional<Refusal> refusal(const PinkBearing& bearing, const PinkSightings& seen,
+                               const PinkMapParams& params) {
+  if (!knowsItsPlace(seen.pose, params)) return Refusal::pinkPoseUnsure;
+  const Ray ray = rayOf(seen.pose.modes[0].pose, bearing);
+  const auto place = meetWall(ray, params.wall);
   if (!place) return Refusal::pinkOffWall;
-  if (!mayHangOnWall(bearing.eyeHeight, bearing.elevation, distance(*place, ray.from),
-                     params.pinks))
+  if (!mayHangOnWall(bearing.eyeHeight, bearing.elevation, distance(*place, ray.from), params))
     return Refusal::pinkElevation;
-  if (!clearOfBeacons(ray, params.field, team, params.pinks.beaconClearance))
-    return Refusal::pinkNearBeacon;
+  if (!clearOfBeacons(ray, seen.landmarks, params.beaconClearance)) return Refusal::pinkNearBeacon;
   return std::nullopt;
 }
 
@@ -61,9 +61,8 @@ bool mayHangOnWall(double eyeHeight, Angle elevation, double distance,
   return height >= params.minHeight && height <= params.maxHeight;
 }
 
-bool clearOfBeacons(const Ray& ray, const body::FieldDescription& field, TeamColour team,
-                    double clearance) {
-  for (const body::Landmark& mark : body::landmarksFor(field, team)) {
+bool clearOfBeacons(const Ray& ray, const body::LandmarkMap& landmarks, double clearance) {
+  for (const body::Landmark& mark : landmarks) {
     if (mark.kind <= LandmarkKind::goalYellow) continue;
     const Point2<Field> way = mark.position - ray.from;
     if (dot(way, ray.along) > 0.0 && std::fabs(cross(ray.along, way)) <= clearance) return false;
@@ -109,21 +108,20 @@ void forget(double seconds, const PinkMapParams& params, PinkState& state) {
   state.map = kept;
 }
 
-void mapPatches(const PinkBearings& bearings, TeamColour team, const GpsParams& params,
-                GpsState& state) {
-  for (const PinkBearing& bearing : bearings) {
-    if (const auto reason = refusal(bearing, team, params, state)) {
-      state.count(*reason);
+void mapPatches(const PinkSightings& seen, const PinkMapParams& params, PinkLandmarks& map,
+                GpsCounts& counts) {
+  for (const PinkBearing& bearing : seen.bearings) {
+    if (const auto reason = refusal(bearing, seen, params)) {
+      count(*reason, counts);
       continue;
     }
-    const Ray ray = rayOf(state.modes[0].pose, bearing);
-    const auto place = meetWall(ray, params.pinks.wall);
-    if (PinkLandmark* known = glancedAt(ray, *place, params.pinks, state.pinks.map)) {
+    const Ray ray = rayOf(seen.pose.modes[0].pose, bearing);
+    const auto place = meetWall(ray, params.wall);
+    if (PinkLandmark* known = glancedAt(ray, *place, params, map)) {
       known->weight += 1.0;
       continue;
     }
-    if (!addToMap(*place, params.pinks.mergeRadius, state.pinks.map))
-      state.count(Refusal::pinkMapFull);
+    if (!addToMap(*place, params.mergeRadius, map)) count(Refusal::pinkMapFull, counts);
   }
 }
 

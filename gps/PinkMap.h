@@ -5,9 +5,11 @@
 
 #include <optional>
 
-#include "gps/GpsParams.h"
-#include "gps/GpsState.h"
 #include "gps/PinkBearing.h"
+#include "gps/PinkMapParams.h"
+#include "gps/PinkState.h"
+#include "gps/PoseState.h"
+#include "robot/body/FieldDescription.h"
 
 namespace kelpie::gps {
 
@@ -25,9 +27,8 @@ std::optional<Point2<Field>> meetWall(const Ray& ray, const std::array<double, 8
 // section 4.1.2).
 bool mayHangOnWall(double eyeHeight, Angle elevation, double distance, const PinkMapParams& params);
 
-// The ray passes no beacon within beaconClearance; those behind the robot do not count.
-bool clearOfBeacons(const Ray& ray, const body::FieldDescription& field, TeamColour team,
-                    double clearance);
+// The ray passes no beacon within the clearance; beacons behind the robot do not count.
+bool clearOfBeacons(const Ray& ray, const body::LandmarkMap& landmarks, double clearance);
 
 // Along a wall a ray's small error is a long way: the mapped patch that it passes closely, though
 // it meets the wall farther from it than patches are merged; null when there is none.
@@ -41,8 +42,14 @@ bool addToMap(Point2<Field> place, double mergeRadius, PinkLandmarks& map);
 // Takes one from every weight each `forgetSeconds` and drops what has none left.
 void forget(double seconds, const PinkMapParams& params, PinkState& state);
 
+struct PinkSightings {
+  const PinkBearings& bearings;  // of one frame
+  const PoseState& pose;         // of the robot
+  const body::LandmarkMap& landmarks;
+};
+
 // Maps the patches of one frame; what is not used is counted.
-void mapPatches(const PinkBearings& bearings, TeamColour team, const GpsParams& params,
-                GpsState& state);
+void mapPatches(const PinkSightings& seen, const PinkMapParams& params, PinkLandmarks& map,
+                GpsCounts& counts);
 
 }  // namespace kelpie::gps

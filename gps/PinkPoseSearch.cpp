@@ -58,31 +58,33 @@ Pose2 poseAt(std::uint32_t index, const Grid& grid, const body::FieldDescription
           Angle::rad(2.0 * maths::kPi * turn / grid.turns)};
 }
 
-void tryPoses(const Survey& survey, const PinkLandmarks& pinks, const FieldFeatures& features,
-              const GpsParams& params, PinkPoseSearch& search) {
-  const PinkPoseSearchParams& p = params.pinks.search;
-  const Grid grid = gridOf(params.field, p);
+void tryPoses(const Survey& survey, const PinkLandmarks& pinks, const PinkContext& context,
+              PinkPoseSearch& search) {
+  const PinkPoseSearchParams& p = context.pinks.search;
+  const body::FieldDescription& field = context.field.description;
+  const Grid grid = gridOf(field, p);
   const SeenLines lines = linesOf(survey, kCoarsePoints);
   const std::uint32_t end = std::min(grid.size(), search.cursor + p.startsPerFrame);
   for (; search.cursor < end; ++search.cursor) {
     PoseCandidate candidate;
-    candidate.pose = poseAt(search.cursor, grid, params.field);
-    candidate.match = surveyMatch(lines, candidate.pose, features, p.coarseSharpness);
+    candidate.pose = poseAt(search.cursor, grid, field);
+    candidate.match = surveyMatch(lines, candidate.pose, context.field.features, p.coarseSharpness);
     candidate.score = p.lineScore * candidate.match +
-                      bearingScore(survey, candidate.pose, pinks, p.coarseBearingSd, params.pinks);
+                      bearingScore(survey, candidate.pose, pinks, p.coarseBearingSd, context.pinks);
     keep(candidate, search);
   }
 }
 
-void refine(const Survey& survey, const PinkLandmarks& pinks, const FieldFeatures& features,
-            const GpsParams& params, PoseCandidate& candidate) {
-  const PinkPoseSearchParams& p = params.pinks.search;
+void refine(const Survey& survey, const PinkLandmarks& pinks, const PinkContext& context,
+            PoseCandidate& candidate) {
+  const PinkPoseSearchParams& p = context.pinks.search;
+  const FieldFeatures& features = context.field.features;
   const SeenLines lines = linesOf(survey, kSurveyPoints);
   if (lines.lines.size() >= kMinFitPoints)
-    candidate.pose = fitLines(lines, candidate.pose, features, params.line, true).pose;
+    candidate.pose = fitLines(lines, candidate.pose, features, context.lines, true).pose;
   candidate.match = surveyMatch(lines, candidate.pose, features, p.fineSharpness);
   candidate.score = p.lineScore * candidate.match +
-                    bearingScore(survey, candidate.pose, pinks, p.bearingSd, params.pinks);
+                    bearingScore(survey, candidate.pose, pinks, p.bearingSd, context.pinks);
 }
 
 // Sum over the mapped pinks of how well the ray points at each.
@@ -135,16 +137,15 @@ double bearingScore(const Survey& survey, const Pose2& start, const PinkLandmark
 }
 
 bool stepPinkPoseSearch(const Survey& survey, const PinkLandmarks& pinks,
-                        const FieldFeatures& field, const GpsParams& params,
-                        PinkPoseSearch& search) {
-  const PinkPoseSearchParams& p = params.pinks.search;
-  if (search.cursor < gridOf(params.field, p).size()) {
-    tryPoses(survey, pinks, field, params, search);
+                        const PinkContext& context, PinkPoseSearch& search) {
+  const PinkPoseSearchParams& p = context.pinks.search;
+  if (search.cursor < gridOf(context.field.description, p).size()) {
+    tryPoses(survey, pinks, context, search);
     return false;
   }
   for (std::uint32_t i = 0; i < p.refinedPerFrame; ++i) {
     if (search.refined >= search.candidates.size()) break;
-    refine(survey, pinks, field, params, search.candidates[search.refined++]);
+    refine(survey, pinks, context, search.candidates[search.refined++]);
   }
   if (search.refined < search.candidates.size()) return false;
   std::stable_sort(

@@ -5,8 +5,8 @@
 #pragma once
 
 #include "gps/FieldFeatures.h"
-#include "gps/GpsParams.h"
-#include "gps/GpsState.h"
+#include "gps/PinkContext.h"
+#include "gps/PinkState.h"
 #include "gps/Survey.h"
 
 namespace kelpie::gps {
@@ -23,8 +23,7 @@ double bearingScore(const Survey& survey, const Pose2& start, const PinkLandmark
 // One frame's share of the search. True when it came to an end; then `candidates` are sorted, best
 // first.
 bool stepPinkPoseSearch(const Survey& survey, const PinkLandmarks& pinks,
-                        const FieldFeatures& field, const GpsParams& params,
-                        PinkPoseSearch& search);
+                        const PinkContext& context, PinkPoseSearch& search);
 
 // The best candidate's share of the likelihood of all that are elsewhere; 0 for none.
 double sureness(const PinkPoseSearch& search);

@@ -5,6 +5,7 @@
 
 #include "gps/Modes.h"
 #include "gps/PinkMap.h"
+#include "gps/Refusal.h"
 #include "gps/Update.h"
 
 namespace kelpie::gps {
@@ -20,16 +21,16 @@ void keepHeaviest(const PoseMode& mode, Modes& best) {
 }
 
 Measurement headingOf(const PinkBearing& bearing, Point2<Field> landmark, const Pose2& pose,
-                      const GpsParams& params) {
+                      const PinkContext& context) {
   const double away = distance(landmark, pose.position);
   constexpr double kMinDistance = 50.0;  // cm; nearer, mapSd would be no small angle
   Measurement m;
   m.landmark = landmark;
   m.useHeading = true;
   m.heading = headingAt(bearing, away);
-  m.headingVariance = std::max(params.gates.headingVarianceFactor * bearing.variance,
-                               maths::square(params.pinks.minBearingSd.rad())) +
-                      maths::square(params.pinks.mapSd / std::max(kMinDistance, away));
+  m.headingVariance = std::max(context.gates.headingVarianceFactor * bearing.variance,
+                               maths::square(context.pinks.minBearingSd.rad())) +
+                      maths::square(context.pinks.mapSd / std::max(kMinDistance, away));
   return m;
 }
 
@@ -40,17 +41,17 @@ bool fits(const PinkBearing& bearing, const PoseMode& mode, Point2<Field> landma
 }
 
 // Pink clothes above the wall are no evidence of anything. Where the wall is the best mode says.
-bool isAboveWall(const PinkBearing& bearing, const PinkMapParams& params, const GpsState& state) {
-  const Ray ray = rayOf(state.modes[0].pose, bearing);
+bool isAboveWall(const PinkBearing& bearing, const PinkMapParams& params, const Pose2& pose) {
+  const Ray ray = rayOf(pose, bearing);
   const auto place = meetWall(ray, params.wall);
   return place &&
          !mayHangOnWall(bearing.eyeHeight, bearing.elevation, distance(*place, ray.from), params);
 }
 
 // Sightings in a row that no mode predicted mean that the robot is elsewhere.
-void countUnexplained(double corrected, double copies, const GpsParams& params, GpsState& state) {
-  const bool explained = corrected > params.modes.explainedShare * (copies + corrected);
-  std::uint32_t& unexplained = state.pinks.unexplained;
+void countUnexplained(double corrected, double copies, const ModeParams& params,
+                      std::uint32_t& unexplained) {
+  const bool explained = corrected > params.explainedShare * (copies + corrected);
   unexplained = explained ? 0 : unexplained + 1;
 }
 
@@ -63,39 +64,42 @@ PinkLandmarks knownPinks(const PinkState& state, const PinkMapParams& params) {
   return known;
 }
 
-bool updateByPink(const PinkBearing& bearing, const GpsParams& params, GpsState& state) {
-  const PinkLandmarks known = knownPinks(state.pinks, params.pinks);
+bool updateByPink(const PinkBearing& bearing, const PinkContext& context, PinkState& pinks,
+                  Modes& modes) {
+  const PinkLandmarks known = knownPinks(pinks, context.pinks);
   if (known.empty()) return false;
+  const ModeParams& params = context.modes;
   Modes best;
   double corrected = 0.0;
   double copies = 0.0;
-  for (const PoseMode& mode : state.modes) {
+  for (const PoseMode& mode : modes) {
     PoseMode copy = mode;
-    copy.weight *= params.modes.outlierWeight;
+    copy.weight *= params.outlierWeight;
     copies += copy.weight;
     keepHeaviest(copy, best);
     for (const PinkLandmark& landmark : known) {
-      if (!fits(bearing, mode, landmark.position, params.pinks)) continue;
+      if (!fits(bearing, mode, landmark.position, context.pinks)) continue;
       PoseMode moved = mode;
       moved.weight /= static_cast<double>(known.size());
-      update(moved, headingOf(bearing, landmark.position, mode.pose, params),
-             params.modes.weighByDeterminant);
+      update(moved, headingOf(bearing, landmark.position, mode.pose, context),
+             params.weighByDeterminant);
       corrected += moved.weight;
       keepHeaviest(moved, best);
     }
   }
-  countUnexplained(corrected, copies, params, state);
-  state.modes = best;
+  countUnexplained(corrected, copies, params, pinks.unexplained);
+  modes = best;
   return true;
 }
 
-void updateByPatches(const PinkBearings& bearings, const GpsParams& params, GpsState& state) {
-  const std::size_t most = std::min<std::size_t>(bearings.size(), params.pinks.maxPatches);
+void updateByPatches(const PinkBearings& bearings, const PinkContext& context, PinkState& pinks,
+                     PoseState& pose, GpsCounts& counts) {
+  const std::size_t most = std::min<std::size_t>(bearings.size(), context.pinks.maxPatches);
   for (std::size_t i = 0; i < most; ++i) {
-    if (isAboveWall(bearings[i], params.pinks, state)) {
-      state.count(Refusal::pinkElevation);
-    } else if (updateByPink(bearings[i], params, state)) {
-      mergeAndPrune(params, state);
+    if (isAboveWall(bearings[i], context.pinks, pose.modes[0].pose)) {
+      count(Refusal::pinkElevation, counts);
+    } else if (updateByPink(bearings[i], context, pinks, pose.modes)) {
+      mergeAndPrune(context.field.description, context.modes, pose, counts);
     }
   }
 }

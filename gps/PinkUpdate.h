@@ -4,9 +4,10 @@
 // one uncorrected, M (N + 1) in all, of which the heaviest are kept.
 #pragma once
 
-#include "gps/GpsParams.h"
-#include "gps/GpsState.h"
 #include "gps/PinkBearing.h"
+#include "gps/PinkContext.h"
+#include "gps/PinkState.h"
+#include "gps/PoseState.h"
 
 namespace kelpie::gps {
 
@@ -16,11 +17,13 @@ PinkLandmarks knownPinks(const PinkState& state, const PinkMapParams& params);
 // One sighting. A corrected mode weighs w S / N (equation 2.9, equal priors), the uncorrected copy
 // w times modes.outlierWeight. A mode does not take a mapped patch at which the elevation cannot
 // be. Call mergeAndPrune() afterwards. False without a map.
-bool updateByPink(const PinkBearing& bearing, const GpsParams& params, GpsState& state);
+bool updateByPink(const PinkBearing& bearing, const PinkContext& context, PinkState& pinks,
+                  Modes& modes);
 
-// All patches of a frame, largest first, at most maxPatches; tidies. Refuses what the best mode
-// sees too high or too low for the wall: else spectators in pink would seem to show that it is
-// lost.
-void updateByPatches(const PinkBearings& bearings, const GpsParams& params, GpsState& state);
+// All patches of a frame, largest first, at most maxPatches; merges and prunes. Refuses what the
+// best mode sees too high or too low for the wall: else spectators in pink would seem to show that
+// it is lost.
+void updateByPatches(const PinkBearings& bearings, const PinkContext& context, PinkState& pinks,
+                     PoseState& pose, GpsCounts& counts);
 
 }  // namespace kelpie::gps

@@ -11,13 +11,12 @@
 namespace kelpie::gps {
 namespace {
 
-void lose(const GpsParams& params, GpsState& state) {
-  start(params, state);
-  state.lost = true;
-  state.pinks.unexplained = 0;
-  state.pinks.survey = Survey{};
-  state.pinks.survey.nextSearch = params.pinks.search.surveySeconds;
-  state.pinks.search = PinkPoseSearch{};
+void startSurvey(const PinkContext& context, PinkState& pinks, PoseState& pose) {
+  lose(context.field.description, context.modes, pose);
+  pinks.unexplained = 0;
+  pinks.survey = Survey{};
+  pinks.survey.nextSearch = context.pinks.search.surveySeconds;
+  pinks.search = PinkPoseSearch{};
 }
 
 PoseMode modeAt(const Pose2& pose, const PinkPoseSearchParams& p) {
@@ -29,22 +28,21 @@ PoseMode modeAt(const Pose2& pose, const PinkPoseSearchParams& p) {
   return mode;
 }
 
-void endSearch(const GpsParams& params, GpsState& state) {
-  const PinkPoseSearchParams& p = params.pinks.search;
-  PinkState& pinks = state.pinks;
+// The found pose becomes the only mode, or the robot looks round for longer.
+void endSearch(const PinkPoseSearchParams& p, PinkState& pinks, PoseState& pose) {
   ++pinks.search.count;
   // One that two poses explain for long: to guess is better than to stand and wait, and what a
   // wrong pose does not predict soon tells.
   const bool patient = pinks.search.count < p.patience;
   if (sureness(pinks.search) >= (patient ? p.sureShare : p.likelyShare)) {
-    state.modes.clear();
-    state.modes.push_back(modeAt(poseNow(pinks.survey, pinks.search.candidates[0].pose), p));
-    state.lost = false;
+    pose.modes.clear();
+    pose.modes.push_back(modeAt(poseNow(pinks.survey, pinks.search.candidates[0].pose), p));
+    pose.lost = false;
     return;
   }
-  const std::uint32_t count = pinks.search.count;
+  const std::uint32_t searches = pinks.search.count;
   pinks.search = PinkPoseSearch{};
-  pinks.search.count = count;
+  pinks.search.count = searches;
   // By then the odometry's turns have set the first sightings beside the last.
   if (pinks.survey.seconds > p.keepSeconds) {
     pinks.survey = Survey{};
@@ -54,41 +52,41 @@ void endSearch(const GpsParams& params, GpsState& state) {
   }
 }
 
-void searchAll(const GpsIn& in, const Odometry& odometry, const GpsParams& params,
-               GpsState& state) {
-  const PinkPoseSearchParams& p = params.pinks.search;
-  PinkState& pinks = state.pinks;
-  moveSurvey(odometry, elapsedOf(in.input), pinks.survey);
-  addToSurvey(in.percepts.linePoints, bearingsOf(in.input, in.percepts, state), p, pinks.survey);
-  const PinkLandmarks known = knownPinks(pinks, params.pinks);
+void surveyAndSearch(const PinksIn& in, const PinkContext& context, PinkState& pinks,
+                     PoseState& pose, GpsCounts& counts) {
+  const PinkPoseSearchParams& p = context.pinks.search;
+  moveSurvey(in.moved, elapsedOf(in.frame.input), pinks.survey);
+  addToSurvey(in.frame.percepts.linePoints, bearingsOf(in.frame, counts), p, pinks.survey);
+  const PinkLandmarks known = knownPinks(pinks, context.pinks);
   if (!pinks.search.running && (pinks.survey.seconds < pinks.survey.nextSearch ||
                                 pinks.survey.bearings.size() < p.minBearings))
     return;
   pinks.search.running = true;
-  if (stepPinkPoseSearch(pinks.survey, known, state.features, params, pinks.search))
-    endSearch(params, state);
+  if (stepPinkPoseSearch(pinks.survey, known, context, pinks.search)) endSearch(p, pinks, pose);
+}
+
+void mapPinks(const GpsIn& in, const PinkContext& context, const PoseState& pose, PinkState& pinks,
+              GpsCounts& counts) {
+  const auto landmarks = body::landmarksFor(context.field.description, in.input.game.team);
+  mapPatches({bearingsOf(in, counts), pose, landmarks}, context.pinks, pinks.map, counts);
+  forget(elapsedOf(in.input), context.pinks, pinks);
 }
 
 }  // namespace
 
-bool landmarksCount(const FrameInput& input) {
-  return input.lastCommand.pinks != PinkUse::localise;
-}
-
-void usePinks(const GpsIn& in, const Odometry& odometry, const GpsParams& params, GpsState& state) {
-  const PinkUse use = in.input.lastCommand.pinks;
-  const bool begins = use == PinkUse::localise && state.pinks.use != use;
-  state.pinks.use = use;
-  if (use == PinkUse::map) {
-    mapPatches(bearingsOf(in.input, in.percepts, state), in.input.game.team, params, state);
-    forget(elapsedOf(in.input), params.pinks, state.pinks);
-  }
+void usePinks(const PinksIn& in, const PinkContext& context, PinkState& pinks, PoseState& pose,
+              GpsCounts& counts) {
+  const FrameInput& input = in.frame.input;
+  const PinkUse use = input.lastCommand.pinks;
+  const bool begins = use == PinkUse::localise && pinks.use != use;
+  pinks.use = use;
+  if (use == PinkUse::map) mapPinks(in.frame, context, pose, pinks, counts);
   if (use != PinkUse::localise) return;
-  const bool carried = in.input.game.state != PlayState::playing || in.input.game.penalised;
-  const bool astray = state.pinks.unexplained > params.pinks.maxUnexplained;
-  if (begins || carried || astray) return lose(params, state);
-  if (state.lost) return searchAll(in, odometry, params, state);
-  updateByPatches(bearingsOf(in.input, in.percepts, state), params, state);
+  const bool carried = input.game.state != PlayState::playing || input.game.penalised;
+  const bool astray = pinks.unexplained > context.pinks.maxUnexplained;
+  if (begins || carried || astray) return startSurvey(context, pinks, pose);
+  if (pose.lost) return surveyAndSearch(in, context, pinks, pose, counts);
+  updateByPatches(bearingsOf(in.frame, counts), context, pinks, pose, counts);
 }
 
 }  // namespace kelpie::gps

@@ -5,15 +5,20 @@
 // carried.
 #pragma once
 
-#include "gps/Localiser.h"
+#include "gps/GpsIn.h"
+#include "gps/PinkContext.h"
+#include "gps/PinkState.h"
+#include "gps/PoseState.h"
 
 namespace kelpie::gps {
 
-// Whether landmarks count in this frame: not while the robot localises by pinks, for then beacons
-// are removed and goals are covered, and what looks like one is false.
-bool landmarksCount(const FrameInput& input);
+struct PinksIn {
+  const GpsIn& frame;
+  const Odometry& moved;  // as far as it is believed
+};
 
 // After odometry and landmarks, before the lines.
-void usePinks(const GpsIn& in, const Odometry& odometry, const GpsParams& params, GpsState& state);
+void usePinks(const PinksIn& in, const PinkContext& context, PinkState& pinks, PoseState& pose,
+              GpsCounts& counts);
 
 }  // namespace kelpie::gps

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gps/Players.h"
 
-#include "gps/BallMotion.h"
 #include "gps/ObstacleQueries.h"
-#include "gps/OnField.h"
 #include "gps/Opponents.h"
 #include "gps/Predict.h"
 #include "gps/Team.h"
@@ -12,50 +10,31 @@
 namespace kelpie::gps {
 namespace {
 
-// Where the ball will lie: each model's end, weighed.
-Point2<Robot> stoppingPointOf(const BallTrack& ball, const BallFilterParams& params) {
-  const std::array<double, 4>& rolling = ball.rolling.mean;
-  const double speed = maths::hypot(rolling[2], rolling[3]);
-  const double way = speed > 0.0 ? rollingDistance(speed, params) / speed : 0.0;
-  const double share = ball.rolling.weight;
-  return {ball.both.mean[0] + share * way * rolling[2],
-          ball.both.mean[1] + share * way * rolling[3]};
-}
-
-void putBallOnField(const GpsParams& params, const GpsState& state, BallEstimate& ball) {
-  if (!ball.present) return;
-  const PoseMode& pose = state.modes[0];
-  const Place place = placeOnField(pose, ball.relative, matrixOf(ball.covariance));
-  ball.fieldCovariance = rowsOf(place.covariance);
-  ball.stoppingPoint = fieldFromRobot(pose.pose, stoppingPointOf(state.ball, params.ball));
-}
-
 using Heard = FixedVector<TeamMessage, kTeammates>;
 
-ObstacleEstimate stepObstacles(const GpsIn& in, const GpsParams& params, const Heard& heard,
+ObstacleEstimate stepObstacles(const GpsIn& in, const PlayersContext& context, const Heard& heard,
                                const WorldModel& world, ObstacleMap& map) {
-  const ObstacleMapParams& p = params.players.obstacles;
+  const ObstacleMapParams& p = context.players.obstacles;
   forget(elapsedOf(in.input), p, map);
-  see({in.percepts, world}, params.field, p, map);
-  for (const TeamMessage& message : heard) hear(message, params.field, p, map);
-  return extractObstacles({map, params.field, p}, world);
+  see({in.percepts, world}, context.field, p, map);
+  for (const TeamMessage& message : heard) hear(message, context.field, p, map);
+  return extractObstacles({map, context.field, p}, world);
 }
 
 }  // namespace
 
-void stepPlayers(const GpsIn& in, const GpsParams& params, GpsState& state, WorldModel& world) {
-  putBallOnField(params, state, world.ball);
-  stepOpponents(in, params, state);
-  const Heard heard = hear(in.input, params, state);
-  for (const TeamMessage& message : heard) hearOpponents(message, params, state);
-  world.obstacles = stepObstacles(in, params, heard, world, state.players.obstacles);
-  const PlayersState& players = state.players;
-  world.opponents = extractOpponents(players);
-  world.teammates = extractMates(params.players.team, players);
-  world.teamBall = fused(witnessesOf(params, world.ball, players), params.players.teamBall);
-  speak(in.input, world, params.players.team, state.players);
+void stepPlayers(const GpsIn& in, const PlayersContext& context, PlayersState& players,
+                 GpsCounts& counts, WorldModel& world) {
+  stepOpponents(in, world.modes[0], context, players.opponents, counts);
+  const Heard heard = hear(in.input, context, players.mates, counts);
+  for (const TeamMessage& message : heard) hearOpponents(message, context, players.opponents);
+  world.obstacles = stepObstacles(in, context, heard, world, players.obstacles);
+  world.opponents = extractOpponents(players.opponents);
+  world.teammates = extractMates(context.players.team, players.mates);
+  const Witnesses witnesses = witnessesOf(world.ball, players.mates, context);
+  world.teamBall = fused(witnesses, context.players.teamBall);
+  speak(in.input, world, context.players.team, players);
   world.message = players.message;
-  world.counts = state.counts;
 }
 
 }  // namespace kelpie::gps

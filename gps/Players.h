@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// Everything that needs the published pose: the ball's place on the field, team mates, opponents,
-// the team's ball, and the message to the team.
+// What is believed of the other players, once the pose is published: opponents, team mates, what
+// stands where, the team's ball, and the message to the team.
 #pragma once
 
-#include "gps/Localiser.h"
+#include "gps/GpsIn.h"
+#include "gps/PlayersContext.h"
+#include "gps/PlayersState.h"
 
 namespace kelpie::gps {
 
-void stepPlayers(const GpsIn& in, const GpsParams& params, GpsState& state, WorldModel& world);
+// Adds it to `world`, which holds the pose and the ball.
+void stepPlayers(const GpsIn& in, const PlayersContext& context, PlayersState& players,
+                 GpsCounts& counts, WorldModel& world);
 
 }  // namespace kelpie::gps

@@ -1,32 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// What can be tuned in the beliefs about the team's ball, the opponents, the team mates and a ball
-// put back by the referee. Numbers of thesis 2004 section 2.3 and facts-2005 section 5 where they
-// state them, else ours.
+// What can be tuned in the beliefs about the team's ball, the opponents and the team mates. Numbers
+// of thesis 2004 section 2.3 and facts-2005 section 5 where they state them, else ours.
 #pragma once
 
 #include "gps/ObstacleMapParams.h"
 #include "robot/core/Geometry.h"
 
 namespace kelpie::gps {
-
-// Where the referee puts a ball that left the field (rules 2006), and when that is believed.
-struct DropInParams {
-  double fromSide = 40.0;   // cm from the side line
-  double fromEnd = 100.0;   // cm from the goal line, at least
-  double outSds = 2.0;      // so far beyond the line, in standard deviations, it is out
-  double unseen = 0.2;      // s; a ball in sight is where it is seen
-  double variance = 30.0;   // cm2, of the referee's hand (facts-2005 section 5)
-  double maxPoseSd = 50.0;  // cm; a robot that knows its place less does not judge
-
-  static constexpr auto fields() {
-    using P = DropInParams;
-    return fieldList(
-        field("fromSide", &P::fromSide, "cm", 0, 500), field("fromEnd", &P::fromEnd, "cm", 0, 500),
-        field("outSds", &P::outSds, "", 0, 10), field("unseen", &P::unseen, "s", 0, 10),
-        field("variance", &P::variance, "cm2", 1, 1e4),
-        field("maxPoseSd", &P::maxPoseSd, "cm", 1, 1000));
-  }
-};
 
 struct TeamBallParams {
   double keep = 1.5;            // s since it was seen; older ones are no witnesses
@@ -91,7 +71,6 @@ struct TeamParams {
 };
 
 struct PlayersParams {
-  DropInParams dropIn;
   TeamBallParams teamBall;
   OpponentParams opponents;
   TeamParams team;
@@ -99,9 +78,8 @@ struct PlayersParams {
 
   static constexpr auto fields() {
     return fieldList(
-        field("dropIn", &PlayersParams::dropIn), field("teamBall", &PlayersParams::teamBall),
-        field("opponents", &PlayersParams::opponents), field("team", &PlayersParams::team),
-        field("obstacles", &PlayersParams::obstacles));
+        field("teamBall", &PlayersParams::teamBall), field("opponents", &PlayersParams::opponents),
+        field("team", &PlayersParams::team), field("obstacles", &PlayersParams::obstacles));
   }
 };
 

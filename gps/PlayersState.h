@@ -26,18 +26,24 @@ struct OpponentFilter {
   bool assigned = false;  // to a sighting of this frame, or of the message at hand
 };
 
+struct Opponents {
+  bool started = false;
+  std::array<OpponentFilter, kOpponents> filters{};
+};
+
 struct Teammate {
   bool present = false;
   TeamMessage last;  // its age grows
 };
 
+// By player number less one; the own stays empty.
+using Teammates = std::array<Teammate, kTeammates + 1>;
+
 struct PlayersState {
-  bool started = false;
-  std::array<OpponentFilter, kOpponents> opponents{};
-  std::array<Teammate, kTeammates + 1> mates{};  // by player number less one; the own stays empty
+  Opponents opponents;
+  Teammates mates{};
   TeamMessage message;
   double secondsSinceMessage = 1e9;
-  std::uint32_t goals = 0;  // of both teams, to notice a new one
   ObstacleMap obstacles;
 };
 

@@ -3,10 +3,10 @@
 // the covariance through the Jacobian, the noise turned from the robot's frame into the field's.
 #pragma once
 
-#include "gps/GpsParams.h"
-#include "gps/GpsState.h"
+#include "gps/PoseParams.h"
 #include "robot/core/FrameInput.h"
 #include "robot/core/Motion.h"
+#include "robot/core/WorldModel.h"
 
 namespace kelpie::gps {
 

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "gps/Refusal.h"
+
 namespace kelpie::gps {
 namespace {
 
@@ -32,17 +34,18 @@ double freeEffort(double speed, const StuckParams& params) {
   return params.freeEffort + params.effortPerSpeed * speed;
 }
 
-double excessEffort(const FrameInput& input, const StuckParams& params, GpsState& state) {
+double excessEffort(const FrameInput& input, const StuckParams& params, StuckState& state,
+                    GpsCounts& counts) {
   const double now = speedOfFeet(input, params);
-  state.stuck.speed += (now - state.stuck.speed) * std::min(1.0, elapsedOf(input) / kStepSeconds);
+  state.speed += (now - state.speed) * std::min(1.0, elapsedOf(input) / kStepSeconds);
   const double effort = input.motion.effort;
   if (!(effort >= 0.0 && effort <= 1.0)) {
-    state.count(Refusal::effortNotFinite);
+    count(Refusal::effortNotFinite, counts);
     return 0.0;
   }
   if (!params.use || !walks(input)) return 0.0;
   // The effort is a mean over the last step, which may have been a faster one.
-  const double speed = std::max(now, state.stuck.speed);
+  const double speed = std::max(now, state.speed);
   return std::max(0.0, effort - freeEffort(speed, params) - params.margin);
 }
 

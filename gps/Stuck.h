@@ -5,9 +5,9 @@
 // (section 5.1). Fails where the feet slip instead of stalling: then nothing is felt.
 #pragma once
 
-#include "gps/GpsParams.h"
-#include "gps/GpsState.h"
+#include "gps/PoseState.h"
 #include "gps/Predict.h"
+#include "gps/StuckParams.h"
 #include "robot/core/FrameInput.h"
 
 namespace kelpie::gps {
@@ -17,7 +17,8 @@ double freeEffort(double speed, const StuckParams& params);
 
 // q - q0: the effort beyond that of walking freely, 0 to 1; 0 while a special motion runs or no
 // walk is requested. A value that no effort can have is refused and counted. Once a frame.
-double excessEffort(const FrameInput& input, const StuckParams& params, GpsState& state);
+double excessEffort(const FrameInput& input, const StuckParams& params, StuckState& state,
+                    GpsCounts& counts);
 
 // Shortened to 1 / (1 + k excess); the same bits when the excess is 0.
 Odometry shortened(const Odometry& odometry, double excess, const StuckParams& params);

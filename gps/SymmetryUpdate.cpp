@@ -7,7 +7,8 @@
 namespace kelpie::gps {
 namespace {
 
-constexpr double kGateSds = 4.0;  // standard deviations: beyond, S is below 4e-4
+constexpr double kSameDistance = 5.0;  // cm; nearer to the found pose it is the same
+constexpr double kGateSds = 4.0;       // standard deviations: beyond, S is below 4e-4
 
 bool isWithin(const PoseMode& mode, const Pose2& pose) {
   const Point2<Field> d = pose.position - mode.pose.position;
@@ -28,30 +29,30 @@ void keep(PoseMode mode, std::size_t most, FixedVector<PoseMode, kMaxAmbiguousPo
 
 FixedVector<PoseMode, kMaxAmbiguousPoses> symmetricModes(const SeenLines& seen,
                                                          const PoseObservation& found,
-                                                         double headSpeed, const GpsParams& params,
-                                                         const GpsState& state) {
-  FixedVector<PoseMode, kMaxAmbiguousPoses> modes;
-  if (!params.symmetry.use) return modes;
-  LineUpdateParams lines = params.line;  // equation 3.20: worse matches are left out
-  lines.match += lines.matchStill / (1.0 + lines.headSpeed * headSpeed);
+                                                         const PaintedField& field,
+                                                         const LinesParams& params,
+                                                         const Modes& modes) {
+  FixedVector<PoseMode, kMaxAmbiguousPoses> symmetric;
+  if (!params.symmetry.use) return symmetric;
+  LineUpdateParams lines = params.update;  // equation 3.20: worse matches are left out
+  lines.match += lines.matchStill / (1.0 + lines.headSpeed * seen.headSpeed);
   LineFit fit;
   fit.pose = found.pose;
   fit.information = found.information;
-  fit.match = lineMatch(seen, found.pose, state.features, lines);
-  const AmbiguousPoses poses = ambiguousPoses(
-      seen, fit, {params.field, state.features, state.painted}, lines, params.symmetry);
+  fit.match = lineMatch(seen, found.pose, field.features, lines);
+  const AmbiguousPoses poses = ambiguousPoses(seen, fit, field, lines, params.symmetry);
   const auto most = std::min<std::size_t>(params.symmetry.maxPoses, kMaxAmbiguousPoses);
   for (const AmbiguousPose& pose : poses) {
-    if (distance(pose.pose.position, found.pose.position) < params.modes.mergeDistance) continue;
-    for (const PoseMode& mode : state.modes) {
+    if (distance(pose.pose.position, found.pose.position) < kSameDistance) continue;
+    for (const PoseMode& mode : modes) {
       if (!isWithin(mode, pose.pose)) continue;
       PoseMode corrected = mode;
       correct(corrected, {pose.pose, pose.information});
       corrected.weight *= pose.match / std::max(fit.match, 0.1);
-      keep(corrected, most, modes);
+      keep(corrected, most, symmetric);
     }
   }
-  return modes;
+  return symmetric;
 }
 
 }  // namespace kelpie::gps

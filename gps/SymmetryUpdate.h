@@ -4,9 +4,9 @@
 // within them gain anything by it.
 #pragma once
 
-#include "gps/GpsParams.h"
-#include "gps/GpsState.h"
-#include "gps/LineUpdate.h"
+#include "gps/LinesParams.h"
+#include "gps/PoseObservation.h"
+#include "gps/PoseState.h"
 #include "gps/Symmetry.h"
 
 namespace kelpie::gps {
@@ -16,7 +16,8 @@ namespace kelpie::gps {
 // over that of `found`. None unless SymmetryParams::use.
 FixedVector<PoseMode, kMaxAmbiguousPoses> symmetricModes(const SeenLines& seen,
                                                          const PoseObservation& found,
-                                                         double headSpeed, const GpsParams& params,
-                                                         const GpsState& state);
+                                                         const PaintedField& field,
+                                                         const LinesParams& params,
+                                                         const Modes& modes);
 
 }  // namespace kelpie::gps

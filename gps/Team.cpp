@@ -7,6 +7,7 @@
 #include "gps/OnField.h"
 #include "gps/Opponents.h"
 #include "gps/Predict.h"
+#include "gps/Refusal.h"
 
 namespace kelpie::gps {
 namespace {
@@ -18,26 +19,23 @@ constexpr double kMaxSpeed = 500.0;           // cm/s, of a ball
 constexpr double kMaxCount = 1e4;             // of an obstacle's points
 
 // False for NaN, too.
-bool near(Point2<Field> p, const GpsParams& params) {
-  const double margin = params.players.team.offField;
-  return p.x > -margin && p.x < params.field.width + margin && p.y > -margin &&
-         p.y < params.field.length + margin;
+bool near(Point2<Field> p, const body::FieldDescription& field, double margin) {
+  return p.x > -margin && p.x < field.width + margin && p.y > -margin &&
+         p.y < field.length + margin;
 }
 
-bool soundPose(const TeamMessage& m, const GpsParams& params) {
+bool soundPose(const TeamMessage& m) {
   const std::array<double, 4> block{m.covariance[0], m.covariance[1], m.covariance[3],
                                     m.covariance[4]};
   const double heading = m.covariance[8];
-  return near(m.pose.position, params) && std::isfinite(m.pose.heading.rad()) &&
+  return std::isfinite(m.pose.heading.rad()) &&
          soundCovariance(block, kMinVariance, kMaxVariance) && heading >= 0.0 &&
          heading < kMaxHeadingVariance;
 }
 
-bool soundBall(const SharedBall& b, const GpsParams& params) {
-  if (!b.present) return true;
-  return near(b.position, params) && std::fabs(b.velocity.x) < kMaxSpeed &&
-         std::fabs(b.velocity.y) < kMaxSpeed && b.secondsSinceSeen >= 0.0 &&
-         std::isfinite(b.secondsSinceSeen) &&
+bool soundBall(const SharedBall& b) {
+  return std::fabs(b.velocity.x) < kMaxSpeed && std::fabs(b.velocity.y) < kMaxSpeed &&
+         b.secondsSinceSeen >= 0.0 && std::isfinite(b.secondsSinceSeen) &&
          soundCovariance(b.covariance, kMinVariance, kMaxVariance);
 }
 
@@ -56,37 +54,41 @@ double largerRoot(const std::array<double, 9>& c, double more) {
 
 }  // namespace
 
-bool believable(const TeamMessage& message, const GpsParams& params) {
-  const double age = message.age;
+bool believable(const TeamMessage& message, const body::FieldDescription& field,
+                const TeamParams& params) {
+  const auto nearField = [&](Point2<Field> p) { return near(p, field, params.offField); };
+  const SharedBall& ball = message.ball;
   if (message.player < 1 || message.player > kTeammates + 1 || message.number == 0) return false;
-  if (!(age >= 0.0 && age <= params.players.team.maxAge)) return false;
-  if (!soundPose(message, params) || !soundBall(message.ball, params)) return false;
+  if (!(message.age >= 0.0 && message.age <= params.maxAge)) return false;
+  if (!nearField(message.pose.position) || !soundPose(message)) return false;
+  if (ball.present && !(nearField(ball.position) && soundBall(ball))) return false;
   return std::all_of(message.opponents.begin(), message.opponents.end(),
                      [&](const SharedOpponent& o) {
-                       return near(o.position, params) &&
+                       return nearField(o.position) &&
                               soundCovariance(o.covariance, kMinVariance, kMaxVariance);
                      }) &&
          std::all_of(message.obstacles.begin(), message.obstacles.end(),
                      [&](const ObstacleCell& o) {
-                       return near(o.position, params) && o.count >= 0.0 && o.count < kMaxCount;
+                       return nearField(o.position) && o.count >= 0.0 && o.count < kMaxCount;
                      });
 }
 
-FixedVector<TeamMessage, kTeammates> hear(const FrameInput& input, const GpsParams& params,
-                                          GpsState& state) {
+FixedVector<TeamMessage, kTeammates> hear(const FrameInput& input, const PlayersContext& context,
+                                          Teammates& mates, GpsCounts& counts) {
+  const TeamParams& params = context.players.team;
   FixedVector<TeamMessage, kTeammates> heard;
-  for (Teammate& mate : state.players.mates) {
+  for (Teammate& mate : mates) {
     mate.last.age += elapsedOf(input);
-    if (mate.last.age > params.players.team.keep) mate = Teammate{};
+    if (mate.last.age > params.keep) mate = Teammate{};
   }
   for (const TeamMessage& message : input.team) {
-    if (!believable(message, params) || message.player == input.game.player) {
-      state.count(Refusal::messageBroken);
+    if (!believable(message, context.field, params) || message.player == input.game.player) {
+      count(Refusal::messageBroken, counts);
       continue;
     }
-    Teammate& mate = state.players.mates[message.player - std::size_t{1}];
+    Teammate& mate = mates[message.player - std::size_t{1}];
     if (!newer(message, mate)) {
-      state.count(Refusal::messageRepeated);
+      count(Refusal::messageRepeated, counts);
       continue;
     }
     mate = {true, message};
@@ -96,9 +98,9 @@ FixedVector<TeamMessage, kTeammates> hear(const FrameInput& input, const GpsPara
 }
 
 FixedVector<TeammateEstimate, kTeammates> extractMates(const TeamParams& params,
-                                                       const PlayersState& players) {
+                                                       const Teammates& mates) {
   FixedVector<TeammateEstimate, kTeammates> list;
-  for (const Teammate& mate : players.mates) {
+  for (const Teammate& mate : mates) {
     if (!mate.present) continue;
     const TeamMessage& m = mate.last;
     const double headingSd = std::min(std::sqrt(std::max(0.0, m.covariance[8])), maths::kPi);
@@ -125,7 +127,7 @@ void speak(const FrameInput& input, const WorldModel& world, const TeamParams& p
   if (ball.present) {
     m.ball = {true, ball.position, ball.velocity, ball.fieldCovariance, ball.secondsSinceSeen};
   }
-  m.opponents = takeUnsent(players);
+  m.opponents = takeUnsent(players.opponents);
   m.obstacles = world.obstacles.cells;
 }
 

@@ -3,21 +3,22 @@
 // anything in it that cannot be is refused whole and counted.
 #pragma once
 
-#include "gps/GpsParams.h"
-#include "gps/GpsState.h"
+#include "gps/PlayersContext.h"
+#include "gps/PlayersState.h"
 #include "robot/core/FrameInput.h"
 
 namespace kelpie::gps {
 
 // Everything finite, on or near the field, of positive variance, and not too old.
-bool believable(const TeamMessage& message, const GpsParams& params);
+bool believable(const TeamMessage& message, const body::FieldDescription& field,
+                const TeamParams& params);
 
 // Keeps the newest message of each mate; ages and forgets. Answers with those of this frame.
-FixedVector<TeamMessage, kTeammates> hear(const FrameInput& input, const GpsParams& params,
-                                          GpsState& state);
+FixedVector<TeamMessage, kTeammates> hear(const FrameInput& input, const PlayersContext& context,
+                                          Teammates& mates, GpsCounts& counts);
 
 FixedVector<TeammateEstimate, kTeammates> extractMates(const TeamParams& params,
-                                                       const PlayersState& players);
+                                                       const Teammates& mates);
 
 // Makes a new message when the last one is old enough.
 void speak(const FrameInput& input, const WorldModel& world, const TeamParams& params,

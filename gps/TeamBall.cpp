@@ -48,12 +48,12 @@ void addWitness(const Witness& witness, const TeamBallParams& params, Witnesses&
 }
 
 // The ball of a message, rolled on since it was made.
-Witness witnessOf(const TeamMessage& message, const GpsParams& params) {
+Witness witnessOf(const TeamMessage& message, const PlayersContext& context) {
   BallHypothesis ball;
   const SharedBall& said = message.ball;
   ball.mean = {said.position.x, said.position.y, said.velocity.x, said.velocity.y};
-  roll(ball, message.age, params.ball);
-  const double growth = params.players.teamBall.growth * message.age;
+  roll(ball, message.age, context.ball);
+  const double growth = context.players.teamBall.growth * message.age;
   return {{Vector2(ball.mean[0], ball.mean[1]),
            matrixOf(said.covariance) + growth * Matrix2::Identity()},
           {ball.mean[2], ball.mean[3]},
@@ -62,18 +62,19 @@ Witness witnessOf(const TeamMessage& message, const GpsParams& params) {
 
 }  // namespace
 
-Witnesses witnessesOf(const GpsParams& params, const BallEstimate& own,
-                      const PlayersState& players) {
+Witnesses witnessesOf(const BallEstimate& own, const Teammates& mates,
+                      const PlayersContext& context) {
+  const TeamBallParams& params = context.players.teamBall;
   Witnesses list;
   if (own.present) {
     addWitness({{vectorOf(own.position), matrixOf(own.fieldCovariance)},
                 own.velocity,
                 own.secondsSinceSeen},
-               params.players.teamBall, list);
+               params, list);
   }
-  for (const Teammate& mate : players.mates) {
+  for (const Teammate& mate : mates) {
     if (!mate.present || !mate.last.ball.present) continue;
-    addWitness(witnessOf(mate.last, params), params.players.teamBall, list);
+    addWitness(witnessOf(mate.last, context), params, list);
   }
   return list;
 }

@@ -4,9 +4,9 @@
 // outvoted by two; one against one, the surer is believed.
 #pragma once
 
-#include "gps/GpsParams.h"
-#include "gps/GpsState.h"
 #include "gps/OnField.h"
+#include "gps/PlayersContext.h"
+#include "gps/PlayersState.h"
 
 namespace kelpie::gps {
 
@@ -19,8 +19,8 @@ struct Witness {
 using Witnesses = FixedVector<Witness, kTeammates + 1>;
 
 // The balls that the team saw recently, the own included; those of mates have rolled on to now.
-Witnesses witnessesOf(const GpsParams& params, const BallEstimate& own,
-                      const PlayersState& players);
+Witnesses witnessesOf(const BallEstimate& own, const Teammates& mates,
+                      const PlayersContext& context);
 
 TeamBall fused(const Witnesses& witnesses, const TeamBallParams& params);
 

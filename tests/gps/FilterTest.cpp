@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "gps/Gaussian.h"
+#include "gps/GpsParams.h"
+#include "gps/GpsState.h"
 #include "gps/Landmarks.h"
 #include "gps/Modes.h"
 #include "gps/Predict.h"
@@ -130,8 +132,8 @@ TEST(Modes, SeedsOfADistanceAloneDoubtTheHeadingThatCameWithIt) {
     GpsState state;
     Measurement m = seenAt({180, 540}, 150, 0.2);
     m.useHeading = useHeading;
-    seedAround(m, params, state);
-    return state.modes.empty() ? 0.0 : state.modes[0].covariance[8];
+    seedAround(m, params.field, params.modes, state.pose, state.counts);
+    return state.pose.modes.empty() ? 0.0 : state.pose.modes[0].covariance[8];
   };
   EXPECT_NEAR(headingVariance(false) - headingVariance(true), 15.0 * 0.004, 1e-9);
 }
@@ -139,15 +141,15 @@ TEST(Modes, SeedsOfADistanceAloneDoubtTheHeadingThatCameWithIt) {
 TEST(Modes, BrokenModeIsRemovedAndTheLastOneReplaced) {
   SimulatedRobot robot({180, 200, 1.0});
   robot.step();
-  robot.state.modes[0].pose.position.x = std::nan("");
-  robot.state.modes.push_back(modeAt(50, 60, 1.0));
-  mergeAndPrune(robot.params, robot.state);
-  ASSERT_EQ(robot.state.modes.size(), 1u);
-  EXPECT_EQ(robot.state.modes[0].pose.position.x, 50.0);
-  robot.state.modes[0].covariance[4] = -1.0;
-  mergeAndPrune(robot.params, robot.state);
-  EXPECT_TRUE(robot.state.lost);
-  EXPECT_EQ(robot.state.modes[0].pose.position.x, 180.0);
+  robot.state.pose.modes[0].pose.position.x = std::nan("");
+  robot.state.pose.modes.push_back(modeAt(50, 60, 1.0));
+  mergeAndPrune(robot.params.field, robot.params.modes, robot.state.pose, robot.state.counts);
+  ASSERT_EQ(robot.state.pose.modes.size(), 1u);
+  EXPECT_EQ(robot.state.pose.modes[0].pose.position.x, 50.0);
+  robot.state.pose.modes[0].covariance[4] = -1.0;
+  mergeAndPrune(robot.params.field, robot.params.modes, robot.state.pose, robot.state.counts);
+  EXPECT_TRUE(robot.state.pose.lost);
+  EXPECT_EQ(robot.state.pose.modes[0].pose.position.x, 180.0);
 }
 
 struct GateCase {
@@ -164,7 +166,7 @@ TEST_P(Gates, HoldAtTheirBounds) {
   LandmarkPercept p = robot.look({GetParam().kind, {180, 540}});
   p.distance = GetParam().distance;
   const auto map = body::landmarksFor(robot.params.field, TeamColour::red);
-  const auto m = measurement(p, map, robot.params, robot.state);
+  const auto m = measurement(p, map, robot.params.field, robot.params.gates, robot.state.counts);
   ASSERT_EQ(m.has_value(), GetParam().used);
   EXPECT_EQ(m && m->useDistance, GetParam().distanceUsed);
 }
@@ -183,7 +185,7 @@ TEST(Landmarks, GoalCutByTheImageGivesNoHeading) {
   LandmarkPercept p = robot.look({LandmarkKind::goalBlue, {180, 540}});
   p.rightEdgeCut = true;
   const auto map = body::landmarksFor(robot.params.field, TeamColour::red);
-  const auto m = measurement(p, map, robot.params, robot.state);
+  const auto m = measurement(p, map, robot.params.field, robot.params.gates, robot.state.counts);
   ASSERT_TRUE(m.has_value());
   EXPECT_FALSE(m->useHeading);
   EXPECT_TRUE(m->useDistance);

@@ -39,7 +39,7 @@ TEST_P(HostileInput, LeavesAFiniteBeliefAndGoodSightingsBringThePoseBack) {
   Random random(seed);
   SimulatedRobot robot({180, 200, 1.0}, seed);
   robot.params.modes.noiseMethod = static_cast<NoiseMethod>(seed % 3);
-  robot.params.line.combine = static_cast<LineCombine>(seed / 3 % 2);
+  robot.params.lines.update.combine = static_cast<LineCombine>(seed / 3 % 2);
   const FrameInput calm = robot.input;
   for (int i = 0; i < 40; ++i) {
     attack(robot, random);

@@ -100,19 +100,22 @@ TEST(JointUpdate, AModeOnALandmarkKeepsItsPlaceAndLosesItsWeight) {
 TEST(JointUpdate, AFrameSplitsEachModeOnce) {
   SimulatedRobot robot({150.0, 220.0, 2.9}, 3);
   robot.params.modes.noiseMethod = NoiseMethod::split;
-  robot.state.features.build(robot.params.field);
-  robot.state.modes.push_back(someMode());
-  Measurements both;
-  both.push_back({{0.0, 405.0}, true, true, 240.0, Angle::deg(-40.0), 400.0, 0.004});
-  both.push_back({{0.0, 135.0}, true, true, 172.0, Angle::deg(40.0), 400.0, 0.004});
-  EXPECT_TRUE(updateJointly(both, {}, 0.0, robot.params, robot.state));
-  EXPECT_EQ(robot.state.modes.size(), 2U);
-  EXPECT_FALSE(updateJointly({}, {}, 0.0, robot.params, robot.state));
+  robot.state.lines.features.build(robot.params.field);
+  robot.state.pose.modes.push_back(someMode());
+  const LinesState& lines = robot.state.lines;
+  const PaintedField field{robot.params.field, lines.features, lines.painted};
+  const JointParams params{robot.params.modes, robot.params.lines.update};
+  Sightings both;
+  both.landmarks.push_back({{0.0, 405.0}, true, true, 240.0, Angle::deg(-40.0), 400.0, 0.004});
+  both.landmarks.push_back({{0.0, 135.0}, true, true, 172.0, Angle::deg(40.0), 400.0, 0.004});
+  EXPECT_TRUE(updateJointly(both, field, params, robot.state.pose, robot.state.counts));
+  EXPECT_EQ(robot.state.pose.modes.size(), 2U);
+  EXPECT_FALSE(updateJointly({}, field, params, robot.state.pose, robot.state.counts));
 }
 
 TEST(JointUpdate, AWalkingRobotFindsItsPlaceWithLandmarksAndLines) {
   SimulatedRobot robot({140.0, 180.0, 1.2}, 11);
-  robot.params.line.combine = LineCombine::joint;
+  robot.params.lines.update.combine = LineCombine::joint;
   double cm = 0.0;
   for (int frame = 0; frame < 150; ++frame) {
     robot.walk(0.7, 0.0, 0.004);

@@ -107,33 +107,33 @@ class Standing : public ::testing::Test {
 TEST_F(Standing, MapDoesNotStarve) {
   for (int i = 0; i < 300; ++i) {
     frame(i);
-    expectSound(robot.state.map, robot.params.lineMap);
-    ASSERT_GE(robot.state.map.points.size(), i < 60 ? 0U : 50U) << i;
+    expectSound(robot.state.lines.map, robot.params.lines.map);
+    ASSERT_GE(robot.state.lines.map.points.size(), i < 60 ? 0U : 50U) << i;
   }
   EXPECT_LT(robot.error(world), 5.0);
 }
 
 TEST_F(Standing, PointsOutOfSightFadeByTheirCount) {
   for (int i = 0; i < 150; ++i) frame(i);
-  const std::size_t before = robot.state.map.points.size();
+  const std::size_t before = robot.state.lines.map.points.size();
   robot.percepts.linePoints.clear();
   for (int i = 0; i < 150; ++i) robot.step();
-  EXPECT_LT(robot.state.map.points.size(), before);
-  EXPECT_GT(robot.state.map.points.size(), before / 4);
+  EXPECT_LT(robot.state.lines.map.points.size(), before);
+  EXPECT_GT(robot.state.lines.map.points.size(), before / 4);
   for (int i = 0; i < 480; ++i) robot.step();
-  EXPECT_TRUE(robot.state.map.points.empty());
+  EXPECT_TRUE(robot.state.lines.map.points.empty());
 }
 
 TEST_F(Standing, AStepAWalkOrAKickClearsTheMap) {
   for (int way = 0; way < 4; ++way) {
     for (int i = 0; i < 30; ++i) frame(i);
-    ASSERT_GT(robot.state.map.points.size(), 20U);
+    ASSERT_GT(robot.state.lines.map.points.size(), 20U);
     robot.input.lastCommand.walk.turn = way == 0 ? 0.1 : 0.0;
     robot.input.odometry.forward = way == 1 ? 0.5 : 0.0;
     robot.input.motion.running = way == 2 ? MotionKind::kickForward : MotionKind::none;
     robot.input.lastCommand.motion = way == 3 ? MotionKind::kickForward : MotionKind::none;
     robot.step();
-    EXPECT_TRUE(robot.state.map.points.empty()) << way;
+    EXPECT_TRUE(robot.state.lines.map.points.empty()) << way;
     robot.input.lastCommand = {};
     robot.input.motion = {};
   }
@@ -143,9 +143,9 @@ TEST_F(Standing, WhatTheMapHoldsCountsOnce) {
   for (int i = 0; i < 150; ++i) frame(i);
   const double sd = world.positionSd;
   robot.percepts.linePoints.clear();  // nothing new, though the map is still there
-  const LineMap kept = robot.state.map;
+  const LineMap kept = robot.state.lines.map;
   for (int i = 0; i < 100; ++i) {
-    robot.state.map.points = kept.points;
+    robot.state.lines.map.points = kept.points;
     world = robot.step();
   }
   EXPECT_GT(world.positionSd, sd);
@@ -172,14 +172,14 @@ TEST_F(Standing, AMapOfElsewhereIsGivenUp) {
   bool cleared = false;
   for (int i = 0; i < 90 && !cleared; ++i) {
     frame(100 + i);
-    cleared = robot.state.map.age < 0.1;
+    cleared = robot.state.lines.map.age < 0.1;
   }
   EXPECT_TRUE(cleared);
 }
 
 TEST_F(Standing, AMapOfHereIsKept) {
   for (int i = 0; i < 600; ++i) frame(i);
-  EXPECT_GT(robot.state.map.age, 19.0);
+  EXPECT_GT(robot.state.lines.map.age, 19.0);
 }
 
 TEST_F(Standing, HostilePointsLeaveAFiniteEstimate) {

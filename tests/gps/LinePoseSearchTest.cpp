@@ -14,7 +14,7 @@ int framesUntilServed(experiments::StandingRobot& robot, WorldModel& world, int 
   for (int i = 0; i < most; ++i) {
     robot.look(false);
     world = robot.step();
-    if (robot.state->search.served) return i + 1;
+    if (robot.state->lines.search.served) return i + 1;
   }
   return -1;
 }
@@ -53,12 +53,12 @@ TEST(LinePoseSearch, TakesManyFramesAndAnswersOnceForOneRequest) {
   for (int i = 0; i < 100; ++i) {
     robot.look(false);
     robot.step();
-    ASSERT_FALSE(robot.state->search.running);
+    ASSERT_FALSE(robot.state->lines.search.running);
   }
   robot.input.lastCommand.localise = false;
   robot.look(false);
   robot.step();
-  EXPECT_FALSE(robot.state->search.served);
+  EXPECT_FALSE(robot.state->lines.search.served);
 }
 
 TEST(LinePoseSearch, BeginsByItselfWhenLostAndOnlyWhileStanding) {
@@ -68,28 +68,28 @@ TEST(LinePoseSearch, BeginsByItselfWhenLostAndOnlyWhileStanding) {
     robot.input.odometry.forward = 0.5;
     robot.step();
   }
-  EXPECT_TRUE(robot.state->lost);
+  EXPECT_TRUE(robot.state->pose.lost);
   robot.input.odometry = {};
   for (int i = 0; i < 400; ++i) {
     robot.look(false);
     robot.step();
   }
-  EXPECT_FALSE(robot.state->lost);
+  EXPECT_FALSE(robot.state->pose.lost);
 }
 
 TEST(LinePoseSearch, AMoveDropsWhatWasBegun) {
   experiments::StandingRobot robot(502);
   robot.input.lastCommand.localise = true;
-  for (int i = 0; i < 400 && robot.state->search.next < 20; ++i) {
+  for (int i = 0; i < 400 && robot.state->lines.search.next < 20; ++i) {
     robot.look(false);
     robot.step();
   }
-  ASSERT_TRUE(robot.state->search.running);
+  ASSERT_TRUE(robot.state->lines.search.running);
   robot.input.odometry.turn = Angle::deg(2);
   robot.step();
-  EXPECT_FALSE(robot.state->search.running);
-  EXPECT_EQ(robot.state->search.next, 0U);
-  EXPECT_TRUE(robot.state->search.best.empty());
+  EXPECT_FALSE(robot.state->lines.search.running);
+  EXPECT_EQ(robot.state->lines.search.next, 0U);
+  EXPECT_TRUE(robot.state->lines.search.best.empty());
 }
 
 }  // namespace

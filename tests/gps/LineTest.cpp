@@ -7,6 +7,7 @@
 #include "gps/LineUpdate.h"
 #include "gps/MatchTable.h"
 #include "gps/Modes.h"
+#include "gps/Refusal.h"
 #include "tests/gps/Field2006.h"
 #include "tools/experiments/SimulatedRobot.h"
 
@@ -137,7 +138,7 @@ double meanErrorByLines(bool use) {
   double sum = 0.0;
   for (std::uint64_t run = 0; run < 10; ++run) {
     SimulatedRobot robot({180, 250, 1.0}, run);
-    robot.params.line.use = use;
+    robot.params.lines.update.use = use;
     robot.params.initialPose = {true, {{195, 240}, Angle::rad(1.1)}, 20.0, Angle::deg(10)};
     for (int i = 0; i < 90; ++i) {
       robot.walk(0.7, 0.0, 0.01);

@@ -4,6 +4,7 @@
 
 #include <limits>
 
+#include "gps/Refusal.h"
 #include "tools/experiments/SimulatedRobot.h"
 
 namespace kelpie::gps {
@@ -80,12 +81,12 @@ TEST(Localise, PoseTurnedRoundIsGivenUpWithOneGoalInSight) {
     SimulatedRobot robot({180, 230, -1.6}, seed);
     robot.lookAround(0.0);
     robot.step();
-    robot.state.modes.clear();
+    robot.state.pose.modes.clear();
     for (int i = 0; i < 8; ++i) {
       const Pose2 wrong{{120.0 + 12.0 * i, 235.0}, Angle::deg(100.0 + 3.0 * i)};
-      robot.state.modes.push_back({0.125, wrong, {25, 0, 0, 0, 25, 0, 0, 0, 0.003}});
+      robot.state.pose.modes.push_back({0.125, wrong, {25, 0, 0, 0, 25, 0, 0, 0, 0.003}});
     }
-    robot.state.lost = false;
+    robot.state.pose.lost = false;
     WorldModel world;
     for (int i = 0; i < 90; ++i) {
       robot.lookAround(0.0);

@@ -45,15 +45,16 @@ TEST(ModeSampling, MovesTowardsTheTruePose) {
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
     SimulatedRobot robot({180, 130, -1.4}, seed);
     robot.params.initialPose = {true, {{190, 122}, Angle::rad(-1.35)}, 10.0, Angle::deg(5)};
-    robot.params.line.use = false;
+    robot.params.lines.update.use = false;
     before += robot.error(robot.step());
     for (int frame = 0; frame < 20; ++frame) {
       robot.lookAtLines(0.0);
-      ASSERT_TRUE(updateBySampling(seenLines(robot.percepts.linePoints, {}), {}, robot.params,
-                                   robot.state));
-      mergeAndPrune(robot.params, robot.state);
+      GpsState& state = robot.state;
+      ASSERT_TRUE(updateBySampling(seenLines(robot.percepts.linePoints, {}), {},
+                                   state.lines.features, {}, state.pose.modes));
+      mergeAndPrune(robot.params.field, robot.params.modes, state.pose, state.counts);
     }
-    const Pose2 pose = robot.state.modes[0].pose;
+    const Pose2 pose = robot.state.pose.modes[0].pose;
     after += std::hypot(pose.position.x - 180, pose.position.y - 130);
   }
   EXPECT_LT(after, 0.5 * before);

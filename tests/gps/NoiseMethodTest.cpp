@@ -29,10 +29,10 @@ void seeFalsely(SimulatedRobot& robot) {
 
 TEST(NoiseMethod, RefusingKeepsThePlaceAndGrows) {
   SimulatedRobot robot = localised(NoiseMethod::refuse);
-  const double before = robot.state.modes[0].covariance[0];
+  const double before = robot.state.pose.modes[0].covariance[0];
   seeFalsely(robot);
-  ASSERT_EQ(robot.state.modes.size(), 1U);
-  EXPECT_NEAR(robot.state.modes[0].covariance[0], before + 100.0, 5.0);
+  ASSERT_EQ(robot.state.pose.modes.size(), 1U);
+  EXPECT_NEAR(robot.state.pose.modes[0].covariance[0], before + 100.0, 5.0);
   EXPECT_LT(robot.error(robot.step()), 0.5);
 }
 
@@ -40,7 +40,7 @@ TEST(NoiseMethod, SplittingKeepsAnUncorrectedCopyInFront) {
   for (const NoiseMethod method : {NoiseMethod::split, NoiseMethod::splitAndWide}) {
     SimulatedRobot robot = localised(method);
     seeFalsely(robot);
-    EXPECT_GE(robot.state.modes.size(), 2U);
+    EXPECT_GE(robot.state.pose.modes.size(), 2U);
     EXPECT_LT(robot.error(robot.step()), 0.5);
   }
 }
@@ -50,7 +50,7 @@ TEST(NoiseMethod, OnlyTheThirdHasAWideMode) {
     SimulatedRobot robot = localised(method);
     seeFalsely(robot);
     double most = 0.0;
-    for (const PoseMode& mode : robot.state.modes) most = std::max(most, mode.covariance[0]);
+    for (const PoseMode& mode : robot.state.pose.modes) most = std::max(most, mode.covariance[0]);
     return most;
   };
   EXPECT_LT(widest(NoiseMethod::split), 400.0);

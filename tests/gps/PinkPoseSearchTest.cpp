@@ -71,7 +71,7 @@ TEST(PinkPoseSearch, FindsTheRobotWhereverItWasPut) {
 TEST(PinkPoseSearch, WithoutPinksItDoesNotGuessBetweenTwins) {
   CarriedRobot robot({100, 150, 1.0}, 3);
   const WorldModel world = robot.lookRound(600, false);
-  EXPECT_TRUE(robot.state.lost);
+  EXPECT_TRUE(robot.state.pose.lost);
   EXPECT_GT(world.positionSd, 100.0);
 }
 
@@ -87,7 +87,7 @@ TEST(PinkPoseSearch, TwinsThatNothingTellsApartAreNeverGuessedAndTheSurveyIsRene
     robot.lookRound(210);
     oldest = std::max(oldest, robot.state.pinks.survey.seconds);
   }
-  EXPECT_TRUE(robot.state.lost);
+  EXPECT_TRUE(robot.state.pose.lost);
   EXPECT_LT(oldest, p.keepSeconds + p.againSeconds + 5.0);  // a search takes a second or two
 }
 
@@ -96,20 +96,20 @@ TEST(PinkPoseSearch, AfterManySearchesALikelyPoseIsEnough) {
   robot.params.pinks.search.sureShare = 1.1;  // never
   robot.params.pinks.search.patience = 1000;
   robot.lookRound(420);
-  EXPECT_TRUE(robot.state.lost);
+  EXPECT_TRUE(robot.state.pose.lost);
   robot.params.pinks.search.patience = 2;
   const WorldModel world = robot.lookRound(420);
-  EXPECT_FALSE(robot.state.lost);
+  EXPECT_FALSE(robot.state.pose.lost);
   EXPECT_LT(robot.error(world), 30.0);
 }
 
 TEST(PinkPoseSearch, BeginsAgainWhenPlayDoes) {
   CarriedRobot robot({100, 150, 1.0}, 3);
   robot.lookRound(600);
-  EXPECT_FALSE(robot.state.lost);
+  EXPECT_FALSE(robot.state.pose.lost);
   robot.input.game.state = PlayState::set;
   robot.step();
-  EXPECT_TRUE(robot.state.lost);
+  EXPECT_TRUE(robot.state.pose.lost);
   EXPECT_TRUE(robot.state.pinks.survey.points.empty());
 }
 
@@ -119,7 +119,7 @@ TEST(PinkPoseSearch, LandmarksDoNotCountWhileLocalisingByPinks) {
     robot.lookAround(0.0);
     robot.step();
   }
-  EXPECT_TRUE(robot.state.lost);
+  EXPECT_TRUE(robot.state.pose.lost);
   EXPECT_EQ(robot.state.counts.updates, 0U);
 }
 

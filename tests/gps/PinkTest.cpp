@@ -6,8 +6,11 @@
 #include <cmath>
 #include <limits>
 
+#include "gps/GpsParams.h"
+#include "gps/GpsState.h"
 #include "gps/PinkMap.h"
 #include "gps/PinkUpdate.h"
+#include "gps/Refusal.h"
 #include "tools/experiments/SimulatedRobot.h"
 
 namespace kelpie::gps {
@@ -34,13 +37,20 @@ struct Mapper {
     mode.weight = 1.0;
     mode.pose = {{180.0, 270.0}, Angle::deg(90.0)};
     mode.covariance = {4, 0, 0, 0, 4, 0, 0, 0, 1e-4};
-    state.modes.push_back(mode);
-    state.lost = false;
+    state.pose.modes.push_back(mode);
+    state.pose.lost = false;
   }
   void see(const PinkBearing& bearing) {
     PinkBearings bearings;
     bearings.push_back(bearing);
-    mapPatches(bearings, TeamColour::red, params, state);
+    const auto landmarks = body::landmarksFor(params.field, TeamColour::red);
+    mapPatches({bearings, state.pose, landmarks}, params.pinks, state.pinks.map, state.counts);
+  }
+  bool update(const PinkBearing& bearing) {
+    const PaintedField field{params.field, state.lines.features, state.lines.painted};
+    return updateByPink(bearing,
+                        {field, params.pinks, params.modes, params.gates, params.lines.update},
+                        state.pinks, state.pose.modes);
   }
   int refused(Refusal reason) const {
     return state.counts.refused[static_cast<std::size_t>(reason)];
@@ -86,13 +96,13 @@ TEST(PinkMap, HeightAtTheWallKeepsAndDropsAtItsLimits) {
 }
 
 TEST(PinkMap, RayPastABeaconIsRefusedOneBehindIsNot) {
-  const body::FieldDescription field = *body::fieldDescription("2006");
+  const auto landmarks = body::landmarksFor(*body::fieldDescription("2006"), TeamColour::red);
   // The beacon at (-15, 135), seen from (180, 135).
-  EXPECT_FALSE(clearOfBeacons({{180, 135}, {-1, 0}}, field, TeamColour::red, 25.0));
-  EXPECT_TRUE(clearOfBeacons({{180, 161}, {-1, 0}}, field, TeamColour::red, 25.0));
-  EXPECT_FALSE(clearOfBeacons({{180, 159}, {-1, 0}}, field, TeamColour::red, 25.0));
-  EXPECT_TRUE(clearOfBeacons({{0, 135}, {0.0, 1.0}}, field, TeamColour::red, 10.0));
-  EXPECT_TRUE(clearOfBeacons({{0, 140}, {0.6, -0.8}}, field, TeamColour::red, 25.0));
+  EXPECT_FALSE(clearOfBeacons({{180, 135}, {-1, 0}}, landmarks, 25.0));
+  EXPECT_TRUE(clearOfBeacons({{180, 161}, {-1, 0}}, landmarks, 25.0));
+  EXPECT_FALSE(clearOfBeacons({{180, 159}, {-1, 0}}, landmarks, 25.0));
+  EXPECT_TRUE(clearOfBeacons({{0, 135}, {0.0, 1.0}}, landmarks, 10.0));
+  EXPECT_TRUE(clearOfBeacons({{0, 140}, {0.6, -0.8}}, landmarks, 25.0));
 }
 
 TEST(PinkMap, SightingsAreMappedByTheirReasonOrCounted) {
@@ -105,7 +115,7 @@ TEST(PinkMap, SightingsAreMappedByTheirReasonOrCounted) {
   const double beacon = std::atan2(405.0 - 270.0, 375.0 - 180.0) * 180 / maths::kPi - 90.0;
   mapper.see(bearingTo(beacon));
   EXPECT_EQ(mapper.refused(Refusal::pinkNearBeacon), 1);
-  mapper.state.modes[0].covariance[0] = 400.0;
+  mapper.state.pose.modes[0].covariance[0] = 400.0;
   mapper.see(bearingTo(0));
   EXPECT_EQ(mapper.refused(Refusal::pinkPoseUnsure), 1);
   EXPECT_EQ(mapper.state.pinks.map[0].weight, 1.0);
@@ -149,58 +159,58 @@ TEST(PinkUpdate, MakesMTimesNPlusOneModesWithTheirWeights) {
   Mapper mapper;
   GpsState& state = mapper.state;
   GpsParams& params = mapper.params;
-  state.modes[0].weight = 0.75;
-  state.modes.push_back(state.modes[0]);
-  state.modes[1].weight = 0.25;
-  state.modes[1].pose.position = {180.0, 200.0};
+  state.pose.modes[0].weight = 0.75;
+  state.pose.modes.push_back(state.pose.modes[0]);
+  state.pose.modes[1].weight = 0.25;
+  state.pose.modes[1].pose.position = {180.0, 200.0};
   state.pinks.map.push_back({{180.0, 585.0}, 10.0});
   state.pinks.map.push_back({{395.0, 270.0}, 10.0});
   params.pinks.mapSd = 0.0;
-  ASSERT_TRUE(updateByPink(bearingTo(0), params, state));
-  ASSERT_EQ(state.modes.size(), 6U);
+  ASSERT_TRUE(mapper.update(bearingTo(0)));
+  ASSERT_EQ(state.pose.modes.size(), 6U);
   // Mode 0 and the patch ahead: the innovation is 0, so w S / N = 0.75 / 2.
-  EXPECT_NEAR(state.modes[1].weight, 0.375, 1e-9);
+  EXPECT_NEAR(state.pose.modes[1].weight, 0.375, 1e-9);
   // Mode 0 and the patch at its right, 215 cm away: innovation 90 deg; the gradient of the bearing
   // is (d.y, -d.x) / r2 = (0, -1 / 215) and -1, so e = 4 / 215^2 + 1e-4 + sd^2.
   const double sd2 = maths::square(1.5 * maths::kPi / 180);
   const double e = 4.0 / (215.0 * 215.0) + 1e-4 + sd2;
   const double s = std::exp(-0.5 * maths::square(maths::kPi / 2) / e);
-  EXPECT_NEAR(state.modes[2].weight, 0.375 * s, 1e-12);
-  EXPECT_NEAR(state.modes[0].weight, 0.75 * params.modes.outlierWeight, 1e-12);
-  EXPECT_NEAR(state.modes[3].weight, 0.25 * params.modes.outlierWeight, 1e-12);
+  EXPECT_NEAR(state.pose.modes[2].weight, 0.375 * s, 1e-12);
+  EXPECT_NEAR(state.pose.modes[0].weight, 0.75 * params.modes.outlierWeight, 1e-12);
+  EXPECT_NEAR(state.pose.modes[3].weight, 0.25 * params.modes.outlierWeight, 1e-12);
   // Its heading: h' = h - gain * innovation with innovation 0; the variance shrinks to
   // P - P H' H P / e with H = (0, 0, -1) and (1 / 315) across: only x and heading.
   const double ahead = 4.0 / (315.0 * 315.0) + 1e-4 + sd2;
-  EXPECT_NEAR(state.modes[1].covariance[8], 1e-4 - 1e-8 / ahead, 1e-9);
-  EXPECT_NEAR(state.modes[1].covariance[0], 4.0 - maths::square(4.0 / 315.0) / ahead, 1e-6);
+  EXPECT_NEAR(state.pose.modes[1].covariance[8], 1e-4 - 1e-8 / ahead, 1e-9);
+  EXPECT_NEAR(state.pose.modes[1].covariance[0], 4.0 - maths::square(4.0 / 315.0) / ahead, 1e-6);
 }
 
 TEST(PinkUpdate, KeepsTheHeaviestWhenThereIsNoRoom) {
   Mapper mapper;
   GpsState& state = mapper.state;
-  for (int i = 1; i < 8; ++i) state.modes.push_back(state.modes[0]);
-  for (std::size_t i = 0; i < 8; ++i) state.modes[i].weight = i == 7 ? 0.93 : 0.01;
+  for (int i = 1; i < 8; ++i) state.pose.modes.push_back(state.pose.modes[0]);
+  for (std::size_t i = 0; i < 8; ++i) state.pose.modes[i].weight = i == 7 ? 0.93 : 0.01;
   for (int i = 0; i < 16; ++i) state.pinks.map.push_back({{25.0 * i + 5.0, 585.0}, 10.0});
-  ASSERT_TRUE(updateByPink(bearingTo(0), mapper.params, state));
-  EXPECT_EQ(state.modes.size(), kWorkModes);
+  ASSERT_TRUE(mapper.update(bearingTo(0)));
+  EXPECT_EQ(state.pose.modes.size(), kWorkModes);
   double heaviest = 0.0;
-  for (const PoseMode& mode : state.modes) heaviest = std::max(heaviest, mode.weight);
+  for (const PoseMode& mode : state.pose.modes) heaviest = std::max(heaviest, mode.weight);
   EXPECT_NEAR(heaviest, 0.93 / 16, 1e-9);
 }
 
 TEST(PinkUpdate, PatchTooHighForAMappedOneIsNotTakenForIt) {
   Mapper mapper;
   mapper.state.pinks.map.push_back({{180.0, 585.0}, 10.0});
-  ASSERT_TRUE(updateByPink(bearingTo(0, 30), mapper.params, mapper.state));
-  EXPECT_EQ(mapper.state.modes.size(), 1U);  // the copy alone
+  ASSERT_TRUE(mapper.update(bearingTo(0, 30)));
+  EXPECT_EQ(mapper.state.pose.modes.size(), 1U);  // the copy alone
 }
 
 TEST(PinkUpdate, WithoutAMapNothingChanges) {
   Mapper mapper;
-  EXPECT_FALSE(updateByPink(bearingTo(0), mapper.params, mapper.state));
+  EXPECT_FALSE(mapper.update(bearingTo(0)));
   mapper.state.pinks.map.push_back({{180.0, 585.0}, 1.0});  // too little weight to be believed
-  EXPECT_FALSE(updateByPink(bearingTo(0), mapper.params, mapper.state));
-  EXPECT_EQ(mapper.state.modes.size(), 1U);
+  EXPECT_FALSE(mapper.update(bearingTo(0)));
+  EXPECT_EQ(mapper.state.pose.modes.size(), 1U);
 }
 
 PinkPercept perceptAt(double distance, double headingDeg, double size) {
@@ -231,7 +241,7 @@ TEST(PinkBearing, LargestComeFirstAndBrokenOnesAreCounted) {
   percepts.pinkPatches.push_back(perceptAt(250.0, 10.0, 5.0));
   percepts.pinkPatches.push_back(perceptAt(250.0, kNan, 30.0));
   percepts.pinkPatches.push_back(perceptAt(250.0, 20.0, 9.0));
-  const PinkBearings bearings = bearingsOf(input, percepts, mapper.state);
+  const PinkBearings bearings = bearingsOf({input, percepts}, mapper.state.counts);
   ASSERT_EQ(bearings.size(), 2U);
   EXPECT_NEAR(bearings[0].area, 81.0, 1e-9);
   EXPECT_EQ(mapper.refused(Refusal::pinkNotFinite), 1);

@@ -3,7 +3,8 @@
 
 #include <limits>
 
-#include "gps/OnField.h"
+#include "gps/Information.h"
+#include "gps/Refusal.h"
 #include "gps/Team.h"
 #include "gps/TeamBall.h"
 #include "tools/experiments/SimulatedRobot.h"

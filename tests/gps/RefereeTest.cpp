@@ -79,12 +79,13 @@ TEST(DropIn, ALostRobotDoesNotKnowWhatIsOut) {
   watcher.ball = {330, 270};
   for (int i = 0; i < 10; ++i) watcher.step(true);
   GpsState& state = watcher.robot.state;
-  for (BallHypothesis* ball : {&state.ball.still, &state.ball.rolling, &state.ball.both})
+  for (BallHypothesis* ball :
+       {&state.ball.track.still, &state.ball.track.rolling, &state.ball.track.both})
     ball->mean[0] += 60.0;  // 390 cm across the field, 30 cm beyond the line
-  state.ball.secondsSinceSeen = 10.0;
-  state.lost = true;
+  state.ball.track.secondsSinceSeen = 10.0;
+  state.pose.lost = true;
   EXPECT_GT(watcher.step(false).ball.position.x, 360.0);
-  state.lost = false;
+  state.pose.lost = false;
   EXPECT_LT(watcher.step(false).ball.position.x, 330.0);
 }
 

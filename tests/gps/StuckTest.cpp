@@ -5,6 +5,7 @@
 #include <cstring>
 #include <limits>
 
+#include "gps/Refusal.h"
 #include "gps/Stuck.h"
 #include "tools/experiments/SimulatedRobot.h"
 
@@ -60,7 +61,7 @@ TEST(Stuck, TheEffortOfAFasterStepBeforeIsNoHold) {
   SimulatedRobot robot = walker(freeEffort(40.0, params));
   const auto excessAt = [&](double speed) {
     robot.input.odometry = {speed * kFrameSeconds, 0.0, {}};
-    return excessEffort(robot.input, params, robot.state);
+    return excessEffort(robot.input, params, robot.state.pose.stuck, robot.state.counts);
   };
   for (int i = 0; i < 60; ++i) excessAt(40.0);
   ASSERT_GT(freeEffort(40.0, params), freeEffort(0.0, params) + params.margin);
@@ -100,14 +101,18 @@ TEST(Stuck, AHeldWalkIsBelievedShorterAndLessSure) {
   EXPECT_EQ(b.stuck, 0.0);
 }
 
+double excessOf(SimulatedRobot& robot) {
+  return excessEffort(robot.input, robot.params.stuck, robot.state.pose.stuck, robot.state.counts);
+}
+
 TEST(Stuck, EffortMeansNothingWhileStandingOrInAMotion) {
   SimulatedRobot robot = walker(0.9);
-  EXPECT_GT(excessEffort(robot.input, robot.params.stuck, robot.state), 0.0);
+  EXPECT_GT(excessOf(robot), 0.0);
   robot.input.motion.running = MotionKind::kickForward;
-  EXPECT_EQ(excessEffort(robot.input, robot.params.stuck, robot.state), 0.0);
+  EXPECT_EQ(excessOf(robot), 0.0);
   robot.input.motion.running = MotionKind::none;
   robot.input.lastCommand.walk = {};
-  EXPECT_EQ(excessEffort(robot.input, robot.params.stuck, robot.state), 0.0);
+  EXPECT_EQ(excessOf(robot), 0.0);
 }
 
 TEST(Stuck, WhatNoLegsCanMakeIsRefusedAndCounted) {
@@ -171,7 +176,7 @@ TEST(Stuck, PausedLinesCorrectNothing) {
   double sd[2];
   for (const bool paused : {false, true}) {
     SimulatedRobot robot = walker(0.0);
-    robot.state.stuck.paused = paused;
+    robot.state.pose.stuck.paused = paused;
     robot.params.stuck.pauseSeconds = paused ? 10.0 : 0.0;
     for (int frame = 0; frame < 10; ++frame) {
       robot.lookAtLines(0.0);

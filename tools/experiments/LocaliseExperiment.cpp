@@ -45,8 +45,9 @@ std::vector<Listener> listeners(const gps::GpsParams& params, const Pose2& start
   helped.trueHeadings = true;
   add("true_headings", helped);
   gps::GpsParams other = params;
-  other.line.combine = params.line.combine == gps::LineCombine::joint ? gps::LineCombine::separate
-                                                                      : gps::LineCombine::joint;
+  other.lines.update.combine = params.lines.update.combine == gps::LineCombine::joint
+                                   ? gps::LineCombine::separate
+                                   : gps::LineCombine::joint;
   all.emplace_back("other_combine", other, Hearing{});
   helped = {};
   helped.noFalse = true;

@@ -43,7 +43,7 @@ Errors walk(const Conditions& conditions, std::uint64_t seed) {
   const gps::Truth start{random.uniform(110.0, 250.0), random.uniform(150.0, 390.0),
                          conditions.heading * maths::kPi / 180.0};
   gps::SimulatedRobot robot(start, seed);
-  robot.params.line.combine = conditions.combine;
+  robot.params.lines.update.combine = conditions.combine;
   if (!conditions.landmarks) {
     robot.params.initialPose.present = true;
     robot.params.initialPose.pose = {

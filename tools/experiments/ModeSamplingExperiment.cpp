@@ -50,8 +50,8 @@ gps::SimulatedRobot robotOf(Method method, bool landmarks, std::uint64_t seed) {
   const gps::Truth start{random.uniform(110.0, 250.0), random.uniform(150.0, 390.0),
                          random.uniform(-maths::kPi, maths::kPi)};
   gps::SimulatedRobot robot(start, seed);
-  robot.params.line.use = method == Method::fit;
-  robot.params.lineMap.use = false;
+  robot.params.lines.update.use = method == Method::fit;
+  robot.params.lines.map.use = false;
   if (landmarks) return robot;
   const double x = start.x + random.gaussian(0.0, 20.0);
   const double y = start.y + random.gaussian(0.0, 20.0);
@@ -62,13 +62,16 @@ gps::SimulatedRobot robotOf(Method method, bool landmarks, std::uint64_t seed) {
 
 WorldModel stepOf(Method method, gps::SimulatedRobot& robot) {
   const WorldModel world = robot.step();
-  if (method == Method::fit || robot.state.lost) return world;
+  if (method == Method::fit || robot.state.pose.lost) return world;
   gps::SamplingFloor floor;
   if (method == Method::samplingFloored) floor = {4.0, Angle::deg(2)};
-  const auto seen = gps::seenLines(robot.percepts.linePoints, robot.params.line);
-  if (!gps::updateBySampling(seen, floor, robot.params, robot.state)) return world;
-  gps::mergeAndPrune(robot.params, robot.state);
-  return gps::extract(robot.state);
+  const auto seen = gps::seenLines(robot.percepts.linePoints, robot.params.lines.update);
+  gps::GpsState& state = robot.state;
+  if (!gps::updateBySampling(seen, floor, state.lines.features, robot.params.lines.update,
+                             state.pose.modes))
+    return world;
+  gps::mergeAndPrune(robot.params.field, robot.params.modes, state.pose, state.counts);
+  return gps::extract(state, robot.params.ball);
 }
 
 Outcome walk(Method method, bool landmarks, std::uint64_t seed) {

@@ -34,7 +34,7 @@ void stand(StandingRobot& robot, bool search, Stands& stands) {
   const PoseError here = poseError(world, robot.truth);
   const PoseError twin = poseError(world, robot.twin());
   stands.errors.add(search && twin.cm < here.cm ? twin : here);
-  const gps::LineMap& map = robot.state->map;
+  const gps::LineMap& map = robot.state->lines.map;
   stands.points.push_back(static_cast<double>(map.points.size()));
   stands.lines.push_back(static_cast<double>(gps::countOf(map, LinePointKind::line)));
 }
@@ -52,7 +52,7 @@ Expected<Json> stationaryMap(const Request& request) {
   eachTrial(request, [&](const Trial& trial) {
     for (const bool map : {true, false}) {
       StandingRobot robot(trial.seed);
-      robot.params.lineMap.use = map;
+      robot.params.lines.map.use = map;
       robot.believeCoarsely();
       stand(robot, false, map ? with : without);
     }

@@ -41,7 +41,7 @@ class Stand {
     Hearing lines;
     lines.landmarks = false;
     with_ = std::make_unique<Listener>("with", known, lines);
-    known.lineMap.use = false;
+    known.lines.map.use = false;
     without_ = std::make_unique<Listener>("without", known, lines);
   }
   void frame(const WatchedFrame& frame) {

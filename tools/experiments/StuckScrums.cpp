@@ -158,7 +158,7 @@ std::vector<Listener> listeners(const gps::GpsParams& params) {
     gps::GpsParams other = params;
     other.stuck.use = variant.aware;
     other.stuck.pauseSeconds = variant.pause;
-    other.line.combine = variant.combine;
+    other.lines.update.combine = variant.combine;
     other.modes.noiseMethod = variant.method;
     all.emplace_back(variant.name, other, Hearing{});
   }

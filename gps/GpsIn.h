@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a step of the localiser is given.
+#pragma once
+
+#include "robot/core/FrameInput.h"
+#include "robot/core/Percepts.h"
+
+namespace kelpie::gps {
+
+struct GpsIn {
+  const FrameInput& input;
+  const Percepts& percepts;
+};
+
+}  // namespace kelpie::gps

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the filter of the pose remembers between frames: the modes, and how walking goes. Plain
+// data.
+#pragma once
+
+#include <cstdint>
+
+#include "robot/core/FixedVector.h"
+#include "robot/core/WorldModel.h"
+
+namespace kelpie::gps {
+
+// Each of the modes and the wide one may be split in two.
+constexpr std::size_t kWorkModes = 2 * (kMaxModes + 1);
+using Modes = FixedVector<PoseMode, kWorkModes>;
+
+// How hard walking has been recently.
+struct StuckState {
+  double share = 0.0;           // of the way that is thought lost now
+  double speed = 0.0;           // cm/s of the feet, a mean over about a step
+  bool paused = false;          // no lines until the pose is confirmed
+  double secondsPaused = 0.0;   // since something last held us
+  std::uint32_t confirmed = 0;  // landmarks that the best mode predicted since
+};
+
+struct PoseState {
+  bool started = false;
+  bool lost = true;  // no landmark has been used since the start or the last loss of all modes
+  Modes modes;
+  std::uint32_t unexplained = 0;  // landmarks in a row that no mode predicted
+  double secondsSinceLandmark = 0.0;
+  double secondsSinceLines = 0.0;
+  StuckState stuck;
+};
+
+}  // namespace kelpie::gps
