@@ -16,13 +16,13 @@ namespace kelpie::vision {
 namespace {
 
 constexpr int kSpokes = 16;
-constexpr int kAround = 6;  // steps of 30 deg along the lower half
+constexpr int kFieldSteps = 6;  // of 30 deg along the lower half: seven points looked at for green
 // Points outside the image count as carpet below this row: half the image.
-constexpr double kLowerPart = 80.0;
+constexpr double kCarpetFromRow = 80.0;
 constexpr std::size_t kMaxCandidates = 6;
 // A nearly straight edge is an arc of a ball that touches the camera: facts-2005 section 4.5
 // check 2.
-constexpr double kLargestRadius = 2000.0;  // px
+constexpr double kMaxRadius = 2000.0;  // px
 
 double turn(int step, int steps) { return 2.0 * maths::kPi * step / steps; }
 
@@ -33,8 +33,8 @@ EdgePoints edgePoints(const Scene& scene, PixelPoint from, double size, double r
   EdgePoints points;
   for (int i = 0; i < kSpokes; ++i) {
     const auto direction = maths::sinCos(turn(i, kSpokes));
-    const EdgeHit hit =
-        walkToEdge(scene.sampler, {from, direction.cos, direction.sin, ColourClass::orange, holes});
+    const EdgeHit hit = walkToEdge(
+        scene.sampler, {from, {direction.cos, direction.sin}, ColourClass::orange, holes});
     if (!hit.cut && hit.length <= reach) points.push_back(hit.point);
   }
   return points;
@@ -66,7 +66,7 @@ std::optional<PixelPoint> lowestOf(const Scene& scene, const Blob& blob) {
   for (std::size_t i = scene.runs.size(); i-- > 0;) {
     const Run& run = scene.runs[i];
     if (run.colour != ColourClass::orange || rootOf(scene.runs, i) != index) continue;
-    return scene.level.toImage(
+    return scene.frame.toImage(
         {scene.lattice.u(0.5 * (run.first + run.last)), scene.lattice.v(run.row)});
   }
   return std::nullopt;
@@ -77,7 +77,7 @@ std::optional<PixelPoint> lowestOf(const Scene& scene, const Blob& blob) {
 BallCandidate fromFoot(const Scene& scene, const Blob& blob) {
   BallCandidate c;
   c.blob = &blob;
-  c.apart = false;
+  c.standsAlone = false;
   const auto lowest = lowestOf(scene, blob);
   if (!lowest) return c;
   const auto ground = body::groundPoint(scene.body.camera, *lowest);
@@ -86,8 +86,7 @@ BallCandidate fromFoot(const Scene& scene, const Blob& blob) {
   const double along = maths::hypot(ground->x - eye.x, ground->y - eye.y);
   const double radius =
       body::kFocalLength * body::kBallRadius / std::max(maths::hypot(along, eye.z), 10.0);
-  const ImageUp up = scene.level.up();
-  const PixelPoint middle{lowest->x + radius * up.dx, lowest->y + radius * up.dy};
+  const PixelPoint middle = moved(*lowest, scene.frame.up(), radius);
   if (!Sampler::usable(middle) || scene.sampler.classAt(middle) != ColourClass::orange) return c;
   measure(scene, edgePoints(scene, middle, 2.0 * radius, 1.7 * radius + 1.0), c);
   return c;
@@ -124,7 +123,7 @@ struct Range {
 };
 
 // By size, and by the ground below when the ray descends; weighted by their variances.
-Range fusedRange(const Scene& scene, const BallCandidate& c, const BallParams& p) {
+Range fusedRange(const Scene& scene, const BallCandidate& c, const BallFinderParams& p) {
   Range range{c.range, maths::square(c.range * p.edgeSd / c.cone.radius)};
   constexpr double kMinDescent = 0.02;
   if (c.axis.z > -kMinDescent) return range;
@@ -134,7 +133,7 @@ Range fusedRange(const Scene& scene, const BallCandidate& c, const BallParams& p
   return {range.value + weight * (ground - range.value), range.variance * (1.0 - weight)};
 }
 
-BallPercept perceptOf(const Scene& scene, const BallCandidate& c, const BallParams& p) {
+BallPercept perceptOf(const Scene& scene, const BallCandidate& c, const BallFinderParams& p) {
   const Range range = fusedRange(scene, c, p);
   const Point3<Robot>& camera = scene.body.camera.position;
   const Point2<Robot> place{camera.x + range.value * c.axis.x, camera.y + range.value * c.axis.y};
@@ -152,7 +151,7 @@ BallPercept perceptOf(const Scene& scene, const BallCandidate& c, const BallPara
 }
 
 // Every check in order; the first that fails is counted.
-bool accepted(const Scene& scene, const BallCandidate& c, const BallParams& p,
+bool accepted(const Scene& scene, const BallCandidate& c, const BallFinderParams& p,
               VisionCounts& counts) {
   const auto check = [&counts](bool keep, Refusal reason) {
     if (!keep) refuse(counts, reason);
@@ -172,9 +171,9 @@ bool accepted(const Scene& scene, const BallCandidate& c, const BallParams& p,
 }
 
 // Cheap forms of two checks, so that orange shirts do not use up the candidates.
-bool mayLieOnField(const Scene& scene, const Blob& blob, const BallParams& p,
+bool mayLieOnField(const Scene& scene, const Blob& blob, const BallFinderParams& p,
                    VisionCounts& counts) {
-  const PixelPoint lowest = scene.level.toImage({blob.box.middle(), blob.box.bottom});
+  const PixelPoint lowest = scene.frame.toImage({blob.box.middle(), blob.box.bottom});
   if (belowHorizon(scene, lowest) < -p.maxAboveHorizon) {
     refuse(counts, Refusal::ballAboveHorizon);
     return false;
@@ -187,7 +186,8 @@ bool mayLieOnField(const Scene& scene, const Blob& blob, const BallParams& p,
 }
 
 // The largest orange blobs that may be on the field, largest first.
-FixedVector<const Blob*, kMaxCandidates> largestOrange(const Scene& scene, const BallParams& p,
+FixedVector<const Blob*, kMaxCandidates> largestOrange(const Scene& scene,
+                                                       const BallFinderParams& p,
                                                        VisionCounts& counts) {
   FixedVector<const Blob*, kMaxCandidates> found;
   for (const Blob& blob : scene.blobs) {
@@ -203,22 +203,22 @@ FixedVector<const Blob*, kMaxCandidates> largestOrange(const Scene& scene, const
 
 }  // namespace
 
-bool ballHasEdges(const BallCandidate& c, const BallParams& p) {
-  const double least = c.apart ? p.minEdgePoints : 0.55 * kSpokes;
-  return c.cone.valid && static_cast<double>(c.cone.kept) >= least;
+bool ballHasEdges(const BallCandidate& c, const BallFinderParams& p) {
+  const double needed = c.standsAlone ? p.minEdgePoints : 0.55 * kSpokes;
+  return c.cone.valid && static_cast<double>(c.cone.kept) >= needed;
 }
 
-bool ballIsRound(const BallCandidate& c, const BallParams& p) {
-  return c.cone.radius <= kLargestRadius &&
+bool ballIsRound(const BallCandidate& c, const BallFinderParams& p) {
+  return c.cone.radius <= kMaxRadius &&
          c.cone.rms <= std::max(p.maxCircleError * c.cone.radius, p.minCircleError);
 }
 
-bool ballIsOrange(const Scene& scene, const BallCandidate& c, const BallParams& p) {
+bool ballIsOrange(const Scene& scene, const BallCandidate& c, const BallFinderParams& p) {
   const ClassCounts inside = countInside(scene, c.cone);
   return count(inside, ColourClass::orange) >= p.minOrangeShare * inside[kColourClassCount];
 }
 
-bool ballHasNoOtherColour(const Scene& scene, const BallCandidate& c, const BallParams& p) {
+bool ballHasNoOtherColour(const Scene& scene, const BallCandidate& c, const BallFinderParams& p) {
   const ClassCounts inside = countInside(scene, c.cone);
   const int other = count(inside, ColourClass::pink) + count(inside, ColourClass::yellow) +
                     count(inside, ColourClass::robotRed);
@@ -227,22 +227,23 @@ bool ballHasNoOtherColour(const Scene& scene, const BallCandidate& c, const Ball
 
 // Orange beside the circle: it is cut out of something larger. A patch's lattice is coarse, hence
 // the three samples on top.
-bool ballFillsItsPatch(const BallCandidate& c, const BallParams& p) {
+bool ballFillsItsPatch(const BallCandidate& c, const BallFinderParams& p) {
   const double patch = static_cast<double>(c.blob->samples) * kLatticeStep * kLatticeStep;
   const double circle = maths::kPi * c.cone.radius * c.cone.radius;
-  return !c.apart || patch <= p.maxPatch * circle + 12.0;
+  return !c.standsAlone || patch <= p.maxPatch * circle + 12.0;
 }
 
 // A ball hides its goal's foot: right behind its shadow is carpet. Orange over a goal's wall is
 // seen over it, on its colour. The shadow of a large ball may look blue, so there the wall must
 // show farther down.
 bool ballStandsOnNoGoal(const Scene& scene, const BallCandidate& c) {
-  constexpr double kLarge = 8.0;  // px
-  const LevelPoint middle = scene.level.fromImage(c.cone.centre);
-  const double start = c.cone.radius < kLarge ? c.cone.radius + 2.5 : 1.6 * c.cone.radius + 2.0;
+  constexpr double kLargeRadius = 8.0;  // px
+  const LevelPoint middle = scene.frame.fromImage(c.cone.centre);
+  const double start =
+      c.cone.radius < kLargeRadius ? c.cone.radius + 2.5 : 1.6 * c.cone.radius + 2.0;
   for (const double further : {0.0, 0.7, 1.5}) {
-    const double down = start + further * std::min(c.cone.radius, kLarge);
-    const PixelPoint at = scene.level.toImage({middle.u, middle.v + down});
+    const double down = start + further * std::min(c.cone.radius, kLargeRadius);
+    const PixelPoint at = scene.frame.toImage({middle.u, middle.v + down});
     if (!Sampler::usable(at)) return true;
     const ColourClass colour = scene.sampler.classAt(at);
     if (colour != ColourClass::blue && colour != ColourClass::yellow) return true;
@@ -250,45 +251,47 @@ bool ballStandsOnNoGoal(const Scene& scene, const BallCandidate& c) {
   return false;
 }
 
-bool ballIsBelowHorizon(const Scene& scene, const BallCandidate& c, const BallParams& p) {
+bool ballIsBelowHorizon(const Scene& scene, const BallCandidate& c, const BallFinderParams& p) {
   return belowHorizon(scene, c.cone.centre) >= -p.maxAboveHorizon;
 }
 
-bool ballIsInsideFieldEdge(const Scene& scene, const BallCandidate& c, const BallParams& p) {
+bool ballIsInsideFieldEdge(const Scene& scene, const BallCandidate& c, const BallFinderParams& p) {
   // A ball cut out of clothes must be surely inside.
-  if (!c.apart)
+  if (!c.standsAlone)
     return !scene.fieldEdges.empty() && belowFieldEdge(scene, c.cone.centre) + c.cone.radius >= 1.0;
   const double allowed = p.maxAboveFieldEdge + p.maxAboveShare * c.cone.radius;
   return belowFieldEdge(scene, c.cone.centre) + c.cone.radius >= -allowed;
 }
 
-bool ballHasFieldAround(const Scene& scene, const BallCandidate& c, const BallParams& p) {
+bool ballHasFieldAround(const Scene& scene, const BallCandidate& c, const BallFinderParams& p) {
   int field = 0;
   const double r = 1.3 * c.cone.radius + 2.0;
-  for (int i = 0; i <= kAround; ++i) {
-    const auto direction = maths::sinCos(maths::kPi * i / kAround);
-    const LevelPoint middle = scene.level.fromImage(c.cone.centre);
+  for (int i = 0; i <= kFieldSteps; ++i) {
+    const auto direction = maths::sinCos(maths::kPi * i / kFieldSteps);
+    const LevelPoint middle = scene.frame.fromImage(c.cone.centre);
     const PixelPoint at =
-        scene.level.toImage({middle.u + r * direction.cos, middle.v + r * direction.sin});
-    const bool green =
-        Sampler::usable(at) ? scene.sampler.classAt(at) == ColourClass::green : at.y > kLowerPart;
+        scene.frame.toImage({middle.u + r * direction.cos, middle.v + r * direction.sin});
+    const bool green = Sampler::usable(at) ? scene.sampler.classAt(at) == ColourClass::green
+                                           : at.y > kCarpetFromRow;
     field += green ? 1 : 0;
   }
-  return field >= (c.apart ? p.minFieldPoints : p.minFieldPoints + 2.0);
+  return field >= (c.standsAlone ? p.minFieldPoints : p.minFieldPoints + 2.0);
 }
 
 // At the range that its size says, its centre must be a ball radius above the ground but for the
 // error of the camera's direction and a tenth of error in size.
-bool ballIsOnGround(const Scene& scene, const BallCandidate& c, const BallParams& p) {
+bool ballIsOnGround(const Scene& scene, const BallCandidate& c, const BallFinderParams& p) {
   const double height = scene.body.camera.position.z + c.range * c.axis.z;
   const double allowed = 2.0 + c.range * (p.directionError.rad() + 0.1 * std::fabs(c.axis.z)) +
                          c.range * p.edgeSd / c.cone.radius * std::fabs(c.axis.z);
   return std::fabs(height - body::kBallRadius) <= allowed;
 }
 
-bool ballIsNear(const BallCandidate& c, const BallParams& p) { return c.range <= p.maxDistance; }
+bool ballIsNear(const BallCandidate& c, const BallFinderParams& p) {
+  return c.range <= p.maxDistance;
+}
 
-BallPercept findBall(const Scene& scene, const BallParams& params, VisionCounts& counts) {
+BallPercept findBall(const Scene& scene, const BallFinderParams& params, VisionCounts& counts) {
   for (const Blob* blob : largestOrange(scene, params, counts)) {
     if (static_cast<double>(blob->samples) < params.minSamples) {
       refuse(counts, Refusal::ballTooSmall);

@@ -7,18 +7,19 @@
 namespace kelpie::vision {
 namespace {
 
-constexpr double kNear = 3.0;       // px between samples of one foot, in u
-constexpr double kNearRows = 6.0;   // in v
-constexpr double kMaxAside = 60.0;  // px from the horizon: 20 cm of height at 50 cm and an error
+constexpr double kMaxGap = 3.0;     // px between samples of one foot, along the horizon
+constexpr double kMaxRowGap = 6.0;  // px between them, square to it
+constexpr double kMaxFromHorizon =
+    60.0;  // px from the horizon: 20 cm of height at 50 cm and an error
 
 bool isWhite(ColourClass c) { return c == ColourClass::white || c == ColourClass::grey; }
 
 bool whiteAt(const Scene& scene, double u, double v) {
-  const PixelPoint p = scene.level.toImage({u, v});
+  const PixelPoint p = scene.frame.toImage({u, v});
   return Sampler::usable(p) && isWhite(scene.sampler.classAt(p));
 }
 
-// White within one or two lattice rows below, and two rows farther still: a highlight is no white.
+// White within one or two lattice rows below, and two rows farther still: a highlight is not white.
 bool standsOnWhite(const Scene& scene, double u, double v) {
   if (whiteAt(scene, u, v + 2.0)) return whiteAt(scene, u, v + 4.0) || whiteAt(scene, u, v + 6.0);
   return whiteAt(scene, u, v + 4.0) && whiteAt(scene, u, v + 6.0);
@@ -26,8 +27,8 @@ bool standsOnWhite(const Scene& scene, double u, double v) {
 
 void addSample(BeaconFeet& feet, ColourClass colour, double u, double v) {
   for (BeaconFoot& foot : feet) {
-    if (foot.colour != colour || std::fabs(v - foot.v) > kNearRows) continue;
-    if (u < foot.left - kNear || u > foot.right + kNear) continue;
+    if (foot.colour != colour || std::fabs(v - foot.v) > kMaxRowGap) continue;
+    if (u < foot.left - kMaxGap || u > foot.right + kMaxGap) continue;
     foot.left = std::min(foot.left, u);
     foot.right = std::max(foot.right, u);
     foot.v = v;
@@ -48,7 +49,8 @@ BeaconFeet findBeaconFeet(const Scene& scene) {
       continue;
     const double v = scene.lattice.v(run.row);
     const double middle = scene.lattice.u(0.5 * (run.first + run.last));
-    if (std::fabs(belowHorizon(scene, scene.level.toImage({middle, v}))) > kMaxAside) continue;
+    if (std::fabs(belowHorizon(scene, scene.frame.toImage({middle, v}))) > kMaxFromHorizon)
+      continue;
     for (int k = run.first; k <= run.last; ++k) {
       const double u = scene.lattice.u(k);
       if (standsOnWhite(scene, u, v)) addSample(feet, run.colour, u, v);

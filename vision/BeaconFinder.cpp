@@ -7,8 +7,8 @@
 #include <optional>
 
 #include "vision/BeaconFeet.h"
+#include "vision/GroundRay.h"
 #include "vision/Refusal.h"
-#include "vision/Sight.h"
 
 namespace kelpie::vision {
 namespace {
@@ -18,12 +18,6 @@ constexpr double kBeaconRadius = 5.0;
 constexpr double kTopHeight = 40.0;
 constexpr std::size_t kMaxCandidates = 12;
 constexpr int kMinWhite = 4;  // half pixels of the white part that must show
-
-PixelPoint moved(PixelPoint p, ImageUp up, double length) {
-  return {p.x + length * up.dx, p.y + length * up.dy};
-}
-
-ImageUp reversed(ImageUp d) { return {-d.dx, -d.dy}; }
 
 struct Band {
   ColourClass colour = ColourClass::none;
@@ -36,18 +30,18 @@ struct Band {
 
 bool isPartner(ColourClass c) { return c == ColourClass::blue || c == ColourClass::yellow; }
 
-// From inside a band past its edge: the other of pink and a partner colour; up to two mixed pixels
-// lie between.
-Band bandBeyond(const Scene& scene, PixelPoint from, ColourClass inside, ImageUp direction) {
+// The band that follows past the edge of the one that `from` is in: a partner colour after pink,
+// pink after a partner colour. Up to two mixed pixels lie between.
+Band bandBeyond(const Scene& scene, PixelPoint from, ColourClass inside, ImageDirection direction) {
   Band band;
-  band.edge = walkToEdge(scene.sampler, {from, direction.dx, direction.dy, inside, 1});
+  band.edge = walkToEdge(scene.sampler, {from, direction, inside, 1});
   if (band.edge.cut) return band;
   for (const double gap : {1.5, 2.5}) {
     const PixelPoint start = moved(band.edge.point, direction, gap);
     if (!Sampler::usable(start)) return band;
     const ColourClass colour = scene.sampler.classAt(start);
     if (inside == ColourClass::pink ? !isPartner(colour) : colour != ColourClass::pink) continue;
-    const EdgeHit far = walkToEdge(scene.sampler, {start, direction.dx, direction.dy, colour, 1});
+    const EdgeHit far = walkToEdge(scene.sampler, {start, direction, colour, 1});
     band.colour = colour;
     band.start = start;
     band.end = far.point;
@@ -58,7 +52,7 @@ Band bandBeyond(const Scene& scene, PixelPoint from, ColourClass inside, ImageUp
   return band;
 }
 
-// px, height of a band that the image shows whole.
+// The height of a band that the image shows whole, in px.
 double bandOf(const BeaconCandidate& c) {
   return c.topCut ? c.lower : c.bottomCut ? c.upper : 0.5 * (c.upper + c.lower);
 }
@@ -70,9 +64,9 @@ struct Width {
 };
 
 Width widthAt(const Scene& scene, PixelPoint at, ColourClass colour) {
-  const ImageUp right = scene.level.right();
-  const EdgeHit r = walkToEdge(scene.sampler, {at, right.dx, right.dy, colour, 1});
-  const EdgeHit l = walkToEdge(scene.sampler, {at, -right.dx, -right.dy, colour, 1});
+  const ImageDirection right = scene.frame.right();
+  const EdgeHit r = walkToEdge(scene.sampler, {at, right, colour, 1});
+  const EdgeHit l = walkToEdge(scene.sampler, {at, -right, colour, 1});
   return {r.length + l.length, 0.5 * (r.length - l.length), r.cut || l.cut};
 }
 
@@ -84,9 +78,10 @@ Width better(const Width& a, const Width& b) {
   return b.value < a.value ? b : a;
 }
 
-// Of both bands and the white below. The candidate's axis moves to its middle.
+// Measures the width of both bands and of the white below, and moves the candidate's axis to its
+// middle.
 void measureWidth(const Scene& scene, BeaconCandidate& c) {
-  const ImageUp up = scene.level.up();
+  const ImageDirection up = scene.frame.up();
   const PixelPoint high = moved(c.middle, up, 0.5 * c.upper);
   const PixelPoint low = moved(c.middle, up, -0.5 * c.lower);
   const PixelPoint white = moved(c.bottom, up, -0.8 * c.lower);
@@ -102,12 +97,13 @@ void measureWidth(const Scene& scene, BeaconCandidate& c) {
   c.widthCut = best.cut;
   if (best.cut) return;
   for (PixelPoint* point : {&c.top, &c.middle, &c.bottom})
-    *point = moved(*point, scene.level.right(), best.offset);
+    *point = moved(*point, scene.frame.right(), best.offset);
 }
 
 // A band much higher than the other runs on into something of its colour: its end is not known.
-// Of two unequal bands over something that is no white, a robot or the ball hides the lower.
-void forgetMergedEnds(BeaconCandidate& c, const BeaconParams& p) {
+// Where two unequal bands stand over something that is not white, a robot or the ball hides the
+// lower one.
+void forgetMergedEnds(BeaconCandidate& c, const BeaconFinderParams& p) {
   if (!c.onWhite) {
     c.bottomCut = c.bottomCut || c.upper > p.maxRatio * c.lower + 1.0;
     return;
@@ -121,10 +117,10 @@ void forgetMergedEnds(BeaconCandidate& c, const BeaconParams& p) {
 // Two of the heights 40, 30 and 20 cm that lie inside the image, as far apart as possible.
 double measureDistance(const Scene& scene, const BeaconCandidate& c) {
   const CameraPose& camera = scene.body.camera;
-  const double high = sightOf(camera, c.topCut ? c.middle : c.top).slope;
-  const double low = sightOf(camera, c.bottomCut ? c.middle : c.bottom).slope;
+  const double high = groundRayThrough(camera, c.topCut ? c.middle : c.top).slope;
+  const double low = groundRayThrough(camera, c.bottomCut ? c.middle : c.bottom).slope;
   const double height = c.topCut || c.bottomCut ? kBandHeight : 2.0 * kBandHeight;
-  // The bands' front is measured, the axis is meant.
+  // The front of the bands is measured, the percept is the axis.
   return high - low > 1e-4 ? height / (high - low) + kBeaconRadius : 1e6;
 }
 
@@ -132,17 +128,17 @@ double measureDistance(const Scene& scene, const BeaconCandidate& c) {
 double elevationError(const Scene& scene, const BeaconCandidate& c) {
   const double expected =
       (kTopHeight - kBandHeight - scene.body.camera.position.z) / (c.distance - kBeaconRadius);
-  return maths::atan(sightOf(scene.body.camera, c.middle).slope) - maths::atan(expected);
+  return maths::atan(groundRayThrough(scene.body.camera, c.middle).slope) - maths::atan(expected);
 }
 
-// From a pink point with the partner on one side.
+// The candidate at a pink point, its partner colour on one side.
 BeaconCandidate fromPink(const Scene& scene, PixelPoint pink, bool pinkIsLower) {
-  const ImageUp up = pinkIsLower ? scene.level.up() : reversed(scene.level.up());
+  const ImageDirection up = pinkIsLower ? scene.frame.up() : -scene.frame.up();
   BeaconCandidate c;
   c.pink = pink;
   const Band partner = bandBeyond(scene, pink, ColourClass::pink, up);
   if (partner.colour == ColourClass::none) return c;
-  const EdgeHit far = walkToEdge(scene.sampler, {pink, -up.dx, -up.dy, ColourClass::pink, 1});
+  const EdgeHit far = walkToEdge(scene.sampler, {pink, -up, ColourClass::pink, 1});
   c.pinkIsLower = pinkIsLower;
   c.partner = partner.colour;
   c.middle = partner.edge.point;
@@ -156,14 +152,14 @@ BeaconCandidate fromPink(const Scene& scene, PixelPoint pink, bool pinkIsLower) 
   return c;
 }
 
-// Upwards from the white part.
+// The candidate upwards from its white part.
 BeaconCandidate fromFoot(const Scene& scene, const BeaconFoot& foot) {
-  const ImageUp up = scene.level.up();
+  const ImageDirection up = scene.frame.up();
   BeaconCandidate c;
   c.onWhite = true;
-  const PixelPoint from = scene.level.toImage({0.5 * (foot.left + foot.right), foot.lowest});
+  const PixelPoint from = scene.frame.toImage({0.5 * (foot.left + foot.right), foot.lowest});
   if (!Sampler::usable(from) || scene.sampler.classAt(from) != foot.colour) return c;
-  const EdgeHit low = walkToEdge(scene.sampler, {from, -up.dx, -up.dy, foot.colour, 1});
+  const EdgeHit low = walkToEdge(scene.sampler, {from, -up, foot.colour, 1});
   const Band above = bandBeyond(scene, from, foot.colour, up);
   if (above.colour == ColourClass::none) return c;
   c.pinkIsLower = foot.colour == ColourClass::pink;
@@ -179,7 +175,7 @@ BeaconCandidate fromFoot(const Scene& scene, const BeaconFoot& foot) {
   return c;
 }
 
-void measure(const Scene& scene, const BeaconParams& p, BeaconCandidate& c) {
+void measure(const Scene& scene, const BeaconFinderParams& p, BeaconCandidate& c) {
   if (c.partner == ColourClass::none) return;
   forgetMergedEnds(c, p);
   measureWidth(scene, c);
@@ -189,15 +185,14 @@ void measure(const Scene& scene, const BeaconParams& p, BeaconCandidate& c) {
 
 // Where to look for a pink band: in a pink blob, or next to a blue or yellow one that is no longer
 // or wider than a band can be.
-std::optional<PixelPoint> pinkStart(const Scene& scene, const Blob& blob, ImageUp up) {
+std::optional<PixelPoint> pinkStart(const Scene& scene, const Blob& blob, ImageDirection up) {
   if (blob.colour == ColourClass::pink) return blob.centre;
   if (blob.colour == ColourClass::orange) return std::nullopt;
   const double width = blob.box.width();
   const double height = blob.box.height();
   if (width > 2.5 * height || height > 2.5 * width) return std::nullopt;
-  for (const ImageUp direction : {up, reversed(up)}) {
-    const EdgeHit edge =
-        walkToEdge(scene.sampler, {blob.centre, direction.dx, direction.dy, blob.colour, 1});
+  for (const ImageDirection direction : {up, -up}) {
+    const EdgeHit edge = walkToEdge(scene.sampler, {blob.centre, direction, blob.colour, 1});
     const PixelPoint next = moved(edge.point, direction, std::max(2.0, 0.5 * edge.length));
     if (edge.cut || !Sampler::usable(next)) continue;
     if (scene.sampler.classAt(next) == ColourClass::pink) return next;
@@ -211,12 +206,12 @@ struct White {
   double share() const { return probes > 0 ? static_cast<double>(white) / probes : 0.5; }
 };
 
-// Of the two bands below the coloured part, as far as the image shows them.
+// How much of the two bands below the coloured part is white, as far as the image shows them.
 White whiteBelow(const Scene& scene, const BeaconCandidate& c) {
   const double band = bandOf(c);
   White all;
   for (double down = 0.2 * band; down < 1.9 * band; down += 0.5) {
-    const PixelPoint at = moved(c.bottom, scene.level.up(), -down);
+    const PixelPoint at = moved(c.bottom, scene.frame.up(), -down);
     if (!Sampler::usable(at)) break;
     const ColourClass colour = scene.sampler.classAt(at);
     ++all.probes;
@@ -225,12 +220,13 @@ White whiteBelow(const Scene& scene, const BeaconCandidate& c) {
   return all;
 }
 
-// px below the field edge, of where its foot should be: three bands below the colours' border.
+// How far below the field edge its foot should be, in px: three bands below the border between the
+// colours.
 double footBelowEdge(const Scene& scene, const BeaconCandidate& c) {
-  return belowFieldEdge(scene, moved(c.middle, scene.level.up(), -3.0 * bandOf(c)));
+  return belowFieldEdge(scene, moved(c.middle, scene.frame.up(), -3.0 * bandOf(c)));
 }
 
-// How unlike a beacon it is: of several of one kind the one with the least is kept.
+// How unlike a beacon it is: among several of one kind the one with the least misfit is kept.
 double misfit(const Scene& scene, const BeaconCandidate& c) {
   const double height = std::max(1.0, std::min(c.upper, c.lower));
   const double bands = c.topCut || c.bottomCut ? 0.3 : std::fabs(maths::log(c.upper / c.lower));
@@ -245,16 +241,17 @@ LandmarkKind kindOf(const BeaconCandidate& c) {
   return c.pinkIsLower ? LandmarkKind::beaconYellowOnPink : LandmarkKind::beaconPinkOnYellow;
 }
 
-LandmarkPercept perceptOf(const Scene& scene, const BeaconCandidate& c, const BeaconParams& p) {
+LandmarkPercept perceptOf(const Scene& scene, const BeaconCandidate& c,
+                          const BeaconFinderParams& p) {
   const CameraPose& camera = scene.body.camera;
-  const Sight sight = sightOf(camera, c.middle);
-  const Point2<Robot> place = placeAt(camera, sight, c.distance);
+  const GroundRay ray = groundRayThrough(camera, c.middle);
+  const Point2<Robot> place = placeAt(camera, ray, c.distance);
   const double height = c.topCut || c.bottomCut ? kBandHeight : 2.0 * kBandHeight;
   LandmarkPercept percept;
   percept.kind = kindOf(c);
   percept.distance = place.norm();
   percept.heading = bearing(place);
-  percept.elevation = Angle::rad(maths::atan(sightOf(camera, c.middle).slope));
+  percept.elevation = Angle::rad(maths::atan(groundRayThrough(camera, c.middle).slope));
   percept.distanceVariance = maths::square(sizeSd(c.distance, height, p.edgeSd)) + 4.0;
   percept.headingVariance = maths::square(p.headingSd.rad());
   percept.leftEdge = percept.heading;
@@ -267,7 +264,7 @@ LandmarkPercept perceptOf(const Scene& scene, const BeaconCandidate& c, const Be
   return percept;
 }
 
-bool accepted(const Scene& scene, const BeaconCandidate& c, const BeaconParams& p,
+bool accepted(const Scene& scene, const BeaconCandidate& c, const BeaconFinderParams& p,
               VisionCounts& counts) {
   const auto check = [&counts](bool keep, Refusal reason) {
     if (!keep) refuse(counts, reason);
@@ -285,7 +282,7 @@ bool accepted(const Scene& scene, const BeaconCandidate& c, const BeaconParams& 
          check(beaconIsInImage(c), Refusal::beaconCut) &&
          check(beaconStandsAtFieldEdge(scene, c, p), Refusal::beaconOffFieldEdge) &&
          check(beaconStandsOnField(scene, c), Refusal::beaconNoField) &&
-         check(beaconDoubts(scene, c) <= p.maxDoubts, Refusal::beaconDoubtful);
+         check(weakCues(scene, c) <= p.maxWeakCues, Refusal::beaconUnlikely);
 }
 
 bool insideBeacon(const Landmarks& landmarks, PixelPoint p) {
@@ -320,14 +317,14 @@ struct Found {
 
 bool beaconHasPartner(const BeaconCandidate& c) { return c.partner != ColourClass::none; }
 
-// Of a band that the image border cuts a pixel is enough to tell its colour.
-bool beaconIsLarge(const BeaconCandidate& c, const BeaconParams& p) {
+// One pixel is enough to tell the colour of a band that the image border cuts.
+bool beaconIsLarge(const BeaconCandidate& c, const BeaconFinderParams& p) {
   const double upper = c.topCut ? 1.5 * c.upper + 1.0 : c.upper;
   const double lower = c.bottomCut ? 1.5 * c.lower + 1.0 : c.lower;
   return upper >= p.minBand && lower >= p.minBand;
 }
 
-bool beaconBandsAreEqual(const BeaconCandidate& c, const BeaconParams& p) {
+bool beaconBandsAreEqual(const BeaconCandidate& c, const BeaconFinderParams& p) {
   const double small = std::min(c.upper, c.lower);
   const double large = std::max(c.upper, c.lower);
   // A band that the image border cuts may be any shorter; small bands are uncertain by a pixel.
@@ -336,7 +333,7 @@ bool beaconBandsAreEqual(const BeaconCandidate& c, const BeaconParams& p) {
 }
 
 // A band is 10 cm wide and high; the border may cut a third of its width.
-bool beaconBandIsSquare(const BeaconCandidate& c, const BeaconParams& p) {
+bool beaconBandIsSquare(const BeaconCandidate& c, const BeaconFinderParams& p) {
   const double height = bandOf(c);
   const double aspect = c.sure ? p.maxSureAspect : p.maxAspect;
   const bool wide = c.width > aspect * height + 1.0;
@@ -347,26 +344,29 @@ bool beaconBandIsSquare(const BeaconCandidate& c, const BeaconParams& p) {
 
 // Pink on a coat is on far more of the coat's colour. A goal or trousers behind a beacon are far
 // wider too, but then the white below tells it, if both bands' ends show.
-bool beaconBandsStandAlone(const BeaconCandidate& c, const BeaconParams& p) {
+bool beaconBandsStandAlone(const BeaconCandidate& c, const BeaconFinderParams& p) {
   if (c.onWhite && !c.topCut) return true;
   const bool endUnknown = !c.onWhite && (c.topCut || c.bottomCut);
   return c.widest <= (endUnknown ? p.maxCutBandWidths : p.maxBandWidths) * c.width;
 }
 
-bool beaconReachesHorizon(const Scene& scene, const BeaconCandidate& c, const BeaconParams& p) {
+bool beaconReachesHorizon(const Scene& scene, const BeaconCandidate& c,
+                          const BeaconFinderParams& p) {
   return belowHorizon(scene, c.middle) <= p.maxBelowHorizon;
 }
 
 // The lower two bands are white, as far as the image shows them. Some of it must show where the
 // height does not fit the size well.
-bool beaconHasWhiteBelow(const Scene& scene, const BeaconCandidate& c, const BeaconParams& p) {
+bool beaconHasWhiteBelow(const Scene& scene, const BeaconCandidate& c,
+                         const BeaconFinderParams& p) {
   const White white = whiteBelow(scene, c);
   if (c.sure) return c.bottomCut || white.share() >= p.minWhiteShare;
   return white.probes >= kMinWhite && white.share() >= p.minUnsureWhiteShare;
 }
 
 // Beacons stand at the carpet's edge.
-bool beaconStandsAtFieldEdge(const Scene& scene, const BeaconCandidate& c, const BeaconParams& p) {
+bool beaconStandsAtFieldEdge(const Scene& scene, const BeaconCandidate& c,
+                             const BeaconFinderParams& p) {
   if (scene.fieldEdges.empty()) return true;
   const double below = footBelowEdge(scene, c);
   return below >= -p.maxFootAboveEdge && below <= p.maxFootBelowEdge * bandOf(c) + 1.0;
@@ -385,7 +385,7 @@ bool beaconStandsOnField(const Scene& scene, const BeaconCandidate& c) {
   const double end = 3.2 * band + 5.0;
   int strange = 0;
   for (double down = 0.7 * band; down < end; down += 1.0) {
-    const PixelPoint at = moved(c.bottom, scene.level.up(), -down);
+    const PixelPoint at = moved(c.bottom, scene.frame.up(), -down);
     if (!Sampler::usable(at)) return true;
     const ColourClass colour = scene.sampler.classAt(at);
     if (colour == ColourClass::green) return true;
@@ -397,29 +397,30 @@ bool beaconStandsOnField(const Scene& scene, const BeaconCandidate& c) {
   return true;
 }
 
-bool beaconHeightFitsSize(const Scene& scene, const BeaconCandidate& c, const BeaconParams& p) {
+bool beaconHeightFitsSize(const Scene& scene, const BeaconCandidate& c,
+                          const BeaconFinderParams& p) {
   return std::fabs(elevationError(scene, c)) <= p.elevationError.rad();
 }
 
-bool beaconIsNear(const BeaconCandidate& c, const BeaconParams& p) {
+bool beaconIsNear(const BeaconCandidate& c, const BeaconFinderParams& p) {
   return c.distance <= p.maxDistance;
 }
 
-int beaconDoubts(const Scene& scene, const BeaconCandidate& c) {
+int weakCues(const Scene& scene, const BeaconCandidate& c) {
   const double elevation = std::fabs(Angle::rad(elevationError(scene, c)).deg());
   const double band = std::max(bandOf(c), 0.5);
   const double wider = c.widest / std::max(c.width, 0.5);
   const double aspect = std::fabs(maths::log(std::max(c.width, 0.5) / band));
   const bool edgeFar = !scene.fieldEdges.empty() && footBelowEdge(scene, c) >= 0.3 * band;
-  int doubts = c.widthCut ? -1 : 0;  // the border may make it unlike in width
-  for (const bool doubt :
+  int weak = c.widthCut ? -1 : 0;  // the border may make it unlike in width
+  for (const bool cue :
        {misfit(scene, c) >= 0.5, aspect >= 0.37, elevation >= 0.5, elevation >= 1.0, wider >= 1.75,
         wider >= 4.5, whiteBelow(scene, c).share() < 0.9, edgeFar})
-    doubts += doubt ? 1 : 0;
-  return doubts;
+    weak += cue ? 1 : 0;
+  return weak;
 }
 
-void findBeacons(const Scene& scene, const BeaconParams& params, VisionCounts& counts,
+void findBeacons(const Scene& scene, const BeaconFinderParams& params, VisionCounts& counts,
                  Landmarks& landmarks) {
   Found found;
   const auto tried = [&](BeaconCandidate c) {
@@ -430,7 +431,7 @@ void findBeacons(const Scene& scene, const BeaconParams& params, VisionCounts& c
   for (const BeaconFoot& foot : findBeaconFeet(scene)) tried(fromFoot(scene, foot));
   std::size_t candidates = 0;
   for (const Blob& blob : scene.blobs) {
-    const auto start = pinkStart(scene, blob, scene.level.up());
+    const auto start = pinkStart(scene, blob, scene.frame.up());
     if (!start || insideBeacon(found.landmarks, *start)) continue;
     if (static_cast<double>(blob.samples) < params.minSamples || candidates == kMaxCandidates) {
       refuse(counts, Refusal::beaconTooSmall);

@@ -34,25 +34,28 @@ struct BeaconCandidate {
 
 // The checks: true = keep.
 bool beaconHasPartner(const BeaconCandidate& c);
-bool beaconIsLarge(const BeaconCandidate& c, const BeaconParams& p);
-bool beaconBandsAreEqual(const BeaconCandidate& c, const BeaconParams& p);
-bool beaconBandIsSquare(const BeaconCandidate& c, const BeaconParams& p);
-bool beaconBandsStandAlone(const BeaconCandidate& c, const BeaconParams& p);
-bool beaconReachesHorizon(const Scene& scene, const BeaconCandidate& c, const BeaconParams& p);
-bool beaconHasWhiteBelow(const Scene& scene, const BeaconCandidate& c, const BeaconParams& p);
+bool beaconIsLarge(const BeaconCandidate& c, const BeaconFinderParams& p);
+bool beaconBandsAreEqual(const BeaconCandidate& c, const BeaconFinderParams& p);
+bool beaconBandIsSquare(const BeaconCandidate& c, const BeaconFinderParams& p);
+bool beaconBandsStandAlone(const BeaconCandidate& c, const BeaconFinderParams& p);
+bool beaconReachesHorizon(const Scene& scene, const BeaconCandidate& c,
+                          const BeaconFinderParams& p);
+bool beaconHasWhiteBelow(const Scene& scene, const BeaconCandidate& c, const BeaconFinderParams& p);
 bool beaconIsInImage(const BeaconCandidate& c);
-bool beaconStandsAtFieldEdge(const Scene& scene, const BeaconCandidate& c, const BeaconParams& p);
+bool beaconStandsAtFieldEdge(const Scene& scene, const BeaconCandidate& c,
+                             const BeaconFinderParams& p);
 bool beaconStandsOnField(const Scene& scene, const BeaconCandidate& c);
-bool beaconHeightFitsSize(const Scene& scene, const BeaconCandidate& c, const BeaconParams& p);
-bool beaconIsNear(const BeaconCandidate& c, const BeaconParams& p);
+bool beaconHeightFitsSize(const Scene& scene, const BeaconCandidate& c,
+                          const BeaconFinderParams& p);
+bool beaconIsNear(const BeaconCandidate& c, const BeaconFinderParams& p);
 
-// How many of eight facts are unlike a beacon though no check refuses any: height and size, bands'
-// likeness and squareness, white below, foot at the edge, colours that go on beside it. One is
-// forgiven when the image border cuts its width. Trousers over socks have three, one beacon in 90.
-int beaconDoubts(const Scene& scene, const BeaconCandidate& c);
+// How many of eight cues are weak though no check refuses any: height and size, bands alike and
+// square, white below, foot at the edge, colours that go on beside it. One is forgiven when the
+// image border cuts its width. Trousers over socks have three, so has one beacon in 90.
+int weakCues(const Scene& scene, const BeaconCandidate& c);
 
 using Landmarks = FixedVector<LandmarkPercept, 8>;
-void findBeacons(const Scene& scene, const BeaconParams& params, VisionCounts& counts,
+void findBeacons(const Scene& scene, const BeaconFinderParams& params, VisionCounts& counts,
                  Landmarks& landmarks);
 
 }  // namespace kelpie::vision

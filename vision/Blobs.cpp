@@ -11,9 +11,9 @@ constexpr std::uint16_t kNoBlob = 0xFFFF;
 bool formsBlobs(ColourClass c) { return c >= ColourClass::orange && c <= ColourClass::robotRed; }
 
 // Appends the runs of one lattice row.
-void collectRuns(const Sampler& sampler, const Lattice& lattice, int number, RunBuffer& runs,
+void collectRuns(const Sampler& sampler, const Lattice& lattice, int rowIndex, RunBuffer& runs,
                  BlobCounts& counts) {
-  const LatticeRow row = lattice.row(number);
+  const LatticeRow row = lattice.row(rowIndex);
   counts.samples += static_cast<std::uint32_t>(row.count);
   std::int32_t x = row.x;
   std::int32_t y = row.y;
@@ -24,10 +24,10 @@ void collectRuns(const Sampler& sampler, const Lattice& lattice, int number, Run
     if (now == colour) continue;
     if (formsBlobs(colour)) {
       const Run run{colour,
-                    static_cast<std::uint8_t>(number),
+                    static_cast<std::uint8_t>(rowIndex),
                     static_cast<std::uint8_t>(row.first + first),
                     static_cast<std::uint8_t>(row.first + i - 1),
-                    static_cast<std::uint8_t>(lattice.height(number)),
+                    static_cast<std::uint8_t>(lattice.height(rowIndex)),
                     static_cast<std::uint16_t>(runs.size()),
                     kNoBlob};
       if (!runs.push_back(run)) ++counts.lost;
@@ -99,7 +99,7 @@ std::uint32_t collectBlobs(const Lattice& lattice, RunBuffer& runs, BlobBuffer& 
     }
     addRun(lattice, blobs[root.blob], runs[i]);
   }
-  for (Blob& blob : blobs) blob.centre = lattice.level().toImage(blob.middle);
+  for (Blob& blob : blobs) blob.centre = lattice.frame().toImage(blob.middle);
   return lost;
 }
 

@@ -30,7 +30,7 @@ struct Blob {
   std::uint32_t samples = 0;
   LevelBox box;       // covered: the lattice samples and half a step around them
   LevelPoint middle;  // mean of the samples
-  PixelPoint centre;  // the same in the image
+  PixelPoint centre;  // their mean in the image
 };
 
 using RunBuffer = FixedVector<Run, 2048>;

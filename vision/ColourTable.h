@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The colour table: class of a ring-corrected pixel by five bits of Y and six each of Cr and Cb,
 // two classes to a byte: 64 KB. It fits the robot's 256 KB second-level cache beside the ring table
-// (100 KB); the 2005 table's 2 MB does not, and its misses were the budget item (cross.md section
-// 3). README.md compares the sizes.
+// (100 KB); the 2005 table's 2 MB does not, and its cache misses were the largest cost (cross.md
+// section 3). README.md compares the sizes.
 #pragma once
 
 #include <array>

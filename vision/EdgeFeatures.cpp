@@ -6,10 +6,10 @@
 namespace kelpie::vision {
 namespace {
 
-constexpr int kStep = 2;         // px between the lattice samples of a scan line
-constexpr int kWidestLine = 24;  // px, of a white line before the robot's feet
-constexpr int kClear = 3;        // px above the carpet where no pixel is a mixture any more
-constexpr int kMinWindow = 4;    // px that must be left of the window at the image's end
+constexpr int kStep = 2;           // px between the lattice samples of a scan line
+constexpr int kMaxLineWidth = 24;  // px, of a white line before the robot's feet
+constexpr int kAboveMixture = 3;   // px above the carpet, where no pixel is a mixture any more
+constexpr int kMinWindow = 4;      // px that must be left of the window at the image's end
 
 bool isGreen(const Sampler& sampler, const ScanLine& line, int step) {
   return latticeClass(sampler, line, step) == ColourClass::green;
@@ -48,10 +48,10 @@ bool standsOnCarpet(ColourClass c) {
 // A ball or a robot, or a line that leaves through the image's top, hides carpet, not its end.
 bool goesOn(const Sampler& sampler, const ScanLine& line, int top) {
   if (top == 0) return line.cutTop;
-  for (const int above : {kClear, kClear + kStep}) {
+  for (const int above : {kAboveMixture, kAboveMixture + kStep}) {
     if (top >= above && standsOnCarpet(latticeClass(sampler, line, top - above))) return true;
   }
-  if (!line.cutTop || top > kWidestLine) return false;
+  if (!line.cutTop || top > kMaxLineWidth) return false;
   for (int step = 0; step < top - 1; ++step) {
     if (latticeClass(sampler, line, step) != ColourClass::white) return false;
   }
@@ -62,10 +62,10 @@ bool goesOn(const Sampler& sampler, const ScanLine& line, int top) {
 EdgeFeature featureAt(const Sampler& sampler, const ScanLine& line, int top,
                       const FieldEdgeParams& params) {
   EdgeFeature feature{line.at(top - 0.5), goesOn(sampler, line, top), 1.0, false};
-  if (top < kClear) return feature;
-  const ColourClass c = latticeClass(sampler, line, top - kClear);
+  if (top < kAboveMixture) return feature;
+  const ColourClass c = latticeClass(sampler, line, top - kAboveMixture);
   feature.atGoal = c == ColourClass::blue || c == ColourClass::yellow;
-  if (feature.atGoal || c == ColourClass::white) feature.weight = params.doubtful;
+  if (feature.atGoal || c == ColourClass::white) feature.weight = params.doubtfulWeight;
   return feature;
 }
 

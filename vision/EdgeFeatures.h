@@ -4,8 +4,8 @@
 // that, so the walk here is downwards. Fails where something green stands beyond the carpet.
 #pragma once
 
+#include "vision/HorizonScan.h"
 #include "vision/Sampler.h"
-#include "vision/ScanLines.h"
 
 namespace kelpie::vision {
 

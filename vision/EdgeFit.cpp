@@ -14,15 +14,15 @@
 namespace kelpie::vision {
 namespace {
 
-struct Search {
+struct EdgeSearch {
   EdgeEvidence evidence;
   VisionCounts& counts;
   Random random;
 };
 
-// Numbers of features that points are drawn from.
+// Indices of the features that points are drawn from.
 struct Pool {
-  std::array<std::uint8_t, kMaxScanLines> number{};
+  std::array<std::uint8_t, kMaxScanLines> indices{};
   std::uint32_t count = 0;
   double weight = 0.0;  // of all
 };
@@ -39,7 +39,7 @@ constexpr int kNeighbours = 3;  // to each side: nine triples
 
 int agreement(const EdgeEvidence& evidence, const Pool& pool, int k) {
   const auto at = [&](int i) -> const EdgeFeature& {
-    return evidence.features[pool.number[static_cast<std::size_t>(i)]];
+    return evidence.features[pool.indices[static_cast<std::size_t>(i)]];
   };
   int agreeing = 0;
   const int last = std::min(k + kNeighbours, static_cast<int>(pool.count) - 1);
@@ -55,56 +55,56 @@ Pool freeFeatures(const EdgeEvidence& evidence, const EdgeLines& lines) {
   for (std::size_t i = 0; i < evidence.features.size(); ++i) {
     const EdgeFeature& f = evidence.features[i];
     if (f.open) continue;
-    if (!lines.empty() && std::fabs(placeOf(lines, f.at).beyond) <= evidence.params.tolerance)
+    if (!lines.empty() && std::fabs(placeOf(lines, f.at).distance) <= evidence.params.tolerance)
       continue;
-    pool.number[pool.count++] = static_cast<std::uint8_t>(i);
+    pool.indices[pool.count++] = static_cast<std::uint8_t>(i);
     pool.weight += f.weight;
   }
   return pool;
 }
 
-// Those first that lie in line with most of their neighbours.
+// Brings those features to the front that lie in line with most of their neighbours.
 void sortForDrawing(const EdgeEvidence& evidence, Pool& pool) {
   std::array<double, kMaxScanLines> score{};
   for (std::uint32_t k = 0; k < pool.count; ++k) {
-    const std::uint8_t i = pool.number[k];
+    const std::uint8_t i = pool.indices[k];
     score[i] = agreement(evidence, pool, static_cast<int>(k)) * evidence.features[i].weight;
   }
-  std::sort(pool.number.begin(), pool.number.begin() + pool.count,
+  std::sort(pool.indices.begin(), pool.indices.begin() + pool.count,
             [&](std::uint8_t a, std::uint8_t b) {
               return score[a] != score[b] ? score[a] > score[b] : a < b;
             });
 }
 
 constexpr std::uint32_t kFirstPool = 6;  // features to draw from in the first round; 3 more in each
-constexpr int kMinGap = 4;               // scan lines between two points, if it can be had
+constexpr int kMinGap = 4;               // scan lines between two points, if possible
 
 struct Pair {
   std::uint8_t a = 0;
   std::uint8_t b = 0;
 };
 
-Pair drawn(Search& search, const Pool& pool, int round) {
+Pair drawn(EdgeSearch& search, const Pool& pool, int round) {
   const std::uint32_t reach =
       std::min(pool.count, kFirstPool + 3U * static_cast<std::uint32_t>(round));
   Pair pair;
-  pair.a = pool.number[search.random.index(reach)];
+  pair.a = pool.indices[search.random.index(reach)];
   for (int again = 0; again < 5; ++again) {
-    pair.b = pool.number[search.random.index(reach)];
+    pair.b = pool.indices[search.random.index(reach)];
     if (std::abs(pair.a - pair.b) >= kMinGap) break;
   }
   return pair;
 }
 
-constexpr double kPromising = 0.8;  // of the best gain so far
-constexpr double kEnough = 0.75;    // of the most that the free features could give: stop early
+constexpr double kRefineAboveShare = 0.8;   // of the best score so far
+constexpr double kStopAtScoreShare = 0.75;  // of the most that the free features could give
 
 // The best outline of the known lines and one more, through features of the pool; `known` as it is
-// when the pool is too poor to give `least` more.
-Outline withOneMore(Search& search, const Outline& known, Pool pool, double least) {
+// when the pool is too poor to give `minScore` more.
+Outline withOneMore(EdgeSearch& search, const Outline& known, Pool pool, double minScore) {
   const EdgeEvidence& evidence = search.evidence;
   Outline best = known;
-  if (pool.count < 2 || pool.weight < least) return best;
+  if (pool.count < 2 || pool.weight < minScore) return best;
   sortForDrawing(evidence, pool);
   bool found = false;
   for (int round = 0; round < evidence.params.rounds; ++round) {
@@ -112,14 +112,14 @@ Outline withOneMore(Search& search, const Outline& known, Pool pool, double leas
     if (pair.a == pair.b) continue;
     Outline now = known;
     now.lines.push_back(
-        lineThrough(evidence.features[pair.a].at, evidence.features[pair.b].at, evidence.level));
-    now.gain = gainOf(evidence, now.lines);
-    if (found && now.gain < kPromising * best.gain) continue;
+        lineThrough(evidence.features[pair.a].at, evidence.features[pair.b].at, evidence.frame));
+    now.score = scoreOf(evidence, now.lines);
+    if (found && now.score < kRefineAboveShare * best.score) continue;
     refine(evidence, 2.0, now);
-    if (found && now.gain <= best.gain) continue;
+    if (found && now.score <= best.score) continue;
     found = true;
     best = now;
-    if (best.gain - known.gain >= kEnough * pool.weight) break;
+    if (best.score - known.score >= kStopAtScoreShare * pool.weight) break;
   }
   if (found && refine(evidence, 1.0, best)) refine(evidence, 1.0, best);
   return best;
@@ -129,7 +129,7 @@ constexpr double kBendHint = 0.5;   // of the ratio, before outliers nearby are 
 constexpr double kBendBand = 2.0;   // tolerances to both sides in which a bend is looked for
 constexpr std::size_t kMinArm = 3;  // features on each arm
 
-using Numbers = FixedVector<std::uint8_t, kMaxScanLines>;
+using Indices = FixedVector<std::uint8_t, kMaxScanLines>;
 
 struct Bend {
   std::size_t at = 0;     // number of features on the first arm
@@ -138,7 +138,7 @@ struct Bend {
 };
 
 // Where two lines through the features before and after it fit best.
-Bend bestBend(const EdgeFeatures& features, const Numbers& near) {
+Bend bestBend(const EdgeFeatures& features, const Indices& near) {
   std::array<double, kMaxScanLines> before{};
   EdgeMoments left;
   for (std::size_t k = 0; k < near.size(); ++k) {
@@ -160,12 +160,12 @@ Bend bestBend(const EdgeFeatures& features, const Numbers& near) {
 // A flat corner looks like one line through both arms: the same line, bent where that fits best.
 Outline bent(const EdgeEvidence& evidence, const EdgeLines& known, std::size_t which) {
   Outline outline;
-  Numbers near;
+  Indices near;
   for (std::size_t i = 0; i < evidence.features.size(); ++i) {
     const EdgeFeature& f = evidence.features[i];
     const EdgePlace place = placeOf(known, f.at);
     if (!f.open && place.edge == which &&
-        std::fabs(place.beyond) <= kBendBand * evidence.params.tolerance)
+        std::fabs(place.distance) <= kBendBand * evidence.params.tolerance)
       near.push_back(static_cast<std::uint8_t>(i));
   }
   if (near.size() < 2 * kMinArm) return outline;
@@ -179,22 +179,22 @@ Outline bent(const EdgeEvidence& evidence, const EdgeLines& known, std::size_t w
   for (std::size_t k = 0; k < near.size(); ++k)
     arms[k < bend.at ? 0 : 1].add(evidence.features[near[k]].at, evidence.features[near[k]].weight);
   outline.lines = known;
-  outline.lines[which] = lineOf(arms[0], evidence.level);
-  outline.lines.push_back(lineOf(arms[1], evidence.level));
-  outline.gain = gainOf(evidence, outline.lines);
+  outline.lines[which] = lineOf(arms[0], evidence.frame);
+  outline.lines.push_back(lineOf(arms[1], evidence.frame));
+  outline.score = scoreOf(evidence, outline.lines);
   if (refine(evidence, 1.0, outline)) refine(evidence, 1.0, outline);
   return outline;
 }
 
-constexpr double kDeniedByNoise = 1.0;  // features
-constexpr double kComparable = 0.65;    // of the best line's support
+constexpr double kBeyondByNoise = 1.0;     // features
+constexpr double kMinSupportShare = 0.65;  // of the best line's support
 
 bool squareToNeighbours(const EdgeEvidence& evidence, const EdgeLines& lines) {
   // Three edges in one image are two ends of a side: the outer two are parallel, not square.
   for (std::size_t i = 0; i < lines.size(); ++i) {
     int square = 0;
     for (std::size_t k = 0; k < lines.size(); ++k)
-      square += i != k && groundCosine(lines[i], lines[k], evidence.level) <=
+      square += i != k && groundCosine(lines[i], lines[k], evidence.frame) <=
                               evidence.params.maxCornerCosine
                     ? 1
                     : 0;
@@ -203,73 +203,75 @@ bool squareToNeighbours(const EdgeEvidence& evidence, const EdgeLines& lines) {
   return true;
 }
 
-constexpr std::size_t kMinClear = 2;  // features on an edge that are at no goal
+constexpr std::size_t kMinOffGoal = 2;  // features on an edge that are at no goal
 
 // Enough features on every edge. A goal alone shows none: its side walls have feet like edges, and
 // its inside has a corner.
-bool supported(const EdgeLines& lines, double least) {
+bool supported(const EdgeLines& lines, double minSupport) {
   return std::all_of(lines.begin(), lines.end(), [&](const EdgeLine& line) {
-    return static_cast<double>(line.support) >= least && line.atGoal + kMinClear <= line.support;
+    return static_cast<double>(line.support) >= minSupport &&
+           line.atGoal + kMinOffGoal <= line.support;
   });
 }
 
-// A corner: each edge has its features, none is denied, the edges are square on the ground.
-bool isCorner(const Search& search, const Outline& before, const Outline& after) {
+// A corner: each edge has its features, no carpet is seen beyond, the edges are square on the
+// ground.
+bool isCorner(const EdgeSearch& search, const Outline& before, const Outline& after) {
   const bool corner = supported(after.lines, search.evidence.params.minCornerSupport) &&
-                      denied(search.evidence, after.lines) <=
-                          denied(search.evidence, before.lines) + kDeniedByNoise &&
+                      carpetBeyond(search.evidence, after.lines) <=
+                          carpetBeyond(search.evidence, before.lines) + kBeyondByNoise &&
                       squareToNeighbours(search.evidence, after.lines);
   if (!corner) refuse(search.counts, Refusal::edgeNoCorner);
   return corner;
 }
 
 // A new edge must win inliers.
-bool winsInliers(const Search& search, const Outline& before, const Outline& after) {
-  return after.gain >= before.gain + search.evidence.params.minCornerGain;
+bool winsInliers(const EdgeSearch& search, const Outline& before, const Outline& after) {
+  return after.score >= before.score + search.evidence.params.minCornerScore;
 }
 
 // A bend wins few, since one line runs near both arms; it must fit much better than the noise
 // explains.
-bool fitsBetter(const Search& search, const Outline& before, const Outline& after) {
+bool fitsBetter(const EdgeSearch& search, const Outline& before, const Outline& after) {
   const double squares =
-      (after.gain - before.gain) * maths::square(search.evidence.params.tolerance);
+      (after.score - before.score) * maths::square(search.evidence.params.tolerance);
   return squares >= search.evidence.params.minBendRatio * noiseOf(after.lines);
 }
 
 // The outline with one edge more, or as it is.
-Outline furtherEdge(Search& search, const Outline& best) {
+Outline furtherEdge(EdgeSearch& search, const Outline& best) {
   const EdgeEvidence& evidence = search.evidence;
   Outline found = best;
   Outline more =
-      withOneMore(search, best, freeFeatures(evidence, best.lines), evidence.params.minCornerGain);
+      withOneMore(search, best, freeFeatures(evidence, best.lines), evidence.params.minCornerScore);
   if (winsInliers(search, best, more)) {
     measure(evidence, more.lines);
     if (isCorner(search, best, more)) found = more;
   }
   for (std::size_t i = 0; i < best.lines.size(); ++i) {
     Outline bend = bent(evidence, best.lines, i);
-    if (bend.gain <= found.gain) continue;
+    if (bend.score <= found.score) continue;
     measure(evidence, bend.lines);
     if (fitsBetter(search, best, bend) && isCorner(search, best, bend)) found = bend;
   }
   return found;
 }
 
-// Of two lines with about the same support, the one that the other does not deny: the carpet is
-// seen up to it, and the other is the foot of something that stands there.
-Outline firstEdge(Search& search) {
+// The first edge is the better of two lines with about the same support that has no carpet beyond:
+// the carpet is seen up to it, and the other line is the foot of something that stands there.
+Outline firstEdge(EdgeSearch& search) {
   const EdgeEvidence& evidence = search.evidence;
   const Outline none{{}, 0.0};
   Outline best = withOneMore(search, none, freeFeatures(evidence, {}), 0.0);
   if (best.lines.empty()) return best;
-  const double doubt = denied(evidence, best.lines);
-  if (doubt <= kDeniedByNoise) return best;
+  const double beyond = carpetBeyond(evidence, best.lines);
+  if (beyond <= kBeyondByNoise) return best;
   Outline other = withOneMore(search, none, freeFeatures(evidence, best.lines), 0.0);
-  if (other.lines.empty() || denied(evidence, other.lines) >= doubt) return best;
+  if (other.lines.empty() || carpetBeyond(evidence, other.lines) >= beyond) return best;
   measure(evidence, best.lines);
   measure(evidence, other.lines);
   const auto support = static_cast<double>(best.lines[0].support);
-  return static_cast<double>(other.lines[0].support) < kComparable * support ? best : other;
+  return static_cast<double>(other.lines[0].support) < kMinSupportShare * support ? best : other;
 }
 
 // By exchange: std::sort of so few is a warning, std::stable_sort takes memory.
@@ -281,16 +283,16 @@ void strongestFirst(EdgeLines& lines) {
 
 }  // namespace
 
-EdgeLines fitEdgeLines(const EdgeFeatures& features, const ImageLevel& level,
+EdgeLines fitEdgeLines(const EdgeFeatures& features, const HorizonFrame& frame,
                        const FieldEdgeParams& params, VisionCounts& counts) {
-  Search search{{features, level, params}, counts, Random(params.seed)};
+  EdgeSearch search{{features, frame, params}, counts, Random(params.seed)};
   double solid = 0.0;
   for (const EdgeFeature& f : features) solid += f.open ? 0.0 : 1.0;
   Outline best = firstEdge(search);
   if (best.lines.empty()) return best.lines;
   while (!best.lines.full()) {
     const Outline more = furtherEdge(search, best);
-    if (more.gain <= best.gain) break;
+    if (more.score <= best.score) break;
     best = more;
   }
   measure(search.evidence, best.lines);

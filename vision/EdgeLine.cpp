@@ -8,18 +8,19 @@
 namespace kelpie::vision {
 namespace {
 
-EdgeLine oriented(double nx, double ny, PixelPoint on, const ImageLevel& level) {
-  const double side = nx * level.upX + ny * level.upY < 0.0 ? -1.0 : 1.0;
+EdgeLine oriented(double nx, double ny, PixelPoint on, const HorizonFrame& frame) {
+  const ImageDirection up = frame.up();
+  const double side = nx * up.dx + ny * up.dy < 0.0 ? -1.0 : 1.0;
   return {side * nx, side * ny, side * (nx * on.x + ny * on.y), 0, 0, 0.0};
 }
 
 // Camera coordinates of the horizontal direction along a line on the ground, any length.
-Point3<Camera> groundDirection(const EdgeLine& line, const ImageLevel& level) {
-  const double beyond = line.beyond({body::kPrincipalX, body::kPrincipalY});
+Point3<Camera> groundDirection(const EdgeLine& line, const HorizonFrame& frame) {
+  const double beyond = line.distanceBeyond({body::kPrincipalX, body::kPrincipalY});
   const double nz = beyond / body::kFocalLength;
-  const double uz = level.middle / body::kFocalLength;
-  return {line.ny * uz - nz * level.upY, nz * level.upX - line.nx * uz,
-          line.nx * level.upY - line.ny * level.upX};
+  const ImageDirection up = frame.up();
+  const double uz = frame.middleAbove / body::kFocalLength;
+  return {line.ny * uz - nz * up.dy, nz * up.dx - line.nx * uz, line.nx * up.dy - line.ny * up.dx};
 }
 
 // Mean and covariance.
@@ -47,15 +48,15 @@ double dot(const Point3<Camera>& a, const Point3<Camera>& b) {
 
 }  // namespace
 
-EdgeLine lineThrough(PixelPoint a, PixelPoint b, const ImageLevel& level) {
+EdgeLine lineThrough(PixelPoint a, PixelPoint b, const HorizonFrame& frame) {
   const double dx = b.x - a.x;
   const double dy = b.y - a.y;
   const double norm = std::sqrt(dx * dx + dy * dy);
-  if (!(norm > 1e-9)) return oriented(level.upX, level.upY, a, level);
-  return oriented(dy / norm, -dx / norm, a, level);
+  if (!(norm > 1e-9)) return oriented(frame.up().dx, frame.up().dy, a, frame);
+  return oriented(dy / norm, -dx / norm, a, frame);
 }
 
-EdgeLine lineOf(const EdgeMoments& m, const ImageLevel& level) {
+EdgeLine lineOf(const EdgeMoments& m, const HorizonFrame& frame) {
   const Spread s = spreadOf(m);
   const double least = s.least();
   // The normal is the direction of least spread, (S - least I) n = 0; of its two rows the longer
@@ -65,15 +66,15 @@ EdgeLine lineOf(const EdgeMoments& m, const ImageLevel& level) {
   const double nx = a > b ? -s.xy : b;
   const double ny = a > b ? a : -s.xy;
   const double norm = std::sqrt(nx * nx + ny * ny);
-  if (!(norm > 1e-9)) return oriented(level.upX, level.upY, s.mean, level);
-  return oriented(nx / norm, ny / norm, s.mean, level);
+  if (!(norm > 1e-9)) return oriented(frame.up().dx, frame.up().dy, s.mean, frame);
+  return oriented(nx / norm, ny / norm, s.mean, frame);
 }
 
 double EdgeMoments::leastSquares() const { return n * std::fmax(0.0, spreadOf(*this).least()); }
 
-double groundCosine(const EdgeLine& a, const EdgeLine& b, const ImageLevel& level) {
-  const Point3<Camera> p = groundDirection(a, level);
-  const Point3<Camera> q = groundDirection(b, level);
+double groundCosine(const EdgeLine& a, const EdgeLine& b, const HorizonFrame& frame) {
+  const Point3<Camera> p = groundDirection(a, frame);
+  const Point3<Camera> q = groundDirection(b, frame);
   const double lengths = std::sqrt(dot(p, p) * dot(q, q));
   return lengths > 0.0 ? std::fabs(dot(p, q)) / lengths : 1.0;
 }

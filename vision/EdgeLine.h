@@ -7,7 +7,7 @@
 #include <cstddef>
 
 #include "robot/core/Geometry.h"
-#include "vision/ScanLines.h"
+#include "vision/HorizonFrame.h"
 
 namespace kelpie::vision {
 
@@ -20,10 +20,11 @@ struct EdgeLine {
   std::size_t atGoal = 0;   // of these, those at the foot of a goal
   double rms = 0.0;         // px, of all
 
-  double beyond(PixelPoint p) const { return nx * p.x + ny * p.y - offset; }
+  // px beyond the line, off the carpet; negative on it
+  double distanceBeyond(PixelPoint p) const { return nx * p.x + ny * p.y - offset; }
 };
 
-EdgeLine lineThrough(PixelPoint a, PixelPoint b, const ImageLevel& level);
+EdgeLine lineThrough(PixelPoint a, PixelPoint b, const HorizonFrame& frame);
 
 // Sums over weighted points.
 struct EdgeMoments {
@@ -49,10 +50,10 @@ struct EdgeMoments {
 
 // The line of least squared distance: regression of y on x, as in 2005 and 2006, fails on steep
 // lines (peer-2005 section 1.3).
-EdgeLine lineOf(const EdgeMoments& moments, const ImageLevel& level);
+EdgeLine lineOf(const EdgeMoments& moments, const HorizonFrame& frame);
 
 // Cosine of the angle on the ground between two lines, 0 = square to each other. Each line's
 // direction is where the plane through it and the camera meets the horizontal.
-double groundCosine(const EdgeLine& a, const EdgeLine& b, const ImageLevel& level);
+double groundCosine(const EdgeLine& a, const EdgeLine& b, const HorizonFrame& frame);
 
 }  // namespace kelpie::vision

@@ -11,36 +11,36 @@ EdgeLines refitted(const EdgeEvidence& evidence, const EdgeLines& lines, double 
   std::array<EdgeMoments, EdgeLines::kCapacity> moments;
   for (const EdgeFeature& f : evidence.features) {
     const EdgePlace place = placeOf(lines, f.at);
-    if (!f.open && std::fabs(place.beyond) <= tolerance) moments[place.edge].add(f.at, f.weight);
+    if (!f.open && std::fabs(place.distance) <= tolerance) moments[place.edge].add(f.at, f.weight);
   }
   EdgeLines better = lines;
   for (std::size_t i = 0; i < lines.size(); ++i)
-    if (moments[i].n >= 2.0) better[i] = lineOf(moments[i], evidence.level);
+    if (moments[i].n >= 2.0) better[i] = lineOf(moments[i], evidence.frame);
   return better;
 }
 
 }  // namespace
 
-double gainOf(const EdgeEvidence& evidence, const EdgeLines& lines) {
+double scoreOf(const EdgeEvidence& evidence, const EdgeLines& lines) {
   const double t = evidence.params.tolerance;
   const double perSquare = 1.0 / (t * t);
-  double gain = 0.0;
+  double score = 0.0;
   for (const EdgeFeature& f : evidence.features) {
-    const double d = placeOf(lines, f.at).beyond;
+    const double d = placeOf(lines, f.at).distance;
     if (d > t) {
-      gain -= evidence.params.abovePenalty;
+      score -= evidence.params.abovePenalty;
     } else if (d > -t && !f.open) {
-      gain += f.weight * (1.0 - d * d * perSquare);
+      score += f.weight * (1.0 - d * d * perSquare);
     }
   }
-  return gain;
+  return score;
 }
 
 bool refine(const EdgeEvidence& evidence, double width, Outline& outline) {
   const EdgeLines lines = refitted(evidence, outline.lines, width * evidence.params.tolerance);
-  const double gain = gainOf(evidence, lines);
-  if (gain <= outline.gain) return false;
-  outline = {lines, gain};
+  const double score = scoreOf(evidence, lines);
+  if (score <= outline.score) return false;
+  outline = {lines, score};
   return true;
 }
 
@@ -49,20 +49,20 @@ void measure(const EdgeEvidence& evidence, EdgeLines& lines) {
   for (EdgeLine& line : lines) line.support = line.atGoal = 0;
   for (const EdgeFeature& f : evidence.features) {
     const EdgePlace place = placeOf(lines, f.at);
-    if (f.open || !(std::fabs(place.beyond) <= evidence.params.tolerance)) continue;
+    if (f.open || !(std::fabs(place.distance) <= evidence.params.tolerance)) continue;
     ++lines[place.edge].support;
     lines[place.edge].atGoal += f.atGoal ? 1 : 0;
-    squares[place.edge] += place.beyond * place.beyond;
+    squares[place.edge] += place.distance * place.distance;
   }
   for (std::size_t i = 0; i < lines.size(); ++i)
     if (lines[i].support > 0)
       lines[i].rms = std::sqrt(squares[i] / static_cast<double>(lines[i].support));
 }
 
-double denied(const EdgeEvidence& evidence, const EdgeLines& lines) {
+double carpetBeyond(const EdgeEvidence& evidence, const EdgeLines& lines) {
   double count = 0.0;
   for (const EdgeFeature& f : evidence.features)
-    count += placeOf(lines, f.at).beyond > evidence.params.tolerance ? 1.0 : 0.0;
+    count += placeOf(lines, f.at).distance > evidence.params.tolerance ? 1.0 : 0.0;
   return count;
 }
 

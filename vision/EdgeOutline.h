@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// One to three straight edges that bound a convex carpet, and what the features say for and against
-// them. The carpet is inside all of them, so a feature belongs to the edge that it is farthest
-// beyond, and none may lie beyond any.
+// One to three straight edges that bound a convex carpet, and their score: the truncated quadratic
+// of MSAC over the features. The carpet is inside all of them, so a feature belongs to the edge
+// that it is farthest beyond, and none may lie beyond any.
 #pragma once
 
 #include "robot/core/FixedVector.h"
@@ -14,33 +14,33 @@ using EdgeLines = FixedVector<EdgeLine, 3>;
 
 struct Outline {
   EdgeLines lines;
-  double gain = -1e6;  // what speaks for it, in inliers
+  double score = -1e6;  // in inliers
 };
 
 // How far a point is off the carpet, and the edge that says so. There must be an edge.
 struct EdgePlace {
-  double beyond = 0.0;  // px
+  double distance = 0.0;  // px
   std::size_t edge = 0;
 };
 inline EdgePlace placeOf(const EdgeLines& lines, PixelPoint p) {
-  EdgePlace place{lines[0].beyond(p), 0};
+  EdgePlace place{lines[0].distanceBeyond(p), 0};
   for (std::size_t i = 1; i < lines.size(); ++i) {
-    const double beyond = lines[i].beyond(p);
-    if (beyond > place.beyond) place = {beyond, i};
+    const double beyond = lines[i].distanceBeyond(p);
+    if (beyond > place.distance) place = {beyond, i};
   }
   return place;
 }
 
-// What an outline is judged by.
+// What an outline is scored by.
 struct EdgeEvidence {
   const EdgeFeatures& features;
-  const ImageLevel& level;
+  const HorizonFrame& frame;
   const FieldEdgeParams& params;
 };
 
 // Inliers weighted by their closeness and trust, less a fine for each place of the carpet that is
 // seen beyond (MSAC, Torr and Zisserman 2000, with the fine added).
-double gainOf(const EdgeEvidence& evidence, const EdgeLines& lines);
+double scoreOf(const EdgeEvidence& evidence, const EdgeLines& lines);
 
 // Refits every edge to its inliers within `width` tolerances, if that is better: a line through two
 // points is off at its far end. Whether it was.
@@ -49,8 +49,8 @@ bool refine(const EdgeEvidence& evidence, double width, Outline& outline);
 // Counts the inliers of each edge and their distance.
 void measure(const EdgeEvidence& evidence, EdgeLines& lines);
 
-// Features beyond the outline: carpet that it would deny.
-double denied(const EdgeEvidence& evidence, const EdgeLines& lines);
+// Number of features beyond the outline: places of the carpet that it leaves out.
+double carpetBeyond(const EdgeEvidence& evidence, const EdgeLines& lines);
 
 constexpr double kMinNoise = 0.09;  // px^2: features lie on whole pixels
 // px^2, mean over the features on the measured edges.

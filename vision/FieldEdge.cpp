@@ -16,11 +16,11 @@ double rowAt(const EdgeLine& line, double x) {
 
 }  // namespace
 
-FieldEdges findFieldEdges(const Sampler& sampler, const CameraPose& camera, const ScanParams& scan,
-                          const FieldEdgeParams& params, VisionCounts& counts) {
-  const ImageLevel level = imageLevel(camera);
-  const EdgeFeatures features = edgeFeatures(sampler, scanLines(level, scan), params);
-  return edgeRows(fitEdgeLines(features, level, params, counts));
+FieldEdges findFieldEdges(const Sampler& sampler, const HorizonFrame& frame,
+                          const HorizonScanParams& scan, const FieldEdgeParams& params,
+                          VisionCounts& counts) {
+  const EdgeFeatures features = edgeFeatures(sampler, horizonScan(frame, scan), params);
+  return edgeRows(fitEdgeLines(features, frame, params, counts));
 }
 
 FieldEdges edgeRows(const EdgeLines& lines) {

@@ -11,8 +11,9 @@ namespace kelpie::vision {
 
 using FieldEdges = FixedVector<FieldEdgePercept, 3>;
 
-FieldEdges findFieldEdges(const Sampler& sampler, const CameraPose& camera, const ScanParams& scan,
-                          const FieldEdgeParams& params, VisionCounts& counts);
+FieldEdges findFieldEdges(const Sampler& sampler, const HorizonFrame& frame,
+                          const HorizonScanParams& scan, const FieldEdgeParams& params,
+                          VisionCounts& counts);
 
 // Rows at the image's borders. A line that has the carpet above it in the image (the head is rolled
 // by more than a right angle) has none and is left out.

@@ -3,26 +3,25 @@
 
 #include <algorithm>
 
-#include "vision/Sight.h"
+#include "vision/GroundRay.h"
 
 namespace kelpie::vision {
 namespace {
 
-constexpr int kStep = 2;    // px; the lattice's, whose classes are known
-constexpr int kGreens = 2;  // in a row that make carpet: a gap between toes is narrower
-constexpr int kMixed = 1;   // samples between green and white that are neither
-constexpr int kOthers = 2;  // in a row that are another thing
+constexpr int kStep = 2;       // px; the lattice's, whose classes are known
+constexpr int kMinGreens = 2;  // in a row that make carpet: a gap between toes is narrower
+constexpr int kMaxMixed = 1;   // samples between green and white that are neither
+constexpr int kMinOthers = 2;  // in a row that are another thing
 
-// Pixels of carpet behind a foot: looked for so far, enough when the image ends there, most that is
-// believed of one side alone, where another thing may stand.
-constexpr double kFarthest = 16.0;
-constexpr double kEnough = 6.0;
-constexpr double kMaxOneSided = 3.0;
-constexpr double kFarShare = 1.6;  // of the second place beside a foot over the first
-constexpr int kWidestLine = 4;     // px of white that the carpet goes on behind
+// Pixels of carpet behind a foot.
+constexpr double kMaxSearched = 16.0;
+constexpr double kMinAtBorder = 6.0;  // seen when the image ends there
+constexpr double kMaxOneSided = 3.0;  // of one side alone, where another thing may stand
+constexpr double kFarShare = 1.6;     // of the second place beside a foot over the first
+constexpr int kMaxLineWidth = 4;      // px of white that the carpet goes on behind
 
-// Other things than the one with the colour `own`. A dark blue uniform looks like a blue goal here
-// and there.
+// The colour of another thing than the one whose colour is `own`. A dark blue uniform looks like a
+// blue goal here and there.
 bool isOther(ColourClass c, ColourClass own) {
   if (c == own) return false;
   return c == ColourClass::orange || c == ColourClass::yellow || c == ColourClass::pink ||
@@ -41,18 +40,18 @@ struct ColumnReader {
   void read(ColourClass seen, int way) {
     const bool green = seen == ColourClass::green;
     gap = green ? 0 : gap + (seen == ColourClass::white ? 0 : 1);
-    if (gap > kMixed) greens = 0;
+    if (gap > kMaxMixed) greens = 0;
     if (green && greens++ == 0) first = way;
     others = isOther(seen, own) ? others + 1 : 0;
   }
 };
 
 // One column on the lattice, to 2 px: pixel and end, no distance yet.
-Foot coarseFoot(const Scene& scene, PixelPoint from, ImageUp up, ColourClass own) {
+Foot coarseFoot(const Scene& scene, PixelPoint from, ColourClass own) {
   ColumnReader reader{own};
   Foot foot;
   foot.pixel = from;
-  for (int way = 0; reader.others < kOthers; way += kStep) {
+  for (int way = 0; reader.others < kMinOthers; way += kStep) {
     if (!inCoarse(static_cast<int>(foot.pixel.x), static_cast<int>(foot.pixel.y))) {
       foot.end = FootEnd::imageBorder;
       return foot;
@@ -60,35 +59,35 @@ Foot coarseFoot(const Scene& scene, PixelPoint from, ImageUp up, ColourClass own
     reader.read(
         coarseClass(scene.sampler, static_cast<int>(foot.pixel.x), static_cast<int>(foot.pixel.y)),
         way);
-    if (reader.greens >= kGreens) {
+    if (reader.greens >= kMinGreens) {
       foot.end = FootEnd::carpet;
-      foot.pixel = moved(from, up, 0.0, -reader.first);
+      foot.pixel = scene.frame.beside(from, 0.0, -reader.first);
       return foot;
     }
-    foot.pixel = {foot.pixel.x - kStep * up.dx, foot.pixel.y - kStep * up.dy};
+    foot.pixel = moved(foot.pixel, scene.frame.up(), -kStep);
   }
   return foot;
 }
 
 // From the coarse place of the first green to the border before it, pixel by pixel.
-PixelPoint refined(const Scene& scene, PixelPoint coarse, ImageUp up) {
+PixelPoint refined(const Scene& scene, PixelPoint coarse) {
   for (int above = kStep + 1; above >= -1; --above) {
-    const PixelPoint at = moved(coarse, up, 0.0, above);
+    const PixelPoint at = scene.frame.beside(coarse, 0.0, above);
     if (Sampler::usable(at) && scene.sampler.classAt(at) == ColourClass::green)
-      return moved(coarse, up, 0.0, above + 0.5);
+      return scene.frame.beside(coarse, 0.0, above + 0.5);
   }
   return coarse;
 }
 
 // How far the carpet goes on above a level line through the foot, at one place beside it: negative
 // where it ends below, nothing where the image ends first. A white line does not end it.
-std::optional<double> carpetAbove(const Scene& scene, ImageUp up, PixelPoint foot, double aside) {
+std::optional<double> carpetAbove(const Scene& scene, PixelPoint foot, double aside) {
   int gap = 0;
-  double last = -kFarthest;
-  for (double above = last; above <= kFarthest && gap <= kWidestLine; above += 1.0) {
-    const PixelPoint at = moved(foot, up, aside, above);
+  double last = -kMaxSearched;
+  for (double above = last; above <= kMaxSearched && gap <= kMaxLineWidth; above += 1.0) {
+    const PixelPoint at = scene.frame.beside(foot, aside, above);
     if (!Sampler::usable(at)) {
-      return last >= kEnough ? std::optional<double>(last) : std::nullopt;
+      return last >= kMinAtBorder ? std::optional<double>(last) : std::nullopt;
     }
     const bool green = scene.sampler.classAt(at) == ColourClass::green;
     gap = green ? 0 : gap + 1;
@@ -101,12 +100,12 @@ std::optional<double> carpetAbove(const Scene& scene, ImageUp up, PixelPoint foo
 
 // The middle of two places, or the straight line through two places on one side when the other side
 // is not in the image.
-double carpetBehind(const Scene& scene, ImageUp up, PixelPoint foot, double beside) {
+double carpetBehind(const Scene& scene, PixelPoint foot, double beside) {
   const double farther = kFarShare * beside;
-  const auto right = carpetAbove(scene, up, foot, beside);
-  const auto left = carpetAbove(scene, up, foot, -beside);
-  const auto farRight = carpetAbove(scene, up, foot, farther);
-  const auto farLeft = carpetAbove(scene, up, foot, -farther);
+  const auto right = carpetAbove(scene, foot, beside);
+  const auto left = carpetAbove(scene, foot, -beside);
+  const auto farRight = carpetAbove(scene, foot, farther);
+  const auto farLeft = carpetAbove(scene, foot, -farther);
   double best = kUnknownBehind;
   if (left && right) best = std::max(best, 0.5 * (*left + *right));
   if (farLeft && farRight) best = std::max(best, 0.5 * (*farLeft + *farRight));
@@ -118,30 +117,30 @@ double carpetBehind(const Scene& scene, ImageUp up, PixelPoint foot, double besi
 }
 
 std::optional<double> groundDistance(const CameraPose& camera, PixelPoint pixel) {
-  const double slope = sightOf(camera, pixel).slope;
+  const double slope = groundRayThrough(camera, pixel).slope;
   if (slope > -1e-3) return std::nullopt;
   return -camera.position.z / slope;
 }
 
 double heightAt(const CameraPose& camera, PixelPoint pixel, double distance) {
-  return camera.position.z + distance * sightOf(camera, pixel).slope;
+  return camera.position.z + distance * groundRayThrough(camera, pixel).slope;
 }
 
-Foot nearestFoot(const Scene& scene, ImageUp up, const FootSearch& search) {
+Foot nearestFoot(const Scene& scene, const FootSearch& search) {
   Foot best;
   for (int i = 0; i < search.columns; ++i) {
     const double share = search.columns > 1 ? i / (search.columns - 1.0) : 0.5;
     const double aside = search.first + (search.last - search.first) * share;
-    const PixelPoint from = moved(search.from, up, aside, 0.0);
+    const PixelPoint from = scene.frame.beside(search.from, aside, 0.0);
     if (!Sampler::usable(from)) continue;
-    Foot foot = coarseFoot(scene, from, up, search.own);
+    Foot foot = coarseFoot(scene, from, search.own);
     const auto distance = groundDistance(scene.body.camera, foot.pixel);
     if (foot.end == FootEnd::hidden || !distance || *distance >= best.distance) continue;
     best = foot;
     best.distance = *distance;
   }
   if (best.end != FootEnd::carpet) return best;
-  best.pixel = refined(scene, best.pixel, up);
+  best.pixel = refined(scene, best.pixel);
   best.distance = groundDistance(scene.body.camera, best.pixel).value_or(kNoDistance);
   return best;
 }

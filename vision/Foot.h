@@ -30,14 +30,14 @@ struct FootSearch {
 };
 
 // The nearest of the feet of several columns. A column in which another thing's orange, yellow,
-// pink or blue comes before the foot has none.
-Foot nearestFoot(const Scene& scene, ImageUp up, const FootSearch& search);
+// pink or blue comes before the foot has no foot.
+Foot nearestFoot(const Scene& scene, const FootSearch& search);
 
 // Pixels of carpet above the level of a foot, beside the thing that stands there: `beside` px from
 // the foot and farther, on both sides together, because the carpet's end may be askew. What seems
 // to stand on the carpet's very end is beyond it. kUnknownBehind where the image shows too little.
 constexpr double kUnknownBehind = -100.0;
-double carpetBehind(const Scene& scene, ImageUp up, PixelPoint foot, double beside);
+double carpetBehind(const Scene& scene, PixelPoint foot, double beside);
 
 // Along the ground from the camera to what a pixel sees there; nothing above the horizon.
 std::optional<double> groundDistance(const CameraPose& camera, PixelPoint pixel);

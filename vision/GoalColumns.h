@@ -11,6 +11,6 @@ namespace kelpie::vision {
 
 // Fills columns, box, edges, cuts, distance and its standard deviation from the candidate's colour
 // and box.
-void measureGoal(const Scene& scene, const GoalParams& params, GoalCandidate& c);
+void measureGoal(const Scene& scene, const GoalFinderParams& params, GoalCandidate& c);
 
 }  // namespace kelpie::vision

@@ -5,12 +5,12 @@
 #include <cmath>
 
 #include "vision/GoalColumns.h"
-#include "vision/GoalDoubt.h"
+#include "vision/GoalFacts.h"
 #include "vision/GoalGaps.h"
 #include "vision/GoalShape.h"
+#include "vision/GroundRay.h"
 #include "vision/Judged.h"
 #include "vision/Refusal.h"
-#include "vision/Sight.h"
 #include "vision/SpanWalk.h"
 
 namespace kelpie::vision {
@@ -95,18 +95,18 @@ GoalCandidate grouped(const Scene& scene, const Blob& seed, const Landmarks& bea
 }
 
 LandmarkPercept perceptOf(const Scene& scene, const GoalCandidate& c, const GoalShape& shape,
-                          const GoalParams& p) {
+                          const GoalFinderParams& p) {
   const Point3<Robot>& eye = scene.body.camera.position;
   const Point2<Robot> camera{eye.x, eye.y};
   const Point2<Robot> middle = camera + shape.middle;
   const bool open = c.left.open() || c.right.open();
-  const double hidden = open ? std::max(0.0, p.width - seenWidth(scene, c, p)) : 0.0;
+  const double hidden = open ? std::max(0.0, p.width - visibleWidth(scene, c, p)) : 0.0;
   LandmarkPercept percept;
   percept.kind = goalKind(c.colour);
   percept.distance = middle.norm();
   percept.heading = bearing(middle);
-  const PixelPoint centre = scene.level.toImage({c.box.middle(), 0.5 * (c.box.top + c.box.bottom)});
-  percept.elevation = Angle::rad(maths::atan(sightOf(scene.body.camera, centre).slope));
+  const PixelPoint centre = scene.frame.toImage({c.box.middle(), 0.5 * (c.box.top + c.box.bottom)});
+  percept.elevation = Angle::rad(maths::atan(groundRayThrough(scene.body.camera, centre).slope));
   percept.distanceVariance = maths::square(c.distanceSd) + maths::square(0.05 * percept.distance) +
                              maths::square(0.25 * hidden);
   percept.headingVariance = maths::square(p.headingSd.rad()) +
@@ -115,11 +115,11 @@ LandmarkPercept perceptOf(const Scene& scene, const GoalCandidate& c, const Goal
   percept.rightEdge = bearing(camera + shape.rightPost(p));
   percept.leftEdgeCut = c.left.open();
   percept.rightEdgeCut = c.right.open();
-  percept.box = imageBox(scene.level, c.box);
+  percept.box = imageBox(scene.frame, c.box);
   return percept;
 }
 
-bool accepted(const Scene& scene, const GoalCandidate& c, const GoalParams& p,
+bool accepted(const Scene& scene, const GoalCandidate& c, const GoalFinderParams& p,
               VisionCounts& counts) {
   const auto check = [&counts](bool keep, Refusal reason) {
     if (!keep) refuse(counts, reason);
@@ -135,7 +135,7 @@ bool accepted(const Scene& scene, const GoalCandidate& c, const GoalParams& p,
          check(goalIsNear(c, p), Refusal::goalTooFar);
 }
 
-bool tried(const Scene& scene, GoalCandidate& c, const GoalParams& p, VisionCounts& counts) {
+bool tried(const Scene& scene, GoalCandidate& c, const GoalFinderParams& p, VisionCounts& counts) {
   if (!goalIsLarge(c, p)) {
     refuse(counts, Refusal::goalTooSmall);
     return false;
@@ -144,9 +144,9 @@ bool tried(const Scene& scene, GoalCandidate& c, const GoalParams& p, VisionCoun
   return accepted(scene, c, p, counts);
 }
 
-// A narrow part of a goal stands aslant when its ends are taken for posts: then what hides the rest
-// was not recognised.
-GoalShape shapeOf(const Scene& scene, GoalCandidate& c, const GoalParams& p) {
+// A narrow part of a goal seems turned away when its ends are taken for posts: then what hides the
+// rest was not recognised.
+GoalShape shapeOf(const Scene& scene, GoalCandidate& c, const GoalFinderParams& p) {
   const GoalShape shape = fitGoal(scene, c, p);
   if (goalFacesField(shape, p) || !goalIsPart(scene, c, p)) return shape;
   c.left.hidden = true;
@@ -156,11 +156,11 @@ GoalShape shapeOf(const Scene& scene, GoalCandidate& c, const GoalParams& p) {
 
 // The lowest point of the middle.
 PixelPoint footOf(const Scene& scene, const GoalCandidate& c) {
-  return scene.level.toImage({c.box.middle(), c.box.bottom});
+  return scene.frame.toImage({c.box.middle(), c.box.bottom});
 }
 
 // A box behind the carpet stands a little above the field edge, or its feet do not fit the ground.
-bool hasFirmFeet(const Scene& scene, const GoalCandidate& c, const GoalParams& p) {
+bool hasFirmFeet(const Scene& scene, const GoalCandidate& c, const GoalFinderParams& p) {
   if (std::fabs(c.footError) > p.partDirection.rad()) return false;
   const GoalFeet feet = feetOf(scene, c);
   return feet.count == 0 || (feet.lowest >= p.minPartBelowFieldEdge &&
@@ -172,29 +172,29 @@ struct Likeliest {
   GoalCandidate candidate;
   GoalShape shape;
   LandmarkPercept percept;
-  double doubt = 0.0;
+  double logOddsAgainst = 0.0;
 };
 
 struct Finder {
   const Scene& scene;
-  const GoalParams& params;
+  const GoalFinderParams& params;
   const Landmarks& beacons;
   VisionCounts& counts;
   JudgedGoals& judged;
 
-  // Of several candidates the least doubtful is the goal: the two goals are at opposite ends, so
-  // that one image shows one of them (facts-2005 4.5 check 10).
+  // The candidate with the least log odds against it is the goal: the two goals are at opposite
+  // ends, so that one image shows one of them (facts-2005 4.5 check 10).
   void consider(GoalCandidate c, Likeliest& best) const {
     if (!tried(scene, c, params, counts)) return;
     const GoalShape shape = shapeOf(scene, c, params);
-    if (!goalFacesField(shape, params)) return refuse(counts, Refusal::goalAslant);
+    if (!goalFacesField(shape, params)) return refuse(counts, Refusal::goalOblique);
     const GoalFacts facts = goalFacts(scene, c, shape, beacons, params);
-    const double doubt = goalDoubt(facts);
+    const double against = logOddsAgainst(facts);
     const LandmarkPercept percept = perceptOf(scene, c, shape, params);
-    judged.push_back({percept, facts, doubt});
-    if (doubt > params.maxDoubt) return refuse(counts, Refusal::goalDoubtful);
+    judged.push_back({percept, facts, against});
+    if (against > params.maxLogOddsAgainst) return refuse(counts, Refusal::goalUnlikely);
     if (best.found && best.candidate.colour != c.colour) refuse(counts, Refusal::goalOpposite);
-    if (!best.found || doubt < best.doubt) best = {true, c, shape, percept, doubt};
+    if (!best.found || against < best.logOddsAgainst) best = {true, c, shape, percept, against};
   }
 };
 
@@ -204,11 +204,11 @@ LandmarkKind goalKind(ColourClass colour) {
   return colour == ColourClass::blue ? LandmarkKind::goalBlue : LandmarkKind::goalYellow;
 }
 
-double seenWidth(const Scene& scene, const GoalCandidate& c, const GoalParams& p) {
+double visibleWidth(const Scene& scene, const GoalCandidate& c, const GoalFinderParams& p) {
   const CameraPose& camera = scene.body.camera;
-  const double d = std::max(c.wall - p.depth, 5.0);
-  return distance(placeAt(camera, sightOf(camera, c.left.point), d),
-                  placeAt(camera, sightOf(camera, c.right.point), d));
+  const double d = std::max(c.wallDistance - p.depth, 5.0);
+  return distance(placeAt(camera, groundRayThrough(camera, c.left.point), d),
+                  placeAt(camera, groundRayThrough(camera, c.right.point), d));
 }
 
 GoalFeet feetOf(const Scene& scene, const GoalCandidate& c) {
@@ -233,11 +233,11 @@ ColumnCounts countColumns(const GoalCandidate& c) {
   return counts;
 }
 
-bool goalIsLarge(const GoalCandidate& c, const GoalParams& p) {
+bool goalIsLarge(const GoalCandidate& c, const GoalFinderParams& p) {
   return c.samples >= p.minSamples && c.box.width() >= p.minWidth && c.box.height() >= p.minHeight;
 }
 
-bool goalHasShape(const GoalCandidate& c, const GoalParams& p) {
+bool goalHasShape(const GoalCandidate& c, const GoalFinderParams& p) {
   const bool sideCut = c.left.cut || c.right.cut;
   const bool tall = !sideCut && c.box.height() > p.maxTall * c.box.width();
   const bool flat = !c.topCut && !c.bottomCut && c.box.width() > p.maxFlat * c.box.height();
@@ -246,19 +246,20 @@ bool goalHasShape(const GoalCandidate& c, const GoalParams& p) {
   return !tall && !flat && 2 * tallColumns <= 3 * countColumns(c).chosen;
 }
 
-bool goalStandsBelowHorizon(const Scene& scene, const GoalCandidate& c, const GoalParams& p) {
+bool goalStandsBelowHorizon(const Scene& scene, const GoalCandidate& c, const GoalFinderParams& p) {
   return belowHorizon(scene, footOf(scene, c)) >= -p.maxAboveHorizon;
 }
 
 // A goal stands on the carpet, clothes on the floor behind it: some column's foot meets the edge.
-bool goalStandsInsideFieldEdge(const Scene& scene, const GoalCandidate& c, const GoalParams& p) {
+bool goalStandsInsideFieldEdge(const Scene& scene, const GoalCandidate& c,
+                               const GoalFinderParams& p) {
   const GoalFeet feet = feetOf(scene, c);
   return feet.count == 0 ||
          (feet.lowest >= -p.maxAboveFieldEdge && feet.sum >= -p.maxMeanAboveFieldEdge * feet.count);
 }
 
-// Of the columns between the goal's ends; robots may hide most of the feet.
-bool goalHasFieldBelow(const GoalCandidate& c, const GoalParams& p) {
+// Counts the columns between the goal's ends; robots may hide most of the feet.
+bool goalHasFieldBelow(const GoalCandidate& c, const GoalFinderParams& p) {
   int columns = 0;
   int green = 0;
   for (const GoalColumn& column : c.columns) {
@@ -275,34 +276,37 @@ bool goalHasNoPinkBeside(const Scene& scene, const GoalCandidate& c) {
   for (const double share : {0.15, 0.35, 0.55}) {
     const double away = 1.0 + share * c.box.height();
     for (const double v : {c.box.top - away, c.box.bottom + away}) {
-      const PixelPoint at = scene.level.toImage({c.box.middle(), v});
+      const PixelPoint at = scene.frame.toImage({c.box.middle(), v});
       if (Sampler::usable(at) && scene.sampler.classAt(at) == ColourClass::pink) return false;
     }
   }
   return true;
 }
 
-bool goalIsMeasured(const GoalCandidate& c) { return c.wall > 0.0; }
+bool goalIsMeasured(const GoalCandidate& c) { return c.wallDistance > 0.0; }
 
-bool goalHasWidth(const Scene& scene, const GoalCandidate& c, const GoalParams& p) {
-  const double seen = seenWidth(scene, c, p);
+bool goalHasWidth(const Scene& scene, const GoalCandidate& c, const GoalFinderParams& p) {
+  const double seen = visibleWidth(scene, c, p);
   // Anything may show between two pairs of legs.
-  if (c.left.hidden && c.right.hidden) return seen >= p.minHiddenWidth && seen <= p.maxSeenWidth;
-  const double least = c.left.open() || c.right.open() ? p.minCutWidth : p.minSeenWidth;
-  return seen >= least && seen <= p.maxSeenWidth;
+  if (c.left.hidden && c.right.hidden) return seen >= p.minHiddenWidth && seen <= p.maxVisibleWidth;
+  const double least = c.left.open() || c.right.open() ? p.minCutWidth : p.minVisibleWidth;
+  return seen >= least && seen <= p.maxVisibleWidth;
 }
 
-bool goalIsPart(const Scene& scene, const GoalCandidate& c, const GoalParams& p) {
-  return seenWidth(scene, c, p) <= p.maxPartWidth && hasFirmFeet(scene, c, p);
+bool goalIsPart(const Scene& scene, const GoalCandidate& c, const GoalFinderParams& p) {
+  return visibleWidth(scene, c, p) <= p.maxPartWidth && hasFirmFeet(scene, c, p);
 }
 
-bool goalFacesField(const GoalShape& shape, const GoalParams& p) {
-  return shape.valid && shape.oblique() <= p.maxTurn.rad() && shape.aside() <= p.maxAside;
+bool goalFacesField(const GoalShape& shape, const GoalFinderParams& p) {
+  return shape.valid && shape.obliqueAngle() <= p.maxTurn.rad() &&
+         shape.lateralOffset() <= p.maxLateralOffset;
 }
 
-bool goalIsNear(const GoalCandidate& c, const GoalParams& p) { return c.wall <= p.maxDistance; }
+bool goalIsNear(const GoalCandidate& c, const GoalFinderParams& p) {
+  return c.wallDistance <= p.maxDistance;
+}
 
-void findGoals(const Scene& scene, const GoalParams& params, VisionCounts& counts,
+void findGoals(const Scene& scene, const GoalFinderParams& params, VisionCounts& counts,
                Landmarks& landmarks, GoalGaps& gaps, JudgedGoals& judged) {
   const Landmarks beacons = landmarks;
   const Finder finder{scene, params, beacons, counts, judged};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Goals: of the large blue and yellow blobs, alone and with their neighbours, the one that fits
-// best. Distance from the angle that the goal's 30 cm of height fill in several columns, or from
-// where its foot meets the ground when the top is cut (GoalColumns); its three walls are laid
+// Goals: the one that fits best among the large blue and yellow blobs, alone and with their
+// neighbours. Distance from the angle that the goal's 30 cm of height fill in several columns, or
+// from where its foot meets the ground when the top is cut (GoalColumns); its three walls are laid
 // through these (GoalShape), and the percept is the middle of the mouth. Weak when a post is
 // outside the image or behind a robot.
 #pragma once
@@ -45,17 +45,17 @@ struct GoalCandidate {
   GoalEnd right;
   bool topCut = false;
   bool bottomCut = false;
-  double wall = 0.0;        // cm on the ground, camera to the middle of what is seen, 0 = unknown
-  double distanceSd = 0.0;  // cm
-  double footError = 0.0;   // rad, of the middle column
+  double wallDistance = 0.0;  // cm on the ground, camera to the middle of what is seen, 0 = unknown
+  double distanceSd = 0.0;    // cm
+  double footError = 0.0;     // rad, of the middle column
 };
 
 LandmarkKind goalKind(ColourClass colour);
 
-// cm of the mouth's line that is seen, between two ends at the mouth's distance.
-double seenWidth(const Scene& scene, const GoalCandidate& c, const GoalParams& p);
+// How much of the mouth's line is seen, in cm, between two ends at the mouth's distance.
+double visibleWidth(const Scene& scene, const GoalCandidate& c, const GoalFinderParams& p);
 
-// Of the chosen columns, px below the field edge.
+// How far the feet of the chosen columns are below the field edge, in px.
 struct GoalFeet {
   double lowest = -1e9;
   double sum = 0.0;
@@ -70,24 +70,25 @@ struct ColumnCounts {
 ColumnCounts countColumns(const GoalCandidate& c);
 
 // The checks: true = keep.
-bool goalIsLarge(const GoalCandidate& c, const GoalParams& p);
-bool goalHasShape(const GoalCandidate& c, const GoalParams& p);
-bool goalStandsBelowHorizon(const Scene& scene, const GoalCandidate& c, const GoalParams& p);
-bool goalStandsInsideFieldEdge(const Scene& scene, const GoalCandidate& c, const GoalParams& p);
-bool goalHasFieldBelow(const GoalCandidate& c, const GoalParams& p);
+bool goalIsLarge(const GoalCandidate& c, const GoalFinderParams& p);
+bool goalHasShape(const GoalCandidate& c, const GoalFinderParams& p);
+bool goalStandsBelowHorizon(const Scene& scene, const GoalCandidate& c, const GoalFinderParams& p);
+bool goalStandsInsideFieldEdge(const Scene& scene, const GoalCandidate& c,
+                               const GoalFinderParams& p);
+bool goalHasFieldBelow(const GoalCandidate& c, const GoalFinderParams& p);
 bool goalHasNoPinkBeside(const Scene& scene, const GoalCandidate& c);
 bool goalIsMeasured(const GoalCandidate& c);
-bool goalHasWidth(const Scene& scene, const GoalCandidate& c, const GoalParams& p);
+bool goalHasWidth(const Scene& scene, const GoalCandidate& c, const GoalFinderParams& p);
 // Whether it may be the part of a goal that something else leaves.
-bool goalIsPart(const Scene& scene, const GoalCandidate& c, const GoalParams& p);
-bool goalIsNear(const GoalCandidate& c, const GoalParams& p);
+bool goalIsPart(const Scene& scene, const GoalCandidate& c, const GoalFinderParams& p);
+bool goalIsNear(const GoalCandidate& c, const GoalFinderParams& p);
 
 struct JudgedGoal;
 using JudgedGoals = FixedVector<JudgedGoal, 16>;
 using GoalGaps = FixedVector<GoalGap, 6>;
 
 // Call after findBeacons: `landmarks` holds the beacons found, whose bands are left out.
-void findGoals(const Scene& scene, const GoalParams& params, VisionCounts& counts,
+void findGoals(const Scene& scene, const GoalFinderParams& params, VisionCounts& counts,
                Landmarks& landmarks, GoalGaps& gaps, JudgedGoals& judged);
 
 }  // namespace kelpie::vision

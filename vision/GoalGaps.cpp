@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "vision/Sight.h"
+#include "vision/GroundRay.h"
 
 namespace kelpie::vision {
 namespace {
@@ -27,18 +27,18 @@ std::optional<PixelPoint> pixelAt(const Scene& scene, Vec ground, double height)
 
 // By how much the wall's foot is seen lower than the camera's pose says, px.
 double footShift(const Scene& scene, const GoalCandidate& c, const GoalShape& shape,
-                 const GoalParams& params) {
+                 const GoalFinderParams& params) {
   double sum = 0.0;
   double count = 0.0;
   for (const GoalColumn& column : c.columns) {
     if (!column.chosen || column.footCut) continue;
-    const Sight s = sightOf(scene.body.camera, column.foot);
+    const GroundRay s = groundRayThrough(scene.body.camera, column.foot);
     const Vec way{s.right, s.forward};
     const auto wall = shape.wallAlong(way, params);
     if (!wall) continue;
     const auto pixel = pixelAt(scene, way * *wall, 0.0);
     if (!pixel) continue;
-    sum += scene.level.fromImage(column.foot).v - scene.level.fromImage(*pixel).v;
+    sum += scene.frame.fromImage(column.foot).v - scene.frame.fromImage(*pixel).v;
     count += 1.0;
   }
   return count > 0.0 ? sum / count : 0.0;
@@ -51,13 +51,13 @@ Look lookAlong(const Scene& scene, ColourClass colour, Vec wall, double shift) {
   const auto foot = pixelAt(scene, wall, 0.0);
   const auto top = pixelAt(scene, wall, kGoalHeight);
   if (!foot || !top) return Look::outside;
-  const ImageUp up = scene.level.up();
   int places = 0;
   int open = 0;
   for (int i = 0; i < kHeights; ++i) {
     const double share = 0.12 + 0.72 * i / (kHeights - 1);
-    const PixelPoint at{foot->x + share * (top->x - foot->x) - shift * up.dx,
-                        foot->y + share * (top->y - foot->y) - shift * up.dy};
+    const PixelPoint expected{foot->x + share * (top->x - foot->x),
+                              foot->y + share * (top->y - foot->y)};
+    const PixelPoint at = moved(expected, scene.frame.up(), -shift);
     if (!Sampler::usable(at)) continue;
     const ColourClass seen = scene.sampler.classAt(at);
     ++places;
@@ -86,7 +86,7 @@ struct Mouth {
   int steps = 0;
 };
 
-Mouth mouthOf(const GoalShape& shape, const GoalParams& params) {
+Mouth mouthOf(const GoalShape& shape, const GoalFinderParams& params) {
   Mouth m{shape.leftPost(params), shape.rightPost(params)};
   m.from = directionOf(m.left);
   const double width = Angle::rad(directionOf(m.right) - m.from).rad();
@@ -125,7 +125,7 @@ GoalGap gapOf(const Scene& scene, const GoalCandidate& c, const Mouth& m, int fi
 }  // namespace
 
 void findGaps(const Scene& scene, const GoalCandidate& c, const GoalShape& shape,
-              const GoalParams& params, GoalGaps& gaps) {
+              const GoalFinderParams& params, GoalGaps& gaps) {
   const Mouth m = mouthOf(shape, params);
   const double shift = footShift(scene, c, shape, params);
   int first = -1;

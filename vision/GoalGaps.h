@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The free stretches of a goal's mouth: directions between the posts in which the wall behind shows
-// its colour from foot to top (thesis 2006 section 6.4.2). What stands before or in the goal hides
-// it. A ball does not count as an obstacle.
+// The gaps in a goal's mouth that nobody stands in: directions between the posts in which the wall
+// behind shows its colour from foot to top (thesis 2006 section 6.4.2). What stands before or in
+// the goal hides it. A ball does not count as an obstacle.
 #pragma once
 
 #include "vision/GoalFinder.h"
@@ -10,6 +10,6 @@
 namespace kelpie::vision {
 
 void findGaps(const Scene& scene, const GoalCandidate& c, const GoalShape& shape,
-              const GoalParams& params, GoalGaps& gaps);
+              const GoalFinderParams& params, GoalGaps& gaps);
 
 }  // namespace kelpie::vision

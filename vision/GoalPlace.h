@@ -5,13 +5,13 @@
 #pragma once
 
 #include "vision/BeaconFinder.h"
-#include "vision/GoalDoubt.h"
+#include "vision/GoalFacts.h"
 #include "vision/GoalShape.h"
 
 namespace kelpie::vision {
 
 // Sets what the image tells of the goal's place; the others stay 0.
 void addPlace(const Scene& scene, const GoalCandidate& c, const GoalShape& shape,
-              const Landmarks& beacons, const GoalParams& p, GoalFacts& facts);
+              const Landmarks& beacons, const GoalFinderParams& p, GoalFacts& facts);
 
 }  // namespace kelpie::vision

@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "vision/Sight.h"
+#include "vision/GroundRay.h"
 
 namespace kelpie::vision {
 namespace {
@@ -16,7 +16,7 @@ constexpr double kMinColumnSd = 0.012;   // of a column's distance, as a share o
 constexpr double kTurnSd = 0.7;          // rad; goals are seen from within the field
 constexpr double kMaxError = 3.0;        // standard deviations, beyond which an error counts less
 constexpr int kRounds = 8;
-constexpr double kNone = 1e9;  // cm, of a ray that meets no wall
+constexpr double kNoWall = 1e9;  // cm, of a ray that meets no wall
 
 using Vec = Point2<Robot>;
 
@@ -35,11 +35,11 @@ struct Measured {
   double right = 0.0;
   bool leftOpen = false;  // the true end may lie farther out
   bool rightOpen = false;
-  double sight = 0.0;  // direction of the middle
+  double middle = 0.0;  // between them
 };
 
 double directionOf(const Scene& scene, PixelPoint p) {
-  const Sight s = sightOf(scene.body.camera, p);
+  const GroundRay s = groundRayThrough(scene.body.camera, p);
   return maths::atan2(s.right, s.forward);
 }
 
@@ -49,7 +49,7 @@ Measured measuredOf(const Scene& scene, const GoalCandidate& c) {
   m.right = directionOf(scene, c.right.point);
   m.leftOpen = c.left.open();
   m.rightOpen = c.right.open();
-  m.sight = 0.5 * (m.left + m.right);
+  m.middle = 0.5 * (m.left + m.right);
   std::size_t usable = 0;
   for (const GoalColumn& column : c.columns)
     if (column.chosen && column.distance > 0.0) ++usable;
@@ -61,7 +61,7 @@ Measured measuredOf(const Scene& scene, const GoalCandidate& c) {
     const bool take = usable <= kMaxColumns || (index + 1) * kMaxColumns / usable != before;
     ++index;
     if (!take) continue;
-    const Sight s = sightOf(scene.body.camera, column.foot);
+    const GroundRay s = groundRayThrough(scene.body.camera, column.foot);
     m.columns.push_back({{s.right, s.forward}, column.distance, column.sd});
   }
   return m;
@@ -89,16 +89,16 @@ Corners cornersOf(const State& s, double half, double depth) {
   return c;
 }
 
-// Way along the ray to the segment.
+// The way along the ray to the segment from a to b.
 double hit(Vec ray, Vec a, Vec b) {
   const Vec ab = b - a;
   const double denominator = crossOf(ray, ab);
-  if (std::fabs(denominator) < 1e-9) return kNone;
+  if (std::fabs(denominator) < 1e-9) return kNoWall;
   const double t = crossOf(a, ab) / denominator;
   const double share = crossOf(a, ray) / denominator;
   constexpr double kSlack = 0.03;  // a ray that just passes an end still meets the wall
   const bool meets = t > 0.0 && share > -kSlack && share < 1.0 + kSlack;
-  return meets ? t : kNone;
+  return meets ? t : kNoWall;
 }
 
 double nearestWall(Vec ray, const Corners& c) {
@@ -118,7 +118,7 @@ double limited(double error) {
 }
 
 // All errors in standard deviations; unused places are 0.
-Errors errorsOf(const Measured& m, const State& s, const GoalParams& p) {
+Errors errorsOf(const Measured& m, const State& s, const GoalFinderParams& p) {
   const Corners c = cornersOf(s, 0.5 * p.width, p.depth);
   Errors e{};
   double low = 1e9;
@@ -133,7 +133,7 @@ Errors errorsOf(const Measured& m, const State& s, const GoalParams& p) {
   const double right = high - m.right;
   e[0] = limited((!m.leftOpen || left > 0.0 ? left : 0.0) / kEndSd);
   e[1] = limited((!m.rightOpen || right < 0.0 ? right : 0.0) / kEndSd);
-  e[2] = (s[2] + m.sight) / kTurnSd;
+  e[2] = (s[2] + m.middle) / kTurnSd;
   for (std::size_t i = 0; i < m.columns.size(); ++i) {
     const Column& column = m.columns[i];
     const double wall = std::min(nearestWall(column.way, c), 2.0 * column.distance);
@@ -180,7 +180,7 @@ struct Fit {
   double cost;
 };
 
-Fit improved(const Measured& m, State state, const GoalParams& p) {
+Fit improved(const Measured& m, State state, const GoalFinderParams& p) {
   constexpr State kDelta{0.5, 0.5, 0.01};
   Errors errors = errorsOf(m, state, p);
   double cost = costOf(errors);
@@ -214,31 +214,33 @@ Fit improved(const Measured& m, State state, const GoalParams& p) {
 
 }  // namespace
 
-double GoalShape::oblique() const { return std::fabs((Angle::rad(turn) - bearing(middle)).rad()); }
+double GoalShape::obliqueAngle() const {
+  return std::fabs((Angle::rad(turn) - bearing(middle)).rad());
+}
 
-double GoalShape::aside() const { return middle.norm() * maths::sin(oblique()); }
+double GoalShape::lateralOffset() const { return middle.norm() * maths::sin(obliqueAngle()); }
 
-Point2<Robot> GoalShape::leftPost(const GoalParams& p) const {
+Point2<Robot> GoalShape::leftPost(const GoalFinderParams& p) const {
   return cornersOf({middle.x, middle.y, turn}, 0.5 * p.width, p.depth).leftPost;
 }
 
-Point2<Robot> GoalShape::rightPost(const GoalParams& p) const {
+Point2<Robot> GoalShape::rightPost(const GoalFinderParams& p) const {
   return cornersOf({middle.x, middle.y, turn}, 0.5 * p.width, p.depth).rightPost;
 }
 
-std::optional<double> GoalShape::wallAlong(Point2<Robot> way, const GoalParams& p) const {
+std::optional<double> GoalShape::wallAlong(Point2<Robot> way, const GoalFinderParams& p) const {
   const double t = nearestWall(way, cornersOf({middle.x, middle.y, turn}, 0.5 * p.width, p.depth));
-  return t < kNone ? std::optional<double>(t) : std::nullopt;
+  return t < kNoWall ? std::optional<double>(t) : std::nullopt;
 }
 
-GoalShape fitGoal(const Scene& scene, const GoalCandidate& c, const GoalParams& params) {
+GoalShape fitGoal(const Scene& scene, const GoalCandidate& c, const GoalFinderParams& params) {
   const Measured m = measuredOf(scene, c);
   if (m.columns.empty()) return {};
-  const double mouth = std::max(c.wall - 0.7 * params.depth, 20.0);
-  const maths::SinCos sight = maths::sinCos(m.sight);
+  const double mouth = std::max(c.wallDistance - 0.7 * params.depth, 20.0);
+  const maths::SinCos ahead = maths::sinCos(m.middle);
   Fit best{{}, 1e18};
   for (const double turn : {-0.6, 0.0, 0.6}) {
-    const Fit fit = improved(m, {mouth * sight.sin, mouth * sight.cos, turn - m.sight}, params);
+    const Fit fit = improved(m, {mouth * ahead.sin, mouth * ahead.cos, turn - m.middle}, params);
     if (fit.cost < best.cost) best = fit;
   }
   return {true, {best.state[0], best.state[1]}, best.state[2], best.cost};

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // The candidates of an image that passed every check and were judged as a whole: what was known of
-// them and how doubtful they are, whether they were kept or not. For the fit of those judgements.
+// them and the log odds against them, whether they were kept or not. For the fit of the log odds.
 #pragma once
 
 #include "robot/core/Percepts.h"
-#include "vision/GoalDoubt.h"
+#include "vision/GoalFacts.h"
 #include "vision/RobotFinder.h"
 
 namespace kelpie::vision {
@@ -12,12 +12,12 @@ namespace kelpie::vision {
 struct JudgedGoal {
   LandmarkPercept percept;
   GoalFacts facts;
-  double doubt = 0.0;  // log odds
+  double logOddsAgainst = 0.0;
 };
 struct JudgedRobot {
   RobotPercept percept;
   RobotFacts facts;
-  double doubt = 0.0;
+  double logOddsAgainst = 0.0;
 };
 
 struct Judged {

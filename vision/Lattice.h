@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// The pixels that are looked at in every image: a lattice in level coordinates (Level.h), its rows
-// parallel to the horizon. Every second pixel both ways: the pink band of a beacon at 400 cm is
-// 4.8 px wide and high, a ball at 350 cm 4.6 px across, so that each holds two by two samples. Far
-// from the horizon only near things are seen: there every second row is left out.
+// The pixels that are looked at in every image: a lattice in level coordinates (HorizonFrame.h),
+// its rows parallel to the horizon. Every second pixel both ways: the pink band of a beacon at 400
+// cm is 4.8 px wide and high, a ball at 350 cm 4.6 px across, so that each holds two by two
+// samples. Far from the horizon only near things are seen: there every second row is left out.
 #pragma once
 
 #include <cstdint>
 
-#include "vision/Level.h"
+#include "vision/HorizonFrame.h"
 #include "vision/Sampler.h"
 
 namespace kelpie::vision {
@@ -28,7 +28,7 @@ struct LatticeRow {
 class Lattice {
  public:
   // `horizon`: level row of the horizon at the image's middle.
-  explicit Lattice(const Level& level, double horizon = body::kPrincipalY);
+  explicit Lattice(const HorizonFrame& frame, double horizon = body::kPrincipalY);
 
   int rows() const { return rows_; }
   // Rows that this one stands for: itself, and the next one where that is left out.
@@ -38,10 +38,10 @@ class Lattice {
   std::int32_t stepY() const { return stepY_; }
   double u(double column) const { return left_ + kLatticeStep * column; }
   double v(double row) const { return top_ + kLatticeStep * row; }
-  const Level& level() const { return level_; }
+  const HorizonFrame& frame() const { return frame_; }
 
  private:
-  Level level_;
+  HorizonFrame frame_;
   double left_ = 0.0;  // u of column 0
   double top_ = 0.0;   // v of row 0
   int rows_ = 0;

@@ -16,7 +16,7 @@ constexpr int kFieldStep = 2;  // px; every second pixel tells green as well, at
 
 struct Finder {
   const Scene& scene;
-  const LineParams& params;
+  const LinePointParams& params;
   Percepts& out;
 
   void refused(Refusal reason) const { refuse(out.counts, reason); }
@@ -59,10 +59,10 @@ std::optional<Ends> endsBeside(const Finder& f, const LineCandidate& c) {
   const int reach = static_cast<int>(f.params.besideReach);
   Ends ends{c.pixel, c.pixel};
   for (const int side : {-reach, reach}) {
-    if (!hasBeside(c.scan, c.stretch, side)) continue;
-    const auto beside = stretchBeside(f.scene.sampler, c.scan, c.stretch, side);
+    if (!hasBeside(c.gridLine, c.segment, side)) continue;
+    const auto beside = segmentBeside(f.scene.sampler, c.gridLine, c.segment, side);
     if (!beside) return std::nullopt;
-    (side < 0 ? ends.a : ends.b) = c.scan.at(beside->middle(), side);
+    (side < 0 ? ends.a : ends.b) = c.gridLine.at(beside->middle(), side);
   }
   return ends;
 }
@@ -70,7 +70,7 @@ std::optional<Ends> endsBeside(const Finder& f, const LineCandidate& c) {
 void checkLine(const Finder& f, const LineCandidate& c) {
   const Sampler& sampler = f.scene.sampler;
   if (!pointIsBelowHorizon(f.scene, c.pixel)) return;
-  if (c.stretch.top - c.stretch.base < f.params.minContrast) return f.refused(Refusal::lineTooDim);
+  if (c.segment.top - c.segment.base < f.params.minContrast) return f.refused(Refusal::lineTooDim);
   if (!lineIsBetweenGreen(sampler, c)) return f.refused(Refusal::lineNotInGreen);
   if (!lineIsColourless(sampler, c, f.params)) return f.refused(Refusal::lineColoured);
   if (!keepsAnyPoint(f, c.pixel)) return;
@@ -82,46 +82,48 @@ void checkLine(const Finder& f, const LineCandidate& c) {
   addPoint(f, LinePointKind::line, c.pixel);
 }
 
-void checkLines(const Finder& f, const Scan& scan) {
-  for (const Stretch& s : brightStretches(f.scene.sampler, scan, f.params))
-    checkLine(f, {scan, s, scan.at(s.middle())});
+void checkLines(const Finder& f, const GridLine& gridLine) {
+  for (const BrightSegment& s : brightSegments(f.scene.sampler, gridLine, f.params))
+    checkLine(f, {gridLine, s, gridLine.at(s.middle())});
 }
 
 void findLines(const Finder& f) {
-  for (int px = kScanLeft; px < kUsableRight; px += kScanSpacing)
-    checkLines(f, scanUp(px, highestRow(f.scene, px)));
-  for (int py = kScanTop; py < kUsableBottom; py += kScanSpacing) {
+  for (int px = kGridLeft; px < kUsableRight; px += kGridSpacing)
+    checkLines(f, gridLineUp(px, highestRow(f.scene, px)));
+  for (int py = kGridTop; py < kUsableBottom; py += kGridSpacing) {
     if (py < highestRow(f.scene, 0) && py < highestRow(f.scene, kImageWidth)) continue;
-    checkLines(f, scanRight(py));
+    checkLines(f, gridLineRight(py));
   }
 }
 
-void checkBorder(const Finder& f, const Scan& scan, const Rise& rise) {
+void checkBorder(const Finder& f, const GridLine& gridLine, const RisingEdge& edge) {
   const Sampler& sampler = f.scene.sampler;
-  const PixelPoint pixel = scan.at(rise.foot);
+  const PixelPoint pixel = gridLine.at(edge.foot);
   if (pixel.y <= horizonRow(f.scene, pixel.x)) return;
-  if (!borderIsAfterGreen(sampler, scan, rise)) return;
-  if (!borderIsLong(f.scene, scan, rise, f.params)) return;
-  if (!borderIsHigh(f.scene, scan, rise, f.params)) return f.refused(Refusal::borderTooShort);
-  if (!borderGoesOn(sampler, scan, rise, f.params)) return f.refused(Refusal::borderBent);
-  if (!borderHasSide(f.scene, scan, rise, f.params)) return f.refused(Refusal::borderGreenBeside);
+  if (!borderIsAfterGreen(sampler, gridLine, edge)) return;
+  if (!borderIsLong(f.scene, gridLine, edge, f.params)) return;
+  if (!borderIsHigh(f.scene, gridLine, edge, f.params)) return f.refused(Refusal::borderTooShort);
+  if (!borderGoesOn(sampler, gridLine, edge, f.params)) return f.refused(Refusal::borderBent);
+  if (!borderHasSide(f.scene, gridLine, edge, f.params))
+    return f.refused(Refusal::borderGreenBeside);
   if (keepsAnyPoint(f, pixel)) addPoint(f, LinePointKind::border, pixel);
 }
 
-void checkBorders(const Finder& f, const Scan& scan) {
-  for (const Rise& rise : risesOn(f.scene.sampler, scan, f.params)) checkBorder(f, scan, rise);
+void checkBorders(const Finder& f, const GridLine& gridLine) {
+  for (const RisingEdge& edge : risingEdges(f.scene.sampler, gridLine, f.params))
+    checkBorder(f, gridLine, edge);
 }
 
 // The foot of the border is its lower edge, and the edge nearer to the middle of the image. The
-// field edge does not bound these scans: it is the foot itself.
+// field edge does not bound these grid lines: it is the foot itself.
 void findBorders(const Finder& f) {
-  for (int px = kScanLeft; px < kUsableRight; px += kScanSpacing)
-    checkBorders(f, scanUp(px, firstRowBelow(horizonRow(f.scene, px))));
+  for (int px = kGridLeft; px < kUsableRight; px += kGridSpacing)
+    checkBorders(f, gridLineUp(px, firstRowBelow(horizonRow(f.scene, px))));
   const double highest = std::min(f.scene.body.horizon.atLeft, f.scene.body.horizon.atRight);
-  for (int py = kScanTop; py < kUsableBottom; py += kScanSpacing) {
+  for (int py = kGridTop; py < kUsableBottom; py += kGridSpacing) {
     if (py < highest) continue;
-    checkBorders(f, scanOut(py, -1));
-    checkBorders(f, scanOut(py, 1));
+    checkBorders(f, gridLineOut(py, -1));
+    checkBorders(f, gridLineOut(py, 1));
   }
 }
 
@@ -133,7 +135,7 @@ void checkField(const Finder& f, PixelPoint pixel) {
   addPoint(f, LinePointKind::field, pixel);
 }
 
-// Cuts the green runs of a scan into field intervals; the middle of each is a point.
+// Cuts the green runs of a grid line into field intervals; the middle of each is a point.
 void findFieldPoints(const Finder& f, int px) {
   const double horizon = horizonRow(f.scene, px + 0.5);
   const int highest = highestRow(f.scene, px);
@@ -167,7 +169,7 @@ void dropFew(const Finder& f, LinePointKind kind) {
 
 }  // namespace
 
-double pointWeight(LinePointKind kind, double distance, const LineParams& p) {
+double pointWeight(LinePointKind kind, double distance, const LinePointParams& p) {
   if (kind == LinePointKind::field) return distance <= p.noWeight ? 1.0 : 0.0;
   const double d = p.linearWeight ? distance : distance * distance;
   const double near = p.linearWeight ? p.fullWeight : p.fullWeight * p.fullWeight;
@@ -175,17 +177,17 @@ double pointWeight(LinePointKind kind, double distance, const LineParams& p) {
   return maths::clamp((far - d) / (far - near), 0.0, 1.0);
 }
 
-double fieldInterval(double rows, double cameraHeight, const LineParams& p) {
+double fieldInterval(double rows, double cameraHeight, const LinePointParams& p) {
   const double even = p.fieldSpacing * rows * rows / (cameraHeight * body::kFocalLength);
   return maths::clamp(even, p.minFieldInterval, p.maxFieldInterval);
 }
 
-void findLinePoints(const Scene& scene, const LineParams& params, Percepts& out) {
+void findLinePoints(const Scene& scene, const LinePointParams& params, Percepts& out) {
   if (!headIsSlow(scene.body, params)) return;
   const Finder f{scene, params, out};
   findLines(f);
   if (params.border) findBorders(f);
-  for (int px = kScanLeft; px < kUsableRight; px += kFieldScanSpacing) findFieldPoints(f, px);
+  for (int px = kGridLeft; px < kUsableRight; px += kFieldGridSpacing) findFieldPoints(f, px);
   for (const auto kind : {LinePointKind::line, LinePointKind::border, LinePointKind::field})
     dropFew(f, kind);
 }

@@ -12,7 +12,7 @@ struct ObstacleParams {
   bool greyCounts = true;     // so does an ERS-7's leg, which is not dark: see README.md
   double maxPerLine = 5;      // pixels that count on one scan line
   double maxGreenAbove = 10;  // px of the next 20 upwards; more: a shadow
-  double maxBallAbove = 5;    // the same of orange: the ball's shadow
+  double maxBallAbove = 5;    // px of orange in them; more: the ball's shadow
   double maxDistance = 200;   // cm
   double aheadSide = 25;      // cm, half the width of the box ahead
   double aheadFar = 100;      // cm, its length

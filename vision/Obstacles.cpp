@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "robot/body/Camera.h"
+#include "vision/ClippedRange.h"
 #include "vision/Refusal.h"
 #include "vision/Upright.h"
 
@@ -15,7 +16,7 @@ namespace {
 // 4.1), 26 lines of ours cost 30 k instructions.
 constexpr double kLineStep = 8.0;
 constexpr int kStep = kLatticeStep;
-constexpr int kAbove = 20;  // px upwards that tell a shadow, facts-2005 section 4.2
+constexpr int kShadowReach = 20;  // px upwards that tell a shadow, facts-2005 section 4.2
 // Half the diagonal of the image: no line is longer to either side of the middle.
 constexpr int kHalfLength = 132;
 
@@ -24,11 +25,12 @@ struct Above {
   int orange = 0;
 };
 
-Above countAbove(const Scene& scene, ImageUp up, PixelPoint from) {
+Above countAbove(const Scene& scene, PixelPoint from) {
   Above above;
-  for (int way = kStep; way <= kAbove; way += kStep) {
-    const int px = static_cast<int>(from.x + way * up.dx);
-    const int py = static_cast<int>(from.y + way * up.dy);
+  for (int way = kStep; way <= kShadowReach; way += kStep) {
+    const PixelPoint at = moved(from, scene.frame.up(), way);
+    const int px = static_cast<int>(at.x);
+    const int py = static_cast<int>(at.y);
     if (!inCoarse(px, py)) break;
     const ColourClass c = coarseClass(scene.sampler, px, py);
     above.green += c == ColourClass::green ? kStep : 0;
@@ -38,9 +40,8 @@ Above countAbove(const Scene& scene, ImageUp up, PixelPoint from) {
 }
 
 // Whether the pixel lies on the carpet, near enough; counts why not.
-bool onCarpet(const Scene& scene, ImageUp up, PixelPoint at, const ObstacleParams& p,
-              VisionCounts& counts) {
-  const Above above = countAbove(scene, up, at);
+bool onCarpet(const Scene& scene, PixelPoint at, const ObstacleParams& p, VisionCounts& counts) {
+  const Above above = countAbove(scene, at);
   if (above.green > p.maxGreenAbove || above.orange > p.maxBallAbove) {
     refuse(counts, Refusal::obstacleGreenAbove);
     return false;
@@ -63,28 +64,14 @@ bool keep(const Scene& scene, PixelPoint at, bool first, const ObstacleParams& p
   return true;
 }
 
-// Ways along a line, from its middle point, between which it is in the image and sees the ground
-// nearer than the farthest obstacle.
-struct Stretch {
-  double from = -kHalfLength;
-  double to = kHalfLength;
-};
-
-void clip(Stretch& stretch, double start, double step, double low, double high) {
-  if (std::fabs(step) < 1e-9) {
-    if (start < low || start >= high) stretch.to = stretch.from - 1.0;
-    return;
-  }
-  const double a = (low - start) / step;
-  const double b = (high - 1e-6 - start) / step;
-  stretch.from = std::max(stretch.from, std::min(a, b));
-  stretch.to = std::min(stretch.to, std::max(a, b));
-}
-
-Stretch stretchOf(const Scene& scene, ImageUp up, PixelPoint middle, const ObstacleParams& p) {
-  Stretch stretch;
-  clip(stretch, middle.x, up.dx, kCoarseLeft, kUsableRight);
-  clip(stretch, middle.y, up.dy, kCoarseTop, kUsableBottom);
+// The ways along a line, from its middle point, between which it is in the image and sees the
+// ground nearer than the farthest obstacle.
+ClippedRange inView(const Scene& scene, PixelPoint middle, const ObstacleParams& p) {
+  constexpr double kInside = 1e-6;  // px; the borders on the right and below are not in the image
+  const ImageDirection up = scene.frame.up();
+  ClippedRange range{-kHalfLength, kHalfLength};
+  range.clip(middle.x, up.dx, kCoarseLeft, kUsableRight - kInside);
+  range.clip(middle.y, up.dy, kCoarseTop, kUsableBottom - kInside);
   // The ray's height per focal length grows along the line; at the farthest obstacle's distance it
   // is -height / distance or a little more.
   const CameraPose& camera = scene.body.camera;
@@ -93,26 +80,26 @@ Stretch stretchOf(const Scene& scene, ImageUp up, PixelPoint middle, const Obsta
   const double start = a[6] * (middle.x - body::kPrincipalX) +
                        a[7] * (middle.y - body::kPrincipalY) + a[8] * body::kFocalLength;
   const double highest = -camera.position.z / p.maxDistance * body::kFocalLength;
-  if (rise > 1e-9) stretch.to = std::min(stretch.to, (highest - start) / rise);
-  return stretch;
+  if (rise > 1e-9) range.to = std::min(range.to, (highest - start) / rise);
+  return range;
 }
 
 // One line from the bottom up: carpet must have been seen before, so that the robot's own chest
 // does not count.
-void scanLine(const Scene& scene, ImageUp up, PixelPoint middle, const ObstacleParams& p,
-              VisionCounts& counts, Obstacles& found) {
-  const Stretch stretch = stretchOf(scene, up, middle, p);
+void walkUp(const Scene& scene, PixelPoint middle, const ObstacleParams& p, VisionCounts& counts,
+            Obstacles& found) {
+  const ClippedRange range = inView(scene, middle, p);
   int kept = 0;
   bool carpet = false;
-  for (double way = stretch.from; way <= stretch.to && kept < p.maxPerLine; way += kStep) {
-    const PixelPoint at{middle.x + way * up.dx, middle.y + way * up.dy};
+  for (double way = range.from; way <= range.to && kept < p.maxPerLine; way += kStep) {
+    const PixelPoint at = moved(middle, scene.frame.up(), way);
     const int px = static_cast<int>(at.x) & ~1;
     const int py = static_cast<int>(at.y) & ~1;
     const ColourClass c = scene.sampler.classAt(px, py);
     carpet = carpet || c == ColourClass::green;
     if (c == ColourClass::green || !carpet) continue;
     if (!isObstacleColour(scene.sampler, px, py, p)) continue;
-    if (!onCarpet(scene, up, at, p, counts)) continue;
+    if (!onCarpet(scene, at, p, counts)) continue;
     if (!keep(scene, at, kept == 0, p, found)) return;
     ++kept;
   }
@@ -133,11 +120,10 @@ bool isObstacleColour(const Sampler& sampler, int px, int py, const ObstaclePara
 }
 
 Obstacles findObstacles(const Scene& scene, const ObstacleParams& params, VisionCounts& counts) {
-  const ImageUp up = imageUp(scene.body.camera);
   const PixelPoint middle{0.5 * kImageWidth, 0.5 * kImageHeight};
   Obstacles found;
   for (double aside = -kHalfLength; aside <= kHalfLength; aside += kLineStep) {
-    scanLine(scene, up, moved(middle, up, aside, 0.0), params, counts, found);
+    walkUp(scene, scene.frame.beside(middle, aside, 0.0), params, counts, found);
   }
   return found;
 }

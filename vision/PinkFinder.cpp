@@ -4,18 +4,19 @@
 #include <cmath>
 
 #include "robot/core/Maths.h"
+#include "vision/GroundRay.h"
 #include "vision/Refusal.h"
-#include "vision/Sight.h"
 
 namespace kelpie::vision {
 namespace {
 
 // A patch that is askew stands on its lowest corner.
 constexpr double kFootReach = 0.8;
-// Of a distance that nothing tells. The heading is that of a place so far away: cm off for walls.
+// Where nothing tells the distance. The heading is that of a place so far away: cm off for walls.
 constexpr double kUnknownDistance = 250.0;
 constexpr double kUnknownSd = 1e3;
-constexpr double kBeside = 6.0;  // px from the patch's edge where the carpet behind is looked for
+constexpr double kBesideMargin =
+    6.0;  // px from the patch's edge where the carpet behind is looked for
 
 struct Estimate {
   double distance = kUnknownDistance;  // cm along the ground from the camera
@@ -27,7 +28,7 @@ Estimate fused(Estimate a, Estimate b) {
   return {a.distance + weight * (b.distance - a.distance), a.variance * (1.0 - weight)};
 }
 
-Estimate byGround(const Scene& scene, const PinkPatch& patch, const PinkParams& p) {
+Estimate byGround(const Scene& scene, const PinkPatch& patch, const PinkFinderParams& p) {
   if (!p.onField || patch.foot.end != FootEnd::carpet) return {};
   const double above = scene.body.camera.position.z;
   const double d = patch.foot.distance;
@@ -35,28 +36,28 @@ Estimate byGround(const Scene& scene, const PinkPatch& patch, const PinkParams& 
   return {d, maths::square((d * d + above * above) / above * direction)};
 }
 
-Estimate bySize(const Scene& scene, const PinkPatch& patch, const PinkParams& p) {
+Estimate bySize(const Scene& scene, const PinkPatch& patch, const PinkFinderParams& p) {
   if (p.knownHeight <= 0.0) return {};
-  const ImageUp up = imageUp(scene.body.camera);
-  const Sight top = sightOf(scene.body.camera, moved(patch.centre, up, 0.0, patch.extent.upper));
-  const Sight bottom =
-      sightOf(scene.body.camera, moved(patch.centre, up, 0.0, -patch.extent.lower));
+  const GroundRay top = groundRayThrough(scene.body.camera,
+                                         scene.frame.beside(patch.centre, 0.0, patch.extent.upper));
+  const GroundRay bottom = groundRayThrough(
+      scene.body.camera, scene.frame.beside(patch.centre, 0.0, -patch.extent.lower));
   if (top.slope - bottom.slope < 1e-3) return {};
   const double d = p.knownHeight / (top.slope - bottom.slope);
   return {d, maths::square(sizeSd(d, p.knownHeight, p.edgeSd))};
 }
 
-PinkPercept perceptOf(const Scene& scene, const PinkPatch& patch, const PinkParams& p) {
+PinkPercept perceptOf(const Scene& scene, const PinkPatch& patch, const PinkFinderParams& p) {
   const Estimate estimate = fused(byGround(scene, patch, p), bySize(scene, patch, p));
-  const ImageUp up = imageUp(scene.body.camera);
   const double aside = 0.5 * (patch.extent.right - patch.extent.left);
   const double above = 0.5 * (patch.extent.upper - patch.extent.lower);
-  const Sight sight = sightOf(scene.body.camera, moved(patch.centre, up, aside, above));
-  const Point2<Robot> place = placeAt(scene.body.camera, sight, estimate.distance);
+  const GroundRay ray =
+      groundRayThrough(scene.body.camera, scene.frame.beside(patch.centre, aside, above));
+  const Point2<Robot> place = placeAt(scene.body.camera, ray, estimate.distance);
   PinkPercept pink;
   pink.distance = place.norm();
   pink.heading = bearing(place);
-  pink.elevation = Angle::rad(maths::atan(sight.slope));
+  pink.elevation = Angle::rad(maths::atan(ray.slope));
   pink.distanceVariance = estimate.variance;
   const double pixel = p.edgeSd / body::kFocalLength;
   pink.headingVariance = maths::square(p.headingSd.rad()) + pixel * pixel;
@@ -71,13 +72,13 @@ bool check(bool keep, Refusal reason, VisionCounts& counts) {
 
 // What can be told before its edges and its foot are looked for.
 bool mayBePatch(const Scene& scene, const PinkPatch& patch, const Landmarks& landmarks,
-                const PinkParams& p, VisionCounts& counts) {
+                const PinkFinderParams& p, VisionCounts& counts) {
   return check(pinkIsLarge(patch, p), Refusal::pinkTooSmall, counts) &&
          check(pinkIsNoBeacon(patch, landmarks, p), Refusal::pinkIsBeacon, counts) &&
          check(pinkIsLow(scene, patch, p), Refusal::pinkAboveHorizon, counts);
 }
 
-bool accepted(const PinkPatch& patch, const PinkParams& p, VisionCounts& counts) {
+bool accepted(const PinkPatch& patch, const PinkFinderParams& p, VisionCounts& counts) {
   return check(pinkIsDense(patch, p), Refusal::pinkTooSmall, counts) &&
          check(pinkStandsOnGround(patch, p), Refusal::pinkOffGround, counts) &&
          check(pinkIsInsideFieldEdge(patch, p), Refusal::pinkAboveFieldEdge, counts);
@@ -85,69 +86,68 @@ bool accepted(const PinkPatch& patch, const PinkParams& p, VisionCounts& counts)
 
 }  // namespace
 
-PinkPatch pinkPatchOf(const Level& level, const Blob& blob) {
+PinkPatch pinkPatchOf(const HorizonFrame& frame, const Blob& blob) {
   PinkPatch patch;
   patch.samples = blob.samples;
-  patch.box = imageBox(level, blob.box);
+  patch.box = imageBox(frame, blob.box);
   patch.centre = blob.centre;
   return patch;
 }
 
 void measurePink(const Scene& scene, PinkPatch& patch) {
-  const ImageUp up = imageUp(scene.body.camera);
-  patch.extent = extentOf(scene.sampler, up, patch.centre, ColourClass::pink);
+  patch.extent = extentOf(scene.sampler, scene.frame, patch.centre, ColourClass::pink);
   patch.density =
       patch.samples * kLatticeStep * kLatticeStep / (patch.extent.width() * patch.extent.height());
-  patch.foot = nearestFoot(scene, up,
-                           {patch.centre, -kFootReach * patch.extent.left,
-                            kFootReach * patch.extent.right, 3, ColourClass::pink});
+  patch.foot = nearestFoot(scene, {patch.centre, -kFootReach * patch.extent.left,
+                                   kFootReach * patch.extent.right, 3, ColourClass::pink});
   if (patch.foot.end == FootEnd::hidden) return;
-  const PixelPoint lowest = moved(patch.centre, up, 0.0, -patch.extent.lower);
+  const PixelPoint lowest = scene.frame.beside(patch.centre, 0.0, -patch.extent.lower);
   patch.lift = heightAt(scene.body.camera, lowest, patch.foot.distance);
-  patch.behind = carpetBehind(scene, up, patch.foot.pixel, patch.extent.width() + kBeside);
+  patch.carpetBehind = carpetBehind(scene, patch.foot.pixel, patch.extent.width() + kBesideMargin);
 }
 
-bool pinkIsLarge(const PinkPatch& patch, const PinkParams& p) {
+bool pinkIsLarge(const PinkPatch& patch, const PinkFinderParams& p) {
   return patch.samples >= p.minSamples;
 }
 
-bool pinkIsDense(const PinkPatch& patch, const PinkParams& p) {
+bool pinkIsDense(const PinkPatch& patch, const PinkFinderParams& p) {
   return patch.extent.width() > p.minSize && patch.extent.height() > p.minSize &&
          patch.density >= p.minDensity;
 }
 
-bool pinkIsNoBeacon(const PinkPatch& patch, const Landmarks& landmarks, const PinkParams& p) {
+bool pinkIsNoBeacon(const PinkPatch& patch, const Landmarks& landmarks, const PinkFinderParams& p) {
   for (const LandmarkPercept& mark : landmarks) {
     const bool beside =
         patch.box.right < mark.box.left - p.maxNear || patch.box.left > mark.box.right + p.maxNear;
-    const bool apart =
+    const bool outside =
         patch.box.bottom < mark.box.top - p.maxNear || patch.box.top > mark.box.bottom + p.maxNear;
-    if (mark.kind > LandmarkKind::goalYellow && !beside && !apart) return false;
+    if (mark.kind > LandmarkKind::goalYellow && !beside && !outside) return false;
   }
   return true;
 }
 
-bool pinkIsLow(const Scene& scene, const PinkPatch& patch, const PinkParams& p) {
-  return sightOf(scene.body.camera, patch.centre).slope <= maths::tan(p.maxElevation.rad());
+bool pinkIsLow(const Scene& scene, const PinkPatch& patch, const PinkFinderParams& p) {
+  return groundRayThrough(scene.body.camera, patch.centre).slope <=
+         maths::tan(p.maxElevation.rad());
 }
 
-bool pinkIsInsideFieldEdge(const PinkPatch& patch, const PinkParams& p) {
-  if (!p.onField || patch.behind >= p.minCarpetBehind) return true;
-  return patch.behind <= kUnknownBehind && patch.foot.distance <= p.sureDistance;
+bool pinkIsInsideFieldEdge(const PinkPatch& patch, const PinkFinderParams& p) {
+  if (!p.onField || patch.carpetBehind >= p.minCarpetBehind) return true;
+  return patch.carpetBehind <= kUnknownBehind && patch.foot.distance <= p.sureDistance;
 }
 
-bool pinkStandsOnGround(const PinkPatch& patch, const PinkParams& p) {
+bool pinkStandsOnGround(const PinkPatch& patch, const PinkFinderParams& p) {
   if (!p.onField) return true;
   return patch.foot.end == FootEnd::carpet && patch.foot.distance <= p.maxDistance &&
          patch.lift <= p.maxLift;
 }
 
-void findPinkPatches(const Scene& scene, const Landmarks& landmarks, const PinkParams& params,
+void findPinkPatches(const Scene& scene, const Landmarks& landmarks, const PinkFinderParams& params,
                      VisionCounts& counts, PinkPatches& patches) {
   if (!params.wanted) return;
   for (const Blob& blob : scene.blobs) {
     if (blob.colour != ColourClass::pink) continue;
-    PinkPatch patch = pinkPatchOf(scene.level, blob);
+    PinkPatch patch = pinkPatchOf(scene.frame, blob);
     if (!mayBePatch(scene, patch, landmarks, params, counts)) continue;
     measurePink(scene, patch);
     if (accepted(patch, params, counts) && !patches.push_back(perceptOf(scene, patch, params)))

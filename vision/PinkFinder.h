@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Pink patches that are no part of a beacon (thesis 2004 section 4.1.1). Distance from where they
-// stand on the carpet, from their size where PinkParams knows it, or from both; without either only
-// the heading means something, and the variance says so. Call after findBeacons.
+// stand on the carpet, from their size where PinkFinderParams knows it, or from both; without
+// either only the heading means something, and the variance says so. Call after findBeacons.
 #pragma once
 
 #include "robot/core/Percepts.h"
 #include "vision/BeaconFinder.h"
 #include "vision/Foot.h"
-#include "vision/PinkParams.h"
+#include "vision/PinkFinderParams.h"
 #include "vision/Scene.h"
 
 namespace kelpie::vision {
@@ -19,23 +19,23 @@ struct PinkPatch {
   Extent extent;
   double density = 0.0;  // share of pink in its upright box
   Foot foot;
-  double lift = 0.0;    // cm of its lower edge above the ground, where it has a foot
-  double behind = 0.0;  // px of carpet beyond its foot, beside it
+  double lift = 0.0;          // cm of its lower edge above the ground, where it has a foot
+  double carpetBehind = 0.0;  // px of carpet beyond its foot, beside it
 };
 
-PinkPatch pinkPatchOf(const Level& level, const Blob& blob);
+PinkPatch pinkPatchOf(const HorizonFrame& frame, const Blob& blob);
 void measurePink(const Scene& scene, PinkPatch& patch);  // extent, density, foot and behind it
 
 // The checks: true = keep.
-bool pinkIsLarge(const PinkPatch& patch, const PinkParams& p);
-bool pinkIsDense(const PinkPatch& patch, const PinkParams& p);
-bool pinkIsNoBeacon(const PinkPatch& patch, const Landmarks& landmarks, const PinkParams& p);
-bool pinkIsLow(const Scene& scene, const PinkPatch& patch, const PinkParams& p);
-bool pinkIsInsideFieldEdge(const PinkPatch& patch, const PinkParams& p);
-bool pinkStandsOnGround(const PinkPatch& patch, const PinkParams& p);
+bool pinkIsLarge(const PinkPatch& patch, const PinkFinderParams& p);
+bool pinkIsDense(const PinkPatch& patch, const PinkFinderParams& p);
+bool pinkIsNoBeacon(const PinkPatch& patch, const Landmarks& landmarks, const PinkFinderParams& p);
+bool pinkIsLow(const Scene& scene, const PinkPatch& patch, const PinkFinderParams& p);
+bool pinkIsInsideFieldEdge(const PinkPatch& patch, const PinkFinderParams& p);
+bool pinkStandsOnGround(const PinkPatch& patch, const PinkFinderParams& p);
 
 using PinkPatches = FixedVector<PinkPercept, 8>;
-void findPinkPatches(const Scene& scene, const Landmarks& landmarks, const PinkParams& params,
+void findPinkPatches(const Scene& scene, const Landmarks& landmarks, const PinkFinderParams& params,
                      VisionCounts& counts, PinkPatches& patches);
 
 }  // namespace kelpie::vision

@@ -19,14 +19,14 @@ bool isGreen(const Sampler& sampler, int px, int py) {
   return Sampler::usable(px, py) && sampler.classAt(px, py) == ColourClass::green;
 }
 
-bool isGreen(const Sampler& sampler, const Scan& scan, int i, int aside = 0) {
-  return isGreen(sampler, scan.column(i, aside), scan.row(i, aside));
+bool isGreen(const Sampler& sampler, const GridLine& gridLine, int i, int offset = 0) {
+  return isGreen(sampler, gridLine.column(i, offset), gridLine.row(i, offset));
 }
 
-// Two greens in a row, next to the bright pixels or after one odd pixel.
-bool twoGreens(const Sampler& sampler, const Scan& scan, int i, int step) {
-  if (!isGreen(sampler, scan, i + step)) return false;
-  return isGreen(sampler, scan, i) || isGreen(sampler, scan, i + 2 * step);
+// Two greens in a row, next to the bright pixels or after one pixel of another class.
+bool twoGreens(const Sampler& sampler, const GridLine& gridLine, int i, int step) {
+  if (!isGreen(sampler, gridLine, i + step)) return false;
+  return isGreen(sampler, gridLine, i) || isGreen(sampler, gridLine, i + 2 * step);
 }
 
 // Pixels that a centimetre square to the ray fills where the pixel's ray meets the ground.
@@ -38,7 +38,7 @@ double pixelsPerCm(const CameraPose& camera, PixelPoint pixel) {
 // Where the border's upper edge is above a foot. Seen from inside the field the border leans away:
 // its upper edge is as much farther as higher.
 std::optional<PixelPoint> borderTop(const CameraPose& camera, PixelPoint pixel,
-                                    const LineParams& p) {
+                                    const LinePointParams& p) {
   const auto foot = body::groundPoint(camera, pixel);
   if (!foot) return std::nullopt;
   const Point2<Robot> way{foot->x - camera.position.x, foot->y - camera.position.y};
@@ -49,7 +49,7 @@ std::optional<PixelPoint> borderTop(const CameraPose& camera, PixelPoint pixel,
 
 }  // namespace
 
-bool headIsSlow(const BodyState& body, const LineParams& p) {
+bool headIsSlow(const BodyState& body, const LinePointParams& p) {
   return body.headSpeed < p.maxHeadSpeed.rad();
 }
 
@@ -57,12 +57,12 @@ bool pointIsBelowHorizon(const Scene& scene, PixelPoint pixel) {
   return pixel.y > std::max(horizonRow(scene, pixel.x), fieldEdgeRow(scene, pixel.x));
 }
 
-bool pointIsOutsideCorners(PixelPoint pixel, const LineParams& p) {
+bool pointIsOutsideCorners(PixelPoint pixel, const LinePointParams& p) {
   const double aside = std::min(pixel.x, kImageWidth - pixel.x);
   return aside + std::min(pixel.y, kImageHeight - pixel.y) >= p.cornerBuffer;
 }
 
-bool pointIsOutsideObjects(const Percepts& seen, PixelPoint pixel, const LineParams& p) {
+bool pointIsOutsideObjects(const Percepts& seen, PixelPoint pixel, const LinePointParams& p) {
   const BallPercept& ball = seen.ball;
   const double r = ball.radius;
   const PixelBox around{ball.centre.x - r, ball.centre.y - r, ball.centre.x + r, ball.centre.y + r};
@@ -73,44 +73,46 @@ bool pointIsOutsideObjects(const Percepts& seen, PixelPoint pixel, const LinePar
 }
 
 bool lineIsBetweenGreen(const Sampler& sampler, const LineCandidate& c) {
-  return twoGreens(sampler, c.scan, c.stretch.first, -1) &&
-         twoGreens(sampler, c.scan, c.stretch.last, 1);
+  return twoGreens(sampler, c.gridLine, c.segment.first, -1) &&
+         twoGreens(sampler, c.gridLine, c.segment.last, 1);
 }
 
-bool lineIsColourless(const Sampler& sampler, const LineCandidate& c, const LineParams& p) {
-  const int middle = static_cast<int>(c.stretch.middle() + 0.5);
-  const Yuv in = sampler.corrected(c.scan.column(middle), c.scan.row(middle));
-  const int last = c.stretch.last;
-  const Yuv out = sampler.corrected(c.scan.column(last), c.scan.row(last));
+bool lineIsColourless(const Sampler& sampler, const LineCandidate& c, const LinePointParams& p) {
+  const int middle = static_cast<int>(c.segment.middle() + 0.5);
+  const Yuv in = sampler.corrected(c.gridLine.column(middle), c.gridLine.row(middle));
+  const int last = c.segment.last;
+  const Yuv out = sampler.corrected(c.gridLine.column(last), c.gridLine.row(last));
   return std::abs(in.cr - out.cr) <= p.maxChroma && std::abs(in.cb - out.cb) <= p.maxChroma;
 }
 
-bool lineIsNarrow(const GroundWidth& width, const LineParams& p) {
+bool lineIsNarrow(const GroundWidth& width, const LinePointParams& p) {
   return width.paint - p.lineWidth <=
          p.widthTolerance * p.lineWidth + p.widthSlack * width.perPixel;
 }
 
-bool lineIsWide(const GroundWidth& width, const LineParams& p) {
+bool lineIsWide(const GroundWidth& width, const LinePointParams& p) {
   return p.lineWidth - width.paint <=
          p.widthTolerance * p.lineWidth + p.widthSlack * width.perPixel;
 }
 
-bool borderIsAfterGreen(const Sampler& sampler, const Scan& scan, const Rise& rise) {
-  return twoGreens(sampler, scan, rise.first, -1);
+bool borderIsAfterGreen(const Sampler& sampler, const GridLine& gridLine, const RisingEdge& edge) {
+  return twoGreens(sampler, gridLine, edge.first, -1);
 }
 
-bool borderIsLong(const Scene& scene, const Scan& scan, const Rise& rise, const LineParams& p) {
-  const double flat = 2.0 * p.lineWidth * pixelsPerCm(scene.body.camera, scan.at(rise.foot));
-  const int end = rise.last + static_cast<int>(std::max(p.borderMin, flat));
-  int i = rise.last;
-  for (; i <= end && Sampler::usable(scan.column(i), scan.row(i)); ++i) {
-    if (isGreen(scene.sampler, scan, i)) return false;
+bool borderIsLong(const Scene& scene, const GridLine& gridLine, const RisingEdge& edge,
+                  const LinePointParams& p) {
+  const double flat = 2.0 * p.lineWidth * pixelsPerCm(scene.body.camera, gridLine.at(edge.foot));
+  const int end = edge.last + static_cast<int>(std::max(p.borderMin, flat));
+  int i = edge.last;
+  for (; i <= end && Sampler::usable(gridLine.column(i), gridLine.row(i)); ++i) {
+    if (isGreen(scene.sampler, gridLine, i)) return false;
   }
-  return i - rise.last >= flat;
+  return i - edge.last >= flat;
 }
 
-bool borderIsHigh(const Scene& scene, const Scan& scan, const Rise& rise, const LineParams& p) {
-  const PixelPoint foot = scan.at(rise.last);
+bool borderIsHigh(const Scene& scene, const GridLine& gridLine, const RisingEdge& edge,
+                  const LinePointParams& p) {
+  const PixelPoint foot = gridLine.at(edge.last);
   const auto top = borderTop(scene.body.camera, foot, p);
   if (!top) return false;
   const double dx = top->x - foot.x;
@@ -127,39 +129,41 @@ bool borderIsHigh(const Scene& scene, const Scan& scan, const Rise& rise, const 
   return needed >= 2 && white >= p.borderWhite * seen;
 }
 
-bool borderGoesOn(const Sampler& sampler, const Scan& scan, const Rise& rise, const LineParams& p) {
+bool borderGoesOn(const Sampler& sampler, const GridLine& gridLine, const RisingEdge& edge,
+                  const LinePointParams& p) {
   const int reach = static_cast<int>(p.borderReach);
-  const auto left = riseBeside(sampler, scan, rise, -reach);
-  const auto right = riseBeside(sampler, scan, rise, reach);
+  const auto left = edgeBeside(sampler, gridLine, edge, -reach);
+  const auto right = edgeBeside(sampler, gridLine, edge, reach);
   if (!left && !right) return false;
-  if (left && right) return std::fabs(*left + *right - 2.0 * rise.foot) <= p.borderBend;
+  if (left && right) return std::fabs(*left + *right - 2.0 * edge.foot) <= p.borderBend;
   const int missing = left ? reach : -reach;  // allowed beyond the rim only
-  return !Sampler::usable(scan.column(rise.first, missing), scan.row(rise.first, missing));
+  return !Sampler::usable(gridLine.column(edge.first, missing), gridLine.row(edge.first, missing));
 }
 
-bool borderHasSide(const Scene& scene, const Scan& scan, const Rise& rise, const LineParams& p) {
-  const double flat = 2.0 * p.lineWidth * pixelsPerCm(scene.body.camera, scan.at(rise.foot));
+bool borderHasSide(const Scene& scene, const GridLine& gridLine, const RisingEdge& edge,
+                   const LinePointParams& p) {
+  const double flat = 2.0 * p.lineWidth * pixelsPerCm(scene.body.camera, gridLine.at(edge.foot));
   const int length = static_cast<int>(std::max(p.borderSide, flat));
   for (const int side : {-1, 1}) {
     int green = 0;
     for (int k = 1; k <= length; ++k)
-      green += isGreen(scene.sampler, scan, rise.last, side * k) ? 1 : 0;
+      green += isGreen(scene.sampler, gridLine, edge.last, side * k) ? 1 : 0;
     if (green == 0) return true;
   }
   return false;
 }
 
-bool fieldIsEven(const Sampler& sampler, PixelPoint pixel, const LineParams& p) {
+bool fieldIsEven(const Sampler& sampler, PixelPoint pixel, const LinePointParams& p) {
   const int px = Sampler::pixelOf(pixel.x);
   const int py = Sampler::pixelOf(pixel.y);
-  constexpr int kAway = 4;  // px, beyond the blur of a thin line
-  if (!Sampler::usable(px, py - kAway) || !Sampler::usable(px, py + kAway)) return true;
-  const int around = sampler.rawY(px, py - kAway) + sampler.rawY(px, py + kAway);
+  constexpr int kBlurReach = 4;  // px, beyond the blur of a thin line
+  if (!Sampler::usable(px, py - kBlurReach) || !Sampler::usable(px, py + kBlurReach)) return true;
+  const int around = sampler.rawY(px, py - kBlurReach) + sampler.rawY(px, py + kBlurReach);
   const int here = sampler.rawY(px, py - 1) + sampler.rawY(px, py) + sampler.rawY(px, py + 1);
   return here / 3.0 - around / 2.0 <= p.fieldBump;
 }
 
-bool fieldIsGreenBeside(const Sampler& sampler, PixelPoint pixel, const LineParams& p) {
+bool fieldIsGreenBeside(const Sampler& sampler, PixelPoint pixel, const LinePointParams& p) {
   const int px = Sampler::pixelOf(pixel.x);
   const int py = Sampler::pixelOf(pixel.y);
   int other = 0;
@@ -174,16 +178,16 @@ std::optional<GroundWidth> widthOnGround(const CameraPose& camera, const LineCan
                                          PixelPoint a, PixelPoint b) {
   const auto one = body::groundPoint(camera, a);
   const auto other = body::groundPoint(camera, b);
-  const auto from = body::groundPoint(camera, c.scan.at(c.stretch.from));
-  const auto to = body::groundPoint(camera, c.scan.at(c.stretch.to));
+  const auto from = body::groundPoint(camera, c.gridLine.at(c.segment.from));
+  const auto to = body::groundPoint(camera, c.gridLine.at(c.segment.to));
   if (!one || !other || !from || !to) return std::nullopt;
   const Point2<Robot> along = *other - *one;
   const Point2<Robot> across = *to - *from;
   const double length = along.norm();
-  const double pixels = c.stretch.to - c.stretch.from;
+  const double pixels = c.segment.to - c.segment.from;
   if (length < 1e-6 || pixels < 1e-6) return std::nullopt;
   const double perPixel = std::fabs(along.x * across.y - along.y * across.x) / (length * pixels);
-  return GroundWidth{perPixel, perPixel * c.stretch.paint};
+  return GroundWidth{perPixel, perPixel * c.segment.paint};
 }
 
 }  // namespace kelpie::vision

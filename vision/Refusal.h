@@ -47,8 +47,8 @@ enum class Refusal : std::uint8_t {
   beaconOffFieldEdge,
   ballOnGoal,       // a goal's or beacon's colour right below it
   ballPartOfPatch,  // the orange is far larger than the circle
-  goalAslant,       // seen from behind or along its goal line
-  goalDoubtful,     // each check passed, but few of them well
+  goalOblique,      // seen from behind or along its goal line
+  goalUnlikely,     // each check passed, but few of them well
   robotTooSmall,
   robotAboveHorizon,
   robotAboveFieldEdge,
@@ -79,18 +79,18 @@ enum class Refusal : std::uint8_t {
   pointTooFar,       // weight 0
   pointsTooFew,      // of a kind
   edgeFewFeatures,   // too few features on the carpet's borders
-  edgeNoCorner,      // a further border that denies carpet or is no corner on the ground
+  edgeNoCorner,      // a further border with carpet beyond it, or no corner on the ground
   robotSize,         // its patch is too wide or too high at its distance
   robotOtherColour,  // as much pink, orange, blue or black as uniform
   robotOnAnother,    // specks of one team's colour on a robot of the other team
   beaconMerged,      // one of its bands is part of something far wider
   robotSpeck,        // its patches are far too small for so near a robot
   robotFeetNear,     // its feet should show: the image shows ground far behind where it stands
-  postureUnsound,    // the camera's pose or the horizon is made of no numbers: nothing is looked at
-  beaconDoubtful,    // each check passed, but few of them well
-  robotDoubtful,     // the same
+  poseOutOfRange,    // the camera's pose or the horizon is NaN or absurd: nothing is looked at
+  beaconUnlikely,    // each check passed, but few of them well
+  robotUnlikely,     // each check passed, but few of them well
 };
-constexpr std::size_t kRefusalCount = static_cast<std::size_t>(Refusal::robotDoubtful) + 1;
+constexpr std::size_t kRefusalCount = static_cast<std::size_t>(Refusal::robotUnlikely) + 1;
 
 constexpr std::array<const char*, kRefusalCount> kRefusalNames = {"ballTooSmall",
                                                                   "ballFewEdges",
@@ -127,8 +127,8 @@ constexpr std::array<const char*, kRefusalCount> kRefusalNames = {"ballTooSmall"
                                                                   "beaconOffFieldEdge",
                                                                   "ballOnGoal",
                                                                   "ballPartOfPatch",
-                                                                  "goalAslant",
-                                                                  "goalDoubtful",
+                                                                  "goalOblique",
+                                                                  "goalUnlikely",
                                                                   "robotTooSmall",
                                                                   "robotAboveHorizon",
                                                                   "robotAboveFieldEdge",
@@ -166,9 +166,9 @@ constexpr std::array<const char*, kRefusalCount> kRefusalNames = {"ballTooSmall"
                                                                   "beaconMerged",
                                                                   "robotSpeck",
                                                                   "robotFeetNear",
-                                                                  "postureUnsound",
-                                                                  "beaconDoubtful",
-                                                                  "robotDoubtful"};
+                                                                  "poseOutOfRange",
+                                                                  "beaconUnlikely",
+                                                                  "robotUnlikely"};
 static_assert(kRefusalNames.back() != nullptr, "a refusal without a name");
 
 inline void refuse(VisionCounts& counts, Refusal reason) {

@@ -90,7 +90,7 @@ struct RingTable {
 // The inverse of the model, then the shift, rounded once and clamped to a byte (up to distance 132
 // about 19 % of the entries, checklist E3).
 RingTable buildRingTable(const RingModel& model, const RobotShift& shift = {});
-// The same for a table whose model is not at hand: rounded a second time.
+// Applies a shift to a table whose model is not at hand: rounded a second time.
 RingTable shifted(const RingTable& table, const RobotShift& shift);
 
 // "none" changes nothing, "2006" is the published polynomial, anything else a file of our format.

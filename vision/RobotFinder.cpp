@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "robot/core/Maths.h"
+#include "vision/GroundRay.h"
 #include "vision/Judged.h"
 #include "vision/Refusal.h"
-#include "vision/Sight.h"
 
 namespace kelpie::vision {
 namespace {
@@ -17,28 +17,26 @@ constexpr double kSameDepth = 0.2;  // share of its distance by which a leg may 
 using Patches = FixedVector<RobotPatch, kMaxPatches>;
 using Groups = FixedVector<PatchGroup, kMaxPatches>;
 
-double levelPlace(PixelPoint at, ImageUp up) { return -at.x * up.dy + at.y * up.dx; }
-
 bool check(bool keep, Refusal reason, VisionCounts& counts) {
   if (!keep) refuse(counts, reason);
   return keep;
 }
 
 // What can be told before the foot is looked for.
-bool mayBePatch(const Scene& scene, const RobotPatch& patch, const RobotParams& p,
+bool mayBePatch(const Scene& scene, const RobotPatch& patch, const RobotFinderParams& p,
                 VisionCounts& counts) {
   return check(robotPatchHasColour(patch, p), Refusal::robotOtherColour, counts) &&
          check(robotPatchIsLow(scene, patch, p), Refusal::robotAboveHorizon, counts);
 }
 
-bool standsOnField(const RobotPatch& patch, const RobotParams& p, VisionCounts& counts) {
+bool standsOnField(const RobotPatch& patch, const RobotFinderParams& p, VisionCounts& counts) {
   return check(robotStandsOnGround(patch, p), Refusal::robotOffGround, counts) &&
          check(robotFeetMayBeCut(patch, p), Refusal::robotFeetNear, counts) &&
          check(robotPatchHasSize(patch, p), Refusal::robotSize, counts) &&
          check(patch.foot.distance <= p.maxDistance, Refusal::robotTooFar, counts);
 }
 
-bool looksLikeRobot(const Scene& scene, const RobotParams& p, RobotPatch& patch,
+bool looksLikeRobot(const Scene& scene, const RobotFinderParams& p, RobotPatch& patch,
                     VisionCounts& counts) {
   measureSurroundings(scene, patch);
   return check(robotPatchIsPure(patch, p), Refusal::robotOtherColour, counts) &&
@@ -49,7 +47,7 @@ bool looksLikeRobot(const Scene& scene, const RobotParams& p, RobotPatch& patch,
 }
 
 // The largest candidates, largest first.
-Patches largestPatches(const Scene& scene, const RobotParams& p, VisionCounts& counts) {
+Patches largestPatches(const Scene& scene, const RobotFinderParams& p, VisionCounts& counts) {
   Patches found;
   for (const Blob& blob : scene.blobs) {
     if (blob.colour != ColourClass::robotRed && blob.colour != ColourClass::robotBlue) continue;
@@ -69,18 +67,18 @@ Patches largestPatches(const Scene& scene, const RobotParams& p, VisionCounts& c
 
 // Whether a group is specks of the other team's colour on a robot that has much more of its own:
 // clothes that show beside its head.
-bool isOnAnother(const PatchGroup& group, const Groups& groups, const RobotParams& p) {
+bool isOnAnother(const PatchGroup& group, const Groups& groups, const RobotFinderParams& p) {
   for (PatchGroup other : groups) {
     if (other.team == group.team || other.samples < p.minTeamRatio * group.samples) continue;
-    const double apart = other.distance - group.distance;
-    if (std::fabs(apart) > kSameDepth * other.distance) continue;
+    const double depth = other.distance - group.distance;
+    if (std::fabs(depth) > kSameDepth * other.distance) continue;
     other.team = group.team;
     if (areOfOneRobot(other, group, p)) return true;
   }
   return false;
 }
 
-void addToGroups(const PatchGroup& patch, const RobotParams& p, Groups& groups) {
+void addToGroups(const PatchGroup& patch, const RobotFinderParams& p, Groups& groups) {
   for (PatchGroup& group : groups) {
     if (!areOfOneRobot(group, patch, p)) continue;
     group = joined(group, patch);
@@ -89,7 +87,7 @@ void addToGroups(const PatchGroup& patch, const RobotParams& p, Groups& groups) 
   groups.push_back(patch);
 }
 
-void bringNearer(const PatchGroup& part, const RobotParams& p, Groups& groups) {
+void bringNearer(const PatchGroup& part, const RobotFinderParams& p, Groups& groups) {
   for (PatchGroup& group : groups) {
     if (areOfOneRobot(group, part, p)) group = nearer(group, part);
   }
@@ -101,7 +99,7 @@ RobotFacts factsOf(const PatchGroup& group) {
   return facts;
 }
 
-double distanceSd(const Scene& scene, const PatchGroup& group, const RobotParams& p) {
+double distanceSd(const Scene& scene, const PatchGroup& group, const RobotFinderParams& p) {
   const double above = scene.body.camera.position.z;
   const double d = group.distance;
   if (group.cut) return 0.4 * d;
@@ -109,17 +107,16 @@ double distanceSd(const Scene& scene, const PatchGroup& group, const RobotParams
   return maths::hypot((d * d + above * above) / above * direction, 0.5 * p.depth);
 }
 
-RobotPercept perceptOf(const Scene& scene, const PatchGroup& group, const RobotParams& p) {
-  const ImageUp up = imageUp(scene.body.camera);
-  const double aside = 0.5 * (group.left + group.right) - levelPlace(group.centre, up);
-  const PixelPoint middle{group.centre.x - aside * up.dy, group.centre.y + aside * up.dx};
-  const Sight sight = sightOf(scene.body.camera, middle);
-  const Point2<Robot> place = placeAt(scene.body.camera, sight, group.distance + p.depth);
+RobotPercept perceptOf(const Scene& scene, const PatchGroup& group, const RobotFinderParams& p) {
+  const double aside = 0.5 * (group.left + group.right) - scene.frame.along(group.centre);
+  const PixelPoint middle = moved(group.centre, scene.frame.right(), aside);
+  const GroundRay ray = groundRayThrough(scene.body.camera, middle);
+  const Point2<Robot> place = placeAt(scene.body.camera, ray, group.distance + p.depth);
   RobotPercept robot;
   robot.team = group.team;
   robot.distance = place.norm();
   robot.heading = bearing(place);
-  robot.elevation = Angle::rad(maths::atan(sight.slope));
+  robot.elevation = Angle::rad(maths::atan(ray.slope));
   robot.distanceVariance = maths::square(distanceSd(scene, group, p));
   robot.headingVariance = maths::square(p.headingSd / std::max(robot.distance, 10.0));
   robot.box = group.box;
@@ -128,8 +125,8 @@ RobotPercept perceptOf(const Scene& scene, const PatchGroup& group, const RobotP
 
 }  // namespace
 
-PatchGroup groupOf(const RobotPatch& patch, ImageUp up) {
-  const double at = levelPlace(patch.centre, up);
+PatchGroup groupOf(const RobotPatch& patch, const HorizonFrame& frame) {
+  const double at = frame.along(patch.centre);
   return {patch.team,
           patch.samples,
           at - patch.extent.left,
@@ -142,7 +139,7 @@ PatchGroup groupOf(const RobotPatch& patch, ImageUp up) {
           {}};
 }
 
-bool areOfOneRobot(const PatchGroup& a, const PatchGroup& b, const RobotParams& p) {
+bool areOfOneRobot(const PatchGroup& a, const PatchGroup& b, const RobotFinderParams& p) {
   if (a.team != b.team) return false;
   const double scale = std::max(a.scale, b.scale);
   const double gap = std::max(a.left, b.left) - std::min(a.right, b.right);
@@ -180,9 +177,8 @@ PatchGroup nearer(const PatchGroup& group, const PatchGroup& part) {
   return both;
 }
 
-void findRobots(const Scene& scene, const RobotParams& params, VisionCounts& counts, Robots& robots,
-                JudgedRobots& judged) {
-  const ImageUp up = imageUp(scene.body.camera);
+void findRobots(const Scene& scene, const RobotFinderParams& params, VisionCounts& counts,
+                Robots& robots, JudgedRobots& judged) {
   Groups groups;
   Groups parts;
   for (RobotPatch& patch : largestPatches(scene, params, counts)) {
@@ -190,20 +186,20 @@ void findRobots(const Scene& scene, const RobotParams& params, VisionCounts& cou
     const bool sure =
         standsOnField(patch, params, counts) && looksLikeRobot(scene, params, patch, counts);
     if (sure) {
-      PatchGroup group = groupOf(patch, up);
+      PatchGroup group = groupOf(patch, scene.frame);
       group.facts = robotFacts(scene, patch);
       addToGroups(group, params, groups);
     } else if (robotPatchTellsDistance(patch, params)) {
-      parts.push_back(groupOf(patch, up));
+      parts.push_back(groupOf(patch, scene.frame));
     }
   }
   for (const PatchGroup& part : parts) bringNearer(part, params, groups);
   for (const PatchGroup& group : groups) {
     if (!check(!isOnAnother(group, groups, params), Refusal::robotOnAnother, counts)) continue;
     const RobotFacts facts = factsOf(group);
-    const JudgedRobot robot{perceptOf(scene, group, params), facts, robotDoubt(facts)};
+    const JudgedRobot robot{perceptOf(scene, group, params), facts, logOddsAgainst(facts)};
     judged.push_back(robot);
-    if (check(robot.doubt <= params.maxDoubt, Refusal::robotDoubtful, counts))
+    if (check(robot.logOddsAgainst <= params.maxLogOddsAgainst, Refusal::robotUnlikely, counts))
       robots.push_back(robot.percept);
   }
 }

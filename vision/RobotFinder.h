@@ -5,12 +5,12 @@
 #pragma once
 
 #include "robot/core/Percepts.h"
-#include "vision/RobotDoubt.h"
+#include "vision/RobotFacts.h"
 #include "vision/RobotPatch.h"
 
 namespace kelpie::vision {
 
-// Patches of one robot: extent along the level direction of the image, as px from its origin.
+// Patches of one robot: their extent along the horizon (HorizonFrame::along).
 struct PatchGroup {
   TeamColour team = TeamColour::red;
   double samples = 0.0;
@@ -24,10 +24,10 @@ struct PatchGroup {
   RobotFacts facts;       // of the largest patch, and the number of patches
 };
 
-// Without its facts.
-PatchGroup groupOf(const RobotPatch& patch, ImageUp up);
+// The group of one patch, without its facts.
+PatchGroup groupOf(const RobotPatch& patch, const HorizonFrame& frame);
 // Whether two groups can be of one robot.
-bool areOfOneRobot(const PatchGroup& a, const PatchGroup& b, const RobotParams& p);
+bool areOfOneRobot(const PatchGroup& a, const PatchGroup& b, const RobotFinderParams& p);
 PatchGroup joined(const PatchGroup& larger, const PatchGroup& other);
 // A head's legs are hidden by its own trunk, so that carpet behind it is taken for where it stands.
 // The trunk's patch may be too dubious to be a robot by itself, but it tells how near that one is.
@@ -36,7 +36,7 @@ PatchGroup nearer(const PatchGroup& group, const PatchGroup& part);
 struct JudgedRobot;
 using JudgedRobots = FixedVector<JudgedRobot, 8>;
 using Robots = FixedVector<RobotPercept, 8>;
-void findRobots(const Scene& scene, const RobotParams& params, VisionCounts& counts, Robots& robots,
-                JudgedRobots& judged);
+void findRobots(const Scene& scene, const RobotFinderParams& params, VisionCounts& counts,
+                Robots& robots, JudgedRobots& judged);
 
 }  // namespace kelpie::vision

@@ -70,8 +70,8 @@ class Sampler {
   const Image& image_;
   const VisionCalibration& calibration_;
   ClassPlane& classes_;
-  // Of each channel, the distances of every row's pixels from the channel's centre: looking the row
-  // up for each pixel cost 60 instructions of its 110.
+  // The distances of every row's pixels from each channel's centre: looking the row up for each
+  // pixel cost 60 instructions of its 110.
   std::array<std::array<const std::uint8_t*, kImageHeight>, 3> rows_{};
   bool oneCentre_ = false;
 };

@@ -7,7 +7,7 @@
 #include "robot/body/FieldDescription.h"
 #include "robot/core/Percepts.h"
 #include "vision/Blobs.h"
-#include "vision/Level.h"
+#include "vision/HorizonFrame.h"
 #include "vision/Sampler.h"
 
 namespace kelpie::vision {
@@ -17,7 +17,7 @@ struct Scene {
   const BlobBuffer& blobs;
   const BodyState& body;
   const FixedVector<FieldEdgePercept, 3>& fieldEdges;
-  Level level;
+  HorizonFrame frame;
   const Lattice& lattice;
   const RunBuffer& runs;
   const body::FieldDescription& field;
@@ -48,10 +48,10 @@ inline double fieldEdgeRow(const Scene& scene, double x) {
 // How far a pixel is below the horizon or the field edge, px along the level image's columns;
 // negative above. Rows of a rolled image's line change by more than the way to it.
 inline double belowHorizon(const Scene& scene, PixelPoint p) {
-  return (p.y - horizonRow(scene, p.x)) * std::fabs(scene.level.cos);
+  return (p.y - horizonRow(scene, p.x)) * std::fabs(scene.frame.cos);
 }
 inline double belowFieldEdge(const Scene& scene, PixelPoint p) {
-  return (p.y - fieldEdgeRow(scene, p.x)) * std::fabs(scene.level.cos);
+  return (p.y - fieldEdgeRow(scene, p.x)) * std::fabs(scene.frame.cos);
 }
 
 }  // namespace kelpie::vision

@@ -15,9 +15,7 @@ struct Mean {
   double cb = 0.0;
 };
 
-PixelPoint along(const SpanWalk& walk, int step) {
-  return {walk.from.x + step * walk.dx, walk.from.y + step * walk.dy};
-}
+PixelPoint along(const SpanWalk& walk, int step) { return moved(walk.from, walk.direction, step); }
 
 Mean colourAt(const Sampler& sampler, PixelPoint p) {
   const Yuv c = sampler.corrected(Sampler::pixelOf(p.x), Sampler::pixelOf(p.y));
@@ -99,17 +97,9 @@ EdgeHit walkToEdge(const Sampler& sampler, const SpanWalk& walk) {
     if (sampler.classAt(p) == walk.colour) last = step;
   }
   hit.point = hit.cut ? along(walk, last) : halfWay(sampler, walk, last);
-  hit.length = (hit.point.x - walk.from.x) * walk.dx + (hit.point.y - walk.from.y) * walk.dy;
+  hit.length = (hit.point.x - walk.from.x) * walk.direction.dx +
+               (hit.point.y - walk.from.y) * walk.direction.dy;
   return hit;
-}
-
-ImageUp imageUp(const CameraPose& camera) {
-  const double dx = camera.axes[6];
-  const double dy = camera.axes[7];
-  const double norm = std::sqrt(dx * dx + dy * dy);
-  // Looking straight up or down no direction is up; any serves.
-  if (norm < 1e-6) return {};
-  return {dx / norm, dy / norm};
 }
 
 }  // namespace kelpie::vision

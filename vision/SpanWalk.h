@@ -4,15 +4,14 @@
 #pragma once
 
 #include "robot/core/Geometry.h"
-#include "robot/core/Percepts.h"
+#include "vision/HorizonFrame.h"
 #include "vision/Sampler.h"
 
 namespace kelpie::vision {
 
 struct SpanWalk {
   PixelPoint from;
-  double dx = 0.0;  // unit vector in the image
-  double dy = 0.0;
+  ImageDirection direction;
   ColourClass colour = ColourClass::none;
   int holes = 1;  // pixels of another class to step over
 };
@@ -24,12 +23,5 @@ struct EdgeHit {
 };
 
 EdgeHit walkToEdge(const Sampler& sampler, const SpanWalk& walk);
-
-// Direction in the image in which the elevation rises fastest at the middle of the image.
-struct ImageUp {
-  double dx = 0.0;
-  double dy = -1.0;
-};
-ImageUp imageUp(const CameraPose& camera);
 
 }  // namespace kelpie::vision

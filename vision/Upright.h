@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Steps and sizes along and across the image's upward direction: the head rolls the image by up to
-// 90 deg when it looks aside and down.
+// Sizes along the horizon and square to it: the head rolls the image by up to 90 deg when it looks
+// aside and down. Cheap looks at the carpet between the lattice's samples.
 #pragma once
 
 #include <algorithm>
@@ -8,11 +8,6 @@
 #include "vision/SpanWalk.h"
 
 namespace kelpie::vision {
-
-// A pixel `right` and `above` of another one, as in an upright image.
-inline PixelPoint moved(PixelPoint from, ImageUp up, double right, double above) {
-  return {from.x - right * up.dy + above * up.dx, from.y + right * up.dx + above * up.dy};
-}
 
 // The first usable pixel with an even column and row.
 constexpr int kCoarseLeft = 4;
@@ -38,12 +33,13 @@ struct Extent {
   double height() const { return upper + lower; }
 };
 
-inline Extent extentOf(const Sampler& sampler, ImageUp up, PixelPoint centre, ColourClass colour) {
+inline Extent extentOf(const Sampler& sampler, const HorizonFrame& frame, PixelPoint centre,
+                       ColourClass colour) {
   constexpr int kHoles = 2;  // px of another class inside a patch
-  const auto edge = [&](double dx, double dy) {
-    return std::max(1.0, walkToEdge(sampler, {centre, dx, dy, colour, kHoles}).length);
+  const auto edge = [&](ImageDirection direction) {
+    return std::max(1.0, walkToEdge(sampler, {centre, direction, colour, kHoles}).length);
   };
-  return {edge(up.dy, -up.dx), edge(-up.dy, up.dx), edge(up.dx, up.dy), edge(-up.dx, -up.dy)};
+  return {edge(-frame.right()), edge(frame.right()), edge(frame.up()), edge(-frame.up())};
 }
 
 }  // namespace kelpie::vision

@@ -18,9 +18,9 @@
 namespace kelpie::vision {
 namespace {
 
-// False where a joint or the stance was no number: rows and columns made from it lie anywhere in
-// memory. The axes are of length one, as far as rounding lets them be.
-bool postureIsSound(const BodyState& body) {
+// False where a joint or the stance was NaN or absurd: rows and columns made from it lie anywhere
+// in memory. The axes are of length one, as far as rounding lets them be.
+bool poseIsInRange(const BodyState& body) {
   constexpr double kMaxTurn = 10.0;       // rad over an image
   constexpr double kFarthest = 100.0;     // cm from the robot to its camera, three times an ERS-7
   constexpr double kFarthestRow = 1.1e4;  // px, a little beyond the horizon's limit
@@ -39,27 +39,26 @@ bool postureIsSound(const BodyState& body) {
 Percepts step(const VisionIn& in, const VisionParams& params, VisionState& state) {
   Percepts out;
   state.judged = {};
-  if (!postureIsSound(in.body)) {
-    refuse(out.counts, Refusal::postureUnsound);
+  if (!poseIsInRange(in.body)) {
+    refuse(out.counts, Refusal::poseOutOfRange);
     return out;
   }
   Sampler sampler(in.input.image, state.calibration, state.distances, state.classes);
   sampler.reset();
-  const Level level = levelOf(in.body.camera);
+  const HorizonFrame frame = horizonFrameOf(in.body.camera);
   const Horizon& horizon = in.body.horizon;
   const double middle = 0.5 * (horizon.atLeft + horizon.atRight);
-  const Lattice lattice(level, level.fromImage({body::kPrincipalX, middle}).v);
+  const Lattice lattice(frame, frame.fromImage({body::kPrincipalX, middle}).v);
   const auto found = findBlobs(sampler, lattice, state.runs, state.blobs);
   out.counts.sampledPixels = found.samples;
   out.counts.runs = static_cast<std::uint32_t>(state.runs.size());
   out.counts.blobs = static_cast<std::uint32_t>(state.blobs.size());
   for (std::uint32_t i = 0; i < found.lost && i < 1000; ++i)
     refuse(out.counts, Refusal::bufferFull);
-  out.fieldEdges =
-      findFieldEdges(sampler, in.body.camera, params.scan, params.fieldEdge, out.counts);
+  out.fieldEdges = findFieldEdges(sampler, frame, params.scan, params.fieldEdge, out.counts);
 
   const Scene scene{sampler, state.blobs, in.body,    out.fieldEdges,
-                    level,   lattice,     state.runs, params.field};
+                    frame,   lattice,     state.runs, params.field};
   findBeacons(scene, params.beacon, out.counts, out.landmarks);
   findGoals(scene, params.goal, out.counts, out.landmarks, out.gaps, state.judged.goals);
   out.ball = findBall(scene, params.ball, out.counts);

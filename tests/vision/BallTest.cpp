@@ -135,7 +135,7 @@ TEST(Ball, SmallerBlobIsTakenWhenTheLargestIsNoBall) {
 }
 
 TEST(BallChecks, EdgesRoundnessAndRangeDecideAtTheirLimits) {
-  const BallParams p;
+  const BallFinderParams p;
   BallCandidate c;
   EXPECT_FALSE(ballHasEdges(c, p));
   c.cone.valid = true;
@@ -171,7 +171,7 @@ TEST(Ball, BeforeOrangeTrousersIsFoundAtItsOwnDistance) {
 }
 
 TEST(BallChecks, PatchMuchLargerThanItsCircleIsNoBallUnlessClothesTouchIt) {
-  const BallParams p;
+  const BallFinderParams p;
   Blob blob;
   BallCandidate c;
   c.blob = &blob;
@@ -180,7 +180,7 @@ TEST(BallChecks, PatchMuchLargerThanItsCircleIsNoBallUnlessClothesTouchIt) {
   EXPECT_TRUE(ballFillsItsPatch(c, p));
   blob.samples = 130;
   EXPECT_FALSE(ballFillsItsPatch(c, p));
-  c.apart = false;
+  c.standsAlone = false;
   EXPECT_TRUE(ballFillsItsPatch(c, p));
 }
 

@@ -149,7 +149,7 @@ TEST(BeaconChecks, WhatFitsItsHeightMayBeCutByTwoBorders) {
 }
 
 TEST(BeaconChecks, BandsAreOfOneHeightUnlessTheBorderCutsOne) {
-  const BeaconParams p;
+  const BeaconFinderParams p;
   BeaconCandidate c;
   c.upper = 10;
   c.lower = 16.9;  // 1.6 * 10 + 1 = 17
@@ -161,7 +161,7 @@ TEST(BeaconChecks, BandsAreOfOneHeightUnlessTheBorderCutsOne) {
 }
 
 TEST(BeaconChecks, BandIsAboutAsWideAsHigh) {
-  const BeaconParams p;
+  const BeaconFinderParams p;
   BeaconCandidate c;
   c.upper = c.lower = 10;
   c.width = 16.9;  // 1.6 * 10 + 1 = 17
@@ -175,7 +175,7 @@ TEST(BeaconChecks, BandIsAboutAsWideAsHigh) {
 }
 
 TEST(BeaconChecks, BandOfAColourThatGoesOnFarAsideIsPartOfSomethingElse) {
-  const BeaconParams p;
+  const BeaconFinderParams p;
   BeaconCandidate c;
   c.width = 10;
   c.widest = 79;
@@ -195,7 +195,7 @@ TEST(BeaconChecks, BandOfAColourThatGoesOnFarAsideIsPartOfSomethingElse) {
 }
 
 TEST(BeaconChecks, WhereHeightAndSizeDisagreeMoreOfItsWhiteMustShow) {
-  const BeaconParams p;
+  const BeaconFinderParams p;
   Board board(cameraAt(16, 0, 0));
   BeaconCandidate c;
   c.upper = c.lower = 20;
@@ -216,7 +216,7 @@ TEST(BeaconChecks, WhereHeightAndSizeDisagreeMoreOfItsWhiteMustShow) {
   EXPECT_TRUE(passes(0, true));
 }
 
-TEST(BeaconChecks, DoubtsAreCountedEachForItself) {
+TEST(BeaconChecks, WeakCuesAreCountedEachForItself) {
   Board board(cameraAt(16, 0, 0));
   BeaconCandidate c;  // 30 cm up at 100 cm, with a camera 16 cm up
   c.distance = 105.0;
@@ -225,25 +225,25 @@ TEST(BeaconChecks, DoubtsAreCountedEachForItself) {
   c.upper = c.lower = c.width = c.widest = 19.0;
   c.bottom = {c.middle.x, c.middle.y + 19.0};
   board.fill(90, static_cast<int>(c.bottom.y), 120, 155, kWhitePaint);
-  EXPECT_EQ(beaconDoubts(board.scene(), c), 0);
+  EXPECT_EQ(weakCues(board.scene(), c), 0);
   c.widest = 2.0 * c.width;
-  EXPECT_EQ(beaconDoubts(board.scene(), c), 1);
+  EXPECT_EQ(weakCues(board.scene(), c), 1);
   c.widest = 5.0 * c.width;
-  EXPECT_EQ(beaconDoubts(board.scene(), c), 2);
+  EXPECT_EQ(weakCues(board.scene(), c), 2);
   c.width *= 0.6;
-  EXPECT_EQ(beaconDoubts(board.scene(), c), 4);  // not square, and so less like a beacon
+  EXPECT_EQ(weakCues(board.scene(), c), 4);  // not square, and so less like a beacon
   board.edges.push_back({80, 80, 20, 0.5});
-  EXPECT_EQ(beaconDoubts(board.scene(), c), 5);
+  EXPECT_EQ(weakCues(board.scene(), c), 5);
   board.fill(90, static_cast<int>(c.bottom.y), 120, 155, kGreenPaint);
-  EXPECT_EQ(beaconDoubts(board.scene(), c), 6);
+  EXPECT_EQ(weakCues(board.scene(), c), 6);
   c.distance = 140.0;
-  EXPECT_EQ(beaconDoubts(board.scene(), c), 8);
+  EXPECT_EQ(weakCues(board.scene(), c), 8);
   c.widthCut = true;
-  EXPECT_EQ(beaconDoubts(board.scene(), c), 7);
+  EXPECT_EQ(weakCues(board.scene(), c), 7);
 }
 
 TEST(BeaconChecks, BandCutAtItsSideMayShowSixTenthsOfItsWidth) {
-  const BeaconParams p;
+  const BeaconFinderParams p;
   BeaconCandidate c;
   c.upper = c.lower = 10;
   c.width = 4.1;  // of at most 6.8
@@ -255,7 +255,7 @@ TEST(BeaconChecks, BandCutAtItsSideMayShowSixTenthsOfItsWidth) {
 }
 
 TEST(BeaconChecks, BothBandsAreLargeEnoughToMeasure) {
-  const BeaconParams p;
+  const BeaconFinderParams p;
   BeaconCandidate c;
   c.upper = c.lower = 2.1;
   EXPECT_TRUE(beaconIsLarge(c, p));

@@ -10,9 +10,9 @@
 namespace kelpie::vision {
 namespace {
 
-Level rolled(double degrees) {
+HorizonFrame rolled(double degrees) {
   const double roll = degrees * 3.14159265358979 / 180.0;
-  return {std::cos(roll), std::sin(roll)};
+  return {std::cos(roll), std::sin(roll), 0.0};
 }
 
 // An image of classes: the plane is filled by hand, the pixels behind it are never read.
@@ -29,19 +29,19 @@ struct Canvas {
     }
   }
   // A square upright in the level image, about the middle of the image.
-  void square(ColourClass c, const Level& level, double side) {
+  void square(ColourClass c, const HorizonFrame& frame, double side) {
     for (int y = 0; y < kImageHeight; ++y) {
       for (int x = 0; x < kImageWidth; ++x) {
-        const LevelPoint p = level.fromImage({x + 0.5, y + 0.5});
+        const LevelPoint p = frame.fromImage({x + 0.5, y + 0.5});
         const double away =
             std::fmax(std::fabs(p.u - body::kPrincipalX), std::fabs(p.v - body::kPrincipalY));
         if (away <= 0.5 * side) box(c, x, y, x + 1, y + 1);
       }
     }
   }
-  const BlobBuffer& blobs(const Level& level = Level{}) {
+  const BlobBuffer& blobs(const HorizonFrame& frame = HorizonFrame{}) {
     const Sampler sampler(*image, state->calibration, state->distances, state->classes);
-    counts = findBlobs(sampler, Lattice(level), state->runs, state->blobs);
+    counts = findBlobs(sampler, Lattice(frame), state->runs, state->blobs);
     return state->blobs;
   }
   BlobCounts counts;
@@ -108,10 +108,10 @@ TEST(Blobs, AnImageFullOfSpecksIsCountedAsLostNotOverrun) {
 
 TEST(Blobs, SquareUprightInTheLevelImageKeepsItsBoxWhateverTheRoll) {
   for (double roll = -80.0; roll <= 80.0; roll += 10.0) {
-    const Level level = rolled(roll);
+    const HorizonFrame frame = rolled(roll);
     Canvas canvas;
-    canvas.square(ColourClass::blue, level, 40.0);
-    const auto& blobs = canvas.blobs(level);
+    canvas.square(ColourClass::blue, frame, 40.0);
+    const auto& blobs = canvas.blobs(frame);
     ASSERT_EQ(blobs.size(), 1U) << roll;
     // A step of the lattice and the pixels' corners. Boxed along the image's axes it were 53 and
     // more from 25 deg on.
@@ -156,7 +156,7 @@ TEST(Lattice, SamplesLieWhereTheirLevelCoordinatesSay) {
       if (row.count == 0) continue;
       const int last = row.count - 1;
       const PixelPoint p =
-          lattice.level().toImage({lattice.u(row.first + last), lattice.v(number)});
+          lattice.frame().toImage({lattice.u(row.first + last), lattice.v(number)});
       // 127 steps rounded to 1/65536 px.
       EXPECT_NEAR((row.x + last * lattice.stepX()) / 65536.0, p.x, 0.002) << roll;
       EXPECT_NEAR((row.y + last * lattice.stepY()) / 65536.0, p.y, 0.002) << roll;

@@ -29,7 +29,7 @@ class Board {
   }
 
   Scene scene() const {
-    return {sampler, *blobs_, body, edges, levelOf(body.camera), lattice_, *runs_, field_};
+    return {sampler, *blobs_, body, edges, horizonFrameOf(body.camera), lattice_, *runs_, field_};
   }
 
   BodyState body;
@@ -37,7 +37,7 @@ class Board {
 
  private:
   body::FieldDescription field_ = *body::fieldDescription("2006");
-  Lattice lattice_{levelOf(body.camera)};
+  Lattice lattice_{horizonFrameOf(body.camera)};
   std::unique_ptr<Image> image_ = std::make_unique<Image>();
   std::unique_ptr<VisionCalibration> calibration_ =
       std::make_unique<VisionCalibration>(nominalCalibration());

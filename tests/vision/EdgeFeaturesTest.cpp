@@ -31,7 +31,7 @@ EdgeFeatures featuresOf(std::initializer_list<Band> bands, double up = -5.0) {
       for (int x = 0; x < kImageWidth; ++x)
         state->classes[Image::at(x, row)] = static_cast<std::uint8_t>(band.colour);
   const Sampler sampler(*image, state->calibration, state->distances, state->classes);
-  return edgeFeatures(sampler, scanLines(imageLevel(cameraAt(16, 0, up)), {}), {});
+  return edgeFeatures(sampler, horizonScan(horizonFrameOf(cameraAt(16, 0, up)), {}), {});
 }
 
 TEST(EdgeFeatures, OneOnEachScanLineWhereTheGreenEnds) {

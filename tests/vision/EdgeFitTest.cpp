@@ -18,9 +18,9 @@ namespace {
 constexpr int kPoints = 48;
 double columnOf(int i) { return 4.5 + 4 * i; }
 
-FieldEdges edgesOf(const EdgeFeatures& features, const ImageLevel& level = {}) {
+FieldEdges edgesOf(const EdgeFeatures& features, const HorizonFrame& frame = {}) {
   VisionCounts counts;
-  return edgeRows(fitEdgeLines(features, level, {}, counts));
+  return edgeRows(fitEdgeLines(features, frame, {}, counts));
 }
 
 // Features along rows that a function of the column gives, with 0.4 px of noise as in the images.
@@ -62,7 +62,7 @@ TEST(EdgeFit, UprightLinesAreNoException) {
   EdgeFeatures features;
   for (int i = 0; i < 30; ++i) features.push_back({{90.0, 5.0 * i}, false, 1.0});
   VisionCounts counts;
-  const ImageLevel rolled{1.0, 0.0, -60.0};  // up is to the right
+  const HorizonFrame rolled{0.0, 1.0, -60.0};  // up is to the right
   const EdgeLines lines = fitEdgeLines(features, rolled, {}, counts);
   ASSERT_EQ(lines.size(), 1U);
   EXPECT_NEAR(lines[0].nx, 1.0, 1e-9);
@@ -73,13 +73,13 @@ TEST(EdgeFit, UprightLinesAreNoException) {
 TEST(EdgeFit, ACornerGivesTwoEdges) {
   // 16 cm above the carpet, its corner 150 cm ahead, both borders 45 deg to the view.
   const auto row = [](double x) { return 63.2 + 16.0 / 150.0 * (192.0 - std::fabs(x - 104.0)); };
-  const ImageLevel level = imageLevel(cameraAt(16, 0, -5));
-  const FieldEdges edges = edgesOf(along(row), level);
+  const HorizonFrame frame = horizonFrameOf(cameraAt(16, 0, -5));
+  const FieldEdges edges = edgesOf(along(row), frame);
   ASSERT_EQ(edges.size(), 1U) << "a corner that points at the robot is not convex";
   const auto convex = [](double x) {
     return 63.2 + 20.5 - 0.107 * (192.0 - std::fabs(x - 104.0)) + 20;
   };
-  const FieldEdges both = edgesOf(along(convex), level);
+  const FieldEdges both = edgesOf(along(convex), frame);
   ASSERT_EQ(both.size(), 2U);
   EXPECT_NEAR(fieldEdgeRow(both, 104.0), convex(104.0), 1.0);
   EXPECT_NEAR(fieldEdgeRow(both, 0.0), convex(0.0), 1.5);
@@ -89,7 +89,7 @@ TEST(EdgeFit, ACornerGivesTwoEdges) {
 TEST(EdgeFit, NoiseMakesNoCorner) {
   for (std::uint64_t seed = 1; seed <= 100; ++seed) {
     const EdgeFeatures features = along([](double x) { return 90.0 + 0.1 * x; }, 1.0, seed);
-    EXPECT_EQ(edgesOf(features, imageLevel(cameraAt(16, 0, -5))).size(), 1U) << seed;
+    EXPECT_EQ(edgesOf(features, horizonFrameOf(cameraAt(16, 0, -5))).size(), 1U) << seed;
   }
 }
 
@@ -128,15 +128,15 @@ TEST(EdgeFit, ScatteredFeaturesSupportNoneAndAreCounted) {
 
 TEST(EdgeLine, BordersOfACarpetAreSquareOnTheGround) {
   const CameraPose camera = cameraAt(16, 25, -12, 15);
-  const ImageLevel level = imageLevel(camera);
+  const HorizonFrame frame = horizonFrameOf(camera);
   const auto line = [&](Point2<Robot> a, Point2<Robot> b) {
     return lineThrough(*body::project(camera, {a.x, a.y, 0.0}),
-                       *body::project(camera, {b.x, b.y, 0.0}), level);
+                       *body::project(camera, {b.x, b.y, 0.0}), frame);
   };
   const EdgeLine far = line({-150, 200}, {-50, 230});
   const EdgeLine side = line({-150, 200}, {-120, 100});
-  EXPECT_NEAR(groundCosine(far, side, level), 0.0, 1e-6);
-  EXPECT_NEAR(groundCosine(far, line({-150, 150}, {-50, 180}), level), 1.0, 1e-6);
+  EXPECT_NEAR(groundCosine(far, side, frame), 0.0, 1e-6);
+  EXPECT_NEAR(groundCosine(far, line({-150, 150}, {-50, 180}), frame), 1.0, 1e-6);
 }
 
 }  // namespace

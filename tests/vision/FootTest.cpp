@@ -17,17 +17,17 @@ struct Look {
     sampler.reset();
   }
   Foot foot(PixelPoint from) const {
-    return nearestFoot(scene, imageUp(body.camera), {from, -4, 4, 3, ColourClass::none});
+    return nearestFoot(scene, {from, -4, 4, 3, ColourClass::none});
   }
-  double behind(PixelPoint at) const { return carpetBehind(scene, imageUp(body.camera), at, 20); }
+  double behind(PixelPoint at) const { return carpetBehind(scene, at, 20); }
   std::unique_ptr<VisionState> state = std::make_unique<VisionState>();
   std::unique_ptr<Image> image = std::make_unique<Image>();
   Sampler sampler{*image, state->calibration, state->distances, state->classes};
   BodyState body;
   FixedVector<FieldEdgePercept, 3> edges;
-  Lattice lattice{levelOf(body.camera)};
+  Lattice lattice{horizonFrameOf(body.camera)};
   body::FieldDescription field = *body::fieldDescription("2006");
-  Scene scene{sampler, state->blobs, body, edges, lattice.level(), lattice, state->runs, field};
+  Scene scene{sampler, state->blobs, body, edges, lattice.frame(), lattice, state->runs, field};
 };
 
 Painting wallAt(double y, Paint paint) {

@@ -39,7 +39,8 @@ struct View {
     return percept;
   }
 
-  // Of a blue goal whose mouth's middle stands at a place, turned from where it faces by `turn`.
+  // The facts of a blue goal whose mouth's middle stands at a place, turned from where it faces by
+  // `turn`.
   GoalFacts facts(Point2<Field> mouth, Angle turn = Angle(),
                   const Landmarks* beacons = nullptr) const {
     const Point2<Robot> r = robotFromField(pose, mouth);
@@ -48,7 +49,7 @@ struct View {
     GoalCandidate c;
     c.colour = ColourClass::blue;
     const PixelPoint foot = *body::project(board.body.camera, {r.x, r.y, 0.0});
-    const LevelPoint place = levelOf(board.body.camera).fromImage(foot);
+    const LevelPoint place = horizonFrameOf(board.body.camera).fromImage(foot);
     c.box = LevelBox{place.u - 5.0, place.v - 5.0, place.u + 5.0, place.v};
     const double along = (Angle::deg(90) - pose.heading + turn).rad();
     const Landmarks none;
@@ -65,27 +66,27 @@ TEST(GoalPlace, AGoalOnItsEdgeIsOffByNothing) {
   View view(kBeforeTheGoal);
   view.addEdge({100, 570}, {260, 570});
   const GoalFacts facts = view.facts({180, 540});
-  EXPECT_NEAR(facts.fromEdge, 0.0, 0.5);
+  EXPECT_NEAR(facts.edgeDistance, 0.0, 0.5);
   EXPECT_NEAR(facts.edgeTurn, 0.0, 0.2);
-  EXPECT_NEAR(facts.edgeAside, 0.0, 0.5);
-  EXPECT_EQ(facts.cornerOff, 0.0);
-  EXPECT_EQ(facts.beaconOff, 0.0);
+  EXPECT_NEAR(facts.edgeLateralOffset, 0.0, 0.5);
+  EXPECT_EQ(facts.cornerError, 0.0);
+  EXPECT_EQ(facts.beaconError, 0.0);
 }
 
 TEST(GoalPlace, ABoxBehindTheEdgeIsBehindItAndATurnedOneIsTurned) {
   View view(kBeforeTheGoal);
   view.addEdge({100, 570}, {260, 570});
-  EXPECT_NEAR(view.facts({180, 600}).fromEdge, -60.0, 0.5);
+  EXPECT_NEAR(view.facts({180, 600}).edgeDistance, -60.0, 0.5);
   EXPECT_NEAR(view.facts({180, 540}, Angle::deg(40)).edgeTurn, 40.0, 0.3);
-  EXPECT_NEAR(view.facts({100, 540}).edgeAside, 80.0, 0.5);
+  EXPECT_NEAR(view.facts({100, 540}).edgeLateralOffset, 80.0, 0.5);
 }
 
 TEST(GoalPlace, HalfACarpetFromTheCornerIsRight) {
   View view({{100, 330}, Angle::deg(110)});
   view.addEdge({40, 570}, {180, 570});
   view.addEdge({-20, 480}, {-20, 520});
-  EXPECT_NEAR(view.facts({180, 540}).cornerOff, 0.0, 1.0);
-  EXPECT_NEAR(view.facts({80, 540}).cornerOff, 100.0, 1.0);
+  EXPECT_NEAR(view.facts({180, 540}).cornerError, 0.0, 1.0);
+  EXPECT_NEAR(view.facts({80, 540}).cornerError, 100.0, 1.0);
 }
 
 TEST(GoalPlace, ABeaconTellsWhereItsGoalIs) {
@@ -93,27 +94,27 @@ TEST(GoalPlace, ABeaconTellsWhereItsGoalIs) {
   Landmarks beacons;
   beacons.push_back(view.beacon(LandmarkKind::beaconBlueOnPink, {-15, 405}));
   const GoalFacts right = view.facts({180, 540}, {}, &beacons);
-  EXPECT_NEAR(right.beaconOff, 0.0, 0.5);
-  EXPECT_NEAR(right.outside, 0.0, 0.5);
-  EXPECT_GT(view.facts({60, 540}, {}, &beacons).beaconOff, 80.0);
+  EXPECT_NEAR(right.beaconError, 0.0, 0.5);
+  EXPECT_NEAR(right.offCarpetDistance, 0.0, 0.5);
+  EXPECT_GT(view.facts({60, 540}, {}, &beacons).beaconError, 80.0);
 }
 
-// The same distance from the beacon on its other side: only from outside the carpet.
+// As far from the beacon on its other side, which can be seen from off the carpet only.
 TEST(GoalPlace, AGoalOnTheWrongSideOfABeaconPutsTheRobotOffTheCarpet) {
   const View view({{180, 250}, Angle::deg(110)});
   Landmarks beacons;
   beacons.push_back(view.beacon(LandmarkKind::beaconBlueOnPink, {-15, 405}));
   const GoalFacts facts = view.facts({-210, 540}, {}, &beacons);
-  EXPECT_NEAR(facts.beaconOff, 0.0, 0.5);
-  EXPECT_GT(facts.outside, 50.0);
+  EXPECT_NEAR(facts.beaconError, 0.0, 0.5);
+  EXPECT_GT(facts.offCarpetDistance, 50.0);
 }
 
 TEST(GoalPlace, NothingInTheImageLeavesTheFactsAtNothing) {
   const View view(kBeforeTheGoal);
   const GoalFacts facts = view.facts({180, 540});
-  EXPECT_EQ(facts.fromEdge, 0.0);
+  EXPECT_EQ(facts.edgeDistance, 0.0);
   EXPECT_EQ(facts.edgeTurn, 0.0);
-  EXPECT_EQ(facts.outside, 0.0);
+  EXPECT_EQ(facts.offCarpetDistance, 0.0);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The posts and the free stretches of painted goals, through the whole of vision. What is painted
+// The posts and the gaps of painted goals, through the whole of vision. What is painted
 // before a goal is a plain white wall: no robot's legs, no shadow.
 #include <gtest/gtest.h>
 
@@ -20,15 +20,15 @@ struct Place {
   double x, y;
 };
 
-// A goal whose mouth is seen `aslant` degrees from its front, its middle straight ahead.
+// A goal whose mouth is seen `turned` degrees from its front, its middle straight ahead.
 struct Turned {
   Painting painting;
   Place left;
   Place right;
 
-  Turned(double distance, double aslant, Paint colour) {
-    const double c = std::cos(aslant / kDegrees);
-    const double s = std::sin(aslant / kDegrees);
+  Turned(double distance, double turned, Paint colour) {
+    const double c = std::cos(turned / kDegrees);
+    const double s = std::sin(turned / kDegrees);
     const auto at = [&](double along, double in) {
       return Point2<Robot>{along * c - in * s, distance + along * s + in * c};
     };
@@ -43,17 +43,17 @@ struct Turned {
 };
 
 TEST(GoalShape, PostsOfAGoalSeenAslantAreThoseOfItsMouth) {
-  for (const double aslant : {-40.0, -20.0, 0.0, 20.0, 40.0}) {
+  for (const double turned : {-40.0, -20.0, 0.0, 20.0, 40.0}) {
     for (const double distance : {180.0, 260.0}) {
-      Turned goal(distance, aslant, kYellowPaint);
+      Turned goal(distance, turned, kYellowPaint);
       goal.painting.noise = 3.0;
       const Seen seen = look(goal.painting, cameraAt(16, 0, -4));
       const auto* found = find(seen.percepts, LandmarkKind::goalYellow);
-      ASSERT_NE(found, nullptr) << aslant << " " << distance;
+      ASSERT_NE(found, nullptr) << turned << " " << distance;
       EXPECT_NEAR(found->leftEdge.deg(), bearingOf(goal.left.x, goal.left.y), 1.5)
-          << aslant << " " << distance;
+          << turned << " " << distance;
       EXPECT_NEAR(found->rightEdge.deg(), bearingOf(goal.right.x, goal.right.y), 1.5)
-          << aslant << " " << distance;
+          << turned << " " << distance;
     }
   }
 }

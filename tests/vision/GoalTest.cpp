@@ -5,7 +5,7 @@
 
 #include "tests/vision/Board.h"
 #include "tests/vision/Painting.h"
-#include "vision/GoalDoubt.h"
+#include "vision/GoalFacts.h"
 #include "vision/GoalFinder.h"
 #include "vision/GoalShape.h"
 #include "vision/Refusal.h"
@@ -144,7 +144,7 @@ TEST(Goal, MiddleOfOneWhoseEndsAreHiddenIsNotTakenForATurnedOne) {
   p.carpetEnd = 430;
   p.walls.push_back({{-21, 400}, {21, 400}, 0, 30, kBluePaint});
   VisionParams params;
-  params.goal.maxDoubt = 20;  // so narrow a one is doubted
+  params.goal.maxLogOddsAgainst = 20;  // so narrow a one is unlikely
   const Seen seen = look(p, cameraAt(16, 0, 0), params);
   const auto* goal = find(seen.percepts, LandmarkKind::goalBlue);
   ASSERT_NE(goal, nullptr);
@@ -197,7 +197,7 @@ TEST(Goal, FarPatchOfAFewPixelsIsRefused) {
 }
 
 TEST(GoalChecks, ShapeAndDistanceDecideAtTheirLimits) {
-  const GoalParams p;
+  const GoalFinderParams p;
   GoalCandidate c;
   c.box = {50, 50, 90, 65};
   EXPECT_TRUE(goalHasShape(c, p));
@@ -208,10 +208,10 @@ TEST(GoalChecks, ShapeAndDistanceDecideAtTheirLimits) {
   c.box = {10, 50, 190, 49 + 180 / p.maxFlat};
   EXPECT_FALSE(goalHasShape(c, p));
   EXPECT_FALSE(goalIsMeasured(c));
-  c.wall = 559;
+  c.wallDistance = 559;
   EXPECT_TRUE(goalIsMeasured(c));
   EXPECT_TRUE(goalIsNear(c, p));
-  c.wall = 561;
+  c.wallDistance = 561;
   EXPECT_FALSE(goalIsNear(c, p));
 }
 
@@ -232,7 +232,7 @@ TEST(GoalChecks, MostColumnsTallIsNoGoal) {
 // Ends `width` cm apart, both 200 cm from the camera: the mouth is 30 cm before a wall at 230.
 GoalCandidate wide(const CameraPose& camera, double width) {
   GoalCandidate c;
-  c.wall = 230.0;
+  c.wallDistance = 230.0;
   const double y = camera.position.y + std::sqrt(200.0 * 200.0 - 0.25 * width * width);
   c.left.point = *body::project(camera, {-0.5 * width, y, 15.0});
   c.right.point = *body::project(camera, {0.5 * width, y, 15.0});
@@ -241,19 +241,19 @@ GoalCandidate wide(const CameraPose& camera, double width) {
 
 TEST(GoalChecks, WidthBetweenItsEndsIsThatOfAMouth) {
   const Board board(cameraAt(16, 0, 0));
-  const GoalParams p;
+  const GoalFinderParams p;
   const auto kept = [&](double width) {
     return goalHasWidth(board.scene(), wide(board.body.camera, width), p);
   };
-  EXPECT_FALSE(kept(p.minSeenWidth - 2.0));
-  EXPECT_TRUE(kept(p.minSeenWidth + 2.0));
-  EXPECT_TRUE(kept(p.maxSeenWidth - 2.0));
-  EXPECT_FALSE(kept(p.maxSeenWidth + 2.0));
+  EXPECT_FALSE(kept(p.minVisibleWidth - 2.0));
+  EXPECT_TRUE(kept(p.minVisibleWidth + 2.0));
+  EXPECT_TRUE(kept(p.maxVisibleWidth - 2.0));
+  EXPECT_FALSE(kept(p.maxVisibleWidth + 2.0));
 }
 
 TEST(GoalChecks, NarrowOneWhoseFootFitsMayBePartOfAGoal) {
   const Board board(cameraAt(16, 0, 0));
-  const GoalParams p;
+  const GoalFinderParams p;
   GoalCandidate c = wide(board.body.camera, p.maxPartWidth - 2.0);
   EXPECT_TRUE(goalIsPart(board.scene(), c, p));
   c.footError = Angle::deg(1).rad();
@@ -263,10 +263,10 @@ TEST(GoalChecks, NarrowOneWhoseFootFitsMayBePartOfAGoal) {
 
 GoalFacts factsOfAWholeGoal() {
   GoalFacts facts;
-  facts.wall = 300;
-  facts.seen = 79;
+  facts.wallDistance = 300;
+  facts.visibleWidth = 79;
   facts.width = 50;
-  facts.lowest = 0.4;
+  facts.lowestFoot = 0.4;
   facts.meanFoot = 0.1;
   facts.misfit = 0.05;
   facts.footError = 0.1;
@@ -274,50 +274,50 @@ GoalFacts factsOfAWholeGoal() {
   facts.chosen = 22;
   facts.coloured = 0.9;
   facts.green = 0.95;
-  facts.aside = 60;
-  facts.edgeAside = 60;
+  facts.lateralOffset = 60;
+  facts.edgeLateralOffset = 60;
   facts.edgeTurn = 4;
   return facts;
 }
 
-TEST(GoalDoubt, OneWeakFactDoesNotMakeAWholeGoalDoubtful) {
-  const GoalParams p;
+TEST(GoalFacts, OneWeakFactDoesNotMakeAWholeGoalUnlikely) {
+  const GoalFinderParams p;
   const GoalFacts whole = factsOfAWholeGoal();
-  EXPECT_LE(goalDoubt(whole), p.maxDoubt);
+  EXPECT_LE(logOddsAgainst(whole), p.maxLogOddsAgainst);
   GoalFacts high = whole;
-  high.lowest = -0.3;
+  high.lowestFoot = -0.3;
   GoalFacts narrow = whole;
-  narrow.seen = 45;
+  narrow.visibleWidth = 45;
   GoalFacts few = whole;
   few.measured = 4;
   for (const GoalFacts& facts : {high, narrow, few}) {
-    EXPECT_GT(goalDoubt(facts), goalDoubt(whole));
-    EXPECT_LE(goalDoubt(facts), p.maxDoubt);
+    EXPECT_GT(logOddsAgainst(facts), logOddsAgainst(whole));
+    EXPECT_LE(logOddsAgainst(facts), p.maxLogOddsAgainst);
   }
 }
 
-TEST(GoalDoubt, SeveralWeakFactsDo) {
+TEST(GoalFacts, SeveralWeakFactsDo) {
   GoalFacts facts = factsOfAWholeGoal();
-  facts.lowest = -0.6;
-  facts.seen = 30;
+  facts.lowestFoot = -0.6;
+  facts.visibleWidth = 30;
   facts.measured = 4;
   facts.footError = 0.6;
-  EXPECT_GT(goalDoubt(facts), GoalParams{}.maxDoubt);
+  EXPECT_GT(logOddsAgainst(facts), GoalFinderParams{}.maxLogOddsAgainst);
 }
 
-TEST(GoalDoubt, AGoalFarFromItsPlaceIsDoubted) {
+TEST(GoalFacts, AGoalFarFromItsPlaceIsUnlikely) {
   const GoalFacts whole = factsOfAWholeGoal();
   GoalFacts atACorner = whole;
-  atACorner.cornerOff = 150;
+  atACorner.cornerError = 150;
   GoalFacts atABeacon = whole;
-  atABeacon.beaconOff = 200;
+  atABeacon.beaconError = 200;
   GoalFacts beyondTheEdge = whole;
-  beyondTheEdge.fromEdge = -150;
+  beyondTheEdge.edgeDistance = -150;
   for (const GoalFacts& facts : {atACorner, atABeacon, beyondTheEdge})
-    EXPECT_GT(goalDoubt(facts), goalDoubt(whole) + 1.0);
+    EXPECT_GT(logOddsAgainst(facts), logOddsAgainst(whole) + 1.0);
 }
 
-TEST(GoalDoubt, FactsAreCountedOverTheChosenColumns) {
+TEST(GoalFacts, FactsAreCountedOverTheChosenColumns) {
   Board board(cameraAt(16, 0, 0));
   board.edges.push_back({100, 100, 20, 0.5});
   GoalCandidate c = wide(board.body.camera, 60);
@@ -330,24 +330,24 @@ TEST(GoalDoubt, FactsAreCountedOverTheChosenColumns) {
   }
   c.footError = Angle::deg(-0.5).rad();
   const GoalFacts facts = goalFacts(board.scene(), c, {true, {0, 200}, 0.0, 3.0}, {}, {});
-  EXPECT_NEAR(facts.seen, 60, 0.5);
-  EXPECT_NEAR(facts.lowest, 2.0, 1e-9);
+  EXPECT_NEAR(facts.visibleWidth, 60, 0.5);
+  EXPECT_NEAR(facts.lowestFoot, 2.0, 1e-9);
   EXPECT_NEAR(facts.meanFoot, 0.5, 1e-9);
   EXPECT_EQ(facts.measured, 1.0);
   EXPECT_EQ(facts.chosen, 2.0);
   EXPECT_EQ(facts.misfit, 3.0);
   EXPECT_NEAR(facts.footError, 0.5, 1e-9);
-  EXPECT_NEAR(facts.aside, 0.0, 1e-9);
+  EXPECT_NEAR(facts.lateralOffset, 0.0, 1e-9);
   c.left.hidden = true;
-  const GoalFacts aslant = goalFacts(board.scene(), c, {true, {0, 200}, -0.5, 3.0}, {}, {});
-  EXPECT_EQ(aslant.hidden, 1.0);
-  EXPECT_NEAR(aslant.aside, 200.0 * std::sin(0.5), 1e-6);
+  const GoalFacts oblique = goalFacts(board.scene(), c, {true, {0, 200}, -0.5, 3.0}, {}, {});
+  EXPECT_EQ(oblique.hidden, 1.0);
+  EXPECT_NEAR(oblique.lateralOffset, 200.0 * std::sin(0.5), 1e-6);
 }
 
 TEST(GoalChecks, LittleOfAGoalMustStandInsideTheFieldEdge) {
   Board board(cameraAt(16, 0, 0));
   board.edges.push_back({100, 100, 20, 0.5});
-  const GoalParams p;
+  const GoalFinderParams p;
   GoalCandidate c = wide(board.body.camera, p.maxPartWidth - 2.0);
   c.columns.push_back({});
   c.columns[0].chosen = true;
@@ -359,7 +359,7 @@ TEST(GoalChecks, LittleOfAGoalMustStandInsideTheFieldEdge) {
 
 TEST(GoalChecks, BetweenTwoRobotsAndAtAnImageBorderLessOfItNeedsToShow) {
   const Board board(cameraAt(16, 0, 0));
-  const GoalParams p;
+  const GoalFinderParams p;
   const auto kept = [&](double width, bool cut, bool hidden) {
     GoalCandidate c = wide(board.body.camera, width);
     c.left.cut = cut;
@@ -374,7 +374,7 @@ TEST(GoalChecks, BetweenTwoRobotsAndAtAnImageBorderLessOfItNeedsToShow) {
 }
 
 TEST(GoalChecks, MouthFacesTheFieldUpToItsLargestTurn) {
-  const GoalParams p;
+  const GoalFinderParams p;
   const auto kept = [&p](double turnDegrees, bool valid = true) {
     return goalFacesField({valid, {0, 250}, turnDegrees / kDegrees, 0.0}, p);
   };

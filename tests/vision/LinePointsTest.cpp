@@ -76,7 +76,7 @@ TEST(LinePoints, NoneAreTakenWhileTheHeadTurnsFast) {
 }
 
 TEST(LinePoints, WeightIsOneNearAndFallsToNothing) {
-  const LineParams params;
+  const LinePointParams params;
   EXPECT_EQ(pointWeight(LinePointKind::line, 30, params), 1.0);
   EXPECT_EQ(pointWeight(LinePointKind::line, 70, params), 1.0);
   EXPECT_NEAR(pointWeight(LinePointKind::line, 210, params), 0.5, 1e-9);

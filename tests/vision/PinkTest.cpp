@@ -51,7 +51,7 @@ TEST(Pink, WithoutSizeOrGroundOnlyTheHeadingMeansSomething) {
   const Seen seen = look(sheetAt(250, 15), cameraAt(17, 0, 0), params);
   ASSERT_EQ(seen.percepts.pinkPatches.size(), 1U);
   EXPECT_GT(seen.percepts.pinkPatches[0].distanceVariance, 1e5);
-  // Of a place 250 cm away, although the camera is aside of the robot frame's origin.
+  // The heading of a place 250 cm away, although the camera is aside of the robot frame's origin.
   EXPECT_NEAR(seen.percepts.pinkPatches[0].heading.deg(), -std::atan2(15, 250) * 57.3, 1.0);
 }
 
@@ -91,7 +91,7 @@ PinkPatch goodPatch() {
   patch.extent = {5, 5, 6, 6};
   patch.density = 0.9;
   patch.foot = {FootEnd::carpet, {100, 70}, 150};
-  patch.behind = 6;
+  patch.carpetBehind = 6;
   return patch;
 }
 
@@ -126,9 +126,9 @@ TEST(PinkChecks, GroundAndCarpetDecideAtTheirLimits) {
   patch.lift = 3;
   EXPECT_FALSE(pinkStandsOnGround(patch, {}));
   EXPECT_TRUE(pinkIsInsideFieldEdge(patch, {}));
-  patch.behind = 1;
+  patch.carpetBehind = 1;
   EXPECT_FALSE(pinkIsInsideFieldEdge(patch, {}));
-  patch.behind = kUnknownBehind;
+  patch.carpetBehind = kUnknownBehind;
   EXPECT_FALSE(pinkIsInsideFieldEdge(patch, {}));
   patch.foot.distance = 80;
   EXPECT_TRUE(pinkIsInsideFieldEdge(patch, {}));

@@ -11,19 +11,19 @@ namespace kelpie::vision {
 namespace {
 
 // The camera looks 30 deg down from 16 cm: row 100 is at 24 cm.
-LineCandidate candidate(const Board& board, const Scan& scan) {
-  const auto found = brightStretches(board.sampler, scan, {});
+LineCandidate candidate(const Board& board, const GridLine& gridLine) {
+  const auto found = brightSegments(board.sampler, gridLine, {});
   if (found.empty()) return {};
-  return {scan, found[0], scan.at(found[0].middle())};
+  return {gridLine, found[0], gridLine.at(found[0].middle())};
 }
 
-Rise firstRise(const Board& board, const Scan& scan) {
-  const auto rises = risesOn(board.sampler, scan, {});
-  return rises.empty() ? Rise{} : rises[0];
+RisingEdge firstEdge(const Board& board, const GridLine& gridLine) {
+  const auto edges = risingEdges(board.sampler, gridLine, {});
+  return edges.empty() ? RisingEdge{} : edges[0];
 }
 
 TEST(PointChecks, HeadSlowerThanTheGateIsKept) {
-  const LineParams p;
+  const LinePointParams p;
   BodyState body;
   body.headSpeed = Angle::deg(5.1).rad();
   EXPECT_TRUE(headIsSlow(body, p));
@@ -42,7 +42,7 @@ TEST(PointChecks, PointsLieBelowHorizonAndFieldEdge) {
 }
 
 TEST(PointChecks, CornersOfTheImageHoldNoPoints) {
-  const LineParams p;  // thesis 2004 equation 3.1 with B = 10
+  const LinePointParams p;  // thesis 2004 equation 3.1 with B = 10
   for (const double x : {4.0, kImageWidth - 4.0})
     for (const double y : {5.0, kImageHeight - 5.0}) EXPECT_FALSE(pointIsOutsideCorners({x, y}, p));
   EXPECT_TRUE(pointIsOutsideCorners({5, 5}, p));
@@ -67,32 +67,32 @@ TEST(PointChecks, BoxesOfBallAndRobotsHoldNoPoints) {
 TEST(PointChecks, OneOddPixelBetweenGreenAndWhiteIsAllowed) {
   Board board;
   board.fill(0, 90, kImageWidth, 96, kWhitePaint);
-  const Scan scan = scanUp(104, kUsableTop);
-  EXPECT_TRUE(lineIsBetweenGreen(board.sampler, candidate(board, scan)));
+  const GridLine gridLine = gridLineUp(104, kUsableTop);
+  EXPECT_TRUE(lineIsBetweenGreen(board.sampler, candidate(board, gridLine)));
   board.fill(0, 96, kImageWidth, 97, {60, 131, 122});
-  EXPECT_TRUE(lineIsBetweenGreen(board.sampler, candidate(board, scan)));
+  EXPECT_TRUE(lineIsBetweenGreen(board.sampler, candidate(board, gridLine)));
   board.fill(0, 96, kImageWidth, 99, {60, 131, 122});
-  EXPECT_FALSE(lineIsBetweenGreen(board.sampler, candidate(board, scan)));
+  EXPECT_FALSE(lineIsBetweenGreen(board.sampler, candidate(board, gridLine)));
 }
 
 TEST(PointChecks, OneGreenPixelIsNotCarpet) {
   Board board;
   board.fill(0, 90, kImageWidth, 96, kWhitePaint);
   board.fill(0, 86, kImageWidth, 89, {60, 131, 122});  // row 89 alone is green
-  EXPECT_FALSE(lineIsBetweenGreen(board.sampler, candidate(board, scanUp(104, kUsableTop))));
+  EXPECT_FALSE(lineIsBetweenGreen(board.sampler, candidate(board, gridLineUp(104, kUsableTop))));
 }
 
 TEST(PointChecks, YellowIsNoPaint) {
   for (const bool white : {true, false}) {
     Board board;
     board.fill(0, 90, kImageWidth, 96, white ? kWhitePaint : kYellowPaint);
-    const auto c = candidate(board, scanUp(104, kUsableTop));
+    const auto c = candidate(board, gridLineUp(104, kUsableTop));
     EXPECT_EQ(lineIsColourless(board.sampler, c, {}), white);
   }
 }
 
 TEST(PointChecks, WidthOnTheGroundTellsLinesFromBroaderAndThinnerThings) {
-  const LineParams p;  // 2.5 cm, 40 % and 0.6 px
+  const LinePointParams p;  // 2.5 cm, 40 % and 0.6 px
   EXPECT_TRUE(lineIsNarrow({0.2, 3.5}, p));
   EXPECT_FALSE(lineIsNarrow({0.2, 3.7}, p));
   EXPECT_TRUE(lineIsNarrow({3.0, 5.2}, p));  // far away a pixel is wider than a line
@@ -102,7 +102,7 @@ TEST(PointChecks, WidthOnTheGroundTellsLinesFromBroaderAndThinnerThings) {
 }
 
 // Distance on the ground of a pixel from the line through two others.
-double apart(const CameraPose& camera, PixelPoint p, PixelPoint a, PixelPoint b) {
+double distanceFrom(const CameraPose& camera, PixelPoint p, PixelPoint a, PixelPoint b) {
   const auto at = [&](PixelPoint q) { return *body::groundPoint(camera, q); };
   const Point2<Robot> along = at(b) - at(a);
   const Point2<Robot> to = at(p) - at(a);
@@ -111,48 +111,50 @@ double apart(const CameraPose& camera, PixelPoint p, PixelPoint a, PixelPoint b)
 
 TEST(PointChecks, WidthIsMeasuredAcrossTheLine) {
   Board board;
-  const double truth = apart(board.body.camera, {104.5, 92.25}, {84.5, 92.25}, {124.5, 112.25});
+  const double truth =
+      distanceFrom(board.body.camera, {104.5, 92.25}, {84.5, 92.25}, {124.5, 112.25});
   for (int x = 20; x < 180; ++x) board.fill(x, 40 + x / 2, x + 1, 50 + x / 2, kWhitePaint);
-  for (const Scan& scan : {scanUp(104, kUsableTop), scanRight(94)}) {
-    const auto c = candidate(board, scan);
-    const auto left = stretchBeside(board.sampler, scan, c.stretch, -3);
-    const auto right = stretchBeside(board.sampler, scan, c.stretch, 3);
+  for (const GridLine& gridLine : {gridLineUp(104, kUsableTop), gridLineRight(94)}) {
+    const auto c = candidate(board, gridLine);
+    const auto left = segmentBeside(board.sampler, gridLine, c.segment, -3);
+    const auto right = segmentBeside(board.sampler, gridLine, c.segment, 3);
     ASSERT_TRUE(left && right);
-    const auto width = widthOnGround(board.body.camera, c, scan.at(left->middle(), -3),
-                                     scan.at(right->middle(), 3));
+    const auto width = widthOnGround(board.body.camera, c, gridLine.at(left->middle(), -3),
+                                     gridLine.at(right->middle(), 3));
     EXPECT_NEAR(width->paint, truth, 0.1 * truth);  // both scans see the same stripe
   }
 }
 
 TEST(PointChecks, GreenSoonAfterTheFootIsNoBorder) {
-  const Scan scan = scanUp(104, kUsableTop);
+  const GridLine gridLine = gridLineUp(104, kUsableTop);
   for (const int top : {40, 85}) {
     Board board;
     board.fill(0, top, kImageWidth, 100, kWhitePaint);
-    const Rise rise = firstRise(board, scan);
-    EXPECT_EQ(borderIsLong(board.scene(), scan, rise, {}), top == 40) << top;
+    const RisingEdge edge = firstEdge(board, gridLine);
+    EXPECT_EQ(borderIsLong(board.scene(), gridLine, edge, {}), top == 40) << top;
   }
 }
 
 TEST(PointChecks, BorderIsTenCentimetresHigh) {
-  const Scan scan = scanUp(104, kUsableTop);
+  const GridLine gridLine = gridLineUp(104, kUsableTop);
   for (const int top : {10, 85}) {
     Board board;
     board.fill(0, 0, kImageWidth, top, kWallPaint);
     board.fill(0, 0, kImageWidth, top, {60, 131, 122});
     board.fill(0, top, kImageWidth, 100, kWhitePaint);
-    const Rise rise = firstRise(board, scan);
-    EXPECT_TRUE(borderIsLong(board.scene(), scan, rise, {})) << top;
-    EXPECT_EQ(borderIsHigh(board.scene(), scan, rise, {}), top == 10) << top;
+    const RisingEdge edge = firstEdge(board, gridLine);
+    EXPECT_TRUE(borderIsLong(board.scene(), gridLine, edge, {})) << top;
+    EXPECT_EQ(borderIsHigh(board.scene(), gridLine, edge, {}), top == 10) << top;
   }
 }
 
 TEST(PointChecks, FootOfABorderGoesOnToBothSides) {
-  const Scan scan = scanUp(104, kUsableTop);
+  const GridLine gridLine = gridLineUp(104, kUsableTop);
   for (const int right : {kImageWidth, 107}) {  // a wall, and a leg
     Board board;
     board.fill(60, 0, right, 100, kWhitePaint);
-    EXPECT_EQ(borderGoesOn(board.sampler, scan, firstRise(board, scan), {}), right > 107) << right;
+    EXPECT_EQ(borderGoesOn(board.sampler, gridLine, firstEdge(board, gridLine), {}), right > 107)
+        << right;
   }
 }
 
@@ -160,10 +162,11 @@ TEST(PointChecks, CornerOfAGoalBoxAtTheRimIsNoBorder) {
   Board board(cameraAt(16, 0, -20));
   board.fill(100, 3, 108, 90, kWhitePaint);           // a line to the upper rim
   board.fill(100, 82, kImageWidth, 90, kWhitePaint);  // and one to the right
-  const Scan scan = scanUp(104, kUsableTop);
-  const Rise rise = firstRise(board, scan);
+  const GridLine gridLine = gridLineUp(104, kUsableTop);
+  const RisingEdge edge = firstEdge(board, gridLine);
   EXPECT_FALSE(borderHasSide(board.scene(), {104, 156, 0, -1, 154}, {76, 78, 76.5, 130}, {}));
-  EXPECT_TRUE(borderHasSide(board.scene(), scan, rise, {}));  // right of the corner all is white
+  EXPECT_TRUE(
+      borderHasSide(board.scene(), gridLine, edge, {}));  // right of the corner all is white
 }
 
 TEST(PointChecks, FieldPointHasGreenToBothSides) {

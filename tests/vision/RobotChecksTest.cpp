@@ -16,9 +16,9 @@ struct EmptyScene {
   Sampler sampler{*image, state->calibration, state->distances, state->classes};
   BodyState body = bodyOf(cameraAt(17, 0, -8));
   FixedVector<FieldEdgePercept, 3> edges;
-  Lattice lattice{levelOf(body.camera)};
+  Lattice lattice{horizonFrameOf(body.camera)};
   body::FieldDescription field = *body::fieldDescription("2006");
-  Scene scene{sampler, state->blobs, body, edges, lattice.level(), lattice, state->runs, field};
+  Scene scene{sampler, state->blobs, body, edges, lattice.frame(), lattice, state->runs, field};
 };
 
 RobotPatch goodPatch() {
@@ -30,18 +30,18 @@ RobotPatch goodPatch() {
   patch.distance = 120;
   patch.scale = 1.6;
   patch.height = 12;
-  patch.behind = 9;
-  patch.shell = 0.8;
-  patch.own = 1.0;
+  patch.carpetBehind = 9;
+  patch.shellShare = 0.8;
+  patch.ownShare = 1.0;
   patch.meanIsOwn = true;
   return patch;
 }
 
 TEST(RobotChecks, ShareOfItsOwnColour) {
-  const RobotParams p;
+  const RobotFinderParams p;
   RobotPatch patch = goodPatch();
   EXPECT_TRUE(robotPatchHasColour(patch, p));
-  patch.own = p.minOwnShare - 0.01;
+  patch.ownShare = p.minOwnShare - 0.01;
   EXPECT_FALSE(robotPatchHasColour(patch, p));
 }
 
@@ -65,11 +65,11 @@ TEST(RobotChecks, SizeAtItsDistance) {
 
 TEST(RobotChecks, OtherColoursMatterOnlyWithoutCarpetBehind) {
   RobotPatch patch = goodPatch();
-  patch.foreign = 0.6;
+  patch.foreignShare = 0.6;
   EXPECT_TRUE(robotPatchIsPure(patch, {}));
-  patch.behind = 3;
+  patch.carpetBehind = 3;
   EXPECT_FALSE(robotPatchIsPure(patch, {}));
-  patch.foreign = 0.0;
+  patch.foreignShare = 0.0;
   EXPECT_TRUE(robotPatchIsPure(patch, {}));
   patch.meanIsOwn = false;
   EXPECT_FALSE(robotPatchIsPure(patch, {}));
@@ -85,19 +85,19 @@ TEST(RobotChecks, ATallPatchIsATrouserLeg) {
 
 TEST(RobotChecks, SpecksNeedCarpetBehind) {
   RobotPatch patch = goodPatch();
-  patch.behind = 3;
+  patch.carpetBehind = 3;
   EXPECT_TRUE(robotPatchIsPure(patch, {}));
   patch.samples = 40;  // 160 px in an extent of 48
   EXPECT_FALSE(robotPatchIsSolid(patch));
   EXPECT_FALSE(robotPatchIsPure(patch, {}));
-  patch.behind = 9;
+  patch.carpetBehind = 9;
   EXPECT_TRUE(robotPatchIsPure(patch, {}));
 }
 
 TEST(RobotChecks, ShellRoundThePatch) {
   RobotPatch patch = goodPatch();
   EXPECT_TRUE(robotHasShell(patch, {}));
-  patch.shell = RobotParams{}.minShell - 0.01;
+  patch.shellShare = RobotFinderParams{}.minShell - 0.01;
   EXPECT_FALSE(robotHasShell(patch, {}));
 }
 
@@ -105,7 +105,7 @@ TEST(RobotChecks, FootIsBelowTheFieldEdge) {
   EmptyScene empty;
   RobotPatch patch = goodPatch();
   EXPECT_TRUE(robotIsInsideFieldEdge(empty.scene, patch, {}));
-  const double row = patch.foot.pixel.y - RobotParams{}.minInsideFieldEdge;
+  const double row = patch.foot.pixel.y - RobotFinderParams{}.minInsideFieldEdge;
   empty.edges.push_back({row - 0.2, row - 0.2});
   EXPECT_TRUE(robotIsInsideFieldEdge(empty.scene, patch, {}));
   empty.edges[0] = {row + 0.2, row + 0.2};
@@ -114,13 +114,13 @@ TEST(RobotChecks, FootIsBelowTheFieldEdge) {
 
 TEST(RobotChecks, StandsAFootInsideTheCarpetsEdge) {
   const EmptyScene empty;
-  const double least = RobotParams{}.minCarpetBeyond;
+  const double least = RobotFinderParams{}.minCarpetBeyond;
   RobotPatch patch = goodPatch();
-  patch.beyond = least - 1;
+  patch.carpetBeyond = least - 1;
   EXPECT_FALSE(robotIsInsideFieldEdge(empty.scene, patch, {}));
-  patch.beyond = least + 1;
+  patch.carpetBeyond = least + 1;
   EXPECT_TRUE(robotIsInsideFieldEdge(empty.scene, patch, {}));
-  patch.beyond = least - 1;
+  patch.carpetBeyond = least - 1;
   patch.foot.end = FootEnd::imageBorder;  // its feet are nearer than what the border shows
   EXPECT_TRUE(robotIsInsideFieldEdge(empty.scene, patch, {}));
 }
@@ -129,81 +129,81 @@ TEST(RobotChecks, CarpetBeyondTheFootIsMeasuredAlongTheGround) {
   EmptyScene scene;
   RobotPatch patch = goodPatch();
   measureSurroundings(scene.scene, patch);
-  EXPECT_EQ(patch.beyond, kNoDistance);
+  EXPECT_EQ(patch.carpetBeyond, kNoDistance);
   const auto foot = groundDistance(scene.body.camera, {100, 90});
   const auto edge = groundDistance(scene.body.camera, {100, 80});
   ASSERT_TRUE(foot && edge);
   patch.foot = {FootEnd::carpet, {100, 90}, *foot};
   scene.edges.push_back({80, 80});
   measureSurroundings(scene.scene, patch);
-  EXPECT_NEAR(patch.beyond, *edge - *foot, 0.01);
+  EXPECT_NEAR(patch.carpetBeyond, *edge - *foot, 0.01);
 }
 
 RobotFacts factsOfATrunk() {
   RobotFacts facts;
   facts.patches = 2;
   facts.samples = 20;
-  facts.own = 0.95;
+  facts.ownShare = 0.95;
   facts.meanIsOwn = 1;
   facts.patchWidth = 7;
   facts.patchHeight = 4;
-  facts.heightOff = 3;
-  facts.beyond = 90;
-  facts.inside = 15;
+  facts.heightError = 3;
+  facts.carpetBeyond = 90;
+  facts.footBelowEdge = 15;
   return facts;
 }
 
-TEST(RobotDoubt, OneWeakFactDoesNotMakeATrunkDoubtful) {
-  const RobotParams p;
+TEST(RobotFacts, OneWeakFactDoesNotMakeATrunkUnlikely) {
+  const RobotFinderParams p;
   RobotFacts single = factsOfATrunk();
-  EXPECT_LE(robotDoubt(single), p.maxDoubt);
+  EXPECT_LE(logOddsAgainst(single), p.maxLogOddsAgainst);
   single.patches = 1;
   RobotFacts atTheEdge = factsOfATrunk();
-  atTheEdge.beyond = 22;
+  atTheEdge.carpetBeyond = 22;
   RobotFacts mixed = factsOfATrunk();
-  mixed.own = 0.6;
+  mixed.ownShare = 0.6;
   for (const RobotFacts& facts : {single, atTheEdge, mixed}) {
-    EXPECT_GT(robotDoubt(facts), robotDoubt(factsOfATrunk()));
-    EXPECT_LE(robotDoubt(facts), p.maxDoubt);
+    EXPECT_GT(logOddsAgainst(facts), logOddsAgainst(factsOfATrunk()));
+    EXPECT_LE(logOddsAgainst(facts), p.maxLogOddsAgainst);
   }
 }
 
-TEST(RobotDoubt, ASmallMixedPatchAtTheEdgeIsNoRobot) {
+TEST(RobotFacts, ASmallMixedPatchAtTheEdgeIsNoRobot) {
   RobotFacts facts = factsOfATrunk();
   facts.patches = 1;
-  facts.own = 0.5;
+  facts.ownShare = 0.5;
   facts.patchHeight = 2;
-  facts.beyond = 12;
-  facts.inside = 2;
-  EXPECT_GT(robotDoubt(facts), RobotParams{}.maxDoubt);
+  facts.carpetBeyond = 12;
+  facts.footBelowEdge = 2;
+  EXPECT_GT(logOddsAgainst(facts), RobotFinderParams{}.maxLogOddsAgainst);
 }
 
-TEST(RobotDoubt, FeetCutOffCountAgainstARobot) {
+TEST(RobotFacts, FeetCutOffCountAgainstARobot) {
   const RobotFacts facts = factsOfATrunk();
   RobotFacts cut = facts;
   cut.footCut = 1;
-  EXPECT_GT(robotDoubt(cut), robotDoubt(facts));
+  EXPECT_GT(logOddsAgainst(cut), logOddsAgainst(facts));
 }
 
-TEST(RobotDoubt, FactsAreThoseOfThePatch) {
+TEST(RobotFacts, FactsAreThoseOfThePatch) {
   RobotPatch patch = goodPatch();
   patch.height = 20;
-  patch.behind = kUnknownBehind;
+  patch.carpetBehind = kUnknownBehind;
   patch.foot.end = FootEnd::imageBorder;
   const RobotFacts facts = robotFacts(EmptyScene{}.scene, patch);
   EXPECT_EQ(facts.patchWidth, 8 / 1.6);
   EXPECT_EQ(facts.patchHeight, 6 / 1.6);
-  EXPECT_EQ(facts.heightOff, 6.0);
+  EXPECT_EQ(facts.heightError, 6.0);
   EXPECT_EQ(facts.footCut, 1.0);
-  EXPECT_EQ(facts.own, 1.0);
+  EXPECT_EQ(facts.ownShare, 1.0);
 }
 
 TEST(RobotChecks, WithoutCarpetOrEdgeInTheImageOnlyACleanPatchIsBelieved) {
   const EmptyScene empty;
   RobotPatch patch = goodPatch();
-  patch.behind = kUnknownBehind;
+  patch.carpetBehind = kUnknownBehind;
   EXPECT_TRUE(robotIsInsideFieldEdge(empty.scene, patch, {}));
-  patch.foreign = 0.25;
+  patch.foreignShare = 0.25;
   EXPECT_FALSE(robotIsInsideFieldEdge(empty.scene, patch, {}));
 }
 
@@ -221,11 +221,11 @@ TEST(RobotChecks, FeetCutOffAreBelievedNearOnly) {
   RobotPatch patch = goodPatch();
   EXPECT_TRUE(robotIsNear(patch, {}));
   patch.foot.end = FootEnd::imageBorder;
-  patch.behind = 3;
+  patch.carpetBehind = 3;
   EXPECT_FALSE(robotIsNear(patch, {}));
   patch.distance = 69;
   EXPECT_TRUE(robotIsNear(patch, {}));
-  patch.own = 0.7;  // other colours on it
+  patch.ownShare = 0.7;  // other colours on it
   EXPECT_FALSE(robotIsNear(patch, {}));
   patch.distance = 49;
   EXPECT_TRUE(robotIsNear(patch, {}));
@@ -242,23 +242,23 @@ TEST(RobotChecks, APatchCutByTheImageIsNoMeasure) {
 
 TEST(RobotChecks, ASpeckNeedsMoreShellAroundIt) {
   RobotPatch patch = goodPatch();
-  patch.shell = 0.5 * (RobotParams{}.minShell + RobotParams{}.minShellOfFew);
+  patch.shellShare = 0.5 * (RobotFinderParams{}.minShell + RobotFinderParams{}.minShellOfFew);
   EXPECT_TRUE(robotHasShell(patch, {}));
-  patch.samples = RobotParams{}.fewSamples - 1;
+  patch.samples = RobotFinderParams{}.fewSamples - 1;
   EXPECT_FALSE(robotHasShell(patch, {}));
 }
 
 TEST(RobotChecks, ASpeckIsBelievedFarAwayOrBeforeMuchCarpet) {
-  const double few = RobotParams{}.fewSamples;
+  const double few = RobotFinderParams{}.fewSamples;
   RobotPatch patch = goodPatch();
   patch.samples = few;
-  patch.behind = 5;
+  patch.carpetBehind = 5;
   EXPECT_TRUE(robotIsNoSpeck(patch, {}));
   patch.distance = 59;
   EXPECT_FALSE(robotIsNoSpeck(patch, {}));
-  patch.behind = 6;
+  patch.carpetBehind = 6;
   EXPECT_TRUE(robotIsNoSpeck(patch, {}));
-  patch.behind = 5;
+  patch.carpetBehind = 5;
   patch.samples = few + 1;
   EXPECT_TRUE(robotIsNoSpeck(patch, {}));
 }
@@ -308,7 +308,7 @@ TEST(RobotGroups, ADubiousPartOnlyBringsTheRobotNearer) {
 }
 
 TEST(RobotChecks, OnlyALargePatchOfARobotsHeightTellsItsDistance) {
-  const RobotParams p;
+  const RobotFinderParams p;
   RobotPatch patch = goodPatch();
   EXPECT_TRUE(robotPatchTellsDistance(patch, p));
   patch.samples = p.partSamples - 1;

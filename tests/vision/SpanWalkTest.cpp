@@ -55,17 +55,5 @@ TEST(SpanWalk, BorderOfTheImageCutsThePatch) {
   EXPECT_NEAR(hit.point.x, kUsableLeft + 0.5, 0.01);
 }
 
-TEST(SpanWalk, UpIsTowardsTheHorizonWhateverTheRoll) {
-  const ImageUp level = imageUp(cameraAt(16, 30, -20));
-  EXPECT_NEAR(level.dx, 0, 1e-9);
-  EXPECT_NEAR(level.dy, -1, 1e-9);
-  const CameraPose rolled = cameraAt(16, 0, -20, 30);
-  const ImageUp up = imageUp(rolled);
-  const BodyState body = bodyOf(rolled);
-  const double alongHorizon =
-      up.dx * kImageWidth + up.dy * (body.horizon.atRight - body.horizon.atLeft);
-  EXPECT_NEAR(alongHorizon, 0, 1e-6);
-}
-
 }  // namespace
 }  // namespace kelpie::vision

@@ -108,7 +108,7 @@ DistanceModel geometry(SizedObject object, const Optics& optics) {
     return [optics](const Measured& m) {
       return landmarkDistance(m, optics, kBeaconHeight, kBeaconRadius);
     };
-  const double depth = vision::GoalParams{}.depth;
+  const double depth = vision::GoalFinderParams{}.depth;
   return [optics, depth](const Measured& m) {
     return landmarkDistance(m, optics, kGoalHeight, -depth);
   };

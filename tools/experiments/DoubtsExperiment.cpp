@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // How well vision tells candidates for goals and robots that passed every check: real ones lost
 // against false ones left, with its own curves and with curves learned from the same views, each
-// view with what the others taught. The learned curves are what GoalDoubt and RobotDoubt hold.
+// view with what the others taught. The learned curves are what GoalFacts and RobotFacts hold.
 #include <algorithm>
 #include <cmath>
 
@@ -64,7 +64,7 @@ void add(const List& candidates, const std::vector<TrueObject>& objects, int vie
     example.weight = weightOf(label);
     example.fold = view / kViewsPerFold % kFolds;
     all.labels.push_back(label);
-    all.doubts.push_back(candidate.doubt);
+    all.doubts.push_back(candidate.logOddsAgainst);
     all.examples.push_back(example);
   }
 }
@@ -120,8 +120,10 @@ Expected<Json> doubts(const Request& request) {
   const ViewParams params;
   Visibility visibility;
   const vision::VisionParams vision;
-  Candidates goals{namesOf<vision::GoalFacts>(), 80, 500, vision.goal.maxDoubt, {}, {}, {}};
-  Candidates robots{namesOf<vision::RobotFacts>(), 30, 200, vision.robot.maxDoubt, {}, {}, {}};
+  Candidates goals{
+      namesOf<vision::GoalFacts>(), 80, 500, vision.goal.maxLogOddsAgainst, {}, {}, {}};
+  Candidates robots{
+      namesOf<vision::RobotFacts>(), 30, 200, vision.robot.maxLogOddsAgainst, {}, {}, {}};
   lookAtViews(params, request, [&](const Look& look) {
     const auto objects = trueObjects(look.view, params.field, visibility);
     add(look.judged.goals, objects, look.number, goals);

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "vision/LineScan.h"
+#include "vision/BrightSegments.h"
 
 namespace kelpie::experiments {
 namespace {
@@ -101,17 +101,21 @@ namespace {
 constexpr double kSeen = 0.5;  // of the brightest pixel
 constexpr double kEdge = 0.1;
 
-void addCrossings(const LineTruth& truth, const vision::Scan& scan, std::vector<Crossing>& all) {
-  const auto paint = [&](int i) { return truth.paint(scan.column(i), scan.row(i)); };
-  const auto carpet = [&](int i) { return truth.carpet(scan.column(i), scan.row(i)) > 0.8; };
-  for (int i = 1; i < scan.length; ++i) {
+void addCrossings(const LineTruth& truth, const vision::GridLine& gridLine,
+                  std::vector<Crossing>& all) {
+  const auto paint = [&](int i) { return truth.paint(gridLine.column(i), gridLine.row(i)); };
+  const auto carpet = [&](int i) {
+    return truth.carpet(gridLine.column(i), gridLine.row(i)) > 0.8;
+  };
+  for (int i = 1; i < gridLine.length; ++i) {
     if (paint(i) < kEdge || paint(i - 1) >= kEdge) continue;
     const int first = i;
     double most = 0.0;
-    for (; i < scan.length && paint(i) >= kEdge; ++i) most = std::max(most, paint(i));
-    if (most < kSeen || i + 1 >= scan.length || first < 2) continue;
+    for (; i < gridLine.length && paint(i) >= kEdge; ++i) most = std::max(most, paint(i));
+    if (most < kSeen || i + 1 >= gridLine.length || first < 2) continue;
     if (!carpet(first - 1) || !carpet(first - 2) || !carpet(i) || !carpet(i + 1)) continue;
-    all.push_back({scan.at(0.5 * (first + i - 1)), scan.dy != 0, static_cast<double>(i - first)});
+    all.push_back(
+        {gridLine.at(0.5 * (first + i - 1)), gridLine.dy != 0, static_cast<double>(i - first)});
   }
 }
 
@@ -119,10 +123,10 @@ void addCrossings(const LineTruth& truth, const vision::Scan& scan, std::vector<
 
 std::vector<Crossing> crossings(const LineTruth& truth) {
   std::vector<Crossing> all;
-  for (int px = vision::kScanLeft; px < vision::kUsableRight; px += vision::kScanSpacing)
-    addCrossings(truth, vision::scanUp(px, vision::kUsableTop), all);
-  for (int py = vision::kScanTop; py < vision::kUsableBottom; py += vision::kScanSpacing)
-    addCrossings(truth, vision::scanRight(py), all);
+  for (int px = vision::kGridLeft; px < vision::kUsableRight; px += vision::kGridSpacing)
+    addCrossings(truth, vision::gridLineUp(px, vision::kUsableTop), all);
+  for (int py = vision::kGridTop; py < vision::kUsableBottom; py += vision::kGridSpacing)
+    addCrossings(truth, vision::gridLineRight(py), all);
   return all;
 }
 

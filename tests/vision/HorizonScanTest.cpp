@@ -6,24 +6,24 @@
 
 #include "robot/core/Random.h"
 #include "tests/vision/Painting.h"
-#include "vision/ScanLines.h"
+#include "vision/HorizonScan.h"
 
 namespace kelpie::vision {
 namespace {
 
-ScanLines linesAt(const CameraPose& camera) { return scanLines(imageLevel(camera), {}); }
+ScanLines linesAt(const CameraPose& camera) { return horizonScan(horizonFrameOf(camera), {}); }
 
-TEST(ScanLines, RunDownEveryFourthColumnOfALevelImage) {
+TEST(HorizonScan, RunDownEveryFourthColumnOfALevelImage) {
   const ScanLines lines = linesAt(cameraAt(16, 0, -5));
   ASSERT_EQ(lines.size(), 51U);
   for (std::size_t i = 0; i < lines.size(); ++i) {
     EXPECT_EQ(Sampler::pixelOf(lines[i].top.x), 4 + 4 * static_cast<int>(i));
     EXPECT_EQ(Sampler::pixelOf(lines[i].top.y) % 2, 0) << "on the lattice";
-    EXPECT_NEAR(lines[i].downY, 1.0, 1e-9);
+    EXPECT_NEAR(lines[i].down.dy, 1.0, 1e-9);
   }
 }
 
-TEST(ScanLines, BeginJustAboveTheHorizonAndEndAtTheRim) {
+TEST(HorizonScan, BeginJustAboveTheHorizonAndEndAtTheRim) {
   // 5 deg down: the horizon is in row 80 - 192 tan 5 deg = 63.2.
   const ScanLines lines = linesAt(cameraAt(16, 0, -5));
   EXPECT_NEAR(lines[26].top.y, 63.2 - 12.0, 2.1);
@@ -35,7 +35,7 @@ TEST(ScanLines, BeginJustAboveTheHorizonAndEndAtTheRim) {
   EXPECT_TRUE(down[12].cutTop);
 }
 
-TEST(ScanLines, AreThinnedOutFarBelowTheHorizon) {
+TEST(HorizonScan, AreThinnedOutFarBelowTheHorizon) {
   const ScanLines lines = linesAt(cameraAt(16, 0, 0));
   const auto last = [&](std::size_t i) { return lines[i].at(lines[i].steps - 1).y; };
   // Horizon in row 80: nothing is 96 px below it.
@@ -44,28 +44,28 @@ TEST(ScanLines, AreThinnedOutFarBelowTheHorizon) {
   EXPECT_GT(std::fabs(high[20].at(high[20].steps - 1).y - high[21].at(high[21].steps - 1).y), 10.0);
 }
 
-TEST(ScanLines, LeanWithTheImageAndStaySquareToTheHorizon) {
+TEST(HorizonScan, LeanWithTheImageAndStaySquareToTheHorizon) {
   const CameraPose camera = cameraAt(16, 20, -10, 40);
   const BodyState body = bodyOf(camera);
   const double slope = (body.horizon.atRight - body.horizon.atLeft) / kImageWidth;
   for (const ScanLine& line : linesAt(camera)) {
-    EXPECT_NEAR(line.downX + slope * line.downY, 0.0, 1e-9);
-    EXPECT_GT(line.downY, 0.0);
+    EXPECT_NEAR(line.down.dx + slope * line.down.dy, 0.0, 1e-9);
+    EXPECT_GT(line.down.dy, 0.0);
   }
 }
 
-TEST(ScanLines, ThereAreNoneWhenTheFieldCannotBeSeen) {
+TEST(HorizonScan, ThereAreNoneWhenTheFieldCannotBeSeen) {
   EXPECT_TRUE(linesAt(cameraAt(16, 0, 60)).empty());
 }
 
-TEST(ScanLines, AnUprightHorizonGivesLevelLines) {
+TEST(HorizonScan, AnUprightHorizonGivesLevelLines) {
   const ScanLines lines = linesAt(cameraAt(16, 0, -5, 90));
   EXPECT_GT(lines.size(), 30U);
-  for (const ScanLine& line : lines) EXPECT_NEAR(std::fabs(line.downX), 1.0, 1e-9);
+  for (const ScanLine& line : lines) EXPECT_NEAR(std::fabs(line.down.dx), 1.0, 1e-9);
 }
 
 // Peer-2005 section 1.3: integer overflow for upright horizons.
-TEST(ScanLines, StayInTheUsableImageForAnyCamera) {
+TEST(HorizonScan, StayInTheUsableImageForAnyCamera) {
   Random random(3);
   for (int i = 0; i < 3000; ++i) {
     const double tilt = i % 3 == 0 ? 90.0 * (random.index(5) - 2.0) : random.uniform(-180, 180);
@@ -79,7 +79,7 @@ TEST(ScanLines, StayInTheUsableImageForAnyCamera) {
   }
 }
 
-TEST(ScanLines, NumbersThatAreNoneDoNoHarm) {
+TEST(HorizonScan, AxesThatAreNotFiniteDoNoHarm) {
   CameraPose camera = cameraAt(16, 0, -5);
   for (const double bad : {std::numeric_limits<double>::quiet_NaN(),
                            std::numeric_limits<double>::infinity(), 1e300, 0.0}) {

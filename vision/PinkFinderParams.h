@@ -9,7 +9,7 @@
 
 namespace kelpie::vision {
 
-struct PinkParams {
+struct PinkFinderParams {
   bool wanted = true;
   bool onField = true;    // it stands on the carpet; false: anywhere
   double minSamples = 8;  // of the lattice: 30 px, thesis 2004 section 4.1.1
@@ -31,7 +31,7 @@ struct PinkParams {
   Angle headingSd = Angle::deg(0.7);
 
   static constexpr auto fields() {
-    using P = PinkParams;
+    using P = PinkFinderParams;
     return fieldList(field("wanted", &P::wanted), field("onField", &P::onField),
                      field("minSamples", &P::minSamples, "", 1, 1000),
                      field("minSize", &P::minSize, "px", 1, 100),

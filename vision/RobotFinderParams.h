@@ -8,7 +8,7 @@
 
 namespace kelpie::vision {
 
-struct RobotParams {
+struct RobotFinderParams {
   double minSamples = 2;              // lattice samples of a patch
   double minOwnShare = 0.3;           // of its colour among those it may be confused with
   double sureCarpetBehind = 5;        // px: with so much carpet behind it clothes are ruled out
@@ -17,25 +17,25 @@ struct RobotParams {
   double cleanForeignShare = 0.2;
   Angle maxElevation = Angle::deg(14);  // a patch 20 cm high seen from 12 cm at 35 cm: 13 deg
   double minInsideFieldEdge = 0.6;      // px, of the foot from the field edge
-  double minCarpetBeyond = 5;    // cm from a carpet foot to the edge: players are inside lines
-  double minPatchWidth = 1.2;    // cm
-  double minCutPatch = 2;        // cm, height of a patch whose robot shows no feet
-  double maxPatchWidth = 15;     // cm
-  double maxPatchHeight = 11;    // cm
-  double maxTall = 3.5;          // height to width of a patch: trouser legs are taller
-  double minHeight = 6;          // cm, of a patch's middle above the ground
-  double maxHeight = 25;         // cm
-  double minShell = 0.05;        // share of white and grey round a patch
-  double fewSamples = 3;         // lattice samples of a patch that may be a speck
-  double minShellOfFew = 0.1;    // minShell of such
-  double maxSpeckDistance = 60;  // cm, of a patch of so few samples
-  double speckCarpetBehind = 6;  // px: before so much carpet a speck may be nearer than that
-  double maxDoubt = -0.7;        // log odds, see RobotDoubt.h
-  double partSamples = 20;       // of a patch that only tells its robot's distance
-  double maxBorderRatio = 2.4;   // of the way to the ground that the border shows, feet cut
-  double patchHeight = 12;       // cm, assumed when the image border cuts the feet
-  double patchSize = 5.5;        // cm, upright; the same
-  double maxCutDistance = 70;    // cm, for such a robot: farther ones show their feet
+  double minCarpetBeyond = 5;       // cm from a carpet foot to the edge: players are inside lines
+  double minPatchWidth = 1.2;       // cm
+  double minCutPatch = 2;           // cm, height of a patch whose robot shows no feet
+  double maxPatchWidth = 15;        // cm
+  double maxPatchHeight = 11;       // cm
+  double maxTall = 3.5;             // height to width of a patch: trouser legs are taller
+  double minHeight = 6;             // cm, of a patch's middle above the ground
+  double maxHeight = 25;            // cm
+  double minShell = 0.05;           // share of white and grey round a patch
+  double fewSamples = 3;            // lattice samples of a patch that may be a speck
+  double minShellOfFew = 0.1;       // minShell of such
+  double maxSpeckDistance = 60;     // cm, of a patch of so few samples
+  double speckCarpetBehind = 6;     // px: before so much carpet a speck may be nearer than that
+  double maxLogOddsAgainst = -0.7;  // log odds, see RobotFacts.h
+  double partSamples = 20;          // of a patch that only tells its robot's distance
+  double maxBorderRatio = 2.4;      // of the way to the ground that the border shows, feet cut
+  double patchHeight = 12;          // cm, assumed when the image border cuts the feet
+  double patchSize = 5.5;           // cm, upright; the same
+  double maxCutDistance = 70;       // cm, for such a robot: farther ones show their feet
   double maxDoubtfulCutDistance = 50;  // with other colours round its patch
   double reach = 9;                    // cm beside a patch where legs are looked for
   double maxGap = 13;                  // cm between two patches of one robot
@@ -49,7 +49,7 @@ struct RobotParams {
   double headingSd = 4;               // cm across, of the middle of the patches
 
   static constexpr auto fields() {
-    using P = RobotParams;
+    using P = RobotFinderParams;
     return fieldList(
         field("minSamples", &P::minSamples, "", 1, 100),
         field("minOwnShare", &P::minOwnShare, "", 0, 1),
@@ -71,7 +71,7 @@ struct RobotParams {
         field("minShellOfFew", &P::minShellOfFew, "", 0, 1),
         field("maxSpeckDistance", &P::maxSpeckDistance, "cm", 0, 500),
         field("speckCarpetBehind", &P::speckCarpetBehind, "px", -10, 50),
-        field("maxDoubt", &P::maxDoubt, "", -20, 20),
+        field("maxLogOddsAgainst", &P::maxLogOddsAgainst, "", -20, 20),
         field("partSamples", &P::partSamples, "", 1, 1000),
         field("maxBorderRatio", &P::maxBorderRatio, "", 1, 100),
         field("patchSize", &P::patchSize, "cm", 1, 50),

@@ -1,54 +1,41 @@
 // SPDX-License-Identifier: Apache-2.0
 // Scan lines: straight walks through the image square to the horizon, every 4 px along it, from
 // just above the horizon down to the end of the usable image. The head tilts and pans, so the image
-// is rolled and the lines lean with it. From the camera's axes, not from the horizon's two rows,
-// which are clamped and say nothing when the horizon is upright. No lines when the field cannot be
-// seen: the whole image is above the horizon.
+// is rolled and the lines lean with it. No lines when the field cannot be seen: the whole
+// image is above the horizon.
 #pragma once
 
 #include "robot/core/FixedVector.h"
 #include "robot/core/Percepts.h"
 #include "vision/FieldEdgeParams.h"
+#include "vision/HorizonFrame.h"
 #include "vision/Sampler.h"
 
 namespace kelpie::vision {
 
-// The image's directions as gravity has them. Looking straight up or down any direction serves.
-struct ImageLevel {
-  double upX = 0.0;  // unit vector in the image
-  double upY = -1.0;
-  double middle = 0.0;  // px that the image's middle is above the horizon, within 1e4
-
-  double aboveHorizon(PixelPoint p) const {
-    return middle + upX * (p.x - kImageWidth / 2.0) + upY * (p.y - kImageHeight / 2.0);
-  }
-};
-ImageLevel imageLevel(const CameraPose& camera);
-
 struct ScanLine {
   PixelPoint top;  // the end at the horizon; every step below is a usable pixel
-  double downX = 0.0;
-  double downY = 1.0;
+  ImageDirection down{0.0, 1.0};
   int steps = 0;        // of one pixel, 0..steps - 1
   bool cutTop = false;  // the image ends before the line has reached the horizon
 
-  PixelPoint at(double step) const { return {top.x + step * downX, top.y + step * downY}; }
+  PixelPoint at(double step) const { return moved(top, down, step); }
 };
 
-constexpr int kScanSpacing = 4;  // px along the horizon
+constexpr int kHorizonScanSpacing = 4;  // px along the horizon
 // The image's diagonal is 262 px.
 constexpr std::size_t kMaxScanLines = 68;
 using ScanLines = FixedVector<ScanLine, kMaxScanLines>;
 
 // From left to right along the horizon.
-ScanLines scanLines(const ImageLevel& level, const ScanParams& params);
+ScanLines horizonScan(const HorizonFrame& frame, const HorizonScanParams& params);
 
 // Class at a step. A step is a usable pixel, so cutting off is rounding down.
 inline ColourClass classAt(const Sampler& sampler, const ScanLine& line, int step) {
   const PixelPoint p = line.at(step);
   return sampler.classAt(static_cast<int>(p.x), static_cast<int>(p.y));
 }
-// Class of the lattice sample next to it: nothing is classified anew. Usable pixels round up to
+// Class of the lattice sample next to it: nothing is classified again. Usable pixels round up to
 // 4..204 and 4..156, the lattice's own ends.
 inline ColourClass latticeClass(const Sampler& sampler, const ScanLine& line, int step) {
   const PixelPoint p = line.at(step);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Directions of pixels seen from the robot: what beacons and goals need of the camera geometry.
+// The ray through a pixel as a direction on the ground and a slope: what beacons and goals need of
+// the camera geometry.
 #pragma once
 
 #include <cmath>
@@ -10,22 +11,22 @@
 
 namespace kelpie::vision {
 
-struct Sight {
+struct GroundRay {
   double right = 0.0;  // unit vector on the ground towards the pixel
   double forward = 1.0;
   double slope = 0.0;  // tangent of the elevation
 };
 
-inline Sight sightOf(const CameraPose& camera, PixelPoint pixel) {
+inline GroundRay groundRayThrough(const CameraPose& camera, PixelPoint pixel) {
   const Point3<Robot> ray = body::rayThrough(camera, pixel);
   const double along = std::sqrt(ray.x * ray.x + ray.y * ray.y);
   if (along < 1e-6) return {0.0, 1.0, ray.z > 0.0 ? 1e6 : -1e6};
   return {ray.x / along, ray.y / along, ray.z / along};
 }
 
-// The ground point at a distance from the camera in the sight's direction.
-inline Point2<Robot> placeAt(const CameraPose& camera, const Sight& sight, double distance) {
-  return {camera.position.x + distance * sight.right, camera.position.y + distance * sight.forward};
+// The ground point at a distance from the camera in the ray's direction.
+inline Point2<Robot> placeAt(const CameraPose& camera, const GroundRay& ray, double distance) {
+  return {camera.position.x + distance * ray.right, camera.position.y + distance * ray.forward};
 }
 
 // Standard deviation of a distance d from the angle that `height` fills, each end uncertain by
