@@ -52,6 +52,18 @@ RETIRED = {
     "leastAway": "minGoalLineDistance",
     "seenObliquely": "atGrazingAngle",
     "kWitness": "kMinGatingWeight",
+    "ImageLevel": "HorizonFrame",
+    "ImageUp": "ImageDirection",
+    "levelPlace": "HorizonFrame::along",
+    "LineScan": "BrightSegments",
+    "brightStretches": "brightSegments",
+    "risesOn": "risingEdges",
+    "goalDoubt": "logOddsAgainst",
+    "robotDoubt": "logOddsAgainst",
+    "beaconDoubts": "weakCues",
+    "seenWidth": "visibleWidth",
+    "kPromising": "kRefineAboveShare",
+    "postureIsSound": "poseIsInRange",
 }
 RETIRED_WORD = re.compile(r"\b(" + "|".join(RETIRED) + r")\b")
 
