@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "vision/GroundRay.h"
+#include "vision/pixels/GroundRay.h"
 
 namespace kelpie::vision {
 namespace {

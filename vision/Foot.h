@@ -7,7 +7,6 @@
 
 #include "robot/core/Geometry.h"
 #include "vision/Scene.h"
-#include "vision/Upright.h"
 
 namespace kelpie::vision {
 

@@ -3,9 +3,10 @@
 // logs: append, never reorder.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
+#include <tuple>
 
 #include "robot/core/Percepts.h"
 
@@ -90,86 +91,101 @@ enum class Refusal : std::uint8_t {
   beaconUnlikely,    // each check passed, but few of them well
   robotUnlikely,     // each check passed, but few of them well
 };
-constexpr std::size_t kRefusalCount = static_cast<std::size_t>(Refusal::robotUnlikely) + 1;
+struct RefusalName {
+  Refusal refusal;
+  const char* name;
+};
 
-constexpr std::array<const char*, kRefusalCount> kRefusalNames = {"ballTooSmall",
-                                                                  "ballFewEdges",
-                                                                  "ballPoorCircle",
-                                                                  "ballFewOrange",
-                                                                  "ballOtherColour",
-                                                                  "ballAboveHorizon",
-                                                                  "ballAboveFieldEdge",
-                                                                  "ballNoField",
-                                                                  "ballOffGround",
-                                                                  "ballTooFar",
-                                                                  "beaconTooSmall",
-                                                                  "beaconNoPartner",
-                                                                  "beaconBothSides",
-                                                                  "beaconSizeRatio",
-                                                                  "beaconAspect",
-                                                                  "beaconBelowHorizon",
-                                                                  "beaconNoWhiteBelow",
-                                                                  "beaconElevation",
-                                                                  "beaconTooFar",
-                                                                  "goalTooSmall",
-                                                                  "goalAspect",
-                                                                  "goalAboveHorizon",
-                                                                  "goalNoField",
-                                                                  "goalIsBeacon",
-                                                                  "goalTooFar",
-                                                                  "goalNoHeight",
-                                                                  "goalAboveFieldEdge",
-                                                                  "bufferFull",
-                                                                  "goalWidth",
-                                                                  "goalOpposite",
-                                                                  "beaconCut",
-                                                                  "beaconNoField",
-                                                                  "beaconOffFieldEdge",
-                                                                  "ballOnGoal",
-                                                                  "ballPartOfPatch",
-                                                                  "goalOblique",
-                                                                  "goalUnlikely",
-                                                                  "robotTooSmall",
-                                                                  "robotAboveHorizon",
-                                                                  "robotAboveFieldEdge",
-                                                                  "robotNoShell",
-                                                                  "robotOffGround",
-                                                                  "robotTooFar",
-                                                                  "pinkTooSmall",
-                                                                  "pinkIsBeacon",
-                                                                  "pinkAboveHorizon",
-                                                                  "pinkAboveFieldEdge",
-                                                                  "pinkOffGround",
-                                                                  "obstacleAboveHorizon",
-                                                                  "obstacleAboveFieldEdge",
-                                                                  "obstacleGreenAbove",
-                                                                  "lineAmbiguous",
-                                                                  "lineInCorner",
-                                                                  "lineInObject",
-                                                                  "lineGreenBeside",
-                                                                  "borderGreenBeside",
-                                                                  "fieldNotGreen",
-                                                                  "lineNotInGreen",
-                                                                  "lineTooDim",
-                                                                  "lineColoured",
-                                                                  "lineTooThin",
-                                                                  "borderTooShort",
-                                                                  "borderBent",
-                                                                  "fieldUneven",
-                                                                  "pointTooFar",
-                                                                  "pointsTooFew",
-                                                                  "edgeFewFeatures",
-                                                                  "edgeNoCorner",
-                                                                  "robotSize",
-                                                                  "robotOtherColour",
-                                                                  "robotOnAnother",
-                                                                  "beaconMerged",
-                                                                  "robotSpeck",
-                                                                  "robotFeetNear",
-                                                                  "poseOutOfRange",
-                                                                  "beaconUnlikely",
-                                                                  "robotUnlikely"};
-static_assert(kRefusalNames.back() != nullptr, "a refusal without a name");
+// In the order of the numbers.
+inline constexpr RefusalName kRefusalNames[] = {
+    {Refusal::ballTooSmall, "ballTooSmall"},
+    {Refusal::ballFewEdges, "ballFewEdges"},
+    {Refusal::ballPoorCircle, "ballPoorCircle"},
+    {Refusal::ballFewOrange, "ballFewOrange"},
+    {Refusal::ballOtherColour, "ballOtherColour"},
+    {Refusal::ballAboveHorizon, "ballAboveHorizon"},
+    {Refusal::ballAboveFieldEdge, "ballAboveFieldEdge"},
+    {Refusal::ballNoField, "ballNoField"},
+    {Refusal::ballOffGround, "ballOffGround"},
+    {Refusal::ballTooFar, "ballTooFar"},
+    {Refusal::beaconTooSmall, "beaconTooSmall"},
+    {Refusal::beaconNoPartner, "beaconNoPartner"},
+    {Refusal::beaconBothSides, "beaconBothSides"},
+    {Refusal::beaconSizeRatio, "beaconSizeRatio"},
+    {Refusal::beaconAspect, "beaconAspect"},
+    {Refusal::beaconBelowHorizon, "beaconBelowHorizon"},
+    {Refusal::beaconNoWhiteBelow, "beaconNoWhiteBelow"},
+    {Refusal::beaconElevation, "beaconElevation"},
+    {Refusal::beaconTooFar, "beaconTooFar"},
+    {Refusal::goalTooSmall, "goalTooSmall"},
+    {Refusal::goalAspect, "goalAspect"},
+    {Refusal::goalAboveHorizon, "goalAboveHorizon"},
+    {Refusal::goalNoField, "goalNoField"},
+    {Refusal::goalIsBeacon, "goalIsBeacon"},
+    {Refusal::goalTooFar, "goalTooFar"},
+    {Refusal::goalNoHeight, "goalNoHeight"},
+    {Refusal::goalAboveFieldEdge, "goalAboveFieldEdge"},
+    {Refusal::bufferFull, "bufferFull"},
+    {Refusal::goalWidth, "goalWidth"},
+    {Refusal::goalOpposite, "goalOpposite"},
+    {Refusal::beaconCut, "beaconCut"},
+    {Refusal::beaconNoField, "beaconNoField"},
+    {Refusal::beaconOffFieldEdge, "beaconOffFieldEdge"},
+    {Refusal::ballOnGoal, "ballOnGoal"},
+    {Refusal::ballPartOfPatch, "ballPartOfPatch"},
+    {Refusal::goalOblique, "goalOblique"},
+    {Refusal::goalUnlikely, "goalUnlikely"},
+    {Refusal::robotTooSmall, "robotTooSmall"},
+    {Refusal::robotAboveHorizon, "robotAboveHorizon"},
+    {Refusal::robotAboveFieldEdge, "robotAboveFieldEdge"},
+    {Refusal::robotNoShell, "robotNoShell"},
+    {Refusal::robotOffGround, "robotOffGround"},
+    {Refusal::robotTooFar, "robotTooFar"},
+    {Refusal::pinkTooSmall, "pinkTooSmall"},
+    {Refusal::pinkIsBeacon, "pinkIsBeacon"},
+    {Refusal::pinkAboveHorizon, "pinkAboveHorizon"},
+    {Refusal::pinkAboveFieldEdge, "pinkAboveFieldEdge"},
+    {Refusal::pinkOffGround, "pinkOffGround"},
+    {Refusal::obstacleAboveHorizon, "obstacleAboveHorizon"},
+    {Refusal::obstacleAboveFieldEdge, "obstacleAboveFieldEdge"},
+    {Refusal::obstacleGreenAbove, "obstacleGreenAbove"},
+    {Refusal::lineAmbiguous, "lineAmbiguous"},
+    {Refusal::lineInCorner, "lineInCorner"},
+    {Refusal::lineInObject, "lineInObject"},
+    {Refusal::lineGreenBeside, "lineGreenBeside"},
+    {Refusal::borderGreenBeside, "borderGreenBeside"},
+    {Refusal::fieldNotGreen, "fieldNotGreen"},
+    {Refusal::lineNotInGreen, "lineNotInGreen"},
+    {Refusal::lineTooDim, "lineTooDim"},
+    {Refusal::lineColoured, "lineColoured"},
+    {Refusal::lineTooThin, "lineTooThin"},
+    {Refusal::borderTooShort, "borderTooShort"},
+    {Refusal::borderBent, "borderBent"},
+    {Refusal::fieldUneven, "fieldUneven"},
+    {Refusal::pointTooFar, "pointTooFar"},
+    {Refusal::pointsTooFew, "pointsTooFew"},
+    {Refusal::edgeFewFeatures, "edgeFewFeatures"},
+    {Refusal::edgeNoCorner, "edgeNoCorner"},
+    {Refusal::robotSize, "robotSize"},
+    {Refusal::robotOtherColour, "robotOtherColour"},
+    {Refusal::robotOnAnother, "robotOnAnother"},
+    {Refusal::beaconMerged, "beaconMerged"},
+    {Refusal::robotSpeck, "robotSpeck"},
+    {Refusal::robotFeetNear, "robotFeetNear"},
+    {Refusal::poseOutOfRange, "poseOutOfRange"},
+    {Refusal::beaconUnlikely, "beaconUnlikely"},
+    {Refusal::robotUnlikely, "robotUnlikely"},
+};
+constexpr std::size_t kRefusalCount = std::size(kRefusalNames);
+
+constexpr bool namesAreInOrder() {
+  for (std::size_t i = 0; i < kRefusalCount; ++i)
+    if (static_cast<std::size_t>(kRefusalNames[i].refusal) != i) return false;
+  return true;
+}
+static_assert(namesAreInOrder(), "each refusal has its name, in the order of the numbers");
+static_assert(kRefusalCount <= std::tuple_size_v<decltype(VisionCounts::refused)>,
+              "a log keeps a count of each");
 
 inline void refuse(VisionCounts& counts, Refusal reason) {
   ++counts.refused[static_cast<std::size_t>(reason)];

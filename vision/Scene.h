@@ -6,11 +6,14 @@
 
 #include "robot/body/FieldDescription.h"
 #include "robot/core/Percepts.h"
-#include "vision/Blobs.h"
-#include "vision/HorizonFrame.h"
-#include "vision/Sampler.h"
+#include "vision/blobs/Blobs.h"
+#include "vision/pixels/HorizonFrame.h"
+#include "vision/pixels/Sampler.h"
 
 namespace kelpie::vision {
+
+// The beacons and goals of one image.
+using Landmarks = FixedVector<LandmarkPercept, 8>;
 
 struct Scene {
   const Sampler& sampler;

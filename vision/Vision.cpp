@@ -4,16 +4,16 @@
 #include <algorithm>
 #include <cmath>
 
-#include "vision/BallFinder.h"
-#include "vision/BeaconFinder.h"
-#include "vision/FieldEdge.h"
-#include "vision/GoalFinder.h"
-#include "vision/LinePoints.h"
-#include "vision/Obstacles.h"
-#include "vision/PinkFinder.h"
 #include "vision/Refusal.h"
-#include "vision/RobotFinder.h"
 #include "vision/Scene.h"
+#include "vision/ball/BallFinder.h"
+#include "vision/beacon/BeaconFinder.h"
+#include "vision/edge/FieldEdge.h"
+#include "vision/goal/GoalFinder.h"
+#include "vision/line/LinePoints.h"
+#include "vision/pink/PinkFinder.h"
+#include "vision/robot/Obstacles.h"
+#include "vision/robot/RobotFinder.h"
 
 namespace kelpie::vision {
 namespace {
@@ -38,7 +38,8 @@ bool poseIsInRange(const BodyState& body) {
 
 Percepts step(const VisionIn& in, const VisionParams& params, VisionState& state) {
   Percepts out;
-  state.judged = {};
+  state.judgedGoals.clear();
+  state.judgedRobots.clear();
   if (!poseIsInRange(in.body)) {
     refuse(out.counts, Refusal::poseOutOfRange);
     return out;
@@ -60,9 +61,9 @@ Percepts step(const VisionIn& in, const VisionParams& params, VisionState& state
   const Scene scene{sampler, state.blobs, in.body,    out.fieldEdges,
                     frame,   lattice,     state.runs, params.field};
   findBeacons(scene, params.beacon, out.counts, out.landmarks);
-  findGoals(scene, params.goal, out.counts, out.landmarks, out.gaps, state.judged.goals);
+  findGoals(scene, params.goal, out.counts, out.landmarks, out.gaps, state.judgedGoals);
   out.ball = findBall(scene, params.ball, out.counts);
-  findRobots(scene, params.robot, out.counts, out.robots, state.judged.robots);
+  findRobots(scene, params.robot, out.counts, out.robots, state.judgedRobots);
   findPinkPatches(scene, out.landmarks, params.pink, out.counts, out.pinkPatches);
   const Obstacles obstacles = findObstacles(scene, params.obstacle, out.counts);
   out.obstacles = obstacles.points;

@@ -3,11 +3,12 @@
 // earlier image survives. 300 KB: keep it off the stack.
 #pragma once
 
-#include "vision/Blobs.h"
-#include "vision/Judged.h"
-#include "vision/RingTable.h"
-#include "vision/Sampler.h"
-#include "vision/VisionCalibration.h"
+#include "vision/blobs/Blobs.h"
+#include "vision/goal/JudgedGoal.h"
+#include "vision/pixels/RingTable.h"
+#include "vision/pixels/Sampler.h"
+#include "vision/pixels/VisionCalibration.h"
+#include "vision/robot/JudgedRobot.h"
 
 namespace kelpie::vision {
 
@@ -20,7 +21,8 @@ struct VisionState {
   ClassPlane classes{};
   RunBuffer runs;
   BlobBuffer blobs;
-  Judged judged;
+  JudgedGoals judgedGoals;
+  JudgedRobots judgedRobots;
 };
 
 }  // namespace kelpie::vision

@@ -9,8 +9,8 @@
 #include "gps/GpsParams.h"
 #include "robot/body/Camera.h"
 #include "robot/core/FrameInput.h"
-#include "vision/VisionCalibration.h"
 #include "vision/VisionParams.h"
+#include "vision/pixels/VisionCalibration.h"
 
 namespace kelpie::agent {
 

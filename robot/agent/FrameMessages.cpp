@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "vision/PlaneImage.h"
+#include "vision/pixels/PlaneImage.h"
 
 namespace kelpie::agent {
 

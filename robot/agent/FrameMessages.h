@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A frame's input as a log holds it: with the image, with a class plane from which an image is made
-// again (robot/core/PlaneFrame.h, vision/PlaneImage.h), or with a picture for people only
+// again (robot/core/PlaneFrame.h, vision/pixels/PlaneImage.h), or with a picture for people only
 // (robot/core/PictureFrame.h).
 #pragma once
 

@@ -5,7 +5,7 @@
 
 #include "robot/agent/FrameMessages.h"
 #include "robot/core/LogWriter.h"
-#include "vision/PlaneImage.h"
+#include "vision/pixels/PlaneImage.h"
 
 namespace kelpie::agent {
 namespace {

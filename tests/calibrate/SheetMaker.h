@@ -8,7 +8,7 @@
 
 #include "robot/core/Random.h"
 #include "tools/calibrate/Sheets.h"
-#include "vision/RingTable.h"
+#include "vision/pixels/RingTable.h"
 
 namespace kelpie::calibrate {
 

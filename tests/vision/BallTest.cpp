@@ -6,9 +6,9 @@
 
 #include "tests/vision/Board.h"
 #include "tests/vision/Painting.h"
-#include "vision/BallFinder.h"
 #include "vision/Refusal.h"
 #include "vision/Vision.h"
+#include "vision/ball/BallFinder.h"
 
 namespace kelpie::vision {
 namespace {

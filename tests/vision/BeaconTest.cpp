@@ -5,8 +5,8 @@
 
 #include "tests/vision/Board.h"
 #include "tests/vision/Painting.h"
-#include "vision/BeaconFinder.h"
 #include "vision/Refusal.h"
+#include "vision/beacon/BeaconFinder.h"
 
 namespace kelpie::vision {
 namespace {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <memory>
 
-#include "vision/Blobs.h"
 #include "vision/VisionState.h"
+#include "vision/blobs/Blobs.h"
 
 namespace kelpie::vision {
 namespace {

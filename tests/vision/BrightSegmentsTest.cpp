@@ -3,7 +3,7 @@
 
 #include "robot/core/Random.h"
 #include "tests/vision/Board.h"
-#include "vision/BrightSegments.h"
+#include "vision/line/BrightSegments.h"
 
 namespace kelpie::vision {
 namespace {

@@ -8,9 +8,9 @@
 
 #include "robot/core/Random.h"
 #include "tests/vision/Painting.h"
-#include "vision/ColourBuilder.h"
-#include "vision/ColourTable.h"
-#include "vision/TableFile.h"
+#include "vision/pixels/ColourBuilder.h"
+#include "vision/pixels/ColourTable.h"
+#include "vision/pixels/TableFile.h"
 
 namespace kelpie::vision {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "vision/ConeFit.h"
+#include "vision/ball/ConeFit.h"
 
 namespace kelpie::vision {
 namespace {

@@ -3,14 +3,14 @@
 #include <gtest/gtest.h>
 
 #include "robot/core/Random.h"
-#include "vision/CorrelationEdge.h"
+#include "tools/experiments/baselines/CorrelationEdge.h"
 
-namespace kelpie::vision {
+namespace kelpie::baselines {
 namespace {
 
-EdgeFeatures points(double slope, double noise, int count = 24) {
+vision::EdgeFeatures points(double slope, double noise, int count = 24) {
   Random random(2);
-  EdgeFeatures features;
+  vision::EdgeFeatures features;
   for (int i = 0; i < count; ++i) {
     const double x = 208.0 * (i + 0.5) / count;
     features.push_back({{x, 60 + slope * x + noise * random.gaussian()}, false, 1.0});
@@ -26,7 +26,7 @@ TEST(CorrelationEdge, RegressionIsExactOnALineAndItsCorrelationIsOne) {
 }
 
 TEST(CorrelationEdge, CorrelationOfAHandCase) {
-  EdgeFeatures three;
+  vision::EdgeFeatures three;
   three.push_back({{1, 1}, false, 1.0});
   three.push_back({{2, 3}, false, 1.0});
   three.push_back({{3, 2}, false, 1.0});
@@ -53,8 +53,8 @@ TEST(CorrelationEdge, BetweenTheThresholdsTheBestOfAllRoundsIsTaken) {
   const auto line = correlationEdge(points(0.02, 1.0), params);
   ASSERT_TRUE(line.has_value());
   EXPECT_GT(line->r, 0.55);
-  params.least = 0.999;
-  params.enough = 0.9999;
+  params.minCorrelation = 0.999;
+  params.stopAboveCorrelation = 0.9999;
   EXPECT_FALSE(correlationEdge(points(0.02, 1.0), params).has_value());
 }
 
@@ -63,4 +63,4 @@ TEST(CorrelationEdge, TooFewPointsGiveNone) {
 }
 
 }  // namespace
-}  // namespace kelpie::vision
+}  // namespace kelpie::baselines

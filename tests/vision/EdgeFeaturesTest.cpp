@@ -6,8 +6,8 @@
 #include <memory>
 
 #include "tests/vision/Painting.h"
-#include "vision/EdgeFeatures.h"
 #include "vision/VisionState.h"
+#include "vision/edge/EdgeFeatures.h"
 
 namespace kelpie::vision {
 namespace {

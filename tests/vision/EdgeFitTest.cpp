@@ -7,10 +7,10 @@
 #include "robot/body/Camera.h"
 #include "robot/core/Random.h"
 #include "tests/vision/Painting.h"
-#include "vision/EdgeFit.h"
-#include "vision/FieldEdge.h"
 #include "vision/Refusal.h"
 #include "vision/Scene.h"
+#include "vision/edge/EdgeFit.h"
+#include "vision/edge/FieldEdge.h"
 
 namespace kelpie::vision {
 namespace {

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "tests/vision/Painting.h"
-#include "vision/FieldEdge.h"
 #include "vision/Scene.h"
+#include "vision/edge/FieldEdge.h"
 
 namespace kelpie::vision {
 namespace {

@@ -10,8 +10,8 @@
 #include "tests/AllocationCount.h"
 #include "tests/core/SpoiltValue.h"
 #include "tests/vision/Hostile.h"
-#include "vision/BallFinder.h"
 #include "vision/Vision.h"
+#include "vision/ball/BallFinder.h"
 
 namespace kelpie::vision {
 namespace {

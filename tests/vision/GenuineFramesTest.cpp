@@ -9,9 +9,9 @@
 
 #include "tests/vision/Painting.h"
 #include "tools/picture/PngFile.h"
-#include "vision/ClassPicture.h"
-#include "vision/TableFile.h"
 #include "vision/Vision.h"
+#include "vision/pixels/ClassPicture.h"
+#include "vision/pixels/TableFile.h"
 
 namespace kelpie::vision {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "robot/body/Camera.h"
 #include "tests/vision/Board.h"
-#include "vision/GoalPlace.h"
+#include "vision/goal/GoalPlace.h"
 
 namespace kelpie::vision {
 namespace {

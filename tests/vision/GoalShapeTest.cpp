@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "tests/vision/Painting.h"
-#include "vision/GoalFinder.h"
+#include "vision/goal/GoalFinder.h"
 
 namespace kelpie::vision {
 namespace {

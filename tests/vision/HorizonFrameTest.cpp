@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "tests/vision/Painting.h"
-#include "vision/HorizonFrame.h"
+#include "vision/pixels/HorizonFrame.h"
 
 namespace kelpie::vision {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "robot/core/Random.h"
 #include "tests/vision/Painting.h"
-#include "vision/HorizonScan.h"
+#include "vision/edge/HorizonScan.h"
 
 namespace kelpie::vision {
 namespace {

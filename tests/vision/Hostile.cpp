@@ -7,7 +7,7 @@
 #include "robot/body/Camera.h"
 #include "tests/core/RandomValue.h"
 #include "tests/vision/Painting.h"
-#include "vision/PlaneImage.h"
+#include "vision/pixels/PlaneImage.h"
 
 namespace kelpie::vision {
 namespace {

@@ -6,9 +6,9 @@
 #include <memory>
 
 #include "tests/vision/Painting.h"
-#include "vision/LinePoints.h"
 #include "vision/Refusal.h"
 #include "vision/Vision.h"
+#include "vision/line/LinePoints.h"
 
 namespace kelpie::vision {
 namespace {

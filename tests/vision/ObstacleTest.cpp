@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "tests/vision/PaintedRobot.h"
-#include "vision/Obstacles.h"
 #include "vision/Refusal.h"
+#include "vision/robot/Obstacles.h"
 
 namespace kelpie::vision {
 namespace {

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "robot/core/Random.h"
-#include "vision/RingTable.h"
 #include "vision/Vision.h"
+#include "vision/pixels/RingTable.h"
 
 namespace kelpie::vision {
 namespace {

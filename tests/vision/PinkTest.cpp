@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "tests/vision/PaintedRobot.h"
-#include "vision/PinkFinder.h"
 #include "vision/Refusal.h"
+#include "vision/pink/PinkFinder.h"
 
 namespace kelpie::vision {
 namespace {

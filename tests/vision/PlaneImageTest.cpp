@@ -5,8 +5,8 @@
 
 #include "robot/core/Random.h"
 #include "tests/vision/Painting.h"
-#include "vision/PlaneImage.h"
 #include "vision/Vision.h"
+#include "vision/pixels/PlaneImage.h"
 
 namespace kelpie::vision {
 namespace {

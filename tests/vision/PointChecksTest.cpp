@@ -5,7 +5,7 @@
 
 #include "robot/body/Camera.h"
 #include "tests/vision/Board.h"
-#include "vision/PointChecks.h"
+#include "vision/line/PointChecks.h"
 
 namespace kelpie::vision {
 namespace {

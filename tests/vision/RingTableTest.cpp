@@ -4,7 +4,7 @@
 #include <cmath>
 #include <memory>
 
-#include "vision/RingTable.h"
+#include "vision/pixels/RingTable.h"
 
 namespace kelpie::vision {
 namespace {

@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "tests/vision/PaintedRobot.h"
-#include "vision/RobotFinder.h"
+#include "vision/robot/RobotFinder.h"
 
 namespace kelpie::vision {
 namespace {

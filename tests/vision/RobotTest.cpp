@@ -5,7 +5,7 @@
 
 #include "tests/vision/PaintedRobot.h"
 #include "vision/Refusal.h"
-#include "vision/RobotFinder.h"
+#include "vision/robot/RobotFinder.h"
 
 namespace kelpie::vision {
 namespace {

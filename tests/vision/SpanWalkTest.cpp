@@ -4,8 +4,8 @@
 #include <memory>
 
 #include "tests/vision/Painting.h"
-#include "vision/SpanWalk.h"
 #include "vision/VisionState.h"
+#include "vision/pixels/SpanWalk.h"
 
 namespace kelpie::vision {
 namespace {

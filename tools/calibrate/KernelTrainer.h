@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "tools/calibrate/Labels.h"
-#include "vision/ColourTable.h"
+#include "vision/pixels/ColourTable.h"
 
 namespace kelpie::calibrate {
 

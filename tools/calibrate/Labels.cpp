@@ -9,7 +9,7 @@
 
 #include "tools/calibrate/Csv.h"
 #include "tools/calibrate/Images.h"
-#include "vision/ColourTable.h"
+#include "vision/pixels/ColourTable.h"
 
 namespace kelpie::calibrate {
 namespace {

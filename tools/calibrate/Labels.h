@@ -15,8 +15,8 @@
 
 #include "robot/core/Expected.h"
 #include "robot/core/Random.h"
-#include "vision/ColourClass.h"
-#include "vision/RingTable.h"
+#include "vision/pixels/ColourClass.h"
+#include "vision/pixels/RingTable.h"
 
 namespace kelpie::calibrate {
 

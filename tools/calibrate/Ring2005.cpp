@@ -5,7 +5,7 @@
 #include <cstdlib>
 
 #include "tools/calibrate/Sheets.h"
-#include "vision/TableFile.h"
+#include "vision/pixels/TableFile.h"
 
 namespace kelpie::calibrate {
 namespace {

@@ -14,7 +14,7 @@
 
 #include "robot/core/Expected.h"
 #include "tools/calibrate/Sheets.h"
-#include "vision/RingTable.h"
+#include "vision/pixels/RingTable.h"
 
 namespace kelpie::calibrate {
 

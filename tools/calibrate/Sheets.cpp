@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "vision/RingTable.h"
-#include "vision/Sampler.h"
+#include "vision/pixels/RingTable.h"
+#include "vision/pixels/Sampler.h"
 
 namespace kelpie::calibrate {
 namespace {

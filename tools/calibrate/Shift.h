@@ -12,7 +12,7 @@
 
 #include "robot/core/Expected.h"
 #include "robot/core/Image.h"
-#include "vision/RingTable.h"
+#include "vision/pixels/RingTable.h"
 
 namespace kelpie::calibrate {
 

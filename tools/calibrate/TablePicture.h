@@ -7,7 +7,7 @@
 #include <string>
 
 #include "robot/core/Expected.h"
-#include "vision/ColourTable.h"
+#include "vision/pixels/ColourTable.h"
 
 namespace kelpie::calibrate {
 

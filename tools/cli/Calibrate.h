@@ -6,7 +6,7 @@
 #include <string>
 
 #include "robot/core/Expected.h"
-#include "vision/RingTable.h"
+#include "vision/pixels/RingTable.h"
 
 namespace kelpie::cli {
 

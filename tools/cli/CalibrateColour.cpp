@@ -11,7 +11,7 @@
 #include "tools/cli/Commands.h"
 #include "tools/cli/Usage.h"
 #include "tools/cli/WholeFile.h"
-#include "vision/VisionCalibration.h"
+#include "vision/pixels/VisionCalibration.h"
 
 namespace kelpie::cli {
 namespace {

@@ -15,7 +15,7 @@
 #include "tools/cli/Process.h"
 #include "tools/cli/Progress.h"
 #include "tools/cli/WholeFile.h"
-#include "vision/PlaneImage.h"
+#include "vision/pixels/PlaneImage.h"
 
 namespace kelpie::cli {
 namespace {

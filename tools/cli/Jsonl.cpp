@@ -39,7 +39,7 @@ Json percepts(const Percepts& seen) {
 Json refusals(const VisionCounts& counts) {
   Json object = Json::object();
   for (std::size_t i = 0; i < vision::kRefusalCount; ++i)
-    if (counts.refused[i] > 0) object[vision::kRefusalNames[i]] = counts.refused[i];
+    if (counts.refused[i] > 0) object[vision::kRefusalNames[i].name] = counts.refused[i];
   return object;
 }
 

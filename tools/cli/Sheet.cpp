@@ -9,7 +9,7 @@
 #include <sstream>
 
 #include "tools/cli/Draw.h"
-#include "vision/ClassPicture.h"
+#include "vision/pixels/ClassPicture.h"
 
 namespace kelpie::cli {
 namespace {

@@ -88,7 +88,7 @@ Lines refusalRows(const VisionCounts& counts) {
   Lines rows;
   rows.reserve(reasons.size());
   for (const std::size_t i : reasons)
-    rows.push_back(fmt::format("{}\t{}", vision::kRefusalNames[i], counts.refused[i]));
+    rows.push_back(fmt::format("{}\t{}", vision::kRefusalNames[i].name, counts.refused[i]));
   return rows;
 }
 

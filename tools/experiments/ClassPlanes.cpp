@@ -9,8 +9,8 @@
 #include "robot/core/PlaneFrame.h"
 #include "tools/experiments/View.h"
 #include "tools/experiments/harness/Statistics.h"
-#include "vision/PlaneImage.h"
 #include "vision/Vision.h"
+#include "vision/pixels/PlaneImage.h"
 
 namespace kelpie::experiments {
 namespace {

@@ -14,7 +14,7 @@
 #include "tools/calibrate/Shift.h"
 #include "tools/experiments/View.h"
 #include "tools/experiments/harness/Statistics.h"
-#include "vision/ClassPicture.h"
+#include "vision/pixels/ClassPicture.h"
 
 namespace kelpie::experiments {
 namespace {

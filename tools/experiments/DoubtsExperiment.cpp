@@ -126,8 +126,8 @@ Expected<Json> doubts(const Request& request) {
       namesOf<vision::RobotFacts>(), 30, 200, vision.robot.maxLogOddsAgainst, {}, {}, {}};
   lookAtViews(params, request, [&](const Look& look) {
     const auto objects = trueObjects(look.view, params.field, visibility);
-    add(look.judged.goals, objects, look.number, goals);
-    add(look.judged.robots, objects, look.number, robots);
+    add(look.judgedGoals, objects, look.number, goals);
+    add(look.judgedRobots, objects, look.number, robots);
   });
   return Json{{"goals", figuresOf(goals, request.trials)},
               {"robots", figuresOf(robots, request.trials)}};

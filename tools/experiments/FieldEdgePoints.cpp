@@ -9,9 +9,9 @@
 
 #include "robot/core/Random.h"
 #include "tools/experiments/FieldEdgeParts.h"
-#include "vision/CorrelationEdge.h"
-#include "vision/FieldEdge.h"
+#include "tools/experiments/baselines/CorrelationEdge.h"
 #include "vision/Scene.h"
+#include "vision/edge/FieldEdge.h"
 
 namespace kelpie::experiments {
 namespace {
@@ -107,14 +107,14 @@ std::optional<Line> ours(const vision::EdgeFeatures& points, std::uint32_t seed)
   return Line{(vision::fieldEdgeRow(edges, kImageWidth) - left) / kImageWidth, left};
 }
 
-Fit thesis(int points, vision::EdgeFitness fitness) {
+Fit thesis(int points, baselines::EdgeFitness fitness) {
   return [points, fitness](const vision::EdgeFeatures& features,
                            std::uint32_t seed) -> std::optional<Line> {
-    vision::CorrelationParams params;
+    baselines::CorrelationParams params;
     params.points = points;
     params.fitness = fitness;
     params.seed = seed;
-    const auto line = vision::correlationEdge(features, params);
+    const auto line = baselines::correlationEdge(features, params);
     if (!line) return std::nullopt;
     return Line{line->slope, line->offset};
   };
@@ -206,7 +206,7 @@ Json fieldEdgePoints(const Request& request) {
   summarise(table, out);
   out["uniform"] = table;
   out["covered"] = coveredTable(ours, request);
-  using vision::EdgeFitness;
+  using baselines::EdgeFitness;
   const Fit r8 = thesis(8, EdgeFitness::correlation);
   const Fit r2 = thesis(2, EdgeFitness::correlation);
   const Fit count2 = thesis(2, EdgeFitness::count);

@@ -214,7 +214,7 @@ Json speedFigures(const Tally& tally) {
 Json refusals(const Tally& tally) {
   Json all = Json::object();
   for (std::size_t i = 0; i < vision::kRefusalCount; ++i) {
-    const std::string name = vision::kRefusalNames[i];
+    const std::string name = vision::kRefusalNames[i].name;
     if (i >= static_cast<std::size_t>(vision::Refusal::lineAmbiguous))
       all[name] = tally.counts.refused[i];
   }

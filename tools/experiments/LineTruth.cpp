@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "vision/BrightSegments.h"
+#include "vision/line/BrightSegments.h"
 
 namespace kelpie::experiments {
 namespace {

@@ -6,7 +6,8 @@
 
 #include "robot/core/Percepts.h"
 #include "tools/experiments/View.h"
-#include "vision/Judged.h"
+#include "vision/goal/JudgedGoal.h"
+#include "vision/robot/JudgedRobot.h"
 
 namespace kelpie::experiments {
 
@@ -15,7 +16,8 @@ struct Look {
   const View& view;
   const BodyState& body;
   const Percepts& seen;
-  const vision::Judged& judged;
+  const vision::JudgedGoals& judgedGoals;
+  const vision::JudgedRobots& judgedRobots;
 };
 
 // Calls use(look) for one view a trial.

@@ -87,7 +87,8 @@ void keepPicture(const std::string& folder, const Look& look,
   std::string refusals;
   for (std::size_t i = 0; i < vision::kRefusalCount; ++i)
     if (look.seen.counts.refused[i] > 0)
-      refusals += fmt::format("{} {}  ", vision::kRefusalNames[i], look.seen.counts.refused[i]);
+      refusals +=
+          fmt::format("{} {}  ", vision::kRefusalNames[i].name, look.seen.counts.refused[i]);
   for (std::size_t at = 0; at < refusals.size(); at += 95, row += 16)
     cv::putText(picture, refusals.substr(at, 95), {4, row}, cv::FONT_HERSHEY_SIMPLEX, 0.45,
                 {255, 255, 255}, 1, cv::LINE_AA);

@@ -15,7 +15,7 @@
 #include "tools/experiments/harness/Trials.h"
 #include "tools/sim/Artefacts.h"
 #include "tools/sim/Colours.h"
-#include "vision/RingTable.h"
+#include "vision/pixels/RingTable.h"
 
 namespace kelpie::experiments {
 namespace {

@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "robot/body/Camera.h"
-#include "vision/Sampler.h"
+#include "vision/pixels/Sampler.h"
 
 namespace kelpie::experiments {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "robot/body/Camera.h"
 #include "tools/experiments/Objects.h"
-#include "vision/Sampler.h"
+#include "vision/pixels/Sampler.h"
 
 namespace kelpie::experiments {
 namespace {

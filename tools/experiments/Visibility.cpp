@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "vision/Sampler.h"
+#include "vision/pixels/Sampler.h"
 
 namespace kelpie::experiments {
 namespace {

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "vision/beacon/BeaconFeet.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace kelpie::vision {
+namespace {
+
+constexpr double kMaxGap = 3.0;     // px between samples of one foot, along the horizon
+constexpr double kMaxRowGap = 6.0;  // px between them, square to it
+constexpr double kMaxFromHorizon =
+    60.0;  // px from the horizon: 20 cm of height at 50 cm and an error
+
+bool isWhite(ColourClass c) { return c == ColourClass::white || c == ColourClass::grey; }
+
+bool whiteAt(const Scene& scene, double u, double v) {
+  const PixelPoint p = scene.frame.toImage({u, v});
+  return Sampler::usable(p) && isWhite(scene.sampler.classAt(p));
+}
+
+// White within one or two lattice rows below, and two rows farther still: a highlight is not white.
+bool standsOnWhite(const Scene& scene, double u, double v) {
+  if (whiteAt(scene, u, v + 2.0)) return whiteAt(scene, u, v + 4.0) || whiteAt(scene, u, v + 6.0);
+  return whiteAt(scene, u, v + 4.0) && whiteAt(scene, u, v + 6.0);
+}
+
+void addSample(BeaconFeet& feet, ColourClass colour, double u, double v) {
+  for (BeaconFoot& foot : feet) {
+    if (foot.colour != colour || std::fabs(v - foot.v) > kMaxRowGap) continue;
+    if (u < foot.left - kMaxGap || u > foot.right + kMaxGap) continue;
+    foot.left = std::min(foot.left, u);
+    foot.right = std::max(foot.right, u);
+    foot.v = v;
+    foot.lowest = std::max(foot.lowest, v);
+    ++foot.samples;
+    return;
+  }
+  feet.push_back({colour, u, u, v, v, 1});
+}
+
+}  // namespace
+
+BeaconFeet findBeaconFeet(const Scene& scene) {
+  BeaconFeet feet;
+  for (const Run& run : scene.runs) {
+    if (run.colour != ColourClass::pink && run.colour != ColourClass::blue &&
+        run.colour != ColourClass::yellow)
+      continue;
+    const double v = scene.lattice.v(run.row);
+    const double middle = scene.lattice.u(0.5 * (run.first + run.last));
+    if (std::fabs(belowHorizon(scene, scene.frame.toImage({middle, v}))) > kMaxFromHorizon)
+      continue;
+    for (int k = run.first; k <= run.last; ++k) {
+      const double u = scene.lattice.u(k);
+      if (standsOnWhite(scene, u, v)) addSample(feet, run.colour, u, v);
+    }
+  }
+  return feet;
+}
+
+}  // namespace kelpie::vision

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "vision/blobs/Blobs.h"
+
+#include <algorithm>
+
+namespace kelpie::vision {
+namespace {
+
+constexpr std::uint16_t kNoBlob = 0xFFFF;
+
+bool formsBlobs(ColourClass c) { return c >= ColourClass::orange && c <= ColourClass::robotRed; }
+
+// Appends the runs of one lattice row.
+void collectRuns(const Sampler& sampler, const Lattice& lattice, int rowIndex, RunBuffer& runs,
+                 BlobCounts& counts) {
+  const LatticeRow row = lattice.row(rowIndex);
+  counts.samples += static_cast<std::uint32_t>(row.count);
+  std::int32_t x = row.x;
+  std::int32_t y = row.y;
+  int first = 0;
+  ColourClass colour = ColourClass::none;
+  for (int i = 0; i <= row.count; ++i, x += lattice.stepX(), y += lattice.stepY()) {
+    const ColourClass now = i < row.count ? sampler.classAt(x >> 16, y >> 16) : ColourClass::none;
+    if (now == colour) continue;
+    if (formsBlobs(colour)) {
+      const Run run{colour,
+                    static_cast<std::uint8_t>(rowIndex),
+                    static_cast<std::uint8_t>(row.first + first),
+                    static_cast<std::uint8_t>(row.first + i - 1),
+                    static_cast<std::uint8_t>(lattice.height(rowIndex)),
+                    static_cast<std::uint16_t>(runs.size()),
+                    kNoBlob};
+      if (!runs.push_back(run)) ++counts.lost;
+    }
+    first = i;
+    colour = now;
+  }
+}
+
+std::uint16_t rootOf(RunBuffer& runs, std::uint16_t run) {
+  while (runs[run].parent != run) {
+    runs[run].parent = runs[runs[run].parent].parent;
+    run = runs[run].parent;
+  }
+  return run;
+}
+
+void join(RunBuffer& runs, std::size_t a, std::size_t b) {
+  const std::uint16_t rootA = rootOf(runs, static_cast<std::uint16_t>(a));
+  const std::uint16_t rootB = rootOf(runs, static_cast<std::uint16_t>(b));
+  if (rootA < rootB) {
+    runs[rootB].parent = rootA;
+  } else {
+    runs[rootA].parent = rootB;
+  }
+}
+
+// Joins the runs [middle, end) of one row with the touching runs [begin, middle) of the row above.
+void joinRows(RunBuffer& runs, std::size_t begin, std::size_t middle, std::size_t end) {
+  std::size_t above = begin;
+  for (std::size_t i = middle; i < end; ++i) {
+    while (above < middle && runs[above].last + 1 < runs[i].first) ++above;
+    for (std::size_t j = above; j < middle && runs[j].first <= runs[i].last + 1; ++j) {
+      if (runs[j].colour == runs[i].colour) join(runs, i, j);
+    }
+  }
+}
+
+void addRun(const Lattice& lattice, Blob& blob, const Run& run) {
+  const double width = run.last - run.first + 1;
+  const double count = width * run.height;
+  const double u = lattice.u(0.5 * (run.first + run.last));
+  const double v = lattice.v(run.row);
+  const double half = 0.5 * kLatticeStep;
+  const LevelBox box{u - half * width, v - half * run.height, u + half * width,
+                     v + half * run.height};
+  const double before = blob.samples;
+  const double total = before + count;
+  if (before == 0.0) blob.box = box;
+  blob.box = {std::min(blob.box.left, box.left), std::min(blob.box.top, box.top),
+              std::max(blob.box.right, box.right), std::max(blob.box.bottom, box.bottom)};
+  blob.middle = {(blob.middle.u * before + u * count) / total,
+                 (blob.middle.v * before + v * count) / total};
+  blob.samples += static_cast<std::uint32_t>(count);
+}
+
+std::uint32_t collectBlobs(const Lattice& lattice, RunBuffer& runs, BlobBuffer& blobs) {
+  std::uint32_t lost = 0;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    Run& root = runs[rootOf(runs, static_cast<std::uint16_t>(i))];
+    if (root.blob == kNoBlob) {
+      Blob fresh;
+      fresh.colour = root.colour;
+      if (!blobs.push_back(fresh)) {
+        ++lost;
+        continue;
+      }
+      root.blob = static_cast<std::uint16_t>(blobs.size() - 1);
+    }
+    addRun(lattice, blobs[root.blob], runs[i]);
+  }
+  for (Blob& blob : blobs) blob.centre = lattice.frame().toImage(blob.middle);
+  return lost;
+}
+
+}  // namespace
+
+BlobCounts findBlobs(const Sampler& sampler, const Lattice& lattice, RunBuffer& runs,
+                     BlobBuffer& blobs) {
+  runs.clear();
+  blobs.clear();
+  BlobCounts counts;
+  std::size_t rowAbove = 0;
+  for (int row = 0; row < lattice.rows(); row += lattice.height(row)) {
+    const std::size_t rowStart = runs.size();
+    collectRuns(sampler, lattice, row, runs, counts);
+    joinRows(runs, rowAbove, rowStart, runs.size());
+    rowAbove = rowStart;
+  }
+  counts.lost += collectBlobs(lattice, runs, blobs);
+  return counts;
+}
+
+}  // namespace kelpie::vision

@@ -1,0 +1,286 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "vision/goal/GoalColumns.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <optional>
+
+#include "vision/pixels/GroundRay.h"
+#include "vision/pixels/SpanWalk.h"
+
+namespace kelpie::vision {
+namespace {
+
+constexpr int kHoles = 2;
+constexpr double kMinSpacing = 2.0;         // px between columns
+constexpr double kMaxHeightRatio = 1.4;     // of a column's height to the goal's
+constexpr double kDistanceTolerance = 0.2;  // share by which columns' distances may differ
+constexpr double kFootSd = 0.012;           // rad, between a column's foot and the ground
+constexpr double kFootRows = 2.5;           // px by which the feet of a goal's columns differ
+
+// The lowest pixel of the candidate's colour in a level column, two lattice steps of it in a row.
+std::optional<PixelPoint> lowestIn(const Scene& scene, const GoalCandidate& c, double u) {
+  int inRow = 0;
+  for (double v = c.box.bottom - 0.5; v > c.box.top; v -= 2.0) {
+    const PixelPoint p = scene.frame.toImage({u, v});
+    const bool here = Sampler::usable(p) && scene.sampler.classAt(p) == c.colour;
+    inRow = here ? inRow + 1 : 0;
+    if (inRow == 2) return p;
+  }
+  return std::nullopt;
+}
+
+// The image's top cuts it although 30 cm at the distance of its foot would end below that, or it
+// ends in the image, but far too high for where its foot stands.
+bool isTooTall(const Scene& scene, const EdgeHit& top, double low) {
+  const CameraPose& camera = scene.body.camera;
+  const double high = groundRayThrough(camera, top.point).slope;
+  constexpr double kMinSlope = 0.01;  // a foot at the horizon: nothing of 30 cm fills the view
+  const double d = camera.position.z / std::max(-low, kMinSlope);
+  const double allowed = top.cut ? kMaxHeightRatio : 2.0 * kMaxHeightRatio;
+  return (high - low) * d > allowed * kGoalHeight;
+}
+
+enum class Below { green, other, outside };
+
+// The carpet follows within two pixels and a tenth of the height.
+Below belowFoot(const Scene& scene, const EdgeHit& foot, double height) {
+  if (foot.cut) return Below::outside;
+  for (const double below : {1.5, 2.5, 2.5 + 0.1 * height}) {
+    const PixelPoint at = moved(foot.point, scene.frame.up(), -below);
+    if (!Sampler::usable(at)) return Below::outside;
+    if (scene.sampler.classAt(at) == ColourClass::green) return Below::green;
+  }
+  return Below::other;
+}
+
+// By height when both ends are in the image, else by the foot on the ground.
+void measureDistance(const Scene& scene, const GoalFinderParams& p, GoalColumn& column) {
+  const CameraPose& camera = scene.body.camera;
+  const double low = groundRayThrough(camera, column.foot).slope;
+  if (!column.topCut) {
+    const double d = kGoalHeight / std::max(groundRayThrough(camera, column.top).slope - low, 1e-3);
+    column.distance = d;
+    column.sd = sizeSd(d, kGoalHeight, p.edgeSd);
+    column.footError = maths::atan(low) - maths::atan(-camera.position.z / d);
+  } else if (low < -0.03) {
+    column.distance = -camera.position.z / low;
+    column.sd = maths::square(column.distance) / camera.position.z * p.directionSd.rad();
+  }
+}
+
+std::optional<GoalColumn> columnAt(const Scene& scene, const GoalFinderParams& p, GoalCandidate& c,
+                                   double u) {
+  const auto start = lowestIn(scene, c, u);
+  if (!start) return std::nullopt;
+  const ImageDirection up = scene.frame.up();
+  const EdgeHit top = walkToEdge(scene.sampler, {*start, up, c.colour, kHoles});
+  const EdgeHit foot = walkToEdge(scene.sampler, {*start, -up, c.colour, kHoles});
+  GoalColumn column;
+  column.u = u;
+  column.top = top.point;
+  column.foot = foot.point;
+  column.topCut = top.cut;
+  // Cut below, nothing speaks against carpet.
+  const Below below = belowFoot(scene, foot, top.length + foot.length);
+  column.footCut = below == Below::outside;
+  column.green = below != Below::other;
+  if (column.footCut) return column;
+  column.tall = isTooTall(scene, top, groundRayThrough(scene.body.camera, foot.point).slope);
+  measureDistance(scene, p, column);
+  return column;
+}
+
+bool agrees(const GoalColumn& column, double distance) {
+  return std::fabs(column.distance - distance) <= kDistanceTolerance * distance + column.sd;
+}
+
+// A robot's head before its top makes a column too short, so too far for where its foot stands.
+bool isMeasured(const GoalColumn& column, const GoalFinderParams& p) {
+  return column.green && !column.tall && column.distance > 0.0 &&
+         std::fabs(column.footError) <= p.directionError.rad();
+}
+
+// How much of a goal of this distance the columns are, a column less the worse its foot fits the
+// ground there: clothes behind make it higher, so too near, a robot's head before it too short.
+double supportOf(const GoalCandidate& c, const GoalColumn& reference, const GoalFinderParams& p) {
+  double support = 0.0;
+  for (const GoalColumn& column : c.columns) {
+    if (!isMeasured(column, p) || !agrees(column, reference.distance)) continue;
+    support += 1.0 / (1.0 + maths::square(column.footError / kFootSd));
+  }
+  return support;
+}
+
+// The distance of the column with the largest support; 0 when no column is measured.
+double likelyDistance(const GoalCandidate& c, const GoalFinderParams& p) {
+  double best = 0.0;
+  double most = 0.0;
+  for (const GoalColumn& column : c.columns) {
+    if (!isMeasured(column, p) || column.distance > p.maxDistance) continue;
+    const double support = supportOf(c, column, p);
+    if (support <= most) continue;
+    most = support;
+    best = column.distance;
+  }
+  return best;
+}
+
+double heightOf(const GoalColumn& column) {
+  return maths::hypot(column.top.x - column.foot.x, column.top.y - column.foot.y);
+}
+
+double widthOf(const GoalCandidate& c, double distance) {
+  double left = 1e9;
+  double right = -1e9;
+  for (const GoalColumn& column : c.columns) {
+    if (!column.chosen) continue;
+    left = std::min(left, column.u);
+    right = std::max(right, column.u);
+  }
+  return (right - left) * distance / body::kFocalLength;
+}
+
+// A low strip of the goal's colour beside it has a foot in line with its own. Where a robot's head
+// hides the top the columns are low too, so only columns of what is wider than a goal seen
+// obliquely are dropped.
+void dropLowEnds(GoalCandidate& c, double distance) {
+  constexpr double kMaxWidth = 110.0;      // cm
+  constexpr double kLowColumnShare = 0.7;  // of the goal's height
+  if (widthOf(c, distance) <= kMaxWidth) return;
+  const double minHeight =
+      kLowColumnShare * kGoalHeight * body::kFocalLength / std::max(distance, 1.0);
+  const auto isLow = [minHeight](const GoalColumn& column) {
+    return column.chosen && column.distance <= 0.0 && !column.topCut && !column.footCut &&
+           heightOf(column) < minHeight;
+  };
+  const auto drop = [&isLow](auto from, auto to) {
+    for (; from != to && (!from->chosen || isLow(*from)); ++from) from->chosen = false;
+  };
+  drop(c.columns.begin(), c.columns.end());
+  drop(std::make_reverse_iterator(c.columns.end()), std::make_reverse_iterator(c.columns.begin()));
+}
+
+double middleFoot(const Scene& scene, const GoalCandidate& c) {
+  FixedVector<double, kGoalColumns> feet;
+  for (const GoalColumn& column : c.columns) {
+    if (column.chosen && !column.footCut) feet.push_back(scene.frame.fromImage(column.foot).v);
+  }
+  if (feet.empty()) return 1e9;
+  std::sort(feet.begin(), feet.end());
+  return feet[feet.size() / 2];
+}
+
+// Columns at the goal's distance belong to it. So do those whose foot stands beside theirs, though
+// clothes of the goal's colour rise above; their height tells nothing.
+void chooseColumns(const Scene& scene, const GoalFinderParams& p, GoalCandidate& c) {
+  const double reference = likelyDistance(c, p);
+  for (GoalColumn& column : c.columns) {
+    column.chosen =
+        isMeasured(column, p) ? agrees(column, reference) : column.green && column.footCut;
+  }
+  const double foot = middleFoot(scene, c);
+  for (GoalColumn& column : c.columns) {
+    if (column.chosen || column.footCut || !column.green) continue;
+    const double aside = std::fabs(scene.frame.fromImage(column.foot).v - foot);
+    if (aside > kFootRows + 0.1 * heightOf(column)) continue;
+    column.chosen = true;
+    column.distance = 0.0;
+  }
+  if (reference > 0.0) dropLowEnds(c, reference);
+}
+
+GoalColumn medianColumn(const GoalCandidate& c) {
+  FixedVector<GoalColumn, kGoalColumns> chosen;
+  for (const GoalColumn& column : c.columns) {
+    if (column.chosen && column.distance > 0.0) chosen.push_back(column);
+  }
+  if (chosen.empty()) return {};
+  std::sort(chosen.begin(), chosen.end(),
+            [](const auto& a, const auto& b) { return a.distance < b.distance; });
+  return chosen[chosen.size() / 2];
+}
+
+// The candidate's box becomes that of its chosen columns.
+void trim(const Scene& scene, GoalCandidate& c, double spacing) {
+  LevelBox box{1e9, 1e9, -1e9, -1e9};
+  for (const GoalColumn& column : c.columns) {
+    if (!column.chosen) continue;
+    const double top = scene.frame.fromImage(column.top).v;
+    const double bottom = scene.frame.fromImage(column.foot).v;
+    box.left = std::min(box.left, column.u);
+    box.right = std::max(box.right, column.u);
+    box.bottom = std::max(box.bottom, bottom);
+    // A column whose height tells nothing does not tell the goal's top either.
+    if (column.distance > 0.0 || column.footCut) box.top = std::min(box.top, top);
+    c.topCut = c.topCut || column.topCut;
+    c.bottomCut = c.bottomCut || column.footCut;
+  }
+  if (box.right < box.left) return;
+  c.box = {std::max(c.box.left, box.left - spacing), box.top,
+           std::min(c.box.right, box.right + spacing), box.bottom};
+}
+
+const GoalColumn* outermost(const GoalCandidate& c, bool left) {
+  const GoalColumn* found = nullptr;
+  for (const GoalColumn& column : c.columns) {
+    if (!column.chosen) continue;
+    if (left && found != nullptr) break;
+    found = &column;
+  }
+  return found;
+}
+
+// Whether a robot stands where the goal seems to end: its legs hide the carpet that else lies below
+// the foot beside the end. A line may cross one of the three places.
+bool endHidden(const Scene& scene, const GoalColumn& column, PixelPoint end,
+               ImageDirection outwards) {
+  const double height = heightOf(column);
+  const ImageDirection up = scene.frame.up();
+  int hidden = 0;
+  for (const double share : {0.2, 0.45, 0.7}) {
+    // From the end, a quarter of the height above the foot.
+    const double down = (0.25 + share) * height + 1.0;
+    const PixelPoint at = moved(moved(end, outwards, 2.5), up, -down);
+    if (!Sampler::usable(at)) continue;
+    hidden += scene.sampler.classAt(at) == ColourClass::green ? 0 : 1;
+  }
+  return hidden >= 2;
+}
+
+// The end of the coloured wall on one side, sought a quarter of its height above the foot, where
+// clothes of spectators do not reach.
+GoalEnd endOf(const Scene& scene, const GoalCandidate& c, bool left, double spacing) {
+  const GoalColumn* column = outermost(c, left);
+  if (column == nullptr) return {};
+  const PixelPoint start{0.75 * column->foot.x + 0.25 * column->top.x,
+                         0.75 * column->foot.y + 0.25 * column->top.y};
+  const ImageDirection right = scene.frame.right();
+  const ImageDirection way = left ? -right : right;
+  EdgeHit hit = walkToEdge(scene.sampler, {start, way, c.colour, kHoles});
+  // Farther than the next column, which is not the goal's: something of its colour touches it.
+  if (!hit.cut && hit.length > spacing + 2.0) hit.point = moved(start, way, 0.5 * spacing);
+  return {hit.point, hit.cut, !hit.cut && endHidden(scene, *column, hit.point, way)};
+}
+
+}  // namespace
+
+void measureGoal(const Scene& scene, const GoalFinderParams& params, GoalCandidate& c) {
+  const double spacing = std::max(kMinSpacing, c.box.width() / static_cast<double>(kGoalColumns));
+  c.columns.clear();
+  for (double u = c.box.left + 0.5 * spacing; u < c.box.right; u += spacing) {
+    const auto column = columnAt(scene, params, c, u);
+    if (column) c.columns.push_back(*column);
+  }
+  chooseColumns(scene, params, c);
+  trim(scene, c, 0.5 * spacing);
+  c.left = endOf(scene, c, true, spacing);
+  c.right = endOf(scene, c, false, spacing);
+  const GoalColumn median = medianColumn(c);
+  c.wallDistance = median.distance;
+  c.distanceSd = median.sd;
+  c.footError = median.footError;
+}
+
+}  // namespace kelpie::vision

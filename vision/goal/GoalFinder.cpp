@@ -1,0 +1,288 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "vision/goal/GoalFinder.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "vision/Refusal.h"
+#include "vision/goal/GoalColumns.h"
+#include "vision/goal/GoalFacts.h"
+#include "vision/goal/GoalPlace.h"
+#include "vision/goal/GoalShape.h"
+#include "vision/pixels/GroundRay.h"
+#include "vision/pixels/SpanWalk.h"
+
+namespace kelpie::vision {
+namespace {
+
+constexpr double kBeaconAspect = 1.3;  // a beacon's band is no wider for its height
+constexpr std::uint32_t kMinPart = 6;  // samples of a blob worth joining
+
+bool contains(const PixelBox& box, PixelPoint p, double margin) {
+  return p.x >= box.left - margin && p.x <= box.right + margin && p.y >= box.top - margin &&
+         p.y <= box.bottom + margin;
+}
+
+bool isBandOf(const LandmarkPercept& beacon, ColourClass colour) {
+  switch (beacon.kind) {
+    case LandmarkKind::beaconBlueOnPink:
+    case LandmarkKind::beaconPinkOnBlue: return colour == ColourClass::blue;
+    case LandmarkKind::beaconYellowOnPink:
+    case LandmarkKind::beaconPinkOnYellow: return colour == ColourClass::yellow;
+    default: return false;
+  }
+}
+
+bool isBeaconBand(const Blob& blob, const Landmarks& landmarks) {
+  return std::any_of(landmarks.begin(), landmarks.end(), [&blob](const LandmarkPercept& l) {
+    return isBandOf(l, blob.colour) && contains(l.box, blob.centre, 2.0);
+  });
+}
+
+double overlap(double a0, double a1, double b0, double b1) {
+  return std::min(a1, b1) - std::max(a0, b0);
+}
+
+// Parts of one goal stand side by side (a goalie between) or touch.
+bool belongs(const LevelBox& goal, const LevelBox& part) {
+  const double height = std::min(goal.bottom - goal.top, part.bottom - part.top);
+  const double gap = -overlap(goal.left, goal.right, part.left, part.right);
+  const double rows = overlap(goal.top, goal.bottom, part.top, part.bottom);
+  return rows >= 0.5 * height && gap <= 0.8 * (goal.right - goal.left);
+}
+
+LevelBox hull(const LevelBox& a, const LevelBox& b) {
+  return {std::min(a.left, b.left), std::min(a.top, b.top), std::max(a.right, b.right),
+          std::max(a.bottom, b.bottom)};
+}
+
+constexpr std::size_t kMaxSeeds = 4;
+using Seeds = FixedVector<const Blob*, kMaxSeeds>;
+
+// The largest blobs of a colour, largest first.
+Seeds seedsOf(const Scene& scene, ColourClass colour, const Landmarks& beacons) {
+  Seeds found;
+  for (const Blob& blob : scene.blobs) {
+    if (blob.colour != colour || isBeaconBand(blob, beacons)) continue;
+    const Blob* item = &blob;
+    for (const Blob*& kept : found) {
+      if (item->samples > kept->samples) std::swap(item, kept);
+    }
+    found.push_back(item);
+  }
+  return found;
+}
+
+GoalCandidate alone(const Blob& seed) {
+  GoalCandidate c;
+  c.colour = seed.colour;
+  c.box = seed.box;
+  c.samples = seed.samples;
+  return c;
+}
+
+// The seed with what stands beside it, a goalie between; the same as alone when nothing does.
+GoalCandidate grouped(const Scene& scene, const Blob& seed, const Landmarks& beacons) {
+  GoalCandidate c = alone(seed);
+  for (const Blob& blob : scene.blobs) {
+    if (&blob == &seed || blob.colour != c.colour || blob.samples < kMinPart) continue;
+    if (isBeaconBand(blob, beacons) || !belongs(c.box, blob.box)) continue;
+    c.box = hull(c.box, blob.box);
+    c.samples += blob.samples;
+  }
+  return c;
+}
+
+LandmarkPercept perceptOf(const Scene& scene, const GoalCandidate& c, const GoalShape& shape,
+                          const GoalFinderParams& p) {
+  const Point3<Robot>& eye = scene.body.camera.position;
+  const Point2<Robot> camera{eye.x, eye.y};
+  const Point2<Robot> middle = camera + shape.middle;
+  const bool open = c.left.open() || c.right.open();
+  const double hidden = open ? std::max(0.0, p.width - visibleWidth(scene, c, p)) : 0.0;
+  LandmarkPercept percept;
+  percept.kind = goalKind(c.colour);
+  percept.distance = middle.norm();
+  percept.heading = bearing(middle);
+  const PixelPoint centre = scene.frame.toImage({c.box.middle(), 0.5 * (c.box.top + c.box.bottom)});
+  percept.elevation = Angle::rad(maths::atan(groundRayThrough(scene.body.camera, centre).slope));
+  percept.distanceVariance = maths::square(c.distanceSd) + maths::square(0.05 * percept.distance) +
+                             maths::square(0.25 * hidden);
+  percept.headingVariance = maths::square(p.headingSd.rad()) +
+                            maths::square(0.25 * hidden / std::max(percept.distance, 20.0));
+  percept.leftEdge = bearing(camera + shape.leftPost(p));
+  percept.rightEdge = bearing(camera + shape.rightPost(p));
+  percept.leftEdgeCut = c.left.open();
+  percept.rightEdgeCut = c.right.open();
+  percept.box = imageBox(scene.frame, c.box);
+  return percept;
+}
+
+bool accepted(const Scene& scene, const GoalCandidate& c, const GoalFinderParams& p,
+              VisionCounts& counts) {
+  const auto check = [&counts](bool keep, Refusal reason) {
+    if (!keep) refuse(counts, reason);
+    return keep;
+  };
+  return check(goalHasShape(c, p), Refusal::goalAspect) &&
+         check(goalStandsBelowHorizon(scene, c, p), Refusal::goalAboveHorizon) &&
+         check(goalStandsInsideFieldEdge(scene, c, p), Refusal::goalAboveFieldEdge) &&
+         check(goalHasNoPinkBeside(scene, c), Refusal::goalIsBeacon) &&
+         check(goalHasFieldBelow(c, p), Refusal::goalNoField) &&
+         check(goalIsMeasured(c), Refusal::goalNoHeight) &&
+         check(goalHasWidth(scene, c, p), Refusal::goalWidth) &&
+         check(goalIsNear(c, p), Refusal::goalTooFar);
+}
+
+bool tried(const Scene& scene, GoalCandidate& c, const GoalFinderParams& p, VisionCounts& counts) {
+  if (!goalIsLarge(c, p)) {
+    refuse(counts, Refusal::goalTooSmall);
+    return false;
+  }
+  measureGoal(scene, p, c);
+  return accepted(scene, c, p, counts);
+}
+
+// A narrow part of a goal seems turned away when its ends are taken for posts: then what hides the
+// rest was not recognised.
+GoalShape shapeOf(const Scene& scene, GoalCandidate& c, const GoalFinderParams& p) {
+  const GoalShape shape = fitGoal(scene, c, p);
+  if (goalFacesField(shape, p) || !goalIsPart(scene, c, p)) return shape;
+  c.left.hidden = true;
+  c.right.hidden = true;
+  return fitGoal(scene, c, p);
+}
+
+// The lowest point of the middle.
+PixelPoint footOf(const Scene& scene, const GoalCandidate& c) {
+  return scene.frame.toImage({c.box.middle(), c.box.bottom});
+}
+
+// A box behind the carpet stands a little above the field edge, or its feet do not fit the ground.
+bool hasFirmFeet(const Scene& scene, const GoalCandidate& c, const GoalFinderParams& p) {
+  if (std::fabs(c.footError) > p.partDirection.rad()) return false;
+  const GoalFeet feet = feetOf(scene, c);
+  return feet.count == 0 || (feet.lowest >= p.minPartBelowFieldEdge &&
+                             feet.sum >= -p.maxPartMeanAboveFieldEdge * feet.count);
+}
+
+struct Likeliest {
+  bool found = false;
+  GoalCandidate candidate;
+  GoalShape shape;
+  LandmarkPercept percept;
+  double logOddsAgainst = 0.0;
+};
+
+struct Finder {
+  const Scene& scene;
+  const GoalFinderParams& params;
+  const Landmarks& beacons;
+  VisionCounts& counts;
+  JudgedGoals& judged;
+
+  // The candidate with the least log odds against it is the goal: the two goals are at opposite
+  // ends, so that one image shows one of them (facts-2005 4.5 check 10).
+  void consider(GoalCandidate c, Likeliest& best) const {
+    if (!tried(scene, c, params, counts)) return;
+    const GoalShape shape = shapeOf(scene, c, params);
+    if (!goalFacesField(shape, params)) return refuse(counts, Refusal::goalOblique);
+    GoalFacts facts = goalFacts(scene, c, shape, params);
+    addPlace(scene, c, shape, beacons, params, facts);
+    const double against = logOddsAgainst(facts);
+    const LandmarkPercept percept = perceptOf(scene, c, shape, params);
+    judged.push_back({percept, facts, against});
+    if (against > params.maxLogOddsAgainst) return refuse(counts, Refusal::goalUnlikely);
+    if (best.found && best.candidate.colour != c.colour) refuse(counts, Refusal::goalOpposite);
+    if (!best.found || against < best.logOddsAgainst) best = {true, c, shape, percept, against};
+  }
+};
+
+}  // namespace
+
+bool goalIsLarge(const GoalCandidate& c, const GoalFinderParams& p) {
+  return c.samples >= p.minSamples && c.box.width() >= p.minWidth && c.box.height() >= p.minHeight;
+}
+
+bool goalHasShape(const GoalCandidate& c, const GoalFinderParams& p) {
+  const bool sideCut = c.left.cut || c.right.cut;
+  const bool tall = !sideCut && c.box.height() > p.maxTall * c.box.width();
+  const bool flat = !c.topCut && !c.bottomCut && c.box.width() > p.maxFlat * c.box.height();
+  int tallColumns = 0;
+  for (const GoalColumn& column : c.columns) tallColumns += column.tall ? 1 : 0;
+  return !tall && !flat && 2 * tallColumns <= 3 * countColumns(c).chosen;
+}
+
+bool goalStandsBelowHorizon(const Scene& scene, const GoalCandidate& c, const GoalFinderParams& p) {
+  return belowHorizon(scene, footOf(scene, c)) >= -p.maxAboveHorizon;
+}
+
+// A goal stands on the carpet, clothes on the floor behind it: some column's foot meets the edge.
+bool goalStandsInsideFieldEdge(const Scene& scene, const GoalCandidate& c,
+                               const GoalFinderParams& p) {
+  const GoalFeet feet = feetOf(scene, c);
+  return feet.count == 0 ||
+         (feet.lowest >= -p.maxAboveFieldEdge && feet.sum >= -p.maxMeanAboveFieldEdge * feet.count);
+}
+
+// Counts the columns between the goal's ends; robots may hide most of the feet.
+bool goalHasFieldBelow(const GoalCandidate& c, const GoalFinderParams& p) {
+  int columns = 0;
+  int green = 0;
+  for (const GoalColumn& column : c.columns) {
+    if (column.u < c.box.left || column.u > c.box.right) continue;
+    ++columns;
+    green += column.green ? 1 : 0;
+  }
+  return green > 0 && green >= p.minFieldColumns * columns;
+}
+
+// A beacon that was not recognised has its pink right above or below.
+bool goalHasNoPinkBeside(const Scene& scene, const GoalCandidate& c) {
+  if (c.box.width() > kBeaconAspect * c.box.height()) return true;
+  for (const double share : {0.15, 0.35, 0.55}) {
+    const double away = 1.0 + share * c.box.height();
+    for (const double v : {c.box.top - away, c.box.bottom + away}) {
+      const PixelPoint at = scene.frame.toImage({c.box.middle(), v});
+      if (Sampler::usable(at) && scene.sampler.classAt(at) == ColourClass::pink) return false;
+    }
+  }
+  return true;
+}
+
+bool goalIsMeasured(const GoalCandidate& c) { return c.wallDistance > 0.0; }
+
+bool goalHasWidth(const Scene& scene, const GoalCandidate& c, const GoalFinderParams& p) {
+  const double seen = visibleWidth(scene, c, p);
+  // Anything may show between two pairs of legs.
+  if (c.left.hidden && c.right.hidden) return seen >= p.minHiddenWidth && seen <= p.maxVisibleWidth;
+  const double least = c.left.open() || c.right.open() ? p.minCutWidth : p.minVisibleWidth;
+  return seen >= least && seen <= p.maxVisibleWidth;
+}
+
+bool goalIsPart(const Scene& scene, const GoalCandidate& c, const GoalFinderParams& p) {
+  return visibleWidth(scene, c, p) <= p.maxPartWidth && hasFirmFeet(scene, c, p);
+}
+
+bool goalIsNear(const GoalCandidate& c, const GoalFinderParams& p) {
+  return c.wallDistance <= p.maxDistance;
+}
+
+void findGoals(const Scene& scene, const GoalFinderParams& params, VisionCounts& counts,
+               Landmarks& landmarks, GoalGaps& gaps, JudgedGoals& judged) {
+  const Landmarks beacons = landmarks;
+  const Finder finder{scene, params, beacons, counts, judged};
+  Likeliest best;
+  for (const ColourClass colour : {ColourClass::blue, ColourClass::yellow}) {
+    for (const Blob* seed : seedsOf(scene, colour, beacons)) {
+      const GoalCandidate group = grouped(scene, *seed, beacons);
+      finder.consider(group, best);
+      if (group.samples != seed->samples) finder.consider(alone(*seed), best);
+    }
+  }
+  if (!best.found) return;
+  landmarks.push_back(best.percept);
+  findGaps(scene, best.candidate, best.shape, params, gaps);
+}
+
+}  // namespace kelpie::vision

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+// The gaps in a goal's mouth that nobody stands in: directions between the posts in which the wall
+// behind shows its colour from foot to top (thesis 2006 section 6.4.2). What stands before or in
+// the goal hides it. A ball does not count as an obstacle.
+#pragma once
+
+#include "vision/goal/GoalCandidate.h"
+#include "vision/goal/GoalShape.h"
+
+namespace kelpie::vision {
+
+using GoalGaps = FixedVector<GoalGap, 6>;
+
+void findGaps(const Scene& scene, const GoalCandidate& c, const GoalShape& shape,
+              const GoalFinderParams& params, GoalGaps& gaps);
+
+}  // namespace kelpie::vision

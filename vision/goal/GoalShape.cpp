@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "vision/goal/GoalShape.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "vision/pixels/GroundRay.h"
+
+namespace kelpie::vision {
+namespace {
+
+constexpr std::size_t kMaxColumns = 12;  // used in the fit
+constexpr double kEndSd = 0.006;         // rad, direction of an end that is seen
+constexpr double kMinColumnSd = 0.012;   // of a column's distance, as a share of it
+constexpr double kTurnSd = 0.7;          // rad; goals are seen from within the field
+constexpr double kMaxError = 3.0;        // standard deviations, beyond which an error counts less
+constexpr int kRounds = 8;
+constexpr double kNoWall = 1e9;  // cm, of a ray that meets no wall
+
+using Vec = Point2<Robot>;
+
+Vec plus(Vec a, Vec b, double k) { return {a.x + k * b.x, a.y + k * b.y}; }
+double crossOf(Vec a, Vec b) { return a.x * b.y - a.y * b.x; }
+
+// What was measured: directions (right positive) and distances, relative to the camera.
+struct Column {
+  Vec way;  // unit vector
+  double distance;
+  double sd;
+};
+struct Measured {
+  FixedVector<Column, kMaxColumns> columns;
+  double left = 0.0;  // rad, direction of the ends, right positive
+  double right = 0.0;
+  bool leftOpen = false;  // the true end may lie farther out
+  bool rightOpen = false;
+  double middle = 0.0;  // between them
+};
+
+double directionOf(const Scene& scene, PixelPoint p) {
+  const GroundRay s = groundRayThrough(scene.body.camera, p);
+  return maths::atan2(s.right, s.forward);
+}
+
+Measured measuredOf(const Scene& scene, const GoalCandidate& c) {
+  Measured m;
+  m.left = directionOf(scene, c.left.point);
+  m.right = directionOf(scene, c.right.point);
+  m.leftOpen = c.left.open();
+  m.rightOpen = c.right.open();
+  m.middle = 0.5 * (m.left + m.right);
+  std::size_t usable = 0;
+  for (const GoalColumn& column : c.columns)
+    if (column.chosen && column.distance > 0.0) ++usable;
+  std::size_t index = 0;
+  for (const GoalColumn& column : c.columns) {
+    if (!column.chosen || !(column.distance > 0.0)) continue;
+    // Evenly thinned to what the fit takes.
+    const std::size_t before = index * kMaxColumns / usable;
+    const bool take = usable <= kMaxColumns || (index + 1) * kMaxColumns / usable != before;
+    ++index;
+    if (!take) continue;
+    const GroundRay s = groundRayThrough(scene.body.camera, column.foot);
+    m.columns.push_back({{s.right, s.forward}, column.distance, column.sd});
+  }
+  return m;
+}
+
+using State = std::array<double, 3>;  // middle x, middle y, turn
+
+struct Corners {
+  Vec leftPost;
+  Vec rightPost;
+  Vec leftBack;
+  Vec rightBack;
+};
+
+Corners cornersOf(const State& s, double half, double depth) {
+  const maths::SinCos t = maths::sinCos(s[2]);
+  const Vec along{t.cos, t.sin};
+  const Vec inwards{-t.sin, t.cos};
+  const Vec middle{s[0], s[1]};
+  Corners c;
+  c.leftPost = plus(middle, along, -half);
+  c.rightPost = plus(middle, along, half);
+  c.leftBack = plus(c.leftPost, inwards, depth);
+  c.rightBack = plus(c.rightPost, inwards, depth);
+  return c;
+}
+
+// The way along the ray to the segment from a to b.
+double hit(Vec ray, Vec a, Vec b) {
+  const Vec ab = b - a;
+  const double denominator = crossOf(ray, ab);
+  if (std::fabs(denominator) < 1e-9) return kNoWall;
+  const double t = crossOf(a, ab) / denominator;
+  const double share = crossOf(a, ray) / denominator;
+  constexpr double kSlack = 0.03;  // a ray that just passes an end still meets the wall
+  const bool meets = t > 0.0 && share > -kSlack && share < 1.0 + kSlack;
+  return meets ? t : kNoWall;
+}
+
+double nearestWall(Vec ray, const Corners& c) {
+  return std::min({hit(ray, c.leftPost, c.leftBack), hit(ray, c.leftBack, c.rightBack),
+                   hit(ray, c.rightBack, c.rightPost)});
+}
+
+constexpr std::size_t kErrors = kMaxColumns + 3;
+using Errors = std::array<double, kErrors>;
+
+// Huber's weight as an error: beyond the limit its square grows with the error, not its square.
+double limited(double error) {
+  const double size = std::fabs(error);
+  if (size <= kMaxError) return error;
+  const double root = std::sqrt(kMaxError * (2.0 * size - kMaxError));
+  return error > 0.0 ? root : -root;
+}
+
+// All errors in standard deviations; unused places are 0.
+Errors errorsOf(const Measured& m, const State& s, const GoalFinderParams& p) {
+  const Corners c = cornersOf(s, 0.5 * p.width, p.depth);
+  Errors e{};
+  double low = 1e9;
+  double high = -1e9;
+  for (const Vec& corner : {c.leftPost, c.rightPost, c.leftBack, c.rightBack}) {
+    const double direction = maths::atan2(corner.x, corner.y);
+    low = std::min(low, direction);
+    high = std::max(high, direction);
+  }
+  // An open end only says that the goal reaches at least so far.
+  const double left = low - m.left;
+  const double right = high - m.right;
+  e[0] = limited((!m.leftOpen || left > 0.0 ? left : 0.0) / kEndSd);
+  e[1] = limited((!m.rightOpen || right < 0.0 ? right : 0.0) / kEndSd);
+  e[2] = (s[2] + m.middle) / kTurnSd;
+  for (std::size_t i = 0; i < m.columns.size(); ++i) {
+    const Column& column = m.columns[i];
+    const double wall = std::min(nearestWall(column.way, c), 2.0 * column.distance);
+    const double sd = std::max(column.sd, kMinColumnSd * column.distance);
+    e[3 + i] = limited((wall - column.distance) / sd);
+  }
+  return e;
+}
+
+double costOf(const Errors& e) {
+  double sum = 0.0;
+  for (const double error : e) sum += error * error;
+  return sum;
+}
+
+// Solves the damped normal equations for the next step (Cramer's rule on three unknowns).
+State stepOf(const std::array<Errors, 3>& slopes, const Errors& e, double damping) {
+  std::array<double, 9> a{};
+  State b{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t k = 0; k < kErrors; ++k) b[i] -= slopes[i][k] * e[k];
+    for (std::size_t j = 0; j < 3; ++j)
+      for (std::size_t k = 0; k < kErrors; ++k) a[3 * i + j] += slopes[i][k] * slopes[j][k];
+  }
+  for (std::size_t i = 0; i < 3; ++i) a[4 * i] *= 1.0 + damping;
+  const auto minor = [&a](std::size_t r, std::size_t s, std::size_t t, std::size_t u) {
+    return a[r] * a[u] - a[s] * a[t];
+  };
+  const double c00 = minor(4, 5, 7, 8);
+  const double c01 = -minor(3, 5, 6, 8);
+  const double c02 = minor(3, 4, 6, 7);
+  const double determinant = a[0] * c00 + a[1] * c01 + a[2] * c02;
+  if (std::fabs(determinant) < 1e-12) return {};
+  const double c11 = minor(0, 2, 6, 8);
+  const double c12 = -minor(0, 1, 6, 7);
+  const double c22 = minor(0, 1, 3, 4);
+  return {(c00 * b[0] + c01 * b[1] + c02 * b[2]) / determinant,
+          (c01 * b[0] + c11 * b[1] + c12 * b[2]) / determinant,
+          (c02 * b[0] + c12 * b[1] + c22 * b[2]) / determinant};
+}
+
+struct Fit {
+  State state;
+  double cost;
+};
+
+Fit improved(const Measured& m, State state, const GoalFinderParams& p) {
+  constexpr State kDelta{0.5, 0.5, 0.01};
+  Errors errors = errorsOf(m, state, p);
+  double cost = costOf(errors);
+  double damping = 0.01;
+  for (int round = 0; round < kRounds; ++round) {
+    std::array<Errors, 3> slopes;
+    for (std::size_t i = 0; i < 3; ++i) {
+      State moved = state;
+      moved[i] += kDelta[i];
+      slopes[i] = errorsOf(m, moved, p);
+      for (std::size_t k = 0; k < kErrors; ++k)
+        slopes[i][k] = (slopes[i][k] - errors[k]) / kDelta[i];
+    }
+    const State step = stepOf(slopes, errors, damping);
+    const State next{state[0] + step[0], state[1] + step[1], state[2] + step[2]};
+    const Errors nextErrors = errorsOf(m, next, p);
+    const double nextCost = costOf(nextErrors);
+    if (!(nextCost < cost)) {
+      damping *= 10.0;
+      continue;
+    }
+    const bool done = cost - nextCost < 0.01;
+    state = next;
+    errors = nextErrors;
+    cost = nextCost;
+    damping *= 0.3;
+    if (done) break;
+  }
+  return {state, cost};
+}
+
+}  // namespace
+
+double GoalShape::obliqueAngle() const {
+  return std::fabs((Angle::rad(turn) - bearing(middle)).rad());
+}
+
+double GoalShape::lateralOffset() const { return middle.norm() * maths::sin(obliqueAngle()); }
+
+Point2<Robot> GoalShape::leftPost(const GoalFinderParams& p) const {
+  return cornersOf({middle.x, middle.y, turn}, 0.5 * p.width, p.depth).leftPost;
+}
+
+Point2<Robot> GoalShape::rightPost(const GoalFinderParams& p) const {
+  return cornersOf({middle.x, middle.y, turn}, 0.5 * p.width, p.depth).rightPost;
+}
+
+std::optional<double> GoalShape::wallAlong(Point2<Robot> way, const GoalFinderParams& p) const {
+  const double t = nearestWall(way, cornersOf({middle.x, middle.y, turn}, 0.5 * p.width, p.depth));
+  return t < kNoWall ? std::optional<double>(t) : std::nullopt;
+}
+
+bool goalFacesField(const GoalShape& shape, const GoalFinderParams& p) {
+  return shape.valid && shape.obliqueAngle() <= p.maxTurn.rad() &&
+         shape.lateralOffset() <= p.maxLateralOffset;
+}
+
+GoalShape fitGoal(const Scene& scene, const GoalCandidate& c, const GoalFinderParams& params) {
+  const Measured m = measuredOf(scene, c);
+  if (m.columns.empty()) return {};
+  const double mouth = std::max(c.wallDistance - 0.7 * params.depth, 20.0);
+  const maths::SinCos ahead = maths::sinCos(m.middle);
+  Fit best{{}, 1e18};
+  for (const double turn : {-0.6, 0.0, 0.6}) {
+    const Fit fit = improved(m, {mouth * ahead.sin, mouth * ahead.cos, turn - m.middle}, params);
+    if (fit.cost < best.cost) best = fit;
+  }
+  return {true, {best.state[0], best.state[1]}, best.state[2], best.cost};
+}
+
+}  // namespace kelpie::vision

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+// The colour table: class of a ring-corrected pixel by five bits of Y and six each of Cr and Cb,
+// two classes to a byte: 64 KB. It fits the robot's 256 KB second-level cache beside the ring table
+// (100 KB); the 2005 table's 2 MB does not, and its cache misses were the largest cost (cross.md
+// section 3). README.md compares the sizes.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+#include "robot/core/Expected.h"
+#include "robot/core/Fields.h"
+#include "robot/core/Image.h"
+#include "vision/pixels/ColourClass.h"
+
+namespace kelpie::vision {
+
+struct ColourTable {
+  static constexpr int kBitsY = 5;
+  static constexpr int kBitsCr = 6;
+  static constexpr int kBitsCb = 6;
+  static constexpr std::size_t kCells = std::size_t{1} << (kBitsY + kBitsCr + kBitsCb);
+
+  std::array<std::uint8_t, kCells / 2> cells{};  // even cell in the low half
+
+  static std::size_t cellOf(Yuv p) {
+    return (static_cast<std::size_t>(p.y >> (8 - kBitsY)) << (kBitsCr + kBitsCb)) |
+           (static_cast<std::size_t>(p.cr >> (8 - kBitsCr)) << kBitsCb) |
+           static_cast<std::size_t>(p.cb >> (8 - kBitsCb));
+  }
+  ColourClass operator()(Yuv p) const { return at(cellOf(p)); }
+  ColourClass at(std::size_t cell) const {
+    return static_cast<ColourClass>((cells[cell >> 1] >> ((cell & 1U) * 4U)) & 15U);
+  }
+  void set(std::size_t cell, ColourClass c) {
+    const unsigned shift = (cell & 1U) * 4U;
+    const unsigned kept = cells[cell >> 1] & (0xF0U >> shift);
+    cells[cell >> 1] = static_cast<std::uint8_t>(kept | (static_cast<unsigned>(c) << shift));
+  }
+  // The colour in the middle of a cell.
+  static Yuv centreOf(std::size_t cell);
+
+  static constexpr auto fields() { return fieldList(field("cells", &ColourTable::cells)); }
+};
+
+// Class ids of the 2005 release (facts-2005 section 3); 2 (an unused green), 11, 12 (drawing
+// markers) and 127 mean nothing, the "maybe" bit is dropped.
+ColourClass classOf2005(std::uint8_t id);
+
+// Kelpie's own format, or the 2005 layout: 128^3 bytes by (Y/2, Cr/2, Cb/2) with the class ids of
+// data/colour/classes.csv; its "maybe" bit 0x10 is dropped (the loose reading) and each cell here
+// takes the commonest class of the 16 it covers.
+Expected<ColourTable> loadColourTable(const std::string& path);
+Status saveColourTable(const ColourTable& table, const std::string& path,
+                       const std::string& provenance);
+
+}  // namespace kelpie::vision

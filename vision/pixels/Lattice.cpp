@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "vision/pixels/Lattice.h"
+
+#include <cmath>
+
+#include "robot/core/Maths.h"
+#include "vision/pixels/ClippedRange.h"
+
+namespace kelpie::vision {
+namespace {
+
+constexpr double kFixedPointOne = 65536.0;
+// A ball is 50 cm away and 30 px across where it is seen 64 px below the horizon; a beacon's top is
+// 80 px above it at 60 cm.
+constexpr double kFineBelow = 64.0;
+constexpr double kFineAbove = 80.0;
+constexpr double kRimMargin = 0.01;  // px, so that rounding to 1/65536 stays inside
+
+std::int32_t fixed(double value) {
+  return static_cast<std::int32_t>(std::lround(value * kFixedPointOne));
+}
+
+LevelBox usableBox(const HorizonFrame& frame) {
+  LevelBox box{1e9, 1e9, -1e9, -1e9};
+  for (const double x : {kUsableLeft * 1.0, kUsableRight * 1.0})
+    for (const double y : {kUsableTop * 1.0, kUsableBottom * 1.0}) {
+      const LevelPoint p = frame.fromImage({x, y});
+      box = {std::min(box.left, p.u), std::min(box.top, p.v), std::max(box.right, p.u),
+             std::max(box.bottom, p.v)};
+    }
+  return box;
+}
+
+}  // namespace
+
+Lattice::Lattice(const HorizonFrame& frame, double horizon) : frame_(frame) {
+  const LevelBox box = usableBox(frame);
+  left_ = std::floor(box.left) + 1.5;
+  top_ = std::floor(box.top) + 1.5;
+  rows_ = static_cast<int>((box.bottom - top_) / kLatticeStep) + 1;
+  fineFrom_ =
+      static_cast<int>(maths::clamp((horizon - kFineAbove - top_) / kLatticeStep, -1e6, 1e6));
+  fineTo_ = static_cast<int>(maths::clamp((horizon + kFineBelow - top_) / kLatticeStep, -1e6, 1e6));
+  stepX_ = fixed(kLatticeStep * frame.cos);
+  stepY_ = fixed(kLatticeStep * frame.sin);
+}
+
+LatticeRow Lattice::row(int index) const {
+  const PixelPoint from = frame_.toImage({left_, v(index)});
+  ClippedRange u{0.0, 1e4};
+  u.clip(from.x, frame_.cos, kUsableLeft + kRimMargin, kUsableRight - kRimMargin);
+  u.clip(from.y, frame_.sin, kUsableTop + kRimMargin, kUsableBottom - kRimMargin);
+  LatticeRow row;
+  if (u.from > u.to) return row;
+  row.first = static_cast<int>(std::ceil(u.from / kLatticeStep));
+  row.count = static_cast<int>(std::floor(u.to / kLatticeStep)) - row.first + 1;
+  if (row.count < 0) row.count = 0;
+  const double start = kLatticeStep * static_cast<double>(row.first);
+  row.x = fixed(from.x + start * frame_.cos);
+  row.y = fixed(from.y + start * frame_.sin);
+  return row;
+}
+
+}  // namespace kelpie::vision

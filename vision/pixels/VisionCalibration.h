@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+// What one robot's camera and one venue's light need: colour table and ring correction, 164 KB.
+// Loaded at start-up, handed to VisionState, and logged whole with the configuration.
+#pragma once
+
+#include <string>
+
+#include "robot/core/Expected.h"
+#include "robot/core/Fields.h"
+#include "vision/pixels/ColourTable.h"
+#include "vision/pixels/RingTable.h"
+
+namespace kelpie::vision {
+
+struct VisionCalibration {
+  ColourTable colour;
+  RingTable ring;
+
+  static constexpr auto fields() {
+    return fieldList(field("colour", &VisionCalibration::colour),
+                     field("ring", &VisionCalibration::ring));
+  }
+};
+
+// The simulated world's colours and the 2006 ring polynomial.
+VisionCalibration nominalCalibration();
+
+// colour: "nominal" or a file for loadColourTable; ring: "none", "2006" or a file.
+Expected<VisionCalibration> loadCalibration(const std::string& colour, const std::string& ring);
+
+}  // namespace kelpie::vision

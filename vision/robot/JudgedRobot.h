@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// The candidates for robots of an image that passed every check; as JudgedGoal.h keeps those for
+// goals.
+#pragma once
+
+#include "robot/core/FixedVector.h"
+#include "robot/core/Percepts.h"
+#include "vision/robot/RobotFacts.h"
+
+namespace kelpie::vision {
+
+struct JudgedRobot {
+  RobotPercept percept;
+  RobotFacts facts;
+  double logOddsAgainst = 0.0;
+};
+using JudgedRobots = FixedVector<JudgedRobot, 8>;
+
+}  // namespace kelpie::vision
