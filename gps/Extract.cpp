@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gps/BallMotion.h"
 #include "gps/OnField.h"
+#include "gps/ball/BallMotion.h"
 
 namespace kelpie::gps {
 namespace {

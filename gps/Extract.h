@@ -3,8 +3,8 @@
 // section 2.1.5), the other modes, the ball on the field. The players are added by stepPlayers().
 #pragma once
 
-#include "gps/BallFilterParams.h"
 #include "gps/GpsState.h"
+#include "gps/ball/BallFilterParams.h"
 
 namespace kelpie::gps {
 

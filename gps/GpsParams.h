@@ -2,12 +2,12 @@
 // All that can be tuned in the localiser.
 #pragma once
 
-#include "gps/BallFilterParams.h"
-#include "gps/LinesParams.h"
-#include "gps/PinkMapParams.h"
-#include "gps/PlayersParams.h"
-#include "gps/PoseParams.h"
-#include "gps/StuckParams.h"
+#include "gps/ball/BallFilterParams.h"
+#include "gps/lines/LinesParams.h"
+#include "gps/pinks/PinkMapParams.h"
+#include "gps/players/PlayersParams.h"
+#include "gps/pose/PoseParams.h"
+#include "gps/pose/StuckParams.h"
 #include "robot/body/FieldDescription.h"
 
 namespace kelpie::gps {

@@ -3,11 +3,11 @@
 // the state before the first frame.
 #pragma once
 
-#include "gps/BallState.h"
-#include "gps/LineState.h"
-#include "gps/PinkState.h"
-#include "gps/PlayersState.h"
-#include "gps/PoseState.h"
+#include "gps/ball/BallState.h"
+#include "gps/lines/LineState.h"
+#include "gps/pinks/PinkState.h"
+#include "gps/players/PlayersState.h"
+#include "gps/pose/PoseState.h"
 
 namespace kelpie::gps {
 

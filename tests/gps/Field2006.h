@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// The field of 2006 for tests, and its table of the nearest paint, each built once.
+// The field of 2006 for tests, its table of the nearest paint, each built once, and views of it.
 #pragma once
 
 #include <memory>
 
-#include "gps/FieldFeatures.h"
+#include "gps/lines/LineFit.h"
 
 namespace kelpie::gps {
 
@@ -21,5 +21,20 @@ inline const FieldFeatures& features() {
   }();
   return *built;
 }
+
+// Points of the painted lines up to 250 cm around a pose, without noise.
+inline SeenLines seenFrom(const Pose2& pose) {
+  SeenLines seen;
+  for (const body::FieldLine& line : field2006().lines) {
+    const Point2<Field> way = line.to - line.from;
+    for (double at = 0.0; at < way.norm(); at += 15.0) {
+      const Point2<Robot> p = robotFromField(pose, line.from + way * (at / way.norm()));
+      if (p.y > 0.0 && p.norm() < 250.0) seen.lines.push_back({p, 1.0});
+    }
+  }
+  return seen;
+}
+
+inline const Pose2 kPose{{150.0, 120.0}, Angle::deg(40.0)};
 
 }  // namespace kelpie::gps

@@ -5,10 +5,10 @@
 #include "gps/Gaussian.h"
 #include "gps/GpsParams.h"
 #include "gps/GpsState.h"
-#include "gps/Landmarks.h"
-#include "gps/Modes.h"
-#include "gps/Predict.h"
-#include "gps/Update.h"
+#include "gps/pose/Landmarks.h"
+#include "gps/pose/Modes.h"
+#include "gps/pose/Predict.h"
+#include "gps/pose/Update.h"
 #include "tools/experiments/SimulatedRobot.h"
 
 namespace kelpie::gps {

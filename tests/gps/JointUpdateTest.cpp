@@ -2,9 +2,9 @@
 // Landmarks and lines in one update: the same as two where all is linear, with one copy.
 #include <gtest/gtest.h>
 
-#include "gps/JointUpdate.h"
-#include "gps/Modes.h"
-#include "gps/Update.h"
+#include "gps/lines/JointUpdate.h"
+#include "gps/pose/Modes.h"
+#include "gps/pose/Update.h"
 #include "tools/experiments/SimulatedRobot.h"
 
 namespace kelpie::gps {

@@ -5,7 +5,7 @@
 #include <limits>
 #include <memory>
 
-#include "gps/LineMap.h"
+#include "gps/lines/LineMap.h"
 #include "tools/experiments/SimulatedRobot.h"
 
 namespace kelpie::gps {

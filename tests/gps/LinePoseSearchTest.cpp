@@ -2,9 +2,9 @@
 // The search over the field by lines alone.
 #include <gtest/gtest.h>
 
-#include "gps/LineMap.h"
-#include "gps/LinePoseSearch.h"
-#include "gps/Symmetry.h"
+#include "gps/lines/LineMap.h"
+#include "gps/lines/LinePoseSearch.h"
+#include "gps/lines/Symmetry.h"
 #include "tools/experiments/StandingRobot.h"
 
 namespace kelpie::gps {

@@ -2,7 +2,7 @@
 // The three ways to treat a sighting that a mode did not predict (thesis 2004 section 2.2.3).
 #include <gtest/gtest.h>
 
-#include "gps/Modes.h"
+#include "gps/pose/Modes.h"
 #include "tools/experiments/SimulatedRobot.h"
 
 namespace kelpie::gps {

@@ -6,7 +6,7 @@
 #include <limits>
 #include <memory>
 
-#include "gps/ObstacleQueries.h"
+#include "gps/players/ObstacleQueries.h"
 #include "tests/gps/Field2006.h"
 #include "tools/experiments/SimulatedRobot.h"
 

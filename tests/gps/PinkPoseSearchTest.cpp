@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
-#include "gps/PinkPoseSearch.h"
-#include "gps/Survey.h"
+#include "gps/pinks/PinkPoseSearch.h"
+#include "gps/pinks/Survey.h"
 #include "tools/experiments/SimulatedRobot.h"
 
 namespace kelpie::gps {

@@ -8,9 +8,9 @@
 
 #include "gps/GpsParams.h"
 #include "gps/GpsState.h"
-#include "gps/PinkMap.h"
-#include "gps/PinkUpdate.h"
 #include "gps/Refusal.h"
+#include "gps/pinks/PinkMap.h"
+#include "gps/pinks/PinkUpdate.h"
 #include "tools/experiments/SimulatedRobot.h"
 
 namespace kelpie::gps {

@@ -3,10 +3,10 @@
 
 #include <limits>
 
-#include "gps/Information.h"
 #include "gps/Refusal.h"
-#include "gps/Team.h"
-#include "gps/TeamBall.h"
+#include "gps/players/Information.h"
+#include "gps/players/Team.h"
+#include "gps/players/TeamBall.h"
 #include "tools/experiments/SimulatedRobot.h"
 
 namespace kelpie::gps {

@@ -2,8 +2,8 @@
 // Balls out, goals, kicks: what makes a ball be elsewhere at once.
 #include <gtest/gtest.h>
 
-#include "gps/BallMotion.h"
-#include "gps/DropIn.h"
+#include "gps/ball/BallMotion.h"
+#include "gps/ball/DropIn.h"
 #include "tools/experiments/SimulatedRobot.h"
 
 namespace kelpie::gps {

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "gps/Refusal.h"
-#include "gps/Stuck.h"
+#include "gps/pose/Stuck.h"
 #include "tools/experiments/SimulatedRobot.h"
 
 namespace kelpie::gps {

@@ -2,7 +2,7 @@
 // Places that look the same, derived from the field's description.
 #include <gtest/gtest.h>
 
-#include "gps/Symmetry.h"
+#include "gps/lines/Symmetry.h"
 #include "robot/core/Random.h"
 #include "tests/gps/Field2006.h"
 

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <memory>
 
-#include "gps/MatchTable.h"
 #include "tools/experiments/SimulatedRobot.h"
+#include "tools/experiments/baselines/MatchTable.h"
 #include "tools/experiments/harness/Statistics.h"
 #include "tools/experiments/harness/Trials.h"
 

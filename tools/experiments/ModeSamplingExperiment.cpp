@@ -7,9 +7,9 @@
 #include <cmath>
 
 #include "gps/Extract.h"
-#include "gps/ModeSampling.h"
-#include "gps/Modes.h"
+#include "gps/pose/Modes.h"
 #include "tools/experiments/SimulatedRobot.h"
+#include "tools/experiments/baselines/ModeSampling.h"
 #include "tools/experiments/harness/Trials.h"
 
 namespace kelpie::experiments {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "gps/LineMap.h"
+#include "gps/lines/LineMap.h"
 #include "tools/experiments/LocaliseFilters.h"
 #include "tools/experiments/StandingRobot.h"
 #include "tools/experiments/harness/Statistics.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "gps/Localiser.h"
-#include "gps/Stuck.h"
+#include "gps/pose/Stuck.h"
 #include "robot/core/Random.h"
 #include "tools/experiments/WalkingBody.h"
 #include "tools/experiments/harness/Statistics.h"

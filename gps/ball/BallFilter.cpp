@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gps/ball/BallFilter.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "gps/Refusal.h"
+#include "gps/ball/BallModels.h"
+#include "robot/body/Camera.h"
+#include "robot/body/FieldDescription.h"
+
+namespace kelpie::gps {
+namespace {
+
+constexpr double kImageMargin = 12.0;     // px; a ball cut by the image border may be missed
+constexpr double kCandidateReach = 15.0;  // cm between two sightings of a new ball, and
+constexpr double kCandidateShare = 0.1;   // of its distance more
+constexpr double kCandidateTime = 0.35;   // s between them
+constexpr double kStillWeight = 0.5;      // of a new ball: lying or rolling
+constexpr double kCutSd = 4.0;            // cm, of a ball that the image border cuts
+// Where no ball can be: the trunk and what is between the paws, in the robot frame.
+constexpr double kBodyFront = 5.5;
+constexpr double kBodyBack = -18.0;
+constexpr double kBodyHalfWidth = 8.0;
+
+bool usable(const BallPercept& p) {
+  return std::isfinite(p.distance) && p.distance > 0.0 && p.distance < 1500.0 &&
+         std::isfinite(p.heading.rad()) && std::isfinite(p.distanceVariance) &&
+         p.distanceVariance > 0.0 && std::isfinite(p.headingVariance) && p.headingVariance > 0.0;
+}
+
+bool cut(const BallPercept& p) {
+  return p.centre.x < p.radius || p.centre.x > kImageWidth - p.radius || p.centre.y < p.radius ||
+         p.centre.y > kImageHeight - p.radius;
+}
+
+BallSighting sighting(const BallPercept& p, const BallFilterParams& params) {
+  const Point2<Robot> at = robotPolar(p.distance, p.heading);
+  const Vector2 along(at.x / p.distance, at.y / p.distance);
+  const Vector2 across(-along(1), along(0));
+  const double least = maths::square(cut(p) ? kCutSd : params.minSd);
+  const double most = maths::square(params.maxShare * p.distance);
+  const double radial = std::max(std::min(p.distanceVariance, most), least);
+  const double sideways = std::max(maths::square(p.distance) * p.headingVariance, least);
+  return {Vector2(at.x, at.y),
+          radial * along * along.transpose() + sideways * across * across.transpose()};
+}
+
+void seenNow(BallTrack& ball) {
+  ball.candidatePresent = false;
+  ball.secondsSinceSeen = ball.weightedUnseenSeconds = 0.0;
+  ball.missed = 0;
+}
+
+// A kick or a bounce explains it: the ball is where a new velocity would have taken it.
+bool jumped(const BallSighting& z, double elapsed, const BallFilterParams& params,
+            BallTrack& ball) {
+  BallTrack other = ball;
+  jumpModels(elapsed, params, other);
+  if (!correctModels(z, params.gate, other)) return false;
+  ball = other;
+  return true;
+}
+
+// A sighting that fits nothing known: the second one near the first begins a track. One alone may
+// be a shoe beyond the carpet.
+void consider(const BallSighting& z, double speedSd, BallTrack& ball) {
+  const double apart =
+      maths::hypot(z.position(0) - ball.candidate[0], z.position(1) - ball.candidate[1]);
+  const double reach = kCandidateReach + kCandidateShare * z.position.norm();
+  if (ball.candidatePresent && ball.candidateAge < kCandidateTime && apart < reach) {
+    beginModels(z, speedSd, kStillWeight, ball);
+    seenNow(ball);
+    return;
+  }
+  ball.candidatePresent = true;
+  ball.candidateAge = 0.0;
+  ball.candidate = {z.position(0), z.position(1)};
+}
+
+void see(const BallIn& in, const BallFilterParams& params, BallTrack& ball, GpsCounts& counts) {
+  const BallSighting z = sighting(in.percept, params);
+  const double gate = ball.rolling.weight > 0.5 ? params.bounceGate : params.gate;
+  if (!ball.present) {
+    consider(z, params.startSpeedSd, ball);
+  } else if (correctModels(z, gate, ball) || jumped(z, elapsedOf(in.input), params, ball)) {
+    seenNow(ball);
+  } else {
+    count(Refusal::ballOutsideGate, counts);
+    consider(z, params.kickSpeedSd, ball);
+  }
+}
+
+bool shouldBeSeen(const FrameInput& input, const BallTrack& ball, const BallFilterParams& params) {
+  const std::array<double, 4>& mean = ball.both.mean;
+  if (maths::hypot(mean[0], mean[1]) > params.missedReach) return false;
+  const CameraPose camera = body::cameraPose(input.sensors.joints, input.stance);
+  const auto pixel = body::project(camera, {mean[0], mean[1], body::kBallRadius});
+  return pixel && pixel->x > kImageMargin && pixel->x < kImageWidth - kImageMargin &&
+         pixel->y > kImageMargin && pixel->y < kImageHeight - kImageMargin;
+}
+
+void miss(const FrameInput& input, const BallFilterParams& params, BallTrack& ball) {
+  ball.missed = shouldBeSeen(input, ball, params) ? ball.missed + 1 : 0;
+  const double pace = ball.missed > params.missedFrames ? params.missedFactor : 1.0;
+  ball.weightedUnseenSeconds += pace * elapsedOf(input);
+  widenModels(pace * params.unseenNoise * elapsedOf(input), ball);
+  if (ball.weightedUnseenSeconds > params.keep) ball.present = false;
+}
+
+void expectKick(const FrameInput& input, const BallFilterParams& params, BallTrack& ball) {
+  const bool kicking = input.motion.running == MotionKind::kickForward;
+  const double away = maths::hypot(ball.both.mean[0], ball.both.mean[1]);
+  if (!kicking || away > params.kickReach) return;
+  const double variance = maths::square(params.kickSpeedSd);
+  for (const std::size_t diagonal : {std::size_t{10}, std::size_t{15}}) {
+    ball.rolling.covariance[diagonal] = std::max(ball.rolling.covariance[diagonal], variance);
+  }
+  ball.rolling.weight = std::max(ball.rolling.weight, ball.still.weight);
+  combineModels(ball);
+}
+
+// A track that has run into the body is put before it, at rest.
+void keepOutOfBody(BallTrack& ball) {
+  for (BallHypothesis* model : {&ball.still, &ball.rolling}) {
+    std::array<double, 4>& mean = model->mean;
+    const bool inside =
+        std::fabs(mean[0]) < kBodyHalfWidth && mean[1] < kBodyFront && mean[1] > kBodyBack;
+    if (inside) mean = {mean[0], kBodyFront, 0.0, 0.0};
+  }
+  combineModels(ball);
+}
+
+// After a jump of the clock the velocity may be of nothing and carries the ball away in one step.
+void checkSound(BallTrack& ball, GpsCounts& counts) {
+  constexpr double kMaxDistance = 1500.0;  // cm, twice the field's diagonal
+  const bool near = maths::hypot(ball.both.mean[0], ball.both.mean[1]) <= kMaxDistance;
+  if (near && meanOf(ball.both).allFinite() && covarianceOf(ball.both).allFinite()) return;
+  ball = BallTrack{};
+  count(Refusal::ballNotFinite, counts);
+}
+
+}  // namespace
+
+void stepBall(const BallIn& in, const BallFilterParams& params, BallTrack& ball,
+              GpsCounts& counts) {
+  const double elapsed = elapsedOf(in.input);
+  ball.secondsSinceSeen += elapsed;
+  ball.candidateAge += elapsed;
+  if (ball.present) {
+    expectKick(in.input, params, ball);
+    predictModels(in.moved.odometry, in.moved.noise, elapsed, params, ball);
+    keepOutOfBody(ball);
+  }
+  const bool good = in.percept.present && usable(in.percept);
+  if (in.percept.present && !good) count(Refusal::ballNotFinite, counts);
+  if (good) {
+    see(in, params, ball, counts);
+  } else if (ball.present) {
+    miss(in.input, params, ball);
+  }
+  checkSound(ball, counts);
+}
+
+}  // namespace kelpie::gps

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+// The pose at which the seen line points lie best on the painted lines. The overall match of thesis
+// 2004 (equations 3.2 and 3.13) is a weighted mean of 1 / (1 + S d2); its maximum is sought by
+// reweighted Gauss-Newton steps on the distances, damped (Levenberg-Marquardt), which needs a
+// quarter of the evaluations of the thesis' gradient ascent. Finds the maximum near the start:
+// within about 20 cm and 10 deg the right one in 9 of 10 views.
+#pragma once
+
+#include "gps/Gaussian.h"
+#include "gps/lines/FieldFeatures.h"
+#include "gps/lines/LineUpdateParams.h"
+#include "robot/core/Percepts.h"
+
+namespace kelpie::gps {
+
+constexpr std::size_t kMaxLinePoints = 128;
+
+struct SeenPoint {
+  Point2<Robot> place;
+  double weight = 0.0;
+};
+struct SeenLines {
+  FixedVector<SeenPoint, kMaxLinePoints> lines;
+  FixedVector<SeenPoint, 16> carpet;  // green; only says that the robot is near the field
+  double newEvidenceShare = 1.0;      // what no update has used before
+  double headSpeed = 0.0;             // rad a frame, while they were seen
+};
+
+// Whether the index is one of `most` that are spread evenly over `count`.
+inline bool isSpread(std::size_t index, std::size_t count, std::size_t most) {
+  return count <= most || (index + 1) * most / count != index * most / count;
+}
+
+// Evenly thinned to `maxPoints`; points that are not finite or have no weight are left out.
+SeenLines seenLines(const FixedVector<LinePoint, 256>& points, const LineUpdateParams& params);
+
+struct LineFit {
+  Pose2 pose;
+  double match = 0.0;       // 0 to 1, equations 3.13 to 3.15
+  Matrix3 information;      // 1/cm2, 1/(cm rad), 1/rad2: curvature over the points' variance
+  std::uint32_t steps = 0;  // evaluations
+};
+
+// The match at a pose, without moving.
+double lineMatch(const SeenLines& seen, const Pose2& pose, const FieldFeatures& field,
+                 const LineUpdateParams& params);
+// `fromFar`: first with a blunter match, which leads from 40 cm and 20 deg where the true one does
+// not.
+LineFit fitLines(const SeenLines& seen, const Pose2& start, const FieldFeatures& field,
+                 const LineUpdateParams& params, bool fromFar = false);
+
+}  // namespace kelpie::gps

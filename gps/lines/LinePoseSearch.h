@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// Finds the pose by the map of a standing robot alone, without a prior (thesis 2004 section 4.1.4):
+// blunt fits from many starts over one half of the field, a few each frame so that no frame is
+// dropped; the best poses, fitted sharply, and their twins become the modes. Only a landmark tells
+// which of two twins is true. Runs on request (`Command::localise`), and by itself while lost.
+#pragma once
+
+#include "gps/lines/LineState.h"
+#include "gps/lines/LinesParams.h"
+#include "gps/lines/Symmetry.h"
+#include "gps/pose/PoseState.h"
+#include "robot/core/FrameInput.h"
+
+namespace kelpie::gps {
+
+// Once a frame, after stepMap(). Returns whether the modes were replaced: call mergeAndPrune()
+// then.
+bool stepLinePoseSearch(const FrameInput& input, const body::FieldDescription& field,
+                        const LinesParams& params, LinesState& lines, PoseState& pose);
+
+}  // namespace kelpie::gps

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the use of field lines remembers between frames. Plain data.
+#pragma once
+
+#include <cstdint>
+
+#include "gps/lines/FieldFeatures.h"
+#include "robot/core/FixedVector.h"
+#include "robot/core/Geometry.h"
+#include "robot/core/Percepts.h"
+
+namespace kelpie::gps {
+
+constexpr std::size_t kMapPoints = 128;
+
+struct MapPoint {
+  LinePointKind kind = LinePointKind::line;
+  Point2<Robot> place;
+  double weight = 0.0;        // of its sightings, by their distance: their mean
+  double decayedCount = 0.0;  // sightings less the decay
+};
+
+// The map of a standing robot.
+struct LineMap {
+  FixedVector<MapPoint, kMapPoints> points;
+  double age = 0.0;             // s of standing
+  double sinceDecay = 0.0;      // s
+  double newCount = 0.0;        // of the sightings of lines since the map was last used
+  std::uint32_t refused = 0;    // frames in a row in which the lines matched no mode
+  double unmatchedShare = 0.0;  // of line points, those in no known point's region; over a second
+};
+
+enum class FeatureKind : std::uint8_t { corner, tee, circle, straight };
+
+// `direction`: a corner's bisector, a T's stem, the line through the circle, a straight piece's
+// normal. A T also gives two corners (one arm may be hidden); the circle and a straight piece are
+// listed in both directions.
+struct PaintedFeature {
+  FeatureKind kind = FeatureKind::corner;
+  Point2<Field> place;
+  Angle direction;
+  double half = 0.0;  // cm, of a straight piece's length
+};
+using PaintedFeatures = FixedVector<PaintedFeature, 80>;
+
+struct FoundPose {
+  Pose2 pose;
+  double match = 0.0;
+};
+
+// Twice as many as are kept after the sharp fits, whose twins take the other half of the modes.
+constexpr std::size_t kFoundPoses = 8;
+
+// A search over the field under way.
+struct LinePoseSearch {
+  bool running = false;
+  bool served = false;     // the request at hand has been answered
+  std::uint32_t next = 0;  // start
+  FixedVector<FoundPose, kFoundPoses> best;
+};
+
+struct LinesState {
+  LineMap map;
+  LinePoseSearch search;
+  FieldFeatures features;   // built once from the field's description
+  PaintedFeatures painted;  // with them
+};
+
+}  // namespace kelpie::gps

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gps/lines/LineUpdate.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "gps/Refusal.h"
+#include "gps/lines/SymmetryUpdate.h"
+
+namespace kelpie::gps {
+namespace {
+
+// Weight factor of a mode that is too wide for a fit when lines fit another. A wide one explains
+// every landmark, so with 0.5 it outgrew the true one, whose weight a correction multiplies by 0.35
+// on average.
+constexpr double kWideWeight = 0.1;
+
+// Too wide a mode does not tell which of the lines is seen.
+bool isNarrow(const PoseMode& mode, const LineUpdateParams& params) {
+  return mode.covariance[0] + mode.covariance[4] <= 2.0 * maths::square(params.maxSd) &&
+         mode.covariance[8] <= maths::square(params.maxHeadingSd.rad());
+}
+
+bool isUnsure(const PoseMode& mode, const LineUpdateParams& params) {
+  return mode.covariance[0] + mode.covariance[4] > 2.0 * maths::square(params.coarseAbove);
+}
+
+// However many points agree, the pose is known no better than the floor.
+Matrix3 floored(const Matrix3& information, const LineUpdateParams& params) {
+  const double place = maths::square(params.floorSd);
+  const Vector3 variances(place, place, maths::square(params.floorHeadingSd.rad()));
+  const Matrix3 sum = Matrix3::Identity() + variances.asDiagonal() * information;
+  const Matrix3 result = information * sum.inverse();
+  return 0.5 * (result + result.transpose());
+}
+
+using Observations = FixedVector<std::optional<PoseObservation>, kWorkModes>;
+
+// Of the heaviest modes; none for the lighter ones.
+Observations observationsAt(const SeenLines& seen, const FieldFeatures& field,
+                            const LineUpdateParams& params, const Modes& modes, GpsCounts& counts) {
+  Observations found;
+  for (std::size_t i = 0; i < std::min<std::size_t>(modes.size(), params.maxModes); ++i) {
+    const bool light = modes[i].weight < params.minWeight * modes[0].weight;
+    found.push_back(light ? std::nullopt : observationAt(modes[i], seen, field, params, counts));
+  }
+  return found;
+}
+
+}  // namespace
+
+std::optional<PoseObservation> observationOf(const LineFit& fit, const FieldFeatures& field,
+                                             double headSpeed, const LineUpdateParams& params) {
+  const double moving = params.headSpeed * headSpeed;
+  const double away = field.outside(fit.pose.position).value;
+  const double inside = maths::exp(-params.offField * away * away);
+  if (fit.match * inside < params.match + params.matchStill / (1.0 + moving)) return std::nullopt;
+  PoseObservation observation;
+  observation.pose = fit.pose;
+  observation.information = floored(fit.information / (1.0 + moving * moving), params);
+  return observation;
+}
+
+std::optional<PoseObservation> observationAt(const PoseMode& mode, const SeenLines& seen,
+                                             const FieldFeatures& field,
+                                             const LineUpdateParams& params, GpsCounts& counts) {
+  if (!isNarrow(mode, params)) return std::nullopt;
+  const LineFit fit = fitLines(seen, mode.pose, field, params, isUnsure(mode, params));
+  auto observation = observationOf(fit, field, seen.headSpeed, params);
+  if (!observation) count(Refusal::linesMatchNothing, counts);
+  if (observation) observation->information *= seen.newEvidenceShare;
+  return observation;
+}
+
+double weightWithoutLineFit(const PoseMode& mode, const SeenLines& seen,
+                            const LineUpdateParams& params) {
+  const double kept = isNarrow(mode, params) ? params.refusedWeight : kWideWeight;
+  return 1.0 - seen.newEvidenceShare * (1.0 - kept);
+}
+
+bool updateByLines(const SeenLines& seen, const PaintedField& field, const LinesParams& params,
+                   Modes& modes, GpsCounts& counts) {
+  const LineUpdateParams& p = params.update;
+  if (seen.lines.size() < p.minPoints) return false;
+  const Observations found = observationsAt(seen, field.features, p, modes, counts);
+  // Lines that fit no mode are false for all: modes with a failed fit must not lose weight against
+  // modes without a fit.
+  if (std::none_of(found.begin(), found.end(), [](const auto& o) { return o.has_value(); }))
+    return false;
+  FixedVector<PoseMode, kMaxAmbiguousPoses> symmetric;
+  if (found[0]) symmetric = symmetricModes(seen, *found[0], field, params, modes);
+  const std::size_t before = modes.size();
+  for (std::size_t i = 0; i < before; ++i) {
+    if (i >= found.size() || !found[i]) {
+      modes[i].weight *= weightWithoutLineFit(modes[i], seen, p);
+      continue;
+    }
+    PoseMode copy = modes[i];
+    copy.weight *= p.outlierWeight;
+    correct(modes[i], *found[i]);
+    modes.push_back(copy);
+  }
+  for (const PoseMode& mode : symmetric) modes.push_back(mode);
+  return true;
+}
+
+}  // namespace kelpie::gps

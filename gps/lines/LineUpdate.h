@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// Corrects the likely modes by the field lines (thesis 2004 section 3.3). Each likely mode gets the
+// pose near it at which the lines match best, as an observation of the pose itself whose
+// information is the match's curvature: along a lone straight line it is zero, so that direction
+// stays as it was. A copy without the correction stays for the case that other lines were seen.
+#pragma once
+
+#include "gps/lines/LineFit.h"
+#include "gps/lines/LinesParams.h"
+#include "gps/lines/Symmetry.h"
+#include "gps/pose/PoseObservation.h"
+#include "gps/pose/PoseState.h"
+
+namespace kelpie::gps {
+
+// The fit as an observation: none when it matches worse than equation 3.22 requires or lies off the
+// field (3.20, 3.21); wider the faster the head moves (3.23).
+std::optional<PoseObservation> observationOf(const LineFit& fit, const FieldFeatures& field,
+                                             double headSpeed, const LineUpdateParams& params);
+
+// The observation by a fit near one mode; none for a mode that is too wide for a fit, or near which
+// the lines match nothing (counted).
+std::optional<PoseObservation> observationAt(const PoseMode& mode, const SeenLines& seen,
+                                             const FieldFeatures& field,
+                                             const LineUpdateParams& params, GpsCounts& counts);
+
+// Weight factor of a mode without such an observation when another mode has one.
+double weightWithoutLineFit(const PoseMode& mode, const SeenLines& seen,
+                            const LineUpdateParams& params);
+
+// Returns whether any mode was corrected. Call mergeAndPrune() afterwards.
+bool updateByLines(const SeenLines& seen, const PaintedField& field, const LinesParams& params,
+                   Modes& modes, GpsCounts& counts);
+
+}  // namespace kelpie::gps

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gps/lines/Lines.h"
+
+#include <cmath>
+
+#include "gps/lines/LineMap.h"
+#include "robot/body/Camera.h"
+
+namespace kelpie::gps {
+
+double headSpeedOf(const FrameInput& input) {
+  constexpr double kUnknownSpeed = 1.0;  // faster than any head
+  const double speed = body::headSpeed(input.headRate);
+  return std::isfinite(speed) ? speed : kUnknownSpeed;
+}
+
+SeenLines linesOfFrame(const GpsIn& in, const LineUpdateParams& params) {
+  SeenLines seen = seenLines(in.percepts.linePoints, params);
+  seen.headSpeed = headSpeedOf(in.input);
+  return seen;
+}
+
+SeenLines linesOfFrameOrMap(const GpsIn& in, const LinesParams& params, LineMap& map) {
+  const SeenLines frame = linesOfFrame(in, params.update);
+  if (countOf(map, LinePointKind::line) <= frame.lines.size()) return frame;
+  SeenLines mapped = seenLines(map, params.map.matched, params.map);
+  mapped.headSpeed = frame.headSpeed;
+  map.newCount = 0.0;
+  return mapped;
+}
+
+}  // namespace kelpie::gps

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// All that can be tuned in the use of field lines.
+#pragma once
+
+#include "gps/lines/LineMapParams.h"
+#include "gps/lines/LineUpdateParams.h"
+
+namespace kelpie::gps {
+
+struct LinesParams {
+  LineUpdateParams update;
+  LineMapParams map;
+  SymmetryParams symmetry;
+  LinePoseSearchParams search;
+
+  static constexpr auto fields() {
+    return fieldList(field("update", &LinesParams::update), field("map", &LinesParams::map),
+                     field("symmetry", &LinesParams::symmetry),
+                     field("search", &LinesParams::search));
+  }
+};
+
+}  // namespace kelpie::gps

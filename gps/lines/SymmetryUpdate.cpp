@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gps/lines/SymmetryUpdate.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace kelpie::gps {
+namespace {
+
+constexpr double kSameDistance = 5.0;  // cm; nearer to the found pose it is the same
+constexpr double kGateSds = 4.0;       // standard deviations: beyond, S is below 4e-4
+
+bool isWithin(const PoseMode& mode, const Pose2& pose) {
+  const Point2<Field> d = pose.position - mode.pose.position;
+  const double turn = (pose.heading - mode.pose.heading).rad();
+  const double reach2 = kGateSds * kGateSds;
+  return d.x * d.x <= reach2 * mode.covariance[0] && d.y * d.y <= reach2 * mode.covariance[4] &&
+         turn * turn <= reach2 * mode.covariance[8];
+}
+
+// Heaviest first; the lightest is lost when there is no room.
+void keep(PoseMode mode, std::size_t most, FixedVector<PoseMode, kMaxAmbiguousPoses>& modes) {
+  for (PoseMode& kept : modes)
+    if (mode.weight > kept.weight) std::swap(mode, kept);
+  if (modes.size() < most) modes.push_back(mode);
+}
+
+}  // namespace
+
+FixedVector<PoseMode, kMaxAmbiguousPoses> symmetricModes(const SeenLines& seen,
+                                                         const PoseObservation& found,
+                                                         const PaintedField& field,
+                                                         const LinesParams& params,
+                                                         const Modes& modes) {
+  FixedVector<PoseMode, kMaxAmbiguousPoses> symmetric;
+  if (!params.symmetry.use) return symmetric;
+  LineUpdateParams lines = params.update;  // equation 3.20: worse matches are left out
+  lines.match += lines.matchStill / (1.0 + lines.headSpeed * seen.headSpeed);
+  LineFit fit;
+  fit.pose = found.pose;
+  fit.information = found.information;
+  fit.match = lineMatch(seen, found.pose, field.features, lines);
+  const AmbiguousPoses poses = ambiguousPoses(seen, fit, field, lines, params.symmetry);
+  const auto most = std::min<std::size_t>(params.symmetry.maxPoses, kMaxAmbiguousPoses);
+  for (const AmbiguousPose& pose : poses) {
+    if (distance(pose.pose.position, found.pose.position) < kSameDistance) continue;
+    for (const PoseMode& mode : modes) {
+      if (!isWithin(mode, pose.pose)) continue;
+      PoseMode corrected = mode;
+      correct(corrected, {pose.pose, pose.information});
+      corrected.weight *= pose.match / std::max(fit.match, 0.1);
+      keep(corrected, most, symmetric);
+    }
+  }
+  return symmetric;
+}
+
+}  // namespace kelpie::gps

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gps/players/ObstacleMap.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "robot/core/Maths.h"
+
+namespace kelpie::gps {
+namespace {
+
+constexpr float kMinCount = 0.1F;   // of a point
+constexpr double kBodyReach = 8.0;  // cm from a robot's middle to where it counts as well
+
+void enter(Point2<Field> p, double count, const body::FieldDescription& field,
+           std::array<float, kMapCells>& layer, double most) {
+  const auto cell = cellAt(p, field);
+  if (!cell) return;
+  float& kept = layer[*cell];
+  kept = static_cast<float>(std::min(most, static_cast<double>(kept) + count));
+}
+
+// A wall from one point to another.
+void enterWall(Point2<Field> a, Point2<Field> b, const body::FieldDescription& field, double count,
+               std::array<float, kMapCells>& layer) {
+  const int steps = 1 + static_cast<int>(2.0 * distance(a, b) / kObstacleCell);
+  for (int i = 0; i <= steps; ++i) {
+    const double share = static_cast<double>(i) / steps;
+    enter({a.x + share * (b.x - a.x), a.y + share * (b.y - a.y)}, count, field, layer, count);
+  }
+}
+
+void enterGoal(Point2<Field> middle, const body::FieldDescription& field, double count,
+               std::array<float, kMapCells>& layer) {
+  const double depth = middle.y < 0.5 * field.length ? -field.goalDepth : field.goalDepth;
+  const Point2<Field> left{middle.x - 0.5 * field.goalWidth, middle.y};
+  const Point2<Field> right{middle.x + 0.5 * field.goalWidth, middle.y};
+  const Point2<Field> leftBack{left.x, left.y + depth};
+  const Point2<Field> rightBack{right.x, right.y + depth};
+  enterWall(left, leftBack, field, count, layer);
+  enterWall(leftBack, rightBack, field, count, layer);
+  enterWall(rightBack, right, field, count, layer);
+}
+
+using Cells = FixedVector<std::size_t, 64>;  // as many as there are points
+
+Cells enterPoints(const ObstacleSightings& in, const body::FieldDescription& field,
+                  const ObstacleMapParams& params, ObstacleMap& map) {
+  Cells cells;
+  for (const ObstaclePoint& point : in.percepts.obstacles) {
+    const double away = point.position.norm();
+    if (!(away >= params.minReach && away <= params.maxReach)) continue;
+    const Point2<Field> p = fieldFromRobot(in.world.pose, point.position);
+    enter(p, 1.0, field, map.own, params.maxCount);
+    if (const auto cell = cellAt(p, field)) cells.push_back(*cell);
+  }
+  return cells;
+}
+
+void enterRobots(const ObstacleSightings& in, const body::FieldDescription& field,
+                 const ObstacleMapParams& params, ObstacleMap& map) {
+  for (const RobotPercept& robot : in.percepts.robots) {
+    if (!(robot.distance <= params.maxReach)) continue;
+    const Point2<Robot> seen = robotPolar(robot.distance, robot.heading);
+    const Point2<Field> p = fieldFromRobot(in.world.pose, seen);
+    for (const Point2<Field>& aside :
+         {Point2<Field>{0, 0}, Point2<Field>{kBodyReach, 0}, Point2<Field>{-kBodyReach, 0},
+          Point2<Field>{0, kBodyReach}, Point2<Field>{0, -kBodyReach}}) {
+      enter(p + aside, params.robotCount, field, map.own, params.maxCount);
+    }
+  }
+}
+
+void clear(const ObstacleSightings& in, const Cells& seen, const body::FieldDescription& field,
+           const ObstacleMapParams& params, ObstacleMap& map) {
+  for (const LinePoint& point : in.percepts.linePoints) {
+    if (!(point.position.norm() <= params.clearReach)) continue;
+    const auto cell = cellAt(fieldFromRobot(in.world.pose, point.position), field);
+    if (!cell || std::find(seen.begin(), seen.end(), *cell) != seen.end()) continue;
+    map.own[*cell] *= static_cast<float>(params.clearShare);
+  }
+}
+
+void fade(std::array<float, kMapCells>& layer, double keep) {
+  const auto share = static_cast<float>(keep);
+  for (float& count : layer) {
+    if (count == 0.0F) continue;
+    count = count * share < kMinCount ? 0.0F : count * share;
+  }
+}
+
+}  // namespace
+
+std::optional<std::size_t> cellAt(Point2<Field> p, const body::FieldDescription& field) {
+  const double column = (p.x + field.sideFringe) / kObstacleCell;
+  const double row = (p.y + field.endFringe) / kObstacleCell;
+  if (!(column >= 0.0 && column < kMapColumns && row >= 0.0 && row < kMapRows)) return std::nullopt;
+  return static_cast<std::size_t>(row) * kMapColumns + static_cast<std::size_t>(column);
+}
+
+Point2<Field> middleOf(std::size_t cell, const body::FieldDescription& field) {
+  const std::size_t row = cell / kMapColumns;
+  const std::size_t column = cell - row * kMapColumns;
+  return {(static_cast<double>(column) + 0.5) * kObstacleCell - field.sideFringe,
+          (static_cast<double>(row) + 0.5) * kObstacleCell - field.endFringe};
+}
+
+void build(const body::FieldDescription& field, const ObstacleMapParams& params, ObstacleMap& map) {
+  for (const body::Landmark& landmark : field.landmarks) {
+    if (landmark.kind <= LandmarkKind::goalYellow) {
+      enterGoal(landmark.position, field, params.landmarkCount, map.fixed);
+    } else {
+      enter(landmark.position, params.landmarkCount, field, map.fixed, params.landmarkCount);
+    }
+  }
+  map.built = true;
+}
+
+void forget(double elapsed, const ObstacleMapParams& params, ObstacleMap& map) {
+  fade(map.own, maths::exp(-params.forgetRate * elapsed));
+  fade(map.heard, maths::exp(-params.forgetHeardRate * elapsed));
+}
+
+void see(const ObstacleSightings& in, const body::FieldDescription& field,
+         const ObstacleMapParams& params, ObstacleMap& map) {
+  const bool sure = in.world.positionSd <= params.maxPositionSd &&
+                    in.world.headingSd.rad() <= params.maxHeadingSd.rad();
+  if (!sure) return;
+  const Cells cells = enterPoints(in, field, params, map);
+  enterRobots(in, field, params, map);
+  clear(in, cells, field, params, map);
+}
+
+void hear(const TeamMessage& message, const body::FieldDescription& field,
+          const ObstacleMapParams& params, ObstacleMap& map) {
+  for (const ObstacleCell& told : message.obstacles) {
+    const auto cell = cellAt(told.position, field);
+    if (!cell) continue;
+    const auto count = static_cast<float>(std::min(told.count, params.maxCount));
+    map.heard[*cell] = std::max(map.heard[*cell], count);
+  }
+}
+
+FixedVector<ObstacleCell, kSharedObstacles> fullest(const ObstacleMap& map,
+                                                    const body::FieldDescription& field,
+                                                    const ObstacleMapParams& params) {
+  FixedVector<ObstacleCell, kSharedObstacles> list;
+  for (std::size_t cell = 0; cell < kMapCells; ++cell) {
+    const auto count = static_cast<double>(map.own[cell]);
+    if (count < params.tellCount) continue;
+    ObstacleCell item{middleOf(cell, field), count};
+    for (ObstacleCell& kept : list)
+      if (item.count > kept.count) std::swap(item, kept);
+    list.push_back(item);  // nothing when it is full
+  }
+  return list;
+}
+
+}  // namespace kelpie::gps

@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gps/pose/Modes.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "gps/Gaussian.h"
+#include "gps/Refusal.h"
+#include "gps/pose/Update.h"
+
+namespace kelpie::gps {
+namespace {
+
+constexpr double kDegrees = 180.0 / maths::kPi;
+
+bool finite(const PoseMode& mode) {
+  const Vector3 mean = meanOf(mode);
+  const Matrix3 c = covarianceOf(mode);
+  return std::isfinite(mode.weight) && mode.weight >= 0.0 && mean.allFinite() && c.allFinite() &&
+         c(0, 0) > 0.0 && c(1, 1) > 0.0 && c(2, 2) > 0.0;
+}
+
+void removeBroken(Modes& modes, GpsCounts& counts) {
+  Modes kept;
+  for (const PoseMode& mode : modes) {
+    if (finite(mode)) {
+      kept.push_back(mode);
+    } else {
+      count(Refusal::modeNotFinite, counts);
+    }
+  }
+  modes = kept;
+}
+
+bool normalise(Modes& modes) {
+  double total = 0.0;
+  for (const PoseMode& mode : modes) total += mode.weight;
+  if (!(total > 0.0) || !std::isfinite(total)) return false;
+  for (PoseMode& mode : modes) mode.weight /= total;
+  return true;
+}
+
+// Largest difference of the covariances, heading in degrees so that one threshold fits all.
+double covarianceDifference(const PoseMode& a, const PoseMode& b) {
+  double largest = 0.0;
+  for (std::size_t i = 0; i < 9; ++i) {
+    const double scale = (i / 3 == 2 ? kDegrees : 1.0) * (i % 3 == 2 ? kDegrees : 1.0);
+    largest = std::max(largest, scale * std::fabs(a.covariance[i] - b.covariance[i]));
+  }
+  return largest;
+}
+
+bool mergeable(const PoseMode& a, const PoseMode& b, const ModeParams& params) {
+  const Point2<Field> d = a.pose.position - b.pose.position;
+  if (std::fabs(d.x) > params.mergeDistance || std::fabs(d.y) > params.mergeDistance) return false;
+  if ((a.pose.heading - b.pose.heading).abs().deg() > params.mergeDistance) return false;
+  return covarianceDifference(a, b) <= params.mergeCovariance;
+}
+
+void mergeAll(Modes& modes, const ModeParams& params) {
+  for (std::size_t i = 0; i < modes.size(); ++i) {
+    for (std::size_t j = i + 1; j < modes.size();) {
+      if (!mergeable(modes[i], modes[j], params)) {
+        ++j;
+        continue;
+      }
+      modes[i] = merged(modes[i], modes[j]);
+      modes[j] = modes.back();
+      modes.resize(modes.size() - 1);
+    }
+  }
+}
+
+// Insertion sort: stable, and the list is nearly sorted already.
+void sortByWeight(Modes& modes) {
+  for (std::size_t i = 1; i < modes.size(); ++i) {
+    const PoseMode mode = modes[i];
+    std::size_t j = i;
+    for (; j > 0 && modes[j - 1].weight < mode.weight; --j) modes[j] = modes[j - 1];
+    modes[j] = mode;
+  }
+}
+
+// The pose at the angle `around` of the landmark, and how it varies with the three things it was
+// made of: distance, heading and that angle.
+PoseMode seed(const Measurement& m, double around, double aroundSd, double maxSd) {
+  const Angle out = Angle::rad(around);
+  PoseMode mode;
+  mode.weight = 1.0;
+  mode.pose.position = m.landmark + Point2<Field>{out.cos(), out.sin()} * m.distance;
+  mode.pose.heading = out + Angle::rad(maths::kPi) - m.heading;
+  Matrix3 j;
+  j << out.cos(), 0, -m.distance * out.sin(), out.sin(), 0, m.distance * out.cos(), 0, -1, 1;
+  // A heading alone says little about the distance that came with it.
+  const double distanceFactor = m.useDistance ? 1.0 : 4.0;
+  const double headingFactor = m.useHeading ? 1.0 : 16.0;
+  // A distance that says nothing must not make a mode wider than the field allows.
+  const double distanceVariance = std::min(m.distanceVariance, maths::square(maxSd));
+  const Vector3 variances(distanceFactor * distanceVariance, headingFactor * m.headingVariance,
+                          aroundSd * aroundSd);
+  setCovariance(mode, j * variances.asDiagonal() * j.transpose());
+  return mode;
+}
+
+bool onCarpet(Point2<Field> p, const body::FieldDescription& field) {
+  return p.x > -field.sideFringe && p.x < field.width + field.sideFringe &&
+         p.y > -field.endFringe && p.y < field.length + field.endFringe;
+}
+
+}  // namespace
+
+PoseMode wideMode(const body::FieldDescription& field, const ModeParams& params, double weight) {
+  PoseMode mode;
+  mode.weight = weight;
+  mode.pose.position = {0.5 * field.width, 0.5 * field.length};
+  mode.pose.heading = Angle::deg(90.0);
+  const double position = maths::square(params.widePositionSd);
+  mode.covariance = {
+      position, 0, 0, 0, position, 0, 0, 0, maths::square(params.wideHeadingSd.rad())};
+  return mode;
+}
+
+void start(const InitialPose& initial, const body::FieldDescription& field,
+           const ModeParams& params, PoseState& state) {
+  lose(field, params, state);
+  state.started = true;
+  if (!initial.present) return;
+  const double position = maths::square(initial.positionSd);
+  state.modes[0].pose = initial.pose;
+  state.modes[0].covariance = {
+      position, 0, 0, 0, position, 0, 0, 0, maths::square(initial.headingSd.rad())};
+  state.lost = false;
+}
+
+void lose(const body::FieldDescription& field, const ModeParams& params, PoseState& state) {
+  state.modes.clear();
+  state.modes.push_back(wideMode(field, params, 1.0));
+  state.lost = true;
+}
+
+void seedAround(const Measurement& measurement, const body::FieldDescription& field,
+                const ModeParams& params, PoseState& state, GpsCounts& counts) {
+  const double spacing = params.seedSpacing / kDegrees;
+  const int number = static_cast<int>(2.0 * maths::kPi / spacing + 0.5);
+  Modes seeds;
+  for (int i = 0; i < number; ++i) {
+    const PoseMode mode =
+        seed(measurement, (i + 0.5) * spacing, 0.5 * spacing, params.widePositionSd);
+    if (onCarpet(mode.pose.position, field)) seeds.push_back(mode);
+  }
+  if (seeds.empty()) {
+    count(Refusal::seedOffField, counts);
+    return;
+  }
+  state.modes = seeds;
+  state.lost = false;
+}
+
+// Method 1: an unlikely sighting is not used, but the mode becomes less sure of itself.
+static void refuseUnlikely(const Measurement& measurement, const ModeParams& params, Modes& modes) {
+  constexpr double kGrowthPerCm = 0.5 / kDegrees;  // rad: 5 deg for 10 cm
+  const Measurement withoutDistance = headingOnly(measurement);
+  for (PoseMode& mode : modes) {
+    PoseMode corrected = mode;
+    update(corrected, atGrazingAngle(mode, measurement) ? withoutDistance : measurement,
+           params.weighByDeterminant);
+    if (corrected.weight >= params.refuseBelow * mode.weight) {
+      mode = corrected;
+      continue;
+    }
+    mode.covariance[0] += maths::square(params.refusedGrowth);
+    mode.covariance[4] += maths::square(params.refusedGrowth);
+    mode.covariance[8] += maths::square(params.refusedGrowth * kGrowthPerCm);
+  }
+}
+
+void updateAll(const Measurement& measurement, const body::FieldDescription& field,
+               const ModeParams& params, PoseState& state, GpsCounts& counts) {
+  Modes& modes = state.modes;
+  if (params.noiseMethod == NoiseMethod::refuse) return refuseUnlikely(measurement, params, modes);
+  const bool wide = params.noiseMethod == NoiseMethod::splitAndWide;
+  if (wide) modes.push_back(wideMode(field, params, params.wideWeight));
+  const std::size_t before = modes.size();
+  const Measurement withoutDistance = headingOnly(measurement);
+  double copies = 0.0;
+  double corrected = 0.0;
+  for (std::size_t i = 0; i < before; ++i) {
+    const bool oblique = atGrazingAngle(modes[i], measurement);
+    if (oblique && i == 0) count(Refusal::goalTooOblique, counts);
+    PoseMode copy = modes[i];
+    copy.weight *= params.outlierWeight;
+    copies += copy.weight;
+    modes.push_back(copy);
+    update(modes[i], oblique ? withoutDistance : measurement, params.weighByDeterminant);
+    corrected += modes[i].weight;
+  }
+  // The wide mode alone is not enough: near modes crowd it out, and it cannot be linearised well.
+  if (!wide) return;  // the thesis' second method is never lost
+  const bool explained = corrected > params.explainedShare * (copies + corrected);
+  state.unexplained = explained ? 0 : state.unexplained + 1;
+  if (state.unexplained <= params.maxUnexplained) return;
+  state.unexplained = 0;
+  state.lost = true;
+}
+
+void mergeAndPrune(const body::FieldDescription& field, const ModeParams& params, PoseState& state,
+                   GpsCounts& counts) {
+  removeBroken(state.modes, counts);
+  mergeAll(state.modes, params);
+  sortByWeight(state.modes);
+  state.modes.resize(std::min(state.modes.size(), kMaxModes));
+  if (!state.modes.empty() && normalise(state.modes)) return;
+  lose(field, params, state);
+}
+
+PoseMode merged(const PoseMode& a, const PoseMode& b) {
+  const double total = a.weight + b.weight;
+  const double shareB = total > 0.0 ? b.weight / total : 0.5;
+  Vector3 apart = meanOf(b) - meanOf(a);
+  apart(2) = (b.pose.heading - a.pose.heading).rad();  // the short way round
+  PoseMode mode;
+  mode.weight = total;
+  mode.pose = poseOf(meanOf(a) + shareB * apart);
+  setCovariance(mode, (1.0 - shareB) * covarianceOf(a) + shareB * covarianceOf(b) +
+                          shareB * (1.0 - shareB) * apart * apart.transpose());
+  return mode;
+}
+
+}  // namespace kelpie::gps
