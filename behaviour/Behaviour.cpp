@@ -18,8 +18,9 @@ Command standAndScan(const FrameInput& input, const BehaviourParams& params, Fal
 
 }  // namespace
 
-void fill(WorldFrame& frame, const FrameInput& input, const Percepts& percepts,
-          const WorldModel& world) {
+void fill(WorldFrame& frame, const BehaviourIn& in) {
+  const FrameInput& input = in.input;
+  const WorldModel& world = in.world;
   frame.time = input.time;
   frame.frame = input.frame;
   frame.elapsed = input.elapsed;
@@ -31,7 +32,7 @@ void fill(WorldFrame& frame, const FrameInput& input, const Percepts& percepts,
   frame.motion = input.motion;
   frame.game = input.game;
   frame.lastCommand = input.lastCommand;
-  frame.percepts = percepts;
+  frame.percepts = in.percepts;
   frame.pose = world.pose;
   frame.positionSd = world.positionSd;
   frame.headingSd = world.headingSd;
@@ -47,6 +48,7 @@ void fill(WorldFrame& frame, const FrameInput& input, const Percepts& percepts,
   frame.teammates = world.teammates;
   frame.obstacles = world.obstacles;
   frame.pinkMap = world.pinkMap;
+  frame.field = in.field;
 }
 
 BehaviourState::BehaviourState(const std::string& scripts)

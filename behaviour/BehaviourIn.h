@@ -2,6 +2,7 @@
 // What the behaviours see of one frame.
 #pragma once
 
+#include "robot/body/FieldDescription.h"
 #include "robot/core/FrameInput.h"
 #include "robot/core/Percepts.h"
 #include "robot/core/WorldModel.h"
@@ -12,6 +13,7 @@ struct BehaviourIn {
   const FrameInput& input;
   const Percepts& percepts;
   const WorldModel& world;
+  const body::FieldDescription& field;
 };
 
 }  // namespace kelpie::behaviour

@@ -8,6 +8,7 @@
 
 #include "behaviour/PythonNames.h"
 #include "behaviour/WorldFrame.h"
+#include "robot/body/FieldDescription.h"
 
 namespace kelpie::behaviour {
 namespace {
@@ -58,6 +59,34 @@ std::string defaultText(const T& value, const char* unit) {
   } else {
     return number(value * shownFactor(unit));
   }
+}
+
+// A value in Python's words: `Point2(x=3.0, y=4.0)`.
+template <class T>
+std::string valueText(const T& value, const char* unit) {
+  std::string text;
+  const auto add = [&text](const std::string& part) { text += (text.empty() ? "" : ", ") + part; };
+  if constexpr (kIsSequence<T>) {
+    for (const auto& item : value) add(valueText(item, unit));
+    return "[" + text + "]";
+  } else if constexpr (HasFields<T>::value) {
+    forEachField(value, [&](const auto& f, const auto& member) {
+      using Member = std::decay_t<decltype(member)>;
+      add(pythonName<Member>(f.name, f.unit) + "=" + valueText(member, f.unit));
+    });
+    return className<T>() + "(" + text + ")";
+  } else {
+    return defaultText(value, unit);
+  }
+}
+
+// The shipped fields, so that tests of behaviours play on what the robot is told.
+std::string fieldsText() {
+  std::string text = "\n\nFIELDS = {\n";
+  for (const char* name : {"2006", "osaka2005", "2004"})
+    text +=
+        std::string("    '") + name + "': " + valueText(*body::fieldDescription(name), "") + ",\n";
+  return text + "}\n";
 }
 
 class ClassWriter {
@@ -121,7 +150,7 @@ std::string kelpieStandInText() {
              "# Stands in for the host's module `kelpie` under a plain python3. Written "
              "from the field lists:\n"
              "# behaviour_names > tests/py/kelpie.py; a test compares.\n") +
-         kEnums + kFields + writer.text();
+         kEnums + kFields + writer.text() + fieldsText();
 }
 
 }  // namespace kelpie::behaviour

@@ -119,7 +119,7 @@ Fallback PythonHost::decide(const BehaviourIn& in, const BehaviourParams& params
   if (!world_) return Fallback::notLoaded;
   reloadIfEdited(params);
   if (!decide_) return Fallback::notLoaded;
-  fill(*frame_, in.input, in.percepts, in.world);
+  fill(*frame_, in);
   frame_->task = params.task;
   return call(params.timeLimit, command);
 }

@@ -3,10 +3,8 @@
 // reference kept by a script never dangles (it then shows the newest frame).
 #pragma once
 
+#include "behaviour/BehaviourIn.h"
 #include "behaviour/BehaviourParams.h"
-#include "robot/core/FrameInput.h"
-#include "robot/core/Percepts.h"
-#include "robot/core/WorldModel.h"
 
 namespace kelpie::behaviour {
 
@@ -50,8 +48,10 @@ struct WorldFrame {
   ObstacleEstimate obstacles;
   FixedVector<PinkLandmark, kMaxPinks> pinkMap;
   Task task;
+  body::FieldDescription field;
 
   static constexpr auto fields() {
+    using kelpie::field;
     using W = WorldFrame;
     return fieldList(
         field("time", &W::time, "us"), field("frame", &W::frame),
@@ -65,11 +65,11 @@ struct WorldFrame {
         field("covariance", &W::covariance, "cm2, cm rad, rad2"), field("modes", &W::modes),
         field("second", &W::second), field("ball", &W::ball), field("teamBall", &W::teamBall),
         field("opponents", &W::opponents), field("teammates", &W::teammates),
-        field("obstacles", &W::obstacles), field("pinkMap", &W::pinkMap), field("task", &W::task));
+        field("obstacles", &W::obstacles), field("pinkMap", &W::pinkMap), field("task", &W::task),
+        field("field", &W::field));
   }
 };
 
-void fill(WorldFrame& frame, const FrameInput& input, const Percepts& percepts,
-          const WorldModel& world);
+void fill(WorldFrame& frame, const BehaviourIn& in);
 
 }  // namespace kelpie::behaviour

@@ -19,9 +19,9 @@ int cellsAlong(double length, double cell) {
 void FieldFeatures::build(const body::FieldDescription& field) {
   pieces_.clear();
   for (const body::FieldLine& line : field.lines) {
-    const Point2<Field> way = line.to - line.from;
+    const Point2<Field> way = line.end - line.start;
     const double length = way.norm();
-    if (length > 0.0) pieces_.push_back({line.from, way * (1.0 / length), length, 0.0});
+    if (length > 0.0) pieces_.push_back({line.start, way * (1.0 / length), length, 0.0});
   }
   const double radius = 0.5 * (field.circleDiameter - field.lineWidth);
   if (radius > 0.0) pieces_.push_back({{field.width / 2, field.length / 2}, {}, 0.0, radius});

@@ -22,11 +22,11 @@ void addArm(Angle arm, Arms& arms) {
 Arms armsAt(Point2<Field> place, const body::FieldDescription& field) {
   Arms arms;
   for (const body::FieldLine& line : field.lines) {
-    const Point2<Field> way = line.to - line.from;
+    const Point2<Field> way = line.end - line.start;
     const double length = way.norm();
     if (!(length > kJoinDistance)) continue;
     const Angle along = Angle::rad(maths::atan2(way.y, way.x));
-    const Point2<Field> d = place - line.from;
+    const Point2<Field> d = place - line.start;
     const double at = (d.x * way.x + d.y * way.y) / length;
     const double aside = std::fabs(d.x * way.y - d.y * way.x) / length;
     if (aside > kJoinDistance || at < -kJoinDistance || at > length + kJoinDistance) continue;
@@ -60,10 +60,10 @@ void addCrossing(Point2<Field> place, const Arms& arms, PaintedFeatures& all) {
 }
 
 void addStraight(const body::FieldLine& line, PaintedFeatures& all) {
-  const Point2<Field> way = line.to - line.from;
+  const Point2<Field> way = line.end - line.start;
   const double length = way.norm();
   if (!(length > kJoinDistance)) return;
-  const Point2<Field> middle = line.from + way * 0.5;
+  const Point2<Field> middle = line.start + way * 0.5;
   const Angle normal = Angle::rad(maths::atan2(way.y, way.x) + kRightAngle);
   all.push_back({FeatureKind::straight, middle, normal, 0.5 * length});
   all.push_back({FeatureKind::straight, middle, normal + Angle::rad(maths::kPi), 0.5 * length});
@@ -96,7 +96,7 @@ SeenLines thinned(const SeenLines& seen, std::size_t most) {
 PaintedFeatures paintedFeatures(const body::FieldDescription& field) {
   PaintedFeatures all;
   for (const body::FieldLine& line : field.lines)
-    for (const Point2<Field> end : {line.from, line.to})
+    for (const Point2<Field> end : {line.start, line.end})
       if (!known(all, end)) addCrossing(end, armsAt(end, field), all);
   if (field.circleDiameter > 0.0)
     for (const double degrees : {0.0, 180.0})

@@ -4,7 +4,7 @@
 # that odometry does not report: a carried goal is then wrong until it is seen again.
 import kelpie
 from lib.geom import Point, from_field, moved, polar
-from lib.tune import Field, Goal
+from lib.tune import Goal
 
 NEVER_S = -1e9
 MIN_DISTANCE = 30.0  # cm; a percept of a nearer goal would put it inside the robot
@@ -34,4 +34,5 @@ class OpponentGoal:
             return self.point
         good = (world.heading_sd_deg < Goal.POSE_HEADING_SD and
                 world.seconds_since_landmark < Goal.POSE_FRESH)
-        return from_field(world.pose, 0.5 * Field.WIDTH, Field.LENGTH) if good else None
+        field = world.field
+        return from_field(world.pose, 0.5 * field.width, field.length) if good else None

@@ -4,11 +4,6 @@
 # is given.
 
 
-class Field:
-    WIDTH = 360.0
-    LENGTH = 540.0
-
-
 class Search:
     BACK_OFF_NEAR = 35.0     # a ball lost nearer than this is at the feet: step back first
     BACK_OFF_SPEED = -12.0
@@ -115,12 +110,7 @@ class Look:
 
 
 class Features:
-    """What the challenger's head looks at, on the 2006 field (thesis 2004 section 4.1.6)."""
-    PRIMARY = ((0, 0), (360, 0), (0, 540), (360, 540), (0, 270), (360, 270), (180, 270),
-               (115, 65), (245, 65), (115, 0), (245, 0), (115, 475), (245, 475), (115, 540),
-               (245, 540))
-    SECONDARY = ((0, 135), (360, 135), (0, 405), (360, 405), (90, 270), (270, 270), (180, 65),
-                 (180, 475), (60, 0), (300, 0), (60, 540), (300, 540))
+    """What the challenger's head looks at, of the field's features (lib/features.py)."""
     REACH = 80.0             # to either side
     NEAREST, FARTHEST = 15.0, 200.0
     CHOICE = 3               # so many of the best are looked at in turn
@@ -129,7 +119,7 @@ class Features:
 
 
 class Challenge:
-    STANDS = ((180.0, 205.0), (180.0, 335.0))  # where the map is made from
+    STAND_OFF_CENTRE = 65.0  # the map is made from here, behind and beyond the middle
     STAND_NEAR = 12.0
     STAND_TIME = 12.0        # s; then map from where it is
     MAP_ROUNDS = 3

@@ -16,7 +16,7 @@ from skills.look_round import LookRound
 class Challenger(Machine):
     def __init__(self):
         super().__init__(self.find_out, LookRound())
-        self.stands = list(Challenge.STANDS)
+        self.beyond = False  # the middle: where the map is made next
         self.mapped = False
         self.points = []
 
@@ -41,22 +41,23 @@ class Challenger(Machine):
 
     def find_out(self, world):
         if self.knows_place(world) and self.skill.rows > 0:
-            return self.enter(world, self.go_to_stand, self.to_stand())
+            return self.enter(world, self.go_to_stand, self.to_stand(world.field))
         return self.skill.command(world)
 
-    def to_stand(self) -> GoToPoint:
-        return GoToPoint(self.stands[0], Challenge.STAND_NEAR)
+    def to_stand(self, field) -> GoToPoint:
+        off = Challenge.STAND_OFF_CENTRE if self.beyond else -Challenge.STAND_OFF_CENTRE
+        return GoToPoint((0.5 * field.width, 0.5 * field.length + off), Challenge.STAND_NEAR)
 
     def go_to_stand(self, world):
         if self.skill.arrived(world) or self.timed_out(world, Challenge.STAND_TIME):
-            self.stands.append(self.stands.pop(0))
+            self.beyond = not self.beyond
             self.enter(world, self.map_pinks, LookRound())
         # The map begins with the next frame: what this one saw, it may have seen while walking.
         return self.skill.command(world)
 
     def map_pinks(self, world):
         if self.skill.rounds >= Challenge.MAP_ROUNDS:
-            return self.enter(world, self.go_to_stand, self.to_stand())
+            return self.enter(world, self.go_to_stand, self.to_stand(world.field))
         command = self.skill.command(world)
         if not self.skill.turning:
             command.pinks = kelpie.PINKS_MAP

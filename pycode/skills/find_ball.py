@@ -7,7 +7,7 @@ import math
 
 import kelpie
 from lib.geom import clamp, from_field, heading
-from lib.tune import Field, Search
+from lib.tune import Search
 from skills.watch import Scan, Spin
 
 UPPER, LOWER = 0.65, 0.35  # where to roam to, as shares of the field's length
@@ -28,7 +28,7 @@ class FindBall:
     def __init__(self, world):
         self.start_s = world.time_s
         self.side = search_side(world)
-        self.upper = world.pose.position.y < 0.5 * Field.LENGTH
+        self.upper = world.pose.position.y < 0.5 * world.field.length
         self.back_off = Search.BACK_OFF_TIME if lost_at_feet(world) else 0.0
         self.scan = Scan()
         self.spin = Spin()
@@ -51,7 +51,7 @@ class FindBall:
     def roam(self, world, passed) -> kelpie.WalkRequest:
         """To the middle of one half, and of the other the next time: all of it is in sight then."""
         share = UPPER if self.upper else LOWER
-        x, y = from_field(world.pose, 0.5 * Field.WIDTH, share * Field.LENGTH)
+        x, y = from_field(world.pose, 0.5 * world.field.width, share * world.field.length)
         if passed > Search.ROAM_TIME or math.hypot(x, y) < Search.ROAM_NEAR:
             self.start_s, self.back_off, self.upper = world.time_s, 0.0, not self.upper
         aside = heading(x, y)

@@ -4,6 +4,7 @@
 # Keeps the target of this look and when it ends, from the pose; a wrong pose makes it look at
 # nothing of use.
 import kelpie
+from lib import features
 from lib.geom import Point, from_field, heading
 from lib.head import look_at, view
 from lib.tune import Features, Look
@@ -16,6 +17,7 @@ class WatchField:
         self.next_s = 0.0
         self.looks = 0
         self.target = None  # a point of the field, or None: the wall
+        self.places = None  # primary and secondary features, from the first frame on
 
     def head(self, world) -> kelpie.HeadRequest:
         if world.time_s >= self.next_s:
@@ -30,17 +32,19 @@ class WatchField:
     def choose(self, world) -> Point | None:
         if self.looks % WALL_EVERY == 0:
             return None
-        seen = in_reach(world.pose)
+        if self.places is None:
+            self.places = features.primary(world.field), features.secondary(world.field)
+        seen = in_reach(world.pose, *self.places)
         return seen[self.looks % len(seen)] if seen else None
 
 
-def in_reach(pose) -> list[Point]:
+def in_reach(pose, primary, secondary) -> list[Point]:
     """Features within 80 deg and 15 to 200 cm; corners and crossings first, the nearest of each."""
     def rank(kind, point):
         x, y = from_field(pose, *point)
         away = (x * x + y * y) ** 0.5
         good = abs(heading(x, y)) < Features.REACH and Features.NEAREST < away < Features.FARTHEST
         return (kind, away, point) if good else None
-    ranked = [rank(0, p) for p in Features.PRIMARY] + [rank(1, p) for p in Features.SECONDARY]
+    ranked = [rank(0, p) for p in primary] + [rank(1, p) for p in secondary]
     best = sorted(r for r in ranked if r is not None)
     return [point for _, _, point in best[:Features.CHOICE]]

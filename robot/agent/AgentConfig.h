@@ -8,6 +8,7 @@
 #include "behaviour/BehaviourParams.h"
 #include "gps/GpsParams.h"
 #include "robot/body/Camera.h"
+#include "robot/body/FieldDescription.h"
 #include "robot/core/FrameInput.h"
 #include "vision/VisionParams.h"
 #include "vision/pixels/VisionCalibration.h"
@@ -17,6 +18,7 @@ namespace kelpie::agent {
 struct AgentConfig {
   TeamColour team = TeamColour::red;
   std::uint8_t player = 1;
+  body::FieldDescription field;  // the one that every stage reads, with the rules
   body::BodyParams body;
   vision::VisionParams vision;
   gps::GpsParams gps;
@@ -25,12 +27,13 @@ struct AgentConfig {
   vision::VisionCalibration calibration;
 
   static constexpr auto fields() {
-    return fieldList(field("team", &AgentConfig::team, "", 0, 1),
-                     field("player", &AgentConfig::player, "", 1, 4),
-                     field("body", &AgentConfig::body), field("vision", &AgentConfig::vision),
-                     field("gps", &AgentConfig::gps), field("behaviour", &AgentConfig::behaviour),
-                     field("actuator", &AgentConfig::actuator),
-                     field("calibration", &AgentConfig::calibration));
+    using kelpie::field;
+    return fieldList(
+        field("team", &AgentConfig::team, "", 0, 1),
+        field("player", &AgentConfig::player, "", 1, 4), field("field", &AgentConfig::field),
+        field("body", &AgentConfig::body), field("vision", &AgentConfig::vision),
+        field("gps", &AgentConfig::gps), field("behaviour", &AgentConfig::behaviour),
+        field("actuator", &AgentConfig::actuator), field("calibration", &AgentConfig::calibration));
   }
 };
 

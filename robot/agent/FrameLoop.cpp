@@ -24,8 +24,8 @@ void FrameLoop::decide(const FrameInput& input, StageObserver& observer) {
   observer.end(Stage::gps);
 
   observer.begin(Stage::behaviour);
-  output_.command =
-      behaviour::step({input, output_.percepts, output_.world}, config_.behaviour, behaviour_);
+  output_.command = behaviour::step({input, output_.percepts, output_.world, config_.field},
+                                    config_.behaviour, behaviour_);
   observer.end(Stage::behaviour);
 }
 

@@ -5,6 +5,7 @@
 
 #include <string_view>
 
+#include "robot/body/Rules.h"
 #include "robot/core/Expected.h"
 #include "robot/core/FixedVector.h"
 #include "robot/core/FrameInput.h"
@@ -16,11 +17,11 @@ namespace kelpie::body {
 constexpr double kBallRadius = 4.2;
 
 struct FieldLine {
-  Point2<Field> from;
-  Point2<Field> to;
+  Point2<Field> start;
+  Point2<Field> end;
 
   static constexpr auto fields() {
-    return fieldList(field("from", &FieldLine::from), field("to", &FieldLine::to));
+    return fieldList(field("start", &FieldLine::start), field("end", &FieldLine::end));
   }
 };
 
@@ -51,6 +52,7 @@ struct FieldDescription {
   double borderCorner = 0.0;  // legs of the border's corner triangles
   double beaconRadius = 5.0;
   double beaconHeight = 40.0;  // four equal bands, the upper two coloured, the lower two white
+  Rules rules;
   FixedVector<FieldLine, 24> lines;  // centre lines of the painted lines, without the circle
   FixedVector<Landmark, kLandmarkKindCount> landmarks;  // as the red team sees them
 
@@ -70,6 +72,7 @@ struct FieldDescription {
                      field("borderCorner", &FieldDescription::borderCorner, "cm", 0, 200),
                      field("beaconRadius", &FieldDescription::beaconRadius, "cm", 1, 30),
                      field("beaconHeight", &FieldDescription::beaconHeight, "cm", 10, 100),
+                     field("rules", &FieldDescription::rules),
                      field("lines", &FieldDescription::lines),
                      field("landmarks", &FieldDescription::landmarks));
   }

@@ -44,6 +44,7 @@ host::AgentReply orders(const MotionOutput& output) {
 struct Match {
   Match() {
     const auto field = *body::fieldDescription("2006");
+    config->field = field;
     config->gps.field = field;
     config->calibration = vision::nominalCalibration();
     const auto setup = *sim::scenario("empty-goal", field, {{TeamColour::red, 1}}, 5);

@@ -37,7 +37,7 @@ TEST(Host, SyntaxErrorNamesFileAndLineAndFallsBack) {
 TEST(Host, MissingFolderFallsBack) {
   BehaviourState state("/nonexistent/pycode");
   const FrameInput input;
-  const Command command = step(BehaviourIn{input, {}, {}}, {}, state);
+  const Command command = step(BehaviourIn{input, {}, {}, {}}, {}, state);
   EXPECT_EQ(command.fallback, Fallback::notLoaded);
   EXPECT_NE(state.lastError(), "");
 }
@@ -300,13 +300,13 @@ TEST(Host, ZipOfBehavioursWorks) {
   ASSERT_EQ(std::system(make.c_str()), 0);
   BehaviourState state(zip);
   const FrameInput input;
-  EXPECT_EQ(step(BehaviourIn{input, {}, {}}, {}, state).walk.forward, 3.0) << state.lastError();
+  EXPECT_EQ(step(BehaviourIn{input, {}, {}, {}}, {}, state).walk.forward, 3.0) << state.lastError();
 }
 
 TEST(Host, TheShippedBehavioursDecide) {
   BehaviourState state(KELPIE_SOURCE_DIR "/pycode");
   const FrameInput input;
-  EXPECT_EQ(step(BehaviourIn{input, {}, {}}, {}, state).fallback, Fallback::none)
+  EXPECT_EQ(step(BehaviourIn{input, {}, {}, {}}, {}, state).fallback, Fallback::none)
       << state.lastError();
 }
 

@@ -46,12 +46,13 @@ class HostRun {
   Command step() {
     input.frame += 1;
     input.time = TimeUs::fromSeconds(input.frame * kFrameSeconds);
-    return behaviour::step(BehaviourIn{input, percepts, world}, params, state);
+    return behaviour::step(BehaviourIn{input, percepts, world, field}, params, state);
   }
 
   FrameInput input;
   Percepts percepts;
   WorldModel world;
+  body::FieldDescription field;
   BehaviourParams params;
   BehaviourState state;
 };

@@ -21,8 +21,8 @@ Point2<Field> landmarkAt(const FieldDescription& field, LandmarkKind kind,
 
 bool hasLine(const FieldDescription& field, Point2<Field> a, Point2<Field> b) {
   for (const FieldLine& line : field.lines) {
-    if (distance(line.from, a) + distance(line.to, b) < 1e-9) return true;
-    if (distance(line.from, b) + distance(line.to, a) < 1e-9) return true;
+    if (distance(line.start, a) + distance(line.end, b) < 1e-9) return true;
+    if (distance(line.start, b) + distance(line.end, a) < 1e-9) return true;
   }
   return false;
 }
@@ -70,8 +70,8 @@ TEST(FieldDescription, LinesAreTheirOwnMirrorImages) {
     for (const FieldLine& line : field.lines) {
       const auto across = [&](Point2<Field> p) { return Point2<Field>{field.width - p.x, p.y}; };
       const auto along = [&](Point2<Field> p) { return Point2<Field>{p.x, field.length - p.y}; };
-      EXPECT_TRUE(hasLine(field, across(line.from), across(line.to))) << name;
-      EXPECT_TRUE(hasLine(field, along(line.from), along(line.to))) << name;
+      EXPECT_TRUE(hasLine(field, across(line.start), across(line.end))) << name;
+      EXPECT_TRUE(hasLine(field, along(line.start), along(line.end))) << name;
     }
   }
 }

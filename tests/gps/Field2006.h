@@ -26,9 +26,9 @@ inline const FieldFeatures& features() {
 inline SeenLines seenFrom(const Pose2& pose) {
   SeenLines seen;
   for (const body::FieldLine& line : field2006().lines) {
-    const Point2<Field> way = line.to - line.from;
+    const Point2<Field> way = line.end - line.start;
     for (double at = 0.0; at < way.norm(); at += 15.0) {
-      const Point2<Robot> p = robotFromField(pose, line.from + way * (at / way.norm()));
+      const Point2<Robot> p = robotFromField(pose, line.start + way * (at / way.norm()));
       if (p.y > 0.0 && p.norm() < 250.0) seen.lines.push_back({p, 1.0});
     }
   }

@@ -21,9 +21,9 @@ Angle randomAngle(Random& random) { return Angle::rad(random.uniform(-maths::kPi
 SeenLines seenAround(const Pose2& pose, Point2<Field> place) {
   SeenLines seen;
   for (const body::FieldLine& line : field2006().lines) {
-    const Point2<Field> way = line.to - line.from;
+    const Point2<Field> way = line.end - line.start;
     for (double at = 0.0; at <= way.norm(); at += 2.0) {
-      const Point2<Field> p = line.from + way * (at / way.norm());
+      const Point2<Field> p = line.start + way * (at / way.norm());
       if (distance(p, place) < 18.0) seen.lines.push_back({robotFromField(pose, p), 1.0});
     }
   }

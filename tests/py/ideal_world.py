@@ -11,19 +11,21 @@ import random
 import kelpie
 
 FRAME_S = 1.0 / 30.0
-GOAL = 180 + 540j
 HALF_WIDTH, HALF_HEIGHT = 28.0, 22.5  # of the image, degrees
 KICK_S, KICK_CM = 1.0, 150.0
 
 
 class IdealWorld:
-    def __init__(self, seed, noise=0.0):
+    def __init__(self, seed, noise=0.0, field='2006'):
         chance = random.Random(seed)
+        self.field = kelpie.FIELDS[field]
+        self.goal = complex(0.5 * self.field.width, self.field.length)
         self.noise, self.chance = noise, chance
-        self.at = complex(chance.uniform(40, 320), chance.uniform(60, 400))
-        self.ball = complex(chance.uniform(60, 300), chance.uniform(100, 440))
+        wide, long = self.field.width / 360, self.field.length / 540
+        self.at = complex(wide * chance.uniform(40, 320), long * chance.uniform(60, 400))
+        self.ball = complex(wide * chance.uniform(60, 300), long * chance.uniform(100, 440))
         self.facing = cmath.rect(1, chance.uniform(0, 2 * math.pi))
-        self.world = kelpie.WorldFrame()
+        self.world = kelpie.WorldFrame(field=self.field)
         self.world.stance.body_tilt_deg = 14.25
         self.world.ball.seconds_since_seen = 0.0
         self.world.heading_sd_deg, self.world.position_sd = 5.0, 10.0
@@ -94,14 +96,15 @@ class IdealWorld:
 
     def shoot(self, end):
         start, self.ball = self.ball, end
-        if start.imag < 540.0 <= end.imag:
-            crossing = start + (end - start) * (540.0 - start.imag) / (end.imag - start.imag)
-            self.scored = abs(crossing.real - 180.0) < 40.0
+        line = self.goal.imag
+        if start.imag < line <= end.imag:
+            crossing = start + (end - start) * (line - start.imag) / (end.imag - start.imag)
+            self.scored = abs(crossing.real - self.goal.real) < 0.5 * self.field.goal_width
 
     def roll(self):
         if not self.scored:  # the referee puts a ball that left the field back inside
-            self.ball = complex(max(30.0, min(330.0, self.ball.real)),
-                                max(40.0, min(500.0, self.ball.imag)))
+            self.ball = complex(max(30.0, min(self.field.width - 30.0, self.ball.real)),
+                                max(40.0, min(self.field.length - 40.0, self.ball.imag)))
 
     def see(self):
         world = self.world
@@ -113,7 +116,7 @@ class IdealWorld:
         world.pose.position.y = self.at.imag
         world.pose.heading_deg = math.degrees(cmath.phase(self.facing)) + 6.0 * drift
         self.see_ball()
-        goal = GOAL
+        goal = self.goal
         world.percepts.landmarks = []
         if self.in_view(goal, 15.0) and abs(goal - self.at) < 400.0:
             x, y = self.robot_frame(goal)
@@ -146,9 +149,9 @@ class IdealWorld:
         ball.position.x, ball.position.y = self.believed.real, self.believed.imag
 
 
-def play(decide, seed, seconds, noise=0.0):
+def play(decide, seed, seconds, noise=0.0, field='2006'):
     """The world after that many seconds or the first goal."""
-    ideal = IdealWorld(seed, noise)
+    ideal = IdealWorld(seed, noise, field)
     ideal.see()
     while ideal.world.time_s < seconds and not ideal.scored:
         ideal.step(decide(ideal.world))

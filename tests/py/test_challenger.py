@@ -4,6 +4,7 @@ import math
 import kelpie
 from ideal_world import IdealWorld
 from lib.route import orders, points_of, shortest, way
+from lib import features
 from lib.tune import Challenge, Features
 from players.challenger import Challenger
 from skills.watch_field import in_reach
@@ -28,6 +29,10 @@ def test_shortest_goes_round_and_not_across():
     assert way((50, 50), order) < way((50, 50), POINTS)
 
 
+FIELD = kelpie.FIELDS['2006']
+FEATURES = features.primary(FIELD), features.secondary(FIELD)
+
+
 def pose(x, y, heading):
     return kelpie.Pose2(position=kelpie.Point2(x=x, y=y), heading_deg=heading)
 
@@ -35,15 +40,15 @@ def pose(x, y, heading):
 def test_nearly_every_pose_has_a_feature_in_reach():
     poses = [pose(x, y, h) for x in range(40, 340, 40) for y in range(40, 520, 40)
              for h in range(0, 360, 30)]
-    assert sum(bool(in_reach(p)) for p in poses) > 0.95 * len(poses)
+    assert sum(bool(in_reach(p, *FEATURES)) for p in poses) > 0.95 * len(poses)
 
 
 def test_features_in_reach_are_neither_near_nor_far_nor_behind():
-    assert (180, 270) in in_reach(pose(180, 250, 90))
-    assert (180, 270) not in in_reach(pose(180, 260, 90))  # 10 cm ahead
-    for x, y in in_reach(pose(100, 200, 90)):
+    assert (180, 270) in in_reach(pose(180, 250, 90), *FEATURES)
+    assert (180, 270) not in in_reach(pose(180, 260, 90), *FEATURES)  # 10 cm ahead
+    for x, y in in_reach(pose(100, 200, 90), *FEATURES):
         assert y > 200 and 15 < math.hypot(x - 100, y - 200) < 200
-    assert len(in_reach(pose(180, 200, 90))) <= Features.CHOICE
+    assert len(in_reach(pose(180, 200, 90), *FEATURES)) <= Features.CHOICE
 
 
 class Challenge2004:

@@ -10,7 +10,7 @@ from skills.strike import StepToKick
 
 
 def world_with_ball(x, y):
-    world = kelpie.WorldFrame()
+    world = kelpie.WorldFrame(field=kelpie.FIELDS['2006'])
     world.ball.present = True
     world.ball.relative.x, world.ball.relative.y = x, y
     world.ball.distance = (x * x + y * y) ** 0.5
@@ -57,7 +57,7 @@ def test_no_kick_past_the_goal():
 
 
 def test_kick_is_requested_until_it_runs_and_ends_with_it():
-    world = kelpie.WorldFrame()
+    world = kelpie.WorldFrame(field=kelpie.FIELDS['2006'])
     kick = KickForward(world)
     assert kick.motion(world) == kelpie.KICK_FORWARD
     world.motion.running = kelpie.KICK_FORWARD
@@ -67,7 +67,7 @@ def test_kick_is_requested_until_it_runs_and_ends_with_it():
 
 
 def test_kick_that_never_starts_is_given_up():
-    world = kelpie.WorldFrame()
+    world = kelpie.WorldFrame(field=kelpie.FIELDS['2006'])
     kick = KickForward(world)
     world.time_s += Kick.START_TIME + 0.1
     assert kick.done(world)
@@ -76,7 +76,7 @@ def test_kick_that_never_starts_is_given_up():
 @pytest.mark.parametrize('team, kind', [(kelpie.RED, kelpie.GOAL_BLUE),
                                         (kelpie.BLUE, kelpie.GOAL_YELLOW)])
 def test_only_the_opponents_goal_is_shot_at(team, kind):
-    world = kelpie.WorldFrame(heading_sd_deg=180.0)
+    world = kelpie.WorldFrame(field=kelpie.FIELDS['2006'], heading_sd_deg=180.0)
     world.game.team = team
     other = kelpie.GOAL_BLUE + kelpie.GOAL_YELLOW - kind
     goal = OpponentGoal()
@@ -89,7 +89,7 @@ def test_only_the_opponents_goal_is_shot_at(team, kind):
 
 
 def test_seen_goal_is_carried_along_and_then_forgotten():
-    world = kelpie.WorldFrame(heading_sd_deg=180.0)
+    world = kelpie.WorldFrame(field=kelpie.FIELDS['2006'], heading_sd_deg=180.0)
     world.percepts.landmarks = [kelpie.LandmarkPercept(kind=kelpie.GOAL_BLUE, distance=200.0)]
     goal = OpponentGoal()
     goal.update(world)

@@ -85,6 +85,7 @@ Status applyConfig(const ConfigOptions& options, agent::AgentConfig& config) {
   if (!options.field.empty()) {
     const auto field = body::fieldDescription(options.field);
     if (!field) return Error{field.error()};
+    config.field = *field;
     config.gps.field = *field;
     config.vision.field = *field;
     config.vision.goal.width = field->goalWidth;

@@ -195,8 +195,8 @@ cv::Mat drawField(const body::FieldDescription& field, TeamColour team, double s
   drawGoal(picture, field, scale, false, red ? kBlue : kYellow);
   const int width = std::max(1, static_cast<int>(std::lround(field.lineWidth * scale)));
   for (const auto& line : field.lines)
-    cv::line(picture, onPicture(field, scale, line.from), onPicture(field, scale, line.to), kWhite,
-             width, cv::LINE_AA);
+    cv::line(picture, onPicture(field, scale, line.start), onPicture(field, scale, line.end),
+             kWhite, width, cv::LINE_AA);
   cv::circle(picture, onPicture(field, scale, {field.width / 2, field.length / 2}),
              static_cast<int>(field.circleDiameter / 2 * scale), kWhite, width, cv::LINE_AA);
   for (const auto& landmark : field.landmarks)

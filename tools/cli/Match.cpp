@@ -47,7 +47,7 @@ Expected<Match> Match::open(const std::string& path) {
     const auto config = std::make_unique<agent::AgentConfig>();
     const Status read = decodeAs(message, *config);
     if (!read) return Error{path + ": " + read.error()};
-    match.field_ = config->gps.field;
+    match.field_ = config->field;
     match.team_ = config->team;
     configured = true;
   }

@@ -198,7 +198,7 @@ Expected<MatchRecord> playMatch(const Request& request, const agent::AgentConfig
         kEvery * (kidnap + 1), [&recorder](const WatchedFrame& frame) { recorder.frame(frame); });
     if (!played) return Error{played.error()};
     if (kidnap == kKidnaps) break;
-    const Status carried = match.world().carry(0, anywhere(config.gps.field, random));
+    const Status carried = match.world().carry(0, anywhere(config.field, random));
     if (!carried) return Error{carried.error()};
     recorder.begin(match.world().time().seconds());
   }

@@ -43,11 +43,11 @@ double share(std::uint8_t value, float none, float all) {
 bool inside(int px, int py) { return px >= 0 && px < kImageWidth && py >= 0 && py < kImageHeight; }
 
 double offSegment(const body::FieldLine& line, Point2<Field> p) {
-  const Point2<Field> along = line.to - line.from;
-  const Point2<Field> d = p - line.from;
+  const Point2<Field> along = line.end - line.start;
+  const Point2<Field> d = p - line.start;
   const double square = along.x * along.x + along.y * along.y;
   const double t = std::clamp((d.x * along.x + d.y * along.y) / square, 0.0, 1.0);
-  return distance(p, line.from + along * t);
+  return distance(p, line.start + along * t);
 }
 
 }  // namespace

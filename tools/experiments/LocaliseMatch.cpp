@@ -15,7 +15,7 @@ constexpr double kBallFromLines = 40.0;  // cm, where it lies after a goal
 constexpr double kApart = 40.0;          // cm between it and the robot
 
 std::unique_ptr<sim::World> endlessMatch(const agent::AgentConfig& config, std::uint64_t seed) {
-  const body::FieldDescription& field = config.gps.field;
+  const body::FieldDescription& field = config.field;
   const auto setup = *sim::scenario("empty-goal", field, {{config.team, config.player}}, seed);
   sim::WorldParams params;
   params.referee.seconds = 1e5;
@@ -33,7 +33,7 @@ Expected<agent::AgentConfig> agentConfig(const Request& request) {
 
 LocaliseMatch::LocaliseMatch(const agent::AgentConfig& config, const std::string& scripts,
                              std::uint64_t seed)
-    : field_(config.gps.field),
+    : field_(config.field),
       world_(endlessMatch(config, seed)),
       loops_(std::make_unique<agent::AgentLoops>(config, scripts,
                                                  static_cast<agent::LogSink&>(*this))),

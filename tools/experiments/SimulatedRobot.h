@@ -75,10 +75,10 @@ class SimulatedRobot {
     const double scale = random_.gaussian(1.0, 0.015);
     const double turn = random_.gaussian(0.0, 0.005);
     for (const body::FieldLine& line : params.field.lines) {
-      const Point2<Field> way = line.to - line.from;
+      const Point2<Field> way = line.end - line.start;
       const double length = std::hypot(way.x, way.y);
       for (double at = random_.uniform(0.0, 10.0); at < length; at += 10.0)
-        seePoint(line.from + way * (at / length), pan, scale, turn);
+        seePoint(line.start + way * (at / length), pan, scale, turn);
     }
   }
 

@@ -315,7 +315,7 @@ Status halfTime(const Setup& setup, LocaliseMatch& match, const LocaliseMatch::W
 
 Expected<ChallengeResult> playChallenge(const Request& request, agent::AgentConfig config,
                                         std::uint64_t seed) {
-  const Setup setup = setupOf(config.gps.field, seed);
+  const Setup setup = setupOf(config.field, seed);
   configure(setup, config);
   LocaliseMatch match(config, cli::defaultScripts(), seed);
   match.world().putUp(setup.wall);

@@ -57,10 +57,10 @@ void StandingRobot::look(bool landmarks) {
 }
 
 void StandingRobot::seeLine(const body::FieldLine& line) {
-  const Point2<Field> way = line.to - line.from;
+  const Point2<Field> way = line.end - line.start;
   const double length = way.norm();
   for (double at = random_.uniform(0.0, kSpacing); at < length; at += kSpacing)
-    seePoint(line.from + way * (at / length), LinePointKind::line);
+    seePoint(line.start + way * (at / length), LinePointKind::line);
 }
 
 void StandingRobot::seeCircle() {

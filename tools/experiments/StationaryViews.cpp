@@ -66,7 +66,7 @@ Pose2 beside(const Pose2& pose, Random& random) {
 Expected<Stands> standAtPlaces(const agent::AgentConfig& config, std::uint64_t seed) {
   LocaliseMatch match(config, KELPIE_SOURCE_DIR "/tools/experiments/standing", seed);
   Random random(seed ^ 0x57a2dULL);
-  const body::FieldDescription& field = config.gps.field;
+  const body::FieldDescription& field = config.field;
   Stands stands;
   for (int place = 0; place < kPlaces; ++place) {
     const Pose2 pose{{random.uniform(kFromLines, field.width - kFromLines),

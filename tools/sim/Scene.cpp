@@ -62,12 +62,12 @@ void addBeacon(Scene& scene, const body::FieldDescription& field, const body::La
 
 // A painted line as a strip of the line's width around its centre line.
 Quad strip(const body::FieldLine& line, double width) {
-  const Point2<Field> along = line.to - line.from;
+  const Point2<Field> along = line.end - line.start;
   const double length = along.norm() > 0.0 ? along.norm() : 1.0;
   const Point2<Field> unit = along * (1.0 / length);
   const Point2<Field> side{-unit.y * width / 2.0, unit.x * width / 2.0};
-  const Point2<Field> from = line.from - unit * (width / 2.0);
-  const Point2<Field> to = line.to + unit * (width / 2.0);
+  const Point2<Field> from = line.start - unit * (width / 2.0);
+  const Point2<Field> to = line.end + unit * (width / 2.0);
   Quad quad;
   quad.colour = colours::kWhite;
   quad.corner = {FieldPoint3{from.x + side.x, from.y + side.y, 0.0},

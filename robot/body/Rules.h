@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// The rules of play as numbers, beside the field that they go with: what the referee counts and
+// what behaviours keep to (checklist M05; facts-2005 section 1 for the throw-in).
+#pragma once
+
+#include <cstdint>
+
+#include "robot/core/Fields.h"
+
+namespace kelpie::body {
+
+struct Rules {
+  std::uint8_t robotsASide = 4;
+  double halfTime = 600.0;        // s of play
+  double readyTime = 45.0;        // s to walk to the places for a kick-off
+  double penaltyTime = 30.0;      // s off the field for a foul
+  double holdingTime = 3.0;       // s that a robot may hold the ball
+  double holdingDistance = 50.0;  // cm that it may carry it
+  double throwInFromSide = 40.0;  // cm from the side line, where a ball that went out is put
+  double throwInFromEnd = 100.0;  // cm from the goal line at least
+
+  static constexpr auto fields() {
+    return fieldList(field("robotsASide", &Rules::robotsASide, "", 1, 11),
+                     field("halfTime", &Rules::halfTime, "s", 1, 3600),
+                     field("readyTime", &Rules::readyTime, "s", 0, 600),
+                     field("penaltyTime", &Rules::penaltyTime, "s", 0, 600),
+                     field("holdingTime", &Rules::holdingTime, "s", 0, 60),
+                     field("holdingDistance", &Rules::holdingDistance, "cm", 0, 500),
+                     field("throwInFromSide", &Rules::throwInFromSide, "cm", 0, 500),
+                     field("throwInFromEnd", &Rules::throwInFromEnd, "cm", 0, 500));
+  }
+};
+
+}  // namespace kelpie::body
