@@ -1,7 +1,8 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""Fails on an include against the layers of docs/architecture.md, on an include cycle, on Python.h
-outside behaviour/ and on OPEN-R headers outside robot/."""
+"""Fails on an include against the layers or rooms of docs/architecture.md, on units (a header with its
+source file) that include each other in a circle, on Python.h outside behaviour/, on OPEN-R headers
+outside robot/, and on tests that include the command line's own files."""
 
 import re
 import subprocess
@@ -23,6 +24,12 @@ MAY_INCLUDE = {
     "robot/agent": BOTTOM | {"vision", "gps", "actuator", "behaviour", "robot/openr",
                              "robot/agent", "robot/net"},
 }
+# The rooms of a stage in their order: a room includes those before it and itself, never its
+# neighbours of the same row. What several rooms share stands at the stage's root.
+ROOMS = {
+    "vision": [["pixels"], ["blobs"], ["edge"],
+               ["ball", "beacon", "goal", "line", "pink", "robot"]],
+}
 INCLUDE = re.compile(r'^\s*#\s*include\s+([<"])([^>"]+)[>"]', re.M)
 
 
@@ -35,8 +42,26 @@ def includes(path):
     return [name for _, name in INCLUDE.findall((ROOT / path).read_text())]
 
 
+def room_of(path):
+    """(stage, room, rank), or None for what is in no room."""
+    parts = Path(path).parts
+    for rank, row in enumerate(ROOMS.get(parts[0], ())):
+        if parts[1] in row:
+            return parts[0], parts[1], rank
+    return None
+
+
+def wrong_room(path, name):
+    mine, other = room_of(path), room_of(name)
+    if mine and other and mine[0] == other[0] and mine[1] != other[1] and mine[2] <= other[2]:
+        return f"room {mine[0]}/{mine[1]} may not include {other[0]}/{other[1]}"
+    return None
+
+
 def wrong_include(path, name):
     layer = folder_of(path)
+    if path.startswith("tests/") and name.startswith("tools/cli/"):
+        return "tests include what they share with the command line from a library, not from it"
     if name == "Python.h" and layer not in ("behaviour", "tests", "toolchain"):
         return "Python.h belongs to behaviour/ only"
     if name.startswith("OPENR/") and not path.startswith(("robot/", "tests/")):
@@ -44,42 +69,48 @@ def wrong_include(path, name):
     if layer in MAY_INCLUDE and (ROOT / name).exists():
         if folder_of(name) not in MAY_INCLUDE[layer]:
             return f"{layer} may not include {folder_of(name)}"
-    return None
+    return wrong_room(path, name)
 
 
-def find_cycle(graph):
-    done, trail = set(), []
+def unit_of(path):
+    """A header and its source file are one unit: together they say what a part needs."""
+    return str(Path(path).with_suffix(""))
 
-    def visit(node):
-        if node in trail:
-            return trail[trail.index(node):] + [node]
-        if node in done:
-            return None
-        trail.append(node)
-        for child in graph.get(node, ()):
-            cycle = visit(child)
-            if cycle:
-                return cycle
-        trail.pop()
-        done.add(node)
-        return None
 
-    for node in graph:
-        cycle = visit(node)
-        if cycle:
-            return cycle
-    return None
+def circles_of(graph):
+    """The sets of units that include each other in a circle (Tarjan's strongly connected parts)."""
+    number, low, stack, circles = {}, {}, [], []
+
+    def visit(unit):
+        number[unit] = low[unit] = len(number)
+        stack.append(unit)
+        for other in graph.get(unit, ()):
+            if other not in number:
+                visit(other)
+            if other in stack:
+                low[unit] = min(low[unit], low[other])
+        if low[unit] == number[unit]:
+            part = stack[stack.index(unit):]
+            del stack[stack.index(unit):]
+            if len(part) > 1:
+                circles.append(sorted(part))
+
+    for unit in sorted(graph):
+        if unit not in number:
+            visit(unit)
+    return circles
 
 
 def main():
     files = subprocess.run(["git", "ls-files", "*.h", "*.cpp"], cwd=ROOT, check=True,
                            capture_output=True, text=True).stdout.split()
-    graph = {path: [n for n in includes(path) if (ROOT / n).exists()] for path in files}
+    graph = {}
+    for path in files:
+        needed = {unit_of(name) for name in includes(path) if (ROOT / name).exists()}
+        graph.setdefault(unit_of(path), set()).update(needed - {unit_of(path)})
     problems = [f"{path}: {why} ({name})" for path in files for name in includes(path)
                 if (why := wrong_include(path, name))]
-    cycle = find_cycle(graph)
-    if cycle:
-        problems.append("include cycle: " + " -> ".join(cycle))
+    problems += ["units include each other: " + ", ".join(circle) for circle in circles_of(graph)]
     print("\n".join(problems), end="\n" if problems else "")
     return 1 if problems else 0
 
