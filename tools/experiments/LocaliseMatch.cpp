@@ -95,6 +95,7 @@ void LocaliseMatch::see(TimeUs now) {
   GameState game = world_->gameFor(0);
   if (halted_) game.state = PlayState::set;
   loops_->setGame(game);
+  frameBegan_ = std::chrono::steady_clock::now();
   loops_->camera(*image_, {now.us - kExposureUs / 2}, images_++);
   replaceBall();
   trouble_ = loops_->scriptError();
@@ -116,10 +117,11 @@ void LocaliseMatch::replaceBall() {
 }
 
 void LocaliseMatch::frame(const FrameInput& input, const FrameOutput& output) {
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - frameBegan_;
   const Pose2 truth = world_->truth(input.time).robots[0].pose;
   if (!seen_) before_ = truth;
   seen_ = true;
-  if (watch_) watch_({input, output, truth, before_});
+  if (watch_) watch_({input, output, truth, before_, took.count()});
   before_ = truth;
 }
 

@@ -6,6 +6,7 @@
 // ball lies anywhere, so that the robot gets everywhere.
 #pragma once
 
+#include <chrono>
 #include <functional>
 #include <memory>
 #include <string>
@@ -23,8 +24,9 @@ Expected<agent::AgentConfig> agentConfig(const Request& request);
 struct WatchedFrame {
   const FrameInput& input;
   const FrameOutput& output;
-  Pose2 truth;   // in the middle of the exposure: the time of the input
-  Pose2 before;  // the truth of the frame before
+  Pose2 truth;           // in the middle of the exposure: the time of the input
+  Pose2 before;          // the truth of the frame before
+  double seconds = 0.0;  // that the frame took on this machine, by its clock
 };
 
 class LocaliseMatch : private agent::LogSink {
@@ -56,6 +58,7 @@ class LocaliseMatch : private agent::LogSink {
   MotionInput motion_;
   Watcher watch_;
   Pose2 before_;
+  std::chrono::steady_clock::time_point frameBegan_;
   bool seen_ = false;
   bool halted_ = false;
   std::string trouble_;
