@@ -13,7 +13,7 @@
 namespace kelpie::gps {
 
 struct GpsParams {
-  body::FieldDescription field;  // the loader of parameters fills it, landmarks included
+  body::FieldDescription field;  // the agent's (AgentConfig::field), so it is not in the list
   InitialPose initialPose;
   MotionNoise motion;
   StuckParams stuck;
@@ -26,8 +26,7 @@ struct GpsParams {
 
   static constexpr auto fields() {
     using kelpie::field;
-    return fieldList(field("field", &GpsParams::field),
-                     field("initialPose", &GpsParams::initialPose),
+    return fieldList(field("initialPose", &GpsParams::initialPose),
                      field("motion", &GpsParams::motion), field("stuck", &GpsParams::stuck),
                      field("gates", &GpsParams::gates), field("modes", &GpsParams::modes),
                      field("lines", &GpsParams::lines), field("pinks", &GpsParams::pinks),

@@ -11,8 +11,6 @@ namespace kelpie::gps {
 
 // Where the referee puts a ball that left the field (rules 2006), and when that is believed.
 struct DropInParams {
-  double fromSide = 40.0;   // cm from the side line
-  double fromEnd = 100.0;   // cm from the goal line, at least
   double outSds = 2.0;      // so far beyond the line, in standard deviations, it is out
   double unseen = 0.2;      // s; a ball in sight is where it is seen
   double variance = 30.0;   // cm2, of the referee's hand (facts-2005 section 5)
@@ -20,11 +18,10 @@ struct DropInParams {
 
   static constexpr auto fields() {
     using P = DropInParams;
-    return fieldList(
-        field("fromSide", &P::fromSide, "cm", 0, 500), field("fromEnd", &P::fromEnd, "cm", 0, 500),
-        field("outSds", &P::outSds, "", 0, 10), field("unseen", &P::unseen, "s", 0, 10),
-        field("variance", &P::variance, "cm2", 1, 1e4),
-        field("maxPoseSd", &P::maxPoseSd, "cm", 1, 1000));
+    return fieldList(field("outSds", &P::outSds, "", 0, 10),
+                     field("unseen", &P::unseen, "s", 0, 10),
+                     field("variance", &P::variance, "cm2", 1, 1e4),
+                     field("maxPoseSd", &P::maxPoseSd, "cm", 1, 1000));
   }
 };
 

@@ -49,13 +49,6 @@ double beyondLines(const body::FieldDescription& field, Point2<Field> ball) {
   return std::max(side, inGoal ? std::min(end, 0.0) : end) - body::kBallRadius;
 }
 
-Point2<Field> dropInPoint(const body::FieldDescription& field, const DropInParams& params,
-                          Point2<Field> ball) {
-  const bool left = ball.x < 0.5 * field.width;
-  return {left ? params.fromSide : field.width - params.fromSide,
-          maths::clamp(ball.y, params.fromEnd, field.length - params.fromEnd)};
-}
-
 void applyReferee(const GameState& game, const body::FieldDescription& field,
                   const BallFilterParams& params, const PoseState& pose, BallState& ball) {
   const PoseMode& mode = pose.modes[0];
@@ -70,7 +63,7 @@ void applyReferee(const GameState& game, const body::FieldDescription& field,
   }
   if (field.borderWidth > 0.0 || pose.lost || !believedOut(field, params, mode, track)) return;
   const Point2<Field> at = fieldFromRobot(mode.pose, {track.both.mean[0], track.both.mean[1]});
-  place(dropInPoint(field, params.dropIn, at), params.dropIn.variance, mode, track);
+  place(body::throwInPlace(field, at), params.dropIn.variance, mode, track);
 }
 
 }  // namespace kelpie::gps

@@ -15,11 +15,6 @@ namespace kelpie::gps {
 // How far the whole ball is beyond the nearest line, cm; negative inside, and inside the goals.
 double beyondLines(const body::FieldDescription& field, Point2<Field> ball);
 
-// Where a ball that left the field at that place is put back: `fromSide` in from the nearer side
-// line, at least `fromEnd` from the goal lines.
-Point2<Field> dropInPoint(const body::FieldDescription& field, const DropInParams& params,
-                          Point2<Field> ball);
-
 void applyReferee(const GameState& game, const body::FieldDescription& field,
                   const BallFilterParams& params, const PoseState& pose, BallState& ball);
 

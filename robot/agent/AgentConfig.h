@@ -18,7 +18,8 @@ namespace kelpie::agent {
 struct AgentConfig {
   TeamColour team = TeamColour::red;
   std::uint8_t player = 1;
-  body::FieldDescription field;  // the one that every stage reads, with the rules
+  // The one field that every stage reads, with the rules; agent::shareField() gives it to them.
+  body::FieldDescription field = *body::fieldDescription("2006");
   body::BodyParams body;
   vision::VisionParams vision;
   gps::GpsParams gps;
@@ -36,5 +37,11 @@ struct AgentConfig {
         field("actuator", &AgentConfig::actuator), field("calibration", &AgentConfig::calibration));
   }
 };
+
+// To be called when `field` has changed, before a stage is run.
+inline void shareField(AgentConfig& config) {
+  config.vision.field = config.field;
+  config.gps.field = config.field;
+}
 
 }  // namespace kelpie::agent

@@ -7,6 +7,7 @@ namespace kelpie::agent {
 
 FrameLoop::FrameLoop(const AgentConfig& config, const std::string& scripts)
     : config_(config), vision_(config.calibration), behaviour_(scripts) {
+  shareField(config_);
   gps::prepare(config_.gps, gps_);
 }
 

@@ -103,6 +103,13 @@ Expected<FieldDescription> fieldDescription(std::string_view name) {
   return Error{"no field '" + std::string(name) + "'; there are 2006, osaka2005 and 2004"};
 }
 
+Point2<Field> throwInPlace(const FieldDescription& field, Point2<Field> ball) {
+  const Rules& rules = field.rules;
+  const bool left = ball.x < 0.5 * field.width;
+  return {left ? rules.throwInFromSide : field.width - rules.throwInFromSide,
+          maths::clamp(ball.y, rules.throwInFromEnd, field.length - rules.throwInFromEnd)};
+}
+
 const Landmark* findLandmark(const LandmarkMap& map, LandmarkKind kind) {
   const auto it =
       std::find_if(map.begin(), map.end(), [kind](const Landmark& l) { return l.kind == kind; });

@@ -81,6 +81,9 @@ struct FieldDescription {
 // "2006", "osaka2005" or "2004"; an error names the three for anything else.
 Expected<FieldDescription> fieldDescription(std::string_view name);
 
+// Where a ball that left the field at that place is put back by the rules.
+Point2<Field> throwInPlace(const FieldDescription& field, Point2<Field> ball);
+
 using LandmarkMap = FixedVector<Landmark, kLandmarkKindCount>;
 
 // Nothing when the map has none of the kind.

@@ -45,7 +45,6 @@ struct Match {
   Match() {
     const auto field = *body::fieldDescription("2006");
     config->field = field;
-    config->gps.field = field;
     config->calibration = vision::nominalCalibration();
     const auto setup = *sim::scenario("empty-goal", field, {{TeamColour::red, 1}}, 5);
     world = std::make_unique<sim::World>(sim::WorldParams{}, field, setup, 5);

@@ -37,7 +37,7 @@ struct Watcher {
 TEST(DropIn, PointsAreThoseOfTheRules) {
   const body::FieldDescription field = *body::fieldDescription("2006");
   const auto expect = [&](double x, double y, double atX, double atY) {
-    const Point2<Field> point = dropInPoint(field, {}, {x, y});
+    const Point2<Field> point = body::throwInPlace(field, {x, y});
     EXPECT_NEAR(point.x, atX, 1e-9);
     EXPECT_NEAR(point.y, atY, 1e-9);
   };

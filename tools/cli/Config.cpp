@@ -32,6 +32,7 @@ Status setInitialPose(const std::string& text, gps::InitialPose& initial) {
 }
 
 void addSections(ParameterSet& set, agent::AgentConfig& config) {
+  set.add("field", config.field);
   set.add("body", config.body);
   set.add("vision", config.vision);
   set.add("gps", config.gps);
@@ -86,10 +87,6 @@ Status applyConfig(const ConfigOptions& options, agent::AgentConfig& config) {
     const auto field = body::fieldDescription(options.field);
     if (!field) return Error{field.error()};
     config.field = *field;
-    config.gps.field = *field;
-    config.vision.field = *field;
-    config.vision.goal.width = field->goalWidth;
-    config.vision.goal.depth = field->goalDepth;
   }
   if (!options.team.empty())
     config.team = options.team == "blue" ? TeamColour::blue : TeamColour::red;
@@ -98,6 +95,7 @@ Status applyConfig(const ConfigOptions& options, agent::AgentConfig& config) {
   if (!calibration) return calibration;
   const Status overlaid = overlayParameters(options.params, config);
   if (!overlaid) return overlaid;
+  agent::shareField(config);
   if (options.initial.empty()) return Done{};
   return setInitialPose(options.initial, config.gps.initialPose);
 }

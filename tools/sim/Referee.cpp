@@ -31,12 +31,6 @@ void Referee::record(TimeUs now, EventKind kind, TeamColour team, Point2<Field> 
   events_.push_back(event);
 }
 
-Point2<Field> Referee::throwIn(Point2<Field> ball) const {
-  const double x = ball.x < field_.width / 2.0 ? params_.throwInFromSide
-                                               : field_.width - params_.throwInFromSide;
-  return {x, maths::clamp(ball.y, params_.throwInFromEnd, field_.length - params_.throwInFromEnd)};
-}
-
 void Referee::tick(TimeUs now, Ball& ball) {
   if (!started_) record({0}, EventKind::start, TeamColour::red, ball.position);
   started_ = true;
@@ -51,7 +45,7 @@ void Referee::tick(TimeUs now, Ball& ball) {
   } else if (ballOut(field_, ball.position)) {
     record(now, EventKind::out, TeamColour::red, ball.position);
     ++score_.outs;
-    ball = {throwIn(ball.position), {}};
+    ball = {body::throwInPlace(field_, ball.position), {}};
   }
   finished_ = finished_ || now.seconds() >= params_.seconds;
   if (finished_) record(now, EventKind::end, TeamColour::red, ball.position);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Goals, balls out and the end of the match. A ball that leaves the field is put back at the
-// nearest throw-in place (40 cm in from the side, at least 100 cm from the goal lines: facts-2005
-// section 1); after a goal it lies in the middle. Robots are not moved. No fouls.
+// throw-in place of the field's rules; after a goal it lies in the middle. Robots are not moved. No
+// fouls.
 #pragma once
 
 #include <optional>
@@ -16,15 +16,11 @@ namespace kelpie::sim {
 struct RefereeParams {
   double seconds = 60.0;  // length of the match
   int goals = 1;          // of either team that end it; 0 = never
-  double throwInFromSide = 40.0;
-  double throwInFromEnd = 100.0;
 
   static constexpr auto fields() {
     using P = RefereeParams;
     return fieldList(field("seconds", &P::seconds, "s", 0, 1e5),
-                     field("goals", &P::goals, "", 0, 100),
-                     field("throwInFromSide", &P::throwInFromSide, "cm", 0, 200),
-                     field("throwInFromEnd", &P::throwInFromEnd, "cm", 0, 300));
+                     field("goals", &P::goals, "", 0, 100));
   }
 };
 
@@ -56,7 +52,6 @@ class Referee {
 
  private:
   void record(TimeUs now, EventKind kind, TeamColour team, Point2<Field> ball);
-  Point2<Field> throwIn(Point2<Field> ball) const;
 
   RefereeParams params_;
   body::FieldDescription field_;
