@@ -16,7 +16,8 @@
 namespace kelpie::vision {
 
 struct VisionParams {
-  body::FieldDescription field = *body::fieldDescription("2006");  // the loader may set another
+  // The agent's (AgentConfig::field), so it is not in the list.
+  body::FieldDescription field = *body::fieldDescription("2006");
   BallFinderParams ball;
   BeaconFinderParams beacon;
   GoalFinderParams goal;
@@ -29,12 +30,12 @@ struct VisionParams {
 
   static constexpr auto fields() {
     using kelpie::field;
-    return fieldList(
-        field("field", &VisionParams::field), field("ball", &VisionParams::ball),
-        field("beacon", &VisionParams::beacon), field("goal", &VisionParams::goal),
-        field("scan", &VisionParams::scan), field("fieldEdge", &VisionParams::fieldEdge),
-        field("line", &VisionParams::line), field("robot", &VisionParams::robot),
-        field("pink", &VisionParams::pink), field("obstacle", &VisionParams::obstacle));
+    return fieldList(field("ball", &VisionParams::ball), field("beacon", &VisionParams::beacon),
+                     field("goal", &VisionParams::goal), field("scan", &VisionParams::scan),
+                     field("fieldEdge", &VisionParams::fieldEdge),
+                     field("line", &VisionParams::line), field("robot", &VisionParams::robot),
+                     field("pink", &VisionParams::pink),
+                     field("obstacle", &VisionParams::obstacle));
   }
 };
 

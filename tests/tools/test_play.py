@@ -255,3 +255,19 @@ def test_json_lines_go_on_where_images_were_not_kept(long_match):
     result = kelpie("replay", long_match, "--jsonl", "-")
     frames = [json.loads(line)["frame"] for line in result.stdout.splitlines()]
     assert frames == list(range(660))
+
+
+@pytest.mark.parametrize("field", ["2006", "osaka2005", "2004"])
+def test_the_robot_scores_on_every_field(field, tmp_path):
+    result = kelpie("play", "--field", field, "--seed", "6", "--seconds", "90", "--no-film", "--out",
+                    tmp_path)
+    assert result.returncode == 0, result.stdout + result.stderr
+
+
+def test_a_field_of_other_sizes_is_a_file_of_parameters(match, tmp_path):
+    params = tmp_path / "hall.toml"
+    params.write_text("[field]\nwidth = '300cm'\n[field.rules]\nreadyTime = '30s'\n")
+    result = kelpie("replay", match, "--check", "--params", params)
+    assert result.returncode == 1 and "differ" in result.stdout  # it believes in another field
+    params.write_text("[field]\nbreadth = '300cm'\n")
+    assert "unknown key field.breadth" in complaint(kelpie("replay", match, "--params", params))

@@ -54,7 +54,7 @@ struct View {
     const double along = (Angle::deg(90) - pose.heading + turn).rad();
     const Landmarks none;
     GoalFacts facts;
-    addPlace(board.scene(), c, {true, middle, along, 0.0}, beacons != nullptr ? *beacons : none, {},
+    addPlace(board.scene(), c, {true, middle, along, 0.0}, beacons != nullptr ? *beacons : none,
              facts);
     return facts;
   }

@@ -329,7 +329,7 @@ TEST(GoalFacts, FactsAreCountedOverTheChosenColumns) {
     c.columns.push_back(column);
   }
   c.footError = Angle::deg(-0.5).rad();
-  const GoalFacts facts = goalFacts(board.scene(), c, {true, {0, 200}, 0.0, 3.0}, {});
+  const GoalFacts facts = goalFacts(board.scene(), c, {true, {0, 200}, 0.0, 3.0});
   EXPECT_NEAR(facts.visibleWidth, 60, 0.5);
   EXPECT_NEAR(facts.lowestFoot, 2.0, 1e-9);
   EXPECT_NEAR(facts.meanFoot, 0.5, 1e-9);
@@ -339,7 +339,7 @@ TEST(GoalFacts, FactsAreCountedOverTheChosenColumns) {
   EXPECT_NEAR(facts.footError, 0.5, 1e-9);
   EXPECT_NEAR(facts.lateralOffset, 0.0, 1e-9);
   c.left.hidden = true;
-  const GoalFacts oblique = goalFacts(board.scene(), c, {true, {0, 200}, -0.5, 3.0}, {});
+  const GoalFacts oblique = goalFacts(board.scene(), c, {true, {0, 200}, -0.5, 3.0});
   EXPECT_EQ(oblique.hidden, 1.0);
   EXPECT_NEAR(oblique.lateralOffset, 200.0 * std::sin(0.5), 1e-6);
 }

@@ -93,12 +93,12 @@ TEST(PointChecks, YellowIsNoPaint) {
 
 TEST(PointChecks, WidthOnTheGroundTellsLinesFromBroaderAndThinnerThings) {
   const LinePointParams p;  // 2.5 cm, 40 % and 0.6 px
-  EXPECT_TRUE(lineIsNarrow({0.2, 3.5}, p));
-  EXPECT_FALSE(lineIsNarrow({0.2, 3.7}, p));
-  EXPECT_TRUE(lineIsNarrow({3.0, 5.2}, p));  // far away a pixel is wider than a line
-  EXPECT_FALSE(lineIsNarrow({3.0, 5.4}, p));
-  EXPECT_TRUE(lineIsWide({0.2, 1.5}, p));
-  EXPECT_FALSE(lineIsWide({0.2, 1.3}, p));
+  EXPECT_TRUE(lineIsNarrow({0.2, 3.5}, 2.5, p));
+  EXPECT_FALSE(lineIsNarrow({0.2, 3.7}, 2.5, p));
+  EXPECT_TRUE(lineIsNarrow({3.0, 5.2}, 2.5, p));  // far away a pixel is wider than a line
+  EXPECT_FALSE(lineIsNarrow({3.0, 5.4}, 2.5, p));
+  EXPECT_TRUE(lineIsWide({0.2, 1.5}, 2.5, p));
+  EXPECT_FALSE(lineIsWide({0.2, 1.3}, 2.5, p));
 }
 
 // Distance on the ground of a pixel from the line through two others.

@@ -108,7 +108,7 @@ DistanceModel geometry(SizedObject object, const Optics& optics) {
     return [optics](const Measured& m) {
       return landmarkDistance(m, optics, kBeaconHeight, kBeaconRadius);
     };
-  const double depth = vision::GoalFinderParams{}.depth;
+  const double depth = body::FieldDescription{}.goalDepth;
   return [optics, depth](const Measured& m) {
     return landmarkDistance(m, optics, kGoalHeight, -depth);
   };

@@ -243,7 +243,7 @@ Expected<Json> linePoints(const Request& request) {
   const Tally now = look(views, params, request);
   views.field = *body::fieldDescription("2004");
   params.line.border = true;
-  params.line.lineWidth = views.field.lineWidth;
+  params.field = views.field;
   const Tally before = look(views, params, request);
   return Json{{"head_slow_share", ratio(now.open, now.views)},
               {"true_share", valueOf(now.kind[0].truth)},

@@ -14,9 +14,9 @@
 namespace kelpie::vision {
 namespace {
 
-constexpr double kBandHeight = 10.0;  // cm; four bands, the upper two coloured (facts-2005 1)
-constexpr double kBeaconRadius = 5.0;
-constexpr double kTopHeight = 40.0;
+// Four bands of one height, the upper two coloured (facts-2005 section 1).
+double bandHeight(const Scene& scene) { return 0.25 * scene.field.beaconHeight; }
+
 constexpr std::size_t kMaxCandidates = 12;
 constexpr int kMinWhite = 4;  // half pixels of the white part that must show
 
@@ -115,20 +115,21 @@ void forgetMergedEnds(BeaconCandidate& c, const BeaconFinderParams& p) {
   }
 }
 
-// Two of the heights 40, 30 and 20 cm that lie inside the image, as far apart as possible.
+// Two of the ends of the coloured bands (40, 30 and 20 cm) that lie inside the image, as far apart
+// as possible.
 double measureDistance(const Scene& scene, const BeaconCandidate& c) {
   const CameraPose& camera = scene.body.camera;
   const double high = groundRayThrough(camera, c.topCut ? c.middle : c.top).slope;
   const double low = groundRayThrough(camera, c.bottomCut ? c.middle : c.bottom).slope;
-  const double height = c.topCut || c.bottomCut ? kBandHeight : 2.0 * kBandHeight;
+  const double height = (c.topCut || c.bottomCut ? 1.0 : 2.0) * bandHeight(scene);
   // The front of the bands is measured, the percept is the axis.
-  return high - low > 1e-4 ? height / (high - low) + kBeaconRadius : 1e6;
+  return high - low > 1e-4 ? height / (high - low) + scene.field.beaconRadius : 1e6;
 }
 
 // Elevation of the bands' border less that of 30 cm at the distance that their size tells, rad.
 double elevationError(const Scene& scene, const BeaconCandidate& c) {
-  const double expected =
-      (kTopHeight - kBandHeight - scene.body.camera.position.z) / (c.distance - kBeaconRadius);
+  const double expected = (3.0 * bandHeight(scene) - scene.body.camera.position.z) /
+                          (c.distance - scene.field.beaconRadius);
   return maths::atan(groundRayThrough(scene.body.camera, c.middle).slope) - maths::atan(expected);
 }
 
@@ -247,7 +248,7 @@ LandmarkPercept perceptOf(const Scene& scene, const BeaconCandidate& c,
   const CameraPose& camera = scene.body.camera;
   const GroundRay ray = groundRayThrough(camera, c.middle);
   const Point2<Robot> place = placeAt(camera, ray, c.distance);
-  const double height = c.topCut || c.bottomCut ? kBandHeight : 2.0 * kBandHeight;
+  const double height = (c.topCut || c.bottomCut ? 1.0 : 2.0) * bandHeight(scene);
   LandmarkPercept percept;
   percept.kind = kindOf(c);
   percept.distance = place.norm();

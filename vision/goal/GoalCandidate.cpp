@@ -11,9 +11,9 @@ LandmarkKind goalKind(ColourClass colour) {
   return colour == ColourClass::blue ? LandmarkKind::goalBlue : LandmarkKind::goalYellow;
 }
 
-double visibleWidth(const Scene& scene, const GoalCandidate& c, const GoalFinderParams& p) {
+double visibleWidth(const Scene& scene, const GoalCandidate& c) {
   const CameraPose& camera = scene.body.camera;
-  const double d = std::max(c.wallDistance - p.depth, 5.0);
+  const double d = std::max(c.wallDistance - scene.field.goalDepth, 5.0);
   return distance(placeAt(camera, groundRayThrough(camera, c.left.point), d),
                   placeAt(camera, groundRayThrough(camera, c.right.point), d));
 }

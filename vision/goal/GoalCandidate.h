@@ -9,8 +9,6 @@
 
 namespace kelpie::vision {
 
-constexpr double kGoalHeight = 30.0;  // cm
-
 // One upright cut through the coloured wall.
 struct GoalColumn {
   double u = 0.0;
@@ -51,7 +49,7 @@ struct GoalCandidate {
 LandmarkKind goalKind(ColourClass colour);
 
 // How much of the mouth's line is seen, in cm, between two ends at the mouth's distance.
-double visibleWidth(const Scene& scene, const GoalCandidate& c, const GoalFinderParams& p);
+double visibleWidth(const Scene& scene, const GoalCandidate& c);
 
 // How far the feet of the chosen columns are below the field edge, in px.
 struct GoalFeet {

@@ -31,15 +31,15 @@ std::optional<PixelPoint> lowestIn(const Scene& scene, const GoalCandidate& c, d
   return std::nullopt;
 }
 
-// The image's top cuts it although 30 cm at the distance of its foot would end below that, or it
+// The image's top cuts it although a goal at the distance of its foot would end below that, or it
 // ends in the image, but far too high for where its foot stands.
 bool isTooTall(const Scene& scene, const EdgeHit& top, double low) {
   const CameraPose& camera = scene.body.camera;
   const double high = groundRayThrough(camera, top.point).slope;
-  constexpr double kMinSlope = 0.01;  // a foot at the horizon: nothing of 30 cm fills the view
+  constexpr double kMinSlope = 0.01;  // a foot at the horizon: no goal fills the view
   const double d = camera.position.z / std::max(-low, kMinSlope);
   const double allowed = top.cut ? kMaxHeightRatio : 2.0 * kMaxHeightRatio;
-  return (high - low) * d > allowed * kGoalHeight;
+  return (high - low) * d > allowed * scene.field.goalHeight;
 }
 
 enum class Below { green, other, outside };
@@ -60,9 +60,10 @@ void measureDistance(const Scene& scene, const GoalFinderParams& p, GoalColumn& 
   const CameraPose& camera = scene.body.camera;
   const double low = groundRayThrough(camera, column.foot).slope;
   if (!column.topCut) {
-    const double d = kGoalHeight / std::max(groundRayThrough(camera, column.top).slope - low, 1e-3);
+    const double d =
+        scene.field.goalHeight / std::max(groundRayThrough(camera, column.top).slope - low, 1e-3);
     column.distance = d;
-    column.sd = sizeSd(d, kGoalHeight, p.edgeSd);
+    column.sd = sizeSd(d, scene.field.goalHeight, p.edgeSd);
     column.footError = maths::atan(low) - maths::atan(-camera.position.z / d);
   } else if (low < -0.03) {
     column.distance = -camera.position.z / low;
@@ -145,12 +146,12 @@ double widthOf(const GoalCandidate& c, double distance) {
 // A low strip of the goal's colour beside it has a foot in line with its own. Where a robot's head
 // hides the top the columns are low too, so only columns of what is wider than a goal seen
 // obliquely are dropped.
-void dropLowEnds(GoalCandidate& c, double distance) {
+void dropLowEnds(double goalHeight, double distance, GoalCandidate& c) {
   constexpr double kMaxWidth = 110.0;      // cm
   constexpr double kLowColumnShare = 0.7;  // of the goal's height
   if (widthOf(c, distance) <= kMaxWidth) return;
   const double minHeight =
-      kLowColumnShare * kGoalHeight * body::kFocalLength / std::max(distance, 1.0);
+      kLowColumnShare * goalHeight * body::kFocalLength / std::max(distance, 1.0);
   const auto isLow = [minHeight](const GoalColumn& column) {
     return column.chosen && column.distance <= 0.0 && !column.topCut && !column.footCut &&
            heightOf(column) < minHeight;
@@ -188,7 +189,7 @@ void chooseColumns(const Scene& scene, const GoalFinderParams& p, GoalCandidate&
     column.chosen = true;
     column.distance = 0.0;
   }
-  if (reference > 0.0) dropLowEnds(c, reference);
+  if (reference > 0.0) dropLowEnds(scene.field.goalHeight, reference, c);
 }
 
 GoalColumn medianColumn(const GoalCandidate& c) {

@@ -63,8 +63,7 @@ constexpr std::array<Curve<GoalFacts>, 21> kCurves = {{
 
 }  // namespace
 
-GoalFacts goalFacts(const Scene& scene, const GoalCandidate& c, const GoalShape& shape,
-                    const GoalFinderParams& p) {
+GoalFacts goalFacts(const Scene& scene, const GoalCandidate& c, const GoalShape& shape) {
   constexpr double kFarFoot = 20.0;  // px; without an edge in view as well
   constexpr double kMaxMisfit = 50.0;
   GoalFacts facts;
@@ -75,7 +74,7 @@ GoalFacts goalFacts(const Scene& scene, const GoalCandidate& c, const GoalShape&
   facts.lowestFoot = maths::clamp(feet.lowest, -kFarFoot, kFarFoot);
   facts.meanFoot = maths::clamp(feet.sum / std::max(facts.chosen, 1.0), -kFarFoot, kFarFoot);
   facts.wallDistance = c.wallDistance;
-  facts.visibleWidth = visibleWidth(scene, c, p);
+  facts.visibleWidth = visibleWidth(scene, c);
   facts.misfit = std::min(shape.cost / std::max(facts.measured, 1.0), kMaxMisfit);
   facts.footError = std::fabs(Angle::rad(c.footError).deg());
   facts.coloured =

@@ -52,8 +52,7 @@ struct GoalFacts {
 };
 
 // All but its place on the field.
-GoalFacts goalFacts(const Scene& scene, const GoalCandidate& c, const GoalShape& shape,
-                    const GoalFinderParams& p);
+GoalFacts goalFacts(const Scene& scene, const GoalCandidate& c, const GoalShape& shape);
 
 // Natural log of the odds against a goal, up to a constant (learned from candidates of 60 000
 // rendered views: kelpie evaluate doubts).

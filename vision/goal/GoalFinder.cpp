@@ -99,7 +99,7 @@ LandmarkPercept perceptOf(const Scene& scene, const GoalCandidate& c, const Goal
   const Point2<Robot> camera{eye.x, eye.y};
   const Point2<Robot> middle = camera + shape.middle;
   const bool open = c.left.open() || c.right.open();
-  const double hidden = open ? std::max(0.0, p.width - visibleWidth(scene, c, p)) : 0.0;
+  const double hidden = open ? std::max(0.0, scene.field.goalWidth - visibleWidth(scene, c)) : 0.0;
   LandmarkPercept percept;
   percept.kind = goalKind(c.colour);
   percept.distance = middle.norm();
@@ -110,8 +110,8 @@ LandmarkPercept perceptOf(const Scene& scene, const GoalCandidate& c, const Goal
                              maths::square(0.25 * hidden);
   percept.headingVariance = maths::square(p.headingSd.rad()) +
                             maths::square(0.25 * hidden / std::max(percept.distance, 20.0));
-  percept.leftEdge = bearing(camera + shape.leftPost(p));
-  percept.rightEdge = bearing(camera + shape.rightPost(p));
+  percept.leftEdge = bearing(camera + shape.leftPost(scene.field));
+  percept.rightEdge = bearing(camera + shape.rightPost(scene.field));
   percept.leftEdgeCut = c.left.open();
   percept.rightEdgeCut = c.right.open();
   percept.box = imageBox(scene.frame, c.box);
@@ -146,11 +146,11 @@ bool tried(const Scene& scene, GoalCandidate& c, const GoalFinderParams& p, Visi
 // A narrow part of a goal seems turned away when its ends are taken for posts: then what hides the
 // rest was not recognised.
 GoalShape shapeOf(const Scene& scene, GoalCandidate& c, const GoalFinderParams& p) {
-  const GoalShape shape = fitGoal(scene, c, p);
+  const GoalShape shape = fitGoal(scene, c);
   if (goalFacesField(shape, p) || !goalIsPart(scene, c, p)) return shape;
   c.left.hidden = true;
   c.right.hidden = true;
-  return fitGoal(scene, c, p);
+  return fitGoal(scene, c);
 }
 
 // The lowest point of the middle.
@@ -187,8 +187,8 @@ struct Finder {
     if (!tried(scene, c, params, counts)) return;
     const GoalShape shape = shapeOf(scene, c, params);
     if (!goalFacesField(shape, params)) return refuse(counts, Refusal::goalOblique);
-    GoalFacts facts = goalFacts(scene, c, shape, params);
-    addPlace(scene, c, shape, beacons, params, facts);
+    GoalFacts facts = goalFacts(scene, c, shape);
+    addPlace(scene, c, shape, beacons, facts);
     const double against = logOddsAgainst(facts);
     const LandmarkPercept percept = perceptOf(scene, c, shape, params);
     judged.push_back({percept, facts, against});
@@ -253,7 +253,7 @@ bool goalHasNoPinkBeside(const Scene& scene, const GoalCandidate& c) {
 bool goalIsMeasured(const GoalCandidate& c) { return c.wallDistance > 0.0; }
 
 bool goalHasWidth(const Scene& scene, const GoalCandidate& c, const GoalFinderParams& p) {
-  const double seen = visibleWidth(scene, c, p);
+  const double seen = visibleWidth(scene, c);
   // Anything may show between two pairs of legs.
   if (c.left.hidden && c.right.hidden) return seen >= p.minHiddenWidth && seen <= p.maxVisibleWidth;
   const double least = c.left.open() || c.right.open() ? p.minCutWidth : p.minVisibleWidth;
@@ -261,7 +261,7 @@ bool goalHasWidth(const Scene& scene, const GoalCandidate& c, const GoalFinderPa
 }
 
 bool goalIsPart(const Scene& scene, const GoalCandidate& c, const GoalFinderParams& p) {
-  return visibleWidth(scene, c, p) <= p.maxPartWidth && hasFirmFeet(scene, c, p);
+  return visibleWidth(scene, c) <= p.maxPartWidth && hasFirmFeet(scene, c, p);
 }
 
 bool goalIsNear(const GoalCandidate& c, const GoalFinderParams& p) {
@@ -282,7 +282,7 @@ void findGoals(const Scene& scene, const GoalFinderParams& params, VisionCounts&
   }
   if (!best.found) return;
   landmarks.push_back(best.percept);
-  findGaps(scene, best.candidate, best.shape, params, gaps);
+  findGaps(scene, best.candidate, best.shape, gaps);
 }
 
 }  // namespace kelpie::vision

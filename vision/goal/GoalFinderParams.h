@@ -29,8 +29,6 @@ struct GoalFinderParams {
   Angle partDirection = Angle::deg(0.3);   // of its feet against the ground
   double maxLogOddsAgainst = -0.3;         // log odds, see GoalFacts.h
   double maxDistance = 560;           // the opposite goal's back wall, seen from the own mouth: 570
-  double width = 80;                  // cm, of the mouth
-  double depth = 30;                  // cm from the mouth to the back wall
   Angle maxTurn = Angle::deg(80);     // of the mouth from square to the line of sight
   double maxLateralOffset = 450;      // cm from the goal's axis: half the field, and a turn's error
   double edgeSd = 0.5;                // px, of the upper and of the lower edge
@@ -62,8 +60,6 @@ struct GoalFinderParams {
         field("maxDistance", &GoalFinderParams::maxDistance, "cm", 50, 1000),
         field("maxTurn", &GoalFinderParams::maxTurn, "rad", 0, 90),
         field("maxLateralOffset", &GoalFinderParams::maxLateralOffset, "cm", 0, 2000),
-        field("width", &GoalFinderParams::width, "cm", 20, 200),
-        field("depth", &GoalFinderParams::depth, "cm", 0, 60),
         field("edgeSd", &GoalFinderParams::edgeSd, "px", 0.01, 5),
         field("directionSd", &GoalFinderParams::directionSd, "rad", 0.05, 20),
         field("headingSd", &GoalFinderParams::headingSd, "rad", 0.01, 20));

@@ -25,15 +25,14 @@ std::optional<PixelPoint> pixelAt(const Scene& scene, Vec ground, double height)
 }
 
 // By how much the wall's foot is seen lower than the camera's pose says, px.
-double footShift(const Scene& scene, const GoalCandidate& c, const GoalShape& shape,
-                 const GoalFinderParams& params) {
+double footShift(const Scene& scene, const GoalCandidate& c, const GoalShape& shape) {
   double sum = 0.0;
   double count = 0.0;
   for (const GoalColumn& column : c.columns) {
     if (!column.chosen || column.footCut) continue;
     const GroundRay s = groundRayThrough(scene.body.camera, column.foot);
     const Vec way{s.right, s.forward};
-    const auto wall = shape.wallAlong(way, params);
+    const auto wall = shape.wallAlong(way, scene.field);
     if (!wall) continue;
     const auto pixel = pixelAt(scene, way * *wall, 0.0);
     if (!pixel) continue;
@@ -48,7 +47,7 @@ enum class Look { free, blocked, outside };
 // What one direction shows between the foot and the top of the wall behind the mouth.
 Look lookAlong(const Scene& scene, ColourClass colour, Vec wall, double shift) {
   const auto foot = pixelAt(scene, wall, 0.0);
-  const auto top = pixelAt(scene, wall, kGoalHeight);
+  const auto top = pixelAt(scene, wall, scene.field.goalHeight);
   if (!foot || !top) return Look::outside;
   int places = 0;
   int open = 0;
@@ -85,8 +84,8 @@ struct Mouth {
   int steps = 0;
 };
 
-Mouth mouthOf(const GoalShape& shape, const GoalFinderParams& params) {
-  Mouth m{shape.leftPost(params), shape.rightPost(params)};
+Mouth mouthOf(const GoalShape& shape, const body::FieldDescription& field) {
+  Mouth m{shape.leftPost(field), shape.rightPost(field)};
   m.from = directionOf(m.left);
   const double width = Angle::rad(directionOf(m.right) - m.from).rad();
   m.steps = static_cast<int>(maths::clamp(width * body::kFocalLength, 0.0, kMaxSteps * 1.0));
@@ -106,7 +105,7 @@ GoalGap gapOf(const Scene& scene, const GoalCandidate& c, const Mouth& m, int fi
   PixelBox box{1e9, 1e9, -1e9, -1e9};
   for (const double direction : {left, right}) {
     const maths::SinCos d = maths::sinCos(direction);
-    for (const double height : {0.0, kGoalHeight}) {
+    for (const double height : {0.0, scene.field.goalHeight}) {
       const auto p = body::project(scene.body.camera,
                                    {eye.x + distance * d.sin, eye.y + distance * d.cos, height});
       if (!p) continue;
@@ -123,10 +122,9 @@ GoalGap gapOf(const Scene& scene, const GoalCandidate& c, const Mouth& m, int fi
 
 }  // namespace
 
-void findGaps(const Scene& scene, const GoalCandidate& c, const GoalShape& shape,
-              const GoalFinderParams& params, GoalGaps& gaps) {
-  const Mouth m = mouthOf(shape, params);
-  const double shift = footShift(scene, c, shape, params);
+void findGaps(const Scene& scene, const GoalCandidate& c, const GoalShape& shape, GoalGaps& gaps) {
+  const Mouth m = mouthOf(shape, scene.field);
+  const double shift = footShift(scene, c, shape);
   int first = -1;
   Look before = Look::blocked;
   bool leftCut = false;
@@ -135,7 +133,7 @@ void findGaps(const Scene& scene, const GoalCandidate& c, const GoalShape& shape
     if (i < m.steps) {
       const maths::SinCos d = maths::sinCos(m.from + m.step * (i + 0.5));
       const Vec way{d.sin, d.cos};
-      const auto wall = shape.wallAlong(way, params);
+      const auto wall = shape.wallAlong(way, scene.field);
       look = wall ? lookAlong(scene, c.colour, way * *wall, shift) : Look::blocked;
     }
     if (look == Look::free && first < 0) {

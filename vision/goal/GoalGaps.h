@@ -11,7 +11,6 @@ namespace kelpie::vision {
 
 using GoalGaps = FixedVector<GoalGap, 6>;
 
-void findGaps(const Scene& scene, const GoalCandidate& c, const GoalShape& shape,
-              const GoalFinderParams& params, GoalGaps& gaps);
+void findGaps(const Scene& scene, const GoalCandidate& c, const GoalShape& shape, GoalGaps& gaps);
 
 }  // namespace kelpie::vision

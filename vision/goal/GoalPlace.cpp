@@ -46,7 +46,7 @@ const FieldEdgePercept* edgeBelow(const Scene& scene, const GoalCandidate& c) {
 }
 
 void addEdgeFacts(const Scene& scene, const GoalCandidate& c, const GoalShape& shape,
-                  const GoalFinderParams& p, GoalFacts& facts) {
+                  GoalFacts& facts) {
   const body::FieldDescription& f = scene.field;
   const double halfCarpet = 0.5 * f.width + f.sideFringe - f.borderWidth;
   const FieldEdgePercept* below = edgeBelow(scene, c);
@@ -60,8 +60,8 @@ void addEdgeFacts(const Scene& scene, const GoalCandidate& c, const GoalShape& s
       facts.cornerError = std::max(facts.cornerError, off);
       continue;
     }
-    facts.edgeDistance =
-        maths::clamp(line->distance - ahead - p.depth, -kMaxEdgeDistance, kMaxEdgeDistance);
+    facts.edgeDistance = maths::clamp(line->distance - ahead - scene.field.goalDepth,
+                                      -kMaxEdgeDistance, kMaxEdgeDistance);
     facts.edgeLateralOffset = std::fabs(dot({line->normal.y, -line->normal.x}, shape.middle));
     const Vec mouth{maths::cos(shape.turn), maths::sin(shape.turn)};
     facts.edgeTurn = std::fabs(Angle::rad(maths::asin(dot(line->normal, mouth))).deg());
@@ -96,8 +96,8 @@ void addBeaconFacts(const Scene& scene, LandmarkKind kind, const GoalShape& shap
 }  // namespace
 
 void addPlace(const Scene& scene, const GoalCandidate& c, const GoalShape& shape,
-              const Landmarks& beacons, const GoalFinderParams& p, GoalFacts& facts) {
-  addEdgeFacts(scene, c, shape, p, facts);
+              const Landmarks& beacons, GoalFacts& facts) {
+  addEdgeFacts(scene, c, shape, facts);
   for (const LandmarkPercept& beacon : beacons)
     addBeaconFacts(scene, goalKind(c.colour), shape, beacon, facts);
 }

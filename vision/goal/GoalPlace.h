@@ -11,6 +11,6 @@ namespace kelpie::vision {
 
 // Sets what the image tells of the goal's place; the others stay 0.
 void addPlace(const Scene& scene, const GoalCandidate& c, const GoalShape& shape,
-              const Landmarks& beacons, const GoalFinderParams& p, GoalFacts& facts);
+              const Landmarks& beacons, GoalFacts& facts);
 
 }  // namespace kelpie::vision

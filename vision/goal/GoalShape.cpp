@@ -76,16 +76,17 @@ struct Corners {
   Vec rightBack;
 };
 
-Corners cornersOf(const State& s, double half, double depth) {
+Corners cornersOf(const State& s, const body::FieldDescription& field) {
   const maths::SinCos t = maths::sinCos(s[2]);
   const Vec along{t.cos, t.sin};
   const Vec inwards{-t.sin, t.cos};
   const Vec middle{s[0], s[1]};
   Corners c;
+  const double half = 0.5 * field.goalWidth;
   c.leftPost = plus(middle, along, -half);
   c.rightPost = plus(middle, along, half);
-  c.leftBack = plus(c.leftPost, inwards, depth);
-  c.rightBack = plus(c.rightPost, inwards, depth);
+  c.leftBack = plus(c.leftPost, inwards, field.goalDepth);
+  c.rightBack = plus(c.rightPost, inwards, field.goalDepth);
   return c;
 }
 
@@ -118,8 +119,8 @@ double limited(double error) {
 }
 
 // All errors in standard deviations; unused places are 0.
-Errors errorsOf(const Measured& m, const State& s, const GoalFinderParams& p) {
-  const Corners c = cornersOf(s, 0.5 * p.width, p.depth);
+Errors errorsOf(const Measured& m, const State& s, const body::FieldDescription& field) {
+  const Corners c = cornersOf(s, field);
   Errors e{};
   double low = 1e9;
   double high = -1e9;
@@ -180,9 +181,9 @@ struct Fit {
   double cost;
 };
 
-Fit improved(const Measured& m, State state, const GoalFinderParams& p) {
+Fit improved(const Measured& m, State state, const body::FieldDescription& field) {
   constexpr State kDelta{0.5, 0.5, 0.01};
-  Errors errors = errorsOf(m, state, p);
+  Errors errors = errorsOf(m, state, field);
   double cost = costOf(errors);
   double damping = 0.01;
   for (int round = 0; round < kRounds; ++round) {
@@ -190,13 +191,13 @@ Fit improved(const Measured& m, State state, const GoalFinderParams& p) {
     for (std::size_t i = 0; i < 3; ++i) {
       State moved = state;
       moved[i] += kDelta[i];
-      slopes[i] = errorsOf(m, moved, p);
+      slopes[i] = errorsOf(m, moved, field);
       for (std::size_t k = 0; k < kErrors; ++k)
         slopes[i][k] = (slopes[i][k] - errors[k]) / kDelta[i];
     }
     const State step = stepOf(slopes, errors, damping);
     const State next{state[0] + step[0], state[1] + step[1], state[2] + step[2]};
-    const Errors nextErrors = errorsOf(m, next, p);
+    const Errors nextErrors = errorsOf(m, next, field);
     const double nextCost = costOf(nextErrors);
     if (!(nextCost < cost)) {
       damping *= 10.0;
@@ -220,16 +221,17 @@ double GoalShape::obliqueAngle() const {
 
 double GoalShape::lateralOffset() const { return middle.norm() * maths::sin(obliqueAngle()); }
 
-Point2<Robot> GoalShape::leftPost(const GoalFinderParams& p) const {
-  return cornersOf({middle.x, middle.y, turn}, 0.5 * p.width, p.depth).leftPost;
+Point2<Robot> GoalShape::leftPost(const body::FieldDescription& field) const {
+  return cornersOf({middle.x, middle.y, turn}, field).leftPost;
 }
 
-Point2<Robot> GoalShape::rightPost(const GoalFinderParams& p) const {
-  return cornersOf({middle.x, middle.y, turn}, 0.5 * p.width, p.depth).rightPost;
+Point2<Robot> GoalShape::rightPost(const body::FieldDescription& field) const {
+  return cornersOf({middle.x, middle.y, turn}, field).rightPost;
 }
 
-std::optional<double> GoalShape::wallAlong(Point2<Robot> way, const GoalFinderParams& p) const {
-  const double t = nearestWall(way, cornersOf({middle.x, middle.y, turn}, 0.5 * p.width, p.depth));
+std::optional<double> GoalShape::wallAlong(Point2<Robot> way,
+                                           const body::FieldDescription& field) const {
+  const double t = nearestWall(way, cornersOf({middle.x, middle.y, turn}, field));
   return t < kNoWall ? std::optional<double>(t) : std::nullopt;
 }
 
@@ -238,14 +240,15 @@ bool goalFacesField(const GoalShape& shape, const GoalFinderParams& p) {
          shape.lateralOffset() <= p.maxLateralOffset;
 }
 
-GoalShape fitGoal(const Scene& scene, const GoalCandidate& c, const GoalFinderParams& params) {
+GoalShape fitGoal(const Scene& scene, const GoalCandidate& c) {
   const Measured m = measuredOf(scene, c);
   if (m.columns.empty()) return {};
-  const double mouth = std::max(c.wallDistance - 0.7 * params.depth, 20.0);
+  const double mouth = std::max(c.wallDistance - 0.7 * scene.field.goalDepth, 20.0);
   const maths::SinCos ahead = maths::sinCos(m.middle);
   Fit best{{}, 1e18};
   for (const double turn : {-0.6, 0.0, 0.6}) {
-    const Fit fit = improved(m, {mouth * ahead.sin, mouth * ahead.cos, turn - m.middle}, params);
+    const Fit fit =
+        improved(m, {mouth * ahead.sin, mouth * ahead.cos, turn - m.middle}, scene.field);
     if (fit.cost < best.cost) best = fit;
   }
   return {true, {best.state[0], best.state[1]}, best.state[2], best.cost};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where a goal stands: its three walls, 80 cm wide and 30 cm deep, are laid through the distances
-// of its columns and the directions of its two ends (Gauss-Newton from three turns). Seen
+// Where a goal stands: its three walls, as wide and deep as the field says, are laid through the
+// distances of its columns and the directions of its two ends (Gauss-Newton from three turns). Seen
 // obliquely, the outside of the near wall shows beside the mouth and the back wall is farther than
 // the mouth, which a distance and two ends alone do not tell apart. Weak when the image or robots
 // hide both ends.
@@ -23,15 +23,15 @@ struct GoalShape {
   double obliqueAngle() const;
   double lateralOffset() const;
 
-  Point2<Robot> leftPost(const GoalFinderParams& params) const;
-  Point2<Robot> rightPost(const GoalFinderParams& params) const;
+  Point2<Robot> leftPost(const body::FieldDescription& field) const;
+  Point2<Robot> rightPost(const body::FieldDescription& field) const;
   // From the camera to the first wall in a direction (unit vector); nothing beside the goal.
-  std::optional<double> wallAlong(Point2<Robot> way, const GoalFinderParams& params) const;
+  std::optional<double> wallAlong(Point2<Robot> way, const body::FieldDescription& field) const;
 };
 
 // A check, true = keep: the mouth is seen from the field, not from behind or from the goal line.
 bool goalFacesField(const GoalShape& shape, const GoalFinderParams& params);
 
-GoalShape fitGoal(const Scene& scene, const GoalCandidate& c, const GoalFinderParams& params);
+GoalShape fitGoal(const Scene& scene, const GoalCandidate& c);
 
 }  // namespace kelpie::vision

@@ -13,7 +13,6 @@ struct LinePointParams {
   double minContrast = 14;       // grey levels, the brightest pixel above the carpet
   double maxChroma = 40;         // grey levels that Cr and Cb may change by, facts-2005 4.2
   double maxSegment = 60;        // px of white; more is never a line
-  double lineWidth = 2.5;        // cm, thesis 2004 3.1.1
   double widthTolerance = 0.4;   // of the line's width
   double widthSlack = 0.6;       // px, on top of it
   double whiteOverGreen = 2.4;   // brightness of paint over that of carpet
@@ -48,7 +47,6 @@ struct LinePointParams {
                      field("minContrast", &LinePointParams::minContrast, "", 1, 200),
                      field("maxChroma", &LinePointParams::maxChroma, "", 1, 255),
                      field("maxSegment", &LinePointParams::maxSegment, "px", 1, 160),
-                     field("lineWidth", &LinePointParams::lineWidth, "cm", 0.5, 20),
                      field("widthTolerance", &LinePointParams::widthTolerance, "", 0, 5),
                      field("widthSlack", &LinePointParams::widthSlack, "px", 0, 10),
                      field("whiteOverGreen", &LinePointParams::whiteOverGreen, "", 1.1, 10),

@@ -77,8 +77,10 @@ void checkLine(const Finder& f, const LineCandidate& c) {
   const auto ends = endsBeside(f, c);
   if (!ends) return f.refused(Refusal::lineGreenBeside);
   const auto width = widthOnGround(f.scene.body.camera, c, ends->a, ends->b);
-  if (!width || !lineIsNarrow(*width, f.params)) return f.refused(Refusal::lineAmbiguous);
-  if (!lineIsWide(*width, f.params)) return f.refused(Refusal::lineTooThin);
+  if (!width || !lineIsNarrow(*width, f.scene.field.lineWidth, f.params))
+    return f.refused(Refusal::lineAmbiguous);
+  if (!lineIsWide(*width, f.scene.field.lineWidth, f.params))
+    return f.refused(Refusal::lineTooThin);
   addPoint(f, LinePointKind::line, c.pixel);
 }
 

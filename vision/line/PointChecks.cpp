@@ -85,14 +85,12 @@ bool lineIsColourless(const Sampler& sampler, const LineCandidate& c, const Line
   return std::abs(in.cr - out.cr) <= p.maxChroma && std::abs(in.cb - out.cb) <= p.maxChroma;
 }
 
-bool lineIsNarrow(const GroundWidth& width, const LinePointParams& p) {
-  return width.paint - p.lineWidth <=
-         p.widthTolerance * p.lineWidth + p.widthSlack * width.perPixel;
+bool lineIsNarrow(const GroundWidth& width, double lineWidth, const LinePointParams& p) {
+  return width.paint - lineWidth <= p.widthTolerance * lineWidth + p.widthSlack * width.perPixel;
 }
 
-bool lineIsWide(const GroundWidth& width, const LinePointParams& p) {
-  return p.lineWidth - width.paint <=
-         p.widthTolerance * p.lineWidth + p.widthSlack * width.perPixel;
+bool lineIsWide(const GroundWidth& width, double lineWidth, const LinePointParams& p) {
+  return lineWidth - width.paint <= p.widthTolerance * lineWidth + p.widthSlack * width.perPixel;
 }
 
 bool borderIsAfterGreen(const Sampler& sampler, const GridLine& gridLine, const RisingEdge& edge) {
@@ -101,7 +99,8 @@ bool borderIsAfterGreen(const Sampler& sampler, const GridLine& gridLine, const 
 
 bool borderIsLong(const Scene& scene, const GridLine& gridLine, const RisingEdge& edge,
                   const LinePointParams& p) {
-  const double flat = 2.0 * p.lineWidth * pixelsPerCm(scene.body.camera, gridLine.at(edge.foot));
+  const double flat =
+      2.0 * scene.field.lineWidth * pixelsPerCm(scene.body.camera, gridLine.at(edge.foot));
   const int end = edge.last + static_cast<int>(std::max(p.borderMin, flat));
   int i = edge.last;
   for (; i <= end && Sampler::usable(gridLine.column(i), gridLine.row(i)); ++i) {
@@ -142,7 +141,8 @@ bool borderGoesOn(const Sampler& sampler, const GridLine& gridLine, const Rising
 
 bool borderHasSide(const Scene& scene, const GridLine& gridLine, const RisingEdge& edge,
                    const LinePointParams& p) {
-  const double flat = 2.0 * p.lineWidth * pixelsPerCm(scene.body.camera, gridLine.at(edge.foot));
+  const double flat =
+      2.0 * scene.field.lineWidth * pixelsPerCm(scene.body.camera, gridLine.at(edge.foot));
   const int length = static_cast<int>(std::max(p.borderSide, flat));
   for (const int side : {-1, 1}) {
     int green = 0;

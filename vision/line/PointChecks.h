@@ -30,8 +30,8 @@ bool pointIsOutsideObjects(const Percepts& seen, PixelPoint pixel, const LinePoi
 // Line points.
 bool lineIsBetweenGreen(const Sampler& sampler, const LineCandidate& c);
 bool lineIsColourless(const Sampler& sampler, const LineCandidate& c, const LinePointParams& p);
-bool lineIsNarrow(const GroundWidth& width, const LinePointParams& p);
-bool lineIsWide(const GroundWidth& width, const LinePointParams& p);
+bool lineIsNarrow(const GroundWidth& width, double lineWidth, const LinePointParams& p);
+bool lineIsWide(const GroundWidth& width, double lineWidth, const LinePointParams& p);
 // Border points: a rising edge on a grid line that leads away from the carpet.
 bool borderIsAfterGreen(const Sampler& sampler, const GridLine& gridLine, const RisingEdge& edge);
 bool borderIsLong(const Scene& scene, const GridLine& gridLine, const RisingEdge& edge,
