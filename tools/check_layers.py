@@ -29,6 +29,7 @@ MAY_INCLUDE = {
 ROOMS = {
     "vision": [["pixels"], ["blobs"], ["edge"],
                ["ball", "beacon", "goal", "line", "pink", "robot"]],
+    "gps": [["pose"], ["ball", "lines"], ["pinks", "players"]],
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s+([<"])([^>"]+)[>"]', re.M)
 

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 
+#include "robot/body/FieldDescription.h"
 #include "robot/core/Angle.h"
 #include "robot/core/Fields.h"
 
@@ -63,10 +64,12 @@ struct PinkPoseSearchParams {
   }
 };
 
+constexpr double kWallBeyondCarpet = 15.0;  // cm
+
 struct PinkMapParams {
   // x, y of the outer wall's corners as measured before the challenge, going round; it need not be
-  // a rectangle. By default 15 cm beyond the carpet of the 2006 field.
-  std::array<double, 8> wall{-35, -45, 395, -45, 395, 585, -35, 585};
+  // a rectangle. By default a little beyond the carpet; the agent's default is of its own field.
+  std::array<double, 8> wall = body::wallAround({}, kWallBeyondCarpet);
   // Cm above the ground where a patch's middle would be if it hung on the wall. A wall of 30 cm
   // hides what is lower behind it, so that of spectators only what is higher is seen. Checklist U13
   // proposes elevations from -2 deg to 3000 deg / d: 50 cm above the camera.

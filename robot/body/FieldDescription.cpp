@@ -110,6 +110,14 @@ Point2<Field> throwInPlace(const FieldDescription& field, Point2<Field> ball) {
           maths::clamp(ball.y, rules.throwInFromEnd, field.length - rules.throwInFromEnd)};
 }
 
+std::array<double, 8> wallAround(const FieldDescription& field, double beyond) {
+  const double left = -field.sideFringe - beyond;
+  const double right = field.width + field.sideFringe + beyond;
+  const double low = -field.endFringe - beyond;
+  const double high = field.length + field.endFringe + beyond;
+  return {left, low, right, low, right, high, left, high};
+}
+
 const Landmark* findLandmark(const LandmarkMap& map, LandmarkKind kind) {
   const auto it =
       std::find_if(map.begin(), map.end(), [kind](const Landmark& l) { return l.kind == kind; });

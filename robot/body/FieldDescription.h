@@ -3,6 +3,7 @@
 // "2004" (checklist K01..K04 and K08; numbers of osaka2005 measured, facts-2005 section 1).
 #pragma once
 
+#include <array>
 #include <string_view>
 
 #include "robot/body/Rules.h"
@@ -83,6 +84,9 @@ Expected<FieldDescription> fieldDescription(std::string_view name);
 
 // Where a ball that left the field at that place is put back by the rules.
 Point2<Field> throwInPlace(const FieldDescription& field, Point2<Field> ball);
+
+// x, y of the corners of a wall that stands so far beyond the carpet, going round.
+std::array<double, 8> wallAround(const FieldDescription& field, double beyond);
 
 using LandmarkMap = FixedVector<Landmark, kLandmarkKindCount>;
 

@@ -87,6 +87,7 @@ Status applyConfig(const ConfigOptions& options, agent::AgentConfig& config) {
     const auto field = body::fieldDescription(options.field);
     if (!field) return Error{field.error()};
     config.field = *field;
+    config.gps.pinks.wall = body::wallAround(*field, gps::kWallBeyondCarpet);
   }
   if (!options.team.empty())
     config.team = options.team == "blue" ? TeamColour::blue : TeamColour::red;
