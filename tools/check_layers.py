@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""Fails on an include against the layers or rooms of docs/architecture.md, on units (a header with its
-source file) that include each other in a circle, on Python.h outside behaviour/, on OPEN-R headers
-outside robot/, and on tests that include the command line's own files."""
+"""Fails on an include against the layers or rooms of docs/architecture.md, on units (a header with
+its source file) that include each other in a circle, on Python.h outside behaviour/, on OPEN-R
+headers outside robot/, and on tests that include the command line's own files."""
 
 import re
 import subprocess

@@ -259,8 +259,8 @@ def test_json_lines_go_on_where_images_were_not_kept(long_match):
 
 @pytest.mark.parametrize("field", ["2006", "osaka2005", "2004"])
 def test_the_robot_scores_on_every_field(field, tmp_path):
-    result = kelpie("play", "--field", field, "--seed", "6", "--seconds", "90", "--no-film", "--out",
-                    tmp_path)
+    result = kelpie("play", "--field", field, "--seed", "6", "--seconds", "90", "--no-film",
+                    "--out", tmp_path)
     assert result.returncode == 0, result.stdout + result.stderr
 
 
