@@ -64,6 +64,10 @@ RETIRED = {
     "seenWidth": "visibleWidth",
     "kPromising": "kRefineAboveShare",
     "postureIsSound": "poseIsInRange",
+    "in the mean": "on average",
+    "of late": "recently",
+    "wished for": "requested",
+    "no number": "NaN, or not finite",
 }
 RETIRED_WORD = re.compile(r"\b(" + "|".join(RETIRED) + r")\b")
 

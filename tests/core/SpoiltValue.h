@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Puts what no sensor gives into any struct with a field list: no numbers, infinities, numbers far
+// Puts what no sensor gives into any struct with a field list: NaN, infinities, numbers far
 // too large or too small. Whole numbers, times and list lengths stay.
 #pragma once
 
