@@ -212,7 +212,7 @@ def test_jsonl_has_one_object_a_frame(match, tmp_path):
         "opponents", "teammates", "obstacles", "pink_map", "command"]
     assert set(objects[-1]["pose"]) == {"x_cm", "y_cm", "heading_deg", "sd_cm", "sd_deg", "stuck"}
     seen = [percept for o in objects for percept in o["percepts"]]
-    assert {"ball", "goal_blue"} <= {percept["kind"] for percept in seen}
+    assert {"ball", "beacon_pb"} <= {percept["kind"] for percept in seen}
     assert all(abs(percept["heading_deg"]) <= 180 and percept["distance_cm"] >= 0 and
                percept["distance_variance_cm2"] >= 0 for percept in seen)
     assert all(name[0].islower() and count > 0
