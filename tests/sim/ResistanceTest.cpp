@@ -2,12 +2,10 @@
 // What a walking robot's body and legs do when something holds it, and with weak legs.
 #include <gtest/gtest.h>
 
-#include "tools/experiments/WalkingBody.h"
+#include "tools/sim/WalkingBody.h"
 
 namespace kelpie::sim {
 namespace {
-
-using experiments::WalkingBody;
 
 struct Walk {
   double cm = 0.0;       // true way

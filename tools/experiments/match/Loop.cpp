@@ -4,9 +4,9 @@
 // much as the code: a figure of one's own PC, never a test. On the robot instructions are counted
 // instead (toolchain/target-cost).
 #include "tools/cli/Config.h"
-#include "tools/experiments/LocaliseMatch.h"
 #include "tools/experiments/harness/Statistics.h"
 #include "tools/experiments/harness/Trials.h"
+#include "tools/experiments/pose/LocaliseMatch.h"
 
 namespace kelpie::experiments {
 namespace {

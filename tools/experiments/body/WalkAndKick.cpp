@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+// The actuator in the simulated body, without pixels: how far the robot really walks for what its
+// odometry says, and how far and straight the ball goes from each place in the kick's zone.
+#include <cmath>
+
+#include "tools/experiments/harness/Experiment.h"
+#include "tools/sim/WalkingBody.h"
+
+namespace kelpie::experiments {
+namespace {
+
+constexpr int kWalkMessages = 90;
+constexpr int kStopMessages = 30;
+
+struct Way {
+  double forward = 0.0;
+  double left = 0.0;
+  double turn = 0.0;  // rad
+};
+
+// Until the actuator spares the legs, and they stand still.
+void wearOut(sim::WalkingBody& body) {
+  constexpr int kMessages = 200;
+  body.wearOut();
+  for (int i = 0; i < kMessages; ++i) body.step({});
+}
+
+// True way over the way that the odometry reports.
+Way walkRatio(const WalkRequest& request, std::uint64_t seed, bool weak = false) {
+  sim::WalkingBody body(seed);
+  if (weak) wearOut(body);
+  Way reported;
+  Way walked;
+  Pose2 last = body.pose();
+  for (int i = 0; i < kWalkMessages + kStopMessages; ++i) {
+    Command command;
+    if (i < kWalkMessages) command.walk = request;
+    const Odometry odometry = body.step(command).odometry;
+    reported = {reported.forward + odometry.forward, reported.left + odometry.left,
+                reported.turn + odometry.turn.rad()};
+    const Point2<Robot> moved = robotFromField(last, body.pose().position);
+    walked = {walked.forward + moved.y, walked.left - moved.x,
+              walked.turn + (body.pose().heading - last.heading).rad()};
+    last = body.pose();
+  }
+  return {walked.forward / reported.forward, walked.left / reported.left,
+          walked.turn / reported.turn};
+}
+
+// Where the ball comes to rest, in the robot frame at the kick, less where it lay.
+Point2<Robot> kicked(Point2<Robot> from, std::uint64_t seed) {
+  sim::WalkingBody body(seed);
+  const Pose2 pose = body.pose();
+  body.ball() = {fieldFromRobot(pose, from), {0.0, 0.0}};
+  Command command;
+  command.motion = MotionKind::kickForward;
+  for (int i = 0; i < 150; ++i) body.step(i < 20 ? command : Command{});
+  return robotFromField(pose, body.ball().position) - from;
+}
+
+Expected<Json> walkAndKick(const Request& request) {
+  double shortest = 1e9;
+  double sum = 0.0;
+  double aside = 0.0;
+  int kicks = 0;
+  for (const double ahead : {6.0, 7.0, 8.0, 9.0, 10.0})
+    for (const double x : {-4.0, -2.0, 0.0, 2.0, 4.0}) {
+      const Point2<Robot> way = kicked({x, ahead}, request.seed);
+      shortest = std::fmin(shortest, way.y);
+      sum += way.y;
+      aside = std::fmax(aside, std::fabs(bearing(way).deg()));
+      ++kicks;
+    }
+  return Json{{"forward_ratio", walkRatio({20.0, 0.0, 0.0}, request.seed).forward},
+              {"back_ratio", walkRatio({-15.0, 0.0, 0.0}, request.seed).forward},
+              {"side_ratio", walkRatio({0.0, 12.0, 0.0}, request.seed).left},
+              {"turn_ratio", walkRatio({0.0, 0.0, 1.2}, request.seed).turn},
+              {"weak_forward_ratio", walkRatio({20.0, 0.0, 0.0}, request.seed, true).forward},
+              {"weak_side_ratio", walkRatio({0.0, 12.0, 0.0}, request.seed, true).left},
+              {"weak_turn_ratio", walkRatio({0.0, 0.0, 1.2}, request.seed, true).turn},
+              {"kicks", kicks},
+              {"kick_mean_cm", sum / kicks},
+              {"kick_min_cm", shortest},
+              {"kick_aside_deg", aside}};
+}
+
+const Registration kWalkAndKick("walk-and-kick",
+                                "walked way over reported way; how far and straight the ball goes",
+                                {Option::seed}, 1, walkAndKick);
+
+}  // namespace
+}  // namespace kelpie::experiments

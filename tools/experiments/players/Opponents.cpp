@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: Apache-2.0
+// Four opponents wander about; four robots walk among them with panning heads and see now this one,
+// now that one. How well one of them knows the four alone, and with what the others tell.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "tools/experiments/harness/Statistics.h"
+#include "tools/experiments/harness/Trials.h"
+#include "tools/experiments/players/Player.h"
+
+namespace kelpie::experiments {
+namespace {
+
+constexpr std::size_t kPlayers = kTeammates + 1;
+constexpr int kFrames = 900;
+constexpr int kSettled = 150;          // frames until errors count
+constexpr double kSpeed = 20.0;        // cm/s, of the opponents
+constexpr double kFoundWithin = 40.0;  // cm
+constexpr double kOnRobot = 35.0;      // cm; a filter so near an opponent sits on it
+
+using Places = std::vector<Point2<Field>>;
+
+struct Tally {
+  Values error;
+  Values seen;  // of those seen within the last second
+  Values separation;
+  Share found;
+  Share merged;  // frames in which two filters sat on one robot
+};
+
+std::pair<std::size_t, double> nearest(Point2<Field> at, const Places& places) {
+  std::size_t best = 0;
+  for (std::size_t i = 1; i < places.size(); ++i) {
+    if (distance(at, places[i]) < distance(at, places[best])) best = i;
+  }
+  return {best, distance(at, places[best])};
+}
+
+Places placesOf(const WorldModel& world) {
+  Places places;
+  for (const OpponentEstimate& o : world.opponents) places.push_back(o.position);
+  return places;
+}
+
+void addSeparation(const Places& filters, const Places& opponents, Tally& tally) {
+  double least = 1e9;
+  bool merged = false;
+  for (std::size_t i = 0; i < filters.size(); ++i) {
+    for (std::size_t k = i + 1; k < filters.size(); ++k) {
+      least = std::min(least, distance(filters[i], filters[k]));
+      const auto a = nearest(filters[i], opponents);
+      const auto b = nearest(filters[k], opponents);
+      merged = merged || (a.first == b.first && a.second < kOnRobot && b.second < kOnRobot);
+    }
+  }
+  if (filters.size() > 1) tally.separation.push_back(least);
+  tally.merged.count(merged);
+}
+
+void addErrors(const WorldModel& world, const Places& opponents, Tally& tally) {
+  const Places filters = placesOf(world);
+  for (const OpponentEstimate& o : world.opponents) {
+    const double error = nearest(o.position, opponents).second;
+    tally.error.push_back(error);
+    if (o.secondsSinceSeen < 1.0) tally.seen.push_back(error);
+  }
+  for (const Point2<Field>& opponent : opponents)
+    tally.found.count(!filters.empty() && nearest(opponent, filters).second < kFoundWithin);
+  addSeparation(filters, opponents, tally);
+}
+
+struct Match {
+  std::vector<TruePlayer> players;
+  std::vector<Wanderer> opponents;
+  std::vector<Random> minds;
+  std::vector<WalkSpeed> speeds;
+  Radio radio;
+};
+
+Match matchOf(std::uint64_t seed, const gps::OpponentParams& params) {
+  Random random(seed);
+  Match match{{}, {}, {}, std::vector<WalkSpeed>(kPlayers), Radio(kPlayers, random.next())};
+  for (std::size_t i = 0; i < kPlayers; ++i) {
+    const Pose2 pose{{random.uniform(60, 300), random.uniform(60, 480)},
+                     Angle::rad(random.uniform(-maths::kPi, maths::kPi))};
+    match.players.emplace_back(pose, static_cast<std::uint8_t>(i + 1), random.next());
+    match.players.back().believe(pose, 5.0, Angle::deg(3.0));
+    match.players.back().params.players.opponents = params;
+    match.minds.emplace_back(random.next());
+  }
+  for (std::size_t i = 0; i < kOpponents; ++i) {
+    match.opponents.emplace_back(
+        Point2<Field>{60.0 + 80.0 * static_cast<double>(i), random.uniform(60, 480)},
+        random.next());
+  }
+  return match;
+}
+
+// Towards a random place, a new one now and then, and back when at the edge.
+WalkSpeed mindOf(TruePlayer& player, Random& random, WalkSpeed speed) {
+  const Point2<Field> p = player.truth.position;
+  const bool atEdge = p.x < 30 || p.x > 330 || p.y < 30 || p.y > 510;
+  if (atEdge) {
+    const Angle home = player.bearingOf({180.0, 270.0});
+    return {std::fabs(home.deg()) < 60.0 ? 18.0 : 0.0, 0.0, home.rad() > 0.0 ? 0.9 : -0.9};
+  }
+  if (!random.chance(1.0 / 60.0)) return speed;
+  return {random.uniform(0.0, 20.0), random.uniform(-8.0, 8.0), random.uniform(-0.5, 0.5)};
+}
+
+Places move(std::vector<Wanderer>& opponents) {
+  Places places;
+  for (const Wanderer& o : opponents) places.push_back(o.position);
+  for (std::size_t i = 0; i < opponents.size(); ++i) {
+    opponents[i].step(kSpeed, places);
+    places[i] = opponents[i].position;
+  }
+  return places;
+}
+
+void playMatch(Match match, Tally& alone, Tally& shared) {
+  for (int frame = 0; frame < kFrames; ++frame) {
+    const Places opponents = move(match.opponents);
+    match.radio.pass();
+    for (std::size_t i = 0; i < kPlayers; ++i) {
+      TruePlayer& player = match.players[i];
+      match.speeds[i] = mindOf(player, match.minds[i], match.speeds[i]);
+      player.walk(match.speeds[i]);
+      player.look(1.1 * maths::sin(0.07 * frame + static_cast<double>(i)));
+      player.seeLandmarks();
+      player.seeOpponents(opponents);
+      player.input.team = match.radio.receive(i);
+      if (i == 0) {
+        const WorldModel world = player.stepAlone();
+        if (frame >= kSettled) addErrors(world, opponents, alone);
+      }
+      const WorldModel world = player.step();
+      match.radio.send(i, world.message);
+      if (i == 0 && frame >= kSettled) addErrors(world, opponents, shared);
+    }
+  }
+}
+
+void put(Json& json, const std::string& name, const Tally& tally) {
+  json[name + "_cm"] = mean(tally.error);
+  json[name + "_just_seen_cm"] = mean(tally.seen);
+  json[name + "_median_cm"] = percentile(tally.error, 0.5);
+  json[name + "_found_share"] = tally.found.value();
+  json[name + "_merged_share"] = tally.merged.value();
+  json[name + "_separation_cm"] = mean(tally.separation);
+}
+
+Expected<Json> opponents(const Request& request) {
+  Tally single, shared, angleSingle, angleShared;
+  Random seeds(request.seed);
+  const gps::OpponentParams ours;
+  gps::OpponentParams thesis = ours;  // by the angle alone, nothing joined, nothing missed
+  thesis.matchGate = thesis.joinDistance = thesis.missedNoise = 0.0;
+  eachTrial(request, [&](const Trial&) {
+    const std::uint64_t seed = seeds.next();
+    playMatch(matchOf(seed, ours), single, shared);
+    playMatch(matchOf(seed, thesis), angleSingle, angleShared);
+  });
+  Json json;
+  put(json, "single", single);
+  put(json, "shared", shared);
+  json["separation_cm"] = mean(shared.separation);
+  json["merged_share"] = shared.merged.value();
+  json["found_share"] = shared.found.value();
+  put(json, "angle_alone_single", angleSingle);
+  put(json, "angle_alone_shared", angleShared);
+  return json;
+}
+
+const Registration kOpponents("opponents",
+                              "four opponents wander about: the filters of one robot and of a team",
+                              {Option::trials, Option::seed}, 20, opponents);
+
+}  // namespace
+}  // namespace kelpie::experiments

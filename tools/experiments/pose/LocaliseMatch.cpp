@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/experiments/pose/LocaliseMatch.h"
+
+#include <algorithm>
+
+#include "robot/body/Ers7.h"
+#include "robot/body/FieldDescription.h"
+#include "tools/cli/Config.h"
+
+namespace kelpie::experiments {
+namespace {
+
+constexpr std::int64_t kMessageUs = kTickUs * kTicksPerMessage;
+constexpr double kBallFromLines = 40.0;  // cm, where it lies after a goal
+constexpr double kApart = 40.0;          // cm between it and the robot
+
+std::unique_ptr<sim::World> endlessMatch(const agent::AgentConfig& config, std::uint64_t seed) {
+  const body::FieldDescription& field = config.field;
+  const auto setup = *sim::scenario("empty-goal", field, {{config.team, config.player}}, seed);
+  sim::WorldParams params;
+  params.referee.seconds = 1e5;
+  params.referee.goals = 0;
+  return std::make_unique<sim::World>(params, field, setup, seed);
+}
+
+}  // namespace
+
+Expected<agent::AgentConfig> agentConfig(const Request& request) {
+  cli::ConfigOptions options;
+  options.params = request.params;
+  return cli::makeConfig(options);
+}
+
+LocaliseMatch::LocaliseMatch(const agent::AgentConfig& config, const std::string& scripts,
+                             std::uint64_t seed)
+    : field_(config.field),
+      world_(endlessMatch(config, seed)),
+      loops_(std::make_unique<agent::AgentLoops>(config, scripts,
+                                                 static_cast<agent::LogSink&>(*this))),
+      random_(seed ^ 0xba11ULL),
+      trouble_(loops_->scriptError()) {}
+
+Status LocaliseMatch::play(double seconds, const Watcher& watch) {
+  watch_ = watch;
+  const TimeUs end{static_cast<std::int64_t>(1e6 * seconds)};
+  std::int64_t messages = world_->time().us / kMessageUs + 1;
+  std::int64_t images = world_->time().us * 30 / 1000000 + 1;
+  while (trouble_.empty() && world_->time() < end) {
+    const TimeUs sensorsAt{messages * kMessageUs};
+    const TimeUs imageAt{images * 1000000 / 30};
+    const TimeUs now = std::min(sensorsAt, imageAt);
+    while (world_->time() < now) world_->tick();
+    if (now == sensorsAt) {
+      sense();
+      ++messages;
+    }
+    if (now == imageAt) {
+      see(now);
+      ++images;
+    }
+  }
+  if (!trouble_.empty()) return Error{trouble_};
+  return Done{};
+}
+
+void LocaliseMatch::sense() {
+  motion_.time = world_->time();
+  motion_.sensors = world_->sensors(0);
+  motion_.batteryCurrent = world_->batteryCurrent(0);
+  const MotionOutput& output = loops_->motion(motion_);
+  // At the start a second vector ahead, as the OPEN-R object sends.
+  if (world_->robot(0).vectorsWaiting() == 0) {
+    std::array<JointFrame, kTicksPerMessage> held;
+    held.fill(output.joints[0]);
+    send(held, output.status.lowGain);
+  }
+  send(output.joints, output.status.lowGain);
+}
+
+void LocaliseMatch::send(const std::array<JointFrame, kTicksPerMessage>& joints, bool lowGain) {
+  host::AgentReply reply;
+  if (lowGain) reply.legGain = body::weakLegGain();
+  reply.motorPower = true;
+  reply.gains = (1U << kJointCount) - 1;
+  host::EffectorVector vector;
+  vector.ticks = kTicksPerMessage;
+  vector.joints = reply.gains;
+  for (std::size_t i = 0; i < kTicksPerMessage; ++i) vector.targets[i] = joints[i].target;
+  reply.vectors.push_back(vector);
+  world_->robot(0).command(reply);
+}
+
+void LocaliseMatch::see(TimeUs now) {
+  world_->render(0, now, *image_);
+  GameState game = world_->gameFor(0);
+  if (halted_) game.state = PlayState::set;
+  loops_->setGame(game);
+  frameBegan_ = std::chrono::steady_clock::now();
+  loops_->camera(*image_, {now.us - kExposureUs / 2}, images_++);
+  replaceBall();
+  trouble_ = loops_->scriptError();
+}
+
+void LocaliseMatch::replaceBall() {
+  const std::vector<sim::MatchEvent> events = world_->takeEvents();
+  const bool goal = std::any_of(events.begin(), events.end(), [](const sim::MatchEvent& event) {
+    return event.kind == sim::EventKind::goal;
+  });
+  if (!goal) return;
+  const Point2<Field> robot = world_->truth(world_->time()).robots[0].pose.position;
+  Point2<Field> place;
+  do {
+    place = {random_.uniform(kBallFromLines, field_.width - kBallFromLines),
+             random_.uniform(kBallFromLines, field_.length - kBallFromLines)};
+  } while (distance(place, robot) < kApart);
+  world_->ball() = {place, {}};
+}
+
+void LocaliseMatch::frame(const FrameInput& input, const FrameOutput& output) {
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - frameBegan_;
+  const Pose2 truth = world_->truth(input.time).robots[0].pose;
+  if (!seen_) before_ = truth;
+  seen_ = true;
+  if (watch_) watch_({input, output, truth, before_, took.count()});
+  before_ = truth;
+}
+
+}  // namespace kelpie::experiments

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+// A robot with its actuator in the simulated world, without pixels: commands in, odometry and the
+// true way out. Two command vectors are in flight, as on the robot.
+#pragma once
+
+#include <memory>
+
+#include "actuator/Actuator.h"
+#include "robot/body/Ers7.h"
+#include "robot/body/FieldDescription.h"
+#include "tools/sim/World.h"
+
+namespace kelpie::sim {
+
+class WalkingBody {
+ public:
+  static constexpr int kStartMessages = 62;  // 2 s: ramp and standing
+
+  // In the middle of the field, looking up it.
+  explicit WalkingBody(std::uint64_t seed, const actuator::ActuatorParams& params = {})
+      : params_(params) {
+    const auto field = *body::fieldDescription("2006");
+    Setup setup;
+    setup.players.push_back({TeamColour::red, 1, {{180.0, 200.0}, Angle::deg(90.0)}});
+    setup.ball = {20.0, 20.0};
+    world_ = std::make_unique<World>(WorldParams{}, field, setup, seed);
+    for (int i = 0; i < kStartMessages; ++i) step({});
+  }
+
+  // 32 ms; what the actuator told at its end.
+  MotionOutput step(const Command& command) {
+    for (int tick = 0; tick < kTicksPerMessage; ++tick) world_->tick();
+    MotionInput input;
+    input.time = world_->time();
+    input.sensors = world_->sensors(0);
+    input.batteryCurrent = worn_ ? kWornCurrent : world_->batteryCurrent(0);
+    input.command = command;
+    const MotionOutput output = actuator::step(input, params_, state_);
+    send(output);
+    if (!started_) send(output);
+    started_ = true;
+    return output;
+  }
+  // From now on the battery gives so much current that the agent spares the legs.
+  void wearOut() { worn_ = true; }
+
+  Pose2 pose() const { return world_->truth(world_->time()).robots[0].pose; }
+  World& world() { return *world_; }
+  Ball& ball() { return world_->ball(); }
+
+ private:
+  static constexpr double kWornCurrent = 4500.0;  // mA
+
+  void send(const MotionOutput& output) {
+    host::AgentReply reply;
+    reply.motorPower = true;
+    reply.gains = (1U << kJointCount) - 1;
+    if (output.status.lowGain) reply.legGain = body::weakLegGain();
+    host::EffectorVector vector;
+    vector.ticks = kTicksPerMessage;
+    vector.joints = reply.gains;
+    for (std::size_t i = 0; i < kTicksPerMessage; ++i) vector.targets[i] = output.joints[i].target;
+    reply.vectors.push_back(vector);
+    world_->robot(0).command(reply);
+  }
+
+  std::unique_ptr<World> world_;
+  actuator::ActuatorParams params_;
+  actuator::ActuatorState state_;
+  bool started_ = false;
+  bool worn_ = false;
+};
+
+}  // namespace kelpie::sim
