@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "gps/pose/Modes.h"
-#include "tools/experiments/SimulatedRobot.h"
 #include "tools/experiments/baselines/ModeSampling.h"
+#include "tools/sim/LocalisingRobot.h"
 
 namespace kelpie::gps {
 namespace {
@@ -43,7 +43,7 @@ TEST(ModeSampling, MovesTowardsTheTruePose) {
   double before = 0.0;
   double after = 0.0;
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
-    SimulatedRobot robot({180, 130, -1.4}, seed);
+    sim::LocalisingRobot robot({180, 130, -1.4}, seed);
     robot.params.initialPose = {true, {{190, 122}, Angle::rad(-1.35)}, 10.0, Angle::deg(5)};
     robot.params.lines.update.use = false;
     before += robot.error(robot.step());

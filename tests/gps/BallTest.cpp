@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
-#include "tools/experiments/SimulatedRobot.h"
+#include "tools/sim/LocalisingRobot.h"
 
 namespace kelpie::gps {
 namespace {
@@ -9,7 +9,7 @@ namespace {
 // A ball on the field, seen from the true pose with 3 % and 1 deg of noise.
 class BallScene {
  public:
-  BallScene(Truth start, double ballX, double ballY)
+  BallScene(sim::TruePose start, double ballX, double ballY)
       : robot(start), x(ballX), y(ballY), random_(3) {
     robot.params.initialPose = {
         true, {{start.x, start.y}, Angle::rad(start.heading)}, 1.0, Angle::deg(0.5)};
@@ -31,7 +31,7 @@ class BallScene {
     return robot.step();
   }
 
-  SimulatedRobot robot;
+  sim::LocalisingRobot robot;
   double x;
   double y;
 

@@ -9,7 +9,7 @@
 #include "gps/pose/Modes.h"
 #include "gps/pose/Predict.h"
 #include "gps/pose/Update.h"
-#include "tools/experiments/SimulatedRobot.h"
+#include "tools/sim/LocalisingRobot.h"
 
 namespace kelpie::gps {
 namespace {
@@ -139,7 +139,7 @@ TEST(Modes, SeedsOfADistanceAloneDoubtTheHeadingThatCameWithIt) {
 }
 
 TEST(Modes, BrokenModeIsRemovedAndTheLastOneReplaced) {
-  SimulatedRobot robot({180, 200, 1.0});
+  sim::LocalisingRobot robot({180, 200, 1.0});
   robot.step();
   robot.state.pose.modes[0].pose.position.x = std::nan("");
   robot.state.pose.modes.push_back(modeAt(50, 60, 1.0));
@@ -162,7 +162,7 @@ struct GateCase {
 class Gates : public testing::TestWithParam<GateCase> {};
 
 TEST_P(Gates, HoldAtTheirBounds) {
-  SimulatedRobot robot({180, 270, 1.57});
+  sim::LocalisingRobot robot({180, 270, 1.57});
   LandmarkPercept p = robot.look({GetParam().kind, {180, 540}});
   p.distance = GetParam().distance;
   const auto map = body::landmarksFor(robot.params.field, TeamColour::red);
@@ -181,7 +181,7 @@ INSTANTIATE_TEST_SUITE_P(Landmarks, Gates,
                                                   false}));
 
 TEST(Landmarks, GoalCutByTheImageGivesNoHeading) {
-  SimulatedRobot robot({180, 400, 1.57});
+  sim::LocalisingRobot robot({180, 400, 1.57});
   LandmarkPercept p = robot.look({LandmarkKind::goalBlue, {180, 540}});
   p.rightEdgeCut = true;
   const auto map = body::landmarksFor(robot.params.field, TeamColour::red);

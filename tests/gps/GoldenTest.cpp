@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "tools/experiments/SimulatedRobot.h"
+#include "tools/sim/LocalisingRobot.h"
 
 namespace kelpie::gps {
 namespace {
@@ -17,7 +17,7 @@ struct Believed {
   Point2<Field> ball;
 };
 
-BallPercept ballSeen(const SimulatedRobot& robot, Point2<Field> ball) {
+BallPercept ballSeen(const sim::LocalisingRobot& robot, Point2<Field> ball) {
   const Pose2 truth{{robot.truth.x, robot.truth.y}, Angle::rad(robot.truth.heading)};
   const Point2<Robot> at = robotFromField(truth, ball);
   BallPercept percept;
@@ -30,11 +30,11 @@ BallPercept ballSeen(const SimulatedRobot& robot, Point2<Field> ball) {
 }
 
 // An arc through the middle of the field with a panning head, landmarks and lines in sight.
-WorldModel walkOneFrame(SimulatedRobot& robot, int frame, Random& random) {
+WorldModel walkOneFrame(sim::LocalisingRobot& robot, int frame, Random& random) {
   robot.walk(0.7, 0.1, 0.008);
-  robot.lookAround(panAt(frame));
+  robot.lookAround(sim::panAt(frame));
   robot.falsify(0.05, random);
-  robot.lookAtLines(panAt(frame));
+  robot.lookAtLines(sim::panAt(frame));
   robot.percepts.ball = frame % 60 < 30 ? ballSeen(robot, {200, 330}) : BallPercept{};
   return robot.step();
 }
@@ -54,7 +54,7 @@ TEST(Golden, AWalkIsBelievedAsWhenItWasMeasured) {
       {150, {{114.1, 293.0}, Angle::deg(138.4)}, {199.8, 331.3}},
       {240, {{54.4, 307.3}, Angle::deg(178.5)}, {201.2, 329.0}},
   };
-  SimulatedRobot robot({150, 200, 1.2}, 77);
+  sim::LocalisingRobot robot({150, 200, 1.2}, 77);
   Random random(78);
   std::size_t next = 0;
   for (int frame = 1; frame <= 240; ++frame) {

@@ -5,14 +5,14 @@
 
 #include "robot/core/FieldCheck.h"
 #include "tests/core/SpoiltValue.h"
-#include "tools/experiments/SimulatedRobot.h"
+#include "tools/sim/LocalisingRobot.h"
 
 namespace kelpie::gps {
 namespace {
 
 // A frame of random percepts, odometry and messages, every list of random length, spoilt here and
 // there; joints, images and games are left out.
-void attack(SimulatedRobot& robot, Random& random) {
+void attack(sim::LocalisingRobot& robot, Random& random) {
   const std::uint32_t rarity = 1U << random.index(9);
   randomise(robot.percepts, random);
   spoil(robot.percepts, random, rarity);
@@ -37,7 +37,7 @@ class HostileInput : public testing::TestWithParam<int> {};
 TEST_P(HostileInput, LeavesAFiniteBeliefAndGoodSightingsBringThePoseBack) {
   const auto seed = static_cast<std::uint64_t>(GetParam());
   Random random(seed);
-  SimulatedRobot robot({180, 200, 1.0}, seed);
+  sim::LocalisingRobot robot({180, 200, 1.0}, seed);
   robot.params.modes.noiseMethod = static_cast<NoiseMethod>(seed % 3);
   robot.params.lines.update.combine = static_cast<LineCombine>(seed / 3 % 2);
   const FrameInput calm = robot.input;
@@ -54,7 +54,7 @@ TEST_P(HostileInput, LeavesAFiniteBeliefAndGoodSightingsBringThePoseBack) {
   WorldModel world;
   for (int i = 0; i < 400; ++i) {
     robot.walk(0.0, 0.0, 0.0);
-    robot.lookAround(panAt(i));
+    robot.lookAround(sim::panAt(i));
     world = robot.step();
   }
   EXPECT_LT(robot.error(world), 15.0);

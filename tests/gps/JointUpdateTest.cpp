@@ -5,7 +5,7 @@
 #include "gps/lines/JointUpdate.h"
 #include "gps/pose/Modes.h"
 #include "gps/pose/Update.h"
-#include "tools/experiments/SimulatedRobot.h"
+#include "tools/sim/LocalisingRobot.h"
 
 namespace kelpie::gps {
 namespace {
@@ -98,7 +98,7 @@ TEST(JointUpdate, AModeOnALandmarkKeepsItsPlaceAndLosesItsWeight) {
 }
 
 TEST(JointUpdate, AFrameSplitsEachModeOnce) {
-  SimulatedRobot robot({150.0, 220.0, 2.9}, 3);
+  sim::LocalisingRobot robot({150.0, 220.0, 2.9}, 3);
   robot.params.modes.noiseMethod = NoiseMethod::split;
   robot.state.lines.features.build(robot.params.field);
   robot.state.pose.modes.push_back(someMode());
@@ -114,13 +114,13 @@ TEST(JointUpdate, AFrameSplitsEachModeOnce) {
 }
 
 TEST(JointUpdate, AWalkingRobotFindsItsPlaceWithLandmarksAndLines) {
-  SimulatedRobot robot({140.0, 180.0, 1.2}, 11);
+  sim::LocalisingRobot robot({140.0, 180.0, 1.2}, 11);
   robot.params.lines.update.combine = LineCombine::joint;
   double cm = 0.0;
   for (int frame = 0; frame < 150; ++frame) {
     robot.walk(0.7, 0.0, 0.004);
-    robot.lookAround(panAt(frame));
-    robot.lookAtLines(panAt(frame));
+    robot.lookAround(sim::panAt(frame));
+    robot.lookAtLines(sim::panAt(frame));
     const WorldModel world = robot.step();
     if (frame >= 90) cm += robot.error(world) / 60.0;
   }

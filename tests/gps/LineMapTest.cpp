@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "gps/lines/LineMap.h"
-#include "tools/experiments/SimulatedRobot.h"
+#include "tools/sim/LocalisingRobot.h"
 
 namespace kelpie::gps {
 namespace {
@@ -97,10 +97,10 @@ class Standing : public ::testing::Test {
   }
   void frame(int i) {
     robot.input.odometry = {};
-    robot.lookAtLines(panAt(i));
+    robot.lookAtLines(sim::panAt(i));
     world = robot.step();
   }
-  SimulatedRobot robot{{180, 200, maths::kPi / 2}, 4};
+  sim::LocalisingRobot robot{{180, 200, maths::kPi / 2}, 4};
   WorldModel world;
 };
 
@@ -154,10 +154,10 @@ TEST_F(Standing, WhatTheMapHoldsCountsOnce) {
 TEST_F(Standing, TheEstimateStaysWiderThanItsErrors) {
   double nees = 0.0;
   for (std::uint64_t run = 0; run < 20; ++run) {
-    SimulatedRobot other({180, 200, 1.0}, run);
+    sim::LocalisingRobot other({180, 200, 1.0}, run);
     other.params.initialPose = {true, {{185, 195}, Angle::rad(1.05)}, 20.0, Angle::deg(10)};
     for (int i = 0; i < 600; ++i) {
-      other.lookAtLines(panAt(i));
+      other.lookAtLines(sim::panAt(i));
       world = other.step();
     }
     EXPECT_GT(world.positionSd, 0.7);

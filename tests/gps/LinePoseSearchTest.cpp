@@ -5,16 +5,16 @@
 #include "gps/lines/LineMap.h"
 #include "gps/lines/LinePoseSearch.h"
 #include "gps/lines/Symmetry.h"
-#include "tools/experiments/StandingRobot.h"
+#include "tools/sim/LocalisingRobot.h"
 
 namespace kelpie::gps {
 namespace {
 
-int framesUntilServed(experiments::StandingRobot& robot, WorldModel& world, int most) {
+int framesUntilServed(sim::StandingRobot& robot, WorldModel& world, int most) {
   for (int i = 0; i < most; ++i) {
     robot.look(false);
     world = robot.step();
-    if (robot.state->lines.search.served) return i + 1;
+    if (robot.state.lines.search.served) return i + 1;
   }
   return -1;
 }
@@ -22,19 +22,19 @@ int framesUntilServed(experiments::StandingRobot& robot, WorldModel& world, int 
 TEST(LinePoseSearch, FindsThePoseOrItsTwinFromNowhere) {
   int found = 0;
   for (std::uint64_t seed = 500; seed < 510; ++seed) {
-    experiments::StandingRobot robot(seed);
+    sim::StandingRobot robot(seed);
     robot.input.lastCommand.localise = true;
     WorldModel world;
     if (framesUntilServed(robot, world, 400) < 0) continue;
-    const bool here = experiments::standingError(world.pose, robot.truth).within(20, 10);
-    const bool twin = experiments::standingError(world.pose, robot.twin()).within(20, 10);
+    const bool here = sim::beliefError(world.pose, robot.truth.pose()).within(20, 10);
+    const bool twin = sim::beliefError(world.pose, robot.twin()).within(20, 10);
     found += here || twin ? 1 : 0;
   }
   EXPECT_GE(found, 8);
 }
 
 TEST(LinePoseSearch, EveryModeHasItsTwinOfTheSameWeight) {
-  experiments::StandingRobot robot(500);
+  sim::StandingRobot robot(500);
   robot.input.lastCommand.localise = true;
   WorldModel world;
   ASSERT_GT(framesUntilServed(robot, world, 400), 0);
@@ -45,7 +45,7 @@ TEST(LinePoseSearch, EveryModeHasItsTwinOfTheSameWeight) {
 }
 
 TEST(LinePoseSearch, TakesManyFramesAndAnswersOnceForOneRequest) {
-  experiments::StandingRobot robot(500);
+  sim::StandingRobot robot(500);
   robot.input.lastCommand.localise = true;
   WorldModel world;
   const int frames = framesUntilServed(robot, world, 400);
@@ -53,43 +53,43 @@ TEST(LinePoseSearch, TakesManyFramesAndAnswersOnceForOneRequest) {
   for (int i = 0; i < 100; ++i) {
     robot.look(false);
     robot.step();
-    ASSERT_FALSE(robot.state->lines.search.running);
+    ASSERT_FALSE(robot.state.lines.search.running);
   }
   robot.input.lastCommand.localise = false;
   robot.look(false);
   robot.step();
-  EXPECT_FALSE(robot.state->lines.search.served);
+  EXPECT_FALSE(robot.state.lines.search.served);
 }
 
 TEST(LinePoseSearch, BeginsByItselfWhenLostAndOnlyWhileStanding) {
-  experiments::StandingRobot robot(501);
+  sim::StandingRobot robot(501);
   for (int i = 0; i < 200; ++i) {
     robot.look(false);
     robot.input.odometry.forward = 0.5;
     robot.step();
   }
-  EXPECT_TRUE(robot.state->pose.lost);
+  EXPECT_TRUE(robot.state.pose.lost);
   robot.input.odometry = {};
   for (int i = 0; i < 400; ++i) {
     robot.look(false);
     robot.step();
   }
-  EXPECT_FALSE(robot.state->pose.lost);
+  EXPECT_FALSE(robot.state.pose.lost);
 }
 
 TEST(LinePoseSearch, AMoveDropsWhatWasBegun) {
-  experiments::StandingRobot robot(502);
+  sim::StandingRobot robot(502);
   robot.input.lastCommand.localise = true;
-  for (int i = 0; i < 400 && robot.state->lines.search.next < 20; ++i) {
+  for (int i = 0; i < 400 && robot.state.lines.search.next < 20; ++i) {
     robot.look(false);
     robot.step();
   }
-  ASSERT_TRUE(robot.state->lines.search.running);
+  ASSERT_TRUE(robot.state.lines.search.running);
   robot.input.odometry.turn = Angle::deg(2);
   robot.step();
-  EXPECT_FALSE(robot.state->lines.search.running);
-  EXPECT_EQ(robot.state->lines.search.next, 0U);
-  EXPECT_TRUE(robot.state->lines.search.best.empty());
+  EXPECT_FALSE(robot.state.lines.search.running);
+  EXPECT_EQ(robot.state.lines.search.next, 0U);
+  EXPECT_TRUE(robot.state.lines.search.best.empty());
 }
 
 }  // namespace

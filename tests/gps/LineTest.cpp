@@ -8,7 +8,7 @@
 #include "gps/lines/LineUpdate.h"
 #include "gps/pose/Modes.h"
 #include "tests/gps/Field2006.h"
-#include "tools/experiments/SimulatedRobot.h"
+#include "tools/sim/LocalisingRobot.h"
 
 namespace kelpie::gps {
 namespace {
@@ -121,7 +121,7 @@ TEST(LineObservation, PoorMatchesAreRefusedAndFastHeadsBelievedLess) {
 double meanErrorByLines(bool use) {
   double sum = 0.0;
   for (std::uint64_t run = 0; run < 10; ++run) {
-    SimulatedRobot robot({180, 250, 1.0}, run);
+    sim::LocalisingRobot robot({180, 250, 1.0}, run);
     robot.params.lines.update.use = use;
     robot.params.initialPose = {true, {{195, 240}, Angle::rad(1.1)}, 20.0, Angle::deg(10)};
     for (int i = 0; i < 90; ++i) {
@@ -140,7 +140,7 @@ TEST(Lines, AloneKeepAKnownPose) {
 }
 
 TEST(Lines, OfNonsenseLeaveAFiniteWideEstimate) {
-  SimulatedRobot robot({180, 250, 1.0});
+  sim::LocalisingRobot robot({180, 250, 1.0});
   robot.params.initialPose = {true, {{180, 250}, Angle::rad(1.0)}, 20.0, Angle::deg(10)};
   Random random(5);
   for (int i = 0; i < 100; ++i) {

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "gps/Refusal.h"
-#include "tools/experiments/SimulatedRobot.h"
+#include "tools/sim/LocalisingRobot.h"
 
 namespace kelpie::gps {
 namespace {
@@ -20,10 +20,10 @@ Errors walkErrors(double heading, double falseShare = 0.0) {
   Errors sum;
   for (std::uint64_t run = 0; run < 20; ++run) {
     Random random(run + 100);
-    SimulatedRobot robot({180, 270, heading}, run);
+    sim::LocalisingRobot robot({180, 270, heading}, run);
     for (int i = 0; i < 120; ++i) {
       robot.walk(0.7, 0.0, 0.008 * std::sin(i / 20.0));
-      robot.lookAround(panAt(i));
+      robot.lookAround(sim::panAt(i));
       robot.falsify(falseShare, random);
       const WorldModel world = robot.step();
       if (i < 60) continue;
@@ -51,14 +51,14 @@ TEST(Localise, OneFalseSightingInTwentyCostsLittle) {
 // Frames from the kidnapping until the estimate stays within 30 cm and 15 deg.
 int recovery(std::uint64_t seed) {
   Random random(seed);
-  SimulatedRobot robot({180, 200, maths::kPi / 2}, seed);
+  sim::LocalisingRobot robot({180, 200, maths::kPi / 2}, seed);
   int last = 0;
   for (int i = 0; i < 400; ++i) {
     if (i == 100) {
       robot.truth = {random.uniform(40, 320), random.uniform(60, 480), random.uniform(0, 6.28)};
     }
     robot.walk(0.5, 0.0, 0.02);
-    robot.lookAround(panAt(i));
+    robot.lookAround(sim::panAt(i));
     const WorldModel world = robot.step();
     const bool good = robot.error(world) < 30.0 && robot.headingError(world) < 15.0;
     if (i >= 100 && !good) last = i - 99;
@@ -78,7 +78,7 @@ TEST(Localise, KidnappedRobotFindsItselfAgain) {
 // Eight modes crowd round a wrong pose, so that none of the filter's wide modes lives on.
 TEST(Localise, PoseTurnedRoundIsGivenUpWithOneGoalInSight) {
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
-    SimulatedRobot robot({180, 230, -1.6}, seed);
+    sim::LocalisingRobot robot({180, 230, -1.6}, seed);
     robot.lookAround(0.0);
     robot.step();
     robot.state.pose.modes.clear();
@@ -97,7 +97,7 @@ TEST(Localise, PoseTurnedRoundIsGivenUpWithOneGoalInSight) {
 }
 
 TEST(Localise, KnownStartIsKeptWhileNothingIsSeen) {
-  SimulatedRobot robot({60, 100, 0.4});
+  sim::LocalisingRobot robot({60, 100, 0.4});
   robot.params.initialPose = {true, {{60, 100}, Angle::rad(0.4)}, 5.0, Angle::deg(3)};
   WorldModel world;
   for (int i = 0; i < 90; ++i) {
@@ -110,10 +110,10 @@ TEST(Localise, KnownStartIsKeptWhileNothingIsSeen) {
 }
 
 TEST(Localise, WeightsSumToOneAndAreSorted) {
-  SimulatedRobot robot({100, 300, 2.0}, 5);
+  sim::LocalisingRobot robot({100, 300, 2.0}, 5);
   for (int i = 0; i < 200; ++i) {
     robot.walk(0.5, 0.0, 0.01);
-    robot.lookAround(panAt(i));
+    robot.lookAround(sim::panAt(i));
     const WorldModel world = robot.step();
     double sum = 0.0, previous = 1.0;
     for (const PoseMode& mode : world.modes) {
@@ -126,7 +126,7 @@ TEST(Localise, WeightsSumToOneAndAreSorted) {
 
 // The mirrored robot: left and right swapped, beacons swapped, same noise.
 TEST(Localise, MirroredSightingsGiveTheMirroredPose) {
-  SimulatedRobot left({100, 250, 1.9}), right({260, 250, maths::kPi - 1.9});
+  sim::LocalisingRobot left({100, 250, 1.9}), right({260, 250, maths::kPi - 1.9});
   const auto map = body::landmarksFor(left.params.field, TeamColour::red);
   const auto& mirrored = map;
   for (int i = 0; i < 30; ++i) {
@@ -149,11 +149,11 @@ TEST(Localise, MirroredSightingsGiveTheMirroredPose) {
 }
 
 TEST(Localise, BlueTeamSeesTheFieldTurnedRound) {
-  SimulatedRobot robot({180, 200, maths::kPi / 2});
+  sim::LocalisingRobot robot({180, 200, maths::kPi / 2});
   robot.input.game.team = TeamColour::blue;
   WorldModel world;
   for (int i = 0; i < 120; ++i) {
-    robot.lookAround(panAt(i));
+    robot.lookAround(sim::panAt(i));
     world = robot.step();
   }
   EXPECT_LT(robot.error(world), 15.0);
@@ -162,7 +162,7 @@ TEST(Localise, BlueTeamSeesTheFieldTurnedRound) {
 TEST(Localise, BrokenInputLeavesAFiniteWideEstimateAndIsCounted) {
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
   constexpr double kInf = std::numeric_limits<double>::infinity();
-  SimulatedRobot robot({180, 200, 1.0});
+  sim::LocalisingRobot robot({180, 200, 1.0});
   robot.input.odometry.forward = 1000.0;
   for (const double bad : {kNan, kInf, -kInf, -1.0, 0.0}) {
     LandmarkPercept p = robot.look({LandmarkKind::goalBlue, {180, 540}});

@@ -3,13 +3,13 @@
 #include <gtest/gtest.h>
 
 #include "gps/pose/Modes.h"
-#include "tools/experiments/SimulatedRobot.h"
+#include "tools/sim/LocalisingRobot.h"
 
 namespace kelpie::gps {
 namespace {
 
-SimulatedRobot localised(NoiseMethod method) {
-  SimulatedRobot robot({180, 250, 1.5});
+sim::LocalisingRobot localised(NoiseMethod method) {
+  sim::LocalisingRobot robot({180, 250, 1.5});
   robot.params.modes.noiseMethod = method;
   robot.params.initialPose = {true, {{180, 250}, Angle::rad(1.5)}, 5.0, Angle::deg(3)};
   robot.step();
@@ -17,7 +17,7 @@ SimulatedRobot localised(NoiseMethod method) {
 }
 
 // A beacon 120 deg beside where it should be.
-void seeFalsely(SimulatedRobot& robot) {
+void seeFalsely(sim::LocalisingRobot& robot) {
   const auto landmarks = body::landmarksFor(robot.params.field, robot.input.game.team);
   LandmarkPercept p = robot.look(landmarks[3], false);
   p.heading = p.heading + Angle::deg(120);
@@ -28,7 +28,7 @@ void seeFalsely(SimulatedRobot& robot) {
 }
 
 TEST(NoiseMethod, RefusingKeepsThePlaceAndGrows) {
-  SimulatedRobot robot = localised(NoiseMethod::refuse);
+  sim::LocalisingRobot robot = localised(NoiseMethod::refuse);
   const double before = robot.state.pose.modes[0].covariance[0];
   seeFalsely(robot);
   ASSERT_EQ(robot.state.pose.modes.size(), 1U);
@@ -38,7 +38,7 @@ TEST(NoiseMethod, RefusingKeepsThePlaceAndGrows) {
 
 TEST(NoiseMethod, SplittingKeepsAnUncorrectedCopyInFront) {
   for (const NoiseMethod method : {NoiseMethod::split, NoiseMethod::splitAndWide}) {
-    SimulatedRobot robot = localised(method);
+    sim::LocalisingRobot robot = localised(method);
     seeFalsely(robot);
     EXPECT_GE(robot.state.pose.modes.size(), 2U);
     EXPECT_LT(robot.error(robot.step()), 0.5);
@@ -47,7 +47,7 @@ TEST(NoiseMethod, SplittingKeepsAnUncorrectedCopyInFront) {
 
 TEST(NoiseMethod, OnlyTheThirdHasAWideMode) {
   const auto widest = [](NoiseMethod method) {
-    SimulatedRobot robot = localised(method);
+    sim::LocalisingRobot robot = localised(method);
     seeFalsely(robot);
     double most = 0.0;
     for (const PoseMode& mode : robot.state.pose.modes) most = std::max(most, mode.covariance[0]);

@@ -8,7 +8,7 @@
 
 #include "gps/players/ObstacleQueries.h"
 #include "tests/gps/Field2006.h"
-#include "tools/experiments/SimulatedRobot.h"
+#include "tools/sim/LocalisingRobot.h"
 
 namespace kelpie::gps {
 namespace {
@@ -208,7 +208,7 @@ TEST(ObstacleQueries, ThereIsNoGapWhereAllWaysAheadAreBlockedOrTooNarrow) {
 }
 
 TEST(Obstacles, ARobotThatKnowsItsPlacePublishesWhatStandsBeforeIt) {
-  SimulatedRobot robot({185, 200, maths::kPi / 2});  // a cell straight ahead
+  sim::LocalisingRobot robot({185, 200, maths::kPi / 2});  // a cell straight ahead
   robot.params.initialPose = {true, {{185, 200}, Angle::deg(90)}, 3.0, Angle::deg(1)};
   WorldModel world;
   for (int i = 0; i < 20; ++i) {

@@ -8,7 +8,7 @@
 
 #include "gps/pinks/PinkPoseSearch.h"
 #include "gps/pinks/Survey.h"
-#include "tools/experiments/SimulatedRobot.h"
+#include "tools/sim/LocalisingRobot.h"
 
 namespace kelpie::gps {
 namespace {
@@ -17,9 +17,10 @@ constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kDegree = maths::kPi / 180.0;
 
 // Patches on the wall at these places, seen by a head that pans while the body turns at times.
-class CarriedRobot : public SimulatedRobot {
+class CarriedRobot : public sim::LocalisingRobot {
  public:
-  CarriedRobot(Truth start, std::uint64_t seed) : SimulatedRobot(start, seed), random_(seed + 9) {
+  CarriedRobot(sim::TruePose start, std::uint64_t seed)
+      : sim::LocalisingRobot(start, seed), random_(seed + 9) {
     for (const Point2<Field> place : {Point2<Field>{-35, 100}, {395, 330}, {60, 585}, {-35, 480}})
       state.pinks.map.push_back({place, 20.0});
     input.lastCommand.pinks = PinkUse::localise;
@@ -60,7 +61,8 @@ TEST(PinkPoseSearch, FindsTheRobotWhereverItWasPut) {
   Random random(77);
   int found = 0;
   for (std::uint64_t run = 0; run < 10; ++run) {
-    const Truth start{random.uniform(40, 320), random.uniform(40, 500), random.uniform(-3.1, 3.1)};
+    const sim::TruePose start{random.uniform(40, 320), random.uniform(40, 500),
+                              random.uniform(-3.1, 3.1)};
     CarriedRobot robot(start, run);
     const WorldModel world = robot.lookRound(600);
     found += robot.error(world) < 15.0 && robot.headingError(world) < 5.0 ? 1 : 0;

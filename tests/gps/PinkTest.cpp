@@ -11,7 +11,7 @@
 #include "gps/Refusal.h"
 #include "gps/pinks/PinkMap.h"
 #include "gps/pinks/PinkUpdate.h"
-#include "tools/experiments/SimulatedRobot.h"
+#include "tools/sim/LocalisingRobot.h"
 
 namespace kelpie::gps {
 namespace {

@@ -7,7 +7,7 @@
 #include "gps/players/Information.h"
 #include "gps/players/Team.h"
 #include "gps/players/TeamBall.h"
-#include "tools/experiments/SimulatedRobot.h"
+#include "tools/sim/LocalisingRobot.h"
 
 namespace kelpie::gps {
 namespace {
@@ -16,13 +16,13 @@ constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // A robot that knows its place, in the middle of its half, looking up-field.
-SimulatedRobot robotAt(double x, double y) {
-  SimulatedRobot robot({x, y, maths::kPi / 2});
+sim::LocalisingRobot robotAt(double x, double y) {
+  sim::LocalisingRobot robot({x, y, maths::kPi / 2});
   robot.params.initialPose = {true, {{x, y}, Angle::deg(90)}, 3.0, Angle::deg(1)};
   return robot;
 }
 
-RobotPercept opponentAt(const SimulatedRobot& robot, double x, double y) {
+RobotPercept opponentAt(const sim::LocalisingRobot& robot, double x, double y) {
   const double dx = x - robot.truth.x;
   const double dy = y - robot.truth.y;
   RobotPercept p;
@@ -87,7 +87,7 @@ TEST(TeamBall, OneAgainstOneTheSurerIsBelieved) {
 }
 
 TEST(TeamBall, IsThereForARobotThatSeesNone) {
-  SimulatedRobot robot = robotAt(180, 100);
+  sim::LocalisingRobot robot = robotAt(180, 100);
   robot.input.team.push_back(messageFrom(2, 1));
   WorldModel world = robot.step();
   EXPECT_FALSE(world.ball.present);
@@ -100,7 +100,7 @@ TEST(TeamBall, IsThereForARobotThatSeesNone) {
 }
 
 TEST(Teammates, ArePublishedWithAVarianceThatGrows) {
-  SimulatedRobot robot = robotAt(180, 100);
+  sim::LocalisingRobot robot = robotAt(180, 100);
   robot.input.team.push_back(messageFrom(3, 7));
   const WorldModel first = robot.step();
   ASSERT_EQ(first.teammates.size(), 1U);
@@ -112,7 +112,7 @@ TEST(Teammates, ArePublishedWithAVarianceThatGrows) {
 }
 
 TEST(Message, TellsOnlyWhatTheOwnCameraSaw) {
-  SimulatedRobot robot = robotAt(180, 100);
+  sim::LocalisingRobot robot = robotAt(180, 100);
   robot.input.team.push_back(messageFrom(2, 1));
   for (int i = 0; i < 10; ++i) {
     const WorldModel world = robot.step();
@@ -123,7 +123,7 @@ TEST(Message, TellsOnlyWhatTheOwnCameraSaw) {
 }
 
 TEST(Message, TellsTheInformationOfAllSightingsSinceTheLast) {
-  SimulatedRobot robot = robotAt(180, 100);
+  sim::LocalisingRobot robot = robotAt(180, 100);
   robot.percepts.robots.push_back(opponentAt(robot, 200, 220));
   WorldModel world = robot.step();
   const double once = world.message.opponents[0].covariance[3];
@@ -134,7 +134,7 @@ TEST(Message, TellsTheInformationOfAllSightingsSinceTheLast) {
 }
 
 TEST(Opponents, OneInSightLeavesTheOthersWhereTheyWere) {
-  SimulatedRobot robot = robotAt(180, 100);
+  sim::LocalisingRobot robot = robotAt(180, 100);
   const double places[4][2] = {{100, 200}, {260, 210}, {180, 280}, {60, 150}};
   for (const auto& at : places) robot.percepts.robots.push_back(opponentAt(robot, at[0], at[1]));
   ASSERT_EQ(robot.step().opponents.size(), 4U);
@@ -153,17 +153,17 @@ TEST(Opponents, OneInSightLeavesTheOthersWhereTheyWere) {
 }
 
 TEST(Opponents, MatesInTheOwnColourAreNotTaken) {
-  SimulatedRobot robot = robotAt(180, 100);
+  sim::LocalisingRobot robot = robotAt(180, 100);
   robot.percepts.robots.push_back(opponentAt(robot, 200, 220));
   robot.percepts.robots[0].team = TeamColour::red;
   EXPECT_TRUE(robot.step().opponents.empty());
 }
 
 TEST(Opponents, WhatAMateSawMakesTheBeliefSurer) {
-  SimulatedRobot robot = robotAt(180, 100);
+  sim::LocalisingRobot robot = robotAt(180, 100);
   robot.percepts.robots.push_back(opponentAt(robot, 150, 230));
   const OpponentEstimate alone = robot.step().opponents[0];
-  SimulatedRobot told = robotAt(180, 100);
+  sim::LocalisingRobot told = robotAt(180, 100);
   told.percepts.robots.push_back(opponentAt(told, 150, 230));
   told.input.team.push_back(messageFrom(2, 1));
   told.input.team[0].opponents[0] = {{152, 232}, {100, 0, 0, 100}};
@@ -181,7 +181,7 @@ using Spoil = void (*)(TeamMessage&);
 class Hostile : public testing::TestWithParam<Spoil> {};
 
 TEST_P(Hostile, MessageIsRefusedWholeAndCounted) {
-  SimulatedRobot robot = robotAt(180, 100);
+  sim::LocalisingRobot robot = robotAt(180, 100);
   robot.input.team.push_back(messageFrom(2, 1));
   GetParam()(robot.input.team[0]);
   const WorldModel world = robot.step();
@@ -211,7 +211,7 @@ INSTANTIATE_TEST_SUITE_P(
                     [](TeamMessage& m) { m.player = 200; }, [](TeamMessage& m) { m.number = 0; }));
 
 TEST(Hostile, ARepeatedMessageAddsNothing) {
-  SimulatedRobot robot = robotAt(180, 100);
+  sim::LocalisingRobot robot = robotAt(180, 100);
   robot.input.team.push_back(messageFrom(2, 5));
   const double once = robot.step().opponents[0].covariance[0];
   const WorldModel world = robot.step();
@@ -220,7 +220,7 @@ TEST(Hostile, ARepeatedMessageAddsNothing) {
 }
 
 TEST(Hostile, AMessageThatWasOvertakenAddsNothingAndNumbersGoRound) {
-  SimulatedRobot robot = robotAt(180, 100);
+  sim::LocalisingRobot robot = robotAt(180, 100);
   const auto refusedAfter = [&robot](std::uint16_t number) {
     robot.input.team.clear();
     robot.input.team.push_back(messageFrom(2, number));
@@ -234,7 +234,7 @@ TEST(Hostile, AMessageThatWasOvertakenAddsNothingAndNumbersGoRound) {
 
 TEST(TeamBall, AnOlderMessageSaysLessSurely) {
   const auto varianceAt = [](double age) {
-    SimulatedRobot robot = robotAt(180, 100);
+    sim::LocalisingRobot robot = robotAt(180, 100);
     robot.input.team.push_back(messageFrom(2, 1));
     robot.input.team[0].age = age;
     return robot.step().teamBall.covariance[0];
@@ -244,7 +244,7 @@ TEST(TeamBall, AnOlderMessageSaysLessSurely) {
 }
 
 TEST(Hostile, BrokenRobotPerceptsAreCountedAndLeaveAFiniteState) {
-  SimulatedRobot robot = robotAt(180, 100);
+  sim::LocalisingRobot robot = robotAt(180, 100);
   const RobotPercept good = opponentAt(robot, 200, 220);
   for (int i = 0; i < 4; ++i) robot.percepts.robots.push_back(good);
   robot.percepts.robots[0].distance = kNan;

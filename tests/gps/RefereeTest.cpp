@@ -4,7 +4,7 @@
 
 #include "gps/ball/BallMotion.h"
 #include "gps/ball/DropIn.h"
-#include "tools/experiments/SimulatedRobot.h"
+#include "tools/sim/LocalisingRobot.h"
 
 namespace kelpie::gps {
 namespace {
@@ -30,7 +30,7 @@ struct Watcher {
     return robot.step();
   }
 
-  SimulatedRobot robot;
+  sim::LocalisingRobot robot;
   Point2<Field> ball;
 };
 

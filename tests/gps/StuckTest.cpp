@@ -7,7 +7,7 @@
 
 #include "gps/Refusal.h"
 #include "gps/pose/Stuck.h"
-#include "tools/experiments/SimulatedRobot.h"
+#include "tools/sim/LocalisingRobot.h"
 
 namespace kelpie::gps {
 namespace {
@@ -16,8 +16,8 @@ const Odometry kStep{0.6, -0.2, Angle::rad(0.01)};
 
 bool sameBits(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; }
 
-SimulatedRobot walker(double effort) {
-  SimulatedRobot robot({180.0, 150.0, maths::kPi / 2}, 5);
+sim::LocalisingRobot walker(double effort) {
+  sim::LocalisingRobot robot({180.0, 150.0, maths::kPi / 2}, 5);
   robot.params.initialPose.present = true;
   robot.params.initialPose.pose = {{180.0, 150.0}, Angle::deg(90.0)};
   robot.params.initialPose.positionSd = 5.0;
@@ -27,7 +27,7 @@ SimulatedRobot walker(double effort) {
 }
 
 // Walks a second without seeing anything.
-WorldModel walked(SimulatedRobot& robot) {
+WorldModel walked(sim::LocalisingRobot& robot) {
   WorldModel world;
   for (int i = 0; i < 30; ++i) {
     robot.walk(0.67, 0.0, 0.0);
@@ -58,7 +58,7 @@ TEST(Stuck, TheHarderTheLegsWorkTheLessIsWalkedAndTheMoreIsDoubted) {
 
 TEST(Stuck, TheEffortOfAFasterStepBeforeIsNoHold) {
   const StuckParams params;
-  SimulatedRobot robot = walker(freeEffort(40.0, params));
+  sim::LocalisingRobot robot = walker(freeEffort(40.0, params));
   const auto excessAt = [&](double speed) {
     robot.input.odometry = {speed * kFrameSeconds, 0.0, {}};
     return excessEffort(robot.input, params, robot.state.pose.stuck, robot.state.counts);
@@ -76,8 +76,8 @@ TEST(Stuck, FreeWalkingKeepsEveryBit) {
   EXPECT_TRUE(sameBits(same.forward, kStep.forward) && sameBits(same.left, kStep.left) &&
               sameBits(same.turn.rad(), kStep.turn.rad()));
   const double effort = freeEffort(20.0, params);
-  SimulatedRobot aware = walker(effort);
-  SimulatedRobot unaware = walker(effort);
+  sim::LocalisingRobot aware = walker(effort);
+  sim::LocalisingRobot unaware = walker(effort);
   unaware.params.stuck.use = false;
   const WorldModel a = walked(aware);
   const WorldModel b = walked(unaware);
@@ -88,8 +88,8 @@ TEST(Stuck, FreeWalkingKeepsEveryBit) {
 }
 
 TEST(Stuck, AHeldWalkIsBelievedShorterAndLessSure) {
-  SimulatedRobot aware = walker(0.85);
-  SimulatedRobot unaware = walker(0.85);
+  sim::LocalisingRobot aware = walker(0.85);
+  sim::LocalisingRobot unaware = walker(0.85);
   unaware.params.stuck.use = false;
   const WorldModel a = walked(aware);
   const WorldModel b = walked(unaware);
@@ -101,12 +101,12 @@ TEST(Stuck, AHeldWalkIsBelievedShorterAndLessSure) {
   EXPECT_EQ(b.stuck, 0.0);
 }
 
-double excessOf(SimulatedRobot& robot) {
+double excessOf(sim::LocalisingRobot& robot) {
   return excessEffort(robot.input, robot.params.stuck, robot.state.pose.stuck, robot.state.counts);
 }
 
 TEST(Stuck, EffortMeansNothingWhileStandingOrInAMotion) {
-  SimulatedRobot robot = walker(0.9);
+  sim::LocalisingRobot robot = walker(0.9);
   EXPECT_GT(excessOf(robot), 0.0);
   robot.input.motion.running = MotionKind::kickForward;
   EXPECT_EQ(excessOf(robot), 0.0);
@@ -118,7 +118,7 @@ TEST(Stuck, EffortMeansNothingWhileStandingOrInAMotion) {
 TEST(Stuck, WhatNoLegsCanMakeIsRefusedAndCounted) {
   const double inf = std::numeric_limits<double>::infinity();
   std::uint16_t refused = 0;
-  SimulatedRobot robot = walker(0.0);
+  sim::LocalisingRobot robot = walker(0.0);
   for (const double effort : {std::nan(""), 1e9, -1.0, inf, -inf}) {
     robot.input.motion.effort = effort;
     const WorldModel world = walked(robot);
@@ -175,7 +175,7 @@ TEST(Stuck, NoPauseIsMadeOfNoSeconds) {
 TEST(Stuck, PausedLinesCorrectNothing) {
   double sd[2];
   for (const bool paused : {false, true}) {
-    SimulatedRobot robot = walker(0.0);
+    sim::LocalisingRobot robot = walker(0.0);
     robot.state.pose.stuck.paused = paused;
     robot.params.stuck.pauseSeconds = paused ? 10.0 : 0.0;
     for (int frame = 0; frame < 10; ++frame) {

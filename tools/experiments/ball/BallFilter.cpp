@@ -46,7 +46,7 @@ class Stroll {
 };
 
 struct Scene {
-  TruePlayer player;
+  Player player;
   sim::Ball ball;
   Stroll stroll;
   Random random;
@@ -58,7 +58,7 @@ Scene sceneOf(std::uint64_t seed, double speed, bool walks) {
   const Pose2 pose{{180.0, 200.0}, Angle::rad(random.uniform(-maths::kPi, maths::kPi))};
   const Angle at = Angle::rad(random.uniform(-maths::kPi, maths::kPi));
   const double range = random.uniform(40.0, 200.0);
-  Scene scene{TruePlayer(pose, 1, random.next()),
+  Scene scene{Player(pose, 1, random.next()),
               {fieldFromRobot(pose, robotPolar(range, at)), {}},
               Stroll(random.next()),
               Random(random.next()),
@@ -82,17 +82,17 @@ Point2<Field> endOf(sim::Ball ball) {
 // Compared in the robot's frame: the pose has its own experiments.
 double stopError(const Scene& scene, const WorldModel& world) {
   const Point2<Robot> said = robotFromField(world.pose, world.ball.stoppingPoint);
-  return distance(said, robotFromField(scene.player.truth, endOf(scene.ball)));
+  return distance(said, robotFromField(scene.player.truth.pose(), endOf(scene.ball)));
 }
 
 // One frame; true when the ball was there to be seen.
-bool advance(Scene& scene, const BallNoise& noise, WorldModel& world) {
+bool advance(Scene& scene, WorldModel& world) {
   scene.player.walk(scene.walks ? scene.stroll.next() : WalkSpeed{});
   sim::roll(scene.ball, kFrameSeconds, {});
-  const double range = distance(scene.player.truth.position, scene.ball.position);
+  const double range = distance(scene.player.truth.pose().position, scene.ball.position);
   if (range < kNearest || range > kFarthest) return false;
-  scene.player.look(scene.player.bearingOf(scene.ball.position).rad());
-  if (scene.random.chance(kRecall)) scene.player.seeBall(scene.ball.position, noise);
+  scene.player.turnHead(scene.player.bearingOf(scene.ball.position).rad());
+  if (scene.random.chance(kRecall)) scene.player.lookAtBall(scene.ball.position);
   world = scene.player.step();
   return true;
 }
@@ -102,11 +102,11 @@ void rolling(std::uint64_t seed, bool walks, Errors& errors) {
   Scene scene = sceneOf(random.next(), random.uniform(30.0, 150.0), walks);
   WorldModel world;
   for (double time = kFrameSeconds; time < 3.0; time += kFrameSeconds) {
-    if (!advance(scene, {}, world)) return;
+    if (!advance(scene, world)) return;
     if (time > kSight - 1e-6 && time < kSight + kFrameSeconds - 1e-6 && world.ball.present)
       errors.stop.push_back(stopError(scene, world));
     if (time < kSettled || !world.ball.present) continue;
-    const Pose2& truth = scene.player.truth;
+    const Pose2 truth = scene.player.truth.pose();
     errors.position.push_back(
         distance(world.ball.relative, robotFromField(truth, scene.ball.position)));
     errors.velocity.push_back(
@@ -116,11 +116,10 @@ void rolling(std::uint64_t seed, bool walks, Errors& errors) {
 
 void lying(std::uint64_t seed, bool walks, bool sway, Errors& errors) {
   Scene scene = sceneOf(seed, 0.0, walks);
-  BallNoise noise;
-  noise.sway = sway;
+  scene.player.noise.ball.sway = sway;
   WorldModel world;
   for (double time = kFrameSeconds; time < 4.0; time += kFrameSeconds) {
-    if (!advance(scene, noise, world)) return;
+    if (!advance(scene, world)) return;
     if (time < 1.0 || !world.ball.present) continue;
     errors.speed.push_back(world.ball.velocity.norm());
   }

@@ -71,7 +71,7 @@ void addErrors(const WorldModel& world, const Places& opponents, Tally& tally) {
 }
 
 struct Match {
-  std::vector<TruePlayer> players;
+  std::vector<Player> players;
   std::vector<Wanderer> opponents;
   std::vector<Random> minds;
   std::vector<WalkSpeed> speeds;
@@ -98,8 +98,8 @@ Match matchOf(std::uint64_t seed, const gps::OpponentParams& params) {
 }
 
 // Towards a random place, a new one now and then, and back when at the edge.
-WalkSpeed mindOf(TruePlayer& player, Random& random, WalkSpeed speed) {
-  const Point2<Field> p = player.truth.position;
+WalkSpeed mindOf(Player& player, Random& random, WalkSpeed speed) {
+  const Point2<Field> p = player.truth.pose().position;
   const bool atEdge = p.x < 30 || p.x > 330 || p.y < 30 || p.y > 510;
   if (atEdge) {
     const Angle home = player.bearingOf({180.0, 270.0});
@@ -124,10 +124,10 @@ void playMatch(Match match, Tally& alone, Tally& shared) {
     const Places opponents = move(match.opponents);
     match.radio.pass();
     for (std::size_t i = 0; i < kPlayers; ++i) {
-      TruePlayer& player = match.players[i];
+      Player& player = match.players[i];
       match.speeds[i] = mindOf(player, match.minds[i], match.speeds[i]);
       player.walk(match.speeds[i]);
-      player.look(1.1 * maths::sin(0.07 * frame + static_cast<double>(i)));
+      player.turnHead(1.1 * maths::sin(0.07 * frame + static_cast<double>(i)));
       player.seeLandmarks();
       player.seeOpponents(opponents);
       player.input.team = match.radio.receive(i);

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// A player whose truth is known: it walks with the simulated body's slip, and its percepts are the
-// truth with the errors that vision was measured to have (docs/experiments.md). Without images, so
-// that thousands of seconds cost a few.
+// Players of a match without images: robots whose truth is known (tools/sim/Observer.h), opponents
+// that wander about, and the radio between the players.
 #pragma once
 
 #include <memory>
 #include <vector>
 
-#include "gps/Localiser.h"
-#include "robot/core/Random.h"
+#include "tools/sim/LocalisingRobot.h"
 
 namespace kelpie::experiments {
 
@@ -18,50 +16,23 @@ struct WalkSpeed {
   double turn = 0.0;     // rad/s
 };
 
-struct BallNoise {
-  double distanceShare = 0.023;
-  double distanceBias = 0.006;
-  double heading = 0.15;         // deg
-  double walkingHeading = 0.70;  // deg more while walking
-  bool sway = false;             // that part swings with the step instead of being drawn anew
-};
-
-class TruePlayer {
+// Walks with the simulated body's slip, and sees what its head looks at.
+class Player : public sim::LocalisingRobot {
  public:
-  TruePlayer(Pose2 start, std::uint8_t player, std::uint64_t seed);
+  Player(const Pose2& start, std::uint8_t player, std::uint64_t seed);
 
-  // Believes to stand there when it starts; without, it has to find out.
-  void believe(Pose2 pose, double positionSd, Angle headingSd);
-  // One frame of walking: the truth slips, the odometry is what was asked for.
-  void walk(const WalkSpeed& speed);
-  void look(double pan);  // rad; forgets the percepts of the last frame
-  void seeLandmarks();
-  void seeBall(Point2<Field> ball, const BallNoise& noise);
-  void seeOpponents(const std::vector<Point2<Field>>& opponents);
-  bool inView(Angle heading) const;
-  Angle bearingOf(Point2<Field> point) const;
-  WorldModel step();
-  WorldModel stepAlone();  // the same frame for a second self that hears no messages
-
-  Pose2 truth;
-  gps::GpsParams params;
-  FrameInput input;
-  Percepts percepts;
+  void walk(const WalkSpeed& speed);  // one frame
+  void turnHead(double pan);          // rad; forgets the percepts of the last frame
+  void seeLandmarks() { lookAround(pan_); }
+  void seeOpponents(const std::vector<Point2<Field>>& opponents) {
+    lookAtOpponents(opponents, pan_);
+  }
+  bool inView(Angle heading) const { return Observer::inView(heading, pan_); }
+  // The frame of the last step() for a second self that hears no messages; call it before.
+  WorldModel stepAlone();
 
  private:
-  struct Repeated {  // the part of a distance's error that stays for a second
-    double share = 0.0;
-    double left = 0.0;
-  };
-
-  Random random_;
   double pan_ = 0.0;
-  double slip_ = 0.0;
-  double slipLeft_ = 0.0;
-  double phase_ = 0.0;  // of the step
-  bool walking_ = false;
-  std::vector<Repeated> repeated_;
-  std::unique_ptr<gps::GpsState> state_ = std::make_unique<gps::GpsState>();
   std::unique_ptr<gps::GpsState> alone_ = std::make_unique<gps::GpsState>();
 };
 

@@ -25,7 +25,7 @@ struct Tally {
 };
 
 struct Team {
-  std::vector<TruePlayer> players;
+  std::vector<Player> players;
   sim::Ball ball;
   Radio radio;
   Random random;
@@ -55,20 +55,20 @@ Team teamOf(std::uint64_t seed, bool oneWrong) {
 }
 
 // Follows the ball, and looks round for landmarks a third of the time.
-double panOf(const TruePlayer& player, Point2<Field> ball, int frame) {
+double panOf(const Player& player, Point2<Field> ball, int frame) {
   const int phase = frame % 60;
   if (phase >= 40) return 1.4 * maths::sin(2.0 * maths::kPi * (phase - 40) / 20.0);
   return player.bearingOf(ball).rad();
 }
 
 WorldModel stepPlayer(Team& team, std::size_t i, int frame) {
-  TruePlayer& player = team.players[i];
+  Player& player = team.players[i];
   player.walk({4.0, 0.0, 0.0});
-  player.look(panOf(player, team.ball.position, frame + 13 * static_cast<int>(i)));
+  player.turnHead(panOf(player, team.ball.position, frame + 13 * static_cast<int>(i)));
   if (i != team.wrong) player.seeLandmarks();
-  const double range = distance(player.truth.position, team.ball.position);
+  const double range = distance(player.truth.pose().position, team.ball.position);
   const bool seen = player.inView(player.bearingOf(team.ball.position)) && range < kReach;
-  if (seen && team.random.chance(kRecall)) player.seeBall(team.ball.position, {});
+  if (seen && team.random.chance(kRecall)) player.lookAtBall(team.ball.position);
   player.input.team = team.radio.receive(i);
   const WorldModel world = player.step();
   team.radio.send(i, world.message);

@@ -5,9 +5,9 @@
 // and the twin no longer counts.
 #include <algorithm>
 
-#include "tools/experiments/StandingRobot.h"
 #include "tools/experiments/harness/Statistics.h"
 #include "tools/experiments/harness/Trials.h"
+#include "tools/sim/LocalisingRobot.h"
 
 namespace kelpie::experiments {
 namespace {
@@ -26,23 +26,23 @@ struct Tally {
   Values seconds;  // until the answer
 };
 
-bool right(const Pose2& pose, const StandingRobot& robot) {
-  return standingError(pose, robot.truth).within(kNearCm, kNearDeg) ||
-         standingError(pose, robot.twin()).within(kNearCm, kNearDeg);
+bool right(const Pose2& pose, const sim::StandingRobot& robot) {
+  return sim::beliefError(pose, robot.truth.pose()).within(kNearCm, kNearDeg) ||
+         sim::beliefError(pose, robot.twin()).within(kNearCm, kNearDeg);
 }
 
 // Frames until the search has answered; none within `kMaxFrames` is -1.
-int search(StandingRobot& robot, WorldModel& world) {
+int search(sim::StandingRobot& robot, WorldModel& world) {
   robot.input.lastCommand.localise = true;
   for (int i = 0; i < kMaxFrames; ++i) {
     robot.look(false);
     world = robot.step();
-    if (robot.state->lines.search.served) return i + 1;
+    if (robot.state.lines.search.served) return i + 1;
   }
   return -1;
 }
 
-void searchAndLook(StandingRobot& robot, Tally& tally) {
+void searchAndLook(sim::StandingRobot& robot, Tally& tally) {
   WorldModel world;
   const int frames = search(robot, world);
   const bool answered = frames >= 0;
@@ -51,21 +51,21 @@ void searchAndLook(StandingRobot& robot, Tally& tally) {
   const bool best = answered && right(world.pose, robot);
   tally.best.count(best);
   if (best)
-    tally.cm.push_back(std::min(standingError(world.pose, robot.truth).cm,
-                                standingError(world.pose, robot.twin()).cm));
+    tally.cm.push_back(std::min(sim::beliefError(world.pose, robot.truth.pose()).cm,
+                                sim::beliefError(world.pose, robot.twin()).cm));
   tally.any.count(answered && std::any_of(world.modes.begin(), world.modes.end(),
                                           [&](const PoseMode& m) { return right(m.pose, robot); }));
   for (int i = 0; i < kLandmarkFrames; ++i) {
     robot.look(true);
     world = robot.step();
   }
-  tally.known.count(standingError(world.pose, robot.truth).within(kNearCm, kNearDeg));
+  tally.known.count(sim::beliefError(world.pose, robot.truth.pose()).within(kNearCm, kNearDeg));
 }
 
 Expected<Json> globalLocalise(const Request& request) {
   Tally tally;
   eachTrial(request, [&](const Trial& trial) {
-    StandingRobot robot(trial.seed);
+    sim::StandingRobot robot(trial.seed);
     searchAndLook(robot, tally);
   });
   return Json{{"answered_rate", tally.answered.value()},

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <vector>
 
-#include "tools/experiments/SimulatedRobot.h"
 #include "tools/experiments/harness/Trials.h"
+#include "tools/sim/LocalisingRobot.h"
 
 namespace kelpie::experiments {
 namespace {
@@ -30,8 +30,8 @@ struct Errors {
   double deg = 0.0;
 };
 
-void see(gps::SimulatedRobot& robot, const Conditions& conditions, int frame, Random& random) {
-  const double pan = gps::panAt(frame);
+void see(sim::LocalisingRobot& robot, const Conditions& conditions, int frame, Random& random) {
+  const double pan = sim::panAt(frame);
   if (conditions.landmarks) robot.lookAround(pan);
   robot.falsify(conditions.falseShare, random);
   if (conditions.lines) robot.lookAtLines(pan);
@@ -40,9 +40,9 @@ void see(gps::SimulatedRobot& robot, const Conditions& conditions, int frame, Ra
 Errors walk(const Conditions& conditions, std::uint64_t seed) {
   Random random(seed + 1000003);
   // The same starts for every heading, so that only the heading differs.
-  const gps::Truth start{random.uniform(110.0, 250.0), random.uniform(150.0, 390.0),
-                         conditions.heading * maths::kPi / 180.0};
-  gps::SimulatedRobot robot(start, seed);
+  const sim::TruePose start{random.uniform(110.0, 250.0), random.uniform(150.0, 390.0),
+                            conditions.heading * maths::kPi / 180.0};
+  sim::LocalisingRobot robot(start, seed);
   robot.params.lines.update.combine = conditions.combine;
   if (!conditions.landmarks) {
     robot.params.initialPose.present = true;

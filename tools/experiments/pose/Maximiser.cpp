@@ -6,10 +6,10 @@
 #include <cmath>
 #include <memory>
 
-#include "tools/experiments/SimulatedRobot.h"
 #include "tools/experiments/baselines/MatchTable.h"
 #include "tools/experiments/harness/Statistics.h"
 #include "tools/experiments/harness/Trials.h"
+#include "tools/sim/LocalisingRobot.h"
 
 namespace kelpie::experiments {
 namespace {
@@ -24,7 +24,7 @@ struct Start {
 constexpr std::array<Start, 3> kStarts{{{10, 5}, {20, 10}, {40, 20}}};
 
 struct View {
-  gps::Truth truth;
+  sim::TruePose truth;
   gps::SeenLines seen;
 };
 
@@ -34,7 +34,7 @@ View viewOf(const gps::LineUpdateParams& params, std::uint64_t seed) {
   View view;
   view.truth = {random.uniform(20.0, 340.0), random.uniform(20.0, 520.0),
                 random.uniform(-maths::kPi, maths::kPi)};
-  gps::SimulatedRobot robot(view.truth, seed);
+  sim::LocalisingRobot robot(view.truth, seed);
   FixedVector<LinePoint, 256> all;
   for (const double pan : {-0.98, 0.0, 0.98}) {
     robot.lookAtLines(pan);
@@ -50,7 +50,7 @@ struct Result {
   double steps = 0.0;
   double error2 = 0.0;  // cm2 of the good ones
 
-  void add(const Pose2& pose, std::uint32_t used, const gps::Truth& truth) {
+  void add(const Pose2& pose, std::uint32_t used, const sim::TruePose& truth) {
     const double off = std::hypot(pose.position.x - truth.x, pose.position.y - truth.y);
     const double turned = (pose.heading - Angle::rad(truth.heading)).abs().deg();
     ++views;
@@ -73,7 +73,7 @@ struct Results {
   Result asPrinted;
 };
 
-Pose2 guessBeside(const gps::Truth& truth, const Start& start, std::uint64_t seed) {
+Pose2 guessBeside(const sim::TruePose& truth, const Start& start, std::uint64_t seed) {
   Random random(seed + 77);
   return {{truth.x + random.gaussian(0.0, start.sd), truth.y + random.gaussian(0.0, start.sd)},
           Angle::rad(truth.heading) + Angle::deg(random.gaussian(0.0, start.sdDeg))};

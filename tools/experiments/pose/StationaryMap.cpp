@@ -7,11 +7,10 @@
 #include <vector>
 
 #include "gps/lines/LineMap.h"
-#include "tools/experiments/pose/LocaliseFilters.h"
-#include "tools/experiments/StandingRobot.h"
 #include "tools/experiments/harness/Statistics.h"
 #include "tools/experiments/harness/Trials.h"
 #include "tools/experiments/pose/LocaliseFilters.h"
+#include "tools/sim/LocalisingRobot.h"
 
 namespace kelpie::experiments {
 namespace {
@@ -25,17 +24,17 @@ struct Stands {
   Values lines;
 };
 
-void stand(StandingRobot& robot, bool search, Stands& stands) {
+void stand(sim::StandingRobot& robot, bool search, Stands& stands) {
   WorldModel world;
   for (int i = 0; i < kFrames; ++i) {
     robot.input.lastCommand.localise = search;
     robot.look(false);
     world = robot.step();
   }
-  const PoseError here = poseError(world, robot.truth);
+  const PoseError here = poseError(world, robot.truth.pose());
   const PoseError twin = poseError(world, robot.twin());
   stands.errors.add(search && twin.cm < here.cm ? twin : here);
-  const gps::LineMap& map = robot.state->lines.map;
+  const gps::LineMap& map = robot.state.lines.map;
   stands.points.push_back(static_cast<double>(map.points.size()));
   stands.lines.push_back(static_cast<double>(gps::countOf(map, LinePointKind::line)));
 }
@@ -52,12 +51,12 @@ Expected<Json> stationaryMap(const Request& request) {
   Stands with, without, searched;
   eachTrial(request, [&](const Trial& trial) {
     for (const bool map : {true, false}) {
-      StandingRobot robot(trial.seed);
+      sim::StandingRobot robot(trial.seed);
       robot.params.lines.map.use = map;
       robot.believeCoarsely();
       stand(robot, false, map ? with : without);
     }
-    StandingRobot lost(trial.seed);
+    sim::StandingRobot lost(trial.seed);
     stand(lost, true, searched);
   });
   Json json;

@@ -8,9 +8,9 @@
 
 #include "gps/Extract.h"
 #include "gps/pose/Modes.h"
-#include "tools/experiments/SimulatedRobot.h"
 #include "tools/experiments/baselines/ModeSampling.h"
 #include "tools/experiments/harness/Trials.h"
+#include "tools/sim/LocalisingRobot.h"
 
 namespace kelpie::experiments {
 namespace {
@@ -45,11 +45,11 @@ struct Outcome {
   }
 };
 
-gps::SimulatedRobot robotOf(Method method, bool landmarks, std::uint64_t seed) {
+sim::LocalisingRobot robotOf(Method method, bool landmarks, std::uint64_t seed) {
   Random random(seed + 1000003);
-  const gps::Truth start{random.uniform(110.0, 250.0), random.uniform(150.0, 390.0),
-                         random.uniform(-maths::kPi, maths::kPi)};
-  gps::SimulatedRobot robot(start, seed);
+  const sim::TruePose start{random.uniform(110.0, 250.0), random.uniform(150.0, 390.0),
+                            random.uniform(-maths::kPi, maths::kPi)};
+  sim::LocalisingRobot robot(start, seed);
   robot.params.lines.update.use = method == Method::fit;
   robot.params.lines.map.use = false;
   if (landmarks) return robot;
@@ -60,7 +60,7 @@ gps::SimulatedRobot robotOf(Method method, bool landmarks, std::uint64_t seed) {
   return robot;
 }
 
-WorldModel stepOf(Method method, gps::SimulatedRobot& robot) {
+WorldModel stepOf(Method method, sim::LocalisingRobot& robot) {
   const WorldModel world = robot.step();
   if (method == Method::fit || robot.state.pose.lost) return world;
   gps::SamplingFloor floor;
@@ -75,14 +75,14 @@ WorldModel stepOf(Method method, gps::SimulatedRobot& robot) {
 }
 
 Outcome walk(Method method, bool landmarks, std::uint64_t seed) {
-  gps::SimulatedRobot robot = robotOf(method, landmarks, seed);
+  sim::LocalisingRobot robot = robotOf(method, landmarks, seed);
   Outcome outcome;
   double offX = 0.0;
   double offY = 0.0;
   for (int frame = 0; frame < kFrames; ++frame) {
     robot.walk(0.7, 0.0, 0.008 * std::sin(frame / 20.0));
-    if (landmarks) robot.lookAround(gps::panAt(frame));
-    robot.lookAtLines(gps::panAt(frame));
+    if (landmarks) robot.lookAround(sim::panAt(frame));
+    robot.lookAtLines(sim::panAt(frame));
     const WorldModel world = stepOf(method, robot);
     const double x = world.pose.position.x - robot.truth.x;
     const double y = world.pose.position.y - robot.truth.y;
