@@ -72,6 +72,7 @@ struct Walks {
 std::vector<Walks> allWalks() {
   constexpr auto kJoint = gps::LineCombine::joint;
   std::vector<Walks> all;
+  all.reserve(kHeadings.size());
   for (const double heading : kHeadings) all.push_back({{heading, 0.0, false, true}, {}});
   for (const Conditions& conditions : std::array<Conditions, 6>{{{90.0, 0.05, false, true},
                                                                  {90.0, 0.0, true, true},
