@@ -12,10 +12,10 @@
 namespace kelpie::experiments {
 namespace {
 
-constexpr double kSight = 0.5;     // s of sight until the end is predicted
-constexpr double kSettled = 0.3;   // s until errors count
-constexpr double kNearest = 30.0;  // cm
-constexpr double kFarthest = 300.0;
+constexpr double kSight = 0.5;      // s of sight until the end is predicted
+constexpr double kSettled = 0.3;    // s until errors count
+constexpr double kMinRange = 30.0;  // cm
+constexpr double kMaxRange = 300.0;
 constexpr double kRecall = 0.97;
 
 struct Errors {
@@ -25,7 +25,7 @@ struct Errors {
   Values stop;
 };
 
-// A walk that changes its mind.
+// A walk whose speed is drawn again every second or two.
 class Stroll {
  public:
   explicit Stroll(std::uint64_t seed) : random_(seed) {}
@@ -81,8 +81,8 @@ Point2<Field> endOf(sim::Ball ball) {
 
 // Compared in the robot's frame: the pose has its own experiments.
 double stopError(const Scene& scene, const WorldModel& world) {
-  const Point2<Robot> said = robotFromField(world.pose, world.ball.stoppingPoint);
-  return distance(said, robotFromField(scene.player.truth.pose(), endOf(scene.ball)));
+  const Point2<Robot> believed = robotFromField(world.pose, world.ball.stoppingPoint);
+  return distance(believed, robotFromField(scene.player.truth.pose(), endOf(scene.ball)));
 }
 
 // One frame; true when the ball was there to be seen.
@@ -90,7 +90,7 @@ bool advance(Scene& scene, WorldModel& world) {
   scene.player.walk(scene.walks ? scene.stroll.next() : WalkSpeed{});
   sim::roll(scene.ball, kFrameSeconds, {});
   const double range = distance(scene.player.truth.pose().position, scene.ball.position);
-  if (range < kNearest || range > kFarthest) return false;
+  if (range < kMinRange || range > kMaxRange) return false;
   scene.player.turnHead(scene.player.bearingOf(scene.ball.position).rad());
   if (scene.random.chance(kRecall)) scene.player.lookAtBall(scene.ball.position);
   world = scene.player.step();

@@ -12,7 +12,7 @@ namespace {
 constexpr int kWalkMessages = 90;
 constexpr int kStopMessages = 30;
 
-struct Way {
+struct Displacement {
   double forward = 0.0;
   double left = 0.0;
   double turn = 0.0;  // rad
@@ -26,11 +26,11 @@ void wearOut(sim::WalkingBody& body) {
 }
 
 // True way over the way that the odometry reports.
-Way walkRatio(const WalkRequest& request, std::uint64_t seed, bool weak = false) {
+Displacement walkRatio(const WalkRequest& request, std::uint64_t seed, bool weak = false) {
   sim::WalkingBody body(seed);
   if (weak) wearOut(body);
-  Way reported;
-  Way walked;
+  Displacement reported;
+  Displacement walked;
   Pose2 last = body.pose();
   for (int i = 0; i < kWalkMessages + kStopMessages; ++i) {
     Command command;
@@ -47,7 +47,7 @@ Way walkRatio(const WalkRequest& request, std::uint64_t seed, bool weak = false)
           walked.turn / reported.turn};
 }
 
-// Where the ball comes to rest, in the robot frame at the kick, less where it lay.
+// From where the ball lay to where it stops, in the robot frame at the kick.
 Point2<Robot> kicked(Point2<Robot> from, std::uint64_t seed) {
   sim::WalkingBody body(seed);
   const Pose2 pose = body.pose();

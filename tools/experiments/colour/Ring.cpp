@@ -25,7 +25,7 @@ using calibrate::RingFit;
 using calibrate::Sheet;
 
 constexpr double kNoise = 2.0;  // grey levels, as checklist A-2.3.2.4
-constexpr int kFarthest = 132;
+constexpr int kMaxDistance = 132;
 constexpr std::array<const char*, 3> kNames = {"y", "cr", "cb"};
 // Thesis 2006 section 2.3.2 names blue, green, dark blue, pink, white and yellow.
 constexpr std::array<sim::Colour, 6> kPapers = {{sim::colours::kBlue, sim::colours::kGreen,
@@ -60,7 +60,7 @@ Image sheetImage(sim::Colour paper, const Centres& centres, Random& random) {
 // Largest difference of the learnt F to the true one over all distances and the values given.
 double worstError(const vision::RingChannel& learnt, std::size_t channel, int low, int high) {
   double worst = 0.0;
-  for (int d = 0; d <= kFarthest; ++d)
+  for (int d = 0; d <= kMaxDistance; ++d)
     for (int v = low; v <= high; ++v)
       worst =
           std::fmax(worst, std::fabs(ringDistort(learnt, v, d) - sim::ringValue(channel, v, d)));

@@ -86,11 +86,12 @@ bool listen(std::vector<Child>& children) {
 
 void finish(const Child& child, std::vector<Json>& answers, std::string& trouble) {
   waitpid(child.pid, nullptr, 0);
-  const Json said = Json::parse(child.text, nullptr, false);
-  if (said.is_object() && said.contains("answer")) {
-    answers[static_cast<std::size_t>(child.number)] = said["answer"];
+  const Json message = Json::parse(child.text, nullptr, false);
+  if (message.is_object() && message.contains("answer")) {
+    answers[static_cast<std::size_t>(child.number)] = message["answer"];
   } else if (trouble.empty()) {
-    trouble = said.is_object() ? said.value("error", "nothing said") : "a trial's process died";
+    trouble =
+        message.is_object() ? message.value("error", "nothing said") : "a trial's process died";
   }
 }
 

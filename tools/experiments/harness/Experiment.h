@@ -50,7 +50,7 @@ struct Request {
   std::string pictures;             // folder for pictures of what went wrong; empty: none
   std::function<void(int done, int all)> progress;
 
-  // Where the table of that name goes; empty when none are wanted.
+  // Where the table of that name goes; empty without --traces.
   std::string tracePath(const std::string& name) const {
     return traces.empty() ? "" : traces + "/" + name + ".csv";
   }
@@ -60,7 +60,7 @@ struct Experiment {
   const char* name = "";
   const char* measures = "";  // one line
   Options uses;               // any other option is refused
-  int trials = 1;             // when none are asked for
+  int trials = 1;             // without --trials
   Expected<Json> (*run)(const Request& request) = nullptr;
 };
 

@@ -22,7 +22,7 @@ double ratio(double part, double whole);
 
 void append(const Values& values, Values& to);
 
-// How many of those that were counted are as they should be.
+// The share of hits among all that were counted.
 struct Share {
   int hits = 0;
   int all = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Four opponents wander about; four robots walk among them with panning heads and see now this one,
-// now that one. How well one of them knows the four alone, and with what the others tell.
+// Four opponents wander about; four robots walk among them with panning heads and see one
+// or another. How well a robot knows the four by itself, and with the messages of the others.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -44,17 +44,17 @@ Places placesOf(const WorldModel& world) {
 }
 
 void addSeparation(const Places& filters, const Places& opponents, Tally& tally) {
-  double least = 1e9;
+  double smallest = 1e9;
   bool merged = false;
   for (std::size_t i = 0; i < filters.size(); ++i) {
     for (std::size_t k = i + 1; k < filters.size(); ++k) {
-      least = std::min(least, distance(filters[i], filters[k]));
+      smallest = std::min(smallest, distance(filters[i], filters[k]));
       const auto a = nearest(filters[i], opponents);
       const auto b = nearest(filters[k], opponents);
       merged = merged || (a.first == b.first && a.second < kOnRobot && b.second < kOnRobot);
     }
   }
-  if (filters.size() > 1) tally.separation.push_back(least);
+  if (filters.size() > 1) tally.separation.push_back(smallest);
   tally.merged.count(merged);
 }
 
@@ -97,7 +97,7 @@ Match matchOf(std::uint64_t seed, const gps::OpponentParams& params) {
   return match;
 }
 
-// Towards a random place, a new one now and then, and back when at the edge.
+// A random walk, drawn again every two seconds on average; at the edge back to the middle.
 WalkSpeed mindOf(Player& player, Random& random, WalkSpeed speed) {
   const Point2<Field> p = player.truth.pose().position;
   const bool atEdge = p.x < 30 || p.x > 330 || p.y < 30 || p.y > 510;
@@ -155,7 +155,8 @@ Expected<Json> opponents(const Request& request) {
   Tally single, shared, angleSingle, angleShared;
   Random seeds(request.seed);
   const gps::OpponentParams ours;
-  gps::OpponentParams thesis = ours;  // by the angle alone, nothing joined, nothing missed
+  // Matched by the angle alone, filters never joined, a missed one as sure as before.
+  gps::OpponentParams thesis = ours;
   thesis.matchGate = thesis.joinDistance = thesis.missedNoise = 0.0;
   eachTrial(request, [&](const Trial&) {
     const std::uint64_t seed = seeds.next();

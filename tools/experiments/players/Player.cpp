@@ -57,7 +57,7 @@ void Wanderer::step(double speed, const std::vector<Point2<Field>>& others) {
   for (const Point2<Field>& other : others) {
     if (distance(other, position) < 1e-9) continue;  // itself
     if (distance(other, next) < kRobotLength && distance(other, next) < distance(other, position)) {
-      timeLeft_ = 0.0;  // somewhere else, then
+      timeLeft_ = 0.0;  // it chooses another place
       return;
     }
   }

@@ -16,7 +16,7 @@ struct WalkSpeed {
   double turn = 0.0;     // rad/s
 };
 
-// Walks with the simulated body's slip, and sees what its head looks at.
+// Walks with the simulated body's slip and sees what its head is turned to.
 class Player : public sim::LocalisingRobot {
  public:
   Player(const Pose2& start, std::uint8_t player, std::uint64_t seed);
@@ -28,7 +28,7 @@ class Player : public sim::LocalisingRobot {
     lookAtOpponents(opponents, pan_);
   }
   bool inView(Angle heading) const { return Observer::inView(heading, pan_); }
-  // The frame of the last step() for a second self that hears no messages; call it before.
+  // The coming frame for a second localiser that gets no messages; before step().
   WorldModel stepAlone();
 
  private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Four robots see one ball; in every second trial one of them is wrong about its own place. The
-// team's ball against that of the robot which is surest of its own.
+// fused ball beside that of the robot with the smallest covariance.
 #include <cmath>
 
 #include "tools/experiments/harness/Statistics.h"

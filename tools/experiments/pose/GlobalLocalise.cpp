@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The search over the field by lines alone: robots at random places stand and look about until the
-// search that was asked for has answered. Judged are the heaviest mode and any mode, a pose and its
-// twin alike, within 20 cm and 10 deg (checklist M43); then landmarks are seen too for two seconds,
-// and the twin no longer counts.
+// search that was asked for has answered. The heaviest mode and any mode are compared with the pose
+// and its twin, within 20 cm and 10 deg (checklist M43); then landmarks are seen too for two
+// seconds, and the twin no longer counts.
 #include <algorithm>
 
 #include "tools/experiments/harness/Statistics.h"
@@ -14,8 +14,8 @@ namespace {
 
 constexpr int kMaxFrames = 450;
 constexpr int kLandmarkFrames = 60;
-constexpr double kNearCm = 20.0;
-constexpr double kNearDeg = 10.0;
+constexpr double kSuccessCm = 20.0;
+constexpr double kSuccessDeg = 10.0;
 
 struct Tally {
   Share answered;
@@ -27,8 +27,8 @@ struct Tally {
 };
 
 bool right(const Pose2& pose, const sim::StandingRobot& robot) {
-  return sim::beliefError(pose, robot.truth.pose()).within(kNearCm, kNearDeg) ||
-         sim::beliefError(pose, robot.twin()).within(kNearCm, kNearDeg);
+  return sim::beliefError(pose, robot.truth.pose()).within(kSuccessCm, kSuccessDeg) ||
+         sim::beliefError(pose, robot.twin()).within(kSuccessCm, kSuccessDeg);
 }
 
 // Frames until the search has answered; none within `kMaxFrames` is -1.
@@ -59,7 +59,8 @@ void searchAndLook(sim::StandingRobot& robot, Tally& tally) {
     robot.look(true);
     world = robot.step();
   }
-  tally.known.count(sim::beliefError(world.pose, robot.truth.pose()).within(kNearCm, kNearDeg));
+  tally.known.count(
+      sim::beliefError(world.pose, robot.truth.pose()).within(kSuccessCm, kSuccessDeg));
 }
 
 Expected<Json> globalLocalise(const Request& request) {

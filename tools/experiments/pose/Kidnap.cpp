@@ -18,14 +18,14 @@ namespace {
 constexpr int kKidnaps = 9;        // a match
 constexpr double kEvery = 20.0;    // s; also before the first
 constexpr double kFromLines = 30;  // cm, of the place carried to
-constexpr double kNearCm = 30.0;
-constexpr double kNearDeg = 15.0;
+constexpr double kRecoveredCm = 30.0;
+constexpr double kRecoveredDeg = 15.0;
 constexpr double kRightFor = 1.0;  // s
 constexpr gps::NoiseMethod kMethods[] = {gps::NoiseMethod::refuse, gps::NoiseMethod::split,
                                          gps::NoiseMethod::splitAndWide};
 
-// From being carried away to the first time from which the belief is right for a second. One that
-// is never right counts as the whole time.
+// The time from being carried away until the belief is right for a second. A belief that is never
+// right counts as the whole time.
 class Recovery {
  public:
   void begin(double time) {
@@ -40,7 +40,7 @@ class Recovery {
   }
   void frame(double time, const PoseError& error) {
     if (done_) return;
-    if (error.cm > kNearCm || error.deg > kNearDeg) return goodSince_.reset();
+    if (error.cm > kRecoveredCm || error.deg > kRecoveredDeg) return goodSince_.reset();
     if (!goodSince_) goodSince_ = time;
     if (time - *goodSince_ < kRightFor) return;
     times_.push_back(*goodSince_ - began_);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Localisers that listen to a match beside the player's own: the same input and percepts through
-// other parameters, or with some of the percepts left out or put right by the truth. So one match
+// other parameters, or with some of the percepts left out or corrected by the truth. So one match
 // compares them frame by frame. For experiments only: the player acts on its own belief.
 #pragma once
 

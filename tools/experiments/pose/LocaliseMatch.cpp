@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::int64_t kMessageUs = kTickUs * kTicksPerMessage;
 constexpr double kBallFromLines = 40.0;  // cm, where it lies after a goal
-constexpr double kApart = 40.0;          // cm between it and the robot
+constexpr double kMinToRobot = 40.0;     // cm between it and the robot
 
 std::unique_ptr<sim::World> endlessMatch(const agent::AgentConfig& config, std::uint64_t seed) {
   const body::FieldDescription& field = config.field;
@@ -112,7 +112,7 @@ void LocaliseMatch::replaceBall() {
   do {
     place = {random_.uniform(kBallFromLines, field_.width - kBallFromLines),
              random_.uniform(kBallFromLines, field_.length - kBallFromLines)};
-  } while (distance(place, robot) < kApart);
+  } while (distance(place, robot) < kMinToRobot);
   world_->ball() = {place, {}};
 }
 

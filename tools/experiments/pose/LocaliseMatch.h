@@ -2,7 +2,7 @@
 // One robot against an empty goal in one process, from pixels to joints, every camera artefact on
 // and the timing of a real match (sensors every 32 ms, images every 1/30 s, two command vectors in
 // flight). After each image a watcher gets what the agent read and believed beside the truth of the
-// same instant; the agent itself never sees the truth. The match goes on for ever: after a goal the
+// same instant; the agent itself never sees the truth. The match has no end: after a goal the
 // ball lies anywhere, so that the robot gets everywhere.
 #pragma once
 

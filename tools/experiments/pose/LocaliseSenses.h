@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How far what a localiser is fed is from the truth during a match: landmarks by kind, odometry by
-// second. Tells which of its assumptions are wrong.
+// Errors of a localiser's inputs during a match: landmarks by kind, odometry by second. They tell
+// which of its assumptions are wrong.
 #pragma once
 
 #include <string>

@@ -14,8 +14,8 @@
 namespace kelpie::experiments {
 namespace {
 
-constexpr double kGoodCm = 10.0;
-constexpr double kGoodDeg = 5.0;
+constexpr double kSuccessCm = 10.0;
+constexpr double kSuccessDeg = 5.0;
 
 struct Start {
   double sd;     // cm
@@ -23,15 +23,15 @@ struct Start {
 };
 constexpr std::array<Start, 3> kStarts{{{10, 5}, {20, 10}, {40, 20}}};
 
-struct View {
+struct SeenPose {
   sim::TruePose truth;
   gps::SeenLines seen;
 };
 
 // Looks to the left, ahead and to the right: lines 90 deg to each side.
-View viewOf(const gps::LineUpdateParams& params, std::uint64_t seed) {
+SeenPose seenFrom(const gps::LineUpdateParams& params, std::uint64_t seed) {
   Random random(seed);
-  View view;
+  SeenPose view;
   view.truth = {random.uniform(20.0, 340.0), random.uniform(20.0, 520.0),
                 random.uniform(-maths::kPi, maths::kPi)};
   sim::LocalisingRobot robot(view.truth, seed);
@@ -45,24 +45,24 @@ View viewOf(const gps::LineUpdateParams& params, std::uint64_t seed) {
 }
 
 struct Result {
-  int good = 0;
+  int successes = 0;
   int views = 0;
   double steps = 0.0;
-  double error2 = 0.0;  // cm2 of the good ones
+  double error2 = 0.0;  // cm2, of the successes
 
   void add(const Pose2& pose, std::uint32_t used, const sim::TruePose& truth) {
     const double off = std::hypot(pose.position.x - truth.x, pose.position.y - truth.y);
     const double turned = (pose.heading - Angle::rad(truth.heading)).abs().deg();
     ++views;
     steps += used;
-    if (off > kGoodCm || turned > kGoodDeg) return;
-    ++good;
+    if (off > kSuccessCm || turned > kSuccessDeg) return;
+    ++successes;
     error2 += off * off;
   }
   Json json() const {
-    return {{"success", ratio(good, views)},
+    return {{"success", ratio(successes, views)},
             {"steps", ratio(steps, views)},
-            {"rms_cm", std::sqrt(ratio(error2, good))}};
+            {"rms_cm", std::sqrt(ratio(error2, successes))}};
   }
 };
 
@@ -90,7 +90,7 @@ Expected<Json> maximiser(const Request& request) {
   printed.headingScale = 1.0;
   std::array<Results, kStarts.size()> results;
   eachTrial(request, [&](const Trial& trial) {
-    const View view = viewOf(params, trial.seed);
+    const SeenPose view = seenFrom(params, trial.seed);
     if (view.seen.lines.size() < params.minPoints) return;
     for (std::size_t i = 0; i < kStarts.size(); ++i) {
       const Pose2 guess = guessBeside(view.truth, kStarts[i], trial.seed);

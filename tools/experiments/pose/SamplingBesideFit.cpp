@@ -2,7 +2,7 @@
 // The thesis' mode sampling (2004 section 3.3.4) beside the fit, on the same walks of 120 frames:
 // lines alone from a known start, and lines with landmarks. The thesis saw the estimate jump almost
 // at random; a jump is how far the estimate moves in a frame beyond the robot's own motion. To find
-// the cause, a third filter bounds the bells' standard deviations from below as the fit's are.
+// the cause, a third filter bounds the peaks' standard deviations from below as the fit's are.
 #include <array>
 #include <cmath>
 

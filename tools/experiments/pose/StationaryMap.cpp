@@ -2,7 +2,7 @@
 // What the map of a standing robot is worth: the pose after five seconds of standing and looking
 // about, from a start known within 40 cm and 20 deg, on lines alone, with the map and without; and
 // from no start at all by the search on the map. One landmark-free stand cannot tell a pose from
-// its twin, so the search is judged by the nearer of both.
+// its twin, so the search is compared with the nearer of both.
 #include <algorithm>
 #include <vector>
 
@@ -16,7 +16,7 @@ namespace kelpie::experiments {
 namespace {
 
 constexpr int kFrames = 150;
-constexpr double kGoodCm = 10.0;  // checklist M38
+constexpr double kWithinCm = 10.0;  // checklist M38
 
 struct Stands {
   ErrorTrack errors;
@@ -44,7 +44,7 @@ void addFigures(const std::string& prefix, const Stands& stands, Json& json) {
   for (const char* key : {"mean_cm", "median_cm", "p95_cm", "mean_deg", "nees"})
     json[prefix + key] = all[key];
   json[prefix + "nees_mean"] = mean(stands.errors.nees);
-  json[prefix + "within_10_cm_rate"] = shareUpTo(stands.errors.cm, kGoodCm);
+  json[prefix + "within_10_cm_rate"] = shareUpTo(stands.errors.cm, kWithinCm);
 }
 
 Expected<Json> stationaryMap(const Request& request) {

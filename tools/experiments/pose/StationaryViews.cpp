@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The map of a standing robot from pixels, every camera artefact on: a robot is put somewhere,
 // stands and looks about. Localisers that hear lines alone start within 40 cm and 20 deg of its
-// place, with the map and without; judged after eight seconds, a pan low and one high.
+// place, with the map and without; compared after eight seconds, a pan low and one high.
 #include <cmath>
 
 #include "robot/core/Random.h"

@@ -15,7 +15,7 @@ constexpr int kScrums = 8;        // a match
 constexpr double kFirst = 15.0;   // s, until the pose is known
 constexpr double kCalm = 15.0;    // s after each
 constexpr double kSlice = 0.032;  // s between pushes
-constexpr double kNearCm = 30.0;
+constexpr double kRecoveredCm = 30.0;
 constexpr double kStep = 0.36;  // s, 44 ticks
 
 // Somebody holds, pushes and turns the robot.
@@ -112,7 +112,7 @@ class TrackRecorder {
     }
     inScrum_ = false;
     if (open_) track_.after.add(error);
-    if (open_ && error.cm > kNearCm) lastFar_ = time;
+    if (open_ && error.cm > kRecoveredCm) lastFar_ = time;
   }
   void finish() {
     if (open_) track_.recovery.push_back(lastFar_ - began_);

@@ -17,9 +17,9 @@ constexpr double kMessage = kTickSeconds * kTicksPerMessage;
 constexpr int kStarting = 22;  // messages: two steps, until speed and effort are steady
 
 // The localiser fed with nothing but what the actuator tells.
-class Blind {
+class OdometryFilter {
  public:
-  Blind(const Pose2& start, bool aware) : start_(start) {
+  OdometryFilter(const Pose2& start, bool aware) : start_(start) {
     params_.field = *body::fieldDescription("2006");
     params_.initialPose.present = true;
     params_.initialPose.pose = start;
@@ -58,10 +58,10 @@ Json heldWalk(const Request& request, double held) {
     sim::WalkingBody body(trialOf(request, trial).seed);
     (void)body.world().hold(0, held);
     const Pose2 start = body.pose();
-    Blind filters[] = {Blind(start, false), Blind(start, true)};
+    OdometryFilter filters[] = {OdometryFilter(start, false), OdometryFilter(start, true)};
     for (int i = 0; i < kMessages; ++i) {
       const MotionOutput output = body.step(command);
-      for (Blind& filter : filters) filter.step(output, command);
+      for (OdometryFilter& filter : filters) filter.step(output, command);
     }
     for (std::size_t aware = 0; aware < 2; ++aware) {
       way[aware].push_back(filters[aware].way());
@@ -89,13 +89,13 @@ WalkRequest randomWalk(Random& random) {
 }
 
 // One message of a steady walk: its effort, and how far the robot really went.
-struct Felt {
+struct WalkMessage {
   double effort;    // beyond that of walking freely
   double reported;  // cm, a turn counted on a lever of 12 cm
   double real;      // along what was reported
 };
 
-void walkHeld(double held, std::uint64_t seed, std::vector<Felt>& felt) {
+void walkHeld(double held, std::uint64_t seed, std::vector<WalkMessage>& messages) {
   constexpr int kMessages = 90;
   constexpr double kLever = 12.0;  // cm from the turn's middle to the feet
   Random random(seed ^ 0xfe17ULL);
@@ -118,42 +118,42 @@ void walkHeld(double held, std::uint64_t seed, std::vector<Felt>& felt) {
     const double side = params.sidewaysFactor * o.left;
     const double swing = params.turnLever * o.turn.rad();
     const double speed = std::sqrt(o.forward * o.forward + side * side + swing * swing) / kMessage;
-    felt.push_back(
+    messages.push_back(
         {output.status.effort - gps::freeEffort(speed, params), reported, real / reported});
   }
 }
 
-std::vector<Felt> walks(const Request& request, double minHeld, double maxHeld) {
+std::vector<WalkMessage> walkMessages(const Request& request, double minHeld, double maxHeld) {
   constexpr int kPerTrial = 5;
-  std::vector<Felt> felt;
+  std::vector<WalkMessage> messages;
   for (int walk = 0; walk < kPerTrial * request.trials; ++walk) {
     const std::uint64_t seed = trialOf(request, walk).seed * 31 + (maxHeld > 0.0 ? 7 : 0);
     Random random(seed);
-    walkHeld(random.uniform(minHeld, maxHeld), seed, felt);
+    walkHeld(random.uniform(minHeld, maxHeld), seed, messages);
   }
-  return felt;
+  return messages;
 }
 
-Values effortsOf(const std::vector<Felt>& felt) {
+Values effortsOf(const std::vector<WalkMessage>& messages) {
   Values efforts;
-  for (const Felt& one : felt) efforts.push_back(one.effort);
+  for (const WalkMessage& one : messages) efforts.push_back(one.effort);
   return efforts;
 }
 
 // Squared error of the believed ways.
-double misfit(const std::vector<Felt>& felt, double margin, double slowing) {
+double misfit(const std::vector<WalkMessage>& messages, double margin, double slowing) {
   double sum = 0.0;
-  for (const Felt& one : felt) {
+  for (const WalkMessage& one : messages) {
     const double believed = one.reported / (1.0 + slowing * std::fmax(0.0, one.effort - margin));
     sum += (believed - one.real) * (believed - one.real);
   }
   return sum;
 }
 
-double bestSlowing(const std::vector<Felt>& felt, double margin) {
+double bestSlowing(const std::vector<WalkMessage>& messages, double margin) {
   double best = 0.0;
   for (double k = 0.0; k < 200.0; k += 0.5)
-    if (misfit(felt, margin, k) < misfit(felt, margin, best)) best = k;
+    if (misfit(messages, margin, k) < misfit(messages, margin, best)) best = k;
   return best;
 }
 
@@ -188,10 +188,10 @@ Json heldWalks(const Request& request) {
 
 Json effortCalibration(const Request& request) {
   const gps::StuckParams used;
-  const std::vector<Felt> free = walks(request, 0.0, 0.0);
-  const std::vector<Felt> half = walks(request, 0.3, 0.7);
-  const std::vector<Felt> held = walks(request, 0.7, 1.0);
-  std::vector<Felt> all = free;
+  const std::vector<WalkMessage> free = walkMessages(request, 0.0, 0.0);
+  const std::vector<WalkMessage> half = walkMessages(request, 0.3, 0.7);
+  const std::vector<WalkMessage> held = walkMessages(request, 0.7, 1.0);
+  std::vector<WalkMessage> all = free;
   for (const auto* some : {&half, &held}) all.insert(all.end(), some->begin(), some->end());
   return {{"false_rate", shareAbove(effortsOf(free), used.margin)},
           {"half_held_hit_rate", shareAbove(effortsOf(half), used.margin)},

@@ -77,17 +77,17 @@ double LineTruth::carpet(int px, int py) const {
 double LineTruth::paintNear(PixelPoint pixel) const {
   const int px = static_cast<int>(std::floor(pixel.x));
   const int py = static_cast<int>(std::floor(pixel.y));
-  double most = 0.0;
-  for (int i = 0; i < 9; ++i) most = std::max(most, paint(px + i % 3 - 1, py + i / 3 - 1));
-  return most;
+  double largest = 0.0;
+  for (int i = 0; i < 9; ++i) largest = std::max(largest, paint(px + i % 3 - 1, py + i / 3 - 1));
+  return largest;
 }
 
 double LineTruth::offLine(Point2<Field> place) const {
   const Point2<Field> centre{0.5 * field_.width, 0.5 * field_.length};
   const double radius = 0.5 * (field_.circleDiameter - field_.lineWidth);
-  double least = std::fabs(distance(place, centre) - radius);
-  for (const auto& line : field_.lines) least = std::min(least, offSegment(line, place));
-  return least;
+  double nearest = std::fabs(distance(place, centre) - radius);
+  for (const auto& line : field_.lines) nearest = std::min(nearest, offSegment(line, place));
+  return nearest;
 }
 
 double LineTruth::offBorder(Point2<Field> place) const {
@@ -98,8 +98,8 @@ double LineTruth::offBorder(Point2<Field> place) const {
 
 namespace {
 
-constexpr double kSeen = 0.5;  // of the brightest pixel
-constexpr double kEdge = 0.1;
+constexpr double kVisiblePaint = 0.5;  // of the brightest pixel
+constexpr double kSomePaint = 0.1;
 
 void addCrossings(const LineTruth& truth, const vision::GridLine& gridLine,
                   std::vector<Crossing>& all) {
@@ -108,11 +108,12 @@ void addCrossings(const LineTruth& truth, const vision::GridLine& gridLine,
     return truth.carpet(gridLine.column(i), gridLine.row(i)) > 0.8;
   };
   for (int i = 1; i < gridLine.length; ++i) {
-    if (paint(i) < kEdge || paint(i - 1) >= kEdge) continue;
+    if (paint(i) < kSomePaint || paint(i - 1) >= kSomePaint) continue;
     const int first = i;
-    double most = 0.0;
-    for (; i < gridLine.length && paint(i) >= kEdge; ++i) most = std::max(most, paint(i));
-    if (most < kSeen || i + 1 >= gridLine.length || first < 2) continue;
+    double largest = 0.0;
+    for (; i < gridLine.length && paint(i) >= kSomePaint; ++i)
+      largest = std::max(largest, paint(i));
+    if (largest < kVisiblePaint || i + 1 >= gridLine.length || first < 2) continue;
     if (!carpet(first - 1) || !carpet(first - 2) || !carpet(i) || !carpet(i + 1)) continue;
     all.push_back(
         {gridLine.at(0.5 * (first + i - 1)), gridLine.dy != 0, static_cast<double>(i - first)});

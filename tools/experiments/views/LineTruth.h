@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the pixels of a view really show: the same scene from the same cameras, without artefacts
-// and in colours that tell paint, border and carpet from everything else. For judging line points.
+// and in colours that tell paint, border and carpet from everything else. To compare
+// line points with.
 #pragma once
 
 #include <memory>
@@ -34,7 +35,7 @@ class LineTruth {
   std::unique_ptr<Image> image_;
 };
 
-// Middles of the painted stretches on vision's grid that a perfect observer would see: at least one
+// Middles of the painted segments on vision's grid that a perfect observer would see: at least one
 // pixel half painted, carpet on both sides.
 struct Crossing {
   PixelPoint middle;

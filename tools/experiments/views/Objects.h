@@ -18,7 +18,7 @@ struct TrueObject {
   TeamColour team = TeamColour::red;               // of robots
   double distance = 0.0;  // cm on the ground, from the robot frame's origin
   Angle heading;
-  bool inView = false;  // some of it may be in the image: a percept is no false one
+  bool inView = false;  // some of it may be in the image: a percept of it is not false
   bool toSee = false;   // enough of it shows that it should be recognised
 };
 
@@ -38,11 +38,11 @@ SeenObject seenObject(const LandmarkPercept& landmark);
 SeenObject seenObject(const RobotPercept& robot);
 std::vector<SeenObject> seenObjects(const Percepts& percepts);
 
-// Whether a percept is of the object; one that matches none is of nothing. A robot's team does not
+// Whether a percept is of the object; one that matches no object is false. A robot's team does not
 // count.
 bool matches(const SeenObject& percept, const TrueObject& object);
 
-// A free stretch of a goal's mouth as it really is, its ends as directions from the robot.
+// A free interval of a goal's mouth as it really is, its ends as directions from the robot.
 struct TrueGap {
   LandmarkKind goal = LandmarkKind::goalBlue;
   Angle left;

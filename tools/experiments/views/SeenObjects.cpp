@@ -6,7 +6,7 @@
 namespace kelpie::experiments {
 namespace {
 
-// A percept farther than this from every object of its kind is of nothing.
+// A percept farther than this from every object of its kind is false.
 constexpr double kMatchHeadingDeg = 8.0;
 constexpr double kMatchGoalDeg = 15.0;
 constexpr double kMatchGoal = 40.0;  // cm, half a mouth: what is seen is within the goal
@@ -43,8 +43,8 @@ std::vector<SeenObject> seenObjects(const Percepts& seen) {
 
 bool matches(const SeenObject& p, const TrueObject& o) {
   if (p.kind != o.kind || p.landmark != o.landmark || !o.inView) return false;
-  const double least = p.kind == ObjectKind::robot ? kMatchRobot : kMinMatchDistance;
-  const double allowed = std::fmax(kMatchShare * o.distance, least);
+  const double minAllowed = p.kind == ObjectKind::robot ? kMatchRobot : kMinMatchDistance;
+  const double allowed = std::fmax(kMatchShare * o.distance, minAllowed);
   return std::fabs((p.heading - o.heading).deg()) <= headingLimit(p.kind, o.distance) &&
          std::fabs(p.distance - o.distance) <= allowed;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Which robots of a view its camera really shows, and how much of each: counted in pictures without
-// artefacts in which every robot has a colour of its own. Truth: for judging vision, never for it.
+// artefacts in which every robot has a colour of its own. Truth: to compare with what vision says,
+// never for vision.
 #pragma once
 
 #include <vector>

@@ -93,12 +93,12 @@ TrueObject goalOf(const View& view, const body::FieldDescription& field, const b
   object.landmark = mark.kind;
   const double outwards = mark.position.y > field.length / 2 ? 1.0 : -1.0;
   const Point2<Field> way = mark.position - view.pose.position;
-  const double aside = maths::atan2(std::fabs(way.x), outwards * way.y);
+  const double obliquity = maths::atan2(std::fabs(way.x), outwards * way.y);
   const int shown = visibility.goal(view, index).pixels;
   object.inView = shown > 0;
   const double whole =
-      areaPx(view, mark.position, field.goalWidth * Angle::rad(aside).cos(), field.goalHeight);
-  object.toSee = Angle::rad(aside).deg() <= kFlattestView &&
+      areaPx(view, mark.position, field.goalWidth * Angle::rad(obliquity).cos(), field.goalHeight);
+  object.toSee = Angle::rad(obliquity).deg() <= kFlattestView &&
                  mouthInside(view, field, mark.position) >= kMouthInside &&
                  shown >= kGoalShare * whole &&
                  shown >= kGoalShare * visibility.goalAlone(view, index).pixels;
@@ -123,24 +123,24 @@ TrueObject robotOf(const View& view, std::size_t index, Visibility& visibility) 
 
 bool isGoal(LandmarkKind kind) { return kind <= LandmarkKind::goalYellow; }
 
-struct Stretch {
+struct Interval {
   double low;
   double high;
 };
 
 // Where a robot hides the mouth's line, as an interval of field x; nothing when it is behind it.
-std::optional<Stretch> hidden(const View& view, const sim::Solid& robot, double mouthY) {
+std::optional<Interval> hidden(const View& view, const sim::Solid& robot, double mouthY) {
   const Point2<Field> eye =
       fieldFromRobot(view.pose, Point2<Robot>{view.camera.position.x, view.camera.position.y});
-  Stretch stretch{1e9, -1e9};
+  Interval interval{1e9, -1e9};
   for (const auto& quad : robot.quads)
     for (const auto& corner : quad.corner) {
       const double share = (mouthY - eye.y) / (corner.y - eye.y);
       if (!(share > 0.0)) return std::nullopt;
       const double x = eye.x + share * (corner.x - eye.x);
-      stretch = {std::min(stretch.low, x), std::max(stretch.high, x)};
+      interval = {std::min(interval.low, x), std::max(interval.high, x)};
     }
-  return stretch;
+  return interval;
 }
 
 }  // namespace
@@ -164,26 +164,26 @@ std::vector<TrueGap> trueGaps(const View& view, const body::FieldDescription& fi
   const auto mark = std::find_if(field.landmarks.begin(), field.landmarks.end(),
                                  [goal](const auto& l) { return l.kind == goal; });
   const Point2<Field> middle = mark->position;
-  std::vector<Stretch> blocked;
+  std::vector<Interval> blocked;
   for (const auto& robot : view.scene.robots)
-    if (const auto stretch = hidden(view, robot, middle.y)) blocked.push_back(*stretch);
+    if (const auto interval = hidden(view, robot, middle.y)) blocked.push_back(*interval);
   std::sort(blocked.begin(), blocked.end(), [](auto& a, auto& b) { return a.low < b.low; });
-  std::vector<Stretch> free;
+  std::vector<Interval> free;
   double from = middle.x - field.goalWidth / 2;
   const double end = middle.x + field.goalWidth / 2;
-  for (const auto& stretch : blocked) {
-    if (stretch.low > from) free.push_back({from, std::min(stretch.low, end)});
-    from = std::max(from, stretch.high);
+  for (const auto& interval : blocked) {
+    if (interval.low > from) free.push_back({from, std::min(interval.low, end)});
+    from = std::max(from, interval.high);
     if (from >= end) break;
   }
   if (from < end) free.push_back({from, end});
 
   std::vector<TrueGap> gaps;
-  for (const auto& stretch : free) {
+  for (const auto& interval : free) {
     const auto endAt = [&](double x) { return robotFromField(view.pose, {x, middle.y}); };
     const auto seen = [&](double x) { return inUsable(pixelOf(view, {x, middle.y}, 10.0), -2.0); };
-    TrueGap gap{goal, bearing(endAt(stretch.low)), bearing(endAt(stretch.high)), seen(stretch.low),
-                seen(stretch.high)};
+    TrueGap gap{goal, bearing(endAt(interval.low)), bearing(endAt(interval.high)),
+                seen(interval.low), seen(interval.high)};
     if ((gap.left - gap.right).rad() < 0.0) {
       std::swap(gap.left, gap.right);
       std::swap(gap.leftInImage, gap.rightInImage);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // How much of each object a view really shows: the scene is rendered again without artefacts and
-// with the object in a colour of its own, and its pixels are counted. For judging vision only.
+// with the object in a colour of its own, and its pixels are counted. Only to
+// compare with what vision says.
 #pragma once
 
 #include <functional>

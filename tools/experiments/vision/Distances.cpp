@@ -2,7 +2,7 @@
 // Vision's distance from a size in the image against what was measured on real robots, beside the
 // team's fits: as vision stands, and calibrated: one focal length for all, an edge for each object
 // and a blur for the ball chosen on these measurements as the team chose its two constants. Both
-// are also judged on series that their constants were not chosen on ("unseen"): a fit of noisy
+// are also measured on series that their constants were not chosen on ("unseen"): a fit of noisy
 // sizes flatters itself.
 #include <cmath>
 
@@ -107,21 +107,21 @@ struct Object {
 // each against the team's fit.
 double commonFocalLength(const std::vector<Object>& objects) {
   double best = 0.0;
-  double least = 1e9;
+  double smallest = 1e9;
   for (double focal = 180.0; focal <= 230.0; focal += 0.5) {
     double sum = 0.0;
     for (const auto& o : objects)
       sum += maths::square(fitted(o.rows, opticsOf(o.object, focal)).rms /
                            misfit(o.rows, teamsFit(o.object)).rms);
-    if (sum >= least) continue;
-    least = sum;
+    if (sum >= smallest) continue;
+    smallest = sum;
     best = focal;
   }
   return best;
 }
 
 // Beacons at 80 and 100 cm were measured too small for any camera
-// (tests/vision/DistanceDataTest.cpp).
+// (tests/calibrate/DistanceDataTest.cpp).
 Measurements fromWholeBeacons(const Measurements& rows) {
   Measurements far;
   for (const Measured& m : rows)

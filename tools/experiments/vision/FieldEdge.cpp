@@ -5,7 +5,8 @@
 namespace kelpie::experiments {
 namespace {
 
-// The figures asked for stand first: at each share of wrong points those of the worst slope.
+// The figures that are required stand first: at each share of wrong points those of the worst
+// slope.
 Expected<Json> fieldEdge(const Request& request) {
   const Json points = fieldEdgePoints(request);
   const Json corners = fieldEdgeCorners(request);

@@ -35,7 +35,7 @@ std::string bandName(std::size_t band) {
          std::to_string(static_cast<int>(kBands[band + 1])) + "_cm";
 }
 
-// 1 of none: nothing was wrong, nothing missed.
+// 1 where nothing was counted: nothing was wrong, nothing missed.
 double valueOf(const Share& share) { return share.all > 0 ? share.value() : 1.0; }
 
 struct KindTally {
@@ -65,10 +65,10 @@ bool isTrue(const LineTruth& truth, const LinePoint& point) {
   switch (point.kind) {
     case LinePointKind::line: return truth.paintNear(point.pixel) >= kOnPaint;
     case LinePointKind::border: {
-      double most = 0.0;
+      double largest = 0.0;
       for (int i = 0; i < 9; ++i)
-        most = std::max(most, truth.border(px + i % 3 - 1, py + i / 3 - 1));
-      return most >= kOnPaint;
+        largest = std::max(largest, truth.border(px + i % 3 - 1, py + i / 3 - 1));
+      return largest >= kOnPaint;
     }
     default: return truth.carpet(px, py) >= kOnCarpet;
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // How well vision recognises objects: seeded random views with every artefact, spectators in the
 // objects' colours, robots and partly hidden things. By object and distance: share of those to be
-// seen that were (recall), percepts of nothing, errors of distance and heading.
+// seen that were (recall), false percepts, errors of distance and heading.
 #include "tools/experiments/views/Objects.h"
 
 #include <fmt/core.h>
@@ -176,12 +176,12 @@ class Score {
       if ((gap.left - gap.right).deg() < 5.0 || (!gap.leftInImage && !gap.rightInImage)) continue;
       ++gapsToSee_;
       const GoalGap* best = nullptr;
-      double most = 0.0;
+      double largest = 0.0;
       for (const auto& p : seen.gaps) {
         if (p.goal != goal.landmark) continue;
         const double shared = overlapDeg(gap, p);
-        if (shared > most) {
-          most = shared;
+        if (shared > largest) {
+          largest = shared;
           best = &p;
         }
       }

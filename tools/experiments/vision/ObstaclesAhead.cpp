@@ -13,11 +13,13 @@ namespace kelpie::experiments {
 namespace {
 
 constexpr std::array<int, 9> kThresholds{1, 2, 4, 8, 12, 16, 24, 40, 80};  // px
-constexpr double kSide = 25.0;
-constexpr double kFar = 100.0;
-constexpr double kMiddle = 65.0;  // cm ahead, of what a view must show
+constexpr double kBoxHalfWidth = 25.0;
+constexpr double kBoxLength = 100.0;
+constexpr double kBoxMiddle = 65.0;  // cm ahead, of what a view must show
 
-bool inBox(Point2<Robot> p) { return p.x >= -kSide && p.x <= kSide && p.y > 0.0 && p.y <= kFar; }
+bool inBox(Point2<Robot> p) {
+  return p.x >= -kBoxHalfWidth && p.x <= kBoxHalfWidth && p.y > 0.0 && p.y <= kBoxLength;
+}
 
 bool inImage(const CameraPose& camera, Point2<Robot> p) {
   const auto pixel = body::project(camera, {p.x, p.y, 0.0});
@@ -73,7 +75,7 @@ Expected<Json> obstaclesAhead(const Request& request) {
   int empties = 0;
   eachView({}, request, [&](const View& view) {
     const Presence there = presence(view);
-    if (!inImage(view.camera, {0.0, kMiddle}) || there == Presence::part) return;
+    if (!inImage(view.camera, {0.0, kBoxMiddle}) || there == Presence::part) return;
     const bool robot = there == Presence::robot;
     ++(robot ? robots : empties);
     dark.add(countAhead(view.input, false, *state), robot);

@@ -17,8 +17,8 @@ namespace {
 
 constexpr double kHalfWidth = 6.0;  // cm
 constexpr double kHeight = 20.0;
-constexpr double kNearest = 40.0;
-constexpr double kFarthest = 250.0;
+constexpr double kMinDistance = 40.0;
+constexpr double kMaxDistance = 250.0;
 constexpr double kBorder = 6.0;  // px from the image border to the sheet
 constexpr double kGate = 4.0;    // deg
 
@@ -34,7 +34,7 @@ std::optional<Point2<Robot>> placeInView(const View& view, const body::FieldDesc
   for (int i = 0; i < 60; ++i) {
     const PixelPoint pixel{random.uniform(0.0, kImageWidth), random.uniform(0.0, kImageHeight)};
     const auto place = body::groundPoint(view.camera, pixel);
-    if (!place || place->norm() < kNearest || place->norm() > kFarthest) continue;
+    if (!place || place->norm() < kMinDistance || place->norm() > kMaxDistance) continue;
     const Point2<Field> on = fieldFromRobot(view.pose, *place);
     if (on.x < 0.0 || on.y < 0.0 || on.x > field.width || on.y > field.length) continue;
     if (insideImage(view.camera, {place->x, place->y, 0.0}) &&

@@ -29,7 +29,7 @@ struct Marker {
 };
 
 // A disc in the image: where its centre should be, and how far from it light is looked for.
-struct Sight {
+struct DiscImage {
   const Marker* marker = nullptr;
   PixelPoint centre;
   double reach = 0.0;
@@ -67,25 +67,25 @@ sim::Scene markedScene(const Pose2& pose, const std::vector<Marker>& markers) {
   return scene;
 }
 
-std::vector<Sight> sightsOf(const CameraPose& camera, const std::vector<Marker>& markers) {
-  std::vector<Sight> sights;
+std::vector<DiscImage> discImages(const CameraPose& camera, const std::vector<Marker>& markers) {
+  std::vector<DiscImage> discs;
   for (const auto& marker : markers) {
     const auto centre = body::project(camera, {marker.place.x, marker.place.y, 0.0});
     if (!centre) continue;
     const double range = maths::hypot(
         maths::hypot(marker.place.x - camera.position.x, marker.place.y - camera.position.y),
         camera.position.z);
-    sights.push_back({&marker, *centre, body::kFocalLength * marker.radius / range + kMargin});
+    discs.push_back({&marker, *centre, body::kFocalLength * marker.radius / range + kMargin});
   }
-  return sights;
+  return discs;
 }
 
 // Whether the light of another disc may fall into this one's window.
-bool alone(const Sight& sight, const std::vector<Sight>& all) {
+bool alone(const DiscImage& disc, const std::vector<DiscImage>& all) {
   for (const auto& other : all) {
-    const double reach = sight.reach + other.reach;
-    if (other.marker != sight.marker && std::fabs(other.centre.x - sight.centre.x) < reach &&
-        std::fabs(other.centre.y - sight.centre.y) < reach)
+    const double reach = disc.reach + other.reach;
+    if (other.marker != disc.marker && std::fabs(other.centre.x - disc.centre.x) < reach &&
+        std::fabs(other.centre.y - disc.centre.y) < reach)
       return false;
   }
   return true;
@@ -93,11 +93,11 @@ bool alone(const Sight& sight, const std::vector<Sight>& all) {
 
 // Centre of the light that a disc adds to the carpet, in its window. Nothing if the window is not
 // all in the image.
-std::optional<PixelPoint> centreOfLight(const Image& image, const Sight& sight) {
-  const int left = static_cast<int>(std::floor(sight.centre.x - sight.reach));
-  const int right = static_cast<int>(std::ceil(sight.centre.x + sight.reach));
-  const int top = static_cast<int>(std::floor(sight.centre.y - sight.reach));
-  const int bottom = static_cast<int>(std::ceil(sight.centre.y + sight.reach));
+std::optional<PixelPoint> centreOfLight(const Image& image, const DiscImage& disc) {
+  const int left = static_cast<int>(std::floor(disc.centre.x - disc.reach));
+  const int right = static_cast<int>(std::ceil(disc.centre.x + disc.reach));
+  const int top = static_cast<int>(std::floor(disc.centre.y - disc.reach));
+  const int bottom = static_cast<int>(std::ceil(disc.centre.y + disc.reach));
   if (left < kBorder || top < kBorder || right > kImageWidth - kBorder ||
       bottom > kImageHeight - kBorder)
     return std::nullopt;
@@ -122,16 +122,16 @@ struct Errors {
   std::size_t discs = 0;
 };
 
-void compare(const Image& image, const CameraPose& camera, const Sight& sight, Errors& worst) {
-  const auto found = centreOfLight(image, sight);
+void compare(const Image& image, const CameraPose& camera, const DiscImage& disc, Errors& worst) {
+  const auto found = centreOfLight(image, disc);
   if (!found) return;
   ++worst.discs;
   worst.pixels =
-      std::fmax(worst.pixels, maths::hypot(found->x - sight.centre.x, found->y - sight.centre.y));
-  const double distance = sight.marker->place.norm();
+      std::fmax(worst.pixels, maths::hypot(found->x - disc.centre.x, found->y - disc.centre.y));
+  const double distance = disc.marker->place.norm();
   const auto ground = body::groundPoint(camera, *found);
   if (ground && distance > 90.0 && distance < 110.0)
-    worst.atOneMetre = std::fmax(worst.atOneMetre, kelpie::distance(*ground, sight.marker->place));
+    worst.atOneMetre = std::fmax(worst.atOneMetre, kelpie::distance(*ground, disc.marker->place));
 }
 
 Expected<Json> projection(const Request& request) {
@@ -148,9 +148,9 @@ Expected<Json> projection(const Request& request) {
     sim::ColumnCameras columns;
     columns.fill(sim::fieldCamera(pose, camera));
     renderer.render(markedScene(pose, markers), columns, random, *image);
-    const auto sights = sightsOf(camera, markers);
-    for (const auto& sight : sights)
-      if (alone(sight, sights)) compare(*image, camera, sight, worst);
+    const auto discs = discImages(camera, markers);
+    for (const auto& disc : discs)
+      if (alone(disc, discs)) compare(*image, camera, disc, worst);
   });
   if (worst.discs == 0) return Error{"no disc was in view"};
   return Json{{"discs", worst.discs}, {"max_px", worst.pixels}, {"max_cm_at_1m", worst.atOneMetre}};

@@ -11,10 +11,10 @@
 namespace kelpie::experiments {
 namespace {
 
-constexpr double kFarthest = 200.0;    // cm, of a robot that must be seen
-constexpr double kMinShare = 0.6;      // of its pixels
-constexpr double kGate = 12.0;         // deg between a percept and a robot of which it can be
-constexpr double kPatchPixels = 12.0;  // of uniform: three samples of the lattice
+constexpr double kMaxDistance = 200.0;  // cm, of a robot that must be seen
+constexpr double kMinShare = 0.6;       // of its pixels
+constexpr double kGate = 12.0;          // deg between a percept and a robot of which it can be
+constexpr double kPatchPixels = 12.0;   // of uniform: three samples of the lattice
 
 struct Tally {
   int views = 0;
@@ -50,7 +50,7 @@ Match matchOf(const RobotPercept& percept, const std::vector<SeenRobot>& seen) {
 }
 
 bool isDue(const SeenRobot& robot) {
-  return robot.distance <= kFarthest && robot.share >= kMinShare;
+  return robot.distance <= kMaxDistance && robot.share >= kMinShare;
 }
 
 void addErrors(const RobotPercept& percept, const SeenRobot& robot, Tally& tally) {
