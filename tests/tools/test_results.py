@@ -145,14 +145,14 @@ def test_a_missing_key_is_told_in_its_row_and_in_one_line(place):
     result = place.results("--render")
     assert result.returncode == 1
     assert problems(result) == ["tools/results: objects: no key 'recall'"]
-    assert place.row("recall")[1:4] == ["not measured: no key 'recall'", ">= 0.9", "not measured"]
+    assert place.row("recall")[1:4] == ["not measured (no key 'recall')", ">= 0.9", "not measured"]
     assert place.row("fused")[3] == "met"
 
 
 def test_figures_of_other_trials_are_not_told(place):
     place.keep("objects", 8, FIGURES, trials=49)
     result = place.results("--render")
-    assert result.returncode == 1 and place.row("recall")[1] == "not measured: not measured yet"
+    assert result.returncode == 1 and place.row("recall")[1] == "not measured (not run yet)"
 
 
 def test_without_any_figures_the_page_stays(place):
@@ -239,7 +239,7 @@ def test_an_experiment_that_fails_is_told_and_the_others_stand(tmp_path, program
     result = place.results(KELPIE_BIN=str(programs))
     assert result.returncode == 1
     assert "tools/results: distances: no data" in result.stderr.splitlines()
-    assert place.row("fit")[1] == "not measured: no data" and place.row("fused")[3] == "met"
+    assert place.row("fit")[1] == "not measured (no data)" and place.row("fused")[3] == "met"
 
 
 def test_chosen_runs_are_told_without_touching_the_page(place):
