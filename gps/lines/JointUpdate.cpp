@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "gps/pose/Modes.h"
-#include "gps/pose/Update.h"
+#include "gps/pose/Outliers.h"
 
 namespace kelpie::gps {
 namespace {
@@ -85,26 +85,17 @@ bool fitLinesToHeaviest(const SeenLines& seen, const FieldFeatures& field,
 // the lines are false, the mode as the landmarks alone correct it.
 PoseMode copyOf(const PoseMode& mode, const UpdatedMode& one, bool landmarks,
                 const JointParams& params) {
-  PoseMode untouched = mode;
-  if (landmarks) untouched.weight *= params.modes.outlierWeight;
-  PoseMode withoutLines = one.byLandmarks;
-  withoutLines.weight *= params.lines.outlierWeight;
+  const PoseMode untouched = landmarks ? outlierCopy(mode, params.modes.outlierWeight) : mode;
+  const PoseMode withoutLines = outlierCopy(one.byLandmarks, params.lines.outlierWeight);
   if (!one.lines) return untouched;
   return landmarks && untouched.weight > withoutLines.weight ? untouched : withoutLines;
 }
 
-// As when landmarks come one by one: after many in a row that no mode predicted, the robot is lost.
-void countUnexplained(const Modes& modes, const UpdatedModes& updated, std::size_t landmarks,
-                      const ModeParams& params, PoseState& state) {
-  double copies = 0.0;
-  double explained = 0.0;
-  for (const PoseMode& mode : modes) copies += mode.weight * params.outlierWeight;
-  for (const UpdatedMode& one : updated) explained += one.byLandmarks.weight;
-  const bool predicted = explained > params.explainedShare * (copies + explained);
-  state.unexplained = predicted ? 0 : state.unexplained + static_cast<std::uint32_t>(landmarks);
-  if (state.unexplained <= params.maxUnexplained) return;
-  state.unexplained = 0;
-  state.lost = true;
+SplitWeights splitWeights(const Modes& modes, const UpdatedModes& updated, double outlierWeight) {
+  SplitWeights weights;
+  for (const PoseMode& mode : modes) weights.copies += mode.weight * outlierWeight;
+  for (const UpdatedMode& one : updated) weights.corrected += one.byLandmarks.weight;
+  return weights;
 }
 
 // `seen` is null where no mode's lines fit.
@@ -122,58 +113,6 @@ PoseMode result(const PoseMode& mode, const UpdatedMode& one, const SeenLines* s
 
 }  // namespace
 
-void InformationSum::add(const PoseMode& mode, const Measurement& m, const Pose2& at) {
-  if (tooCloseToLinearise(at, m.landmark)) {
-    degenerate = true;
-    return;
-  }
-  const Expectation e = expected(at, m.landmark);
-  const Point2<Field> away = at.position - mode.pose.position;
-  const Vector3 offset(away.x, away.y, (at.heading - mode.pose.heading).rad());
-  const double innovation[2] = {m.distance - e.distance, (m.heading - e.heading).rad()};
-  const double variance[2] = {m.distanceVariance, m.headingVariance};
-  const bool use[2] = {m.useDistance, m.useHeading};
-  for (std::size_t row = 0; row < 2; ++row) {
-    if (!use[row]) continue;
-    const double* j = e.jacobian.data() + 3 * row;
-    const Vector3 h(j[0], j[1], j[2]);
-    const double fromMode = innovation[row] + h.dot(offset);
-    matrix += h * h.transpose() / variance[row];
-    vector += h * (fromMode / variance[row]);
-    chiSquared += fromMode * fromMode / variance[row];
-  }
-}
-
-void InformationSum::add(const PoseMode& mode, const PoseObservation& observation) {
-  const Point2<Field> apart = observation.pose.position - mode.pose.position;
-  const Vector3 innovation(apart.x, apart.y, (observation.pose.heading - mode.pose.heading).rad());
-  const Vector3 pull = observation.information * innovation;
-  matrix += observation.information;
-  vector += pull;
-  chiSquared += innovation.dot(pull);
-}
-
-PoseMode corrected(const PoseMode& mode, const InformationSum& information,
-                   bool weighByDeterminant) {
-  PoseMode result = mode;
-  if (information.degenerate) {
-    result.weight *= kDegenerateWeight;
-    return result;
-  }
-  const Matrix3 p = covarianceOf(mode);
-  const Matrix3 sum = Matrix3::Identity() + p * information.matrix;
-  const Matrix3 after = sum.inverse() * p;
-  const Vector3 shift = after * information.vector;
-  // nu' E^-1 nu = nu' R^-1 nu - y' P' y, by the matrix inversion lemma.
-  const double squaredInnovation =
-      std::max(0.0, information.chiSquared - information.vector.dot(shift));
-  result.weight *= maths::exp(-0.5 * squaredInnovation);
-  if (weighByDeterminant) result.weight /= std::sqrt(sum.determinant());
-  result.pose = poseOf(meanOf(mode) + shift);
-  setCovariance(result, after);
-  return result;
-}
-
 bool updateJointly(const Sightings& seen, const PaintedField& field, const JointParams& params,
                    PoseState& state, GpsCounts& counts) {
   Modes& modes = state.modes;
@@ -181,7 +120,9 @@ bool updateJointly(const Sightings& seen, const PaintedField& field, const Joint
   if (landmarks && params.modes.noiseMethod == NoiseMethod::splitAndWide)
     modes.push_back(wideMode(field.description, params.modes, params.modes.wideWeight));
   UpdatedModes updated = updatedModes(modes, seen.landmarks, params.modes.weighByDeterminant);
-  if (landmarks) countUnexplained(modes, updated, seen.landmarks.size(), params.modes, state);
+  if (landmarks)
+    countUnexplainedLandmarks(splitWeights(modes, updated, params.modes.outlierWeight),
+                              params.modes, seen.landmarks.size(), state);
   const bool lines = fitLinesToHeaviest(seen.lines, field.features, params.lines, updated, counts);
   if (!landmarks && !lines) return false;
   if (lines) state.secondsSinceLines = 0.0;

@@ -13,24 +13,6 @@
 
 namespace kelpie::gps {
 
-// What several observations say of a mode's error: the information matrix Y, the information vector
-// y = Y times the error, and chi squared, the sum of squared innovations over their variances.
-struct InformationSum {
-  Matrix3 matrix = Matrix3::Zero();
-  Vector3 vector = Vector3::Zero();
-  double chiSquared = 0.0;
-  bool degenerate = false;  // the mode stands on a landmark
-
-  // Linearised at a pose near the mode's; at its own, this is the extended Kalman filter.
-  void add(const PoseMode& mode, const Measurement& measurement, const Pose2& at);
-  void add(const PoseMode& mode, const PoseObservation& observation);
-};
-
-// The mode after all of it: P' = (1 + P Y)^-1 P, mean + P' y, weight times S in (0, 1] of the
-// stacked innovation (equation 2.9), times 1 / sqrt(det(1 + P Y)) with `weighByDeterminant`.
-PoseMode corrected(const PoseMode& mode, const InformationSum& information,
-                   bool weighByDeterminant);
-
 using Measurements = FixedVector<Measurement, 8>;
 
 // All that corrects the pose in a frame; either may be empty.

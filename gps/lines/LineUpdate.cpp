@@ -6,6 +6,7 @@
 
 #include "gps/Refusal.h"
 #include "gps/lines/SymmetryUpdate.h"
+#include "gps/pose/Outliers.h"
 
 namespace kelpie::gps {
 namespace {
@@ -95,10 +96,8 @@ bool updateByLines(const SeenLines& seen, const PaintedField& field, const Lines
       modes[i].weight *= weightWithoutLineFit(modes[i], seen, p);
       continue;
     }
-    PoseMode copy = modes[i];
-    copy.weight *= p.outlierWeight;
-    correct(modes[i], *found[i]);
-    modes.push_back(copy);
+    modes.push_back(outlierCopy(modes[i], p.outlierWeight));
+    modes[i] = corrected(modes[i], *found[i]);
   }
   for (const PoseMode& mode : symmetric) modes.push_back(mode);
   return true;

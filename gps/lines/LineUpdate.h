@@ -8,8 +8,8 @@
 #include "gps/lines/LineFit.h"
 #include "gps/lines/LinesParams.h"
 #include "gps/lines/Symmetry.h"
-#include "gps/pose/PoseObservation.h"
 #include "gps/pose/PoseState.h"
+#include "gps/pose/PoseUpdate.h"
 
 namespace kelpie::gps {
 

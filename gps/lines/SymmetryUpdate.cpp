@@ -46,10 +46,9 @@ FixedVector<PoseMode, kMaxAmbiguousPoses> symmetricModes(const SeenLines& seen,
     if (distance(pose.pose.position, found.pose.position) < kSameDistance) continue;
     for (const PoseMode& mode : modes) {
       if (!isWithin(mode, pose.pose)) continue;
-      PoseMode corrected = mode;
-      correct(corrected, {pose.pose, pose.information});
-      corrected.weight *= pose.match / std::max(fit.match, 0.1);
-      keep(corrected, most, symmetric);
+      PoseMode moved = corrected(mode, PoseObservation{pose.pose, pose.information});
+      moved.weight *= pose.match / std::max(fit.match, 0.1);
+      keep(moved, most, symmetric);
     }
   }
   return symmetric;

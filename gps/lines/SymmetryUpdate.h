@@ -6,8 +6,8 @@
 
 #include "gps/lines/LinesParams.h"
 #include "gps/lines/Symmetry.h"
-#include "gps/pose/PoseObservation.h"
 #include "gps/pose/PoseState.h"
+#include "gps/pose/PoseUpdate.h"
 
 namespace kelpie::gps {
 

@@ -6,7 +6,8 @@
 #include "gps/Refusal.h"
 #include "gps/pinks/PinkMap.h"
 #include "gps/pose/Modes.h"
-#include "gps/pose/Update.h"
+#include "gps/pose/Outliers.h"
+#include "gps/pose/PoseUpdate.h"
 
 namespace kelpie::gps {
 namespace {
@@ -48,13 +49,6 @@ bool isAboveWall(const PinkBearing& bearing, const PinkMapParams& params, const 
          !mayHangOnWall(bearing.eyeHeight, bearing.elevation, distance(*place, ray.from), params);
 }
 
-// Sightings in a row that no mode predicted mean that the robot is elsewhere.
-void countUnexplained(double corrected, double copies, const ModeParams& params,
-                      std::uint32_t& unexplained) {
-  const bool explained = corrected > params.explainedShare * (copies + corrected);
-  unexplained = explained ? 0 : unexplained + 1;
-}
-
 }  // namespace
 
 PinkLandmarks knownPinks(const PinkState& state, const PinkMapParams& params) {
@@ -70,24 +64,21 @@ bool updateByPink(const PinkBearing& bearing, const PinkContext& context, PinkSt
   if (known.empty()) return false;
   const ModeParams& params = context.modes;
   Modes best;
-  double corrected = 0.0;
-  double copies = 0.0;
+  SplitWeights weights;
   for (const PoseMode& mode : modes) {
-    PoseMode copy = mode;
-    copy.weight *= params.outlierWeight;
-    copies += copy.weight;
+    const PoseMode copy = outlierCopy(mode, params.outlierWeight);
+    weights.copies += copy.weight;
     keepHeaviest(copy, best);
     for (const PinkLandmark& landmark : known) {
       if (!fits(bearing, mode, landmark.position, context.pinks)) continue;
-      PoseMode moved = mode;
+      const Measurement heading = headingOf(bearing, landmark.position, mode.pose, context);
+      PoseMode moved = corrected(mode, heading, params.weighByDeterminant);
       moved.weight /= static_cast<double>(known.size());
-      update(moved, headingOf(bearing, landmark.position, mode.pose, context),
-             params.weighByDeterminant);
-      corrected += moved.weight;
+      weights.corrected += moved.weight;
       keepHeaviest(moved, best);
     }
   }
-  countUnexplained(corrected, copies, params, pinks.unexplained);
+  countUnexplained(weights, params.explainedShare, 1, pinks.unexplained);
   modes = best;
   return true;
 }

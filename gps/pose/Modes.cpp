@@ -6,7 +6,8 @@
 
 #include "gps/Gaussian.h"
 #include "gps/Refusal.h"
-#include "gps/pose/Update.h"
+#include "gps/pose/Outliers.h"
+#include "gps/pose/PoseUpdate.h"
 
 namespace kelpie::gps {
 namespace {
@@ -161,11 +162,10 @@ static void refuseUnlikely(const Measurement& measurement, const ModeParams& par
   constexpr double kGrowthPerCm = 0.5 / kDegrees;  // rad: 5 deg for 10 cm
   const Measurement withoutDistance = headingOnly(measurement);
   for (PoseMode& mode : modes) {
-    PoseMode corrected = mode;
-    update(corrected, atGrazingAngle(mode, measurement) ? withoutDistance : measurement,
-           params.weighByDeterminant);
-    if (corrected.weight >= params.refuseBelow * mode.weight) {
-      mode = corrected;
+    const Measurement& used = atGrazingAngle(mode, measurement) ? withoutDistance : measurement;
+    const PoseMode after = corrected(mode, used, params.weighByDeterminant);
+    if (after.weight >= params.refuseBelow * mode.weight) {
+      mode = after;
       continue;
     }
     mode.covariance[0] += maths::square(params.refusedGrowth);
@@ -182,25 +182,18 @@ void updateAll(const Measurement& measurement, const body::FieldDescription& fie
   if (wide) modes.push_back(wideMode(field, params, params.wideWeight));
   const std::size_t before = modes.size();
   const Measurement withoutDistance = headingOnly(measurement);
-  double copies = 0.0;
-  double corrected = 0.0;
+  SplitWeights weights;
   for (std::size_t i = 0; i < before; ++i) {
     const bool oblique = atGrazingAngle(modes[i], measurement);
     if (oblique && i == 0) count(Refusal::goalTooOblique, counts);
-    PoseMode copy = modes[i];
-    copy.weight *= params.outlierWeight;
-    copies += copy.weight;
-    modes.push_back(copy);
-    update(modes[i], oblique ? withoutDistance : measurement, params.weighByDeterminant);
-    corrected += modes[i].weight;
+    modes.push_back(outlierCopy(modes[i], params.outlierWeight));
+    modes[i] =
+        corrected(modes[i], oblique ? withoutDistance : measurement, params.weighByDeterminant);
+    weights.copies += modes.back().weight;
+    weights.corrected += modes[i].weight;
   }
   // The wide mode alone is not enough: near modes crowd it out, and it cannot be linearised well.
-  if (!wide) return;  // the thesis' second method is never lost
-  const bool explained = corrected > params.explainedShare * (copies + corrected);
-  state.unexplained = explained ? 0 : state.unexplained + 1;
-  if (state.unexplained <= params.maxUnexplained) return;
-  state.unexplained = 0;
-  state.lost = true;
+  if (wide) countUnexplainedLandmarks(weights, params, 1, state);  // method 2 is never lost
 }
 
 void mergeAndPrune(const body::FieldDescription& field, const ModeParams& params, PoseState& state,

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// The laws of the filter's parts: prediction, update, merging, gates.
+// The laws of the filter's parts: prediction, merging, gates.
 #include <gtest/gtest.h>
 
-#include "gps/Gaussian.h"
 #include "gps/GpsParams.h"
 #include "gps/GpsState.h"
 #include "gps/pose/Landmarks.h"
 #include "gps/pose/Modes.h"
 #include "gps/pose/Predict.h"
-#include "gps/pose/Update.h"
 #include "tools/sim/LocalisingRobot.h"
 
 namespace kelpie::gps {
@@ -18,9 +16,7 @@ PoseMode modeAt(double x, double y, double heading) {
   PoseMode mode;
   mode.weight = 1.0;
   mode.pose = {{x, y}, Angle::rad(heading)};
-  Matrix3 c;
-  c << 120, 15, 0.4, 15, 80, -0.3, 0.4, -0.3, 0.05;
-  setCovariance(mode, c);
+  mode.covariance = {120, 15, 0.4, 15, 80, -0.3, 0.4, -0.3, 0.05};
   return mode;
 }
 
@@ -47,71 +43,6 @@ TEST(Predict, ForwardNoiseLiesAlongTheHeading) {
   EXPECT_NEAR(mode.covariance[0], 7.0, 1e-9);
   EXPECT_NEAR(mode.covariance[4], 3.0, 1e-9);
   EXPECT_NEAR(mode.covariance[1], 3.46410161514, 1e-9);
-}
-
-TEST(Update, JacobianMatchesDifferences) {
-  const Point2<Field> landmark{375, 405};
-  const Pose2 pose{{100, 200}, Angle::rad(2.9)};
-  const Expectation e = expected(pose, landmark);
-  constexpr double kStep = 1e-5;
-  for (int i = 0; i < 3; ++i) {
-    Pose2 other = pose;
-    if (i == 0) other.position.x += kStep;
-    if (i == 1) other.position.y += kStep;
-    if (i == 2) other.heading = Angle::rad(2.9 + kStep);
-    const Expectation f = expected(other, landmark);
-    const auto column = static_cast<std::size_t>(i);
-    EXPECT_NEAR(e.jacobian[column], (f.distance - e.distance) / kStep, 1e-6);
-    EXPECT_NEAR(e.jacobian[3 + column], (f.heading - e.heading).rad() / kStep, 1e-6);
-  }
-}
-
-// The textbook's form, with another inverse and without Joseph's, on the same numbers.
-TEST(Update, OneModeEqualsATextbookFilter) {
-  PoseMode mode = modeAt(150, 220, 1.2);
-  const Measurement m = seenAt({375, 405}, 300, -0.4);
-  const double dx = 225, dy = 185, r = std::sqrt(dx * dx + dy * dy);
-  Eigen::Matrix<double, 2, 3> h;
-  h << -dx / r, -dy / r, 0, dy / (r * r), -dx / (r * r), -1;
-  const Matrix3 p = covarianceOf(mode);
-  const Matrix2 s = h * p * h.transpose() + Vector2(400, 0.004).asDiagonal().toDenseMatrix();
-  const Eigen::Matrix<double, 3, 2> k = (s.ldlt().solve(h * p)).transpose();
-  const Vector2 innovation(300 - r, -0.4 - (std::atan2(dy, dx) - 1.2));
-  const Vector3 mean = Vector3(150, 220, 1.2) + k * innovation;
-  const Matrix3 covariance = (Matrix3::Identity() - k * h) * p;
-  update(mode, m, false);
-  EXPECT_LT((meanOf(mode) - mean).norm(), 1e-9);
-  EXPECT_LT((covarianceOf(mode) - covariance).norm(), 1e-8);
-  EXPECT_NEAR(mode.weight, std::exp(-0.5 * innovation.dot(s.ldlt().solve(innovation))), 1e-12);
-}
-
-TEST(Update, NeverGrowsTheTraceAndStaysPositive) {
-  Random random(7);
-  for (int i = 0; i < 500; ++i) {
-    PoseMode mode = modeAt(random.uniform(0, 360), random.uniform(0, 540), random.uniform(-3, 3));
-    const double before = covarianceOf(mode).trace();
-    update(mode, seenAt({-15, 135}, random.uniform(20, 500), random.uniform(-3, 3)), i % 2 == 0);
-    EXPECT_LE(covarianceOf(mode).trace(), before);
-    EXPECT_GT(covarianceOf(mode).selfadjointView<Eigen::Lower>().eigenvalues().minCoeff(), 0.0);
-    EXPECT_LE(mode.weight, 1.0);
-    EXPECT_EQ(mode.covariance[1], mode.covariance[3]);
-  }
-}
-
-TEST(Update, PerfectForecastKeepsTheWeight) {
-  PoseMode mode = modeAt(0, 0, 0);
-  update(mode, seenAt({30, 40}, 50, std::atan2(40.0, 30.0)), false);
-  EXPECT_NEAR(mode.weight, 1.0, 1e-12);
-}
-
-TEST(Update, AModeThatStandsOnTheLandmarkLosesItsWeightAndStays) {
-  PoseMode mode = modeAt(178, 541, 0.7);
-  const PoseMode before = mode;
-  update(mode, seenAt({180, 540}, 150, 0.2), true);
-  EXPECT_LT(mode.weight, 1e-6 * before.weight);
-  EXPECT_GT(mode.weight, 0.0);
-  EXPECT_EQ(mode.pose.position.x, before.pose.position.x);
-  EXPECT_EQ(mode.covariance, before.covariance);
 }
 
 TEST(Modes, MergeAcrossTheHeadingWrapGoesTheShortWay) {

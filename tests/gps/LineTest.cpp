@@ -72,38 +72,6 @@ TEST(LineFit, BrokenPointsAreLeftOut) {
   EXPECT_EQ(seenLines(points, {}).lines.size(), 1U);
 }
 
-PoseMode modeAt(const Pose2& pose) {
-  PoseMode mode;
-  mode.weight = 1.0;
-  mode.pose = pose;
-  mode.covariance = {400, 30, 0.4, 30, 250, -0.2, 0.4, -0.2, 0.05};
-  return mode;
-}
-
-TEST(LineCorrection, EqualsTheTextbookFilter) {
-  PoseMode mode = modeAt(kPose);
-  const Matrix3 p = covarianceOf(mode);
-  Matrix3 r;
-  r << 20, 3, 0, 3, 30, 0.01, 0, 0.01, 0.002;
-  const Vector3 shift(5.0, -8.0, 0.1);
-  const Matrix3 gain = p * (p + r).inverse();
-  correct(mode, {poseOf(meanOf(modeAt(kPose)) + shift), r.inverse()});
-  EXPECT_TRUE(meanOf(mode).isApprox(meanOf(modeAt(kPose)) + gain * shift, 1e-9));
-  EXPECT_TRUE(covarianceOf(mode).isApprox(p - gain * p, 1e-9));
-  EXPECT_NEAR(mode.weight, std::exp(-0.5 * shift.dot((p + r).inverse() * shift)), 1e-9);
-}
-
-TEST(LineCorrection, LeavesTheDirectionOfWhichNothingIsKnown) {
-  PoseMode mode = modeAt(kPose);
-  mode.covariance = {400, 0, 0, 0, 250, 0, 0, 0, 0.05};
-  Matrix3 information = Matrix3::Zero();
-  information(0, 0) = 0.1;
-  correct(mode, {{{170.0, 500.0}, kPose.heading}, information});
-  EXPECT_GT(mode.pose.position.x, 169.0);
-  EXPECT_EQ(mode.pose.position.y, kPose.position.y);
-  EXPECT_NEAR(mode.covariance[4], 250.0, 1e-9);
-}
-
 TEST(LineObservation, PoorMatchesAreRefusedAndFastHeadsBelievedLess) {
   LineFit fit = fitLines(seenFrom(kPose), kPose, features(), {});
   const auto still = observationOf(fit, features(), 0.0, {});

@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "gps/pose/PoseObservation.h"
+#include "gps/pose/PoseUpdate.h"
 
 namespace kelpie::gps {
 namespace {
@@ -97,10 +97,9 @@ void addCorrected(const PoseMode& mode, const Samples& samples, const SamplingFl
     for (int j = -1; j <= 1; ++j)
       for (int k = -1; k <= 1; ++k) {
         if (peaks >= kMaxPeaks || !isPeak(samples, {i, j, k})) continue;
-        PoseMode corrected = mode;
-        correct(corrected, observationOf(samples, {i, j, k}, mode, floor));
-        corrected.weight *= samples.at(i, j, k);
-        modes.push_back(corrected);
+        PoseMode moved = corrected(mode, observationOf(samples, {i, j, k}, mode, floor));
+        moved.weight *= samples.at(i, j, k);
+        modes.push_back(moved);
         ++peaks;
       }
 }
