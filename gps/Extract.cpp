@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "gps/OnField.h"
+#include "gps/SamePose.h"
 #include "gps/ball/BallMotion.h"
 
 namespace kelpie::gps {
@@ -51,17 +52,12 @@ BallEstimate extractBall(const BallTrack& track, const PoseMode& mode,
 
 // Copies that a merge left apart say nothing new; a robot's length does, or a turn that misses the
 // goal.
-constexpr double kElsewhereDistance = 30.0;  // cm
-const Angle kElsewhereTurn = Angle::deg(20.0);
-
-bool isElsewhere(const Pose2& a, const Pose2& b) {
-  return distance(a.position, b.position) > kElsewhereDistance ||
-         std::fabs((a.heading - b.heading).rad()) > kElsewhereTurn.rad();
-}
+constexpr double kElsewhereCm = 30.0;
+constexpr double kElsewhereDeg = 20.0;
 
 SecondHypothesis secondOf(const Modes& modes) {
   for (const PoseMode& mode : modes)
-    if (isElsewhere(mode.pose, modes[0].pose)) return {true, mode};
+    if (!samePose(mode.pose, modes[0].pose, kElsewhereCm, kElsewhereDeg)) return {true, mode};
   return {};
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gps/SamePose.h"
 #include "gps/pose/Modes.h"
 #include "gps/pose/Outliers.h"
 
@@ -26,21 +27,19 @@ InformationSum informationOf(const PoseMode& mode, const Pose2& at, const Measur
   return information;
 }
 
-bool movedFar(const Pose2& from, const Pose2& to) {
-  return distance(from.position, to.position) > 10.0 || (to.heading - from.heading).abs().deg() > 5;
-}
-
 // A wide mode moves so far that a linearisation at its old pose is wrong at the new one: it is
 // linearised there again, as it would be by one landmark after the other.
 UpdatedMode updatedByLandmarks(const PoseMode& mode, const Measurements& landmarks,
                                bool weighByDeterminant) {
   constexpr int kRounds = 3;
+  constexpr double kNearCm = 10.0;
+  constexpr double kNearDeg = 5.0;
   UpdatedMode one;
   Pose2 at = mode.pose;
   for (int round = 0; round < kRounds; ++round) {
     one.information = informationOf(mode, at, landmarks);
     one.byLandmarks = corrected(mode, one.information, weighByDeterminant);
-    if (!movedFar(at, one.byLandmarks.pose)) break;
+    if (samePose(at, one.byLandmarks.pose, kNearCm, kNearDeg)) break;
     at = one.byLandmarks.pose;
   }
   return one;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Finds the pose by the map of a standing robot alone, without a prior (thesis 2004 section 4.1.4):
-// blunt fits from many starts over one half of the field, a few each frame so that no frame is
-// dropped; the best poses, fitted sharply, and their twins become the modes. Only a landmark tells
-// which of two twins is true. Runs on request (`Command::localise`), and by itself while lost.
+// fits from a grid of poses over one half of the field; the best and their twins become the modes.
+// Only a landmark tells which of two twins is true. Runs on request (`Command::localise`), and by
+// itself while lost.
 #pragma once
 
 #include "gps/lines/LineState.h"

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "gps/lines/FieldFeatures.h"
+#include "gps/pose/PoseSearch.h"
 #include "robot/core/FixedVector.h"
 #include "robot/core/Geometry.h"
 #include "robot/core/Percepts.h"
@@ -43,27 +44,12 @@ struct PaintedFeature {
 };
 using PaintedFeatures = FixedVector<PaintedFeature, 80>;
 
-struct FoundPose {
-  Pose2 pose;
-  double match = 0.0;
-};
-
-// Twice as many as are kept after the sharp fits, whose twins take the other half of the modes.
-constexpr std::size_t kFoundPoses = 8;
-
-// A search over the field under way.
-struct LinePoseSearch {
-  bool running = false;
-  bool served = false;     // the request at hand has been answered
-  std::uint32_t next = 0;  // start
-  FixedVector<FoundPose, kFoundPoses> best;
-};
-
 struct LinesState {
   LineMap map;
-  LinePoseSearch search;
-  FieldFeatures features;   // built once from the field's description
-  PaintedFeatures painted;  // with them
+  PoseSearch search;
+  bool searchServed = false;  // the request at hand has been answered
+  FieldFeatures features;     // built once from the field's description
+  PaintedFeatures painted;    // with them
 };
 
 }  // namespace kelpie::gps

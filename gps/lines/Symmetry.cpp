@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gps/SamePose.h"
+
 namespace kelpie::gps {
 namespace {
 
@@ -72,9 +74,7 @@ void addStraight(const body::FieldLine& line, PaintedFeatures& all) {
 // Keeps the best, sorted.
 void keep(const AmbiguousPose& pose, std::size_t most, AmbiguousPoses& poses) {
   for (const AmbiguousPose& other : poses)
-    if (distance(other.pose.position, pose.pose.position) < 5.0 &&
-        (other.pose.heading - pose.pose.heading).abs().deg() < 5.0)
-      return;
+    if (samePose(other.pose, pose.pose, kSameCm, kSameDeg)) return;
   std::size_t at = poses.size();
   while (at > 0 && poses[at - 1].match < pose.match) --at;
   if (at >= most) return;

@@ -40,6 +40,8 @@ struct AmbiguousPose {
   Matrix3 information = Matrix3::Zero();
 };
 constexpr std::size_t kMaxAmbiguousPoses = 6;
+constexpr double kSameCm = 5.0;  // nearer poses are one
+constexpr double kSameDeg = 5.0;
 using AmbiguousPoses = FixedVector<AmbiguousPose, kMaxAmbiguousPoses>;
 
 struct PaintedField {

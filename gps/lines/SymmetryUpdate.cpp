@@ -4,11 +4,12 @@
 #include <algorithm>
 #include <utility>
 
+#include "gps/SamePose.h"
+
 namespace kelpie::gps {
 namespace {
 
-constexpr double kSameDistance = 5.0;  // cm; nearer to the found pose it is the same
-constexpr double kGateSds = 4.0;       // standard deviations: beyond, S is below 4e-4
+constexpr double kGateSds = 4.0;  // standard deviations: beyond, S is below 4e-4
 
 bool isWithin(const PoseMode& mode, const Pose2& pose) {
   const Point2<Field> d = pose.position - mode.pose.position;
@@ -43,7 +44,7 @@ FixedVector<PoseMode, kMaxAmbiguousPoses> symmetricModes(const SeenLines& seen,
   const AmbiguousPoses poses = ambiguousPoses(seen, fit, field, lines, params.symmetry);
   const auto most = std::min<std::size_t>(params.symmetry.maxPoses, kMaxAmbiguousPoses);
   for (const AmbiguousPose& pose : poses) {
-    if (distance(pose.pose.position, found.pose.position) < kSameDistance) continue;
+    if (samePose(pose.pose, found.pose, kSameCm, kSameDeg)) continue;
     for (const PoseMode& mode : modes) {
       if (!isWithin(mode, pose.pose)) continue;
       PoseMode moved = corrected(mode, PoseObservation{pose.pose, pose.information});

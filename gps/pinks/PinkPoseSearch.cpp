@@ -1,91 +1,55 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gps/pinks/PinkPoseSearch.h"
 
-#include <algorithm>
-#include <cmath>
+#include <optional>
 
+#include "gps/SamePose.h"
 #include "gps/pinks/PinkMap.h"
 
 namespace kelpie::gps {
 namespace {
 
 constexpr std::size_t kCoarsePoints = 40;
-constexpr double kSamePlace = 30.0;  // cm; candidates nearer to each other are one
-constexpr double kSameTurn = 20.0;   // deg
+constexpr double kSameDistance = 30.0;  // cm; poses nearer to each other are one
+constexpr double kSameTurn = 20.0;      // deg
 constexpr std::size_t kMinFitPoints = 8;
 
-bool samePose(const PoseCandidate& a, const PoseCandidate& b) {
-  return distance(a.pose.position, b.pose.position) < kSamePlace &&
-         (a.pose.heading - b.pose.heading).abs().deg() < kSameTurn;
-}
-
-// Keeps the best of those that are one, and the best of all when there is no more room.
-void keep(const PoseCandidate& candidate, PinkPoseSearch& search) {
-  auto& kept = search.candidates;
-  PoseCandidate* worst = kept.begin();
-  for (PoseCandidate& other : kept) {
-    if (samePose(candidate, other)) {
-      if (candidate.score > other.score) other = candidate;
-      return;
-    }
-    if (other.score < worst->score) worst = &other;
-  }
-  if (kept.push_back(candidate) || candidate.score <= worst->score) return;
-  *worst = candidate;
-}
-
-struct Grid {
-  std::uint32_t columns;
-  std::uint32_t rows;
-  std::uint32_t turns;
-
-  std::uint32_t size() const { return columns * rows * turns; }
-};
-
-Grid gridOf(const body::FieldDescription& field, const PinkPoseSearchParams& p) {
+PoseGrid gridOf(const body::FieldDescription& field, const PinkPoseSearchParams& p) {
   const auto steps = [](double length, double step) {
     return static_cast<std::uint32_t>(length / step) + 1;
   };
-  return {steps(field.width, p.step), steps(field.length, p.step),
+  return {field.width, field.length, steps(field.width, p.step), steps(field.length, p.step),
           static_cast<std::uint32_t>(2.0 * maths::kPi / p.turnStep.rad() + 0.5)};
 }
 
-Pose2 poseAt(std::uint32_t index, const Grid& grid, const body::FieldDescription& field) {
-  const std::uint32_t turn = index % grid.turns;
-  const std::uint32_t column = index / grid.turns % grid.columns;
-  const std::uint32_t row = index / grid.turns / grid.columns;
-  return {{(column + 0.5) * field.width / grid.columns, (row + 0.5) * field.length / grid.rows},
-          Angle::rad(2.0 * maths::kPi * turn / grid.turns)};
-}
+// Scored by log likelihood, up to a constant; only the refined poses are fitted to the lines.
+struct SurveyScene {
+  const Survey& survey;
+  const PinkLandmarks& pinks;
+  const PinkContext& context;
+  SeenLines few;
+  SeenLines all;
 
-void tryPoses(const Survey& survey, const PinkLandmarks& pinks, const PinkContext& context,
-              PinkPoseSearch& search) {
-  const PinkPoseSearchParams& p = context.pinks.search;
-  const body::FieldDescription& field = context.field.description;
-  const Grid grid = gridOf(field, p);
-  const SeenLines lines = linesOf(survey, kCoarsePoints);
-  const std::uint32_t end = std::min(grid.size(), search.cursor + p.startsPerFrame);
-  for (; search.cursor < end; ++search.cursor) {
-    PoseCandidate candidate;
-    candidate.pose = poseAt(search.cursor, grid, field);
-    candidate.match = surveyMatch(lines, candidate.pose, context.field.features, p.coarseSharpness);
-    candidate.score = p.lineScore * candidate.match +
-                      bearingScore(survey, candidate.pose, pinks, p.coarseBearingSd, context.pinks);
-    keep(candidate, search);
+  double score(const SeenLines& lines, const Pose2& pose, double sharpness, Angle sd) const {
+    return context.pinks.search.lineScore *
+               surveyMatch(lines, pose, context.field.features, sharpness) +
+           bearingScore(survey, pose, pinks, sd, context.pinks);
   }
-}
-
-void refine(const Survey& survey, const PinkLandmarks& pinks, const PinkContext& context,
-            PoseCandidate& candidate) {
-  const PinkPoseSearchParams& p = context.pinks.search;
-  const FieldFeatures& features = context.field.features;
-  const SeenLines lines = linesOf(survey, kSurveyPoints);
-  if (lines.lines.size() >= kMinFitPoints)
-    candidate.pose = fitLines(lines, candidate.pose, features, context.lines, true).pose;
-  candidate.match = surveyMatch(lines, candidate.pose, features, p.fineSharpness);
-  candidate.score = p.lineScore * candidate.match +
-                    bearingScore(survey, candidate.pose, pinks, p.bearingSd, context.pinks);
-}
+  std::optional<FoundPose> tried(const Pose2& start) const {
+    const PinkPoseSearchParams& p = context.pinks.search;
+    return FoundPose{start, score(few, start, p.coarseSharpness, p.coarseBearingSd)};
+  }
+  FoundPose refined(const FoundPose& found) const {
+    const PinkPoseSearchParams& p = context.pinks.search;
+    Pose2 pose = found.pose;
+    if (all.lines.size() >= kMinFitPoints)
+      pose = fitLines(all, pose, context.field.features, context.lines, true).pose;
+    return {pose, score(all, pose, p.fineSharpness, p.bearingSd)};
+  }
+  bool same(const Pose2& a, const Pose2& b) const {
+    return samePose(a, b, kSameDistance, kSameTurn);
+  }
+};
 
 // Sum over the mapped pinks of how well the ray points at each.
 double shareOfPinks(const Ray& ray, const PinkLandmarks& pinks, Angle sd) {
@@ -137,30 +101,18 @@ double bearingScore(const Survey& survey, const Pose2& start, const PinkLandmark
 }
 
 bool stepPinkPoseSearch(const Survey& survey, const PinkLandmarks& pinks,
-                        const PinkContext& context, PinkPoseSearch& search) {
+                        const PinkContext& context, PoseSearch& search) {
   const PinkPoseSearchParams& p = context.pinks.search;
-  if (search.cursor < gridOf(context.field.description, p).size()) {
-    tryPoses(survey, pinks, context, search);
-    return false;
-  }
-  for (std::uint32_t i = 0; i < p.refinedPerFrame; ++i) {
-    if (search.refined >= search.candidates.size()) break;
-    refine(survey, pinks, context, search.candidates[search.refined++]);
-  }
-  if (search.refined < search.candidates.size()) return false;
-  std::stable_sort(
-      search.candidates.begin(), search.candidates.end(),
-      [](const PoseCandidate& a, const PoseCandidate& b) { return a.score > b.score; });
-  return true;
+  const SurveyScene scene{survey, pinks, context, linesOf(survey, kCoarsePoints),
+                          linesOf(survey, kSurveyPoints)};
+  const PoseSearchPace pace{p.startsPerFrame, p.refinedPerFrame, FoundPoses::kCapacity};
+  return stepPoseSearch(gridOf(context.field.description, p), pace, scene, search);
 }
 
-double sureness(const PinkPoseSearch& search) {
-  if (search.candidates.empty()) return 0.0;
-  const PoseCandidate& best = search.candidates[0];
-  double elsewhere = 0.0;
-  for (const PoseCandidate& other : search.candidates)
-    if (!samePose(best, other)) elsewhere += maths::exp(other.score - best.score);
-  return 1.0 / (1.0 + elsewhere);
+double sureness(const FoundPoses& found) {
+  double sum = 0.0;
+  for (const FoundPose& pose : found) sum += maths::exp(pose.score - found[0].score);
+  return found.empty() ? 0.0 : 1.0 / sum;
 }
 
 }  // namespace kelpie::gps

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where on the whole field a survey fits: a grid of poses is tried, some each frame, the best are
-// refined by their lines, and the result counts when it outweighs all others (thesis 2004 section
-// 4.1.4, which never ran). Lines alone cannot tell a pose from its twin; the mapped pinks decide.
+// Where on the whole field a survey fits: the best poses of a grid are refined by their lines, and
+// the result counts when it outweighs all others (thesis 2004 section 4.1.4, which never ran).
+// Lines alone cannot tell a pose from its twin; the mapped pinks decide.
 #pragma once
 
 #include "gps/lines/FieldFeatures.h"
@@ -20,12 +20,11 @@ double surveyMatch(const SeenLines& lines, const Pose2& start, const FieldFeatur
 double bearingScore(const Survey& survey, const Pose2& start, const PinkLandmarks& pinks, Angle sd,
                     const PinkMapParams& params);
 
-// One frame's share of the search. True when it came to an end; then `candidates` are sorted, best
-// first.
+// One frame's share of the search; true when it came to an end.
 bool stepPinkPoseSearch(const Survey& survey, const PinkLandmarks& pinks,
-                        const PinkContext& context, PinkPoseSearch& search);
+                        const PinkContext& context, PoseSearch& search);
 
-// The best candidate's share of the likelihood of all that are elsewhere; 0 for none.
-double sureness(const PinkPoseSearch& search);
+// The best pose's share of the likelihood of all that were found; 0 for none.
+double sureness(const FoundPoses& found);
 
 }  // namespace kelpie::gps

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 
+#include "gps/pose/PoseSearch.h"
 #include "robot/core/Command.h"
 #include "robot/core/FixedVector.h"
 #include "robot/core/Geometry.h"
@@ -40,28 +41,14 @@ struct Survey {
   FixedVector<SurveyBearing, 24> bearings;
 };
 
-// A pose of the survey's frame on the field.
-struct PoseCandidate {
-  Pose2 pose;
-  double score = 0.0;  // log likelihood, up to a constant
-  double match = 0.0;  // of the line points, 0 to 1
-};
-
-struct PinkPoseSearch {
-  bool running = false;
-  std::uint32_t cursor = 0;   // the next pose to be tried
-  std::uint32_t refined = 0;  // candidates done
-  FixedVector<PoseCandidate, 32> candidates;
-  std::uint32_t count = 0;  // searches that came to an end
-};
-
 struct PinkState {
   PinkUse use = PinkUse::off;  // in the last frame
   PinkLandmarks map;
   double sinceForgotten = 0.0;    // s
   std::uint32_t unexplained = 0;  // sightings in a row that no mode predicted
   Survey survey;
-  PinkPoseSearch search;
+  PoseSearch search;           // for where on the field the survey began
+  std::uint32_t searches = 0;  // that came to an end while lost
 };
 
 }  // namespace kelpie::gps

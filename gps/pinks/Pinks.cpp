@@ -16,7 +16,8 @@ void startSurvey(const PinkContext& context, PinkState& pinks, PoseState& pose) 
   pinks.unexplained = 0;
   pinks.survey = Survey{};
   pinks.survey.nextSearch = context.pinks.search.surveySeconds;
-  pinks.search = PinkPoseSearch{};
+  pinks.search = PoseSearch{};
+  pinks.searches = 0;
 }
 
 PoseMode modeAt(const Pose2& pose, const PinkPoseSearchParams& p) {
@@ -30,19 +31,18 @@ PoseMode modeAt(const Pose2& pose, const PinkPoseSearchParams& p) {
 
 // The found pose becomes the only mode, or the robot looks round for longer.
 void endSearch(const PinkPoseSearchParams& p, PinkState& pinks, PoseState& pose) {
-  ++pinks.search.count;
+  ++pinks.searches;
   // One that two poses explain for long: to guess is better than to stand and wait, and what a
   // wrong pose does not predict soon tells.
-  const bool patient = pinks.search.count < p.patience;
-  if (sureness(pinks.search) >= (patient ? p.sureShare : p.likelyShare)) {
+  const FoundPoses found = pinks.search.found;
+  const bool patient = pinks.searches < p.patience;
+  pinks.search = PoseSearch{};
+  if (sureness(found) >= (patient ? p.sureShare : p.likelyShare)) {
     pose.modes.clear();
-    pose.modes.push_back(modeAt(poseNow(pinks.survey, pinks.search.candidates[0].pose), p));
+    pose.modes.push_back(modeAt(poseNow(pinks.survey, found[0].pose), p));
     pose.lost = false;
     return;
   }
-  const std::uint32_t searches = pinks.search.count;
-  pinks.search = PinkPoseSearch{};
-  pinks.search.count = searches;
   // By then the odometry's turns have set the first sightings beside the last.
   if (pinks.survey.seconds > p.keepSeconds) {
     pinks.survey = Survey{};
@@ -61,7 +61,6 @@ void surveyAndSearch(const PinksIn& in, const PinkContext& context, PinkState& p
   if (!pinks.search.running && (pinks.survey.seconds < pinks.survey.nextSearch ||
                                 pinks.survey.bearings.size() < p.minBearings))
     return;
-  pinks.search.running = true;
   if (stepPinkPoseSearch(pinks.survey, known, context, pinks.search)) endSearch(p, pinks, pose);
 }
 

@@ -14,7 +14,7 @@ int framesUntilServed(sim::StandingRobot& robot, WorldModel& world, int most) {
   for (int i = 0; i < most; ++i) {
     robot.look(false);
     world = robot.step();
-    if (robot.state.lines.search.served) return i + 1;
+    if (robot.state.lines.searchServed) return i + 1;
   }
   return -1;
 }
@@ -58,7 +58,7 @@ TEST(LinePoseSearch, TakesManyFramesAndAnswersOnceForOneRequest) {
   robot.input.lastCommand.localise = false;
   robot.look(false);
   robot.step();
-  EXPECT_FALSE(robot.state.lines.search.served);
+  EXPECT_FALSE(robot.state.lines.searchServed);
 }
 
 TEST(LinePoseSearch, BeginsByItselfWhenLostAndOnlyWhileStanding) {
@@ -80,7 +80,7 @@ TEST(LinePoseSearch, BeginsByItselfWhenLostAndOnlyWhileStanding) {
 TEST(LinePoseSearch, AMoveDropsWhatWasBegun) {
   sim::StandingRobot robot(502);
   robot.input.lastCommand.localise = true;
-  for (int i = 0; i < 400 && robot.state.lines.search.next < 20; ++i) {
+  for (int i = 0; i < 400 && robot.state.lines.search.tried < 20; ++i) {
     robot.look(false);
     robot.step();
   }
@@ -88,8 +88,8 @@ TEST(LinePoseSearch, AMoveDropsWhatWasBegun) {
   robot.input.odometry.turn = Angle::deg(2);
   robot.step();
   EXPECT_FALSE(robot.state.lines.search.running);
-  EXPECT_EQ(robot.state.lines.search.next, 0U);
-  EXPECT_TRUE(robot.state.lines.search.best.empty());
+  EXPECT_EQ(robot.state.lines.search.tried, 0U);
+  EXPECT_TRUE(robot.state.lines.search.found.empty());
 }
 
 }  // namespace

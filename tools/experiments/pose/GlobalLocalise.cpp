@@ -37,7 +37,7 @@ int search(sim::StandingRobot& robot, WorldModel& world) {
   for (int i = 0; i < kMaxFrames; ++i) {
     robot.look(false);
     world = robot.step();
-    if (robot.state.lines.search.served) return i + 1;
+    if (robot.state.lines.searchServed) return i + 1;
   }
   return -1;
 }
