@@ -27,11 +27,8 @@ PaintedField paintedField(const GpsParams& params, const GpsState& state) {
 
 // No robot stands farther out than the carpet.
 void keepNearField(const body::FieldDescription& field, Modes& modes) {
-  for (PoseMode& mode : modes) {
-    Point2<Field>& p = mode.pose.position;
-    p.x = maths::clamp(p.x, -field.sideFringe, field.width + field.sideFringe);
-    p.y = maths::clamp(p.y, -field.endFringe, field.length + field.endFringe);
-  }
+  const body::Carpet carpet = body::carpetOf(field);
+  for (PoseMode& mode : modes) mode.pose.position = carpet.nearest(mode.pose.position);
 }
 
 // After every change of the modes.

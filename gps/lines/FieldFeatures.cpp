@@ -25,8 +25,7 @@ void FieldFeatures::build(const body::FieldDescription& field) {
   }
   const double radius = 0.5 * (field.circleDiameter - field.lineWidth);
   if (radius > 0.0) pieces_.push_back({{field.width / 2, field.length / 2}, {}, 0.0, radius});
-  low_ = {-field.sideFringe, -field.endFringe};
-  high_ = {field.width + field.sideFringe, field.length + field.endFringe};
+  carpet_ = body::carpetOf(field);
   cell_ = kSmallestCell;
   while (cellsAlong(field.width, cell_) * cellsAlong(field.length, cell_) >
          static_cast<int>(kMaxCells))
@@ -82,11 +81,10 @@ FeatureDistance FieldFeatures::nearest(Point2<Field> p) const {
 }
 
 FeatureDistance FieldFeatures::outside(Point2<Field> p) const {
-  const double x = p.x - maths::clamp(p.x, low_.x, high_.x);
-  const double y = p.y - maths::clamp(p.y, low_.y, high_.y);
-  const double far = std::sqrt(x * x + y * y);
+  const Point2<Field> way = p - carpet_.nearest(p);
+  const double far = way.norm();
   if (far < 1e-9) return {};
-  return {far, x / far, y / far};
+  return {far, way.x / far, way.y / far};
 }
 
 }  // namespace kelpie::gps

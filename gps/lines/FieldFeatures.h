@@ -44,8 +44,7 @@ class FieldFeatures {
   std::size_t cellOf(Point2<Field> p) const;
 
   FixedVector<Piece, 25> pieces_;
-  Point2<Field> low_;  // of the carpet
-  Point2<Field> high_;
+  body::Carpet carpet_;
   double cell_ = 4.0;  // cm
   int columns_ = 0;
   int rows_ = 0;

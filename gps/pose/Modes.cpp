@@ -108,11 +108,6 @@ PoseMode seed(const Measurement& m, double around, double aroundSd, double maxSd
   return mode;
 }
 
-bool onCarpet(Point2<Field> p, const body::FieldDescription& field) {
-  return p.x > -field.sideFringe && p.x < field.width + field.sideFringe &&
-         p.y > -field.endFringe && p.y < field.length + field.endFringe;
-}
-
 }  // namespace
 
 PoseMode wideMode(const body::FieldDescription& field, const ModeParams& params, double weight) {
@@ -152,7 +147,7 @@ void seedAround(const Measurement& measurement, const body::FieldDescription& fi
   for (int i = 0; i < number; ++i) {
     const PoseMode mode =
         seed(measurement, (i + 0.5) * spacing, 0.5 * spacing, params.widePositionSd);
-    if (onCarpet(mode.pose.position, field)) seeds.push_back(mode);
+    if (body::carpetDistance(field, mode.pose.position) <= 0.0) seeds.push_back(mode);
   }
   if (seeds.empty()) {
     count(Refusal::seedOffField, counts);

@@ -110,12 +110,20 @@ Point2<Field> throwInPlace(const FieldDescription& field, Point2<Field> ball) {
           maths::clamp(ball.y, rules.throwInFromEnd, field.length - rules.throwInFromEnd)};
 }
 
+Carpet carpetOf(const FieldDescription& field) {
+  return {{-field.sideFringe, -field.endFringe},
+          {field.width + field.sideFringe, field.length + field.endFringe}};
+}
+
+double carpetDistance(const FieldDescription& field, Point2<Field> p) {
+  return distance(p, carpetOf(field).nearest(p));
+}
+
 std::array<double, 8> wallAround(const FieldDescription& field, double beyond) {
-  const double left = -field.sideFringe - beyond;
-  const double right = field.width + field.sideFringe + beyond;
-  const double low = -field.endFringe - beyond;
-  const double high = field.length + field.endFringe + beyond;
-  return {left, low, right, low, right, high, left, high};
+  const Carpet carpet = carpetOf(field);
+  const Point2<Field> low = carpet.low - Point2<Field>{beyond, beyond};
+  const Point2<Field> high = carpet.high + Point2<Field>{beyond, beyond};
+  return {low.x, low.y, high.x, low.y, high.x, high.y, low.x, high.y};
 }
 
 const Landmark* findLandmark(const LandmarkMap& map, LandmarkKind kind) {

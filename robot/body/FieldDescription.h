@@ -11,6 +11,7 @@
 #include "robot/core/FixedVector.h"
 #include "robot/core/FrameInput.h"
 #include "robot/core/Geometry.h"
+#include "robot/core/Maths.h"
 #include "robot/core/Percepts.h"
 
 namespace kelpie::body {
@@ -84,6 +85,20 @@ Expected<FieldDescription> fieldDescription(std::string_view name);
 
 // Where a ball that left the field at that place is put back by the rules.
 Point2<Field> throwInPlace(const FieldDescription& field, Point2<Field> ball);
+
+// The green: the field and its fringes.
+struct Carpet {
+  Point2<Field> low;
+  Point2<Field> high;
+
+  Point2<Field> nearest(Point2<Field> p) const {
+    return {maths::clamp(p.x, low.x, high.x), maths::clamp(p.y, low.y, high.y)};
+  }
+};
+Carpet carpetOf(const FieldDescription& field);
+
+// From a point to the carpet, in cm: 0 on it.
+double carpetDistance(const FieldDescription& field, Point2<Field> p);
 
 // x, y of the corners of a wall that stands so far beyond the carpet, going round.
 std::array<double, 8> wallAround(const FieldDescription& field, double beyond);

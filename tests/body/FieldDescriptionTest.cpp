@@ -134,5 +134,15 @@ TEST(FieldDescription, SizesAreThoseOfTheSharedTable) {
   expectSizes(*fieldDescription("2004"), sharedColumn(3));
 }
 
+TEST(FieldDescription, TheDistanceToTheCarpetIsToItsNearestPoint) {
+  const FieldDescription field = *fieldDescription("2006");  // fringes of 20 and 30 cm
+  EXPECT_EQ(carpetDistance(field, {180.0, 270.0}), 0.0);
+  EXPECT_EQ(carpetDistance(field, {-20.0, 570.0}), 0.0);
+  EXPECT_EQ(carpetDistance(field, {-24.0, 100.0}), 4.0);
+  EXPECT_EQ(carpetDistance(field, {100.0, 577.0}), 7.0);
+  EXPECT_NEAR(carpetDistance(field, {383.0, -34.0}), 5.0, 1e-12);  // past a corner
+  EXPECT_EQ(carpetOf(field).nearest({383.0, -34.0}).x, 380.0);
+}
+
 }  // namespace
 }  // namespace kelpie::body

@@ -177,8 +177,8 @@ void enclose(Solid& solid) {
 
 Scene fieldScene(const body::FieldDescription& field, std::uint64_t crowdSeed) {
   Scene scene;
-  scene.carpet = {Point2<Field>{-field.sideFringe, -field.endFringe},
-                  Point2<Field>{field.width + field.sideFringe, field.length + field.endFringe}};
+  const body::Carpet carpet = body::carpetOf(field);
+  scene.carpet = {carpet.low, carpet.high};
   addLines(scene, field);
   for (const body::Landmark& mark : field.landmarks) {
     if (mark.kind == LandmarkKind::goalBlue || mark.kind == LandmarkKind::goalYellow) {

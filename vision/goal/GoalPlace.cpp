@@ -68,12 +68,6 @@ void addEdgeFacts(const Scene& scene, const GoalCandidate& c, const GoalShape& s
   }
 }
 
-// How far off the carpet a point is, in cm.
-double offCarpetDistance(const body::FieldDescription& f, Point2<Field> p) {
-  return std::max({-f.sideFringe - p.x, p.x - f.width - f.sideFringe, -f.endFringe - p.y,
-                   p.y - f.length - f.endFringe, 0.0});
-}
-
 // Goal and beacon together place the camera.
 void addBeaconFacts(const Scene& scene, LandmarkKind kind, const GoalShape& shape,
                     const LandmarkPercept& beacon, GoalFacts& facts) {
@@ -90,7 +84,7 @@ void addBeaconFacts(const Scene& scene, LandmarkKind kind, const GoalShape& shap
   const Point2<Field> camera{goal->position.x - (turn.cos * g.x - turn.sin * g.y),
                              goal->position.y - (turn.sin * g.x + turn.cos * g.y)};
   facts.offCarpetDistance =
-      std::max(facts.offCarpetDistance, offCarpetDistance(scene.field, camera));
+      std::max(facts.offCarpetDistance, body::carpetDistance(scene.field, camera));
 }
 
 }  // namespace
