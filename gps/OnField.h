@@ -20,7 +20,7 @@ Place placeOnField(const PoseMode& pose, Point2<Robot> point, const Matrix2& cov
 Matrix2 matrixOf(const std::array<double, 4>& rows);
 std::array<double, 4> rowsOf(const Matrix2& matrix);
 
-// The product of two Gaussians, in covariance form (checklist B-2.1, product identities).
+// The product of two Gaussians, in covariance form (checklist B-2.1.3.1).
 Place productOf(const Place& a, const Place& b);
 
 // Squared Mahalanobis distance of two independent places.

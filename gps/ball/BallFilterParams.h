@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What can be tuned in the ball filter, and in what the referee does with a ball. Numbers of
-// facts-2005 section 5 where it states them, else ours.
+// facts-2005 section 5.3 where it states them, else ours.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@ namespace kelpie::gps {
 struct DropInParams {
   double outSds = 2.0;      // so far beyond the line, in standard deviations, it is out
   double unseen = 0.2;      // s; a ball in sight is where it is seen
-  double variance = 30.0;   // cm2, of the referee's hand (facts-2005 section 5)
+  double variance = 30.0;   // cm2, of the referee's hand (facts-2005 section 5.3)
   double maxPoseSd = 50.0;  // cm; a robot that knows its place less does not judge
 
   static constexpr auto fields() {

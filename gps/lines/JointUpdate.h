@@ -2,7 +2,7 @@
 // A frame's landmarks and lines in one update of each mode (thesis 2004 section 5.1, future work
 // there): all is linearised at the predicted pose and added up as information, and one copy that
 // nothing corrected stays for the case that any of it was false. The alternative, one landmark
-// after the other and then the lines, keeps a copy for each. Which is better: docs/experiments.md.
+// after the other and then the lines, keeps a copy for each. Which is better: docs/decisions.md.
 // Fails as a whole where one of many landmarks is false; then the copy has to live.
 #pragma once
 

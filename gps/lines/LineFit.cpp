@@ -30,7 +30,7 @@ struct Turned {
 
 Turned turned(const Pose2& pose) { return {pose, pose.heading.sin(), pose.heading.cos()}; }
 
-// Thesis equation 3.12 with heading 90 deg up the field.
+// Thesis 2004 equation 3.12 with heading 90 deg up the field.
 Point2<Field> placed(const Turned& t, Point2<Robot> p) {
   return {t.pose.position.x + t.sin * p.x + t.cos * p.y,
           t.pose.position.y - t.cos * p.x + t.sin * p.y};

@@ -36,7 +36,7 @@ SeenLines seenLines(const FixedVector<LinePoint, 256>& points, const LineUpdateP
 
 struct LineFit {
   Pose2 pose;
-  double match = 0.0;       // 0 to 1, equations 3.13 to 3.15
+  double match = 0.0;       // 0 to 1, thesis 2004 equations 3.13 to 3.15
   Matrix3 information;      // 1/cm2, 1/(cm rad), 1/rad2: curvature over the points' variance
   std::uint32_t steps = 0;  // evaluations
 };

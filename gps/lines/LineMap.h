@@ -18,7 +18,8 @@ namespace kelpie::gps {
 // No odometry, no walk requested, no special motion.
 bool standing(const FrameInput& input);
 
-// Equations 3.18 and 3.19 for either of the two; 3.19 with the numerator squared (checklist H10).
+// Thesis 2004 equations 3.18 and 3.19 for either of the two; the latter with its numerator squared
+// (checklist H10).
 bool inOneRegion(const MapPoint& a, const MapPoint& b, const LineMapParams& params);
 
 // Merges a point, and the merged one again, until it lies in no other's region; a full map takes no

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tunables of what is made of field lines beyond one frame: the map of a standing robot (thesis
-// 2004 section 3.2.4), the ambiguous poses (3.3.2) and the search over the field (4.1.4).
+// 2004 section 3.2.4), ambiguous poses (thesis 2004 section 3.3.2), the search of the field (thesis
+// 2004 section 4.1.4).
 #pragma once
 
 #include <cstdint>

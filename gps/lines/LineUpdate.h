@@ -13,8 +13,9 @@
 
 namespace kelpie::gps {
 
-// The fit as an observation: none when it matches worse than equation 3.22 requires or lies off the
-// field (3.20, 3.21); wider the faster the head moves (3.23).
+// The fit as an observation: none when it matches worse than it must (thesis 2004 equation 3.22) or
+// lies off the field (thesis 2004 equations 3.20 and 3.21); wider the faster the head moves (thesis
+// 2004 equation 3.23).
 std::optional<PoseObservation> observationOf(const LineFit& fit, const FieldFeatures& field,
                                              double headSpeed, const LineUpdateParams& params);
 

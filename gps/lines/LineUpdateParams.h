@@ -16,9 +16,9 @@ enum class LineCombine : std::uint8_t { separate, joint };
 struct LineUpdateParams {
   bool use = true;
   LineCombine combine = LineCombine::separate;
-  std::uint32_t minPoints = 8;     // of painted lines in a frame; facts-2005 section 5 has 8
+  std::uint32_t minPoints = 8;     // of painted lines in a frame; facts-2005 section 5.2 has 8
   std::uint32_t maxPoints = 40;    // of lines that are used, spread evenly over those seen
-  double sharpness = 0.004;        // 1/cm2, S of thesis equation 3.2: a match of 0.5 at 16 cm
+  double sharpness = 0.004;        // 1/cm2, S of thesis 2004 equation 3.2: a match of 0.5 at 16 cm
   double coarseShare = 0.125;      // of the sharpness, for the first steps of an unsure mode
   double coarseAbove = 12.0;       // cm, sd of a mode from which these are made
   std::uint32_t maxSteps = 8;      // of the maximiser
@@ -28,10 +28,10 @@ struct LineUpdateParams {
   double correlation = 10.0;       // how many points of how many frames share their error
   double floorSd = 2.0;            // cm, of a pose from lines, whatever their number
   Angle floorHeadingSd = Angle::deg(1);
-  double match = 0.5;           // least match with a still head is match + matchStill (3.22)
-  double matchStill = 0.3;      // and falls with the head's speed
-  double headSpeed = 50.0;      // 1/rad a frame, of equations 3.22 and 3.23
-  double offField = 0.02;       // 1/cm2, of equation 3.21
+  double match = 0.5;           // least match with a still head is match + matchStill (thesis 2004
+  double matchStill = 0.3;      // equation 3.22) and falls with the head's speed
+  double headSpeed = 50.0;      // 1/rad a frame, of thesis 2004 equations 3.22 and 3.23
+  double offField = 0.02;       // 1/cm2, of thesis 2004 equation 3.21
   double outlierWeight = 0.05;  // of the copy that the lines do not correct
   double refusedWeight = 0.5;   // of a mode whose lines do not match anything
   double minWeight = 0.02;      // of the heaviest; lighter modes are not fitted

@@ -32,8 +32,8 @@ Point2<Field> middlePoint(const SeenLines& seen, const Pose2& pose);
 bool isInWindow(const PaintedFeature& feature, Point2<Field> point, const SymmetryParams& params);
 
 // Poses that the view cannot tell from the fitted one, with its information turned; the twin is
-// always tried. Each has its own match (equation 3.20), those below `LineUpdateParams::match` are
-// left out; best first.
+// always tried. Each has its own match (thesis 2004 equation 3.20), those below
+// `LineUpdateParams::match` are left out; best first.
 struct AmbiguousPose {
   Pose2 pose;
   double match = 0.0;

@@ -35,7 +35,7 @@ FixedVector<PoseMode, kMaxAmbiguousPoses> symmetricModes(const SeenLines& seen,
                                                          const Modes& modes) {
   FixedVector<PoseMode, kMaxAmbiguousPoses> symmetric;
   if (!params.symmetry.use) return symmetric;
-  LineUpdateParams lines = params.update;  // equation 3.20: worse matches are left out
+  LineUpdateParams lines = params.update;  // thesis 2004 equation 3.20: worse matches are left out
   lines.match += lines.matchStill / (1.0 + lines.headSpeed * seen.headSpeed);
   LineFit fit;
   fit.pose = found.pose;

@@ -15,7 +15,7 @@ namespace kelpie::gps {
 // The search over the whole field by what a standing robot has seen around it (thesis 2004 section
 // 4.1.4, "one time edge localise"), spread over frames so that no frame is dropped.
 struct PinkPoseSearchParams {
-  double surveySeconds = 5.0;  // of looking round before the first search (thesis 4.1.4)
+  double surveySeconds = 5.0;  // of looking round before the first search (thesis 2004 4.1.4)
   double againSeconds = 2.5;   // more of it before the next, while no pose is sure
   double keepSeconds = 25.0;   // of looking round, once around and a little; then it is restarted
   double cell = 8.0;           // cm, one line point is kept in each

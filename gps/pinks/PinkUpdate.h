@@ -14,9 +14,9 @@ namespace kelpie::gps {
 // Mapped patches of enough weight to be believed.
 PinkLandmarks knownPinks(const PinkState& state, const PinkMapParams& params);
 
-// One sighting. A corrected mode weighs w S / N (equation 2.9, equal priors), the uncorrected copy
-// w times modes.outlierWeight. A mode does not take a mapped patch at which the elevation cannot
-// be. Call mergeAndPrune() afterwards. False without a map.
+// One sighting. A corrected mode weighs w S / N (thesis 2004 equation 2.9, equal priors), the
+// uncorrected copy w times modes.outlierWeight. A mode does not take a mapped patch at which the
+// elevation cannot be. Call mergeAndPrune() afterwards. False without a map.
 bool updateByPink(const PinkBearing& bearing, const PinkContext& context, PinkState& pinks,
                   Modes& modes);
 

@@ -18,7 +18,7 @@ constexpr double kMaxDistance = 1000.0;  // cm, of a sighting
 
 using Filters = std::array<OpponentFilter, kOpponents>;
 
-// The opponents' likely places, for filters that know nothing (facts-2005 section 5).
+// The opponents' likely places, for filters that know nothing (facts-2005 section 5.4).
 Place startPlace(std::size_t index, const PlayersContext& context) {
   const double w = context.field.width;
   const double l = context.field.length;
@@ -33,7 +33,7 @@ void forget(std::size_t index, const PlayersContext& context, Filters& filters) 
   filters[index].belief = informationOf(startPlace(index, context));
 }
 
-// Equation 2.15, kept as printed (checklist H08): sqrt(C00^2 + C11^2).
+// Thesis 2004 equation 2.15, kept as printed (checklist H08): sqrt(C00^2 + C11^2).
 double vagueness(const OpponentFilter& filter) {
   const Place place = placeOf(filter.belief);
   return maths::hypot(place.covariance(0, 0), place.covariance(1, 1));
@@ -123,8 +123,8 @@ bool nearField(const Place& place, const PlayersContext& context) {
          place.mean(1) > -margin && place.mean(1) < context.field.length + margin;
 }
 
-// The filter that this sighting is of: nearest in angle (equation 2.14) among those whose distance
-// does not contradict it. -1: none.
+// The filter that this sighting is of: nearest in angle (thesis 2004 equation 2.14) among those
+// whose distance does not contradict it. -1: none.
 int matchByAngle(const Place& seen, Angle heading, const Pose2& pose, const OpponentParams& p,
                  const Filters& filters) {
   int best = -1;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What can be tuned in the beliefs about the team's ball, the opponents and the team mates. Numbers
-// of thesis 2004 section 2.3 and facts-2005 section 5 where they state them, else ours.
+// of thesis 2004 section 2.3 and facts-2005 section 5.4 where they state them, else ours.
 #pragma once
 
 #include "gps/players/ObstacleMapParams.h"
@@ -28,7 +28,7 @@ struct TeamBallParams {
 struct OpponentParams {
   Angle angleGate = Angle::deg(15.0);  // between sighting and filter (checklist U17)
   double matchGate = 3.5;              // standard deviations; 0: by the angle alone, as the thesis
-  double startVariance = 2500.0;       // cm2 (facts-2005 section 5)
+  double startVariance = 2500.0;       // cm2 (facts-2005 section 5.4)
   double walkNoise = 400.0;            // cm2/s, how opponents walk about
   double missedNoise = 3000.0;         // cm2/s more when it should be in the image and is not
   double missedReach = 150.0;          // cm; farther ones are often overlooked

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What can be tuned in the filter of the pose. Defaults come from thesis 2004 chapter 2 where it
-// states numbers, else from a working filter (facts-2005 section 5), else they are ours.
+// states numbers, else from a working filter (facts-2005 section 5.1), else they are ours.
 #pragma once
 
 #include <cstdint>

@@ -2,7 +2,7 @@
 // Walking while something holds the robot (thesis 2004 section 2.2.4, checklist U09): legs that
 // work harder than free walking needs get less far, and it is unknown how far. Keeps how much of
 // the way is thought lost, and whether the field lines are to be left out for a while afterwards
-// (section 5.1). Fails where the feet slip instead of stalling: then nothing is felt.
+// (thesis 2004 section 5.1). Fails where the feet slip instead of stalling: then nothing is felt.
 #pragma once
 
 #include "gps/pose/PoseState.h"

@@ -8,7 +8,7 @@
 
 namespace kelpie::gps {
 
-// Learned in the simulated body by `kelpie evaluate stuck` (docs/experiments.md); a robot needs its
+// Learned in the simulated body by `kelpie evaluate stuck` (docs/results.md); a robot needs its
 // own: what duty its motors show depends on their wear and on the carpet.
 struct StuckParams {
   bool use = true;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a robot at a known pose would see and feel: percepts and odometry made from the truth with
-// the errors that vision and the walk were measured to have (docs/experiments.md). Without images,
+// the errors that vision and the walk were measured to have (docs/results.md). Without images,
 // so that thousands of seconds cost little. The truth uses the C library's trigonometry and a
 // geometry of its own, not the code under test. Fails where errors hang together in other ways than
 // these: nothing hides anything, and no percept is of another object than it says, unless falsify()

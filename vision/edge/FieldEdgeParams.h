@@ -19,7 +19,7 @@ struct HorizonScanParams {
 };
 
 struct FieldEdgeParams {
-  double window = 8;            // px of a scan line that must be green below the edge, U01
+  double window = 8;            // px of a scan line, green below the edge (checklist U01)
   double minGreen = 0.75;       // share of green in it
   double doubtfulWeight = 0.5;  // of a feature below goal colours or white
   double tolerance = 2.25;      // px, of an inlier; the noise is 0.4 px, in checklist E4 1 px

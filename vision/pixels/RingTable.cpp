@@ -51,7 +51,7 @@ double ringDistort(const RingChannel& c, double value, double distance) {
   return gain(c, distance) * value + offset(c, distance);
 }
 
-// Equation 2.3; its printed a_Y in the denominator is the distance (checklist G02).
+// Thesis 2006 equation 2.3; its printed a_Y in the denominator is the distance (checklist G02).
 double ringCorrect(const RingChannel& c, double value, double distance) {
   return (value - offset(c, distance)) / gain(c, distance);
 }

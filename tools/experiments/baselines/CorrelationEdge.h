@@ -27,7 +27,7 @@ struct CorrelationParams {
 struct SlopeLine {
   double slope = 0.0;
   double offset = 0.0;  // row at x = 0
-  double r = 0.0;       // equation 3.4
+  double r = 0.0;       // thesis 2006 equation 3.4
 };
 
 SlopeLine regression(const vision::EdgeFeatures& points);

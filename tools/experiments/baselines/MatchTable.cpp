@@ -50,8 +50,8 @@ MatchValue MatchTable::at(Point2<Field> p, Interpolation interpolation) const {
   return interpolation == Interpolation::thesis ? thesis(x, y) : bilinear(x, y);
 }
 
-// Equations 3.4 to 3.10: the value is linear towards the nearer neighbours, the slope that of a
-// parabola through three cells.
+// Thesis 2004 equations 3.4 to 3.10: the value is linear towards the nearer neighbours, the slope
+// that of a parabola through three cells.
 MatchValue MatchTable::thesis(double x, double y) const {
   const int i = static_cast<int>(x + 0.5);
   const int j = static_cast<int>(y + 0.5);

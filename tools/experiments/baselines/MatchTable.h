@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The thesis' own way to the lines (2004 sections 3.2 and 3.3), kept as the baseline to compare
-// with: a table of the match value at the centre of every 2 cm cell, read by its interpolation or
-// bilinearly, and the ascent along the match's gradient. Takes 4 B a cell (2006 field, lines and
-// carpet: 1.4 MB) and is not used in the frame loop.
+// The thesis' own way to the lines (thesis 2004 sections 3.2 and 3.3), kept as a baseline: a table
+// of the match value at the centre of every 2 cm cell, read by its interpolation or bilinearly, and
+// the ascent along the match's gradient. Takes 4 B a cell (2006 field, lines and carpet: 1.4 MB)
+// and is not used in the frame loop.
 #pragma once
 
 #include <vector>
@@ -63,7 +63,7 @@ struct OverallMatch {
   Vector3 slope = Vector3::Zero();  // 1/cm, 1/cm, 1/rad
 };
 
-// Equations 3.13 to 3.17: the product of both kinds' weighted means.
+// Thesis 2004 equations 3.13 to 3.17: the product of both kinds' weighted means.
 OverallMatch overallMatch(const SeenLines& seen, const Pose2& pose, const MatchTables& tables,
                           Interpolation interpolation);
 
