@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "tools/sim/Artefacts.h"
+#include "vision/pixels/RingTable.h"
 
 namespace kelpie::sim {
 namespace {
@@ -24,7 +25,7 @@ std::unique_ptr<Image> sheet(const ArtefactParams& params, std::array<float, 3> 
   for (std::size_t c = 0; c < 3; ++c) raw->plane[c].fill(colour[c]);
   auto image = std::make_unique<Image>();
   Random random(5);
-  Artefacts(params, shift).apply(*raw, random, *image);
+  Artefacts(params, {shift, kMiddleCentres}).apply(*raw, random, *image);
   return image;
 }
 
@@ -59,6 +60,85 @@ TEST(Artefacts, CoefficientsAreThePublishedOnes) {
       EXPECT_NEAR(ringValue(c, 99, d), expected, 1e-9);
     }
   }
+}
+
+RobotCamera offCentre() {
+  RobotCamera robot;
+  robot.centres = {PixelPoint{116.0, 70.0}, {104.0, 92.0}, {95.0, 80.0}};
+  return robot;
+}
+
+std::unique_ptr<Image> sheetOf(const ArtefactParams& params, const RobotCamera& robot) {
+  auto raw = std::make_unique<RawImage>();
+  raw->plane[0].fill(200.0F);
+  for (std::size_t c = 1; c < 3; ++c) raw->plane[c].fill(128.0F);
+  auto image = std::make_unique<Image>();
+  Random random(5);
+  Artefacts(params, robot).apply(*raw, random, *image);
+  return image;
+}
+
+TEST(Artefacts, EachChannelHasItsRingAboutItsOwnCentre) {
+  const RobotCamera robot = offCentre();
+  const auto image = sheetOf(only(true, false), robot);
+  for (int py = 0; py < kImageHeight; py += 7)
+    for (int px = 0; px < kImageWidth; px += 7) {
+      const Yuv value = image->pixel(px, py);
+      const std::array<int, 3> seen{value.y, value.cr, value.cb};
+      for (std::size_t c = 0; c < 3; ++c) {
+        const double d = std::hypot(px + 0.5 - robot.centres[c].x, py + 0.5 - robot.centres[c].y);
+        EXPECT_NEAR(seen[c], ringValue(c, c == 0 ? 200 : 128, d), 0.51) << px << " " << py;
+      }
+    }
+}
+
+TEST(Artefacts, WithoutCentresEveryRingIsCentredOnTheImage) {
+  ArtefactParams params = only(true, false);
+  params.centres = false;
+  const auto image = sheetOf(params, offCentre());
+  const auto centred = sheetOf(params, {});
+  EXPECT_TRUE(image->y == centred->y && image->cr == centred->cr && image->cb == centred->cb);
+  EXPECT_EQ(image->pixel(0, 0).y, image->pixel(207, 159).y);
+}
+
+// facts-2005 section 3: optical centre columns Y 110, Cr 105, Cb 97.
+TEST(Artefacts, RobotsHaveTheCentresOf2005OnAverageAndTheSpreadAskedFor) {
+  constexpr int kRobots = 4000;
+  constexpr std::array<double, 3> kColumns{110.0, 105.0, 97.0};
+  Random random(9);
+  std::array<double, 3> column{}, row{}, squares{};
+  for (int i = 0; i < kRobots; ++i) {
+    const RingCentres centres = randomCentres(random, 2.0);
+    for (std::size_t c = 0; c < 3; ++c) {
+      column[c] += centres[c].x / kRobots;
+      row[c] += centres[c].y / kRobots;
+      squares[c] += (centres[c].y - 80.0) * (centres[c].y - 80.0) / kRobots;
+    }
+  }
+  for (std::size_t c = 0; c < 3; ++c) {
+    EXPECT_NEAR(column[c], kColumns[c], 0.15);
+    EXPECT_NEAR(row[c], 80.0, 0.15);
+    EXPECT_NEAR(std::sqrt(squares[c]), 2.0, 0.1);
+    EXPECT_EQ(randomCentres(random, 0.0)[c].x, kColumns[c]);
+  }
+}
+
+TEST(Artefacts, NoCentreIsFartherOffThanARingTableCanCorrect) {
+  Random random(10);
+  for (int i = 0; i < 500; ++i)
+    for (const PixelPoint centre : randomCentres(random, 6.0)) {
+      EXPECT_LE(std::fabs(centre.x - kImageMiddle.x), vision::kMaxCentreOffset);
+      EXPECT_LE(std::fabs(centre.y - kImageMiddle.y), vision::kMaxCentreOffset);
+    }
+}
+
+TEST(Artefacts, ARobotsCameraComesFromItsSeed) {
+  Random one(3), same(3), other(4);
+  const RobotCamera camera = randomCamera(one, {});
+  const RobotCamera again = randomCamera(same, {});
+  EXPECT_EQ(camera.shift.gain, again.shift.gain);
+  EXPECT_EQ(camera.centres[2].x, again.centres[2].x);
+  EXPECT_NE(camera.centres[2].x, randomCamera(other, {}).centres[2].x);
 }
 
 TEST(Artefacts, NoiseHasItsSpread) {

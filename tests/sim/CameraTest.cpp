@@ -37,7 +37,7 @@ Scene match() {
 std::unique_ptr<Image> rendered(const Scene& scene, const ColumnCameras& columns,
                                 const CameraParams& params, std::uint64_t seed = 3) {
   Random random(seed);
-  const auto camera = std::make_unique<Camera>(params, randomShift(random));
+  const auto camera = std::make_unique<Camera>(params, randomCamera(random, {}));
   auto image = std::make_unique<Image>();
   camera->render(scene, columns, random, *image);
   return image;

@@ -112,6 +112,36 @@ TEST(Resistance, WeakLegsTurnAboutHalfAsFar) {
   EXPECT_NEAR(turned(weak) / turned(strong), 0.5, 0.1);
 }
 
+// Of two seconds' messages, those in which a front paw is pressed though its leg swings.
+int pressedWhileSwinging(WalkingBody& body, const WalkRequest& walk) {
+  Command command;
+  command.walk = walk;
+  int count = 0;
+  for (int i = 0; i < 60; ++i) {
+    body.step(command);
+    const SensorFrame& now = body.world().sensors(0).back();
+    for (const LegId leg : {LegId::leftFront, LegId::rightFront})
+      count += now.paw[index(leg)] && !body.world().robot(0).onGround()[index(leg)] ? 1 : 0;
+  }
+  return count;
+}
+
+TEST(Resistance, APawThatSwingsIntoAWallIsPressed) {
+  WalkingBody free(5);
+  WalkingBody blocked(5);
+  ASSERT_TRUE(blocked.world().carry(0, {{130.0, 550.0}, Angle::deg(0.0)}));
+  EXPECT_EQ(pressedWhileSwinging(free, kAhead), 0);
+  EXPECT_GT(pressedWhileSwinging(blocked, kAhead), 4);
+}
+
+TEST(Resistance, ALiftedRobotWalksInTheAir) {
+  WalkingBody body(6);
+  ASSERT_TRUE(body.world().lift(0, 5.0));
+  EXPECT_EQ(walked(body, kAhead).cm, 0.0);
+  ASSERT_TRUE(body.world().lift(0, 0.0));
+  EXPECT_GT(walked(body, kAhead).cm, 20.0);
+}
+
 TEST(Resistance, TwoRobotsThatPushEachOtherGiveWayAlike) {
   const auto field = *body::fieldDescription("2006");
   sim::Setup setup;

@@ -145,19 +145,5 @@ TEST(RobotModel, ServosAreLateAndLimited) {
   EXPECT_NEAR(robot.place().joints[Joint::headPan].deg(), 60.0, 0.01);
 }
 
-TEST(RobotModel, KneeIsALowerLegAwayFromTheFoot) {
-  Random random(2);
-  for (int i = 0; i < 50; ++i) {
-    for (const LegId leg : {LegId::leftFront, LegId::leftHind, LegId::rightFront}) {
-      const body::LegAngles angles{Angle::deg(random.uniform(-60, 60)),
-                                   Angle::deg(random.uniform(-5, 60)),
-                                   Angle::deg(random.uniform(0, 90))};
-      const Point3<Torso> d = body::footPosition(leg, angles) - kneePosition(leg, angles);
-      const double length = leg == LegId::leftHind ? 8.314 : 7.736;
-      EXPECT_NEAR(std::sqrt(d.x * d.x + d.y * d.y + d.z * d.z), length, 1e-9);
-    }
-  }
-}
-
 }  // namespace
 }  // namespace kelpie::sim

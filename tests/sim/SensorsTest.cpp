@@ -52,5 +52,80 @@ TEST(Sensors, FrameIsInsideItsRanges) {
   }
 }
 
+// A robot that a hand holds a finger's breadth above the ground, so that only what its paws push
+// into can press them. It lies on its belly and looks up the field.
+struct Hanging : Place {
+  Hanging() {
+    robots[0].lift(1.0);
+    robots[0].tick();
+  }
+  std::array<bool, kLegCount> paws() {
+    Random random(1);
+    return sense(around(), {}, random).paw;
+  }
+  Point2<Field> paw(LegId leg, std::size_t robot = 0) const {
+    const FieldPoint3 p = bodyParts(robots[robot].place())[index(leg)].centre;
+    return {p.x, p.y};
+  }
+  void wall(Point2<Field> a, Point2<Field> b) { obstacles.push_back({a, b, 0.6}); }
+};
+
+using Paws = std::array<bool, kLegCount>;
+constexpr Paws kNone{};
+constexpr Paws kLeft{true, false, false, false};
+constexpr Paws kRight{false, false, true, false};
+constexpr Paws kBothFront{true, false, true, false};
+
+TEST(Sensors, PawsInTheAirFeelNothing) { EXPECT_EQ(Hanging().paws(), kNone); }
+
+TEST(Sensors, APawFeelsAGoalPost) {
+  Hanging place;
+  const Point2<Field> paw = place.paw(LegId::leftFront);
+  place.obstacles.push_back({paw + Point2<Field>{0.0, 2.0}, paw + Point2<Field>{0.0, 2.0}, 1.0});
+  EXPECT_EQ(place.paws(), kLeft);
+}
+
+TEST(Sensors, APostJustOutOfReachIsNotFelt) {
+  Hanging place;
+  const Point2<Field> beyond = place.paw(LegId::leftFront) + Point2<Field>{0.0, 2.7};
+  place.obstacles.push_back({beyond, beyond, 1.0});
+  EXPECT_EQ(place.paws(), kNone);
+}
+
+// The three cases of checklist A-4.3.3.1: left, right, both.
+TEST(Sensors, AWallIsFeltByThePawsThatReachIt) {
+  Hanging ahead, left, right;
+  const double front = ahead.paw(LegId::leftFront).y + 1.8;
+  ahead.wall({100.0, front}, {260.0, front});
+  EXPECT_EQ(ahead.paws(), kBothFront);
+  const double side = left.paw(LegId::leftFront).x - 1.8;
+  left.wall({side, 195.0}, {side, 300.0});
+  EXPECT_EQ(left.paws(), kLeft);
+  const double other = right.paw(LegId::rightFront).x + 1.8;
+  right.wall({other, 195.0}, {other, 300.0});
+  EXPECT_EQ(right.paws(), kRight);
+}
+
+TEST(Sensors, APawFeelsAnotherRobotsLeg) {
+  Hanging place;
+  place.robots.emplace_back(RobotParams{}, Pose2{{180.0, 212.0}, Angle::deg(-90.0)}, 1);
+  EXPECT_EQ(place.paws(), kNone);
+  const double gap = place.paw(LegId::rightFront, 1).y - place.paw(LegId::leftFront).y;
+  place.robots[1].push({0.0, 2.5 - gap});
+  EXPECT_EQ(place.paws(), kBothFront);
+}
+
+TEST(Sensors, FingersPressHeadBackAndChin) {
+  Place place;
+  Random random(1);
+  SensorFrame frame = sense(place.around(), {}, random);
+  EXPECT_EQ(frame.headTouch, 0.0);
+  EXPECT_FALSE(frame.back[0] || frame.back[1] || frame.back[2] || frame.chin);
+  place.robots[0].touch({42.0, {true, false, true}, true});
+  frame = sense(place.around(), {}, random);
+  EXPECT_EQ(frame.headTouch, 42.0);
+  EXPECT_TRUE(frame.back[0] && !frame.back[1] && frame.back[2] && frame.chin);
+}
+
 }  // namespace
 }  // namespace kelpie::sim

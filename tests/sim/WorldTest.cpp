@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
+#include <memory>
 
 #include "tools/sim/World.h"
 
@@ -50,6 +52,111 @@ TEST(World, APlaceThatNoRobotCanStandOnIsRefused) {
   EXPECT_FALSE(place.world.carry(0, {{-200.0, 100.0}, Angle()}));
   EXPECT_FALSE(place.world.carry(0, {{100.0, 1000.0}, Angle()}));
   EXPECT_NEAR(distance(place.truth(place.world.time()).position, before.position), 0.0, 1e-9);
+}
+
+const SensorFrame& felt(const Place& place) { return place.world.sensors(0).back(); }
+
+TEST(World, ALiftedRobotFeelsTheHandAndNoGround) {
+  Place place;
+  EXPECT_FALSE(felt(place).back[1]);
+  EXPECT_TRUE(felt(place).paw[0]);
+  const double height = place.world.truth(place.world.time()).robots[0].stance.shoulderHeight;
+  ASSERT_TRUE(place.world.lift(0, 12.0));
+  for (int i = 0; i < 8; ++i) place.world.tick();
+  EXPECT_TRUE(felt(place).back[1]);
+  for (const bool paw : felt(place).paw) EXPECT_FALSE(paw);
+  EXPECT_NEAR(place.world.truth(place.world.time()).robots[0].stance.shoulderHeight, height + 12.0,
+              1e-9);
+  ASSERT_TRUE(place.world.lift(0, 0.0));
+  place.world.tick();
+  EXPECT_FALSE(felt(place).back[1]);
+  EXPECT_TRUE(felt(place).paw[0]);
+}
+
+TEST(World, ACarriedRobotFeelsTheHandForAFifthOfASecond) {
+  Place place;
+  ASSERT_TRUE(place.world.carry(0, {{100.0, 100.0}, Angle()}));
+  place.world.tick();
+  EXPECT_TRUE(felt(place).back[1]);
+  for (int i = 0; i < 25; ++i) place.world.tick();
+  EXPECT_FALSE(felt(place).back[1]);
+}
+
+TEST(World, TouchesReachTheSensorsUntilTheNextCall) {
+  Place place;
+  ASSERT_TRUE(place.world.touch(0, {30.0, {false, false, true}, false}));
+  place.world.tick();
+  EXPECT_EQ(felt(place).headTouch, 30.0);
+  EXPECT_TRUE(felt(place).back[2]);
+  ASSERT_TRUE(place.world.touch(0, {}));
+  place.world.tick();
+  EXPECT_EQ(felt(place).headTouch, 0.0);
+}
+
+TEST(World, LiftsAndTouchesThatCannotBeAreRefused) {
+  Place place;
+  EXPECT_FALSE(place.world.lift(1, 5.0));
+  EXPECT_FALSE(place.world.lift(0, -1.0));
+  EXPECT_FALSE(place.world.lift(0, 16.0));
+  EXPECT_FALSE(place.world.lift(0, std::nan("")));
+  EXPECT_FALSE(place.world.touch(1, {}));
+  EXPECT_FALSE(place.world.touch(0, {81.0, {}, false}));
+  EXPECT_FALSE(place.world.touch(0, {std::nan(""), {}, false}));
+}
+
+// Legs that stand, the head as asked for.
+JointAngles standing(double tilt, double pan, double nod) {
+  const Stance stance{10.0, Angle::deg(10.0)};
+  JointAngles joints;
+  setFrontFeet(joints, stance, {Point2<Robot>{-9.5, 4.0}, {9.5, 0.0}});
+  for (const LegId leg : {LegId::leftHind, LegId::rightHind}) {
+    const double side = leg == LegId::leftHind ? -10.0 : 10.0;
+    const auto foot = body::torsoFromRobot(stance, {side, -13.0, 0.0});
+    body::setLegAngles(joints, leg, body::reachFoot(leg, foot).angles);
+  }
+  joints[Joint::neckTilt] = Angle::deg(tilt);
+  joints[Joint::headPan] = Angle::deg(pan);
+  joints[Joint::headNod] = Angle::deg(nod);
+  return joints;
+}
+
+// What the first of two red robots sees after half a second, the other 65 cm before it.
+std::unique_ptr<Image> seen(const WorldParams& params, const JointAngles& joints) {
+  Setup setup;
+  setup.players.push_back({TeamColour::red, 1, {{180.0, 200.0}, Angle::deg(90.0)}});
+  setup.players.push_back({TeamColour::red, 2, {{186.0, 265.0}, Angle::deg(0.0)}});
+  setup.ball = {20.0, 20.0};
+  World world(params, *body::fieldDescription("2006"), setup, 5);
+  host::AgentReply reply;
+  reply.motorPower = true;
+  reply.gains = (1U << kJointCount) - 1U;
+  host::EffectorVector vector;
+  vector.ticks = 1;
+  vector.joints = reply.gains;
+  vector.targets[0] = joints;
+  reply.vectors.push_back(vector);
+  world.robot(0).command(reply);
+  for (int i = 0; i < 60; ++i) world.tick();
+  auto image = std::make_unique<Image>();
+  world.render(0, world.time(), *image);
+  return image;
+}
+
+bool same(const Image& a, const Image& b) { return a.y == b.y && a.cr == b.cr && a.cb == b.cb; }
+
+TEST(World, ShineCentresAndOwnLegsCanEachBeLeftOut) {
+  const JointAngles ahead = standing(-10, 0, 0);
+  const JointAngles down = standing(-75, 45, -10);
+  const auto before = seen({}, ahead);
+  EXPECT_TRUE(same(*before, *seen({}, ahead)));
+  WorldParams matt, centred, blind;
+  matt.shine.on = false;
+  centred.camera.artefacts.centres = false;
+  blind.ownLegs = false;
+  EXPECT_FALSE(same(*before, *seen(matt, ahead)));
+  EXPECT_FALSE(same(*before, *seen(centred, ahead)));
+  EXPECT_TRUE(same(*before, *seen(blind, ahead)));
+  EXPECT_FALSE(same(*seen({}, down), *seen(blind, down)));
 }
 
 }  // namespace

@@ -271,3 +271,11 @@ def test_a_field_of_other_sizes_is_a_file_of_parameters(match, tmp_path):
     assert result.returncode == 1 and "differ" in result.stdout  # it believes in another field
     params.write_text("[field]\nbreadth = '300cm'\n")
     assert "unknown key field.breadth" in complaint(kelpie("replay", match, "--params", params))
+
+
+def test_every_artefact_can_be_left_out_by_its_name(tmp_path):
+    result = kelpie("play", "--seconds", "1", "--no-film", "--out", tmp_path, "--without", "ring",
+                    "centres", "noise", "shift", "rolling", "blur", "shine", "own-legs",
+                    "spectators")
+    assert result.returncode == 1, result.stderr  # nobody scores in a second
+    assert (tmp_path / "match.mcap").exists(), result.stderr

@@ -204,7 +204,8 @@ void addPlay(CLI::App& app, int& code) {
   command->add_option("--drop-rate", session.dropRate, "Share of images lost on the way")
       ->check(inRange(0.0, 1.0));
   command->add_option("--without", session.artefactsOff, "Camera artefacts switched off")
-      ->check(CLI::IsMember({"ring", "noise", "shift", "rolling", "blur", "spectators"}));
+      ->check(CLI::IsMember({"ring", "centres", "noise", "shift", "rolling", "blur", "shine",
+                             "own-legs", "spectators"}));
   command
       ->add_option("--images", options->images,
                    "Which images the log keeps: some (all of the first 20 s, then one in 5 s; the "

@@ -22,7 +22,7 @@ struct SessionOptions {
   std::vector<std::string> params;  // TOML files, general to specific
   std::string colourTable;          // file; empty: the built-in one
   std::string ring = "2006";
-  std::vector<std::string> artefactsOff;  // of ring, noise, shift, rolling, blur, spectators
+  std::vector<std::string> artefactsOff;  // of kelpie-world's --no-...
   std::string log;                        // where the merged log goes; empty: none is kept
   bool allImages = false;                 // the log keeps every image (Logs.h)
   bool realTime = false;                  // no faster than a clock

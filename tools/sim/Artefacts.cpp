@@ -37,13 +37,33 @@ ColourShift randomShift(Random& random) {
   return shift;
 }
 
+RingCentres randomCentres(Random& random, double sd) {
+  constexpr RingCentres kMean{PixelPoint{110.0, 80.0}, {105.0, 80.0}, {97.0, 80.0}};
+  constexpr double kFarthest = 12.0;  // px off the middle; vision's ring tables reach that far
+  RingCentres centres;
+  for (std::size_t c = 0; c < centres.size(); ++c) {
+    const double right = kMean[c].x - kImageMiddle.x + random.gaussian(0.0, sd);
+    const double below = kMean[c].y - kImageMiddle.y + random.gaussian(0.0, sd);
+    centres[c] = {kImageMiddle.x + maths::clamp(right, -kFarthest, kFarthest),
+                  kImageMiddle.y + maths::clamp(below, -kFarthest, kFarthest)};
+  }
+  return centres;
+}
+
+RobotCamera randomCamera(Random& random, const ArtefactParams& params) {
+  RobotCamera camera;
+  camera.shift = randomShift(random);
+  camera.centres = randomCentres(random, params.centreSd);
+  return camera;
+}
+
 double ringValue(std::size_t channel, double value, double distance) {
   const Polynomial& p = kRing[channel];
   return ringGain(p, distance) * value + ringOffset(p, distance);
 }
 
-Artefacts::Artefacts(const ArtefactParams& params, const ColourShift& shift)
-    : params_(params), shift_(shift), previous_(2 * kRows) {
+Artefacts::Artefacts(const ArtefactParams& params, const RobotCamera& robot)
+    : params_(params), robot_(robot), previous_(2 * kRows) {
   prepareGains();
   prepareNoise();
 }
@@ -52,12 +72,13 @@ void Artefacts::prepareGains() {
   for (std::size_t c = 0; c < 3; ++c) {
     gain_[c].resize(kImagePixels);
     offset_[c].resize(kImagePixels);
-    const double own = params_.shift ? shift_.gain[c] : 1.0;
-    const double add = params_.shift ? shift_.offset[c] : 0.0;
+    const double own = params_.shift ? robot_.shift.gain[c] : 1.0;
+    const double add = params_.shift ? robot_.shift.offset[c] : 0.0;
+    const PixelPoint centre = params_.centres ? robot_.centres[c] : kImageMiddle;
     for (std::size_t i = 0; i < kImagePixels; ++i) {
       const std::size_t column = i / kRows;
-      const double dx = static_cast<double>(column) + 0.5 - 0.5 * kImageWidth;
-      const double dy = static_cast<double>(i % kRows) + 0.5 - 0.5 * kImageHeight;
+      const double dx = static_cast<double>(column) + 0.5 - centre.x;
+      const double dy = static_cast<double>(i % kRows) + 0.5 - centre.y;
       const double d = params_.ring ? maths::hypot(dx, dy) : 0.0;
       const double ring = ringGain(kRing[c], d);
       gain_[c][i] = static_cast<float>(ring * own);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "robot/core/Fields.h"
+#include "robot/core/Geometry.h"
 #include "robot/core/Image.h"
 #include "robot/core/Random.h"
 
@@ -30,21 +31,37 @@ struct ColourShift {
   }
 };
 
+// Where each channel's ring effect is centred: Y, Cr, Cb.
+constexpr PixelPoint kImageMiddle{0.5 * kImageWidth, 0.5 * kImageHeight};
+using RingCentres = std::array<PixelPoint, 3>;
+constexpr RingCentres kMiddleCentres{kImageMiddle, kImageMiddle, kImageMiddle};
+
+// What a robot's camera has for itself.
+struct RobotCamera {
+  ColourShift shift;
+  RingCentres centres = kMiddleCentres;
+};
+
 struct ArtefactParams {
   bool ring = true;
+  bool centres = true;  // off: every ring is centred on the image
   bool noise = true;
   bool blur = true;
   bool shift = true;
   double noiseSdY = 2.5;       // grey levels
   double noiseSdChroma = 2.0;  // grey levels
   double blurShare = 0.08;     // of each of the four neighbours
+  double centreSd = 2.0;       // px, of a robot's ring centres about those of 2005 [chosen]
 
   static constexpr auto fields() {
-    return fieldList(field("ring", &ArtefactParams::ring), field("noise", &ArtefactParams::noise),
-                     field("blur", &ArtefactParams::blur), field("shift", &ArtefactParams::shift),
+    return fieldList(field("ring", &ArtefactParams::ring),
+                     field("centres", &ArtefactParams::centres),
+                     field("noise", &ArtefactParams::noise), field("blur", &ArtefactParams::blur),
+                     field("shift", &ArtefactParams::shift),
                      field("noiseSdY", &ArtefactParams::noiseSdY, "levels", 0, 20),
                      field("noiseSdChroma", &ArtefactParams::noiseSdChroma, "levels", 0, 20),
-                     field("blurShare", &ArtefactParams::blurShare, "", 0, 0.2));
+                     field("blurShare", &ArtefactParams::blurShare, "", 0, 0.2),
+                     field("centreSd", &ArtefactParams::centreSd, "px", 0, 6));
   }
 };
 
@@ -52,13 +69,20 @@ struct ArtefactParams {
 // There chroma turns about 128, because grey stays grey.
 ColourShift randomShift(Random& random);
 
+// Ring centres of a robot drawn at random. Those of the correction of 2005 lay in columns 110 (Y),
+// 105 (Cr) and 97 (Cb) of the middle row (facts-2005 section 3); how much robots differ is not
+// known, so `sd` is a guess.
+RingCentres randomCentres(Random& random, double sd);
+
+RobotCamera randomCamera(Random& random, const ArtefactParams& params);
+
 // Value after the ring effect: the published forward polynomial (thesis 2006 equations 2.1 and 2.2,
-// checklist A-2.3.2.6) for channel 0 Y, 1 Cr, 2 Cb at `distance` px from the image centre.
+// checklist A-2.3.2.6) for channel 0 Y, 1 Cr, 2 Cb at `distance` px from the channel's centre.
 double ringValue(std::size_t channel, double value, double distance);
 
 class Artefacts {
  public:
-  Artefacts(const ArtefactParams& params, const ColourShift& shift);
+  Artefacts(const ArtefactParams& params, const RobotCamera& robot);
 
   // Makes bytes of the raw image, which is used up.
   void apply(RawImage& raw, Random& random, Image& image);
@@ -71,7 +95,7 @@ class Artefacts {
               Image::Plane& out) const;
 
   ArtefactParams params_;
-  ColourShift shift_;
+  RobotCamera robot_;
   // Ring effect and shift together are linear in the value: gain and offset for each pixel.
   std::array<std::vector<float>, 3> gain_;
   std::array<std::vector<float>, 3> offset_;

@@ -44,6 +44,18 @@ double radiusOf(const Quad& quad) {
          maths::hypot(quad.corner[2].x - quad.corner[0].x, quad.corner[2].y - quad.corner[0].y);
 }
 
+// Whether a sphere touches the cone round the image's corners, 34.3 deg off the axis. A head of 400
+// deg/s turns 7 deg between the columns that are asked.
+bool nearView(const FieldCamera& camera, const Sphere& sphere) {
+  constexpr double kTangent = 0.87;  // of 34.3 + 7 deg
+  constexpr double kStretch = 1.33;  // 1 / cosine of that
+  const FieldPoint3 d = sphere.centre - camera.position;
+  const double depth = camera.forward.x * d.x + camera.forward.y * d.y + camera.forward.z * d.z;
+  const double aside2 = d.x * d.x + d.y * d.y + d.z * d.z - depth * depth;
+  const double reach = kTangent * depth + kStretch * sphere.radius;
+  return reach > 0.0 && aside2 < reach * reach;
+}
+
 }  // namespace
 
 CameraParams idealCamera() {
@@ -55,8 +67,21 @@ CameraParams idealCamera() {
   return params;
 }
 
-Camera::Camera(const CameraParams& params, const ColourShift& shift)
-    : params_(params), artefacts_(params.artefacts, shift), texture_(carpetTexture()) {}
+Camera::Camera(const CameraParams& params, const RobotCamera& robot)
+    : params_(params), artefacts_(params.artefacts, robot), texture_(carpetTexture()) {}
+
+// A robot seldom sees itself: asked of three columns, so that it costs an image next to nothing.
+void Camera::selectOwn(const Scene& scene, const ColumnCameras& cameras) {
+  own_.clear();
+  for (const Limb& limb : scene.own) {
+    const auto sees = [&limb](const FieldCamera& camera) {
+      return std::any_of(limb.part.begin(), limb.part.end(),
+                         [&camera](const Sphere& part) { return nearView(camera, part); });
+    };
+    if (sees(cameras.front()) || sees(cameras[kImageWidth / 2]) || sees(cameras.back()))
+      own_.push_back(&limb);
+  }
+}
 
 void Camera::selectShapes(const Scene& scene, const FieldCamera& camera, double middle) {
   const Slice slice(camera, middle);
@@ -119,6 +144,7 @@ void Camera::collectSolids(const Scene& scene, const Slice& slice) {
     for (std::size_t i = 0; i < beacon->band.size(); ++i) keep(slice.band(*beacon, i));
   }
   for (const Sphere& ball : scene.balls) keep(slice.sphere(ball));
+  for (const Limb* limb : own_) keep(slice.limb(*limb));
 }
 
 void Camera::renderSlice(const Scene& scene, const Slice& slice) {
@@ -194,6 +220,7 @@ void Camera::keepColumn(std::size_t x) {
 void Camera::render(const Scene& scene, const ColumnCameras& cameras, Random& random,
                     Image& image) {
   const double step = 1.0 / params_.slices;
+  selectOwn(scene, cameras);
   for (std::size_t x = 0; x < kImageWidth; ++x) {
     const auto left = static_cast<double>(x);
     selectShapes(scene, cameras[x], left + 0.5);

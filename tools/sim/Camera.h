@@ -35,7 +35,7 @@ CameraParams idealCamera();
 
 class Camera {
  public:
-  Camera(const CameraParams& params, const ColourShift& shift);
+  Camera(const CameraParams& params, const RobotCamera& robot);
 
   void render(const Scene& scene, const ColumnCameras& cameras, Random& random, Image& image);
 
@@ -43,6 +43,7 @@ class Camera {
   struct Column {
     std::array<float, kImageHeight> y, cr, cb, carpet;
   };
+  void selectOwn(const Scene& scene, const ColumnCameras& cameras);
   void selectShapes(const Scene& scene, const FieldCamera& camera, double middle);
   void renderSlice(const Scene& scene, const Slice& slice);
   void collectSolids(const Scene& scene, const Slice& slice);
@@ -61,6 +62,7 @@ class Camera {
   std::vector<const Solid*> solids_;  // that may meet the column
   std::vector<const Cylinder*> beacons_;
   std::vector<const Quad*> lines_;
+  std::vector<const Limb*> own_;  // that the image may show
   std::vector<Span> spans_;
 };
 

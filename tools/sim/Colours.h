@@ -21,6 +21,7 @@ constexpr Colour kYellow{120, 160, 61};
 constexpr Colour kPink{113, 193, 124};
 constexpr Colour kGreen{77, 103, 97};
 constexpr Colour kWhite{189, 124, 129};
+constexpr Colour kShell{173.88F, 124, 129};  // white in a robot's own shade
 constexpr Colour kRobotRed{85, 165, 131};
 constexpr Colour kRobotBlue{28, 126, 147};
 constexpr Colour kGrey{79, 130, 129};

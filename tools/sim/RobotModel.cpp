@@ -4,19 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "robot/body/Camera.h"
-#include "robot/body/Ers7.h"
-
 namespace kelpie::sim {
 namespace {
 
 // A command queue deeper than this is a runaway agent; OPEN-R programs keep two.
 constexpr std::size_t kMaxQueue = 16;
-constexpr double kFootRadius = 1.6;
-constexpr double kKneeRadius = 2.0;
-constexpr double kShinRadius = 1.8;
-constexpr double kHeadRadius = 3.8;
-constexpr double kHeadBehindCamera = 3.0;
+constexpr int kHandStays = 25;  // ticks that a hand needs to let go: 0.2 s [chosen]
 constexpr std::uint64_t kFeltStream = 0x6c656773;
 
 bool isLeg(std::size_t joint) {
@@ -24,52 +17,6 @@ bool isLeg(std::size_t joint) {
 }
 
 std::size_t legOf(std::size_t joint) { return (joint - index(Joint::leftFrontRotator)) / 3; }
-
-FieldPoint3 onField(const Pose2& pose, Point3<Robot> p) {
-  const Point2<Field> ground = fieldFromRobot(pose, {p.x, p.y});
-  return {ground.x, ground.y, p.z};
-}
-
-std::array<Point3<Robot>, kLegCount> feetOf(const JointAngles& joints, const Stance& stance) {
-  std::array<Point3<Robot>, kLegCount> feet;
-  for (std::size_t i = 0; i < kLegCount; ++i) {
-    const auto leg = static_cast<LegId>(i);
-    feet[i] = body::robotFromTorso(stance, body::footPosition(leg, body::legAngles(joints, leg)));
-  }
-  return feet;
-}
-
-struct Parts {
-  std::array<Point3<Robot>, 9> centre;
-  std::array<double, 9> radius;
-};
-
-// Feet, front knees, the middle of the front lower legs, head.
-Parts partsOf(const BodyPlace& place) {
-  Parts parts{};
-  const auto feet = feetOf(place.joints, place.stance);
-  for (std::size_t i = 0; i < kLegCount; ++i) {
-    parts.centre[i] = feet[i] + Point3<Robot>{0.0, 0.0, kFootRadius};
-    parts.radius[i] = kFootRadius;
-  }
-  std::size_t next = kLegCount;
-  for (const LegId leg : {LegId::leftFront, LegId::rightFront}) {
-    const Point3<Robot> knee =
-        body::robotFromTorso(place.stance, kneePosition(leg, body::legAngles(place.joints, leg)));
-    const Point3<Robot> foot = parts.centre[index(leg)];
-    parts.centre[next] = knee;
-    parts.radius[next++] = kKneeRadius;
-    parts.centre[next] = {0.5 * (knee.x + foot.x), 0.5 * (knee.y + foot.y),
-                          0.5 * (knee.z + foot.z)};
-    parts.radius[next++] = kShinRadius;
-  }
-  const CameraPose camera = body::cameraPose(place.joints, place.stance);
-  const Point3<Robot> back{-kHeadBehindCamera * camera.axes[2], -kHeadBehindCamera * camera.axes[5],
-                           -kHeadBehindCamera * camera.axes[8]};
-  parts.centre[next] = camera.position + back;
-  parts.radius[next] = kHeadRadius;
-  return parts;
-}
 
 }  // namespace
 
@@ -87,22 +34,6 @@ JointAngles startingPose() {
   joints[Joint::mouth] = Angle::deg(-3.0);
   joints[Joint::tailTilt] = Angle::deg(20.0);
   return body::withinLimits(joints);
-}
-
-Point3<Torso> kneePosition(LegId leg, const body::LegAngles& angles) {
-  const bool front = body::isFront(leg);
-  const double mirror = front ? 1.0 : -1.0;
-  const double side = leg == LegId::rightFront || leg == LegId::rightHind ? 1.0 : -1.0;
-  const double so = angles.shoulder.sin();
-  const double co = angles.shoulder.cos();
-  const double down = body::kUpperLeg * co - body::kKneeOut * so;
-  const double out = body::kUpperLeg * so + body::kKneeOut * co;
-  const double sr = mirror * angles.rotator.sin();
-  const double cr = angles.rotator.cos();
-  const double ahead = body::kKneeForward * cr + down * sr;
-  const double below = down * cr - body::kKneeForward * sr;
-  return {side * (body::kBodyWidth / 2.0 + out),
-          (front ? 0.0 : -body::kBodyLength) + mirror * ahead, -below};
 }
 
 PlanarMotion rigidMotion(const std::vector<Point2<Robot>>& from,
@@ -136,6 +67,7 @@ RobotModel::RobotModel(const RobotParams& params, const Pose2& start, std::uint6
   place_.pose = start;
   place_.joints = startingPose();
   place_.stance = body::stanceFromLegs(place_.joints);
+
   before_ = place_;
   target_ = sensed_ = place_.joints;
   feet_ = feetOf(place_.joints, place_.stance);
@@ -214,6 +146,7 @@ PlanarMotion RobotModel::given(const PlanarMotion& walked) const {
 
 void RobotModel::moveBody() {
   place_.stance = body::stanceFromLegs(place_.joints);
+  place_.stance.shoulderHeight += lifted_;
   const Feet feet = feetOf(place_.joints, place_.stance);
   std::array<bool, kLegCount> standing{};
   std::vector<Point2<Robot>> from;
@@ -239,6 +172,7 @@ void RobotModel::moveBody() {
 
 void RobotModel::tick() {
   before_ = place_;
+  handTicks_ = std::max(0, handTicks_ - 1);
   resistance_.feel(walked_, pushed_);
   pushed_ = {};
   playQueue();
@@ -248,14 +182,23 @@ void RobotModel::tick() {
 }
 
 std::array<BodySphere, 9> RobotModel::spheres() const {
-  const Parts was = partsOf(before_);
-  const Parts is = partsOf(place_);
+  const BodyParts was = bodyParts(before_);
+  const BodyParts is = bodyParts(place_);
   std::array<BodySphere, 9> spheres;
-  for (std::size_t i = 0; i < spheres.size(); ++i) {
-    spheres[i] = {onField(before_.pose, was.centre[i]), onField(place_.pose, is.centre[i]),
-                  is.radius[i]};
-  }
+  for (std::size_t i = 0; i < spheres.size(); ++i)
+    spheres[i] = {was[i].centre, is[i].centre, is[i].radius};
   return spheres;
+}
+
+void RobotModel::carry(const Pose2& pose) {
+  before_.pose = place_.pose = pose;
+  handTicks_ = kHandStays;
+}
+
+Touch RobotModel::touched() const {
+  Touch touch = touch_;
+  touch.back[1] = touch.back[1] || lifted_ > 0.0 || handTicks_ > 0;
+  return touch;
 }
 
 std::uint32_t RobotModel::takeVectorsDone() {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A robot's body in the world: servos that follow their targets late, and a body that the feet on
 // the ground carry. Kinematic: the body moves so that the feet that stand keep their place (least
-// squares), with a seeded slip for each step. It cannot fall over, roll sideways or be lifted.
+// squares), with a seeded slip for each step. It cannot fall over or roll sideways.
 #pragma once
 
 #include <array>
@@ -13,8 +13,8 @@
 #include "robot/core/FrameInput.h"
 #include "robot/core/Random.h"
 #include "robot/host/WorldProtocol.h"
+#include "tools/sim/BodyShape.h"
 #include "tools/sim/Resistance.h"
-#include "tools/sim/Scene.h"
 
 namespace kelpie::sim {
 
@@ -60,19 +60,20 @@ struct RobotParams {
   }
 };
 
-// What of the body matters to camera and contacts at one time.
-struct BodyPlace {
-  Pose2 pose;
-  Stance stance;
-  JointAngles joints;
-};
-
 // A part of the body that the ball can meet: a sphere that moved during the tick.
 struct BodySphere {
   FieldPoint3 before;
   FieldPoint3 now;
   double radius = 0.0;
 };
+
+// What somebody's fingers press.
+struct Touch {
+  double head = 0.0;           // 0 to kHardestTouch
+  std::array<bool, 3> back{};  // front, middle, rear
+  bool chin = false;
+};
+constexpr double kHardestTouch = 80.0;  // of the head's sensor (openr.md 5.6)
 
 // The trunk seen from above, in the robot frame. The chest is 1.8 cm ahead of the neck base
 // (data/robot/geometry.csv).
@@ -105,8 +106,14 @@ class RobotModel {
   void twist(Angle turn) { place_.pose.heading = place_.pose.heading + turn; }
   // From now on the body goes only 1 - share of what the legs walk.
   void hold(double share) { resistance_.hold(share); }
-  // Lifts it and sets it down elsewhere, joints as they are; touches nothing on the way.
-  void carry(const Pose2& pose) { before_.pose = place_.pose = pose; }
+  // Lifts it and sets it down elsewhere, joints as they are; touches nothing on the way. The hand
+  // that lets go is felt a moment longer.
+  void carry(const Pose2& pose);
+  // From now on a hand round the trunk holds it so high that its legs find no ground; 0 = no more.
+  void lift(double height) { lifted_ = height; }
+  void touch(const Touch& touch) { touch_ = touch; }
+  // What fingers press now, and the hand that lifts.
+  Touch touched() const;
 
   const BodyPlace& place() const { return place_; }
   const BodyPlace& placeBefore() const { return before_; }
@@ -121,7 +128,6 @@ class RobotModel {
   std::size_t vectorsWaiting() const { return queue_.size(); }
 
  private:
-  using Feet = std::array<Point3<Robot>, kLegCount>;
   void playQueue();
   void moveJoints();
   double slowed(std::size_t joint) const;  // share of its movement that a joint keeps
@@ -152,11 +158,12 @@ class RobotModel {
   double slipAside_ = 0.0;
   double slipTurn_ = 0.0;
   double drift_ = 0.0;
+  double lifted_ = 0.0;  // cm
+  int handTicks_ = 0;    // that a hand is still felt
+  Touch touch_;
 };
 
 // The pose a robot is switched on in: lying low on bent legs.
 JointAngles startingPose();
-
-Point3<Torso> kneePosition(LegId leg, const body::LegAngles& angles);
 
 }  // namespace kelpie::sim

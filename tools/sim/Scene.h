@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "robot/body/FieldDescription.h"
+#include "robot/core/Fields.h"
 #include "robot/core/Geometry.h"
 #include "tools/sim/Colours.h"
 
@@ -49,6 +50,11 @@ struct Sphere {
   Colour colour = colours::kOrange;
 };
 
+// Spheres in a row, so close that they look like one convex thing.
+struct Limb {
+  std::array<Sphere, 7> part;
+};
+
 // A disc on the ground. `darkens` 0 = painted; otherwise what is below it loses that share of
 // light.
 struct Disc {
@@ -63,6 +69,26 @@ struct RobotLook {
   Pose2 pose;
   double shoulderHeight = 10.0;
   TeamColour team = TeamColour::blue;
+  std::uint64_t shine = 0;  // seed of where its uniform shines
+};
+
+// The ERS-7 is white and glossy: a red uniform's edges come out yellow and pink in small places,
+// and were taken for beacons (checklist B-2.2.1.1). How wide, long and frequent those places are is
+// not told: [chosen].
+struct ShineParams {
+  bool on = true;
+  double width = 0.6;      // cm, mean
+  double length = 1.5;     // cm, mean
+  double share = 0.4;      // of an edge
+  double strength = 0.85;  // of the way from the uniform's red to full yellow or pink
+
+  static constexpr auto fields() {
+    using P = ShineParams;
+    return fieldList(field("on", &P::on), field("width", &P::width, "cm", 0, 4),
+                     field("length", &P::length, "cm", 0.1, 20),
+                     field("share", &P::share, "", 0, 1),
+                     field("strength", &P::strength, "", 0, 1));
+  }
 };
 
 struct Scene {
@@ -78,6 +104,7 @@ struct Scene {
   std::vector<Disc> markers;
   std::vector<Sphere> balls;
   std::vector<Solid> robots;
+  std::vector<Limb> own;  // of the robot that looks (BodyShape.h)
 };
 
 // Carpet, lines, goals, beacons and the room around them. With `crowdSeed` not 0 people and
@@ -89,7 +116,7 @@ void addCrowd(Scene& scene, std::uint64_t seed);
 
 // Replaces what moves. A ball's shadow comes with it.
 void setBall(Scene& scene, Point2<Field> position);
-void setRobots(Scene& scene, const std::vector<RobotLook>& robots);
+void setRobots(Scene& scene, const std::vector<RobotLook>& robots, const ShineParams& shine = {});
 
 // Upright rectangle from a to b, from `low` to `high` above the ground.
 Quad uprightQuad(Point2<Field> a, Point2<Field> b, std::array<double, 2> lowHigh, Colour colour);

@@ -1,9 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-// How a robot looks to another one: boxes for trunk, head and legs, coloured patches for the team.
+// How a robot looks to another one: boxes for trunk, head and legs, coloured patches for the team,
+// and along a red patch's edges what its gloss makes of it.
+#include <algorithm>
+#include <cmath>
+
+#include "robot/core/Random.h"
 #include "tools/sim/Scene.h"
 
 namespace kelpie::sim {
 namespace {
+
+// cm that a patch is drawn nearer than it is, to cover the shell and the patch that it lies on.
+constexpr double kUniformBias = 2.0;
+constexpr double kShineBias = 3.2;
 
 // A box in the robot frame.
 struct Box {
@@ -34,26 +43,74 @@ std::array<Face, 5> faces(const Box& box) {
        {{{{a.x, a.y, a.z}, {a.x, b.y, a.z}, {a.x, b.y, b.z}, {a.x, a.y, b.z}}}, {-1, 0, 0}, 0.94}}};
 }
 
+void addQuad(Solid& solid, const Pose2& pose, const Face& face, Colour colour, double bias) {
+  Quad quad;
+  for (std::size_t i = 0; i < 4; ++i) quad.corner[i] = onField(pose, face.corner[i]);
+  const FieldPoint3 tip = onField(pose, face.normal);
+  quad.normal = {tip.x - pose.position.x, tip.y - pose.position.y, face.normal.z};
+  quad.colour = colour;
+  quad.lit = face.lit;
+  quad.slope = 0.1;
+  quad.oneSided = true;
+  quad.depthBias = bias;
+  solid.quads.push_back(quad);
+}
+
 void addBox(Solid& solid, const Pose2& pose, const Box& box, Colour colour, double bias) {
+  for (const Face& face : faces(box)) addQuad(solid, pose, face, colour, bias);
+}
+
+Point3<Robot> at(Point3<Robot> from, Point3<Robot> a, double s, Point3<Robot> b, double t) {
+  return {from.x + s * a.x + t * b.x, from.y + s * a.y + t * b.y, from.z + s * a.z + t * b.z};
+}
+
+Colour mixed(Colour a, Colour b, double share) {
+  const auto t = static_cast<float>(share);
+  return {a.y + t * (b.y - a.y), a.cr + t * (b.cr - a.cr), a.cb + t * (b.cb - a.cb)};
+}
+
+// A row of yellow and pink along the edge from corner `first` of a red face, inside it.
+void addShine(Solid& solid, const Pose2& pose, const Face& face, std::size_t first,
+              const ShineParams& params, Random& random) {
+  const Point3<Robot> start = face.corner[first];
+  const Point3<Robot> edge = face.corner[(first + 1) % 4] - start;
+  const Point3<Robot> inward = face.corner[(first + 3) % 4] - start;
+  // Edges and sides are square to each other and to the axes: one term of each sum is not 0.
+  const double length = std::fabs(edge.x + edge.y + edge.z);
+  const double depth = std::fabs(inward.x + inward.y + inward.z);
+  for (double done = 0.0; done < length;) {
+    const double next = std::min(length, done + params.length * random.uniform(0.5, 1.5));
+    const double width = std::min(depth, params.width * random.uniform(0.5, 1.5)) / depth;
+    const Colour gleam = random.chance(0.5) ? colours::kYellow : colours::kPink;
+    const double from = done / length;
+    const double to = next / length;
+    done = next;
+    if (!random.chance(params.share)) continue;
+    const Face patch{{at(start, edge, from, inward, 0.0), at(start, edge, to, inward, 0.0),
+                      at(start, edge, to, inward, width), at(start, edge, from, inward, width)},
+                     face.normal,
+                     face.lit};
+    addQuad(solid, pose, patch, mixed(colours::kRobotRed, gleam, params.strength), kShineBias);
+  }
+}
+
+// The team's colour on a box, glossy at its upright faces' edges when it is red.
+void addUniform(Solid& solid, const RobotLook& look, const Box& box, const ShineParams& shine,
+                Random& random) {
+  const bool red = look.team == TeamColour::red;
+  addBox(solid, look.pose, box, red ? colours::kRobotRed : colours::kRobotBlue, kUniformBias);
+  if (!red || !shine.on) return;
   for (const Face& face : faces(box)) {
-    Quad quad;
-    for (std::size_t i = 0; i < 4; ++i) quad.corner[i] = onField(pose, face.corner[i]);
-    const FieldPoint3 tip = onField(pose, face.normal);
-    quad.normal = {tip.x - pose.position.x, tip.y - pose.position.y, face.normal.z};
-    quad.colour = colour;
-    quad.lit = face.lit;
-    quad.slope = 0.1;
-    quad.oneSided = true;
-    quad.depthBias = bias;
-    solid.quads.push_back(quad);
+    if (face.normal.z > 0.0) continue;
+    for (std::size_t edge = 0; edge < 4; ++edge)
+      addShine(solid, look.pose, face, edge, shine, random);
   }
 }
 
 // Sizes of an ERS-7 (length 24 cm, trunk 13 cm wide at the legs); h is the shoulder's height.
-Solid robotSolid(const RobotLook& look) {
+Solid robotSolid(const RobotLook& look, const ShineParams& shine) {
   const double h = look.shoulderHeight;
-  const Colour team = look.team == TeamColour::red ? colours::kRobotRed : colours::kRobotBlue;
-  const Colour shell = brighter(colours::kWhite, 0.92);
+  const Colour shell = colours::kShell;
   Solid solid;
   addBox(solid, look.pose, {{-4.0, -15.0, h - 3.5}, {4.0, 1.5, h + 2.5}}, shell, 0.0);
   addBox(solid, look.pose, {{-3.5, 2.0, h + 5.0}, {3.5, 11.0, h + 11.0}}, shell, 0.0);
@@ -69,17 +126,18 @@ Solid robotSolid(const RobotLook& look) {
     }
   }
   // Team patches: back, both flanks and the head's sides.
-  addBox(solid, look.pose, {{-4.3, -10.5, h - 1.5}, {4.3, -4.0, h + 2.8}}, team, 2.0);
-  addBox(solid, look.pose, {{-3.8, 3.5, h + 7.0}, {3.8, 7.0, h + 11.3}}, team, 2.0);
+  Random random(look.shine);
+  addUniform(solid, look, {{-4.3, -10.5, h - 1.5}, {4.3, -4.0, h + 2.8}}, shine, random);
+  addUniform(solid, look, {{-3.8, 3.5, h + 7.0}, {3.8, 7.0, h + 11.3}}, shine, random);
   enclose(solid);
   return solid;
 }
 
 }  // namespace
 
-void setRobots(Scene& scene, const std::vector<RobotLook>& robots) {
+void setRobots(Scene& scene, const std::vector<RobotLook>& robots, const ShineParams& shine) {
   scene.robots.clear();
-  for (const RobotLook& look : robots) scene.robots.push_back(robotSolid(look));
+  for (const RobotLook& look : robots) scene.robots.push_back(robotSolid(look, shine));
 }
 
 }  // namespace kelpie::sim

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a robot's own sensors tell of the world in one tick: joints, motor duty, three distance
-// sensors, acceleration, paw and chin switches.
+// sensors, acceleration, paw and chin switches, head and back buttons. A paw is pressed by the
+// ground that it stands on and by what its leg pushes into; one pressed while it swings has hit
+// something.
 #pragma once
 
 #include "robot/core/Motion.h"

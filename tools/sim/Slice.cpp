@@ -12,6 +12,8 @@ namespace {
 constexpr double kNear = 1.0;    // cm: what is nearer than this is not drawn
 constexpr double kFarRow = 1e5;  // a row beyond every image
 constexpr double kFlat = 1e-9;
+constexpr double kLimbTop = 1.1;  // light on a limb's upper and lower edge
+constexpr double kLimbFoot = 0.88;
 
 double dot(FieldPoint3 a, FieldPoint3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
@@ -78,6 +80,9 @@ std::optional<Span> Slice::stretch(Seen a, Seen b) const {
 }
 
 std::optional<Span> Slice::quad(const Quad& shape) const {
+  if (shape.oneSided && dot(shape.normal, camera_.position - shape.corner[0]) <= 0.0) {
+    return std::nullopt;
+  }
   std::array<double, 4> side;
   for (std::size_t i = 0; i < 4; ++i) {
     side[i] = dot(normal_, shape.corner[i] - camera_.position);
@@ -93,9 +98,6 @@ std::optional<Span> Slice::quad(const Quad& shape) const {
     ends[found++] = seen({p.x + t * (q.x - p.x), p.y + t * (q.y - p.y), p.z + t * (q.z - p.z)});
   }
   if (found < 2) return std::nullopt;
-  if (shape.oneSided && dot(shape.normal, camera_.position - shape.corner[0]) <= 0.0) {
-    return std::nullopt;
-  }
   std::optional<Span> span = stretch(ends[0], ends[1]);
   if (!span) return span;
   const double low = std::min(shape.corner[0].z, shape.corner[2].z);
@@ -154,6 +156,22 @@ std::optional<Span> Slice::sphere(const Sphere& shape) const {
   span.litTop = side + 0.14 * share;
   span.litBottom = side - 0.16 * share;
   return span;
+}
+
+std::optional<Span> Slice::limb(const Limb& shape) const {
+  std::optional<Span> whole;
+  for (const Sphere& part : shape.part) {
+    const std::optional<Span> span = sphere(part);
+    if (!span) continue;
+    if (!whole) whole = span;
+    whole->top = std::min(whole->top, span->top);
+    whole->bottom = std::max(whole->bottom, span->bottom);
+    whole->depth = std::min(whole->depth, span->depth);
+  }
+  if (!whole) return whole;
+  whole->litTop = kLimbTop;
+  whole->litBottom = kLimbFoot;
+  return whole;
 }
 
 std::optional<FieldPoint3> Slice::frontAt(const Cylinder& shape, double height) const {

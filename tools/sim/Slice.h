@@ -45,6 +45,7 @@ class Slice {
   std::optional<Span> quad(const Quad& shape) const;
   std::optional<Span> disc(const Disc& shape) const;
   std::optional<Span> sphere(const Sphere& shape) const;
+  std::optional<Span> limb(const Limb& shape) const;
   std::optional<Span> band(const Cylinder& shape, std::size_t index) const;
   // The ground up to the line of equal elevation.
   std::optional<Span> ground(Colour colour) const;

@@ -14,7 +14,8 @@ constexpr double kExposureUs = 1e6 / 30.0;
 // A robot seen from above: two discs, cm ahead of the neck base.
 constexpr std::array<double, 2> kBodyDiscs{-2.0, -11.0};
 constexpr double kBodyRadius = 7.0;
-constexpr double kRoom = 60.0;  // cm beyond the carpet that robots may walk
+constexpr double kHighestLift = 15.0;  // cm; a stance's shoulders are 30 cm up at most
+constexpr double kRoom = 60.0;         // cm beyond the carpet that robots may walk
 
 double mixed(double a, double b, double t) { return a + t * (b - a); }
 Angle mixed(Angle a, Angle b, double t) { return a + (b - a) * t; }
@@ -62,7 +63,9 @@ World::World(const WorldParams& params, const body::FieldDescription& field, con
     robots_.emplace_back(params_.robot, players_[i].start, partSeed(seed, part + 1));
     sensorRandom_.emplace_back(partSeed(seed, part + 2));
     cameraRandom_.emplace_back(partSeed(seed, part + 3));
-    cameras_.push_back(std::make_unique<Camera>(params_.camera, randomShift(colours)));
+    cameras_.push_back(
+        std::make_unique<Camera>(params_.camera, randomCamera(colours, params_.camera.artefacts)));
+    shine_.push_back(partSeed(seed, part + 4));
   }
   sensors_.resize(players_.size());
   remember();
@@ -181,6 +184,21 @@ Status World::shove(std::size_t robot, Point2<Field> way, Angle turn) {
   return Done{};
 }
 
+Status World::lift(std::size_t robot, double height) {
+  if (robot >= robots_.size()) return Error{"there is no robot " + std::to_string(robot)};
+  if (!(height >= 0.0 && height <= kHighestLift)) return Error{"a robot is lifted by 0 to 15 cm"};
+  robots_[robot].lift(height);
+  return Done{};
+}
+
+Status World::touch(std::size_t robot, const Touch& touch) {
+  if (robot >= robots_.size()) return Error{"there is no robot " + std::to_string(robot)};
+  if (!(touch.head >= 0.0 && touch.head <= kHardestTouch))
+    return Error{"a head is pressed by 0 to 80"};
+  robots_[robot].touch(touch);
+  return Done{};
+}
+
 void World::putUp(const OuterWall& wall) {
   addWall(scene_, wall);
   for (std::size_t side = 0; side < 4; ++side)
@@ -214,9 +232,10 @@ void World::render(std::size_t robot, TimeUs end, Image& image) {
   for (std::size_t i = 0; i < robots_.size(); ++i) {
     if (i == robot) continue;
     const BodyPlace place = placeAt(i, std::max(0.0, middle));
-    others.push_back({place.pose, place.stance.shoulderHeight, players_[i].team});
+    others.push_back({place.pose, place.stance.shoulderHeight, players_[i].team, shine_[i]});
   }
-  setRobots(scene_, others);
+  setRobots(scene_, others, params_.shine);
+  if (params_.ownLegs) scene_.own = frontLegs(placeAt(robot, std::max(0.0, middle)));
   cameras_[robot]->render(scene_, cameras(robot, end), cameraRandom_[robot], image);
 }
 

@@ -29,15 +29,18 @@ struct WorldParams {
   BallParams ball;
   SensorParams sensors;
   RefereeParams referee;
+  ShineParams shine;
   bool rolling = true;     // each image column is exposed at its own time
   bool spectators = true;  // people and coloured things around the field
+  bool ownLegs = true;     // a robot can see its own front legs
 
   static constexpr auto fields() {
     using P = WorldParams;
     return fieldList(field("camera", &P::camera), field("robot", &P::robot),
                      field("ball", &P::ball), field("sensors", &P::sensors),
-                     field("referee", &P::referee), field("rolling", &P::rolling),
-                     field("spectators", &P::spectators));
+                     field("referee", &P::referee), field("shine", &P::shine),
+                     field("rolling", &P::rolling), field("spectators", &P::spectators),
+                     field("ownLegs", &P::ownLegs));
   }
 };
 
@@ -64,7 +67,8 @@ class World {
         std::uint64_t seed);
 
   void tick();
-  // Somebody carries a robot to another place. No image shows the way. Refuses a robot that is not
+  // Somebody carries a robot to another place. No image shows the way; its back feels the hand for
+  // 0.2 s. Refuses a robot that is not
   // there and a pose that is not finite or off the ground that robots may walk on.
   Status carry(std::size_t robot, const Pose2& pose);
   // Somebody holds a robot's trunk: it goes only 1 - share of what its legs walk, until the next
@@ -72,6 +76,12 @@ class World {
   Status hold(std::size_t robot, double share);
   // Somebody pushes and turns it, as far as that in one tick.
   Status shove(std::size_t robot, Point2<Field> way, Angle turn);
+  // Somebody lifts it by the trunk, so high over where it stood, until the next call; 0 sets it
+  // down. Its legs find no ground, and the middle of its back feels the hand. Others still walk
+  // round it. Refuses what is not from 0 to 15 cm.
+  Status lift(std::size_t robot, double height);
+  // Fingers press its sensors so until the next call. Refuses a pressure off the sensor's range.
+  Status touch(std::size_t robot, const Touch& touch);
   // Somebody changes what stands round the field, as between the stages of the 2004 challenge.
   void putUp(const OuterWall& wall);
   void takeLandmarksAway();  // no beacons, goals covered with white
@@ -119,6 +129,7 @@ class World {
   body::FieldDescription field_;
   std::vector<Obstacle> obstacles_;
   std::vector<Player> players_;
+  std::vector<std::uint64_t> shine_;
   std::vector<RobotModel> robots_;
   std::vector<std::array<SensorFrame, kTicksPerMessage>> sensors_;
   std::vector<Random> sensorRandom_;

@@ -29,6 +29,7 @@ struct Options {
   double wait = 60.0;  // s for the agents to come
   bool noRing = false, noNoise = false, noShift = false, noRolling = false;
   bool noBlur = false, noSlip = false, noSpectators = false;
+  bool noCentres = false, noShine = false, noOwnLegs = false;
   WorldParams world;
 };
 
@@ -39,6 +40,9 @@ WorldParams worldParams(const Options& options) {
   artefacts.noise = !options.noNoise;
   artefacts.shift = !options.noShift;
   artefacts.blur = !options.noBlur;
+  artefacts.centres = !options.noCentres;
+  params.shine.on = !options.noShine;
+  params.ownLegs = !options.noOwnLegs;
   params.rolling = !options.noRolling;
   params.spectators = !options.noSpectators;
   if (options.noSlip) params.robot.slipMean = params.robot.slipSd = params.robot.driftSd = 0.0;
@@ -131,6 +135,10 @@ void describe(CLI::App& app, Options& options) {
   app.add_option("--wait", options.wait, "seconds until the agents must be there")
       ->check(cli::inRange(0.0, 1e5));
   app.add_flag("--no-ring", options.noRing, "no ring effect");
+  app.add_flag("--no-centres", options.noCentres, "every ring effect centred on the image");
+  app.add_flag("--no-shine", options.noShine,
+               "red uniforms without yellow and pink at their edges");
+  app.add_flag("--no-own-legs", options.noOwnLegs, "no robot sees its own legs");
   app.add_flag("--no-noise", options.noNoise, "no sensor noise");
   app.add_flag("--no-shift", options.noShift, "no colour difference between robots");
   app.add_flag("--no-blur", options.noBlur, "no blur");

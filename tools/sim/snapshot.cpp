@@ -11,6 +11,7 @@
 #include "robot/body/Camera.h"
 #include "tools/picture/CameraPicture.h"
 #include "tools/picture/PngFile.h"
+#include "tools/sim/BodyShape.h"
 #include "tools/sim/Camera.h"
 #include "tools/sim/OuterWall.h"
 
@@ -20,10 +21,11 @@ namespace {
 struct Options {
   std::uint64_t seed = 1;
   std::string out = "snapshot.png";
-  std::vector<double> pose;  // cm, cm, deg
-  std::vector<double> head;  // neck tilt, pan, nod in deg
-  std::vector<double> ball;  // cm, cm
-  double panRate = 0.0;      // deg/s
+  std::vector<double> pose;   // cm, cm, deg
+  std::vector<double> head;   // neck tilt, pan, nod in deg
+  std::vector<double> ball;   // cm, cm
+  double panRate = 0.0;       // deg/s
+  std::vector<double> robot;  // cm, cm, deg, of each red robot put somewhere
   int robots = 4;
   bool ideal = false;
   bool wall = false;
@@ -40,17 +42,26 @@ Pose2 chosenPose(const Options& options, Random& random) {
   return {{x, y}, Angle::deg(heading)};
 }
 
-ColumnCameras cameras(const Options& options, const Pose2& pose) {
+BodyPlace placeOf(const Options& options, const Pose2& pose) {
   std::vector<double> head = options.head;
   if (head.size() != 3) head = {-5.0, 0.0, 0.0};
+  BodyPlace place;
+  place.pose = pose;
+  place.stance = {10.0, Angle::deg(14.25)};
+  place.joints[Joint::neckTilt] = Angle::deg(head[0]);
+  place.joints[Joint::headPan] = Angle::deg(head[1]);
+  place.joints[Joint::headNod] = Angle::deg(head[2]);
+  setFrontFeet(place.joints, place.stance, {Point2<Robot>{-9.5, 5.0}, {9.5, -1.0}});
+  return place;
+}
+
+ColumnCameras cameras(BodyPlace place, double panRate) {
+  const Angle pan = place.joints[Joint::headPan];
   ColumnCameras columns;
   for (std::size_t x = 0; x < columns.size(); ++x) {
-    const double late = (static_cast<double>(x) + 0.5) / kImageWidth * kFrameSeconds;
-    JointAngles joints;
-    joints[Joint::neckTilt] = Angle::deg(head[0]);
-    joints[Joint::headPan] = Angle::deg(head[1] + options.panRate * late);
-    joints[Joint::headNod] = Angle::deg(head[2]);
-    columns[x] = fieldCamera(pose, body::cameraPose(joints, {10.0, Angle::deg(14.25)}));
+    const double late = ((static_cast<double>(x) + 0.5) / kImageWidth - 0.5) * kFrameSeconds;
+    place.joints[Joint::headPan] = pan + Angle::deg(panRate * late);
+    columns[x] = fieldCamera(place.pose, body::cameraPose(place.joints, place.stance));
   }
   return columns;
 }
@@ -76,18 +87,26 @@ int run(const Options& options) {
   setBall(scene,
           options.ball.size() == 2 ? Point2<Field>{options.ball[0], options.ball[1]} : ahead);
   std::vector<RobotLook> looks;
-  looks.reserve(static_cast<std::size_t>(std::max(0, options.robots)));
+  looks.reserve(static_cast<std::size_t>(std::max(0, options.robots)) + options.robot.size() / 3);
+  for (std::size_t i = 0; i + 2 < options.robot.size(); i += 3)
+    looks.push_back({{{options.robot[i], options.robot[i + 1]}, Angle::deg(options.robot[i + 2])},
+                     10.0,
+                     TeamColour::red,
+                     random.next()});
   for (int i = 0; i < options.robots; ++i) {
     looks.push_back(
         {{{random.uniform(20, 340), random.uniform(20, 520)}, Angle::deg(random.uniform(0, 360))},
          10.0,
-         i % 2 == 0 ? TeamColour::red : TeamColour::blue});
+         i % 2 == 0 ? TeamColour::red : TeamColour::blue,
+         random.next()});
   }
   setRobots(scene, looks);
-  const auto camera =
-      std::make_unique<Camera>(options.ideal ? idealCamera() : CameraParams{}, randomShift(random));
+  const BodyPlace self = placeOf(options, pose);
+  scene.own = frontLegs(self);
+  const auto camera = std::make_unique<Camera>(options.ideal ? idealCamera() : CameraParams{},
+                                               randomCamera(random, {}));
   const auto image = std::make_unique<Image>();
-  camera->render(scene, cameras(options, pose), random, *image);
+  camera->render(scene, cameras(self, options.panRate), random, *image);
   const Status written = writeLarge(options.out, *image);
   if (!written) {
     fmt::print(stderr, "sim_snapshot: {}\n", written.error());
@@ -110,6 +129,9 @@ int main(int argc, char** argv) {
   app.add_option("--head", options.head, "neck tilt, pan, nod in deg")->expected(3);
   app.add_option("--ball", options.ball, "x y in cm")->expected(2);
   app.add_option("--pan-rate", options.panRate, "deg/s during the exposure");
+  app.add_option("--robot", options.robot, "x y in cm, heading in deg of a red robot; repeated")
+      ->expected(3)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   app.add_option("--others", options.robots, "other robots on the field");
   app.add_flag("--wall", options.wall, "the outer wall of the 2004 challenge, with sheets");
   app.add_flag("--hidden", options.hidden, "no beacons, goals covered");

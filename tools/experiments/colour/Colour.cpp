@@ -245,7 +245,7 @@ struct SceneScores {
 Status addView(const View& view, Random& random, sim::Camera& idealCamera, SceneScores& scores) {
   const auto ideal = std::make_unique<Image>();
   idealCamera.render(view.scene, view.columns, random, *ideal);
-  const auto shift = calibratedShift(view.shift, random);
+  const auto shift = calibratedShift(view.robotCamera.shift, random);
   if (!shift) return Error{shift.error()};
   const auto calibration =
       std::make_unique<vision::VisionCalibration>(vision::nominalCalibration());

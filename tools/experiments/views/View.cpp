@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "robot/body/Camera.h"
+#include "tools/sim/BodyShape.h"
 
 namespace kelpie::experiments {
 namespace {
@@ -19,6 +20,7 @@ constexpr double kTurnNoise = 0.006;      // rad a frame, of the odometry
 constexpr double kFastestPanDeg = 150.0;  // deg/s, a scanning head
 constexpr double kFastestTiltDeg = 60.0;
 constexpr double kFastestTurnDeg = 60.0;
+constexpr std::uint64_t kLooksStream = 0x6c6f6f6b73;
 
 bool awayFrom(const std::vector<sim::RobotLook>& robots, Point2<Field> place, double minDistance) {
   return std::all_of(robots.begin(), robots.end(), [&](const sim::RobotLook& robot) {
@@ -33,12 +35,13 @@ Angle randomDeg(Random& random, double low, double high) {
 }  // namespace
 
 ViewMaker::ViewMaker(const ViewParams& params, std::uint64_t seed)
-    : params_(params), random_(seed) {}
+    : params_(params), random_(seed), looks_(seed ^ kLooksStream) {}
 
 const View& ViewMaker::next() {
   if (made_++ % kViewsPerCrowd == 0)
     view_.scene = sim::fieldScene(params_.field, params_.crowd ? random_.next() | 1U : 0);
-  view_.shift = sim::randomShift(random_);
+  view_.robotCamera = {sim::randomShift(random_),
+                       sim::randomCentres(looks_, params_.camera.artefacts.centreSd)};
   const auto kind = random_.index(10);
   view_.target = kind < 4   ? ViewTarget::ball
                  : kind < 8 ? ViewTarget::landmark
@@ -79,6 +82,7 @@ void ViewMaker::placeThings() {
     target = {random_.uniform(0.0, field.width), random_.uniform(0.0, field.length), 0.0};
   }
   lookAt(target);
+  standOnLegs();
 }
 
 // Some before the robot, some in a goal's mouth, some beside the ball, the rest anywhere.
@@ -108,8 +112,10 @@ void ViewMaker::placeRobots() {
     const bool inside = middle.x > -10.0 && middle.x < field.width + 10.0 && middle.y > 0.0 &&
                         middle.y < field.length;
     if (inside && distance(middle, view_.pose.position) > 38.0 &&
-        distance(middle, view_.ball) > 24.0 && awayFrom(view_.robots, middle, 36.0))
+        distance(middle, view_.ball) > 24.0 && awayFrom(view_.robots, middle, 36.0)) {
+      look.shine = looks_.next();
       view_.robots.push_back(look);
+    }
   }
 }
 
@@ -129,6 +135,17 @@ void ViewMaker::lookAt(Point3<Field> target) {
         pixel->y < kImageHeight - 8.0)
       return;
   }
+}
+
+// Front feet somewhere in their stroke (actuator/ActuatorParams.h).
+void ViewMaker::standOnLegs() {
+  constexpr double kAside = 9.5;
+  constexpr double kAhead = 2.0;
+  constexpr double kHalfStroke = 2.9;
+  const double left = kAhead + looks_.uniform(-kHalfStroke, kHalfStroke);
+  const double right = kAhead + looks_.uniform(-kHalfStroke, kHalfStroke);
+  sim::setFrontFeet(joints_, stance_, {Point2<Robot>{-kAside, left}, {kAside, right}});
+  view_.scene.own = sim::frontLegs({view_.pose, stance_, joints_});
 }
 
 // Exposes the columns one after the other while head and body turn; then what the sensors tell.
@@ -163,7 +180,7 @@ void ViewMaker::turnAndRender() {
                   stance_.bodyTilt + Angle::deg(random_.gaussian(0.0, kTiltNoiseDeg))};
   if (turn != 0.0)
     input.odometry.turn = Angle::rad(turn * kFrameSeconds + random_.gaussian(0.0, kTurnNoise));
-  sim::Camera camera(params_.camera, view_.shift);
+  sim::Camera camera(params_.camera, view_.robotCamera);
   camera.render(view_.scene, view_.columns, random_, input.image);
 }
 

@@ -36,7 +36,7 @@ struct View {
   Point2<Field> ball;
   std::vector<sim::RobotLook> robots;
   sim::Scene scene;
-  sim::ColourShift shift;
+  sim::RobotCamera robotCamera;
   FrameInput input;  // what the agent gets
 };
 
@@ -51,10 +51,12 @@ class ViewMaker {
   void placeThings();
   void placeRobots();
   void lookAt(Point3<Field> target);
+  void standOnLegs();
   void turnAndRender();
 
   ViewParams params_;
   Random random_;
+  Random looks_;  // of ring centres, uniforms and own legs: without them places stay what they are
   int made_ = 0;
   JointAngles joints_;
   Stance stance_;

@@ -26,6 +26,7 @@ sim::Scene withoutMoving(const sim::Scene& scene) {
   sim::Scene bare = scene;
   bare.balls.clear();
   bare.robots.clear();
+  bare.own.clear();
   return bare;
 }
 

@@ -93,7 +93,8 @@ Expected<Json> pinkPatches(const Request& request) {
       scene.balls.clear();
       scene.fixtures.push_back(sheetAt(view, *place));
       *input = view.input;
-      sim::Camera(params.camera, view.shift).render(scene, view.columns, random, input->image);
+      sim::Camera(params.camera, view.robotCamera)
+          .render(scene, view.columns, random, input->image);
       addPatch(seenIn(*input, *state), *place, tally);
     }
   });

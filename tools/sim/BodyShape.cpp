@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/sim/BodyShape.h"
+
+#include "robot/body/Camera.h"
+#include "robot/body/Ers7.h"
+
+namespace kelpie::sim {
+namespace {
+
+constexpr double kPawRadius = 1.6;
+constexpr double kKneeRadius = 2.0;
+constexpr double kShinRadius = 1.8;
+constexpr double kHeadRadius = 3.8;
+constexpr double kHeadBehindCamera = 3.0;
+
+FieldPoint3 onField(const Pose2& pose, Point3<Robot> p) {
+  const Point2<Field> ground = fieldFromRobot(pose, {p.x, p.y});
+  return {ground.x, ground.y, p.z};
+}
+
+Point3<Robot> between(Point3<Robot> a, Point3<Robot> b, double t) {
+  return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), a.z + t * (b.z - a.z)};
+}
+
+Point3<Robot> paw(Point3<Robot> foot) { return foot + Point3<Robot>{0.0, 0.0, kPawRadius}; }
+
+Point3<Robot> kneeOf(const BodyPlace& place, LegId leg) {
+  return body::robotFromTorso(place.stance, kneePosition(leg, body::legAngles(place.joints, leg)));
+}
+
+Point3<Robot> shoulderOf(const BodyPlace& place, LegId leg) {
+  const double side = leg == LegId::rightFront ? 0.5 : -0.5;
+  return body::robotFromTorso(place.stance, {side * body::kBodyWidth, 0.0, 0.0});
+}
+
+// Its spheres are at most 1.3 cm apart and at least 3.2 cm thick.
+Limb limb(const PartSphere& from, const PartSphere& to, Colour colour) {
+  Limb limb;
+  for (std::size_t i = 0; i < limb.part.size(); ++i) {
+    const double t = static_cast<double>(i) / static_cast<double>(limb.part.size() - 1);
+    const FieldPoint3 a = from.centre;
+    const FieldPoint3 b = to.centre;
+    limb.part[i] = {{a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), a.z + t * (b.z - a.z)},
+                    from.radius + t * (to.radius - from.radius),
+                    colour};
+  }
+  return limb;
+}
+
+}  // namespace
+
+Feet feetOf(const JointAngles& joints, const Stance& stance) {
+  Feet feet;
+  for (std::size_t i = 0; i < kLegCount; ++i) {
+    const auto leg = static_cast<LegId>(i);
+    feet[i] = body::robotFromTorso(stance, body::footPosition(leg, body::legAngles(joints, leg)));
+  }
+  return feet;
+}
+
+Point3<Torso> kneePosition(LegId leg, const body::LegAngles& angles) {
+  const bool front = body::isFront(leg);
+  const double mirror = front ? 1.0 : -1.0;
+  const double side = leg == LegId::rightFront || leg == LegId::rightHind ? 1.0 : -1.0;
+  const double so = angles.shoulder.sin();
+  const double co = angles.shoulder.cos();
+  const double down = body::kUpperLeg * co - body::kKneeOut * so;
+  const double out = body::kUpperLeg * so + body::kKneeOut * co;
+  const double sr = mirror * angles.rotator.sin();
+  const double cr = angles.rotator.cos();
+  const double ahead = body::kKneeForward * cr + down * sr;
+  const double below = down * cr - body::kKneeForward * sr;
+  return {side * (body::kBodyWidth / 2.0 + out),
+          (front ? 0.0 : -body::kBodyLength) + mirror * ahead, -below};
+}
+
+BodyParts bodyParts(const BodyPlace& place) {
+  BodyParts parts;
+  const Feet feet = feetOf(place.joints, place.stance);
+  for (std::size_t i = 0; i < kLegCount; ++i)
+    parts[i] = {onField(place.pose, paw(feet[i])), kPawRadius};
+  std::size_t next = kLegCount;
+  for (const LegId leg : {LegId::leftFront, LegId::rightFront}) {
+    const Point3<Robot> knee = kneeOf(place, leg);
+    parts[next++] = {onField(place.pose, knee), kKneeRadius};
+    parts[next++] = {onField(place.pose, between(knee, paw(feet[index(leg)]), 0.5)), kShinRadius};
+  }
+  const CameraPose camera = body::cameraPose(place.joints, place.stance);
+  const Point3<Robot> back{-kHeadBehindCamera * camera.axes[2], -kHeadBehindCamera * camera.axes[5],
+                           -kHeadBehindCamera * camera.axes[8]};
+  parts[next] = {onField(place.pose, camera.position + back), kHeadRadius};
+  return parts;
+}
+
+void setFrontFeet(JointAngles& joints, const Stance& stance, std::array<Point2<Robot>, 2> feet) {
+  const std::array<LegId, 2> legs{LegId::leftFront, LegId::rightFront};
+  for (std::size_t i = 0; i < legs.size(); ++i) {
+    const auto foot = body::torsoFromRobot(stance, {feet[i].x, feet[i].y, 0.0});
+    body::setLegAngles(joints, legs[i], body::reachFoot(legs[i], foot).angles);
+  }
+}
+
+std::vector<Limb> frontLegs(const BodyPlace& place) {
+  std::vector<Limb> limbs;
+  const Feet feet = feetOf(place.joints, place.stance);
+  for (const LegId leg : {LegId::leftFront, LegId::rightFront}) {
+    const PartSphere shoulder{onField(place.pose, shoulderOf(place, leg)), kKneeRadius};
+    const PartSphere knee{onField(place.pose, kneeOf(place, leg)), kKneeRadius};
+    const PartSphere foot{onField(place.pose, paw(feet[index(leg)])), kPawRadius};
+    limbs.push_back(limb(shoulder, knee, colours::kShell));
+    limbs.push_back(limb(knee, foot, colours::kGrey));
+  }
+  return limbs;
+}
+
+}  // namespace kelpie::sim
