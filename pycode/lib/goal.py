@@ -7,6 +7,8 @@ from lib.geom import Point, from_field, moved, polar
 from lib.tune import Goal
 
 NEVER_S = -1e9
+BALL_RADIUS = 4.2    # cm
+UP_FIELD_DEG = 90.0  # the direction of the opponents' goal on the field
 MIN_DISTANCE = 30.0  # cm; a percept of a nearer goal would put it inside the robot
 
 
@@ -30,9 +32,29 @@ class OpponentGoal:
         return self.point is not None and world.time_s - self.seen_s < Goal.FRESH
 
     def where(self, world) -> Point | None:
+        """The point to shoot at: the middle of the mouth, or of the back wall for a ball that lies
+        before the mouth. From one on the line the way to the mouth's middle is along the line, and
+        whoever lines up for it stands against a post."""
+        mouth = self.mouth(world)
+        if mouth is None or not before_mouth(world):
+            return mouth
+        x, y = polar(world.field.goal_depth, UP_FIELD_DEG - world.pose.heading_deg)
+        return mouth[0] + x, mouth[1] + y
+
+    def mouth(self, world) -> Point | None:
         if self.seen(world):
             return self.point
-        good = (world.heading_sd_deg < Goal.POSE_HEADING_SD and
-                world.seconds_since_landmark < Goal.POSE_FRESH)
         field = world.field
-        return from_field(world.pose, 0.5 * field.width, field.length) if good else None
+        return from_field(world.pose, 0.5 * field.width, field.length) if sure(world) else None
+
+
+def sure(world) -> bool:
+    """Whether the pose is good enough to tell where the goal is."""
+    return (world.heading_sd_deg < Goal.POSE_HEADING_SD and
+            world.seconds_since_landmark < Goal.POSE_FRESH)
+
+
+def before_mouth(world) -> bool:
+    """Whether a ball going straight up-field would go into the goal."""
+    aside = abs(world.ball.position.x - 0.5 * world.field.width)
+    return sure(world) and aside < 0.5 * world.field.goal_width - BALL_RADIUS

@@ -88,6 +88,22 @@ def test_only_the_opponents_goal_is_shot_at(team, kind):
     assert goal.where(world) == pytest.approx((0.0, 200.0))
 
 
+def aim_from(x, y):
+    """The heading from a ball there to the point to shoot at, for a robot facing up-field."""
+    world = world_with_ball(0.0, 20.0)
+    world.pose.position.x, world.pose.position.y, world.pose.heading_deg = x, y - 20.0, 90.0
+    world.ball.position.x, world.ball.position.y = x, y
+    return aim_error((0.0, 20.0), OpponentGoal().where(world))
+
+
+def test_ball_on_the_goal_line_is_shot_at_the_back_wall_and_not_along_the_line():
+    assert aim_from(203.0, 540.0) == pytest.approx(37.5, abs=0.1)  # 23 cm aside, 30 cm deep
+
+
+def test_ball_beside_the_goal_is_shot_at_the_middle_of_the_mouth():
+    assert aim_from(280.0, 540.0) == pytest.approx(90.0)
+
+
 def test_seen_goal_is_carried_along_and_then_forgotten():
     world = kelpie.WorldFrame(field=kelpie.FIELDS['2006'], heading_sd_deg=180.0)
     world.percepts.landmarks = [kelpie.LandmarkPercept(kind=kelpie.GOAL_BLUE, distance=200.0)]
