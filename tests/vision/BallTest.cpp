@@ -72,7 +72,7 @@ TEST(Ball, SeenWithTheCameraRolledIsInTheSamePlace) {
 
 TEST(Ball, NeckErrorOfOneDegreeHardlyMovesIt) {
   const auto input = std::make_unique<FrameInput>();
-  const auto state = std::make_unique<VisionState>();
+  const auto state = stateForPaintings();
   paint(ballAt(160, 0), cameraAt(16, 0, -8), input->image);
   for (const double up : {-9.0, -7.0}) {
     const BallPercept ball = step({*input, bodyOf(cameraAt(16, 0, up))}, {}, *state).ball;

@@ -23,7 +23,7 @@ constexpr ColourClass kFloor = ColourClass::none;
 // Fills the class plane: what is not painted is green.
 EdgeFeatures featuresOf(std::initializer_list<Band> bands, double up = -5.0) {
   const auto image = std::make_unique<Image>();
-  const auto state = std::make_unique<VisionState>();
+  const auto state = stateForPaintings();
   state->classes.fill(static_cast<std::uint8_t>(kGreen));
   int row = 0;
   for (const Band& band : bands)

@@ -20,7 +20,7 @@ struct Look {
     return nearestFoot(scene, {from, -4, 4, 3, ColourClass::none});
   }
   double behind(PixelPoint at) const { return carpetBehind(scene, at, 20); }
-  std::unique_ptr<VisionState> state = std::make_unique<VisionState>();
+  std::unique_ptr<VisionState> state = stateForPaintings();
   std::unique_ptr<Image> image = std::make_unique<Image>();
   Sampler sampler{*image, state->calibration, state->distances, state->classes};
   BodyState body;

@@ -65,7 +65,7 @@ TEST(LinePoints, WhiteFootUnderABlackBodyGivesNone) {
 
 TEST(LinePoints, NoneAreTakenWhileTheHeadTurnsFast) {
   const auto input = std::make_unique<FrameInput>();
-  const auto state = std::make_unique<VisionState>();
+  const auto state = stateForPaintings();
   const CameraPose camera = cameraAt(16, 0, -15);
   paint(lineAt(60), camera, input->image);
   BodyState body = bodyOf(camera);

@@ -141,8 +141,12 @@ void paint(const Painting& painting, const CameraPose& camera, Image& image) {
   }
 }
 
+std::unique_ptr<VisionState> stateForPaintings() {
+  return std::make_unique<VisionState>(*loadCalibration("nominal", "2006"));
+}
+
 Seen look(const Painting& painting, const CameraPose& camera, const VisionParams& params) {
-  Seen seen{{}, std::make_unique<VisionState>()};
+  Seen seen{{}, stateForPaintings()};
   const auto input = std::make_unique<FrameInput>();
   paint(painting, camera, input->image);
   seen.percepts = step({*input, bodyOf(camera)}, params, *seen.state);

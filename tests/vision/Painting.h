@@ -69,6 +69,8 @@ struct Painting {
 CameraPose cameraAt(double height, double left, double up, double roll = 0.0);
 BodyState bodyOf(const CameraPose& camera);
 void paint(const Painting& painting, const CameraPose& camera, Image& image);
+// Vision for the painted camera, whose ring effects are centred on the image.
+std::unique_ptr<VisionState> stateForPaintings();
 
 // One step of vision on a painting.
 struct Seen {

@@ -33,7 +33,7 @@ TEST(PlaneImage, VisionFindsTheSameThingsInIt) {
   const CameraPose camera = cameraAt(16, 0, -5);
   const auto input = std::make_unique<FrameInput>();
   paint(p, camera, input->image);
-  const auto state = std::make_unique<VisionState>();
+  const auto state = stateForPaintings();
   const Percepts seen = step({*input, bodyOf(camera)}, {}, *state);
   const auto plane = std::make_unique<ClassPlane>();
   classifyWhole(input->image, state->calibration, *plane);

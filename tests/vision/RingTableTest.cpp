@@ -141,9 +141,19 @@ TEST(RingTable, ShiftOfAFinishedTableDiffersByOneLevelAtMost) {
   }
 }
 
+// Facts-2005 section 3.
+TEST(RingTable, NominalCentresAreThoseOfTheCorrectionOf2005) {
+  const auto table = std::make_unique<Expected<RingTable>>(loadRingTable("nominal"));
+  EXPECT_EQ((*table)->centre[0].column, 110);
+  EXPECT_EQ((*table)->centre[1].column, 105);
+  EXPECT_EQ((*table)->centre[2].column, 97);
+  EXPECT_EQ((*table)->y, published()->y);
+  EXPECT_EQ((*table)->cb, published()->cb);
+}
+
 TEST(RingTable, UnknownSourceIsOneLineThatNamesTheChoices) {
   EXPECT_EQ(loadRingTable("2007").error(),
-            "2007: cannot be opened (ring correction: \"none\", \"2006\" or a file)");
+            "2007: cannot be opened (ring correction: \"nominal\", \"none\", \"2006\" or a file)");
 }
 
 TEST(RingDistances, AreThoseOfPixelCentresToTheImageCentre) {

@@ -12,7 +12,7 @@ namespace {
 
 // Yellow left of an upright edge at x, green right of it; the pixel that it crosses is mixed.
 struct Edge {
-  std::unique_ptr<VisionState> state = std::make_unique<VisionState>();
+  std::unique_ptr<VisionState> state = stateForPaintings();
   std::unique_ptr<Image> image = std::make_unique<Image>();
 
   explicit Edge(double x) {

@@ -24,7 +24,7 @@ struct ColourOptions {
   std::string input;
   std::string out;
   std::string picture;
-  std::string ring = "2006";
+  std::string ring = "nominal";
   std::string note;
   std::uint64_t seed = 1;
 };

@@ -46,10 +46,10 @@ struct RingOptions {
   ShiftChoice shift;
 };
 
-// A table that is there already: "none", "2006" or a file.
+// A table that is there already: "nominal", "none", "2006" or a file.
 bool isTable(const std::string& input) {
   std::error_code error;
-  return input == "none" || input == "2006" ||
+  return input == "nominal" || input == "none" || input == "2006" ||
          (std::filesystem::is_regular_file(input, error) &&
           std::filesystem::path(input).extension() != ".mcap");
 }
@@ -153,10 +153,9 @@ void addCalibrateRing(CLI::App& command, int& code) {
   auto* ring = command.add_subcommand(
       "ring", "Ring correction from images of evenly coloured sheets, or from a table");
   auto options = std::make_shared<RingOptions>();
-  ring->add_option(
-          "INPUT", options->input,
-          "Folder of .png, .yuv or .bin images or a log, each image one sheet; or \"none\", "
-          "\"2006\" or a table")
+  ring->add_option("INPUT", options->input,
+                   "Folder of .png, .yuv or .bin images or a log, each image one sheet; or "
+                   "\"nominal\", \"none\", \"2006\" or a table")
       ->required();
   ring->add_option("--out", options->out, "The ring table to write")->required();
   ring->add_flag("--surface", options->surface,

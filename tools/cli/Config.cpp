@@ -72,7 +72,7 @@ void addConfigOptions(CLI::App& command, ConfigOptions& options) {
       ->check(CLI::IsMember({"red", "blue"}));
   command.add_option("--colour-table", options.colourTable,
                      "Colour table: Kelpie's own or the 128^3 bytes of 2005");
-  command.add_option("--ring", options.ring, "Ring correction: none, 2006 or a file");
+  command.add_option("--ring", options.ring, "Ring correction: nominal, none, 2006 or a file");
   command.add_option("--init", options.initial, "Known start: x,y,heading in cm and degrees");
   command.add_option("--params", options.params, "TOML files, general to specific");
 }
@@ -106,7 +106,7 @@ Expected<agent::AgentConfig> makeConfig(const ConfigOptions& options) {
   config.calibration = vision::nominalCalibration();
   ConfigOptions request = options;
   if (request.field.empty()) request.field = "2006";
-  if (request.ring.empty()) request.ring = "2006";
+  if (request.ring.empty()) request.ring = "nominal";
   const Status applied = applyConfig(request, config);
   if (!applied) return Error{applied.error()};
   return config;

@@ -17,7 +17,7 @@ struct ConfigOptions {
   std::string team;                 // red or blue; empty: as it is
   int player = 0;                   // 1 to 4; 0: as it is
   std::string colourTable;          // file
-  std::string ring;                 // none, 2006 or a file
+  std::string ring;                 // nominal, none, 2006 or a file
   std::string initial;              // "x,y,heading" in cm and degrees
   std::vector<std::string> params;  // TOML files, general to specific
 };
@@ -32,7 +32,7 @@ std::map<std::string, std::string> parameterNotes(const ConfigOptions& options);
 // Changes `config` as asked. On an error (one line, file and place) it is left half changed.
 Status applyConfig(const ConfigOptions& options, agent::AgentConfig& config);
 
-// The default configuration: field 2006, red player 1, nominal colours, ring 2006.
+// The default configuration: field 2006, red player 1, nominal colours and ring.
 Expected<agent::AgentConfig> makeConfig(const ConfigOptions& options);
 
 // A folder of behaviours must hold main.py; a zip is looked into when it is loaded.

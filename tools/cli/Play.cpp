@@ -199,7 +199,7 @@ void addPlay(CLI::App& app, int& code) {
       ->check(CLI::ExistingFile);
   command->add_option("--colour-table", session.colourTable, "Colour table file")
       ->check(CLI::ExistingFile);
-  command->add_option("--ring", session.ring, "Ring correction: none, 2006 or a file")
+  command->add_option("--ring", session.ring, "Ring correction: nominal, none, 2006 or a file")
       ->capture_default_str();
   command->add_option("--drop-rate", session.dropRate, "Share of images lost on the way")
       ->check(inRange(0.0, 1.0));

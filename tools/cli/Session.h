@@ -21,7 +21,7 @@ struct SessionOptions {
   std::string pycode;               // folder or zip; empty: the one of the source tree
   std::vector<std::string> params;  // TOML files, general to specific
   std::string colourTable;          // file; empty: the built-in one
-  std::string ring = "2006";
+  std::string ring = "nominal";
   std::vector<std::string> artefactsOff;  // of kelpie-world's --no-...
   std::string log;                        // where the merged log goes; empty: none is kept
   bool allImages = false;                 // the log keeps every image (Logs.h)

@@ -47,6 +47,12 @@ RingModel ringModel2006() {
   return model;
 }
 
+RingModel ringModelNominal() {
+  RingModel model = ringModel2006();
+  model.centre = {RingCentre{110, kMiddleRow}, {105, kMiddleRow}, {97, kMiddleRow}};
+  return model;
+}
+
 double ringDistort(const RingChannel& c, double value, double distance) {
   return gain(c, distance) * value + offset(c, distance);
 }
@@ -77,10 +83,12 @@ RingTable shifted(const RingTable& table, const RobotShift& shift) {
 }
 
 Expected<RingTable> loadRingTable(const std::string& source) {
+  if (source == "nominal") return buildRingTable(ringModelNominal());
   if (source == "none") return buildRingTable(RingModel{});
   if (source == "2006") return buildRingTable(ringModel2006());
   auto bytes = readBytes(source);
-  if (!bytes) return Error{bytes.error() + " (ring correction: \"none\", \"2006\" or a file)"};
+  if (!bytes)
+    return Error{bytes.error() + " (ring correction: \"nominal\", \"none\", \"2006\" or a file)"};
   auto file = parseTableFile(source, *bytes, TableKind::ring, kRingFileBytes);
   if (!file) return Error{file.error()};
   RingTable table;

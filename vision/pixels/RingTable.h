@@ -61,6 +61,10 @@ using RobotShift = std::array<ChannelShift, 3>;  // Y, Cr, Cb
 
 // The coefficients printed in thesis 2006 section 2.3.2 (checklist A-2.3.2.6).
 RingModel ringModel2006();
+// Its coefficients about the centres of the correction of 2005, columns 110, 105 and 97 of the
+// middle row (facts-2005 section 3), which served every robot. For one whose own centres nobody
+// measured.
+RingModel ringModelNominal();
 double ringDistort(const RingChannel& c, double value, double distance);
 double ringCorrect(const RingChannel& c, double value, double distance);  // its exact inverse
 
@@ -93,7 +97,8 @@ RingTable buildRingTable(const RingModel& model, const RobotShift& shift = {});
 // Applies a shift to a table whose model is not at hand: rounded a second time.
 RingTable shifted(const RingTable& table, const RobotShift& shift);
 
-// "none" changes nothing, "2006" is the published polynomial, anything else a file of our format.
+// "nominal" is ringModelNominal(), "none" changes nothing, "2006" is the published polynomial about
+// the image's middle, anything else a file of our format.
 Expected<RingTable> loadRingTable(const std::string& source);
 Status saveRingTable(const RingTable& table, const std::string& path,
                      const std::string& provenance);

@@ -6,7 +6,7 @@
 namespace kelpie::vision {
 
 VisionCalibration nominalCalibration() {
-  return {buildColourTable(nominalPrototypes()), buildRingTable(ringModel2006())};
+  return {buildColourTable(nominalPrototypes()), buildRingTable(ringModelNominal())};
 }
 
 Expected<VisionCalibration> loadCalibration(const std::string& colour, const std::string& ring) {

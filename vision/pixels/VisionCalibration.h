@@ -22,10 +22,11 @@ struct VisionCalibration {
   }
 };
 
-// The simulated world's colours and the 2006 ring polynomial.
+// The simulated world's colours and the nominal ring model.
 VisionCalibration nominalCalibration();
 
-// colour: "nominal" or a file for loadColourTable; ring: "none", "2006" or a file.
+// colour: "nominal" or a file for loadColourTable; ring: "nominal", "none", "2006" or a
+// file.
 Expected<VisionCalibration> loadCalibration(const std::string& colour, const std::string& ring);
 
 }  // namespace kelpie::vision

@@ -250,7 +250,7 @@ Status addView(const View& view, Random& random, sim::Camera& idealCamera, Scene
   const auto calibration =
       std::make_unique<vision::VisionCalibration>(vision::nominalCalibration());
   addImage(view.input.image, *ideal, *calibration, scores.unshifted);
-  calibration->ring = buildRingTable(vision::ringModel2006(), *shift);
+  calibration->ring = buildRingTable(vision::ringModelNominal(), *shift);
   addImage(view.input.image, *ideal, *calibration, scores.calibrated);
   calibration->ring = buildRingTable({}, *shift);
   addImage(view.input.image, *ideal, *calibration, scores.uncorrected);
