@@ -45,7 +45,7 @@ struct WorldFrame {
   TeamBall teamBall;
   FixedVector<OpponentEstimate, kOpponents> opponents;
   FixedVector<TeammateEstimate, kTeammates> teammates;
-  ObstacleEstimate obstacles;
+  ObstacleCells obstacles;
   FixedVector<PinkLandmark, kMaxPinks> pinkMap;
   Task task;
   body::FieldDescription field;

@@ -148,8 +148,6 @@ void prepare(const GpsParams& params, GpsState& state) {
     state.lines.features.build(params.field);
     state.lines.painted = paintedFeatures(params.field);
   }
-  if (!state.players.obstacles.built)
-    build(params.field, params.players.obstacles, state.players.obstacles);
   if (!state.pose.started) start(params.initialPose, params.field, params.modes, state.pose);
 }
 

@@ -20,28 +20,6 @@ void enter(Point2<Field> p, double count, const body::FieldDescription& field,
   kept = static_cast<float>(std::min(most, static_cast<double>(kept) + count));
 }
 
-// A wall from one point to another.
-void enterWall(Point2<Field> a, Point2<Field> b, const body::FieldDescription& field, double count,
-               std::array<float, kMapCells>& layer) {
-  const int steps = 1 + static_cast<int>(2.0 * distance(a, b) / kObstacleCell);
-  for (int i = 0; i <= steps; ++i) {
-    const double share = static_cast<double>(i) / steps;
-    enter({a.x + share * (b.x - a.x), a.y + share * (b.y - a.y)}, count, field, layer, count);
-  }
-}
-
-void enterGoal(Point2<Field> middle, const body::FieldDescription& field, double count,
-               std::array<float, kMapCells>& layer) {
-  const double depth = middle.y < 0.5 * field.length ? -field.goalDepth : field.goalDepth;
-  const Point2<Field> left{middle.x - 0.5 * field.goalWidth, middle.y};
-  const Point2<Field> right{middle.x + 0.5 * field.goalWidth, middle.y};
-  const Point2<Field> leftBack{left.x, left.y + depth};
-  const Point2<Field> rightBack{right.x, right.y + depth};
-  enterWall(left, leftBack, field, count, layer);
-  enterWall(leftBack, rightBack, field, count, layer);
-  enterWall(rightBack, right, field, count, layer);
-}
-
 using Cells = FixedVector<std::size_t, 64>;  // as many as there are points
 
 Cells enterPoints(const ObstacleSightings& in, const body::FieldDescription& field,
@@ -81,6 +59,19 @@ void clear(const ObstacleSightings& in, const Cells& seen, const body::FieldDesc
   }
 }
 
+// False when there are more cells with that count or a larger one than the list takes.
+bool list(const ObstacleMap& map, const body::FieldDescription& field, double minCount,
+          ObstacleCells& cells) {
+  cells.clear();
+  for (std::size_t cell = 0; cell < kMapCells; ++cell) {
+    if (map.count(cell) < minCount) continue;
+    const ObstacleCell item{middleOf(cell, field), static_cast<double>(map.own[cell]),
+                            static_cast<double>(map.heard[cell])};
+    if (!cells.push_back(item)) return false;
+  }
+  return true;
+}
+
 void fade(std::array<float, kMapCells>& layer, double keep) {
   const auto share = static_cast<float>(keep);
   for (float& count : layer) {
@@ -105,17 +96,6 @@ Point2<Field> middleOf(std::size_t cell, const body::FieldDescription& field) {
           (static_cast<double>(row) + 0.5) * kObstacleCell - field.endFringe};
 }
 
-void build(const body::FieldDescription& field, const ObstacleMapParams& params, ObstacleMap& map) {
-  for (const body::Landmark& landmark : field.landmarks) {
-    if (landmark.kind <= LandmarkKind::goalYellow) {
-      enterGoal(landmark.position, field, params.landmarkCount, map.fixed);
-    } else {
-      enter(landmark.position, params.landmarkCount, field, map.fixed, params.landmarkCount);
-    }
-  }
-  map.built = true;
-}
-
 void forget(double elapsed, const ObstacleMapParams& params, ObstacleMap& map) {
   fade(map.own, maths::exp(-params.forgetRate * elapsed));
   fade(map.heard, maths::exp(-params.forgetHeardRate * elapsed));
@@ -133,7 +113,7 @@ void see(const ObstacleSightings& in, const body::FieldDescription& field,
 
 void hear(const TeamMessage& message, const body::FieldDescription& field,
           const ObstacleMapParams& params, ObstacleMap& map) {
-  for (const ObstacleCell& told : message.obstacles) {
+  for (const SharedObstacle& told : message.obstacles) {
     const auto cell = cellAt(told.position, field);
     if (!cell) continue;
     const auto count = static_cast<float>(std::min(told.count, params.maxCount));
@@ -141,19 +121,26 @@ void hear(const TeamMessage& message, const body::FieldDescription& field,
   }
 }
 
-FixedVector<ObstacleCell, kSharedObstacles> fullest(const ObstacleMap& map,
-                                                    const body::FieldDescription& field,
-                                                    const ObstacleMapParams& params) {
-  FixedVector<ObstacleCell, kSharedObstacles> list;
+FixedVector<SharedObstacle, kSharedObstacles> fullest(const ObstacleMap& map,
+                                                      const body::FieldDescription& field,
+                                                      const ObstacleMapParams& params) {
+  FixedVector<SharedObstacle, kSharedObstacles> list;
   for (std::size_t cell = 0; cell < kMapCells; ++cell) {
     const auto count = static_cast<double>(map.own[cell]);
     if (count < params.tellCount) continue;
-    ObstacleCell item{middleOf(cell, field), count};
-    for (ObstacleCell& kept : list)
+    SharedObstacle item{middleOf(cell, field), count};
+    for (SharedObstacle& kept : list)
       if (item.count > kept.count) std::swap(item, kept);
     list.push_back(item);  // nothing when it is full
   }
   return list;
+}
+
+ObstacleCells listed(const ObstacleMap& map, const body::FieldDescription& field) {
+  ObstacleCells cells;
+  double minCount = 1.0;
+  while (!list(map, field, minCount, cells)) minCount *= 2.0;
+  return cells;
 }
 
 }  // namespace kelpie::gps

@@ -12,7 +12,7 @@
 
 #include "gps/players/ObstacleMapParams.h"
 #include "robot/body/FieldDescription.h"
-#include "robot/core/ObstacleEstimates.h"
+#include "robot/core/ObstacleCells.h"
 #include "robot/core/Percepts.h"
 #include "robot/core/TeamMessage.h"
 #include "robot/core/WorldModel.h"
@@ -26,21 +26,14 @@ constexpr std::size_t kMapRows = 64;
 constexpr std::size_t kMapCells = kMapColumns * kMapRows;
 
 struct ObstacleMap {
-  bool built = false;
   std::array<float, kMapCells> own{};
   std::array<float, kMapCells> heard{};
-  std::array<float, kMapCells> fixed{};  // beacons and goals
 
-  double count(std::size_t cell) const {
-    return static_cast<double>(own[cell] + heard[cell] + fixed[cell]);
-  }
+  double count(std::size_t cell) const { return static_cast<double>(own[cell] + heard[cell]); }
 };
 
 std::optional<std::size_t> cellAt(Point2<Field> p, const body::FieldDescription& field);
 Point2<Field> middleOf(std::size_t cell, const body::FieldDescription& field);
-
-// Enters beacons and goals.
-void build(const body::FieldDescription& field, const ObstacleMapParams& params, ObstacleMap& map);
 
 void forget(double elapsed, const ObstacleMapParams& params, ObstacleMap& map);
 
@@ -57,9 +50,12 @@ void see(const ObstacleSightings& in, const body::FieldDescription& field,
 void hear(const TeamMessage& message, const body::FieldDescription& field,
           const ObstacleMapParams& params, ObstacleMap& map);
 
-// The fullest of the own cells, fullest first.
-FixedVector<ObstacleCell, kSharedObstacles> fullest(const ObstacleMap& map,
-                                                    const body::FieldDescription& field,
-                                                    const ObstacleMapParams& params);
+// For the team: the fullest of the own cells, fullest first.
+FixedVector<SharedObstacle, kSharedObstacles> fullest(const ObstacleMap& map,
+                                                      const body::FieldDescription& field,
+                                                      const ObstacleMapParams& params);
+
+// For the behaviours: all cells that hold a point or more, of more than the list takes the fuller.
+ObstacleCells listed(const ObstacleMap& map, const body::FieldDescription& field);
 
 }  // namespace kelpie::gps

@@ -15,17 +15,10 @@ struct ObstacleMapParams {
   double maxReach = 250.0;       // cm; farther points are not mapped
   double maxPositionSd = 50.0;   // cm of the own place; with more nothing is mapped or told
   Angle maxHeadingSd = Angle::deg(20.0);
-  double clearReach = 150.0;    // cm; carpet seen nearer than this empties its cell
-  double clearShare = 0.8;      // of a cell's points that carpet seen in it leaves
-  double robotCount = 2.0;      // points of a robot seen: its white body gives none
-  double landmarkCount = 40.0;  // of cells with beacons or walls of goals
-  double tellCount = 5.0;       // a cell with less is not told to the team
-  double corridorWidth = 30.0;  // cm
-  double sectorReach = 100.0;   // cm
-  double fullCount = 10.0;      // a cell with less does not block a way
-  double gapReach = 50.0;       // cm that must be free ahead
-  Angle gapWidth = Angle::deg(20.0);
-  Angle gapAside = Angle::deg(110.0);  // farther to the side is no way ahead
+  double clearReach = 150.0;  // cm; carpet seen nearer than this empties its cell
+  double clearShare = 0.8;    // of a cell's points that carpet seen in it leaves
+  double robotCount = 2.0;    // points of a robot seen: its white body gives none
+  double tellCount = 5.0;     // a cell with less is not told to the team
 
   static constexpr auto fields() {
     using P = ObstacleMapParams;
@@ -39,14 +32,7 @@ struct ObstacleMapParams {
                      field("clearReach", &P::clearReach, "cm", 0, 1000),
                      field("clearShare", &P::clearShare, "", 0, 1),
                      field("robotCount", &P::robotCount, "", 0, 100),
-                     field("landmarkCount", &P::landmarkCount, "", 0, 1e4),
-                     field("tellCount", &P::tellCount, "", 0, 1e4),
-                     field("corridorWidth", &P::corridorWidth, "cm", 1, 300),
-                     field("sectorReach", &P::sectorReach, "cm", 10, 1000),
-                     field("fullCount", &P::fullCount, "", 0.1, 1e4),
-                     field("gapReach", &P::gapReach, "cm", 10, 1000),
-                     field("gapWidth", &P::gapWidth, "rad", 10, 180),
-                     field("gapAside", &P::gapAside, "rad", 10, 180));
+                     field("tellCount", &P::tellCount, "", 0, 1e4));
   }
 };
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gps/players/Players.h"
 
-#include "gps/players/ObstacleQueries.h"
 #include "gps/players/Opponents.h"
 #include "gps/players/Team.h"
 #include "gps/players/TeamBall.h"
@@ -12,13 +11,13 @@ namespace {
 
 using Heard = FixedVector<TeamMessage, kTeammates>;
 
-ObstacleEstimate stepObstacles(const GpsIn& in, const PlayersContext& context, const Heard& heard,
-                               const WorldModel& world, ObstacleMap& map) {
+ObstacleCells stepObstacles(const GpsIn& in, const PlayersContext& context, const Heard& heard,
+                            const WorldModel& world, ObstacleMap& map) {
   const ObstacleMapParams& p = context.players.obstacles;
   forget(elapsedOf(in.input), p, map);
   see({in.percepts, world}, context.field, p, map);
   for (const TeamMessage& message : heard) hear(message, context.field, p, map);
-  return extractObstacles({map, context.field, p}, world);
+  return listed(map, context.field);
 }
 
 }  // namespace
@@ -33,7 +32,7 @@ void stepPlayers(const GpsIn& in, const PlayersContext& context, PlayersState& p
   world.teammates = extractMates(context.players.team, players.mates);
   const Witnesses witnesses = witnessesOf(world.ball, players.mates, context);
   world.teamBall = fused(witnesses, context.players.teamBall);
-  speak(in.input, world, context.players.team, players);
+  speak(in.input, world, context, players);
   world.message = players.message;
 }
 

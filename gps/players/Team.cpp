@@ -68,7 +68,7 @@ bool believable(const TeamMessage& message, const body::FieldDescription& field,
                               soundCovariance(o.covariance, kMinVariance, kMaxVariance);
                      }) &&
          std::all_of(message.obstacles.begin(), message.obstacles.end(),
-                     [&](const ObstacleCell& o) {
+                     [&](const SharedObstacle& o) {
                        return nearField(o.position) && o.count >= 0.0 && o.count < kMaxCount;
                      });
 }
@@ -110,11 +110,11 @@ FixedVector<TeammateEstimate, kTeammates> extractMates(const TeamParams& params,
   return list;
 }
 
-void speak(const FrameInput& input, const WorldModel& world, const TeamParams& params,
+void speak(const FrameInput& input, const WorldModel& world, const PlayersContext& context,
            PlayersState& players) {
   constexpr double kHalfFrame = 0.5 / 30.0;
   players.secondsSinceMessage += elapsedOf(input);
-  if (players.secondsSinceMessage + kHalfFrame < params.interval) return;
+  if (players.secondsSinceMessage + kHalfFrame < context.players.team.interval) return;
   players.secondsSinceMessage = 0.0;
   TeamMessage& m = players.message;
   m.number = static_cast<std::uint16_t>(m.number + 1);
@@ -128,7 +128,7 @@ void speak(const FrameInput& input, const WorldModel& world, const TeamParams& p
     m.ball = {true, ball.position, ball.velocity, ball.fieldCovariance, ball.secondsSinceSeen};
   }
   m.opponents = takeUnsent(players.opponents);
-  m.obstacles = world.obstacles.cells;
+  m.obstacles = fullest(players.obstacles, context.field, context.players.obstacles);
 }
 
 }  // namespace kelpie::gps

@@ -21,7 +21,7 @@ FixedVector<TeammateEstimate, kTeammates> extractMates(const TeamParams& params,
                                                        const Teammates& mates);
 
 // Makes a new message when the last one is old enough.
-void speak(const FrameInput& input, const WorldModel& world, const TeamParams& params,
+void speak(const FrameInput& input, const WorldModel& world, const PlayersContext& context,
            PlayersState& players);
 
 }  // namespace kelpie::gps

@@ -9,12 +9,12 @@
 
 #include "robot/core/FixedVector.h"
 #include "robot/core/Geometry.h"
-#include "robot/core/ObstacleEstimates.h"
 
 namespace kelpie {
 
 constexpr std::size_t kTeammates = 3;
 constexpr std::size_t kOpponents = 4;
+constexpr std::size_t kSharedObstacles = 24;
 
 // The ball by the sender's own sightings.
 struct SharedBall {
@@ -45,6 +45,17 @@ struct SharedOpponent {
   }
 };
 
+// A square of 10 cm of the obstacle map.
+struct SharedObstacle {
+  Point2<Field> position;
+  double count = 0.0;
+
+  static constexpr auto fields() {
+    return fieldList(field("position", &SharedObstacle::position),
+                     field("count", &SharedObstacle::count, "", 0, 1e4));
+  }
+};
+
 struct TeamMessage {
   std::uint8_t player = 1;   // of the sender
   std::uint8_t role = 0;     // as the behaviours number them
@@ -54,7 +65,7 @@ struct TeamMessage {
   std::array<double, 9> covariance{};  // of (x, y, heading)
   SharedBall ball;
   FixedVector<SharedOpponent, kOpponents> opponents;
-  FixedVector<ObstacleCell, kSharedObstacles> obstacles;  // the fullest of the sender's own
+  FixedVector<SharedObstacle, kSharedObstacles> obstacles;  // the fullest of the sender's own
 
   static constexpr auto fields() {
     using M = TeamMessage;

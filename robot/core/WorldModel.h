@@ -8,7 +8,7 @@
 
 #include "robot/core/FixedVector.h"
 #include "robot/core/Geometry.h"
-#include "robot/core/ObstacleEstimates.h"
+#include "robot/core/ObstacleCells.h"
 #include "robot/core/TeamEstimates.h"
 #include "robot/core/TeamMessage.h"
 
@@ -100,7 +100,7 @@ struct WorldModel {
   TeamBall teamBall;
   FixedVector<OpponentEstimate, kOpponents> opponents;  // those known of, in no order
   FixedVector<TeammateEstimate, kTeammates> teammates;  // heard within the last seconds
-  ObstacleEstimate obstacles;
+  ObstacleCells obstacles;
   FixedVector<PinkLandmark, kMaxPinks> pinkMap;  // in the order of their discovery
   TeamMessage message;  // for the team, when its number differs from the last
   GpsCounts counts;

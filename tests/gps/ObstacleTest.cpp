@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// The map of obstacles: what is seen, forgotten, heard, and what behaviours are told of it.
+// The map of obstacles: what is seen, forgotten, heard, and told to the behaviours and the team.
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 #include <memory>
 
-#include "gps/players/ObstacleQueries.h"
+#include "gps/players/ObstacleMap.h"
 #include "tests/gps/Field2006.h"
 #include "tools/sim/LocalisingRobot.h"
 
@@ -36,7 +36,6 @@ struct Mapping {
     see({percepts, world}, field2006(), params, *map);
   }
   double at(Point2<Field> p) const { return map->count(*cellAt(p, field2006())); }
-  ObstacleView view() const { return {*map, field2006(), params}; }
 };
 
 TEST(ObstacleMap, PointsCountInTheCellWhereTheyLieOnTheField) {
@@ -106,15 +105,6 @@ TEST(ObstacleMap, ASeenRobotIsAnObstacle) {
   EXPECT_GT(m.at({180 - 80 * std::sin(30 / 57.2958), 270 + 80 * std::cos(30 / 57.2958)}), 1.0);
 }
 
-TEST(ObstacleMap, GoalsAndBeaconsAlwaysStandInIt) {
-  Mapping m;
-  build(field2006(), m.params, *m.map);
-  EXPECT_NEAR(m.at({180, 571}), 40.0, 1e-6);                    // the far goal's back wall
-  EXPECT_NEAR(m.at({-15, 135}), 40.0, 1e-6);                    // a beacon
-  EXPECT_NEAR(m.at({180, 545}), 0.0, 1e-6);                     // its mouth is free
-  EXPECT_TRUE(fullest(*m.map, field2006(), m.params).empty());  // nobody needs to be told
-}
-
 TEST(ObstacleMap, WhatAMateTellsFadesSoonAndIsNotToldOn) {
   Mapping m;
   TeamMessage message;
@@ -146,65 +136,37 @@ TEST(ObstacleMap, PointsThatAreNoNumbersAreNotEntered) {
   for (std::size_t i = 0; i < kMapCells; ++i) ASSERT_EQ(m.map->count(i), 0.0);
 }
 
-TEST(ObstacleQueries, ACorridorCountsWhatStandsInItsWidthOnly) {
+TEST(ObstacleMap, ListsWhatItSawAndWhatItHeardApart) {
   Mapping m;
-  m.seePoints({0, 60}, 12);
-  const Point2<Field> me = m.world.pose.position;
-  EXPECT_NEAR(countInCorridor(m.view(), me, {180, 400}), 12.0, 1e-6);
-  EXPECT_NEAR(countInCorridor(m.view(), me, {180, 300}), 0.0, 1e-6);
-  EXPECT_NEAR(countInCorridor(m.view(), me, {280, 400}), 0.0, 1e-6);
+  m.seePoints({0, 60}, 7);
+  TeamMessage message;
+  message.obstacles.push_back({{100, 300}, 30.0});
+  hear(message, field2006(), m.params, *m.map);
+  const ObstacleCells cells = listed(*m.map, field2006());
+  ASSERT_EQ(cells.size(), 2U);
+  EXPECT_EQ(cells[0].own, 0.0);
+  EXPECT_NEAR(cells[0].heard, 30.0, 1e-6);
+  EXPECT_LE(distance(cells[0].position, {100, 300}), 7.1);
+  EXPECT_NEAR(cells[1].own, 7.0, 1e-6);
+  EXPECT_EQ(cells[1].heard, 0.0);
+  EXPECT_LE(distance(cells[1].position, {180, 330}), 7.1);
 }
 
-TEST(ObstacleQueries, MoreObstaclesNeverMakeACorridorFreer) {
+TEST(ObstacleMap, ACellWithLessThanAPointIsNotListed) {
   Mapping m;
-  double last = 0.0;
-  for (int i = 0; i < 20; ++i) {
-    m.seePoints({-30.0 + 3.0 * i, 60}, 4);
-    const double now = countInCorridor(m.view(), m.world.pose.position, {180, 400});
-    EXPECT_GE(now, last);
-    last = now;
-  }
-  EXPECT_GT(last, 0.0);
+  m.seePoints({0, 60}, 1);
+  EXPECT_EQ(listed(*m.map, field2006()).size(), 1U);
+  forget(0.1, m.params, *m.map);
+  EXPECT_TRUE(listed(*m.map, field2006()).empty());
 }
 
-TEST(ObstacleQueries, SectorsAreCountedFromTheRobotsHeading) {
+TEST(ObstacleMap, OfMoreCellsThanTheListTakesTheFullerAreListed) {
   Mapping m;
-  m.seePoints(robotPolar(60, Angle::deg(60)), 15);
-  const Sectors sectors = sectorsAround(m.view(), m.world.pose);
-  EXPECT_NEAR(sectors[6].count, 15.0, 1e-6);
-  EXPECT_NEAR(sectors[6].nearest, 60.0, 8.0);
-  EXPECT_NEAR(countInSector(sectors, Angle::deg(60), Angle::deg(30)), 15.0, 1e-6);
-  EXPECT_NEAR(countInSector(sectors, Angle::deg(-60), Angle::deg(30)), 0.0, 1e-6);
-}
-
-TEST(ObstacleQueries, TheBestGapIsTheWishedWayWhenItIsFree) {
-  const Sectors free{};
-  const ObstacleGap gap = bestGap(free, Angle::deg(25), {});
-  ASSERT_TRUE(gap.present);
-  EXPECT_NEAR(gap.heading.deg(), 25.0, 1e-9);
-}
-
-TEST(ObstacleQueries, AGapAllAroundIsAsWideAsAnAngleCanSay) {
-  EXPECT_NEAR(bestGap(Sectors{}, Angle::deg(0), {}).width.deg(), 180.0, 1e-9);
-}
-
-TEST(ObstacleQueries, TheBestGapPassesAnObstacleOnTheNearerSide) {
-  Sectors sectors{};
-  for (const std::size_t i : {0U, 1U, 35U, 34U, 33U}) sectors[i].nearest = 40.0;
-  const ObstacleGap gap = bestGap(sectors, Angle::deg(0), {});
-  ASSERT_TRUE(gap.present);
-  EXPECT_NEAR(gap.heading.deg(), 25.0, 1e-6);  // left: free from 15 deg, and half of 20 more
-  sectors[1].nearest = 51.0;                   // farther than the gap's reach
-  EXPECT_NEAR(bestGap(sectors, Angle::deg(0), {}).heading.deg(), 15.0, 1e-6);
-}
-
-TEST(ObstacleQueries, ThereIsNoGapWhereAllWaysAheadAreBlockedOrTooNarrow) {
-  Sectors sectors{};
-  for (std::size_t i = 0; i < kObstacleSectors; i += 2) sectors[i].nearest = 30.0;
-  EXPECT_FALSE(bestGap(sectors, Angle::deg(0), {}).present);
-  ObstacleMapParams narrow;
-  narrow.gapWidth = Angle::deg(10);
-  EXPECT_TRUE(bestGap(sectors, Angle::deg(0), narrow).present);
+  for (std::size_t cell = 0; cell < 2 * kObstacleCells; ++cell)
+    m.map->own[3 * cell] = cell % 4 == 0 ? 9.0F : 1.5F;
+  const ObstacleCells cells = listed(*m.map, field2006());
+  ASSERT_EQ(cells.size(), kObstacleCells / 2);
+  for (const ObstacleCell& cell : cells) EXPECT_EQ(cell.own, 9.0);
 }
 
 TEST(Obstacles, ARobotThatKnowsItsPlacePublishesWhatStandsBeforeIt) {
@@ -216,11 +178,9 @@ TEST(Obstacles, ARobotThatKnowsItsPlacePublishesWhatStandsBeforeIt) {
     robot.percepts.obstacles.push_back({{0, 40}, {}});
     world = robot.step();
   }
-  EXPECT_LT(world.obstacles.sectors[0].nearest, 50.0);
-  EXPECT_GT(world.obstacles.toGoal, 10.0);
-  ASSERT_TRUE(world.obstacles.gapToGoal.present);
-  EXPECT_GT(std::fabs(world.obstacles.gapToGoal.heading.deg()), 10.0);
-  EXPECT_FALSE(world.obstacles.cells.empty());
+  ASSERT_EQ(world.obstacles.size(), 1U);
+  EXPECT_LE(distance(world.obstacles[0].position, {185, 240}), 7.1);
+  EXPECT_NEAR(world.obstacles[0].own, 17.0, 1.0);  // 20 less the forgetting
 }
 
 }  // namespace

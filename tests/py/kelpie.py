@@ -554,59 +554,17 @@ class TeammateEstimate(Fields):
         self._take(given)
 
 
-class ObstacleSector(Fields):
-    __slots__ = (
-        'count',
-        'nearest',
-    )
-
-    def __init__(self, **given):
-        self.count = 0.0
-        self.nearest = 1000.0
-        self._take(given)
-
-
-class ObstacleGap(Fields):
-    __slots__ = (
-        'present',
-        'heading_deg',
-        'width_deg',
-    )
-
-    def __init__(self, **given):
-        self.present = False
-        self.heading_deg = 0.0
-        self.width_deg = 0.0
-        self._take(given)
-
-
 class ObstacleCell(Fields):
     __slots__ = (
         'position',
-        'count',
+        'own',
+        'heard',
     )
 
     def __init__(self, **given):
         self.position = Point2()
-        self.count = 0.0
-        self._take(given)
-
-
-class ObstacleEstimate(Fields):
-    __slots__ = (
-        'sectors',
-        'to_ball',
-        'to_goal',
-        'gap_to_goal',
-        'cells',
-    )
-
-    def __init__(self, **given):
-        self.sectors = [ObstacleSector()] * 36
-        self.to_ball = 0.0
-        self.to_goal = 0.0
-        self.gap_to_goal = ObstacleGap()
-        self.cells = []
+        self.own = 0.0
+        self.heard = 0.0
         self._take(given)
 
 
@@ -783,7 +741,7 @@ class WorldFrame(Fields):
         self.team_ball = TeamBall()
         self.opponents = []
         self.teammates = []
-        self.obstacles = ObstacleEstimate()
+        self.obstacles = []
         self.pink_map = []
         self.task = Task()
         self.field = FieldDescription()

@@ -1,0 +1,122 @@
+# SPDX-License-Identifier: Apache-2.0
+# What stands in a corridor, box, sector or arc of the field, and which way is free: questions to
+# the obstacle map (world.obstacles), to be asked of one frame's points_of(world). A count is of
+# points that cameras saw in cells of 10 cm, less what was forgotten since (facts-2005 section 4.7);
+# beacons and the walls of goals are taken from world.field. Keeps nothing. An obstacle that nobody
+# saw in the last seconds is not in it, and a cell answers as one point, at its middle.
+import math
+
+import kelpie
+from lib.geom import clamp, from_field, heading, wrap
+
+CELL = 10.0              # cm
+LANDMARK_COUNT = 40.0    # of each cell's length of a wall or beacon
+FULL = 10.0              # a cell with fewer points does not block a way
+CORRIDOR = 30.0          # cm, a robot's width and some
+GAP_REACH = 50.0         # cm that must be free
+GAP_WIDTH = 20.0         # deg
+GAP_SIDE = 110.0         # deg from straight ahead; farther aside is no way ahead
+STEP = 10                # deg, of the directions that are tried for a gap
+
+Counted = tuple[float, float, float]  # x and y in cm on the field, count
+
+
+def points_of(world, own=True, heard=True, landmarks=True) -> list[Counted]:
+    """All that stands on the field as far as this robot saw it, a teammate told it, or the field's
+    description says it."""
+    points = [(cell.position.x, cell.position.y,
+               (cell.own if own else 0.0) + (cell.heard if heard else 0.0))
+              for cell in world.obstacles]
+    points = [point for point in points if point[2] > 0.0]
+    return points + standing(world.field) if landmarks else points
+
+
+def between(points, start, end, width=CORRIDOR) -> float:
+    """The count within half a width (cm) of the straight way from one (x, y) to another."""
+    dx, dy = end[0] - start[0], end[1] - start[1]
+    length2 = dx * dx + dy * dy or 1.0
+    total = 0.0
+    for x, y, count in points:
+        along = clamp(((x - start[0]) * dx + (y - start[1]) * dy) / length2, 0.0, 1.0)
+        ax, ay = x - start[0] - along * dx, y - start[1] - along * dy
+        if 4.0 * (ax * ax + ay * ay) <= width * width:
+            total += count
+    return total
+
+
+def in_box(points, pose, left, right, near, far) -> float:
+    """The count in a box of the robot frame: x from left to right, y from near to far, in cm."""
+    total = 0.0
+    for x, y, count in points:
+        x, y = from_field(pose, x, y)
+        if left <= x <= right and near <= y <= far:
+            total += count
+    return total
+
+
+def in_sector(points, pose, degrees, width, far, near=0.0) -> float:
+    """The count in a sector about a pose, or in an arc of it: `width` deg about the direction
+    `degrees` left of straight ahead, from near to far (cm)."""
+    return sum(count for away, aside, count in _polar(points, pose)
+               if near <= away <= far and abs(wrap(aside - degrees)) <= 0.5 * width)
+
+
+def nearest(points, pose, degrees, width, count=FULL) -> float:
+    """cm from a pose to the nearest cell of that count in a sector; infinite when there is none."""
+    return min((away for away, aside, full in _polar(points, pose)
+                if full >= count and abs(wrap(aside - degrees)) <= 0.5 * width), default=math.inf)
+
+
+def gap(points, pose, degrees, reach=GAP_REACH, width=GAP_WIDTH) -> tuple[float, float] | None:
+    """The free way nearest to a direction: its heading and the width of the gap that it leads
+    through, in deg in the robot frame; None when all ways ahead are blocked or too narrow."""
+    blocked = {STEP * round(aside / STEP) for away, aside, count in _polar(points, pose)
+               if count >= FULL and away <= reach}
+    ways = []
+    for right, left in _runs(blocked):
+        if left - right >= width:
+            ways.append((clamp(degrees, right + 0.5 * width, left - 0.5 * width), left - right))
+    return min(ways, key=lambda way: abs(way[0] - degrees), default=None)
+
+
+def standing(field) -> list[Counted]:
+    """Beacons and the walls of goals, a point for every cell's length."""
+    points = []
+    for landmark in field.landmarks:
+        x, y = landmark.position.x, landmark.position.y
+        if landmark.kind in (kelpie.GOAL_BLUE, kelpie.GOAL_YELLOW):
+            points += _goal(field, x, y)
+        else:
+            points.append((x, y, LANDMARK_COUNT))
+    return points
+
+
+def _polar(points, pose):
+    """Each point's distance from a pose, its heading there and its count."""
+    for x, y, count in points:
+        x, y = from_field(pose, x, y)
+        yield math.hypot(x, y), heading(x, y), count
+
+
+def _runs(blocked):
+    """The runs of free directions ahead, from right to left, as the headings of their ends."""
+    first = None
+    side = int(GAP_SIDE)
+    for degrees in range(-side, side + STEP + 1, STEP):
+        free = degrees <= side and degrees not in blocked
+        if free and first is None:
+            first = degrees
+        elif not free and first is not None:
+            yield first - 0.5 * STEP, degrees - 0.5 * STEP
+            first = None
+
+
+def _goal(field, x, y):
+    half, depth = 0.5 * field.goal_width, field.goal_depth
+    back = y - depth if y < 0.5 * field.length else y + depth
+    corners = [(x - half, y), (x - half, back), (x + half, back), (x + half, y)]
+    for (ax, ay), (bx, by) in zip(corners, corners[1:]):
+        steps = math.ceil(math.hypot(bx - ax, by - ay) / CELL)
+        for i in range(steps):
+            yield (ax + (bx - ax) * i / steps, ay + (by - ay) * i / steps, LANDMARK_COUNT)
+    yield (*corners[-1], LANDMARK_COUNT)
