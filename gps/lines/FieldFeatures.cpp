@@ -18,11 +18,12 @@ int cellsAlong(double length, double cell) {
 
 void FieldFeatures::build(const body::FieldDescription& field) {
   pieces_.clear();
-  for (const body::FieldLine& line : field.lines) {
-    const Point2<Field> way = line.end - line.start;
-    const double length = way.norm();
-    if (length > 0.0) pieces_.push_back({line.start, way * (1.0 / length), length, 0.0});
-  }
+  for (const body::FieldLine& line : field.lines)
+    if (distance(line.start, line.end) > 0.0) pieces_.push_back(straightPiece(line));
+  border_.clear();
+  for (const body::BorderPiece& piece : body::borderOf(field))
+    if (distance(piece.foot.start, piece.foot.end) > 0.0)
+      border_.push_back(straightPiece(piece.foot));
   const double radius = 0.5 * (field.circleDiameter - field.lineWidth);
   if (radius > 0.0) pieces_.push_back({{field.width / 2, field.length / 2}, {}, 0.0, radius});
   carpet_ = body::carpetOf(field);
@@ -37,6 +38,12 @@ void FieldFeatures::build(const body::FieldDescription& field) {
       const Point2<Field> middle{(i + 0.5) * cell_ - kMargin, (j + 0.5) * cell_ - kMargin};
       table_[static_cast<std::size_t>(j * columns_ + i)] = nearestPiece(middle);
     }
+}
+
+FieldFeatures::Piece FieldFeatures::straightPiece(const body::FieldLine& line) {
+  const Point2<Field> way = line.end - line.start;
+  const double length = way.norm();
+  return {line.start, way * (1.0 / length), length, 0.0};
 }
 
 std::uint8_t FieldFeatures::nearestPiece(Point2<Field> p) const {
@@ -78,6 +85,15 @@ FeatureDistance FieldFeatures::distanceTo(const Piece& piece, Point2<Field> p) {
 FeatureDistance FieldFeatures::nearest(Point2<Field> p) const {
   if (pieces_.empty()) return {};
   return distanceTo(pieces_[table_[cellOf(p)]], p);
+}
+
+FeatureDistance FieldFeatures::border(Point2<Field> p) const {
+  FeatureDistance best;
+  for (const Piece& piece : border_) {
+    const FeatureDistance here = distanceTo(piece, p);
+    if (&piece == border_.begin() || std::fabs(here.value) < std::fabs(best.value)) best = here;
+  }
+  return best;
 }
 
 FeatureDistance FieldFeatures::outside(Point2<Field> p) const {

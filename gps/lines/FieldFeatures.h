@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is painted on the field, as straight pieces and a circle, and which of them is nearest to
 // any place: a table of one byte a cell, so that the distance itself and its direction are exact
-// and smooth. Beyond the table's margin the nearest cell counts. Wrong by up to half a cell where
-// two pieces are equally near.
+// and smooth. The foot of the border, ten pieces at most, is compared piece by piece. Beyond the
+// table's margin the nearest cell counts. Wrong by up to half a cell where two pieces are equally
+// near.
 #pragma once
 
 #include <array>
@@ -29,6 +30,8 @@ class FieldFeatures {
 
   // To the painted line that is nearest.
   FeatureDistance nearest(Point2<Field> p) const;
+  // To the foot of the white border; zero everywhere on a field without one.
+  FeatureDistance border(Point2<Field> p) const;
   // To the carpet: 0 on it.
   FeatureDistance outside(Point2<Field> p) const;
 
@@ -39,11 +42,13 @@ class FieldFeatures {
     double length = 0.0;
     double radius = 0.0;  // of the circle, 0 for a straight piece
   };
+  static Piece straightPiece(const body::FieldLine& line);
   static FeatureDistance distanceTo(const Piece& piece, Point2<Field> p);
   std::uint8_t nearestPiece(Point2<Field> p) const;
   std::size_t cellOf(Point2<Field> p) const;
 
   FixedVector<Piece, 25> pieces_;
+  FixedVector<Piece, body::Border::kCapacity> border_;
   body::Carpet carpet_;
   double cell_ = 4.0;  // cm
   int columns_ = 0;

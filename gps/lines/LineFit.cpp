@@ -40,7 +40,7 @@ template <typename Points, typename Distance>
 Sums summed(const Points& points, const Turned& t, double sharpness, const Distance& distance) {
   Sums sums;
   for (const SeenPoint& point : points) {
-    const FeatureDistance d = distance(placed(t, point.place));
+    const FeatureDistance d = distance(placed(t, point.place), point.border);
     const double value = 1.0 / (1.0 + sharpness * d.value * d.value);
     sums.weight += point.weight;
     sums.match += point.weight * value;
@@ -64,10 +64,11 @@ Evaluation evaluate(const SeenLines& seen, const Pose2& pose, const FieldFeature
                     const LineUpdateParams& params) {
   const Turned t = turned(pose);
   const double s = params.sharpness;
-  const Sums lines =
-      summed(seen.lines, t, s, [&field](Point2<Field> p) { return field.nearest(p); });
+  const Sums lines = summed(seen.lines, t, s, [&field](Point2<Field> p, bool border) {
+    return border ? field.border(p) : field.nearest(p);
+  });
   const Sums carpet =
-      summed(seen.carpet, t, s, [&field](Point2<Field> p) { return field.outside(p); });
+      summed(seen.carpet, t, s, [&field](Point2<Field> p, bool) { return field.outside(p); });
   return {lines.share() * carpet.share(), lines.curvature + carpet.curvature,
           lines.gradient + carpet.gradient};
 }
@@ -96,7 +97,8 @@ void thin(const FixedVector<LinePoint, 256>& points, LinePointKind kind, std::si
   std::size_t index = 0;
   for (const LinePoint& p : points) {
     if (p.kind != kind || !usable(p)) continue;
-    if (isSpread(index++, count, most)) kept.push_back({p.position, p.weight});
+    if (isSpread(index++, count, most))
+      kept.push_back({p.position, p.weight, kind == LinePointKind::border});
   }
 }
 
@@ -130,6 +132,7 @@ SeenLines seenLines(const FixedVector<LinePoint, 256>& points, const LineUpdateP
   SeenLines seen;
   const auto most = std::min<std::size_t>(params.maxPoints, kMaxLinePoints);
   thin(points, LinePointKind::line, most, seen.lines);
+  thin(points, LinePointKind::border, most, seen.lines);
   thin(points, LinePointKind::field, 12, seen.carpet);
   return seen;
 }

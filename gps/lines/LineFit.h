@@ -18,9 +18,10 @@ constexpr std::size_t kMaxLinePoints = 128;
 struct SeenPoint {
   Point2<Robot> place;
   double weight = 0.0;
+  bool border = false;  // at the foot of the white border, not on a painted line
 };
 struct SeenLines {
-  FixedVector<SeenPoint, kMaxLinePoints> lines;
+  FixedVector<SeenPoint, kMaxLinePoints> lines;  // and the foot of the border
   FixedVector<SeenPoint, 16> carpet;  // green; only says that the robot is near the field
   double newEvidenceShare = 1.0;      // what no update has used before
   double headSpeed = 0.0;             // rad a frame, while they were seen
@@ -31,7 +32,8 @@ inline bool isSpread(std::size_t index, std::size_t count, std::size_t most) {
   return count <= most || (index + 1) * most / count != index * most / count;
 }
 
-// Evenly thinned to `maxPoints`; points that are not finite or have no weight are left out.
+// Lines and border evenly thinned to `maxPoints` each; points that are not finite or have no weight
+// are left out.
 SeenLines seenLines(const FixedVector<LinePoint, 256>& points, const LineUpdateParams& params);
 
 struct LineFit {

@@ -105,7 +105,7 @@ void addKind(const FixedVector<LinePoint, 256>& points, LinePointKind kind, std:
     if (p.kind != kind) continue;
     if (!isSpread(index++, count, most)) continue;
     const bool unmatched = !add(p, params, map);
-    if (kind == LinePointKind::line && map.age > kSettledSeconds) noteUnmatched(unmatched, map);
+    if (kind != LinePointKind::field && map.age > kSettledSeconds) noteUnmatched(unmatched, map);
   }
 }
 
@@ -147,7 +147,7 @@ bool add(const LinePoint& point, const LineMapParams& params, LineMap& map) {
     i = 0;  // it has moved, perhaps into another's region
   }
   if (isNew && !hasRoom(map, mine.kind, params)) return false;
-  if (map.points.push_back(mine) && mine.kind == LinePointKind::line) map.newCount += gained;
+  if (map.points.push_back(mine) && mine.kind != LinePointKind::field) map.newCount += gained;
   return !isNew;
 }
 
@@ -164,17 +164,18 @@ void stepMap(const FrameInput& input, const FixedVector<LinePoint, 256>& points,
 
 SeenLines seenLines(const LineMap& map, std::size_t most, const LineMapParams& params) {
   SeenLines seen;
-  const std::size_t count = countOf(map, LinePointKind::line);
+  const std::size_t count = countOfWhite(map);
   const std::size_t green = countOf(map, LinePointKind::field);
   double matched = 0.0;
   std::size_t line = 0;
   std::size_t carpet = 0;
   for (const MapPoint& p : map.points) {
     const SeenPoint point{p.place,
-                          p.weight * std::min(1.0, p.decayedCount / params.fullWeightCount)};
+                          p.weight * std::min(1.0, p.decayedCount / params.fullWeightCount),
+                          p.kind == LinePointKind::border};
     if (p.kind == LinePointKind::field && isSpread(carpet++, green, 12))
       seen.carpet.push_back(point);
-    if (p.kind != LinePointKind::line || !isSpread(line++, count, most)) continue;
+    if (p.kind == LinePointKind::field || !isSpread(line++, count, most)) continue;
     seen.lines.push_back(point);
     matched += point.weight;
   }
@@ -186,6 +187,10 @@ std::size_t countOf(const LineMap& map, LinePointKind kind) {
   std::size_t count = 0;
   for (const MapPoint& p : map.points) count += p.kind == kind ? 1 : 0;
   return count;
+}
+
+std::size_t countOfWhite(const LineMap& map) {
+  return countOf(map, LinePointKind::line) + countOf(map, LinePointKind::border);
 }
 
 }  // namespace kelpie::gps

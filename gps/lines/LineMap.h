@@ -35,5 +35,6 @@ void stepMap(const FrameInput& input, const FixedVector<LinePoint, 256>& points,
 SeenLines seenLines(const LineMap& map, std::size_t most, const LineMapParams& params);
 
 std::size_t countOf(const LineMap& map, LinePointKind kind);
+std::size_t countOfWhite(const LineMap& map);  // points of lines and of the border
 
 }  // namespace kelpie::gps

@@ -96,7 +96,7 @@ bool conclude(const MapScene& scene, const FoundPoses& found, Modes& modes) {
 bool isWanted(const FrameInput& input, const LinesParams& params, const LinesState& lines,
               bool lost) {
   if (!params.search.use || !params.map.use || !standing(input)) return false;
-  const std::size_t points = countOf(lines.map, LinePointKind::line);
+  const std::size_t points = countOfWhite(lines.map);
   const bool patient = lines.map.age < params.search.patience;
   if (points < (patient ? params.search.minPoints : kMinPoints)) return false;
   return lost || (input.lastCommand.localise && !lines.searchServed);

@@ -22,7 +22,7 @@ SeenLines linesOfFrame(const GpsIn& in, const LineUpdateParams& params) {
 
 SeenLines linesOfFrameOrMap(const GpsIn& in, const LinesParams& params, LineMap& map) {
   const SeenLines frame = linesOfFrame(in, params.update);
-  if (countOf(map, LinePointKind::line) <= frame.lines.size()) return frame;
+  if (countOfWhite(map) <= frame.lines.size()) return frame;
   SeenLines mapped = seenLines(map, params.map.matched, params.map);
   mapped.headSpeed = frame.headSpeed;
   map.newCount = 0.0;

@@ -2,6 +2,7 @@
 #include "robot/body/FieldDescription.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 namespace kelpie::body {
@@ -41,6 +42,35 @@ void addLines(FieldDescription& f) {
   const double box = f.borderWidth + f.boxDepth - half;
   addGoalBox(f, bottom, box);
   addGoalBox(f, f.length - bottom, f.length - box);
+}
+
+// The corner of the own left; `corner` is where its triangle ends along foot and upper edge.
+struct BorderEnds {
+  double foot;
+  double top;
+};
+
+BorderEnds borderEnds(const FieldDescription& f) {
+  const double b = f.borderWidth;
+  if (f.borderCorner <= 0.0) return {b, 0.0};
+  // The triangle's upper edge is parallel to its foot, borderWidth farther out.
+  return {b + f.borderCorner, 2.0 * b + f.borderCorner - std::sqrt(2.0) * b};
+}
+
+// The same piece in all four quarters of the field, twice where it is its own mirror image.
+void addBorderPiece(const FieldDescription& f, const BorderPiece& piece, bool alongX, bool alongY,
+                    Border& border) {
+  const auto mirrored = [&f](Point2<Field> p, bool x, bool y) {
+    return Point2<Field>{x ? f.width - p.x : p.x, y ? f.length - p.y : p.y};
+  };
+  for (const bool x : {false, true})
+    for (const bool y : {false, true}) {
+      if ((x && !alongX) || (y && !alongY)) continue;
+      const auto turned = [&](const FieldLine& line) {
+        return FieldLine{mirrored(line.start, x, y), mirrored(line.end, x, y)};
+      };
+      border.push_back({turned(piece.foot), turned(piece.top)});
+    }
 }
 
 // The red team's view (facts-2005 section 1): its own goal is yellow; "X on Y" = X above Y.
@@ -124,6 +154,24 @@ std::array<double, 8> wallAround(const FieldDescription& field, double beyond) {
   const Point2<Field> low = carpet.low - Point2<Field>{beyond, beyond};
   const Point2<Field> high = carpet.high + Point2<Field>{beyond, beyond};
   return {low.x, low.y, high.x, low.y, high.x, high.y, low.x, high.y};
+}
+
+Border borderOf(const FieldDescription& f) {
+  Border border;
+  const double b = f.borderWidth;
+  if (b <= 0.0) return border;
+  const BorderEnds ends = borderEnds(f);
+  const double post = (f.width - f.goalWidth) / 2;
+  const FieldLine side{{b, ends.foot}, {b, f.length - ends.foot}};
+  const FieldLine sideTop{{0.0, ends.top}, {0.0, f.length - ends.top}};
+  addBorderPiece(f, {side, sideTop}, true, false, border);
+  const FieldLine end{{ends.foot, b}, {post, b}};
+  addBorderPiece(f, {end, {{ends.top, 0.0}, {post, 0.0}}}, true, true, border);
+  if (f.borderCorner > 0.0) {
+    const FieldLine corner{{b, ends.foot}, {ends.foot, b}};
+    addBorderPiece(f, {corner, {{0.0, ends.top}, {ends.top, 0.0}}}, true, true, border);
+  }
+  return border;
 }
 
 const Landmark* findLandmark(const LandmarkMap& map, LandmarkKind kind) {

@@ -103,6 +103,18 @@ double carpetDistance(const FieldDescription& field, Point2<Field> p);
 // x, y of the corners of a wall that stands so far beyond the carpet, going round.
 std::array<double, 8> wallAround(const FieldDescription& field, double beyond);
 
+// A straight piece of the white border: its foot on the carpet and its upper edge, which is as much
+// farther out as it is higher, borderWidth.
+struct BorderPiece {
+  FieldLine foot;
+  FieldLine top;
+};
+using Border = FixedVector<BorderPiece, 10>;
+
+// Sides, corner triangles, and ends that are open at the goals; nothing on a field without a
+// border.
+Border borderOf(const FieldDescription& field);
+
 using LandmarkMap = FixedVector<Landmark, kLandmarkKindCount>;
 
 // Nothing when the map has none of the kind.

@@ -92,6 +92,34 @@ TEST(FieldDescription, OldFieldHasNoSideLinesAndGoalLinesOnlyInTheMouth) {
   EXPECT_TRUE(hasLine(field, {96.2, 58.8}, {193.8, 58.8}));
 }
 
+TEST(FieldDescription, TheFootOfTheBorderIsClosedButForTheGoals) {
+  const auto field = *fieldDescription("2004");
+  const Border border = borderOf(field);
+  EXPECT_EQ(border.size(), 10u);
+  int loose = 0;
+  for (const BorderPiece& piece : border)
+    for (const Point2<Field>& end : {piece.foot.start, piece.foot.end}) {
+      int here = 0;
+      for (const BorderPiece& other : border)
+        here += (distance(other.foot.start, end) < 1e-9) + (distance(other.foot.end, end) < 1e-9);
+      if (here == 2) continue;
+      ++loose;
+      EXPECT_NEAR(std::fabs(end.x - field.width / 2), field.goalWidth / 2, 1e-9);
+    }
+  EXPECT_EQ(loose, 4);
+  EXPECT_TRUE(borderOf(*fieldDescription("2006")).empty());
+}
+
+TEST(FieldDescription, TheBordersUpperEdgeIsAsMuchFartherOutAsHigher) {
+  const auto field = *fieldDescription("2004");
+  for (const BorderPiece& piece : borderOf(field)) {
+    const Point2<Field> way = piece.foot.end - piece.foot.start;
+    const Point2<Field> up = piece.top.start - piece.foot.start;
+    const double away = std::fabs(way.x * up.y - way.y * up.x) / way.norm();
+    EXPECT_NEAR(away, field.borderWidth, 1e-9);
+  }
+}
+
 TEST(FieldDescription, UnknownNameIsRefusedWithTheNamesThatExist) {
   const auto none = fieldDescription("2007");
   ASSERT_FALSE(none.ok());

@@ -29,14 +29,14 @@ class Board {
   }
 
   Scene scene() const {
-    return {sampler, *blobs_, body, edges, horizonFrameOf(body.camera), lattice_, *runs_, field_};
+    return {sampler, *blobs_, body, edges, horizonFrameOf(body.camera), lattice_, *runs_, field};
   }
 
   BodyState body;
   FixedVector<FieldEdgePercept, 3> edges;
+  body::FieldDescription field = *body::fieldDescription("2006");
 
  private:
-  body::FieldDescription field_ = *body::fieldDescription("2006");
   Lattice lattice_{horizonFrameOf(body.camera)};
   std::unique_ptr<Image> image_ = std::make_unique<Image>();
   std::unique_ptr<VisionCalibration> calibration_ =

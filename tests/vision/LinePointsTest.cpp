@@ -104,7 +104,7 @@ TEST(LinePoints, FootOfABorderIsSeenOnlyOnAFieldThatHasOne) {
   VisionParams params;
   EXPECT_EQ(
       count(look(borderAhead(), cameraAt(16, 0, -15), params).percepts, LinePointKind::border), 0U);
-  params.line.border = true;
+  params.field = *body::fieldDescription("2004");
   const Percepts seen = look(borderAhead(), cameraAt(16, 0, -15), params).percepts;
   EXPECT_GE(count(seen, LinePointKind::border), 19U);
   for (const LinePoint& point : seen.linePoints) {
@@ -115,7 +115,7 @@ TEST(LinePoints, FootOfABorderIsSeenOnlyOnAFieldThatHasOne) {
 
 TEST(LinePoints, WhiteTooWideForALineAndTooNarrowForABorderGivesNone) {
   VisionParams params;
-  params.line.border = true;
+  params.field = *body::fieldDescription("2004");
   Painting p;
   for (int i = 0; i < 8; ++i)  // flat, 8 cm deep
     p.walls.push_back({{-300, 60.0 + i}, {300, 60.0 + i}, 0.0, 0.3, kWhitePaint});

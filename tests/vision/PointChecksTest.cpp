@@ -139,6 +139,7 @@ TEST(PointChecks, BorderIsTenCentimetresHigh) {
   const GridLine gridLine = gridLineUp(104, kUsableTop);
   for (const int top : {10, 85}) {
     Board board;
+    board.field = *body::fieldDescription("2004");
     board.fill(0, 0, kImageWidth, top, kWallPaint);
     board.fill(0, 0, kImageWidth, top, {60, 131, 122});
     board.fill(0, top, kImageWidth, 100, kWhitePaint);

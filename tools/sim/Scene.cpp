@@ -106,35 +106,20 @@ void addRoom(Scene& scene, const body::FieldDescription& field) {
   }
 }
 
-// One stretch of the border: its foot from a to b, its upper edge `width` farther out and higher.
-void addBorderPart(Scene& scene, Point2<Field> a, Point2<Field> b, Point2<Field> out) {
-  const double rise = out.norm();
-  Quad quad;
-  quad.colour = colours::kWhite;
-  quad.corner = {FieldPoint3{a.x, a.y, 0.0}, FieldPoint3{b.x, b.y, 0.0},
-                 FieldPoint3{b.x + out.x, b.y + out.y, rise},
-                 FieldPoint3{a.x + out.x, a.y + out.y, rise}};
-  Solid solid;
-  solid.quads.push_back(quad);
-  enclose(solid);
-  scene.fixtures.push_back(solid);
-}
-
-// The 45 degree white border of the 2004 field, inside its width and length, open at the goals.
-// Its corner triangles are not drawn.
+// The white border of the 2004 field.
 void addBorder(Scene& scene, const body::FieldDescription& field) {
-  const double b = field.borderWidth;
-  if (b <= 0.0) return;
-  const double w = field.width;
-  const double l = field.length;
-  const double left = (w - field.goalWidth) / 2;
-  const double right = (w + field.goalWidth) / 2;
-  addBorderPart(scene, {b, b}, {b, l - b}, {-b, 0.0});
-  addBorderPart(scene, {w - b, b}, {w - b, l - b}, {b, 0.0});
-  for (const double y : {b, l - b}) {
-    const Point2<Field> out{0.0, y < l / 2 ? -b : b};
-    addBorderPart(scene, {b, y}, {left, y}, out);
-    addBorderPart(scene, {right, y}, {w - b, y}, out);
+  const double height = field.borderWidth;
+  for (const body::BorderPiece& piece : body::borderOf(field)) {
+    Quad quad;
+    quad.colour = colours::kWhite;
+    quad.corner = {FieldPoint3{piece.foot.start.x, piece.foot.start.y, 0.0},
+                   FieldPoint3{piece.foot.end.x, piece.foot.end.y, 0.0},
+                   FieldPoint3{piece.top.end.x, piece.top.end.y, height},
+                   FieldPoint3{piece.top.start.x, piece.top.start.y, height}};
+    Solid solid;
+    solid.quads.push_back(quad);
+    enclose(solid);
+    scene.fixtures.push_back(solid);
   }
 }
 

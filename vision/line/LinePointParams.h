@@ -19,9 +19,7 @@ struct LinePointParams {
   double besideReach = 3;        // px to both sides in which a line must go on
   double cornerBuffer = 10;      // px, thesis 2004 equation 3.1
   double objectMargin = 2;       // px around the boxes of ball, landmarks and robots
-  bool border = false;           // the field has a white border (before 2005)
   double borderMin = 20;         // px without green that make a border, checklist U10
-  double borderHeight = 10;      // cm, thesis 2004 3.1.1
   double borderShare = 0.85;     // of the height that must be white
   double borderWhite = 0.7;      // of these pixels
   double borderReach = 6;        // px to both sides in which its foot must go on
@@ -53,9 +51,7 @@ struct LinePointParams {
                      field("besideReach", &LinePointParams::besideReach, "px", 1, 10),
                      field("cornerBuffer", &LinePointParams::cornerBuffer, "px", 0, 60),
                      field("objectMargin", &LinePointParams::objectMargin, "px", 0, 40),
-                     field("border", &LinePointParams::border),
                      field("borderMin", &LinePointParams::borderMin, "px", 1, 100),
-                     field("borderHeight", &LinePointParams::borderHeight, "cm", 1, 50),
                      field("borderShare", &LinePointParams::borderShare, "", 0, 1),
                      field("borderWhite", &LinePointParams::borderWhite, "", 0, 1),
                      field("borderReach", &LinePointParams::borderReach, "px", 1, 30),

@@ -188,7 +188,7 @@ void findLinePoints(const Scene& scene, const LinePointParams& params, Percepts&
   if (!headIsSlow(scene.body, params)) return;
   const Finder f{scene, params, out};
   findLines(f);
-  if (params.border) findBorders(f);
+  if (scene.field.borderWidth > 0.0) findBorders(f);
   for (int px = kGridLeft; px < kUsableRight; px += kFieldGridSpacing) findFieldPoints(f, px);
   for (const auto kind : {LinePointKind::line, LinePointKind::border, LinePointKind::field})
     dropFew(f, kind);

@@ -37,14 +37,13 @@ double pixelsPerCm(const CameraPose& camera, PixelPoint pixel) {
 
 // Where the border's upper edge is above a foot. Seen from inside the field the border leans away:
 // its upper edge is as much farther as higher.
-std::optional<PixelPoint> borderTop(const CameraPose& camera, PixelPoint pixel,
-                                    const LinePointParams& p) {
+std::optional<PixelPoint> borderTop(const CameraPose& camera, PixelPoint pixel, double height) {
   const auto foot = body::groundPoint(camera, pixel);
   if (!foot) return std::nullopt;
   const Point2<Robot> way{foot->x - camera.position.x, foot->y - camera.position.y};
-  const double share = 1.0 + p.borderHeight / std::max(way.norm(), 1.0);
-  return body::project(camera, {camera.position.x + way.x * share,
-                                camera.position.y + way.y * share, p.borderHeight});
+  const double share = 1.0 + height / std::max(way.norm(), 1.0);
+  return body::project(
+      camera, {camera.position.x + way.x * share, camera.position.y + way.y * share, height});
 }
 
 }  // namespace
@@ -112,7 +111,7 @@ bool borderIsLong(const Scene& scene, const GridLine& gridLine, const RisingEdge
 bool borderIsHigh(const Scene& scene, const GridLine& gridLine, const RisingEdge& edge,
                   const LinePointParams& p) {
   const PixelPoint foot = gridLine.at(edge.last);
-  const auto top = borderTop(scene.body.camera, foot, p);
+  const auto top = borderTop(scene.body.camera, foot, scene.field.borderWidth);
   if (!top) return false;
   const double dx = top->x - foot.x;
   const double dy = top->y - foot.y;

@@ -13,14 +13,14 @@ struct Group {
   Vector3 slope = Vector3::Zero();
 };
 
-template <typename Points>
-Group summed(const Points& points, const Pose2& pose, const MatchTable& table,
+template <typename Points, typename TableOf>
+Group summed(const Points& points, const Pose2& pose, const TableOf& tableOf,
              Interpolation interpolation) {
   Group group;
   const double s = pose.heading.sin();
   const double c = pose.heading.cos();
   for (const SeenPoint& point : points) {
-    const MatchValue m = table.at(fieldFromRobot(pose, point.place), interpolation);
+    const MatchValue m = tableOf(point).at(fieldFromRobot(pose, point.place), interpolation);
     const double spin = m.slopeX * (c * point.place.x - s * point.place.y) +
                         m.slopeY * (s * point.place.x + c * point.place.y);
     group.weight += point.weight;
@@ -85,13 +85,20 @@ MatchValue MatchTable::bilinear(double x, double y) const {
 MatchTables::MatchTables(const body::FieldDescription& field, const FieldFeatures& features,
                          double sharpness)
     : lines(field, sharpness, [&features](Point2<Field> p) { return features.nearest(p).value; }),
+      border(field, sharpness, [&features](Point2<Field> p) { return features.border(p).value; }),
       carpet(field, sharpness, [&features](Point2<Field> p) { return features.outside(p).value; }) {
 }
 
 OverallMatch overallMatch(const SeenLines& seen, const Pose2& pose, const MatchTables& tables,
                           Interpolation interpolation) {
-  const OverallMatch lines = meanOf(summed(seen.lines, pose, tables.lines, interpolation));
-  const OverallMatch carpet = meanOf(summed(seen.carpet, pose, tables.carpet, interpolation));
+  const auto whiteTable = [&tables](const SeenPoint& point) -> const MatchTable& {
+    return point.border ? tables.border : tables.lines;
+  };
+  const auto carpetTable = [&tables](const SeenPoint&) -> const MatchTable& {
+    return tables.carpet;
+  };
+  const OverallMatch lines = meanOf(summed(seen.lines, pose, whiteTable, interpolation));
+  const OverallMatch carpet = meanOf(summed(seen.carpet, pose, carpetTable, interpolation));
   return {lines.value * carpet.value, lines.slope * carpet.value + lines.value * carpet.slope};
 }
 

@@ -8,8 +8,8 @@
 namespace kelpie::experiments {
 namespace {
 
-constexpr std::array<const char*, 5> kOptionNames = {"--trials", "--seed", "--params", "--traces",
-                                                     "--pictures"};
+constexpr std::array<const char*, 6> kOptionNames = {"--trials", "--seed",   "--params",
+                                                     "--field",  "--traces", "--pictures"};
 
 std::string_view name(const Experiment& experiment) { return experiment.name; }
 

@@ -22,9 +22,9 @@ namespace kelpie::experiments {
 using cli::Json;
 
 // What a user may ask for beside the experiment's name and --json.
-enum class Option : std::uint8_t { trials, seed, params, traces, pictures };
-constexpr std::initializer_list<Option> kAllOptions = {Option::trials, Option::seed, Option::params,
-                                                       Option::traces, Option::pictures};
+enum class Option : std::uint8_t { trials, seed, params, field, traces, pictures };
+constexpr std::initializer_list<Option> kAllOptions = {
+    Option::trials, Option::seed, Option::params, Option::field, Option::traces, Option::pictures};
 const char* nameOf(Option option);  // "--trials"
 
 class Options {
@@ -46,6 +46,7 @@ struct Request {
   int trials = 1;
   std::uint64_t seed = 1;
   std::vector<std::string> params;  // the agent's TOML files
+  std::string field;                // its name; empty: 2006
   std::string traces;               // folder for tables (Trace.h); empty: none
   std::string pictures;             // folder for pictures of what went wrong; empty: none
   std::function<void(int done, int all)> progress;

@@ -246,7 +246,7 @@ Expected<Json> localise(const Request& request) {
 
 const Registration kLocalise(
     "localise", "three minutes of play from pixels: errors of the pose and their causes",
-    {Option::trials, Option::seed, Option::params, Option::traces}, 8, localise);
+    {Option::trials, Option::seed, Option::params, Option::field, Option::traces}, 8, localise);
 
 }  // namespace
 }  // namespace kelpie::experiments

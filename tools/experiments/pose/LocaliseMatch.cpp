@@ -28,6 +28,7 @@ std::unique_ptr<sim::World> endlessMatch(const agent::AgentConfig& config, std::
 Expected<agent::AgentConfig> agentConfig(const Request& request) {
   cli::ConfigOptions options;
   options.params = request.params;
+  options.field = request.field;
   return cli::makeConfig(options);
 }
 

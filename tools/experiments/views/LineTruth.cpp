@@ -91,9 +91,10 @@ double LineTruth::offLine(Point2<Field> place) const {
 }
 
 double LineTruth::offBorder(Point2<Field> place) const {
-  const double b = field_.borderWidth;
-  return std::min({std::fabs(place.x - b), std::fabs(field_.width - b - place.x),
-                   std::fabs(place.y - b), std::fabs(field_.length - b - place.y)});
+  double nearest = 1e9;
+  for (const auto& piece : body::borderOf(field_))
+    nearest = std::min(nearest, offSegment(piece.foot, place));
+  return nearest;
 }
 
 namespace {

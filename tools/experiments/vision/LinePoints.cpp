@@ -242,7 +242,6 @@ Expected<Json> linePoints(const Request& request) {
   vision::VisionParams params;
   const Tally now = look(views, params, request);
   views.field = *body::fieldDescription("2004");
-  params.line.border = true;
   params.field = views.field;
   const Tally before = look(views, params, request);
   return Json{{"head_slow_share", ratio(now.open, now.views)},
