@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 
@@ -46,6 +47,26 @@ TEST(WorldView, ListsHaveTheirLengthAndElements) {
   EXPECT_EQ(seen(run, scripts, "sum(l.distance for l in world.percepts.landmarks)"), 42.0);
   EXPECT_EQ(seen(run, scripts, "world.percepts.landmarks[-1].distance"), 9.0);
   EXPECT_EQ(seen(run, scripts, "world.percepts.landmarks[0].kind - kelpie.BEACON_PINK_ON_BLUE"), 0);
+}
+
+TEST(WorldView, TheShippedQuestionsToTheObstacleMapAreAnswered) {
+  const Scripts scripts("return kelpie.Command()");
+  std::filesystem::copy(KELPIE_SOURCE_DIR "/pycode/lib", scripts.path() + "/lib");
+  scripts.write("main.py",
+                "import kelpie\nfrom lib import obstacles\n\ndef decide(world):\n"
+                "    points = obstacles.points_of(world, heard=False)\n"
+                "    return kelpie.Command(walk=kelpie.WalkRequest(\n"
+                "        forward=obstacles.between(points, (100, 200), (100, 400)),\n"
+                "        left=obstacles.in_sector(points, world.pose, 90.0, 30.0, far=100.0)))\n");
+  HostRun run(scripts);
+  run.field = *body::fieldDescription("2006");
+  run.world.pose = {{180, 300}, Angle::deg(90)};
+  run.world.obstacles.push_back({{105, 305}, 4.0, 2.0});
+  run.world.obstacles.push_back({{305, 305}, 8.0, 0.0});
+  const Command command = run.step();
+  EXPECT_EQ(command.fallback, Fallback::none) << run.state.lastError();
+  EXPECT_EQ(command.walk.forward, 4.0);
+  EXPECT_EQ(command.walk.left, 4.0);
 }
 
 TEST(WorldView, NothingCanBeWritten) {

@@ -42,7 +42,8 @@ FixedVector<LinePoint, 256> borderSeenFrom(const Pose2& pose) {
 
 TEST(Border, ItsFootIsAsFarAsTheNearestPieceAndNothingWhereThereIsNone) {
   EXPECT_NEAR(std::fabs(features2004().border({40.0, 220.0}).value), 30.0, 1e-9);
-  EXPECT_NEAR(std::fabs(features2004().border({35.0, 35.0}).value), 0.0, 1e-9);  // a triangle's foot
+  EXPECT_NEAR(std::fabs(features2004().border({35.0, 35.0}).value), 0.0,
+              1e-9);  // a triangle's foot
   EXPECT_NEAR(std::fabs(features2004().border({145.0, 10.0}).value), 30.0, 1e-9);  // a goal's mouth
   EXPECT_EQ(features().border({40.0, 220.0}).value, 0.0);
 }
