@@ -33,4 +33,13 @@ inline void setCovariance(PoseMode& mode, const Matrix3& covariance) {
   }
 }
 
+// An information or covariance of a pose when the field is turned.
+inline Matrix3 turned(const Matrix3& matrix, Angle by) {
+  Matrix3 turn = Matrix3::Identity();
+  turn(0, 0) = turn(1, 1) = by.cos();
+  turn(0, 1) = -by.sin();
+  turn(1, 0) = by.sin();
+  return turn * matrix * turn.transpose();
+}
+
 }  // namespace kelpie::gps

@@ -6,6 +6,7 @@
 #include "gps/GpsIn.h"
 #include "gps/GpsParams.h"
 #include "gps/GpsState.h"
+#include "gps/pose/Predict.h"
 #include "robot/core/WorldModel.h"
 
 namespace kelpie::gps {
@@ -15,5 +16,8 @@ namespace kelpie::gps {
 void prepare(const GpsParams& params, GpsState& state);
 
 WorldModel step(const GpsIn& in, const GpsParams& params, GpsState& state);
+
+// The last part of a step, after the pose: ball, players, and what is published.
+WorldModel believe(const GpsIn& in, const Step& moved, const GpsParams& params, GpsState& state);
 
 }  // namespace kelpie::gps

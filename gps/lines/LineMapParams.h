@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tunables of what is made of field lines beyond one frame: the map of a standing robot (thesis
-// 2004 section 3.2.4), ambiguous poses (thesis 2004 section 3.3.2), the search of the field (thesis
-// 2004 section 4.1.4).
+// 2004 section 3.2.4) and the search over the field (thesis 2004 section 4.1.4).
 #pragma once
 
 #include <cstdint>
@@ -37,20 +36,6 @@ struct LineMapParams {
         field("matched", &P::matched, "", 8, 128), field("maxRefused", &P::maxRefused, "", 1, 1000),
         field("maxUnmatchedShare", &P::maxUnmatchedShare, "", 0, 1),
         field("fullWeightCount", &P::fullWeightCount, "", 1, 100));
-  }
-};
-
-struct SymmetryParams {
-  bool use = false;
-  double window = 20.0;        // cm around a feature in which the seen points lie about it
-  std::uint32_t maxPoses = 6;  // ambiguous poses, the best matching
-  std::uint32_t points = 24;   // by which they are checked
-
-  static constexpr auto fields() {
-    using P = SymmetryParams;
-    return fieldList(field("use", &P::use), field("window", &P::window, "cm", 1, 200),
-                     field("maxPoses", &P::maxPoses, "", 1, 6),
-                     field("points", &P::points, "", 4, 128));
   }
 };
 

@@ -6,6 +6,7 @@
 #include "gps/Gaussian.h"
 #include "gps/SamePose.h"
 #include "gps/lines/LineMap.h"
+#include "gps/lines/PaintedField.h"
 
 namespace kelpie::gps {
 namespace {

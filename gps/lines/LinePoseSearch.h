@@ -7,7 +7,7 @@
 
 #include "gps/lines/LineState.h"
 #include "gps/lines/LinesParams.h"
-#include "gps/lines/Symmetry.h"
+#include "gps/lines/PaintedField.h"
 #include "gps/pose/PoseState.h"
 #include "robot/core/FrameInput.h"
 

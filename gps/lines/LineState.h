@@ -31,25 +31,11 @@ struct LineMap {
   double unmatchedShare = 0.0;  // of line points, those in no known point's region; over a second
 };
 
-enum class FeatureKind : std::uint8_t { corner, tee, circle, straight };
-
-// `direction`: a corner's bisector, a T's stem, the line through the circle, a straight piece's
-// normal. A T also gives two corners (one arm may be hidden); the circle and a straight piece are
-// listed in both directions.
-struct PaintedFeature {
-  FeatureKind kind = FeatureKind::corner;
-  Point2<Field> place;
-  Angle direction;
-  double half = 0.0;  // cm, of a straight piece's length
-};
-using PaintedFeatures = FixedVector<PaintedFeature, 80>;
-
 struct LinesState {
   LineMap map;
   PoseSearch search;
   bool searchServed = false;  // the request at hand has been answered
   FieldFeatures features;     // built once from the field's description
-  PaintedFeatures painted;    // with them
 };
 
 }  // namespace kelpie::gps

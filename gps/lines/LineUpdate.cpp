@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "gps/Refusal.h"
-#include "gps/lines/SymmetryUpdate.h"
 #include "gps/pose/Outliers.h"
 
 namespace kelpie::gps {
@@ -48,6 +47,13 @@ Observations observationsAt(const SeenLines& seen, const FieldFeatures& field,
   return found;
 }
 
+// The mode's own pose, with the weight that it and the copy would share.
+PoseMode judged(const PoseMode& mode, const PoseObservation& found, double outlierWeight) {
+  PoseMode result = mode;
+  result.weight = corrected(mode, found).weight + outlierCopy(mode, outlierWeight).weight;
+  return result;
+}
+
 }  // namespace
 
 std::optional<PoseObservation> observationOf(const LineFit& fit, const FieldFeatures& field,
@@ -79,27 +85,27 @@ double weightWithoutLineFit(const PoseMode& mode, const SeenLines& seen,
   return 1.0 - seen.newEvidenceShare * (1.0 - kept);
 }
 
-bool updateByLines(const SeenLines& seen, const PaintedField& field, const LinesParams& params,
-                   Modes& modes, GpsCounts& counts) {
-  const LineUpdateParams& p = params.update;
-  if (seen.lines.size() < p.minPoints) return false;
-  const Observations found = observationsAt(seen, field.features, p, modes, counts);
+bool updateByLines(const SeenLines& seen, const FieldFeatures& field,
+                   const LineUpdateParams& params, Modes& modes, GpsCounts& counts) {
+  if (seen.lines.size() < params.minPoints) return false;
+  const Observations found = observationsAt(seen, field, params, modes, counts);
   // Lines that fit no mode are false for all: modes with a failed fit must not lose weight against
   // modes without a fit.
   if (std::none_of(found.begin(), found.end(), [](const auto& o) { return o.has_value(); }))
     return false;
-  FixedVector<PoseMode, kMaxAmbiguousPoses> symmetric;
-  if (found[0]) symmetric = symmetricModes(seen, *found[0], field, params, modes);
   const std::size_t before = modes.size();
   for (std::size_t i = 0; i < before; ++i) {
     if (i >= found.size() || !found[i]) {
-      modes[i].weight *= weightWithoutLineFit(modes[i], seen, p);
+      modes[i].weight *= weightWithoutLineFit(modes[i], seen, params);
       continue;
     }
-    modes.push_back(outlierCopy(modes[i], p.outlierWeight));
+    if (params.use == LineUse::sanity) {
+      modes[i] = judged(modes[i], *found[i], params.outlierWeight);
+      continue;
+    }
+    modes.push_back(outlierCopy(modes[i], params.outlierWeight));
     modes[i] = corrected(modes[i], *found[i]);
   }
-  for (const PoseMode& mode : symmetric) modes.push_back(mode);
   return true;
 }
 

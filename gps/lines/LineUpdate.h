@@ -3,11 +3,10 @@
 // pose near it at which the lines match best, as an observation of the pose itself whose
 // information is the match's curvature: along a lone straight line it is zero, so that direction
 // stays as it was. A copy without the correction stays for the case that other lines were seen.
+// With LineUse::sanity the observation changes the weight alone.
 #pragma once
 
 #include "gps/lines/LineFit.h"
-#include "gps/lines/LinesParams.h"
-#include "gps/lines/Symmetry.h"
 #include "gps/pose/PoseState.h"
 #include "gps/pose/PoseUpdate.h"
 
@@ -29,8 +28,8 @@ std::optional<PoseObservation> observationAt(const PoseMode& mode, const SeenLin
 double weightWithoutLineFit(const PoseMode& mode, const SeenLines& seen,
                             const LineUpdateParams& params);
 
-// Returns whether any mode was corrected. Call mergeAndPrune() afterwards.
-bool updateByLines(const SeenLines& seen, const PaintedField& field, const LinesParams& params,
-                   Modes& modes, GpsCounts& counts);
+// Returns whether any mode was corrected, or judged. Call mergeAndPrune() afterwards.
+bool updateByLines(const SeenLines& seen, const FieldFeatures& field,
+                   const LineUpdateParams& params, Modes& modes, GpsCounts& counts);
 
 }  // namespace kelpie::gps

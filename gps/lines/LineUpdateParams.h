@@ -9,13 +9,12 @@
 
 namespace kelpie::gps {
 
-// How a frame's landmarks and lines correct a mode: one after the other, each with a copy that is
-// not corrected; or all in one update, with one copy (thesis 2004 section 5.1).
-enum class LineCombine : std::uint8_t { separate, joint };
+// What the field lines do to the pose (checklist K06): nothing; judge the modes, whose weights they
+// change and whose poses they leave (2006); correct the modes' poses (2004).
+enum class LineUse : std::uint8_t { off, sanity, position };
 
 struct LineUpdateParams {
-  bool use = true;
-  LineCombine combine = LineCombine::separate;
+  LineUse use = LineUse::position;
   std::uint32_t minPoints = 8;     // of painted lines in a frame; facts-2005 section 5.2 has 8
   std::uint32_t maxPoints = 40;    // of lines that are used, spread evenly over those seen
   double sharpness = 0.004;        // 1/cm2, S of thesis 2004 equation 3.2: a match of 0.5 at 16 cm
@@ -42,8 +41,7 @@ struct LineUpdateParams {
   static constexpr auto fields() {
     using P = LineUpdateParams;
     return fieldList(
-        field("use", &P::use), field("combine", &P::combine, "", 0, 1),
-        field("minPoints", &P::minPoints, "", 1, 256),
+        field("use", &P::use, "", 0, 2), field("minPoints", &P::minPoints, "", 1, 256),
         field("maxPoints", &P::maxPoints, "", 4, 128),
         field("sharpness", &P::sharpness, "1/cm2", 1e-5, 1),
         field("coarseShare", &P::coarseShare, "", 0.001, 1),

@@ -10,12 +10,10 @@ namespace kelpie::gps {
 struct LinesParams {
   LineUpdateParams update;
   LineMapParams map;
-  SymmetryParams symmetry;
   LinePoseSearchParams search;
 
   static constexpr auto fields() {
     return fieldList(field("update", &LinesParams::update), field("map", &LinesParams::map),
-                     field("symmetry", &LinesParams::symmetry),
                      field("search", &LinesParams::search));
   }
 };

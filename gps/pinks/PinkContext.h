@@ -3,7 +3,7 @@
 #pragma once
 
 #include "gps/lines/LineUpdateParams.h"
-#include "gps/lines/Symmetry.h"
+#include "gps/lines/PaintedField.h"
 #include "gps/pinks/PinkMapParams.h"
 #include "gps/pose/PoseParams.h"
 

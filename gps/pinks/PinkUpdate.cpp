@@ -72,7 +72,7 @@ bool updateByPink(const PinkBearing& bearing, const PinkContext& context, PinkSt
     for (const PinkLandmark& landmark : known) {
       if (!fits(bearing, mode, landmark.position, context.pinks)) continue;
       const Measurement heading = headingOf(bearing, landmark.position, mode.pose, context);
-      PoseMode moved = corrected(mode, heading, params.weighByDeterminant);
+      PoseMode moved = corrected(mode, heading);
       moved.weight /= static_cast<double>(known.size());
       weights.corrected += moved.weight;
       keepHeaviest(moved, best);

@@ -56,7 +56,12 @@ void surveyAndSearch(const PinksIn& in, const PinkContext& context, PinkState& p
                      PoseState& pose, GpsCounts& counts) {
   const PinkPoseSearchParams& p = context.pinks.search;
   moveSurvey(in.moved, elapsedOf(in.frame.input), pinks.survey);
-  addToSurvey(in.frame.percepts.linePoints, bearingsOf(in.frame, counts), p, pinks.survey);
+  const PinkBearings bearings = bearingsOf(in.frame, counts);
+  if (context.lines.use == LineUse::position) {
+    addToSurvey(in.frame.percepts.linePoints, bearings, p, pinks.survey);
+  } else {
+    addToSurvey({}, bearings, p, pinks.survey);
+  }
   const PinkLandmarks known = knownPinks(pinks, context.pinks);
   if (!pinks.search.running && (pinks.survey.seconds < pinks.survey.nextSearch ||
                                 pinks.survey.bearings.size() < p.minBearings))

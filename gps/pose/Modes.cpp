@@ -157,29 +157,10 @@ void seedAround(const Measurement& measurement, const body::FieldDescription& fi
   state.lost = false;
 }
 
-// Method 1: an unlikely sighting is not used, but the mode becomes less sure of itself.
-static void refuseUnlikely(const Measurement& measurement, const ModeParams& params, Modes& modes) {
-  constexpr double kGrowthPerCm = 0.5 / kDegrees;  // rad: 5 deg for 10 cm
-  const Measurement withoutDistance = headingOnly(measurement);
-  for (PoseMode& mode : modes) {
-    const Measurement& used = atGrazingAngle(mode, measurement) ? withoutDistance : measurement;
-    const PoseMode after = corrected(mode, used, params.weighByDeterminant);
-    if (after.weight >= params.refuseBelow * mode.weight) {
-      mode = after;
-      continue;
-    }
-    mode.covariance[0] += maths::square(params.refusedGrowth);
-    mode.covariance[4] += maths::square(params.refusedGrowth);
-    mode.covariance[8] += maths::square(params.refusedGrowth * kGrowthPerCm);
-  }
-}
-
 void updateAll(const Measurement& measurement, const body::FieldDescription& field,
                const ModeParams& params, PoseState& state, GpsCounts& counts) {
   Modes& modes = state.modes;
-  if (params.noiseMethod == NoiseMethod::refuse) return refuseUnlikely(measurement, params, modes);
-  const bool wide = params.noiseMethod == NoiseMethod::splitAndWide;
-  if (wide) modes.push_back(wideMode(field, params, params.wideWeight));
+  if (params.wideWeight > 0.0) modes.push_back(wideMode(field, params, params.wideWeight));
   const std::size_t before = modes.size();
   const Measurement withoutDistance = headingOnly(measurement);
   SplitWeights weights;
@@ -187,13 +168,12 @@ void updateAll(const Measurement& measurement, const body::FieldDescription& fie
     const bool oblique = atGrazingAngle(modes[i], measurement);
     if (oblique && i == 0) count(Refusal::goalTooOblique, counts);
     modes.push_back(outlierCopy(modes[i], params.outlierWeight));
-    modes[i] =
-        corrected(modes[i], oblique ? withoutDistance : measurement, params.weighByDeterminant);
+    modes[i] = corrected(modes[i], oblique ? withoutDistance : measurement);
     weights.copies += modes.back().weight;
     weights.corrected += modes[i].weight;
   }
   // The wide mode alone is not enough: near modes crowd it out, and it cannot be linearised well.
-  if (wide) countUnexplainedLandmarks(weights, params, 1, state);  // method 2 is never lost
+  countUnexplainedLandmarks(weights, params, 1, state);
 }
 
 void mergeAndPrune(const body::FieldDescription& field, const ModeParams& params, PoseState& state,

@@ -23,9 +23,9 @@ void lose(const body::FieldDescription& field, const ModeParams& params, PoseSta
 void seedAround(const Measurement& measurement, const body::FieldDescription& field,
                 const ModeParams& params, PoseState& state, GpsCounts& counts);
 
-// Noise method 3 of the thesis: adds the wide mode; then corrects each mode, keeping a copy that
-// is not corrected with its weight times 1e-2. When no mode has predicted many landmarks in a row,
-// the state is lost, and the next landmark gives new modes.
+// Noise method 3 of thesis 2004 section 2.2.3: adds the wide mode; then corrects each mode, keeping
+// a copy that is not corrected with its weight times 1e-2. When no mode has predicted many
+// landmarks in a row, the state is lost, and the next landmark gives new modes.
 void updateAll(const Measurement& measurement, const body::FieldDescription& field,
                const ModeParams& params, PoseState& state, GpsCounts& counts);
 

@@ -19,7 +19,7 @@ void countUnexplained(const SplitWeights& weights, double explainedShare, std::s
 void countUnexplainedLandmarks(const SplitWeights& weights, const ModeParams& params,
                                std::size_t landmarks, PoseState& state) {
   countUnexplained(weights, params.explainedShare, landmarks, state.unexplained);
-  if (state.unexplained <= params.maxUnexplained) return;
+  if (params.maxUnexplained == 0 || state.unexplained <= params.maxUnexplained) return;
   state.unexplained = 0;
   state.lost = true;
 }

@@ -22,7 +22,7 @@ struct SplitWeights {
 void countUnexplained(const SplitWeights& weights, double explainedShare, std::size_t sightings,
                       std::uint32_t& unexplained);
 
-// The same for landmarks; after more than maxUnexplained in a row the pose is lost.
+// The same for landmarks; after more than maxUnexplained in a row the pose is lost; never with 0.
 void countUnexplainedLandmarks(const SplitWeights& weights, const ModeParams& params,
                                std::size_t landmarks, PoseState& state);
 

@@ -73,41 +73,30 @@ struct LandmarkGates {
   }
 };
 
-// What becomes of a mode that did not predict a landmark (thesis 2004 section 2.2.3): 1 refuses
-// the sighting and grows, 2 keeps an uncorrected copy of every mode, 3 also adds a wide mode each
-// time.
-enum class NoiseMethod : std::uint8_t { refuse, split, splitAndWide };
-
-// How hypotheses live and die.
+// How hypotheses live and die. A sighting that a mode did not predict is treated by method 3 of
+// thesis 2004 section 2.2.3: an uncorrected copy of every mode, and a wide mode each time. Without
+// the wide mode it is method 2. Beginning again is ours.
 struct ModeParams {
-  NoiseMethod noiseMethod = NoiseMethod::splitAndWide;
-  double refuseBelow = 0.01;      // method 1: weight factor of a sighting that is refused
-  double refusedGrowth = 10.0;    // cm, sd added to a mode that refused, and 5 deg
   double outlierWeight = 1e-2;    // of the copy that is not updated: a false sighting's odds
-  double wideWeight = 1e-12;      // of the mode added at the centre before each update
+  double wideWeight = 1e-12;      // of the mode added at the centre before each update; 0: none
   double widePositionSd = 250.0;  // cm
   Angle wideHeadingSd = Angle::deg(150.0);
-  bool weighByDeterminant = false;  // weigh by sqrt(det R / det E) too (checklist B-2.1.3.2)
-  double mergeDistance = 5.0;       // cm, and degrees for the heading
-  double mergeCovariance = 200.0;   // cm2, and deg2 for the heading
-  double seedSpacing = 30.0;        // deg between the poses tried around the first landmark
-  double explainedShare = 0.1;      // of all weight in corrected modes, at least; else unexplained
-  std::uint32_t maxUnexplained = 10;  // in a row; then the next landmark gives new modes
+  double mergeDistance = 5.0;      // cm, and degrees for the heading
+  double mergeCovariance = 200.0;  // cm2, and deg2 for the heading
+  double seedSpacing = 30.0;       // deg between the poses tried around the first landmark
+  double explainedShare = 0.1;     // of all weight in corrected modes, at least; else unexplained
+  std::uint32_t maxUnexplained = 10;  // in a row; then the next landmark gives new modes; 0: never
 
   static constexpr auto fields() {
-    return fieldList(field("noiseMethod", &ModeParams::noiseMethod, "", 0, 2),
-                     field("refuseBelow", &ModeParams::refuseBelow, "", 0, 1),
-                     field("refusedGrowth", &ModeParams::refusedGrowth, "cm", 0, 1000),
-                     field("outlierWeight", &ModeParams::outlierWeight, "", 0, 1),
+    return fieldList(field("outlierWeight", &ModeParams::outlierWeight, "", 0, 1),
                      field("wideWeight", &ModeParams::wideWeight, "", 0, 1),
                      field("widePositionSd", &ModeParams::widePositionSd, "cm", 10, 1e4),
                      field("wideHeadingSd", &ModeParams::wideHeadingSd, "rad", 10, 180),
-                     field("weighByDeterminant", &ModeParams::weighByDeterminant),
                      field("mergeDistance", &ModeParams::mergeDistance, "cm", 0, 100),
                      field("mergeCovariance", &ModeParams::mergeCovariance, "cm2", 0, 1e5),
                      field("seedSpacing", &ModeParams::seedSpacing, "deg", 20, 180),
                      field("explainedShare", &ModeParams::explainedShare, "", 0, 1),
-                     field("maxUnexplained", &ModeParams::maxUnexplained, "", 1, 10000));
+                     field("maxUnexplained", &ModeParams::maxUnexplained, "", 0, 10000));
   }
 };
 

@@ -57,8 +57,7 @@ void InformationSum::add(const PoseMode& mode, const PoseObservation& observatio
   chiSquared += innovation.dot(pull);
 }
 
-PoseMode corrected(const PoseMode& mode, const InformationSum& information,
-                   bool weighByDeterminant) {
+PoseMode corrected(const PoseMode& mode, const InformationSum& information) {
   PoseMode result = mode;
   if (information.degenerate) {
     result.weight *= kDegenerateWeight;
@@ -72,22 +71,21 @@ PoseMode corrected(const PoseMode& mode, const InformationSum& information,
   const double squaredInnovation =
       std::max(0.0, information.chiSquared - information.vector.dot(shift));
   result.weight *= maths::exp(-0.5 * squaredInnovation);
-  if (weighByDeterminant) result.weight /= std::sqrt(sum.determinant());
   result.pose = poseOf(meanOf(mode) + shift);
   setCovariance(result, after);
   return result;
 }
 
-PoseMode corrected(const PoseMode& mode, const Measurement& measurement, bool weighByDeterminant) {
+PoseMode corrected(const PoseMode& mode, const Measurement& measurement) {
   InformationSum information;
   information.add(mode, measurement, mode.pose);
-  return corrected(mode, information, weighByDeterminant);
+  return corrected(mode, information);
 }
 
 PoseMode corrected(const PoseMode& mode, const PoseObservation& observation) {
   InformationSum information;
   information.add(mode, observation);
-  return corrected(mode, information, false);
+  return corrected(mode, information);
 }
 
 }  // namespace kelpie::gps

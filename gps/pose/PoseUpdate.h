@@ -39,12 +39,11 @@ struct InformationSum {
 };
 
 // The mode after all of it: P' = (1 + P Y)^-1 P, mean + P' y, weight times S in (0, 1] of the
-// stacked innovation (equation 2.9), times 1 / sqrt(det(1 + P Y)) with `weighByDeterminant`.
-PoseMode corrected(const PoseMode& mode, const InformationSum& information,
-                   bool weighByDeterminant);
+// stacked innovation (thesis 2004 equation 2.9), without the determinant (checklist B-2.1.3.2).
+PoseMode corrected(const PoseMode& mode, const InformationSum& information);
 
 // The same by one observation.
-PoseMode corrected(const PoseMode& mode, const Measurement& measurement, bool weighByDeterminant);
+PoseMode corrected(const PoseMode& mode, const Measurement& measurement);
 PoseMode corrected(const PoseMode& mode, const PoseObservation& observation);
 
 }  // namespace kelpie::gps

@@ -45,7 +45,7 @@ TEST(ModeSampling, MovesTowardsTheTruePose) {
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
     sim::LocalisingRobot robot({180, 130, -1.4}, seed);
     robot.params.initialPose = {true, {{190, 122}, Angle::rad(-1.35)}, 10.0, Angle::deg(5)};
-    robot.params.lines.update.use = false;
+    robot.params.lines.update.use = LineUse::off;
     before += robot.error(robot.step());
     for (int frame = 0; frame < 20; ++frame) {
       robot.lookAtLines(0.0);

@@ -38,8 +38,8 @@ TEST_P(HostileInput, LeavesAFiniteBeliefAndGoodSightingsBringThePoseBack) {
   const auto seed = static_cast<std::uint64_t>(GetParam());
   Random random(seed);
   sim::LocalisingRobot robot({180, 200, 1.0}, seed);
-  robot.params.modes.noiseMethod = static_cast<NoiseMethod>(seed % 3);
-  robot.params.lines.update.combine = static_cast<LineCombine>(seed / 3 % 2);
+  robot.params.lines.update.use = static_cast<LineUse>(seed % 3);
+  if (seed / 3 % 2 == 0) robot.params.modes.wideWeight = 0.0;
   const FrameInput calm = robot.input;
   for (int i = 0; i < 40; ++i) {
     attack(robot, random);

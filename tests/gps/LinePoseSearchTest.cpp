@@ -4,7 +4,7 @@
 
 #include "gps/lines/LineMap.h"
 #include "gps/lines/LinePoseSearch.h"
-#include "gps/lines/Symmetry.h"
+#include "gps/lines/PaintedField.h"
 #include "tools/sim/LocalisingRobot.h"
 
 namespace kelpie::gps {

@@ -86,7 +86,7 @@ TEST(LineObservation, PoorMatchesAreRefusedAndFastHeadsBelievedLess) {
   EXPECT_FALSE(observationOf(fit, features(), 0.0, {}));
 }
 
-double meanErrorByLines(bool use) {
+double meanErrorByLines(LineUse use) {
   double sum = 0.0;
   for (std::uint64_t run = 0; run < 10; ++run) {
     sim::LocalisingRobot robot({180, 250, 1.0}, run);
@@ -103,8 +103,53 @@ double meanErrorByLines(bool use) {
 }
 
 TEST(Lines, AloneKeepAKnownPose) {
-  EXPECT_LT(meanErrorByLines(true), 4.0);
-  EXPECT_GT(meanErrorByLines(false), 12.0);
+  EXPECT_LT(meanErrorByLines(LineUse::position), 4.0);
+  EXPECT_GT(meanErrorByLines(LineUse::off), 12.0);
+}
+
+// Before the own goal, which it looks at; believes to stand 3 cm to the side and 3 cm nearer.
+sim::LocalisingRobot seeingLines(LineUse use) {
+  sim::LocalisingRobot robot({180, 130, -1.4});
+  robot.params.lines.update.use = use;
+  robot.believe({{183, 127}, Angle::rad(-1.38)}, 10.0, Angle::deg(5));
+  robot.step();
+  robot.lookAtLines(0.0);
+  return robot;
+}
+
+TEST(Lines, OffTheyLeaveTheModesAsTheyAre) {
+  sim::LocalisingRobot robot = seeingLines(LineUse::off);
+  robot.state.pose.modes.push_back(robot.state.pose.modes[0]);
+  robot.state.pose.modes[1].pose = {{250, 400}, Angle::deg(20)};
+  const Modes before = robot.state.pose.modes;
+  robot.step();
+  ASSERT_EQ(robot.state.pose.modes.size(), 2U);
+  EXPECT_EQ(robot.state.pose.modes[0].pose.position.x, before[0].pose.position.x);
+  EXPECT_EQ(robot.state.pose.modes[0].weight, robot.state.pose.modes[1].weight);
+}
+
+TEST(Lines, ThatOnlyJudgeWeighTheModesAndMoveNone) {
+  sim::LocalisingRobot robot = seeingLines(LineUse::sanity);
+  const double variance = robot.state.pose.modes[0].covariance[0];
+  robot.state.pose.modes.push_back(robot.state.pose.modes[0]);
+  robot.state.pose.modes[1].pose.position = {180, 200};  // no lines are so
+  for (int frame = 0; frame < 5; ++frame) robot.step();
+  const Modes& modes = robot.state.pose.modes;
+  ASSERT_EQ(modes.size(), 2U);
+  EXPECT_EQ(modes[0].pose.position.x, 183.0);
+  EXPECT_EQ(modes[0].pose.position.y, 127.0);
+  EXPECT_EQ(modes[1].pose.position.y, 200.0);
+  EXPECT_GE(modes[0].covariance[0], variance);
+  EXPECT_GT(modes[0].weight, 5.0 * modes[1].weight);
+}
+
+TEST(Lines, ThatCorrectMoveTheMode) {
+  sim::LocalisingRobot robot = seeingLines(LineUse::position);
+  const double before = std::hypot(3.0, 3.0);
+  WorldModel world;
+  for (int frame = 0; frame < 5; ++frame) world = robot.step();
+  EXPECT_NE(robot.state.pose.modes[0].pose.position.x, 183.0);
+  EXPECT_LT(robot.error(world), before);
 }
 
 TEST(Lines, OfNonsenseLeaveAFiniteWideEstimate) {

@@ -47,7 +47,7 @@ struct Mapper {
     mapPatches({bearings, state.pose, landmarks}, params.pinks, state.pinks.map, state.counts);
   }
   bool update(const PinkBearing& bearing) {
-    const PaintedField field{params.field, state.lines.features, state.lines.painted};
+    const PaintedField field{params.field, state.lines.features};
     return updateByPink(bearing,
                         {field, params.pinks, params.modes, params.gates, params.lines.update},
                         state.pinks, state.pose.modes);

@@ -32,7 +32,7 @@ void LocalisingRobot::believe(const Pose2& pose, double positionSd, Angle headin
 WorldModel LocalisingRobot::step() {
   input.frame += 1;
   input.time = TimeUs::fromSeconds(input.frame * kFrameSeconds);
-  return gps::step({input, percepts}, params, state);
+  return localise({input, percepts}, params, state);
 }
 
 double LocalisingRobot::error(const WorldModel& world) const {

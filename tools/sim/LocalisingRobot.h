@@ -22,6 +22,7 @@ class LocalisingRobot : public Observer {
 
   gps::GpsParams params;
   gps::GpsState state;
+  decltype(&gps::step) localise = gps::step;  // or another in its place
 };
 
 // Stands at a random place and turns its head from side to side and back in four seconds. Errors of

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A robot that plays is carried to a random place every twenty seconds: how long until it knows
 // again where it is. The three ways to treat unlikely sightings (thesis 2004 section 2.2.3) listen
-// to the same matches.
+// to the same matches, with lines and without: which is best, and what beginning anew adds.
 #include <algorithm>
 #include <optional>
 #include <set>
@@ -21,8 +21,19 @@ constexpr double kFromLines = 30;  // cm, of the place carried to
 constexpr double kRecoveredCm = 30.0;
 constexpr double kRecoveredDeg = 15.0;
 constexpr double kRightFor = 1.0;  // s
-constexpr gps::NoiseMethod kMethods[] = {gps::NoiseMethod::refuse, gps::NoiseMethod::split,
-                                         gps::NoiseMethod::splitAndWide};
+
+// The thesis' methods as it has them: none begins anew, which the robot does.
+struct Method {
+  const char* name;
+  gps::Localise localise;
+  bool wide;         // adds a wide mode
+  bool linesAlways;  // lines correct even a mode that is too wide to tell which they are
+};
+constexpr Method kMethods[] = {{"method1", gps::stepRefusing, false, false},
+                               {"method1_slow", gps::stepRefusingSlowly, false, false},
+                               {"method1_lines_always", gps::stepRefusing, false, true},
+                               {"method2", gps::step, false, false},
+                               {"method3", gps::step, true, false}};
 
 // The time from being carried away until the belief is right for a second. A belief that is never
 // right counts as the whole time.
@@ -39,6 +50,7 @@ class Recovery {
     done_ = true;
   }
   void frame(double time, const PoseError& error) {
+    errors_.push_back(error.cm);
     if (done_) return;
     if (error.cm > kRecoveredCm || error.deg > kRecoveredDeg) return goodSince_.reset();
     if (!goodSince_) goodSince_ = time;
@@ -47,9 +59,11 @@ class Recovery {
     done_ = true;
   }
   const Values& times() const { return times_; }
+  double meanError() const { return mean(errors_); }
 
  private:
   double began_ = 0.0;
+  Values errors_;  // cm
   std::optional<double> goodSince_;
   bool done_ = true;
   Values times_;
@@ -84,10 +98,12 @@ class Sightings {
 
 struct NamedTimes {
   std::string name;
-  Values times;  // s, of each recovery
+  Values times;       // s, of each recovery
+  Values meanErrors;  // cm, of each match
 
   static constexpr auto fields() {
-    return fieldList(field("name", &NamedTimes::name), field("times", &NamedTimes::times, "s"));
+    return fieldList(field("name", &NamedTimes::name), field("times", &NamedTimes::times, "s"),
+                     field("meanErrors", &NamedTimes::meanErrors, "cm"));
   }
 };
 
@@ -107,6 +123,7 @@ struct MatchRecord {
     for (std::size_t i = 0; i < filters.size(); ++i) {
       filters[i].name = other.filters[i].name;
       append(other.filters[i].times, filters[i].times);
+      append(other.filters[i].meanErrors, filters[i].meanErrors);
     }
     append(other.firstLandmark, firstLandmark);
     append(other.secondLandmark, secondLandmark);
@@ -128,14 +145,28 @@ struct FilterRow {
   }
 };
 
-// The three methods, all else as the player has it.
+gps::GpsParams paramsOf(const Method& method, gps::GpsParams params) {
+  params.modes.maxUnexplained = 0;
+  if (!method.wide) params.modes.wideWeight = 0.0;
+  if (!method.linesAlways) return params;
+  params.lines.update.maxSd = 1000.0;
+  params.lines.update.maxHeadingSd = Angle::deg(180.0);
+  return params;
+}
+
+// The methods with landmarks and lines, all else as the player has it; then by landmarks alone, for
+// which method 1 was made.
 std::vector<Listener> listeners(const gps::GpsParams& params) {
   std::vector<Listener> all;
-  for (const gps::NoiseMethod method : kMethods) {
-    gps::GpsParams other = params;
-    other.modes.noiseMethod = method;
-    all.emplace_back("method" + std::to_string(all.size() + 1), other, Hearing{});
-  }
+  for (const Method& method : kMethods)
+    all.emplace_back(method.name, paramsOf(method, params), Hearing{}, method.localise);
+  Hearing landmarks;
+  landmarks.lines = false;
+  for (const Method& method : kMethods)
+    if (!method.linesAlways)
+      all.emplace_back("landmarks_" + std::string(method.name), paramsOf(method, params), landmarks,
+                       method.localise);
+  all.emplace_back("landmarks", params, landmarks);
   return all;
 }
 
@@ -158,7 +189,7 @@ class MatchRecorder {
     MatchRecord record;
     for (std::size_t i = 0; i < recoveries_.size(); ++i) {
       recoveries_[i].end();
-      record.filters.push_back({nameOf(i), recoveries_[i].times()});
+      record.filters.push_back({nameOf(i), recoveries_[i].times(), {recoveries_[i].meanError()}});
     }
     record.firstLandmark = sightings_.first();
     record.secondLandmark = sightings_.second();
@@ -221,8 +252,11 @@ Expected<Json> kidnap(const Request& request) {
   MatchRecord all;
   for (const MatchRecord& match : *matches) all.add(match);
   Json figures{{"kidnaps", all.filters[0].times.size()}};
-  for (const NamedTimes& filter : all.filters)
-    addTimes(filter.name == "own" ? "" : filter.name + "_", filter.times, figures);
+  for (const NamedTimes& filter : all.filters) {
+    const std::string prefix = filter.name == "own" ? "" : filter.name + "_";
+    addTimes(prefix, filter.times, figures);
+    figures[prefix + "mean_cm"] = mean(filter.meanErrors);
+  }
   addTimes("first_landmark_", all.firstLandmark, figures);
   addTimes("second_landmark_", all.secondLandmark, figures);
   return figures;

@@ -44,11 +44,11 @@ std::vector<Listener> listeners(const gps::GpsParams& params, const Pose2& start
   helped = {};
   helped.trueHeadings = true;
   add("true_headings", helped);
+  all.emplace_back("other_combine", params, Hearing{}, gps::stepJointly);
+  all.emplace_back("by_determinant", params, Hearing{}, gps::stepByDeterminant);
   gps::GpsParams other = params;
-  other.lines.update.combine = params.lines.update.combine == gps::LineCombine::joint
-                                   ? gps::LineCombine::separate
-                                   : gps::LineCombine::joint;
-  all.emplace_back("other_combine", other, Hearing{});
+  other.lines.update.use = gps::LineUse::sanity;
+  all.emplace_back("lines_judge", other, Hearing{});
   helped = {};
   helped.noFalse = true;
   add("no_false", helped);

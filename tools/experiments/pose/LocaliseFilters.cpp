@@ -26,8 +26,9 @@ Odometry trueStep(const Pose2& before, const Pose2& now) {
 
 }  // namespace
 
-Listener::Listener(std::string name, const gps::GpsParams& params, const Hearing& hearing)
-    : name_(std::move(name)), params_(params), hearing_(hearing) {}
+Listener::Listener(std::string name, const gps::GpsParams& params, const Hearing& hearing,
+                   gps::Localise localise)
+    : name_(std::move(name)), params_(params), hearing_(hearing), localise_(localise) {}
 
 const WorldModel& Listener::hear(const WatchedFrame& frame) {
   *input_ = frame.input;
@@ -44,7 +45,7 @@ const WorldModel& Listener::hear(const WatchedFrame& frame) {
     if (hearing_.trueHeadings && there) percept.heading = truth.heading;
     percepts_->landmarks.push_back(percept);
   }
-  *world_ = gps::step({*input_, *percepts_}, params_, *state_);
+  *world_ = localise_({*input_, *percepts_}, params_, *state_);
   return *world_;
 }
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "gps/Localiser.h"
+#include "tools/experiments/baselines/PoseVariants.h"
 #include "tools/experiments/harness/Statistics.h"
 #include "tools/experiments/pose/LocaliseMatch.h"
 
@@ -26,7 +26,8 @@ struct Hearing {
 
 class Listener {
  public:
-  Listener(std::string name, const gps::GpsParams& params, const Hearing& hearing);
+  Listener(std::string name, const gps::GpsParams& params, const Hearing& hearing,
+           gps::Localise localise = gps::step);
 
   const WorldModel& hear(const WatchedFrame& frame);
   const std::string& name() const { return name_; }
@@ -35,6 +36,7 @@ class Listener {
   std::string name_;
   gps::GpsParams params_;
   Hearing hearing_;
+  gps::Localise localise_;
   std::unique_ptr<gps::GpsState> state_ = std::make_unique<gps::GpsState>();
   std::unique_ptr<FrameInput> input_ = std::make_unique<FrameInput>();
   std::unique_ptr<Percepts> percepts_ = std::make_unique<Percepts>();

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <vector>
 
+#include "tools/experiments/baselines/PoseVariants.h"
 #include "tools/experiments/harness/Trials.h"
 #include "tools/sim/LocalisingRobot.h"
 
@@ -22,7 +23,8 @@ struct Conditions {
   double falseShare = 0.0;
   bool lines = false;
   bool landmarks = true;
-  gps::LineCombine combine = gps::LineCombine::separate;
+  gps::Localise localise = gps::step;
+  gps::LineUse use = gps::LineUse::position;
 };
 
 struct Errors {
@@ -43,7 +45,8 @@ Errors walk(const Conditions& conditions, std::uint64_t seed) {
   const sim::TruePose start{random.uniform(110.0, 250.0), random.uniform(150.0, 390.0),
                             conditions.heading * maths::kPi / 180.0};
   sim::LocalisingRobot robot(start, seed);
-  robot.params.lines.update.combine = conditions.combine;
+  robot.localise = conditions.localise;
+  robot.params.lines.update.use = conditions.use;
   if (!conditions.landmarks) {
     robot.params.initialPose.present = true;
     robot.params.initialPose.pose = {
@@ -70,16 +73,20 @@ struct Walks {
 
 // The four headings first.
 std::vector<Walks> allWalks() {
-  constexpr auto kJoint = gps::LineCombine::joint;
+  constexpr gps::Localise kJoint = gps::stepJointly;
   std::vector<Walks> all;
   all.reserve(kHeadings.size());
   for (const double heading : kHeadings) all.push_back({{heading, 0.0, false, true}, {}});
-  for (const Conditions& conditions : std::array<Conditions, 6>{{{90.0, 0.05, false, true},
-                                                                 {90.0, 0.0, true, true},
-                                                                 {90.0, 0.0, true, false},
-                                                                 {90.0, 0.0, true, true, kJoint},
-                                                                 {90.0, 0.05, true, true},
-                                                                 {90.0, 0.05, true, true, kJoint}}})
+  for (const Conditions& conditions :
+       std::array<Conditions, 9>{{{90.0, 0.05, false, true},
+                                  {90.0, 0.0, true, true},
+                                  {90.0, 0.0, true, false},
+                                  {90.0, 0.0, true, true, kJoint},
+                                  {90.0, 0.05, true, true},
+                                  {90.0, 0.05, true, true, kJoint},
+                                  {90.0, 0.0, true, true, gps::stepWithSymmetry},
+                                  {90.0, 0.0, true, true, gps::stepByDeterminant},
+                                  {90.0, 0.0, true, true, gps::step, gps::LineUse::sanity}}})
     all.push_back({conditions, {}});
   return all;
 }
@@ -124,6 +131,9 @@ Expected<Json> localiseObservations(const Request& request) {
   json["joint_with_lines_deg"] = other[3].mean.deg;
   json["false_with_lines_cm"] = other[4].mean.cm;
   json["joint_false_with_lines_cm"] = other[5].mean.cm;
+  json["symmetry_with_lines_cm"] = other[6].mean.cm;
+  json["determinant_with_lines_cm"] = other[7].mean.cm;
+  json["lines_judge_cm"] = other[8].mean.cm;
   return json;
 }
 

@@ -50,7 +50,7 @@ sim::LocalisingRobot robotOf(Method method, bool landmarks, std::uint64_t seed) 
   const sim::TruePose start{random.uniform(110.0, 250.0), random.uniform(150.0, 390.0),
                             random.uniform(-maths::kPi, maths::kPi)};
   sim::LocalisingRobot robot(start, seed);
-  robot.params.lines.update.use = method == Method::fit;
+  if (method != Method::fit) robot.params.lines.update.use = gps::LineUse::off;
   robot.params.lines.map.use = false;
   if (landmarks) return robot;
   const double x = start.x + random.gaussian(0.0, 20.0);

@@ -135,21 +135,20 @@ struct Variant {
   const char* name;
   bool aware;
   double pause;  // s
-  gps::LineCombine combine;
-  gps::NoiseMethod method;
+  gps::Localise localise;
 };
 
 constexpr Variant kVariants[] = {
-    {"unaware", false, 0.0, gps::LineCombine::separate, gps::NoiseMethod::splitAndWide},
-    {"aware", true, 0.0, gps::LineCombine::separate, gps::NoiseMethod::splitAndWide},
-    {"aware_pause_2_s", true, 2.0, gps::LineCombine::separate, gps::NoiseMethod::splitAndWide},
-    {"aware_pause_5_s", true, 5.0, gps::LineCombine::separate, gps::NoiseMethod::splitAndWide},
-    {"joint_unaware", false, 0.0, gps::LineCombine::joint, gps::NoiseMethod::splitAndWide},
-    {"joint_aware", true, 0.0, gps::LineCombine::joint, gps::NoiseMethod::splitAndWide},
-    {"joint_aware_pause_2_s", true, 2.0, gps::LineCombine::joint, gps::NoiseMethod::splitAndWide},
-    {"method1_unaware", false, 0.0, gps::LineCombine::separate, gps::NoiseMethod::refuse},
-    {"method1_aware", true, 0.0, gps::LineCombine::separate, gps::NoiseMethod::refuse},
-    {"method1_aware_pause_2_s", true, 2.0, gps::LineCombine::separate, gps::NoiseMethod::refuse},
+    {"unaware", false, 0.0, gps::step},
+    {"aware", true, 0.0, gps::step},
+    {"aware_pause_2_s", true, 2.0, gps::step},
+    {"aware_pause_5_s", true, 5.0, gps::step},
+    {"joint_unaware", false, 0.0, gps::stepJointly},
+    {"joint_aware", true, 0.0, gps::stepJointly},
+    {"joint_aware_pause_2_s", true, 2.0, gps::stepJointly},
+    {"method1_unaware", false, 0.0, gps::stepRefusing},
+    {"method1_aware", true, 0.0, gps::stepRefusing},
+    {"method1_aware_pause_2_s", true, 2.0, gps::stepRefusing},
 };
 
 std::vector<Listener> listeners(const gps::GpsParams& params) {
@@ -158,9 +157,7 @@ std::vector<Listener> listeners(const gps::GpsParams& params) {
     gps::GpsParams other = params;
     other.stuck.use = variant.aware;
     other.stuck.pauseSeconds = variant.pause;
-    other.lines.update.combine = variant.combine;
-    other.modes.noiseMethod = variant.method;
-    all.emplace_back(variant.name, other, Hearing{});
+    all.emplace_back(variant.name, other, Hearing{}, variant.localise);
   }
   return all;
 }

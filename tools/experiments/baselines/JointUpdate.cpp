@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "gps/lines/JointUpdate.h"
+#include "tools/experiments/baselines/JointUpdate.h"
 
 #include <algorithm>
 #include <cmath>
@@ -29,8 +29,7 @@ InformationSum informationOf(const PoseMode& mode, const Pose2& at, const Measur
 
 // A wide mode moves so far that a linearisation at its old pose is wrong at the new one: it is
 // linearised there again, as it would be by one landmark after the other.
-UpdatedMode updatedByLandmarks(const PoseMode& mode, const Measurements& landmarks,
-                               bool weighByDeterminant) {
+UpdatedMode updatedByLandmarks(const PoseMode& mode, const Measurements& landmarks) {
   constexpr int kRounds = 3;
   constexpr double kNearCm = 10.0;
   constexpr double kNearDeg = 5.0;
@@ -38,18 +37,16 @@ UpdatedMode updatedByLandmarks(const PoseMode& mode, const Measurements& landmar
   Pose2 at = mode.pose;
   for (int round = 0; round < kRounds; ++round) {
     one.information = informationOf(mode, at, landmarks);
-    one.byLandmarks = corrected(mode, one.information, weighByDeterminant);
+    one.byLandmarks = corrected(mode, one.information);
     if (samePose(at, one.byLandmarks.pose, kNearCm, kNearDeg)) break;
     at = one.byLandmarks.pose;
   }
   return one;
 }
 
-UpdatedModes updatedModes(const Modes& modes, const Measurements& landmarks,
-                          bool weighByDeterminant) {
+UpdatedModes updatedModes(const Modes& modes, const Measurements& landmarks) {
   UpdatedModes all;
-  for (const PoseMode& mode : modes)
-    all.push_back(updatedByLandmarks(mode, landmarks, weighByDeterminant));
+  for (const PoseMode& mode : modes) all.push_back(updatedByLandmarks(mode, landmarks));
   return all;
 }
 
@@ -107,7 +104,7 @@ PoseMode result(const PoseMode& mode, const UpdatedMode& one, const SeenLines* s
   }
   InformationSum all = one.information;
   all.add(mode, *one.lines);
-  return corrected(mode, all, params.modes.weighByDeterminant);
+  return corrected(mode, all);
 }
 
 }  // namespace
@@ -116,9 +113,9 @@ bool updateJointly(const Sightings& seen, const PaintedField& field, const Joint
                    PoseState& state, GpsCounts& counts) {
   Modes& modes = state.modes;
   const bool landmarks = !seen.landmarks.empty();
-  if (landmarks && params.modes.noiseMethod == NoiseMethod::splitAndWide)
+  if (landmarks && params.modes.wideWeight > 0.0)
     modes.push_back(wideMode(field.description, params.modes, params.modes.wideWeight));
-  UpdatedModes updated = updatedModes(modes, seen.landmarks, params.modes.weighByDeterminant);
+  UpdatedModes updated = updatedModes(modes, seen.landmarks);
   if (landmarks)
     countUnexplainedLandmarks(splitWeights(modes, updated, params.modes.outlierWeight),
                               params.modes, seen.landmarks.size(), state);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "gps/lines/Symmetry.h"
+#include "tools/experiments/baselines/Symmetry.h"
 
 #include <algorithm>
 #include <cmath>
@@ -106,24 +106,11 @@ PaintedFeatures paintedFeatures(const body::FieldDescription& field) {
   return all;
 }
 
-Pose2 twinOf(const Pose2& pose, const body::FieldDescription& field) {
-  return {{field.width - pose.position.x, field.length - pose.position.y},
-          pose.heading + Angle::rad(maths::kPi)};
-}
-
 Pose2 movedWithFeature(const Pose2& pose, const PaintedFeature& from, const PaintedFeature& to) {
   const Angle by = to.direction - from.direction;
   const Point2<Field> d = pose.position - from.place;
   const Point2<Field> around{by.cos() * d.x - by.sin() * d.y, by.sin() * d.x + by.cos() * d.y};
   return {to.place + around, pose.heading + by};
-}
-
-Matrix3 turned(const Matrix3& matrix, Angle by) {
-  Matrix3 turn = Matrix3::Identity();
-  turn(0, 0) = turn(1, 1) = by.cos();
-  turn(0, 1) = -by.sin();
-  turn(1, 0) = by.sin();
-  return turn * matrix * turn.transpose();
 }
 
 Matrix3 withoutAlong(const Matrix3& information, Angle direction) {
@@ -159,19 +146,20 @@ bool isInWindow(const PaintedFeature& feature, Point2<Field> point, const Symmet
 }
 
 AmbiguousPoses ambiguousPoses(const SeenLines& seen, const LineFit& fit, const PaintedField& field,
-                              const LineUpdateParams& lines, const SymmetryParams& params) {
+                              const PaintedFeatures& painted, const LineUpdateParams& lines,
+                              const SymmetryParams& params) {
   AmbiguousPoses poses;
   const std::size_t most = std::min<std::size_t>(params.maxPoses, kMaxAmbiguousPoses);
   const Point2<Field> middle = middlePoint(seen, fit.pose);
   const SeenLines few = thinned(seen, params.points);
   keep({twinOf(fit.pose, field.description), fit.match, turned(fit.information, Angle::deg(180))},
        most, poses);
-  for (const PaintedFeature& from : field.painted) {
+  for (const PaintedFeature& from : painted) {
     if (!isInWindow(from, middle, params)) continue;
     const bool straight = from.kind == FeatureKind::straight;
     const Angle along = from.direction + Angle::deg(90);
     const Matrix3 known = straight ? withoutAlong(fit.information, along) : fit.information;
-    for (const PaintedFeature& to : field.painted) {
+    for (const PaintedFeature& to : painted) {
       if (to.kind != from.kind) continue;
       const Pose2 pose = movedWithFeature(fit.pose, from, to);
       const double match = lineMatch(few, pose, field.features, lines);

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "gps/lines/SymmetryUpdate.h"
+#include "tools/experiments/baselines/SymmetryUpdate.h"
 
 #include <algorithm>
 #include <utility>
 
 #include "gps/SamePose.h"
+#include "gps/lines/LineUpdate.h"
 
 namespace kelpie::gps {
 namespace {
@@ -19,40 +20,52 @@ bool isWithin(const PoseMode& mode, const Pose2& pose) {
          turn * turn <= reach2 * mode.covariance[8];
 }
 
+using SymmetricModes = FixedVector<PoseMode, kMaxAmbiguousPoses>;
+
 // Heaviest first; the lightest is lost when there is no room.
-void keep(PoseMode mode, std::size_t most, FixedVector<PoseMode, kMaxAmbiguousPoses>& modes) {
+void keep(PoseMode mode, std::size_t most, SymmetricModes& modes) {
   for (PoseMode& kept : modes)
     if (mode.weight > kept.weight) std::swap(mode, kept);
   if (modes.size() < most) modes.push_back(mode);
 }
 
-}  // namespace
-
-FixedVector<PoseMode, kMaxAmbiguousPoses> symmetricModes(const SeenLines& seen,
-                                                         const PoseObservation& found,
-                                                         const PaintedField& field,
-                                                         const LinesParams& params,
-                                                         const Modes& modes) {
-  FixedVector<PoseMode, kMaxAmbiguousPoses> symmetric;
-  if (!params.symmetry.use) return symmetric;
-  LineUpdateParams lines = params.update;  // thesis 2004 equation 3.20: worse matches are left out
+// Each mode corrected by each pose that looks like the found one and lies within it.
+SymmetricModes symmetricModes(const SeenLines& seen, const PoseObservation& found,
+                              const PaintedField& field, const LineUpdateParams& params,
+                              const Modes& modes) {
+  constexpr SymmetryParams kSymmetry;
+  SymmetricModes symmetric;
+  LineUpdateParams lines = params;  // thesis 2004 equation 3.20: worse matches are left out
   lines.match += lines.matchStill / (1.0 + lines.headSpeed * seen.headSpeed);
   LineFit fit;
   fit.pose = found.pose;
   fit.information = found.information;
   fit.match = lineMatch(seen, found.pose, field.features, lines);
-  const AmbiguousPoses poses = ambiguousPoses(seen, fit, field, lines, params.symmetry);
-  const auto most = std::min<std::size_t>(params.symmetry.maxPoses, kMaxAmbiguousPoses);
+  const AmbiguousPoses poses =
+      ambiguousPoses(seen, fit, field, paintedFeatures(field.description), lines, kSymmetry);
   for (const AmbiguousPose& pose : poses) {
     if (samePose(pose.pose, found.pose, kSameCm, kSameDeg)) continue;
     for (const PoseMode& mode : modes) {
       if (!isWithin(mode, pose.pose)) continue;
       PoseMode moved = corrected(mode, PoseObservation{pose.pose, pose.information});
       moved.weight *= pose.match / std::max(fit.match, 0.1);
-      keep(moved, most, symmetric);
+      keep(moved, kSymmetry.maxPoses, symmetric);
     }
   }
   return symmetric;
+}
+
+}  // namespace
+
+bool updateByLinesAndSymmetry(const SeenLines& seen, const PaintedField& field,
+                              const LineUpdateParams& params, Modes& modes, GpsCounts& counts) {
+  const Modes before = modes;
+  if (!updateByLines(seen, field.features, params, modes, counts)) return false;
+  const auto found = observationAt(before[0], seen, field.features, params, counts);
+  if (!found) return true;
+  for (const PoseMode& mode : symmetricModes(seen, *found, field, params, before))
+    modes.push_back(mode);
+  return true;
 }
 
 }  // namespace kelpie::gps

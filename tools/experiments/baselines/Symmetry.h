@@ -6,22 +6,34 @@
 #pragma once
 
 #include "gps/lines/LineFit.h"
-#include "gps/lines/LineMapParams.h"
-#include "gps/lines/LineState.h"
+#include "gps/lines/PaintedField.h"
 
 namespace kelpie::gps {
 
-PaintedFeatures paintedFeatures(const body::FieldDescription& field);
+struct SymmetryParams {
+  double window = 20.0;        // cm around a feature in which the seen points lie about it
+  std::uint32_t maxPoses = 6;  // ambiguous poses, the best matching
+  std::uint32_t points = 24;   // by which they are checked
+};
 
-// The pose turned by 180 deg about the middle of the field.
-Pose2 twinOf(const Pose2& pose, const body::FieldDescription& field);
+enum class FeatureKind : std::uint8_t { corner, tee, circle, straight };
+
+// `direction`: a corner's bisector, a T's stem, the line through the circle, a straight piece's
+// normal. A T also gives two corners (one arm may be hidden); the circle and a straight piece are
+// listed in both directions.
+struct PaintedFeature {
+  FeatureKind kind = FeatureKind::corner;
+  Point2<Field> place;
+  Angle direction;
+  double half = 0.0;  // cm, of a straight piece's length
+};
+using PaintedFeatures = FixedVector<PaintedFeature, 80>;
+
+PaintedFeatures paintedFeatures(const body::FieldDescription& field);
 
 // The pose that sees `to` as `pose` sees `from`: moved with `from` onto `to`, turned by the
 // difference of their directions.
 Pose2 movedWithFeature(const Pose2& pose, const PaintedFeature& from, const PaintedFeature& to);
-
-// An information or covariance of a pose (x, y, heading) when the field is turned.
-Matrix3 turned(const Matrix3& matrix, Angle by);
 
 // With infinite variance along a direction, about which nothing is known then.
 Matrix3 withoutAlong(const Matrix3& information, Angle direction);
@@ -44,12 +56,8 @@ constexpr double kSameCm = 5.0;  // nearer poses are one
 constexpr double kSameDeg = 5.0;
 using AmbiguousPoses = FixedVector<AmbiguousPose, kMaxAmbiguousPoses>;
 
-struct PaintedField {
-  const body::FieldDescription& description;
-  const FieldFeatures& features;
-  const PaintedFeatures& painted;
-};
 AmbiguousPoses ambiguousPoses(const SeenLines& seen, const LineFit& fit, const PaintedField& field,
-                              const LineUpdateParams& lines, const SymmetryParams& params);
+                              const PaintedFeatures& painted, const LineUpdateParams& lines,
+                              const SymmetryParams& params);
 
 }  // namespace kelpie::gps

@@ -2,8 +2,9 @@
 // Landmarks and lines in one update, with one copy.
 #include <gtest/gtest.h>
 
-#include "gps/lines/JointUpdate.h"
 #include "gps/pose/Modes.h"
+#include "tools/experiments/baselines/JointUpdate.h"
+#include "tools/experiments/baselines/PoseVariants.h"
 #include "tools/sim/LocalisingRobot.h"
 
 namespace kelpie::gps {
@@ -19,11 +20,10 @@ PoseMode someMode() {
 
 TEST(JointUpdate, AFrameSplitsEachModeOnce) {
   sim::LocalisingRobot robot({150.0, 220.0, 2.9}, 3);
-  robot.params.modes.noiseMethod = NoiseMethod::split;
+  robot.params.modes.wideWeight = 0.0;
   robot.state.lines.features.build(robot.params.field);
   robot.state.pose.modes.push_back(someMode());
-  const LinesState& lines = robot.state.lines;
-  const PaintedField field{robot.params.field, lines.features, lines.painted};
+  const PaintedField field{robot.params.field, robot.state.lines.features};
   const JointParams params{robot.params.modes, robot.params.lines.update};
   Sightings both;
   both.landmarks.push_back({{0.0, 405.0}, true, true, 240.0, Angle::deg(-40.0), 400.0, 0.004});
@@ -35,7 +35,7 @@ TEST(JointUpdate, AFrameSplitsEachModeOnce) {
 
 TEST(JointUpdate, AWalkingRobotFindsItsPlaceWithLandmarksAndLines) {
   sim::LocalisingRobot robot({140.0, 180.0, 1.2}, 11);
-  robot.params.lines.update.combine = LineCombine::joint;
+  robot.localise = stepJointly;
   double cm = 0.0;
   for (int frame = 0; frame < 150; ++frame) {
     robot.walk(0.7, 0.0, 0.004);

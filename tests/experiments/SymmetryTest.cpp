@@ -2,9 +2,9 @@
 // Places that look the same, derived from the field's description.
 #include <gtest/gtest.h>
 
-#include "gps/lines/Symmetry.h"
 #include "robot/core/Random.h"
 #include "tests/gps/Field2006.h"
+#include "tools/experiments/baselines/Symmetry.h"
 
 namespace kelpie::gps {
 namespace {
@@ -127,7 +127,7 @@ TEST(Symmetry, AmbiguousPosesAreTheTwinAndThoseThatMatch) {
   const Pose2 pose{{60.0, 80.0}, Angle::deg(225)};  // before a corner
   const SeenLines seen = seenAround(pose, painted[0].place);
   LineFit fit = fitLines(seen, pose, features(), {});
-  const AmbiguousPoses poses = ambiguousPoses(seen, fit, {field2006(), features(), painted},
+  const AmbiguousPoses poses = ambiguousPoses(seen, fit, {field2006(), features()}, painted,
                                               LineUpdateParams{}, SymmetryParams{});
   ASSERT_EQ(poses.size(), kMaxAmbiguousPoses);
   bool twin = false;

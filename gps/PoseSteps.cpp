@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gps/PoseSteps.h"
+
+#include "gps/Refusal.h"
+#include "gps/lines/LineMap.h"
+#include "gps/lines/LinePoseSearch.h"
+#include "gps/lines/LineUpdate.h"
+#include "gps/lines/Lines.h"
+#include "gps/pinks/Pinks.h"
+#include "gps/pose/Modes.h"
+#include "gps/pose/Stuck.h"
+
+namespace kelpie::gps {
+namespace {
+
+// No robot stands farther out than the carpet.
+void keepNearField(const body::FieldDescription& field, Modes& modes) {
+  const body::Carpet carpet = body::carpetOf(field);
+  for (PoseMode& mode : modes) mode.pose.position = carpet.nearest(mode.pose.position);
+}
+
+bool updateByFrameOrMap(const GpsIn& in, const GpsParams& params, GpsState& state) {
+  LineMap& map = state.lines.map;
+  const SeenLines seen = linesOfFrameOrMap(in, params.lines, map);
+  const bool used = updateByLines(seen, state.lines.features, params.lines.update, state.pose.modes,
+                                  state.counts);
+  const bool refused = !used && seen.lines.size() >= params.lines.update.minPoints;
+  map.refused = refused ? map.refused + 1 : 0;
+  return used;
+}
+
+// Among pinks their own search finds the pose.
+bool foundByLines(const GpsIn& in, const GpsParams& params, GpsState& state) {
+  return params.lines.update.use == LineUse::position && landmarksCount(in.input) &&
+         stepLinePoseSearch(in.input, params.field, params.lines, state.lines, state.pose);
+}
+
+}  // namespace
+
+Step moveModes(const GpsIn& in, const GpsParams& params, GpsState& state) {
+  PoseState& pose = state.pose;
+  const double elapsed = elapsedOf(in.input);
+  pose.secondsSinceLandmark += elapsed;
+  pose.secondsSinceLines += elapsed;
+  Odometry walked = in.input.odometry;
+  const bool sound = plausible(walked);
+  if (!sound) walked = Odometry{};
+  if (!sound || elapsed != in.input.elapsed) count(Refusal::odometryNotFinite, state.counts);
+  const double excess = excessEffort(in.input, params.stuck, pose.stuck, state.counts);
+  stepStuck(excess, elapsed, params.stuck, pose.stuck);
+  const StepNoise noise = stepNoise(walked, elapsed, params.motion);
+  const Step step{shortened(walked, excess, params.stuck),
+                  grown(noise, excess, elapsed, params.stuck)};
+  for (PoseMode& mode : pose.modes) predict(mode, step.odometry, step.noise);
+  keepNearField(params.field, pose.modes);
+  return step;
+}
+
+Measurements measurements(const GpsIn& in, const GpsParams& params, GpsCounts& counts) {
+  Measurements all;
+  if (!landmarksCount(in.input)) return all;
+  const LandmarkMap map = body::landmarksFor(params.field, in.input.game.team);
+  for (const LandmarkPercept& percept : in.percepts.landmarks)
+    if (const auto m = measurement(percept, map, params.field, params.gates, counts))
+      all.push_back(*m);
+  return all;
+}
+
+void finishUpdate(const GpsParams& params, GpsState& state) {
+  mergeAndPrune(params.field, params.modes, state.pose, state.counts);
+  keepNearField(params.field, state.pose.modes);
+}
+
+void noteLandmarks(std::size_t used, const StuckParams& params, GpsState& state) {
+  state.counts.updates += static_cast<std::uint32_t>(used);
+  state.pose.secondsSinceLandmark = 0.0;
+  if (state.pose.unexplained == 0) confirm(params, state.pose.stuck);
+}
+
+void useLandmarks(const GpsIn& in, const GpsParams& params, GpsState& state,
+                  LandmarkUpdate update) {
+  for (const Measurement& m : measurements(in, params, state.counts)) {
+    if (state.pose.lost) {
+      seedAround(m, params.field, params.modes, state.pose, state.counts);
+    } else {
+      update(m, params.field, params.modes, state.pose, state.counts);
+    }
+    finishUpdate(params, state);
+    if (!state.pose.lost) noteLandmarks(1, params.stuck, state);  // else no place on the field fits
+  }
+}
+
+bool linesUsable(const LineUpdateParams& params, const PoseState& pose) {
+  return params.use != LineUse::off && !pose.lost && !pose.stuck.paused;
+}
+
+void useLines(const GpsIn& in, const GpsParams& params, GpsState& state) {
+  if (params.lines.update.use == LineUse::off) return;
+  stepMap(in.input, in.percepts.linePoints, params.lines, state.lines.map);
+  const bool used =
+      foundByLines(in, params, state) ||
+      (linesUsable(params.lines.update, state.pose) && updateByFrameOrMap(in, params, state));
+  if (!used) return;
+  finishUpdate(params, state);
+  state.pose.secondsSinceLines = 0.0;
+}
+
+void usePinkPatches(const GpsIn& in, const Odometry& moved, const GpsParams& params,
+                    GpsState& state) {
+  const PaintedField field{params.field, state.lines.features};
+  usePinks({in, moved}, {field, params.pinks, params.modes, params.gates, params.lines.update},
+           state.pinks, state.pose, state.counts);
+}
+
+}  // namespace kelpie::gps
