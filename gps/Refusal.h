@@ -2,13 +2,17 @@
 // Why the localiser did not use something; what is not used is counted by these reasons.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <iterator>
+#include <limits>
+#include <tuple>
 
 #include "robot/core/WorldModel.h"
 
 namespace kelpie::gps {
 
-// The index into GpsCounts::refused.
+// The number is the place in GpsCounts::refused and in recorded logs: append, never reorder.
 enum class Refusal : std::uint8_t {
   odometryNotFinite,  // or farther than a robot can walk in one frame, or without a sound time
   landmarkNotFinite,  // or without a positive variance
@@ -34,10 +38,52 @@ enum class Refusal : std::uint8_t {
   pinkNearBeacon,
   pinkMapFull,
 };
-constexpr std::size_t kRefusalCount = 23;
+struct RefusalName {
+  Refusal refusal;
+  const char* name;
+};
 
+// In the order of the numbers.
+inline constexpr RefusalName kRefusalNames[] = {
+    {Refusal::odometryNotFinite, "odometryNotFinite"},
+    {Refusal::landmarkNotFinite, "landmarkNotFinite"},
+    {Refusal::landmarkUnknown, "landmarkUnknown"},
+    {Refusal::headingUncertain, "headingUncertain"},
+    {Refusal::goalTooClose, "goalTooClose"},
+    {Refusal::goalTooOblique, "goalTooOblique"},
+    {Refusal::nothingMeasured, "nothingMeasured"},
+    {Refusal::seedOffField, "seedOffField"},
+    {Refusal::modeNotFinite, "modeNotFinite"},
+    {Refusal::ballNotFinite, "ballNotFinite"},
+    {Refusal::ballOutsideGate, "ballOutsideGate"},
+    {Refusal::messageBroken, "messageBroken"},
+    {Refusal::messageRepeated, "messageRepeated"},
+    {Refusal::opponentNotFinite, "opponentNotFinite"},
+    {Refusal::opponentUncertain, "opponentUncertain"},
+    {Refusal::linesMatchNothing, "linesMatchNothing"},
+    {Refusal::effortNotFinite, "effortNotFinite"},
+    {Refusal::pinkNotFinite, "pinkNotFinite"},
+    {Refusal::pinkPoseUnsure, "pinkPoseUnsure"},
+    {Refusal::pinkOffWall, "pinkOffWall"},
+    {Refusal::pinkElevation, "pinkElevation"},
+    {Refusal::pinkNearBeacon, "pinkNearBeacon"},
+    {Refusal::pinkMapFull, "pinkMapFull"},
+};
+constexpr std::size_t kRefusalCount = std::size(kRefusalNames);
+
+constexpr bool namesAreInOrder() {
+  for (std::size_t i = 0; i < kRefusalCount; ++i)
+    if (static_cast<std::size_t>(kRefusalNames[i].refusal) != i) return false;
+  return true;
+}
+static_assert(namesAreInOrder(), "each refusal has its name, in the order of the numbers");
+static_assert(kRefusalCount <= std::tuple_size_v<decltype(GpsCounts::refused)>,
+              "a log keeps a count of each");
+
+// Stays at the highest number rather than begin again at 0.
 inline void count(Refusal reason, GpsCounts& counts) {
-  ++counts.refused[static_cast<std::size_t>(reason)];
+  std::uint16_t& number = counts.refused[static_cast<std::size_t>(reason)];
+  if (number < std::numeric_limits<std::uint16_t>::max()) ++number;
 }
 
 }  // namespace kelpie::gps

@@ -208,15 +208,17 @@ def test_jsonl_has_one_object_a_frame(match, tmp_path):
     assert [o["frame"] for o in objects] == list(range(len(objects)))
     assert list(objects[-1]) == [
         "frame", "t_s", "dropped_frames", "percepts", "gaps", "field_edge", "line_points",
-        "obstacle_points", "obstacles_ahead", "refused", "pose", "modes", "ball", "team_ball",
-        "opponents", "teammates", "obstacles", "pink_map", "command"]
+        "obstacle_points", "obstacles_ahead", "refused", "gps_refused", "pose", "modes", "ball",
+        "team_ball", "opponents", "teammates", "obstacles", "pink_map", "command"]
     assert set(objects[-1]["pose"]) == {"x_cm", "y_cm", "heading_deg", "sd_cm", "sd_deg", "stuck"}
     seen = [percept for o in objects for percept in o["percepts"]]
     assert {"ball", "beacon_pb"} <= {percept["kind"] for percept in seen}
     assert all(abs(percept["heading_deg"]) <= 180 and percept["distance_cm"] >= 0 and
                percept["distance_variance_cm2"] >= 0 for percept in seen)
     assert all(name[0].islower() and count > 0
-               for o in objects for name, count in o["refused"].items())
+               for o in objects for key in ("refused", "gps_refused")
+               for name, count in o[key].items())
+    assert objects[-1]["gps_refused"]
     documented = (ROOT / "docs" / "logs.md").read_text()
     assert all(f"`{key}`" in documented for key in objects[-1])
 

@@ -2,7 +2,9 @@
 #include "tools/cli/Jsonl.h"
 
 #include <cmath>
+#include <iterator>
 
+#include "gps/Refusal.h"
 #include "tools/cli/FieldJson.h"
 #include "vision/Refusal.h"
 
@@ -36,10 +38,11 @@ Json percepts(const Percepts& seen) {
 }
 
 // What was refused and how often, by the reason's name.
-Json refusals(const VisionCounts& counts) {
+template <class Counts, class Names>
+Json refusals(const Counts& counts, const Names& names) {
   Json object = Json::object();
-  for (std::size_t i = 0; i < vision::kRefusalCount; ++i)
-    if (counts.refused[i] > 0) object[vision::kRefusalNames[i].name] = counts.refused[i];
+  for (std::size_t i = 0; i < std::size(names); ++i)
+    if (counts.refused[i] > 0) object[names[i].name] = counts.refused[i];
   return object;
 }
 
@@ -84,7 +87,8 @@ nlohmann::ordered_json frameObject(const FrameInput& input, const FrameOutput& o
           {"line_points", fieldJson(seen.linePoints)},
           {"obstacle_points", fieldJson(seen.obstacles)},
           {"obstacles_ahead", seen.obstaclesAhead},
-          {"refused", refusals(seen.counts)},
+          {"refused", refusals(seen.counts, vision::kRefusalNames)},
+          {"gps_refused", refusals(world.counts, gps::kRefusalNames)},
           {"pose", pose(world)},
           {"modes", fieldJson(world.modes)},
           {"ball", ball(world.ball)},
