@@ -18,16 +18,6 @@ constexpr double kMaxDistance = 1000.0;  // cm, of a sighting
 
 using Filters = std::array<OpponentFilter, kOpponents>;
 
-// The opponents' likely places, for filters that know nothing (facts-2005 section 5.4).
-Place startPlace(std::size_t index, const PlayersContext& context) {
-  const double w = context.field.width;
-  const double l = context.field.length;
-  const std::array<Vector2, kOpponents> places{Vector2(0.5 * w, l), Vector2(0.5 * w, 0.75 * l),
-                                               Vector2(0.75 * w, 0.75 * l),
-                                               Vector2(0.5 * w, 0.5 * l)};
-  return {places[index], context.players.opponents.startVariance * Matrix2::Identity()};
-}
-
 void forget(std::size_t index, const PlayersContext& context, Filters& filters) {
   filters[index] = OpponentFilter{};
   filters[index].belief = informationOf(startPlace(index, context));
@@ -105,16 +95,6 @@ bool usable(const RobotPercept& r) {
   return std::isfinite(r.distance) && r.distance > 0.0 && r.distance < kMaxDistance &&
          std::isfinite(r.heading.rad()) && std::isfinite(r.distanceVariance) &&
          r.distanceVariance > 0.0 && std::isfinite(r.headingVariance) && r.headingVariance > 0.0;
-}
-
-Place sightingOf(const RobotPercept& r, const PoseMode& pose, double factor) {
-  const Point2<Robot> at = robotPolar(r.distance, r.heading);
-  const Vector2 along(at.x / r.distance, at.y / r.distance);
-  const Vector2 across(-along(1), along(0));
-  const double sideways = maths::square(r.distance) * r.headingVariance;
-  const Matrix2 covariance = factor * (r.distanceVariance * along * along.transpose() +
-                                       sideways * across * across.transpose());
-  return placeOnField(pose, at, covariance);
 }
 
 bool nearField(const Place& place, const PlayersContext& context) {
@@ -203,6 +183,25 @@ void see(const RobotPercept& percept, const PoseMode& pose, const PlayersContext
 }
 
 }  // namespace
+
+Place startPlace(std::size_t index, const PlayersContext& context) {
+  const double w = context.field.width;
+  const double l = context.field.length;
+  const std::array<Vector2, kOpponents> places{Vector2(0.5 * w, l), Vector2(0.5 * w, 0.75 * l),
+                                               Vector2(0.75 * w, 0.75 * l),
+                                               Vector2(0.5 * w, 0.5 * l)};
+  return {places[index], context.players.opponents.startVariance * Matrix2::Identity()};
+}
+
+Place sightingOf(const RobotPercept& r, const PoseMode& pose, double factor) {
+  const Point2<Robot> at = robotPolar(r.distance, r.heading);
+  const Vector2 along(at.x / r.distance, at.y / r.distance);
+  const Vector2 across(-along(1), along(0));
+  const double sideways = maths::square(r.distance) * r.headingVariance;
+  const Matrix2 covariance = factor * (r.distanceVariance * along * along.transpose() +
+                                       sideways * across * across.transpose());
+  return placeOnField(pose, at, covariance);
+}
 
 void stepOpponents(const GpsIn& in, const PoseMode& pose, const PlayersContext& context,
                    Opponents& opponents, GpsCounts& counts) {

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "gps/GpsIn.h"
+#include "gps/OnField.h"
 #include "gps/players/PlayersContext.h"
 #include "gps/players/PlayersState.h"
 
@@ -22,5 +23,11 @@ void hearOpponents(const TeamMessage& message, const PlayersContext& context, Op
 FixedVector<SharedOpponent, kOpponents> takeUnsent(Opponents& opponents);
 
 FixedVector<OpponentEstimate, kOpponents> extractOpponents(const Opponents& opponents);
+
+// Where an opponent likely is when nothing is known of it (facts-2005 section 5.4).
+Place startPlace(std::size_t index, const PlayersContext& context);
+
+// On the field, with the pose's own uncertainty; `factor` times the percept's variances.
+Place sightingOf(const RobotPercept& percept, const PoseMode& pose, double factor);
 
 }  // namespace kelpie::gps

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Four opponents wander about; four robots walk among them with panning heads and see one
-// or another. How well a robot knows the four by itself, and with the messages of the others.
+// or another. How well a robot knows the four by itself, and with the messages of the others;
+// beside that the thesis' choice of a filter by the angle alone, and the tracker of 2003.
+#include "gps/players/Opponents.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "tools/experiments/baselines/Opponents2003.h"
 #include "tools/experiments/harness/Statistics.h"
 #include "tools/experiments/harness/Trials.h"
 #include "tools/experiments/players/Player.h"
@@ -119,7 +123,30 @@ Places move(std::vector<Wanderer>& opponents) {
   return places;
 }
 
-void playMatch(Match match, Tally& alone, Tally& shared) {
+// One robot's opponents as the tracker of 2003 has them, beside its own.
+class Tracker2003 {
+ public:
+  void step(const Player& player, const WorldModel& own) {
+    const gps::PlayersContext context{player.params.field, player.params.players,
+                                      player.params.ball};
+    gps::stepOpponents2003({player.input, player.percepts}, own.modes[0], context, *opponents_);
+    world_->opponents = gps::extractOpponents(*opponents_);
+  }
+  const WorldModel& world() const { return *world_; }
+
+ private:
+  std::unique_ptr<gps::Opponents> opponents_ = std::make_unique<gps::Opponents>();
+  std::unique_ptr<WorldModel> world_ = std::make_unique<WorldModel>();
+};
+
+struct Tallies {
+  Tally alone;
+  Tally shared;
+  Tally of2003;
+};
+
+void playMatch(Match match, Tallies& tallies) {
+  Tracker2003 tracker;
   for (int frame = 0; frame < kFrames; ++frame) {
     const Places opponents = move(match.opponents);
     match.radio.pass();
@@ -133,11 +160,13 @@ void playMatch(Match match, Tally& alone, Tally& shared) {
       player.input.team = match.radio.receive(i);
       if (i == 0) {
         const WorldModel world = player.stepAlone();
-        if (frame >= kSettled) addErrors(world, opponents, alone);
+        tracker.step(player, world);
+        if (frame >= kSettled) addErrors(world, opponents, tallies.alone);
+        if (frame >= kSettled) addErrors(tracker.world(), opponents, tallies.of2003);
       }
       const WorldModel world = player.step();
       match.radio.send(i, world.message);
-      if (i == 0 && frame >= kSettled) addErrors(world, opponents, shared);
+      if (i == 0 && frame >= kSettled) addErrors(world, opponents, tallies.shared);
     }
   }
 }
@@ -152,7 +181,7 @@ void put(Json& json, const std::string& name, const Tally& tally) {
 }
 
 Expected<Json> opponents(const Request& request) {
-  Tally single, shared, angleSingle, angleShared;
+  Tallies own, byAngle;
   Random seeds(request.seed);
   const gps::OpponentParams ours;
   // Matched by the angle alone, filters never joined, a missed one as sure as before.
@@ -160,17 +189,18 @@ Expected<Json> opponents(const Request& request) {
   thesis.matchGate = thesis.joinDistance = thesis.missedNoise = 0.0;
   eachTrial(request, [&](const Trial&) {
     const std::uint64_t seed = seeds.next();
-    playMatch(matchOf(seed, ours), single, shared);
-    playMatch(matchOf(seed, thesis), angleSingle, angleShared);
+    playMatch(matchOf(seed, ours), own);
+    playMatch(matchOf(seed, thesis), byAngle);
   });
   Json json;
-  put(json, "single", single);
-  put(json, "shared", shared);
-  json["separation_cm"] = mean(shared.separation);
-  json["merged_share"] = shared.merged.value();
-  json["found_share"] = shared.found.value();
-  put(json, "angle_alone_single", angleSingle);
-  put(json, "angle_alone_shared", angleShared);
+  put(json, "single", own.alone);
+  put(json, "shared", own.shared);
+  json["separation_cm"] = mean(own.shared.separation);
+  json["merged_share"] = own.shared.merged.value();
+  json["found_share"] = own.shared.found.value();
+  put(json, "angle_alone_single", byAngle.alone);
+  put(json, "angle_alone_shared", byAngle.shared);
+  put(json, "of_2003_single", own.of2003);
   return json;
 }
 
