@@ -38,6 +38,7 @@ bool poseIsInRange(const BodyState& body) {
 
 Percepts step(const VisionIn& in, const VisionParams& params, VisionState& state) {
   Percepts out;
+  state.judgedBeacons.clear();
   state.judgedGoals.clear();
   state.judgedRobots.clear();
   if (!poseIsInRange(in.body)) {
@@ -60,7 +61,7 @@ Percepts step(const VisionIn& in, const VisionParams& params, VisionState& state
 
   const Scene scene{sampler, state.blobs, in.body,    out.fieldEdges,
                     frame,   lattice,     state.runs, params.field};
-  findBeacons(scene, params.beacon, out.counts, out.landmarks);
+  findBeacons(scene, params.beacon, out.counts, out.landmarks, state.judgedBeacons);
   findGoals(scene, params.goal, out.counts, out.landmarks, out.gaps, state.judgedGoals);
   out.ball = findBall(scene, params.ball, out.counts);
   findRobots(scene, params.robot, out.counts, out.robots, state.judgedRobots);

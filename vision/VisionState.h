@@ -3,6 +3,7 @@
 // earlier image survives. 300 KB: keep it off the stack.
 #pragma once
 
+#include "vision/beacon/JudgedBeacon.h"
 #include "vision/blobs/Blobs.h"
 #include "vision/goal/JudgedGoal.h"
 #include "vision/pixels/RingTable.h"
@@ -21,6 +22,7 @@ struct VisionState {
   ClassPlane classes{};
   RunBuffer runs;
   BlobBuffer blobs;
+  JudgedBeacons judgedBeacons;
   JudgedGoals judgedGoals;
   JudgedRobots judgedRobots;
 };

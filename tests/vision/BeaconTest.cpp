@@ -140,120 +140,6 @@ TEST(Beacon, OfHalfTheSizeIsRefusedByItsHeight) {
   EXPECT_GE(refused(seen, Refusal::beaconElevation), 1);
 }
 
-TEST(BeaconChecks, WhatFitsItsHeightMayBeCutByTwoBorders) {
-  BeaconCandidate c;
-  c.topCut = c.widthCut = true;
-  EXPECT_FALSE(beaconIsInImage(c));
-  c.sure = true;
-  EXPECT_TRUE(beaconIsInImage(c));
-}
-
-TEST(BeaconChecks, BandsAreOfOneHeightUnlessTheBorderCutsOne) {
-  const BeaconFinderParams p;
-  BeaconCandidate c;
-  c.upper = 10;
-  c.lower = 16.9;  // 1.6 * 10 + 1 = 17
-  EXPECT_TRUE(beaconBandsAreEqual(c, p));
-  c.lower = 17.1;
-  EXPECT_FALSE(beaconBandsAreEqual(c, p));
-  c.topCut = true;
-  EXPECT_TRUE(beaconBandsAreEqual(c, p));
-}
-
-TEST(BeaconChecks, BandIsAboutAsWideAsHigh) {
-  const BeaconFinderParams p;
-  BeaconCandidate c;
-  c.upper = c.lower = 10;
-  c.width = 16.9;  // 1.6 * 10 + 1 = 17
-  EXPECT_TRUE(beaconBandIsSquare(c, p));
-  c.width = 17.1;
-  EXPECT_FALSE(beaconBandIsSquare(c, p));
-  c.width = 5.7;  // 1.6 * 5.7 + 1 = 10.12
-  EXPECT_TRUE(beaconBandIsSquare(c, p));
-  c.width = 5.6;
-  EXPECT_FALSE(beaconBandIsSquare(c, p));
-}
-
-TEST(BeaconChecks, BandOfAColourThatGoesOnFarAsideIsPartOfSomethingElse) {
-  const BeaconFinderParams p;
-  BeaconCandidate c;
-  c.width = 10;
-  c.widest = 79;
-  EXPECT_TRUE(beaconBandsStandAlone(c, p));
-  c.widest = 81;
-  EXPECT_FALSE(beaconBandsStandAlone(c, p));
-  c.bottomCut = true;
-  c.widest = 29;
-  EXPECT_TRUE(beaconBandsStandAlone(c, p));
-  c.widest = 31;
-  EXPECT_FALSE(beaconBandsStandAlone(c, p));
-  c.onWhite = true;
-  EXPECT_TRUE(beaconBandsStandAlone(c, p));
-  c.topCut = true;  // trousers over socks look so, and far wider
-  c.widest = 81;
-  EXPECT_FALSE(beaconBandsStandAlone(c, p));
-}
-
-TEST(BeaconChecks, WhereHeightAndSizeDisagreeMoreOfItsWhiteMustShow) {
-  const BeaconFinderParams p;
-  Board board(cameraAt(16, 0, 0));
-  BeaconCandidate c;
-  c.upper = c.lower = 20;
-  c.bottom = {104, 80};
-  const auto passes = [&](int whiteRows, bool sure) {
-    board.fill(98, 80, 110, 80 + whiteRows, kWhitePaint);
-    board.fill(98, 80 + whiteRows, 110, 125, kGreenPaint);
-    c.sure = sure;
-    return beaconHasWhiteBelow(board.scene(), c, p);
-  };
-  EXPECT_FALSE(passes(12, true));  // 0.24 of what is probed
-  EXPECT_TRUE(passes(16, true));
-  EXPECT_FALSE(passes(16, false));
-  EXPECT_TRUE(passes(24, false));
-  c.bottom = {104, kUsableBottom - 0.5};  // below the image nothing shows
-  c.bottomCut = true;
-  EXPECT_FALSE(passes(0, false));
-  EXPECT_TRUE(passes(0, true));
-}
-
-TEST(BeaconChecks, WeakCuesAreCountedEachForItself) {
-  Board board(cameraAt(16, 0, 0));
-  BeaconCandidate c;  // 30 cm up at 100 cm, with a camera 16 cm up
-  c.distance = 105.0;
-  c.onWhite = true;
-  c.middle = *body::project(board.body.camera, {0, board.body.camera.position.y + 100, 30});
-  c.upper = c.lower = c.width = c.widest = 19.0;
-  c.bottom = {c.middle.x, c.middle.y + 19.0};
-  board.fill(90, static_cast<int>(c.bottom.y), 120, 155, kWhitePaint);
-  EXPECT_EQ(weakCues(board.scene(), c), 0);
-  c.widest = 2.0 * c.width;
-  EXPECT_EQ(weakCues(board.scene(), c), 1);
-  c.widest = 5.0 * c.width;
-  EXPECT_EQ(weakCues(board.scene(), c), 2);
-  c.width *= 0.6;
-  EXPECT_EQ(weakCues(board.scene(), c), 4);  // not square, and so less like a beacon
-  board.edges.push_back({80, 80, 20, 0.5});
-  EXPECT_EQ(weakCues(board.scene(), c), 5);
-  board.fill(90, static_cast<int>(c.bottom.y), 120, 155, kGreenPaint);
-  EXPECT_EQ(weakCues(board.scene(), c), 6);
-  c.distance = 140.0;
-  EXPECT_EQ(weakCues(board.scene(), c), 8);
-  c.widthCut = true;
-  EXPECT_EQ(weakCues(board.scene(), c), 7);
-}
-
-TEST(BeaconChecks, BandCutAtItsSideMayShowSixTenthsOfItsWidth) {
-  const BeaconFinderParams p;
-  BeaconCandidate c;
-  c.upper = c.lower = 10;
-  c.width = 4.1;  // of at most 6.8
-  EXPECT_FALSE(beaconBandIsSquare(c, p));
-  c.widthCut = true;
-  EXPECT_TRUE(beaconBandIsSquare(c, p));
-  c.width = 3.3;  // of at most 5.5
-  EXPECT_FALSE(beaconBandIsSquare(c, p));
-}
-
 TEST(BeaconChecks, BothBandsAreLargeEnoughToMeasure) {
   const BeaconFinderParams p;
   BeaconCandidate c;
@@ -268,46 +154,118 @@ TEST(BeaconChecks, BothBandsAreLargeEnoughToMeasure) {
   EXPECT_FALSE(beaconIsLarge(c, p));
 }
 
-TEST(BeaconChecks, BorderMayCutItOnOneSideOnly) {
-  BeaconCandidate c;
-  c.topCut = true;
-  EXPECT_TRUE(beaconIsInImage(c));
-  c.widthCut = true;
-  EXPECT_FALSE(beaconIsInImage(c));
-  c.topCut = false;
-  EXPECT_TRUE(beaconIsInImage(c));
-}
-
-// Bands 10 px high end at row 60, white down to 80.
+// Bands 10 px high and wide end at row 60, white down to 80, and below that what `below` is.
 struct Stand {
   Board board{cameraAt(16, 0, 0)};
   BeaconCandidate c;
 
-  explicit Stand(const Paint& below) {
-    board.fill(95, 40, 115, 50, kBluePaint);
-    board.fill(95, 50, 115, 60, kPinkPaint);
-    board.fill(95, 60, 115, 80, kWhitePaint);
+  explicit Stand(const Paint& below = kGreenPaint) {
+    board.fill(100, 40, 110, 50, kBluePaint);
+    board.fill(100, 50, 110, 60, kPinkPaint);
+    board.fill(100, 60, 110, 80, kWhitePaint);
     board.fill(0, 80, kImageWidth, kImageHeight, below);
-    c.upper = c.lower = 10;
+    c.partner = ColourClass::blue;
+    c.pinkIsLower = c.onWhite = true;
+    c.upper = c.lower = c.width = c.widest = 10;
+    c.distance = 200;
     c.top = {105, 40};
     c.middle = {105, 50};
     c.bottom = {105, 60};
   }
-  bool kept() const { return beaconStandsOnField(board.scene(), c); }
+  BeaconFacts facts() const { return beaconFacts(board.scene(), c); }
 };
 
-TEST(BeaconChecks, CarpetOrARobotFollowsBelowTheWhite) {
-  EXPECT_TRUE(Stand(kGreenPaint).kept());
-  EXPECT_TRUE(Stand(kWhitePaint).kept());   // a robot's shell before it
-  EXPECT_TRUE(Stand(kOrangePaint).kept());  // a ball
-  EXPECT_FALSE(Stand(kBluePaint).kept());
-  EXPECT_FALSE(Stand(kYellowPaint).kept());
+TEST(BeaconFacts, BandsOfAWholeBeaconAreEqualAndSquareAndFilledAndStandAlone) {
+  const BeaconFacts facts = Stand().facts();
+  EXPECT_EQ(facts.band, 10);
+  EXPECT_NEAR(facts.bandRatio, 0, 1e-9);
+  EXPECT_NEAR(facts.aspect, 0, 1e-9);
+  EXPECT_NEAR(facts.wider, 0, 1e-9);
+  EXPECT_EQ(facts.filled, 1);
+  EXPECT_EQ(facts.beside, 0);
+  EXPECT_EQ(facts.whiteShare, 1);
+  EXPECT_EQ(facts.whiteShows, 1);
 }
 
-TEST(BeaconChecks, BeaconCutBelowNeedsNoField) {
+TEST(BeaconFacts, UnequalBandsDifferByTheLogOfTheirRatioUnlessOneIsCut) {
+  Stand stand;
+  stand.c.upper = 15;
+  EXPECT_NEAR(stand.facts().bandRatio, std::log(1.5), 1e-6);
+  stand.c.topCut = true;
+  EXPECT_EQ(stand.facts().bandRatio, 0);
+  EXPECT_EQ(stand.facts().topCut, 1);
+}
+
+TEST(BeaconFacts, ClothesOfItsColourBesideABandAreSeenThere) {
+  Stand stand;
+  stand.board.fill(60, 40, 100, 50, kBluePaint);
+  EXPECT_NEAR(stand.facts().beside, 0.25, 1e-9);  // one side of one of the two bands
+}
+
+TEST(BeaconFacts, PatternedClothesDoNotFillTheBands) {
+  Stand stand;
+  stand.board.fill(100, 43, 110, 47, kWhitePaint);
+  EXPECT_LT(stand.facts().filled, 0.9);
+}
+
+TEST(BeaconFacts, FootIsThreeBandsBelowTheBordersOfTheColours) {
+  Stand stand;
+  EXPECT_EQ(stand.facts().edgeShows, 0);
+  stand.board.edges.push_back({70, 70, 20, 0.5});
+  EXPECT_EQ(stand.facts().edgeShows, 1);
+  EXPECT_NEAR(stand.facts().footBelowEdge, 1.0, 0.05);  // at row 80, in bands of 10 px
+}
+
+TEST(BeaconFacts, CarpetOrARobotOrTheBallBelowTheWhiteIsNotStrange) {
+  EXPECT_EQ(Stand(kGreenPaint).facts().strangeBelow, 0);
+  EXPECT_EQ(Stand(kWhitePaint).facts().strangeBelow, 0);   // a robot's shell before it
+  EXPECT_EQ(Stand(kOrangePaint).facts().strangeBelow, 0);  // a ball
+  EXPECT_GT(Stand(kBluePaint).facts().strangeBelow, 0.6);
+  EXPECT_GT(Stand(kYellowPaint).facts().strangeBelow, 0.6);
+}
+
+TEST(BeaconFacts, NothingBelowABeaconThatIsCutThereIsStrange) {
   Stand stand(kBluePaint);
   stand.c.bottomCut = true;
-  EXPECT_TRUE(stand.kept());
+  EXPECT_EQ(stand.facts().strangeBelow, 0);
+}
+
+// Of a beacon at 200 cm with a camera 16 cm up, as most candidates for one have them.
+BeaconFacts factsOfAWholeBeacon() {
+  BeaconFacts facts;
+  facts.distance = 200;
+  facts.band = 9.6;
+  facts.bandRatio = 0.04;
+  facts.footBelowEdge = 0.15;
+  facts.elevationError = 0.1;
+  facts.belowHorizon = -14;
+  facts.whiteShare = facts.whiteShows = facts.edgeShows = facts.filled = facts.onWhite = 1;
+  return facts;
+}
+
+TEST(BeaconFacts, OneWeakFactDoesNotMakeAWholeBeaconUnlikely) {
+  const BeaconFinderParams p;
+  const BeaconFacts whole = factsOfAWholeBeacon();
+  BeaconFacts uneven = whole;
+  uneven.bandRatio = 0.25;
+  BeaconFacts touched = whole;
+  touched.beside = 0.25;
+  BeaconFacts hidden = whole;
+  hidden.whiteShare = 0.6;
+  for (const BeaconFacts& facts : {uneven, touched, hidden}) {
+    EXPECT_GT(logOddsAgainst(facts), logOddsAgainst(whole));
+    EXPECT_LE(logOddsAgainst(facts), p.maxLogOddsAgainst);
+  }
+}
+
+TEST(BeaconFacts, SeveralWeakFactsDo) {
+  BeaconFacts facts = factsOfAWholeBeacon();
+  facts.bandRatio = 0.4;
+  facts.elevationError = 1.4;
+  facts.whiteShare = 0.2;
+  facts.footBelowEdge = -1.5;
+  facts.filled = 0.7;
+  EXPECT_GT(logOddsAgainst(facts), BeaconFinderParams().maxLogOddsAgainst);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include "robot/core/Percepts.h"
 #include "tools/experiments/views/View.h"
+#include "vision/beacon/JudgedBeacon.h"
 #include "vision/goal/JudgedGoal.h"
 #include "vision/robot/JudgedRobot.h"
 
@@ -16,6 +17,7 @@ struct Look {
   const View& view;
   const BodyState& body;
   const Percepts& seen;
+  const vision::JudgedBeacons& judgedBeacons;
   const vision::JudgedGoals& judgedGoals;
   const vision::JudgedRobots& judgedRobots;
 };

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// How well vision tells candidates for goals and robots that passed every check: real ones lost
-// against false ones left, with its own curves and with curves learned from the same views, each
-// view with what the others taught. The learned curves are what GoalFacts and RobotFacts hold.
+// How well vision tells candidates for beacons, goals and robots that passed every check: real ones
+// lost against false ones left, with its own curves and with curves learned from the same views,
+// each view with what the others taught. The learned curves are what GoalFacts and RobotFacts hold,
+// and what tools/curves makes BeaconCurves.cpp of.
 #include <algorithm>
 #include <cmath>
 
@@ -120,21 +121,25 @@ Expected<Json> doubts(const Request& request) {
   const ViewParams params;
   Visibility visibility;
   const vision::VisionParams vision;
+  Candidates beacons{
+      namesOf<vision::BeaconFacts>(), 50, 420, vision.beacon.maxLogOddsAgainst, {}, {}, {}};
   Candidates goals{
       namesOf<vision::GoalFacts>(), 80, 500, vision.goal.maxLogOddsAgainst, {}, {}, {}};
   Candidates robots{
       namesOf<vision::RobotFacts>(), 30, 200, vision.robot.maxLogOddsAgainst, {}, {}, {}};
   lookAtViews(params, request, [&](const Look& look) {
     const auto objects = trueObjects(look.view, params.field, visibility);
+    add(look.judgedBeacons, objects, look.number, beacons);
     add(look.judgedGoals, objects, look.number, goals);
     add(look.judgedRobots, objects, look.number, robots);
   });
-  return Json{{"goals", figuresOf(goals, request.trials)},
+  return Json{{"beacons", figuresOf(beacons, request.trials)},
+              {"goals", figuresOf(goals, request.trials)},
               {"robots", figuresOf(robots, request.trials)}};
 }
 
 const Registration kDoubts("doubts",
-                           "candidates for goals and robots: vision's log odds beside learned ones",
+                           "candidates of each object: vision's log odds beside learned ones",
                            {Option::trials, Option::seed}, 6000, doubts);
 
 }  // namespace

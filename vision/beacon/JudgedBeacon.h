@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// The candidates for beacons of an image that passed every check; as JudgedGoal.h keeps those for
+// goals.
+#pragma once
+
+#include "robot/core/FixedVector.h"
+#include "robot/core/Percepts.h"
+#include "vision/beacon/BeaconCurves.h"
+
+namespace kelpie::vision {
+
+struct JudgedBeacon {
+  LandmarkPercept percept;
+  BeaconFacts facts;
+  double logOddsAgainst = 0.0;
+};
+using JudgedBeacons = FixedVector<JudgedBeacon, 16>;
+
+}  // namespace kelpie::vision
