@@ -90,6 +90,7 @@ enum class Refusal : std::uint8_t {
   poseOutOfRange,    // the camera's pose or the horizon is NaN or absurd: nothing is looked at
   beaconUnlikely,    // each check passed, but few of them well
   robotUnlikely,     // each check passed, but few of them well
+  ballUnlikely,      // each check passed, but few of them well
 };
 struct RefusalName {
   Refusal refusal;
@@ -175,6 +176,7 @@ inline constexpr RefusalName kRefusalNames[] = {
     {Refusal::poseOutOfRange, "poseOutOfRange"},
     {Refusal::beaconUnlikely, "beaconUnlikely"},
     {Refusal::robotUnlikely, "robotUnlikely"},
+    {Refusal::ballUnlikely, "ballUnlikely"},
 };
 constexpr std::size_t kRefusalCount = std::size(kRefusalNames);
 

@@ -38,6 +38,7 @@ bool poseIsInRange(const BodyState& body) {
 
 Percepts step(const VisionIn& in, const VisionParams& params, VisionState& state) {
   Percepts out;
+  state.judgedBalls.clear();
   state.judgedBeacons.clear();
   state.judgedGoals.clear();
   state.judgedRobots.clear();
@@ -63,7 +64,7 @@ Percepts step(const VisionIn& in, const VisionParams& params, VisionState& state
                     frame,   lattice,     state.runs, params.field};
   findBeacons(scene, params.beacon, out.counts, out.landmarks, state.judgedBeacons);
   findGoals(scene, params.goal, out.counts, out.landmarks, out.gaps, state.judgedGoals);
-  out.ball = findBall(scene, params.ball, out.counts);
+  out.ball = findBall(scene, params.ball, out.counts, state.judgedBalls);
   findRobots(scene, params.robot, out.counts, out.robots, state.judgedRobots);
   findPinkPatches(scene, out.landmarks, params.pink, out.counts, out.pinkPatches);
   const Obstacles obstacles = findObstacles(scene, params.obstacle, out.counts);

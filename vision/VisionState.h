@@ -3,6 +3,7 @@
 // earlier image survives. 300 KB: keep it off the stack.
 #pragma once
 
+#include "vision/ball/JudgedBall.h"
 #include "vision/beacon/JudgedBeacon.h"
 #include "vision/blobs/Blobs.h"
 #include "vision/goal/JudgedGoal.h"
@@ -22,6 +23,7 @@ struct VisionState {
   ClassPlane classes{};
   RunBuffer runs;
   BlobBuffer blobs;
+  JudgedBalls judgedBalls;
   JudgedBeacons judgedBeacons;
   JudgedGoals judgedGoals;
   JudgedRobots judgedRobots;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <memory>
 
+#include "robot/body/Camera.h"
 #include "tests/vision/Board.h"
 #include "tests/vision/Painting.h"
 #include "vision/Refusal.h"
@@ -142,19 +143,27 @@ TEST(BallChecks, EdgesRoundnessAndRangeDecideAtTheirLimits) {
   c.cone.kept = 5;
   EXPECT_TRUE(ballHasEdges(c, p));
   c.cone.radius = 10;
-  c.cone.rms = 0.49;
+  c.cone.rms = 0.99;
   EXPECT_TRUE(ballIsRound(c, p));
-  c.cone.rms = 0.51;
+  c.cone.rms = 1.01;
   EXPECT_FALSE(ballIsRound(c, p));
   c.cone.radius = 3;  // whole pixels make a small circle rough
-  c.cone.rms = 0.29;
+  c.cone.rms = 0.59;
   EXPECT_TRUE(ballIsRound(c, p));
-  c.cone.rms = 0.31;
+  c.cone.rms = 0.61;
   EXPECT_FALSE(ballIsRound(c, p));
-  c.range = 389;
+  c.range = p.maxDistance - 1;
   EXPECT_TRUE(ballIsNear(c, p));
-  c.range = 391;
+  c.range = p.maxDistance + 1;
   EXPECT_FALSE(ballIsNear(c, p));
+}
+
+TEST(Ball, HalfPinkIsRefused) {
+  Painting p = ballAt(60, 0);
+  p.walls.push_back({{-4.5, 54}, {-0.4, 54}, 0, 12, kPinkPaint});
+  const Seen seen = look(p, cameraAt(16, 0, -12));
+  EXPECT_FALSE(seen.percepts.ball.present);
+  EXPECT_EQ(refused(seen, Refusal::ballOtherColour), kTries);
 }
 
 TEST(Ball, BeforeOrangeTrousersIsFoundAtItsOwnDistance) {
@@ -170,44 +179,117 @@ TEST(Ball, BeforeOrangeTrousersIsFoundAtItsOwnDistance) {
   }
 }
 
-TEST(BallChecks, PatchMuchLargerThanItsCircleIsNoBallUnlessClothesTouchIt) {
-  const BallFinderParams p;
+// A circle of 8 px about (104, 80) filled with orange, on carpet.
+struct Circle {
+  Board board{cameraAt(16, 0, -8)};
   Blob blob;
   BallCandidate c;
-  c.blob = &blob;
-  c.cone.radius = 10;  // 314 px2: 1.6 of it and 12 px2 are 129 samples of 4
-  blob.samples = 128;
-  EXPECT_TRUE(ballFillsItsPatch(c, p));
-  blob.samples = 130;
-  EXPECT_FALSE(ballFillsItsPatch(c, p));
-  c.standsAlone = false;
-  EXPECT_TRUE(ballFillsItsPatch(c, p));
+
+  Circle() {
+    for (int y = 72; y < 88; ++y) {
+      const int half = static_cast<int>(std::sqrt(64.0 - (y + 0.5 - 80) * (y + 0.5 - 80)));
+      board.fill(104 - half, y, 104 + half, y + 1, kOrangePaint);
+    }
+    blob.samples = 50;  // of 4 px2: the 201 px2 of the circle
+    c.blob = &blob;
+    c.cone.valid = true;
+    c.cone.kept = 16;
+    c.cone.centre = {104, 80};
+    c.cone.radius = 8;
+    c.range = 105;
+    c.axis = body::rayThrough(board.body.camera, c.cone.centre);
+  }
+  BallFacts facts() const { return ballFacts(board.scene(), c); }
+};
+
+TEST(BallFacts, WholeBallIsAllOrangeOnCarpetAndAllOfItsPatch) {
+  const BallFacts facts = Circle().facts();
+  EXPECT_GT(facts.orange, 0.9);
+  EXPECT_EQ(facts.otherColour, 0);
+  EXPECT_EQ(facts.beside, 0);
+  EXPECT_EQ(facts.carpetAround, 1);
+  EXPECT_EQ(facts.goalBelow, 0);
+  EXPECT_NEAR(facts.patch, 0, 0.02);
+  EXPECT_EQ(facts.edgeShows, 0);
+  EXPECT_EQ(facts.standsAlone, 1);
 }
 
-// A circle of 6 px about (104, 80), what is below row 86 of one colour.
-bool keptOver(const Paint& below) {
-  Board board(cameraAt(16, 0, -8));
-  board.fill(98, 74, 110, 86, kOrangePaint);
-  board.fill(80, 86, 128, 110, below);
-  BallCandidate c;
-  c.cone.centre = {104, 80};
-  c.cone.radius = 6;
-  return ballStandsOnNoGoal(board.scene(), c);
+TEST(BallFacts, EdgesOfWholePixelsAreNoErrorOfTheCircle) {
+  Circle circle;
+  circle.c.cone.rms = 0.39;  // as in a class plane
+  EXPECT_EQ(circle.facts().circleError, 0);
+  circle.c.cone.rms = 0.8;
+  EXPECT_NEAR(circle.facts().circleError, 0.05, 1e-9);
 }
 
-TEST(BallChecks, OrangeOverAGoalsWallIsNoBall) {
-  EXPECT_TRUE(keptOver(kGreenPaint));
-  EXPECT_TRUE(keptOver(kWhitePaint));
-  EXPECT_FALSE(keptOver(kBluePaint));
-  EXPECT_FALSE(keptOver(kYellowPaint));
+TEST(BallFacts, PatchTwiceItsCircleIsTheLogOfTwo) {
+  Circle circle;
+  circle.blob.samples = 100;
+  EXPECT_NEAR(circle.facts().patch, std::log(2.0), 0.02);
 }
 
-TEST(BallChecks, PinkInsideTheCircleIsCounted) {
-  Painting p = ballAt(60, 0);
-  p.walls.push_back({{-4.5, 54}, {-0.4, 54}, 0, 12, kPinkPaint});
-  const Seen seen = look(p, cameraAt(16, 0, -12));
-  EXPECT_FALSE(seen.percepts.ball.present);
-  EXPECT_EQ(refused(seen, Refusal::ballOtherColour), kTries);
+TEST(BallFacts, PinkInsideTheCircleIsCounted) {
+  Circle circle;
+  circle.board.fill(96, 72, 104, 88, kPinkPaint);
+  EXPECT_NEAR(circle.facts().otherColour, 0.5, 0.06);
+}
+
+TEST(BallFacts, ClothesThatGoOnBesideItAreOrangeThere) {
+  Circle circle;
+  circle.board.fill(112, 60, 130, 100, kOrangePaint);
+  EXPECT_EQ(circle.facts().beside, 3.0 / 12.0);
+}
+
+TEST(BallFacts, GoalsWallBelowTheCircleShowsInAllThreePoints) {
+  for (const Paint& wall : {kBluePaint, kYellowPaint}) {
+    Circle circle;
+    circle.board.fill(80, 88, 128, 130, wall);
+    EXPECT_EQ(circle.facts().goalBelow, 1);
+    EXPECT_LT(circle.facts().carpetAround, 0.6);
+  }
+  Circle circle;
+  circle.board.fill(80, 88, 128, 130, kWhitePaint);
+  EXPECT_EQ(circle.facts().goalBelow, 0);
+}
+
+TEST(BallFacts, LowestPointIsMeasuredFromTheFieldEdge) {
+  Circle circle;
+  circle.board.edges.push_back({72, 72, 20, 0.5});
+  const BallFacts facts = circle.facts();
+  EXPECT_EQ(facts.edgeShows, 1);
+  EXPECT_NEAR(facts.footBelowEdge, 16, 1e-6);
+  EXPECT_NEAR(facts.footBelowInRadii, 2, 1e-6);
+}
+
+TEST(BallFacts, BallOfTwiceTheSizeAtItsPlaceIsAboveTheGround) {
+  Circle circle;
+  const double size = circle.facts().heightError;
+  EXPECT_LT(std::fabs(size), 1.0);
+  circle.c.range *= 0.5;
+  EXPECT_GT(circle.facts().heightError, size + 0.5);
+}
+
+TEST(BallFacts, OneWeakFactDoesNotMakeAWholeBallUnlikely) {
+  const BallFacts whole = Circle().facts();
+  const double limit = BallFinderParams{}.maxLogOddsAgainst;
+  BallFacts rough = whole;
+  rough.circleError = 0.05;
+  BallFacts hidden = whole;
+  hidden.orange = 0.7;
+  BallFacts beforeRobot = whole;
+  beforeRobot.carpetAround = 0.4;
+  for (const BallFacts& facts : {whole, rough, hidden, beforeRobot})
+    EXPECT_LT(logOddsAgainst(facts), limit);
+}
+
+TEST(BallFacts, SeveralWeakFactsDo) {
+  BallFacts facts = Circle().facts();
+  facts.circleError = 0.06;
+  facts.orange = 0.5;
+  facts.beside = 0.5;
+  facts.carpetAround = 0.1;
+  facts.patch = 1.0;
+  EXPECT_GT(logOddsAgainst(facts), BallFinderParams{}.maxLogOddsAgainst);
 }
 
 }  // namespace

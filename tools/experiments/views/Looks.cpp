@@ -16,7 +16,7 @@ void lookAtViews(const ViewParams& params, const Request& request,
   eachView(params, request, [&](const View& view) {
     const BodyState body = body::step(view.input, {});
     const Percepts seen = vision::step({view.input, body}, vision, *state);
-    use({number++, view, body, seen, state->judgedBeacons, state->judgedGoals,
+    use({number++, view, body, seen, state->judgedBalls, state->judgedBeacons, state->judgedGoals,
          state->judgedRobots});
   });
 }

@@ -6,6 +6,7 @@
 
 #include "robot/core/Percepts.h"
 #include "tools/experiments/views/View.h"
+#include "vision/ball/JudgedBall.h"
 #include "vision/beacon/JudgedBeacon.h"
 #include "vision/goal/JudgedGoal.h"
 #include "vision/robot/JudgedRobot.h"
@@ -17,6 +18,7 @@ struct Look {
   const View& view;
   const BodyState& body;
   const Percepts& seen;
+  const vision::JudgedBalls& judgedBalls;
   const vision::JudgedBeacons& judgedBeacons;
   const vision::JudgedGoals& judgedGoals;
   const vision::JudgedRobots& judgedRobots;

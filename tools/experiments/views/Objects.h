@@ -34,6 +34,7 @@ struct SeenObject {
   Angle heading;
 };
 
+SeenObject seenObject(const BallPercept& ball);
 SeenObject seenObject(const LandmarkPercept& landmark);
 SeenObject seenObject(const RobotPercept& robot);
 std::vector<SeenObject> seenObjects(const Percepts& percepts);

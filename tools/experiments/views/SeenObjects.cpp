@@ -23,6 +23,10 @@ double headingLimit(ObjectKind kind, double distance) {
 
 }  // namespace
 
+SeenObject seenObject(const BallPercept& b) {
+  return {ObjectKind::ball, {}, {}, b.distance, b.heading};
+}
+
 SeenObject seenObject(const LandmarkPercept& l) {
   const bool goal = l.kind <= LandmarkKind::goalYellow;
   return {goal ? ObjectKind::goal : ObjectKind::beacon, l.kind, {}, l.distance, l.heading};
@@ -34,8 +38,7 @@ SeenObject seenObject(const RobotPercept& r) {
 
 std::vector<SeenObject> seenObjects(const Percepts& seen) {
   std::vector<SeenObject> all;
-  if (seen.ball.present)
-    all.push_back({ObjectKind::ball, {}, {}, seen.ball.distance, seen.ball.heading});
+  if (seen.ball.present) all.push_back(seenObject(seen.ball));
   for (const auto& landmark : seen.landmarks) all.push_back(seenObject(landmark));
   for (const auto& robot : seen.robots) all.push_back(seenObject(robot));
   return all;

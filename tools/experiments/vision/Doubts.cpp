@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// How well vision tells candidates for beacons, goals and robots that passed every check: real ones
-// lost against false ones left, with its own curves and with curves learned from the same views,
-// each view with what the others taught. The learned curves are what GoalFacts and RobotFacts hold,
-// and what tools/curves makes BeaconCurves.cpp of.
+// How well vision tells candidates for balls, beacons, goals and robots that passed every check:
+// real ones lost against false ones left, with its own curves and with curves learned from the same
+// views, each view with what the others taught. The learned curves are what GoalFacts and
+// RobotFacts hold, and what tools/curves makes BallCurves.cpp and BeaconCurves.cpp of.
 #include <algorithm>
 #include <cmath>
 
@@ -121,6 +121,8 @@ Expected<Json> doubts(const Request& request) {
   const ViewParams params;
   Visibility visibility;
   const vision::VisionParams vision;
+  Candidates balls{
+      namesOf<vision::BallFacts>(), 25, 350, vision.ball.maxLogOddsAgainst, {}, {}, {}};
   Candidates beacons{
       namesOf<vision::BeaconFacts>(), 50, 420, vision.beacon.maxLogOddsAgainst, {}, {}, {}};
   Candidates goals{
@@ -129,11 +131,13 @@ Expected<Json> doubts(const Request& request) {
       namesOf<vision::RobotFacts>(), 30, 200, vision.robot.maxLogOddsAgainst, {}, {}, {}};
   lookAtViews(params, request, [&](const Look& look) {
     const auto objects = trueObjects(look.view, params.field, visibility);
+    add(look.judgedBalls, objects, look.number, balls);
     add(look.judgedBeacons, objects, look.number, beacons);
     add(look.judgedGoals, objects, look.number, goals);
     add(look.judgedRobots, objects, look.number, robots);
   });
-  return Json{{"beacons", figuresOf(beacons, request.trials)},
+  return Json{{"balls", figuresOf(balls, request.trials)},
+              {"beacons", figuresOf(beacons, request.trials)},
               {"goals", figuresOf(goals, request.trials)},
               {"robots", figuresOf(robots, request.trials)}};
 }

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "vision/ball/BallCandidate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "robot/body/Camera.h"
+#include "robot/body/FieldDescription.h"
+#include "robot/core/Maths.h"
+#include "vision/pixels/SpanWalk.h"
+
+namespace kelpie::vision {
+namespace {
+
+constexpr int kSpokes = 16;
+
+// Along spokes from a place inside the orange. A highlight or a shadow may interrupt the orange for
+// a sixth of its size; what is farther away than `reach` is not the ball's outline.
+void measure(const Scene& scene, PixelPoint from, double size, double reach, BallCandidate& c) {
+  const int holes = std::max(1, static_cast<int>(size / 6.0));
+  EdgePoints points;
+  for (int i = 0; i < kSpokes; ++i) {
+    const auto direction = maths::sinCos(2.0 * maths::kPi * i / kSpokes);
+    const EdgeHit hit = walkToEdge(
+        scene.sampler, {from, {direction.cos, direction.sin}, ColourClass::orange, holes});
+    c.cut += hit.cut ? 1U : 0U;
+    if (!hit.cut && hit.length <= reach) points.push_back(hit.point);
+  }
+  c.cone = fitCone(points);
+  if (!c.cone.valid) return;
+  c.axis = body::rayThrough(scene.body.camera, c.cone.centre);
+  c.range = body::kBallRadius / c.cone.sinHalf;
+}
+
+std::uint16_t rootOf(const RunBuffer& runs, std::size_t run) {
+  while (runs[run].parent != run) run = runs[run].parent;
+  return runs[run].blob;
+}
+
+// The middle of the blob's lowest run.
+std::optional<PixelPoint> lowestOf(const Scene& scene, const Blob& blob) {
+  const auto index = static_cast<std::uint16_t>(&blob - scene.blobs.begin());
+  for (std::size_t i = scene.runs.size(); i-- > 0;) {
+    const Run& run = scene.runs[i];
+    if (run.colour != ColourClass::orange || rootOf(scene.runs, i) != index) continue;
+    return scene.frame.toImage(
+        {scene.lattice.u(0.5 * (run.first + run.last)), scene.lattice.v(run.row)});
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+BallCandidate ballFromMiddle(const Scene& scene, const Blob& blob) {
+  BallCandidate c;
+  c.blob = &blob;
+  const double size = std::max(blob.box.width(), blob.box.height());
+  measure(scene, blob.centre, size, 1e3, c);
+  return c;
+}
+
+BallCandidate ballFromFoot(const Scene& scene, const Blob& blob) {
+  BallCandidate c;
+  c.blob = &blob;
+  c.standsAlone = false;
+  const auto lowest = lowestOf(scene, blob);
+  if (!lowest) return c;
+  const auto ground = body::groundPoint(scene.body.camera, *lowest);
+  if (!ground) return c;
+  const Point3<Robot>& eye = scene.body.camera.position;
+  const double along = maths::hypot(ground->x - eye.x, ground->y - eye.y);
+  const double radius =
+      body::kFocalLength * body::kBallRadius / std::max(maths::hypot(along, eye.z), 10.0);
+  const PixelPoint middle = moved(*lowest, scene.frame.up(), radius);
+  if (!Sampler::usable(middle) || scene.sampler.classAt(middle) != ColourClass::orange) return c;
+  measure(scene, middle, 2.0 * radius, 1.7 * radius + 1.0, c);
+  return c;
+}
+
+double ballHeightError(const Scene& scene, const BallCandidate& c) {
+  constexpr double kDirection = 0.03;  // rad, of the camera: 1.7 deg
+  constexpr double kSize = 0.1;        // share of the range
+  constexpr double kRadius = 0.3;      // px
+  const double height = scene.body.camera.position.z + c.range * c.axis.z;
+  const double descent = std::fabs(c.axis.z);
+  const double allowed = 2.0 + c.range * (kDirection + (kSize + kRadius / c.cone.radius) * descent);
+  return (height - body::kBallRadius) / allowed;
+}
+
+}  // namespace kelpie::vision
