@@ -39,9 +39,9 @@ struct PoseGrid {
   // Headings fastest, so that the poses of one frame lie together.
   Pose2 at(std::uint32_t index) const {
     const std::uint32_t place = index / turns;
-    const double column = 0.5 + place % columns;
-    const double row = 0.5 + static_cast<double>(place / columns);
-    return {{width * column / columns, length * row / rows},
+    const std::uint32_t column = place % columns;
+    const std::uint32_t row = place / columns;
+    return {{width * (column + 0.5) / columns, length * (row + 0.5) / rows},
             Angle::rad(2.0 * maths::kPi * (index % turns) / turns)};
   }
 };

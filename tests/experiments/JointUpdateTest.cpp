@@ -33,19 +33,5 @@ TEST(JointUpdate, AFrameSplitsEachModeOnce) {
   EXPECT_FALSE(updateJointly({}, field, params, robot.state.pose, robot.state.counts));
 }
 
-TEST(JointUpdate, AWalkingRobotFindsItsPlaceWithLandmarksAndLines) {
-  sim::LocalisingRobot robot({140.0, 180.0, 1.2}, 11);
-  robot.localise = stepJointly;
-  double cm = 0.0;
-  for (int frame = 0; frame < 150; ++frame) {
-    robot.walk(0.7, 0.0, 0.004);
-    robot.lookAround(sim::panAt(frame));
-    robot.lookAtLines(sim::panAt(frame));
-    const WorldModel world = robot.step();
-    if (frame >= 90) cm += robot.error(world) / 60.0;
-  }
-  EXPECT_LT(cm, 4.0);
-}
-
 }  // namespace
 }  // namespace kelpie::gps

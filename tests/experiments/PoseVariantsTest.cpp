@@ -2,22 +2,11 @@
 // The localisers that experiments compare the robot's with.
 #include <gtest/gtest.h>
 
+#include "tests/gps/FalseSighting.h"
 #include "tools/experiments/baselines/PoseVariants.h"
-#include "tools/sim/LocalisingRobot.h"
 
 namespace kelpie::gps {
 namespace {
-
-// A beacon 120 deg beside where it should be.
-void seeFalsely(sim::LocalisingRobot& robot) {
-  const auto landmarks = body::landmarksFor(robot.params.field, robot.input.game.team);
-  LandmarkPercept p = robot.look(landmarks[3], false);
-  p.heading = p.heading + Angle::deg(120);
-  robot.percepts.landmarks.push_back(p);
-  robot.walk(0, 0, 0);
-  robot.step();
-  robot.percepts.landmarks.clear();
-}
 
 double growthOf(Localise localise) {
   sim::LocalisingRobot robot({180, 250, 1.5});

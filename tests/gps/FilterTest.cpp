@@ -7,22 +7,11 @@
 #include "gps/pose/Landmarks.h"
 #include "gps/pose/Modes.h"
 #include "gps/pose/Predict.h"
+#include "tests/gps/ModeAndMeasurement.h"
 #include "tools/sim/LocalisingRobot.h"
 
 namespace kelpie::gps {
 namespace {
-
-PoseMode modeAt(double x, double y, double heading) {
-  PoseMode mode;
-  mode.weight = 1.0;
-  mode.pose = {{x, y}, Angle::rad(heading)};
-  mode.covariance = {120, 15, 0.4, 15, 80, -0.3, 0.4, -0.3, 0.05};
-  return mode;
-}
-
-Measurement seenAt(Point2<Field> landmark, double distance, double heading) {
-  return {landmark, true, true, distance, Angle::rad(heading), 400.0, 0.004};
-}
 
 TEST(Predict, JacobianMatchesDifferences) {
   const Odometry odometry{1.3, -0.4, Angle::rad(0.2)};

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "gps/pose/Modes.h"
-#include "tools/sim/LocalisingRobot.h"
+#include "tests/gps/FalseSighting.h"
 
 namespace kelpie::gps {
 namespace {
@@ -15,17 +15,6 @@ sim::LocalisingRobot localised(double wideWeight) {
   robot.believe({{180, 250}, Angle::rad(1.5)}, 5.0, Angle::deg(3));
   robot.step();
   return robot;
-}
-
-// A beacon 120 deg beside where it should be.
-void seeFalsely(sim::LocalisingRobot& robot) {
-  const auto landmarks = body::landmarksFor(robot.params.field, robot.input.game.team);
-  LandmarkPercept p = robot.look(landmarks[3], false);
-  p.heading = p.heading + Angle::deg(120);
-  robot.percepts.landmarks.push_back(p);
-  robot.walk(0, 0, 0);
-  robot.step();
-  robot.percepts.landmarks.clear();
 }
 
 TEST(NoiseMethod, SplittingKeepsAnUncorrectedCopyInFront) {

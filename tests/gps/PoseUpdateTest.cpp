@@ -5,23 +5,12 @@
 
 #include "gps/pose/PoseUpdate.h"
 #include "robot/core/Random.h"
+#include "tests/gps/ModeAndMeasurement.h"
 
 namespace kelpie::gps {
 namespace {
 
 const Pose2 kPose{{150.0, 120.0}, Angle::deg(40.0)};
-
-PoseMode modeAt(double x, double y, double heading) {
-  PoseMode mode;
-  mode.weight = 1.0;
-  mode.pose = {{x, y}, Angle::rad(heading)};
-  mode.covariance = {120, 15, 0.4, 15, 80, -0.3, 0.4, -0.3, 0.05};
-  return mode;
-}
-
-Measurement seenAt(Point2<Field> landmark, double distance, double heading) {
-  return {landmark, true, true, distance, Angle::rad(heading), 400.0, 0.004};
-}
 
 PoseMode someMode() {
   PoseMode mode = modeAt(150.0, 220.0, 170.0 * maths::kPi / 180.0);

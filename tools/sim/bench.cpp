@@ -37,6 +37,7 @@ ColumnCameras sweep(int image) {
 
 std::vector<RobotLook> players() {
   std::vector<RobotLook> looks;
+  looks.reserve(7);
   for (int i = 0; i < 7; ++i) {
     looks.push_back({{{60.0 + 40.0 * i, 120.0 + 55.0 * i}, Angle::deg(50.0 * i)},
                      10.0,
