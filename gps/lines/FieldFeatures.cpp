@@ -9,6 +9,7 @@ namespace {
 
 constexpr double kMargin = 100.0;  // cm of table around the lines
 constexpr double kSmallestCell = 4.0;
+constexpr double kNowhere = 1e6;  // cm
 
 int cellsAlong(double length, double cell) {
   return static_cast<int>((length + 2.0 * kMargin) / cell) + 1;
@@ -88,10 +89,10 @@ FeatureDistance FieldFeatures::nearest(Point2<Field> p) const {
 }
 
 FeatureDistance FieldFeatures::border(Point2<Field> p) const {
-  FeatureDistance best;
+  FeatureDistance best{kNowhere, 0.0, 0.0};
   for (const Piece& piece : border_) {
     const FeatureDistance here = distanceTo(piece, p);
-    if (&piece == border_.begin() || std::fabs(here.value) < std::fabs(best.value)) best = here;
+    if (std::fabs(here.value) < std::fabs(best.value)) best = here;
   }
   return best;
 }

@@ -30,7 +30,7 @@ class FieldFeatures {
 
   // To the painted line that is nearest.
   FeatureDistance nearest(Point2<Field> p) const;
-  // To the foot of the white border; zero everywhere on a field without one.
+  // To the foot of the white border; far from everywhere on a field without one.
   FeatureDistance border(Point2<Field> p) const;
   // To the carpet: 0 on it.
   FeatureDistance outside(Point2<Field> p) const;

@@ -20,7 +20,7 @@ struct LineMapParams {
   double decay = 1.0;              // s in which every point loses a count of 1 (checklist U12)
   double maxCount = 20.0;          // sightings that count in a point
   std::uint32_t maxCarpet = 32;    // of the 128 points
-  std::uint32_t matched = 64;      // of its line points, spread evenly
+  std::uint32_t matched = 64;      // of its points on lines and border, spread evenly
   std::uint32_t maxRefused = 15;   // frames in a row that match nothing; then it is cleared
   double maxUnmatchedShare = 0.6;  // of points that match none; above, the robot was carried
   double fullWeightCount = 3.0;    // sightings from which a point has its full weight
@@ -45,7 +45,7 @@ struct LinePoseSearchParams {
   std::uint32_t rows = 3;          // along the own half; the other looks the same
   std::uint32_t turns = 12;        // headings at each place
   std::uint32_t startsAFrame = 2;  // 150 k instructions of a PC
-  std::uint32_t minPoints = 64;    // of lines in the map: what a pan shows
+  std::uint32_t minPoints = 64;    // of lines and border in the map: what a pan shows
   double patience = 5.0;           // s of standing after which 16 are enough
   std::uint32_t points = 32;       // matched from each start
   double coarseShare = 0.0625;     // of LineUpdateParams::sharpness, for the steps from a start

@@ -11,7 +11,7 @@
 namespace kelpie::gps {
 namespace {
 
-constexpr std::size_t kMinPoints = 16;  // line points
+constexpr std::size_t kMinPoints = 16;  // of lines and border
 constexpr std::size_t kMaxPoses = kMaxModes / 2;
 constexpr std::size_t kRefined = 2 * kMaxPoses;
 

@@ -24,11 +24,12 @@ struct MapPoint {
 // The map of a standing robot.
 struct LineMap {
   FixedVector<MapPoint, kMapPoints> points;
-  double age = 0.0;             // s of standing
-  double sinceDecay = 0.0;      // s
-  double newCount = 0.0;        // of the sightings of lines since the map was last used
-  std::uint32_t refused = 0;    // frames in a row in which the lines matched no mode
-  double unmatchedShare = 0.0;  // of line points, those in no known point's region; over a second
+  double age = 0.0;           // s of standing
+  double sinceDecay = 0.0;    // s
+  double newCount = 0.0;      // of the sightings of lines and border since the map was last used
+  std::uint32_t refused = 0;  // frames in a row in which the lines matched no mode
+  double unmatchedShare =
+      0.0;  // of lines and border, those in no known point's region; over a second
 };
 
 struct LinesState {

@@ -10,13 +10,13 @@
 namespace kelpie::gps {
 
 // What the field lines do to the pose (checklist K06): nothing; judge the modes, whose weights they
-// change and whose poses they leave (2006); correct the modes' poses (2004).
+// change and whose poses they leave (2006); correct the modes' poses (2004) and find lost ones.
 enum class LineUse : std::uint8_t { off, sanity, position };
 
 struct LineUpdateParams {
   LineUse use = LineUse::position;
-  std::uint32_t minPoints = 8;     // of painted lines in a frame; facts-2005 section 5.2 has 8
-  std::uint32_t maxPoints = 40;    // of lines that are used, spread evenly over those seen
+  std::uint32_t minPoints = 8;     // of lines and border in a frame; facts-2005 section 5.2 has 8
+  std::uint32_t maxPoints = 40;    // of lines that are used, and of the border, spread evenly
   double sharpness = 0.004;        // 1/cm2, S of thesis 2004 equation 3.2: a match of 0.5 at 16 cm
   double coarseShare = 0.125;      // of the sharpness, for the first steps of an unsure mode
   double coarseAbove = 12.0;       // cm, sd of a mode from which these are made
@@ -42,7 +42,7 @@ struct LineUpdateParams {
     using P = LineUpdateParams;
     return fieldList(
         field("use", &P::use, "", 0, 2), field("minPoints", &P::minPoints, "", 1, 256),
-        field("maxPoints", &P::maxPoints, "", 4, 128),
+        field("maxPoints", &P::maxPoints, "", 4, 64),
         field("sharpness", &P::sharpness, "1/cm2", 1e-5, 1),
         field("coarseShare", &P::coarseShare, "", 0.001, 1),
         field("coarseAbove", &P::coarseAbove, "cm", 0, 1000),

@@ -59,19 +59,6 @@ void clear(const ObstacleSightings& in, const Cells& seen, const body::FieldDesc
   }
 }
 
-// False when there are more cells with that count or a larger one than the list takes.
-bool list(const ObstacleMap& map, const body::FieldDescription& field, double minCount,
-          ObstacleCells& cells) {
-  cells.clear();
-  for (std::size_t cell = 0; cell < kMapCells; ++cell) {
-    if (map.count(cell) < minCount) continue;
-    const ObstacleCell item{middleOf(cell, field), static_cast<double>(map.own[cell]),
-                            static_cast<double>(map.heard[cell])};
-    if (!cells.push_back(item)) return false;
-  }
-  return true;
-}
-
 void fade(std::array<float, kMapCells>& layer, double keep) {
   const auto share = static_cast<float>(keep);
   for (float& count : layer) {
@@ -137,9 +124,22 @@ FixedVector<SharedObstacle, kSharedObstacles> fullest(const ObstacleMap& map,
 }
 
 ObstacleCells listed(const ObstacleMap& map, const body::FieldDescription& field) {
+  constexpr double kMinListed = 1.0;  // point
+  FixedVector<std::uint16_t, kMapCells> full;
+  for (std::size_t cell = 0; cell < kMapCells; ++cell)
+    if (map.count(cell) >= kMinListed) full.push_back(static_cast<std::uint16_t>(cell));
+  if (full.size() > kObstacleCells) {
+    const auto fuller = [&map](std::uint16_t a, std::uint16_t b) {
+      return map.count(a) > map.count(b) || (map.count(a) == map.count(b) && a < b);
+    };
+    std::nth_element(full.begin(), full.begin() + kObstacleCells, full.end(), fuller);
+    full.resize(kObstacleCells);
+    std::sort(full.begin(), full.end());
+  }
   ObstacleCells cells;
-  double minCount = 1.0;
-  while (!list(map, field, minCount, cells)) minCount *= 2.0;
+  for (const std::uint16_t cell : full)
+    cells.push_back({middleOf(cell, field), static_cast<double>(map.own[cell]),
+                     static_cast<double>(map.heard[cell])});
   return cells;
 }
 

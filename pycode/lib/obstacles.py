@@ -3,7 +3,9 @@
 # the obstacle map (world.obstacles), to be asked of one frame's points_of(world). A count is of
 # points that cameras saw in cells of 10 cm, less what was forgotten since (facts-2005 section 4.7);
 # beacons and the walls of goals are taken from world.field. Keeps nothing. An obstacle that nobody
-# saw in the last seconds is not in it, and a cell answers as one point, at its middle.
+# saw in the last seconds is not in it. Counts take a cell as one point, at its middle; a gap leads
+# past its whole square. An argument that is not a number is a ValueError: to say that nothing stands
+# there would be wrong.
 import math
 
 import kelpie
@@ -16,7 +18,7 @@ CORRIDOR = 30.0          # cm, a robot's width and some
 GAP_REACH = 50.0         # cm that must be free
 GAP_WIDTH = 20.0         # deg
 GAP_SIDE = 110.0         # deg from straight ahead; farther aside is no way ahead
-STEP = 10                # deg, of the directions that are tried for a gap
+OWN_BODY = 12.0          # cm; what was seen nearer is walked over or the robot itself
 
 Counted = tuple[float, float, float]  # x and y in cm on the field, count
 
@@ -33,6 +35,7 @@ def points_of(world, own=True, heard=True, landmarks=True) -> list[Counted]:
 
 def between(points, start, end, width=CORRIDOR) -> float:
     """The count within half a width (cm) of the straight way from one (x, y) to another."""
+    _numbers(*start, *end, width)
     dx, dy = end[0] - start[0], end[1] - start[1]
     length2 = dx * dx + dy * dy or 1.0
     total = 0.0
@@ -46,6 +49,7 @@ def between(points, start, end, width=CORRIDOR) -> float:
 
 def in_box(points, pose, left, right, near, far) -> float:
     """The count in a box of the robot frame: x from left to right, y from near to far, in cm."""
+    _numbers(left, right, near, far)
     total = 0.0
     for x, y, count in points:
         x, y = from_field(pose, x, y)
@@ -54,29 +58,33 @@ def in_box(points, pose, left, right, near, far) -> float:
     return total
 
 
-def in_sector(points, pose, degrees, width, far, near=0.0) -> float:
+def in_sector(points, pose, degrees, width, far, near=OWN_BODY) -> float:
     """The count in a sector about a pose, or in an arc of it: `width` deg about the direction
     `degrees` left of straight ahead, from near to far (cm)."""
+    _numbers(degrees, width, far, near)
     return sum(count for away, aside, count in _polar(points, pose)
                if near <= away <= far and abs(wrap(aside - degrees)) <= 0.5 * width)
 
 
 def nearest(points, pose, degrees, width, count=FULL) -> float:
-    """cm from a pose to the nearest cell of that count in a sector; infinite when there is none."""
+    """cm from a pose to the nearest cell of that count in a sector, beyond the own body; infinite
+    when there is none."""
+    _numbers(degrees, width, count)
     return min((away for away, aside, full in _polar(points, pose)
-                if full >= count and abs(wrap(aside - degrees)) <= 0.5 * width), default=math.inf)
+                if full >= count and away >= OWN_BODY
+                and abs(wrap(aside - degrees)) <= 0.5 * width), default=math.inf)
 
 
 def gap(points, pose, degrees, reach=GAP_REACH, width=GAP_WIDTH) -> tuple[float, float] | None:
     """The free way nearest to a direction: its heading and the width of the gap that it leads
     through, in deg in the robot frame; None when all ways ahead are blocked or too narrow."""
-    blocked = {STEP * round(aside / STEP) for away, aside, count in _polar(points, pose)
-               if count >= FULL and away <= reach}
-    ways = []
-    for right, left in _runs(blocked):
-        if left - right >= width:
-            ways.append((clamp(degrees, right + 0.5 * width, left - 0.5 * width), left - right))
-    return min(ways, key=lambda way: abs(way[0] - degrees), default=None)
+    _numbers(degrees, reach, width)
+    degrees = wrap(degrees)
+    blocked = [_covered(away, aside) for away, aside, count in _polar(points, pose)
+               if count >= FULL and OWN_BODY <= away <= reach + 0.5 * CELL]
+    ways = [(clamp(degrees, right + 0.5 * width, left - 0.5 * width), left - right)
+            for right, left in _free(blocked) if left - right >= width]
+    return min(ways, key=lambda way: abs(wrap(way[0] - degrees)), default=None)
 
 
 def standing(field) -> list[Counted]:
@@ -91,24 +99,34 @@ def standing(field) -> list[Counted]:
     return points
 
 
+def _numbers(*arguments):
+    if any(math.isnan(value) for value in arguments):
+        raise ValueError('obstacles: an argument is not a number')
+
+
 def _polar(points, pose):
     """Each point's distance from a pose, its heading there and its count."""
+    _numbers(pose.position.x, pose.position.y, pose.heading_deg)
     for x, y, count in points:
         x, y = from_field(pose, x, y)
         yield math.hypot(x, y), heading(x, y), count
 
 
-def _runs(blocked):
-    """The runs of free directions ahead, from right to left, as the headings of their ends."""
-    first = None
-    side = int(GAP_SIDE)
-    for degrees in range(-side, side + STEP + 1, STEP):
-        free = degrees <= side and degrees not in blocked
-        if free and first is None:
-            first = degrees
-        elif not free and first is not None:
-            yield first - 0.5 * STEP, degrees - 0.5 * STEP
-            first = None
+def _covered(away, aside):
+    """The headings, from right to left, behind which a cell lies that is seen at that distance."""
+    half = math.degrees(math.asin(min(1.0, CELL / math.sqrt(2.0) / away)))
+    return aside - half, aside + half
+
+
+def _free(blocked):
+    """The runs of free headings ahead, from right to left, as their two ends."""
+    turned = [(right + turn, left + turn) for right, left in blocked for turn in (-360, 0, 360)]
+    free_from = -GAP_SIDE
+    for right, left in sorted(turned) + [(GAP_SIDE, GAP_SIDE)]:
+        end = min(right, GAP_SIDE)
+        if end > free_from:
+            yield free_from, end
+        free_from = max(free_from, left)
 
 
 def _goal(field, x, y):

@@ -92,7 +92,7 @@ struct WorldModel {
   double positionSd = 0.0;             // cm, root of the larger position eigenvalue
   Angle headingSd;
   double secondsSinceLandmark = 0.0;
-  double secondsSinceLines = 0.0;  // since field lines corrected the pose
+  double secondsSinceLines = 0.0;  // since field lines corrected or weighed the modes
   double stuck = 0.0;  // share of the walked way that is thought lost because something holds us
   FixedVector<PoseMode, kMaxModes> modes;  // heaviest first
   SecondHypothesis second;

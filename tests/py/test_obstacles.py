@@ -106,15 +106,57 @@ def at(degrees, away, count=20):
 def test_the_gap_passes_an_obstacle_on_the_nearer_side():
     seen = points(*[at(degrees, 40) for degrees in (-30, -20, -10, 0, 10)])
     degrees, width = obstacles.gap(seen, HERE, 0)
-    assert degrees == 25                                  # free from 15 on, and half of 20 more
-    assert width == 100
+    half_a_cell = math.degrees(math.asin(7.071 / 40))     # of its diagonal
+    assert degrees == pytest.approx(10 + half_a_cell + 10, abs=0.01)
+    assert width == pytest.approx(110 - 10 - half_a_cell, abs=0.01)
     assert obstacles.gap(seen, HERE, 0, reach=30)[0] == 0
+
+
+@pytest.mark.parametrize('away', range(13, 51, 3))
+@pytest.mark.parametrize('offset', (0.0, 2.5, 5.0))
+def test_no_gap_leads_through_a_closed_row_of_cells(away, offset):
+    row = points(*[(180 + offset + 10 * i, 270 + away, 30, 0) for i in range(-30, 31)])
+    for wanted in range(-180, 181, 15):
+        way = obstacles.gap(row, HERE, wanted)
+        # Past 90 deg the way leads away from the row, farther ahead it meets it beyond the reach.
+        if way is not None:
+            assert away / max(math.cos(math.radians(way[0])), 1e-9) > obstacles.GAP_REACH
+
+
+def test_the_back_wall_of_a_goal_is_no_way():
+    seen = obstacles.points_of(world_of())
+    for x in range(150, 211, 5):
+        pose = kelpie.Pose2(position=kelpie.Point2(x=float(x), y=552.0), heading_deg=90.0)
+        way = obstacles.gap(seen, pose, 0)
+        assert way is None or abs(way[0]) > 80
+
+
+def test_what_the_robot_stands_on_blocks_no_way():
+    seen = points((180, 275, 80, 0))
+    assert obstacles.gap(seen, HERE, 0) == (0, 220)
+    assert obstacles.nearest(seen, HERE, 0, 180) == math.inf
+
+
+def test_a_direction_may_be_turned_round_as_often_as_one_likes():
+    assert obstacles.gap([], HERE, 350) == obstacles.gap([], HERE, -10)
+    assert obstacles.gap([], HERE, 200) == obstacles.gap([], HERE, -160)
+    assert obstacles.gap([], HERE, -160)[0] == -100
+
+
+@pytest.mark.parametrize('ask', [
+    lambda nan: obstacles.between([], (0, nan), (1, 1)),
+    lambda nan: obstacles.in_box([], HERE, -1, 1, nan, 1),
+    lambda nan: obstacles.in_sector([], HERE, nan, 10, far=10),
+    lambda nan: obstacles.nearest([], HERE, nan, 10),
+    lambda nan: obstacles.gap([], HERE, 0, reach=nan)])
+def test_what_is_not_a_number_is_refused_rather_than_free(ask):
+    with pytest.raises(ValueError):
+        ask(math.nan)
 
 
 def test_there_is_no_gap_where_all_ways_ahead_are_blocked_or_too_narrow():
     seen = points(*[at(degrees, 40) for degrees in range(-120, 121, 20)])
     assert obstacles.gap(seen, HERE, 0) is None
-    assert obstacles.gap(seen, HERE, 0, width=10)[0] in (-10, 10)
 
 
 def test_a_cell_with_few_points_blocks_no_way():

@@ -25,7 +25,7 @@ and the mean of the base robot's. At least two papers that differ in each channe
   2005-07-12,r1,c6240000,b1,white,150,157.2,128,127.1,126,128.4
 
 Here u is Cr and v is Cb, as everywhere in the 2005 release. The result has a gain M and an offset C
-for each channel: base = M * robot + C. `kelpie calibrate ring 2006 --shift pairs.csv --robot r1
+for each channel: base = M * robot + C. `kelpie calibrate ring nominal --shift pairs.csv --robot r1
 --out ring_r1.kt` folds it into a ring table.)";
 
 struct ShiftOptions {

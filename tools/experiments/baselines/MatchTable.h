@@ -26,7 +26,7 @@ class MatchTable {
   static constexpr double kCell = 2.0;      // cm
   static constexpr double kMargin = 200.0;  // cm around the lines
 
-  // `distance` in cm to the nearest feature; equation 3.2 with S = sharpness (1/cm2).
+  // `distance` in cm to the nearest feature; thesis 2004 equation 3.2 with S = sharpness (1/cm2).
   template <typename Distance>
   MatchTable(const body::FieldDescription& field, double sharpness, const Distance& distance)
       : columns_(static_cast<int>((field.width + 2.0 * kMargin) / kCell)),

@@ -55,7 +55,9 @@ void addOptions(CLI::App& app, EvaluateOptions& options) {
       ->capture_default_str();
   app.add_option(nameOf(Option::params), request.params, "The agent's TOML files")
       ->check(CLI::ExistingFile);
-  app.add_option(nameOf(Option::field), request.field, "2006 (the default), osaka2005 or 2004");
+  app.add_option(nameOf(Option::field), request.field,
+                 "The field: 2006 (the default), osaka2005 or 2004")
+      ->check(CLI::IsMember({"2006", "osaka2005", "2004"}));
   app.add_option(nameOf(Option::traces), request.traces, "Folder for tables of every frame, as CSV")
       ->check(CLI::ExistingDirectory);
   app.add_option(nameOf(Option::pictures), request.pictures,

@@ -44,7 +44,7 @@ std::vector<Listener> listeners(const gps::GpsParams& params, const Pose2& start
   helped = {};
   helped.trueHeadings = true;
   add("true_headings", helped);
-  all.emplace_back("other_combine", params, Hearing{}, gps::stepJointly);
+  all.emplace_back("joint", params, Hearing{}, gps::stepJointly);
   all.emplace_back("by_determinant", params, Hearing{}, gps::stepByDeterminant);
   gps::GpsParams other = params;
   other.lines.update.use = gps::LineUse::sanity;
