@@ -3,6 +3,7 @@
 # Field frame: x across, y up-field, headings counter-clockwise from +x. Keeps nothing.
 import math
 
+TURN = 360.0  # deg, once round
 Point = tuple[float, float]  # x, y in cm, in the robot frame unless its name says otherwise
 
 
@@ -12,10 +13,10 @@ def clamp(value, low, high) -> float:
 
 def wrap(degrees) -> float:
     """The same direction in (-180, 180]."""
-    turned = math.fmod(degrees, 360.0)
+    turned = math.fmod(degrees, TURN)
     if turned > 180.0:
-        return turned - 360.0
-    return turned + 360.0 if turned <= -180.0 else turned
+        return turned - TURN
+    return turned + TURN if turned <= -180.0 else turned
 
 
 def heading(x, y) -> float:

@@ -4,12 +4,12 @@
 # points that cameras saw in cells of 10 cm, less what was forgotten since (facts-2005 section 4.7);
 # beacons and the walls of goals are taken from world.field. Keeps nothing. An obstacle that nobody
 # saw in the last seconds is not in it. Counts take a cell as one point, at its middle; a gap leads
-# past its whole square. An argument that is not a number is a ValueError: to say that nothing stands
-# there would be wrong.
+# past its whole square. An argument that is not a number is a ValueError: to say that nothing
+# stands there would be wrong.
 import math
 
 import kelpie
-from lib.geom import clamp, from_field, heading, wrap
+from lib.geom import TURN, clamp, from_field, heading, wrap
 
 CELL = 10.0              # cm
 LANDMARK_COUNT = 40.0    # of each cell's length of a wall or beacon
@@ -120,7 +120,7 @@ def _covered(away, aside):
 
 def _free(blocked):
     """The runs of free headings ahead, from right to left, as their two ends."""
-    turned = [(right + turn, left + turn) for right, left in blocked for turn in (-360, 0, 360)]
+    turned = [(right + turn, left + turn) for right, left in blocked for turn in (-TURN, 0.0, TURN)]
     free_from = -GAP_SIDE
     for right, left in sorted(turned) + [(GAP_SIDE, GAP_SIDE)]:
         end = min(right, GAP_SIDE)

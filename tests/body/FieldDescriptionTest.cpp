@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <fstream>
+#include <limits>
 #include <map>
 #include <sstream>
 #include <string>
@@ -16,7 +17,8 @@ Point2<Field> landmarkAt(const FieldDescription& field, LandmarkKind kind,
                          TeamColour team = TeamColour::red) {
   for (const Landmark& landmark : landmarksFor(field, team))
     if (landmark.kind == kind) return landmark.position;
-  return {NAN, NAN};
+  constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+  return {kNaN, kNaN};
 }
 
 bool hasLine(const FieldDescription& field, Point2<Field> a, Point2<Field> b) {

@@ -91,7 +91,7 @@ TEST(Camera, MarkerIsAtTheProjectedPixel) {
     scene.markers.push_back(
         {fieldFromRobot(kPose, *place), 0.02 * place->norm(), {235, 128, 128}, 0});
     const auto image = rendered(scene, still(kPose, camera), idealCamera());
-    const PixelPoint centre = brightCentre(*image, colours::kBlack.y);
+    const PixelPoint centre = brightCentre(*image, static_cast<double>(colours::kBlack.y));
     EXPECT_LT(maths::hypot(centre.x - aim.x, centre.y - aim.y), 0.3) << "pose " << i;
     ++seen;
   }
@@ -145,7 +145,7 @@ TEST(Camera, PanDuringExposureMovesColumnsApart) {
     columns[x] = fieldCamera(kPose, headAt(-30, degrees, 0));
   }
   const auto moving = rendered(scene, columns, idealCamera());
-  const PixelPoint centre = brightCentre(*moving, colours::kBlack.y);
+  const PixelPoint centre = brightCentre(*moving, static_cast<double>(colours::kBlack.y));
   EXPECT_NEAR(centre.x, 104.0, 0.5);  // the middle column has the middle pan
   int wide = 0;
   const auto rest = rendered(scene, still(kPose, headAt(-30, 0, 0)), idealCamera());

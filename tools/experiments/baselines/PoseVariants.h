@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Localisers that differ from the robot's in how the pose is updated: what was tried and not chosen,
-// so that it can be measured again. Each is used in the place of gps::step. Those that use lines in
-// another way (stepJointly, stepWithSymmetry) have neither a standing robot's map nor a search by
-// lines while the pose is known, and no pinks.
+// Localisers that differ from the robot's in how the pose is updated: what was tried and not
+// chosen, so that it can be measured again. Each is used in the place of gps::step. Those that use
+// lines in another way (stepJointly, stepWithSymmetry) have neither a standing robot's map nor a
+// search by lines while the pose is known, and no pinks.
 #pragma once
 
 #include "gps/Localiser.h"
