@@ -45,8 +45,8 @@ def test_every_command_of_the_figures_names_an_experiment_and_options_that_it_us
             options[name] = {"--json"}
         else:
             options[name] |= set(re.findall(r"--\w+", line))
-    commands = re.findall(r"`kelpie evaluate\s+([a-z-]+)([^`]*)`",
-                          (ROOT / "docs/experiments.md").read_text())
+    docs = [(ROOT / "docs" / name).read_text() for name in ("results.md", "decisions.md")]
+    commands = re.findall(r"`kelpie evaluate\s+([a-z-]+)([^`]*)`", "".join(docs))
     assert len(commands) > 20
     for name, words in commands:
         assert set(re.findall(r"--\w+", words)) <= options[name], name
