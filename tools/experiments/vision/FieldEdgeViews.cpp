@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kAllowed = 6.0;      // px
 constexpr int kMinShown = 52;         // columns, a quarter: a view shows the edge
-constexpr double kBallAllowed = 4.0;  // px, BallFinderParams::maxAboveFieldEdge
+constexpr double kBallAllowed = 4.0;  // px above the edge from which a foot is thrown away
 
 using Edges = FixedVector<FieldEdgePercept, 3>;
 
