@@ -32,7 +32,7 @@ struct Edge {
   }
   EdgeHit walk(PixelPoint from, double dx, double dy) const {
     const Sampler sampler(*image, state->calibration, state->distances, state->classes);
-    return walkToEdge(sampler, {from, dx, dy, ColourClass::yellow, 1});
+    return walkToEdge(sampler, {from, {dx, dy}, ColourClass::yellow, 1});
   }
 };
 
