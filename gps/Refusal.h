@@ -8,6 +8,7 @@
 #include <limits>
 #include <tuple>
 
+#include "robot/core/RefusalNames.h"
 #include "robot/core/WorldModel.h"
 
 namespace kelpie::gps {
@@ -38,13 +39,9 @@ enum class Refusal : std::uint8_t {
   pinkNearBeacon,
   pinkMapFull,
 };
-struct RefusalName {
-  Refusal refusal;
-  const char* name;
-};
 
 // In the order of the numbers.
-inline constexpr RefusalName kRefusalNames[] = {
+inline constexpr RefusalName<Refusal> kRefusalNames[] = {
     {Refusal::odometryNotFinite, "odometryNotFinite"},
     {Refusal::landmarkNotFinite, "landmarkNotFinite"},
     {Refusal::landmarkUnknown, "landmarkUnknown"},
@@ -71,12 +68,7 @@ inline constexpr RefusalName kRefusalNames[] = {
 };
 constexpr std::size_t kRefusalCount = std::size(kRefusalNames);
 
-constexpr bool namesAreInOrder() {
-  for (std::size_t i = 0; i < kRefusalCount; ++i)
-    if (static_cast<std::size_t>(kRefusalNames[i].refusal) != i) return false;
-  return true;
-}
-static_assert(namesAreInOrder(), "each refusal has its name, in the order of the numbers");
+static_assert(areInOrder(kRefusalNames), "each refusal has its name, in the order of the numbers");
 static_assert(kRefusalCount <= std::tuple_size_v<decltype(GpsCounts::refused)>,
               "a log keeps a count of each");
 

@@ -7,7 +7,18 @@
 #include <array>
 #include <cstddef>
 
+#include "robot/core/Maths.h"
+
 namespace kelpie::vision {
+
+// A fact that holds or does not.
+inline double flag(bool set) { return set ? 1.0 : 0.0; }
+
+// The log of a ratio as a fact, which beyond twenty times as large or small says nothing more.
+inline double logOfRatio(double ratio) {
+  constexpr double kMaxLog = 3.0;
+  return maths::clamp(maths::log(ratio), -kMaxLog, kMaxLog);
+}
 
 // Where a value lies among rising knots: the one at or below it, and its share of the way to the
 // next. Outside them it lies on the first or the last.

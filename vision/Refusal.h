@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "robot/core/Percepts.h"
+#include "robot/core/RefusalNames.h"
 
 namespace kelpie::vision {
 
@@ -92,13 +93,9 @@ enum class Refusal : std::uint8_t {
   robotUnlikely,     // each check passed, but few of them well
   ballUnlikely,      // each check passed, but few of them well
 };
-struct RefusalName {
-  Refusal refusal;
-  const char* name;
-};
 
 // In the order of the numbers.
-inline constexpr RefusalName kRefusalNames[] = {
+inline constexpr RefusalName<Refusal> kRefusalNames[] = {
     {Refusal::ballTooSmall, "ballTooSmall"},
     {Refusal::ballFewEdges, "ballFewEdges"},
     {Refusal::ballPoorCircle, "ballPoorCircle"},
@@ -180,12 +177,7 @@ inline constexpr RefusalName kRefusalNames[] = {
 };
 constexpr std::size_t kRefusalCount = std::size(kRefusalNames);
 
-constexpr bool namesAreInOrder() {
-  for (std::size_t i = 0; i < kRefusalCount; ++i)
-    if (static_cast<std::size_t>(kRefusalNames[i].refusal) != i) return false;
-  return true;
-}
-static_assert(namesAreInOrder(), "each refusal has its name, in the order of the numbers");
+static_assert(areInOrder(kRefusalNames), "each refusal has its name, in the order of the numbers");
 static_assert(kRefusalCount <= std::tuple_size_v<decltype(VisionCounts::refused)>,
               "a log keeps a count of each");
 

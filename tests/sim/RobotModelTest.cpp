@@ -5,6 +5,7 @@
 
 #include "robot/body/Camera.h"
 #include "robot/body/Ers7.h"
+#include "tests/sim/Targets.h"
 #include "tools/sim/RobotModel.h"
 
 namespace kelpie::sim {
@@ -17,18 +18,6 @@ RobotParams ideal() {
   params.headRate = params.legRate = 1000.0;
   params.jointNoiseSd = params.slipMean = params.slipSd = params.driftSd = 0.0;
   return params;
-}
-
-host::AgentReply targets(const JointAngles& joints) {
-  host::AgentReply reply;
-  reply.motorPower = true;
-  reply.gains = (1U << kJointCount) - 1U;
-  host::EffectorVector vector;
-  vector.ticks = 1;
-  vector.joints = reply.gains;
-  vector.targets[0] = joints;
-  reply.vectors.push_back(vector);
-  return reply;
 }
 
 // Feet of a level body, shoulder axis 11 cm high; `shift` moves them on the ground, lifted feet by

@@ -5,6 +5,7 @@
 #include <limits>
 #include <memory>
 
+#include "tests/sim/Targets.h"
 #include "tools/sim/World.h"
 
 namespace kelpie::sim {
@@ -127,15 +128,7 @@ std::unique_ptr<Image> seen(const WorldParams& params, const JointAngles& joints
   setup.players.push_back({TeamColour::red, 2, {{186.0, 265.0}, Angle::deg(0.0)}});
   setup.ball = {20.0, 20.0};
   World world(params, *body::fieldDescription("2006"), setup, 5);
-  host::AgentReply reply;
-  reply.motorPower = true;
-  reply.gains = (1U << kJointCount) - 1U;
-  host::EffectorVector vector;
-  vector.ticks = 1;
-  vector.joints = reply.gains;
-  vector.targets[0] = joints;
-  reply.vectors.push_back(vector);
-  world.robot(0).command(reply);
+  world.robot(0).command(targets(joints));
   for (int i = 0; i < 60; ++i) world.tick();
   auto image = std::make_unique<Image>();
   world.render(0, world.time(), *image);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "robot/core/Maths.h"
+#include "vision/LogOdds.h"
 
 namespace kelpie::vision {
 namespace {
@@ -14,12 +15,9 @@ namespace {
 constexpr double kWholePixels = 0.4;
 constexpr double kMaxRadii = 4.0;
 constexpr double kMaxFoot = 30.0;  // px
-constexpr double kMaxLog = 3.0;    // of a ratio; twenty times as large
 // Points outside the image count as carpet below this row: half the image.
 constexpr double kCarpetFromRow = 80.0;
 constexpr int kFieldSteps = 6;  // of 30 deg along the lower half: seven points
-
-double flag(bool set) { return set ? 1.0 : 0.0; }
 
 // Shares of the circle, on a grid of at most about 150 points.
 void fillInside(const Scene& scene, const Cone& cone, BallFacts& facts) {
@@ -99,7 +97,7 @@ double goalBelow(const Scene& scene, const BallCandidate& c) {
 double logOfPatch(const BallCandidate& c) {
   const double patch = static_cast<double>(c.blob->samples) * kLatticeStep * kLatticeStep;
   const double circle = maths::kPi * c.cone.radius * c.cone.radius;
-  return maths::clamp(maths::log(patch / std::max(circle, 1.0)), -kMaxLog, kMaxLog);
+  return logOfRatio(patch / std::max(circle, 1.0));
 }
 
 }  // namespace

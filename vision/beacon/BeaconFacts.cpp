@@ -4,10 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "vision/LogOdds.h"
+
 namespace kelpie::vision {
 namespace {
 
-constexpr double kMaxLog = 3.0;      // of a ratio; twenty times as large
 constexpr double kFarFoot = 4.0;     // bands
 constexpr double kFirstWhite = 0.2;  // bands below the coloured ones, past the mixed pixels
 constexpr double kWhiteBands = 1.9;  // below the coloured ones, less the blur of the last
@@ -16,11 +17,7 @@ constexpr double kFootPixels = 5.0;  // and so many pixels more
 constexpr double kProbeStep = 0.5;   // px
 constexpr double kBlurBeside = 2.0;  // px beside a band whose colours may be mixed
 
-double logRatio(double a, double b) {
-  return maths::clamp(maths::log(std::max(a, 0.5) / std::max(b, 0.5)), -kMaxLog, kMaxLog);
-}
-
-double flag(bool set) { return set ? 1.0 : 0.0; }
+double logRatio(double a, double b) { return logOfRatio(std::max(a, 0.5) / std::max(b, 0.5)); }
 
 struct Tally {
   int all = 0;
