@@ -2,7 +2,6 @@
 #include "gps/Localiser.h"
 
 #include "gps/Extract.h"
-#include "gps/PoseSteps.h"
 #include "gps/ball/BallFilter.h"
 #include "gps/ball/DropIn.h"
 #include "gps/players/Players.h"
@@ -23,13 +22,18 @@ WorldModel believe(const GpsIn& in, const Step& moved, const GpsParams& params, 
   return world;
 }
 
-WorldModel step(const GpsIn& in, const GpsParams& params, GpsState& state) {
+WorldModel stepWith(LandmarkUpdate update, const GpsIn& in, const GpsParams& params,
+                    GpsState& state) {
   prepare(params, state);
   const Step moved = moveModes(in, params, state);
-  useLandmarks(in, params, state);
+  useLandmarks(in, params, state, update);
   usePinkPatches(in, moved.odometry, params, state);
   useLines(in, params, state);
   return believe(in, moved, params, state);
+}
+
+WorldModel step(const GpsIn& in, const GpsParams& params, GpsState& state) {
+  return stepWith(updateAll, in, params, state);
 }
 
 }  // namespace kelpie::gps

@@ -6,7 +6,7 @@
 #include "gps/GpsIn.h"
 #include "gps/GpsParams.h"
 #include "gps/GpsState.h"
-#include "gps/pose/Predict.h"
+#include "gps/PoseSteps.h"
 #include "robot/core/WorldModel.h"
 
 namespace kelpie::gps {
@@ -16,6 +16,10 @@ namespace kelpie::gps {
 void prepare(const GpsParams& params, GpsState& state);
 
 WorldModel step(const GpsIn& in, const GpsParams& params, GpsState& state);
+
+// A step whose landmarks correct the modes in a way of their own.
+WorldModel stepWith(LandmarkUpdate update, const GpsIn& in, const GpsParams& params,
+                    GpsState& state);
 
 // The last part of a step, after the pose: ball, players, and what is published.
 WorldModel believe(const GpsIn& in, const Step& moved, const GpsParams& params, GpsState& state);

@@ -50,7 +50,7 @@ LandmarkPercept perceptOf(const Scene& scene, const BeaconCandidate& c,
   percept.kind = kindOf(c);
   percept.distance = place.norm();
   percept.heading = bearing(place);
-  percept.elevation = Angle::rad(maths::atan(groundRayThrough(camera, c.middle).slope));
+  percept.elevation = Angle::rad(maths::atan(ray.slope));
   percept.distanceVariance = maths::square(sizeSd(c.distance, height, p.edgeSd)) + 4.0;
   percept.headingVariance = maths::square(p.headingSd.rad());
   percept.leftEdge = percept.heading;

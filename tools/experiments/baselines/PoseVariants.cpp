@@ -55,16 +55,6 @@ void updateByDeterminant(const Measurement& m, const body::FieldDescription& fie
   countUnexplainedLandmarks(weights, params, 1, state);
 }
 
-WorldModel stepWith(LandmarkUpdate update, const GpsIn& in, const GpsParams& params,
-                    GpsState& state) {
-  prepare(params, state);
-  const Step moved = moveModes(in, params, state);
-  useLandmarks(in, params, state, update);
-  usePinkPatches(in, moved.odometry, params, state);
-  useLines(in, params, state);
-  return believe(in, moved, params, state);
-}
-
 void useTogether(const GpsIn& in, const GpsParams& params, GpsState& state) {
   const PaintedField field{params.field, state.lines.features};
   Sightings seen;
