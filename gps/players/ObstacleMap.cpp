@@ -12,12 +12,26 @@ namespace {
 constexpr float kMinCount = 0.1F;   // of a point
 constexpr double kBodyReach = 8.0;  // cm from a robot's middle to where it counts as well
 
-void enter(Point2<Field> p, double count, const body::FieldDescription& field,
-           std::array<float, kMapCells>& layer, double most) {
+using Layer = std::array<float, kMapCells>;
+
+// Keeps the list of occupied cells in order: behaviours and team get them in that order.
+void set(Layer ObstacleMap::*layer, std::size_t cell, float count, ObstacleMap& map) {
+  const bool empty = map.own[cell] == 0.0F && map.heard[cell] == 0.0F;
+  (map.*layer)[cell] = count;
+  if (!empty || count == 0.0F) return;
+  const auto number = static_cast<std::uint16_t>(cell);
+  auto* at = std::lower_bound(map.occupied.begin(), map.occupied.end(), number);
+  map.occupied.push_back(number);
+  std::copy_backward(at, map.occupied.end() - 1, map.occupied.end());
+  *at = number;
+}
+
+void enter(Point2<Field> p, double count, const body::FieldDescription& field, double most,
+           ObstacleMap& map) {
   const auto cell = cellAt(p, field);
   if (!cell) return;
-  float& kept = layer[*cell];
-  kept = static_cast<float>(std::min(most, static_cast<double>(kept) + count));
+  const double sum = static_cast<double>(map.own[*cell]) + count;
+  set(&ObstacleMap::own, *cell, static_cast<float>(std::min(most, sum)), map);
 }
 
 using Cells = FixedVector<std::size_t, 64>;  // as many as there are points
@@ -29,7 +43,7 @@ Cells enterPoints(const ObstacleSightings& in, const body::FieldDescription& fie
     const double away = point.position.norm();
     if (!(away >= params.minReach && away <= params.maxReach)) continue;
     const Point2<Field> p = fieldFromRobot(in.world.pose, point.position);
-    enter(p, 1.0, field, map.own, params.maxCount);
+    enter(p, 1.0, field, params.maxCount, map);
     if (const auto cell = cellAt(p, field)) cells.push_back(*cell);
   }
   return cells;
@@ -44,7 +58,7 @@ void enterRobots(const ObstacleSightings& in, const body::FieldDescription& fiel
     for (const Point2<Field>& aside :
          {Point2<Field>{0, 0}, Point2<Field>{kBodyReach, 0}, Point2<Field>{-kBodyReach, 0},
           Point2<Field>{0, kBodyReach}, Point2<Field>{0, -kBodyReach}}) {
-      enter(p + aside, params.robotCount, field, map.own, params.maxCount);
+      enter(p + aside, params.robotCount, field, params.maxCount, map);
     }
   }
 }
@@ -59,13 +73,7 @@ void clear(const ObstacleSightings& in, const Cells& seen, const body::FieldDesc
   }
 }
 
-void fade(std::array<float, kMapCells>& layer, double keep) {
-  const auto share = static_cast<float>(keep);
-  for (float& count : layer) {
-    if (count == 0.0F) continue;
-    count = count * share < kMinCount ? 0.0F : count * share;
-  }
-}
+float faded(float count, float share) { return count * share < kMinCount ? 0.0F : count * share; }
 
 }  // namespace
 
@@ -84,8 +92,15 @@ Point2<Field> middleOf(std::size_t cell, const body::FieldDescription& field) {
 }
 
 void forget(double elapsed, const ObstacleMapParams& params, ObstacleMap& map) {
-  fade(map.own, maths::exp(-params.forgetRate * elapsed));
-  fade(map.heard, maths::exp(-params.forgetHeardRate * elapsed));
+  const auto ownShare = static_cast<float>(maths::exp(-params.forgetRate * elapsed));
+  const auto heardShare = static_cast<float>(maths::exp(-params.forgetHeardRate * elapsed));
+  std::size_t left = 0;
+  for (const std::uint16_t cell : map.occupied) {
+    map.own[cell] = faded(map.own[cell], ownShare);
+    map.heard[cell] = faded(map.heard[cell], heardShare);
+    if (map.own[cell] != 0.0F || map.heard[cell] != 0.0F) map.occupied[left++] = cell;
+  }
+  map.occupied.resize(left);
 }
 
 void see(const ObstacleSightings& in, const body::FieldDescription& field,
@@ -104,7 +119,7 @@ void hear(const TeamMessage& message, const body::FieldDescription& field,
     const auto cell = cellAt(told.position, field);
     if (!cell) continue;
     const auto count = static_cast<float>(std::min(told.count, params.maxCount));
-    map.heard[*cell] = std::max(map.heard[*cell], count);
+    set(&ObstacleMap::heard, *cell, std::max(map.heard[*cell], count), map);
   }
 }
 
@@ -112,7 +127,7 @@ FixedVector<SharedObstacle, kSharedObstacles> fullest(const ObstacleMap& map,
                                                       const body::FieldDescription& field,
                                                       const ObstacleMapParams& params) {
   FixedVector<SharedObstacle, kSharedObstacles> list;
-  for (std::size_t cell = 0; cell < kMapCells; ++cell) {
+  for (const std::uint16_t cell : map.occupied) {
     const auto count = static_cast<double>(map.own[cell]);
     if (count < params.tellCount) continue;
     SharedObstacle item{middleOf(cell, field), count};
@@ -126,8 +141,8 @@ FixedVector<SharedObstacle, kSharedObstacles> fullest(const ObstacleMap& map,
 ObstacleCells listed(const ObstacleMap& map, const body::FieldDescription& field) {
   constexpr double kMinListed = 1.0;  // point
   FixedVector<std::uint16_t, kMapCells> full;
-  for (std::size_t cell = 0; cell < kMapCells; ++cell)
-    if (map.count(cell) >= kMinListed) full.push_back(static_cast<std::uint16_t>(cell));
+  for (const std::uint16_t cell : map.occupied)
+    if (map.count(cell) >= kMinListed) full.push_back(cell);
   if (full.size() > kObstacleCells) {
     const auto fuller = [&map](std::uint16_t a, std::uint16_t b) {
       return map.count(a) > map.count(b) || (map.count(a) == map.count(b) && a < b);

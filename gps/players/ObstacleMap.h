@@ -28,6 +28,8 @@ constexpr std::size_t kMapCells = kMapColumns * kMapRows;
 struct ObstacleMap {
   std::array<float, kMapCells> own{};
   std::array<float, kMapCells> heard{};
+  // The cells that hold anything, ascending: seldom a tenth of all, and only they cost time.
+  FixedVector<std::uint16_t, kMapCells> occupied;
 
   double count(std::size_t cell) const { return static_cast<double>(own[cell] + heard[cell]); }
 };

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <vector>
 
 #include "gps/players/ObstacleMap.h"
 #include "tests/gps/Field2006.h"
@@ -153,6 +154,31 @@ TEST(ObstacleMap, ListsWhatItSawAndWhatItHeardApart) {
   EXPECT_LE(distance(cells[1].position, {180, 330}), 7.1);
 }
 
+TEST(ObstacleMap, TheOccupiedCellsAreThoseThatHoldAnythingEachOnceAndInOrder) {
+  Mapping m;
+  const auto expectTheCellsThatCount = [&m] {
+    std::vector<std::uint16_t> counted;
+    for (std::size_t cell = 0; cell < kMapCells; ++cell)
+      if (m.map->count(cell) > 0.0) counted.push_back(static_cast<std::uint16_t>(cell));
+    EXPECT_EQ(std::vector<std::uint16_t>(m.map->occupied.begin(), m.map->occupied.end()), counted);
+  };
+  TeamMessage message;
+  message.obstacles.push_back({{180, 330}, 30.0});
+  message.obstacles.push_back({{20, 20}, 30.0});
+  message.obstacles.push_back({{200, 20}, 0.0});
+  for (const double x : {60.0, -90.0, 0.0, 60.0}) m.seePoints({x, 60}, 9);
+  hear(message, field2006(), m.params, *m.map);
+  expectTheCellsThatCount();
+  EXPECT_EQ(m.map->occupied.size(), 4U);
+  m.seePoints({30, 90}, 1);
+  expectTheCellsThatCount();
+  forget(4.0, m.params, *m.map);  // the one point is gone, and what was heard; nine points are not
+  expectTheCellsThatCount();
+  EXPECT_EQ(m.map->occupied.size(), 3U);
+  forget(20.0, m.params, *m.map);
+  EXPECT_TRUE(m.map->occupied.empty());
+}
+
 TEST(ObstacleMap, ACellWithLessThanAPointIsNotListed) {
   Mapping m;
   m.seePoints({0, 60}, 1);
@@ -163,8 +189,10 @@ TEST(ObstacleMap, ACellWithLessThanAPointIsNotListed) {
 
 TEST(ObstacleMap, OfMoreCellsThanTheListTakesTheFullerAreListed) {
   Mapping m;
-  for (std::size_t cell = 0; cell < 2 * kObstacleCells; ++cell)
+  for (std::size_t cell = 0; cell < 2 * kObstacleCells; ++cell) {
     m.map->own[3 * cell] = cell % 4 == 0 ? 9.0F : 1.5F;
+    m.map->occupied.push_back(static_cast<std::uint16_t>(3 * cell));
+  }
   const ObstacleCells cells = listed(*m.map, field2006());
   ASSERT_EQ(cells.size(), kObstacleCells);
   const auto isFuller = [](const ObstacleCell& cell) { return cell.own == 9.0; };
