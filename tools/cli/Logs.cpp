@@ -15,7 +15,7 @@
 #include "tools/cli/Version.h"
 #include "tools/cli/WholeFile.h"
 #include "tools/picture/Jpeg.h"
-#include "tools/sim/Truth.h"
+#include "tools/sim/Unlike.h"
 
 namespace kelpie::cli {
 namespace {
@@ -43,7 +43,7 @@ struct TopicCopy {
   const char* topic;
   Status (*copy)(const LogMessage&, LogWriter&);
 };
-constexpr std::array<TopicCopy, 9> kCopies = {{
+constexpr std::array<TopicCopy, 10> kCopies = {{
     {kConfigTopic, copyAs<agent::AgentConfig>},
     {kFrameInputTopic, copyAs<FrameInput>},
     {kPlaneFrameTopic, copyAs<PlaneFrame>},
@@ -53,6 +53,7 @@ constexpr std::array<TopicCopy, 9> kCopies = {{
     {kMotionOutputTopic, copyAs<MotionOutput>},
     {sim::kTruthTopic, copyAs<sim::TruthFrame>},
     {sim::kEventTopic, copyAs<sim::MatchEvent>},
+    {sim::kUnlikeTopic, copyAs<sim::UnlikeWorld>},
 }};
 
 // The source whose next message is the oldest; the first of equals, so that order is kept.

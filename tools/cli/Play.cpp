@@ -206,6 +206,8 @@ void addPlay(CLI::App& app, int& code) {
   command->add_option("--without", session.artefactsOff, "Camera artefacts switched off")
       ->check(CLI::IsMember({"ring", "centres", "noise", "shift", "rolling", "blur", "shine",
                              "own-legs", "spectators"}));
+  addUnlikeOptions(*command, session.unlike);
+  addLeanOptions(*command, session.unlike);
   command
       ->add_option("--images", options->images,
                    "Which images the log keeps: some (all of the first 20 s, then one in 5 s; the "

@@ -46,6 +46,7 @@ std::vector<std::string> worldCommand(const SessionOptions& options, const Works
     argv.insert(argv.end(), {"--truth", workshop.path("world.mcap")});
   }
   for (const auto& artefact : options.artefactsOff) argv.push_back("--no-" + artefact);
+  for (const auto& word : wordsOf(options.unlike)) argv.push_back(word);
   return argv;
 }
 

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "tools/cli/UnlikeOptions.h"
+
 namespace kelpie::cli {
 
 struct SessionOptions {
@@ -23,9 +25,10 @@ struct SessionOptions {
   std::string colourTable;          // file; empty: the built-in one
   std::string ring = "nominal";
   std::vector<std::string> artefactsOff;  // of kelpie-world's --no-...
-  std::string log;                        // where the merged log goes; empty: none is kept
-  bool allImages = false;                 // the log keeps every image (Logs.h)
-  bool realTime = false;                  // no faster than a clock
+  UnlikeOptions unlike;
+  std::string log;         // where the merged log goes; empty: none is kept
+  bool allImages = false;  // the log keeps every image (Logs.h)
+  bool realTime = false;   // no faster than a clock
 };
 
 struct SessionResult {

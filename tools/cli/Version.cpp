@@ -6,7 +6,7 @@
 #include "robot/agent/LoggedTypes.h"
 #include "robot/core/LogTopics.h"
 #include "tools/cli/Commit.h"
-#include "tools/sim/Truth.h"
+#include "tools/sim/Unlike.h"
 
 namespace kelpie::cli {
 namespace {
@@ -30,7 +30,7 @@ std::string fieldListVersion() {
       described<PlaneFrame>(kPlaneFrameTopic) + described<PictureFrame>(kPictureFrameTopic) +
       described<FrameOutput>(kFrameOutputTopic) + described<MotionInput>(kMotionInputTopic) +
       described<MotionOutput>(kMotionOutputTopic) + described<sim::TruthFrame>(sim::kTruthTopic) +
-      described<sim::MatchEvent>(sim::kEventTopic);
+      described<sim::MatchEvent>(sim::kEventTopic) + described<sim::UnlikeWorld>(sim::kUnlikeTopic);
   return fmt::format("{:016x}", fnv1a(all));
 }
 

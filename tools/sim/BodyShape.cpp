@@ -47,7 +47,43 @@ Limb limb(const PartSphere& from, const PartSphere& to, Colour colour) {
   return limb;
 }
 
+Point3<Robot> neckBase(const Stance& stance) {
+  return {0.0, 0.0,
+          stance.shoulderHeight + body::kNeckAboveShoulder * stance.bodyTilt.cos() +
+              body::kNeckBehindShoulder * stance.bodyTilt.sin()};
+}
+
 }  // namespace
+
+Point3<Robot> leanedVector(const Lean& lean, Point3<Robot> v) {
+  if (lean.level()) return v;
+  const double st = lean.tilt.sin();
+  const double ct = lean.tilt.cos();
+  const Point3<Robot> tilted{v.x, ct * v.y + st * v.z, ct * v.z - st * v.y};
+  const double sr = lean.roll.sin();
+  const double cr = lean.roll.cos();
+  return {cr * tilted.x + sr * tilted.z, tilted.y, cr * tilted.z - sr * tilted.x};
+}
+
+Point3<Robot> leanedPoint(const BodyPlace& place, Point3<Robot> p) {
+  if (place.lean.level()) return p;
+  const Point3<Robot> base = neckBase(place.stance);
+  return base + leanedVector(place.lean, p - base);
+}
+
+CameraPose trueCamera(const BodyPlace& place) {
+  CameraPose camera = body::cameraPose(place.joints, place.stance);
+  if (place.lean.level()) return camera;
+  camera.position = leanedPoint(place, camera.position);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Point3<Robot> axis =
+        leanedVector(place.lean, {camera.axes[i], camera.axes[3 + i], camera.axes[6 + i]});
+    camera.axes[i] = axis.x;
+    camera.axes[3 + i] = axis.y;
+    camera.axes[6 + i] = axis.z;
+  }
+  return camera;
+}
 
 Feet feetOf(const JointAngles& joints, const Stance& stance) {
   Feet feet;
@@ -85,7 +121,7 @@ BodyParts bodyParts(const BodyPlace& place) {
     parts[next++] = {onField(place.pose, knee), kKneeRadius};
     parts[next++] = {onField(place.pose, between(knee, paw(feet[index(leg)]), 0.5)), kShinRadius};
   }
-  const CameraPose camera = body::cameraPose(place.joints, place.stance);
+  const CameraPose camera = trueCamera(place);
   const Point3<Robot> back{-kHeadBehindCamera * camera.axes[2], -kHeadBehindCamera * camera.axes[5],
                            -kHeadBehindCamera * camera.axes[8]};
   parts[next] = {onField(place.pose, camera.position + back), kHeadRadius};

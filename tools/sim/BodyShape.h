@@ -12,12 +12,33 @@
 
 namespace kelpie::sim {
 
+// How the body is really turned beside what its stance says, about the neck base: first by `tilt`,
+// which lowers the nose as Stance::bodyTilt does, then by `roll`, which lifts the left side. Legs
+// are left where the joints have them.
+struct Lean {
+  Angle tilt;
+  Angle roll;
+
+  bool level() const { return tilt.rad() == 0.0 && roll.rad() == 0.0; }
+  static constexpr auto fields() {
+    return fieldList(field("tilt", &Lean::tilt, "rad", -45, 45),
+                     field("roll", &Lean::roll, "rad", -45, 45));
+  }
+};
+
 // What of the body matters to camera and contacts at one time.
 struct BodyPlace {
   Pose2 pose;
   Stance stance;
   JointAngles joints;
+  Lean lean;
 };
+
+// A direction, and a point, that are fixed to the body and would be there if it did not lean.
+Point3<Robot> leanedVector(const Lean& lean, Point3<Robot> v);
+Point3<Robot> leanedPoint(const BodyPlace& place, Point3<Robot> p);
+// The camera as it really is.
+CameraPose trueCamera(const BodyPlace& place);
 
 struct PartSphere {
   FieldPoint3 centre;

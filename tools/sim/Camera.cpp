@@ -4,14 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "robot/body/Camera.h"
-
 namespace kelpie::sim {
 namespace {
 
 constexpr std::size_t kRows = kImageHeight;
 constexpr double kRowsDouble = kImageHeight;
-constexpr double kHalfColumn = 0.5 / body::kFocalLength;
 constexpr std::size_t kTexels = 128;  // a power of two
 constexpr std::uint64_t kTextureSeed = 71;
 constexpr double kFineTexel = 0.8;     // cm; tufts of the carpet
@@ -86,7 +83,7 @@ void Camera::selectOwn(const Scene& scene, const ColumnCameras& cameras) {
 void Camera::selectShapes(const Scene& scene, const FieldCamera& camera, double middle) {
   const Slice slice(camera, middle);
   // Half a column to each side, measured across the plane, with room for wide angles.
-  const double margin = 1.05 * kHalfColumn;
+  const double margin = 1.05 * (0.5 / camera.lens.focal);
   solids_.clear();
   beacons_.clear();
   lines_.clear();

@@ -14,8 +14,6 @@
 
 namespace kelpie::sim {
 
-using ColumnCameras = std::array<FieldCamera, kImageWidth>;
-
 struct CameraParams {
   ArtefactParams artefacts;
   int slices = 3;              // cuts for each column

@@ -62,14 +62,21 @@ PlanarMotion rigidMotion(const std::vector<Point2<Robot>>& from,
   return motion;
 }
 
-RobotModel::RobotModel(const RobotParams& params, const Pose2& start, std::uint64_t seed)
-    : params_(params), random_(seed), resistance_(params.resistance, seed ^ kFeltStream) {
+RobotModel::RobotModel(const RobotParams& params, const Pose2& start, std::uint64_t seed,
+                       const BodyFaults& faults)
+    : params_(params),
+      random_(seed),
+      resistance_(params.resistance, seed ^ kFeltStream),
+      faults_(faults),
+      neck_(faults.play),
+      motors_(startingPose()) {
   place_.pose = start;
-  place_.joints = startingPose();
+  place_.lean = faults.lean;
+  place_.joints = neck_.step(motors_);
   place_.stance = body::stanceFromLegs(place_.joints);
 
   before_ = place_;
-  target_ = sensed_ = place_.joints;
+  target_ = sensed_ = motors_;
   feet_ = feetOf(place_.joints, place_.stance);
   for (std::size_t i = 0; i < kLegCount; ++i) onGround_[i] = feet_[i].z < params_.contactHeight;
 }
@@ -110,16 +117,17 @@ void RobotModel::moveJoints() {
     if (!motorPower_ || (gains_ >> j & 1U) == 0) continue;
     const bool head = j < index(Joint::leftFrontRotator);
     const double most = (head ? params_.headRate : params_.legRate) * kTickSeconds;
-    const double now = place_.joints.angle[j].rad();
+    const double now = motors_.angle[j].rad();
     const double step = slowed(j) * (target_.angle[j].rad() - now);
-    place_.joints.angle[j] = Angle::rad(now + maths::clamp(step, -most, most));
+    motors_.angle[j] = Angle::rad(now + maths::clamp(step, -most, most));
   }
+  place_.joints = neck_.step(motors_);
 }
 
 void RobotModel::senseJoints() {
   for (std::size_t j = 0; j < kJointCount; ++j) {
     const double noise = random_.gaussian(0.0, params_.jointNoiseSd);
-    sensed_.angle[j] = Angle::rad(place_.joints.angle[j].rad() + noise);
+    sensed_.angle[j] = Angle::rad(motors_.angle[j].rad() + noise);
     dutyNoise_[j] = resistance_.dutyNoise();
   }
 }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // A robot's body in the world: servos that follow their targets late, and a body that the feet on
 // the ground carry. Kinematic: the body moves so that the feet that stand keep their place (least
-// squares), with a seeded slip for each step. It cannot fall over or roll sideways.
+// squares), with a seeded slip for each step. It cannot fall over or roll sideways; an unlike one
+// leans constantly, and its head hangs in the play of its gears.
 #pragma once
 
 #include <array>
@@ -13,8 +14,10 @@
 #include "robot/core/FrameInput.h"
 #include "robot/core/Random.h"
 #include "robot/host/WorldProtocol.h"
+#include "tools/sim/Backlash.h"
 #include "tools/sim/BodyShape.h"
 #include "tools/sim/Resistance.h"
+#include "tools/sim/Unlike.h"
 
 namespace kelpie::sim {
 
@@ -92,7 +95,8 @@ PlanarMotion rigidMotion(const std::vector<Point2<Robot>>& from,
 
 class RobotModel {
  public:
-  RobotModel(const RobotParams& params, const Pose2& start, std::uint64_t seed);
+  RobotModel(const RobotParams& params, const Pose2& start, std::uint64_t seed,
+             const BodyFaults& faults = {});
 
   // What the agent sent to the effectors.
   void command(const host::AgentReply& reply);
@@ -118,6 +122,9 @@ class RobotModel {
   const BodyPlace& place() const { return place_; }
   const BodyPlace& placeBefore() const { return before_; }
   const JointAngles& target() const { return target_; }
+  // Where the motors are: as place().joints but for the play of the head.
+  const JointAngles& motors() const { return motors_; }
+  const BodyFaults& faults() const { return faults_; }
   const JointAngles& sensed() const { return sensed_; }
   double legGain() const { return legGain_; }  // over the standard one
   const std::array<double, kJointCount>& dutyNoise() const { return dutyNoise_; }
@@ -139,8 +146,11 @@ class RobotModel {
   RobotParams params_;
   Random random_;
   Resistance resistance_;
+  BodyFaults faults_;
+  Backlash neck_;
   BodyPlace place_;
   BodyPlace before_;
+  JointAngles motors_;
   JointAngles target_;
   JointAngles sensed_;
   Feet feet_;

@@ -4,8 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "robot/body/Camera.h"
-#include "tools/sim/Slice.h"
+#include "tools/sim/FieldCamera.h"
 
 namespace kelpie::sim {
 namespace {
@@ -76,16 +75,17 @@ double measured(double distance, Range range, double noise, Random& random) {
 
 void senseDistances(const Surroundings& around, double noise, Random& random, SensorFrame& frame) {
   const BodyPlace& place = around.robots[around.self].place();
-  const FieldCamera head = fieldCamera(place.pose, body::cameraPose(place.joints, place.stance));
+  const FieldCamera head = fieldCamera(place.pose, trueCamera(place));
   const double ahead = rayDistance(around, head.position, head.forward);
   frame.headNearDistance = measured(ahead, {5.0, 50.0}, noise, random);
   frame.headFarDistance = measured(ahead, {20.0, 150.0}, noise, random);
-  const Point2<Field> chest = fieldFromRobot(place.pose, {0.0, kChestAhead});
+  const Point3<Robot> chest =
+      leanedPoint(place, {0.0, kChestAhead, place.stance.shoulderHeight + kChestHeight});
+  const Point2<Field> over = fieldFromRobot(place.pose, {chest.x, chest.y});
   const double c = 1.0 / std::sqrt(1.0 + kChestDown * kChestDown);
-  const FieldPoint3 way{c * place.pose.heading.cos(), c * place.pose.heading.sin(),
-                        -c * kChestDown};
-  const double down =
-      rayDistance(around, {chest.x, chest.y, place.stance.shoulderHeight + kChestHeight}, way);
+  const FieldPoint3 way =
+      fieldVector(place.pose, leanedVector(place.lean, {0.0, c, -c * kChestDown}));
+  const double down = rayDistance(around, {over.x, over.y, chest.z}, way);
   frame.chestDistance = measured(down, {10.0, 90.0}, noise, random);
 }
 
@@ -133,6 +133,14 @@ std::array<bool, kLegCount> pawsPressed(const Surroundings& around,
 
 }  // namespace
 
+std::array<double, 3> accelerationAtRest(const Stance& stance, const BodyFaults& faults) {
+  const Angle tilt = stance.bodyTilt + faults.lean.tilt;
+  const Angle roll = faults.lean.roll;
+  const std::array<double, 3>& bias = faults.accelerationBias;
+  return {-kGravity * tilt.sin() * roll.cos() + bias[0], kGravity * roll.sin() + bias[1],
+          kGravity * tilt.cos() * roll.cos() + bias[2]};
+}
+
 double rayDistance(const Surroundings& around, FieldPoint3 from, FieldPoint3 direction) {
   const double free =
       std::min(groundAlong(from, direction), ballAlong(around.ball, from, direction));
@@ -153,16 +161,14 @@ SensorFrame sense(const Surroundings& around, const SensorParams& params, Random
   SensorFrame frame;
   frame.joints = robot.sensed();
   for (std::size_t j = 0; j < kJointCount; ++j) {
-    const double error = robot.target().angle[j].rad() - robot.place().joints.angle[j].rad();
+    const double error = robot.target().angle[j].rad() - robot.motors().angle[j].rad();
     const bool leg = j >= index(Joint::leftFrontRotator) && j <= index(Joint::rightHindKnee);
     const double gain = params.dutyPerRad * (leg ? robot.legGain() : 1.0);
     frame.duty[j] = maths::clamp(gain * error + robot.dutyNoise()[j], -1.0, 1.0);
   }
   senseDistances(around, params.distanceNoise, random, frame);
-  const Angle tilt = robot.place().stance.bodyTilt;
-  frame.acceleration = {random.gaussian(-kGravity * tilt.sin(), params.accelerationSd),
-                        random.gaussian(0.0, params.accelerationSd),
-                        random.gaussian(kGravity * tilt.cos(), params.accelerationSd)};
+  frame.acceleration = accelerationAtRest(robot.place().stance, robot.faults());
+  for (double& axis : frame.acceleration) axis = random.gaussian(axis, params.accelerationSd);
   const auto parts = robot.spheres();
   frame.paw = pawsPressed(around, parts);
   const Touch touch = robot.touched();

@@ -39,6 +39,10 @@ struct Surroundings {
 
 SensorFrame sense(const Surroundings& around, const SensorParams& params, Random& random);
 
+// What the accelerometer of a robot that does not move tells, but for its noise: gravity in the
+// body as it really leans, and the sensor's own bias. Forward, left, up.
+std::array<double, 3> accelerationAtRest(const Stance& stance, const BodyFaults& faults);
+
 // Drawn from the battery: a motor's current goes with its duty. Mean over the ticks, mA.
 double batteryCurrent(const std::array<SensorFrame, kTicksPerMessage>& ticks,
                       const SensorParams& params);

@@ -124,6 +124,7 @@ void Server::sayGoodbye(std::uint8_t reason) {
 Status Server::run() {
   std::int64_t messages = 1;
   std::int64_t images = 1;
+  if (log_ != nullptr && world_.isUnlike()) log_->write(kUnlikeTopic, TimeUs{}, world_.unlike());
   while (!world_.finished() && !(hooks_.stopped && hooks_.stopped())) {
     const std::int64_t sensorsAt = messages * kMessageUs;
     const std::int64_t imageAt = images * 1000000 / 30;

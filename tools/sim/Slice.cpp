@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "robot/body/Camera.h"
-
 namespace kelpie::sim {
 namespace {
 
@@ -17,29 +15,10 @@ constexpr double kLimbFoot = 0.88;
 
 double dot(FieldPoint3 a, FieldPoint3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
-double rowOf(double down, double depth) {
-  return body::kPrincipalY + body::kFocalLength * (down / depth);
-}
-
 }  // namespace
 
-FieldCamera fieldCamera(const Pose2& robot, const CameraPose& camera) {
-  const double s = robot.heading.sin();
-  const double c = robot.heading.cos();
-  const auto axis = [&](std::size_t column) {
-    const double x = camera.axes[column];
-    const double y = camera.axes[3 + column];
-    return FieldPoint3{s * x + c * y, s * y - c * x, camera.axes[6 + column]};
-  };
-  const Point3<Robot> p = camera.position;
-  return {{robot.position.x + s * p.x + c * p.y, robot.position.y + s * p.y - c * p.x, p.z},
-          axis(0),
-          axis(1),
-          axis(2)};
-}
-
 Slice::Slice(const FieldCamera& camera, double x)
-    : camera_(camera), u_((x - body::kPrincipalX) / body::kFocalLength) {
+    : camera_(camera), u_((x - camera.lens.principalX) / camera.lens.focal) {
   const FieldPoint3& r = camera.right;
   const FieldPoint3& f = camera.forward;
   normal_ = {r.x - u_ * f.x, r.y - u_ * f.y, r.z - u_ * f.z};
@@ -52,6 +31,10 @@ bool Slice::mayMeet(FieldPoint3 centre, double radius, double margin) const {
   if (depth + radius < kNear) return false;
   const double off = std::fabs(dot(normal_, d)) * inverseNormal_;
   return off <= radius + margin * (depth + radius);
+}
+
+double Slice::rowOf(double down, double depth) const {
+  return camera_.lens.principalY + camera_.lens.focal * (down / depth);
 }
 
 Slice::Seen Slice::seen(FieldPoint3 p) const {
@@ -228,7 +211,7 @@ std::optional<Span> Slice::ground(Colour colour) const {
 }
 
 std::optional<Slice::GroundHit> Slice::groundAt(double row) const {
-  const double v = (row - body::kPrincipalY) / body::kFocalLength;
+  const double v = (row - camera_.lens.principalY) / camera_.lens.focal;
   const double z = camera_.forward.z + u_ * camera_.right.z + v * camera_.down.z;
   if (z > -kFlat) return std::nullopt;
   const double t = -camera_.position.z / z;

@@ -7,20 +7,9 @@
 #include <array>
 #include <optional>
 
-#include "robot/core/Percepts.h"
-#include "tools/sim/Scene.h"
+#include "tools/sim/FieldCamera.h"
 
 namespace kelpie::sim {
-
-// A camera placed on the field: where it is and its x, y, z axes in the field frame.
-struct FieldCamera {
-  FieldPoint3 position;
-  FieldPoint3 right;
-  FieldPoint3 down;
-  FieldPoint3 forward;
-};
-
-FieldCamera fieldCamera(const Pose2& robot, const CameraPose& camera);
 
 // Rows [top, bottom) show one colour, brightened from litTop to litBottom.
 struct Span {
@@ -63,6 +52,7 @@ class Slice {
     double depth;
     double height;
   };
+  double rowOf(double down, double depth) const;
   Seen seen(FieldPoint3 p) const;
   std::optional<Span> stretch(Seen a, Seen b) const;
   std::optional<FieldPoint3> frontAt(const Cylinder& shape, double height) const;

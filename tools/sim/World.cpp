@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "robot/body/Camera.h"
-
 namespace kelpie::sim {
 namespace {
 
@@ -30,6 +28,7 @@ BodyPlace mixed(const BodyPlace& a, const BodyPlace& b, double t) {
   for (std::size_t j = 0; j < kJointCount; ++j) {
     place.joints.angle[j] = mixed(a.joints.angle[j], b.joints.angle[j], t);
   }
+  place.lean = a.lean;
   return place;
 }
 
@@ -52,6 +51,7 @@ World::World(const WorldParams& params, const body::FieldDescription& field, con
              std::uint64_t seed)
     : params_(params),
       field_(field),
+      unlike_(drawUnlike(params.unlike, seed, setup.players.size())),
       obstacles_(obstaclesOf(field)),
       players_(setup.players),
       scene_(fieldScene(field, params.spectators ? partSeed(seed, 1) | 1U : 0)),
@@ -60,7 +60,8 @@ World::World(const WorldParams& params, const body::FieldDescription& field, con
   for (std::size_t i = 0; i < players_.size(); ++i) {
     const std::uint64_t part = 10 * (i + 1);
     Random colours(partSeed(seed, part));
-    robots_.emplace_back(params_.robot, players_[i].start, partSeed(seed, part + 1));
+    robots_.emplace_back(params_.robot, players_[i].start, partSeed(seed, part + 1),
+                         unlike_.robots[i].body);
     sensorRandom_.emplace_back(partSeed(seed, part + 2));
     cameraRandom_.emplace_back(partSeed(seed, part + 3));
     cameras_.push_back(
@@ -214,28 +215,34 @@ void World::takeLandmarksAway() {
                    obstacles_.end());
 }
 
+// A share of the exposure of the image that the robot's camera stamps with `end`.
+double World::ticksAt(std::size_t robot, TimeUs end, double share) const {
+  const double late = 1.0 - share + unlike_.robots[robot].lag;
+  return std::max(0.0, (static_cast<double>(end.us) - kExposureUs * late) / kTickUs);
+}
+
 ColumnCameras World::cameras(std::size_t robot, TimeUs end) const {
+  const UnlikeRobot& own = unlike_.robots[robot];
+  const double readout = params_.rolling ? own.readout : 0.0;
   ColumnCameras cameras;
   for (std::size_t x = 0; x < kImageWidth; ++x) {
-    const double share = params_.rolling ? (static_cast<double>(x) + 0.5) / kImageWidth : 0.5;
-    const double when = static_cast<double>(end.us) - kExposureUs * (1.0 - share);
-    const BodyPlace place = placeAt(robot, std::max(0.0, when / kTickUs));
-    cameras[x] = fieldCamera(place.pose, body::cameraPose(place.joints, place.stance));
+    const BodyPlace place = placeAt(robot, ticksAt(robot, end, exposedAt(x, readout)));
+    cameras[x] = fieldCamera(place.pose, trueCamera(place), own.lens);
   }
   return cameras;
 }
 
 void World::render(std::size_t robot, TimeUs end, Image& image) {
-  const double middle = (static_cast<double>(end.us) - 0.5 * kExposureUs) / kTickUs;
-  setBall(scene_, ballAt(std::max(0.0, middle)));
+  const double middle = ticksAt(robot, end, 0.5);
+  setBall(scene_, ballAt(middle));
   std::vector<RobotLook> others;
   for (std::size_t i = 0; i < robots_.size(); ++i) {
     if (i == robot) continue;
-    const BodyPlace place = placeAt(i, std::max(0.0, middle));
+    const BodyPlace place = placeAt(i, middle);
     others.push_back({place.pose, place.stance.shoulderHeight, players_[i].team, shine_[i]});
   }
   setRobots(scene_, others, params_.shine);
-  if (params_.ownLegs) scene_.own = frontLegs(placeAt(robot, std::max(0.0, middle)));
+  if (params_.ownLegs) scene_.own = frontLegs(placeAt(robot, middle));
   cameras_[robot]->render(scene_, cameras(robot, end), cameraRandom_[robot], image);
 }
 

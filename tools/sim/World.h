@@ -20,6 +20,7 @@
 #include "tools/sim/RobotModel.h"
 #include "tools/sim/Sensors.h"
 #include "tools/sim/Truth.h"
+#include "tools/sim/Unlike.h"
 
 namespace kelpie::sim {
 
@@ -30,6 +31,7 @@ struct WorldParams {
   SensorParams sensors;
   RefereeParams referee;
   ShineParams shine;
+  UnlikeParams unlike;     // no field of the list below: its truth has a topic of its own
   bool rolling = true;     // each image column is exposed at its own time
   bool spectators = true;  // people and coloured things around the field
   bool ownLegs = true;     // a robot can see its own front legs
@@ -101,17 +103,20 @@ class World {
   // The image whose exposure of 1/30 s ends at `end`; ticks() must have reached it, by at most one
   // tick.
   void render(std::size_t robot, TimeUs end, Image& image);
-  // The camera's place on the field for each column of that image.
+  // The camera's place on the field for each column of that image, as it really is.
   ColumnCameras cameras(std::size_t robot, TimeUs end) const;
 
   GameState gameFor(std::size_t robot) const;
   TruthFrame truth(TimeUs time) const;
+  // What was drawn of it when it is unlike; for logs.
+  const UnlikeWorld& unlike() const { return unlike_; }
+  bool isUnlike() const { return params_.unlike.seed != 0 || !params_.unlike.lean.level(); }
   Ball& ball() { return ball_; }
   const Score& score() const { return referee_.score(); }
   std::vector<MatchEvent> takeEvents() { return referee_.takeEvents(); }
 
  private:
-  static constexpr std::size_t kHistory = 8;  // ticks; an exposure spans 4.2
+  static constexpr std::size_t kHistory = 16;  // ticks; an exposure spans 4.2, a frame of lag 4.2
   struct Moment {
     std::vector<BodyPlace> robots;
     Ball ball;
@@ -119,6 +124,7 @@ class World {
   const Moment& momentAt(std::int64_t tick) const;
   BodyPlace placeAt(std::size_t robot, double ticks) const;
   Point2<Field> ballAt(double ticks) const;
+  double ticksAt(std::size_t robot, TimeUs end, double share) const;
   Point2<Field> nearestWalkable(Point2<Field> p) const;
   void remember();
   void senseAll();
@@ -127,6 +133,7 @@ class World {
 
   WorldParams params_;
   body::FieldDescription field_;
+  UnlikeWorld unlike_;
   std::vector<Obstacle> obstacles_;
   std::vector<Player> players_;
   std::vector<std::uint64_t> shine_;

@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "tools/cli/Process.h"
+#include "tools/cli/UnlikeOptions.h"
 #include "tools/cli/Usage.h"
 #include "tools/sim/Server.h"
 
@@ -30,6 +31,7 @@ struct Options {
   bool noRing = false, noNoise = false, noShift = false, noRolling = false;
   bool noBlur = false, noSlip = false, noSpectators = false;
   bool noCentres = false, noShine = false, noOwnLegs = false;
+  cli::UnlikeOptions unlike;
   WorldParams world;
 };
 
@@ -45,6 +47,7 @@ WorldParams worldParams(const Options& options) {
   params.ownLegs = !options.noOwnLegs;
   params.rolling = !options.noRolling;
   params.spectators = !options.noSpectators;
+  params.unlike = cli::paramsOf(options.unlike);
   if (options.noSlip) params.robot.slipMean = params.robot.slipSd = params.robot.driftSd = 0.0;
   return params;
 }
@@ -145,6 +148,8 @@ void describe(CLI::App& app, Options& options) {
   app.add_flag("--no-rolling", options.noRolling, "all columns exposed at once");
   app.add_flag("--no-slip", options.noSlip, "feet do not slip");
   app.add_flag("--no-spectators", options.noSpectators, "nobody around the field");
+  cli::addUnlikeOptions(app, options.unlike);
+  cli::addLeanOptions(app, options.unlike);
 }
 
 }  // namespace

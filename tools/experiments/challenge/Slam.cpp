@@ -317,7 +317,7 @@ Expected<ChallengeResult> playChallenge(const Request& request, agent::AgentConf
                                         std::uint64_t seed) {
   const Setup setup = setupOf(config.field, seed);
   configure(setup, config);
-  LocaliseMatch match(config, cli::defaultScripts(), seed);
+  LocaliseMatch match(config, cli::defaultScripts(), seed, request.unlike);
   match.world().putUp(setup.wall);
   match.world().ball() = {{4.0, 4.0}, {}};  // nobody plays with it
   Status status = match.world().carry(0, setup.start);
@@ -385,9 +385,9 @@ Expected<Json> slam(const Request& request) {
               {"each", toJson(*results)}};
 }
 
-const Registration kSlam("slam",
-                         "the 2004 localisation challenge: map of sheets on the wall, five points",
-                         {Option::trials, Option::seed, Option::params, Option::traces}, 50, slam);
+const Registration kSlam(
+    "slam", "the 2004 localisation challenge: map of sheets on the wall, five points",
+    {Option::trials, Option::seed, Option::unlike, Option::params, Option::traces}, 50, slam);
 
 }  // namespace
 }  // namespace kelpie::experiments

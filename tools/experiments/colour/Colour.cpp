@@ -269,7 +269,9 @@ void addScores(Json& out, const std::string& ending, const Scores& scores) {
 Expected<Json> colour(const Request& request) {
   Random random(request.seed);
   Json out = labelledFigures(random);
-  ViewMaker views({}, request.seed);
+  ViewParams params;
+  params.unlike = cli::paramsOf(request.unlike);
+  ViewMaker views(params, request.seed);
   sim::Camera idealCamera(sim::idealCamera(), {});
   SceneScores scores;
   const Status done = eachTrial(
@@ -285,7 +287,7 @@ Expected<Json> colour(const Request& request) {
 
 const Registration kColour("colour",
                            "share of pixels that get their class: held-out labels, rendered views",
-                           {Option::trials, Option::seed}, 60, colour);
+                           {Option::trials, Option::seed, Option::unlike}, 60, colour);
 
 }  // namespace
 }  // namespace kelpie::experiments

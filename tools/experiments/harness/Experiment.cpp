@@ -8,8 +8,8 @@
 namespace kelpie::experiments {
 namespace {
 
-constexpr std::array<const char*, 6> kOptionNames = {"--trials", "--seed",   "--params",
-                                                     "--field",  "--traces", "--pictures"};
+constexpr std::array<const char*, 7> kOptionNames = {
+    "--trials", "--seed", "--unlike", "--params", "--field", "--traces", "--pictures"};
 
 std::string_view name(const Experiment& experiment) { return experiment.name; }
 
@@ -36,6 +36,7 @@ Expected<Json> measure(const Experiment& experiment, const Request& request) {
   const Expected<Json> figures = experiment.run(request);
   if (!figures) return Error{std::string(experiment.name) + ": " + figures.error()};
   Json all{{"experiment", experiment.name}, {"trials", request.trials}, {"seed", request.seed}};
+  if (request.unlike.seed != 0) all["unlike"] = request.unlike.seed;
   all.update(*figures);
   return all;
 }

@@ -16,15 +16,17 @@
 
 #include "robot/core/Expected.h"
 #include "tools/cli/Figures.h"
+#include "tools/cli/UnlikeOptions.h"
 
 namespace kelpie::experiments {
 
 using cli::Json;
 
 // What a user may ask for beside the experiment's name and --json.
-enum class Option : std::uint8_t { trials, seed, params, field, traces, pictures };
+enum class Option : std::uint8_t { trials, seed, unlike, params, field, traces, pictures };
 constexpr std::initializer_list<Option> kAllOptions = {
-    Option::trials, Option::seed, Option::params, Option::field, Option::traces, Option::pictures};
+    Option::trials, Option::seed,   Option::unlike,  Option::params,
+    Option::field,  Option::traces, Option::pictures};
 const char* nameOf(Option option);  // "--trials"
 
 class Options {
@@ -45,6 +47,7 @@ class Options {
 struct Request {
   int trials = 1;
   std::uint64_t seed = 1;
+  cli::UnlikeOptions unlike;        // every trial draws a world of its own from it and its seed
   std::vector<std::string> params;  // the agent's TOML files
   std::string field;                // its name; empty: 2006
   std::string traces;               // folder for tables (Trace.h); empty: none

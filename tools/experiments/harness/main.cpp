@@ -53,6 +53,7 @@ void addOptions(CLI::App& app, EvaluateOptions& options) {
   app.add_option(nameOf(Option::seed), request.seed, "Seed of the first trial")
       ->check(cli::inRange(0.0, cli::kLargestSeed))
       ->capture_default_str();
+  cli::addUnlikeOptions(app, request.unlike);
   app.add_option(nameOf(Option::params), request.params, "The agent's TOML files")
       ->check(CLI::ExistingFile);
   app.add_option(nameOf(Option::field), request.field,

@@ -34,7 +34,8 @@ class LocaliseMatch : private agent::LogSink {
   using Watcher = std::function<void(const WatchedFrame&)>;
 
   // `scripts`: folder of behaviours. The config's field is the world's.
-  LocaliseMatch(const agent::AgentConfig& config, const std::string& scripts, std::uint64_t seed);
+  LocaliseMatch(const agent::AgentConfig& config, const std::string& scripts, std::uint64_t seed,
+                const cli::UnlikeOptions& unlike);
 
   // Plays until that time; an error tells that the script broke.
   Status play(double seconds, const Watcher& watch);

@@ -63,8 +63,10 @@ Pose2 beside(const Pose2& pose, Random& random) {
           pose.heading + Angle::deg(random.uniform(-20.0, 20.0))};
 }
 
-Expected<Stands> standAtPlaces(const agent::AgentConfig& config, std::uint64_t seed) {
-  LocaliseMatch match(config, KELPIE_SOURCE_DIR "/tools/experiments/pose/standing", seed);
+Expected<Stands> standAtPlaces(const Request& request, const agent::AgentConfig& config,
+                               std::uint64_t seed) {
+  LocaliseMatch match(config, KELPIE_SOURCE_DIR "/tools/experiments/pose/standing", seed,
+                      request.unlike);
   Random random(seed ^ 0x57a2dULL);
   const body::FieldDescription& field = config.field;
   Stands stands;
@@ -95,7 +97,7 @@ Expected<Json> stationaryViews(const Request& request) {
   const auto config = agentConfig(request);
   if (!config) return Error{config.error()};
   const auto robots = trialsInChildProcesses(
-      request, [&](const Trial& trial) { return standAtPlaces(*config, trial.seed); });
+      request, [&](const Trial& trial) { return standAtPlaces(request, *config, trial.seed); });
   if (!robots) return Error{robots.error()};
   ErrorTrack with, without;
   for (const Stands& stands : *robots)
@@ -111,7 +113,7 @@ Expected<Json> stationaryViews(const Request& request) {
 
 const Registration kStationaryViews(
     "stationary-views", "standing, from pixels, lines alone: errors with the map and without it",
-    {Option::trials, Option::seed, Option::params}, 4, stationaryViews);
+    {Option::trials, Option::seed, Option::unlike, Option::params}, 4, stationaryViews);
 
 }  // namespace
 }  // namespace kelpie::experiments

@@ -216,9 +216,10 @@ Status playScrum(const Scrum& scrum, MatchRecorder& recorder, LocaliseMatch& mat
   return done ? match.world().hold(0, 0.0) : done;
 }
 
-Expected<ScrumRecord> playMatch(const agent::AgentConfig& config, std::uint64_t seed) {
+Expected<ScrumRecord> playMatch(const Request& request, const agent::AgentConfig& config,
+                                std::uint64_t seed) {
   MatchRecorder recorder(config.gps);
-  LocaliseMatch match(config, cli::defaultScripts(), seed);
+  LocaliseMatch match(config, cli::defaultScripts(), seed, request.unlike);
   Random random(seed ^ 0x5c4a11ULL);
   const auto calm = [&](double seconds) {
     const double until = match.world().time().seconds() + seconds;
@@ -239,7 +240,7 @@ Expected<Json> scrums(const Request& request) {
   const auto config = agentConfig(request);
   if (!config) return Error{config.error()};
   const auto matches = trialsInChildProcesses(
-      request, [&](const Trial& trial) { return playMatch(*config, trial.seed); });
+      request, [&](const Trial& trial) { return playMatch(request, *config, trial.seed); });
   if (!matches) return Error{matches.error()};
   ScrumRecord all;
   for (const ScrumRecord& match : *matches) all.add(match);

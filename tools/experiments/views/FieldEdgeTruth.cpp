@@ -4,7 +4,6 @@
 #include <cmath>
 #include <optional>
 
-#include "robot/body/Camera.h"
 #include "tools/sim/Slice.h"
 
 namespace kelpie::experiments {
@@ -91,8 +90,8 @@ EdgeTruth edgeTruth(const View& view) {
 
 double horizonTruth(const View& view, int column) {
   const auto& camera = view.columns[static_cast<std::size_t>(column)];
-  const double across = camera.right.z * (column + 0.5 - body::kPrincipalX);
-  return body::kPrincipalY - (across + camera.forward.z * body::kFocalLength) / camera.down.z;
+  const double across = camera.right.z * (column + 0.5 - camera.lens.principalX);
+  return camera.lens.principalY - (across + camera.forward.z * camera.lens.focal) / camera.down.z;
 }
 
 }  // namespace kelpie::experiments

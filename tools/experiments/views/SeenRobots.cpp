@@ -5,7 +5,6 @@
 #include <cmath>
 #include <memory>
 
-#include "robot/body/Camera.h"
 #include "vision/pixels/Sampler.h"
 
 namespace kelpie::experiments {
@@ -35,14 +34,14 @@ sim::Scene recoloured(sim::Scene scene) {
 }
 
 // Pixels away from the middle cover less of the view: the cube of the cosine to the axis.
-double weightOf(int px, int py) {
-  const double dx = (px + 0.5 - body::kPrincipalX) / body::kFocalLength;
-  const double dy = (py + 0.5 - body::kPrincipalY) / body::kFocalLength;
+double weightOf(const sim::Lens& lens, int px, int py) {
+  const double dx = (px + 0.5 - lens.principalX) / lens.focal;
+  const double dy = (py + 0.5 - lens.principalY) / lens.focal;
   const double cosine = 1.0 / std::sqrt(1.0 + dx * dx + dy * dy);
   return cosine * cosine * cosine;
 }
 
-Count countOf(const Image& image, std::size_t robot) {
+Count countOf(const Image& image, const sim::Lens& lens, std::size_t robot) {
   const double cb = kFirstCb + kCbStep * static_cast<double>(robot);
   Count count;
   for (int py = vision::kUsableTop; py < vision::kUsableBottom; ++py) {
@@ -51,7 +50,7 @@ Count countOf(const Image& image, std::size_t robot) {
       const bool patch = std::fabs(c.cr - static_cast<double>(kPatchCr)) < kTolerance;
       const bool shell = std::fabs(c.cr - static_cast<double>(kBodyCr)) < kTolerance;
       if ((!patch && !shell) || std::fabs(c.cb - cb) > kTolerance * 0.75) continue;
-      count.body += weightOf(px, py);
+      count.body += weightOf(lens, px, py);
       count.patchPixels += patch ? 1.0 : 0.0;
       count.box = {std::min(count.box.left, px + 0.0), std::min(count.box.top, py + 0.0),
                    std::max(count.box.right, px + 1.0), std::max(count.box.bottom, py + 1.0)};
@@ -73,6 +72,7 @@ sim::FieldPoint3 cross(sim::FieldPoint3 a, sim::FieldPoint3 b) {
 sim::FieldCamera lookingAt(const sim::FieldCamera& from, sim::FieldPoint3 target) {
   sim::FieldCamera camera;
   camera.position = from.position;
+  camera.lens = from.lens;
   camera.forward = unit(target - from.position);
   camera.right = unit(cross(camera.forward, {0.0, 0.0, 1.0}));
   camera.down = cross(camera.forward, camera.right);
@@ -86,7 +86,7 @@ Count rendered(const sim::Scene& scene, const sim::ColumnCameras& columns, std::
   sim::Camera camera(params, {});
   Random random(1);
   camera.render(scene, columns, random, image);
-  return countOf(image, robot);
+  return countOf(image, columns[0].lens, robot);
 }
 
 // Of the robot alone, in the middle of the image.
@@ -109,7 +109,7 @@ std::vector<SeenRobot> seenRobots(const View& view) {
   const sim::Scene marked = recoloured(view.scene);
   rendered(marked, view.columns, 0, *image);
   for (std::size_t i = 0; i < view.robots.size(); ++i) {
-    const Count shown = countOf(*image, i);
+    const Count shown = countOf(*image, view.columns[0].lens, i);
     if (shown.body <= 0.0) continue;
     const sim::RobotLook& look = view.robots[i];
     const Point2<Robot> middle = robotFromField(view.pose, fieldFromRobot(look.pose, {0.0, -4.0}));

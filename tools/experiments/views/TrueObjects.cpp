@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "robot/body/Camera.h"
 #include "tools/experiments/views/Objects.h"
 #include "vision/pixels/Sampler.h"
 
@@ -23,8 +22,7 @@ bool inUsable(const std::optional<PixelPoint>& p, double margin = 0.0) {
 }
 
 std::optional<PixelPoint> pixelOf(const View& view, Point2<Field> p, double height) {
-  const Point2<Robot> q = robotFromField(view.pose, p);
-  return body::project(view.camera, {q.x, q.y, height});
+  return sim::pixelIn(view.eye, {p.x, p.y, height});
 }
 
 TrueObject placed(const View& view, ObjectKind kind, Point2<Field> p) {
@@ -38,9 +36,8 @@ TrueObject placed(const View& view, ObjectKind kind, Point2<Field> p) {
 
 // Pixels that a centimetre fills at a place.
 double scaleAt(const View& view, Point2<Field> p) {
-  const Point2<Robot> q = robotFromField(view.pose, p);
-  const double range = maths::hypot(q.x - view.camera.position.x, q.y - view.camera.position.y);
-  return body::kFocalLength / std::max(range, 5.0);
+  const double range = maths::hypot(p.x - view.eye.position.x, p.y - view.eye.position.y);
+  return view.eye.lens.focal / std::max(range, 5.0);
 }
 
 // Pixels that a flat thing of `width` by `height` cm would show, seen from the front.
@@ -130,8 +127,7 @@ struct Interval {
 
 // Where a robot hides the mouth's line, as an interval of field x; nothing when it is behind it.
 std::optional<Interval> hidden(const View& view, const sim::Solid& robot, double mouthY) {
-  const Point2<Field> eye =
-      fieldFromRobot(view.pose, Point2<Robot>{view.camera.position.x, view.camera.position.y});
+  const Point2<Field> eye{view.eye.position.x, view.eye.position.y};
   Interval interval{1e9, -1e9};
   for (const auto& quad : robot.quads)
     for (const auto& corner : quad.corner) {

@@ -6,6 +6,7 @@
 
 #include "robot/body/Camera.h"
 #include "tools/sim/BodyShape.h"
+#include "tools/sim/Sensors.h"
 
 namespace kelpie::experiments {
 namespace {
@@ -21,6 +22,7 @@ constexpr double kFastestPanDeg = 150.0;  // deg/s, a scanning head
 constexpr double kFastestTiltDeg = 60.0;
 constexpr double kFastestTurnDeg = 60.0;
 constexpr std::uint64_t kLooksStream = 0x6c6f6f6b73;
+constexpr std::uint64_t kPlayStream = 0x706c6179;
 
 bool awayFrom(const std::vector<sim::RobotLook>& robots, Point2<Field> place, double minDistance) {
   return std::all_of(robots.begin(), robots.end(), [&](const sim::RobotLook& robot) {
@@ -35,11 +37,16 @@ Angle randomDeg(Random& random, double low, double high) {
 }  // namespace
 
 ViewMaker::ViewMaker(const ViewParams& params, std::uint64_t seed)
-    : params_(params), random_(seed), looks_(seed ^ kLooksStream) {}
+    : params_(params),
+      random_(seed),
+      looks_(seed ^ kLooksStream),
+      play_(seed ^ kPlayStream),
+      seed_(seed) {}
 
 const View& ViewMaker::next() {
   if (made_++ % kViewsPerCrowd == 0)
     view_.scene = sim::fieldScene(params_.field, params_.crowd ? random_.next() | 1U : 0);
+  view_.real = sim::drawUnlikeRobot(params_.unlike, seed_ + static_cast<std::uint64_t>(made_), 0);
   view_.robotCamera = {sim::randomShift(random_),
                        sim::randomCentres(looks_, params_.camera.artefacts.centreSd)};
   const auto kind = random_.index(10);
@@ -145,7 +152,31 @@ void ViewMaker::standOnLegs() {
   const double left = kAhead + looks_.uniform(-kHalfStroke, kHalfStroke);
   const double right = kAhead + looks_.uniform(-kHalfStroke, kHalfStroke);
   sim::setFrontFeet(joints_, stance_, {Point2<Robot>{-kAside, left}, {kAside, right}});
-  view_.scene.own = sim::frontLegs({view_.pose, stance_, joints_});
+  view_.scene.own = sim::frontLegs({view_.pose, stance_, joints_, {}});
+}
+
+// A head that turns is at the end of its gears' play that lies behind; one that is still hangs
+// forward, and its pan is anywhere.
+JointAngles ViewMaker::inPlay(const HeadRate& rate) {
+  const sim::NeckPlay& play = view_.real.body.play;
+  JointAngles joints = joints_;
+  const double aside = play_.uniform(-0.5, 0.5);
+  const double pan = rate.headPan == 0.0 ? aside : rate.headPan > 0.0 ? -0.5 : 0.5;
+  const double nod = rate.headNod < 0.0 ? 0.5 : -0.5;
+  joints[Joint::neckTilt] = joints[Joint::neckTilt] - play.neckTilt * 0.5;
+  joints[Joint::headPan] = joints[Joint::headPan] + play.headPan * pan;
+  joints[Joint::headNod] = joints[Joint::headNod] + play.headNod * nod;
+  return joints;
+}
+
+// The camera `late` seconds after the image's stamp; leaves it in view_.camera too.
+sim::FieldCamera ViewMaker::exposed(const HeadRate& rate, double turn, double late) {
+  JointAngles joints = head_;
+  joints[Joint::headPan] = joints[Joint::headPan] + Angle::rad(rate.headPan * late);
+  joints[Joint::headNod] = joints[Joint::headNod] + Angle::rad(rate.headNod * late);
+  const Pose2 pose{view_.pose.position, view_.pose.heading + Angle::rad(turn * late)};
+  view_.camera = sim::trueCamera({pose, stance_, joints, view_.real.body.lean});
+  return sim::fieldCamera(pose, view_.camera, view_.real.lens);
 }
 
 // Exposes the columns one after the other while head and body turn; then what the sensors tell.
@@ -158,21 +189,19 @@ void ViewMaker::turnAndRender() {
   double turn = 0.0;
   if (random_.chance(params_.bodyTurning))
     turn = randomDeg(random_, -kFastestTurnDeg, kFastestTurnDeg).rad();
+  head_ = inPlay(rate);
   for (std::size_t x = 0; x < kImageWidth; ++x) {
-    const double late = ((static_cast<double>(x) + 0.5) / kImageWidth - 0.5) * kFrameSeconds;
-    JointAngles joints = joints_;
-    joints[Joint::headPan] = joints[Joint::headPan] + Angle::rad(rate.headPan * late);
-    joints[Joint::headNod] = joints[Joint::headNod] + Angle::rad(rate.headNod * late);
-    const Pose2 pose{view_.pose.position, view_.pose.heading + Angle::rad(turn * late)};
-    view_.columns[x] = sim::fieldCamera(pose, body::cameraPose(joints, stance_));
+    const double share = sim::exposedAt(x, view_.real.readout) - 0.5 - view_.real.lag;
+    view_.columns[x] = exposed(rate, turn, share * kFrameSeconds);
   }
+  view_.eye = exposed(rate, turn, -view_.real.lag * kFrameSeconds);
   FrameInput& input = view_.input;
   input = {};
   input.elapsed = kFrameSeconds;
   input.sensors.joints = joints_;
   for (auto& angle : input.sensors.joints.angle)
     angle = angle + Angle::rad(random_.gaussian(0.0, kJointNoise));
-  input.sensors.acceleration = {0.0, 0.0, 981.0};
+  input.sensors.acceleration = sim::accelerationAtRest(stance_, view_.real.body);
 
   input.headRate = {0.0, rate.headPan + random_.gaussian(0.0, kRateNoise),
                     rate.headNod + random_.gaussian(0.0, kRateNoise)};

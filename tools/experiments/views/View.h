@@ -12,6 +12,7 @@
 #include "robot/core/FrameInput.h"
 #include "tools/experiments/harness/Trials.h"
 #include "tools/sim/Camera.h"
+#include "tools/sim/Unlike.h"
 
 namespace kelpie::experiments {
 
@@ -20,6 +21,7 @@ enum class ViewTarget { ball, landmark, robot, anywhere };
 struct ViewParams {
   body::FieldDescription field = *body::fieldDescription("2006");
   sim::CameraParams camera;
+  sim::UnlikeParams unlike;
   bool crowd = true;
   bool ball = true;
   int maxRobots = 4;
@@ -30,8 +32,10 @@ struct ViewParams {
 // Truth: to compare with what vision says, never for vision.
 struct View {
   ViewTarget target = ViewTarget::anywhere;
-  Pose2 pose;         // in the middle of the exposure
-  CameraPose camera;  // the same
+  Pose2 pose;             // at the image's stamp
+  CameraPose camera;      // in the middle of the exposure, with the robot's real lean and neck
+  sim::FieldCamera eye;   // the same on the field, with its real lens
+  sim::UnlikeRobot real;  // how the robot differs
   sim::ColumnCameras columns;
   Point2<Field> ball;
   std::vector<sim::RobotLook> robots;
@@ -53,19 +57,25 @@ class ViewMaker {
   void lookAt(Point3<Field> target);
   void standOnLegs();
   void turnAndRender();
+  JointAngles inPlay(const HeadRate& rate);
+  sim::FieldCamera exposed(const HeadRate& rate, double turn, double late);
 
   ViewParams params_;
   Random random_;
   Random looks_;  // of ring centres, uniforms and own legs: without them places stay what they are
   int made_ = 0;
-  JointAngles joints_;
+  Random play_;  // of the neck's gears
+  std::uint64_t seed_;
+  JointAngles joints_;  // of the motors
+  JointAngles head_;    // of the head itself
   Stance stance_;
   View view_;
 };
 
-// Calls use(view) for one view a trial.
+// Calls use(view) for one view a trial, in the unlike world that the request asks for.
 template <class Use>
-void eachView(const ViewParams& params, const Request& request, Use&& use) {
+void eachView(ViewParams params, const Request& request, Use&& use) {
+  params.unlike = cli::paramsOf(request.unlike);
   const auto maker = std::make_unique<ViewMaker>(params, request.seed);
   eachTrial(request, [&](const Trial&) { use(maker->next()); });
 }

@@ -144,7 +144,7 @@ Expected<Json> doubts(const Request& request) {
 
 const Registration kDoubts("doubts",
                            "candidates of each object: vision's log odds beside learned ones",
-                           {Option::trials, Option::seed}, 6000, doubts);
+                           {Option::trials, Option::seed, Option::unlike}, 6000, doubts);
 
 }  // namespace
 }  // namespace kelpie::experiments

@@ -111,7 +111,9 @@ void addCorner(const EdgeTruth& truth, const Corner& corner, const Edges& edges,
 }  // namespace
 
 Json fieldEdgeCorners(const Request& request) {
-  ViewMaker maker({}, request.seed + 1);
+  ViewParams params;
+  params.unlike = cli::paramsOf(request.unlike);
+  ViewMaker maker(params, request.seed + 1);
   const auto state = std::make_unique<vision::VisionState>();
   const int wanted = std::max(1, request.trials / 5);
   Tally tally;

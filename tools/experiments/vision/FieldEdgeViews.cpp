@@ -39,12 +39,11 @@ bool allWithin(const Values& errors) {
 
 // Lowest point of a ball that lies there, as the true camera of its column shows it.
 std::optional<PixelPoint> ballFoot(const View& view, Point2<Field> place) {
-  const Point2<Robot> ground = robotFromField(view.pose, place);
-  const auto centre = body::project(view.camera, {ground.x, ground.y, body::kBallRadius});
+  const auto centre = sim::pixelIn(view.eye, {place.x, place.y, body::kBallRadius});
   if (!centre || centre->x < 0.0 || centre->x >= kImageWidth) return std::nullopt;
-  const Point3<Robot> eye = view.camera.position;
-  const double range = maths::hypot(maths::hypot(ground.x - eye.x, ground.y - eye.y), eye.z);
-  const PixelPoint foot{centre->x, centre->y + body::kFocalLength * body::kBallRadius / range};
+  const sim::FieldPoint3 eye = view.eye.position;
+  const double range = maths::hypot(maths::hypot(place.x - eye.x, place.y - eye.y), eye.z);
+  const PixelPoint foot{centre->x, centre->y + view.eye.lens.focal * body::kBallRadius / range};
   if (centre->y < 0.0 || centre->y >= kImageHeight) return std::nullopt;
   return foot;
 }

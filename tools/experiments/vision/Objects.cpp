@@ -266,7 +266,8 @@ Expected<Json> objects(const Request& request) {
 
 const Registration kObjects("objects",
                             "rendered views: recall, false percepts, errors by object and distance",
-                            {Option::trials, Option::seed, Option::pictures}, 6000, objects);
+                            {Option::trials, Option::seed, Option::unlike, Option::pictures}, 6000,
+                            objects);
 
 }  // namespace
 }  // namespace kelpie::experiments

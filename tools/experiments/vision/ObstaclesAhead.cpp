@@ -21,8 +21,9 @@ bool inBox(Point2<Robot> p) {
   return p.x >= -kBoxHalfWidth && p.x <= kBoxHalfWidth && p.y > 0.0 && p.y <= kBoxLength;
 }
 
-bool inImage(const CameraPose& camera, Point2<Robot> p) {
-  const auto pixel = body::project(camera, {p.x, p.y, 0.0});
+bool inImage(const View& view, Point2<Robot> p) {
+  const Point2<Field> there = fieldFromRobot(view.pose, p);
+  const auto pixel = sim::pixelIn(view.eye, {there.x, there.y, 0.0});
   return pixel && pixel->x > 0.0 && pixel->x < kImageWidth && pixel->y > 0.0 &&
          pixel->y < kImageHeight;
 }
@@ -75,7 +76,7 @@ Expected<Json> obstaclesAhead(const Request& request) {
   int empties = 0;
   eachView({}, request, [&](const View& view) {
     const Presence there = presence(view);
-    if (!inImage(view.camera, {0.0, kBoxMiddle}) || there == Presence::part) return;
+    if (!inImage(view, {0.0, kBoxMiddle}) || there == Presence::part) return;
     const bool robot = there == Presence::robot;
     ++(robot ? robots : empties);
     dark.add(countAhead(view.input, false, *state), robot);
@@ -90,7 +91,7 @@ Expected<Json> obstaclesAhead(const Request& request) {
 
 const Registration kObstaclesAhead(
     "obstacles-ahead", "dark pixels in the box ahead: hits and false alarms by threshold",
-    {Option::trials, Option::seed}, 3000, obstaclesAhead);
+    {Option::trials, Option::seed, Option::unlike}, 3000, obstaclesAhead);
 
 }  // namespace
 }  // namespace kelpie::experiments

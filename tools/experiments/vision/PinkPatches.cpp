@@ -22,8 +22,8 @@ constexpr double kMaxDistance = 250.0;
 constexpr double kBorder = 6.0;  // px from the image border to the sheet
 constexpr double kGate = 4.0;    // deg
 
-bool insideImage(const CameraPose& camera, Point3<Robot> point) {
-  const auto pixel = body::project(camera, point);
+bool insideImage(const View& view, Point2<Field> place, double height) {
+  const auto pixel = sim::pixelIn(view.eye, {place.x, place.y, height});
   return pixel && pixel->x > kBorder && pixel->x < kImageWidth - kBorder && pixel->y > kBorder &&
          pixel->y < kImageHeight - kBorder;
 }
@@ -37,9 +37,7 @@ std::optional<Point2<Robot>> placeInView(const View& view, const body::FieldDesc
     if (!place || place->norm() < kMinDistance || place->norm() > kMaxDistance) continue;
     const Point2<Field> on = fieldFromRobot(view.pose, *place);
     if (on.x < 0.0 || on.y < 0.0 || on.x > field.width || on.y > field.length) continue;
-    if (insideImage(view.camera, {place->x, place->y, 0.0}) &&
-        insideImage(view.camera, {place->x, place->y, kHeight}))
-      return place;
+    if (insideImage(view, on, 0.0) && insideImage(view, on, kHeight)) return place;
   }
   return std::nullopt;
 }
@@ -108,7 +106,7 @@ Expected<Json> pinkPatches(const Request& request) {
 
 const Registration kPinkPatches("pink-patches",
                                 "pink sheets on the carpet: recall, errors, false ones",
-                                {Option::trials, Option::seed}, 400, pinkPatches);
+                                {Option::trials, Option::seed, Option::unlike}, 400, pinkPatches);
 
 }  // namespace
 }  // namespace kelpie::experiments

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "robot/body/Camera.h"
+#include "robot/core/FieldCheck.h"
+#include "tools/sim/Unlike.h"
+#include "tools/sim/World.h"
+
+namespace kelpie::sim {
+namespace {
+
+UnlikeRobot drawnWith(const std::vector<std::string>& only, std::uint64_t match = 5) {
+  return drawUnlikeRobot(unlikeParams(3, only), match, 0);
+}
+
+bool same(const UnlikeRobot& a, const UnlikeRobot& b) { return !firstDifference(a, b, nullptr); }
+
+TEST(Unlike, TheLikeWorldHasNoDifference) {
+  EXPECT_TRUE(same(drawUnlikeRobot({}, 5, 0), {}));
+  EXPECT_TRUE(drawUnlikeRobot({}, 5, 0).body.lean.level());
+}
+
+TEST(Unlike, EveryKindAloneIsAPartOfTheWhole) {
+  for (const std::string& kind : unlikeKinds()) {
+    bool differs = false;
+    for (std::uint64_t match = 5; match < 13; ++match)
+      differs = differs || !same(drawnWith({kind}, match), {});
+    EXPECT_TRUE(differs) << kind;
+  }
+  UnlikeRobot lens;
+  lens.lens = drawnWith({}).lens;
+  EXPECT_TRUE(same(drawnWith({"lens"}), lens));
+}
+
+TEST(Unlike, EveryMatchAndRobotIsDrawnAnewAndRepeats) {
+  EXPECT_TRUE(same(drawnWith({}), drawnWith({})));
+  EXPECT_FALSE(same(drawnWith({}), drawnWith({}, 6)));
+  EXPECT_FALSE(same(drawnWith({}), drawUnlikeRobot(unlikeParams(3, {}), 5, 1)));
+  EXPECT_FALSE(same(drawnWith({}), drawUnlikeRobot(unlikeParams(4, {}), 5, 0)));
+}
+
+TEST(Unlike, LeansHaveTheirSpread) {
+  double tilt2 = 0.0;
+  double roll2 = 0.0;
+  constexpr int kMatches = 2000;
+  for (std::uint64_t match = 0; match < kMatches; ++match) {
+    const Lean lean = drawnWith({"body"}, match).body.lean;
+    tilt2 += maths::square(lean.tilt.deg()) / kMatches;
+    roll2 += maths::square(lean.roll.deg()) / kMatches;
+  }
+  EXPECT_NEAR(std::sqrt(tilt2), 1.5, 0.1);
+  EXPECT_NEAR(std::sqrt(roll2), 1.5, 0.1);
+}
+
+BodyPlace looking() {
+  BodyPlace place;
+  place.stance = {10.0, Angle::deg(14.0)};
+  place.joints[Joint::neckTilt] = Angle::deg(-10.0);
+  place.joints[Joint::headPan] = Angle::deg(30.0);
+  return place;
+}
+
+TEST(Lean, TiltTurnsTheCameraAsTheStanceWould) {
+  BodyPlace place = looking();
+  place.lean.tilt = Angle::deg(2.0);
+  const CameraPose leaned = trueCamera(place);
+  const CameraPose stance = body::cameraPose(place.joints, {10.0, Angle::deg(16.0)});
+  for (std::size_t i = 0; i < 9; ++i) EXPECT_NEAR(leaned.axes[i], stance.axes[i], 1e-9);
+  EXPECT_NEAR(leaned.position.z, stance.position.z, 0.05);
+}
+
+TEST(Lean, RollLiftsTheLeftSide) {
+  BodyPlace place = looking();
+  place.lean.roll = Angle::deg(2.0);
+  EXPECT_NEAR(leanedVector(place.lean, {-1.0, 0.0, 0.0}).z, std::sin(2.0 * maths::kPi / 180), 1e-9);
+  // A camera that looks to the left looks up by it.
+  place.joints = {};
+  place.stance.bodyTilt = Angle();
+  place.joints[Joint::headPan] = Angle::deg(90.0);
+  EXPECT_NEAR(trueCamera(place).axes[8], std::sin(2.0 * maths::kPi / 180), 1e-9);
+}
+
+JointAngles tiltedBy(double deg) {
+  JointAngles joints;
+  joints[Joint::neckTilt] = joints[Joint::headPan] = Angle::deg(deg);
+  return joints;
+}
+
+TEST(Backlash, TheHeadStaysBehindByHalfThePlay) {
+  Backlash neck({Angle::deg(2.0), Angle::deg(3.0), Angle()});
+  double angle = 0.0;
+  for (int i = 0; i < 100; ++i) neck.step(tiltedBy(angle += 0.4));
+  EXPECT_NEAR(neck.step(tiltedBy(angle))[Joint::headPan].deg(), angle - 1.5, 1e-9);
+  for (int i = 0; i < 100; ++i) neck.step(tiltedBy(angle -= 0.4));
+  const JointAngles after = neck.step(tiltedBy(angle -= 0.4));
+  EXPECT_NEAR(after[Joint::headPan].deg(), angle + 1.5, 1e-9);
+  EXPECT_NEAR(after[Joint::neckTilt].deg(), angle + 1.0, 1e-9);
+}
+
+TEST(Backlash, AHeadThatRestsHangsForwardAndItsPanStays) {
+  Backlash neck({Angle::deg(2.0), Angle::deg(3.0), Angle::deg(1.0)});
+  JointAngles head;
+  for (int i = 0; i < 100; ++i) head = neck.step(tiltedBy(-20.0));
+  EXPECT_NEAR(head[Joint::neckTilt].deg(), -21.0, 1e-9);
+  EXPECT_NEAR(head[Joint::headPan].deg(), -20.0, 1e-9);
+  EXPECT_NEAR(head[Joint::headNod].deg(), -0.5, 1e-9);
+}
+
+World worldWith(const UnlikeParams& unlike) {
+  const body::FieldDescription field = *body::fieldDescription("2006");
+  WorldParams params;
+  params.unlike = unlike;
+  World world(params, field, *scenario("empty-goal", field, {{TeamColour::red, 1}}, 3), 3);
+  for (int i = 0; i < 40; ++i) {
+    world.robot(0).twist(Angle::deg(0.5));
+    world.tick();
+  }
+  return world;
+}
+
+// That kind alone, with the share of robots that have it, or the shortest of it, at its end.
+UnlikeParams certain(const char* kind) {
+  UnlikeParams params = unlikeParams(1, {kind});
+  params.globalShutter = params.lagging = 1.0;
+  return params;
+}
+
+TEST(Unlike, ALateImageIsThatOfTheFrameBefore) {
+  const World like = worldWith({});
+  const World late = worldWith(certain("lag"));
+  const TimeUs end = like.time();
+  const auto stale = late.cameras(0, end);
+  const auto before = like.cameras(0, {end.us - 33333});
+  for (const std::size_t x : {0, 100, 207}) {
+    EXPECT_NEAR(stale[x].forward.x, before[x].forward.x, 1e-6);
+    EXPECT_NEAR(stale[x].position.x, before[x].position.x, 1e-4);
+  }
+}
+
+TEST(Unlike, AGlobalShutterExposesAllColumnsInTheMiddle) {
+  const World like = worldWith({});
+  const World global = worldWith(certain("shutter"));
+  const auto columns = global.cameras(0, global.time());
+  EXPECT_EQ(columns[0].forward.x, columns[207].forward.x);
+  EXPECT_NE(like.cameras(0, like.time())[0].forward.x, like.cameras(0, like.time())[207].forward.x);
+}
+
+TEST(Unlike, AWorldWithItsLensShowsPointsWhereTheLensHasThem) {
+  const World world = worldWith(unlikeParams(1, {"lens"}));
+  const FieldCamera camera = world.cameras(0, world.time())[104];
+  ASSERT_NE(camera.lens.focal, Lens{}.focal);
+  Scene scene;
+  scene.ceiling = scene.floor = {0, 128, 128};
+  const FieldPoint3 f = camera.forward;
+  const FieldPoint3 r = camera.right;
+  const FieldPoint3 ball{camera.position.x + 100 * f.x + 40 * r.x,
+                         camera.position.y + 100 * f.y + 40 * r.y,
+                         camera.position.z + 100 * f.z + 40 * r.z};
+  scene.balls.push_back({ball, 0.8, {200, 128, 128}});
+  ColumnCameras columns;
+  columns.fill(camera);
+  Random random(1);
+  const auto image = std::make_unique<Image>();
+  Camera(idealCamera(), {}).render(scene, columns, random, *image);
+  const PixelPoint there = *pixelIn(camera, ball);
+  EXPECT_NEAR(there.x, 104.0 + 0.4 * camera.lens.focal, 1e-6);
+  EXPECT_GT(image->pixel(static_cast<int>(there.x), static_cast<int>(there.y)).y, 100);
+}
+
+TEST(Unlike, TheAccelerometerFeelsTheLeanAndItsBias) {
+  BodyFaults faults;
+  faults.lean = {Angle::deg(1.0), Angle::deg(2.0)};
+  faults.accelerationBias = {3.0, 4.0, 5.0};
+  const auto felt = accelerationAtRest({10.0, Angle::deg(14.0)}, faults);
+  EXPECT_NEAR(felt[0],
+              -981.0 * std::sin(15 * maths::kPi / 180) * std::cos(2 * maths::kPi / 180) + 3, 1e-6);
+  EXPECT_NEAR(felt[1], 981.0 * std::sin(2 * maths::kPi / 180) + 4, 1e-6);
+}
+
+}  // namespace
+}  // namespace kelpie::sim
