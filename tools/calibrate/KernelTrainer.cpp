@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace kelpie::calibrate {
 namespace {
@@ -10,187 +11,164 @@ namespace {
 using vision::ColourClass;
 using vision::kColourClassCount;
 
-constexpr double kNarrowest = 0.5;  // of an adapted width, in plain widths
-constexpr double kWidest = 2.5;
-constexpr std::size_t kFolds = 4;
-// Share of pixels by which another kernel must beat the default; less is the folds' noise.
-constexpr double kClearly = 0.01;
+constexpr double kMomentum = 0.9;  // share of a round's change that the next one keeps
 
-struct Axis {
-  int bits = 0;
-  int cells() const { return 1 << bits; }
-  int cellOf(int value) const { return value >> (8 - bits); }
-  double centreOf(int cell) const {
-    const double size = 1 << (8 - bits);
-    return (cell + 0.5) * size - 0.5;
-  }
+struct Near {
+  std::size_t cell = 0;
+  double weight = 0.0;
 };
 
-// One axis of a bump: weights of the cells first, first + 1, ...
-struct Profile {
-  int first = 0;
-  std::vector<double> weight;
+// A cell of the table that has labels, while its bump's heights are fitted.
+struct Cell {
+  ColourPlace at{};
+  ClassScores labelled{};  // weights of its labels
+  double weight = 0.0;     // of all of them
+  double step = 0.0;
+  std::vector<Near> near;
+  ClassScores height{};
+  ClassScores change{};  // of the height in the last round
+  ClassScores score{};
 };
 
-Profile profileOf(const Axis& axis, double value, double width, double reach) {
-  Profile profile;
-  const double size = 1 << (8 - axis.bits);
-  const int low = static_cast<int>(std::floor((value - reach * width) / size));
-  const int high = static_cast<int>(std::floor((value + reach * width) / size));
-  profile.first = std::max(0, low);
-  for (int cell = profile.first; cell <= std::min(high, axis.cells() - 1); ++cell) {
-    const double away = (axis.centreOf(cell) - value) / width;
-    profile.weight.push_back(std::exp(-0.5 * away * away));
-  }
-  return profile;
+double middleOf(int value, int bits) {
+  const int size = 1 << (8 - bits);
+  return (value / size + 0.5) * size - 0.5;
 }
 
-struct Axes {
-  Axis y;
-  Axis cr;
-  Axis cb;
-  explicit Axes(const TableBits& bits) : y{bits.y}, cr{bits.cr}, cb{bits.cb} {}
-  std::size_t cells() const {
-    return static_cast<std::size_t>(y.cells()) * static_cast<std::size_t>(cr.cells()) *
-           static_cast<std::size_t>(cb.cells());
-  }
-  std::size_t at(int cellY, int cellCr, int cellCb) const {
-    return (static_cast<std::size_t>(cellY) << (cr.bits + cb.bits)) |
-           (static_cast<std::size_t>(cellCr) << cb.bits) | static_cast<std::size_t>(cellCb);
-  }
-  std::size_t at(Yuv p) const { return at(y.cellOf(p.y), cr.cellOf(p.cr), cb.cellOf(p.cb)); }
-};
-
-// Calls add(cell, weight) for the cells within reach of a pixel; `wide` multiplies its widths.
-template <class Add>
-void forBump(const Axes& axes, const KernelParams& params, Yuv p, double wide, Add&& add) {
-  const Profile y = profileOf(axes.y, p.y, wide * params.widthY, params.reach);
-  const Profile cr = profileOf(axes.cr, p.cr, wide * params.widthChroma, params.reach);
-  const Profile cb = profileOf(axes.cb, p.cb, wide * params.widthChroma, params.reach);
-  const double height = 1.0 / (wide * wide * wide);
-  const double rim = height * std::exp(-0.5 * params.reach * params.reach);
-  for (std::size_t i = 0; i < y.weight.size(); ++i)
-    for (std::size_t j = 0; j < cr.weight.size(); ++j) {
-      const std::size_t first =
-          axes.at(y.first + static_cast<int>(i), cr.first + static_cast<int>(j), cb.first);
-      const double outer = height * y.weight[i] * cr.weight[j];
-      for (std::size_t k = 0; k < cb.weight.size(); ++k)
-        if (outer * cb.weight[k] >= rim) add(first + k, outer * cb.weight[k]);
-    }
+ColourPlace placeOf(Yuv p, const TableBits& bits) {
+  return {middleOf(p.y, bits.y), middleOf(p.cr, bits.cr), middleOf(p.cb, bits.cb)};
 }
 
-// The density of all pixels together, at each one's own colour. Its cells are two levels wide: in
-// the table's own cells the widths would follow the table's steps.
-std::vector<double> densityAtPixels(const LabelledPixels& pixels, const KernelParams& params) {
-  const Axes fine({7, 7, 7});
-  std::vector<double> density(fine.cells(), 0.0);
-  for (const auto& p : pixels)
-    forBump(fine, params, p.value, 1.0,
-            [&](std::size_t cell, double weight) { density[cell] += weight; });
-  std::vector<double> out;
-  for (const auto& p : pixels) out.push_back(density[fine.at(p.value)]);
+double squaredDistance(const ColourPlace& a, const ColourPlace& b) {
+  return maths::square(a[0] - b[0]) + maths::square(a[1] - b[1]) + maths::square(a[2] - b[2]);
+}
+
+double bumpWeight(double squaredLevels, const KernelParams& params) {
+  const double squares = squaredLevels / maths::square(params.width);
+  return squares > maths::square(params.reach) ? 0.0 : std::exp(-0.5 * squares);
+}
+
+void addScores(ClassScores& sum, double weight, const ClassScores& heights) {
+  for (std::size_t c = 0; c < kColourClassCount; ++c) sum[c] += weight * heights[c];
+}
+
+// What one label of each class counts, 1 on the mean of all labels; 0 where there is none.
+ClassScores classWeights(const LabelledPixels& pixels, const KernelParams& params) {
+  ClassScores counts{};
+  for (const auto& p : pixels) counts[vision::index(p.colour)] += 1.0;
+  ClassScores weights{};
+  double sum = 0.0;
+  for (std::size_t c = 0; c < kColourClassCount; ++c) {
+    if (counts[c] == 0.0) continue;
+    weights[c] = std::pow(counts[c], params.balance);
+    if (c == vision::index(ColourClass::orange)) weights[c] *= params.ballCost;
+    sum += counts[c] * weights[c];
+  }
+  for (double& w : weights) w *= static_cast<double>(pixels.size()) / sum;
+  return weights;
+}
+
+std::vector<Cell> labelledCells(const LabelledPixels& pixels, const ClassScores& weights,
+                                const TableBits& bits) {
+  std::map<ColourPlace, Cell> cells;
+  for (const auto& p : pixels) {
+    const auto at = placeOf(p.value, bits);
+    Cell& cell = cells[at];
+    cell.at = at;
+    cell.labelled[vision::index(p.colour)] += weights[vision::index(p.colour)];
+    cell.weight += weights[vision::index(p.colour)];
+  }
+  std::vector<Cell> out;
+  for (auto& entry : cells) out.push_back(entry.second);
   return out;
 }
 
-// Abramson: width in proportion to density^-adapts, 1 in the geometric mean.
-std::vector<double> adaptedWidths(const LabelledPixels& pixels, const KernelParams& params) {
-  auto widths = densityAtPixels(pixels, params);
-  double logs = 0.0;
-  for (const double density : widths) logs += std::log(density);
-  const double mean = std::exp(logs / static_cast<double>(widths.size()));
-  for (double& width : widths)
-    width = maths::clamp(std::pow(width / mean, -params.adapts), kNarrowest, kWidest);
-  return widths;
-}
-
-using Densities = std::array<std::vector<double>, kColourClassCount>;
-
-Densities densitiesOf(const LabelledPixels& pixels, const Axes& axes, const KernelParams& params) {
-  Densities densities;
-  const auto widths = adaptedWidths(pixels, params);
-  for (std::size_t i = 0; i < pixels.size(); ++i) {
-    auto& own = densities[vision::index(pixels[i].colour)];
-    own.resize(axes.cells(), 0.0);
-    forBump(axes, params, pixels[i].value, widths[i],
-            [&](std::size_t cell, double weight) { own[cell] += weight; });
-  }
-  return densities;
-}
-
-std::array<double, kColourClassCount> classFactors(const LabelledPixels& pixels, double balance) {
-  std::array<double, kColourClassCount> factors{};
-  for (const auto& p : pixels) factors[vision::index(p.colour)] += 1.0;
-  for (double& f : factors) f = f > 0.0 ? std::pow(f, balance) : 0.0;
-  return factors;
-}
-
-GridTable highest(const Densities& densities, const TableBits& bits,
-                  const std::array<double, kColourClassCount>& factors) {
-  GridTable table{bits, std::vector<ColourClass>(Axes(bits).cells(), ColourClass::none)};
-  std::vector<double> most(table.cells.size(), 0.0);
-  for (std::size_t c = 0; c < kColourClassCount; ++c)
-    for (std::size_t cell = 0; cell < densities[c].size(); ++cell) {
-      const double score = factors[c] * densities[c][cell];
-      if (score <= most[cell]) continue;
-      most[cell] = score;
-      table.cells[cell] = static_cast<ColourClass>(c);
+// A step divided by the sum of its cell's row converges however unevenly the labels lie.
+void findNear(std::vector<Cell>& cells, const KernelParams& params) {
+  for (Cell& cell : cells) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      const double weight = bumpWeight(squaredDistance(cell.at, cells[i].at), params);
+      if (weight == 0.0) continue;
+      cell.near.push_back({i, weight});
+      sum += weight;
     }
-  return table;
-}
-
-// Every kFolds-th pixel; the caller has mixed them.
-Split foldOf(const LabelledPixels& pixels, std::size_t fold) {
-  Split split;
-  for (std::size_t i = 0; i < pixels.size(); ++i)
-    (i % kFolds == fold ? split.heldOut : split.training).push_back(pixels[i]);
-  return split;
-}
-
-// Pixels that are right over all folds.
-double rightWith(const std::vector<Split>& folds, const KernelParams& params,
-                 const TableBits& bits) {
-  double right = 0.0;
-  for (const Split& fold : folds) {
-    const auto table = trainTable(fold.training, params, bits);
-    for (const auto& p : fold.heldOut) right += table(p.value) == p.colour ? 1.0 : 0.0;
+    cell.step = 1.0 / (cell.weight * sum + params.penalty);
   }
-  return right;
+}
+
+// Scores to probabilities, of the classes that have labels.
+ClassScores probabilities(const ClassScores& scores, const ClassScores& weights) {
+  const double most = *std::max_element(scores.begin(), scores.end());
+  ClassScores out{};
+  double sum = 0.0;
+  for (std::size_t c = 0; c < kColourClassCount; ++c) {
+    if (weights[c] > 0.0) out[c] = std::exp(scores[c] - most);
+    sum += out[c];
+  }
+  for (double& p : out) p /= sum;
+  return out;
+}
+
+void improve(std::vector<Cell>& cells, const ClassScores& weights, const KernelParams& params) {
+  for (Cell& cell : cells) {
+    cell.score = {};
+    for (const Near& near : cell.near) addScores(cell.score, near.weight, cells[near.cell].height);
+  }
+  for (Cell& cell : cells) {
+    const auto likely = probabilities(cell.score, weights);
+    for (std::size_t c = 0; c < kColourClassCount; ++c) {
+      const double slope =
+          cell.labelled[c] - cell.weight * likely[c] - params.penalty * cell.height[c];
+      cell.change[c] = kMomentum * cell.change[c] + cell.step * slope;
+      cell.height[c] += cell.change[c];
+    }
+  }
+}
+
+// Of the classes that have labels.
+ColourClass highest(const ClassScores& scores, const ClassScores& weights) {
+  std::size_t best = 0;
+  for (std::size_t c = 0; c < kColourClassCount; ++c)
+    if (weights[c] > 0.0 && (weights[best] == 0.0 || scores[c] > scores[best])) best = c;
+  return static_cast<ColourClass>(best);
 }
 
 }  // namespace
 
-std::size_t GridTable::cellOf(Yuv p) const { return Axes(bits).at(p); }
-
-GridTable trainTable(const LabelledPixels& pixels, const KernelParams& params,
-                     const TableBits& bits) {
-  return highest(densitiesOf(pixels, Axes(bits), params), bits,
-                 classFactors(pixels, params.balance));
+ColourClass TrainedClasses::operator()(Yuv p) const {
+  const auto at = placeOf(p, bits);
+  ClassScores scores{};
+  bool labelNear = false;
+  for (const ClassBump& bump : bumps) {
+    const double squares = squaredDistance(at, bump.at);
+    labelNear = labelNear || squares <= maths::square(params.noneBeyond);
+    const double weight = bumpWeight(squares, params);
+    if (weight > 0.0) addScores(scores, weight, bump.height);
+  }
+  return labelNear ? highest(scores, weights) : ColourClass::none;
 }
 
-KernelParams chooseKernel(const LabelledPixels& pixels, const TableBits& bits, Random& random) {
-  const auto mixed = splitLabelled(pixels, 0.0, random).training;
-  std::vector<Split> folds;
-  for (std::size_t fold = 0; fold < kFolds; ++fold) folds.push_back(foldOf(mixed, fold));
-  KernelParams best;
-  double most = rightWith(folds, best, bits) + kClearly * static_cast<double>(pixels.size());
-  for (const double chroma : {2.5, 4.0, 6.0})
-    for (const double ratio : {1.0, 1.5}) {
-      KernelParams tried;
-      tried.widthChroma = chroma;
-      tried.widthY = ratio * chroma;
-      const double right = rightWith(folds, tried, bits);
-      if (right <= most) continue;
-      most = right;
-      best = tried;
-    }
-  return best;
+TrainedClasses trainClasses(const LabelledPixels& pixels, const KernelParams& params,
+                            const TableBits& bits) {
+  TrainedClasses trained{bits, params, classWeights(pixels, params), {}};
+  auto cells = labelledCells(pixels, trained.weights, bits);
+  findNear(cells, params);
+  for (int round = 0; round < params.rounds; ++round) improve(cells, trained.weights, params);
+  for (const Cell& cell : cells) trained.bumps.push_back({cell.at, cell.height});
+  return trained;
 }
 
-vision::ColourTable robotTable(const GridTable& grid) {
+vision::ColourTable robotTable(const TrainedClasses& trained) {
   vision::ColourTable table;
   for (std::size_t cell = 0; cell < vision::ColourTable::kCells; ++cell)
-    table.set(cell, grid(vision::ColourTable::centreOf(cell)));
+    table.set(cell, trained(vision::ColourTable::centreOf(cell)));
   return table;
+}
+
+void addTo(Confusion& sum, const Confusion& more) {
+  for (std::size_t i = 0; i < kColourClassCount; ++i)
+    for (std::size_t j = 0; j < kColourClassCount; ++j) sum[i][j] += more[i][j];
 }
 
 double accuracyOf(const Confusion& confusion) {
@@ -202,6 +180,20 @@ double accuracyOf(const Confusion& confusion) {
       if (i == j) right += confusion[i][j];
     }
   return all > 0 ? static_cast<double>(right) / all : 0.0;
+}
+
+double recallOf(const Confusion& confusion, ColourClass c) {
+  const auto& row = confusion[vision::index(c)];
+  int all = 0;
+  for (const int count : row) all += count;
+  return all > 0 ? static_cast<double>(row[vision::index(c)]) / all : 0.0;
+}
+
+double precisionOf(const Confusion& confusion, ColourClass c) {
+  const std::size_t found = vision::index(c);
+  int all = 0;
+  for (const auto& row : confusion) all += row[found];
+  return all > 0 ? static_cast<double>(confusion[found][found]) / all : 0.0;
 }
 
 ColourClass nearestNeighbours(const LabelledPixels& pixels, Yuv value, std::size_t count) {

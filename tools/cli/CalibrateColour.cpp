@@ -82,7 +82,7 @@ void printConfusion(const calibrate::Confusion& confusion) {
   }
 }
 
-// Judges on a part held out, then trains on everything with the kernel chosen.
+// Judges on a part held out, then trains on everything.
 Expected<vision::ColourTable> train(const ColourOptions& options, std::string& provenance) {
   const auto pixels = readLabels(options);
   if (!pixels) return Error{pixels.error()};
@@ -92,18 +92,18 @@ Expected<vision::ColourTable> train(const ColourOptions& options, std::string& p
     return Error{fmt::format("{}: {} labelled pixels, too few to hold some out to judge by",
                              options.input, pixels->size())};
   const calibrate::TableBits bits;
-  const auto kernel = calibrate::chooseKernel(split.training, bits, random);
-  const auto judged = trainTable(split.training, kernel, bits);
+  const calibrate::KernelParams kernel;
+  const auto judged = trainClasses(split.training, kernel, bits);
   const auto confusion = confusionOf(judged, split.heldOut);
   printConfusion(confusion);
   const auto summary = fmt::format(
-      "{} labelled pixels; widths {:.1f} Y, {:.1f} chroma, balance {:.2f}; {:.3f} of "
+      "{} labelled pixels; bumps {:.0f} levels wide, ball {:.1f}, balance {:.2f}; {:.3f} of "
       "{} held out are right",
-      pixels->size(), kernel.widthY, kernel.widthChroma, kernel.balance,
+      pixels->size(), kernel.width, kernel.ballCost, kernel.balance,
       calibrate::accuracyOf(confusion), split.heldOut.size());
   fmt::print("{}\n", summary);
   provenance += "; " + summary;
-  return robotTable(trainTable(*pixels, kernel, bits));
+  return robotTable(trainClasses(*pixels, kernel, bits));
 }
 
 Expected<vision::ColourTable> makeTable(const ColourOptions& options, std::string& provenance) {
