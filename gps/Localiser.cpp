@@ -14,7 +14,7 @@ void prepare(const GpsParams& params, GpsState& state) {
 }
 
 WorldModel believe(const GpsIn& in, const Step& moved, const GpsParams& params, GpsState& state) {
-  stepBall({in.input, in.percepts.ball, moved}, params.ball, state.ball.track, state.counts);
+  stepBall({in.input, in.percepts.ball, moved}, params.ball, state.ball, state.counts);
   applyReferee(in.input.game, params.field, params.ball, state.pose, state.ball);
   WorldModel world = extract(state, params.ball);
   stepPlayers(in, {params.field, params.players, params.ball}, state.players, state.counts, world);

@@ -12,12 +12,15 @@
 namespace kelpie::gps {
 namespace {
 
-constexpr double kImageMargin = 12.0;     // px; a ball cut by the image border may be missed
-constexpr double kCandidateReach = 15.0;  // cm between two sightings of a new ball, and
-constexpr double kCandidateShare = 0.1;   // of its distance more
-constexpr double kCandidateTime = 0.35;   // s between them
-constexpr double kStillWeight = 0.5;      // of a new ball: lying or rolling
-constexpr double kCutSd = 4.0;            // cm, of a ball that the image border cuts
+constexpr double kImageMargin = 12.0;      // px; a ball cut by the image border may be missed
+constexpr double kCandidateReach = 15.0;   // cm between two sightings of a new ball, and
+constexpr double kCandidateShare = 0.1;    // of its distance more
+constexpr double kCandidateTime = 0.35;    // s between them
+constexpr double kStillWeight = 0.5;       // of a new ball: lying or rolling
+constexpr double kPlainGate = 2.0;         // standard deviations, of a sighting as expected
+constexpr double kMinGatingWeight = 0.1;   // of a model that one sighting alone may confirm
+constexpr double kMinKickedWeight = 1e-3;  // the same when we have kicked
+constexpr double kCutSd = 4.0;             // cm, of a ball that the image border cuts
 // Where no ball can be: the trunk and what is between the paws, in the robot frame.
 constexpr double kBodyFront = 5.5;
 constexpr double kBodyBack = -18.0;
@@ -53,42 +56,71 @@ void seenNow(BallTrack& ball) {
 }
 
 // A kick or a bounce explains it: the ball is where a new velocity would have taken it.
-bool jumped(const BallSighting& z, double elapsed, const BallFilterParams& params,
-            BallTrack& ball) {
+bool jumps(const BallSighting& z, double elapsed, const BallFilterParams& params, BallTrack& ball) {
   BallTrack other = ball;
   jumpModels(elapsed, params, other);
-  if (!correctModels(z, params.gate, other)) return false;
+  if (!correctModels(z, params.gate, kMinGatingWeight, other)) return false;
   ball = other;
+  return true;
+}
+
+// A lying ball seldom begins to roll, and a rolling one seldom bounces: one sighting that says so
+// is as likely a false one, and taking it back needs another. After an own kick it is expected.
+bool fits(const BallSighting& z, double elapsed, const BallFilterParams& params, BallTrack& ball) {
+  if (ball.secondsSinceKick > params.kickSeconds)
+    return correctModels(z, params.gate, kMinGatingWeight, ball);
+  return correctModels(z, params.gate, kMinKickedWeight, ball) || jumps(z, elapsed, params, ball);
+}
+
+// The second sighting after a jump.
+bool confirmsJump(const BallSighting& z, const BallFilterParams& params, BallState& state) {
+  if (!state.jumped.present || !correctModels(z, params.gate, kMinGatingWeight, state.jumped))
+    return false;
+  state.track = state.jumped;
   return true;
 }
 
 // A sighting that fits nothing known: the second one near the first begins a track. One alone may
 // be a shoe beyond the carpet.
-void consider(const BallSighting& z, double speedSd, BallTrack& ball) {
+bool begins(const BallSighting& z, double speedSd, BallTrack& ball) {
   const double apart =
       maths::hypot(z.position(0) - ball.candidate[0], z.position(1) - ball.candidate[1]);
   const double reach = kCandidateReach + kCandidateShare * z.position.norm();
   if (ball.candidatePresent && ball.candidateAge < kCandidateTime && apart < reach) {
     beginModels(z, speedSd, kStillWeight, ball);
-    seenNow(ball);
-    return;
+    return true;
   }
   ball.candidatePresent = true;
   ball.candidateAge = 0.0;
   ball.candidate = {z.position(0), z.position(1)};
+  return false;
 }
 
-void see(const BallIn& in, const BallFilterParams& params, BallTrack& ball, GpsCounts& counts) {
-  const BallSighting z = sighting(in.percept, params);
-  const double gate = ball.rolling.weight > 0.5 ? params.bounceGate : params.gate;
-  if (!ball.present) {
-    consider(z, params.startSpeedSd, ball);
-  } else if (correctModels(z, gate, ball) || jumped(z, elapsedOf(in.input), params, ball)) {
-    seenNow(ball);
-  } else {
-    count(Refusal::ballOutsideGate, counts);
-    consider(z, params.kickSpeedSd, ball);
+// A sighting that hardly fits, or does not, may be the first after a jump.
+void supposeJump(const BallSighting& z, double elapsed, const BallFilterParams& params,
+                 const BallTrack& before, BallTrack& jumped) {
+  jumped = before;
+  if (correctModels(z, kPlainGate, kMinGatingWeight, jumped)) {
+    jumped.present = false;
+    return;
   }
+  jumped.present = jumps(z, elapsed, params, jumped);
+  jumped.candidateAge = 0.0;
+}
+
+void see(const BallIn& in, const BallFilterParams& params, BallState& state, GpsCounts& counts) {
+  const BallSighting z = sighting(in.percept, params);
+  const double elapsed = elapsedOf(in.input);
+  BallTrack& ball = state.track;
+  const BallTrack before = ball;
+  const bool fitting = ball.present && fits(z, elapsed, params, ball);
+  const double speedSd = ball.present ? params.kickSpeedSd : params.startSpeedSd;
+  const bool begun = !fitting && (confirmsJump(z, params, state) || begins(z, speedSd, ball));
+  if (fitting || begun) seenNow(ball);
+  state.jumped.present = false;
+  if (begun || !before.present) return;
+  if (!fitting) count(Refusal::ballOutsideGate, counts);
+  supposeJump(z, elapsed, params, before, state.jumped);
 }
 
 bool shouldBeSeen(const FrameInput& input, const BallTrack& ball, const BallFilterParams& params) {
@@ -112,6 +144,7 @@ void expectKick(const FrameInput& input, const BallFilterParams& params, BallTra
   const bool kicking = input.motion.running == MotionKind::kickForward;
   const double away = maths::hypot(ball.both.mean[0], ball.both.mean[1]);
   if (!kicking || away > params.kickReach) return;
+  ball.secondsSinceKick = 0.0;
   const double variance = maths::square(params.kickSpeedSd);
   for (const std::size_t diagonal : {std::size_t{10}, std::size_t{15}}) {
     ball.rolling.covariance[diagonal] = std::max(ball.rolling.covariance[diagonal], variance);
@@ -142,23 +175,27 @@ void checkSound(BallTrack& ball, GpsCounts& counts) {
 
 }  // namespace
 
-void stepBall(const BallIn& in, const BallFilterParams& params, BallTrack& ball,
+void stepBall(const BallIn& in, const BallFilterParams& params, BallState& state,
               GpsCounts& counts) {
+  BallTrack& ball = state.track;
   const double elapsed = elapsedOf(in.input);
-  ball.secondsSinceSeen += elapsed;
-  ball.candidateAge += elapsed;
-  if (ball.present) {
-    expectKick(in.input, params, ball);
-    predictModels(in.moved.odometry, in.moved.noise, elapsed, params, ball);
-    keepOutOfBody(ball);
+  if (ball.present) expectKick(in.input, params, ball);
+  for (BallTrack* one : {&ball, &state.jumped}) {
+    one->secondsSinceSeen += elapsed;
+    one->candidateAge += elapsed;
+    one->secondsSinceKick += elapsed;
+    if (!one->present) continue;
+    predictModels(in.moved.odometry, in.moved.noise, elapsed, params, *one);
+    keepOutOfBody(*one);
   }
   const bool good = in.percept.present && usable(in.percept);
   if (in.percept.present && !good) count(Refusal::ballNotFinite, counts);
   if (good) {
-    see(in, params, ball, counts);
+    see(in, params, state, counts);
   } else if (ball.present) {
     miss(in.input, params, ball);
   }
+  if (state.jumped.candidateAge > kCandidateTime) state.jumped.present = false;
   checkSound(ball, counts);
 }
 

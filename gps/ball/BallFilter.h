@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The ball over time: a Kalman filter of position and velocity in the robot frame. It needs no
-// pose, so a lost robot still knows its ball. A jump (kick, false ball) is believed at the second
-// sighting; an unseen ball is given up after a while, sooner when it should be in the image.
+// pose, so a lost robot still knows its ball. A jump (kick, bounce, false ball) is believed at the
+// second sighting, or at once after an own kick; an unseen ball is given up after a while, sooner
+// when it should be in the image.
 #pragma once
 
 #include "gps/ball/BallFilterParams.h"
@@ -18,6 +19,7 @@ struct BallIn {
   const Step& moved;  // by the robot
 };
 
-void stepBall(const BallIn& in, const BallFilterParams& params, BallTrack& ball, GpsCounts& counts);
+void stepBall(const BallIn& in, const BallFilterParams& params, BallState& state,
+              GpsCounts& counts);
 
 }  // namespace kelpie::gps

@@ -39,8 +39,8 @@ struct BallFilterParams {
   double startSpeedSd = 60.0;      // cm/s, of a ball just found
   double kickSpeedSd = 200.0;      // cm/s, of a near ball while we kick
   double kickReach = 40.0;         // cm
-  double gate = 4.0;               // standard deviations; a sighting outside waits for a second
-  double bounceGate = 3.0;         // the same for a rolling ball: beyond it, it bounced
+  double kickSeconds = 1.0;        // s after it in which a jump is believed at once
+  double gate = 3.0;               // standard deviations; a sighting outside waits for a second
   double keep = 5.0;               // s until an unseen ball is given up
   double missedReach = 100.0;      // cm; a ball in the image nearer than this must be seen
   std::uint32_t missedFrames = 5;  // so often in a row it may be missed
@@ -61,8 +61,9 @@ struct BallFilterParams {
         field("minSd", &B::minSd, "cm", 0.1, 100), field("maxShare", &B::maxShare, "", 0.001, 10),
         field("startSpeedSd", &B::startSpeedSd, "cm/s", 0, 1000),
         field("kickSpeedSd", &B::kickSpeedSd, "cm/s", 0, 1000),
-        field("kickReach", &B::kickReach, "cm", 0, 200), field("gate", &B::gate, "", 1, 100),
-        field("bounceGate", &B::bounceGate, "", 1, 100), field("keep", &B::keep, "s", 0.1, 100),
+        field("kickReach", &B::kickReach, "cm", 0, 200),
+        field("kickSeconds", &B::kickSeconds, "s", 0, 10), field("gate", &B::gate, "", 1, 100),
+        field("keep", &B::keep, "s", 0.1, 100),
         field("missedReach", &B::missedReach, "cm", 0, 1000),
         field("missedFrames", &B::missedFrames, "", 0, 1000),
         field("missedFactor", &B::missedFactor, "", 1, 100), field("dropIn", &B::dropIn));

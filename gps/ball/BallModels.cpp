@@ -8,9 +8,8 @@
 namespace kelpie::gps {
 namespace {
 
-constexpr double kMinWeight = 1e-6;        // neither model dies permanently
-constexpr double kMinGatingWeight = 1e-3;  // least weight of a model that may pass the gate
-constexpr double kJumpWeight = 0.9;        // of rolling, after a jump
+constexpr double kMinWeight = 1e-6;  // neither model dies permanently
+constexpr double kJumpWeight = 0.9;  // of rolling, after a jump
 
 struct Fit {
   Vector2 innovation;
@@ -128,11 +127,11 @@ void jumpModels(double elapsed, const BallFilterParams& params, BallTrack& ball)
   combineModels(ball);
 }
 
-bool correctModels(const BallSighting& z, double gate, BallTrack& ball) {
+bool correctModels(const BallSighting& z, double gate, double leastWeight, BallTrack& ball) {
   const Fit still = fitOf(ball.still, z);
   const Fit rolling = fitOf(ball.rolling, z);
-  const bool stillFits = ball.still.weight > kMinGatingWeight && still.squared <= gate * gate;
-  const bool rollingFits = ball.rolling.weight > kMinGatingWeight && rolling.squared <= gate * gate;
+  const bool stillFits = ball.still.weight > leastWeight && still.squared <= gate * gate;
+  const bool rollingFits = ball.rolling.weight > leastWeight && rolling.squared <= gate * gate;
   if (!stillFits && !rollingFits) return false;
   correct(z, still, ball.still);
   correct(z, rolling, ball.rolling);

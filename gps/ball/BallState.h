@@ -24,11 +24,15 @@ struct BallTrack {
   std::uint32_t missed = 0;            // frames in a row in which it should have been seen
   bool candidatePresent = false;       // a sighting that waits for a second one like it
   std::array<double, 2> candidate{};
-  double candidateAge = 0.0;  // s
+  double candidateAge = 0.0;      // s
+  double secondsSinceKick = 1e9;  // of our own at this ball
 };
 
 struct BallState {
   BallTrack track;
+  // What the track would be if the last sighting, which did not fit it, was of a kick or a bounce:
+  // a second hypothesis that the next sightings decide on.
+  BallTrack jumped;
   std::uint32_t goals = 0;  // of both teams, to notice a new one
 };
 

@@ -129,6 +129,68 @@ TEST_P(Kick, IsAJumpTakenWithinTwoSightings) {
 
 INSTANTIATE_TEST_SUITE_P(Ball, Kick, testing::Values(120.0, 160.0, 250.0));
 
+// Seen for two seconds while it rolls at this speed, then once this far aside of its way, then not
+// again for a second while the head looks elsewhere.
+WorldModel seenOnceAside(double speed, double aside, Watcher& watcher) {
+  watcher.ball = {120, 330};
+  for (int i = 0; i < 60; ++i) {
+    watcher.ball.x += speed * kFrameSeconds;
+    watcher.step(true);
+  }
+  watcher.ball.y += aside;
+  WorldModel world = watcher.step(true);
+  watcher.ball.y -= aside;
+  EXPECT_NEAR(world.ball.velocity.y, 0.0, 5.0);
+  watcher.robot.input.sensors.joints[Joint::headPan] = Angle::deg(90);
+  for (int i = 0; i < 30; ++i) world = watcher.step(false);
+  return world;
+}
+
+TEST(Jump, OfALyingBallSeenOnceAndThenNothingIsNotBelieved) {
+  for (const double aside : {10.0, 12.0, 20.0, -15.0}) {
+    Watcher watcher(180, 200);
+    const WorldModel world = seenOnceAside(0.0, aside, watcher);
+    EXPECT_NEAR(world.ball.position.x, 120.0, 1.0) << aside;
+    EXPECT_NEAR(world.ball.position.y, 330.0, 1.0) << aside;
+  }
+}
+
+TEST(Jump, OfARollingBallSeenOnceAndThenNothingIsNotBelieved) {
+  for (const double aside : {10.0, 20.0, -15.0}) {
+    Watcher watcher(180, 200);
+    const WorldModel world = seenOnceAside(30.0, aside, watcher);
+    EXPECT_NEAR(world.ball.position.y, 330.0, 4.0) << aside;
+  }
+}
+
+TEST(Jump, ThatTheNextSightingDoesNotConfirmIsForgotten) {
+  Watcher watcher(180, 200);
+  watcher.ball = {180, 260};
+  for (int i = 0; i < 60; ++i) watcher.step(true);
+  watcher.ball.x += 10.0;
+  watcher.step(true);
+  watcher.ball.x -= 10.0;
+  EXPECT_NEAR(watcher.step(true).ball.position.x, 180.0, 0.5);
+  watcher.ball.x += 12.0;  // nor does one like it later
+  const WorldModel world = watcher.step(true);
+  EXPECT_NEAR(world.ball.position.x, 180.0, 0.5);
+  EXPECT_LT(world.ball.velocity.norm(), 1.0);
+}
+
+TEST(Jump, AfterAnOwnKickIsBelievedAtOnce) {
+  for (const bool kicks : {false, true}) {
+    Watcher watcher(180, 200);
+    watcher.ball = {180, 215};
+    for (int i = 0; i < 60; ++i) watcher.step(true);
+    if (kicks) watcher.robot.input.motion.running = MotionKind::kickForward;
+    for (int i = 0; i < 3; ++i) watcher.step(false);
+    watcher.robot.input.motion.running = MotionKind::none;
+    watcher.step(false);
+    watcher.ball.y += 40.0;
+    EXPECT_NEAR(watcher.step(true).ball.position.y, kicks ? 255.0 : 215.0, 2.0);
+  }
+}
+
 TEST(Bounce, IsAJumpTakenWithinTwoSightings) {
   Watcher watcher(180, 150);
   watcher.ball = {120, 230};
