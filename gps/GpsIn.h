@@ -10,6 +10,7 @@ namespace kelpie::gps {
 struct GpsIn {
   const FrameInput& input;
   const Percepts& percepts;
+  const CameraPose& camera;  // from which the percepts were seen
 };
 
 }  // namespace kelpie::gps

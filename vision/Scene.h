@@ -26,6 +26,9 @@ struct Scene {
   const body::FieldDescription& field;
 };
 
+// px
+inline double focalLength(const Scene& scene) { return scene.body.camera.lens.focalLength; }
+
 inline double horizonRow(const Scene& scene, double x) {
   const Horizon& h = scene.body.horizon;
   return h.atLeft + (h.atRight - h.atLeft) * x / kImageWidth;

@@ -51,7 +51,7 @@ Percepts step(const VisionIn& in, const VisionParams& params, VisionState& state
   const HorizonFrame frame = horizonFrameOf(in.body.camera);
   const Horizon& horizon = in.body.horizon;
   const double middle = 0.5 * (horizon.atLeft + horizon.atRight);
-  const Lattice lattice(frame, frame.fromImage({body::kPrincipalX, middle}).v);
+  const Lattice lattice(frame, frame.fromImage({frame.lens.principalX, middle}).v);
   const auto found = findBlobs(sampler, lattice, state.runs, state.blobs);
   out.counts.sampledPixels = found.samples;
   out.counts.runs = static_cast<std::uint32_t>(state.runs.size());

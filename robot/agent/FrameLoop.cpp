@@ -21,7 +21,7 @@ void FrameLoop::sense(const FrameInput& input, StageObserver& observer) {
 
 void FrameLoop::decide(const FrameInput& input, StageObserver& observer) {
   observer.begin(Stage::gps);
-  output_.world = gps::step({input, output_.percepts}, config_.gps, gps_);
+  output_.world = gps::step({input, output_.percepts, output_.body.camera}, config_.gps, gps_);
   observer.end(Stage::gps);
 
   observer.begin(Stage::behaviour);

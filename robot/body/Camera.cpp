@@ -15,6 +15,11 @@ constexpr double kCameraDrop = 1.46;
 constexpr int kExposureRounds = 4;
 constexpr double kFarRow = 1e4;  // px; a horizon outside the image ends here
 
+double neckHeightOf(const Stance& stance) {
+  const maths::SinCos lean = maths::sinCos(stance.bodyTilt.rad());
+  return stance.shoulderHeight + kNeckAboveShoulder * lean.cos + kNeckBehindShoulder * lean.sin;
+}
+
 Point3<Robot> along(Point3<Robot> from, const Point3<Robot>& axis, double way) {
   return {from.x + axis.x * way, from.y + axis.y * way, from.z + axis.z * way};
 }
@@ -75,14 +80,68 @@ std::array<double, 3> turnOf(const FrameInput& input, const JointAngles& joints,
           nod * a[6] + pan * tilt.cos + body};
 }
 
+// The head's true joints by what is sensed.
+JointAngles headJoints(const FrameInput& input, const BodyParams& params) {
+  constexpr double kTurns = 0.3;  // rad/s; a neck as fast lies against the side behind it
+  JointAngles joints = input.sensors.joints;
+  const double lag = 0.5 * maths::clamp(input.headRate.neckTilt / kTurns, -1.0, 1.0);
+  Angle& tilt = joints[Joint::neckTilt];
+  tilt = Angle::rad((1.0 - params.neckGives) * tilt.rad() - lag * params.neckBacklash.rad()) +
+         params.neckTiltOffset;
+  joints[Joint::headPan] = joints[Joint::headPan] + params.headPanOffset;
+  joints[Joint::headNod] = joints[Joint::headNod] + params.headNodOffset;
+  return joints;
+}
+
+// Turns the image about its middle.
+void rollCamera(Angle roll, CameraPose& camera) {
+  auto& a = camera.axes;
+  for (std::size_t row = 0; row < 9; row += 3) {
+    const double x = a[row];
+    const double y = a[row + 1];
+    a[row] = roll.cos() * x + roll.sin() * y;
+    a[row + 1] = roll.cos() * y - roll.sin() * x;
+  }
+}
+
+CameraPose cameraOf(const CameraTilt& tilt, const JointAngles& joints, const Stance& stance,
+                    const BodyParams& params) {
+  CameraTilt lean = tilt;
+  lean.roll = lean.roll + params.bodyRollOffset;
+  CameraPose camera = leaning(cameraPose(joints, stance), stance, lean);
+  camera.lens = params.lens;
+  if (params.cameraRollOffset.rad() != 0.0) rollCamera(params.cameraRollOffset, camera);
+  return camera;
+}
+
 double clampedRow(double row) { return maths::clamp(row, -kFarRow, kFarRow); }
 
 }  // namespace
 
+CameraPose leaning(const CameraPose& camera, const Stance& stance, const CameraTilt& tilt) {
+  CameraPose result = camera;
+  result.tilt = tilt;
+  if (tilt.tilt.rad() == 0.0 && tilt.roll.rad() == 0.0) return result;
+  const maths::SinCos up = maths::sinCos(tilt.tilt.rad());
+  const maths::SinCos over = maths::sinCos(tilt.roll.rad());
+  const double neck = neckHeightOf(stance);
+  const auto turn = [&](double& x, double& y, double& z) {
+    const double ahead = up.cos * y - up.sin * z;
+    const double above = up.sin * y + up.cos * z;
+    y = ahead;
+    z = over.cos * above - over.sin * x;
+    x = over.cos * x + over.sin * above;
+  };
+  auto& a = result.axes;
+  for (std::size_t axis = 0; axis < 3; ++axis) turn(a[axis], a[axis + 3], a[axis + 6]);
+  result.position.z -= neck;
+  turn(result.position.x, result.position.y, result.position.z);
+  result.position.z += neck;
+  return result;
+}
+
 CameraPose cameraPose(const JointAngles& joints, const Stance& stance) {
-  const maths::SinCos lean = maths::sinCos(stance.bodyTilt.rad());
-  const double neckHeight =
-      stance.shoulderHeight + kNeckAboveShoulder * lean.cos + kNeckBehindShoulder * lean.sin;
+  const double neckHeight = neckHeightOf(stance);
   const maths::SinCos tilt = maths::sinCos((joints[Joint::neckTilt] - stance.bodyTilt).rad());
   const maths::SinCos pan = maths::sinCos(joints[Joint::headPan].rad());
   const maths::SinCos nod = maths::sinCos(joints[Joint::headNod].rad());
@@ -103,13 +162,37 @@ CameraPose cameraPose(const JointAngles& joints, const Stance& stance) {
   return pose;
 }
 
+Point3<Camera> pixelRay(const Lens& lens, PixelPoint pixel) {
+  const double x = pixel.x - lens.principalX;
+  const double y = pixel.y - lens.principalY;
+  if (lens.edgeTerm == 0.0) return {x, y, lens.focalLength};
+  const double square = (x * x + y * y) / (lens.focalLength * lens.focalLength);
+  const double stretch = 1.0 + lens.edgeTerm * square;
+  return {stretch * x, stretch * y, lens.focalLength};
+}
+
+PixelPoint pixelOf(const Lens& lens, const Point3<Camera>& ray) {
+  constexpr int kRounds = 6;  // each leaves a fifth of the error at an edge term of 0.3
+  const double x = lens.focalLength * ray.x / ray.z;
+  const double y = lens.focalLength * ray.y / ray.z;
+  double stretch = 1.0;
+  const double square = (x * x + y * y) / (lens.focalLength * lens.focalLength);
+  for (int round = 0; round < kRounds && lens.edgeTerm != 0.0; ++round)
+    stretch = 1.0 + lens.edgeTerm * square / (stretch * stretch);
+  return {lens.principalX + x / stretch, lens.principalY + y / stretch};
+}
+
+double elevationVariance(const CameraTilt& t, double right, double forward) {
+  return forward * forward * t.tiltVariance - 2.0 * forward * right * t.covariance +
+         right * right * t.rollVariance;
+}
+
 Point3<Robot> rayThrough(const CameraPose& camera, PixelPoint pixel) {
-  const double x = pixel.x - kPrincipalX;
-  const double y = pixel.y - kPrincipalY;
+  const Point3<Camera> p = pixelRay(camera.lens, pixel);
   const auto& a = camera.axes;
-  const Point3<Robot> still{a[0] * x + a[1] * y + a[2] * kFocalLength,
-                            a[3] * x + a[4] * y + a[5] * kFocalLength,
-                            a[6] * x + a[7] * y + a[8] * kFocalLength};
+  const Point3<Robot> still{a[0] * p.x + a[1] * p.y + a[2] * p.z,
+                            a[3] * p.x + a[4] * p.y + a[5] * p.z,
+                            a[6] * p.x + a[7] * p.y + a[8] * p.z};
   const Point3<Robot> ray = still + cross(turnAt(camera, pixel.x), still);
   const double length = std::sqrt(ray.x * ray.x + ray.y * ray.y + ray.z * ray.z);
   return {ray.x / length, ray.y / length, ray.z / length};
@@ -135,7 +218,7 @@ void groundPoints(const CameraPose& camera, const PixelPoint* pixels, std::size_
 
 std::optional<PixelPoint> project(const CameraPose& camera, Point3<Robot> point) {
   const Point3<Robot> way = point - camera.position;
-  double column = kPrincipalX;
+  double column = camera.lens.principalX;
   PixelPoint pixel;
   // Which column sees the point depends on when it is exposed. A turn of 10 deg an image shifts the
   // point by a fifth of what the last round did.
@@ -146,7 +229,7 @@ std::optional<PixelPoint> project(const CameraPose& camera, Point3<Robot> point)
     const Point3<Robot> unturned = along(way - cross(t, way), t, dot(t, way));
     const Point3<Camera> p = inCamera(camera, unturned);
     if (!(p.z > 1e-6)) return std::nullopt;
-    pixel = {kPrincipalX + kFocalLength * p.x / p.z, kPrincipalY + kFocalLength * p.y / p.z};
+    pixel = pixelOf(camera.lens, p);
     if (camera.turn == std::array<double, 3>{}) break;
     column = pixel.x;
   }
@@ -169,10 +252,10 @@ Horizon horizon(const CameraPose& camera) {
     const Point3<Robot> turn = turnAt(camera, column);
     const double zx = a[6] + turn.x * a[3] - turn.y * a[0];
     const double zy = a[7] + turn.x * a[4] - turn.y * a[1];
-    const double zf = (a[8] + turn.x * a[5] - turn.y * a[2]) * kFocalLength;
-    const double rest = zx * (column - kPrincipalX) + zf;
+    const double zf = (a[8] + turn.x * a[5] - turn.y * a[2]) * camera.lens.focalLength;
+    const double rest = zx * (column - camera.lens.principalX) + zf;
     if (std::fabs(zy) < 1e-9) return rest > 0.0 ? kFarRow : -kFarRow;
-    return clampedRow(kPrincipalY - rest / zy);
+    return clampedRow(camera.lens.principalY - rest / zy);
   };
   return {row(0.0), row(kImageWidth)};
 }
@@ -183,16 +266,14 @@ double headSpeed(const HeadRate& rate) {
 }
 
 BodyState step(const FrameInput& input, const BodyParams& params) {
-  JointAngles joints = input.sensors.joints;
-  joints[Joint::neckTilt] = joints[Joint::neckTilt] + params.neckTiltOffset;
-  joints[Joint::headPan] = joints[Joint::headPan] + params.headPanOffset;
-  joints[Joint::headNod] = joints[Joint::headNod] + params.headNodOffset;
+  const JointAngles joints = headJoints(input, params);
   Stance stance = input.stance;
   stance.bodyTilt = stance.bodyTilt + params.bodyTiltOffset;
 
   BodyState state;
-  state.camera = cameraPose(joints, stance);
+  state.camera = cameraOf(input.cameraTilt, joints, stance, params);
   state.camera.turn = turnOf(input, joints, state.camera, stance);
+  for (double& turn : state.camera.turn) turn *= params.lens.readOut;
   state.horizon = horizon(state.camera);
   state.headSpeed = headSpeed(input.headRate);
   state.fallen = lies(input.sensors.acceleration);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The head chain and the camera as exact geometry: where the camera is for given joints and stance,
-// which ground point a pixel sees, and which pixel a point falls on. Pinhole with square pixels and
-// a focal length of 192 px (facts-2005 section 2.1); lens errors are the ring correction's
-// business.
+// which ground point a pixel sees, and which pixel a point falls on. What differs between robots is
+// in BodyParams; `kelpie calibrate body` finds it. Wrong where the neck's play is not on the side
+// that the last movement pressed it to.
 #pragma once
 
 #include <cstddef>
@@ -14,26 +14,54 @@
 
 namespace kelpie::body {
 
-constexpr double kFocalLength = 192.0;  // px
-constexpr double kPrincipalX = 104.0;   // px
-constexpr double kPrincipalY = 80.0;    // px
+constexpr Lens kNominalLens;
+constexpr double kFocalLength = kNominalLens.focalLength;
+constexpr double kPrincipalX = kNominalLens.principalX;
+constexpr double kPrincipalY = kNominalLens.principalY;
 
+// Of one robot. Offsets are added to what is sensed.
 struct BodyParams {
-  Angle neckTiltOffset;  // joint play and zero errors of this robot, added to what is sensed
+  Lens lens;
+  Angle neckTiltOffset;
   Angle headPanOffset;
   Angle headNodOffset;
-  Angle bodyTiltOffset;
+  Angle bodyTiltOffset;    // nose down positive, as Stance::bodyTilt
+  Angle bodyRollOffset;    // left side up positive
+  Angle cameraRollOffset;  // in the head: the image turns clockwise
+  // The team of 2005 added, to a neck tilted t down beyond 3 deg, 0.078 t + 1.25 deg upwards
+  // (facts-2005 section 2.2): the head's weight hangs in the play of the joint.
+  double neckGives = 0.0;  // share of the sensed neck tilt that is missing
+  Angle neckBacklash;      // play between both sides; a turning neck lags by half of it
 
   static constexpr auto fields() {
-    return fieldList(field("neckTiltOffset", &BodyParams::neckTiltOffset, "rad", -10, 10),
-                     field("headPanOffset", &BodyParams::headPanOffset, "rad", -10, 10),
-                     field("headNodOffset", &BodyParams::headNodOffset, "rad", -10, 10),
-                     field("bodyTiltOffset", &BodyParams::bodyTiltOffset, "rad", -10, 10));
+    using P = BodyParams;
+    return fieldList(field("lens", &P::lens),
+                     field("neckTiltOffset", &P::neckTiltOffset, "rad", -10, 10),
+                     field("headPanOffset", &P::headPanOffset, "rad", -10, 10),
+                     field("headNodOffset", &P::headNodOffset, "rad", -10, 10),
+                     field("bodyTiltOffset", &P::bodyTiltOffset, "rad", -10, 10),
+                     field("bodyRollOffset", &P::bodyRollOffset, "rad", -10, 10),
+                     field("cameraRollOffset", &P::cameraRollOffset, "rad", -10, 10),
+                     field("neckGives", &P::neckGives, "", -0.3, 0.3),
+                     field("neckBacklash", &P::neckBacklash, "rad", 0, 10));
   }
 };
 
-// Camera pose in the robot frame. Joints: neckTilt, headPan, headNod of `joints`.
+// Camera pose in the robot frame, with the nominal lens. Joints: neckTilt, headPan, headNod of
+// `joints`.
 CameraPose cameraPose(const JointAngles& joints, const Stance& stance);
+
+// The same with the body turned about the neck base by a tilt and a roll.
+CameraPose leaning(const CameraPose& camera, const Stance& stance, const CameraTilt& tilt);
+
+// Variance of a ray's elevation from what is not known of the tilt, rad2; `right` and `forward` are
+// the ray's direction on the ground, of length one.
+double elevationVariance(const CameraTilt& tilt, double right, double forward);
+
+// Camera coordinates of the ray through a pixel, of any length; and the pixel of such a ray, whose
+// z must be positive.
+Point3<Camera> pixelRay(const Lens& lens, PixelPoint pixel);
+PixelPoint pixelOf(const Lens& lens, const Point3<Camera>& ray);
 
 // Unit vector, in the robot frame, of the ray through a pixel.
 Point3<Robot> rayThrough(const CameraPose& camera, PixelPoint pixel);

@@ -7,6 +7,7 @@
 #include <tuple>
 #include <type_traits>
 
+#include "robot/core/CameraModel.h"
 #include "robot/core/Command.h"
 #include "robot/core/Image.h"
 #include "robot/core/Motion.h"
@@ -55,7 +56,8 @@ struct FrameInput {
   SensorFrame sensors;  // joints at the middle of the exposure, latest of everything else
   HeadRate headRate;
   Stance stance;
-  Odometry odometry;  // since the previous frame
+  CameraTilt cameraTilt;  // believed after the previous frame
+  Odometry odometry;      // since the previous frame
   MotionStatus motion;
   GameState game;
   Command lastCommand;
@@ -68,9 +70,10 @@ struct FrameInput {
         field("elapsed", &FrameInput::elapsed, "s", 0, 10),
         field("droppedFrames", &FrameInput::droppedFrames), field("sensors", &FrameInput::sensors),
         field("headRate", &FrameInput::headRate), field("stance", &FrameInput::stance),
-        field("odometry", &FrameInput::odometry), field("motion", &FrameInput::motion),
-        field("game", &FrameInput::game), field("lastCommand", &FrameInput::lastCommand),
-        field("team", &FrameInput::team), field("image", &FrameInput::image));
+        field("cameraTilt", &FrameInput::cameraTilt), field("odometry", &FrameInput::odometry),
+        field("motion", &FrameInput::motion), field("game", &FrameInput::game),
+        field("lastCommand", &FrameInput::lastCommand), field("team", &FrameInput::team),
+        field("image", &FrameInput::image));
   }
 };
 

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 
+#include "robot/core/CameraModel.h"
 #include "robot/core/FixedVector.h"
 #include "robot/core/FrameInput.h"
 #include "robot/core/Geometry.h"
@@ -16,16 +17,20 @@ namespace kelpie {
 // Position of the camera and direction of its axes, in the robot frame. Columns of `axes` (row by
 // row: axes[3 * row + column]) are the camera's x, y and z axes in the robot frame in the middle of
 // the exposure. The sensor exposes columns left to right: from the first to the last the axes turn
-// by the vector `turn`.
+// by the vector `turn`. `tilt` is contained in position and axes; its variances say how well these
+// are known.
 struct CameraPose {
   Point3<Robot> position;
   std::array<double, 9> axes{};
   std::array<double, 3> turn{};  // rad over the image, about x, y, z of the robot frame
+  Lens lens;
+  CameraTilt tilt;
 
   static constexpr auto fields() {
     return fieldList(field("position", &CameraPose::position),
                      field("axes", &CameraPose::axes, "", -1.000001, 1.000001),
-                     field("turn", &CameraPose::turn, "rad", -10, 10));
+                     field("turn", &CameraPose::turn, "rad", -10, 10),
+                     field("lens", &CameraPose::lens), field("tilt", &CameraPose::tilt));
   }
 };
 
@@ -53,6 +58,18 @@ struct BodyState {
   }
 };
 
+// How much higher a thing is seen than it stands at the distance that its size alone tells: what
+// the camera's tilt is wrong by in that direction.
+struct ElevationError {
+  Angle value;
+  double variance = 0.0;  // rad2; 0: its size tells nothing
+
+  static constexpr auto fields() {
+    return fieldList(field("value", &ElevationError::value, "rad", -90, 90),
+                     field("variance", &ElevationError::variance, "rad2", 0, 1));
+  }
+};
+
 struct BallPercept {
   bool present = false;
   double distance = 0.0;
@@ -60,6 +77,7 @@ struct BallPercept {
   Angle elevation;
   double distanceVariance = 0.0;  // cm2
   double headingVariance = 0.0;   // rad2
+  ElevationError elevationError;  // of its centre
   PixelPoint centre;
   double radius = 0.0;  // px
 
@@ -70,6 +88,7 @@ struct BallPercept {
                      field("elevation", &BallPercept::elevation, "rad", -90, 90),
                      field("distanceVariance", &BallPercept::distanceVariance, "cm2", 0),
                      field("headingVariance", &BallPercept::headingVariance, "rad2", 0),
+                     field("elevationError", &BallPercept::elevationError),
                      field("centre", &BallPercept::centre),
                      field("radius", &BallPercept::radius, "px", 0, 2000));
   }
@@ -82,6 +101,7 @@ struct LandmarkPercept {
   Angle elevation;
   double distanceVariance = 0.0;  // cm2
   double headingVariance = 0.0;   // rad2
+  ElevationError elevationError;  // of a beacon's bands, of a goal's feet
   // Directions of a goal's two visible edges; for a beacon both equal its heading.
   Angle leftEdge;
   Angle rightEdge;
@@ -96,6 +116,7 @@ struct LandmarkPercept {
                      field("elevation", &LandmarkPercept::elevation, "rad", -90, 90),
                      field("distanceVariance", &LandmarkPercept::distanceVariance, "cm2", 0),
                      field("headingVariance", &LandmarkPercept::headingVariance, "rad2", 0),
+                     field("elevationError", &LandmarkPercept::elevationError),
                      field("leftEdge", &LandmarkPercept::leftEdge, "rad", -180, 180),
                      field("rightEdge", &LandmarkPercept::rightEdge, "rad", -180, 180),
                      field("leftEdgeCut", &LandmarkPercept::leftEdgeCut),

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 
+#include "robot/core/CameraModel.h"
 #include "robot/core/FixedVector.h"
 #include "robot/core/Geometry.h"
 #include "robot/core/ObstacleCells.h"
@@ -14,15 +15,20 @@
 
 namespace kelpie {
 
-// One Gaussian over (x, y, heading): covariance row by row in cm and rad.
+// One Gaussian over (x, y, heading, tilt, roll): covariance of the pose row by row in cm and rad;
+// cross of x, y and heading (rows) with tilt and roll.
 struct PoseMode {
   double weight = 0.0;
   Pose2 pose;
   std::array<double, 9> covariance{};
+  CameraTilt tilt;
+  std::array<double, 6> cross{};
 
   static constexpr auto fields() {
     return fieldList(field("weight", &PoseMode::weight, "", 0, 1), field("pose", &PoseMode::pose),
-                     field("covariance", &PoseMode::covariance, "cm2, cm rad, rad2"));
+                     field("covariance", &PoseMode::covariance, "cm2, cm rad, rad2"),
+                     field("tilt", &PoseMode::tilt),
+                     field("cross", &PoseMode::cross, "cm rad, rad2"));
   }
 };
 
@@ -91,6 +97,7 @@ struct WorldModel {
   std::array<double, 9> covariance{};  // of that mode
   double positionSd = 0.0;             // cm, root of the larger position eigenvalue
   Angle headingSd;
+  CameraTilt cameraTilt;  // of that mode
   double secondsSinceLandmark = 0.0;
   double secondsSinceLines = 0.0;  // since field lines corrected or weighed the modes
   double stuck = 0.0;  // share of the walked way that is thought lost because something holds us
@@ -111,6 +118,7 @@ struct WorldModel {
         field("covariance", &WorldModel::covariance, "cm2, cm rad, rad2"),
         field("positionSd", &WorldModel::positionSd, "cm", 0, 1e4),
         field("headingSd", &WorldModel::headingSd, "rad", 0, 180),
+        field("cameraTilt", &WorldModel::cameraTilt),
         field("secondsSinceLandmark", &WorldModel::secondsSinceLandmark, "s", 0, 1e6),
         field("secondsSinceLines", &WorldModel::secondsSinceLines, "s", 0, 1e6),
         field("stuck", &WorldModel::stuck, "", 0, 1), field("modes", &WorldModel::modes),

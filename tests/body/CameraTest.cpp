@@ -276,6 +276,89 @@ TEST(PanningCamera, HorizonAtBothBordersIsThatOfTheHeadThen) {
   }
 }
 
+TEST(Lens, PixelOfARayIsTheRaysPixelWhateverTheLens) {
+  Random random(61);
+  for (int i = 0; i < 500; ++i) {
+    const Lens lens{random.uniform(180, 210), random.uniform(100, 108), random.uniform(76, 84),
+                    random.uniform(-0.2, 0.2), 1.0};
+    const PixelPoint pixel = randomPixel(random);
+    const PixelPoint back = pixelOf(lens, pixelRay(lens, pixel));
+    ASSERT_NEAR(back.x, pixel.x, 0.01);
+    ASSERT_NEAR(back.y, pixel.y, 0.01);
+  }
+}
+
+double elevationDeg(const CameraPose& camera) {
+  return std::asin(rayThrough(camera, {104, 80}).z) / kDegree;
+}
+
+// The camera of a head that looks level ahead (0) or aside.
+CameraPose tilted(double pan, const CameraTilt& tilt) {
+  return leaning(posed(0, pan, 0), {10.0, Angle::deg(0)}, tilt);
+}
+
+TEST(LeaningBody, TiltRaisesTheViewAheadAndRollTheViewToTheLeft) {
+  CameraTilt up;
+  up.tilt = Angle::deg(2);
+  CameraTilt over;
+  over.roll = Angle::deg(2);
+  EXPECT_NEAR(elevationDeg(tilted(0, up)), 2.0, 1e-9);
+  EXPECT_NEAR(elevationDeg(tilted(90, up)), 0.0, 1e-9);
+  EXPECT_NEAR(elevationDeg(tilted(0, over)), 0.0, 1e-9);
+  EXPECT_NEAR(elevationDeg(tilted(90, over)), 2.0, 1e-9);
+  EXPECT_NEAR(elevationDeg(tilted(-90, over)), -2.0, 1e-9);
+}
+
+TEST(LeaningBody, TurnsAboutTheNeckBase) {
+  CameraTilt up;
+  up.tilt = Angle::deg(90);
+  const Point3<Robot> at = tilted(0, up).position;
+  EXPECT_NEAR(at.y, -(8.0 - 1.46), 1e-9);
+  EXPECT_NEAR(at.z, 11.95 + 8.106, 1e-9);
+}
+
+TEST(LeaningBody, DoubtOfAnElevationIsTiltAheadAndRollAside) {
+  CameraTilt tilt;
+  tilt.tiltVariance = 4.0;
+  tilt.rollVariance = 1.0;
+  tilt.covariance = 0.5;
+  EXPECT_DOUBLE_EQ(elevationVariance(tilt, 0, 1), 4.0);
+  EXPECT_DOUBLE_EQ(elevationVariance(tilt, 1, 0), 1.0);
+  EXPECT_NEAR(elevationVariance(tilt, 0.6, 0.8), 0.64 * 4 - 0.96 * 0.5 + 0.36, 1e-12);
+}
+
+TEST(BodyStep, ANeckWithPlayLagsBehindItsSensorByHalfOfIt) {
+  BodyParams params;
+  params.neckBacklash = Angle::deg(2);
+  FrameInput input = standing();
+  EXPECT_NEAR(elevationDeg(step(input, params).camera), 0.0, 0.2);
+  input.headRate.neckTilt = 1.0;
+  const double rising = elevationDeg(step(input, params).camera);
+  input.headRate.neckTilt = -1.0;
+  const double falling = elevationDeg(step(input, params).camera);
+  EXPECT_NEAR(falling - rising, 2.0, 1e-6);
+}
+
+TEST(BodyStep, AGlobalShutterSeesNoTurn) {
+  FrameInput input = standing();
+  input.headRate.headPan = 3.0;
+  BodyParams params;
+  EXPECT_NE(step(input, params).camera.turn[2], 0.0);
+  params.lens.readOut = 0.0;
+  for (const double turn : step(input, params).camera.turn) EXPECT_EQ(turn, 0.0);
+}
+
+TEST(BodyStep, ARolledCameraTurnsTheImageAndNotTheView) {
+  FrameInput input = standing();
+  BodyParams params;
+  params.cameraRollOffset = Angle::deg(5);
+  const CameraPose camera = step(input, params).camera;
+  EXPECT_NEAR(rayThrough(camera, {104, 80}).y, rayThrough(posed(0, 0, 0, 14.25), {104, 80}).y,
+              1e-3);
+  const Horizon line = horizon(camera);
+  EXPECT_NEAR(std::atan2(line.atRight - line.atLeft, 208.0) / kDegree, 5.0, 0.5);
+}
+
 // facts-2005 section 6.4.
 TEST(BodyStep, LyingOnAnySideIsFallenAndWalkingShakesAreNot) {
   const std::array<std::array<double, 3>, 5> lying = {

@@ -6,6 +6,7 @@
 
 #include "gps/players/Information.h"
 #include "gps/players/Opponents.h"
+#include "robot/body/Camera.h"
 #include "tools/experiments/baselines/Opponents2003.h"
 #include "tools/sim/LocalisingRobot.h"
 
@@ -35,9 +36,10 @@ double spread(bool of2003) {
   GpsCounts counts;
   for (int frame = 0; frame < 3000; ++frame) {
     if (of2003) {
-      stepOpponents2003({input, percepts}, pose, context, opponents);
+      stepOpponents2003({input, percepts, body::step(input, {}).camera}, pose, context, opponents);
     } else {
-      stepOpponents({input, percepts}, pose, context, opponents, counts);
+      stepOpponents({input, percepts, body::step(input, {}).camera}, pose, context, opponents,
+                    counts);
     }
   }
   double most = 0.0;

@@ -84,7 +84,7 @@ TEST(Localise, PoseTurnedRoundIsGivenUpWithOneGoalInSight) {
     robot.state.pose.modes.clear();
     for (int i = 0; i < 8; ++i) {
       const Pose2 wrong{{120.0 + 12.0 * i, 235.0}, Angle::deg(100.0 + 3.0 * i)};
-      robot.state.pose.modes.push_back({0.125, wrong, {25, 0, 0, 0, 25, 0, 0, 0, 0.003}});
+      robot.state.pose.modes.push_back({0.125, wrong, {25, 0, 0, 0, 25, 0, 0, 0, 0.003}, {}, {}});
     }
     robot.state.pose.lost = false;
     WorldModel world;

@@ -11,6 +11,7 @@
 #include "gps/Refusal.h"
 #include "gps/pinks/PinkMap.h"
 #include "gps/pinks/PinkUpdate.h"
+#include "robot/body/Camera.h"
 #include "tools/sim/LocalisingRobot.h"
 
 namespace kelpie::gps {
@@ -241,7 +242,8 @@ TEST(PinkBearing, LargestComeFirstAndBrokenOnesAreCounted) {
   percepts.pinkPatches.push_back(perceptAt(250.0, 10.0, 5.0));
   percepts.pinkPatches.push_back(perceptAt(250.0, kNan, 30.0));
   percepts.pinkPatches.push_back(perceptAt(250.0, 20.0, 9.0));
-  const PinkBearings bearings = bearingsOf({input, percepts}, mapper.state.counts);
+  const PinkBearings bearings =
+      bearingsOf({input, percepts, body::step(input, {}).camera}, mapper.state.counts);
   ASSERT_EQ(bearings.size(), 2U);
   EXPECT_NEAR(bearings[0].area, 81.0, 1e-9);
   EXPECT_EQ(mapper.refused(Refusal::pinkNotFinite), 1);

@@ -12,7 +12,7 @@ namespace {
 
 HorizonFrame rolled(double degrees) {
   const double roll = degrees * 3.14159265358979 / 180.0;
-  return {std::cos(roll), std::sin(roll), 0.0};
+  return {std::cos(roll), std::sin(roll), 0.0, Lens{}};
 }
 
 // An image of classes: the plane is filled by hand, the pixels behind it are never read.
@@ -33,8 +33,8 @@ struct Canvas {
     for (int y = 0; y < kImageHeight; ++y) {
       for (int x = 0; x < kImageWidth; ++x) {
         const LevelPoint p = frame.fromImage({x + 0.5, y + 0.5});
-        const double away =
-            std::fmax(std::fabs(p.u - body::kPrincipalX), std::fabs(p.v - body::kPrincipalY));
+        const double away = std::fmax(std::fabs(p.u - body::kNominalLens.principalX),
+                                      std::fabs(p.v - body::kNominalLens.principalY));
         if (away <= 0.5 * side) box(c, x, y, x + 1, y + 1);
       }
     }
@@ -117,8 +117,8 @@ TEST(Blobs, SquareUprightInTheLevelImageKeepsItsBoxWhateverTheRoll) {
     // more from 25 deg on.
     EXPECT_NEAR(blobs[0].box.width(), 40.0, 3.0) << roll;
     EXPECT_NEAR(blobs[0].box.height(), 40.0, 3.0) << roll;
-    EXPECT_NEAR(blobs[0].centre.x, body::kPrincipalX, 1.0) << roll;
-    EXPECT_NEAR(blobs[0].centre.y, body::kPrincipalY, 1.0) << roll;
+    EXPECT_NEAR(blobs[0].centre.x, body::kNominalLens.principalX, 1.0) << roll;
+    EXPECT_NEAR(blobs[0].centre.y, body::kNominalLens.principalY, 1.0) << roll;
   }
 }
 

@@ -34,7 +34,7 @@ TEST(ConeFit, RangeIsExactInTheMiddleAndInTheCorner) {
   for (const double range : {12.0, 30.0, 100.0, 350.0}) {
     for (const double off : {0.0, 0.5}) {
       const double x = off * range, y = 0.4 * off * range;
-      const Cone cone = fitCone(outline(x, y, range, 12));
+      const Cone cone = fitCone(outline(x, y, range, 12), Lens{});
       ASSERT_TRUE(cone.valid);
       const double expected = std::sqrt(x * x + y * y + range * range);
       EXPECT_NEAR(4.2 / cone.sinHalf, expected, 1e-4 * expected);
@@ -44,7 +44,7 @@ TEST(ConeFit, RangeIsExactInTheMiddleAndInTheCorner) {
 }
 
 TEST(ConeFit, OneThirdOfTheOutlineIsEnough) {
-  const Cone cone = fitCone(outline(10, 5, 60, 12, 0.34));
+  const Cone cone = fitCone(outline(10, 5, 60, 12, 0.34), Lens{});
   ASSERT_TRUE(cone.valid);
   EXPECT_NEAR(4.2 / cone.sinHalf, std::sqrt(3725.0), 0.01);
 }
@@ -54,7 +54,7 @@ TEST(ConeFit, PointsOffTheOutlineAreDropped) {
   for (const std::size_t i : {3U, 8U}) {
     points[i] = {104.0 + 0.6 * (points[i].x - 104.0), 80.0 + 0.6 * (points[i].y - 80.0)};
   }
-  const Cone cone = fitCone(points);
+  const Cone cone = fitCone(points, Lens{});
   ASSERT_TRUE(cone.valid);
   EXPECT_EQ(cone.kept, 12U);
   EXPECT_NEAR(4.2 / cone.sinHalf, 50.0, 0.05);
@@ -62,9 +62,9 @@ TEST(ConeFit, PointsOffTheOutlineAreDropped) {
 
 TEST(ConeFit, NothingComesOfPointsOnALineOrOfTooFew) {
   EdgePoints points;
-  EXPECT_FALSE(fitCone(points).valid);
+  EXPECT_FALSE(fitCone(points, Lens{}).valid);
   for (int i = 0; i < 10; ++i) points.push_back({20.0 + 10.0 * i, 60.0});
-  EXPECT_FALSE(fitCone(points).valid);
+  EXPECT_FALSE(fitCone(points, Lens{}).valid);
 }
 
 }  // namespace

@@ -62,7 +62,7 @@ TEST(EdgeFit, UprightLinesAreNoException) {
   EdgeFeatures features;
   for (int i = 0; i < 30; ++i) features.push_back({{90.0, 5.0 * i}, false, 1.0});
   VisionCounts counts;
-  const HorizonFrame rolled{0.0, 1.0, -60.0};  // up is to the right
+  const HorizonFrame rolled{0.0, 1.0, -60.0, Lens{}};  // up is to the right
   const EdgeLines lines = fitEdgeLines(features, rolled, {}, counts);
   ASSERT_EQ(lines.size(), 1U);
   EXPECT_NEAR(lines[0].nx, 1.0, 1e-9);

@@ -10,7 +10,7 @@
 namespace kelpie::vision {
 namespace {
 
-constexpr PixelPoint kMiddle{body::kPrincipalX, body::kPrincipalY};
+constexpr PixelPoint kMiddle{body::kNominalLens.principalX, body::kNominalLens.principalY};
 
 TEST(HorizonFrame, UpIsTowardsTheHorizonWhateverTheRoll) {
   const ImageDirection level = horizonFrameOf(cameraAt(16, 30, -20)).up();
@@ -31,7 +31,8 @@ TEST(HorizonFrame, PointsOnTheHorizonAreNotAboveIt) {
     const Horizon horizon = bodyOf(camera).horizon;
     EXPECT_NEAR(frame.above({0.0, horizon.atLeft}), 0.0, 1e-6) << roll;
     EXPECT_NEAR(frame.above({kImageWidth, horizon.atRight}), 0.0, 1e-6) << roll;
-    EXPECT_NEAR(frame.above(kMiddle), -body::kFocalLength * std::tan(12 * 3.14159265 / 180), 1e-4)
+    EXPECT_NEAR(frame.above(kMiddle),
+                -body::kNominalLens.focalLength * std::tan(12 * 3.14159265 / 180), 1e-4)
         << roll;
   }
 }

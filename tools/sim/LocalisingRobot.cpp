@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "robot/body/Camera.h"
+
 namespace kelpie::sim {
 namespace {
 
@@ -32,7 +34,7 @@ void LocalisingRobot::believe(const Pose2& pose, double positionSd, Angle headin
 WorldModel LocalisingRobot::step() {
   input.frame += 1;
   input.time = TimeUs::fromSeconds(input.frame * kFrameSeconds);
-  return localise({input, percepts}, params, state);
+  return localise({input, percepts, body::step(input, {}).camera}, params, state);
 }
 
 double LocalisingRobot::error(const WorldModel& world) const {

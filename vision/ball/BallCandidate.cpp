@@ -27,7 +27,7 @@ void measure(const Scene& scene, PixelPoint from, double size, double reach, Bal
     c.cut += hit.cut ? 1U : 0U;
     if (!hit.cut && hit.length <= reach) points.push_back(hit.point);
   }
-  c.cone = fitCone(points);
+  c.cone = fitCone(points, scene.body.camera.lens);
   if (!c.cone.valid) return;
   c.axis = body::rayThrough(scene.body.camera, c.cone.centre);
   c.range = body::kBallRadius / c.cone.sinHalf;
@@ -71,7 +71,7 @@ BallCandidate ballFromFoot(const Scene& scene, const Blob& blob) {
   const Point3<Robot>& eye = scene.body.camera.position;
   const double along = maths::hypot(ground->x - eye.x, ground->y - eye.y);
   const double radius =
-      body::kFocalLength * body::kBallRadius / std::max(maths::hypot(along, eye.z), 10.0);
+      focalLength(scene) * body::kBallRadius / std::max(maths::hypot(along, eye.z), 10.0);
   const PixelPoint middle = moved(*lowest, scene.frame.up(), radius);
   if (!Sampler::usable(middle) || scene.sampler.classAt(middle) != ColourClass::orange) return c;
   measure(scene, middle, 2.0 * radius, 1.7 * radius + 1.0, c);

@@ -37,6 +37,18 @@ Range fusedRange(const Scene& scene, const BallCandidate& c, const BallFinderPar
   return {range.value + weight * (ground - range.value), range.variance * (1.0 - weight)};
 }
 
+// Of its centre, when most of its outline shows: a hidden one has a size of its own.
+ElevationError elevationErrorOf(const Scene& scene, const BallCandidate& c,
+                                const BallFinderParams& p) {
+  constexpr std::size_t kMostEdges = 12;
+  constexpr double kShine = 2.0;  // of edgeSd: a highlight or a shadow moves the whole outline
+  const double below = (scene.body.camera.position.z - body::kBallRadius) / c.range;
+  if (c.cone.kept < kMostEdges || below > 0.8) return {};
+  const double size = below * kShine * p.edgeSd / c.cone.radius;
+  const double pixel = p.edgeSd / focalLength(scene);
+  return {Angle::rad(maths::asin(c.axis.z) + maths::asin(below)), size * size + pixel * pixel};
+}
+
 BallPercept perceptOf(const Scene& scene, const BallCandidate& c, const BallFinderParams& p) {
   const Range range = fusedRange(scene, c, p);
   const Point3<Robot>& camera = scene.body.camera.position;
@@ -47,8 +59,9 @@ BallPercept perceptOf(const Scene& scene, const BallCandidate& c, const BallFind
   ball.heading = bearing(place);
   ball.elevation = Angle::rad(maths::asin(c.axis.z));
   ball.distanceVariance = range.variance;
-  const double pixel = p.edgeSd / body::kFocalLength;
+  const double pixel = p.edgeSd / focalLength(scene);
   ball.headingVariance = maths::square(p.headingSd.rad()) + pixel * pixel;
+  ball.elevationError = elevationErrorOf(scene, c, p);
   ball.centre = c.cone.centre;
   ball.radius = c.cone.radius;
   return ball;

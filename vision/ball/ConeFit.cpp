@@ -14,11 +14,15 @@ namespace {
 using Ray = std::array<double, 3>;
 using Kept = std::array<bool, kMaxEdgePoints>;
 
-Ray rayOf(PixelPoint p) {
-  const double x = p.x - body::kPrincipalX;
-  const double y = p.y - body::kPrincipalY;
-  const double norm = std::sqrt(x * x + y * y + maths::square(body::kFocalLength));
-  return {x / norm, y / norm, body::kFocalLength / norm};
+struct Outline {
+  FixedVector<Ray, kMaxEdgePoints> rays;
+  const Lens& lens;
+};
+
+Ray rayOf(const Lens& lens, PixelPoint p) {
+  const Point3<Camera> ray = body::pixelRay(lens, p);
+  const double norm = std::sqrt(ray.x * ray.x + ray.y * ray.y + maths::square(ray.z));
+  return {ray.x / norm, ray.y / norm, ray.z / norm};
 }
 
 double det(const Ray& a, const Ray& b, const Ray& c) {
@@ -27,12 +31,12 @@ double det(const Ray& a, const Ray& b, const Ray& c) {
 }
 
 // Solves sum(u u^T) n = sum(u) by Cramer's rule; false when the points do not span a cone.
-bool solve(const EdgePoints& points, const Kept& kept, Ray& n) {
+bool solve(const Outline& outline, const Kept& kept, Ray& n) {
   std::array<Ray, 3> columns{};
   Ray right{};
-  for (std::size_t i = 0; i < points.size(); ++i) {
+  for (std::size_t i = 0; i < outline.rays.size(); ++i) {
     if (!kept[i]) continue;
-    const Ray u = rayOf(points[i]);
+    const Ray& u = outline.rays[i];
     for (std::size_t c = 0; c < 3; ++c) {
       for (std::size_t r = 0; r < 3; ++r) columns[c][r] += u[r] * u[c];
       right[c] += u[c];
@@ -45,35 +49,33 @@ bool solve(const EdgePoints& points, const Kept& kept, Ray& n) {
   return true;
 }
 
-Cone coneOf(const Ray& n) {
+Cone coneOf(const Ray& n, const Lens& lens) {
   Cone cone;
   const double norm = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
   if (!(norm > 1.0) || !(n[2] > 0.1)) return cone;
   cone.valid = true;
   cone.axis = {n[0] / norm, n[1] / norm, n[2] / norm};
   cone.sinHalf = std::sqrt(1.0 - 1.0 / (norm * norm));
-  cone.radius = body::kFocalLength * cone.sinHalf * norm;
-  cone.centre = {body::kPrincipalX + body::kFocalLength * n[0] / n[2],
-                 body::kPrincipalY + body::kFocalLength * n[1] / n[2]};
+  cone.radius = lens.focalLength * cone.sinHalf * norm;
+  cone.centre = body::pixelOf(lens, {n[0], n[1], n[2]});
   return cone;
 }
 
 // Distance of an edge point from the cone, in pixels at the middle of the image; outside positive.
-double offCone(const Cone& cone, PixelPoint p) {
-  const Ray u = rayOf(p);
+double offCone(const Cone& cone, const Ray& u, double focalLength) {
   const double cosine = u[0] * cone.axis.x + u[1] * cone.axis.y + u[2] * cone.axis.z;
   const double sine = std::sqrt(std::max(0.0, 1.0 - cosine * cosine));
-  return body::kFocalLength * sine / cosine - cone.radius;
+  return focalLength * sine / cosine - cone.radius;
 }
 
 // Keeps the points near the cone and notes their rms; the number that changed sides.
-std::size_t trim(const EdgePoints& points, Cone& cone, Kept& kept) {
+std::size_t trim(const Outline& outline, Cone& cone, Kept& kept) {
   const double limit = std::max(0.8, 0.07 * cone.radius);
   double sum = 0.0;
   std::size_t dropped = 0;
   cone.kept = 0;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const double off = offCone(cone, points[i]);
+  for (std::size_t i = 0; i < outline.rays.size(); ++i) {
+    const double off = offCone(cone, outline.rays[i], outline.lens.focalLength);
     const bool near = std::fabs(off) <= limit;
     if (kept[i] != near) ++dropped;
     kept[i] = near;
@@ -86,29 +88,29 @@ std::size_t trim(const EdgePoints& points, Cone& cone, Kept& kept) {
 }
 
 // Fits the kept points, then whatever lies near that cone, until nothing changes.
-Cone refined(const EdgePoints& points, Kept kept) {
+Cone refined(const Outline& outline, Kept kept) {
   Cone cone;
   constexpr int kRounds = 4;
   for (int round = 0; round < kRounds; ++round) {
     Ray n{};
-    if (!solve(points, kept, n)) return {};
-    cone = coneOf(n);
-    if (!cone.valid || trim(points, cone, kept) == 0) return cone;
+    if (!solve(outline, kept, n)) return {};
+    cone = coneOf(n, outline.lens);
+    if (!cone.valid || trim(outline, cone, kept) == 0) return cone;
   }
   return cone;
 }
 
 // The cone through three points with the most others near it: for an outline that something hides
 // in part, where the fit of all points lies between both outlines.
-Cone bestOfTriples(const EdgePoints& points) {
+Cone bestOfTriples(const Outline& outline) {
   Cone best;
-  const std::size_t n = points.size();
+  const std::size_t n = outline.rays.size();
   for (const std::size_t gap : {2U, 3U, 5U}) {
     if (2 * gap >= n) break;
     for (std::size_t i = 0; i < n; ++i) {
       Kept kept{};
       kept[i] = kept[(i + gap) % n] = kept[(i + 2 * gap) % n] = true;
-      const Cone cone = refined(points, kept);
+      const Cone cone = refined(outline, kept);
       if (cone.valid && cone.kept > best.kept) best = cone;
     }
   }
@@ -117,12 +119,14 @@ Cone bestOfTriples(const EdgePoints& points) {
 
 }  // namespace
 
-Cone fitCone(const EdgePoints& points) {
+Cone fitCone(const EdgePoints& points, const Lens& lens) {
+  Outline outline{{}, lens};
+  for (const PixelPoint p : points) outline.rays.push_back(rayOf(lens, p));
   Kept all;
   all.fill(true);
-  const Cone cone = refined(points, all);
+  const Cone cone = refined(outline, all);
   if (cone.valid && cone.kept + 2 >= points.size()) return cone;
-  const Cone other = bestOfTriples(points);
+  const Cone other = bestOfTriples(outline);
   return other.kept > cone.kept ? other : cone;
 }
 

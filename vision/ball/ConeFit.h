@@ -4,6 +4,7 @@
 // pixels is an ellipse. Edge points that lie off the cone are dropped and the rest fitted again.
 #pragma once
 
+#include "robot/core/CameraModel.h"
 #include "robot/core/FixedVector.h"
 #include "robot/core/Geometry.h"
 
@@ -22,6 +23,6 @@ struct Cone {
   double radius = 0.0;  // px, as if seen in the middle of the image
 };
 
-Cone fitCone(const EdgePoints& points);
+Cone fitCone(const EdgePoints& points, const Lens& lens);
 
 }  // namespace kelpie::vision

@@ -40,6 +40,15 @@ LandmarkKind kindOf(const BeaconCandidate& c) {
   return c.pinkIsLower ? LandmarkKind::beaconYellowOnPink : LandmarkKind::beaconPinkOnYellow;
 }
 
+// The distance's error moves the place where the border between the bands is expected.
+ElevationError elevationErrorOf(const Scene& scene, const BeaconCandidate& c,
+                                const BeaconFinderParams& p) {
+  const double above = 3.0 * bandHeight(scene) - scene.body.camera.position.z;
+  const double pixel = p.edgeSd / focalLength(scene);
+  const double share = 1.414 * above / (2.0 * bandHeight(scene));
+  return {Angle::rad(elevationError(scene, c)), pixel * pixel * (1.0 + share * share)};
+}
+
 LandmarkPercept perceptOf(const Scene& scene, const BeaconCandidate& c,
                           const BeaconFinderParams& p) {
   const CameraPose& camera = scene.body.camera;
@@ -51,8 +60,9 @@ LandmarkPercept perceptOf(const Scene& scene, const BeaconCandidate& c,
   percept.distance = place.norm();
   percept.heading = bearing(place);
   percept.elevation = Angle::rad(maths::atan(ray.slope));
-  percept.distanceVariance = maths::square(sizeSd(c.distance, height, p.edgeSd)) + 4.0;
+  percept.distanceVariance = maths::square(sizeSd(camera, c.distance, height, p.edgeSd)) + 4.0;
   percept.headingVariance = maths::square(p.headingSd.rad());
+  percept.elevationError = elevationErrorOf(scene, c, p);
   percept.leftEdge = percept.heading;
   percept.rightEdge = percept.heading;
   const double half = 0.5 * c.width;

@@ -16,10 +16,10 @@ EdgeLine oriented(double nx, double ny, PixelPoint on, const HorizonFrame& frame
 
 // Camera coordinates of the horizontal direction along a line on the ground, any length.
 Point3<Camera> groundDirection(const EdgeLine& line, const HorizonFrame& frame) {
-  const double beyond = line.distanceBeyond({body::kPrincipalX, body::kPrincipalY});
-  const double nz = beyond / body::kFocalLength;
+  const double beyond = line.distanceBeyond({frame.lens.principalX, frame.lens.principalY});
+  const double nz = beyond / frame.lens.focalLength;
   const ImageDirection up = frame.up();
-  const double uz = frame.middleAbove / body::kFocalLength;
+  const double uz = frame.middleAbove / frame.lens.focalLength;
   return {line.ny * uz - nz * up.dy, nz * up.dx - line.nx * uz, line.nx * up.dy - line.ny * up.dx};
 }
 

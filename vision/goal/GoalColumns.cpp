@@ -63,7 +63,7 @@ void measureDistance(const Scene& scene, const GoalFinderParams& p, GoalColumn& 
     const double d =
         scene.field.goalHeight / std::max(groundRayThrough(camera, column.top).slope - low, 1e-3);
     column.distance = d;
-    column.sd = sizeSd(d, scene.field.goalHeight, p.edgeSd);
+    column.sd = sizeSd(camera, d, scene.field.goalHeight, p.edgeSd);
     column.footError = maths::atan(low) - maths::atan(-camera.position.z / d);
   } else if (low < -0.03) {
     column.distance = -camera.position.z / low;
@@ -132,7 +132,7 @@ double heightOf(const GoalColumn& column) {
   return maths::hypot(column.top.x - column.foot.x, column.top.y - column.foot.y);
 }
 
-double widthOf(const GoalCandidate& c, double distance) {
+double widthOf(const Scene& scene, const GoalCandidate& c, double distance) {
   double left = 1e9;
   double right = -1e9;
   for (const GoalColumn& column : c.columns) {
@@ -140,18 +140,18 @@ double widthOf(const GoalCandidate& c, double distance) {
     left = std::min(left, column.u);
     right = std::max(right, column.u);
   }
-  return (right - left) * distance / body::kFocalLength;
+  return (right - left) * distance / focalLength(scene);
 }
 
 // A low strip of the goal's colour beside it has a foot in line with its own. Where a robot's head
 // hides the top the columns are low too, so only columns of what is wider than a goal seen
 // obliquely are dropped.
-void dropLowEnds(double goalHeight, double distance, GoalCandidate& c) {
+void dropLowEnds(const Scene& scene, double distance, GoalCandidate& c) {
   constexpr double kMaxWidth = 110.0;      // cm
   constexpr double kLowColumnShare = 0.7;  // of the goal's height
-  if (widthOf(c, distance) <= kMaxWidth) return;
+  if (widthOf(scene, c, distance) <= kMaxWidth) return;
   const double minHeight =
-      kLowColumnShare * goalHeight * body::kFocalLength / std::max(distance, 1.0);
+      kLowColumnShare * scene.field.goalHeight * focalLength(scene) / std::max(distance, 1.0);
   const auto isLow = [minHeight](const GoalColumn& column) {
     return column.chosen && column.distance <= 0.0 && !column.topCut && !column.footCut &&
            heightOf(column) < minHeight;
@@ -189,7 +189,7 @@ void chooseColumns(const Scene& scene, const GoalFinderParams& p, GoalCandidate&
     column.chosen = true;
     column.distance = 0.0;
   }
-  if (reference > 0.0) dropLowEnds(scene.field.goalHeight, reference, c);
+  if (reference > 0.0) dropLowEnds(scene, reference, c);
 }
 
 GoalColumn medianColumn(const GoalCandidate& c) {

@@ -93,6 +93,20 @@ GoalCandidate grouped(const Scene& scene, const Blob& seed, const Landmarks& bea
   return c;
 }
 
+// Of the median of the columns whose feet and tops are seen.
+ElevationError elevationErrorOf(const Scene& scene, const GoalCandidate& c,
+                                const GoalFinderParams& p) {
+  FixedVector<double, kGoalColumns> errors;
+  for (const GoalColumn& column : c.columns)
+    if (column.chosen && !column.topCut && column.distance > 0.0)
+      errors.push_back(column.footError);
+  if (errors.size() < 2) return {};
+  std::sort(errors.begin(), errors.end());
+  const double pixel = p.edgeSd / focalLength(scene);
+  const double share = 1.414 * scene.body.camera.position.z / scene.field.goalHeight;
+  return {Angle::rad(errors[errors.size() / 2]), pixel * pixel * (1.0 + share * share)};
+}
+
 LandmarkPercept perceptOf(const Scene& scene, const GoalCandidate& c, const GoalShape& shape,
                           const GoalFinderParams& p) {
   const Point3<Robot>& eye = scene.body.camera.position;
@@ -110,6 +124,7 @@ LandmarkPercept perceptOf(const Scene& scene, const GoalCandidate& c, const Goal
                              maths::square(0.25 * hidden);
   percept.headingVariance = maths::square(p.headingSd.rad()) +
                             maths::square(0.25 * hidden / std::max(percept.distance, 20.0));
+  percept.elevationError = elevationErrorOf(scene, c, p);
   percept.leftEdge = bearing(camera + shape.leftPost(scene.field));
   percept.rightEdge = bearing(camera + shape.rightPost(scene.field));
   percept.leftEdgeCut = c.left.open();

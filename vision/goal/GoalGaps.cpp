@@ -84,11 +84,11 @@ struct Mouth {
   int steps = 0;
 };
 
-Mouth mouthOf(const GoalShape& shape, const body::FieldDescription& field) {
+Mouth mouthOf(const GoalShape& shape, const body::FieldDescription& field, double focalLength) {
   Mouth m{shape.leftPost(field), shape.rightPost(field)};
   m.from = directionOf(m.left);
   const double width = Angle::rad(directionOf(m.right) - m.from).rad();
-  m.steps = static_cast<int>(maths::clamp(width * body::kFocalLength, 0.0, kMaxSteps * 1.0));
+  m.steps = static_cast<int>(maths::clamp(width * focalLength, 0.0, kMaxSteps * 1.0));
   m.step = m.steps > 0 ? width / m.steps : 0.0;
   return m;
 }
@@ -123,7 +123,7 @@ GoalGap gapOf(const Scene& scene, const GoalCandidate& c, const Mouth& m, int fi
 }  // namespace
 
 void findGaps(const Scene& scene, const GoalCandidate& c, const GoalShape& shape, GoalGaps& gaps) {
-  const Mouth m = mouthOf(shape, scene.field);
+  const Mouth m = mouthOf(shape, scene.field, focalLength(scene));
   const double shift = footShift(scene, c, shape);
   int first = -1;
   Look before = Look::blocked;

@@ -141,12 +141,12 @@ void checkField(const Finder& f, PixelPoint pixel) {
 void findFieldPoints(const Finder& f, int px) {
   const double horizon = horizonRow(f.scene, px + 0.5);
   const int highest = highestRow(f.scene, px);
-  const double height = f.scene.body.camera.position.z;
+  const CameraPose& camera = f.scene.body.camera;
   int lowest = kUsableBottom;
   for (int py = kUsableBottom - 1; py >= highest; py -= kFieldStep) {
     if (f.scene.sampler.classAt(px, py) != ColourClass::green) {
       lowest = py;
-    } else if (lowest - py >= fieldInterval(0.5 * (py + lowest) - horizon, height, f.params)) {
+    } else if (lowest - py >= fieldInterval(0.5 * (py + lowest) - horizon, camera, f.params)) {
       checkField(f, {px + 0.5, 0.5 * (py + lowest) + 0.5});
       lowest = py;
     }
@@ -179,8 +179,8 @@ double pointWeight(LinePointKind kind, double distance, const LinePointParams& p
   return maths::clamp((far - d) / (far - near), 0.0, 1.0);
 }
 
-double fieldInterval(double rows, double cameraHeight, const LinePointParams& p) {
-  const double even = p.fieldSpacing * rows * rows / (cameraHeight * body::kFocalLength);
+double fieldInterval(double rows, const CameraPose& camera, const LinePointParams& p) {
+  const double even = p.fieldSpacing * rows * rows / (camera.position.z * camera.lens.focalLength);
   return maths::clamp(even, p.minFieldInterval, p.maxFieldInterval);
 }
 

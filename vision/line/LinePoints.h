@@ -14,7 +14,7 @@ double pointWeight(LinePointKind kind, double distance, const LinePointParams& p
 // Pixels of green for a field point so many rows below the horizon: a centimetre ahead fills
 // rows^2 / (height * focal length) of them, so that the points lie evenly on the ground. Wrong
 // where the head is rolled, as thesis 2004 section 3.1.2 says of its own rule.
-double fieldInterval(double rows, double cameraHeight, const LinePointParams& params);
+double fieldInterval(double rows, const CameraPose& camera, const LinePointParams& params);
 // Reads the objects in `out`, whose boxes hold no points; fills its line points and counts.
 void findLinePoints(const Scene& scene, const LinePointParams& params, Percepts& out);
 

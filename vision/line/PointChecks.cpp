@@ -32,7 +32,7 @@ bool twoGreens(const Sampler& sampler, const GridLine& gridLine, int i, int step
 // Pixels that a centimetre square to the ray fills where the pixel's ray meets the ground.
 double pixelsPerCm(const CameraPose& camera, PixelPoint pixel) {
   const Point3<Robot> ray = body::rayThrough(camera, pixel);
-  return body::kFocalLength * std::max(-ray.z, 0.0) / camera.position.z;
+  return camera.lens.focalLength * std::max(-ray.z, 0.0) / camera.position.z;
 }
 
 // Where the border's upper edge is above a foot. Seen from inside the field the border leans away:

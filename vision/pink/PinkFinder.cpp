@@ -32,7 +32,7 @@ Estimate byGround(const Scene& scene, const PinkPatch& patch, const PinkFinderPa
   if (!p.onField || patch.foot.end != FootEnd::carpet) return {};
   const double above = scene.body.camera.position.z;
   const double d = patch.foot.distance;
-  const double direction = maths::hypot(p.directionSd.rad(), p.edgeSd / body::kFocalLength);
+  const double direction = maths::hypot(p.directionSd.rad(), p.edgeSd / focalLength(scene));
   return {d, maths::square((d * d + above * above) / above * direction)};
 }
 
@@ -44,7 +44,7 @@ Estimate bySize(const Scene& scene, const PinkPatch& patch, const PinkFinderPara
       scene.body.camera, scene.frame.beside(patch.centre, 0.0, -patch.extent.lower));
   if (top.slope - bottom.slope < 1e-3) return {};
   const double d = p.knownHeight / (top.slope - bottom.slope);
-  return {d, maths::square(sizeSd(d, p.knownHeight, p.edgeSd))};
+  return {d, maths::square(sizeSd(scene.body.camera, d, p.knownHeight, p.edgeSd))};
 }
 
 PinkPercept perceptOf(const Scene& scene, const PinkPatch& patch, const PinkFinderParams& p) {
@@ -59,7 +59,7 @@ PinkPercept perceptOf(const Scene& scene, const PinkPatch& patch, const PinkFind
   pink.heading = bearing(place);
   pink.elevation = Angle::rad(maths::atan(ray.slope));
   pink.distanceVariance = estimate.variance;
-  const double pixel = p.edgeSd / body::kFocalLength;
+  const double pixel = p.edgeSd / focalLength(scene);
   pink.headingVariance = maths::square(p.headingSd.rad()) + pixel * pixel;
   pink.box = patch.box;
   return pink;

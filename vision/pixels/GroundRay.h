@@ -31,8 +31,8 @@ inline Point2<Robot> placeAt(const CameraPose& camera, const GroundRay& ray, dou
 
 // Standard deviation of a distance d from the angle that `height` fills, each end uncertain by
 // `edgeSd` pixels.
-inline double sizeSd(double d, double height, double edgeSd) {
-  return d * d / height * 1.414 * edgeSd / body::kFocalLength;
+inline double sizeSd(const CameraPose& camera, double d, double height, double edgeSd) {
+  return d * d / height * 1.414 * edgeSd / camera.lens.focalLength;
 }
 
 }  // namespace kelpie::vision

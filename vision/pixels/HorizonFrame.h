@@ -46,13 +46,14 @@ struct LevelBox {
 struct HorizonFrame {
   double cos = 1.0;  // of the roll
   double sin = 0.0;
-  double middleAbove = 0.0;  // px that the image's middle is above the horizon, within 1e4
+  double middleAbove = 0.0;  // px that the principal point is above the horizon, within 1e4
+  Lens lens;
 
   ImageDirection up() const { return {sin, -cos}; }
   ImageDirection right() const { return {cos, sin}; }
   // px above the horizon
   double above(PixelPoint p) const {
-    return middleAbove + sin * (p.x - body::kPrincipalX) - cos * (p.y - body::kPrincipalY);
+    return middleAbove + sin * (p.x - lens.principalX) - cos * (p.y - lens.principalY);
   }
   // px along the horizon, counted from where the image's origin lies
   double along(PixelPoint p) const { return cos * p.x + sin * p.y; }
@@ -61,14 +62,14 @@ struct HorizonFrame {
     return {from.x + right * cos + above * sin, from.y + right * sin - above * cos};
   }
   PixelPoint toImage(LevelPoint p) const {
-    const double u = p.u - body::kPrincipalX;
-    const double v = p.v - body::kPrincipalY;
-    return {body::kPrincipalX + cos * u - sin * v, body::kPrincipalY + sin * u + cos * v};
+    const double u = p.u - lens.principalX;
+    const double v = p.v - lens.principalY;
+    return {lens.principalX + cos * u - sin * v, lens.principalY + sin * u + cos * v};
   }
   LevelPoint fromImage(PixelPoint p) const {
-    const double x = p.x - body::kPrincipalX;
-    const double y = p.y - body::kPrincipalY;
-    return {body::kPrincipalX + cos * x + sin * y, body::kPrincipalY - sin * x + cos * y};
+    const double x = p.x - lens.principalX;
+    const double y = p.y - lens.principalY;
+    return {lens.principalX + cos * x + sin * y, lens.principalY - sin * x + cos * y};
   }
 };
 

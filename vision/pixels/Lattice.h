@@ -28,7 +28,7 @@ struct LatticeRow {
 class Lattice {
  public:
   // `horizon`: level row of the horizon at the image's middle.
-  explicit Lattice(const HorizonFrame& frame, double horizon = body::kPrincipalY);
+  explicit Lattice(const HorizonFrame& frame, double horizon = body::kNominalLens.principalY);
 
   int rows() const { return rows_; }
   // Rows that this one stands for: itself, and the next one where that is left out.

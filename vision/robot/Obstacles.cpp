@@ -76,9 +76,9 @@ ClippedRange inView(const Scene& scene, PixelPoint middle, const ObstacleParams&
   const CameraPose& camera = scene.body.camera;
   const auto& a = camera.axes;
   const double rise = a[6] * up.dx + a[7] * up.dy;
-  const double start = a[6] * (middle.x - body::kPrincipalX) +
-                       a[7] * (middle.y - body::kPrincipalY) + a[8] * body::kFocalLength;
-  const double highest = -camera.position.z / p.maxDistance * body::kFocalLength;
+  const double start = a[6] * (middle.x - camera.lens.principalX) +
+                       a[7] * (middle.y - camera.lens.principalY) + a[8] * focalLength(scene);
+  const double highest = -camera.position.z / p.maxDistance * focalLength(scene);
   if (rise > 1e-9) range.to = std::min(range.to, (highest - start) / rise);
   return range;
 }

@@ -102,7 +102,7 @@ double distanceSd(const Scene& scene, const PatchGroup& group, const RobotFinder
   const double above = scene.body.camera.position.z;
   const double d = group.distance;
   if (group.cut) return 0.4 * d;
-  const double direction = maths::hypot(p.directionSd.rad(), p.edgeSd / body::kFocalLength);
+  const double direction = maths::hypot(p.directionSd.rad(), p.edgeSd / focalLength(scene));
   return maths::hypot((d * d + above * above) / above * direction, 0.5 * p.depth);
 }
 

@@ -21,7 +21,7 @@ ColourClass colourOf(TeamColour team) {
 
 double scaleAt(const Scene& scene, double distance, double height) {
   const double range = maths::hypot(distance, scene.body.camera.position.z - height);
-  return body::kFocalLength / std::max(range, 5.0);
+  return focalLength(scene) / std::max(range, 5.0);
 }
 
 // For a robot whose feet the image border cuts: by the height above the ground and the size that
@@ -29,7 +29,7 @@ double scaleAt(const Scene& scene, double distance, double height) {
 double distanceWithoutFoot(const Scene& scene, const RobotPatch& patch,
                            const RobotFinderParams& p) {
   const double bySize =
-      body::kFocalLength * p.patchSize / (patch.extent.upper + patch.extent.lower);
+      focalLength(scene) * p.patchSize / (patch.extent.upper + patch.extent.lower);
   const double farthest = std::min(patch.foot.distance, bySize);
   const double slope = groundRayThrough(scene.body.camera, patch.centre).slope;
   const double below = scene.body.camera.position.z - p.patchHeight;

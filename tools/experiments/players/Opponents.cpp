@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 
+#include "robot/body/Camera.h"
 #include "tools/experiments/baselines/Opponents2003.h"
 #include "tools/experiments/harness/Statistics.h"
 #include "tools/experiments/harness/Trials.h"
@@ -129,7 +130,8 @@ class Tracker2003 {
   void step(const Player& player, const WorldModel& own) {
     const gps::PlayersContext context{player.params.field, player.params.players,
                                       player.params.ball};
-    gps::stepOpponents2003({player.input, player.percepts}, own.modes[0], context, *opponents_);
+    gps::stepOpponents2003({player.input, player.percepts, body::step(player.input, {}).camera},
+                           own.modes[0], context, *opponents_);
     world_->opponents = gps::extractOpponents(*opponents_);
   }
   const WorldModel& world() const { return *world_; }

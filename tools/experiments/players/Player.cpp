@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "robot/body/Camera.h"
+
 namespace kelpie::experiments {
 namespace {
 
@@ -39,7 +41,8 @@ void Player::turnHead(double pan) {
 WorldModel Player::stepAlone() {
   const FixedVector<TeamMessage, kTeammates> team = input.team;
   input.team.clear();
-  const WorldModel world = gps::step({input, percepts}, params, *alone_);
+  const WorldModel world =
+      gps::step({input, percepts, body::step(input, {}).camera}, params, *alone_);
   input.team = team;
   return world;
 }

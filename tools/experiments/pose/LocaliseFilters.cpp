@@ -6,6 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include "robot/body/Camera.h"
+
 namespace kelpie::experiments {
 namespace {
 
@@ -45,7 +47,7 @@ const WorldModel& Listener::hear(const WatchedFrame& frame) {
     if (hearing_.trueHeadings && there) percept.heading = truth.heading;
     percepts_->landmarks.push_back(percept);
   }
-  *world_ = localise_({*input_, *percepts_}, params_, *state_);
+  *world_ = localise_({*input_, *percepts_, body::step(*input_, {}).camera}, params_, *state_);
   return *world_;
 }
 

@@ -5,6 +5,7 @@
 
 #include "gps/Localiser.h"
 #include "gps/pose/Stuck.h"
+#include "robot/body/Camera.h"
 #include "robot/core/Random.h"
 #include "tools/experiments/harness/Statistics.h"
 #include "tools/experiments/harness/Trials.h"
@@ -32,7 +33,7 @@ class OdometryFilter {
     input_->odometry = output.odometry;
     input_->motion = output.status;
     input_->lastCommand = command;
-    *world_ = gps::step({*input_, *percepts_}, params_, *state_);
+    *world_ = gps::step({*input_, *percepts_, body::step(*input_, {}).camera}, params_, *state_);
   }
   double way() const { return distance(world_->pose.position, start_.position); }
   double sd() const { return world_->positionSd; }
