@@ -71,6 +71,7 @@ WorldModel extract(const GpsState& state, const BallFilterParams& params) {
   world.positionSd = positionSd(world.covariance);
   const double headingSd = std::sqrt(std::max(0.0, world.covariance[8]));
   world.headingSd = Angle::rad(std::min(headingSd, maths::kPi));
+  world.cameraTilt = state.pose.modes[0].tilt;
   world.secondsSinceLandmark = state.pose.secondsSinceLandmark;
   world.secondsSinceLines = state.pose.secondsSinceLines;
   world.second = secondOf(state.pose.modes);

@@ -8,6 +8,7 @@
 #include "gps/players/PlayersParams.h"
 #include "gps/pose/PoseParams.h"
 #include "gps/pose/StuckParams.h"
+#include "gps/pose/TiltParams.h"
 #include "robot/body/FieldDescription.h"
 
 namespace kelpie::gps {
@@ -19,6 +20,7 @@ struct GpsParams {
   StuckParams stuck;
   LandmarkGates gates;
   ModeParams modes;
+  TiltParams tilt;
   LinesParams lines;
   PinkMapParams pinks;
   BallFilterParams ball;
@@ -29,8 +31,9 @@ struct GpsParams {
     return fieldList(field("initialPose", &GpsParams::initialPose),
                      field("motion", &GpsParams::motion), field("stuck", &GpsParams::stuck),
                      field("gates", &GpsParams::gates), field("modes", &GpsParams::modes),
-                     field("lines", &GpsParams::lines), field("pinks", &GpsParams::pinks),
-                     field("ball", &GpsParams::ball), field("players", &GpsParams::players));
+                     field("tilt", &GpsParams::tilt), field("lines", &GpsParams::lines),
+                     field("pinks", &GpsParams::pinks), field("ball", &GpsParams::ball),
+                     field("players", &GpsParams::players));
   }
 };
 

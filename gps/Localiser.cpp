@@ -5,12 +5,15 @@
 #include "gps/ball/BallFilter.h"
 #include "gps/ball/DropIn.h"
 #include "gps/players/Players.h"
+#include "gps/pose/Tilt.h"
 
 namespace kelpie::gps {
 
 void prepare(const GpsParams& params, GpsState& state) {
   if (!state.lines.features.built()) state.lines.features.build(params.field);
-  if (!state.pose.started) start(params.initialPose, params.field, params.modes, state.pose);
+  if (state.pose.started) return;
+  start(params.initialPose, params.field, params.modes, state.pose);
+  state.pose.modes[0].tilt = startingTilt(params.tilt);
 }
 
 WorldModel believe(const GpsIn& in, const Step& moved, const GpsParams& params, GpsState& state) {
@@ -26,6 +29,7 @@ WorldModel stepWith(LandmarkUpdate update, const GpsIn& in, const GpsParams& par
                     GpsState& state) {
   prepare(params, state);
   const Step moved = moveModes(in, params, state);
+  useElevations(in, params.tilt, state.pose, state.counts);
   useLandmarks(in, params, state, update);
   usePinkPatches(in, moved.odometry, params, state);
   useLines(in, params, state);

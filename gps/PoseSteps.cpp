@@ -9,6 +9,7 @@
 #include "gps/pinks/Pinks.h"
 #include "gps/pose/Modes.h"
 #include "gps/pose/Stuck.h"
+#include "gps/pose/Tilt.h"
 
 namespace kelpie::gps {
 namespace {
@@ -24,6 +25,8 @@ bool updateByFrameOrMap(const GpsIn& in, const GpsParams& params, GpsState& stat
   const SeenLines seen = linesOfFrameOrMap(in, params.lines, map);
   const bool used = updateByLines(seen, state.lines.features, params.lines.update, state.pose.modes,
                                   state.counts);
+  if (!params.tilt.joint)
+    for (PoseMode& mode : state.pose.modes) mode.cross = {};
   const bool refused = !used && seen.lines.size() >= params.lines.update.minPoints;
   map.refused = refused ? map.refused + 1 : 0;
   return used;
@@ -52,6 +55,7 @@ Step moveModes(const GpsIn& in, const GpsParams& params, GpsState& state) {
   const Step step{shortened(walked, excess, params.stuck),
                   grown(noise, excess, elapsed, params.stuck)};
   for (PoseMode& mode : pose.modes) predict(mode, step.odometry, step.noise);
+  driftTilt(elapsed, params.tilt, pose.modes);
   keepNearField(params.field, pose.modes);
   return step;
 }

@@ -38,6 +38,7 @@ enum class Refusal : std::uint8_t {
   pinkElevation,   // too low or too high for the wall
   pinkNearBeacon,
   pinkMapFull,
+  tiltUnlikely,  // far from what is known of the camera's tilt
 };
 
 // In the order of the numbers.
@@ -65,6 +66,7 @@ inline constexpr RefusalName<Refusal> kRefusalNames[] = {
     {Refusal::pinkElevation, "pinkElevation"},
     {Refusal::pinkNearBeacon, "pinkNearBeacon"},
     {Refusal::pinkMapFull, "pinkMapFull"},
+    {Refusal::tiltUnlikely, "tiltUnlikely"},
 };
 constexpr std::size_t kRefusalCount = std::size(kRefusalNames);
 

@@ -12,41 +12,93 @@ constexpr double kFirstDamping = 0.01;
 constexpr double kStepTolerance = 0.05;  // cm
 constexpr double kTurnTolerance = 5e-4;  // rad
 
-// Sums over the points at one pose: match, and the normal equations of the reweighted distances.
+// The number of unknowns: x, y and heading, or tilt and roll with them.
+constexpr int kPose = 3;
+constexpr int kPoseAndTilt = 5;
+template <int N>
+using Vector = Eigen::Matrix<double, N, 1>;
+template <int N>
+using Matrix = Eigen::Matrix<double, N, N>;
+
+// Sums over the points: match, and the normal equations of the reweighted distances.
+template <int N>
 struct Sums {
   double weight = 0.0;
   double match = 0.0;
-  Matrix3 curvature = Matrix3::Zero();
-  Vector3 gradient = Vector3::Zero();
+  Matrix<N> curvature = Matrix<N>::Zero();
+  Vector<N> gradient = Vector<N>::Zero();
 
   double share() const { return weight > 0.0 ? match / weight : 1.0; }
 };
 
-struct Turned {
+// A place of the fit: the pose, and the tilt beyond that with which the points were laid down.
+struct Trial {
   Pose2 pose;
-  double sin;
-  double cos;
+  Vector2 tilt = Vector2::Zero();
 };
 
-Turned turned(const Pose2& pose) { return {pose, pose.heading.sin(), pose.heading.cos()}; }
+struct Turned {
+  const Trial& trial;
+  double sin;
+  double cos;
 
-// Thesis 2004 equation 3.12 with heading 90 deg up the field.
-Point2<Field> placed(const Turned& t, Point2<Robot> p) {
-  return {t.pose.position.x + t.sin * p.x + t.cos * p.y,
-          t.pose.position.y - t.cos * p.x + t.sin * p.y};
+  explicit Turned(const Trial& t)
+      : trial(t), sin(t.pose.heading.sin()), cos(t.pose.heading.cos()) {}
+  // Thesis 2004 equation 3.12 with heading 90 deg up the field.
+  Point2<Field> placed(Point2<Robot> p) const {
+    const Point2<Field>& at = trial.pose.position;
+    return {at.x + sin * p.x + cos * p.y, at.y - cos * p.x + sin * p.y};
+  }
+  // How a distance grows when the point moves in the robot frame.
+  double along(const FeatureDistance& d, Point2<Robot> way) const {
+    return d.alongX * (sin * way.x + cos * way.y) + d.alongY * (sin * way.y - cos * way.x);
+  }
+};
+
+// Where the ray to a point meets the ground when the camera is turned by a small tilt and roll
+// more.
+struct Relaid {
+  bool onGround = true;
+  Point2<Robot> place;
+  Point2<Robot> perTilt;
+  Point2<Robot> perRoll;
+};
+
+Relaid relaid(const Point3<Robot>& eye, Point2<Robot> place, const Vector2& tilt) {
+  constexpr double kFlattest = 0.05;  // of the eye's height: 20 times as far
+  const double h = eye.z;
+  const double x = place.x - eye.x;
+  const double y = place.y - eye.y;
+  const double down = h - tilt(0) * y + tilt(1) * x;
+  if (!(down > kFlattest * h)) return {false, {}, {}, {}};
+  const double stretch = h / down;
+  const Point2<Robot> way{(x - tilt(1) * h) * stretch, (y + tilt(0) * h) * stretch};
+  return {true,
+          {eye.x + way.x, eye.y + way.y},
+          {way.x * way.y / h, h + way.y * way.y / h},
+          {-h - way.x * way.x / h, -way.x * way.y / h}};
 }
 
-template <typename Points, typename Distance>
-Sums summed(const Points& points, const Turned& t, double sharpness, const Distance& distance) {
-  Sums sums;
+template <int N, typename Points, typename Distance>
+Sums<N> summed(const Points& points, const Point3<Robot>& eye, const Turned& t, double sharpness,
+               const Distance& distance) {
+  Sums<N> sums;
   for (const SeenPoint& point : points) {
-    const FeatureDistance d = distance(placed(t, point.place), point.border);
-    const double value = 1.0 / (1.0 + sharpness * d.value * d.value);
     sums.weight += point.weight;
+    Relaid at{true, point.place, {}, {}};
+    if constexpr (N == kPoseAndTilt) at = relaid(eye, point.place, t.trial.tilt);
+    if (!at.onGround) continue;
+    const FeatureDistance d = distance(t.placed(at.place), point.border);
+    const double value = 1.0 / (1.0 + sharpness * d.value * d.value);
     sums.match += point.weight * value;
-    const double spin = d.alongX * (t.cos * point.place.x - t.sin * point.place.y) +
-                        d.alongY * (t.sin * point.place.x + t.cos * point.place.y);
-    const Vector3 slope(d.alongX, d.alongY, spin);
+    Vector<N> slope;
+    slope(0) = d.alongX;
+    slope(1) = d.alongY;
+    slope(2) = t.along(d, {-at.place.y, at.place.x});
+    if constexpr (N == kPoseAndTilt) {
+      slope(3) = t.along(d, at.perTilt);
+      slope(4) = t.along(d, at.perRoll);
+    }
     const double weight = point.weight * value * value;
     sums.gradient += weight * d.value * slope;
     sums.curvature += weight * slope * slope.transpose();
@@ -54,34 +106,117 @@ Sums summed(const Points& points, const Turned& t, double sharpness, const Dista
   return sums;
 }
 
-struct Evaluation {
-  double match = 0.0;
-  Matrix3 curvature;
-  Vector3 gradient;
+// What is known of the tilt beforehand, in the units of the normal equations.
+struct TiltPrior {
+  Vector2 mean = Vector2::Zero();
+  Matrix2 information = Matrix2::Zero();
 };
 
-Evaluation evaluate(const SeenLines& seen, const Pose2& pose, const FieldFeatures& field,
-                    const LineUpdateParams& params) {
-  const Turned t = turned(pose);
-  const double s = params.sharpness;
-  const Sums lines = summed(seen.lines, t, s, [&field](Point2<Field> p, bool border) {
-    return border ? field.border(p) : field.nearest(p);
-  });
-  const Sums carpet =
-      summed(seen.carpet, t, s, [&field](Point2<Field> p, bool) { return field.outside(p); });
-  return {lines.share() * carpet.share(), lines.curvature + carpet.curvature,
-          lines.gradient + carpet.gradient};
+// `score` is the match less what an unlikely tilt costs.
+template <int N>
+struct Evaluation {
+  double match = 0.0;
+  double score = 0.0;
+  Matrix<N> curvature;
+  Vector<N> gradient;
+};
+
+struct View {
+  const SeenLines& seen;
+  const FieldFeatures& field;
+  const LineUpdateParams& params;
+  TiltPrior prior;
+};
+
+template <int N>
+Evaluation<N> evaluate(const View& view, const Trial& trial) {
+  const Turned t(trial);
+  const double s = view.params.sharpness;
+  const FieldFeatures& field = view.field;
+  const Point3<Robot>& eye = view.seen.eye;
+  const Sums<N> lines =
+      summed<N>(view.seen.lines, eye, t, s, [&field](Point2<Field> p, bool border) {
+        return border ? field.border(p) : field.nearest(p);
+      });
+  const Sums<N> carpet = summed<N>(view.seen.carpet, eye, t, s,
+                                   [&field](Point2<Field> p, bool) { return field.outside(p); });
+  Evaluation<N> e;
+  e.match = lines.share() * carpet.share();
+  e.score = e.match;
+  e.curvature = lines.curvature + carpet.curvature;
+  e.gradient = lines.gradient + carpet.gradient;
+  if constexpr (N == kPoseAndTilt) {
+    const Vector2 off = trial.tilt - view.prior.mean;
+    const Vector2 pull = view.prior.information * off;
+    e.score -= off.dot(pull) * s / std::max(lines.weight, 1e-6);
+    e.gradient.template tail<2>() += pull;
+    e.curvature.template bottomRightCorner<2, 2>() += view.prior.information;
+  }
+  return e;
 }
 
-Vector3 stepOf(const Evaluation& e, double damping, const LineUpdateParams& params) {
-  Matrix3 damped = e.curvature;
+template <int N>
+Vector<N> stepOf(const Evaluation<N>& e, double damping, const LineUpdateParams& params) {
+  Matrix<N> damped = e.curvature;
   const double scale = damping * std::max(e.curvature(0, 0) + e.curvature(1, 1), 1e-6);
-  damped.diagonal() += scale * Vector3(1.0, 1.0, kLever * kLever);
-  Vector3 step = -damped.inverse() * e.gradient;
+  for (int i = 0; i < N; ++i) damped(i, i) += scale * (i < 2 ? 1.0 : kLever * kLever);
+  Vector<N> step = -damped.inverse() * e.gradient;
   const double far = maths::hypot(step(0), step(1));
   const double shrink =
       std::max({1.0, far / params.farStep, std::fabs(step(2)) / params.farTurn.rad()});
   return step / shrink;
+}
+
+template <int N>
+Trial stepped(const Trial& from, const Vector<N>& step) {
+  Trial to = from;
+  to.pose = {{from.pose.position.x + step(0), from.pose.position.y + step(1)},
+             from.pose.heading + Angle::rad(step(2))};
+  if constexpr (N == kPoseAndTilt) to.tilt += step.template tail<2>();
+  return to;
+}
+
+template <int N>
+bool isSmall(const Vector<N>& step) {
+  return maths::hypot(step(0), step(1)) < kStepTolerance &&
+         step.template tail<N - 2>().cwiseAbs().maxCoeff() < kTurnTolerance;
+}
+
+// Damped steps from the trial, which moves to the best found; returns what holds there.
+template <int N>
+Evaluation<N> climb(const View& view, Trial& trial, std::uint32_t& steps) {
+  Evaluation<N> here = evaluate<N>(view, trial);
+  double damping = kFirstDamping;
+  ++steps;
+  for (std::uint32_t i = 1; i < view.params.maxSteps; ++i, ++steps) {
+    const Vector<N> step = stepOf<N>(here, damping, view.params);
+    const Trial next = stepped<N>(trial, step);
+    const Evaluation<N> there = evaluate<N>(view, next);
+    if (there.score < here.score) {
+      damping *= 8.0;
+      continue;
+    }
+    trial = next;
+    here = there;
+    damping *= 0.2;
+    if (isSmall<N>(step)) break;
+  }
+  return here;
+}
+
+template <int N>
+Evaluation<N> climbed(const View& view, bool fromFar, Trial& trial, std::uint32_t& steps) {
+  if (fromFar) {
+    LineUpdateParams coarse = view.params;
+    coarse.sharpness *= coarse.coarseShare;
+    climb<N>({view.seen, view.field, coarse, view.prior}, trial, steps);
+  }
+  return climb<N>(view, trial, steps);
+}
+
+// The points' variance, as far as they tell different things.
+double varianceOf(const LineUpdateParams& params) {
+  return params.correlation * maths::square(params.pointSd);
 }
 
 bool usable(const LinePoint& p) {
@@ -102,30 +237,6 @@ void thin(const FixedVector<LinePoint, 256>& points, LinePointKind kind, std::si
   }
 }
 
-// Damped steps from the fit's pose, which moves to the best found; returns what holds there.
-Evaluation climb(const SeenLines& seen, const FieldFeatures& field, const LineUpdateParams& params,
-                 LineFit& fit) {
-  Evaluation here = evaluate(seen, fit.pose, field, params);
-  double damping = kFirstDamping;
-  ++fit.steps;
-  for (std::uint32_t i = 1; i < params.maxSteps; ++i, ++fit.steps) {
-    const Vector3 step = stepOf(here, damping, params);
-    const Pose2 next{{fit.pose.position.x + step(0), fit.pose.position.y + step(1)},
-                     fit.pose.heading + Angle::rad(step(2))};
-    const Evaluation there = evaluate(seen, next, field, params);
-    if (there.match < here.match) {
-      damping *= 8.0;
-      continue;
-    }
-    fit.pose = next;
-    here = there;
-    damping *= 0.2;
-    if (maths::hypot(step(0), step(1)) < kStepTolerance && std::fabs(step(2)) < kTurnTolerance)
-      break;
-  }
-  return here;
-}
-
 }  // namespace
 
 SeenLines seenLines(const FixedVector<LinePoint, 256>& points, const LineUpdateParams& params) {
@@ -139,21 +250,45 @@ SeenLines seenLines(const FixedVector<LinePoint, 256>& points, const LineUpdateP
 
 double lineMatch(const SeenLines& seen, const Pose2& pose, const FieldFeatures& field,
                  const LineUpdateParams& params) {
-  return evaluate(seen, pose, field, params).match;
+  return evaluate<kPose>({seen, field, params, {}}, {pose}).match;
 }
 
 LineFit fitLines(const SeenLines& seen, const Pose2& start, const FieldFeatures& field,
                  const LineUpdateParams& params, bool fromFar) {
   LineFit fit;
-  fit.pose = start;
-  if (fromFar) {
-    LineUpdateParams coarse = params;
-    coarse.sharpness *= params.coarseShare;
-    climb(seen, field, coarse, fit);
-  }
-  const Evaluation end = climb(seen, field, params, fit);
+  Trial trial{start};
+  const auto end = climbed<kPose>({seen, field, params, {}}, fromFar, trial, fit.steps);
+  fit.pose = trial.pose;
   fit.match = end.match;
-  fit.information = end.curvature / (params.correlation * maths::square(params.pointSd));
+  fit.information = end.curvature / varianceOf(params);
+  fit.tilt = seen.readWith;
+  fit.jointInformation = Matrix5::Zero();
+  fit.jointInformation.topLeftCorner<3, 3>() = fit.information;
+  fit.tiltPull = Vector2::Zero();
+  return fit;
+}
+
+LineFit fitLinesAndTilt(const SeenLines& seen, const Pose2& start, const CameraTilt& known,
+                        const FieldFeatures& field, const LineUpdateParams& params, bool fromFar) {
+  const double variance = varianceOf(params);
+  const Vector2 readWith = tiltMeanOf(seen.readWith);
+  const TiltPrior prior{tiltMeanOf(known) - readWith, variance * tiltCovarianceOf(known).inverse()};
+  LineFit fit;
+  Trial trial{start, prior.mean};
+  const auto end = climbed<kPoseAndTilt>({seen, field, params, prior}, fromFar, trial, fit.steps);
+  fit.pose = trial.pose;
+  fit.match = end.match;
+  fit.tilt = known;
+  fit.tilt.tilt = Angle::rad(readWith(0) + trial.tilt(0));
+  fit.tilt.roll = Angle::rad(readWith(1) + trial.tilt(1));
+  const Matrix32 cross = end.curvature.topRightCorner<3, 2>();
+  const Matrix2 tiltCurvature = end.curvature.bottomRightCorner<2, 2>();
+  fit.information =
+      (end.curvature.topLeftCorner<3, 3>() - cross * tiltCurvature.inverse() * cross.transpose()) /
+      variance;
+  fit.jointInformation = end.curvature / variance;
+  fit.jointInformation.bottomRightCorner<2, 2>() -= prior.information / variance;
+  fit.tiltPull = prior.information * (trial.tilt - prior.mean) / variance;
   return fit;
 }
 

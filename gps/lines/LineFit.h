@@ -25,6 +25,9 @@ struct SeenLines {
   FixedVector<SeenPoint, 16> carpet;  // green; only says that the robot is near the field
   double newEvidenceShare = 1.0;      // what no update has used before
   double headSpeed = 0.0;             // rad a frame, while they were seen
+  // The camera, and the tilt with which the points were laid on the ground.
+  Point3<Robot> eye{0.0, 8.0, 20.0};
+  CameraTilt readWith;
 };
 
 // Whether the index is one of `most` that are spread evenly over `count`.
@@ -41,6 +44,11 @@ struct LineFit {
   double match = 0.0;       // 0 to 1, thesis 2004 equations 3.13 to 3.15
   Matrix3 information;      // 1/cm2, 1/(cm rad), 1/rad2: curvature over the points' variance
   std::uint32_t steps = 0;  // evaluations
+  // Of a fit with a tilt of its own. The information of the pose is then what is left of it for any
+  // tilt that is as likely as it was before.
+  CameraTilt tilt;
+  Matrix5 jointInformation;  // of the points alone
+  Vector2 tiltPull;          // by which the points would move the tilt farther, 1/rad
 };
 
 // The match at a pose, without moving.
@@ -50,5 +58,11 @@ double lineMatch(const SeenLines& seen, const Pose2& pose, const FieldFeatures& 
 // not.
 LineFit fitLines(const SeenLines& seen, const Pose2& start, const FieldFeatures& field,
                  const LineUpdateParams& params, bool fromFar = false);
+
+// The same where the camera's tilt is only known so well: all points of a frame were laid on the
+// ground with one wrong tilt and roll, so these are fitted with the pose.
+LineFit fitLinesAndTilt(const SeenLines& seen, const Pose2& start, const CameraTilt& known,
+                        const FieldFeatures& field, const LineUpdateParams& params,
+                        bool fromFar = false);
 
 }  // namespace kelpie::gps

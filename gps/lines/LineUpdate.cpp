@@ -22,19 +22,25 @@ bool isNarrow(const PoseMode& mode, const LineUpdateParams& params) {
 }
 
 bool isUnsure(const PoseMode& mode, const LineUpdateParams& params) {
-  return mode.covariance[0] + mode.covariance[4] > 2.0 * maths::square(params.coarseAbove);
+  const double tilt = std::max(mode.tilt.tiltVariance, mode.tilt.rollVariance);
+  return mode.covariance[0] + mode.covariance[4] > 2.0 * maths::square(params.coarseAbove) ||
+         tilt > maths::square(params.coarseAboveTilt.rad());
 }
 
 // However many points agree, the pose is known no better than the floor.
-Matrix3 floored(const Matrix3& information, const LineUpdateParams& params) {
-  const double place = maths::square(params.floorSd);
-  const Vector3 variances(place, place, maths::square(params.floorHeadingSd.rad()));
-  const Matrix3 sum = Matrix3::Identity() + variances.asDiagonal() * information;
-  const Matrix3 result = information * sum.inverse();
+template <int N>
+Eigen::Matrix<double, N, N> floored(const Eigen::Matrix<double, N, N>& information,
+                                    const LineUpdateParams& params) {
+  using Square = Eigen::Matrix<double, N, N>;
+  Square floor = Square::Zero();
+  floor(0, 0) = floor(1, 1) = maths::square(params.floorSd);
+  floor(2, 2) = maths::square(params.floorHeadingSd.rad());
+  const Square sum = Square::Identity() + floor * information;
+  const Square result = information * sum.inverse();
   return 0.5 * (result + result.transpose());
 }
 
-using Observations = FixedVector<std::optional<PoseObservation>, kWorkModes>;
+using Observations = FixedVector<std::optional<LineObservation>, kWorkModes>;
 
 // Of the heaviest modes; none for the lighter ones.
 Observations observationsAt(const SeenLines& seen, const FieldFeatures& field,
@@ -48,7 +54,7 @@ Observations observationsAt(const SeenLines& seen, const FieldFeatures& field,
 }
 
 // The mode's own pose, with the weight that it and the copy would share.
-PoseMode judged(const PoseMode& mode, const PoseObservation& found, double outlierWeight) {
+PoseMode judged(const PoseMode& mode, const LineObservation& found, double outlierWeight) {
   PoseMode result = mode;
   result.weight = corrected(mode, found).weight + outlierCopy(mode, outlierWeight).weight;
   return result;
@@ -56,26 +62,53 @@ PoseMode judged(const PoseMode& mode, const PoseObservation& found, double outli
 
 }  // namespace
 
-std::optional<PoseObservation> observationOf(const LineFit& fit, const FieldFeatures& field,
+PoseMode corrected(const PoseMode& mode, const LineObservation& seen) {
+  Vector5 off = Vector5::Zero();
+  off(0) = seen.pose.pose.position.x - mode.pose.position.x;
+  off(1) = seen.pose.pose.position.y - mode.pose.position.y;
+  off(2) = (seen.pose.pose.heading - mode.pose.heading).rad();
+  off.tail<2>() = tiltMeanOf(seen.tilt) - tiltMeanOf(mode.tilt);
+  Vector5 pull = seen.information * off;
+  const double squared = off.dot(pull) + 2.0 * off.tail<2>().dot(seen.tiltPull);
+  pull.tail<2>() += seen.tiltPull;
+  const Matrix5 before = stateCovarianceOf(mode);
+  const Matrix5 sum = Matrix5::Identity() + before * seen.information;
+  const Matrix5 after = sum.inverse() * before;
+  const Vector5 shift = after * pull;
+  PoseMode result = mode;
+  result.weight *= maths::exp(-0.5 * std::max(0.0, squared - pull.dot(shift)));
+  setState(result, stateOf(mode) + shift, after);
+  return result;
+}
+
+std::optional<LineObservation> observationOf(const LineFit& fit, const FieldFeatures& field,
                                              double headSpeed, const LineUpdateParams& params) {
   const double moving = params.headSpeed * headSpeed;
   const double away = field.outside(fit.pose.position).value;
   const double inside = maths::exp(-params.offField * away * away);
   if (fit.match * inside < params.match + params.matchStill / (1.0 + moving)) return std::nullopt;
-  PoseObservation observation;
-  observation.pose = fit.pose;
-  observation.information = floored(fit.information / (1.0 + moving * moving), params);
+  const double share = 1.0 / (1.0 + moving * moving);
+  LineObservation observation;
+  observation.pose.pose = fit.pose;
+  observation.pose.information = floored<3>(fit.information * share, params);
+  observation.tilt = fit.tilt;
+  observation.information = floored<5>(fit.jointInformation * share, params);
+  observation.tiltPull = fit.tiltPull * share;
   return observation;
 }
 
-std::optional<PoseObservation> observationAt(const PoseMode& mode, const SeenLines& seen,
+std::optional<LineObservation> observationAt(const PoseMode& mode, const SeenLines& seen,
                                              const FieldFeatures& field,
                                              const LineUpdateParams& params, GpsCounts& counts) {
   if (!isNarrow(mode, params)) return std::nullopt;
-  const LineFit fit = fitLines(seen, mode.pose, field, params, isUnsure(mode, params));
+  const LineFit fit =
+      fitLinesAndTilt(seen, mode.pose, mode.tilt, field, params, isUnsure(mode, params));
   auto observation = observationOf(fit, field, seen.headSpeed, params);
   if (!observation) count(Refusal::linesMatchNothing, counts);
-  if (observation) observation->information *= seen.newEvidenceShare;
+  if (!observation) return observation;
+  observation->pose.information *= seen.newEvidenceShare;
+  observation->information *= seen.newEvidenceShare;
+  observation->tiltPull *= seen.newEvidenceShare;
   return observation;
 }
 

@@ -12,15 +12,26 @@
 
 namespace kelpie::gps {
 
+// A fit as an observation of the whole state.
+struct LineObservation {
+  PoseObservation pose;  // the tilt's doubt taken from its information
+  CameraTilt tilt;
+  Matrix5 information;  // of pose and tilt together
+  Vector2 tiltPull;     // LineFit
+};
+
+// A mode after it: as `corrected` by a pose, of five states.
+PoseMode corrected(const PoseMode& mode, const LineObservation& observation);
+
 // The fit as an observation: none when it matches worse than it must (thesis 2004 equation 3.22) or
 // lies off the field (thesis 2004 equations 3.20 and 3.21); wider the faster the head moves (thesis
 // 2004 equation 3.23).
-std::optional<PoseObservation> observationOf(const LineFit& fit, const FieldFeatures& field,
+std::optional<LineObservation> observationOf(const LineFit& fit, const FieldFeatures& field,
                                              double headSpeed, const LineUpdateParams& params);
 
 // The observation by a fit near one mode; none for a mode that is too wide for a fit, or near which
 // the lines match nothing (counted).
-std::optional<PoseObservation> observationAt(const PoseMode& mode, const SeenLines& seen,
+std::optional<LineObservation> observationAt(const PoseMode& mode, const SeenLines& seen,
                                              const FieldFeatures& field,
                                              const LineUpdateParams& params, GpsCounts& counts);
 

@@ -15,17 +15,18 @@ enum class LineUse : std::uint8_t { off, sanity, position };
 
 struct LineUpdateParams {
   LineUse use = LineUse::position;
-  std::uint32_t minPoints = 8;     // of lines and border in a frame; facts-2005 section 5.2 has 8
-  std::uint32_t maxPoints = 40;    // of lines that are used, and of the border, spread evenly
-  double sharpness = 0.004;        // 1/cm2, S of thesis 2004 equation 3.2: a match of 0.5 at 16 cm
-  double coarseShare = 0.125;      // of the sharpness, for the first steps of an unsure mode
-  double coarseAbove = 12.0;       // cm, sd of a mode from which these are made
-  std::uint32_t maxSteps = 8;      // of the maximiser
-  double farStep = 20.0;           // cm, most of one step
-  Angle farTurn = Angle::deg(15);  // the same for the heading
-  double pointSd = 2.7;            // cm, of one point on the ground
-  double correlation = 10.0;       // how many points of how many frames share their error
-  double floorSd = 2.0;            // cm, of a pose from lines, whatever their number
+  std::uint32_t minPoints = 8;   // of lines and border in a frame; facts-2005 section 5.2 has 8
+  std::uint32_t maxPoints = 40;  // of lines that are used, and of the border, spread evenly
+  double sharpness = 0.004;      // 1/cm2, S of thesis 2004 equation 3.2: a match of 0.5 at 16 cm
+  double coarseShare = 0.125;    // of the sharpness, for the first steps of an unsure mode
+  double coarseAbove = 12.0;     // cm, sd of a mode from which these are made
+  Angle coarseAboveTilt = Angle::deg(0.8);  // or of its tilt
+  std::uint32_t maxSteps = 8;               // of the maximiser
+  double farStep = 20.0;                    // cm, most of one step
+  Angle farTurn = Angle::deg(15);           // the same for the heading
+  double pointSd = 2.7;                     // cm, of one point on the ground
+  double correlation = 10.0;                // how many points of how many frames share their error
+  double floorSd = 2.0;                     // cm, of a pose from lines, whatever their number
   Angle floorHeadingSd = Angle::deg(1);
   double match = 0.5;           // least match with a still head is match + matchStill (thesis 2004
   double matchStill = 0.3;      // equation 3.22) and falls with the head's speed
@@ -46,6 +47,7 @@ struct LineUpdateParams {
         field("sharpness", &P::sharpness, "1/cm2", 1e-5, 1),
         field("coarseShare", &P::coarseShare, "", 0.001, 1),
         field("coarseAbove", &P::coarseAbove, "cm", 0, 1000),
+        field("coarseAboveTilt", &P::coarseAboveTilt, "rad", 0, 90),
         field("maxSteps", &P::maxSteps, "", 1, 100), field("farStep", &P::farStep, "cm", 0.1, 200),
         field("farTurn", &P::farTurn, "rad", 0.1, 90),
         field("pointSd", &P::pointSd, "cm", 0.1, 100),

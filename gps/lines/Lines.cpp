@@ -17,6 +17,8 @@ double headSpeedOf(const FrameInput& input) {
 SeenLines linesOfFrame(const GpsIn& in, const LineUpdateParams& params) {
   SeenLines seen = seenLines(in.percepts.linePoints, params);
   seen.headSpeed = headSpeedOf(in.input);
+  seen.eye = in.camera.position;
+  seen.readWith = in.camera.tilt;
   return seen;
 }
 
@@ -25,6 +27,8 @@ SeenLines linesOfFrameOrMap(const GpsIn& in, const LinesParams& params, LineMap&
   if (countOfWhite(map) <= frame.lines.size()) return frame;
   SeenLines mapped = seenLines(map, params.map.matched, params.map);
   mapped.headSpeed = frame.headSpeed;
+  mapped.eye = frame.eye;
+  mapped.readWith = frame.readWith;
   map.newCount = 0.0;
   return mapped;
 }

@@ -110,6 +110,9 @@ PoseMode seed(const Measurement& m, double around, double aroundSd, double maxSd
 
 }  // namespace
 
+// What is known of the body holds wherever it stands.
+CameraTilt tiltOf(const Modes& modes) { return modes.empty() ? CameraTilt{} : modes[0].tilt; }
+
 PoseMode wideMode(const body::FieldDescription& field, const ModeParams& params, double weight) {
   PoseMode mode;
   mode.weight = weight;
@@ -134,8 +137,10 @@ void start(const InitialPose& initial, const body::FieldDescription& field,
 }
 
 void lose(const body::FieldDescription& field, const ModeParams& params, PoseState& state) {
+  PoseMode wide = wideMode(field, params, 1.0);
+  wide.tilt = tiltOf(state.modes);
   state.modes.clear();
-  state.modes.push_back(wideMode(field, params, 1.0));
+  state.modes.push_back(wide);
   state.lost = true;
 }
 
@@ -143,10 +148,11 @@ void seedAround(const Measurement& measurement, const body::FieldDescription& fi
                 const ModeParams& params, PoseState& state, GpsCounts& counts) {
   const double spacing = params.seedSpacing / kDegrees;
   const int number = static_cast<int>(2.0 * maths::kPi / spacing + 0.5);
+  const CameraTilt tilt = tiltOf(state.modes);
   Modes seeds;
   for (int i = 0; i < number; ++i) {
-    const PoseMode mode =
-        seed(measurement, (i + 0.5) * spacing, 0.5 * spacing, params.widePositionSd);
+    PoseMode mode = seed(measurement, (i + 0.5) * spacing, 0.5 * spacing, params.widePositionSd);
+    mode.tilt = tilt;
     if (body::carpetDistance(field, mode.pose.position) <= 0.0) seeds.push_back(mode);
   }
   if (seeds.empty()) {
@@ -160,7 +166,11 @@ void seedAround(const Measurement& measurement, const body::FieldDescription& fi
 void updateAll(const Measurement& measurement, const body::FieldDescription& field,
                const ModeParams& params, PoseState& state, GpsCounts& counts) {
   Modes& modes = state.modes;
-  if (params.wideWeight > 0.0) modes.push_back(wideMode(field, params, params.wideWeight));
+  if (params.wideWeight > 0.0) {
+    PoseMode wide = wideMode(field, params, params.wideWeight);
+    wide.tilt = tiltOf(modes);
+    modes.push_back(wide);
+  }
   const std::size_t before = modes.size();
   const Measurement withoutDistance = headingOnly(measurement);
   SplitWeights weights;
@@ -189,13 +199,13 @@ void mergeAndPrune(const body::FieldDescription& field, const ModeParams& params
 PoseMode merged(const PoseMode& a, const PoseMode& b) {
   const double total = a.weight + b.weight;
   const double shareB = total > 0.0 ? b.weight / total : 0.5;
-  Vector3 apart = meanOf(b) - meanOf(a);
+  Vector5 apart = stateOf(b) - stateOf(a);
   apart(2) = (b.pose.heading - a.pose.heading).rad();  // the short way round
   PoseMode mode;
   mode.weight = total;
-  mode.pose = poseOf(meanOf(a) + shareB * apart);
-  setCovariance(mode, (1.0 - shareB) * covarianceOf(a) + shareB * covarianceOf(b) +
-                          shareB * (1.0 - shareB) * apart * apart.transpose());
+  setState(mode, stateOf(a) + shareB * apart,
+           (1.0 - shareB) * stateCovarianceOf(a) + shareB * stateCovarianceOf(b) +
+               shareB * (1.0 - shareB) * apart * apart.transpose());
   return mode;
 }
 

@@ -11,7 +11,10 @@ namespace kelpie::gps {
 // A mode at the middle of the field that fits nearly everything.
 PoseMode wideMode(const body::FieldDescription& field, const ModeParams& params, double weight);
 
-// Before the first frame.
+// That of the heaviest mode.
+CameraTilt tiltOf(const Modes& modes);
+
+// Before the first frame. The modes keep their tilt.
 void start(const InitialPose& initial, const body::FieldDescription& field,
            const ModeParams& params, PoseState& state);
 

@@ -15,6 +15,18 @@ Vector3 difference(const Pose2& to, const Pose2& from) {
   return {d.x, d.y, (to.heading - from.heading).rad()};
 }
 
+// What an observation of the pose says of the tilt: x += C' (y - Y shift), C := S C and
+// T -= C' Y S C, the joint filter's update without an inverse of P.
+void carryTilt(const InformationSum& information, const Matrix3& shrink, const Vector3& shift,
+               PoseMode& mode) {
+  const Matrix32 cross = crossOf(mode);
+  const Matrix32 after = shrink * cross;
+  const Vector2 pull = cross.transpose() * (information.vector - information.matrix * shift);
+  const Matrix2 less = cross.transpose() * information.matrix * after;
+  setTilt(mode.tilt, tiltMeanOf(mode.tilt) + pull, tiltCovarianceOf(mode.tilt) - less);
+  setCross(mode, after);
+}
+
 }  // namespace
 
 Expectation expected(const Pose2& pose, Point2<Field> landmark) {
@@ -65,7 +77,8 @@ PoseMode corrected(const PoseMode& mode, const InformationSum& information) {
   }
   const Matrix3 p = covarianceOf(mode);
   const Matrix3 sum = Matrix3::Identity() + p * information.matrix;
-  const Matrix3 after = sum.inverse() * p;
+  const Matrix3 shrink = sum.inverse();
+  const Matrix3 after = shrink * p;
   const Vector3 shift = after * information.vector;
   // nu' E^-1 nu = nu' R^-1 nu - y' P' y, by the matrix inversion lemma.
   const double squaredInnovation =
@@ -73,6 +86,7 @@ PoseMode corrected(const PoseMode& mode, const InformationSum& information) {
   result.weight *= maths::exp(-0.5 * squaredInnovation);
   result.pose = poseOf(meanOf(mode) + shift);
   setCovariance(result, after);
+  carryTilt(information, shrink, shift, result);
   return result;
 }
 

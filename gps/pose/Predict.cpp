@@ -63,6 +63,7 @@ void predict(PoseMode& mode, const Odometry& odometry, const StepNoise& noise) {
   const Vector3 variances(noise.forward, noise.left, noise.turn);
   const Matrix3 q = turned * variances.asDiagonal() * turned.transpose();
   setCovariance(mode, f * covarianceOf(mode) * f.transpose() + q);
+  setCross(mode, f * crossOf(mode));
   mode.pose = moved(mode.pose, odometry);
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robot/agent/AgentLoops.h"
 
+#include "gps/pose/Tilt.h"
+
 namespace kelpie::agent {
 namespace {
 
@@ -15,7 +17,10 @@ std::uint32_t droppedBetween(std::uint32_t last, std::uint32_t now) {
 }  // namespace
 
 AgentLoops::AgentLoops(const AgentConfig& config, const std::string& scripts, LogSink& log)
-    : frameLoop_(config, scripts), motionLoop_(config), log_(log) {
+    : frameLoop_(config, scripts),
+      motionLoop_(config),
+      log_(log),
+      startingTilt_(gps::startingTilt(config.gps.tilt)) {
   game_.team = config.team;
   game_.player = config.player;
 }
@@ -45,6 +50,7 @@ void AgentLoops::camera(const Image& image, TimeUs exposureMiddle, std::uint32_t
   input_.sensors = joints_.at(exposureMiddle);
   input_.headRate = joints_.headRate(exposureMiddle);
   input_.stance = motionOutput_->stance;
+  input_.cameraTilt = frame_ != nullptr ? frame_->world.cameraTilt : startingTilt_;
   input_.odometry = odometry_.until(exposureMiddle);
   input_.motion = motionOutput_->status;
   input_.game = game_;

@@ -30,6 +30,7 @@ class AgentLoops : public Loops {
   FrameLoop frameLoop_;
   MotionLoop motionLoop_;
   LogSink& log_;
+  CameraTilt startingTilt_;
   StageObserver silent_;
   GameState game_;
   MotionInput motionInput_;

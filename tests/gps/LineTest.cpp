@@ -86,11 +86,12 @@ TEST(LineObservation, PoorMatchesAreRefusedAndFastHeadsBelievedLess) {
   EXPECT_FALSE(observationOf(fit, features(), 0.0, {}));
 }
 
-double meanErrorByLines(LineUse use) {
+double meanErrorByLines(LineUse use, Angle tiltSd) {
   double sum = 0.0;
   for (std::uint64_t run = 0; run < 10; ++run) {
     sim::LocalisingRobot robot({180, 250, 1.0}, run);
     robot.params.lines.update.use = use;
+    robot.params.tilt.initialSd = tiltSd;
     robot.params.initialPose = {true, {{195, 240}, Angle::rad(1.1)}, 20.0, Angle::deg(10)};
     for (int i = 0; i < 90; ++i) {
       robot.walk(0.7, 0.0, 0.01);
@@ -103,8 +104,15 @@ double meanErrorByLines(LineUse use) {
 }
 
 TEST(Lines, AloneKeepAKnownPose) {
-  EXPECT_LT(meanErrorByLines(LineUse::position), 4.0);
-  EXPECT_GT(meanErrorByLines(LineUse::off), 12.0);
+  const Angle known = Angle::deg(0.3);
+  EXPECT_LT(meanErrorByLines(LineUse::position, known), 4.0);
+  EXPECT_GT(meanErrorByLines(LineUse::off, known), 12.0);
+}
+
+TEST(Lines, AloneTellThePoseMoreSlowlyWhileTheTiltIsUnknown) {
+  const double unknown = meanErrorByLines(LineUse::position, Angle::deg(1.5));
+  EXPECT_GT(unknown, meanErrorByLines(LineUse::position, Angle::deg(0.3)));
+  EXPECT_LT(unknown, 9.0);
 }
 
 // Before the own goal, which it looks at; believes to stand 3 cm to the side and 3 cm nearer.

@@ -19,7 +19,7 @@ constexpr double kDegree = maths::kPi / 180.0;
 double panAt(int frame) { return 1.2 * std::sin(2.0 * maths::kPi * frame / 60.0); }
 
 Observer::Observer(TruePose start, std::uint64_t seed, const ObserverNoise& errors)
-    : truth(start), noise(errors), random_(seed) {
+    : truth(start), noise(errors), random_(seed), elevations_(seed + 0x51ed) {
   input.elapsed = kFrameSeconds;
 }
 
@@ -71,6 +71,8 @@ LandmarkPercept Observer::look(const body::Landmark& landmark, bool noisy) {
       Angle::rad(real.bearing + (noisy ? random_.gaussian(0.0, noise.landmarkHeading) : 0.0));
   p.distanceVariance = maths::square(noise.landmarkShare * real.range) + 1.0;
   p.headingVariance = maths::square(noise.landmarkHeading);
+  if (noisy) p.elevationError.value = Angle::rad(elevations_.gaussian(0.0, noise.elevation));
+  p.elevationError.variance = maths::square(noise.elevation);
   return p;
 }
 

@@ -57,6 +57,7 @@ struct ObserverNoise {
   double halfView = 28.0;                             // deg to either side of the head's direction
   double landmarkShare = 0.06;                        // of the distance
   double landmarkHeading = 2.0 * maths::kPi / 180.0;  // rad
+  double elevation = 0.2 * maths::kPi / 180.0;        // rad, of a landmark against its size
   PointNoise point{0.03, 0.017};                      // of one point
   PointNoise frame{0.015, 0.005};                     // shared by all points of a frame
   PointNoise standing;                                // shared by all frames while it stands
@@ -103,6 +104,7 @@ class Observer {
   void drawStandingErrors();
 
   Random random_;
+  Random elevations_;  // of their own, so that all else stays as it was without them
 
  private:
   struct Polar {

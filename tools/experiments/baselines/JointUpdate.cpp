@@ -71,7 +71,8 @@ bool fitLinesToHeaviest(const SeenLines& seen, const FieldFeatures& field,
     if (one == nullptr || one->byLandmarks.weight < params.minWeight * first) break;
     first = std::max(first, one->byLandmarks.weight);
     one->lineFitTried = true;
-    one->lines = observationAt(one->byLandmarks, seen, field, params, counts);
+    if (const auto o = observationAt(one->byLandmarks, seen, field, params, counts))
+      one->lines = o->pose;
     any = any || one->lines.has_value();
   }
   return any;

@@ -63,7 +63,7 @@ bool updateByLinesAndSymmetry(const SeenLines& seen, const PaintedField& field,
   if (!updateByLines(seen, field.features, params, modes, counts)) return false;
   const auto found = observationAt(before[0], seen, field.features, params, counts);
   if (!found) return true;
-  for (const PoseMode& mode : symmetricModes(seen, *found, field, params, before))
+  for (const PoseMode& mode : symmetricModes(seen, found->pose, field, params, before))
     modes.push_back(mode);
   return true;
 }

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// How much the body leans more than its joints say, as two slow states of every mode beside its
+// pose: tilt and roll (robot/core/CameraModel.h). Landmarks and the ball tell them by how much
+// higher they are seen than they stand (ElevationError), lines by lying better on the painted ones
+// (LineUpdate), and the accelerometer a little. Thesis 2004 has no such state; its robots' tilts
+// were wrong by up to 3 deg (facts-2005 section 2.1). Wrong after the body's stance changes until
+// the next sighting, and while a walking body sways by more than `swaySd`.
+#pragma once
+
+#include "gps/GpsIn.h"
+#include "gps/pose/PoseState.h"
+#include "gps/pose/TiltParams.h"
+
+namespace kelpie::gps {
+
+// Nothing is known but how much robots differ.
+CameraTilt startingTilt(const TiltParams& params);
+
+// Time passes.
+void driftTilt(double elapsed, const TiltParams& params, Modes& modes);
+
+// How much higher something is seen in a direction (a unit vector on the ground, robot frame) than
+// it should be with the tilt that the image was read with.
+struct TiltSighting {
+  double right = 0.0;
+  double forward = 1.0;
+  double excess = 0.0;    // rad
+  double variance = 0.0;  // rad2
+};
+
+// A scalar Kalman update of tilt, roll and, with what they have in common, the pose. Weights stay.
+// False where it lies outside the gate.
+bool correctTilt(const TiltSighting& sighting, const CameraTilt& readWith, const TiltParams& params,
+                 PoseMode& mode);
+
+// All that a frame's landmarks, ball and accelerometer say; what lies outside the heaviest mode's
+// gate is left out and counted.
+void useElevations(const GpsIn& in, const TiltParams& params, PoseState& state, GpsCounts& counts);
+
+}  // namespace kelpie::gps

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: Apache-2.0
+// The camera's tilt and roll beside the pose: what landmarks, lines and gravity say of them, and
+// what the lines say of the pose while they are not known.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "gps/Refusal.h"
+#include "gps/lines/LineUpdate.h"
+#include "gps/pose/Modes.h"
+#include "gps/pose/Tilt.h"
+#include "robot/body/Camera.h"
+#include "tests/gps/Field2006.h"
+
+namespace kelpie::gps {
+namespace {
+
+constexpr double kDegree = maths::kPi / 180.0;
+
+// A robot that knows its pose and sees things too high.
+struct Watcher {
+  TiltParams params;
+  PoseState state;
+  FrameInput input;
+  Percepts percepts;
+  CameraPose camera;
+  GpsCounts counts;
+
+  Watcher() {
+    PoseMode mode;
+    mode.weight = 1.0;
+    mode.pose = kPose;
+    mode.covariance = {9, 0, 0, 0, 9, 0, 0, 0, 0.002};
+    mode.tilt = startingTilt(params);
+    state.modes.push_back(mode);
+  }
+  void seeBeacon(double heading, double tooHigh, int times) {
+    LandmarkPercept beacon;
+    beacon.heading = Angle::deg(heading);
+    beacon.elevationError = {Angle::deg(tooHigh), std::pow(0.2 * kDegree, 2)};
+    percepts.landmarks.clear();
+    percepts.landmarks.push_back(beacon);
+    for (int i = 0; i < times; ++i) useElevations({input, percepts, camera}, params, state, counts);
+  }
+  const CameraTilt& tilt() const { return state.modes[0].tilt; }
+};
+
+TEST(Tilt, AHighBeaconAheadIsTiltAndOneToTheLeftIsRoll) {
+  Watcher ahead;
+  ahead.seeBeacon(0.0, 2.0, 10);
+  EXPECT_NEAR(ahead.tilt().tilt.deg(), 2.0, 0.1);
+  EXPECT_NEAR(ahead.tilt().roll.deg(), 0.0, 1e-9);
+  Watcher aside;
+  aside.seeBeacon(90.0, 2.0, 10);
+  EXPECT_NEAR(aside.tilt().roll.deg(), 2.0, 0.1);
+  EXPECT_NEAR(aside.tilt().tilt.deg(), 0.0, 1e-6);
+}
+
+// The next image is read with the new tilt: then the beacon stands where it should.
+TEST(Tilt, AnErrorCountsFromTheTiltThatTheImageWasReadWith) {
+  Watcher robot;
+  robot.seeBeacon(0.0, 2.0, 10);
+  robot.camera.tilt = robot.tilt();
+  robot.seeBeacon(0.0, 2.0 - robot.tilt().tilt.deg(), 10);
+  EXPECT_NEAR(robot.tilt().tilt.deg(), 2.0, 0.1);
+}
+
+TEST(Tilt, AnElevationThatNoTiltExplainsIsCountedAndChangesNothing) {
+  Watcher robot;
+  robot.seeBeacon(0.0, 9.0, 1);
+  EXPECT_EQ(robot.tilt().tilt.deg(), 0.0);
+  EXPECT_EQ(robot.counts.refused[static_cast<std::size_t>(Refusal::tiltUnlikely)], 1);
+}
+
+TEST(Tilt, WhatIsKnownFadesToHowMuchRobotsDiffer) {
+  Watcher robot;
+  robot.seeBeacon(0.0, 1.0, 50);
+  const double known = robot.tilt().tiltVariance;
+  driftTilt(1.0, robot.params, robot.state.modes);
+  EXPECT_NEAR(robot.tilt().tiltVariance - known, std::pow(robot.params.driftSd.rad(), 2), 1e-9);
+  driftTilt(1e4, robot.params, robot.state.modes);
+  EXPECT_NEAR(std::sqrt(robot.tilt().tiltVariance), robot.params.initialSd.rad(), 1e-9);
+}
+
+TEST(Tilt, ALostRobotStillKnowsItsBody) {
+  Watcher robot;
+  robot.seeBeacon(0.0, 2.0, 10);
+  lose(field2006(), {}, robot.state);
+  EXPECT_NEAR(robot.tilt().tilt.deg(), 2.0, 0.1);
+}
+
+TEST(Tilt, GravityTellsALittleOfARobotAtRest) {
+  Watcher robot;
+  robot.input.stance.bodyTilt = Angle::deg(14);
+  const double down = 12.0 * kDegree;  // so its nose is 2 deg higher than the stance says
+  robot.input.sensors.acceleration = {-981.0 * std::sin(down), 0.0, 981.0 * std::cos(down)};
+  for (int i = 0; i < 300; ++i)
+    useElevations({robot.input, robot.percepts, robot.camera}, robot.params, robot.state,
+                  robot.counts);
+  EXPECT_GT(robot.tilt().tilt.deg(), 0.4);
+  EXPECT_LT(robot.tilt().tilt.deg(), 1.5);
+}
+
+// What the pose has in common with the tilt: here 1 deg of tilt goes with 5 cm ahead.
+TEST(Tilt, APoseThatWasWrongWithTheTiltIsCorrectedWithIt) {
+  Watcher robot;
+  robot.state.modes[0].cross = {5.0 / kDegree * robot.tilt().tiltVariance, 0, 0, 0, 0, 0};
+  robot.state.modes[0].covariance[0] = 100.0;
+  robot.seeBeacon(0.0, 1.0, 20);
+  EXPECT_NEAR(robot.state.modes[0].pose.position.x - kPose.position.x, 5.0, 0.5);
+}
+
+// The points of a frame as they seem to lie when the camera is tilted and rolled more than thought.
+SeenLines mislaid(const Pose2& pose, double tiltDeg, double rollDeg) {
+  SeenLines seen = seenFrom(pose);
+  const Point3<Robot> eye = seen.eye;
+  for (SeenPoint& p : seen.lines) {
+    const double x = p.place.x - eye.x;
+    const double y = p.place.y - eye.y;
+    const double t = -tiltDeg * kDegree;  // it is read as if it were not tilted
+    const double r = -rollDeg * kDegree;
+    const double down = eye.z - t * y + r * x;
+    const double stretch = eye.z / down;
+    p.place = {eye.x + (x - r * eye.z) * stretch, eye.y + (y + t * eye.z) * stretch};
+    if (!(down > 0.1 * eye.z)) p.weight = 0.0;
+  }
+  return seen;
+}
+
+CameraTilt unsure(double sdDeg) {
+  CameraTilt tilt;
+  tilt.tiltVariance = tilt.rollVariance = std::pow(sdDeg * kDegree, 2);
+  return tilt;
+}
+
+TEST(LineFitAndTilt, FindsPoseAndTiltWhereTheFixedTiltMisses) {
+  const SeenLines seen = mislaid(kPose, 2.0, -1.0);
+  const Pose2 start{{155.0, 115.0}, Angle::deg(42.0)};
+  const LineFit fixed = fitLines(seen, start, features(), {}, true);
+  const LineFit fit = fitLinesAndTilt(seen, start, unsure(1.5), features(), {}, true);
+  EXPECT_GT(distance(fixed.pose.position, kPose.position), 5.0);
+  EXPECT_LT(distance(fit.pose.position, kPose.position), 2.0);
+  EXPECT_NEAR(fit.tilt.tilt.deg(), 2.0, 0.3);
+  EXPECT_NEAR(fit.tilt.roll.deg(), -1.0, 0.3);
+}
+
+TEST(LineFitAndTilt, AFrameIsNoSurerThanItsTilt) {
+  const SeenLines seen = seenFrom(kPose);
+  double before = 1e9;
+  for (const double sd : {0.05, 0.5, 3.0}) {
+    const LineFit fit = fitLinesAndTilt(seen, kPose, unsure(sd), features(), {});
+    EXPECT_LT(fit.information.determinant(), before);
+    before = fit.information.determinant();
+  }
+}
+
+TEST(LineFitAndTilt, WithAKnownTiltItIsTheFitOfThePose) {
+  const SeenLines seen = seenFrom(kPose);
+  const Pose2 start{{160.0, 110.0}, Angle::deg(47.0)};
+  const LineFit fit = fitLinesAndTilt(seen, start, unsure(0.001), features(), {});
+  const LineFit pose = fitLines(seen, start, features(), {});
+  EXPECT_LT(distance(fit.pose.position, pose.pose.position), 0.05);
+  EXPECT_LT((fit.information - pose.information).norm(), 0.01 * pose.information.norm());
+}
+
+// A whole state of five against the textbook: P' = P - P H' (H P H' + R)^-1 H P with H = I.
+TEST(LineObservation, CorrectsTheStateOfFiveAsAKalmanFilterDoes) {
+  PoseMode mode;
+  mode.weight = 1.0;
+  mode.pose = kPose;
+  mode.tilt = unsure(1.0);
+  Matrix5 root = Matrix5::Identity();
+  for (int i = 0; i < 5; ++i)
+    for (int j = 0; j < i; ++j) root(i, j) = 0.1 * (i + j);
+  const Vector5 scale(4.0, 3.0, 0.05, 0.02, 0.02);
+  const Matrix5 before = scale.asDiagonal() * root * root.transpose() * scale.asDiagonal();
+  setState(mode, stateOf(mode), before);
+  LineObservation seen;
+  seen.pose.pose = {{kPose.position.x + 2.0, kPose.position.y - 1.0},
+                    kPose.heading + Angle::deg(1.0)};
+  seen.tilt = mode.tilt;
+  seen.tilt.tilt = mode.tilt.tilt + Angle::deg(0.5);
+  const Matrix5 r = scale.cwiseProduct(scale).asDiagonal();
+  seen.information = r.inverse();
+  seen.tiltPull = Vector2::Zero();
+  Vector5 off;
+  off << 2.0, -1.0, 1.0 * kDegree, 0.5 * kDegree, 0.0;
+  const Matrix5 gain = before * (before + r).inverse();
+  const PoseMode after = corrected(mode, seen);
+  EXPECT_LT((stateOf(after) - stateOf(mode) - gain * off).norm(), 1e-9);
+  EXPECT_LT((stateCovarianceOf(after) - (before - gain * before)).norm(), 1e-9);
+  EXPECT_NEAR(after.weight, std::exp(-0.5 * off.dot((before + r).inverse() * off)), 1e-9);
+}
+
+}  // namespace
+}  // namespace kelpie::gps
