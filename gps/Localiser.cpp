@@ -29,7 +29,7 @@ WorldModel stepWith(LandmarkUpdate update, const GpsIn& in, const GpsParams& par
                     GpsState& state) {
   prepare(params, state);
   const Step moved = moveModes(in, params, state);
-  useElevations(in, params.tilt, state.pose, state.counts);
+  useElevations(in, params, state);
   useLandmarks(in, params, state, update);
   usePinkPatches(in, moved.odometry, params, state);
   useLines(in, params, state);

@@ -7,6 +7,7 @@
 #include "gps/lines/LineUpdate.h"
 #include "gps/lines/Lines.h"
 #include "gps/pinks/Pinks.h"
+#include "gps/pose/EdgeElevation.h"
 #include "gps/pose/Modes.h"
 #include "gps/pose/Stuck.h"
 #include "gps/pose/Tilt.h"
@@ -58,6 +59,16 @@ Step moveModes(const GpsIn& in, const GpsParams& params, GpsState& state) {
   driftTilt(elapsed, params.tilt, pose.modes);
   keepNearField(params.field, pose.modes);
   return step;
+}
+
+void useElevations(const GpsIn& in, const GpsParams& params, GpsState& state) {
+  if (!params.tilt.use) return;
+  Modes& modes = state.pose.modes;
+  const CameraTilt& readWith = in.camera.tilt;
+  useTiltSightings(elevationSightings(in, params.tilt), readWith, params.tilt, modes, state.counts);
+  if (state.pose.lost) return;
+  useTiltSightings(edgeSightings(in, params.field, params.tilt, modes[0]), readWith, params.tilt,
+                   modes, state.counts);
 }
 
 Measurements measurements(const GpsIn& in, const GpsParams& params, GpsCounts& counts) {

@@ -16,6 +16,9 @@ namespace kelpie::gps {
 // Time passes: the modes are moved by the odometry, less where the robot is stuck.
 Step moveModes(const GpsIn& in, const GpsParams& params, GpsState& state);
 
+// The camera's tilt, by what is seen too high or too low.
+void useElevations(const GpsIn& in, const GpsParams& params, GpsState& state);
+
 // What of the landmarks seen passes the gates; none while landmarks do not count.
 using Measurements = FixedVector<Measurement, 8>;
 Measurements measurements(const GpsIn& in, const GpsParams& params, GpsCounts& counts);

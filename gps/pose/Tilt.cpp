@@ -16,10 +16,8 @@ constexpr double kImagesOfTenSeconds = 300.0;
 
 const Angle kKnownSd = Angle::deg(0.02);  // where it is not estimated
 
-using Sightings = FixedVector<TiltSighting, 12>;
-
 void add(const ElevationError& error, Angle heading, const TiltParams& params,
-         Sightings& sightings) {
+         TiltSightings& sightings) {
   const double excess = error.value.rad();
   if (!(error.variance > 0.0) || !std::isfinite(error.variance) || !std::isfinite(excess)) return;
   sightings.push_back(
@@ -28,7 +26,7 @@ void add(const ElevationError& error, Angle heading, const TiltParams& params,
 
 // Of a body at rest: the part of gravity along and across it, as far as the stance does not expect
 // it.
-void addAccelerometer(const GpsIn& in, const TiltParams& params, Sightings& sightings) {
+void addAccelerometer(const GpsIn& in, const TiltParams& params, TiltSightings& sightings) {
   const auto [forward, left, up] = in.input.sensors.acceleration;
   const double size = std::sqrt(forward * forward + left * left + up * up);
   if (!(std::fabs(size - kGravity) < kTrustedGravity)) return;
@@ -39,16 +37,6 @@ void addAccelerometer(const GpsIn& in, const TiltParams& params, Sightings& sigh
   const double tilt = in.input.stance.bodyTilt.rad() - noseDown - readWith.tilt.rad();
   sightings.push_back({0.0, 1.0, tilt, variance});
   sightings.push_back({-1.0, 0.0, leftUp - readWith.roll.rad(), variance});
-}
-
-Sightings sightingsOf(const GpsIn& in, const TiltParams& params) {
-  Sightings sightings;
-  for (const LandmarkPercept& landmark : in.percepts.landmarks)
-    add(landmark.elevationError, landmark.heading, params, sightings);
-  const BallPercept& ball = in.percepts.ball;
-  if (ball.present) add(ball.elevationError, ball.heading, params, sightings);
-  addAccelerometer(in, params, sightings);
-  return sightings;
 }
 
 }  // namespace
@@ -90,15 +78,25 @@ bool correctTilt(const TiltSighting& z, const CameraTilt& readWith, const TiltPa
   return true;
 }
 
-void useElevations(const GpsIn& in, const TiltParams& params, PoseState& state, GpsCounts& counts) {
-  if (!params.use) return;
-  for (const TiltSighting& z : sightingsOf(in, params)) {
-    PoseMode best = state.modes[0];
-    if (!correctTilt(z, in.camera.tilt, params, best)) {
+TiltSightings elevationSightings(const GpsIn& in, const TiltParams& params) {
+  TiltSightings sightings;
+  for (const LandmarkPercept& landmark : in.percepts.landmarks)
+    add(landmark.elevationError, landmark.heading, params, sightings);
+  const BallPercept& ball = in.percepts.ball;
+  if (ball.present) add(ball.elevationError, ball.heading, params, sightings);
+  addAccelerometer(in, params, sightings);
+  return sightings;
+}
+
+void useTiltSightings(const TiltSightings& sightings, const CameraTilt& readWith,
+                      const TiltParams& params, Modes& modes, GpsCounts& counts) {
+  for (const TiltSighting& z : sightings) {
+    PoseMode best = modes[0];
+    if (!correctTilt(z, readWith, params, best)) {
       count(Refusal::tiltUnlikely, counts);
       continue;
     }
-    for (PoseMode& mode : state.modes) correctTilt(z, in.camera.tilt, params, mode);
+    for (PoseMode& mode : modes) correctTilt(z, readWith, params, mode);
   }
 }
 

@@ -28,13 +28,18 @@ struct TiltSighting {
   double variance = 0.0;  // rad2
 };
 
+using TiltSightings = FixedVector<TiltSighting, 16>;
+
 // A scalar Kalman update of tilt, roll and, with what they have in common, the pose. Weights stay.
 // False where it lies outside the gate.
 bool correctTilt(const TiltSighting& sighting, const CameraTilt& readWith, const TiltParams& params,
                  PoseMode& mode);
 
-// All that a frame's landmarks, ball and accelerometer say; what lies outside the heaviest mode's
-// gate is left out and counted.
-void useElevations(const GpsIn& in, const TiltParams& params, PoseState& state, GpsCounts& counts);
+// What a frame's landmarks, ball and accelerometer say.
+TiltSightings elevationSightings(const GpsIn& in, const TiltParams& params);
+
+// All modes are corrected by what lies inside the heaviest one's gate; the rest is counted.
+void useTiltSightings(const TiltSightings& sightings, const CameraTilt& readWith,
+                      const TiltParams& params, Modes& modes, GpsCounts& counts);
 
 }  // namespace kelpie::gps

@@ -27,7 +27,7 @@ struct BodyParams {
   Angle headNodOffset;
   Angle bodyTiltOffset;    // nose down positive, as Stance::bodyTilt
   Angle bodyRollOffset;    // left side up positive
-  Angle cameraRollOffset;  // in the head: the image turns clockwise
+  Angle cameraRollOffset;  // of the camera in the head, clockwise as it looks
   // The team of 2005 added, to a neck tilted t down beyond 3 deg, 0.078 t + 1.25 deg upwards
   // (facts-2005 section 2.2): the head's weight hangs in the play of the joint.
   double neckGives = 0.0;  // share of the sensed neck tilt that is missing

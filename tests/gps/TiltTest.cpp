@@ -7,8 +7,8 @@
 
 #include "gps/Refusal.h"
 #include "gps/lines/LineUpdate.h"
+#include "gps/pose/EdgeElevation.h"
 #include "gps/pose/Modes.h"
-#include "gps/pose/Tilt.h"
 #include "robot/body/Camera.h"
 #include "tests/gps/Field2006.h"
 
@@ -34,13 +34,17 @@ struct Watcher {
     mode.tilt = startingTilt(params);
     state.modes.push_back(mode);
   }
+  void look() {
+    useTiltSightings(elevationSightings({input, percepts, camera}, params), camera.tilt, params,
+                     state.modes, counts);
+  }
   void seeBeacon(double heading, double tooHigh, int times) {
     LandmarkPercept beacon;
     beacon.heading = Angle::deg(heading);
     beacon.elevationError = {Angle::deg(tooHigh), std::pow(0.2 * kDegree, 2)};
     percepts.landmarks.clear();
     percepts.landmarks.push_back(beacon);
-    for (int i = 0; i < times; ++i) useElevations({input, percepts, camera}, params, state, counts);
+    for (int i = 0; i < times; ++i) look();
   }
   const CameraTilt& tilt() const { return state.modes[0].tilt; }
 };
@@ -94,9 +98,7 @@ TEST(Tilt, GravityTellsALittleOfARobotAtRest) {
   robot.input.stance.bodyTilt = Angle::deg(14);
   const double down = 12.0 * kDegree;  // so its nose is 2 deg higher than the stance says
   robot.input.sensors.acceleration = {-981.0 * std::sin(down), 0.0, 981.0 * std::cos(down)};
-  for (int i = 0; i < 300; ++i)
-    useElevations({robot.input, robot.percepts, robot.camera}, robot.params, robot.state,
-                  robot.counts);
+  for (int i = 0; i < 300; ++i) robot.look();
   EXPECT_GT(robot.tilt().tilt.deg(), 0.4);
   EXPECT_LT(robot.tilt().tilt.deg(), 1.5);
 }
@@ -108,6 +110,25 @@ TEST(Tilt, APoseThatWasWrongWithTheTiltIsCorrectedWithIt) {
   robot.state.modes[0].covariance[0] = 100.0;
   robot.seeBeacon(0.0, 1.0, 20);
   EXPECT_NEAR(robot.state.modes[0].pose.position.x - kPose.position.x, 5.0, 0.5);
+}
+
+// A level camera that sees the end of the carpet `degrees` lower than it is.
+TEST(EdgeElevation, TellsTheTiltWhereThePoseIsKnown) {
+  Watcher robot;
+  PoseMode& mode = robot.state.modes[0];
+  mode.pose = {{180.0, 200.0}, Angle::deg(90.0)};
+  robot.camera.position = {0.0, 8.0, 20.0};
+  robot.camera.axes = {1, 0, 0, 0, 0, 1, 0, -1, 0};
+  const double away = body::carpetOf(field2006()).high.y - 208.0;
+  const double row = 80.0 + 192.0 * std::tan(std::atan(20.0 / away) + 1.0 * kDegree);
+  robot.percepts.fieldEdges.push_back({row, row, 20.0, 0.5});
+  const GpsIn in{robot.input, robot.percepts, robot.camera};
+  const TiltSightings seen = edgeSightings(in, field2006(), robot.params, mode);
+  ASSERT_EQ(seen.size(), 2U);
+  EXPECT_NEAR(seen[0].excess / kDegree, -1.0, 0.06);
+  EXPECT_NEAR(seen[1].excess / kDegree, -1.0, 0.06);
+  mode.covariance[0] = 3600.0;
+  EXPECT_TRUE(edgeSightings(in, field2006(), robot.params, mode).empty());
 }
 
 // The points of a frame as they seem to lie when the camera is tilted and rolled more than thought.
