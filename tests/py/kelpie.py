@@ -188,6 +188,18 @@ class GameState(Fields):
         self._take(given)
 
 
+class ElevationError(Fields):
+    __slots__ = (
+        'value_deg',
+        'variance_deg2',
+    )
+
+    def __init__(self, **given):
+        self.value_deg = 0.0
+        self.variance_deg2 = 0.0
+        self._take(given)
+
+
 class PixelPoint(Fields):
     __slots__ = (
         'x',
@@ -208,6 +220,7 @@ class BallPercept(Fields):
         'elevation_deg',
         'distance_variance',
         'heading_variance_deg2',
+        'elevation_error',
         'centre',
         'radius',
     )
@@ -219,6 +232,7 @@ class BallPercept(Fields):
         self.elevation_deg = 0.0
         self.distance_variance = 0.0
         self.heading_variance_deg2 = 0.0
+        self.elevation_error = ElevationError()
         self.centre = PixelPoint()
         self.radius = 0.0
         self._take(given)
@@ -248,6 +262,7 @@ class LandmarkPercept(Fields):
         'elevation_deg',
         'distance_variance',
         'heading_variance_deg2',
+        'elevation_error',
         'left_edge_deg',
         'right_edge_deg',
         'left_edge_cut',
@@ -262,6 +277,7 @@ class LandmarkPercept(Fields):
         self.elevation_deg = 0.0
         self.distance_variance = 0.0
         self.heading_variance_deg2 = 0.0
+        self.elevation_error = ElevationError()
         self.left_edge_deg = 0.0
         self.right_edge_deg = 0.0
         self.left_edge_cut = False
@@ -444,17 +460,39 @@ class Pose2(Fields):
         self._take(given)
 
 
+class CameraTilt(Fields):
+    __slots__ = (
+        'tilt_deg',
+        'roll_deg',
+        'tilt_variance_deg2',
+        'roll_variance_deg2',
+        'covariance_deg2',
+    )
+
+    def __init__(self, **given):
+        self.tilt_deg = 0.0
+        self.roll_deg = 0.0
+        self.tilt_variance_deg2 = 0.08863577145031709
+        self.roll_variance_deg2 = 0.08863577145031709
+        self.covariance_deg2 = 0.0
+        self._take(given)
+
+
 class PoseMode(Fields):
     __slots__ = (
         'weight',
         'pose',
         'covariance',
+        'tilt',
+        'cross',
     )
 
     def __init__(self, **given):
         self.weight = 0.0
         self.pose = Pose2()
         self.covariance = [0.0] * 9
+        self.tilt = CameraTilt()
+        self.cross = [0.0] * 6
         self._take(given)
 
 
