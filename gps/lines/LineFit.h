@@ -3,7 +3,9 @@
 // 2004 (equations 3.2 and 3.13) is a weighted mean of 1 / (1 + S d2); its maximum is sought by
 // reweighted Gauss-Newton steps on the distances, damped (Levenberg-Marquardt), which needs a
 // quarter of the evaluations of the thesis' gradient ascent. Finds the maximum near the start:
-// within about 20 cm and 10 deg the right one in 9 of 10 views.
+// within about 20 cm and 10 deg the right one in 9 of 10 views. All points of a frame are laid on
+// the ground with one tilt of the camera, so that they lie wrong together: tilt and roll are
+// unknowns of the fit, and the pose's information is what is left for any tilt as likely.
 #pragma once
 
 #include "gps/Gaussian.h"
