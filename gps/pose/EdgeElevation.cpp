@@ -65,7 +65,7 @@ void addEdge(const GpsIn& in, const body::FieldDescription& field, const TiltPar
     const double variance = pixel * pixel + place * maths::square(h / (away * away)) +
                             maths::square(params.swaySd.rad());
     sightings.push_back(
-        {right, forward, maths::atan(ray.z / level) + maths::atan(h / away), variance});
+        {right, forward, -maths::atan(ray.z / level) - maths::atan(h / away), variance});
   }
 }
 

@@ -18,7 +18,7 @@ const Angle kKnownSd = Angle::deg(0.02);  // where it is not estimated
 
 void add(const ElevationError& error, Angle heading, const TiltParams& params,
          TiltSightings& sightings) {
-  const double excess = error.value.rad();
+  const double excess = -error.value.rad();
   if (!(error.variance > 0.0) || !std::isfinite(error.variance) || !std::isfinite(excess)) return;
   sightings.push_back(
       {-heading.sin(), heading.cos(), excess, error.variance + maths::square(params.swaySd.rad())});

@@ -19,8 +19,8 @@ CameraTilt startingTilt(const TiltParams& params);
 // Time passes.
 void driftTilt(double elapsed, const TiltParams& params, Modes& modes);
 
-// How much higher something is seen in a direction (a unit vector on the ground, robot frame) than
-// it should be with the tilt that the image was read with.
+// How much more the camera looks up in a direction (a unit vector on the ground, robot frame) than
+// the image was read with: as much as something is seen too low there.
 struct TiltSighting {
   double right = 0.0;
   double forward = 1.0;

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kDegree = maths::kPi / 180.0;
 
-// A robot that knows its pose and sees things too high.
+// A robot that knows its pose and sees things too low.
 struct Watcher {
   TiltParams params;
   PoseState state;
@@ -38,10 +38,10 @@ struct Watcher {
     useTiltSightings(elevationSightings({input, percepts, camera}, params), camera.tilt, params,
                      state.modes, counts);
   }
-  void seeBeacon(double heading, double tooHigh, int times) {
+  void seeBeacon(double heading, double tooLow, int times) {
     LandmarkPercept beacon;
     beacon.heading = Angle::deg(heading);
-    beacon.elevationError = {Angle::deg(tooHigh), std::pow(0.2 * kDegree, 2)};
+    beacon.elevationError = {Angle::deg(-tooLow), std::pow(0.2 * kDegree, 2)};
     percepts.landmarks.clear();
     percepts.landmarks.push_back(beacon);
     for (int i = 0; i < times; ++i) look();
@@ -49,7 +49,7 @@ struct Watcher {
   const CameraTilt& tilt() const { return state.modes[0].tilt; }
 };
 
-TEST(Tilt, AHighBeaconAheadIsTiltAndOneToTheLeftIsRoll) {
+TEST(Tilt, ALowBeaconAheadIsTiltAndOneToTheLeftIsRoll) {
   Watcher ahead;
   ahead.seeBeacon(0.0, 2.0, 10);
   EXPECT_NEAR(ahead.tilt().tilt.deg(), 2.0, 0.1);
@@ -125,8 +125,8 @@ TEST(EdgeElevation, TellsTheTiltWhereThePoseIsKnown) {
   const GpsIn in{robot.input, robot.percepts, robot.camera};
   const TiltSightings seen = edgeSightings(in, field2006(), robot.params, mode);
   ASSERT_EQ(seen.size(), 2U);
-  EXPECT_NEAR(seen[0].excess / kDegree, -1.0, 0.06);
-  EXPECT_NEAR(seen[1].excess / kDegree, -1.0, 0.06);
+  EXPECT_NEAR(seen[0].excess / kDegree, 1.0, 0.06);
+  EXPECT_NEAR(seen[1].excess / kDegree, 1.0, 0.06);
   mode.covariance[0] = 3600.0;
   EXPECT_TRUE(edgeSightings(in, field2006(), robot.params, mode).empty());
 }
