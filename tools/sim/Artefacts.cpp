@@ -2,6 +2,7 @@
 #include "tools/sim/Artefacts.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "robot/core/Maths.h"
 
@@ -66,6 +67,7 @@ Artefacts::Artefacts(const ArtefactParams& params, const RobotCamera& robot)
     : params_(params), robot_(robot), previous_(2 * kRows) {
   prepareGains();
   prepareNoise();
+  prepareTone();
 }
 
 void Artefacts::prepareGains() {
@@ -91,6 +93,23 @@ void Artefacts::prepareNoise() {
   Random random(kNoiseSeed);
   noise_.resize(kNoiseTable + kRows);
   for (float& value : noise_) value = static_cast<float>(random.gaussian());
+}
+
+void Artefacts::prepareTone() {
+  for (std::size_t c = 0; c < 3; ++c) {
+    if (robot_.tone[c] == 1.0) continue;
+    const double middle = c == 0 ? 0.0 : 128.0;
+    const double range = c == 0 ? 255.0 : 127.0;
+    tone_[c].resize(256);
+    for (std::size_t v = 0; v < tone_[c].size(); ++v) {
+      const double off = static_cast<double>(v) - middle;
+      const double share = std::fabs(off) / range;
+      const double curved =
+          share > 0.0 ? range * maths::exp(robot_.tone[c] * maths::log(share)) : 0.0;
+      const double value = middle + (off < 0.0 ? -curved : curved);
+      tone_[c][v] = static_cast<std::uint8_t>(maths::clamp(value + 0.5, 0.0, 255.0));
+    }
+  }
 }
 
 // Each pixel gives `blurShare` to its four neighbours; the border keeps what would leave.
@@ -127,6 +146,8 @@ void Artefacts::finish(const RawImage::Plane& plane, std::size_t channel, Random
       const float v = gain[y] * value[y] + offset[y] + amount * noise[y] + 0.5F;
       bytes[y] = static_cast<std::uint8_t>(static_cast<int>(std::min(std::max(v, 0.0F), 255.0F)));
     }
+    if (!tone_[channel].empty())
+      for (std::uint8_t& byte : bytes) byte = tone_[channel][byte];
     for (std::size_t y = 0; y < kRows; ++y) out[y * kColumns + x] = bytes[y];
   }
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the ERS-7's camera does to colours: blur, the difference between robots, the ring effect and
-// noise, in that order. Each can be switched off.
+// What the ERS-7's camera does to colours: blur, the difference between robots, the ring effect,
+// noise and, of unlike robots, a response that is not linear, in that order. Each can be switched
+// off.
 #pragma once
 
 #include <array>
@@ -40,6 +41,8 @@ constexpr RingCentres kMiddleCentres{kImageMiddle, kImageMiddle, kImageMiddle};
 struct RobotCamera {
   ColourShift shift;
   RingCentres centres = kMiddleCentres;
+  // Exponents of its response: Y over black, Cr and Cb over grey; 1: linear.
+  std::array<double, 3> tone{1.0, 1.0, 1.0};
 };
 
 struct ArtefactParams {
@@ -90,6 +93,7 @@ class Artefacts {
  private:
   void prepareGains();
   void prepareNoise();
+  void prepareTone();
   void blur(RawImage::Plane& plane);
   void finish(const RawImage::Plane& plane, std::size_t channel, Random& random,
               Image::Plane& out) const;
@@ -99,8 +103,9 @@ class Artefacts {
   // Ring effect and shift together are linear in the value: gain and offset for each pixel.
   std::array<std::vector<float>, 3> gain_;
   std::array<std::vector<float>, 3> offset_;
-  std::vector<float> noise_;     // normal numbers with sd 1
-  std::vector<float> previous_;  // two columns, for the blur
+  std::array<std::vector<std::uint8_t>, 3> tone_;  // by value; empty: linear
+  std::vector<float> noise_;                       // normal numbers with sd 1
+  std::vector<float> previous_;                    // two columns, for the blur
 };
 
 }  // namespace kelpie::sim

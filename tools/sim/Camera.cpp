@@ -36,6 +36,15 @@ FieldPoint3 middleOf(const Quad& quad) {
           0.5 * (quad.corner[0].z + quad.corner[2].z)};
 }
 
+// A colour as the second light changes it; a dark thing takes on less of its colour.
+Colour lit(const Scene& scene, Colour colour, Point2<Field> place) {
+  const double level = lightAt(scene, place);
+  const double near = 0.5 * (1.0 + level);
+  const double tint = near * scene.light.warmth * static_cast<double>(colour.y / colours::kWhite.y);
+  return {colour.y * static_cast<float>(1.0 + level * scene.light.strength),
+          colour.cr + static_cast<float>(tint), colour.cb - static_cast<float>(tint)};
+}
+
 double radiusOf(const Quad& quad) {
   return 0.5 *
          maths::hypot(quad.corner[2].x - quad.corner[0].x, quad.corner[2].y - quad.corner[0].y);
@@ -59,7 +68,7 @@ CameraParams idealCamera() {
   CameraParams params;
   params.artefacts.ring = params.artefacts.noise = false;
   params.artefacts.blur = params.artefacts.shift = false;
-  params.texture = false;
+  params.texture = params.light = false;
   params.slices = 8;
   return params;
 }
@@ -104,14 +113,14 @@ void Camera::selectShapes(const Scene& scene, const FieldCamera& camera, double 
 
 void Camera::paintGround(const Scene& scene, const Slice& slice) {
   if (const auto floor = slice.ground(scene.floor)) paint(*floor);
-  if (auto carpet = slice.quad(groundQuad(scene.carpet[0], scene.carpet[1], colours::kGreen))) {
+  if (auto carpet = slice.quad(groundQuad(scene.carpet[0], scene.carpet[1], scene.green))) {
     carpet->carpet = 1.0F;
     paint(*carpet);
   }
   for (const Disc& disc : scene.circle) {
     auto span = slice.disc(disc);
     if (!span) continue;
-    span->carpet = disc.colour.y == colours::kGreen.y ? 1.0F : 0.3F;
+    span->carpet = disc.colour.y == scene.green.y ? 1.0F : 0.3F;
     paint(*span);
   }
   for (const Quad* line : lines_) {
@@ -131,17 +140,25 @@ void Camera::paintGround(const Scene& scene, const Slice& slice) {
 
 void Camera::collectSolids(const Scene& scene, const Slice& slice) {
   spans_.clear();
-  const auto keep = [this](const std::optional<Span>& span) {
-    if (span && span->bottom > 0.0 && span->top < kRowsDouble) spans_.push_back(*span);
+  const bool secondLight = params_.light && scene.light.on();
+  // A span of a shape between these two points.
+  const auto keep = [&](const std::optional<Span>& span, const FieldPoint3& a,
+                        const FieldPoint3& b) {
+    if (!span || span->bottom <= 0.0 || span->top >= kRowsDouble) return;
+    spans_.push_back(*span);
+    if (!secondLight) return;
+    Colour& colour = spans_.back().colour;
+    colour = lit(scene, colour, {0.5 * (a.x + b.x), 0.5 * (a.y + b.y)});
   };
   for (const Solid* solid : solids_) {
-    for (const Quad& quad : solid->quads) keep(slice.quad(quad));
+    for (const Quad& quad : solid->quads) keep(slice.quad(quad), quad.corner[0], quad.corner[2]);
   }
   for (const Cylinder* beacon : beacons_) {
-    for (std::size_t i = 0; i < beacon->band.size(); ++i) keep(slice.band(*beacon, i));
+    const FieldPoint3 foot{beacon->centre.x, beacon->centre.y, 0.0};
+    for (std::size_t i = 0; i < beacon->band.size(); ++i) keep(slice.band(*beacon, i), foot, foot);
   }
-  for (const Sphere& ball : scene.balls) keep(slice.sphere(ball));
-  for (const Limb* limb : own_) keep(slice.limb(*limb));
+  for (const Sphere& ball : scene.balls) keep(slice.sphere(ball), ball.centre, ball.centre);
+  for (const Limb* limb : own_) keep(slice.limb(*limb), limb->part[0].centre, limb->part[0].centre);
 }
 
 void Camera::renderSlice(const Scene& scene, const Slice& slice) {
@@ -177,6 +194,27 @@ void Camera::paint(const Span& span) {
     blend(slice_.cr[row], span.colour.cr, cover);
     blend(slice_.cb[row], span.colour.cb, cover);
     blend(slice_.carpet[row], span.carpet, cover);
+  }
+}
+
+// What lies on the ground, row by row: painted lines have the carpet's share of the texture, 0.3.
+void Camera::lightGround(const Scene& scene, const FieldCamera& camera, double middle) {
+  constexpr float kPaint = 0.3F;
+  const Slice slice(camera, middle);
+  for (std::size_t row = 0; row < kRows; ++row) {
+    if (column_.carpet[row] <= 0.0F) continue;
+    const auto hit = slice.groundAt(static_cast<double>(row) + 0.5);
+    if (!hit) continue;
+    const float ground = std::min(1.0F, column_.carpet[row] / kPaint);
+    const float green = std::max(0.0F, (column_.carpet[row] - kPaint) / (1.0F - kPaint));
+    const Colour is{column_.y[row], column_.cr[row], column_.cb[row]};
+    const Colour other = lit(scene, is, {hit->x, hit->y});
+    const bool odd = std::fmod(std::fabs(hit->x), 2.0 * scene.stripes.width) > scene.stripes.width;
+    const auto pile = static_cast<float>(odd ? scene.stripes.contrast : -scene.stripes.contrast);
+    blend(column_.y[row], other.y, ground);
+    blend(column_.cr[row], other.cr, ground);
+    blend(column_.cb[row], other.cb, ground);
+    column_.y[row] *= 1.0F + green * pile;
   }
 }
 
@@ -226,6 +264,8 @@ void Camera::render(const Scene& scene, const ColumnCameras& cameras, Random& ra
       renderSlice(scene, Slice(cameras[x], left + (i + 0.5) * step));
       addSlice(static_cast<float>(step));
     }
+    if (params_.light && (scene.light.on() || scene.stripes.on()))
+      lightGround(scene, cameras[x], left + 0.5);
     if (params_.texture) addTexture(cameras[x], left + 0.5);
     keepColumn(x);
   }

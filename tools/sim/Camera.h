@@ -19,16 +19,18 @@ struct CameraParams {
   int slices = 3;              // cuts for each column
   bool texture = true;         // of the carpet
   double textureAmount = 5.0;  // grey levels, sd about a third of it
+  bool light = true;           // the scene's second light, and stripes of the carpet
 
   static constexpr auto fields() {
     return fieldList(field("artefacts", &CameraParams::artefacts),
                      field("slices", &CameraParams::slices, "", 1, 16),
                      field("texture", &CameraParams::texture),
-                     field("textureAmount", &CameraParams::textureAmount, "levels", 0, 30));
+                     field("textureAmount", &CameraParams::textureAmount, "levels", 0, 30),
+                     field("light", &CameraParams::light));
   }
 };
 
-// No artefacts, no texture, 8 cuts: for measuring geometry.
+// No artefacts, no texture, one light, 8 cuts: for measuring geometry.
 CameraParams idealCamera();
 
 class Camera {
@@ -48,6 +50,7 @@ class Camera {
   void paintGround(const Scene& scene, const Slice& slice);
   void paint(const Span& span);
   void addTexture(const FieldCamera& camera, double middle);
+  void lightGround(const Scene& scene, const FieldCamera& camera, double middle);
   void addSlice(float share);
   void keepColumn(std::size_t x);
 

@@ -7,14 +7,6 @@
 namespace kelpie::sim {
 namespace {
 
-constexpr double kRoomMargin = 320.0;  // cm from the field to the walls of the room
-constexpr double kRoomHeight = 420.0;
-
-struct Boundary {
-  Point2<Field> low;
-  Point2<Field> high;
-};
-
 void addGoal(Scene& scene, const body::FieldDescription& field, const body::Landmark& goal) {
   const Colour colour = goal.kind == LandmarkKind::goalBlue ? colours::kBlue : colours::kYellow;
   const double half = field.goalWidth / 2.0;
@@ -82,27 +74,10 @@ void addLines(Scene& scene, const body::FieldDescription& field) {
   const double radius = field.circleDiameter / 2.0;
   if (radius > 0.0) {
     scene.circle.push_back({centre, radius, colours::kWhite, 0.0});
-    scene.circle.push_back({centre, radius - field.lineWidth, colours::kGreen, 0.0});
+    scene.circle.push_back({centre, radius - field.lineWidth, scene.green, 0.0});
   }
   for (const body::FieldLine& line : field.lines) {
     scene.lines.push_back(strip(line, field.lineWidth));
-  }
-}
-
-void addRoom(Scene& scene, const body::FieldDescription& field) {
-  const Point2<Field> low{-kRoomMargin, -kRoomMargin};
-  const Point2<Field> high{field.width + kRoomMargin, field.length + kRoomMargin};
-  const std::array<double, 2> walls{0.0, kRoomHeight};
-  const std::array<Point2<Field>, 5> corners{low, Point2<Field>{high.x, low.y}, high,
-                                             Point2<Field>{low.x, high.y}, low};
-  constexpr std::array<double, 4> kLight{1.0, 0.9, 1.05, 0.85};
-  for (std::size_t i = 0; i < 4; ++i) {
-    Solid wall;
-    wall.quads.push_back(
-        uprightQuad(corners[i], corners[i + 1], walls, brighter(colours::kWall, kLight[i])));
-    wall.quads.back().slope = 0.15;
-    enclose(wall);
-    scene.fixtures.push_back(wall);
   }
 }
 
@@ -121,6 +96,14 @@ void addBorder(Scene& scene, const body::FieldDescription& field) {
     enclose(solid);
     scene.fixtures.push_back(solid);
   }
+}
+
+// Where the tape's middle is stays.
+body::FieldDescription taped(body::FieldDescription field, double width) {
+  if (width <= 0.0) return field;
+  if (field.circleDiameter > 0.0) field.circleDiameter += width - field.lineWidth;
+  field.lineWidth = width;
+  return field;
 }
 
 }  // namespace
@@ -160,8 +143,21 @@ void enclose(Solid& solid) {
   }
 }
 
-Scene fieldScene(const body::FieldDescription& field, std::uint64_t crowdSeed) {
+double lightAt(const Scene& scene, Point2<Field> place) {
+  const Point2<Field> middle = (scene.carpet[0] + scene.carpet[1]) * 0.5;
+  const Point2<Field> way = place - middle;
+  const double half = 0.5 * (scene.carpet[1].y - scene.carpet[0].y);
+  const double along = way.x * scene.light.side.cos() + way.y * scene.light.side.sin();
+  return maths::clamp(along / half, -1.0, 1.0);
+}
+
+Scene fieldScene(const body::FieldDescription& nominal, std::uint64_t crowdSeed,
+                 const Venue& venue) {
+  const body::FieldDescription field = taped(nominal, venue.tapeWidth);
   Scene scene;
+  scene.green = brighter(scene.green, venue.carpet);
+  scene.stripes = venue.stripes;
+  scene.light = venue.light;
   const body::Carpet carpet = body::carpetOf(field);
   scene.carpet = {carpet.low, carpet.high};
   addLines(scene, field);
@@ -174,7 +170,7 @@ Scene fieldScene(const body::FieldDescription& field, std::uint64_t crowdSeed) {
     }
   }
   addBorder(scene, field);
-  addRoom(scene, field);
+  addRoom(scene, field, venue.room);
   if (crowdSeed != 0) addCrowd(scene, crowdSeed);
   return scene;
 }

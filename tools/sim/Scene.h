@@ -64,12 +64,26 @@ struct Disc {
   double darkens = 0.0;
 };
 
+// How a robot's uniform has aged: drawn for robots of unlike worlds.
+struct Uniform {
+  double fade = 0.0;    // share of the way from the team's colour to grey
+  double scuffs = 0.0;  // of the shell's white or of dirt, on each upright face, mean number
+  double gloss = 1.0;   // width and frequency of ShineParams, times this
+
+  static constexpr auto fields() {
+    return fieldList(field("fade", &Uniform::fade, "", 0, 1),
+                     field("scuffs", &Uniform::scuffs, "", 0, 20),
+                     field("gloss", &Uniform::gloss, "", 0, 5));
+  }
+};
+
 // How another robot looks: place, size of the body by its stance, team.
 struct RobotLook {
   Pose2 pose;
   double shoulderHeight = 10.0;
   TeamColour team = TeamColour::blue;
   std::uint64_t shine = 0;  // seed of where its uniform shines
+  Uniform uniform = {};
 };
 
 // The ERS-7 is white and glossy: a red uniform's edges come out yellow and pink in small places,
@@ -91,10 +105,56 @@ struct ShineParams {
   }
 };
 
+// A light of another colour at one side of the field: what is nearer to it is brighter and takes on
+// its colour, linearly across the field.
+struct SecondLight {
+  Angle side;             // from the field's middle towards it
+  double strength = 0.0;  // share brighter at its side of the field, and darker at the other
+  double warmth = 0.0;    // levels of Cr more and Cb less at its side, of something white
+
+  bool on() const { return strength != 0.0 || warmth != 0.0; }
+  static constexpr auto fields() {
+    using P = SecondLight;
+    return fieldList(field("side", &P::side, "rad", -180, 180),
+                     field("strength", &P::strength, "", 0, 1),
+                     field("warmth", &P::warmth, "levels", -40, 40));
+  }
+};
+
+// Strips of carpet side by side along the field whose pile lies to and fro.
+struct Stripes {
+  double width = 100.0;   // cm
+  double contrast = 0.0;  // share brighter and darker by turns
+
+  bool on() const { return contrast != 0.0; }
+  static constexpr auto fields() {
+    return fieldList(field("width", &Stripes::width, "cm", 10, 1000),
+                     field("contrast", &Stripes::contrast, "", 0, 1));
+  }
+};
+
+// How a venue differs from the nominal one.
+struct Venue {
+  double tapeWidth = 0.0;  // cm, of all lines; 0: the field's own
+  double carpet = 1.0;     // brightness over the nominal one
+  Stripes stripes;
+  SecondLight light;
+  std::uint64_t room = 0;  // seed of walls, floor, boards and tables; 0: plain walls
+
+  static constexpr auto fields() {
+    return fieldList(field("tapeWidth", &Venue::tapeWidth, "cm", 0, 20),
+                     field("carpet", &Venue::carpet, "", 0.1, 3), field("stripes", &Venue::stripes),
+                     field("light", &Venue::light), field("room", &Venue::room));
+  }
+};
+
 struct Scene {
   Colour ceiling = colours::kCeiling;
   Colour floor = colours::kFloor;
   std::array<Point2<Field>, 2> carpet{};  // opposite corners
+  Colour green = colours::kGreen;
+  Stripes stripes;
+  SecondLight light;
   std::vector<Quad> lines;
   std::vector<Disc> circle;  // painted in order, under the lines' intersections
   std::vector<Solid> fixtures;
@@ -109,7 +169,13 @@ struct Scene {
 
 // Carpet, lines, goals, beacons and the room around them. With `crowdSeed` not 0 people and
 // coloured things stand around the field.
-Scene fieldScene(const body::FieldDescription& field, std::uint64_t crowdSeed);
+Scene fieldScene(const body::FieldDescription& field, std::uint64_t crowdSeed,
+                 const Venue& venue = {});
+
+// Plain walls, or those of a seeded room with boards and tables (tools/sim/Room.cpp).
+void addRoom(Scene& scene, const body::FieldDescription& field, std::uint64_t seed);
+// The second light at a place: -1 at the far side of the field, 1 at its own.
+double lightAt(const Scene& scene, Point2<Field> place);
 
 // Seeded people and coloured things 30..150 cm beyond the carpet (tools/sim/Crowd.cpp).
 void addCrowd(Scene& scene, std::uint64_t seed);

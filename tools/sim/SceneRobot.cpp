@@ -12,7 +12,9 @@ namespace {
 
 // cm that a patch is drawn nearer than it is, to cover the shell and the patch that it lies on.
 constexpr double kUniformBias = 2.0;
+constexpr double kScuffBias = 2.6;
 constexpr double kShineBias = 3.2;
+constexpr std::uint64_t kWearStream = 0x77656172;
 
 // A box in the robot frame.
 struct Box {
@@ -70,8 +72,9 @@ Colour mixed(Colour a, Colour b, double share) {
 }
 
 // A row of yellow and pink along the edge from corner `first` of a red face, inside it.
-void addShine(Solid& solid, const Pose2& pose, const Face& face, std::size_t first,
+void addShine(Solid& solid, const RobotLook& look, const Face& face, std::size_t first,
               const ShineParams& params, Random& random) {
+  const double gloss = look.uniform.gloss;
   const Point3<Robot> start = face.corner[first];
   const Point3<Robot> edge = face.corner[(first + 1) % 4] - start;
   const Point3<Robot> inward = face.corner[(first + 3) % 4] - start;
@@ -80,17 +83,37 @@ void addShine(Solid& solid, const Pose2& pose, const Face& face, std::size_t fir
   const double depth = std::fabs(inward.x + inward.y + inward.z);
   for (double done = 0.0; done < length;) {
     const double next = std::min(length, done + params.length * random.uniform(0.5, 1.5));
-    const double width = std::min(depth, params.width * random.uniform(0.5, 1.5)) / depth;
+    const double width = std::min(depth, gloss * params.width * random.uniform(0.5, 1.5)) / depth;
     const Colour gleam = random.chance(0.5) ? colours::kYellow : colours::kPink;
     const double from = done / length;
     const double to = next / length;
     done = next;
-    if (!random.chance(params.share)) continue;
+    if (!random.chance(gloss * params.share)) continue;
     const Face patch{{at(start, edge, from, inward, 0.0), at(start, edge, to, inward, 0.0),
                       at(start, edge, to, inward, width), at(start, edge, from, inward, width)},
                      face.normal,
                      face.lit};
-    addQuad(solid, pose, patch, mixed(colours::kRobotRed, gleam, params.strength), kShineBias);
+    addQuad(solid, look.pose, patch, mixed(colours::kRobotRed, gleam, params.strength), kShineBias);
+  }
+}
+
+// Places where the colour has come off, and dirt, inside an upright face.
+void addScuffs(Solid& solid, const RobotLook& look, const Face& face, Random& random) {
+  const Point3<Robot> start = face.corner[0];
+  const Point3<Robot> edge = face.corner[1] - start;
+  const Point3<Robot> inward = face.corner[3] - start;
+  for (double left = look.uniform.scuffs * random.uniform(0.0, 2.0); left > 0.5; left -= 1.0) {
+    const double wide = random.uniform(0.1, 0.35);
+    const double high = random.uniform(0.15, 0.5);
+    const double s = random.uniform(0.0, 1.0 - wide);
+    const double t = random.uniform(0.0, 1.0 - high);
+    const Face patch{
+        {at(start, edge, s, inward, t), at(start, edge, s + wide, inward, t),
+         at(start, edge, s + wide, inward, t + high), at(start, edge, s, inward, t + high)},
+        face.normal,
+        face.lit};
+    const Colour colour = random.chance(0.5) ? colours::kShell : colours::kGrey;
+    addQuad(solid, look.pose, patch, colour, kScuffBias);
   }
 }
 
@@ -98,12 +121,18 @@ void addShine(Solid& solid, const Pose2& pose, const Face& face, std::size_t fir
 void addUniform(Solid& solid, const RobotLook& look, const Box& box, const ShineParams& shine,
                 Random& random) {
   const bool red = look.team == TeamColour::red;
-  addBox(solid, look.pose, box, red ? colours::kRobotRed : colours::kRobotBlue, kUniformBias);
+  const Colour team = red ? colours::kRobotRed : colours::kRobotBlue;
+  const Colour colour = mixed(team, colours::kGrey, look.uniform.fade);
+  addBox(solid, look.pose, box, colour, kUniformBias);
+  if (look.uniform.scuffs > 0.0) {
+    Random wear(look.shine ^ kWearStream);
+    for (const Face& face : faces(box))
+      if (face.normal.z <= 0.0) addScuffs(solid, look, face, wear);
+  }
   if (!red || !shine.on) return;
   for (const Face& face : faces(box)) {
     if (face.normal.z > 0.0) continue;
-    for (std::size_t edge = 0; edge < 4; ++edge)
-      addShine(solid, look.pose, face, edge, shine, random);
+    for (std::size_t edge = 0; edge < 4; ++edge) addShine(solid, look, face, edge, shine, random);
   }
 }
 

@@ -12,13 +12,32 @@ struct Kind {
   const char* name;
   bool UnlikeParams::*on;
 };
-constexpr std::array<Kind, 5> kKinds{{{"body", &UnlikeParams::body},
-                                      {"neck", &UnlikeParams::neck},
-                                      {"lens", &UnlikeParams::lens},
-                                      {"shutter", &UnlikeParams::shutter},
-                                      {"lag", &UnlikeParams::lag}}};
+constexpr std::array<Kind, 11> kKinds{{{"body", &UnlikeParams::body},
+                                       {"neck", &UnlikeParams::neck},
+                                       {"lens", &UnlikeParams::lens},
+                                       {"shutter", &UnlikeParams::shutter},
+                                       {"lag", &UnlikeParams::lag},
+                                       {"tone", &UnlikeParams::tone},
+                                       {"uniform", &UnlikeParams::uniform},
+                                       {"tape", &UnlikeParams::tape},
+                                       {"carpet", &UnlikeParams::carpet},
+                                       {"light", &UnlikeParams::light},
+                                       {"room", &UnlikeParams::room}}};
 
-enum class Stream : std::uint64_t { body = 1, neck, lens, shutter, lag };
+enum class Stream : std::uint64_t {
+  body = 1,
+  neck,
+  lens,
+  shutter,
+  lag,
+  tone,
+  uniform,
+  tape,
+  carpet,
+  light,
+  room
+};
+constexpr std::size_t kVenue = kMaxRobots;  // where a robot's number stands otherwise
 
 // Every kind of every robot of every match has its own numbers.
 Random streamOf(const UnlikeParams& params, std::uint64_t match, std::size_t robot, Stream kind) {
@@ -46,7 +65,48 @@ double drawReadout(const UnlikeParams& params, Random random) {
   return random.uniform(params.shortestReadout, 1.0);
 }
 
+std::array<double, 3> drawTone(const UnlikeParams& params, Random random) {
+  const auto about1 = [&](double most) { return 1.0 + most * random.uniform(-1.0, 1.0); };
+  const double y = about1(params.toneY);
+  const double cr = about1(params.toneChroma);
+  return {y, cr, about1(params.toneChroma)};
+}
+
+Uniform drawUniform(const UnlikeParams& params, Random random) {
+  Uniform uniform;
+  uniform.fade = random.uniform(0.0, params.fade);
+  uniform.scuffs = random.uniform(0.0, params.scuffs);
+  uniform.gloss = random.uniform(0.0, params.glossiest);
+  return uniform;
+}
+
+void drawCarpet(const UnlikeParams& params, Random random, Venue& venue) {
+  venue.carpet = random.uniform(params.darkestCarpet, params.brightestCarpet);
+  venue.stripes.width = random.uniform(60.0, 200.0);  // cm; carpet is sold in strips of 2 m
+  venue.stripes.contrast = random.uniform(0.0, params.stripeContrast);
+}
+
+SecondLight drawLight(const UnlikeParams& params, Random random) {
+  SecondLight light;
+  light.side = Angle::deg(random.uniform(-180.0, 180.0));
+  light.strength = random.uniform(0.0, params.lightStrength);
+  light.warmth = params.lightWarmth * random.uniform(-1.0, 1.0);
+  return light;
+}
+
 }  // namespace
+
+Venue drawUnlikeVenue(const UnlikeParams& params, std::uint64_t match) {
+  Venue venue;
+  if (params.seed == 0) return venue;
+  const auto stream = [&](Stream kind) { return streamOf(params, match, kVenue, kind); };
+  if (params.tape)
+    venue.tapeWidth = stream(Stream::tape).uniform(params.narrowestTape, params.widestTape);
+  if (params.carpet) drawCarpet(params, stream(Stream::carpet), venue);
+  if (params.light) venue.light = drawLight(params, stream(Stream::light));
+  if (params.room) venue.room = stream(Stream::room).next() | 1U;
+  return venue;
+}
 
 UnlikeRobot drawUnlikeRobot(const UnlikeParams& params, std::uint64_t match, std::size_t robot) {
   UnlikeRobot drawn;
@@ -57,6 +117,8 @@ UnlikeRobot drawUnlikeRobot(const UnlikeParams& params, std::uint64_t match, std
     if (params.lens)
       drawn.lens.focal *= 1.0 + params.focalShare * stream(Stream::lens).uniform(-1.0, 1.0);
     if (params.shutter) drawn.readout = drawReadout(params, stream(Stream::shutter));
+    if (params.tone) drawn.tone = drawTone(params, stream(Stream::tone));
+    if (params.uniform) drawn.uniform = drawUniform(params, stream(Stream::uniform));
     if (params.lag) drawn.lag = stream(Stream::lag).chance(params.lagging) ? 1.0 : 0.0;
   }
   drawn.body.lean.tilt = drawn.body.lean.tilt + params.lean.tilt;
@@ -68,6 +130,7 @@ UnlikeWorld drawUnlike(const UnlikeParams& params, std::uint64_t match, std::siz
   UnlikeWorld world;
   for (std::size_t i = 0; i < std::min(robots, kMaxRobots); ++i)
     world.robots.push_back(drawUnlikeRobot(params, match, i));
+  world.venue = drawUnlikeVenue(params, match);
   return world;
 }
 

@@ -14,6 +14,7 @@
 #include "tools/sim/Backlash.h"
 #include "tools/sim/BodyShape.h"
 #include "tools/sim/FieldCamera.h"
+#include "tools/sim/Scene.h"
 #include "tools/sim/Truth.h"
 
 namespace kelpie::sim {
@@ -30,6 +31,12 @@ struct UnlikeParams {
   bool lens = true;     // focal length
   bool shutter = true;  // read-out time, or global
   bool lag = true;      // the image is older than its stamp
+  bool tone = true;     // the camera's response is not linear
+  bool uniform = true;  // worn or shiny
+  bool tape = true;     // its width
+  bool carpet = true;   // its brightness, and stripes
+  bool light = true;    // a second one of another colour
+  bool room = true;     // walls, floor, boards and tables
 
   double leanSdDeg = 1.5;          // of tilt and of roll: 3 deg is 95 % (facts-2005 section 2.1)
   double accelerationBias = 20.0;  // cm/s2, sd of each axis: 1.2 deg of tilt [chosen]
@@ -51,6 +58,24 @@ struct UnlikeParams {
   // but does not say of what moment: a camera that stamps the delivery of what was exposed in the
   // frame before looks the same. Share of such robots [chosen].
   double lagging = 0.5;
+  // A robot's linear shift is within the like world (ColourShift). Exponents of Y, and of Cr and Cb
+  // about grey, differ from 1 by up to these [chosen]: middle grey by 12 levels, a full colour
+  // by 4.
+  double toneY = 0.14;
+  double toneChroma = 0.08;
+  double fade = 0.4;           // at most: red's Cr is 138 to 190 in labelled pixels (data/colour)
+  double scuffs = 1.5;         // of a face, mean at most [chosen]
+  double glossiest = 1.8;      // from 0 to this [chosen]
+  double narrowestTape = 2.5;  // cm; the rules' own
+  double widestTape = 5.0;     // cm; the tape that is sold
+  // Over the table's mean of 77 (facts-2005 section 3): two genuine frames have 55 and 57, labelled
+  // pixels up to 100 (data/frames-ers7, data/colour).
+  double darkestCarpet = 0.7;
+  double brightestCarpet = 1.3;
+  double stripeContrast = 0.08;  // at most [chosen]
+  double lightStrength = 0.2;    // at most [chosen]
+  // Levels at most [chosen]; two robots differ by up to 13.6 at once (facts-2005 section 3).
+  double lightWarmth = 10.0;
 };
 
 // What of a robot's body the walk engine does not know.
@@ -68,25 +93,33 @@ struct BodyFaults {
 struct UnlikeRobot {
   BodyFaults body;
   Lens lens;
-  double readout = 1.0;  // share of the frame; 0: global
-  double lag = 0.0;      // frames
+  double readout = 1.0;                       // share of the frame; 0: global
+  double lag = 0.0;                           // frames
+  std::array<double, 3> tone{1.0, 1.0, 1.0};  // as RobotCamera has it
+  Uniform uniform;
 
   static constexpr auto fields() {
     return fieldList(field("body", &UnlikeRobot::body), field("lens", &UnlikeRobot::lens),
                      field("readout", &UnlikeRobot::readout, "", 0, 1),
-                     field("lag", &UnlikeRobot::lag, "", 0, 1));
+                     field("lag", &UnlikeRobot::lag, "", 0, 1),
+                     field("tone", &UnlikeRobot::tone, "", 0.5, 2),
+                     field("uniform", &UnlikeRobot::uniform));
   }
 };
 
 // All that was drawn for a match: truth, for logs and experiments, never for an agent.
 struct UnlikeWorld {
   FixedVector<UnlikeRobot, kMaxRobots> robots;
+  Venue venue;
 
-  static constexpr auto fields() { return fieldList(field("robots", &UnlikeWorld::robots)); }
+  static constexpr auto fields() {
+    return fieldList(field("robots", &UnlikeWorld::robots), field("venue", &UnlikeWorld::venue));
+  }
 };
 
 // `match`: the seed of the match or trial; each has an unlike world of its own.
 UnlikeRobot drawUnlikeRobot(const UnlikeParams& params, std::uint64_t match, std::size_t robot);
+Venue drawUnlikeVenue(const UnlikeParams& params, std::uint64_t match);
 UnlikeWorld drawUnlike(const UnlikeParams& params, std::uint64_t match, std::size_t robots);
 
 // The kinds by name, as for --unlike-only.

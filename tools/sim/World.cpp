@@ -54,7 +54,7 @@ World::World(const WorldParams& params, const body::FieldDescription& field, con
       unlike_(drawUnlike(params.unlike, seed, setup.players.size())),
       obstacles_(obstaclesOf(field)),
       players_(setup.players),
-      scene_(fieldScene(field, params.spectators ? partSeed(seed, 1) | 1U : 0)),
+      scene_(fieldScene(field, params.spectators ? partSeed(seed, 1) | 1U : 0, unlike_.venue)),
       ball_{setup.ball, {}},
       referee_(params.referee, field) {
   for (std::size_t i = 0; i < players_.size(); ++i) {
@@ -64,8 +64,9 @@ World::World(const WorldParams& params, const body::FieldDescription& field, con
                          unlike_.robots[i].body);
     sensorRandom_.emplace_back(partSeed(seed, part + 2));
     cameraRandom_.emplace_back(partSeed(seed, part + 3));
-    cameras_.push_back(
-        std::make_unique<Camera>(params_.camera, randomCamera(colours, params_.camera.artefacts)));
+    RobotCamera camera = randomCamera(colours, params_.camera.artefacts);
+    camera.tone = unlike_.robots[i].tone;
+    cameras_.push_back(std::make_unique<Camera>(params_.camera, camera));
     shine_.push_back(partSeed(seed, part + 4));
   }
   sensors_.resize(players_.size());
@@ -239,7 +240,8 @@ void World::render(std::size_t robot, TimeUs end, Image& image) {
   for (std::size_t i = 0; i < robots_.size(); ++i) {
     if (i == robot) continue;
     const BodyPlace place = placeAt(i, middle);
-    others.push_back({place.pose, place.stance.shoulderHeight, players_[i].team, shine_[i]});
+    others.push_back({place.pose, place.stance.shoulderHeight, players_[i].team, shine_[i],
+                      unlike_.robots[i].uniform});
   }
   setRobots(scene_, others, params_.shine);
   if (params_.ownLegs) scene_.own = frontLegs(placeAt(robot, middle));

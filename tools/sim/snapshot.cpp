@@ -8,7 +8,7 @@
 #include <memory>
 #include <opencv2/imgproc.hpp>
 
-#include "robot/body/Camera.h"
+#include "tools/cli/UnlikeOptions.h"
 #include "tools/picture/CameraPicture.h"
 #include "tools/picture/PngFile.h"
 #include "tools/sim/BodyShape.h"
@@ -30,6 +30,7 @@ struct Options {
   bool ideal = false;
   bool wall = false;
   bool hidden = false;
+  cli::UnlikeOptions unlike;
 };
 
 Pose2 chosenPose(const Options& options, Random& random) {
@@ -55,13 +56,13 @@ BodyPlace placeOf(const Options& options, const Pose2& pose) {
   return place;
 }
 
-ColumnCameras cameras(BodyPlace place, double panRate) {
+ColumnCameras cameras(BodyPlace place, const UnlikeRobot& self, double panRate) {
   const Angle pan = place.joints[Joint::headPan];
   ColumnCameras columns;
   for (std::size_t x = 0; x < columns.size(); ++x) {
-    const double late = ((static_cast<double>(x) + 0.5) / kImageWidth - 0.5) * kFrameSeconds;
+    const double late = (exposedAt(x, self.readout) - 0.5) * kFrameSeconds;
     place.joints[Joint::headPan] = pan + Angle::deg(panRate * late);
-    columns[x] = fieldCamera(place.pose, body::cameraPose(place.joints, place.stance));
+    columns[x] = fieldCamera(place.pose, trueCamera(place), self.lens);
   }
   return columns;
 }
@@ -79,7 +80,9 @@ int run(const Options& options) {
     return 1;
   }
   Random random(options.seed);
-  Scene scene = fieldScene(*field, random.next() | 1U);
+  const UnlikeParams unlike = cli::paramsOf(options.unlike);
+  const UnlikeRobot self = drawUnlikeRobot(unlike, options.seed, 0);
+  Scene scene = fieldScene(*field, random.next() | 1U, drawUnlikeVenue(unlike, options.seed));
   if (options.wall) addWall(scene, outerWall(*field, 8.0, options.seed));
   if (options.hidden) hideLandmarks(scene);
   const Pose2 pose = chosenPose(options, random);
@@ -92,21 +95,25 @@ int run(const Options& options) {
     looks.push_back({{{options.robot[i], options.robot[i + 1]}, Angle::deg(options.robot[i + 2])},
                      10.0,
                      TeamColour::red,
-                     random.next()});
+                     random.next(),
+                     drawUnlikeRobot(unlike, options.seed, 1).uniform});
   for (int i = 0; i < options.robots; ++i) {
     looks.push_back(
         {{{random.uniform(20, 340), random.uniform(20, 520)}, Angle::deg(random.uniform(0, 360))},
          10.0,
          i % 2 == 0 ? TeamColour::red : TeamColour::blue,
-         random.next()});
+         random.next(),
+         drawUnlikeRobot(unlike, options.seed, static_cast<std::size_t>(i) + 1).uniform});
   }
   setRobots(scene, looks);
-  const BodyPlace self = placeOf(options, pose);
-  scene.own = frontLegs(self);
-  const auto camera = std::make_unique<Camera>(options.ideal ? idealCamera() : CameraParams{},
-                                               randomCamera(random, {}));
+  BodyPlace place = placeOf(options, pose);
+  place.lean = self.body.lean;
+  scene.own = frontLegs(place);
+  RobotCamera own = randomCamera(random, {});
+  own.tone = self.tone;
+  const auto camera = std::make_unique<Camera>(options.ideal ? idealCamera() : CameraParams{}, own);
   const auto image = std::make_unique<Image>();
-  camera->render(scene, cameras(self, options.panRate), random, *image);
+  camera->render(scene, cameras(place, self, options.panRate), random, *image);
   const Status written = writeLarge(options.out, *image);
   if (!written) {
     fmt::print(stderr, "sim_snapshot: {}\n", written.error());
@@ -136,6 +143,8 @@ int main(int argc, char** argv) {
   app.add_flag("--wall", options.wall, "the outer wall of the 2004 challenge, with sheets");
   app.add_flag("--hidden", options.hidden, "no beacons, goals covered");
   app.add_flag("--ideal", options.ideal, "no artefacts");
+  kelpie::cli::addUnlikeOptions(app, options.unlike);
+  kelpie::cli::addLeanOptions(app, options.unlike);
   CLI11_PARSE(app, argc, argv);
   return kelpie::sim::run(options);
 }

@@ -23,10 +23,11 @@ bool isBorder(const sim::Quad& quad, const body::FieldDescription& field) {
 }
 
 sim::Scene marked(sim::Scene scene, const body::FieldDescription& field) {
+  const float green = scene.green.y;
   scene.ceiling = scene.floor = kElse;
+  scene.green = kGreen;
   for (auto& line : scene.lines) line.colour = kPaint;
-  for (auto& disc : scene.circle)
-    if (disc.colour.y != kGreen.y) disc.colour = kPaint;
+  for (auto& disc : scene.circle) disc.colour = disc.colour.y == green ? kGreen : kPaint;
   for (auto* group : {&scene.fixtures, &scene.robots})
     for (auto& solid : *group)
       for (auto& quad : solid.quads) quad.colour = isBorder(quad, field) ? kBorder : kElse;

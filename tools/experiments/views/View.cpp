@@ -45,10 +45,13 @@ ViewMaker::ViewMaker(const ViewParams& params, std::uint64_t seed)
 
 const View& ViewMaker::next() {
   if (made_++ % kViewsPerCrowd == 0)
-    view_.scene = sim::fieldScene(params_.field, params_.crowd ? random_.next() | 1U : 0);
+    view_.scene = sim::fieldScene(
+        params_.field, params_.crowd ? random_.next() | 1U : 0,
+        sim::drawUnlikeVenue(params_.unlike, seed_ + static_cast<std::uint64_t>(made_)));
   view_.real = sim::drawUnlikeRobot(params_.unlike, seed_ + static_cast<std::uint64_t>(made_), 0);
   view_.robotCamera = {sim::randomShift(random_),
-                       sim::randomCentres(looks_, params_.camera.artefacts.centreSd)};
+                       sim::randomCentres(looks_, params_.camera.artefacts.centreSd),
+                       view_.real.tone};
   const auto kind = random_.index(10);
   view_.target = kind < 4   ? ViewTarget::ball
                  : kind < 8 ? ViewTarget::landmark
@@ -121,6 +124,7 @@ void ViewMaker::placeRobots() {
     if (inside && distance(middle, view_.pose.position) > 38.0 &&
         distance(middle, view_.ball) > 24.0 && awayFrom(view_.robots, middle, 36.0)) {
       look.shine = looks_.next();
+      look.uniform = sim::drawUnlikeRobot(params_.unlike, look.shine, 0).uniform;
       view_.robots.push_back(look);
     }
   }
