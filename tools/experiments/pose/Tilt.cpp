@@ -3,6 +3,8 @@
 // localise-observations from pixels, through body, vision and gps, for several such angles. Errors
 // are means over the last two seconds of each walk; recall is of beacons and goals that show. The
 // walk is kinematic, as there: no legs move, and the accelerometer feels no steps.
+#include "gps/pose/Tilt.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -25,6 +27,7 @@ constexpr std::array<double, 9> kTilts{-3.0, -2.0, -1.5, -1.0, 0.0, 1.0, 1.5, 2.
 constexpr std::size_t kLevel = 4;
 constexpr int kFrames = 240;
 constexpr int kCounted = 60;     // the last of them
+constexpr int kKnown = 150;      // from here on the tilt should be known
 constexpr int kLookedAt = 3;     // every so many frames what shows is compared with what is seen
 constexpr double kStep = 0.7;    // cm a frame
 constexpr double kSway = 0.008;  // rad a frame
@@ -39,14 +42,15 @@ const Angle kNod = Angle::deg(5.0);  // the horizon is in the upper third of the
 
 // What one walk showed.
 struct Walked {
-  double cm = 0.0;  // over the last two seconds
-  Share seen;       // of beacons and goals
+  double cm = 0.0;       // over the last two seconds
+  double tiltDeg = 0.0;  // error of the believed tilt, mean after five seconds
+  Share seen;            // of beacons and goals
   int falsePercepts = 0;
   int looked = 0;  // frames
 
   static constexpr auto fields() {
-    return fieldList(field("cm", &Walked::cm, "cm"), field("seen", &Walked::seen),
-                     field("falsePercepts", &Walked::falsePercepts),
+    return fieldList(field("cm", &Walked::cm, "cm"), field("tiltDeg", &Walked::tiltDeg, "deg"),
+                     field("seen", &Walked::seen), field("falsePercepts", &Walked::falsePercepts),
                      field("looked", &Walked::looked));
   }
 };
@@ -69,7 +73,7 @@ class PixelWalk {
     camera_ = std::make_unique<sim::Camera>(sim::CameraParams{}, view_.robotCamera);
   }
 
-  const View& next(int frame) {
+  View& next(int frame) {
     walker_.walk(kStep, 0.0, kSway * std::sin(frame / 20.0));
     view_.pose = walker_.truth.pose();
     const double turn = kSway * std::sin(frame / 20.0);
@@ -158,11 +162,12 @@ class Believer {
     gps::prepare(config_.gps, *gps_);
   }
 
-  // What the robot tells itself for the next frame goes into the input here, as AgentLoops does.
-  void step(const FrameInput& input) {
+  // What the robot tells itself for the next frame goes into the input, as AgentLoops does.
+  void step(FrameInput& input) {
+    input.cameraTilt = input.frame > 0 ? world_.cameraTilt : gps::startingTilt(config_.gps.tilt);
     const BodyState body = body::step(input, config_.body);
     seen_ = vision::step({input, body}, config_.vision, *vision_);
-    world_ = gps::step({input, seen_}, config_.gps, *gps_);
+    world_ = gps::step({input, seen_, body.camera}, config_.gps, *gps_);
   }
   const Percepts& seen() const { return seen_; }
   const WorldModel& world() const { return world_; }
@@ -191,16 +196,23 @@ void compare(const std::vector<TrueObject>& objects, const Percepts& seen, Walke
                                 : 0;
 }
 
+// The robot's tilt lifts the nose, the world's lowers it.
+double tiltError(const WorldModel& world, const sim::Lean& lean) {
+  return (world.cameraTilt.tilt + lean.tilt).abs().deg();
+}
+
 Walked walk(const agent::AgentConfig& config, const sim::UnlikeParams& unlike, std::uint64_t seed) {
   const auto walking = std::make_unique<PixelWalk>(config, unlike, seed);
   const auto robot = std::make_unique<Believer>(config);
   Visibility visibility;
   Walked walked;
   for (int frame = 0; frame < kFrames; ++frame) {
-    const View& view = walking->next(frame);
+    View& view = walking->next(frame);
     robot->step(view.input);
     if (frame % kLookedAt == 0)
       compare(trueObjects(view, config.field, visibility), robot->seen(), walked);
+    if (frame >= kKnown)
+      walked.tiltDeg += tiltError(robot->world(), view.real.body.lean) / (kFrames - kKnown);
     if (frame >= kFrames - kCounted)
       walked.cm += distance(robot->world().pose.position, walking->truth().position) / kCounted;
   }
@@ -228,12 +240,14 @@ Expected<Walks> walkAtAllTilts(const Request& request, const agent::AgentConfig&
 // All walks of one tilt.
 struct Tally {
   Values cm;
+  Values tiltDeg;
   Share seen;
   int falsePercepts = 0;
   int looked = 0;
 
   void add(const Walked& one) {
     cm.push_back(one.cm);
+    tiltDeg.push_back(one.tiltDeg);
     seen.add(one.seen);
     falsePercepts += one.falsePercepts;
     looked += one.looked;
@@ -245,6 +259,8 @@ struct Tally {
         {"mean_cm", mean(cm)},
         {"worst_cm", percentile(cm, 1.0)},
         {"over_20_cm_walks", std::lround(shareAbove(cm, kLost) * static_cast<double>(cm.size()))},
+        {"tilt_error_deg", mean(tiltDeg)},
+        {"tilt_error_worst_deg", percentile(tiltDeg, 1.0)},
         {"recall", seen.value()},
         {"false_per_1000", falsePer1000()}};
   }
@@ -268,19 +284,19 @@ Expected<Json> tilt(const Request& request) {
   std::array<Tally, kTilts.size()> tallies;
   for (const Walks& robot : *walks)
     for (std::size_t i = 0; i < kTilts.size(); ++i) tallies[i].add(robot.tilts[i]);
-  Values means, worst, wrong;
+  Values means, worst, wrong, tilts;
   Json each = Json::array();
   for (std::size_t i = 0; i < kTilts.size(); ++i) {
     means.push_back(mean(tallies[i].cm));
     worst.push_back(percentile(tallies[i].cm, 1.0));
     wrong.push_back(tallies[i].falsePer1000());
+    tilts.push_back(mean(tallies[i].tiltDeg));
     each.push_back(tallies[i].figures(kTilts[i]));
   }
-  return Json{{"worst_mean_cm", percentile(means, 1.0)},
-              {"worst_cm", percentile(worst, 1.0)},
-              {"recall_ratio", recallRatio(tallies)},
-              {"false_per_1000", percentile(wrong, 1.0)},
-              {"by_tilt", each}};
+  return Json{
+      {"worst_mean_cm", percentile(means, 1.0)},  {"worst_cm", percentile(worst, 1.0)},
+      {"recall_ratio", recallRatio(tallies)},     {"false_per_1000", percentile(wrong, 1.0)},
+      {"tilt_error_deg", percentile(tilts, 1.0)}, {"by_tilt", each}};
 }
 
 const Registration kTilt(

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gps/pose/Tilt.h"
 #include "robot/body/Camera.h"
 #include "tools/sim/BodyShape.h"
 #include "tools/sim/Sensors.h"
@@ -205,6 +206,8 @@ void ViewMaker::turnAndRender() {
   input.sensors.joints = joints_;
   for (auto& angle : input.sensors.joints.angle)
     angle = angle + Angle::rad(random_.gaussian(0.0, kJointNoise));
+  // Nobody has told the robot how it leans: it knows as much as after it is switched on.
+  if (!view_.real.body.lean.level()) input.cameraTilt = gps::startingTilt({});
   input.sensors.acceleration = sim::accelerationAtRest(stance_, view_.real.body);
 
   input.headRate = {0.0, rate.headPan + random_.gaussian(0.0, kRateNoise),
