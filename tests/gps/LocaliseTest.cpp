@@ -15,14 +15,16 @@ struct Errors {
   double deg = 0.0;
 };
 
-// Mean errors over the last 60 of 120 frames of a walk with panning head, over 20 runs.
-Errors walkErrors(double heading, double falseShare = 0.0) {
+// Mean errors over the last 60 of 120 frames of a walk with panning head, over 20 runs; the
+// odometry reports that share of the way.
+Errors walkErrors(double heading, double falseShare = 0.0, double reported = 1.0) {
   Errors sum;
   for (std::uint64_t run = 0; run < 20; ++run) {
     Random random(run + 100);
     sim::LocalisingRobot robot({180, 270, heading}, run);
     for (int i = 0; i < 120; ++i) {
       robot.walk(0.7, 0.0, 0.008 * std::sin(i / 20.0));
+      robot.input.odometry.forward *= reported;
       robot.lookAround(sim::panAt(i));
       robot.falsify(falseShare, random);
       const WorldModel world = robot.step();
@@ -31,8 +33,8 @@ Errors walkErrors(double heading, double falseShare = 0.0) {
       sum.deg += robot.headingError(world) / 60 / 20;
     }
   }
-  std::printf("walk heading %.0f false %.2f: %.2f cm %.2f deg\n", heading * 180 / maths::kPi,
-              falseShare, sum.cm, sum.deg);
+  std::printf("walk heading %.0f false %.2f odometry %.2f: %.2f cm %.2f deg\n",
+              heading * 180 / maths::kPi, falseShare, reported, sum.cm, sum.deg);
   return sum;
 }
 
@@ -46,6 +48,11 @@ TEST(Localise, WalkFromAnUnknownStartIsFollowedAtEveryHeading) {
 
 TEST(Localise, OneFalseSightingInTwentyCostsLittle) {
   EXPECT_LT(walkErrors(maths::kPi / 2, 0.05).cm, 5.0);
+}
+
+TEST(Localise, OdometryEightPercentLongOrShortCostsLittle) {
+  EXPECT_LT(walkErrors(maths::kPi / 2, 0.0, 1.08).cm, 4.0);
+  EXPECT_LT(walkErrors(maths::kPi / 2, 0.0, 0.92).cm, 4.0);
 }
 
 // Frames from the kidnapping until the estimate stays within 30 cm and 15 deg.

@@ -232,6 +232,7 @@ Expected<Json> localise(const Request& request) {
   return Json{{"mean_cm", filters["both"]["mean_cm"]},
               {"mean_deg", filters["both"]["mean_deg"]},
               {"p95_cm", filters["both"]["p95_cm"]},
+              {"nees_mean", filters["both"]["nees_mean"]},
               {"lines_only_cm", filters["lines_only"]["mean_cm"]},
               {"odometry_only_cm", filters["odometry_only"]["mean_cm"]},
               {"landmarks_only_cm", filters["landmarks_only"]["mean_cm"]},

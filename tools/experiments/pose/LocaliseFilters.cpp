@@ -14,6 +14,7 @@ namespace {
 constexpr double kGross = 50.0;        // cm
 constexpr double kNinetyFive = 7.815;  // chi2 with three degrees of freedom
 constexpr double kMedian = 2.366;
+constexpr double kDegreesOfFreedom = 3.0;
 
 // The step from one pose to the next as perfect odometry would report it.
 Odometry trueStep(const Pose2& before, const Pose2& now) {
@@ -101,7 +102,8 @@ Json ErrorTrack::summary() const {
           {"p95_deg", percentile(deg, 0.95)},
           {"gross_rate", shareAbove(cm, kGross)},
           {"understated_rate", shareAbove(nees, kNinetyFive)},
-          {"nees", percentile(nees, 0.5) / kMedian}};
+          {"nees", percentile(nees, 0.5) / kMedian},
+          {"nees_mean", mean(nees) / kDegreesOfFreedom}};
 }
 
 }  // namespace kelpie::experiments

@@ -80,7 +80,7 @@ struct ErrorTrack {
   void add(const ErrorTrack& other);
   // mean_cm, median_cm, p95_cm, mean_deg, p95_deg, gross_rate (beyond 50 cm), understated_rate
   // (beyond what 5 % of the frames may be, were the covariance true), nees (its median over the
-  // 2.37 of a true covariance).
+  // 2.37 of a true covariance), nees_mean (its mean over the 3 of one).
   Json summary() const;
 };
 

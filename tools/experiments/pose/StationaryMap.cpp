@@ -41,9 +41,8 @@ void stand(sim::StandingRobot& robot, bool search, Stands& stands) {
 
 void addFigures(const std::string& prefix, const Stands& stands, Json& json) {
   const Json all = stands.errors.summary();
-  for (const char* key : {"mean_cm", "median_cm", "p95_cm", "mean_deg", "nees"})
+  for (const char* key : {"mean_cm", "median_cm", "p95_cm", "mean_deg", "nees", "nees_mean"})
     json[prefix + key] = all[key];
-  json[prefix + "nees_mean"] = mean(stands.errors.nees);
   json[prefix + "within_10_cm_rate"] = shareUpTo(stands.errors.cm, kWithinCm);
 }
 
