@@ -3,6 +3,7 @@
 // room, so shares are only plausible. Pictures of the classes are written to the build folder.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <memory>
@@ -107,6 +108,34 @@ TEST_F(GenuineFrames, WholeStepRunsAndFindsNoBeacon) {
       EXPECT_LE(landmark.kind, LandmarkKind::goalYellow) << "there is no beacon in these frames";
     }
   }
+}
+
+using Marks = FixedVector<ObstaclePoint, 64>;
+
+int marksIn(const Marks& marks, const PixelBox& box) {
+  return static_cast<int>(std::count_if(marks.begin(), marks.end(), [&](const ObstaclePoint& m) {
+    return m.pixel.x >= box.left && m.pixel.x < box.right && m.pixel.y >= box.top &&
+           m.pixel.y < box.bottom;
+  }));
+}
+
+// Half of this carpet's pixels are green to the 2005 table, the others none, dark or grey.
+TEST_F(GenuineFrames, BareDarkCarpetIsNoObstacleTheFeetOfThingsOnItAre) {
+  const auto state = std::make_unique<VisionState>(*calibration_);
+  const auto input = std::make_unique<FrameInput>();
+  const auto marks = [&](int number) {
+    EXPECT_TRUE(readFrame(number, input->image));
+    return step({*input, bodyOf(cameraAt(20, 0, -20))}, {}, *state).obstacles;
+  };
+  const Marks third = marks(3);
+  EXPECT_EQ(marksIn(third, {167, 84, 208, 160}), 0);
+  EXPECT_EQ(marksIn(third, {145, 115, 208, 160}), 0);
+  EXPECT_EQ(marksIn(third, {20, 145, 208, 160}), 0);
+  EXPECT_GE(marksIn(third, {75, 130, 110, 145}), 2) << "the ball's foot";
+  const Marks fourth = marks(4);
+  EXPECT_EQ(marksIn(fourth, {0, 90, 40, 160}), 0);
+  EXPECT_EQ(marksIn(fourth, {40, 130, 208, 160}), marksIn(fourth, {175, 130, 208, 138}));
+  EXPECT_GE(marksIn(fourth, {105, 85, 135, 96}), 3) << "the can's foot";
 }
 
 }  // namespace

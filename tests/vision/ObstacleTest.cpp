@@ -75,6 +75,18 @@ TEST(Obstacles, EmptyFieldWithALineAndABallHasNone) {
   EXPECT_TRUE(seen.percepts.obstacles.empty());
 }
 
+TEST(Obstacles, WhatIsDarkIsToldByTheCarpetAround) {
+  const auto ahead = [](double carpetY, double boxY) {
+    Painting p = boxAt(0, 80, {boxY, 126, 128});
+    p.carpet.y = carpetY;
+    return look(p, cameraAt(17, 0, -15)).percepts.obstaclesAhead;
+  };
+  EXPECT_GE(ahead(77, 30), 10);
+  EXPECT_GE(ahead(50, 20), 10);
+  EXPECT_EQ(ahead(50, 32), 0) << "a shade darker than a dark carpet";
+  EXPECT_GE(ahead(100, 38), 10);
+}
+
 TEST(Obstacles, AtMostFivePixelsOfALineCount) {
   VisionParams params;  // all of them ahead: the box's sides lean, their pixels seem far behind it
   params.obstacle.aheadSide = params.obstacle.aheadFar = 200;

@@ -8,7 +8,7 @@
 namespace kelpie::vision {
 
 struct ObstacleParams {
-  double maxBrightness = 35;  // corrected Y of a dark pixel
+  double maxOfCarpet = 0.31;  // of the carpet's brightness over black: a dark pixel; Y 35 on Y 77
   bool greyCounts = true;     // so does an ERS-7's leg, which is not dark: see README.md
   double maxPerLine = 5;      // pixels that count on one scan line
   double maxGreenAbove = 10;  // px of the next 20 upwards; more: a shadow
@@ -19,7 +19,7 @@ struct ObstacleParams {
 
   static constexpr auto fields() {
     using P = ObstacleParams;
-    return fieldList(field("maxBrightness", &P::maxBrightness, "", 0, 255),
+    return fieldList(field("maxOfCarpet", &P::maxOfCarpet, "", 0, 1),
                      field("greyCounts", &P::greyCounts),
                      field("maxPerLine", &P::maxPerLine, "", 1, 80),
                      field("maxGreenAbove", &P::maxGreenAbove, "px", 0, 20),

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Dark and grey pixels on the carpet along scan lines up the image: feet and shadows of robots,
 // referees' shoes. No objects are made of them. A white robot's body gives none; its grey legs, and
-// what lies in its shadow, do.
+// what lies in its shadow, do. What is dark or grey is told by the carpet that the same line saw
+// just below: a fixed grey took a dark carpet for obstacles.
 #pragma once
 
 #include "robot/core/Percepts.h"
@@ -14,11 +15,8 @@ using ObstaclePoints = FixedVector<ObstaclePoint, 64>;
 
 struct Obstacles {
   ObstaclePoints points;    // the lowest of each scan line
-  std::uint16_t ahead = 0;  // pixels in the box before the robot
+  std::uint16_t ahead = 0;  // samples in the box before the robot, one for each 2 px of a line
 };
-
-// Whether a pixel may be of an obstacle.
-bool isObstacleColour(const Sampler& sampler, int px, int py, const ObstacleParams& p);
 
 Obstacles findObstacles(const Scene& scene, const ObstacleParams& params, VisionCounts& counts);
 
