@@ -2,7 +2,6 @@
 #include "gps/pose/EdgeElevation.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "robot/body/Camera.h"
@@ -10,36 +9,29 @@
 namespace kelpie::gps {
 namespace {
 
-constexpr double kWidest = 25.0;                    // cm, sd of a mode that tells the distance
-constexpr double kMaxHeadingSd = 0.15;              // rad
-constexpr double kNearest = 120.0;                  // cm
-constexpr double kFarthest = 700.0;                 // cm, beyond any carpet
-constexpr double kEdgePlace = 5.0;                  // cm, sd of the carpet's end
-constexpr std::array<double, 2> kColumns{52, 156};  // px
+constexpr double kWidest = 25.0;        // cm, sd of a mode that tells the distance
+constexpr double kMaxHeadingSd = 0.15;  // rad
+constexpr double kNearest = 120.0;      // cm
+constexpr double kFarthest = 700.0;     // cm, beyond any carpet
+constexpr double kEdgePlace = 5.0;      // cm, sd of the carpet's end
+constexpr double kLeftColumn = 52.0;    // px
+constexpr double kRightColumn = 156.0;
 
-// A ray on the field: from where, and its direction.
-struct FieldRay {
-  Point2<Field> from;
-  double x = 0.0;
-  double y = 0.0;
+// Where a ray leaves the carpet, which is convex: at the nearest of the borders that it runs
+// towards.
+struct CarpetEnd {
+  int border = 0;
+  double away = 0.0;  // cm
 };
 
-// The carpet is convex: the ray leaves it at the nearest of the borders that it runs towards.
-double wayToEnd(const body::FieldDescription& field, const FieldRay& ray) {
+CarpetEnd endAlong(const body::FieldDescription& field, Point2<Field> from, Point2<Field> way) {
   const body::Carpet carpet = body::carpetOf(field);
-  const double b = field.borderWidth;
-  const double acrossWay =
-      ray.x > 0.0 ? carpet.high.x - b - ray.from.x : ray.from.x - carpet.low.x - b;
-  const double alongWay =
-      ray.y > 0.0 ? carpet.high.y - b - ray.from.y : ray.from.y - carpet.low.y - b;
-  return std::min(acrossWay / std::max(std::fabs(ray.x), 1e-6),
-                  alongWay / std::max(std::fabs(ray.y), 1e-6));
-}
-
-FieldRay fieldRay(const PoseMode& mode, const Point3<Robot>& eye, double right, double forward) {
-  const Pose2 turn{{0.0, 0.0}, mode.pose.heading};
-  const Point2<Field> way = fieldFromRobot(turn, {right, forward});
-  return {fieldFromRobot(mode.pose, {eye.x, eye.y}), way.x, way.y};
+  const double x = (way.x > 0.0 ? carpet.high.x : carpet.low.x) - from.x;
+  const double y = (way.y > 0.0 ? carpet.high.y : carpet.low.y) - from.y;
+  const double across = x / (std::fabs(way.x) > 1e-6 ? way.x : 1e-6);
+  const double along = y / (std::fabs(way.y) > 1e-6 ? way.y : 1e-6);
+  if (across < along) return {way.x > 0.0 ? 0 : 1, across - field.borderWidth / std::fabs(way.x)};
+  return {way.y > 0.0 ? 2 : 3, along - field.borderWidth / std::fabs(way.y)};
 }
 
 bool isNarrow(const PoseMode& mode) {
@@ -47,26 +39,60 @@ bool isNarrow(const PoseMode& mode) {
          mode.covariance[8] < maths::square(kMaxHeadingSd);
 }
 
-void addEdge(const GpsIn& in, const body::FieldDescription& field, const TiltParams& params,
-             const PoseMode& mode, const FieldEdgePercept& edge, TiltSightings& sightings) {
-  for (const double column : kColumns) {
-    const double row = edge.atLeft + (edge.atRight - edge.atLeft) * column / kImageWidth;
-    if (!(row > 0.0 && row < kImageHeight)) continue;
-    const Point3<Robot> ray = body::rayThrough(in.camera, {column, row});
-    const double level = maths::hypot(ray.x, ray.y);
-    if (level < 0.1) continue;
-    const double right = ray.x / level;
-    const double forward = ray.y / level;
-    const double h = in.camera.position.z;
-    const double away = wayToEnd(field, fieldRay(mode, in.camera.position, right, forward));
-    if (!(away > kNearest && away < kFarthest)) continue;
-    const double pixel = std::max(edge.rms, 0.5) / in.camera.lens.focalLength;
-    const double place = mode.covariance[0] + mode.covariance[4] + maths::square(kEdgePlace);
-    const double variance = pixel * pixel + place * maths::square(h / (away * away)) +
-                            maths::square(params.swaySd.rad());
-    sightings.push_back(
-        {right, forward, -maths::atan(ray.z / level) - maths::atan(h / away), variance});
-  }
+struct EdgeView {
+  const GpsIn& in;
+  const body::FieldDescription& field;
+  const TiltParams& params;
+  const PoseMode& mode;
+};
+
+double rowOf(const FieldEdgePercept& edge, double column) {
+  return edge.atLeft + (edge.atRight - edge.atLeft) * column / kImageWidth;
+}
+
+bool isLowest(const Percepts& seen, const FieldEdgePercept& edge, double column) {
+  return std::all_of(seen.fieldEdges.begin(), seen.fieldEdges.end(), [&](const auto& other) {
+    return rowOf(other, column) <= rowOf(edge, column);
+  });
+}
+
+// A border of the carpet in one column of the image.
+struct SeenEnd {
+  bool usable = false;
+  TiltSighting sighting;
+  int border = 0;
+};
+
+SeenEnd endIn(const EdgeView& view, const FieldEdgePercept& edge, double column) {
+  const CameraPose& camera = view.in.camera;
+  const PixelPoint pixel{column, rowOf(edge, column)};
+  if (!(pixel.y > 0.0 && pixel.y < kImageHeight) || !isLowest(view.in.percepts, edge, column))
+    return {};
+  const Point3<Robot> ray = body::rayThrough(camera, pixel);
+  const double level = maths::hypot(ray.x, ray.y);
+  if (level < 0.1) return {};
+  const Point2<Robot> way{ray.x / level, ray.y / level};
+  const Point2<Robot> eye{camera.position.x, camera.position.y};
+  const CarpetEnd end = endAlong(view.field, fieldFromRobot(view.mode.pose, eye),
+                                 fieldFromRobot({{0.0, 0.0}, view.mode.pose.heading}, way));
+  if (!(end.away > kNearest && end.away < kFarthest)) return {};
+  const double h = camera.position.z;
+  const double pixelSd = std::max(edge.rms, 0.5) / camera.lens.focalLength;
+  const double place =
+      view.mode.covariance[0] + view.mode.covariance[4] + maths::square(kEdgePlace);
+  const double variance = pixelSd * pixelSd + place * maths::square(h / (end.away * end.away)) +
+                          maths::square(view.params.swaySd.rad());
+  const double excess = -maths::atan(ray.z / level) - maths::atan(h / end.away);
+  return {true, {way.x, way.y, excess, variance}, end.border};
+}
+
+// Past a corner of the carpet the line of a border runs on above what lies there.
+void addEdge(const EdgeView& view, const FieldEdgePercept& edge, TiltSightings& sightings) {
+  const SeenEnd left = endIn(view, edge, kLeftColumn);
+  const SeenEnd right = endIn(view, edge, kRightColumn);
+  if (!left.usable || !right.usable || left.border != right.border) return;
+  sightings.push_back(left.sighting);
+  sightings.push_back(right.sighting);
 }
 
 }  // namespace
@@ -76,7 +102,7 @@ TiltSightings edgeSightings(const GpsIn& in, const body::FieldDescription& field
   TiltSightings sightings;
   if (!isNarrow(mode)) return sightings;
   for (const FieldEdgePercept& edge : in.percepts.fieldEdges)
-    addEdge(in, field, params, mode, edge, sightings);
+    addEdge({in, field, params, mode}, edge, sightings);
   return sightings;
 }
 

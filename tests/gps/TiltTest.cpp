@@ -131,6 +131,18 @@ TEST(EdgeElevation, TellsTheTiltWhereThePoseIsKnown) {
   EXPECT_TRUE(edgeSightings(in, field2006(), robot.params, mode).empty());
 }
 
+// The line of one border runs on above the other, which nobody told from it.
+TEST(EdgeElevation, ALineAcrossACornerOfTheCarpetTellsNothing) {
+  Watcher robot;
+  PoseMode& mode = robot.state.modes[0];
+  mode.pose = {{180.0, 270.0}, Angle::deg(55.0)};
+  robot.camera.position = {0.0, 8.0, 20.0};
+  robot.camera.axes = {1, 0, 0, 0, 0, 1, 0, -1, 0};
+  robot.percepts.fieldEdges.push_back({92.0, 92.0, 20.0, 0.5});
+  const GpsIn in{robot.input, robot.percepts, robot.camera};
+  EXPECT_TRUE(edgeSightings(in, field2006(), robot.params, mode).empty());
+}
+
 // The points of a frame as they seem to lie when the camera is tilted and rolled more than thought.
 SeenLines mislaid(const Pose2& pose, double tiltDeg, double rollDeg) {
   SeenLines seen = seenFrom(pose);

@@ -46,6 +46,13 @@ Json refusals(const Counts& counts, const Names& names) {
   return object;
 }
 
+Json cameraTilt(const CameraTilt& tilt) {
+  return {{"tilt_deg", tilt.tilt.deg()},
+          {"roll_deg", tilt.roll.deg()},
+          {"tilt_sd_deg", Angle::rad(std::sqrt(tilt.tiltVariance)).deg()},
+          {"roll_sd_deg", Angle::rad(std::sqrt(tilt.rollVariance)).deg()}};
+}
+
 Json pose(const WorldModel& world) {
   return {{"x_cm", world.pose.position.x},           {"y_cm", world.pose.position.y},
           {"heading_deg", world.pose.heading.deg()}, {"sd_cm", world.positionSd},
@@ -90,6 +97,7 @@ nlohmann::ordered_json frameObject(const FrameInput& input, const FrameOutput& o
           {"refused", refusals(seen.counts, vision::kRefusalNames)},
           {"gps_refused", refusals(world.counts, gps::kRefusalNames)},
           {"pose", pose(world)},
+          {"camera_tilt", cameraTilt(world.cameraTilt)},
           {"modes", fieldJson(world.modes)},
           {"ball", ball(world.ball)},
           {"team_ball", fieldJson(world.teamBall)},
