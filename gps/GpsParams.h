@@ -6,6 +6,7 @@
 #include "gps/lines/LinesParams.h"
 #include "gps/pinks/PinkMapParams.h"
 #include "gps/players/PlayersParams.h"
+#include "gps/pose/LagParams.h"
 #include "gps/pose/PoseParams.h"
 #include "gps/pose/StuckParams.h"
 #include "gps/pose/TiltParams.h"
@@ -21,6 +22,7 @@ struct GpsParams {
   LandmarkGates gates;
   ModeParams modes;
   TiltParams tilt;
+  LagParams lag;
   LinesParams lines;
   PinkMapParams pinks;
   BallFilterParams ball;
@@ -31,9 +33,9 @@ struct GpsParams {
     return fieldList(field("initialPose", &GpsParams::initialPose),
                      field("motion", &GpsParams::motion), field("stuck", &GpsParams::stuck),
                      field("gates", &GpsParams::gates), field("modes", &GpsParams::modes),
-                     field("tilt", &GpsParams::tilt), field("lines", &GpsParams::lines),
-                     field("pinks", &GpsParams::pinks), field("ball", &GpsParams::ball),
-                     field("players", &GpsParams::players));
+                     field("tilt", &GpsParams::tilt), field("lag", &GpsParams::lag),
+                     field("lines", &GpsParams::lines), field("pinks", &GpsParams::pinks),
+                     field("ball", &GpsParams::ball), field("players", &GpsParams::players));
   }
 };
 

@@ -8,6 +8,7 @@
 #include "gps/lines/Lines.h"
 #include "gps/pinks/Pinks.h"
 #include "gps/pose/EdgeElevation.h"
+#include "gps/pose/Lag.h"
 #include "gps/pose/Modes.h"
 #include "gps/pose/Stuck.h"
 #include "gps/pose/Tilt.h"
@@ -75,9 +76,13 @@ Measurements measurements(const GpsIn& in, const GpsParams& params, GpsCounts& c
   Measurements all;
   if (!landmarksCount(in.input)) return all;
   const LandmarkMap map = body::landmarksFor(params.field, in.input.game.team);
+  const double late = maths::square(panRate(in.input)) * in.input.imageLag.variance;
   for (const LandmarkPercept& percept : in.percepts.landmarks)
-    if (const auto m = measurement(percept, map, params.field, params.gates, counts))
+    if (auto m = measurement(percept, map, params.field, params.gates, counts)) {
+      m->headingVariance += late;
+      m->grazingHeadingVariance += late;
       all.push_back(*m);
+    }
   return all;
 }
 
@@ -98,6 +103,7 @@ void useLandmarks(const GpsIn& in, const GpsParams& params, GpsState& state,
     if (state.pose.lost) {
       seedAround(m, params.field, params.modes, state.pose, state.counts);
     } else {
+      updateLag(in.input, state.pose.modes[0], m, params.lag, state.pose.lag);
       update(m, params.field, params.modes, state.pose, state.counts);
     }
     finishUpdate(params, state);

@@ -27,6 +27,7 @@ struct PoseState {
   bool started = false;
   bool lost = true;  // no landmark has been used since the start or the last loss of all modes
   Modes modes;
+  ImageLag lag;
   std::uint32_t unexplained = 0;  // landmarks in a row that no mode predicted
   double secondsSinceLandmark = 0.0;
   double secondsSinceLines = 0.0;

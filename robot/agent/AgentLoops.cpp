@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robot/agent/AgentLoops.h"
 
+#include "gps/pose/Lag.h"
 #include "gps/pose/Tilt.h"
 
 namespace kelpie::agent {
@@ -20,7 +21,8 @@ AgentLoops::AgentLoops(const AgentConfig& config, const std::string& scripts, Lo
     : frameLoop_(config, scripts),
       motionLoop_(config),
       log_(log),
-      startingTilt_(gps::startingTilt(config.gps.tilt)) {
+      startingTilt_(gps::startingTilt(config.gps.tilt)),
+      startingLag_(gps::startingLag(config.gps.lag)) {
   game_.team = config.team;
   game_.player = config.player;
 }
@@ -47,8 +49,10 @@ void AgentLoops::camera(const Image& image, TimeUs exposureMiddle, std::uint32_t
   cameraNumber_ = number;
   input_.frame = frameCount_++;
   input_.time = exposureMiddle;
-  input_.sensors = joints_.at(exposureMiddle);
-  input_.headRate = joints_.headRate(exposureMiddle);
+  input_.imageLag = frame_ != nullptr ? frame_->world.imageLag : startingLag_;
+  const TimeUs exposed{exposureMiddle.us - TimeUs::fromSeconds(input_.imageLag.seconds).us};
+  input_.sensors = joints_.at(exposed);
+  input_.headRate = joints_.headRate(exposed);
   input_.stance = motionOutput_->stance;
   input_.cameraTilt = frame_ != nullptr ? frame_->world.cameraTilt : startingTilt_;
   input_.odometry = odometry_.until(exposureMiddle);

@@ -31,6 +31,7 @@ class AgentLoops : public Loops {
   MotionLoop motionLoop_;
   LogSink& log_;
   CameraTilt startingTilt_;
+  ImageLag startingLag_;
   StageObserver silent_;
   GameState game_;
   MotionInput motionInput_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What differs between the cameras of two robots: the lens and its sensor's shutter, and how much
-// the body leans more than its joints say.
+// the body leans more than its joints say, and how late
+// its images are.
 #pragma once
 
 #include "robot/core/Angle.h"
@@ -47,6 +48,18 @@ struct CameraTilt {
                      field("tiltVariance", &CameraTilt::tiltVariance, "rad2", 0, 1),
                      field("rollVariance", &CameraTilt::rollVariance, "rad2", 0, 1),
                      field("covariance", &CameraTilt::covariance, "rad2", -1, 1));
+  }
+};
+
+// How much earlier an image was exposed than its stamp says. The default is one that has been
+// estimated for a second of panning (LagParams).
+struct ImageLag {
+  double seconds = 0.0;
+  double variance = 4e-6;  // s2: sd 2 ms
+
+  static constexpr auto fields() {
+    return fieldList(field("seconds", &ImageLag::seconds, "s", 0, 0.1),
+                     field("variance", &ImageLag::variance, "s2", 0, 1));
   }
 };
 

@@ -98,6 +98,7 @@ nlohmann::ordered_json frameObject(const FrameInput& input, const FrameOutput& o
           {"gps_refused", refusals(world.counts, gps::kRefusalNames)},
           {"pose", pose(world)},
           {"camera_tilt", cameraTilt(world.cameraTilt)},
+          {"image_lag_s", world.imageLag.seconds},
           {"modes", fieldJson(world.modes)},
           {"ball", ball(world.ball)},
           {"team_ball", fieldJson(world.teamBall)},
