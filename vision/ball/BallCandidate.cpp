@@ -8,6 +8,7 @@
 #include "robot/body/Camera.h"
 #include "robot/body/FieldDescription.h"
 #include "robot/core/Maths.h"
+#include "vision/ElevationDoubt.h"
 #include "vision/pixels/SpanWalk.h"
 
 namespace kelpie::vision {
@@ -31,6 +32,17 @@ void measure(const Scene& scene, PixelPoint from, double size, double reach, Bal
   if (!c.cone.valid) return;
   c.axis = body::rayThrough(scene.body.camera, c.cone.centre);
   c.range = body::kBallRadius / c.cone.sinHalf;
+}
+
+// Share by which the range by size may be wrong.
+double sizeTolerance(const BallCandidate& c) {
+  constexpr double kSize = 0.1;
+  constexpr double kRadius = 0.3;  // px
+  return kSize + kRadius / c.cone.radius;
+}
+
+ElevationDoubt doubtOf(const Scene& scene, const BallCandidate& c, double settledSd) {
+  return elevationDoubt(scene.body.camera, alongGround(c.axis), settledSd);
 }
 
 std::uint16_t rootOf(const RunBuffer& runs, std::size_t run) {
@@ -80,12 +92,21 @@ BallCandidate ballFromFoot(const Scene& scene, const Blob& blob) {
 
 double ballHeightError(const Scene& scene, const BallCandidate& c) {
   constexpr double kDirection = 0.03;  // rad, of the camera: 1.7 deg
-  constexpr double kSize = 0.1;        // share of the range
-  constexpr double kRadius = 0.3;      // px
   const double height = scene.body.camera.position.z + c.range * c.axis.z;
   const double descent = std::fabs(c.axis.z);
-  const double allowed = 2.0 + c.range * (kDirection + (kSize + kRadius / c.cone.radius) * descent);
+  const double direction = kDirection * doubtOf(scene, c, kSettledSd).spread;
+  const double allowed = 2.0 + c.range * (direction + sizeTolerance(c) * descent);
   return (height - body::kBallRadius) / allowed;
+}
+
+double ballElevationError(const Scene& scene, const BallCandidate& c) {
+  const double below = (scene.body.camera.position.z - body::kBallRadius) / c.range;
+  return maths::asin(c.axis.z) + maths::asin(maths::clamp(below, -1.0, 1.0));
+}
+
+double settledBallElevationError(const Scene& scene, const BallCandidate& c) {
+  const double sd = maths::hypot(kSettledSd, sizeTolerance(c) * c.axis.z);
+  return ballElevationError(scene, c) / doubtOf(scene, c, sd).spread;
 }
 
 }  // namespace kelpie::vision

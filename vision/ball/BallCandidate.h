@@ -26,4 +26,9 @@ BallCandidate ballFromFoot(const Scene& scene, const Blob& blob);
 // of the camera's direction and of its size.
 double ballHeightError(const Scene& scene, const BallCandidate& c);
 
+// Elevation of its centre less that of a ball on the ground at the range that its size tells, rad;
+// and the same as it would count in settled play (ElevationDoubt.h).
+double ballElevationError(const Scene& scene, const BallCandidate& c);
+double settledBallElevationError(const Scene& scene, const BallCandidate& c);
+
 }  // namespace kelpie::vision

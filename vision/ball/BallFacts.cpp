@@ -115,7 +115,8 @@ BallFacts ballFacts(const Scene& scene, const BallCandidate& c) {
   facts.beside = orangeBeside(scene, c);
   facts.goalBelow = goalBelow(scene, c);
   facts.carpetAround = fieldAround(scene, c);
-  facts.belowHorizon = belowHorizon(scene, c.cone.centre);
+  const double shared = ballElevationError(scene, c) - settledBallElevationError(scene, c);
+  facts.belowHorizon = belowHorizon(scene, c.cone.centre) + focalLength(scene) * shared;
   facts.edgeShows = flag(!scene.fieldEdges.empty());
   if (!scene.fieldEdges.empty()) {
     const double below = belowFieldEdge(scene, c.cone.centre) + c.cone.radius;

@@ -9,19 +9,20 @@
 namespace kelpie::vision {
 
 struct BallFacts {
-  double range = 0.0;          // cm, by size
-  double radius = 0.0;         // px
-  double edges = 0.0;          // spokes that end on the circle
-  double cut = 0.0;            // spokes that the image's border cuts
-  double circleError = 0.0;    // of them, rms in radii, less that of whole pixels
-  double orange = 0.0;         // share of the circle
-  double otherColour = 0.0;    // share that is pink, yellow or robot red
-  double green = 0.0;          // share
-  double patch = 0.0;          // log of the patch's area to the circle's
-  double beside = 0.0;         // share of the points right outside the circle that are orange
-  double goalBelow = 0.0;      // share of three points below it of a goal's colours
-  double carpetAround = 0.0;   // share of seven points beside and below that are carpet
-  double belowHorizon = 0.0;   // px, of its centre
+  double range = 0.0;         // cm, by size
+  double radius = 0.0;        // px
+  double edges = 0.0;         // spokes that end on the circle
+  double cut = 0.0;           // spokes that the image's border cuts
+  double circleError = 0.0;   // of them, rms in radii, less that of whole pixels
+  double orange = 0.0;        // share of the circle
+  double otherColour = 0.0;   // share that is pink, yellow or robot red
+  double green = 0.0;         // share
+  double patch = 0.0;         // log of the patch's area to the circle's
+  double beside = 0.0;        // share of the points right outside the circle that are orange
+  double goalBelow = 0.0;     // share of three points below it of a goal's colours
+  double carpetAround = 0.0;  // share of seven points beside and below that are carpet
+  // Px, of its centre, with no more of an error of elevation than counts in settled play.
+  double belowHorizon = 0.0;
   double edgeShows = 0.0;      // 1: a field edge is in the image
   double footBelowEdge = 0.0;  // px, of its lowest point from that; 0 without one
   double footBelowInRadii = 0.0;

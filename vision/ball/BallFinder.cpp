@@ -6,6 +6,7 @@
 
 #include "robot/body/FieldDescription.h"
 #include "robot/core/Maths.h"
+#include "vision/ElevationDoubt.h"
 #include "vision/Refusal.h"
 
 namespace kelpie::vision {
@@ -32,8 +33,10 @@ Range fusedRange(const Scene& scene, const BallCandidate& c, const BallFinderPar
   constexpr double kMinDescent = 0.02;
   if (c.axis.z > -kMinDescent) return range;
   const double ground = groundRange(scene, c);
-  const double sd = ground * p.directionSd.rad() / -c.axis.z;
-  const double weight = range.variance / (range.variance + sd * sd);
+  const double direction =
+      maths::square(p.directionSd.rad()) + excessVariance(scene.body.camera, alongGround(c.axis));
+  const double variance = direction * maths::square(ground / c.axis.z);
+  const double weight = range.variance / (range.variance + variance);
   return {range.value + weight * (ground - range.value), range.variance * (1.0 - weight)};
 }
 
@@ -46,7 +49,7 @@ ElevationError elevationErrorOf(const Scene& scene, const BallCandidate& c,
   if (c.cone.kept < kMostEdges || below > 0.8) return {};
   const double size = below * kShine * p.edgeSd / c.cone.radius;
   const double pixel = p.edgeSd / focalLength(scene);
-  return {Angle::rad(maths::asin(c.axis.z) + maths::asin(below)), size * size + pixel * pixel};
+  return {Angle::rad(ballElevationError(scene, c)), size * size + pixel * pixel};
 }
 
 BallPercept perceptOf(const Scene& scene, const BallCandidate& c, const BallFinderParams& p) {
@@ -94,7 +97,7 @@ bool looksLikeBall(const BallFacts& facts, const BallFinderParams& p, VisionCoun
 bool mayLieOnField(const Scene& scene, const Blob& blob, const BallFinderParams& p,
                    VisionCounts& counts) {
   const PixelPoint lowest = scene.frame.toImage({blob.box.middle(), blob.box.bottom});
-  if (belowHorizon(scene, lowest) < -p.maxAboveHorizon) {
+  if (belowHorizon(scene, lowest) < -p.maxAboveHorizon - rowSlack(scene)) {
     refuse(counts, Refusal::ballAboveHorizon);
     return false;
   }
@@ -160,7 +163,7 @@ bool ballIsNear(const BallCandidate& c, const BallFinderParams& p) {
 }
 
 bool ballIsBelowHorizon(const Scene& scene, const BallCandidate& c, const BallFinderParams& p) {
-  return belowHorizon(scene, c.cone.centre) >= -p.maxAboveHorizon;
+  return belowHorizon(scene, c.cone.centre) >= -p.maxAboveHorizon - rowSlack(scene);
 }
 
 bool ballIsInsideFieldEdge(const Scene& scene, const BallCandidate& c, const BallFinderParams& p) {

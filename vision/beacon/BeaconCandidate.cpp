@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "vision/ElevationDoubt.h"
 #include "vision/pixels/GroundRay.h"
 #include "vision/pixels/SpanWalk.h"
 
@@ -124,6 +125,12 @@ double elevationError(const Scene& scene, const BeaconCandidate& c) {
   const double expected = (3.0 * bandHeight(scene) - scene.body.camera.position.z) /
                           (c.distance - scene.field.beaconRadius);
   return maths::atan(groundRayThrough(scene.body.camera, c.middle).slope) - maths::atan(expected);
+}
+
+double settledElevationError(const Scene& scene, const BeaconCandidate& c) {
+  const CameraPose& camera = scene.body.camera;
+  return elevationError(scene, c) /
+         elevationDoubt(camera, groundRayThrough(camera, c.middle)).spread;
 }
 
 BeaconCandidate beaconFromPink(const Scene& scene, PixelPoint pink, bool pinkIsLower) {

@@ -42,5 +42,7 @@ double bandHeight(const Scene& scene);
 double bandOf(const BeaconCandidate& c);
 // Elevation of the bands' border less that of 30 cm at the distance that their size tells, rad.
 double elevationError(const Scene& scene, const BeaconCandidate& c);
+// The same as it would count in settled play (ElevationDoubt.h).
+double settledElevationError(const Scene& scene, const BeaconCandidate& c);
 
 }  // namespace kelpie::vision

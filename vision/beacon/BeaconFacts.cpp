@@ -136,8 +136,10 @@ BeaconFacts beaconFacts(const Scene& scene, const BeaconCandidate& c) {
   if (!c.topCut && !c.bottomCut) facts.bandRatio = std::fabs(logRatio(c.upper, c.lower));
   facts.aspect = logRatio(c.width, bandOf(c));
   facts.wider = logRatio(c.widest, c.width);
-  facts.elevationError = std::fabs(Angle::rad(elevationError(scene, c)).deg());
-  facts.belowHorizon = belowHorizon(scene, c.middle);
+  const double error = settledElevationError(scene, c);
+  facts.elevationError = std::fabs(Angle::rad(error).deg());
+  facts.belowHorizon =
+      belowHorizon(scene, c.middle) + focalLength(scene) * (elevationError(scene, c) - error);
   facts.whiteShare = white.share(0.5);
   facts.whiteShows = whiteShows(white, c);
   facts.edgeShows = flag(!scene.fieldEdges.empty());

@@ -10,22 +10,24 @@
 namespace kelpie::vision {
 
 struct BeaconFacts {
-  double distance = 0.0;        // cm
-  double band = 0.0;            // px, height of one
-  double bandRatio = 0.0;       // log of the larger band to the smaller; 0 where one is cut
-  double aspect = 0.0;          // log of width to height of a band; the rule is 0
-  double wider = 0.0;           // log of the wider band, with what touches it, to the width
-  double elevationError = 0.0;  // deg, of its height from that which its size tells
-  double belowHorizon = 0.0;    // px, of the bands' border
-  double whiteShare = 0.0;      // of what shows of the two bands below the coloured ones
-  double whiteShows = 0.0;      // share of these two that the image shows
-  double edgeShows = 0.0;       // 1: a field edge is in the image
-  double footBelowEdge = 0.0;   // bands, of where its foot should be from that; 0 without one
-  double strangeBelow = 0.0;  // bands, longest stretch of no carpet, robot or ball below the white
-  double filled = 0.0;        // share of points in its bands that have their colour
-  double beside = 0.0;        // share of points beside its bands that have it as well
-  double onWhite = 0.0;       // 1: found upwards from its white part
-  double topCut = 0.0;        // 1: its upper end is unknown
+  double distance = 0.0;   // cm
+  double band = 0.0;       // px, height of one
+  double bandRatio = 0.0;  // log of the larger band to the smaller; 0 where one is cut
+  double aspect = 0.0;     // log of width to height of a band; the rule is 0
+  double wider = 0.0;      // log of the wider band, with what touches it, to the width
+  // Deg, of its height from that which its size tells, as it would count in settled play; and px of
+  // the bands' border with no more of an error than that (ElevationDoubt.h).
+  double elevationError = 0.0;
+  double belowHorizon = 0.0;
+  double whiteShare = 0.0;     // of what shows of the two bands below the coloured ones
+  double whiteShows = 0.0;     // share of these two that the image shows
+  double edgeShows = 0.0;      // 1: a field edge is in the image
+  double footBelowEdge = 0.0;  // bands, of where its foot should be from that; 0 without one
+  double strangeBelow = 0.0;   // bands, longest stretch of no carpet, robot or ball below the white
+  double filled = 0.0;         // share of points in its bands that have their colour
+  double beside = 0.0;         // share of points beside its bands that have it as well
+  double onWhite = 0.0;        // 1: found upwards from its white part
+  double topCut = 0.0;         // 1: its upper end is unknown
   double bottomCut = 0.0;
   double widthCut = 0.0;  // 1: by the image's border
 

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "vision/ElevationDoubt.h"
+
 namespace kelpie::vision {
 namespace {
 
@@ -43,14 +45,14 @@ void addSample(BeaconFeet& feet, ColourClass colour, double u, double v) {
 
 BeaconFeet findBeaconFeet(const Scene& scene) {
   BeaconFeet feet;
+  const double farthest = kMaxFromHorizon + rowSlack(scene);
   for (const Run& run : scene.runs) {
     if (run.colour != ColourClass::pink && run.colour != ColourClass::blue &&
         run.colour != ColourClass::yellow)
       continue;
     const double v = scene.lattice.v(run.row);
     const double middle = scene.lattice.u(0.5 * (run.first + run.last));
-    if (std::fabs(belowHorizon(scene, scene.frame.toImage({middle, v}))) > kMaxFromHorizon)
-      continue;
+    if (std::fabs(belowHorizon(scene, scene.frame.toImage({middle, v}))) > farthest) continue;
     for (int k = run.first; k <= run.last; ++k) {
       const double u = scene.lattice.u(k);
       if (standsOnWhite(scene, u, v)) addSample(feet, run.colour, u, v);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "vision/ElevationDoubt.h"
 #include "vision/Refusal.h"
 #include "vision/beacon/BeaconFeet.h"
 #include "vision/pixels/GroundRay.h"
@@ -161,12 +162,12 @@ bool beaconIsLarge(const BeaconCandidate& c, const BeaconFinderParams& p) {
 
 bool beaconReachesHorizon(const Scene& scene, const BeaconCandidate& c,
                           const BeaconFinderParams& p) {
-  return belowHorizon(scene, c.middle) <= p.maxBelowHorizon;
+  return belowHorizon(scene, c.middle) <= p.maxBelowHorizon + rowSlack(scene);
 }
 
 bool beaconHeightFitsSize(const Scene& scene, const BeaconCandidate& c,
                           const BeaconFinderParams& p) {
-  return std::fabs(elevationError(scene, c)) <= p.elevationError.rad();
+  return std::fabs(settledElevationError(scene, c)) <= p.elevationError.rad();
 }
 
 bool beaconHasNoCarpetBelow(const Scene& scene, const BeaconCandidate& c) {

@@ -12,7 +12,7 @@ struct BeaconFinderParams {
   double minBand = 2.0;   // px, each coloured band
   double maxRatio = 1.6;  // of the two bands' heights; beyond, one runs on into something else
   double maxBelowHorizon = 25;             // px, facts-2005 4.5 check 5
-  Angle elevationError = Angle::deg(1.7);  // the camera's tilt is known to about a degree
+  Angle elevationError = Angle::deg(1.7);  // four standard deviations in settled play
   double maxDistance = 500;                // beyond, two pixels of clothes pass for a band
   double maxLogOddsAgainst = -0.2;         // of the candidate's facts (BeaconCurves.h)
   double edgeSd = 0.35;                    // px, of each band edge

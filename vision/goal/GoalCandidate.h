@@ -4,6 +4,7 @@
 #pragma once
 
 #include "robot/core/Percepts.h"
+#include "vision/ElevationDoubt.h"
 #include "vision/Scene.h"
 #include "vision/goal/GoalFinderParams.h"
 
@@ -44,6 +45,10 @@ struct GoalCandidate {
   double wallDistance = 0.0;  // cm on the ground, camera to the middle of what is seen, 0 = unknown
   double distanceSd = 0.0;    // cm
   double footError = 0.0;     // rad, of the middle column
+  ElevationDoubt doubt;       // of elevations there
+
+  // The middle column's as it would count in settled play.
+  double settledFootError() const { return footError / doubt.spread; }
 };
 
 LandmarkKind goalKind(ColourClass colour);

@@ -33,11 +33,11 @@ std::optional<PixelPoint> lowestIn(const Scene& scene, const GoalCandidate& c, d
 
 // The image's top cuts it although a goal at the distance of its foot would end below that, or it
 // ends in the image, but far too high for where its foot stands.
-bool isTooTall(const Scene& scene, const EdgeHit& top, double low) {
+bool isTooTall(const Scene& scene, const GoalCandidate& c, const EdgeHit& top, double low) {
   const CameraPose& camera = scene.body.camera;
   const double high = groundRayThrough(camera, top.point).slope;
   constexpr double kMinSlope = 0.01;  // a foot at the horizon: no goal fills the view
-  const double d = camera.position.z / std::max(-low, kMinSlope);
+  const double d = camera.position.z / std::max(c.doubt.slack() - low, kMinSlope);
   const double allowed = top.cut ? kMaxHeightRatio : 2.0 * kMaxHeightRatio;
   return (high - low) * d > allowed * scene.field.goalHeight;
 }
@@ -56,7 +56,8 @@ Below belowFoot(const Scene& scene, const EdgeHit& foot, double height) {
 }
 
 // By height when both ends are in the image, else by the foot on the ground.
-void measureDistance(const Scene& scene, const GoalFinderParams& p, GoalColumn& column) {
+void measureDistance(const Scene& scene, const GoalFinderParams& p, const GoalCandidate& c,
+                     GoalColumn& column) {
   const CameraPose& camera = scene.body.camera;
   const double low = groundRayThrough(camera, column.foot).slope;
   if (!column.topCut) {
@@ -67,7 +68,8 @@ void measureDistance(const Scene& scene, const GoalFinderParams& p, GoalColumn& 
     column.footError = maths::atan(low) - maths::atan(-camera.position.z / d);
   } else if (low < -0.03) {
     column.distance = -camera.position.z / low;
-    column.sd = maths::square(column.distance) / camera.position.z * p.directionSd.rad();
+    const double direction = maths::hypot(p.directionSd.rad(), c.doubt.sd);
+    column.sd = maths::square(column.distance) / camera.position.z * direction;
   }
 }
 
@@ -88,8 +90,8 @@ std::optional<GoalColumn> columnAt(const Scene& scene, const GoalFinderParams& p
   column.footCut = below == Below::outside;
   column.green = below != Below::other;
   if (column.footCut) return column;
-  column.tall = isTooTall(scene, top, groundRayThrough(scene.body.camera, foot.point).slope);
-  measureDistance(scene, p, column);
+  column.tall = isTooTall(scene, c, top, groundRayThrough(scene.body.camera, foot.point).slope);
+  measureDistance(scene, p, c, column);
   return column;
 }
 
@@ -98,18 +100,19 @@ bool agrees(const GoalColumn& column, double distance) {
 }
 
 // A robot's head before its top makes a column too short, so too far for where its foot stands.
-bool isMeasured(const GoalColumn& column, const GoalFinderParams& p) {
+bool isMeasured(const GoalCandidate& c, const GoalColumn& column, const GoalFinderParams& p) {
   return column.green && !column.tall && column.distance > 0.0 &&
-         std::fabs(column.footError) <= p.directionError.rad();
+         std::fabs(column.footError) <= p.directionError.rad() * c.doubt.spread;
 }
 
 // How much of a goal of this distance the columns are, a column less the worse its foot fits the
 // ground there: clothes behind make it higher, so too near, a robot's head before it too short.
 double supportOf(const GoalCandidate& c, const GoalColumn& reference, const GoalFinderParams& p) {
   double support = 0.0;
+  const double footSd = kFootSd * c.doubt.spread;
   for (const GoalColumn& column : c.columns) {
-    if (!isMeasured(column, p) || !agrees(column, reference.distance)) continue;
-    support += 1.0 / (1.0 + maths::square(column.footError / kFootSd));
+    if (!isMeasured(c, column, p) || !agrees(column, reference.distance)) continue;
+    support += 1.0 / (1.0 + maths::square(column.footError / footSd));
   }
   return support;
 }
@@ -119,7 +122,7 @@ double likelyDistance(const GoalCandidate& c, const GoalFinderParams& p) {
   double best = 0.0;
   double most = 0.0;
   for (const GoalColumn& column : c.columns) {
-    if (!isMeasured(column, p) || column.distance > p.maxDistance) continue;
+    if (!isMeasured(c, column, p) || column.distance > p.maxDistance) continue;
     const double support = supportOf(c, column, p);
     if (support <= most) continue;
     most = support;
@@ -179,7 +182,7 @@ void chooseColumns(const Scene& scene, const GoalFinderParams& p, GoalCandidate&
   const double reference = likelyDistance(c, p);
   for (GoalColumn& column : c.columns) {
     column.chosen =
-        isMeasured(column, p) ? agrees(column, reference) : column.green && column.footCut;
+        isMeasured(c, column, p) ? agrees(column, reference) : column.green && column.footCut;
   }
   const double foot = middleFoot(scene, c);
   for (GoalColumn& column : c.columns) {
@@ -269,6 +272,9 @@ GoalEnd endOf(const Scene& scene, const GoalCandidate& c, bool left, double spac
 
 void measureGoal(const Scene& scene, const GoalFinderParams& params, GoalCandidate& c) {
   const double spacing = std::max(kMinSpacing, c.box.width() / static_cast<double>(kGoalColumns));
+  const CameraPose& camera = scene.body.camera;
+  const PixelPoint foot = scene.frame.toImage({c.box.middle(), c.box.bottom});
+  c.doubt = elevationDoubt(camera, groundRayThrough(camera, foot));
   c.columns.clear();
   for (double u = c.box.left + 0.5 * spacing; u < c.box.right; u += spacing) {
     const auto column = columnAt(scene, params, c, u);

@@ -76,7 +76,7 @@ GoalFacts goalFacts(const Scene& scene, const GoalCandidate& c, const GoalShape&
   facts.wallDistance = c.wallDistance;
   facts.visibleWidth = visibleWidth(scene, c);
   facts.misfit = std::min(shape.cost / std::max(facts.measured, 1.0), kMaxMisfit);
-  facts.footError = std::fabs(Angle::rad(c.footError).deg());
+  facts.footError = std::fabs(Angle::rad(c.settledFootError()).deg());
   facts.coloured =
       c.samples * maths::square(kLatticeStep) / std::max(1.0, c.box.width() * c.box.height());
   facts.hidden = (c.left.hidden ? 1.0 : 0.0) + (c.right.hidden ? 1.0 : 0.0);

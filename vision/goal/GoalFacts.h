@@ -15,7 +15,7 @@ struct GoalFacts {
   double width = 0.0;          // px
   double lowestFoot = 0.0;     // px below the field edge, of the lowest foot
   double meanFoot = 0.0;       // px below it, mean of the chosen columns' feet
-  double footError = 0.0;      // deg, of the middle column
+  double footError = 0.0;      // deg, of the middle column, as in settled play (ElevationDoubt.h)
   double misfit = 0.0;         // cost of the fitted shape for each measured column
   double measured = 0.0;       // columns whose height tells their distance
   double chosen = 0.0;         // columns of the goal

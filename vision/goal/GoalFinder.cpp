@@ -175,7 +175,7 @@ PixelPoint footOf(const Scene& scene, const GoalCandidate& c) {
 
 // A box behind the carpet stands a little above the field edge, or its feet do not fit the ground.
 bool hasFirmFeet(const Scene& scene, const GoalCandidate& c, const GoalFinderParams& p) {
-  if (std::fabs(c.footError) > p.partDirection.rad()) return false;
+  if (std::fabs(c.settledFootError()) > p.partDirection.rad()) return false;
   const GoalFeet feet = feetOf(scene, c);
   return feet.count == 0 || (feet.lowest >= p.minPartBelowFieldEdge &&
                              feet.sum >= -p.maxPartMeanAboveFieldEdge * feet.count);
@@ -229,7 +229,7 @@ bool goalHasShape(const GoalCandidate& c, const GoalFinderParams& p) {
 }
 
 bool goalStandsBelowHorizon(const Scene& scene, const GoalCandidate& c, const GoalFinderParams& p) {
-  return belowHorizon(scene, footOf(scene, c)) >= -p.maxAboveHorizon;
+  return belowHorizon(scene, footOf(scene, c)) >= -p.maxAboveHorizon - rowSlack(scene);
 }
 
 // A goal stands on the carpet, clothes on the floor behind it: some column's foot meets the edge.

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "robot/body/Camera.h"
+#include "vision/ElevationDoubt.h"
 
 namespace kelpie::vision {
 namespace {
@@ -36,6 +37,18 @@ std::optional<GroundLine> groundLine(const Scene& scene, const FieldEdgePercept&
   return distance >= 0.0 ? GroundLine{normal, distance} : GroundLine{normal * -1.0, -distance};
 }
 
+// The line's distance with no more of a difference in elevation from where it is expected than
+// would count in settled play (ElevationDoubt.h).
+double settledDistance(const Scene& scene, const GroundLine& line, double expected) {
+  const CameraPose& camera = scene.body.camera;
+  constexpr double kNearest = 1.0;  // cm; behind the camera no tilt brings it
+  const ElevationDoubt doubt = elevationDoubt(camera, {line.normal.x, line.normal.y, 0.0});
+  if (doubt.sd == 0.0 || expected < kNearest) return line.distance;
+  const double slope = camera.position.z / expected;
+  const double seen = camera.position.z / std::max(line.distance, kNearest);
+  return camera.position.z / (slope + (seen - slope) / doubt.spread);
+}
+
 // The edge below the goal, which counts as the one that it stands on.
 const FieldEdgePercept* edgeBelow(const Scene& scene, const GoalCandidate& c) {
   const double x = scene.frame.toImage({c.box.middle(), c.box.bottom}).x;
@@ -56,11 +69,13 @@ void addEdgeFacts(const Scene& scene, const GoalCandidate& c, const GoalShape& s
     if (!line) continue;
     const double ahead = dot(line->normal, shape.middle);
     if (&e != below) {
-      const double off = std::fabs(line->distance - ahead - halfCarpet);
+      const double expected = ahead + halfCarpet;
+      const double off = std::fabs(settledDistance(scene, *line, expected) - expected);
       facts.cornerError = std::max(facts.cornerError, off);
       continue;
     }
-    facts.edgeDistance = maths::clamp(line->distance - ahead - scene.field.goalDepth,
+    const double expected = ahead + scene.field.goalDepth;
+    facts.edgeDistance = maths::clamp(settledDistance(scene, *line, expected) - expected,
                                       -kMaxEdgeDistance, kMaxEdgeDistance);
     facts.edgeLateralOffset = std::fabs(dot({line->normal.y, -line->normal.x}, shape.middle));
     const Vec mouth{maths::cos(shape.turn), maths::sin(shape.turn)};

@@ -6,6 +6,7 @@
 #include <cstdlib>
 
 #include "robot/body/Camera.h"
+#include "vision/ElevationDoubt.h"
 
 namespace kelpie::vision {
 namespace {
@@ -44,6 +45,18 @@ std::optional<PixelPoint> borderTop(const CameraPose& camera, PixelPoint pixel, 
   const double share = 1.0 + height / std::max(way.norm(), 1.0);
   return body::project(
       camera, {camera.position.x + way.x * share, camera.position.y + way.y * share, height});
+}
+
+double widthTolerance(const GroundWidth& width, double lineWidth, const LinePointParams& p) {
+  return (p.widthTolerance + width.doubt) * lineWidth + p.widthSlack * width.perPixel;
+}
+
+// Widths on the ground grow with the square of its distance, which is camera height over slope.
+double widthDoubt(const CameraPose& camera, Point2<Robot> place) {
+  const Point2<Robot> way{place.x - camera.position.x, place.y - camera.position.y};
+  const double d = std::max(way.norm(), 1.0);
+  const GroundRay ray{way.x / d, way.y / d, 0.0};
+  return 2.0 * elevationDoubt(camera, ray).slack() * d / camera.position.z;
 }
 
 }  // namespace
@@ -85,11 +98,11 @@ bool lineIsColourless(const Sampler& sampler, const LineCandidate& c, const Line
 }
 
 bool lineIsNarrow(const GroundWidth& width, double lineWidth, const LinePointParams& p) {
-  return width.paint - lineWidth <= p.widthTolerance * lineWidth + p.widthSlack * width.perPixel;
+  return width.paint - lineWidth <= widthTolerance(width, lineWidth, p);
 }
 
 bool lineIsWide(const GroundWidth& width, double lineWidth, const LinePointParams& p) {
-  return lineWidth - width.paint <= p.widthTolerance * lineWidth + p.widthSlack * width.perPixel;
+  return lineWidth - width.paint <= widthTolerance(width, lineWidth, p);
 }
 
 bool borderIsAfterGreen(const Sampler& sampler, const GridLine& gridLine, const RisingEdge& edge) {
@@ -186,7 +199,7 @@ std::optional<GroundWidth> widthOnGround(const CameraPose& camera, const LineCan
   const double pixels = c.segment.to - c.segment.from;
   if (length < 1e-6 || pixels < 1e-6) return std::nullopt;
   const double perPixel = std::fabs(along.x * across.y - along.y * across.x) / (length * pixels);
-  return GroundWidth{perPixel, perPixel * c.segment.paint};
+  return GroundWidth{perPixel, perPixel * c.segment.paint, widthDoubt(camera, *from)};
 }
 
 }  // namespace kelpie::vision

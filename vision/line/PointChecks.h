@@ -20,6 +20,7 @@ struct LineCandidate {
 struct GroundWidth {
   double perPixel = 0.0;  // cm across the line that one pixel along the grid line covers
   double paint = 0.0;     // cm
+  double doubt = 0.0;     // share by which a badly known tilt alone may make it wrong
 };
 
 // Any point.

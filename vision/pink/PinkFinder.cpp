@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "robot/core/Maths.h"
+#include "vision/ElevationDoubt.h"
 #include "vision/Refusal.h"
 #include "vision/pixels/GroundRay.h"
 
@@ -30,9 +31,12 @@ Estimate fused(Estimate a, Estimate b) {
 
 Estimate byGround(const Scene& scene, const PinkPatch& patch, const PinkFinderParams& p) {
   if (!p.onField || patch.foot.end != FootEnd::carpet) return {};
-  const double above = scene.body.camera.position.z;
   const double d = patch.foot.distance;
-  const double direction = maths::hypot(p.directionSd.rad(), p.edgeSd / focalLength(scene));
+  const CameraPose& camera = scene.body.camera;
+  const double above = camera.position.z;
+  const double direction =
+      maths::hypot(maths::hypot(p.directionSd.rad(), p.edgeSd / focalLength(scene)),
+                   elevationDoubt(camera, groundRayThrough(camera, patch.foot.pixel)).sd);
   return {d, maths::square((d * d + above * above) / above * direction)};
 }
 

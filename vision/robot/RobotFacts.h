@@ -13,11 +13,12 @@ struct RobotFacts {
   double patches = 1.0;
   double samples = 0.0;  // lattice samples of all patches
   // The largest patch:
-  double ownShare = 0.0;       // share of its colour inside its box
-  double meanIsOwn = 0.0;      // 1: its mean colour is the uniform's
-  double patchWidth = 0.0;     // cm
-  double patchHeight = 0.0;    // cm
-  double heightError = 0.0;    // cm of its middle from a trunk's height
+  double ownShare = 0.0;     // share of its colour inside its box
+  double meanIsOwn = 0.0;    // 1: its mean colour is the uniform's
+  double patchWidth = 0.0;   // cm
+  double patchHeight = 0.0;  // cm
+  // Cm of its middle from a trunk's height, as it would count in settled play.
+  double heightError = 0.0;
   double carpetBeyond = 0.0;   // cm of carpet from its foot to the field edge
   double footBelowEdge = 0.0;  // px of its foot below the field edge
   double footCut = 0.0;        // 1: the image ends before the foot

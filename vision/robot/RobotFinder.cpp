@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "robot/core/Maths.h"
+#include "vision/ElevationDoubt.h"
 #include "vision/Refusal.h"
 #include "vision/pixels/GroundRay.h"
 
@@ -32,7 +33,8 @@ bool standsOnField(const RobotPatch& patch, const RobotFinderParams& p, VisionCo
   return check(robotStandsOnGround(patch, p), Refusal::robotOffGround, counts) &&
          check(robotFeetMayBeCut(patch, p), Refusal::robotFeetNear, counts) &&
          check(robotPatchHasSize(patch, p), Refusal::robotSize, counts) &&
-         check(patch.foot.distance <= p.maxDistance, Refusal::robotTooFar, counts);
+         check(patch.foot.distance <= p.maxDistance + patch.distanceSd, Refusal::robotTooFar,
+               counts);
 }
 
 bool looksLikeRobot(const Scene& scene, const RobotFinderParams& p, RobotPatch& patch,
@@ -99,10 +101,13 @@ RobotFacts factsOf(const PatchGroup& group) {
 }
 
 double distanceSd(const Scene& scene, const PatchGroup& group, const RobotFinderParams& p) {
-  const double above = scene.body.camera.position.z;
+  const CameraPose& camera = scene.body.camera;
+  const double above = camera.position.z;
   const double d = group.distance;
   if (group.cut) return 0.4 * d;
-  const double direction = maths::hypot(p.directionSd.rad(), p.edgeSd / focalLength(scene));
+  const double direction =
+      maths::hypot(maths::hypot(p.directionSd.rad(), p.edgeSd / focalLength(scene)),
+                   elevationDoubt(camera, groundRayThrough(camera, group.centre)).sd);
   return maths::hypot((d * d + above * above) / above * direction, 0.5 * p.depth);
 }
 

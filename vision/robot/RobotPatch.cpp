@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "robot/core/Maths.h"
+#include "vision/ElevationDoubt.h"
 #include "vision/pixels/GroundRay.h"
 
 namespace kelpie::vision {
@@ -51,7 +52,38 @@ void measureDistance(const Scene& scene, const RobotFinderParams& p, RobotPatch&
     patch.scale = scaleAt(scene, patch.distance, p.patchHeight);
     reach = p.reach * patch.scale;
   }
-  patch.height = heightAt(scene.body.camera, patch.centre, patch.distance);
+}
+
+// Foot and patch are seen as much too high or too low by a badly known tilt. The angle between them
+// tells the distance too, by the height that patches have: both are weighed by what is not known.
+void weighDistance(const Scene& scene, const RobotFinderParams& p, RobotPatch& patch) {
+  constexpr double kHeightShare = 0.25;  // sd of the height of patches, 8 to 22 cm
+  const CameraPose& camera = scene.body.camera;
+  const GroundRay ray = groundRayThrough(camera, patch.centre);
+  const double sd = elevationDoubt(camera, ray).sd;
+  if (sd == 0.0 || patch.foot.end == FootEnd::hidden) return;
+  const double above = std::max(camera.position.z, 1.0);
+  const double rise = ray.slope - groundRayThrough(camera, patch.foot.pixel).slope;
+  if (patch.foot.end == FootEnd::carpet && rise > 0.0) {
+    // As inverse distances, in which the angles are linear.
+    const double bySize = rise / p.patchHeight;
+    const double variance = maths::square(kHeightShare * bySize);
+    const double weight = variance / (variance + maths::square(sd / above));
+    patch.distance = 1.0 / (bySize + weight * (1.0 / patch.distance - bySize));
+    patch.scale = scaleAt(scene, patch.distance, p.patchHeight);
+  }
+  patch.distanceSd = sd * maths::square(patch.distance) / above;
+  patch.heightSd = sd * patch.distance * p.patchHeight / above;
+}
+
+// So many times nearer or farther than it seems a robot may be by the tilt alone.
+double distanceRatio(const RobotPatch& patch) {
+  return 1.0 + patch.distanceSd / std::max(patch.distance, 1.0);
+}
+
+bool heightMayBe(const RobotPatch& patch, const RobotFinderParams& p) {
+  const double slack = kSlackSds * patch.heightSd;
+  return patch.height >= p.minHeight - slack && patch.height <= p.maxHeight + slack;
 }
 
 bool isOwn(ColourClass c, TeamColour team) { return c == colourOf(team); }
@@ -156,6 +188,8 @@ RobotPatch patchOf(const Scene& scene, const Blob& blob) {
 void measurePatch(const Scene& scene, const RobotFinderParams& p, RobotPatch& patch) {
   patch.extent = extentOf(scene.sampler, scene.frame, patch.centre, colourOf(patch.team));
   measureDistance(scene, p, patch);
+  weighDistance(scene, p, patch);
+  patch.height = heightAt(scene.body.camera, patch.centre, patch.distance);
 }
 
 void measureSurroundings(const Scene& scene, RobotPatch& patch) {
@@ -169,12 +203,14 @@ RobotFacts robotFacts(const Scene& scene, const RobotPatch& patch) {
   constexpr double kTrunkHeight = 14.0;  // cm, of most patches' middle
   constexpr double kFarBeyond = 300.0;   // cm; without an edge in view as well
   constexpr double kFarInside = 40.0;    // px; the same
+  constexpr double kHeightSd = 3.0;      // cm, by which heights of patches differ
   RobotFacts facts;
   facts.ownShare = patch.ownShare;
   facts.meanIsOwn = patch.meanIsOwn ? 1.0 : 0.0;
   facts.patchWidth = patch.extent.width() / patch.scale;
   facts.patchHeight = patch.extent.height() / patch.scale;
-  facts.heightError = std::fabs(patch.height - kTrunkHeight);
+  facts.heightError =
+      std::fabs(patch.height - kTrunkHeight) / maths::hypot(1.0, patch.heightSd / kHeightSd);
   facts.carpetBeyond = std::min(patch.carpetBeyond, kFarBeyond);
   facts.footBelowEdge = std::min(belowFieldEdge(scene, patch.foot.pixel), kFarInside);
   facts.footCut = patch.foot.end == FootEnd::carpet ? 0.0 : 1.0;
@@ -189,10 +225,12 @@ bool robotPatchIsLow(const Scene& scene, const RobotPatch& patch, const RobotFin
 bool robotPatchHasSize(const RobotPatch& patch, const RobotFinderParams& p) {
   // Without feet the size is all that tells the distance, so the whole patch must show.
   const bool cut = patch.foot.end != FootEnd::carpet;
-  if (cut && patch.extent.height() + 1.0 < p.minCutPatch * patch.scale) return false;
-  return patch.extent.width() + 1.0 >= p.minPatchWidth * patch.scale &&
-         patch.extent.width() <= p.maxPatchWidth * patch.scale + 2.0 &&
-         patch.extent.height() <= p.maxPatchHeight * patch.scale + 2.0 &&
+  const double nearest = patch.scale * distanceRatio(patch);
+  const double farthest = patch.scale / distanceRatio(patch);
+  if (cut && patch.extent.height() + 1.0 < p.minCutPatch * farthest) return false;
+  return patch.extent.width() + 1.0 >= p.minPatchWidth * farthest &&
+         patch.extent.width() <= p.maxPatchWidth * nearest + 2.0 &&
+         patch.extent.height() <= p.maxPatchHeight * nearest + 2.0 &&
          patch.extent.height() <= p.maxTall * patch.extent.width() + 2.0;
 }
 
@@ -217,8 +255,7 @@ bool robotPatchIsClean(const RobotPatch& patch, const RobotFinderParams& p) {
 
 bool robotPatchTellsDistance(const RobotPatch& patch, const RobotFinderParams& p) {
   return patch.foot.end != FootEnd::hidden && patch.samples >= p.partSamples &&
-         patch.height >= p.minHeight && patch.height <= p.maxHeight &&
-         patch.extent.width() <= p.maxPatchWidth * patch.scale + 2.0;
+         heightMayBe(patch, p) && patch.extent.width() <= p.maxPatchWidth * patch.scale + 2.0;
 }
 
 bool robotHasShell(const RobotPatch& patch, const RobotFinderParams& p) {
@@ -248,7 +285,7 @@ bool robotIsInsideFieldEdge(const Scene& scene, const RobotPatch& patch,
 
 bool robotStandsOnGround(const RobotPatch& patch, const RobotFinderParams& p) {
   if (patch.foot.end == FootEnd::hidden) return false;
-  return patch.height >= p.minHeight && patch.height <= p.maxHeight;
+  return heightMayBe(patch, p);
 }
 
 bool robotPatchHasColour(const RobotPatch& patch, const RobotFinderParams& p) {
@@ -256,7 +293,8 @@ bool robotPatchHasColour(const RobotPatch& patch, const RobotFinderParams& p) {
 }
 
 bool robotIsNear(const RobotPatch& patch, const RobotFinderParams& p) {
-  if (patch.foot.end == FootEnd::carpet) return patch.foot.distance <= p.maxDistance;
+  if (patch.foot.end == FootEnd::carpet)
+    return patch.foot.distance <= p.maxDistance + patch.distanceSd;
   const bool sure = patch.carpetBehind >= p.sureCarpetBehind || robotPatchIsClean(patch, p);
   return patch.distance <= (sure ? p.maxCutDistance : p.maxDoubtfulCutDistance);
 }

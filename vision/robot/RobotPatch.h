@@ -24,6 +24,8 @@ struct RobotPatch {
   double distance = 0.0;              // cm along the ground from the camera to the nearest leg
   double scale = 1.0;                 // px per cm there
   double height = 0.0;                // cm of the centre above the ground
+  double distanceSd = 0.0;            // cm of it that a badly known tilt alone makes
+  double heightSd = 0.0;              // cm, the same
   double carpetBehind = 0.0;          // px of carpet beyond the foot, beside the robot
   double carpetBeyond = kNoDistance;  // cm along the ground from the foot to the field edge
   double shellShare = 0.0;            // share of white and grey round the patch

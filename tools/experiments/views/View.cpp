@@ -24,6 +24,7 @@ constexpr double kFastestTiltDeg = 60.0;
 constexpr double kFastestTurnDeg = 60.0;
 constexpr std::uint64_t kLooksStream = 0x6c6f6f6b73;
 constexpr std::uint64_t kPlayStream = 0x706c6179;
+constexpr std::uint64_t kLeanStream = 0x6c65616e;
 
 bool awayFrom(const std::vector<sim::RobotLook>& robots, Point2<Field> place, double minDistance) {
   return std::all_of(robots.begin(), robots.end(), [&](const sim::RobotLook& robot) {
@@ -42,6 +43,7 @@ ViewMaker::ViewMaker(const ViewParams& params, std::uint64_t seed)
       random_(seed),
       looks_(seed ^ kLooksStream),
       play_(seed ^ kPlayStream),
+      lean_(seed ^ kLeanStream),
       seed_(seed) {}
 
 const View& ViewMaker::next() {
@@ -50,6 +52,7 @@ const View& ViewMaker::next() {
         params_.field, params_.crowd ? random_.next() | 1U : 0,
         sim::drawUnlikeVenue(params_.unlike, seed_ + static_cast<std::uint64_t>(made_)));
   view_.real = sim::drawUnlikeRobot(params_.unlike, seed_ + static_cast<std::uint64_t>(made_), 0);
+  claimTilt();
   view_.robotCamera = {sim::randomShift(random_),
                        sim::randomCentres(looks_, params_.camera.artefacts.centreSd),
                        view_.real.tone};
@@ -61,6 +64,21 @@ const View& ViewMaker::next() {
   placeThings();
   turnAndRender();
   return view_;
+}
+
+void ViewMaker::claimTilt() {
+  const TiltClaim& claim = params_.tilt;
+  double sd = claim.sd;
+  if (claim.drawnTo > 0.0) {
+    sd = claim.drawnFrom * std::pow(claim.drawnTo / claim.drawnFrom, lean_.uniform());
+    sim::Lean& lean = view_.real.body.lean;
+    lean.tilt = lean.tilt + Angle::deg(lean_.gaussian(0.0, sd));
+    lean.roll = lean.roll + Angle::deg(lean_.gaussian(0.0, sd));
+  } else if (sd == 0.0 && params_.unlike.seed != 0 && params_.unlike.body) {
+    sd = params_.unlike.leanSdDeg;
+  }
+  claimed_ = {};
+  if (sd > 0.0) claimed_.tiltVariance = claimed_.rollVariance = maths::square(Angle::deg(sd).rad());
 }
 
 // The robot anywhere on the field, the ball 20 to 360 cm from it inside the lines.
@@ -203,6 +221,7 @@ void ViewMaker::turnAndRender() {
   FrameInput& input = view_.input;
   input = {};
   input.elapsed = kFrameSeconds;
+  input.cameraTilt = claimed_;
   input.sensors.joints = joints_;
   for (auto& angle : input.sensors.joints.angle)
     angle = angle + Angle::rad(random_.gaussian(0.0, kJointNoise));

@@ -16,12 +16,22 @@
 
 namespace kelpie::experiments {
 
+// What the robot is told of its body's tilt and roll (FrameInput::cameraTilt), deg.
+struct TiltClaim {
+  double sd = 0.0;  // of both; 0: that of settled play, in unlike worlds that of a robot's start
+  // Instead of it: an sd drawn between the two for each view, its log evenly, and from it how the
+  // body leans beside what it would without.
+  double drawnFrom = 0.0;
+  double drawnTo = 0.0;
+};
+
 enum class ViewTarget { ball, landmark, robot, anywhere };
 
 struct ViewParams {
   body::FieldDescription field = *body::fieldDescription("2006");
   sim::CameraParams camera;
   sim::UnlikeParams unlike;
+  TiltClaim tilt;
   bool crowd = true;
   bool ball = true;
   int maxRobots = 4;
@@ -52,6 +62,7 @@ class ViewMaker {
   const View& next();
 
  private:
+  void claimTilt();
   void placeThings();
   void placeRobots();
   void lookAt(Point3<Field> target);
@@ -65,6 +76,8 @@ class ViewMaker {
   Random looks_;  // of ring centres, uniforms and own legs: without them places stay what they are
   int made_ = 0;
   Random play_;  // of the neck's gears
+  Random lean_;  // of the body's lean and what is claimed of it
+  CameraTilt claimed_;
   std::uint64_t seed_;
   JointAngles joints_;  // of the motors
   JointAngles head_;    // of the head itself

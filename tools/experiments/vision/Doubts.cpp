@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // How well vision tells candidates for balls, beacons, goals and robots that passed every check:
 // real ones lost against false ones left, with its own curves and with curves learned from the same
-// views, each view with what the others taught. The learned curves are what GoalFacts and
-// RobotFacts hold, and what tools/curves makes BallCurves.cpp and BeaconCurves.cpp of.
+// views, each view with what the others taught. Bodies lean as much as their robots know
+// (TiltClaim). The learned curves are what GoalFacts and RobotFacts hold, and what tools/curves
+// makes BallCurves.cpp and BeaconCurves.cpp of.
 #include <algorithm>
 #include <cmath>
 
@@ -118,7 +119,8 @@ Json figuresOf(const Candidates& all, int views) {
 }
 
 Expected<Json> doubts(const Request& request) {
-  const ViewParams params;
+  ViewParams params;
+  params.tilt = {0.0, 0.2, 1.5};  // from settled play's to a robot's start
   Visibility visibility;
   const vision::VisionParams vision;
   Candidates balls{

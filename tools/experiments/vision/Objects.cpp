@@ -250,8 +250,7 @@ class Score {
   double gapDeg2_ = 0.0;
 };
 
-Expected<Json> objects(const Request& request) {
-  const ViewParams params;
+Json figuresOf(const ViewParams& params, const Request& request) {
   const body::FieldDescription& field = params.field;
   Visibility visibility;
   Score score;
@@ -264,10 +263,45 @@ Expected<Json> objects(const Request& request) {
   return score.figures();
 }
 
+Expected<Json> objects(const Request& request) { return figuresOf({}, request); }
+
+constexpr double kTilt = 2.0;     // deg
+constexpr double kStartSd = 1.5;  // deg, what a robot at its start knows of it
+
+// Robots that do not know that they lean, but know that they might, and robots in settled play.
+Expected<Json> tiltedObjects(const Request& request) {
+  ViewParams start;
+  start.tilt.sd = kStartSd;
+  Json by = Json::array();
+  for (const double tilt : {-kTilt, 0.0, kTilt}) {
+    Request tilted = request;
+    tilted.unlike.tiltError = tilt;
+    by.push_back(figuresOf(start, tilted));
+  }
+  ViewParams settled;
+  settled.tilt = {0.0, 0.25, 0.35};
+  Json json{{"settled", figuresOf(settled, request)}};
+  const auto least = [&by](const char* key) {
+    return std::min(by[0][key].get<double>(), by[2][key].get<double>()) / by[1][key].get<double>();
+  };
+  const auto most = [&by](const char* key) {
+    return std::max({by[0][key].get<double>(), by[1][key].get<double>(), by[2][key].get<double>()});
+  };
+  json["beacon_recall_ratio"] = least("beacon_recall_350");
+  json["goal_recall_ratio"] = least("goal_recall");
+  json["false_positives_per_1000"] = most("false_positives_per_1000");
+  json["by_tilt"] = by;
+  return json;
+}
+
 const Registration kObjects("objects",
                             "rendered views: recall, false percepts, errors by object and distance",
                             {Option::trials, Option::seed, Option::unlike, Option::pictures}, 6000,
                             objects);
+
+const Registration kTiltedObjects(
+    "tilted-objects", "objects where bodies lean by -2, 0 and 2 deg, unknown, and as in play",
+    {Option::trials, Option::seed, Option::pictures}, 2000, tiltedObjects);
 
 }  // namespace
 }  // namespace kelpie::experiments
