@@ -5,7 +5,7 @@
 
 #include "robot/core/FixedVector.h"
 #include "robot/core/Percepts.h"
-#include "vision/robot/RobotFacts.h"
+#include "vision/robot/RobotCurves.h"
 
 namespace kelpie::vision {
 

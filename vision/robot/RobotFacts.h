@@ -34,8 +34,4 @@ struct RobotFacts {
   }
 };
 
-// Natural log of the odds against a robot, up to a constant (learned from candidates of 60 000
-// rendered views: kelpie evaluate doubts).
-double logOddsAgainst(const RobotFacts& facts);
-
 }  // namespace kelpie::vision
