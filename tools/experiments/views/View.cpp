@@ -74,10 +74,9 @@ void ViewMaker::claimTilt() {
     sim::Lean& lean = view_.real.body.lean;
     lean.tilt = lean.tilt + Angle::deg(lean_.gaussian(0.0, sd));
     lean.roll = lean.roll + Angle::deg(lean_.gaussian(0.0, sd));
-  } else if (sd == 0.0 && params_.unlike.seed != 0 && params_.unlike.body) {
-    sd = params_.unlike.leanSdDeg;
   }
-  claimed_ = {};
+  // Nobody has told a robot how it leans: it knows as much as after it is switched on.
+  claimed_ = view_.real.body.lean.level() ? CameraTilt{} : gps::startingTilt({});
   if (sd > 0.0) claimed_.tiltVariance = claimed_.rollVariance = maths::square(Angle::deg(sd).rad());
 }
 
@@ -225,8 +224,6 @@ void ViewMaker::turnAndRender() {
   input.sensors.joints = joints_;
   for (auto& angle : input.sensors.joints.angle)
     angle = angle + Angle::rad(random_.gaussian(0.0, kJointNoise));
-  // Nobody has told the robot how it leans: it knows as much as after it is switched on.
-  if (!view_.real.body.lean.level()) input.cameraTilt = gps::startingTilt({});
   input.sensors.acceleration = sim::accelerationAtRest(stance_, view_.real.body);
 
   input.headRate = {0.0, rate.headPan + random_.gaussian(0.0, kRateNoise),

@@ -18,7 +18,7 @@ namespace kelpie::experiments {
 
 // What the robot is told of its body's tilt and roll (FrameInput::cameraTilt), deg.
 struct TiltClaim {
-  double sd = 0.0;  // of both; 0: that of settled play, in unlike worlds that of a robot's start
+  double sd = 0.0;  // of both; 0: of a level body that of settled play, else that of its start
   // Instead of it: an sd drawn between the two for each view, its log evenly, and from it how the
   // body leans beside what it would without.
   double drawnFrom = 0.0;
