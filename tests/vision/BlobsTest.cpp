@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <memory>
 
@@ -15,17 +16,27 @@ HorizonFrame rolled(double degrees) {
   return {std::cos(roll), std::sin(roll), 0.0, Lens{}};
 }
 
-// An image of classes: the plane is filled by hand, the pixels behind it are never read.
+// A pixel of Y 8, 16, ... and no colour has the first, second, ... class; black none.
+Yuv paintOf(ColourClass c) { return {static_cast<std::uint8_t>(8 * static_cast<int>(c)), 0, 0}; }
+
+VisionCalibration plainCalibration() {
+  VisionCalibration calibration{};
+  calibration.ring = buildRingTable({});
+  for (std::size_t c = 0; c < kColourClassCount; ++c) {
+    const auto colour = static_cast<ColourClass>(c);
+    calibration.colour.set(ColourTable::cellOf(paintOf(colour)), colour);
+  }
+  return calibration;
+}
+
+// An image of classes.
 struct Canvas {
-  std::unique_ptr<VisionState> state = std::make_unique<VisionState>(VisionCalibration{});
+  std::unique_ptr<VisionState> state = std::make_unique<VisionState>(plainCalibration());
   std::unique_ptr<Image> image = std::make_unique<Image>();
 
-  Canvas() { state->classes.fill(static_cast<std::uint8_t>(ColourClass::none)); }
   void box(ColourClass c, int left, int top, int right, int bottom) {
     for (int y = top; y < bottom; ++y) {
-      for (int x = left; x < right; ++x) {
-        state->classes[Image::at(x, y)] = static_cast<std::uint8_t>(c);
-      }
+      for (int x = left; x < right; ++x) image->set(x, y, paintOf(c));
     }
   }
   // A square upright in the level image, about the middle of the image.
@@ -46,6 +57,38 @@ struct Canvas {
   }
   BlobCounts counts;
 };
+
+// Ring centres apart, every pixel another colour.
+TEST(Blobs, SamplesOfARowHaveTheClassesThatTheyHaveOneByOne) {
+  const auto state = std::make_unique<VisionState>(nominalCalibration());
+  const auto image = std::make_unique<Image>();
+  for (int py = 0; py < kImageHeight; ++py)
+    for (int px = 0; px < kImageWidth; ++px)
+      image->set(px, py,
+                 {static_cast<std::uint8_t>(7 * px + py), static_cast<std::uint8_t>(80 + px / 2),
+                  static_cast<std::uint8_t>(60 + py / 2)});
+  Sampler sampler(*image, state->calibration, state->distances, state->classes);
+  for (const double roll : {0.0, 3.0, -40.0}) {
+    const Lattice lattice(rolled(roll));
+    for (int r = 0; r < lattice.rows(); r += 5) {
+      const LatticeRow row = lattice.row(r);
+      std::array<std::uint8_t, 160> found{};
+      sampler.reset();
+      sampler.classifyRow(row.x, row.y, lattice.stepX(), lattice.stepY(), row.count, found.data());
+      sampler.reset();
+      for (int i = 0; i < row.count; ++i) {
+        const ColourClass c = sampler.classAt((row.x + i * lattice.stepX()) >> 16,
+                                              (row.y + i * lattice.stepY()) >> 16);
+        ASSERT_EQ(found[static_cast<std::size_t>(i)], static_cast<std::uint8_t>(c));
+      }
+    }
+  }
+}
+
+TEST(Blobs, PixelOfACoordinateIsItsFloor) {
+  for (const double x : {-3.0, -2.7, -0.1, 0.0, 0.1, 4.0, 207.999})
+    EXPECT_EQ(Sampler::pixelOf(x), static_cast<int>(std::floor(x)));
+}
 
 TEST(Blobs, BoxAndCentreAreThoseOfThePatch) {
   Canvas canvas;

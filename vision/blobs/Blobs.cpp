@@ -2,11 +2,13 @@
 #include "vision/blobs/Blobs.h"
 
 #include <algorithm>
+#include <array>
 
 namespace kelpie::vision {
 namespace {
 
 constexpr std::uint16_t kNoBlob = 0xFFFF;
+constexpr int kMostSamples = 160;  // of a lattice row; the image's diagonal has 132
 
 bool formsBlobs(ColourClass c) { return c >= ColourClass::orange && c <= ColourClass::robotRed; }
 
@@ -15,12 +17,14 @@ void collectRuns(const Sampler& sampler, const Lattice& lattice, int rowIndex, R
                  BlobCounts& counts) {
   const LatticeRow row = lattice.row(rowIndex);
   counts.samples += static_cast<std::uint32_t>(row.count);
-  std::int32_t x = row.x;
-  std::int32_t y = row.y;
+  std::array<std::uint8_t, kMostSamples> classes;
+  const int count = std::min(row.count, kMostSamples - 1);
+  sampler.classifyRow(row.x, row.y, lattice.stepX(), lattice.stepY(), count, classes.data());
+  classes[static_cast<std::size_t>(count)] = static_cast<std::uint8_t>(ColourClass::none);
   int first = 0;
   ColourClass colour = ColourClass::none;
-  for (int i = 0; i <= row.count; ++i, x += lattice.stepX(), y += lattice.stepY()) {
-    const ColourClass now = i < row.count ? sampler.classAt(x >> 16, y >> 16) : ColourClass::none;
+  for (int i = 0; i <= count; ++i) {
+    const auto now = static_cast<ColourClass>(classes[static_cast<std::size_t>(i)]);
     if (now == colour) continue;
     if (formsBlobs(colour)) {
       const Run run{colour,

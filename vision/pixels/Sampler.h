@@ -4,7 +4,6 @@
 #pragma once
 
 #include <array>
-#include <cmath>
 #include <cstdint>
 
 #include "robot/core/Geometry.h"
@@ -41,7 +40,11 @@ class Sampler {
     return px >= kUsableLeft && px < kUsableRight && py >= kUsableTop && py < kUsableBottom;
   }
   static bool usable(PixelPoint p) { return usable(pixelOf(p.x), pixelOf(p.y)); }
-  static int pixelOf(double coordinate) { return static_cast<int>(std::floor(coordinate)); }
+  // The floor, without the library's: every walk along an edge asks for it at each step.
+  static int pixelOf(double coordinate) {
+    const int towardsZero = static_cast<int>(coordinate);
+    return towardsZero - (coordinate < towardsZero ? 1 : 0);
+  }
 
   Yuv corrected(int px, int py) const {
     const auto row = static_cast<std::size_t>(py);
@@ -58,6 +61,29 @@ class Sampler {
     return static_cast<ColourClass>(known);
   }
   ColourClass classAt(PixelPoint p) const { return classAt(pixelOf(p.x), pixelOf(p.y)); }
+  // Classifies the samples of a row that lie a step apart, positions in 1/65536 px. It neither asks
+  // whether a pixel's class is known nor looks its rows up again while they stay the same: the
+  // blobs' samples took a fifth more one by one.
+  void classifyRow(std::int32_t x, std::int32_t y, std::int32_t stepX, std::int32_t stepY,
+                   int count, std::uint8_t* out) const {
+    const Image& image = image_;
+    const RingTable& ring = calibration_.ring;
+    const ColourTable& colour = calibration_.colour;
+    std::uint8_t* const classes = classes_.data();
+    std::array<const std::uint8_t*, 3> to{};
+    int row = -1;
+    for (int i = 0; i < count; ++i, x += stepX, y += stepY) {
+      const int px = x >> 16;
+      const int py = y >> 16;
+      if (py != row) {
+        for (std::size_t c = 0; c < 3; ++c) to[c] = rows_[c][static_cast<std::size_t>(py)];
+        row = py;
+      }
+      const Yuv raw = image.pixel(px, py);
+      const Yuv value = ring(raw, {to[0][px], to[1][px], to[2][px]});
+      out[i] = classes[Image::at(px, py)] = static_cast<std::uint8_t>(colour(value));
+    }
+  }
   // As measured: for differences between neighbours, which the ring correction hardly changes.
   Yuv raw(int px, int py) const { return image_.pixel(px, py); }
   std::uint8_t rawY(int px, int py) const { return image_.y[Image::at(px, py)]; }
