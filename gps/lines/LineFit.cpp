@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gps/lines/LineFit.h"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <tuple>
+#include <utility>
 
 namespace kelpie::gps {
 namespace {
 
 constexpr double kLever = 100.0;  // cm: a turn's damping in the units of a step's
 constexpr double kFirstDamping = 0.01;
-constexpr double kStepTolerance = 0.05;  // cm
-constexpr double kTurnTolerance = 5e-4;  // rad
+constexpr double kStepTolerance = 0.3;   // cm; the step after one as small is ten times smaller
+constexpr double kTurnTolerance = 2e-3;  // rad, of heading, tilt and roll
 
 // The number of unknowns: x, y and heading, or tilt and roll with them.
 constexpr int kPose = 3;
@@ -25,10 +29,37 @@ template <int N>
 struct Sums {
   double weight = 0.0;
   double match = 0.0;
-  Matrix<N> curvature = Matrix<N>::Zero();
+  std::array<double, N*(N + 1) / 2> lowerHalf{};  // of the curvature, row by row
   Vector<N> gradient = Vector<N>::Zero();
 
   double share() const { return weight > 0.0 ? match / weight : 1.0; }
+  void add(double pointWeight, double distance, const Vector<N>& slope) {
+    const Vector<N> weighted = pointWeight * slope;
+    gradient += distance * weighted;
+    addSquare(weighted, slope, std::make_index_sequence<std::tuple_size_v<decltype(lowerHalf)>>());
+  }
+  Matrix<N> curvature() const {
+    Matrix<N> whole;
+    for (int row = 0, k = 0; row < N; ++row)
+      for (int column = 0; column <= row; ++column, ++k)
+        whole(row, column) = whole(column, row) = lowerHalf[static_cast<std::size_t>(k)];
+    return whole;
+  }
+
+ private:
+  static constexpr int rowOf(std::size_t k) {
+    int row = 0;
+    while (static_cast<std::size_t>((row + 1) * (row + 2) / 2) <= k) ++row;
+    return row;
+  }
+  static constexpr int columnOf(std::size_t k) {
+    return static_cast<int>(k) - rowOf(k) * (rowOf(k) + 1) / 2;
+  }
+  // Without loops: most of what gps costs is here.
+  template <std::size_t... K>
+  void addSquare(const Vector<N>& a, const Vector<N>& b, std::index_sequence<K...>) {
+    ((lowerHalf[K] += a(rowOf(K)) * b(columnOf(K))), ...);
+  }
 };
 
 // A place of the fit: the pose, and the tilt beyond that with which the points were laid down.
@@ -99,9 +130,7 @@ Sums<N> summed(const Points& points, const Point3<Robot>& eye, const Turned& t, 
       slope(3) = t.along(d, at.perTilt);
       slope(4) = t.along(d, at.perRoll);
     }
-    const double weight = point.weight * value * value;
-    sums.gradient += weight * d.value * slope;
-    sums.curvature += weight * slope * slope.transpose();
+    sums.add(point.weight * value * value, d.value, slope);
   }
   return sums;
 }
@@ -143,7 +172,7 @@ Evaluation<N> evaluate(const View& view, const Trial& trial) {
   Evaluation<N> e;
   e.match = lines.share() * carpet.share();
   e.score = e.match;
-  e.curvature = lines.curvature + carpet.curvature;
+  e.curvature = lines.curvature() + carpet.curvature();
   e.gradient = lines.gradient + carpet.gradient;
   if constexpr (N == kPoseAndTilt) {
     const Vector2 off = trial.tilt - view.prior.mean;
@@ -160,7 +189,7 @@ Vector<N> stepOf(const Evaluation<N>& e, double damping, const LineUpdateParams&
   Matrix<N> damped = e.curvature;
   const double scale = damping * std::max(e.curvature(0, 0) + e.curvature(1, 1), 1e-6);
   for (int i = 0; i < N; ++i) damped(i, i) += scale * (i < 2 ? 1.0 : kLever * kLever);
-  Vector<N> step = -damped.inverse() * e.gradient;
+  Vector<N> step = -damped.llt().solve(e.gradient);
   const double far = maths::hypot(step(0), step(1));
   const double shrink =
       std::max({1.0, far / params.farStep, std::fabs(step(2)) / params.farTurn.rad()});

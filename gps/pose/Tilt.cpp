@@ -39,6 +39,45 @@ void addAccelerometer(const GpsIn& in, const TiltParams& params, TiltSightings& 
   sightings.push_back({-1.0, 0.0, leftUp - readWith.roll.rad(), variance});
 }
 
+Vector2 directionOf(const TiltSighting& z) { return {z.forward, -z.right}; }
+
+// What several sightings say of tilt and roll beyond those that the image was read with.
+struct TiltInformation {
+  Matrix2 matrix = Matrix2::Zero();
+  Vector2 vector = Vector2::Zero();
+
+  void add(const TiltSighting& z) {
+    const Vector2 direction = directionOf(z);
+    matrix += direction * direction.transpose() / z.variance;
+    vector += direction * (z.excess / z.variance);
+  }
+};
+
+bool passesGate(const TiltSighting& z, const Vector2& readWith, double gate,
+                const CameraTilt& tilt) {
+  const Vector2 direction = directionOf(z);
+  const double variance = direction.dot(tiltCovarianceOf(tilt) * direction) + z.variance;
+  const double innovation = z.excess - direction.dot(tiltMeanOf(tilt) - readWith);
+  return innovation * innovation <= maths::square(gate) * variance;
+}
+
+// As `corrected` by an observation of the pose, with tilt and pose in each other's place.
+void correct(const TiltInformation& seen, const Vector2& readWith, bool joint, PoseMode& mode) {
+  const Matrix2 tilt = tiltCovarianceOf(mode.tilt);
+  const Matrix2 sum = Matrix2::Identity() + tilt * seen.matrix;
+  const Matrix2 shrink = sum.inverse();
+  const Matrix2 after = shrink * tilt;
+  const Vector2 pull = seen.vector - seen.matrix * (tiltMeanOf(mode.tilt) - readWith);
+  const Vector2 shift = after * pull;
+  setTilt(mode.tilt, tiltMeanOf(mode.tilt) + shift, after);
+  if (!joint) return;
+  const Matrix32 cross = crossOf(mode);
+  const Matrix32 left = cross * shrink.transpose();
+  mode.pose = poseOf(meanOf(mode) + cross * (pull - seen.matrix * shift));
+  setCovariance(mode, covarianceOf(mode) - left * seen.matrix * cross.transpose());
+  setCross(mode, left);
+}
+
 }  // namespace
 
 CameraTilt startingTilt(const TiltParams& params) {
@@ -60,24 +99,6 @@ void driftTilt(double elapsed, const TiltParams& params, Modes& modes) {
   }
 }
 
-bool correctTilt(const TiltSighting& z, const CameraTilt& readWith, const TiltParams& params,
-                 PoseMode& mode) {
-  Vector5 direction = Vector5::Zero();
-  direction(3) = z.forward;
-  direction(4) = -z.right;
-  const Matrix5 covariance = stateCovarianceOf(mode);
-  const Vector5 shared = covariance * direction;
-  const double variance = direction.dot(shared) + z.variance;
-  const double known = z.forward * (mode.tilt.tilt - readWith.tilt).rad() -
-                       z.right * (mode.tilt.roll - readWith.roll).rad();
-  const double innovation = z.excess - known;
-  if (!(innovation * innovation <= maths::square(params.gate) * variance)) return false;
-  setState(mode, stateOf(mode) + shared * (innovation / variance),
-           covariance - shared * shared.transpose() / variance);
-  if (!params.joint) mode.cross = {};
-  return true;
-}
-
 TiltSightings elevationSightings(const GpsIn& in, const TiltParams& params) {
   TiltSightings sightings;
   for (const LandmarkPercept& landmark : in.percepts.landmarks)
@@ -90,14 +111,16 @@ TiltSightings elevationSightings(const GpsIn& in, const TiltParams& params) {
 
 void useTiltSightings(const TiltSightings& sightings, const CameraTilt& readWith,
                       const TiltParams& params, Modes& modes, GpsCounts& counts) {
+  const Vector2 read = tiltMeanOf(readWith);
+  TiltInformation sum;
   for (const TiltSighting& z : sightings) {
-    PoseMode best = modes[0];
-    if (!correctTilt(z, readWith, params, best)) {
+    if (passesGate(z, read, params.gate, modes[0].tilt)) {
+      sum.add(z);
+    } else {
       count(Refusal::tiltUnlikely, counts);
-      continue;
     }
-    for (PoseMode& mode : modes) correctTilt(z, readWith, params, mode);
   }
+  for (PoseMode& mode : modes) correct(sum, read, params.joint, mode);
 }
 
 }  // namespace kelpie::gps

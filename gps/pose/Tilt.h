@@ -30,15 +30,11 @@ struct TiltSighting {
 
 using TiltSightings = FixedVector<TiltSighting, 16>;
 
-// A scalar Kalman update of tilt, roll and, with what they have in common, the pose. Weights stay.
-// False where it lies outside the gate.
-bool correctTilt(const TiltSighting& sighting, const CameraTilt& readWith, const TiltParams& params,
-                 PoseMode& mode);
-
 // What a frame's landmarks, ball and accelerometer say.
 TiltSightings elevationSightings(const GpsIn& in, const TiltParams& params);
 
-// All modes are corrected by what lies inside the heaviest one's gate; the rest is counted.
+// A Kalman update of every mode's tilt, roll and, with what they have in common, pose by what lies
+// inside the heaviest one's gate; the rest is counted. Weights stay.
 void useTiltSightings(const TiltSightings& sightings, const CameraTilt& readWith,
                       const TiltParams& params, Modes& modes, GpsCounts& counts);
 
