@@ -21,7 +21,7 @@ enum class Refusal : std::uint8_t {
   headingUncertain,
   goalTooClose,
   goalTooOblique,   // seen from next to its own goal line
-  nothingMeasured,  // neither distance nor heading passed its gate
+  nothingMeasured,  // in older logs: neither distance nor heading passed its gate
   seedOffField,     // no place on the field explains the first landmark
   modeNotFinite,    // a hypothesis was removed
   ballNotFinite,

@@ -66,12 +66,8 @@ std::optional<Measurement> measurement(const LandmarkPercept& percept, const Lan
   m.grazingHeadingVariance = m.headingVariance + maths::square(gates.maxHeadingSd.rad());
   m.useDistance =
       percept.distance <= farthest && percept.distanceVariance <= gates.maxDistanceVariance;
-  // The middle of a goal that the image cuts is not where it seems to be.
-  m.useHeading = !goal || (!percept.leftEdgeCut && !percept.rightEdgeCut);
-  if (!m.useDistance && !m.useHeading) {
-    count(Refusal::nothingMeasured, counts);
-    return std::nullopt;
-  }
+  // The variance of a goal's heading knows what of the goal is cut or hidden.
+  m.useHeading = true;
   return m;
 }
 

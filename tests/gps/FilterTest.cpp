@@ -100,15 +100,17 @@ INSTANTIATE_TEST_SUITE_P(Landmarks, Gates,
                                          GateCase{LandmarkKind::beaconBlueOnPink, 451, true,
                                                   false}));
 
-TEST(Landmarks, GoalCutByTheImageGivesNoHeading) {
-  sim::LocalisingRobot robot({180, 400, 1.57});
+TEST(Landmarks, GoalCutByTheImageGivesItsHeadingAsFarAsItIsCertain) {
+  sim::LocalisingRobot robot({180, 240, 1.57});
   LandmarkPercept p = robot.look({LandmarkKind::goalBlue, {180, 540}});
   p.rightEdgeCut = true;
+  p.headingVariance = maths::square(Angle::deg(4.0).rad());
   const auto map = body::landmarksFor(robot.params.field, TeamColour::red);
   const auto m = measurement(p, map, robot.params.field, robot.params.gates, robot.state.counts);
   ASSERT_TRUE(m.has_value());
-  EXPECT_FALSE(m->useHeading);
-  EXPECT_TRUE(m->useDistance);
+  EXPECT_TRUE(m->useHeading);
+  EXPECT_GE(m->headingVariance, p.headingVariance);
+  EXPECT_FALSE(m->useDistance);
 }
 
 }  // namespace
