@@ -50,9 +50,9 @@ void expectNear(const WorldModel& world, const Believed& golden) {
 
 TEST(Golden, AWalkIsBelievedAsWhenItWasMeasured) {
   const Believed golden[] = {
-      {60, {{151.7, 242.3}, Angle::deg(96.4)}, {202.1, 330.4}},
+      {60, {{150.6, 242.4}, Angle::deg(96.2)}, {201.3, 330.3}},
       {150, {{114.1, 293.0}, Angle::deg(138.4)}, {199.8, 331.3}},
-      {240, {{54.6, 308.3}, Angle::deg(178.8)}, {201.3, 330.6}},
+      {240, {{54.4, 307.3}, Angle::deg(178.5)}, {201.2, 329.0}},
   };
   sim::LocalisingRobot robot({150, 200, 1.2}, 77);
   Random random(78);

@@ -91,6 +91,7 @@ double meanErrorByLines(LineUse use, Angle tiltSd) {
   for (std::uint64_t run = 0; run < 10; ++run) {
     sim::LocalisingRobot robot({180, 250, 1.0}, run);
     robot.params.lines.update.use = use;
+    robot.params.tilt.use = true;
     robot.params.tilt.initialSd = tiltSd;
     robot.params.initialPose = {true, {{195, 240}, Angle::rad(1.1)}, 20.0, Angle::deg(10)};
     for (int i = 0; i < 90; ++i) {

@@ -178,7 +178,6 @@ TEST(Stuck, PausedLinesCorrectNothing) {
     sim::LocalisingRobot robot = walker(0.0);
     robot.state.pose.stuck.paused = paused;
     robot.params.stuck.pauseSeconds = paused ? 10.0 : 0.0;
-    robot.params.tilt.initialSd = Angle::deg(0.05);  // known, so that lines tell the pose
     for (int frame = 0; frame < 10; ++frame) {
       robot.lookAtLines(0.0);
       sd[paused ? 1 : 0] = robot.step().positionSd;

@@ -25,6 +25,7 @@ ObserverNoise standingNoise() {
 LocalisingRobot::LocalisingRobot(TruePose start, std::uint64_t seed, const ObserverNoise& errors)
     : Observer(start, seed, errors) {
   params.field = field;
+  params.tilt.use = false;  // made sightings come from a body that stands as its joints say
 }
 
 void LocalisingRobot::believe(const Pose2& pose, double positionSd, Angle headingSd) {

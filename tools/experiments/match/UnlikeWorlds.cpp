@@ -49,7 +49,7 @@ Expected<Json> unlike(const Request& request) {
 }
 
 const Registration kUnlike(
-    "unlike", "objects, localise, kidnap, score-empty-goal: the like world beside unlike ones",
+    "unlike", "objects, localise, kidnap and a goal in unlike worlds beside the like one",
     {Option::trials, Option::seed, Option::unlike}, 40, unlike);
 
 }  // namespace
