@@ -80,8 +80,12 @@ double landmarkDistance(const Measured& m, const Optics& optics, double height, 
 }  // namespace
 
 Expected<Measurements> readMeasurements(SizedObject object) {
+  return readMeasurements(object, sharedData() + "distance/");
+}
+
+Expected<Measurements> readMeasurements(SizedObject object, const std::string& folder) {
   const DataFile file = fileOf(object);
-  const std::string path = sharedData() + "distance/" + file.name;
+  const std::string path = folder + file.name;
   std::ifstream in(path);
   if (!in) return Error{path + ": cannot be opened (the measurements are no part of the project)"};
   Measurements rows;

@@ -25,6 +25,8 @@ enum class SizedObject { ball, beacon, goal };
 
 // Rows that the team left out of its own fit are left out. The error names the file.
 Expected<Measurements> readMeasurements(SizedObject object);
+// From another folder, that ends in '/'.
+Expected<Measurements> readMeasurements(SizedObject object, const std::string& folder);
 
 // What a real camera, and the way its images were measured, may add to vision's geometry. As vision
 // stands: 192 px, 0 and 0.

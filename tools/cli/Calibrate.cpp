@@ -39,6 +39,7 @@ void addCalibrate(CLI::App& app, int& code) {
   auto* command = app.add_subcommand(
       "calibrate", "Make the tables that a robot's camera and a venue's light need");
   command->require_subcommand(1);
+  addCalibrateBody(*command, code);
   addCalibrateRing(*command, code);
   addCalibrateColour(*command, code);
   addCalibrateShift(*command, code);

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/calibrate/StandingLog.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "robot/agent/FrameMessages.h"
+
+namespace kelpie::calibrate {
+namespace {
+
+constexpr double kLeastSeconds = 5.0;
+// 2.5 deg of play take 0.17 s (tools/sim/Backlash.cpp), an image may be a frame late.
+constexpr double kRestSeconds = 0.25;
+constexpr std::size_t kLeastStops = 10;
+constexpr std::size_t kMostFrames = 400;
+
+// What of a frame decides whether it may be used.
+struct Moment {
+  double seconds = 0.0;
+  std::array<double, 3> head{};  // rad: neck tilt, pan, nod
+  Stance stance;
+  bool stands = false;  // neither walks nor is carried
+  bool image = false;
+};
+
+// The sensed angles of a resting joint spread by 0.1 deg.
+bool sameHead(const Moment& a, const Moment& b) {
+  constexpr double kRests = 0.01;  // rad
+  for (std::size_t i = 0; i < a.head.size(); ++i)
+    if (std::fabs(a.head[i] - b.head[i]) > kRests) return false;
+  return true;
+}
+
+bool sameStance(const Stance& a, const Stance& b) {
+  return std::fabs(a.shoulderHeight - b.shoulderHeight) < 0.3 &&
+         std::fabs((a.bodyTilt - b.bodyTilt).deg()) < 1.0;
+}
+
+Moment momentOf(const FrameInput& input, bool image) {
+  const Odometry& way = input.odometry;
+  const auto& joints = input.sensors.joints;
+  const auto& back = input.sensors.back;
+  const bool still = std::fabs(way.forward) < 0.02 && std::fabs(way.left) < 0.02 &&
+                     std::fabs(way.turn.deg()) < 0.05;
+  const bool touched = std::any_of(back.begin(), back.end(), [](bool b) { return b; });
+  return {
+      input.time.seconds(),
+      {joints[Joint::neckTilt].rad(), joints[Joint::headPan].rad(), joints[Joint::headNod].rad()},
+      input.stance,
+      still && !touched,
+      image};
+}
+
+struct Span {
+  std::size_t first = 0;
+  std::size_t end = 0;
+};
+
+double secondsOf(const std::vector<Moment>& moments, const Span& span) {
+  return span.end > span.first ? moments[span.end - 1].seconds - moments[span.first].seconds : 0.0;
+}
+
+Span longestStand(const std::vector<Moment>& moments) {
+  Span best;
+  Span now;
+  for (std::size_t i = 0; i < moments.size(); ++i) {
+    const bool goesOn = moments[i].stands && now.first < i &&
+                        sameStance(moments[i].stance, moments[now.first].stance);
+    if (!goesOn) now.first = moments[i].stands ? i : i + 1;
+    now.end = i + 1;
+    if (secondsOf(moments, now) > secondsOf(moments, best)) best = now;
+  }
+  return best;
+}
+
+// Which stop of the head each frame belongs to; -1: the head moves or came to rest just now.
+std::vector<int> stopsOf(const std::vector<Moment>& moments, const Span& stand) {
+  std::vector<int> stops(moments.size(), -1);
+  int stop = -1;
+  std::size_t began = stand.first;
+  bool counted = false;
+  for (std::size_t i = stand.first; i < stand.end; ++i) {
+    if (!sameHead(moments[i], moments[began])) {
+      began = i;
+      counted = false;
+    }
+    if (moments[i].seconds - moments[began].seconds < kRestSeconds) continue;
+    if (!counted) ++stop;
+    counted = true;
+    stops[i] = stop;
+  }
+  return stops;
+}
+
+// Calls take(input, image kept) for every frame; the configuration comes before them.
+template <class Take>
+Status forEachFrame(const std::string& path, agent::AgentConfig& config, Take&& take) {
+  auto reader = LogReader::open(path);
+  if (!reader) return Error{reader.error()};
+  LogMessage message;
+  const auto input = std::make_unique<FrameInput>();
+  bool configured = false;
+  while (reader->next(message)) {
+    Status done = Done{};
+    if (message.topic() == kConfigTopic) {
+      done = decodeAs(message, config);
+      configured = true;
+    } else if (agent::isFrameInput(message.topic())) {
+      done = agent::decodeFrameInput(message, *input);
+      if (done) take(*input, message.topic() != kPictureFrameTopic);
+    }
+    if (!done) return Error{path + ": " + done.error()};
+  }
+  if (!reader->status()) return reader->status();
+  if (!configured) return Error{path + ": not a log of an agent"};
+  return Done{};
+}
+
+std::string seconds(double value) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.1f s", value);
+  return text.data();
+}
+
+Status checkStand(const std::string& path, const std::vector<Moment>& moments, const Span& stand) {
+  if (moments.empty()) return Error{path + ": holds no frames of an agent"};
+  const double longest = secondsOf(moments, stand);
+  if (longest >= kLeastSeconds) return Done{};
+  return Error{path + ": the robot moves: its longest stand is " + seconds(longest) + ", " +
+               seconds(kLeastSeconds) + " are needed"};
+}
+
+Status checkStops(const std::string& path, const StandingLog& log) {
+  const std::string found = std::to_string(log.stops);
+  if (static_cast<std::size_t>(log.stops) >= kLeastStops) return Done{};
+  return Error{path + ": the head came to rest at " + found + " places with an image kept, " +
+               std::to_string(kLeastStops) + " are needed"};
+}
+
+}  // namespace
+
+Expected<StandingLog> readStanding(const std::string& path) {
+  StandingLog log;
+  log.config = std::make_unique<agent::AgentConfig>();
+  std::vector<Moment> moments;
+  const Status read = forEachFrame(path, *log.config, [&](const FrameInput& input, bool image) {
+    moments.push_back(momentOf(input, image));
+  });
+  if (!read) return Error{read.error()};
+  const Span stand = longestStand(moments);
+  const Status stood = checkStand(path, moments, stand);
+  if (!stood) return Error{stood.error()};
+  log.seconds = secondsOf(moments, stand);
+  std::vector<int> stops = stopsOf(moments, stand);
+  for (std::size_t i = 0; i < stops.size(); ++i)
+    if (!moments[i].image) stops[i] = -1;
+  const auto usable = static_cast<std::size_t>(
+      std::count_if(stops.begin(), stops.end(), [](int stop) { return stop >= 0; }));
+  const std::size_t every = usable / kMostFrames + 1;
+  for (std::size_t i = 0; i < stand.end; ++i) log.pans.push_back(moments[i].head[1]);
+
+  std::size_t at = 0;
+  std::size_t met = 0;
+  int last = -1;
+  const Status kept = forEachFrame(path, *log.config, [&](const FrameInput& input, bool) {
+    const std::size_t frame = at++;
+    if (frame >= stops.size() || stops[frame] < 0 || met++ % every != 0) return;
+    if (stops[frame] != last) ++log.stops;
+    last = stops[frame];
+    log.frames.push_back({input, log.stops - 1, frame});
+  });
+  if (!kept) return Error{kept.error()};
+  const Status rested = checkStops(path, log);
+  if (!rested) return Error{rested.error()};
+  return Expected<StandingLog>(std::move(log));
+}
+
+}  // namespace kelpie::calibrate

@@ -1,0 +1,22 @@
+# SPDX-License-Identifier: Apache-2.0
+# Behaviours for `kelpie calibrate body`: stands and looks round in stops of half a second, from
+# side to side and back, each way at other places and heights and with the neck bent otherwise.
+import math
+
+import kelpie
+
+STOP = 0.5   # s
+STOPS = 11   # of a way from side to side
+STEP = 15.0  # deg of pan
+# Of each way: its first pan, neck tilt and how far the camera looks below the horizontal, deg.
+WAYS = [(-80.0, 0.0, 2.0), (-70.0, -18.0, 10.0), (-75.0, -8.0, 16.0), (-78.0, -26.0, 5.0)]
+
+
+def decide(world):
+    way, place = divmod(int(world.time_s / STOP), STOPS)
+    first, neck, down = WAYS[way % len(WAYS)]
+    pan = first + STEP * (place if way % 2 == 0 else STOPS - 1 - place)
+    lean = world.stance.body_tilt_deg - neck  # of the pan's axis, forward
+    nod = lean * math.cos(math.radians(pan)) - down
+    return kelpie.Command(head=kelpie.HeadRequest(neck_tilt_deg=neck, head_pan_deg=pan,
+                                                  head_nod_deg=nod))

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/core.h>
+
+#include <filesystem>
+#include <memory>
+
+#include "tools/calibrate/BodyEstimate.h"
+#include "tools/calibrate/ResidualPicture.h"
+#include "tools/calibrate/SizeFit.h"
+#include "tools/cli/Calibrate.h"
+#include "tools/cli/Commands.h"
+#include "tools/cli/WholeFile.h"
+
+namespace kelpie::cli {
+namespace {
+
+using calibrate::BodyEstimate;
+using calibrate::kUnknownKinds;
+using calibrate::SightKind;
+using calibrate::Told;
+
+constexpr const char* kHelp =
+    R"(
+The robot stands on the field of its configuration and looks round in stops of half a second and
+more, low and high, with its neck bent in several ways: tools/calibrate/looking does so. Frames in
+which the head moves are not used, so that neither the shutter nor late images matter. At least two
+beacons or goals and ten stops; twenty seconds are plenty.
+
+Said of each parameter: its value and the standard deviation; one that the log cannot tell better
+than robots differ among themselves stays as the log's robot had it. The neck's offset stands for
+the body's tilt as well, which turns the camera in the same way. The play of the neck and the
+shutter's read-out are seen in a moving head only and stay as they are.
+
+A folder of measured sizes (ball_radius.csv, beacon_height_lab.csv, goal_height.csv) tells the focal
+length alone.
+
+  kelpie play --pycode tools/calibrate/looking --seconds 22 --images all --no-film
+  kelpie calibrate body out/match.mcap --out robot3.toml --picture residuals.png
+  kelpie play --params robot3.toml)";
+
+struct BodyOptions {
+  std::string input;
+  std::string out;
+  std::string picture;
+};
+
+// As a file of parameters wants it: a bare number, or number and unit in quotes.
+std::string valueFor(const Told& told) {
+  const std::string unit = kUnknownKinds[told.unknown].unit;
+  return unit.empty() ? fmt::format("{:.4f}", told.value)
+                      : fmt::format("\"{:.3f}{}\"", told.value, unit);
+}
+
+// Lens and body in sections of their own; only what was told.
+std::string parameterFile(const std::vector<Told>& unknowns, const std::string& heading) {
+  const std::string kLens = "lens.";
+  std::string body = "[body]\n";
+  std::string lens;
+  for (const Told& told : unknowns) {
+    if (!told.told || told.unknown >= calibrate::kBodyUnknowns) continue;
+    std::string name = kUnknownKinds[told.unknown].name;
+    const bool ofLens = name.rfind(kLens, 0) == 0;
+    if (ofLens) name.erase(0, kLens.size());
+    const std::string sd = fmt::format("  # sd {:.2g}\n", told.sd);
+    (ofLens ? lens : body) += name + " = " + valueFor(told) + sd;
+  }
+  return "# " + heading + "\n" + body + (lens.empty() ? "" : "\n[body.lens]\n" + lens);
+}
+
+void tell(const BodyEstimate& e) {
+  fmt::print("{:.1f} s of standing, {} stops of the head, {} frames, {} landmarks\n", e.seconds,
+             e.stops, e.frames, e.landmarkKinds);
+  for (const Told& told : e.unknowns) {
+    const auto& kind = kUnknownKinds[told.unknown];
+    if (told.told)
+      fmt::print("{:<17} {:9.3f} +- {:.3f} {}\n", kind.name, told.value, told.sd, kind.unit);
+    else
+      fmt::print("{:<17} {:9.3f} {}: left, the log cannot tell it\n", kind.name, told.value,
+                 kind.unit);
+  }
+  for (std::size_t i = 0; i < calibrate::kSightKindCount; ++i) {
+    const auto kind = static_cast<SightKind>(i);
+    fmt::print("{:<18} median miss {:.2f} -> {:.2f} px\n", calibrate::nameOf(kind),
+               medianMiss(e.before, kind), medianMiss(e.after, kind));
+  }
+}
+
+int write(const BodyOptions& options, const std::string& text) {
+  if (options.out.empty()) return kExitDone;
+  if (!writeWhole(options.out, text))
+    return fail(options.out + ": cannot be written", kExitBadInput);
+  if (options.out != "-") fmt::print("{}\n", options.out);
+  return kExitDone;
+}
+
+int fromLog(const BodyOptions& options) {
+  const auto log = calibrate::readStanding(options.input);
+  if (!log) return fail(log.error(), kExitBadInput);
+  const auto estimate = calibrate::estimateBody(*log);
+  if (!estimate) return fail(options.input + ": " + estimate.error(), kExitBadInput);
+  tell(*estimate);
+  if (!options.picture.empty()) {
+    const Status drawn = calibrate::writeResidualPicture(*estimate, options.picture);
+    if (!drawn) return fail(drawn.error(), kExitBadInput);
+    fmt::print("{}\n", options.picture);
+  }
+  return write(options,
+               parameterFile(estimate->unknowns, "kelpie calibrate body from " + options.input));
+}
+
+int fromSizes(const BodyOptions& options) {
+  if (!options.picture.empty())
+    return fail("--picture: only for a log, not for measured sizes", kExitBadInput);
+  const auto fit = calibrate::fitSizes(options.input + "/");
+  if (!fit) return fail(fit.error(), kExitBadInput);
+  constexpr std::array<const char*, calibrate::kSizedObjects> kNames = {"ball", "beacon", "goal"};
+  for (std::size_t i = 0; i < calibrate::kSizedObjects; ++i)
+    fmt::print("{:<6} {:3} measured, edge {:5.2f} px, error of distance {:.1f} -> {:.1f} cm\n",
+               kNames[i], fit->measured[i], fit->optics[i].edge, fit->before[i].rms,
+               fit->after[i].rms);
+  fmt::print("lens.focalLength {:9.3f} +- {:.3f} px\n", fit->focalLength, fit->focalSd);
+  Told focal;
+  focal.value = fit->focalLength;
+  focal.sd = fit->focalSd;
+  focal.told = true;
+  return write(options, parameterFile({focal}, "kelpie calibrate body from " + options.input));
+}
+
+int calibrateBody(const BodyOptions& options) {
+  for (const auto& path : {options.out, options.picture}) {
+    const Status target = path == "-" ? Status(Done{}) : checkTarget(path, options.input);
+    if (!target) return fail(target.error(), kExitBadInput);
+  }
+  std::error_code error;
+  return std::filesystem::is_directory(options.input, error) ? fromSizes(options)
+                                                             : fromLog(options);
+}
+
+}  // namespace
+
+void addCalibrateBody(CLI::App& command, int& code) {
+  auto* body = command.add_subcommand(
+      "body", "Lens, neck and lean of a robot from the log of one that stands and looks round");
+  auto options = std::make_shared<BodyOptions>();
+  body->add_option("INPUT", options->input,
+                   "Log with images, or folder of sizes measured at known distances")
+      ->required();
+  body->add_option("--out", options->out,
+                   "The file of parameters to write, for --params; - for standard output");
+  body->add_option("--picture", options->picture,
+                   "PNG of how far sightings lie beside, before and after");
+  body->footer(kHelp);
+  body->callback([options, &code] { code = calibrateBody(*options); });
+}
+
+}  // namespace kelpie::cli
