@@ -61,6 +61,7 @@ inline StandingLog logOf(const Stand& stand) {
   constexpr int kStops = 10;
   StandingLog log;
   log.config = std::make_unique<agent::AgentConfig>();
+  log.config->calibration = vision::nominalCalibration();
   Random random(7);
   sim::Camera camera({}, sim::randomCamera(random, {}));
   const sim::Scene scene = sceneOf(stand, log.config->field);
@@ -74,6 +75,8 @@ inline StandingLog logOf(const Stand& stand) {
     frame.stop = log.stops++;
     frame.pan = log.pans.size();
     frame.input.sensors.joints = place.joints;
+    frame.head = {place.joints[Joint::neckTilt].rad(), place.joints[Joint::headPan].rad(),
+                  place.joints[Joint::headNod].rad()};
     frame.input.stance = place.stance;
     camera.render(scene, columns, random, frame.input.image);
     log.pans.push_back(place.joints[Joint::headPan].rad());

@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kLooks = 3;               // vision looks again with what was found
 constexpr double kFirstGate = 15.0;     // px
-constexpr std::size_t kLeastKinds = 2;  // of landmarks
+constexpr std::size_t kLeastKinds = 3;  // of landmarks
 constexpr double kMostMoved = 4.0;      // cm between the two halves of the stand
 // Sd with the log over that without: at 0.5 the log alone tells it 1.7 times as well.
 constexpr double kTold = 0.5;
@@ -36,6 +36,8 @@ class Estimator {
       refine({});
     }
     leaveOut();
+    const Status placed = checkLandmarks();
+    if (!placed) return Error{placed.error()};
     const Status stood = checkHalves();
     if (!stood) return Error{stood.error()};
     return report();
@@ -58,12 +60,12 @@ class Estimator {
     return Done{};
   }
 
-  // Vision's checks take no tilt of 4 deg: of five tilts that which shows it the most landmarks.
+  // Vision's checks take no tilt of 4 deg: of these tilts that which shows it the most landmarks.
   void tiltNearest() {
     constexpr std::size_t kEvery = 4;
     Numbers best = values_;
     std::size_t most = 0;
-    for (const double tilt : {0.0, -1.5, 1.5, -3.0, 3.0}) {
+    for (const double tilt : {0.0, -1.5, 1.5, -3.0, 3.0, -4.5, 4.5}) {
       Numbers tried = values_;
       tried[kNeckTilt] += Angle::deg(tilt).rad();
       std::size_t count = 0;
@@ -119,6 +121,19 @@ class Estimator {
       values_[worst] = recorded[worst];
       refine({});
     }
+  }
+
+  // At a wrong place most of what is seen of the landmarks is outside the gate.
+  Status checkLandmarks() const {
+    std::size_t seen = 0;
+    std::vector<bool> fits(seen_.percepts.size(), false);
+    for (const Sighting& s : sightings_)
+      if (s.kind == SightKind::bandBorder || s.kind == SightKind::goalPost) fits[s.frame] = true;
+    for (const Percepts& percepts : seen_.percepts) seen += percepts.landmarks.size() > 0 ? 1 : 0;
+    const auto fitting = static_cast<std::size_t>(std::count(fits.begin(), fits.end(), true));
+    if (2 * fitting >= seen) return Done{};
+    return Error{"what is seen does not fit the field: the landmarks of " +
+                 std::to_string(seen - fitting) + " frames of " + std::to_string(seen)};
   }
 
   // A robot that was pushed stood at two places.

@@ -10,20 +10,6 @@ namespace {
 constexpr double kDegree = maths::kPi / 180.0;
 constexpr std::array<Joint, 3> kHead = {Joint::neckTilt, Joint::headPan, Joint::headNod};
 
-// A sensed angle spreads by 0.1 deg from frame to frame, which is a third of a pixel.
-struct StopMean {
-  std::array<double, kHead.size()> sum{};  // rad
-  double count = 0.0;
-
-  void add(const JointAngles& joints) {
-    for (std::size_t i = 0; i < kHead.size(); ++i) sum[i] += joints[kHead[i]].rad();
-    count += 1.0;
-  }
-  void put(JointAngles& joints) const {
-    for (std::size_t i = 0; i < kHead.size(); ++i) joints[kHead[i]] = Angle::rad(sum[i] / count);
-  }
-};
-
 }  // namespace
 
 // Tilts of 95 % of the robots are within 3 deg (facts-2005 section 2.1), and the neck's play adds
@@ -105,12 +91,9 @@ std::vector<double> panSlack(const std::vector<double>& pans, double play) {
 
 BodyModel::BodyModel(const StandingLog& log, const body::BodyParams& base)
     : pans_(log.pans), base_(base) {
-  std::vector<StopMean> means(static_cast<std::size_t>(log.stops));
-  for (const StandingFrame& frame : log.frames)
-    means[static_cast<std::size_t>(frame.stop)].add(frame.input.sensors.joints);
   for (const StandingFrame& frame : log.frames) {
     JointAngles joints = frame.input.sensors.joints;
-    means[static_cast<std::size_t>(frame.stop)].put(joints);
+    for (std::size_t i = 0; i < kHead.size(); ++i) joints[kHead[i]] = Angle::rad(frame.head[i]);
     postures_.push_back({joints, frame.input.stance, frame.pan});
   }
 }

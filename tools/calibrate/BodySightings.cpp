@@ -7,7 +7,7 @@
 
 #include "vision/Scene.h"
 #include "vision/Vision.h"
-#include "vision/pixels/GroundRay.h"
+#include "vision/pixels/HorizonFrame.h"
 
 namespace kelpie::calibrate {
 namespace {
@@ -16,6 +16,7 @@ using FieldPoint = Point2<Field>;
 
 // px, of one measured coordinate. What frames of one stop share is for the fit's groups.
 constexpr double kBorderSd = 0.6;
+constexpr double kAskew = 1.0;  // bands away from their border, where a beacon's middle is taken
 constexpr double kEndSd = 0.8;
 constexpr double kPostSd = 2.0;  // made from a fit of the whole goal
 constexpr double kLineSd = 1.0;
@@ -185,16 +186,25 @@ class Collector {
     return unit(minus(*high, *low));
   }
 
+  // Sine of the angle between what is upright at a place and what vision takes for it, which is the
+  // upright of the image's middle. It takes a beacon's middle at one of its bands, then goes along
+  // that to the border.
+  double leaning(PixelPoint up) const {
+    const vision::HorizonFrame frame = vision::horizonFrameOf(seenWith_);
+    return up.x * frame.up().dy - up.y * frame.up().dx;
+  }
+
   void beacon(const LandmarkPercept& percept, FieldPoint place) {
     const double band = 0.25 * field_.beaconHeight;
     const double radius = field_.beaconRadius;
     const auto border = borderPixel(percept);
     const auto up = upAt(place, 3.0 * band);
     if (!border || !up || !inside(*border, 6.0)) return;
-    const bool sideCut = percept.leftEdgeCut || percept.rightEdgeCut;
     point(SightKind::bandBorder, *border, *up, place, 3.0 * band, radius, 0.0, kBorderSd);
-    if (!sideCut)
-      point(SightKind::bandBorder, *border, across(*up), place, 3.0 * band, radius, 0.0, kBorderSd);
+    const double askew = 0.5 * (percept.box.bottom - percept.box.top) * leaning(*up);
+    if (!percept.leftEdgeCut && !percept.rightEdgeCut)
+      point(SightKind::bandBorder, *border, across(*up), place, 3.0 * band, radius, 0.0,
+            std::hypot(kBorderSd, kAskew * askew));
     if (up->y > -0.7) return;  // its box does not tell where it ends
     for (const bool top : {true, false}) {
       const double row = top ? percept.box.top : percept.box.bottom;

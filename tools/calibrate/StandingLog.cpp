@@ -12,8 +12,13 @@ namespace kelpie::calibrate {
 namespace {
 
 constexpr double kLeastSeconds = 5.0;
-// 2.5 deg of play take 0.17 s (tools/sim/Backlash.cpp), an image may be a frame late.
-constexpr double kRestSeconds = 0.25;
+// Half of it for an image that is a frame late, half for a nod that sinks by its play.
+constexpr double kRestSeconds = 0.13;
+// A neck needs 0.17 s for 2.5 deg of play (tools/sim/Backlash.cpp), the image comes on top.
+constexpr double kNeckSeconds = 0.25;
+// A sensed angle spreads by 0.1 deg from frame to frame, a third of a pixel: the more are averaged
+// the better, but not while the head is still coming to rest.
+constexpr double kSettleSeconds = 0.06;
 constexpr std::size_t kLeastStops = 10;
 constexpr std::size_t kMostFrames = 400;
 
@@ -27,11 +32,13 @@ struct Moment {
 };
 
 // The sensed angles of a resting joint spread by 0.1 deg.
-bool sameHead(const Moment& a, const Moment& b) {
+bool sameJoint(const Moment& a, const Moment& b, std::size_t joint) {
   constexpr double kRests = 0.01;  // rad
-  for (std::size_t i = 0; i < a.head.size(); ++i)
-    if (std::fabs(a.head[i] - b.head[i]) > kRests) return false;
-  return true;
+  return std::fabs(a.head[joint] - b.head[joint]) <= kRests;
+}
+
+bool sameHead(const Moment& a, const Moment& b) {
+  return sameJoint(a, b, 0) && sameJoint(a, b, 1) && sameJoint(a, b, 2);
 }
 
 bool sameStance(const Stance& a, const Stance& b) {
@@ -76,23 +83,44 @@ Span longestStand(const std::vector<Moment>& moments) {
   return best;
 }
 
-// Which stop of the head each frame belongs to; -1: the head moves or came to rest just now.
-std::vector<int> stopsOf(const std::vector<Moment>& moments, const Span& stand) {
-  std::vector<int> stops(moments.size(), -1);
-  int stop = -1;
-  std::size_t began = stand.first;
-  bool counted = false;
+// What the head does in a frame.
+struct Rest {
+  int stop = -1;          // -1: it moves or came to rest just now
+  std::size_t began = 0;  // frame from which on it has been where it is
+  bool settled = false;   // what is sensed is where it will stay
+};
+
+std::vector<Rest> restsOf(const std::vector<Moment>& moments, const Span& stand) {
+  std::vector<Rest> rests(moments.size());
+  Rest now;
+  now.began = stand.first;
+  std::size_t neckBegan = stand.first;
+  int stops = 0;
   for (std::size_t i = stand.first; i < stand.end; ++i) {
-    if (!sameHead(moments[i], moments[began])) {
-      began = i;
-      counted = false;
-    }
-    if (moments[i].seconds - moments[began].seconds < kRestSeconds) continue;
-    if (!counted) ++stop;
-    counted = true;
-    stops[i] = stop;
+    if (!sameJoint(moments[i], moments[neckBegan], 0)) neckBegan = i;
+    if (!sameHead(moments[i], moments[now.began])) now = {-1, i, false};
+    const double still = moments[i].seconds - moments[now.began].seconds;
+    now.settled = still >= kSettleSeconds;
+    const bool resting =
+        still >= kRestSeconds && moments[i].seconds - moments[neckBegan].seconds >= kNeckSeconds;
+    if (resting && now.stop < 0) now.stop = stops++;
+    rests[i] = now;
   }
-  return stops;
+  return rests;
+}
+
+// Mean of what is sensed while the head stays where it is in frame i.
+std::array<double, 3> meanHead(const std::vector<Moment>& moments, const std::vector<Rest>& rests,
+                               std::size_t i) {
+  std::array<double, 3> sum{};
+  double count = 0.0;
+  for (std::size_t k = rests[i].began; k < rests.size() && rests[k].began == rests[i].began; ++k) {
+    if (!rests[k].settled) continue;
+    for (std::size_t joint = 0; joint < sum.size(); ++joint) sum[joint] += moments[k].head[joint];
+    count += 1.0;
+  }
+  for (double& s : sum) s /= count;
+  return sum;
 }
 
 // Calls take(input, image kept) for every frame; the configuration comes before them.
@@ -154,11 +182,12 @@ Expected<StandingLog> readStanding(const std::string& path) {
   const Status stood = checkStand(path, moments, stand);
   if (!stood) return Error{stood.error()};
   log.seconds = secondsOf(moments, stand);
-  std::vector<int> stops = stopsOf(moments, stand);
-  for (std::size_t i = 0; i < stops.size(); ++i)
-    if (!moments[i].image) stops[i] = -1;
-  const auto usable = static_cast<std::size_t>(
-      std::count_if(stops.begin(), stops.end(), [](int stop) { return stop >= 0; }));
+  std::vector<Rest> rests = restsOf(moments, stand);
+  std::size_t usable = 0;
+  for (std::size_t i = 0; i < rests.size(); ++i) {
+    if (!moments[i].image) rests[i].stop = -1;
+    usable += rests[i].stop >= 0 ? 1 : 0;
+  }
   const std::size_t every = usable / kMostFrames + 1;
   for (std::size_t i = 0; i < stand.end; ++i) log.pans.push_back(moments[i].head[1]);
 
@@ -167,10 +196,10 @@ Expected<StandingLog> readStanding(const std::string& path) {
   int last = -1;
   const Status kept = forEachFrame(path, *log.config, [&](const FrameInput& input, bool) {
     const std::size_t frame = at++;
-    if (frame >= stops.size() || stops[frame] < 0 || met++ % every != 0) return;
-    if (stops[frame] != last) ++log.stops;
-    last = stops[frame];
-    log.frames.push_back({input, log.stops - 1, frame});
+    if (frame >= rests.size() || rests[frame].stop < 0 || met++ % every != 0) return;
+    if (rests[frame].stop != last) ++log.stops;
+    last = rests[frame].stop;
+    log.frames.push_back({input, log.stops - 1, frame, meanHead(moments, rests, frame)});
   });
   if (!kept) return Error{kept.error()};
   const Status rested = checkStops(path, log);

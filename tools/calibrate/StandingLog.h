@@ -4,6 +4,7 @@
 // is older than its stamp matters, and the head has sunk through the play of its gears.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <string>
 #include <vector>
@@ -16,8 +17,9 @@ namespace kelpie::calibrate {
 
 struct StandingFrame {
   FrameInput input;
-  int stop = 0;         // of the head, counted from 0
-  std::size_t pan = 0;  // place in StandingLog::pans
+  int stop = 0;                  // of the head, counted from 0
+  std::size_t pan = 0;           // place in StandingLog::pans
+  std::array<double, 3> head{};  // rad, neck tilt, pan and nod: mean of all that was sensed at rest
 };
 
 struct StandingLog {

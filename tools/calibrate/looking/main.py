@@ -1,15 +1,16 @@
 # SPDX-License-Identifier: Apache-2.0
-# Behaviours for `kelpie calibrate body`: stands and looks round in stops of half a second, from
-# side to side and back, each way at other places and heights and with the neck bent otherwise.
+# Behaviours for `kelpie calibrate body`: stands and looks round in stops of 0.3 s, from side to
+# side and back, each way at other places and heights and with the neck bent otherwise.
 import math
 
 import kelpie
 
-STOP = 0.5   # s
+STOP = 0.3   # s
 STOPS = 11   # of a way from side to side
 STEP = 15.0  # deg of pan
 # Of each way: its first pan, neck tilt and how far the camera looks below the horizontal, deg.
-WAYS = [(-80.0, 0.0, 2.0), (-70.0, -18.0, 10.0), (-75.0, -8.0, 16.0), (-78.0, -26.0, 5.0)]
+WAYS = [(-80.0, 0.0, 2.0), (-70.0, -18.0, 10.0), (-75.0, -8.0, 16.0), (-78.0, -26.0, 5.0),
+        (-72.0, -4.0, 0.0), (-76.0, -14.0, 6.0)]
 
 
 def decide(world):

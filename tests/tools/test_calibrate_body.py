@@ -1,0 +1,70 @@
+# SPDX-License-Identifier: Apache-2.0
+"""kelpie calibrate body: a robot's lens, neck and lean from a log, or its lens from sizes."""
+
+from pathlib import Path
+
+import pytest
+from conftest import ROOT, complaint, kelpie
+
+SIZES = Path(ROOT).parent / "shared" / "data" / "distance"
+LOOKING = ROOT / "tools" / "calibrate" / "looking"
+
+
+@pytest.fixture(scope="module")
+def stand(tmp_path_factory):
+    """A robot with a body unlike its parameters that stands and looks round."""
+    out = tmp_path_factory.mktemp("stand")
+    result = kelpie("play", "--pycode", LOOKING, "--seconds", "14", "--seed", "3", "--unlike", "5",
+                    "--unlike-only", "lens", "body", "--images", "all", "--no-film", "--out", out)
+    assert (out / "match.mcap").exists(), result.stderr
+    return out / "match.mcap"
+
+
+def test_a_log_gives_a_file_of_parameters_that_play_takes_and_a_picture(stand, tmp_path):
+    params, picture = tmp_path / "robot.toml", tmp_path / "residuals.png"
+    result = kelpie("calibrate", "body", stand, "--out", params, "--picture", picture)
+    assert result.returncode == 0, result.stderr
+    assert "lens.focalLength" in result.stdout and "line points" in result.stdout
+    assert "stops of the head" in result.stdout and result.stderr == ""
+    assert picture.read_bytes()[:4] == b"\x89PNG"
+    text = params.read_text()
+    assert "[body]\n" in text and "neckTiltOffset = \"" in text and "# sd 0." in text
+    assert kelpie("play", "--seconds", "0.2", "--no-film", "--params", params, "--out",
+                  tmp_path / "out").returncode == 0
+
+
+def test_without_an_output_it_only_tells(stand):
+    result = kelpie("calibrate", "body", stand)
+    assert result.returncode == 0 and ".toml" not in result.stdout
+
+
+def test_a_robot_that_plays_is_refused_in_one_line(match, tmp_path):
+    out = tmp_path / "robot.toml"
+    result = kelpie("calibrate", "body", match, "--out", out)
+    assert result.returncode == 2 and not out.exists()
+    assert "match.mcap: the robot moves: its longest stand is" in complaint(result)
+
+
+def test_what_is_no_log_and_the_input_itself_are_refused(stand, tmp_path):
+    result = kelpie("calibrate", "body", tmp_path / "none.mcap")
+    assert result.returncode == 2 and "none.mcap" in complaint(result)
+    result = kelpie("calibrate", "body", stand, "--out", stand)
+    assert result.returncode == 2 and "is the input itself" in complaint(result)
+
+
+@pytest.mark.skipif(not SIZES.is_dir(), reason="../shared/data is not there: no measured sizes")
+def test_measured_sizes_tell_the_focal_length_of_2005(tmp_path):
+    params = tmp_path / "lens.toml"
+    result = kelpie("calibrate", "body", SIZES, "--out", params)
+    assert result.returncode == 0, result.stderr
+    told = [line for line in result.stdout.splitlines() if line.startswith("lens.focalLength")][0]
+    value, sd = float(told.split()[1]), float(told.split()[3])
+    assert abs(value - 201.5) < sd < 4.0
+    assert "[body.lens]\nfocalLength = \"20" in params.read_text()
+    result = kelpie("calibrate", "body", SIZES, "--picture", tmp_path / "p.png")
+    assert result.returncode == 2 and "--picture: only for a log" in complaint(result)
+
+
+def test_a_folder_without_sizes_is_one_line(tmp_path):
+    result = kelpie("calibrate", "body", tmp_path)
+    assert result.returncode == 2 and "ball_radius.csv: cannot be opened" in complaint(result)
