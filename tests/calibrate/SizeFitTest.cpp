@@ -10,7 +10,7 @@ namespace {
 TEST(SizeFit, MeasuredSizesOf2005Tell201And5Pixels) {
   const auto fit = fitSizes(sharedData() + "distance/");
   if (!fit) GTEST_SKIP() << fit.error();
-  EXPECT_NEAR(fit->focalLength, 201.5, 1.0);
+  EXPECT_NEAR(fit->focalLength, 201.5, 0.25);
   EXPECT_LT(fit->focalSd, 4.0);
   EXPECT_GT((fit->focalLength - 192.0) / fit->focalSd, 2.0);
 }

@@ -29,7 +29,7 @@ def test_a_log_gives_a_file_of_parameters_that_play_takes_and_a_picture(stand, t
     assert picture.read_bytes()[:4] == b"\x89PNG"
     text = params.read_text()
     assert "[body]\n" in text and "neckTiltOffset = \"" in text and "# sd 0." in text
-    assert kelpie("play", "--seconds", "0.2", "--no-film", "--params", params, "--out",
+    assert kelpie("play", "--seconds", "1", "--no-film", "--params", params, "--out",
                   tmp_path / "out").returncode == 0
 
 
@@ -42,7 +42,7 @@ def test_a_robot_that_plays_is_refused_in_one_line(match, tmp_path):
     out = tmp_path / "robot.toml"
     result = kelpie("calibrate", "body", match, "--out", out)
     assert result.returncode == 2 and not out.exists()
-    assert "match.mcap: the robot moves: its longest stand is" in complaint(result)
+    assert "match.mcap: the robot's longest stand is" in complaint(result)
 
 
 def test_what_is_no_log_and_the_input_itself_are_refused(stand, tmp_path):
@@ -50,6 +50,9 @@ def test_what_is_no_log_and_the_input_itself_are_refused(stand, tmp_path):
     assert result.returncode == 2 and "none.mcap" in complaint(result)
     result = kelpie("calibrate", "body", stand, "--out", stand)
     assert result.returncode == 2 and "is the input itself" in complaint(result)
+    both = tmp_path / "both.png"
+    result = kelpie("calibrate", "body", stand, "--out", both, "--picture", both)
+    assert result.returncode == 2 and "--out and --picture" in complaint(result)
 
 
 @pytest.mark.skipif(not SIZES.is_dir(), reason="../shared/data is not there: no measured sizes")

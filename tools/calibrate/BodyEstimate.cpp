@@ -98,7 +98,7 @@ class Estimator {
       const std::vector<CameraPose> cameras = model_.cameras(values);
       residuals.clear();
       for (const Sighting& s : found)
-        residuals.push_back(missOf(s, cameras[s.frame], values) / s.sd);
+        residuals.push_back(missOf(s, cameras[s.frame], values).size / s.sd);
     };
     return robustFit(problem);
   }
@@ -156,11 +156,10 @@ class Estimator {
     const std::vector<CameraPose> cameras = model_.cameras(values);
     Residuals residuals;
     for (const Sighting& s : sightings_) {
-      const double miss = missOf(s, cameras[s.frame], values);
-      const bool line = s.normal.x == 0.0 && s.normal.y == 0.0;
-      const PixelPoint normal = line ? PixelPoint{0.0, 1.0} : s.normal;
-      if (std::fabs(miss) < kLost)
-        residuals.push_back({s.kind, s.pixel, {normal.x * miss, normal.y * miss}});
+      const Miss miss = missOf(s, cameras[s.frame], values);
+      if (std::fabs(miss.size) < kLost)
+        residuals.push_back(
+            {s.kind, s.pixel, {miss.normal.x * miss.size, miss.normal.y * miss.size}});
     }
     return residuals;
   }
@@ -178,11 +177,12 @@ class Estimator {
   BodyEstimate report() const {
     BodyEstimate e;
     e.params = paramsWith(log_.config->body, values_);
+    const Numbers recorded = valuesOf(log_.config->body);
     for (std::size_t i = 0; i < kUnknowns; ++i) {
       const auto unknown = static_cast<Unknown>(i);
       const double sd = fixed_[i] ? leftSd_[i] : fit_.sd[i];
-      e.unknowns.push_back(
-          {unknown, values_[i] * inUnit(unknown), sd * inUnit(unknown), !fixed_[i]});
+      e.unknowns.push_back({unknown, values_[i] * inUnit(unknown), sd * inUnit(unknown),
+                            recorded[i] * inUnit(unknown), !fixed_[i]});
     }
     e.frames = static_cast<int>(log_.frames.size());
     e.stops = log_.stops;

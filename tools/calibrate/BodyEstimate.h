@@ -19,7 +19,8 @@ struct Told {
   Unknown unknown = kFocalLength;
   double value = 0.0;  // in the unknown's unit (kUnknownKinds)
   double sd = 0.0;
-  bool told = false;  // otherwise `value` is what the log's robot believed
+  double recorded = 0.0;  // what the log's robot believed
+  bool told = false;      // otherwise `value` is that as well
 };
 
 // A sighting's place in the image and how far it is beside where it should be.

@@ -176,7 +176,7 @@ class Collector {
     sighting.radius = radius;
     sighting.outwards = outwards;
     sighting.sd = sd;
-    if (std::fabs(missOf(sighting, camera_, values_)) < gate_) out_.push_back(sighting);
+    if (std::fabs(missOf(sighting, camera_, values_).size) < gate_) out_.push_back(sighting);
   }
 
   std::optional<PixelPoint> upAt(FieldPoint place, double height) const {
@@ -247,7 +247,7 @@ class Collector {
     sighting.along = line.along;
     sighting.outwards = kind == SightKind::carpetEnd ? 1.0 : 0.0;
     sighting.sd = sd;
-    if (std::fabs(missOf(sighting, camera_, values_)) < gate_) out_.push_back(sighting);
+    if (std::fabs(missOf(sighting, camera_, values_).size) < gate_) out_.push_back(sighting);
   }
 
   const body::FieldDescription& field_;
@@ -304,18 +304,21 @@ Sightings sightings(const StandingLog& log, const Seen& seen, const BodyModel& m
   return found;
 }
 
-double missOf(const Sighting& s, const CameraPose& camera, const Numbers& values) {
+Miss missOf(const Sighting& s, const CameraPose& camera, const Numbers& values) {
   const Pose2 robot = placeOf(values);
   const FieldPoint place =
       s.radius > 0.0 ? frontOf(s.place, s.radius, cameraOnField(camera, robot)) : s.place;
   const auto pixel = pixelOf(camera, robot, place, s.height);
-  if (!pixel) return kLost;
-  if (s.along.x == 0.0 && s.along.y == 0.0)
-    return dot(minus(s.pixel, *pixel), s.normal) - s.outwards * values[spreadOf(s.kind)];
-  const auto beside = pixelOf(camera, robot, place + s.along * 2.0, s.height);
-  const auto way = beside ? unit(minus(*beside, *pixel)) : std::nullopt;
-  if (!way) return kLost;
-  return dot(minus(s.pixel, *pixel), across(*way)) - s.outwards * values[spreadOf(s.kind)];
+  if (!pixel) return {kLost, {}};
+  PixelPoint normal = s.normal;
+  if (s.along.x != 0.0 || s.along.y != 0.0) {
+    const auto beside = pixelOf(camera, robot, place + s.along * 2.0, s.height);
+    const auto way = beside ? unit(minus(*beside, *pixel)) : std::nullopt;
+    if (!way) return {kLost, {}};
+    normal = across(*way);
+  }
+  const double spread = s.outwards * values[spreadOf(s.kind)];
+  return {dot(minus(s.pixel, *pixel), normal) - spread, normal};
 }
 
 }  // namespace kelpie::calibrate

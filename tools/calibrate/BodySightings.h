@@ -49,8 +49,12 @@ struct Gathering {
 Sightings sightings(const StandingLog& log, const Seen& seen, const BodyModel& model,
                     const Numbers& values, const Gathering& gathering);
 
-// px beside where it should be, along its normal; nothing sensible (`kLost`) behind the camera.
+// How far beside where it should be a sighting is, along its normal.
+struct Miss {
+  double size = 0.0;  // px; nothing sensible (`kLost`) behind the camera
+  PixelPoint normal;  // unit vector
+};
 constexpr double kLost = 50.0;
-double missOf(const Sighting& sighting, const CameraPose& camera, const Numbers& values);
+Miss missOf(const Sighting& sighting, const CameraPose& camera, const Numbers& values);
 
 }  // namespace kelpie::calibrate

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/calibrate/ResidualPicture.h"
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <opencv2/imgproc.hpp>
 
@@ -9,13 +11,20 @@
 namespace kelpie::calibrate {
 namespace {
 
-constexpr int kScale = 3;  // of the image
-constexpr double kLonger = 10.0;
-constexpr int kGap = 6;
+constexpr int kScale = 2;  // of the image
+constexpr double kLongest = 10.0;
+constexpr double kReadable = 16.0;  // px of the image, strokes of most misses at most
+constexpr int kGap = 8;
 constexpr int kTitle = 22;
 constexpr int kLegend = 20;  // rows of text, one a kind
 constexpr int kWide = kScale * kImageWidth;
 constexpr int kHigh = kScale * kImageHeight;
+
+struct Panel {
+  const char* title;
+  const Residuals& residuals;
+  double longer;  // strokes than misses
+};
 
 const cv::Scalar kInk(30, 30, 30);
 
@@ -36,25 +45,44 @@ std::string pixels(double value) {
   return text.data();
 }
 
-void drawPanel(cv::Mat& picture, const char* title, const Residuals& residuals, int left) {
-  write(picture, title, {left, kTitle - 6}, kInk);
+void drawStrokes(cv::Mat& inside, const Panel& panel) {
+  const auto at = [](double x, double y) {
+    return cv::Point(cv::saturate_cast<int>(kScale * x), cv::saturate_cast<int>(kScale * y));
+  };
+  for (const Residual& r : panel.residuals) {
+    const cv::Point seen = at(r.pixel.x, r.pixel.y);
+    const cv::Point should =
+        at(r.pixel.x - panel.longer * r.miss.x, r.pixel.y - panel.longer * r.miss.y);
+    cv::line(inside, seen, should, inkOf(r.kind), 1, cv::LINE_AA);
+    cv::circle(inside, seen, 1, inkOf(r.kind), cv::FILLED, cv::LINE_AA);
+  }
+}
+
+void drawPanel(cv::Mat& picture, const Panel& panel, int left) {
+  const std::string title =
+      std::string(panel.title) + ", strokes " + std::to_string(std::lround(panel.longer));
+  write(picture, title + " times the miss", {left, kTitle - 6}, kInk);
   const cv::Rect frame(left, kTitle, kWide, kHigh);
   cv::rectangle(picture, frame, cv::Scalar(255, 255, 255), cv::FILLED);
   cv::Mat inside = picture(frame);
-  for (const Residual& r : residuals) {
-    const auto at = [](double x, double y) {
-      return cv::Point(cv::saturate_cast<int>(kScale * x), cv::saturate_cast<int>(kScale * y));
-    };
-    const cv::Point from = at(r.pixel.x, r.pixel.y);
-    cv::line(inside, from, at(r.pixel.x + kLonger * r.miss.x, r.pixel.y + kLonger * r.miss.y),
-             inkOf(r.kind), 1, cv::LINE_AA);
-  }
+  drawStrokes(inside, panel);
   for (std::size_t i = 0; i < kSightKindCount; ++i) {
     const auto kind = static_cast<SightKind>(i);
     const int row = kTitle + kHigh + kLegend * (static_cast<int>(i) + 1);
-    write(picture, std::string(nameOf(kind)) + ": median " + pixels(medianMiss(residuals, kind)),
+    write(picture,
+          std::string(nameOf(kind)) + ": median " + pixels(medianMiss(panel.residuals, kind)),
           {left, row - 5}, inkOf(kind));
   }
+}
+
+// So many times longer that the strokes of nine in ten are readable.
+double lengthFor(const Residuals& residuals) {
+  std::vector<double> sizes;
+  for (const Residual& r : residuals) sizes.push_back(std::hypot(r.miss.x, r.miss.y));
+  if (sizes.empty()) return kLongest;
+  const auto ninth = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() * 9 / 10);
+  std::nth_element(sizes.begin(), ninth, sizes.end());
+  return maths::clamp(std::floor(kReadable / std::max(*ninth, 0.1)), 1.0, kLongest);
 }
 
 }  // namespace
@@ -63,9 +91,13 @@ Status writeResidualPicture(const BodyEstimate& estimate, const std::string& pat
   if (std::filesystem::path(path).extension() != ".png")
     return Error{path + ": cannot be written as a picture"};
   const int high = kTitle + kHigh + kLegend * static_cast<int>(kSightKindCount) + kGap;
-  cv::Mat picture(high, 2 * kWide + 3 * kGap, CV_8UC3, cv::Scalar(235, 235, 235));
-  drawPanel(picture, "before, ten times as long", estimate.before, kGap);
-  drawPanel(picture, "after", estimate.after, 2 * kGap + kWide);
+  const double longer = lengthFor(estimate.before);
+  const std::array<Panel, 3> panels = {{{"before", estimate.before, longer},
+                                        {"after", estimate.after, longer},
+                                        {"after", estimate.after, kLongest}}};
+  cv::Mat picture(high, 3 * kWide + 4 * kGap, CV_8UC3, cv::Scalar(235, 235, 235));
+  for (int i = 0; i < 3; ++i)
+    drawPanel(picture, panels[static_cast<std::size_t>(i)], kGap + i * (kWide + kGap));
   return picture::writePng(path, picture);
 }
 

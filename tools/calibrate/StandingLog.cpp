@@ -125,7 +125,7 @@ std::array<double, 3> meanHead(const std::vector<Moment>& moments, const std::ve
 
 // Calls take(input, image kept) for every frame; the configuration comes before them.
 template <class Take>
-Status forEachFrame(const std::string& path, agent::AgentConfig& config, Take&& take) {
+Status forEachFrame(const std::string& path, StandingLog& log, Take&& take) {
   auto reader = LogReader::open(path);
   if (!reader) return Error{reader.error()};
   LogMessage message;
@@ -134,7 +134,7 @@ Status forEachFrame(const std::string& path, agent::AgentConfig& config, Take&& 
   while (reader->next(message)) {
     Status done = Done{};
     if (message.topic() == kConfigTopic) {
-      done = decodeAs(message, config);
+      done = decodeAs(message, *log.config);
       configured = true;
     } else if (agent::isFrameInput(message.topic())) {
       done = agent::decodeFrameInput(message, *input);
@@ -143,6 +143,7 @@ Status forEachFrame(const std::string& path, agent::AgentConfig& config, Take&& 
     if (!done) return Error{path + ": " + done.error()};
   }
   if (!reader->status()) return reader->status();
+  if (reader->truncated()) log.cutOff = "cut off at byte " + std::to_string(reader->offset());
   if (!configured) return Error{path + ": not a log of an agent"};
   return Done{};
 }
@@ -157,7 +158,8 @@ Status checkStand(const std::string& path, const std::vector<Moment>& moments, c
   if (moments.empty()) return Error{path + ": holds no frames of an agent"};
   const double longest = secondsOf(moments, stand);
   if (longest >= kLeastSeconds) return Done{};
-  return Error{path + ": the robot moves: its longest stand is " + seconds(longest) + ", " +
+  return Error{path + ": the robot's longest stand is " + seconds(longest) + " of " +
+               seconds(moments.back().seconds - moments.front().seconds) + ", " +
                seconds(kLeastSeconds) + " are needed"};
 }
 
@@ -174,7 +176,7 @@ Expected<StandingLog> readStanding(const std::string& path) {
   StandingLog log;
   log.config = std::make_unique<agent::AgentConfig>();
   std::vector<Moment> moments;
-  const Status read = forEachFrame(path, *log.config, [&](const FrameInput& input, bool image) {
+  const Status read = forEachFrame(path, log, [&](const FrameInput& input, bool image) {
     moments.push_back(momentOf(input, image));
   });
   if (!read) return Error{read.error()};
@@ -194,7 +196,7 @@ Expected<StandingLog> readStanding(const std::string& path) {
   std::size_t at = 0;
   std::size_t met = 0;
   int last = -1;
-  const Status kept = forEachFrame(path, *log.config, [&](const FrameInput& input, bool) {
+  const Status kept = forEachFrame(path, log, [&](const FrameInput& input, bool) {
     const std::size_t frame = at++;
     if (frame >= rests.size() || rests[frame].stop < 0 || met++ % every != 0) return;
     if (rests[frame].stop != last) ++log.stops;

@@ -67,21 +67,32 @@ std::string parameterFile(const std::vector<Told>& unknowns, const std::string& 
   return "# " + heading + "\n" + body + (lens.empty() ? "" : "\n[body.lens]\n" + lens);
 }
 
+void tellOne(const Told& told) {
+  const std::string unit = kUnknownKinds[told.unknown].unit;
+  const std::string name = kUnknownKinds[told.unknown].name + (unit.empty() ? "" : ", " + unit);
+  fmt::print("{:<21} {:9.3f} ", name, told.value);
+  if (!told.told)
+    fmt::print("left as it was: the log cannot tell it\n");
+  else if (told.unknown < calibrate::kBodyUnknowns)
+    fmt::print("+- {:<6.3f} {:8.3f}\n", told.sd, told.recorded);
+  else
+    fmt::print("+- {:.3f}\n", told.sd);
+}
+
 void tell(const BodyEstimate& e) {
-  fmt::print("{:.1f} s of standing, {} stops of the head, {} frames, {} landmarks\n", e.seconds,
+  fmt::print("{:.1f} s of standing, {} stops of the head, {} frames, {} landmarks\n\n", e.seconds,
              e.stops, e.frames, e.landmarkKinds);
+  fmt::print("{:<21} {:>9}    {:<6} {:>8}\n", "body parameter", "found", "sd", "was");
   for (const Told& told : e.unknowns) {
-    const auto& kind = kUnknownKinds[told.unknown];
-    if (told.told)
-      fmt::print("{:<17} {:9.3f} +- {:.3f} {}\n", kind.name, told.value, told.sd, kind.unit);
-    else
-      fmt::print("{:<17} {:9.3f} {}: left, the log cannot tell it\n", kind.name, told.value,
-                 kind.unit);
+    if (told.unknown == calibrate::kBodyUnknowns)
+      fmt::print("\nfound beside them, in no file of parameters\n");
+    tellOne(told);
   }
+  fmt::print("\n{:<18} median miss before -> after\n", "sightings");
   for (std::size_t i = 0; i < calibrate::kSightKindCount; ++i) {
     const auto kind = static_cast<SightKind>(i);
-    fmt::print("{:<18} median miss {:.2f} -> {:.2f} px\n", calibrate::nameOf(kind),
-               medianMiss(e.before, kind), medianMiss(e.after, kind));
+    fmt::print("{:<18} {:.2f} -> {:.2f} px\n", calibrate::nameOf(kind), medianMiss(e.before, kind),
+               medianMiss(e.after, kind));
   }
 }
 
@@ -89,7 +100,7 @@ int write(const BodyOptions& options, const std::string& text) {
   if (options.out.empty()) return kExitDone;
   if (!writeWhole(options.out, text))
     return fail(options.out + ": cannot be written", kExitBadInput);
-  if (options.out != "-") fmt::print("{}\n", options.out);
+  if (options.out != "-") fmt::print("{}: parameters, for --params\n", options.out);
   return kExitDone;
 }
 
@@ -98,14 +109,16 @@ int fromLog(const BodyOptions& options) {
   if (!log) return fail(log.error(), kExitBadInput);
   const auto estimate = calibrate::estimateBody(*log);
   if (!estimate) return fail(options.input + ": " + estimate.error(), kExitBadInput);
-  tell(*estimate);
+  if (options.out != "-") tell(*estimate);
   if (!options.picture.empty()) {
     const Status drawn = calibrate::writeResidualPicture(*estimate, options.picture);
     if (!drawn) return fail(drawn.error(), kExitBadInput);
-    fmt::print("{}\n", options.picture);
+    fmt::print("{}: how far sightings lie beside, before and after\n", options.picture);
   }
-  return write(options,
-               parameterFile(estimate->unknowns, "kelpie calibrate body from " + options.input));
+  const int code = write(
+      options, parameterFile(estimate->unknowns, "kelpie calibrate body from " + options.input));
+  if (log->cutOff.empty() || code != kExitDone) return code;
+  return fail(options.input + ": " + log->cutOff + "; calibrated up to there", kExitBadInput);
 }
 
 int fromSizes(const BodyOptions& options) {
@@ -130,7 +143,10 @@ int calibrateBody(const BodyOptions& options) {
   for (const auto& path : {options.out, options.picture}) {
     const Status target = path == "-" ? Status(Done{}) : checkTarget(path, options.input);
     if (!target) return fail(target.error(), kExitBadInput);
+    if (!path.empty() && !canWrite(path)) return fail(path + ": cannot be written", kExitBadInput);
   }
+  if (!options.out.empty() && options.out == options.picture)
+    return fail("--out and --picture: both are " + options.out, kExitBadInput);
   std::error_code error;
   return std::filesystem::is_directory(options.input, error) ? fromSizes(options)
                                                              : fromLog(options);

@@ -7,10 +7,10 @@ import kelpie
 
 STOP = 0.3   # s
 STOPS = 11   # of a way from side to side
-STEP = 15.0  # deg of pan
+STEP = 17.5  # deg of pan
 # Of each way: its first pan, neck tilt and how far the camera looks below the horizontal, deg.
-WAYS = [(-80.0, 0.0, 2.0), (-70.0, -18.0, 10.0), (-75.0, -8.0, 16.0), (-78.0, -26.0, 5.0),
-        (-72.0, -4.0, 0.0), (-76.0, -14.0, 6.0)]
+WAYS = [(-92.0, 0.0, 2.0), (-84.0, -18.0, 10.0), (-88.0, -8.0, 16.0), (-90.0, -26.0, 5.0),
+        (-86.0, -4.0, 0.0), (-89.0, -14.0, 6.0)]
 
 
 def decide(world):
