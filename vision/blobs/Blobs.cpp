@@ -3,41 +3,60 @@
 
 #include <algorithm>
 #include <array>
+#include <cstring>
 
 namespace kelpie::vision {
 namespace {
 
 constexpr std::uint16_t kNoBlob = 0xFFFF;
 constexpr int kMostSamples = 160;  // of a lattice row; the image's diagonal has 132
+constexpr int kAtOnce = 8;         // samples looked at together
+using RowClasses = std::array<std::uint8_t, kMostSamples>;
 
 bool formsBlobs(ColourClass c) { return c >= ColourClass::orange && c <= ColourClass::robotRed; }
+
+std::uint64_t inEachByte(std::size_t value) { return 0x0101010101010101ULL * value; }
+
+// Whether one of eight classes forms blobs: each in a byte of its own, whose top bit the sums set
+// from that class on.
+bool anyFormsBlobs(const std::uint8_t* classes) {
+  std::uint64_t eight = 0;
+  std::memcpy(&eight, classes, sizeof eight);
+  const std::uint64_t fromOrange = eight + inEachByte(0x80U - index(ColourClass::orange));
+  const std::uint64_t aboveRed = eight + inEachByte(0x7FU - index(ColourClass::robotRed));
+  return (fromOrange & ~aboveRed & inEachByte(0x80U)) != 0;
+}
+
+// The first sample from i on whose class forms blobs, or the count: most of an image is carpet.
+int nextOfBlobs(const RowClasses& classes, int i, int count) {
+  const auto at = [&classes](int k) { return classes.data() + k; };
+  while (i < count && !anyFormsBlobs(at(i))) i += kAtOnce;
+  while (i < count && !formsBlobs(static_cast<ColourClass>(*at(i)))) ++i;
+  return i;
+}
 
 // Appends the runs of one lattice row.
 void collectRuns(const Sampler& sampler, const Lattice& lattice, int rowIndex, RunBuffer& runs,
                  BlobCounts& counts) {
   const LatticeRow row = lattice.row(rowIndex);
   counts.samples += static_cast<std::uint32_t>(row.count);
-  std::array<std::uint8_t, kMostSamples> classes;
-  const int count = std::min(row.count, kMostSamples - 1);
+  RowClasses classes;
+  const int count = std::min(row.count, kMostSamples - kAtOnce);
   sampler.classifyRow(row.x, row.y, lattice.stepX(), lattice.stepY(), count, classes.data());
-  classes[static_cast<std::size_t>(count)] = static_cast<std::uint8_t>(ColourClass::none);
-  int first = 0;
-  ColourClass colour = ColourClass::none;
-  for (int i = 0; i <= count; ++i) {
-    const auto now = static_cast<ColourClass>(classes[static_cast<std::size_t>(i)]);
-    if (now == colour) continue;
-    if (formsBlobs(colour)) {
-      const Run run{colour,
-                    static_cast<std::uint8_t>(rowIndex),
-                    static_cast<std::uint8_t>(row.first + first),
-                    static_cast<std::uint8_t>(row.first + i - 1),
-                    static_cast<std::uint8_t>(lattice.height(rowIndex)),
-                    static_cast<std::uint16_t>(runs.size()),
-                    kNoBlob};
-      if (!runs.push_back(run)) ++counts.lost;
-    }
-    first = i;
-    colour = now;
+  std::fill_n(classes.data() + count, kAtOnce, static_cast<std::uint8_t>(ColourClass::none));
+  const auto height = static_cast<std::uint8_t>(lattice.height(rowIndex));
+  for (int i = nextOfBlobs(classes, 0, count); i < count; i = nextOfBlobs(classes, i, count)) {
+    const int first = i;
+    const std::uint8_t colour = classes[static_cast<std::size_t>(first)];
+    while (classes[static_cast<std::size_t>(i)] == colour) ++i;
+    const Run run{static_cast<ColourClass>(colour),
+                  static_cast<std::uint8_t>(rowIndex),
+                  static_cast<std::uint8_t>(row.first + first),
+                  static_cast<std::uint8_t>(row.first + i - 1),
+                  height,
+                  static_cast<std::uint16_t>(runs.size()),
+                  kNoBlob};
+    if (!runs.push_back(run)) ++counts.lost;
   }
 }
 

@@ -30,7 +30,14 @@ struct ColourTable {
            (static_cast<std::size_t>(p.cr >> (8 - kBitsCr)) << kBitsCb) |
            static_cast<std::size_t>(p.cb >> (8 - kBitsCb));
   }
-  ColourClass operator()(Yuv p) const { return at(cellOf(p)); }
+  // The same as at(cellOf(p)). The half of the byte is that of Cb's lowest bit in the cell's
+  // number, where it stands already: every pixel passes here.
+  ColourClass operator()(Yuv p) const {
+    constexpr unsigned kHalfBit = 8 - kBitsCb;
+    static_assert(kHalfBit == 2 && kBitsY + kBitsCr == 11);
+    const unsigned byte = ((p.y & 0xF8U) << 8U) | ((p.cr & 0xFCU) << 3U) | (p.cb >> 3U);
+    return static_cast<ColourClass>((cells[byte] >> (p.cb & 4U)) & 15U);
+  }
   ColourClass at(std::size_t cell) const {
     return static_cast<ColourClass>((cells[cell >> 1] >> ((cell & 1U) * 4U)) & 15U);
   }

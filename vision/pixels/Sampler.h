@@ -3,6 +3,7 @@
 // and classified at most once a frame; its class is kept in the plane of VisionState.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 
@@ -36,11 +37,16 @@ class Sampler {
     oneCentre_ = rows_[0] == rows_[1] && rows_[0] == rows_[2];
   }
 
+  // Unsigned, so that one comparison tells both ends.
   static bool usable(int px, int py) {
-    return px >= kUsableLeft && px < kUsableRight && py >= kUsableTop && py < kUsableBottom;
+    constexpr auto kColumns = static_cast<unsigned>(kUsableRight - kUsableLeft);
+    constexpr auto kRows = static_cast<unsigned>(kUsableBottom - kUsableTop);
+    return static_cast<unsigned>(px) - kUsableLeft < kColumns &&
+           static_cast<unsigned>(py) - kUsableTop < kRows;
   }
-  static bool usable(PixelPoint p) { return usable(pixelOf(p.x), pixelOf(p.y)); }
-  // The floor, without the library's: every walk along an edge asks for it at each step.
+  // Cutting off is rounding down where a pixel is usable, and -0.9 is unusable as well as 0.
+  static bool usable(PixelPoint p) { return usable(static_cast<int>(p.x), static_cast<int>(p.y)); }
+  // The floor, without the library's.
   static int pixelOf(double coordinate) {
     const int towardsZero = static_cast<int>(coordinate);
     return towardsZero - (coordinate < towardsZero ? 1 : 0);
@@ -60,28 +66,32 @@ class Sampler {
     }
     return static_cast<ColourClass>(known);
   }
-  ColourClass classAt(PixelPoint p) const { return classAt(pixelOf(p.x), pixelOf(p.y)); }
+  // Of a place in the image.
+  ColourClass classAt(PixelPoint p) const {
+    return classAt(static_cast<int>(p.x), static_cast<int>(p.y));
+  }
   // Classifies the samples of a row that lie a step apart, positions in 1/65536 px. It neither asks
   // whether a pixel's class is known nor looks its rows up again while they stay the same: the
   // blobs' samples took a fifth more one by one.
   void classifyRow(std::int32_t x, std::int32_t y, std::int32_t stepX, std::int32_t stepY,
                    int count, std::uint8_t* out) const {
-    const Image& image = image_;
     const RingTable& ring = calibration_.ring;
     const ColourTable& colour = calibration_.colour;
-    std::uint8_t* const classes = classes_.data();
     std::array<const std::uint8_t*, 3> to{};
+    std::size_t start = 0;
     int row = -1;
-    for (int i = 0; i < count; ++i, x += stepX, y += stepY) {
-      const int px = x >> 16;
+    for (const std::uint8_t* const end = out + count; out != end; ++out, x += stepX, y += stepY) {
       const int py = y >> 16;
       if (py != row) {
-        for (std::size_t c = 0; c < 3; ++c) to[c] = rows_[c][static_cast<std::size_t>(py)];
         row = py;
+        start = Image::at(0, py);
+        for (std::size_t c = 0; c < 3; ++c) to[c] = rows_[c][static_cast<std::size_t>(py)];
       }
-      const Yuv raw = image.pixel(px, py);
-      const Yuv value = ring(raw, {to[0][px], to[1][px], to[2][px]});
-      out[i] = classes[Image::at(px, py)] = static_cast<std::uint8_t>(colour(value));
+      const auto px = static_cast<std::size_t>(x >> 16);
+      const std::size_t at = start + px;
+      const Yuv raw{image_.y[at], image_.cr[at], image_.cb[at]};
+      *out = classes_[at] =
+          static_cast<std::uint8_t>(colour(ring(raw, {to[0][px], to[1][px], to[2][px]})));
     }
   }
   // As measured: for differences between neighbours, which the ring correction hardly changes.
@@ -89,8 +99,12 @@ class Sampler {
   std::uint8_t rawY(int px, int py) const { return image_.y[Image::at(px, py)]; }
   const Image::Plane& rawY() const { return image_.y; }
 
-  // Forgets the last image.
-  void reset() { classes_.fill(kNotLookedAt); }
+  // Forgets the last image. By rows: a block of 33 KB is filled byte by byte where the library
+  // finds a string instruction worth while, at eight times the instructions.
+  void reset() {
+    for (std::size_t at = 0; at < kImagePixels; at += kImageWidth)
+      std::fill_n(classes_.data() + at, kImageWidth, kNotLookedAt);
+  }
 
  private:
   const Image& image_;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "vision/pixels/SpanWalk.h"
 
-#include <cmath>
-
 #include "robot/core/Maths.h"
 #include "robot/core/Percepts.h"
 
@@ -18,7 +16,7 @@ struct Mean {
 PixelPoint along(const SpanWalk& walk, int step) { return moved(walk.from, walk.direction, step); }
 
 Mean colourAt(const Sampler& sampler, PixelPoint p) {
-  const Yuv c = sampler.corrected(Sampler::pixelOf(p.x), Sampler::pixelOf(p.y));
+  const Yuv c = sampler.corrected(static_cast<int>(p.x), static_cast<int>(p.y));
   return {static_cast<double>(c.y), static_cast<double>(c.cr), static_cast<double>(c.cb)};
 }
 
@@ -30,7 +28,9 @@ Mean colourNear(const Sampler& sampler, const SpanWalk& walk, int step, int next
   return {0.5 * (a.y + b.y), 0.5 * (a.cr + b.cr), 0.5 * (a.cb + b.cb)};
 }
 
-PixelPoint pixelCentre(PixelPoint p) { return {std::floor(p.x) + 0.5, std::floor(p.y) + 0.5}; }
+PixelPoint pixelCentre(PixelPoint p) {
+  return {Sampler::pixelOf(p.x) + 0.5, Sampler::pixelOf(p.y) + 0.5};
+}
 
 PixelPoint between(PixelPoint a, PixelPoint b, double share) {
   const PixelPoint p = pixelCentre(a);
@@ -56,9 +56,11 @@ constexpr double kMinContrast = 18.0;
 
 // `last` is the last step inside; two steps on the mixed pixels of the edge are passed.
 PixelPoint halfWay(const Sampler& sampler, const SpanWalk& walk, int last) {
-  const PixelPoint plain = between(along(walk, last), along(walk, last + 1), 0.5);
+  const auto plain = [&walk, last] {
+    return between(along(walk, last), along(walk, last + 1), 0.5);
+  };
   const int beyond = last + 3;
-  if (!Sampler::usable(along(walk, beyond))) return plain;
+  if (!Sampler::usable(along(walk, beyond))) return plain();
   const int inner = last >= 2 ? last - 2 : 0;
   const Mean inside = colourNear(sampler, walk, inner, inner > 0 ? inner - 1 : 0);
   Blend blend{colourNear(sampler, walk, beyond, beyond + 1), {}, 1.0};
@@ -66,7 +68,7 @@ PixelPoint halfWay(const Sampler& sampler, const SpanWalk& walk, int last) {
                       inside.cb - blend.outside.cb};
   blend.norm = maths::square(blend.difference.y) + maths::square(blend.difference.cr) +
                maths::square(blend.difference.cb);
-  if (blend.norm < maths::square(kMinContrast)) return plain;
+  if (blend.norm < maths::square(kMinContrast)) return plain();
   double before = 1.0;
   for (int step = last >= 1 ? last - 1 : 0; step <= beyond; ++step) {
     const double now = blend(colourAt(sampler, along(walk, step)));
@@ -76,7 +78,7 @@ PixelPoint halfWay(const Sampler& sampler, const SpanWalk& walk, int last) {
     }
     before = now;
   }
-  return plain;
+  return plain();
 }
 
 }  // namespace
