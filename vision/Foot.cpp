@@ -49,24 +49,18 @@ struct ColumnReader {
 // One column on the lattice, to 2 px: pixel and end, no distance yet.
 Foot coarseFoot(const Scene& scene, PixelPoint from, ColourClass own) {
   ColumnReader reader{own};
-  Foot foot;
-  foot.pixel = from;
+  const ImageDirection up = scene.frame.up();
+  PixelPoint at = from;
   for (int way = 0; reader.others < kMinOthers; way += kStep) {
-    if (!inCoarse(static_cast<int>(foot.pixel.x), static_cast<int>(foot.pixel.y))) {
-      foot.end = FootEnd::imageBorder;
-      return foot;
-    }
-    reader.read(
-        coarseClass(scene.sampler, static_cast<int>(foot.pixel.x), static_cast<int>(foot.pixel.y)),
-        way);
-    if (reader.greens >= kMinGreens) {
-      foot.end = FootEnd::carpet;
-      foot.pixel = scene.frame.beside(from, 0.0, -reader.first);
-      return foot;
-    }
-    foot.pixel = moved(foot.pixel, scene.frame.up(), -kStep);
+    const int px = static_cast<int>(at.x);
+    const int py = static_cast<int>(at.y);
+    if (!inCoarse(px, py)) return {FootEnd::imageBorder, at};
+    reader.read(coarseClass(scene.sampler, px, py), way);
+    if (reader.greens >= kMinGreens)
+      return {FootEnd::carpet, scene.frame.beside(from, 0.0, -reader.first)};
+    at = moved(at, up, -kStep);
   }
-  return foot;
+  return {FootEnd::hidden, at};
 }
 
 // From the coarse place of the first green to the border before it, pixel by pixel.

@@ -27,6 +27,46 @@ bool standsOnWhite(const Scene& scene, double u, double v) {
   return whiteAt(scene, u, v + 4.0) && whiteAt(scene, u, v + 6.0);
 }
 
+// Looks runs up by row and column, both growing, as the runs do.
+class RunCursor {
+ public:
+  explicit RunCursor(const RunBuffer& runs) : runs_(runs) {}
+
+  // The last column of the run that covers this one, or one less than the column.
+  int coveredTo(int row, int column) {
+    while (at_ < runs_.size() && place(runs_[at_].row, runs_[at_].last) < place(row, column)) ++at_;
+    const bool covers = at_ < runs_.size() && runs_[at_].row == row && runs_[at_].first <= column;
+    return covers ? runs_[at_].last : column - 1;
+  }
+
+ private:
+  static int place(int row, int column) { return 256 * row + column; }
+
+  const RunBuffer& runs_;
+  std::size_t at_ = 0;
+};
+
+// Passes the columns of a run below which both of the next two rows have a run of colour too: the
+// middle of a goal stands on no white, and one that fills the view has 5000 samples.
+class Undersides {
+ public:
+  explicit Undersides(const RunBuffer& runs) : below_(runs), farther_(runs) {}
+
+  int next(const Run& run, int column) {
+    while (column <= run.last) {
+      const int covered =
+          std::min(below_.coveredTo(run.row + 1, column), farther_.coveredTo(run.row + 2, column));
+      if (covered < column) break;
+      column = covered + 1;
+    }
+    return column;
+  }
+
+ private:
+  RunCursor below_;
+  RunCursor farther_;
+};
+
 void addSample(BeaconFeet& feet, ColourClass colour, double u, double v) {
   for (BeaconFoot& foot : feet) {
     if (foot.colour != colour || std::fabs(v - foot.v) > kMaxRowGap) continue;
@@ -46,6 +86,7 @@ void addSample(BeaconFeet& feet, ColourClass colour, double u, double v) {
 BeaconFeet findBeaconFeet(const Scene& scene) {
   BeaconFeet feet;
   const double farthest = kMaxFromHorizon + rowSlack(scene);
+  Undersides undersides(scene.runs);
   for (const Run& run : scene.runs) {
     if (run.colour != ColourClass::pink && run.colour != ColourClass::blue &&
         run.colour != ColourClass::yellow)
@@ -53,7 +94,7 @@ BeaconFeet findBeaconFeet(const Scene& scene) {
     const double v = scene.lattice.v(run.row);
     const double middle = scene.lattice.u(0.5 * (run.first + run.last));
     if (std::fabs(belowHorizon(scene, scene.frame.toImage({middle, v}))) > farthest) continue;
-    for (int k = run.first; k <= run.last; ++k) {
+    for (int k = run.first; (k = undersides.next(run, k)) <= run.last; ++k) {
       const double u = scene.lattice.u(k);
       if (standsOnWhite(scene, u, v)) addSample(feet, run.colour, u, v);
     }

@@ -90,21 +90,64 @@ Corners cornersOf(const State& s, const body::FieldDescription& field) {
   return c;
 }
 
-// The way along the ray to the segment from a to b.
-double hit(Vec ray, Vec a, Vec b) {
-  const Vec ab = b - a;
-  const double denominator = crossOf(ray, ab);
-  if (std::fabs(denominator) < 1e-9) return kNoWall;
-  const double t = crossOf(a, ab) / denominator;
-  const double share = crossOf(a, ray) / denominator;
-  constexpr double kSlack = 0.03;  // a ray that just passes an end still meets the wall
-  const bool meets = t > 0.0 && share > -kSlack && share < 1.0 + kSlack;
-  return meets ? t : kNoWall;
-}
+// A wall from one corner to the next, with what does not depend on the ray that meets it.
+struct Wall {
+  Vec from;
+  Vec along;
+  double cross;  // of both
 
-double nearestWall(Vec ray, const Corners& c) {
-  return std::min({hit(ray, c.leftPost, c.leftBack), hit(ray, c.leftBack, c.rightBack),
-                   hit(ray, c.rightBack, c.rightPost)});
+  Wall(Vec a, Vec b) : from(a), along(b - a), cross(crossOf(a, along)) {}
+
+  // The way along the ray to it.
+  double hit(Vec ray) const {
+    const double denominator = crossOf(ray, along);
+    if (std::fabs(denominator) < 1e-9) return kNoWall;
+    const double share = crossOf(from, ray) / denominator;
+    constexpr double kSlack = 0.03;  // a ray that just passes an end still meets the wall
+    if (!(share > -kSlack && share < 1.0 + kSlack)) return kNoWall;
+    const double t = cross / denominator;
+    return t > 0.0 ? t : kNoWall;
+  }
+};
+
+struct Walls {
+  Wall left;
+  Wall back;
+  Wall right;
+
+  explicit Walls(const Corners& c)
+      : left(c.leftPost, c.leftBack),
+        back(c.leftBack, c.rightBack),
+        right(c.rightBack, c.rightPost) {}
+  double nearest(Vec ray) const {
+    return std::min(std::min(left.hit(ray), back.hit(ray)), right.hit(ray));
+  }
+};
+
+// Directions of the outermost corners, right positive.
+struct Ends {
+  double low = 1e9;
+  double high = -1e9;
+};
+
+Ends endsOf(const Corners& c) {
+  Vec left = c.leftPost;
+  Vec right = c.leftPost;
+  bool ahead = left.y > 0.0;
+  Ends ends;
+  for (const Vec& corner : {c.rightPost, c.leftBack, c.rightBack}) {
+    ahead = ahead && corner.y > 0.0;
+    if (crossOf(corner, left) < 0.0) left = corner;
+    if (crossOf(corner, right) > 0.0) right = corner;
+  }
+  // With all ahead the outermost are told by their ratios: two arcs in place of four.
+  if (ahead) return {maths::atan2(left.x, left.y), maths::atan2(right.x, right.y)};
+  for (const Vec& corner : {c.leftPost, c.rightPost, c.leftBack, c.rightBack}) {
+    const double direction = maths::atan2(corner.x, corner.y);
+    ends.low = std::min(ends.low, direction);
+    ends.high = std::max(ends.high, direction);
+  }
+  return ends;
 }
 
 constexpr std::size_t kErrors = kMaxColumns + 3;
@@ -121,23 +164,18 @@ double limited(double error) {
 // All errors in standard deviations; unused places are 0.
 Errors errorsOf(const Measured& m, const State& s, const body::FieldDescription& field) {
   const Corners c = cornersOf(s, field);
+  const Walls walls(c);
+  const Ends ends = endsOf(c);
   Errors e{};
-  double low = 1e9;
-  double high = -1e9;
-  for (const Vec& corner : {c.leftPost, c.rightPost, c.leftBack, c.rightBack}) {
-    const double direction = maths::atan2(corner.x, corner.y);
-    low = std::min(low, direction);
-    high = std::max(high, direction);
-  }
   // An open end only says that the goal reaches at least so far.
-  const double left = low - m.left;
-  const double right = high - m.right;
+  const double left = ends.low - m.left;
+  const double right = ends.high - m.right;
   e[0] = limited((!m.leftOpen || left > 0.0 ? left : 0.0) / kEndSd);
   e[1] = limited((!m.rightOpen || right < 0.0 ? right : 0.0) / kEndSd);
   e[2] = (s[2] + m.middle) / kTurnSd;
   for (std::size_t i = 0; i < m.columns.size(); ++i) {
     const Column& column = m.columns[i];
-    const double wall = std::min(nearestWall(column.way, c), 2.0 * column.distance);
+    const double wall = std::min(walls.nearest(column.way), 2.0 * column.distance);
     const double sd = std::max(column.sd, kMinColumnSd * column.distance);
     e[3 + i] = limited((wall - column.distance) / sd);
   }
@@ -156,8 +194,10 @@ State stepOf(const std::array<Errors, 3>& slopes, const Errors& e, double dampin
   State b{};
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t k = 0; k < kErrors; ++k) b[i] -= slopes[i][k] * e[k];
-    for (std::size_t j = 0; j < 3; ++j)
+    for (std::size_t j = 0; j <= i; ++j) {
       for (std::size_t k = 0; k < kErrors; ++k) a[3 * i + j] += slopes[i][k] * slopes[j][k];
+      a[3 * j + i] = a[3 * i + j];
+    }
   }
   for (std::size_t i = 0; i < 3; ++i) a[4 * i] *= 1.0 + damping;
   const auto minor = [&a](std::size_t r, std::size_t s, std::size_t t, std::size_t u) {
@@ -181,20 +221,28 @@ struct Fit {
   double cost;
 };
 
-Fit improved(const Measured& m, State state, const body::FieldDescription& field) {
+using Slopes = std::array<Errors, 3>;
+
+// How the errors grow with each part of the state.
+Slopes slopesAt(const Measured& m, const State& state, const Errors& errors,
+                const body::FieldDescription& field) {
   constexpr State kDelta{0.5, 0.5, 0.01};
+  Slopes slopes;
+  for (std::size_t i = 0; i < 3; ++i) {
+    State moved = state;
+    moved[i] += kDelta[i];
+    slopes[i] = errorsOf(m, moved, field);
+    for (std::size_t k = 0; k < kErrors; ++k) slopes[i][k] = (slopes[i][k] - errors[k]) / kDelta[i];
+  }
+  return slopes;
+}
+
+Fit improved(const Measured& m, State state, const body::FieldDescription& field) {
   Errors errors = errorsOf(m, state, field);
+  Slopes slopes = slopesAt(m, state, errors, field);
   double cost = costOf(errors);
   double damping = 0.01;
   for (int round = 0; round < kRounds; ++round) {
-    std::array<Errors, 3> slopes;
-    for (std::size_t i = 0; i < 3; ++i) {
-      State moved = state;
-      moved[i] += kDelta[i];
-      slopes[i] = errorsOf(m, moved, field);
-      for (std::size_t k = 0; k < kErrors; ++k)
-        slopes[i][k] = (slopes[i][k] - errors[k]) / kDelta[i];
-    }
     const State step = stepOf(slopes, errors, damping);
     const State next{state[0] + step[0], state[1] + step[1], state[2] + step[2]};
     const Errors nextErrors = errorsOf(m, next, field);
@@ -205,10 +253,11 @@ Fit improved(const Measured& m, State state, const body::FieldDescription& field
     }
     const bool done = cost - nextCost < 0.01;
     state = next;
-    errors = nextErrors;
     cost = nextCost;
+    if (done || round + 1 == kRounds) break;
+    errors = nextErrors;
+    slopes = slopesAt(m, state, errors, field);
     damping *= 0.3;
-    if (done) break;
   }
   return {state, cost};
 }
@@ -231,7 +280,7 @@ Point2<Robot> GoalShape::rightPost(const body::FieldDescription& field) const {
 
 std::optional<double> GoalShape::wallAlong(Point2<Robot> way,
                                            const body::FieldDescription& field) const {
-  const double t = nearestWall(way, cornersOf({middle.x, middle.y, turn}, field));
+  const double t = Walls(cornersOf({middle.x, middle.y, turn}, field)).nearest(way);
   return t < kNoWall ? std::optional<double>(t) : std::nullopt;
 }
 

@@ -35,8 +35,9 @@ struct ColourTable {
   ColourClass operator()(Yuv p) const {
     constexpr unsigned kHalfBit = 8 - kBitsCb;
     static_assert(kHalfBit == 2 && kBitsY + kBitsCr == 11);
-    const unsigned byte = ((p.y & 0xF8U) << 8U) | ((p.cr & 0xFCU) << 3U) | (p.cb >> 3U);
-    return static_cast<ColourClass>((cells[byte] >> (p.cb & 4U)) & 15U);
+    const unsigned cb = p.cb;
+    const unsigned byte = ((p.y & 0xF8U) << 8U) | ((p.cr & 0xFCU) << 3U) | (cb >> 3U);
+    return static_cast<ColourClass>((cells[byte] >> (cb & 4U)) & 15U);
   }
   ColourClass at(std::size_t cell) const {
     return static_cast<ColourClass>((cells[cell >> 1] >> ((cell & 1U) * 4U)) & 15U);

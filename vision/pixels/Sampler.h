@@ -75,8 +75,11 @@ class Sampler {
   // blobs' samples took a fifth more one by one.
   void classifyRow(std::int32_t x, std::int32_t y, std::int32_t stepX, std::int32_t stepY,
                    int count, std::uint8_t* out) const {
+    // Held here: for all that the compiler knows, storing a class may change what they refer to.
+    const Image& image = image_;
     const RingTable& ring = calibration_.ring;
     const ColourTable& colour = calibration_.colour;
+    std::uint8_t* const classes = classes_.data();
     std::array<const std::uint8_t*, 3> to{};
     std::size_t start = 0;
     int row = -1;
@@ -89,8 +92,8 @@ class Sampler {
       }
       const auto px = static_cast<std::size_t>(x >> 16);
       const std::size_t at = start + px;
-      const Yuv raw{image_.y[at], image_.cr[at], image_.cb[at]};
-      *out = classes_[at] =
+      const Yuv raw{image.y[at], image.cr[at], image.cb[at]};
+      *out = classes[at] =
           static_cast<std::uint8_t>(colour(ring(raw, {to[0][px], to[1][px], to[2][px]})));
     }
   }
@@ -123,7 +126,8 @@ constexpr int kCoarseTop = 4;
 // Class of the even pixel at or just left and above of this one: while the head is level it is one
 // of the lattice, whose class is known already.
 inline bool inCoarse(int px, int py) {
-  return px >= kCoarseLeft && px < kUsableRight && py >= kCoarseTop && py < kUsableBottom;
+  return static_cast<unsigned>(px) - kCoarseLeft < kUsableRight - kCoarseLeft + 0U &&
+         static_cast<unsigned>(py) - kCoarseTop < kUsableBottom - kCoarseTop + 0U;
 }
 inline ColourClass coarseClass(const Sampler& sampler, int px, int py) {
   return sampler.classAt(px & ~1, py & ~1);

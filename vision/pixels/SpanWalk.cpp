@@ -7,25 +7,31 @@
 namespace kelpie::vision {
 namespace {
 
-struct Mean {
-  double y = 0.0;
-  double cr = 0.0;
-  double cb = 0.0;
+// A colour, or a difference of colours, in half grey levels: the mean of two pixels is whole then.
+// Whole numbers because each walk asks for ten colours.
+struct Halves {
+  int y = 0;
+  int cr = 0;
+  int cb = 0;
 };
+
+Halves operator+(const Halves& a, const Halves& b) { return {a.y + b.y, a.cr + b.cr, a.cb + b.cb}; }
+Halves operator-(const Halves& a, const Halves& b) { return {a.y - b.y, a.cr - b.cr, a.cb - b.cb}; }
+int dot(const Halves& a, const Halves& b) { return a.y * b.y + a.cr * b.cr + a.cb * b.cb; }
 
 PixelPoint along(const SpanWalk& walk, int step) { return moved(walk.from, walk.direction, step); }
 
-Mean colourAt(const Sampler& sampler, PixelPoint p) {
+// Half of a pixel's colour.
+Halves colourAt(const Sampler& sampler, PixelPoint p) {
   const Yuv c = sampler.corrected(static_cast<int>(p.x), static_cast<int>(p.y));
-  return {static_cast<double>(c.y), static_cast<double>(c.cr), static_cast<double>(c.cb)};
+  return {c.y, c.cr, c.cb};
 }
 
 // Mean of two neighbouring steps, or of one at the rim of the image.
-Mean colourNear(const Sampler& sampler, const SpanWalk& walk, int step, int next) {
-  const Mean a = colourAt(sampler, along(walk, step));
-  if (!Sampler::usable(along(walk, next))) return a;
-  const Mean b = colourAt(sampler, along(walk, next));
-  return {0.5 * (a.y + b.y), 0.5 * (a.cr + b.cr), 0.5 * (a.cb + b.cb)};
+Halves colourNear(const Sampler& sampler, const SpanWalk& walk, int step, int next) {
+  const Halves a = colourAt(sampler, along(walk, step));
+  const PixelPoint other = along(walk, next);
+  return Sampler::usable(other) ? a + colourAt(sampler, other) : a + a;
 }
 
 PixelPoint pixelCentre(PixelPoint p) {
@@ -40,45 +46,47 @@ PixelPoint between(PixelPoint a, PixelPoint b, double share) {
 
 // How much of the inside colour a pixel has: 1 inside, 0 outside.
 struct Blend {
-  Mean outside;
-  Mean difference;
-  double norm = 1.0;
+  Halves outside;
+  Halves difference;
+  int norm = 1;
 
-  double operator()(const Mean& c) const {
-    return ((c.y - outside.y) * difference.y + (c.cr - outside.cr) * difference.cr +
-            (c.cb - outside.cb) * difference.cb) /
-           norm;
+  double operator()(const Halves& c) const {
+    return static_cast<double>(dot(c - outside, difference)) / norm;
   }
 };
 
 // Colours closer than this cannot be told apart above the noise (sd 3): take the class's edge.
-constexpr double kMinContrast = 18.0;
+constexpr int kMinContrast = 36;  // half grey levels
 
-// `last` is the last step inside; two steps on the mixed pixels of the edge are passed.
-PixelPoint halfWay(const Sampler& sampler, const SpanWalk& walk, int last) {
-  const auto plain = [&walk, last] {
-    return between(along(walk, last), along(walk, last + 1), 0.5);
-  };
-  const int beyond = last + 3;
-  if (!Sampler::usable(along(walk, beyond))) return plain();
-  const int inner = last >= 2 ? last - 2 : 0;
-  const Mean inside = colourNear(sampler, walk, inner, inner > 0 ? inner - 1 : 0);
-  Blend blend{colourNear(sampler, walk, beyond, beyond + 1), {}, 1.0};
-  blend.difference = {inside.y - blend.outside.y, inside.cr - blend.outside.cr,
-                      inside.cb - blend.outside.cb};
-  blend.norm = maths::square(blend.difference.y) + maths::square(blend.difference.cr) +
-               maths::square(blend.difference.cb);
-  if (blend.norm < maths::square(kMinContrast)) return plain();
+// Where the pixels of a blurred edge are half inside and half outside; `plain` without any.
+PixelPoint halfBlended(const Sampler& sampler, const SpanWalk& walk, const Blend& blend, int first,
+                       int end, PixelPoint plain) {
   double before = 1.0;
-  for (int step = last >= 1 ? last - 1 : 0; step <= beyond; ++step) {
-    const double now = blend(colourAt(sampler, along(walk, step)));
+  for (int step = first; step < end; ++step) {
+    const Halves colour = colourAt(sampler, along(walk, step));
+    const double now = blend(colour + colour);
     if (now < 0.5 && step > 0) {
       const double share = before > now ? (before - 0.5) / (before - now) : 0.5;
       return between(along(walk, step - 1), along(walk, step), maths::clamp(share, 0.0, 1.0));
     }
     before = now;
   }
-  return plain();
+  return plain;
+}
+
+// `last` is the last step inside; two steps on the mixed pixels of the edge are passed.
+PixelPoint halfWay(const Sampler& sampler, const SpanWalk& walk, int last) {
+  const PixelPoint plain = between(along(walk, last), along(walk, last + 1), 0.5);
+  const int beyond = last + 3;
+  if (!Sampler::usable(along(walk, beyond))) return plain;
+  const int inner = last >= 2 ? last - 2 : 0;
+  const Halves inside = colourNear(sampler, walk, inner, inner > 0 ? inner - 1 : 0);
+  const Halves outside = colourNear(sampler, walk, beyond, beyond + 1);
+  const Halves difference = inside - outside;
+  const int norm = dot(difference, difference);
+  if (norm < kMinContrast * kMinContrast) return plain;
+  return halfBlended(sampler, walk, {outside, difference, norm}, last >= 1 ? last - 1 : 0,
+                     beyond + 1, plain);
 }
 
 }  // namespace
