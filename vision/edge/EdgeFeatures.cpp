@@ -28,10 +28,27 @@ bool carpetBegins(const Sampler& sampler, const ScanLine& line, int step,
   return true;
 }
 
+// How many steps from this one on begin no carpet, told by the last samples of its window: when so
+// many of them are not green as no window may miss, each window from here to there holds them.
+int surelyBefore(const Sampler& sampler, const ScanLine& line, int step,
+                 const FieldEdgeParams& params) {
+  const auto whole = static_cast<int>(params.window);
+  const int window = whole / kStep * kStep;
+  if (step + window > line.steps) return 0;
+  const int missing = static_cast<int>((1.0 - params.minGreen) * whole / kStep);
+  for (int i = 1; i <= missing + 1; ++i) {
+    const int at = step + window - i * kStep;
+    if (at < step || isGreen(sampler, line, at)) return 0;
+  }
+  return window;
+}
+
 // First step of the carpet, -1 without any. The samples show it, one or two pixels more tell its
 // first one: classifying all of the window would cost as much as the whole walk.
 int carpetTop(const Sampler& sampler, const ScanLine& line, const FieldEdgeParams& params) {
   for (int step = 0; step < line.steps; step += kStep) {
+    while (const int before = surelyBefore(sampler, line, step, params)) step += before;
+    if (step >= line.steps) break;
     if (!isGreen(sampler, line, step) || !carpetBegins(sampler, line, step, params)) continue;
     int fine = std::max(step - kStep, 0);
     while (fine < step + kStep && classAt(sampler, line, fine) != ColourClass::green) ++fine;

@@ -161,6 +161,8 @@ double limited(double error) {
   return error > 0.0 ? root : -root;
 }
 
+std::size_t errorCount(const Measured& m) { return m.columns.size() + 3; }
+
 // All errors in standard deviations; unused places are 0.
 Errors errorsOf(const Measured& m, const State& s, const body::FieldDescription& field) {
   const Corners c = cornersOf(s, field);
@@ -189,13 +191,14 @@ double costOf(const Errors& e) {
 }
 
 // Solves the damped normal equations for the next step (Cramer's rule on three unknowns).
-State stepOf(const std::array<Errors, 3>& slopes, const Errors& e, double damping) {
+State stepOf(const std::array<Errors, 3>& slopes, const Errors& e, std::size_t count,
+             double damping) {
   std::array<double, 9> a{};
   State b{};
   for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t k = 0; k < kErrors; ++k) b[i] -= slopes[i][k] * e[k];
+    for (std::size_t k = 0; k < count; ++k) b[i] -= slopes[i][k] * e[k];
     for (std::size_t j = 0; j <= i; ++j) {
-      for (std::size_t k = 0; k < kErrors; ++k) a[3 * i + j] += slopes[i][k] * slopes[j][k];
+      for (std::size_t k = 0; k < count; ++k) a[3 * i + j] += slopes[i][k] * slopes[j][k];
       a[3 * j + i] = a[3 * i + j];
     }
   }
@@ -232,7 +235,8 @@ Slopes slopesAt(const Measured& m, const State& state, const Errors& errors,
     State moved = state;
     moved[i] += kDelta[i];
     slopes[i] = errorsOf(m, moved, field);
-    for (std::size_t k = 0; k < kErrors; ++k) slopes[i][k] = (slopes[i][k] - errors[k]) / kDelta[i];
+    for (std::size_t k = 0; k < errorCount(m); ++k)
+      slopes[i][k] = (slopes[i][k] - errors[k]) / kDelta[i];
   }
   return slopes;
 }
@@ -243,7 +247,7 @@ Fit improved(const Measured& m, State state, const body::FieldDescription& field
   double cost = costOf(errors);
   double damping = 0.01;
   for (int round = 0; round < kRounds; ++round) {
-    const State step = stepOf(slopes, errors, damping);
+    const State step = stepOf(slopes, errors, errorCount(m), damping);
     const State next{state[0] + step[0], state[1] + step[1], state[2] + step[2]};
     const Errors nextErrors = errorsOf(m, next, field);
     const double nextCost = costOf(nextErrors);

@@ -89,6 +89,24 @@ PixelPoint halfWay(const Sampler& sampler, const SpanWalk& walk, int last) {
                      beyond + 1, plain);
 }
 
+// The last step of the walk's colour before more than its holes of others. From the farthest that
+// the holes allow backwards: where that is of the colour none between needs to be looked at.
+int lastInside(const Sampler& sampler, const SpanWalk& walk) {
+  int last = 0;
+  int others = 0;  // steps after the last one up to this one are of other classes
+  while (true) {
+    const int farthest = last + walk.holes + 1;
+    int step = farthest;
+    for (; step > others; --step) {
+      const PixelPoint p = along(walk, step);
+      if (Sampler::usable(p) && sampler.classAt(p) == walk.colour) break;
+    }
+    if (step == others) return last;
+    last = step;
+    others = farthest;
+  }
+}
+
 }  // namespace
 
 EdgeHit walkToEdge(const Sampler& sampler, const SpanWalk& walk) {
@@ -97,15 +115,8 @@ EdgeHit walkToEdge(const Sampler& sampler, const SpanWalk& walk) {
     hit.cut = true;
     return hit;
   }
-  int last = 0;
-  for (int step = 1; step - last <= walk.holes + 1; ++step) {
-    const PixelPoint p = along(walk, step);
-    if (!Sampler::usable(p)) {
-      hit.cut = true;
-      break;
-    }
-    if (sampler.classAt(p) == walk.colour) last = step;
-  }
+  const int last = lastInside(sampler, walk);
+  hit.cut = !Sampler::usable(along(walk, last + walk.holes + 1));
   hit.point = hit.cut ? along(walk, last) : halfWay(sampler, walk, last);
   hit.length = (hit.point.x - walk.from.x) * walk.direction.dx +
                (hit.point.y - walk.from.y) * walk.direction.dy;
