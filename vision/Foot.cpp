@@ -38,11 +38,13 @@ struct ColumnReader {
 
   // White does not end carpet that began: a line runs 20 cm before its end.
   void read(ColourClass seen, int way) {
-    const bool green = seen == ColourClass::green;
-    gap = green ? 0 : gap + (seen == ColourClass::white ? 0 : 1);
-    if (gap > kMaxMixed) greens = 0;
-    if (green && greens++ == 0) first = way;
     others = isOther(seen, own) ? others + 1 : 0;
+    if (seen == ColourClass::green) {
+      gap = 0;
+      if (greens++ == 0) first = way;
+    } else if (seen != ColourClass::white && ++gap > kMaxMixed) {
+      greens = 0;
+    }
   }
 };
 

@@ -38,10 +38,12 @@ bool solve(const Outline& outline, const Kept& kept, Ray& n) {
     if (!kept[i]) continue;
     const Ray& u = outline.rays[i];
     for (std::size_t c = 0; c < 3; ++c) {
-      for (std::size_t r = 0; r < 3; ++r) columns[c][r] += u[r] * u[c];
+      for (std::size_t r = 0; r <= c; ++r) columns[c][r] += u[r] * u[c];
       right[c] += u[c];
     }
   }
+  for (std::size_t c = 0; c < 3; ++c)
+    for (std::size_t r = c + 1; r < 3; ++r) columns[c][r] = columns[r][c];
   const double whole = det(columns[0], columns[1], columns[2]);
   if (!(whole > 1e-12)) return false;
   n = {det(right, columns[1], columns[2]) / whole, det(columns[0], right, columns[2]) / whole,

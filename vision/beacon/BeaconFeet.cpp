@@ -67,8 +67,15 @@ class Undersides {
   RunCursor farther_;
 };
 
-void addSample(BeaconFeet& feet, ColourClass colour, double u, double v) {
-  for (BeaconFoot& foot : feet) {
+// Rows grow: the first feet that are too high by now need not be looked at again.
+std::size_t firstNear(const BeaconFeet& feet, std::size_t first, double v) {
+  while (first < feet.size() && v - feet[first].v > kMaxRowGap) ++first;
+  return first;
+}
+
+void addSample(BeaconFeet& feet, std::size_t first, ColourClass colour, double u, double v) {
+  for (std::size_t i = first; i < feet.size(); ++i) {
+    BeaconFoot& foot = feet[i];
     if (foot.colour != colour || std::fabs(v - foot.v) > kMaxRowGap) continue;
     if (u < foot.left - kMaxGap || u > foot.right + kMaxGap) continue;
     foot.left = std::min(foot.left, u);
@@ -87,6 +94,7 @@ BeaconFeet findBeaconFeet(const Scene& scene) {
   BeaconFeet feet;
   const double farthest = kMaxFromHorizon + rowSlack(scene);
   Undersides undersides(scene.runs);
+  std::size_t first = 0;
   for (const Run& run : scene.runs) {
     if (run.colour != ColourClass::pink && run.colour != ColourClass::blue &&
         run.colour != ColourClass::yellow)
@@ -94,9 +102,10 @@ BeaconFeet findBeaconFeet(const Scene& scene) {
     const double v = scene.lattice.v(run.row);
     const double middle = scene.lattice.u(0.5 * (run.first + run.last));
     if (std::fabs(belowHorizon(scene, scene.frame.toImage({middle, v}))) > farthest) continue;
+    first = firstNear(feet, first, v);
     for (int k = run.first; (k = undersides.next(run, k)) <= run.last; ++k) {
       const double u = scene.lattice.u(k);
-      if (standsOnWhite(scene, u, v)) addSample(feet, run.colour, u, v);
+      if (standsOnWhite(scene, u, v)) addSample(feet, first, run.colour, u, v);
     }
   }
   return feet;

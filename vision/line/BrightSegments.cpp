@@ -70,18 +70,21 @@ BrightSegment measured(const Profile& y, int first, int last, double whiteOverGr
   return s;
 }
 
-// The pixels beside the grid line, as far as the image goes.
+// The pixels beside the grid line, as far as the image goes: the grid line itself is usable from
+// end to end, so its lane is so where its first pixel is.
 struct Lane {
-  const Sampler& sampler;
-  const GridLine& gridLine;
-  int offset;
+  Profile profile;
 
-  bool inside(int i) const {
-    return i >= 0 && i < gridLine.length &&
-           Sampler::usable(gridLine.column(i, offset), gridLine.row(i, offset));
-  }
-  int y(int i) const { return sampler.rawY(gridLine.column(i, offset), gridLine.row(i, offset)); }
+  bool inside(int i) const { return i >= 0 && i < profile.length; }
+  int y(int i) const { return profile[i]; }
 };
+
+Lane laneOf(const Sampler& sampler, const GridLine& gridLine, int offset) {
+  const int px = gridLine.column(0, offset);
+  const int py = gridLine.row(0, offset);
+  if (!Sampler::usable(px, py)) return {{nullptr, 0, 0}};
+  return {profileOf(sampler, {px, py, gridLine.dx, gridLine.dy, gridLine.length})};
+}
 
 struct PixelRange {
   int first = 0;  // first and last bright pixel
@@ -171,7 +174,7 @@ std::optional<double> edgeBeside(const Sampler& sampler, const GridLine& gridLin
   const int step = offset > 0 ? 1 : -1;
   int dark = static_cast<int>(edge.foot);  // the last pixel below the level
   for (int k = step; k != offset + step; k += step) {
-    const Lane lane{sampler, gridLine, k};
+    const Lane lane = laneOf(sampler, gridLine, k);
     if (!lane.inside(dark - kMaxShift) || !lane.inside(dark + kMaxShift + 1)) return std::nullopt;
     dark -= kMaxShift;
     if (lane.y(dark) >= edge.level) return std::nullopt;
@@ -179,7 +182,7 @@ std::optional<double> edgeBeside(const Sampler& sampler, const GridLine& gridLin
     while (dark <= end && lane.y(dark + 1) < edge.level) ++dark;
     if (dark > end) return std::nullopt;
   }
-  const Lane lane{sampler, gridLine, offset};
+  const Lane lane = laneOf(sampler, gridLine, offset);
   return passes(dark, lane.y(dark), lane.y(dark + 1), edge.level);
 }
 
@@ -196,10 +199,10 @@ std::optional<Beside> segmentBeside(const Sampler& sampler, const GridLine& grid
   const int longest = 2 * (segment.last - segment.first) + 4;
   const int step = offset > 0 ? 1 : -1;
   for (int k = step; k != offset + step; k += step) {
-    range = follow({sampler, gridLine, k}, range, level, longest);
+    range = follow(laneOf(sampler, gridLine, k), range, level, longest);
     if (!range.found) return std::nullopt;
   }
-  const Lane lane{sampler, gridLine, offset};
+  const Lane lane = laneOf(sampler, gridLine, offset);
   return Beside{passes(range.first - 1, lane.y(range.first - 1), lane.y(range.first), level),
                 passes(range.last, lane.y(range.last), lane.y(range.last + 1), level)};
 }

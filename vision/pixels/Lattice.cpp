@@ -16,8 +16,16 @@ constexpr double kFineBelow = 64.0;
 constexpr double kFineAbove = 80.0;
 constexpr double kRimMargin = 0.01;  // px, so that rounding to 1/65536 stays inside
 
+// To the nearest, without the library's call: two for each row.
 std::int32_t fixed(double value) {
-  return static_cast<std::int32_t>(std::lround(value * kFixedPointOne));
+  const double scaled = value * kFixedPointOne;
+  return static_cast<std::int32_t>(scaled < 0.0 ? scaled - 0.5 : scaled + 0.5);
+}
+
+// Of what is not negative.
+int roundedUp(double value) {
+  const int whole = static_cast<int>(value);
+  return whole < value ? whole + 1 : whole;
 }
 
 LevelBox usableBox(const HorizonFrame& frame) {
@@ -52,8 +60,8 @@ LatticeRow Lattice::row(int index) const {
   u.clip(from.y, frame_.sin, kUsableTop + kRimMargin, kUsableBottom - kRimMargin);
   LatticeRow row;
   if (u.from > u.to) return row;
-  row.first = static_cast<int>(std::ceil(u.from / kLatticeStep));
-  row.count = static_cast<int>(std::floor(u.to / kLatticeStep)) - row.first + 1;
+  row.first = roundedUp(u.from / kLatticeStep);
+  row.count = static_cast<int>(u.to / kLatticeStep) - row.first + 1;
   if (row.count < 0) row.count = 0;
   const double start = kLatticeStep * static_cast<double>(row.first);
   row.x = fixed(from.x + start * frame_.cos);
