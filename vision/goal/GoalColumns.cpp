@@ -21,12 +21,17 @@ constexpr double kFootRows = 2.5;           // px by which the feet of a goal's 
 
 // The lowest pixel of the candidate's colour in a level column, two lattice steps of it in a row.
 std::optional<PixelPoint> lowestIn(const Scene& scene, const GoalCandidate& c, double u) {
-  int inRow = 0;
-  for (double v = c.box.bottom - 0.5; v > c.box.top; v -= 2.0) {
-    const PixelPoint p = scene.frame.toImage({u, v});
-    const bool here = Sampler::usable(p) && scene.sampler.classAt(p) == c.colour;
-    inRow = here ? inRow + 1 : 0;
-    if (inRow == 2) return p;
+  const auto isColour = [&](PixelPoint p) {
+    return Sampler::usable(p) && scene.sampler.classAt(p) == c.colour;
+  };
+  const auto at = [&](double v) { return scene.frame.toImage({u, v}); };
+  // The upper one of two first: where it is not of the colour the lower one need not be asked.
+  double v = c.box.bottom - 0.5 - kLatticeStep;
+  while (v > c.box.top) {
+    const PixelPoint upper = at(v);
+    const bool here = isColour(upper);
+    if (here && isColour(at(v + kLatticeStep))) return upper;
+    v -= here ? kLatticeStep : 2 * kLatticeStep;
   }
   return std::nullopt;
 }
