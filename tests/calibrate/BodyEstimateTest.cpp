@@ -64,6 +64,19 @@ TEST(BodyEstimate, WithoutLandmarksItRefusesInOneLine) {
   EXPECT_EQ(e.error().find('\n'), std::string::npos);
 }
 
+TEST(BodyEstimate, AFieldWithOtherLinesIsRefused) {
+  StandingLog log = logOf({});
+  for (body::FieldLine& line : log.config->field.lines) {
+    line.start.x += 25.0;
+    line.end.x += 25.0;
+    line.start.y += 25.0;
+    line.end.y += 25.0;
+  }
+  const auto e = estimateBody(log);
+  ASSERT_FALSE(e.ok());
+  EXPECT_NE(e.error().find("are on no line"), std::string::npos) << e.error();
+}
+
 TEST(BodyEstimate, ARobotThatWasPushedIsRefused) {
   StandingLog log = logOf({});
   Stand pushed;

@@ -90,6 +90,17 @@ struct Rest {
   bool settled = false;   // what is sensed is where it will stay
 };
 
+// Joints are sensed up to a frame before the middle of the exposure: in the last image of a rest
+// the head may move already (1.3 deg seen), always towards its next place, which tilts and rolls
+// all.
+void dropLast(std::vector<Rest>& rests) {
+  for (std::size_t i = 0; i + 1 < rests.size(); ++i) {
+    if (rests[i].began == rests[i + 1].began) continue;
+    rests[i].stop = -1;
+    rests[i].settled = false;
+  }
+}
+
 std::vector<Rest> restsOf(const std::vector<Moment>& moments, const Span& stand) {
   std::vector<Rest> rests(moments.size());
   Rest now;
@@ -106,6 +117,7 @@ std::vector<Rest> restsOf(const std::vector<Moment>& moments, const Span& stand)
     if (resting && now.stop < 0) now.stop = stops++;
     rests[i] = now;
   }
+  dropLast(rests);
   return rests;
 }
 

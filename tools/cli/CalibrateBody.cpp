@@ -23,8 +23,8 @@ constexpr const char* kHelp =
     R"(
 The robot stands on the field of its configuration and looks round in stops of 0.3 s and more, low
 and high, with its neck bent in several ways: tools/calibrate/looking does so. Frames in which the
-head moves are not used, so that neither the shutter nor late images matter. At least three beacons
-or goals in view and ten stops; twenty seconds are plenty.
+head moves are not used, so that neither the shutter nor late images matter. At least two beacons or
+goals and some lines in view, and ten stops; twenty seconds are plenty.
 
 Said of each parameter: its value and the standard deviation; one that the log cannot tell better
 than robots differ among themselves stays as the log's robot had it. The neck's offset stands for

@@ -31,7 +31,9 @@ struct Found {
   double nod = 0.0;   // deg
   double roll = 0.0;  // deg, of the body
   double rollSd = 0.0;
-  double ahead = 0.0;  // deg, of the camera that looks straight ahead: tilt and nod together
+  // deg, of the image's middle in a camera that looks straight ahead: nod and principal point,
+  // which shift an image alike and are told apart by little, count together.
+  double ahead = 0.0;
   double focal = 0.0;  // percent
   double focalSd = 0.0;
   std::string trouble;
@@ -68,7 +70,8 @@ Found compare(const BodyEstimate& e, const sim::UnlikeRobot& truth) {
   found.tilt =
       e.params.neckTiltOffset.deg() + truth.body.lean.tilt.deg() + kBoth * play.neckTilt.deg();
   found.nod = e.params.headNodOffset.deg() + kBoth * play.headNod.deg();
-  found.ahead = found.tilt + found.nod;
+  const double down = (e.params.lens.principalY - truth.lens.principalY) / truth.lens.focal;
+  found.ahead = found.tilt + found.nod + Angle::rad(down).deg();
   found.roll = e.params.bodyRollOffset.deg() - truth.body.lean.roll.deg();
   found.focal = 100.0 * (e.params.lens.focalLength / truth.lens.focal - 1.0);
   found.tiltSd = sdOf(calibrate::kNeckTilt);
