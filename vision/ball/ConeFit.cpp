@@ -89,8 +89,9 @@ std::size_t trim(const Outline& outline, Cone& cone, Kept& kept) {
   return dropped;
 }
 
-// Fits the kept points, then whatever lies near that cone, until nothing changes.
-Cone refined(const Outline& outline, Kept kept) {
+// Fits the kept points, then whatever lies near that cone, until nothing changes. Nothing where
+// fewer than `least` lie near the first one.
+Cone refined(const Outline& outline, Kept kept, std::size_t least) {
   Cone cone;
   constexpr int kRounds = 4;
   for (int round = 0; round < kRounds; ++round) {
@@ -98,6 +99,7 @@ Cone refined(const Outline& outline, Kept kept) {
     if (!solve(outline, kept, n)) return {};
     cone = coneOf(n, outline.lens);
     if (!cone.valid || trim(outline, cone, kept) == 0) return cone;
+    if (round == 0 && cone.kept < least) return {};
   }
   return cone;
 }
@@ -105,6 +107,7 @@ Cone refined(const Outline& outline, Kept kept) {
 // The cone through three points with the most others near it: for an outline that something hides
 // in part, where the fit of all points lies between both outlines.
 Cone bestOfTriples(const Outline& outline) {
+  constexpr std::size_t kLeast = 5;  // a triple with no two others near its cone is no outline
   Cone best;
   const std::size_t n = outline.rays.size();
   for (const std::size_t gap : {2U, 3U, 5U}) {
@@ -112,7 +115,7 @@ Cone bestOfTriples(const Outline& outline) {
     for (std::size_t i = 0; i < n; ++i) {
       Kept kept{};
       kept[i] = kept[(i + gap) % n] = kept[(i + 2 * gap) % n] = true;
-      const Cone cone = refined(outline, kept);
+      const Cone cone = refined(outline, kept, kLeast);
       if (cone.valid && cone.kept > best.kept) best = cone;
     }
   }
@@ -126,7 +129,7 @@ Cone fitCone(const EdgePoints& points, const Lens& lens) {
   for (const PixelPoint p : points) outline.rays.push_back(rayOf(lens, p));
   Kept all;
   all.fill(true);
-  const Cone cone = refined(outline, all);
+  const Cone cone = refined(outline, all, 0);
   if (cone.valid && cone.kept + 2 >= points.size()) return cone;
   const Cone other = bestOfTriples(outline);
   return other.kept > cone.kept ? other : cone;

@@ -191,7 +191,7 @@ void findBeacons(const Scene& scene, const BeaconFinderParams& params, VisionCou
   std::size_t candidates = 0;
   for (const Blob& blob : scene.blobs) {
     // What is too small to begin a beacon need not be asked what is beside it: specks of clothes
-    // and of a badly known blue took 100 k instructions a frame.
+    // and of a badly known blue took 20 to 50 k instructions a frame.
     const bool small = static_cast<double>(blob.samples) < params.minSamples;
     if (small && blob.colour != ColourClass::pink) continue;
     const auto start = pinkStart(scene, blob, scene.frame.up());

@@ -93,6 +93,17 @@ GoalCandidate grouped(const Scene& scene, const Blob& seed, const Landmarks& bea
   return c;
 }
 
+// What tells one group from another.
+struct Region {
+  std::uint32_t samples = 0;
+  LevelBox box;
+};
+
+bool areSame(const Region& a, const Region& b) {
+  return a.samples == b.samples && a.box.left == b.box.left && a.box.right == b.box.right &&
+         a.box.top == b.box.top && a.box.bottom == b.box.bottom;
+}
+
 // Of the median of the columns whose feet and tops are seen.
 ElevationError elevationErrorOf(const Scene& scene, const GoalCandidate& c,
                                 const GoalFinderParams& p) {
@@ -299,9 +310,16 @@ void findGoals(const Scene& scene, const GoalFinderParams& params, VisionCounts&
   const Finder finder{scene, params, beacons, counts, judged};
   Likeliest best;
   for (const ColourClass colour : {ColourClass::blue, ColourClass::yellow}) {
+    FixedVector<Region, kMaxSeeds> groups;
     for (const Blob* seed : seedsOf(scene, colour, beacons)) {
       const GoalCandidate group = grouped(scene, *seed, beacons);
-      finder.consider(group, best);
+      // Each part of a goal seeds the same group.
+      const Region region{group.samples, group.box};
+      const bool known = std::any_of(groups.begin(), groups.end(), [&region](const Region& other) {
+        return areSame(region, other);
+      });
+      groups.push_back(region);
+      if (!known) finder.consider(group, best);
       if (group.samples != seed->samples) finder.consider(alone(*seed), best);
     }
   }
