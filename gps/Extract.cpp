@@ -72,6 +72,7 @@ WorldModel extract(const GpsState& state, const BallFilterParams& params) {
   const double headingSd = std::sqrt(std::max(0.0, world.covariance[8]));
   world.headingSd = Angle::rad(std::min(headingSd, maths::kPi));
   world.cameraTilt = state.pose.modes[0].tilt;
+  world.focalScale = state.pose.focal;
   world.imageLag = state.pose.lag;
   world.secondsSinceLandmark = state.pose.secondsSinceLandmark;
   world.secondsSinceLines = state.pose.secondsSinceLines;

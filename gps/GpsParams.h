@@ -6,7 +6,9 @@
 #include "gps/lines/LinesParams.h"
 #include "gps/pinks/PinkMapParams.h"
 #include "gps/players/PlayersParams.h"
+#include "gps/pose/FocalParams.h"
 #include "gps/pose/LagParams.h"
+#include "gps/pose/NoiseScale.h"
 #include "gps/pose/PoseParams.h"
 #include "gps/pose/StuckParams.h"
 #include "gps/pose/TiltParams.h"
@@ -21,7 +23,9 @@ struct GpsParams {
   StuckParams stuck;
   LandmarkGates gates;
   ModeParams modes;
+  NoiseScaleParams noiseScale;
   TiltParams tilt;
+  FocalParams focal;
   LagParams lag;
   LinesParams lines;
   PinkMapParams pinks;
@@ -33,7 +37,8 @@ struct GpsParams {
     return fieldList(field("initialPose", &GpsParams::initialPose),
                      field("motion", &GpsParams::motion), field("stuck", &GpsParams::stuck),
                      field("gates", &GpsParams::gates), field("modes", &GpsParams::modes),
-                     field("tilt", &GpsParams::tilt), field("lag", &GpsParams::lag),
+                     field("noiseScale", &GpsParams::noiseScale), field("tilt", &GpsParams::tilt),
+                     field("focal", &GpsParams::focal), field("lag", &GpsParams::lag),
                      field("lines", &GpsParams::lines), field("pinks", &GpsParams::pinks),
                      field("ball", &GpsParams::ball), field("players", &GpsParams::players));
   }

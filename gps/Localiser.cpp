@@ -5,6 +5,7 @@
 #include "gps/ball/BallFilter.h"
 #include "gps/ball/DropIn.h"
 #include "gps/players/Players.h"
+#include "gps/pose/Focal.h"
 #include "gps/pose/Lag.h"
 #include "gps/pose/Tilt.h"
 
@@ -15,6 +16,7 @@ void prepare(const GpsParams& params, GpsState& state) {
   if (state.pose.started) return;
   start(params.initialPose, params.field, params.modes, state.pose);
   state.pose.modes[0].tilt = startingTilt(params.tilt);
+  state.pose.focal = startingFocal(params.focal);
   state.pose.lag = startingLag(params.lag);
 }
 

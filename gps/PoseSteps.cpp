@@ -8,8 +8,11 @@
 #include "gps/lines/Lines.h"
 #include "gps/pinks/Pinks.h"
 #include "gps/pose/EdgeElevation.h"
+#include "gps/pose/Focal.h"
 #include "gps/pose/Lag.h"
 #include "gps/pose/Modes.h"
+#include "gps/pose/NoiseScale.h"
+#include "gps/pose/PoseUpdate.h"
 #include "gps/pose/Stuck.h"
 #include "gps/pose/Tilt.h"
 
@@ -22,11 +25,42 @@ void keepNearField(const body::FieldDescription& field, Modes& modes) {
   for (PoseMode& mode : modes) mode.pose.position = carpet.nearest(mode.pose.position);
 }
 
+// Squared, over its variance: the weight is exp(-0.5 chi squared) of three degrees of freedom.
+double lineInnovation(double weight) { return -2.0 / 3.0 * maths::log(weight); }
+
+// The bearing's, squared, over its variance.
+double bearingInnovation(const PoseMode& mode, const Measurement& seen) {
+  const Expectation e = expected(mode.pose, seen.landmark);
+  const Vector3 h(e.jacobian[3], e.jacobian[4], e.jacobian[5]);
+  const double innovation = (seen.heading - e.heading).rad();
+  return innovation * innovation / (h.dot(covarianceOf(mode) * h) + seen.headingVariance);
+}
+
+// What a landmark tells beside the pose.
+void noteSighting(const GpsIn& in, const Measurement& seen, const GpsParams& params,
+                  PoseState& state) {
+  const PoseMode& best = state.modes[0];
+  updateFocal(in, best, seen, params.focal, state.focal);
+  updateLag(in.input, best, seen, params.lag, state.lag);
+  noteInnovation(best, bearingInnovation(best, seen), params.noiseScale, state.noiseScale);
+}
+
+void scaleBy(double scale, Measurement& m) {
+  m.distanceVariance *= scale;
+  m.headingVariance *= scale;
+  m.grazingHeadingVariance *= scale;
+}
+
 bool updateByFrameOrMap(const GpsIn& in, const GpsParams& params, GpsState& state) {
   LineMap& map = state.lines.map;
-  const SeenLines seen = linesOfFrameOrMap(in, params.lines, map);
+  SeenLines seen = linesOfFrameOrMap(in, params.lines, map);
+  seen.noiseScale = state.pose.noiseScale;
+  const PoseMode before = state.pose.modes[0];
   const bool used = updateByLines(seen, state.lines.features, params.lines.update, state.pose.modes,
                                   state.counts);
+  if (used)
+    noteInnovation(before, lineInnovation(state.pose.modes[0].weight / before.weight),
+                   params.noiseScale, state.pose.noiseScale);
   if (!params.tilt.joint)
     for (PoseMode& mode : state.pose.modes) mode.cross = {};
   const bool refused = !used && seen.lines.size() >= params.lines.update.minPoints;
@@ -56,7 +90,8 @@ Step moveModes(const GpsIn& in, const GpsParams& params, GpsState& state) {
   const StepNoise noise = stepNoise(walked, elapsed, params.motion);
   const Step step{shortened(walked, excess, params.stuck),
                   grown(noise, excess, elapsed, params.stuck)};
-  for (PoseMode& mode : pose.modes) predict(mode, step.odometry, step.noise);
+  const StepNoise scaled = grown(scaledBy(pose.noiseScale, noise), excess, elapsed, params.stuck);
+  for (PoseMode& mode : pose.modes) predict(mode, step.odometry, scaled);
   driftTilt(elapsed, params.tilt, pose.modes);
   keepNearField(params.field, pose.modes);
   return step;
@@ -99,11 +134,12 @@ void noteLandmarks(std::size_t used, const StuckParams& params, GpsState& state)
 
 void useLandmarks(const GpsIn& in, const GpsParams& params, GpsState& state,
                   LandmarkUpdate update) {
-  for (const Measurement& m : measurements(in, params, state.counts)) {
+  for (Measurement m : measurements(in, params, state.counts)) {
+    scaleBy(state.pose.noiseScale, m);
     if (state.pose.lost) {
       seedAround(m, params.field, params.modes, state.pose, state.counts);
     } else {
-      updateLag(in.input, state.pose.modes[0], m, params.lag, state.pose.lag);
+      noteSighting(in, m, params, state.pose);
       update(m, params.field, params.modes, state.pose, state.counts);
     }
     finishUpdate(params, state);

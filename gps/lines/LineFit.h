@@ -26,6 +26,7 @@ struct SeenLines {
   FixedVector<SeenPoint, kMaxLinePoints> lines;  // and the foot of the border
   FixedVector<SeenPoint, 16> carpet;  // green; only says that the robot is near the field
   double newEvidenceShare = 1.0;      // what no update has used before
+  double noiseScale = 1.0;            // of the variances
   double headSpeed = 0.0;             // rad a frame, while they were seen
   // The camera, and the tilt with which the points were laid on the ground.
   Point3<Robot> eye{0.0, 8.0, 20.0};

@@ -106,9 +106,10 @@ std::optional<LineObservation> observationAt(const PoseMode& mode, const SeenLin
   auto observation = observationOf(fit, field, seen.headSpeed, params);
   if (!observation) count(Refusal::linesMatchNothing, counts);
   if (!observation) return observation;
-  observation->pose.information *= seen.newEvidenceShare;
-  observation->information *= seen.newEvidenceShare;
-  observation->tiltPull *= seen.newEvidenceShare;
+  const double share = seen.newEvidenceShare / seen.noiseScale;
+  observation->pose.information *= share;
+  observation->information *= share;
+  observation->tiltPull *= share;
   return observation;
 }
 

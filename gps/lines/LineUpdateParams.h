@@ -27,18 +27,20 @@ struct LineUpdateParams {
   double farStep = 20.0;                    // cm, most of one step
   Angle farTurn = Angle::deg(15);           // the same for the heading
   double pointSd = 2.7;                     // cm, of one point on the ground
-  double correlation = 10.0;                // how many points of how many frames share their error
-  double floorSd = 2.0;                     // cm, of a pose from lines, whatever their number
-  Angle floorHeadingSd = Angle::deg(1);
+  double correlation = 6.0;                 // how many points of how many frames share their error
+  double floorSd = 1.0;                     // cm, of a pose from lines, whatever their number
+  Angle floorHeadingSd = Angle::deg(0.4);
   double match = 0.5;           // least match with a still head is match + matchStill (thesis 2004
   double matchStill = 0.3;      // equation 3.22) and falls with the head's speed
   double headSpeed = 50.0;      // 1/rad a frame, of thesis 2004 equations 3.22 and 3.23
   double offField = 0.02;       // 1/cm2, of thesis 2004 equation 3.21
   double outlierWeight = 0.05;  // of the copy that the lines do not correct
-  double refusedWeight = 0.5;   // of a mode whose lines do not match anything
-  double minWeight = 0.02;      // of the heaviest; lighter modes are not fitted
-  std::uint32_t maxModes = 3;   // so many are fitted
-  double maxSd = 60.0;          // cm; wider modes say nothing about which line is seen
+  // Of a mode whose lines match nothing. A correction multiplies the true mode's by 0.35 on
+  // average; with 0.5 here a wrong one outgrew it within 4 s of one landmark in view.
+  double refusedWeight = 0.15;
+  double minWeight = 0.02;     // of the heaviest; lighter modes are not fitted
+  std::uint32_t maxModes = 3;  // so many are fitted
+  double maxSd = 60.0;         // cm; wider modes say nothing about which line is seen
   Angle maxHeadingSd = Angle::deg(30);
 
   static constexpr auto fields() {

@@ -27,6 +27,8 @@ struct PoseState {
   bool started = false;
   bool lost = true;  // no landmark has been used since the start or the last loss of all modes
   Modes modes;
+  double noiseScale = 1.0;  // of the variances
+  FocalScale focal;
   ImageLag lag;
   std::uint32_t unexplained = 0;  // landmarks in a row that no mode predicted
   double secondsSinceLandmark = 0.0;

@@ -42,6 +42,10 @@ StepNoise stepNoise(const Odometry& odometry, double elapsed, const MotionNoise&
   return step;
 }
 
+StepNoise scaledBy(double scale, const StepNoise& noise) {
+  return {scale * noise.forward, scale * noise.left, scale * noise.turn};
+}
+
 Pose2 moved(const Pose2& pose, const Odometry& odometry) {
   const Pose2 middle{pose.position, directionOfStep(pose, odometry)};
   return {fieldFromRobot(middle, {-odometry.left, odometry.forward}), pose.heading + odometry.turn};

@@ -29,6 +29,7 @@ double elapsedOf(const FrameInput& input);
 // False for what no walk can do in one frame (30 cm, half a turn) and for what is not finite.
 bool plausible(const Odometry& odometry);
 
+StepNoise scaledBy(double scale, const StepNoise& noise);
 StepNoise stepNoise(const Odometry& odometry, double elapsed, const MotionNoise& noise);
 
 Pose2 moved(const Pose2& pose, const Odometry& odometry);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robot/agent/AgentLoops.h"
 
+#include "gps/pose/Focal.h"
 #include "gps/pose/Lag.h"
 #include "gps/pose/Tilt.h"
 
@@ -22,6 +23,7 @@ AgentLoops::AgentLoops(const AgentConfig& config, const std::string& scripts, Lo
       motionLoop_(config),
       log_(log),
       startingTilt_(gps::startingTilt(config.gps.tilt)),
+      startingFocal_(gps::startingFocal(config.gps.focal)),
       startingLag_(gps::startingLag(config.gps.lag)) {
   game_.team = config.team;
   game_.player = config.player;
@@ -55,6 +57,7 @@ void AgentLoops::camera(const Image& image, TimeUs exposureMiddle, std::uint32_t
   input_.headRate = joints_.headRate(exposed);
   input_.stance = motionOutput_->stance;
   input_.cameraTilt = frame_ != nullptr ? frame_->world.cameraTilt : startingTilt_;
+  input_.focalScale = frame_ != nullptr ? frame_->world.focalScale : startingFocal_;
   input_.odometry = odometry_.until(exposureMiddle);
   input_.motion = motionOutput_->status;
   input_.game = game_;

@@ -31,6 +31,7 @@ class AgentLoops : public Loops {
   MotionLoop motionLoop_;
   LogSink& log_;
   CameraTilt startingTilt_;
+  FocalScale startingFocal_;
   ImageLag startingLag_;
   StageObserver silent_;
   GameState game_;

@@ -272,6 +272,7 @@ BodyState step(const FrameInput& input, const BodyParams& params) {
 
   BodyState state;
   state.camera = cameraOf(input.cameraTilt, joints, stance, params);
+  state.camera.lens.focalLength *= input.focalScale.ratio;
   state.camera.turn = turnOf(input, joints, state.camera, stance);
   for (double& turn : state.camera.turn) turn *= params.lens.readOut;
   state.horizon = horizon(state.camera);

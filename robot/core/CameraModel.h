@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What differs between the cameras of two robots: the lens and its sensor's shutter, and how much
-// the body leans more than its joints say, and how late
-// its images are.
+// What differs between the cameras of two robots: the lens and its sensor's shutter, how much the
+// body leans more than its joints say, and how late the images are.
 #pragma once
 
 #include "robot/core/Angle.h"
@@ -48,6 +47,18 @@ struct CameraTilt {
                      field("tiltVariance", &CameraTilt::tiltVariance, "rad2", 0, 1),
                      field("rollVariance", &CameraTilt::rollVariance, "rad2", 0, 1),
                      field("covariance", &CameraTilt::covariance, "rad2", -1, 1));
+  }
+};
+
+// How many times as long the focal length is as the robot's parameters say. The default is one that
+// has been estimated for ten seconds of play (FocalParams).
+struct FocalScale {
+  double ratio = 1.0;
+  double variance = 2.5e-5;  // sd 0.5 %
+
+  static constexpr auto fields() {
+    return fieldList(field("ratio", &FocalScale::ratio, "", 0.5, 2),
+                     field("variance", &FocalScale::variance, "", 0, 1));
   }
 };
 

@@ -57,6 +57,7 @@ struct FrameInput {
   HeadRate headRate;
   Stance stance;
   CameraTilt cameraTilt;  // believed after the previous frame
+  FocalScale focalScale;  // so
   ImageLag imageLag;      // so; joints and head rate are those of that much before `time`
   Odometry odometry;      // since the previous frame
   MotionStatus motion;
@@ -71,10 +72,11 @@ struct FrameInput {
         field("elapsed", &FrameInput::elapsed, "s", 0, 10),
         field("droppedFrames", &FrameInput::droppedFrames), field("sensors", &FrameInput::sensors),
         field("headRate", &FrameInput::headRate), field("stance", &FrameInput::stance),
-        field("cameraTilt", &FrameInput::cameraTilt), field("imageLag", &FrameInput::imageLag),
-        field("odometry", &FrameInput::odometry), field("motion", &FrameInput::motion),
-        field("game", &FrameInput::game), field("lastCommand", &FrameInput::lastCommand),
-        field("team", &FrameInput::team), field("image", &FrameInput::image));
+        field("cameraTilt", &FrameInput::cameraTilt), field("focalScale", &FrameInput::focalScale),
+        field("imageLag", &FrameInput::imageLag), field("odometry", &FrameInput::odometry),
+        field("motion", &FrameInput::motion), field("game", &FrameInput::game),
+        field("lastCommand", &FrameInput::lastCommand), field("team", &FrameInput::team),
+        field("image", &FrameInput::image));
   }
 };
 

@@ -98,6 +98,7 @@ struct WorldModel {
   double positionSd = 0.0;             // cm, root of the larger position eigenvalue
   Angle headingSd;
   CameraTilt cameraTilt;  // of that mode
+  FocalScale focalScale;
   ImageLag imageLag;
   double secondsSinceLandmark = 0.0;
   double secondsSinceLines = 0.0;  // since field lines corrected or weighed the modes
@@ -119,7 +120,8 @@ struct WorldModel {
         field("covariance", &WorldModel::covariance, "cm2, cm rad, rad2"),
         field("positionSd", &WorldModel::positionSd, "cm", 0, 1e4),
         field("headingSd", &WorldModel::headingSd, "rad", 0, 180),
-        field("cameraTilt", &WorldModel::cameraTilt), field("imageLag", &WorldModel::imageLag),
+        field("cameraTilt", &WorldModel::cameraTilt), field("focalScale", &WorldModel::focalScale),
+        field("imageLag", &WorldModel::imageLag),
         field("secondsSinceLandmark", &WorldModel::secondsSinceLandmark, "s", 0, 1e6),
         field("secondsSinceLines", &WorldModel::secondsSinceLines, "s", 0, 1e6),
         field("stuck", &WorldModel::stuck, "", 0, 1), field("modes", &WorldModel::modes),

@@ -52,7 +52,7 @@ TEST(Golden, AWalkIsBelievedAsWhenItWasMeasured) {
   const Believed golden[] = {
       {60, {{150.6, 242.4}, Angle::deg(96.2)}, {201.3, 330.3}},
       {150, {{114.1, 293.0}, Angle::deg(138.4)}, {199.8, 331.3}},
-      {240, {{54.4, 307.3}, Angle::deg(178.5)}, {201.2, 329.0}},
+      {240, {{53.6, 307.7}, Angle::deg(178.7)}, {200.4, 329.8}},
   };
   sim::LocalisingRobot robot({150, 200, 1.2}, 77);
   Random random(78);

@@ -98,6 +98,7 @@ nlohmann::ordered_json frameObject(const FrameInput& input, const FrameOutput& o
           {"gps_refused", refusals(world.counts, gps::kRefusalNames)},
           {"pose", pose(world)},
           {"camera_tilt", cameraTilt(world.cameraTilt)},
+          {"focal_scale", world.focalScale.ratio},
           {"image_lag_s", world.imageLag.seconds},
           {"modes", fieldJson(world.modes)},
           {"ball", ball(world.ball)},

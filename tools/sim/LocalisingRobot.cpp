@@ -25,7 +25,9 @@ ObserverNoise standingNoise() {
 LocalisingRobot::LocalisingRobot(TruePose start, std::uint64_t seed, const ObserverNoise& errors)
     : Observer(start, seed, errors) {
   params.field = field;
-  params.tilt.use = false;  // made sightings come from a body that stands as its joints say
+  // Made sightings come from a body that stands as its joints say, and from no lens.
+  params.tilt.use = false;
+  params.focal.use = false;
 }
 
 void LocalisingRobot::believe(const Pose2& pose, double positionSd, Angle headingSd) {

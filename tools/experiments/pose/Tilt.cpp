@@ -165,6 +165,7 @@ class Believer {
   // What the robot tells itself for the next frame goes into the input, as AgentLoops does.
   void step(FrameInput& input) {
     input.cameraTilt = input.frame > 0 ? world_.cameraTilt : gps::startingTilt(config_.gps.tilt);
+    if (input.frame > 0) input.focalScale = world_.focalScale;
     const BodyState body = body::step(input, config_.body);
     seen_ = vision::step({input, body}, config_.vision, *vision_);
     world_ = gps::step({input, seen_, body.camera}, config_.gps, *gps_);

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gps/pose/Focal.h"
+
+#include <cmath>
+
+#include "gps/Gaussian.h"
+#include "gps/pose/PoseUpdate.h"
+
+namespace kelpie::gps {
+namespace {
+
+constexpr double kKnownSd = 1e-4;  // where it is not estimated
+
+// An innovation, how much of it one unit of the scale explains, and its variance without the
+// scale's.
+struct Sighting {
+  double innovation = 0.0;
+  double slope = 0.0;
+  double variance = 0.0;
+};
+
+void update(const Sighting& z, const FocalParams& params, FocalScale& focal) {
+  const double variance = z.slope * z.slope * focal.variance + z.variance;
+  if (!(z.innovation * z.innovation <= maths::square(params.gate) * variance)) return;
+  const double gain = z.slope * focal.variance / variance;
+  focal.ratio =
+      maths::clamp(focal.ratio + gain * z.innovation, 1.0 - params.most, 1.0 + params.most);
+  focal.variance =
+      std::fmax(focal.variance * (1.0 - gain * z.slope), maths::square(params.leastSd));
+}
+
+// Beside the camera's axis, positive to the left.
+double besideAxis(const CameraPose& camera, Angle heading) {
+  return (heading - Angle::rad(maths::atan2(-camera.axes[2], camera.axes[5]))).rad();
+}
+
+}  // namespace
+
+FocalScale startingFocal(const FocalParams& params) {
+  return {1.0, maths::square(params.use ? params.initialSd : kKnownSd)};
+}
+
+void updateFocal(const GpsIn& in, const PoseMode& mode, const Measurement& seen,
+                 const FocalParams& params, FocalScale& focal) {
+  if (!params.use || mode.covariance[8] > maths::square(params.maxHeadingSd.rad())) return;
+  const Expectation e = expected(mode.pose, seen.landmark);
+  const Matrix3 p = covarianceOf(mode);
+  const auto& j = e.jacobian;
+  const double learned = focal.ratio - in.input.focalScale.ratio;
+  if (seen.useHeading) {
+    const double slope = besideAxis(in.camera, seen.heading);
+    const Vector3 h(j[3], j[4], j[5]);
+    update({(seen.heading - e.heading).rad() - slope * learned, slope,
+            h.dot(p * h) + seen.headingVariance},
+           params, focal);
+  }
+  if (seen.useDistance) {
+    const double slope = -e.distance;
+    const Vector3 h(j[0], j[1], j[2]);
+    const double spread = seen.distanceVariance + maths::square(params.distanceSd * e.distance);
+    update({seen.distance - e.distance - slope * learned, slope, h.dot(p * h) + spread}, params,
+           focal);
+  }
+}
+
+}  // namespace kelpie::gps
