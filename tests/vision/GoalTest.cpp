@@ -6,7 +6,7 @@
 #include "tests/vision/Board.h"
 #include "tests/vision/Painting.h"
 #include "vision/Refusal.h"
-#include "vision/goal/GoalFacts.h"
+#include "vision/goal/GoalCurves.h"
 #include "vision/goal/GoalFinder.h"
 #include "vision/goal/GoalShape.h"
 
@@ -57,6 +57,17 @@ TEST(Goal, PostBeyondTheImageBorderIsMarkedAsCut) {
   EXPECT_TRUE(goal->rightEdgeCut);
   EXPECT_FALSE(goal->leftEdgeCut);
   EXPECT_NEAR(goal->heading.deg(), std::atan2(-60, 120) * kDegrees, 7);
+}
+
+constexpr Paint kPaleBluePaint{82, 122, 148};
+
+TEST(Goal, OfThePalerBlueOfClothAndBoardsIsRefused) {
+  EXPECT_NE(
+      find(look(goalAt(0, 250, kBluePaint), cameraAt(16, 0, -4)).percepts, LandmarkKind::goalBlue),
+      nullptr);
+  EXPECT_EQ(find(look(goalAt(0, 250, kPaleBluePaint), cameraAt(16, 0, -4)).percepts,
+                 LandmarkKind::goalBlue),
+            nullptr);
 }
 
 TEST(Goal, SplitByAWhiteGoalieIsOne) {

@@ -23,6 +23,7 @@ struct GoalColumn {
   double distance = 0.0;   // cm on the ground, camera to the wall, 0 = not measured
   double sd = 0.0;         // cm
   double footError = 0.0;  // rad, elevation of the foot less that of the ground there
+  double paint = 1.0;      // GoalColour.h, mean of three places
 };
 constexpr std::size_t kGoalColumns = 24;
 

@@ -85,8 +85,19 @@ void measureDistance(const Scene& scene, const GoalFinderParams& p, const GoalCa
   }
 }
 
-std::optional<GoalColumn> columnAt(const Scene& scene, const GoalFinderParams& p, GoalCandidate& c,
-                                   double u) {
+double paintOf(const Scene& scene, const CarpetColour& carpet, const GoalCandidate& c,
+               const GoalColumn& column) {
+  double sum = 0.0;
+  for (const double share : {0.3, 0.5, 0.7}) {
+    const PixelPoint at{column.foot.x + share * (column.top.x - column.foot.x),
+                        column.foot.y + share * (column.top.y - column.foot.y)};
+    sum += paintShare(scene, carpet, c.colour, at);
+  }
+  return sum / 3.0;
+}
+
+std::optional<GoalColumn> columnAt(const Scene& scene, const GoalFinderParams& p,
+                                   const CarpetColour& carpet, GoalCandidate& c, double u) {
   const auto start = lowestIn(scene, c, u);
   if (!start) return std::nullopt;
   const ImageDirection up = scene.frame.up();
@@ -97,6 +108,7 @@ std::optional<GoalColumn> columnAt(const Scene& scene, const GoalFinderParams& p
   column.top = top.point;
   column.foot = foot.point;
   column.topCut = top.cut;
+  column.paint = paintOf(scene, carpet, c, column);
   // Cut below, nothing speaks against carpet.
   const Below below = belowFoot(scene, foot, top.length + foot.length);
   column.footCut = below == Below::outside;
@@ -186,6 +198,27 @@ double middleFoot(const Scene& scene, const GoalCandidate& c) {
   if (feet.empty()) return 1e9;
   std::sort(feet.begin(), feet.end());
   return feet[feet.size() / 2];
+}
+
+// Columns of boards, cloth and floor whose blue is paler than the goal's paint, or than that of the
+// rest, are another thing's.
+void dropPale(GoalCandidate& c) {
+  constexpr double kMinPaint = 0.78;
+  constexpr double kMinOfRest = 0.87;  // of the upper fifth
+  FixedVector<double, kGoalColumns> paints;
+  for (const GoalColumn& column : c.columns) paints.push_back(column.paint);
+  if (paints.empty()) return;
+  std::sort(paints.begin(), paints.end());
+  const double least = std::max(kMinPaint, kMinOfRest * paints[paints.size() * 4 / 5]);
+  FixedVector<GoalColumn, kGoalColumns> kept;
+  const std::size_t last = c.columns.size() - 1;
+  for (std::size_t i = 0; i <= last; ++i) {
+    // A single one at an end may be where paint and background mix.
+    const bool mixed = (i == 0 && c.columns[std::min<std::size_t>(1, last)].paint >= least) ||
+                       (i == last && last > 0 && c.columns[last - 1].paint >= least);
+    if (mixed || c.columns[i].paint >= least) kept.push_back(c.columns[i]);
+  }
+  c.columns = kept;
 }
 
 // Columns at the goal's distance belong to it. So do those whose foot stands beside theirs, though
@@ -282,16 +315,18 @@ GoalEnd endOf(const Scene& scene, const GoalCandidate& c, bool left, double spac
 
 }  // namespace
 
-void measureGoal(const Scene& scene, const GoalFinderParams& params, GoalCandidate& c) {
+void measureGoal(const Scene& scene, const GoalFinderParams& params, const CarpetColour& carpet,
+                 GoalCandidate& c) {
   const double spacing = std::max(kMinSpacing, c.box.width() / static_cast<double>(kGoalColumns));
   const CameraPose& camera = scene.body.camera;
   const PixelPoint foot = scene.frame.toImage({c.box.middle(), c.box.bottom});
   c.doubt = elevationDoubt(camera, groundRayThrough(camera, foot));
   c.columns.clear();
   for (double u = c.box.left + 0.5 * spacing; u < c.box.right; u += spacing) {
-    const auto column = columnAt(scene, params, c, u);
+    const auto column = columnAt(scene, params, carpet, c, u);
     if (column) c.columns.push_back(*column);
   }
+  dropPale(c);
   chooseColumns(scene, params, c);
   trim(scene, c, 0.5 * spacing);
   c.left = endOf(scene, c, true, spacing);

@@ -6,11 +6,13 @@
 #pragma once
 
 #include "vision/goal/GoalCandidate.h"
+#include "vision/goal/GoalColour.h"
 
 namespace kelpie::vision {
 
 // Fills columns, box, edges, cuts, distance and its standard deviation from the candidate's colour
 // and box.
-void measureGoal(const Scene& scene, const GoalFinderParams& params, GoalCandidate& c);
+void measureGoal(const Scene& scene, const GoalFinderParams& params, const CarpetColour& carpet,
+                 GoalCandidate& c);
 
 }  // namespace kelpie::vision

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whether what passed every check is a goal: plain facts of the candidate, and the log odds against
-// a goal. Clothes and boxes behind the carpet pass each single check now and then, but seldom all
-// of them well. Weak where only a few columns of a goal show: then either error is likely.
+// Whether what passed every check is a goal: plain facts of the candidate. Clothes and boxes behind
+// the carpet pass each single check now and then, but seldom all of them well. Weak where only a
+// few columns of a goal show: then either error is likely.
 #pragma once
 
 #include "vision/goal/GoalCandidate.h"
@@ -20,6 +20,7 @@ struct GoalFacts {
   double measured = 0.0;       // columns whose height tells their distance
   double chosen = 0.0;         // columns of the goal
   double coloured = 0.0;       // area of its samples to that of the box of its columns
+  double paint = 1.0;          // GoalColour.h, mean of its columns
   double green = 0.0;          // share of all columns with carpet below
   double hidden = 0.0;         // ends before which a robot stands
   double cut = 0.0;            // ends that an image border cuts
@@ -42,10 +43,10 @@ struct GoalFacts {
         field("meanFoot", &Facts::meanFoot), field("footError", &Facts::footError),
         field("misfit", &Facts::misfit), field("measured", &Facts::measured),
         field("chosen", &Facts::chosen), field("coloured", &Facts::coloured),
-        field("green", &Facts::green), field("hidden", &Facts::hidden), field("cut", &Facts::cut),
-        field("topCut", &Facts::topCut), field("lateralOffset", &Facts::lateralOffset),
-        field("edgeDistance", &Facts::edgeDistance), field("edgeTurn", &Facts::edgeTurn),
-        field("edgeLateralOffset", &Facts::edgeLateralOffset),
+        field("paint", &Facts::paint), field("green", &Facts::green),
+        field("hidden", &Facts::hidden), field("cut", &Facts::cut), field("topCut", &Facts::topCut),
+        field("lateralOffset", &Facts::lateralOffset), field("edgeDistance", &Facts::edgeDistance),
+        field("edgeTurn", &Facts::edgeTurn), field("edgeLateralOffset", &Facts::edgeLateralOffset),
         field("cornerError", &Facts::cornerError), field("beaconError", &Facts::beaconError),
         field("offCarpetDistance", &Facts::offCarpetDistance));
   }
@@ -53,9 +54,5 @@ struct GoalFacts {
 
 // All but its place on the field.
 GoalFacts goalFacts(const Scene& scene, const GoalCandidate& c, const GoalShape& shape);
-
-// Natural log of the odds against a goal, up to a constant (learned from candidates of 60 000
-// rendered views: kelpie evaluate doubts).
-double logOddsAgainst(const GoalFacts& facts);
 
 }  // namespace kelpie::vision

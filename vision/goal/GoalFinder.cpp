@@ -6,6 +6,7 @@
 
 #include "vision/Refusal.h"
 #include "vision/goal/GoalColumns.h"
+#include "vision/goal/GoalCurves.h"
 #include "vision/goal/GoalFacts.h"
 #include "vision/goal/GoalPlace.h"
 #include "vision/goal/GoalShape.h"
@@ -170,12 +171,13 @@ bool accepted(const Scene& scene, const GoalCandidate& c, const GoalFinderParams
          check(goalIsNear(c, p), Refusal::goalTooFar);
 }
 
-bool tried(const Scene& scene, GoalCandidate& c, const GoalFinderParams& p, VisionCounts& counts) {
+bool tried(const Scene& scene, const CarpetColour& carpet, GoalCandidate& c,
+           const GoalFinderParams& p, VisionCounts& counts) {
   if (!goalIsLarge(c, p)) {
     refuse(counts, Refusal::goalTooSmall);
     return false;
   }
-  measureGoal(scene, p, c);
+  measureGoal(scene, p, carpet, c);
   return accepted(scene, c, p, counts);
 }
 
@@ -216,11 +218,12 @@ struct Finder {
   const Landmarks& beacons;
   VisionCounts& counts;
   JudgedGoals& judged;
+  CarpetColour carpet;  // for blue ones
 
   // The candidate with the least log odds against it is the goal: the two goals are at opposite
   // ends, so that one image shows one of them (facts-2005 4.5 check 10).
   void consider(GoalCandidate c, Likeliest& best) const {
-    if (!tried(scene, c, params, counts)) return;
+    if (!tried(scene, carpet, c, params, counts)) return;
     const GoalShape shape = shapeOf(scene, c, params);
     if (!goalFacesField(shape, params)) return refuse(counts, Refusal::goalOblique);
     GoalFacts facts = goalFacts(scene, c, shape);
@@ -307,11 +310,13 @@ bool goalIsNear(const GoalCandidate& c, const GoalFinderParams& p) {
 void findGoals(const Scene& scene, const GoalFinderParams& params, VisionCounts& counts,
                Landmarks& landmarks, GoalGaps& gaps, JudgedGoals& judged) {
   const Landmarks beacons = landmarks;
-  const Finder finder{scene, params, beacons, counts, judged};
+  Finder finder{scene, params, beacons, counts, judged, {}};
   Likeliest best;
   for (const ColourClass colour : {ColourClass::blue, ColourClass::yellow}) {
     FixedVector<Region, kMaxSeeds> groups;
-    for (const Blob* seed : seedsOf(scene, colour, beacons)) {
+    const Seeds seeds = seedsOf(scene, colour, beacons);
+    if (colour == ColourClass::blue && !seeds.empty()) finder.carpet = carpetColour(scene);
+    for (const Blob* seed : seeds) {
       const GoalCandidate group = grouped(scene, *seed, beacons);
       // Each part of a goal seeds the same group.
       const Region region{group.samples, group.box};

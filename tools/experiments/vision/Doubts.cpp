@@ -3,7 +3,8 @@
 // real ones lost against false ones left, with its own curves and with curves learned from the same
 // views, each view with what the others taught. Bodies lean as much as their robots know
 // (TiltClaim). tools/curves makes BallCurves.cpp, BeaconCurves.cpp and RobotCurves.cpp of the
-// learned ones; those of GoalFacts are of 60 000 views of bodies that do not lean.
+// learned ones; those of GoalFacts are of 60 000 views of bodies that do not lean. Learned here
+// with half of the views in unlike worlds, they lost 6 % of the like world's goals for 2 %.
 #include <algorithm>
 #include <cmath>
 
@@ -118,6 +119,17 @@ Json figuresOf(const Candidates& all, int views) {
   return json;
 }
 
+// In unlike worlds every second view is of the like one: the curves must hold in both.
+std::vector<Request> halvesOf(const Request& request) {
+  if (request.unlike.seed == 0) return {request};
+  Request like = request;
+  like.unlike = {};
+  like.trials = request.trials / 2;
+  Request unlike = request;
+  unlike.trials = request.trials - like.trials;
+  return {like, unlike};
+}
+
 Expected<Json> doubts(const Request& request) {
   ViewParams params;
   params.tilt = {0.0, 0.2, 1.5};  // from settled play's to a robot's start
@@ -131,13 +143,14 @@ Expected<Json> doubts(const Request& request) {
       namesOf<vision::GoalFacts>(), 80, 500, vision.goal.maxLogOddsAgainst, {}, {}, {}};
   Candidates robots{
       namesOf<vision::RobotFacts>(), 30, 200, vision.robot.maxLogOddsAgainst, {}, {}, {}};
-  lookAtViews(params, request, [&](const Look& look) {
-    const auto objects = trueObjects(look.view, params.field, visibility);
-    add(look.judgedBalls, objects, look.number, balls);
-    add(look.judgedBeacons, objects, look.number, beacons);
-    add(look.judgedGoals, objects, look.number, goals);
-    add(look.judgedRobots, objects, look.number, robots);
-  });
+  for (const Request& part : halvesOf(request))
+    lookAtViews(params, part, [&](const Look& look) {
+      const auto objects = trueObjects(look.view, params.field, visibility);
+      add(look.judgedBalls, objects, look.number, balls);
+      add(look.judgedBeacons, objects, look.number, beacons);
+      add(look.judgedGoals, objects, look.number, goals);
+      add(look.judgedRobots, objects, look.number, robots);
+    });
   return Json{{"balls", figuresOf(balls, request.trials)},
               {"beacons", figuresOf(beacons, request.trials)},
               {"goals", figuresOf(goals, request.trials)},
