@@ -10,8 +10,8 @@ namespace kelpie::gps {
 
 struct TeamBallParams {
   double keep = 1.5;            // s since it was seen; older ones are no witnesses
-  double growth = 60.0;         // cm2/s while a message ages
-  double witnessNoise = 4.0;    // cm2 more for each: errors that its covariance does not know
+  double growth = 30.0;         // cm2/s while a message ages
+  double witnessNoise = 2.0;    // cm2 more for each: errors that its covariance does not know
   double gate = 9.21;           // two dimensions, 99 %; beyond it two saw different balls
   double maxVariance = 4900.0;  // cm2; vaguer ones are no witnesses
 
