@@ -2,8 +2,8 @@
 """README.md's commands run as they stand there, leave nothing that git sees, and its figures hold.
 
 Only what a reader must put in himself is replaced: DIR by a folder of images, LOG by the log of a
-robot that stood and looked round, and the length of a match by a second. The match that the commands
-read is a short one."""
+robot that stood and looked round, and the length of a match by a second. The match that the
+commands read is a short one."""
 
 import os
 import re
@@ -39,7 +39,7 @@ COMMANDS = listed_commands() + commands_in_the_text()
 def words_of(command):
     words = shlex.split(command, comments=True)
     folder = "sheets" if words[1] == "calibrate" else "recording"
-    words = [{"DIR": folder, "LOG": "stand/match.mcap"}.get(word, word) for word in words]
+    words = [{"DIR": folder, "LOG": "out/stand/match.mcap"}.get(word, word) for word in words]
     if "--seconds" in words:
         words[words.index("--seconds") + 1] = "1"
     elif "--real-time" in words:  # would go on until it is stopped
@@ -65,7 +65,7 @@ def place_of_a_reader(match, tmp_path_factory):
     for i, paper in enumerate(PAPERS):
         (place / "sheets" / f"{i}.yuv").write_bytes(sheet(paper))
     kelpie("play", "--pycode", ROOT / "tools/calibrate/looking", "--seconds", "14", "--seed", "3",
-           "--images", "all", "--no-film", "--out", place / "stand")
+           "--images", "all", "--no-film", "--out", place / "out/stand")
     return place
 
 
