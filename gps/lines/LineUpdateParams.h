@@ -23,7 +23,7 @@ struct LineUpdateParams {
   double coarseShare = 0.125;  // of the sharpness, for the first steps of an unsure mode
   double coarseAbove = 12.0;   // cm, sd of a mode from which these are made
   Angle coarseAboveTilt = Angle::deg(0.8);  // or of its tilt
-  std::uint32_t maxSteps = 8;               // of the maximiser
+  std::uint32_t maxSteps = 5;               // of the maximiser
   double farStep = 20.0;                    // cm, most of one step
   Angle farTurn = Angle::deg(15);           // the same for the heading
   double pointSd = 2.7;                     // cm, of one point on the ground
@@ -38,9 +38,10 @@ struct LineUpdateParams {
   // Of a mode whose lines match nothing. A correction multiplies the true mode's by 0.35 on
   // average; with 0.5 here a wrong one outgrew it within 4 s of one landmark in view.
   double refusedWeight = 0.15;
-  double minWeight = 0.02;     // of the heaviest; lighter modes are not fitted
-  std::uint32_t maxModes = 3;  // so many are fitted
-  double maxSd = 60.0;         // cm; wider modes say nothing about which line is seen
+  double minWeight = 0.05;  // of the heaviest; lighter modes are not fitted
+  // So many are fitted. Three, and eight steps, cost 50 % more in the dearest frame.
+  std::uint32_t maxModes = 2;
+  double maxSd = 60.0;  // cm; wider modes say nothing about which line is seen
   Angle maxHeadingSd = Angle::deg(30);
 
   static constexpr auto fields() {
