@@ -28,21 +28,15 @@ void keepNearField(const body::FieldDescription& field, Modes& modes) {
 // Squared, over its variance: the weight is exp(-0.5 chi squared) of three degrees of freedom.
 double lineInnovation(double weight) { return -2.0 / 3.0 * maths::log(weight); }
 
-// The bearing's, squared, over its variance.
-double bearingInnovation(const PoseMode& mode, const Measurement& seen) {
-  const Expectation e = expected(mode.pose, seen.landmark);
-  const Vector3 h(e.jacobian[3], e.jacobian[4], e.jacobian[5]);
-  const double innovation = (seen.heading - e.heading).rad();
-  return innovation * innovation / (h.dot(covarianceOf(mode) * h) + seen.headingVariance);
-}
-
 // What a landmark tells beside the pose.
 void noteSighting(const GpsIn& in, const Measurement& seen, const GpsParams& params,
                   PoseState& state) {
   const PoseMode& best = state.modes[0];
   updateFocal(in, best, seen, params.focal, state.focal);
   updateLag(in.input, best, seen, params.lag, state.lag);
-  noteInnovation(best, bearingInnovation(best, seen), params.noiseScale, state.noiseScale);
+  const Innovation bearing = bearingInnovation(best, seen);
+  noteInnovation(best, maths::square(bearing.value) / bearing.variance, params.noiseScale,
+                 state.noiseScale);
 }
 
 void scaleBy(double scale, Measurement& m) {

@@ -39,7 +39,7 @@ struct LineUpdateParams {
   // average; with 0.5 here a wrong one outgrew it within 4 s of one landmark in view.
   double refusedWeight = 0.15;
   double minWeight = 0.05;  // of the heaviest; lighter modes are not fitted
-  // So many are fitted. Three, and eight steps, cost 50 % more in the dearest frame.
+  // So many are fitted. Three in eight steps took 628 k instructions at most, two in five 372 k.
   std::uint32_t maxModes = 2;
   double maxSd = 60.0;  // cm; wider modes say nothing about which line is seen
   Angle maxHeadingSd = Angle::deg(30);

@@ -43,23 +43,20 @@ FocalScale startingFocal(const FocalParams& params) {
 void updateFocal(const GpsIn& in, const PoseMode& mode, const Measurement& seen,
                  const FocalParams& params, FocalScale& focal) {
   if (!params.use || mode.covariance[8] > maths::square(params.maxHeadingSd.rad())) return;
-  const Expectation e = expected(mode.pose, seen.landmark);
-  const Matrix3 p = covarianceOf(mode);
-  const auto& j = e.jacobian;
   const double learned = focal.ratio - in.input.focalScale.ratio;
   if (seen.useHeading) {
     const double slope = besideAxis(in.camera, seen.heading);
-    const Vector3 h(j[3], j[4], j[5]);
-    update({(seen.heading - e.heading).rad() - slope * learned, slope,
-            h.dot(p * h) + seen.headingVariance},
-           params, focal);
+    const Innovation bearing = bearingInnovation(mode, seen);
+    update({bearing.value - slope * learned, slope, bearing.variance}, params, focal);
   }
   if (seen.useDistance) {
+    const Expectation e = expected(mode.pose, seen.landmark);
+    const Vector3 h(e.jacobian[0], e.jacobian[1], e.jacobian[2]);
     const double slope = -e.distance;
-    const Vector3 h(j[0], j[1], j[2]);
     const double spread = seen.distanceVariance + maths::square(params.distanceSd * e.distance);
-    update({seen.distance - e.distance - slope * learned, slope, h.dot(p * h) + spread}, params,
-           focal);
+    update({seen.distance - e.distance - slope * learned, slope,
+            h.dot(covarianceOf(mode) * h) + spread},
+           params, focal);
   }
 }
 

@@ -40,6 +40,12 @@ Expectation expected(const Pose2& pose, Point2<Field> landmark) {
   return e;
 }
 
+Innovation bearingInnovation(const PoseMode& mode, const Measurement& seen) {
+  const Expectation e = expected(mode.pose, seen.landmark);
+  const Vector3 h(e.jacobian[3], e.jacobian[4], e.jacobian[5]);
+  return {(seen.heading - e.heading).rad(), h.dot(covarianceOf(mode) * h) + seen.headingVariance};
+}
+
 void InformationSum::add(const PoseMode& mode, const Measurement& m, const Pose2& at) {
   if (distance(m.landmark, at.position) < kMinDistance) {
     degenerate = true;

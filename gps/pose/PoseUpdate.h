@@ -25,6 +25,12 @@ struct Expectation {
 };
 Expectation expected(const Pose2& pose, Point2<Field> landmark);
 
+struct Innovation {
+  double value = 0.0;
+  double variance = 0.0;  // the mode's and the measurement's
+};
+Innovation bearingInnovation(const PoseMode& mode, const Measurement& seen);  // rad
+
 // What several observations say of a mode's error: the information matrix Y, the information vector
 // y = Y times the error, and chi squared, the sum of squared innovations over their variances.
 struct InformationSum {
