@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gps/Localiser.h"
 
+#include "gps/Ahead.h"
 #include "gps/Extract.h"
 #include "gps/ball/BallFilter.h"
 #include "gps/ball/DropIn.h"
@@ -26,6 +27,7 @@ WorldModel believe(const GpsIn& in, const Step& moved, const GpsParams& params, 
   WorldModel world = extract(state, params.ball);
   stepPlayers(in, {params.field, params.players, params.ball}, state.players, state.counts, world);
   world.counts = state.counts;
+  bringForward(sinceExposure(in.input), world);
   return world;
 }
 

@@ -58,7 +58,7 @@ void AgentLoops::camera(const Image& image, TimeUs exposureMiddle, std::uint32_t
   input_.stance = motionOutput_->stance;
   input_.cameraTilt = frame_ != nullptr ? frame_->world.cameraTilt : startingTilt_;
   input_.focalScale = frame_ != nullptr ? frame_->world.focalScale : startingFocal_;
-  input_.odometry = odometry_.until(exposureMiddle);
+  input_.odometry = odometry_.until(exposed);
   input_.motion = motionOutput_->status;
   input_.game = game_;
   input_.lastCommand = frame_ != nullptr ? frame_->command : Command{};

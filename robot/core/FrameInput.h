@@ -58,8 +58,8 @@ struct FrameInput {
   Stance stance;
   CameraTilt cameraTilt;  // believed after the previous frame
   FocalScale focalScale;  // so
-  ImageLag imageLag;      // so; joints and head rate are those of that much before `time`
-  Odometry odometry;      // since the previous frame
+  ImageLag imageLag;      // so; joints, head rate and odometry are those of that much before `time`
+  Odometry odometry;      // from the exposure of the previous frame to that of this one
   MotionStatus motion;
   GameState game;
   Command lastCommand;

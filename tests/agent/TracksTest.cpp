@@ -86,5 +86,13 @@ TEST(OdometryTrack, NothingIsWalkedTwiceAtTheSameTime) {
   EXPECT_EQ(track.until({20000}).forward, 0.0);
 }
 
+TEST(OdometryTrack, AnImageOfThreeMessagesAgoGetsTheWayUntilThen) {
+  OdometryTrack track;
+  for (std::int64_t message = 1; message <= 6; ++message)
+    track.add({message * 32000}, {static_cast<double>(message), 0.0, Angle()});
+  EXPECT_NEAR(track.until({3 * 32000 + 16000}).forward, 1.0 + 2.0 + 3.0 + 2.0, 1e-12);
+  EXPECT_NEAR(track.until({6 * 32000}).forward, 2.0 + 5.0 + 6.0, 1e-12);
+}
+
 }  // namespace
 }  // namespace kelpie::agent
