@@ -15,9 +15,6 @@
 namespace kelpie::body {
 
 constexpr Lens kNominalLens;
-constexpr double kFocalLength = kNominalLens.focalLength;
-constexpr double kPrincipalX = kNominalLens.principalX;
-constexpr double kPrincipalY = kNominalLens.principalY;
 
 // Of one robot. Offsets are added to what is sensed.
 struct BodyParams {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "tools/calibrate/Quantile.h"
 #include "tools/calibrate/StartPlace.h"
 
 namespace kelpie::calibrate {
@@ -228,10 +229,7 @@ double medianMiss(const Residuals& residuals, SightKind kind) {
   std::vector<double> sizes;
   for (const Residual& r : residuals)
     if (r.kind == kind) sizes.push_back(std::hypot(r.miss.x, r.miss.y));
-  if (sizes.empty()) return 0.0;
-  const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
-  std::nth_element(sizes.begin(), middle, sizes.end());
-  return *middle;
+  return quantile(sizes, 0.5);
 }
 
 Expected<BodyEstimate> estimateBody(const StandingLog& log) { return Estimator(log).run(); }

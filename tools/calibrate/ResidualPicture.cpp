@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <opencv2/imgproc.hpp>
 
+#include "tools/calibrate/Quantile.h"
 #include "tools/picture/PngFile.h"
 
 namespace kelpie::calibrate {
@@ -80,9 +81,7 @@ double lengthFor(const Residuals& residuals) {
   std::vector<double> sizes;
   for (const Residual& r : residuals) sizes.push_back(std::hypot(r.miss.x, r.miss.y));
   if (sizes.empty()) return kLongest;
-  const auto ninth = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() * 9 / 10);
-  std::nth_element(sizes.begin(), ninth, sizes.end());
-  return maths::clamp(std::floor(kReadable / std::max(*ninth, 0.1)), 1.0, kLongest);
+  return maths::clamp(std::floor(kReadable / std::max(quantile(sizes, 0.9), 0.1)), 1.0, kLongest);
 }
 
 }  // namespace

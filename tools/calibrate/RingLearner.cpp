@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "robot/core/Maths.h"
+#include "tools/calibrate/Quantile.h"
 
 namespace kelpie::calibrate {
 namespace {
@@ -102,9 +103,7 @@ double scaleOf(const std::vector<double>& errors) {
   std::vector<double> sizes(errors.size());
   std::transform(errors.begin(), errors.end(), sizes.begin(),
                  [](double e) { return std::fabs(e); });
-  const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
-  std::nth_element(sizes.begin(), middle, sizes.end());
-  return std::fmax(kMinScale, 1.4826 * *middle);
+  return std::fmax(kMinScale, 1.4826 * quantile(sizes, 0.5));
 }
 
 double huberWeight(double e) { return std::fabs(e) <= kHuber ? 1.0 : kHuber / std::fabs(e); }

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tools/calibrate/Quantile.h"
+
 namespace kelpie::calibrate {
 namespace {
 
@@ -12,12 +14,6 @@ struct Direction {
   double heading = 0.0;   // rad, in the robot frame
   double distance = 0.0;  // cm
 };
-
-double medianOf(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 // The median of what was seen of each kind.
 std::vector<Direction> directions(const StandingLog& log, const Seen& seen) {
@@ -32,7 +28,7 @@ std::vector<Direction> directions(const StandingLog& log, const Seen& seen) {
         distances.push_back(percept.distance);
       }
     if (headings.size() >= 2)
-      found.push_back({known.position, medianOf(headings), medianOf(distances)});
+      found.push_back({known.position, quantile(headings, 0.5), quantile(distances, 0.5)});
   }
   return found;
 }

@@ -75,7 +75,8 @@ std::vector<DiscImage> discImages(const CameraPose& camera, const std::vector<Ma
     const double range = maths::hypot(
         maths::hypot(marker.place.x - camera.position.x, marker.place.y - camera.position.y),
         camera.position.z);
-    discs.push_back({&marker, *centre, body::kFocalLength * marker.radius / range + kMargin});
+    const double radius = body::kNominalLens.focalLength * marker.radius / range;
+    discs.push_back({&marker, *centre, radius + kMargin});
   }
   return discs;
 }
