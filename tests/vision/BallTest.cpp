@@ -82,6 +82,15 @@ TEST(Ball, NeckErrorOfOneDegreeHardlyMovesIt) {
   }
 }
 
+TEST(Ball, NeckErrorOfFourDegreesLeavesItTheDistanceOfItsSize) {
+  const auto input = std::make_unique<FrameInput>();
+  const auto state = stateForPaintings();
+  paint(ballAt(240, 0), cameraAt(16, 0, -8), input->image);
+  const BallPercept ball = step({*input, bodyOf(cameraAt(16, 0, -12))}, {}, *state).ball;
+  ASSERT_TRUE(ball.present);
+  EXPECT_NEAR(ball.distance, 240, 36);  // fused with the ground's 114 it would be 149
+}
+
 TEST(Ball, NoneIsSeenOnAnEmptyField) {
   Painting p;
   p.noise = 3.0;
