@@ -196,6 +196,15 @@ TEST(BeaconFacts, UnequalBandsDifferByTheLogOfTheirRatioUnlessOneIsCut) {
   EXPECT_EQ(stand.facts().topCut, 1);
 }
 
+TEST(BeaconFacts, ImageBorderExplainsANarrowBandButNoneThatIsTooWide) {
+  Stand stand;
+  stand.c.widthCut = true;
+  stand.c.width = 5;
+  EXPECT_EQ(stand.facts().widthCut, 1);
+  stand.c.width = 15;
+  EXPECT_EQ(stand.facts().widthCut, 0);
+}
+
 TEST(BeaconFacts, ClothesOfItsColourBesideABandAreSeenThere) {
   Stand stand;
   stand.board.fill(60, 40, 100, 50, kBluePaint);

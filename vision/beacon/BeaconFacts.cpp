@@ -148,7 +148,9 @@ BeaconFacts beaconFacts(const Scene& scene, const BeaconCandidate& c) {
   facts.onWhite = flag(c.onWhite);
   facts.topCut = flag(c.topCut);
   facts.bottomCut = flag(c.bottomCut);
-  facts.widthCut = flag(c.widthCut);
+  // The border explains a band that is too narrow; what shows of it is never too wide.
+  constexpr double kTooWide = 0.3;
+  facts.widthCut = flag(c.widthCut && facts.aspect <= kTooWide);
   fillPointFacts(scene, c, facts);
   return facts;
 }

@@ -29,7 +29,7 @@ struct BeaconFacts {
   double onWhite = 0.0;        // 1: found upwards from its white part
   double topCut = 0.0;         // 1: its upper end is unknown
   double bottomCut = 0.0;
-  double widthCut = 0.0;  // 1: by the image's border
+  double widthCut = 0.0;  // 1: by the image's border, and not too wide all the same
 
   static constexpr auto fields() {
     using Facts = BeaconFacts;
