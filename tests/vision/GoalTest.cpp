@@ -70,6 +70,15 @@ TEST(Goal, OfThePalerBlueOfClothAndBoardsIsRefused) {
             nullptr);
 }
 
+TEST(Goal, EndsWhereThePalerBlueBehindItBegins) {
+  Painting p = goalAt(0, 250, kBluePaint);
+  p.walls.push_back({{-40, 290}, {40, 290}, 0, 40, kPaleBluePaint});
+  const Seen seen = look(p, cameraAt(16, 0, -4));
+  const auto* goal = find(seen.percepts, LandmarkKind::goalBlue);
+  ASSERT_NE(goal, nullptr);
+  EXPECT_NEAR(goal->distance, 250, 12);  // with the wall's top it would be 190
+}
+
 TEST(Goal, SplitByAWhiteGoalieIsOne) {
   Painting p = goalAt(0, 250, kYellowPaint);
   p.walls.push_back({{-8, 230}, {8, 230}, 0, 40, kWhitePaint});

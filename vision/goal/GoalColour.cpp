@@ -48,4 +48,28 @@ double paintShare(const Scene& scene, const CarpetColour& carpet, ColourClass co
   return along / (maths::square(paint.cr) + maths::square(paint.cb));
 }
 
+std::optional<double> paintedShare(const Scene& scene, const CarpetColour& carpet,
+                                   ColourClass colour, PixelPoint foot, PixelPoint top) {
+  constexpr double kPale = 0.85;  // of the paint at the foot
+  constexpr int kHalvings = 5;
+  if (!carpet.known || colour != ColourClass::blue) return std::nullopt;
+  // Of three neighbours, against noise.
+  const auto paint = [&](double share) {
+    const PixelPoint p{foot.x + share * (top.x - foot.x), foot.y + share * (top.y - foot.y)};
+    double sum = 0.0;
+    for (const double aside : {-1.0, 0.0, 1.0})
+      sum += paintShare(scene, carpet, colour, moved(p, scene.frame.right(), aside));
+    return sum / 3.0;
+  };
+  const double pale = kPale * 0.5 * (paint(0.15) + paint(0.3));
+  double in = 0.3;
+  double out = 0.8;
+  if (0.5 * (paint(out) + paint(0.92)) >= pale) return std::nullopt;
+  for (int i = 0; i < kHalvings; ++i) {
+    const double middle = 0.5 * (in + out);
+    (paint(middle) >= pale ? in : out) = middle;
+  }
+  return in;
+}
+
 }  // namespace kelpie::vision

@@ -96,13 +96,25 @@ double paintOf(const Scene& scene, const CarpetColour& carpet, const GoalCandida
   return sum / 3.0;
 }
 
+// Upwards from a column's lowest pixel, where its colour ends or a paler one of the same class
+// begins.
+EdgeHit topOf(const Scene& scene, const CarpetColour& carpet, const GoalCandidate& c,
+              PixelPoint start, PixelPoint foot) {
+  const EdgeHit top = walkToEdge(scene.sampler, {start, scene.frame.up(), c.colour, kHoles});
+  const auto share = paintedShare(scene, carpet, c.colour, foot, top.point);
+  if (!share) return top;
+  const PixelPoint end{foot.x + *share * (top.point.x - foot.x),
+                       foot.y + *share * (top.point.y - foot.y)};
+  return {end, false, *share * top.length};
+}
+
 std::optional<GoalColumn> columnAt(const Scene& scene, const GoalFinderParams& p,
                                    const CarpetColour& carpet, GoalCandidate& c, double u) {
   const auto start = lowestIn(scene, c, u);
   if (!start) return std::nullopt;
   const ImageDirection up = scene.frame.up();
-  const EdgeHit top = walkToEdge(scene.sampler, {*start, up, c.colour, kHoles});
   const EdgeHit foot = walkToEdge(scene.sampler, {*start, -up, c.colour, kHoles});
+  const EdgeHit top = topOf(scene, carpet, c, *start, foot.point);
   GoalColumn column;
   column.u = u;
   column.top = top.point;
