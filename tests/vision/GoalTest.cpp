@@ -325,6 +325,23 @@ TEST(GoalFacts, SeveralWeakFactsDo) {
   EXPECT_GT(logOddsAgainst(facts), GoalFinderParams{}.maxLogOddsAgainst);
 }
 
+TEST(GoalFacts, PaintTellsOnlyWhereItIsPalerThanAGoals) {
+  GoalFacts facts = factsOfAWholeGoal();
+  const double whole = logOddsAgainst(facts);
+  facts.paint = 0.92;
+  EXPECT_DOUBLE_EQ(logOddsAgainst(facts), whole);
+  facts.paint = 0.84;
+  EXPECT_GT(logOddsAgainst(facts), whole + 4.0);
+}
+
+TEST(GoalFacts, ASingleMeasuredColumnSpeaksAgainstAGoalMoreThanTwo) {
+  GoalFacts facts = factsOfAWholeGoal();
+  facts.measured = 2;
+  const double two = logOddsAgainst(facts);
+  facts.measured = 1;
+  EXPECT_GT(logOddsAgainst(facts), two + 1.5);
+}
+
 TEST(GoalFacts, AGoalFarFromItsPlaceIsUnlikely) {
   const GoalFacts whole = factsOfAWholeGoal();
   GoalFacts atACorner = whole;
