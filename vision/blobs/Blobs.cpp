@@ -89,6 +89,8 @@ void joinRows(RunBuffer& runs, std::size_t begin, std::size_t middle, std::size_
   }
 }
 
+// The blob's middle is the sum of its samples until all are there: halves of pixels, so the sum is
+// exact, and two divisions a blob in place of two a run.
 void addRun(const Lattice& lattice, Blob& blob, const Run& run) {
   const double width = run.last - run.first + 1;
   const double count = width * run.height;
@@ -97,13 +99,11 @@ void addRun(const Lattice& lattice, Blob& blob, const Run& run) {
   const double half = 0.5 * kLatticeStep;
   const LevelBox box{u - half * width, v - half * run.height, u + half * width,
                      v + half * run.height};
-  const double before = blob.samples;
-  const double total = before + count;
-  if (before == 0.0) blob.box = box;
+  if (blob.samples == 0) blob.box = box;
   blob.box = {std::min(blob.box.left, box.left), std::min(blob.box.top, box.top),
               std::max(blob.box.right, box.right), std::max(blob.box.bottom, box.bottom)};
-  blob.middle = {(blob.middle.u * before + u * count) / total,
-                 (blob.middle.v * before + v * count) / total};
+  blob.middle.u += u * count;
+  blob.middle.v += v * count;
   blob.samples += static_cast<std::uint32_t>(count);
 }
 
@@ -122,7 +122,10 @@ std::uint32_t collectBlobs(const Lattice& lattice, RunBuffer& runs, BlobBuffer& 
     }
     addRun(lattice, blobs[root.blob], runs[i]);
   }
-  for (Blob& blob : blobs) blob.centre = lattice.frame().toImage(blob.middle);
+  for (Blob& blob : blobs) {
+    blob.middle = {blob.middle.u / blob.samples, blob.middle.v / blob.samples};
+    blob.centre = lattice.frame().toImage(blob.middle);
+  }
   return lost;
 }
 

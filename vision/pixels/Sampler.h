@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <cstdlib>
 
 #include "robot/core/Geometry.h"
 #include "robot/core/Image.h"
@@ -70,31 +71,22 @@ class Sampler {
   ColourClass classAt(PixelPoint p) const {
     return classAt(static_cast<int>(p.x), static_cast<int>(p.y));
   }
-  // Classifies the samples of a row that lie a step apart, positions in 1/65536 px. It neither asks
-  // whether a pixel's class is known nor looks its rows up again while they stay the same: the
-  // blobs' samples took a fifth more one by one.
+  // Classifies the samples of a lattice row that lie a step apart, positions in 1/65536 px. It
+  // neither asks whether a pixel's class is known nor looks its rows up again while they stay the
+  // same: the blobs' samples took a fifth more one by one.
   void classifyRow(std::int32_t x, std::int32_t y, std::int32_t stepX, std::int32_t stepY,
                    int count, std::uint8_t* out) const {
-    // Held here: for all that the compiler knows, storing a class may change what they refer to.
-    const Image& image = image_;
-    const RingTable& ring = calibration_.ring;
-    const ColourTable& colour = calibration_.colour;
-    std::uint8_t* const classes = classes_.data();
-    std::array<const std::uint8_t*, 3> to{};
-    std::size_t start = 0;
-    int row = -1;
-    for (const std::uint8_t* const end = out + count; out != end; ++out, x += stepX, y += stepY) {
-      const int py = y >> 16;
-      if (py != row) {
-        row = py;
-        start = Image::at(0, py);
-        for (std::size_t c = 0; c < 3; ++c) to[c] = rows_[c][static_cast<std::size_t>(py)];
-      }
-      const auto px = static_cast<std::size_t>(x >> 16);
-      const std::size_t at = start + px;
-      const Yuv raw{image.y[at], image.cr[at], image.cb[at]};
-      *out = classes[at] =
-          static_cast<std::uint8_t>(colour(ring(raw, {to[0][px], to[1][px], to[2][px]})));
+    // To look rows up outside the loop spares 9 of a sample's 47 instructions and takes 45 for each
+    // row: from a roll of 7 deg on fewer than four samples share it.
+    constexpr std::int32_t kSteep = 0x4000;
+    if (std::abs(stepY) > kSteep) return classifyAcrossRows(x, y, stepX, stepY, count, out);
+    while (count > 0) {
+      const int here = std::min(count, samplesInRow(y, stepY));
+      classifyInRow(x, y >> 16, stepX, here, out);
+      x += here * stepX;
+      y += here * stepY;
+      count -= here;
+      out += here;
     }
   }
   // As measured: for differences between neighbours, which the ring correction hardly changes.
@@ -110,6 +102,59 @@ class Sampler {
   }
 
  private:
+  // How many samples lie in the same row of pixels as the first.
+  static int samplesInRow(std::int32_t y, std::int32_t step) {
+    constexpr std::int32_t kLast = 0xFFFF;
+    const std::int32_t rest = step < 0 ? y & kLast : kLast - (y & kLast);
+    return step != 0 ? 1 + rest / std::abs(step) : kImageWidth;
+  }
+  void classifyInRow(std::int32_t from, int py, std::int32_t step, int count,
+                     std::uint8_t* out) const {
+    // Held here: for all that the compiler knows, storing a class may change what they refer to.
+    const std::size_t start = Image::at(0, py);
+    const std::uint8_t* const rawY = image_.y.data() + start;
+    const std::uint8_t* const rawCr = image_.cr.data() + start;
+    const std::uint8_t* const rawCb = image_.cb.data() + start;
+    const std::uint8_t* const toY = rows_[0][static_cast<std::size_t>(py)];
+    const std::uint8_t* const toCr = rows_[1][static_cast<std::size_t>(py)];
+    const std::uint8_t* const toCb = rows_[2][static_cast<std::size_t>(py)];
+    const VisionCalibration& calibration = calibration_;
+    std::uint8_t* const classes = classes_.data() + start;
+    // As wide as an index, so that none is made wider for each sample; it wraps where steps are
+    // negative.
+    auto x = static_cast<std::size_t>(from);
+    const auto stepX = static_cast<std::size_t>(step);
+    for (const std::uint8_t* const end = out + count; out != end; ++out, x += stepX) {
+      const std::size_t px = x >> 16;
+      const Yuv raw{rawY[px], rawCr[px], rawCb[px]};
+      const Yuv corrected = calibration.ring(raw, {toY[px], toCr[px], toCb[px]});
+      *out = classes[px] = static_cast<std::uint8_t>(calibration.colour(corrected));
+    }
+  }
+
+  void classifyAcrossRows(std::int32_t x, std::int32_t y, std::int32_t stepX, std::int32_t stepY,
+                          int count, std::uint8_t* out) const {
+    const Image& image = image_;
+    const VisionCalibration& calibration = calibration_;
+    std::uint8_t* const classes = classes_.data();
+    std::array<const std::uint8_t*, 3> to{};
+    std::size_t start = 0;
+    int row = -1;
+    for (const std::uint8_t* const end = out + count; out != end; ++out, x += stepX, y += stepY) {
+      const int py = y >> 16;
+      if (py != row) {
+        row = py;
+        start = Image::at(0, py);
+        for (std::size_t c = 0; c < 3; ++c) to[c] = rows_[c][static_cast<std::size_t>(py)];
+      }
+      const auto px = static_cast<std::size_t>(x >> 16);
+      const std::size_t at = start + px;
+      const Yuv raw{image.y[at], image.cr[at], image.cb[at]};
+      const Yuv corrected = calibration.ring(raw, {to[0][px], to[1][px], to[2][px]});
+      *out = classes[at] = static_cast<std::uint8_t>(calibration.colour(corrected));
+    }
+  }
+
   const Image& image_;
   const VisionCalibration& calibration_;
   ClassPlane& classes_;
