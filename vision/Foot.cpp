@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "vision/pixels/GroundRay.h"
+#include "vision/pixels/PixelWalk.h"
 
 namespace kelpie::vision {
 namespace {
@@ -22,15 +23,17 @@ constexpr int kMaxLineWidth = 4;      // px of white that the carpet goes on beh
 
 // The colour of another thing than the one whose colour is `own`. A dark blue uniform looks like a
 // blue goal here and there.
-bool isOther(ColourClass c, ColourClass own) {
-  if (c == own) return false;
-  return c == ColourClass::orange || c == ColourClass::yellow || c == ColourClass::pink ||
-         (c == ColourClass::blue && own != ColourClass::robotBlue);
+// As bits by class: a column's sample is asked in two instructions.
+unsigned othersThan(ColourClass own) {
+  const auto bit = [](ColourClass c) { return 1U << index(c); };
+  unsigned others = bit(ColourClass::orange) | bit(ColourClass::yellow) | bit(ColourClass::pink);
+  if (own != ColourClass::robotBlue) others |= bit(ColourClass::blue);
+  return others & ~bit(own);
 }
 
 // What a column's pixels, read downwards, say of the carpet's beginning.
 struct ColumnReader {
-  ColourClass own;
+  unsigned foreign;  // classes of other things
   int greens = 0;
   int first = 0;  // way to the first green
   int gap = 0;
@@ -38,7 +41,7 @@ struct ColumnReader {
 
   // White does not end carpet that began: a line runs 20 cm before its end.
   void read(ColourClass seen, int way) {
-    others = isOther(seen, own) ? others + 1 : 0;
+    others = ((foreign >> index(seen)) & 1U) != 0 ? others + 1 : 0;
     if (seen == ColourClass::green) {
       gap = 0;
       if (greens++ == 0) first = way;
@@ -49,20 +52,18 @@ struct ColumnReader {
 };
 
 // One column on the lattice, to 2 px: pixel and end, no distance yet.
-Foot coarseFoot(const Scene& scene, PixelPoint from, ColourClass own) {
-  ColumnReader reader{own};
-  const ImageDirection up = scene.frame.up();
-  PixelPoint at = from;
+Foot coarseFoot(const Scene& scene, PixelPoint from, unsigned foreign) {
+  ColumnReader reader{foreign};
+  const PixelWalk down(from, -scene.frame.up());
   for (int way = 0; reader.others < kMinOthers; way += kStep) {
-    const int px = static_cast<int>(at.x);
-    const int py = static_cast<int>(at.y);
-    if (!inCoarse(px, py)) return {FootEnd::imageBorder, at};
+    const int px = down.x(way);
+    const int py = down.y(way);
+    if (!inCoarse(px, py)) return {FootEnd::imageBorder, scene.frame.beside(from, 0.0, -way)};
     reader.read(coarseClass(scene.sampler, px, py), way);
     if (reader.greens >= kMinGreens)
       return {FootEnd::carpet, scene.frame.beside(from, 0.0, -reader.first)};
-    at = moved(at, up, -kStep);
   }
-  return {FootEnd::hidden, at};
+  return {};
 }
 
 // From the coarse place of the first green to the border before it, pixel by pixel.
@@ -73,6 +74,12 @@ PixelPoint refined(const Scene& scene, PixelPoint coarse) {
       return scene.frame.beside(coarse, 0.0, above + 0.5);
   }
   return coarse;
+}
+
+// Whether a coarse foot is no nearer than what is wanted wherever `refined` would place it.
+bool isFarther(const Scene& scene, const Foot& coarse, double nearer) {
+  const PixelPoint lowest = scene.frame.beside(coarse.pixel, 0.0, -0.5);
+  return groundDistance(scene.body.camera, lowest).value_or(kNoDistance) >= nearer;
 }
 
 // How far the carpet goes on above a level line through the foot, at one place beside it: negative
@@ -124,18 +131,20 @@ double heightAt(const CameraPose& camera, PixelPoint pixel, double distance) {
 
 Foot nearestFoot(const Scene& scene, const FootSearch& search) {
   Foot best;
+  const unsigned foreign = othersThan(search.own);
   for (int i = 0; i < search.columns; ++i) {
     const double share = search.columns > 1 ? i / (search.columns - 1.0) : 0.5;
     const double aside = search.first + (search.last - search.first) * share;
     const PixelPoint from = scene.frame.beside(search.from, aside, 0.0);
     if (!Sampler::usable(from)) continue;
-    Foot foot = coarseFoot(scene, from, search.own);
+    Foot foot = coarseFoot(scene, from, foreign);
+    if (foot.end == FootEnd::hidden) continue;
     const auto distance = groundDistance(scene.body.camera, foot.pixel);
-    if (foot.end == FootEnd::hidden || !distance || *distance >= best.distance) continue;
+    if (!distance || *distance >= best.distance) continue;
     best = foot;
     best.distance = *distance;
   }
-  if (best.end != FootEnd::carpet) return best;
+  if (best.end != FootEnd::carpet || isFarther(scene, best, search.nearer)) return best;
   best.pixel = refined(scene, best.pixel);
   best.distance = groundDistance(scene.body.camera, best.pixel).value_or(kNoDistance);
   return best;

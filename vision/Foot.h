@@ -26,6 +26,7 @@ struct FootSearch {
   double last = 0.0;
   int columns = 1;
   ColourClass own = ColourClass::none;  // the thing's colour
+  double nearer = kNoDistance;          // cm; a foot that is no nearer is not placed to the pixel
 };
 
 // The nearest of the feet of several columns. A column in which another thing's orange, yellow,

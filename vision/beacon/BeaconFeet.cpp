@@ -2,9 +2,11 @@
 #include "vision/beacon/BeaconFeet.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "vision/ElevationDoubt.h"
+#include "vision/pixels/PixelWalk.h"
 
 namespace kelpie::vision {
 namespace {
@@ -14,36 +16,58 @@ constexpr double kMaxRowGap = 6.0;  // px between them, square to it
 constexpr double kMaxFromHorizon =
     60.0;  // px from the horizon: 20 cm of height at 50 cm and an error
 
+bool isOfBand(ColourClass c) {
+  return c == ColourClass::pink || c == ColourClass::blue || c == ColourClass::yellow;
+}
 bool isWhite(ColourClass c) { return c == ColourClass::white || c == ColourClass::grey; }
 
-bool whiteAt(const Scene& scene, double u, double v) {
-  const PixelPoint p = scene.frame.toImage({u, v});
-  return Sampler::usable(p) && isWhite(scene.sampler.classAt(p));
-}
+// Looks below the samples of one lattice row for white, in whole numbers: a badly known blue makes
+// a thousand samples.
+class WhiteBelow {
+ public:
+  WhiteBelow(const Scene& scene, double v) {
+    const ImageDirection right = scene.frame.right();
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+      const double below = v + kLatticeStep * (static_cast<double>(i) + 1.0);
+      rows_[i] = PixelWalk(scene.frame.toImage({scene.lattice.u(0), below}), right);
+    }
+  }
 
-// White within one or two lattice rows below, and two rows farther still: a highlight is not white.
-bool standsOnWhite(const Scene& scene, double u, double v) {
-  if (whiteAt(scene, u, v + 2.0)) return whiteAt(scene, u, v + 4.0) || whiteAt(scene, u, v + 6.0);
-  return whiteAt(scene, u, v + 4.0) && whiteAt(scene, u, v + 6.0);
-}
+  // White in two of the next three rows: a highlight is not white.
+  bool at(const Sampler& sampler, int column) const {
+    const bool first = white(sampler, column, 0);
+    const bool second = white(sampler, column, 1);
+    return first == second ? first : white(sampler, column, 2);
+  }
+
+ private:
+  bool white(const Sampler& sampler, int column, std::size_t row) const {
+    const int x = rows_[row].x(kLatticeStep * column);
+    const int y = rows_[row].y(kLatticeStep * column);
+    return Sampler::usable(x, y) && isWhite(sampler.classAt(x, y));
+  }
+
+  std::array<PixelWalk, 3> rows_;
+};
 
 // Looks runs up by row and column, both growing, as the runs do.
 class RunCursor {
  public:
-  explicit RunCursor(const RunBuffer& runs) : runs_(runs) {}
+  explicit RunCursor(const RunBuffer& runs) : at_(runs.begin()), end_(runs.end()) {}
 
   // The last column of the run that covers this one, or one less than the column.
   int coveredTo(int row, int column) {
-    while (at_ < runs_.size() && place(runs_[at_].row, runs_[at_].last) < place(row, column)) ++at_;
-    const bool covers = at_ < runs_.size() && runs_[at_].row == row && runs_[at_].first <= column;
-    return covers ? runs_[at_].last : column - 1;
+    const int wanted = place(row, column);
+    while (at_ != end_ && place(at_->row, at_->last) < wanted) ++at_;
+    const bool covers = at_ != end_ && at_->row == row && at_->first <= column;
+    return covers ? at_->last : column - 1;
   }
 
  private:
   static int place(int row, int column) { return 256 * row + column; }
 
-  const RunBuffer& runs_;
-  std::size_t at_ = 0;
+  const Run* at_;
+  const Run* end_;
 };
 
 // Passes the columns of a run below which both of the next two rows have a run of colour too: the
@@ -88,6 +112,27 @@ void addSample(BeaconFeet& feet, std::size_t first, ColourClass colour, double u
   feet.push_back({colour, u, u, v, v, 1});
 }
 
+// A lattice row: what is worked out once for its runs, of which bad light makes ten.
+struct FeetRow {
+  FeetRow(const Scene& scene, double v) : below(scene, v) {
+    const auto depth = [&scene, v](double column) {
+      return belowHorizon(scene, scene.frame.toImage({scene.lattice.u(column), v}));
+    };
+    constexpr double kFar = 64.0;
+    depthAtStart = depth(0.0);
+    depthPerColumn = (depth(kFar) - depthAtStart) / kFar;
+  }
+
+  // px from the horizon, of a run's middle
+  double fromHorizon(const Run& run) const {
+    return std::fabs(depthAtStart + depthPerColumn * 0.5 * (run.first + run.last));
+  }
+
+  WhiteBelow below;
+  double depthAtStart = 0.0;  // below the horizon, of column 0
+  double depthPerColumn = 0.0;
+};
+
 }  // namespace
 
 BeaconFeet findBeaconFeet(const Scene& scene) {
@@ -95,18 +140,20 @@ BeaconFeet findBeaconFeet(const Scene& scene) {
   const double farthest = kMaxFromHorizon + rowSlack(scene);
   Undersides undersides(scene.runs);
   std::size_t first = 0;
+  int row = -1;
+  FeetRow here(scene, 0.0);
   for (const Run& run : scene.runs) {
-    if (run.colour != ColourClass::pink && run.colour != ColourClass::blue &&
-        run.colour != ColourClass::yellow)
-      continue;
+    if (!isOfBand(run.colour)) continue;
     const double v = scene.lattice.v(run.row);
-    const double middle = scene.lattice.u(0.5 * (run.first + run.last));
-    if (std::fabs(belowHorizon(scene, scene.frame.toImage({middle, v}))) > farthest) continue;
-    first = firstNear(feet, first, v);
-    for (int k = run.first; (k = undersides.next(run, k)) <= run.last; ++k) {
-      const double u = scene.lattice.u(k);
-      if (standsOnWhite(scene, u, v)) addSample(feet, first, run.colour, u, v);
+    if (run.row != row) {
+      row = run.row;
+      here = FeetRow(scene, v);
+      first = firstNear(feet, first, v);
     }
+    if (here.fromHorizon(run) > farthest) continue;
+    for (int k = run.first; (k = undersides.next(run, k)) <= run.last; ++k)
+      if (here.below.at(scene.sampler, k))
+        addSample(feet, first, run.colour, scene.lattice.u(k), v);
   }
   return feet;
 }

@@ -45,7 +45,7 @@ void measureDistance(const Scene& scene, const RobotFinderParams& p, RobotPatch&
   for (const int columns : {kFirstColumns, kFootColumns}) {
     const Foot foot =
         nearestFoot(scene, {patch.centre, -patch.extent.left - reach, patch.extent.right + reach,
-                            columns, colourOf(patch.team)});
+                            columns, colourOf(patch.team), patch.foot.distance});
     if (foot.distance < patch.foot.distance) patch.foot = foot;
     const bool cut = patch.foot.end != FootEnd::carpet;
     patch.distance = cut ? distanceWithoutFoot(scene, patch, p) : patch.foot.distance;
