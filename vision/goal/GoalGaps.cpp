@@ -45,18 +45,23 @@ double footShift(const Scene& scene, const GoalCandidate& c, const GoalShape& sh
 
 enum class Look { free, blocked, outside };
 
-// What one direction shows between the foot and the top of the wall behind the mouth.
-Look lookAlong(const Scene& scene, ColourClass colour, Vec wall, double shift) {
-  const auto foot = pixelAt(scene, wall, 0.0);
-  const auto top = pixelAt(scene, wall, scene.field.goalHeight);
-  if (!foot || !top) return Look::outside;
+// Where the foot and the top of the wall behind the mouth are seen in one direction.
+struct Sight {
+  PixelPoint foot;
+  PixelPoint top;
+};
+
+PixelPoint mix(PixelPoint a, PixelPoint b, double share) {
+  return {a.x + share * (b.x - a.x), a.y + share * (b.y - a.y)};
+}
+
+// What one direction shows between the foot and the top of the wall.
+Look lookBetween(const Scene& scene, ColourClass colour, const Sight& wall, double shift) {
   int places = 0;
   int open = 0;
   for (int i = 0; i < kHeights; ++i) {
     const double share = 0.12 + 0.72 * i / (kHeights - 1);
-    const PixelPoint expected{foot->x + share * (top->x - foot->x),
-                              foot->y + share * (top->y - foot->y)};
-    const PixelPoint at = moved(expected, scene.frame.up(), -shift);
+    const PixelPoint at = moved(mix(wall.foot, wall.top, share), scene.frame.up(), -shift);
     if (!Sampler::usable(at)) continue;
     const ColourClass seen = scene.sampler.classAt(at);
     ++places;
@@ -121,14 +126,97 @@ GoalGap gapOf(const Scene& scene, const GoalCandidate& c, const Mouth& m, int fi
   return gap;
 }
 
-// What a pixel's width of the mouth shows.
-Look lookAt(const Scene& scene, const GoalCandidate& c, const GoalShape& shape, const Mouth& m,
-            double shift, int i) {
-  const maths::SinCos d = maths::sinCos(m.from + m.step * (i + 0.5));
-  const Vec way{d.sin, d.cos};
-  const auto wall = shape.wallAlong(way, scene.field);
-  return wall ? lookAlong(scene, c.colour, way * *wall, shift) : Look::blocked;
-}
+// The mouth's walls as they are seen. What is between two directions on one wall is laid between
+// their places: to project each pixel's foot and top took two thirds of the gaps.
+class Walls {
+ public:
+  Walls(const Scene& scene, const GoalShape& shape, const Mouth& mouth)
+      : scene_(scene), shape_(shape), mouth_(mouth) {}
+
+  // Nothing without a wall there.
+  std::optional<double> distance(double i) const {
+    return shape_.wallAlong(wayOf(i), scene_.field);
+  }
+  std::optional<Sight> sight(int i, double wall) const {
+    const Vec at = wayOf(i) * wall;
+    const auto foot = pixelAt(scene_, at, 0.0);
+    const auto top = pixelAt(scene_, at, scene_.field.goalHeight);
+    return foot && top ? std::optional<Sight>(Sight{*foot, *top}) : std::nullopt;
+  }
+  // Inverse distances of a plane wall: those of two directions tell that half-way between.
+  bool onOneWall(int i, double wall, int k, double other) const {
+    constexpr double kMaxError = 1e-3;  // of it, a twentieth of a pixel
+    const auto half = distance(0.5 * (i + k));
+    if (!half) return false;
+    const double bend = 2.0 * maths::sinCos(0.5 * mouth_.step * (k - i)).cos;
+    return std::fabs(1.0 / wall + 1.0 / other - bend / *half) <= kMaxError * bend / *half;
+  }
+
+ private:
+  Vec wayOf(double i) const {
+    const maths::SinCos d = maths::sinCos(mouth_.from + mouth_.step * (i + 0.5));
+    return {d.sin, d.cos};
+  }
+
+  const Scene& scene_;
+  const GoalShape& shape_;
+  const Mouth& mouth_;
+};
+
+// What each pixel's width of the mouth shows, asked from the left.
+class MouthView {
+ public:
+  MouthView(const Scene& scene, const GoalCandidate& c, const GoalShape& shape, const Mouth& mouth)
+      : scene_(scene),
+        colour_(c.colour),
+        shift_(footShift(scene, c, shape)),
+        steps_(mouth.steps),
+        walls_(scene, shape, mouth) {}
+
+  Look at(int i) {
+    while (i > to_.step) nextSpan();
+    if (plain_) {
+      const double share = static_cast<double>(i - from_.step) / (to_.step - from_.step);
+      const Sight between{mix(from_.sight->foot, to_.sight->foot, share),
+                          mix(from_.sight->top, to_.sight->top, share)};
+      return lookBetween(scene_, colour_, between, shift_);
+    }
+    return lookFrom(i == to_.step ? to_ : knotAt(i));
+  }
+
+ private:
+  struct Knot {
+    int step = -1;
+    std::optional<double> wall;
+    std::optional<Sight> sight;
+  };
+  static constexpr int kSpan = 8;  // px; the arc's bend is a twentieth of a pixel
+
+  Knot knotAt(int i) const {
+    Knot knot{i, walls_.distance(i), {}};
+    if (knot.wall) knot.sight = walls_.sight(i, *knot.wall);
+    return knot;
+  }
+  Look lookFrom(const Knot& knot) const {
+    if (!knot.wall) return Look::blocked;
+    return knot.sight ? lookBetween(scene_, colour_, *knot.sight, shift_) : Look::outside;
+  }
+  void nextSpan() {
+    from_ = to_;
+    to_ = knotAt(from_.step < 0 ? 0 : std::min(from_.step + kSpan, steps_ - 1));
+    plain_ =
+        from_.sight && to_.sight && walls_.onOneWall(from_.step, *from_.wall, to_.step, *to_.wall);
+  }
+
+  const Scene& scene_;
+  ColourClass colour_;
+  double shift_;
+  int steps_;
+  Walls walls_;
+  Knot from_;
+  Knot to_;
+  bool plain_ = false;
+};
 
 using Looks = std::array<Look, kMaxSteps + 1>;
 
@@ -138,15 +226,15 @@ using Looks = std::array<Look, kMaxSteps + 1>;
 void lookThrough(const Scene& scene, const GoalCandidate& c, const GoalShape& shape, const Mouth& m,
                  Looks& looks) {
   constexpr int kApart = 2;  // px
-  const double shift = footShift(scene, c, shape);
+  MouthView view(scene, c, shape, m);
   looks[static_cast<std::size_t>(m.steps)] = Look::blocked;
   int before = -1;
   for (int i = 0; i < m.steps; i = std::min(i + kApart, std::max(i + 1, m.steps - 1))) {
-    const Look look = lookAt(scene, c, shape, m, shift, i);
+    const Look look = view.at(i);
     looks[static_cast<std::size_t>(i)] = look;
     for (int k = before + 1; k < i; ++k) {
       const bool agreed = looks[static_cast<std::size_t>(before)] == look;
-      looks[static_cast<std::size_t>(k)] = agreed ? look : lookAt(scene, c, shape, m, shift, k);
+      looks[static_cast<std::size_t>(k)] = agreed ? look : view.at(k);
     }
     before = i;
   }

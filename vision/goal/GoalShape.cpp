@@ -19,9 +19,12 @@ constexpr int kRounds = 8;
 constexpr double kNoWall = 1e9;  // cm, of a ray that meets no wall
 
 using Vec = Point2<Robot>;
+using State = std::array<double, 3>;  // middle x, middle y, turn
 
 Vec plus(Vec a, Vec b, double k) { return {a.x + k * b.x, a.y + k * b.y}; }
 double crossOf(Vec a, Vec b) { return a.x * b.y - a.y * b.x; }
+// How a vector moves when it is turned.
+Vec turning(Vec a) { return {-a.y, a.x}; }
 
 // What was measured: directions (right positive) and distances, relative to the camera.
 struct Column {
@@ -67,8 +70,6 @@ Measured measuredOf(const Scene& scene, const GoalCandidate& c) {
   return m;
 }
 
-using State = std::array<double, 3>;  // middle x, middle y, turn
-
 struct Corners {
   Vec leftPost;
   Vec rightPost;
@@ -108,6 +109,15 @@ struct Wall {
     const double t = cross / denominator;
     return t > 0.0 ? t : kNoWall;
   }
+
+  // How the way to it grows with each part of the state of a goal with this middle.
+  State slopes(Vec ray, double way, Vec middle) const {
+    const double denominator = crossOf(ray, along);
+    const Vec turned = turning(along);
+    const double byTurn =
+        crossOf(turning(from - middle), along) + crossOf(from, turned) - way * crossOf(ray, turned);
+    return {along.y / denominator, -along.x / denominator, byTurn / denominator};
+  }
 };
 
 struct Walls {
@@ -122,10 +132,23 @@ struct Walls {
   double nearest(Vec ray) const {
     return std::min(std::min(left.hit(ray), back.hit(ray)), right.hit(ray));
   }
+  // The slopes of the way to the nearest; none beyond `most`.
+  State slopes(Vec ray, double most, Vec middle) const {
+    State nearest{};
+    for (const Wall* wall : {&left, &back, &right}) {
+      const double way = wall->hit(ray);
+      if (way >= most) continue;
+      most = way;
+      nearest = wall->slopes(ray, way, middle);
+    }
+    return nearest;
+  }
 };
 
-// Directions of the outermost corners, right positive.
+// The outermost corners and their directions, right positive.
 struct Ends {
+  Vec left;
+  Vec right;
   double low = 1e9;
   double high = -1e9;
 };
@@ -141,11 +164,17 @@ Ends endsOf(const Corners& c) {
     if (crossOf(corner, right) > 0.0) right = corner;
   }
   // With all ahead the outermost are told by their ratios: two arcs in place of four.
-  if (ahead) return {maths::atan2(left.x, left.y), maths::atan2(right.x, right.y)};
+  if (ahead) return {left, right, maths::atan2(left.x, left.y), maths::atan2(right.x, right.y)};
   for (const Vec& corner : {c.leftPost, c.rightPost, c.leftBack, c.rightBack}) {
     const double direction = maths::atan2(corner.x, corner.y);
-    ends.low = std::min(ends.low, direction);
-    ends.high = std::max(ends.high, direction);
+    if (direction < ends.low) {
+      ends.low = direction;
+      ends.left = corner;
+    }
+    if (direction > ends.high) {
+      ends.high = direction;
+      ends.right = corner;
+    }
   }
   return ends;
 }
@@ -226,17 +255,39 @@ struct Fit {
 
 using Slopes = std::array<Errors, 3>;
 
-// How the errors grow with each part of the state.
+// Sets the slopes of one error: those of what is compared, over its standard deviation, less where
+// the error counts less.
+void setSlopes(const State& by, double sd, std::size_t k, const Errors& errors, Slopes& slopes) {
+  const double size = std::fabs(errors[k]);
+  const double share = size <= kMaxError ? 1.0 / sd : kMaxError / (size * sd);
+  for (std::size_t i = 0; i < 3; ++i) slopes[i][k] = share * by[i];
+}
+
+// Of the direction of a corner that turns about the goal's middle.
+State cornerSlopes(Vec corner, Vec middle) {
+  const double square = corner.x * corner.x + corner.y * corner.y;
+  const Vec turned = turning(corner - middle);
+  return {corner.y / square, -corner.x / square, -crossOf(corner, turned) / square};
+}
+
+// How the errors grow with each part of the state, from the geometry: three more looks at all
+// errors took half of the fit.
 Slopes slopesAt(const Measured& m, const State& state, const Errors& errors,
                 const body::FieldDescription& field) {
-  constexpr State kDelta{0.5, 0.5, 0.01};
-  Slopes slopes;
-  for (std::size_t i = 0; i < 3; ++i) {
-    State moved = state;
-    moved[i] += kDelta[i];
-    slopes[i] = errorsOf(m, moved, field);
-    for (std::size_t k = 0; k < errorCount(m); ++k)
-      slopes[i][k] = (slopes[i][k] - errors[k]) / kDelta[i];
+  const Vec middle{state[0], state[1]};
+  const Corners c = cornersOf(state, field);
+  const Walls walls(c);
+  const Ends ends = endsOf(c);
+  Slopes slopes{};
+  if (!m.leftOpen || errors[0] > 0.0)
+    setSlopes(cornerSlopes(ends.left, middle), kEndSd, 0, errors, slopes);
+  if (!m.rightOpen || errors[1] < 0.0)
+    setSlopes(cornerSlopes(ends.right, middle), kEndSd, 1, errors, slopes);
+  slopes[2][2] = 1.0 / kTurnSd;
+  for (std::size_t i = 0; i < m.columns.size(); ++i) {
+    const Column& column = m.columns[i];
+    const double sd = std::max(column.sd, kMinColumnSd * column.distance);
+    setSlopes(walls.slopes(column.way, 2.0 * column.distance, middle), sd, 3 + i, errors, slopes);
   }
   return slopes;
 }
