@@ -6,6 +6,7 @@
 #include "gps/lines/LinesParams.h"
 #include "gps/pinks/PinkMapParams.h"
 #include "gps/players/PlayersParams.h"
+#include "gps/pose/Crossing.h"
 #include "gps/pose/FocalParams.h"
 #include "gps/pose/LagParams.h"
 #include "gps/pose/NoiseScale.h"
@@ -23,6 +24,7 @@ struct GpsParams {
   StuckParams stuck;
   LandmarkGates gates;
   ModeParams modes;
+  CrossingParams crossing;
   NoiseScaleParams noiseScale;
   TiltParams tilt;
   FocalParams focal;
@@ -37,6 +39,7 @@ struct GpsParams {
     return fieldList(field("initialPose", &GpsParams::initialPose),
                      field("motion", &GpsParams::motion), field("stuck", &GpsParams::stuck),
                      field("gates", &GpsParams::gates), field("modes", &GpsParams::modes),
+                     field("crossing", &GpsParams::crossing),
                      field("noiseScale", &GpsParams::noiseScale), field("tilt", &GpsParams::tilt),
                      field("focal", &GpsParams::focal), field("lag", &GpsParams::lag),
                      field("lines", &GpsParams::lines), field("pinks", &GpsParams::pinks),

@@ -7,6 +7,7 @@
 #include "gps/lines/LineUpdate.h"
 #include "gps/lines/Lines.h"
 #include "gps/pinks/Pinks.h"
+#include "gps/pose/Crossing.h"
 #include "gps/pose/EdgeElevation.h"
 #include "gps/pose/Focal.h"
 #include "gps/pose/Lag.h"
@@ -87,6 +88,7 @@ Step moveModes(const GpsIn& in, const GpsParams& params, GpsState& state) {
   const StepNoise scaled = grown(scaledBy(pose.noiseScale, noise), excess, elapsed, params.stuck);
   for (PoseMode& mode : pose.modes) predict(mode, step.odometry, scaled);
   driftTilt(elapsed, params.tilt, pose.modes);
+  moveCrossing(step.odometry, elapsed, pose.surprising);
   keepNearField(params.field, pose.modes);
   return step;
 }
@@ -134,6 +136,7 @@ void useLandmarks(const GpsIn& in, const GpsParams& params, GpsState& state,
       seedAround(m, params.field, params.modes, state.pose, state.counts);
     } else {
       noteSighting(in, m, params, state.pose);
+      cross(m, params.field, params.crossing, params.modes, state.pose);
       update(m, params.field, params.modes, state.pose, state.counts);
     }
     finishUpdate(params, state);

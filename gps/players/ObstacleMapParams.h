@@ -30,7 +30,7 @@ struct ObstacleMapParams {
                      field("maxPositionSd", &P::maxPositionSd, "cm", 1, 1000),
                      field("maxHeadingSd", &P::maxHeadingSd, "rad", 1, 180),
                      field("clearReach", &P::clearReach, "cm", 0, 1000),
-                     field("clearShare", &P::clearShare, "", 0, 1),
+                     field("clearShare", &P::clearShare, "", 0.01, 1),
                      field("robotCount", &P::robotCount, "", 0, 100),
                      field("tellCount", &P::tellCount, "", 0, 1e4));
   }

@@ -10,8 +10,8 @@
 
 namespace kelpie::gps {
 
-// Each of the modes and the wide one may be split in two.
-constexpr std::size_t kWorkModes = 2 * (kMaxModes + 1);
+// Each of the modes, the wide one and one of a crossing may be split in two.
+constexpr std::size_t kWorkModes = 2 * (kMaxModes + 2);
 using Modes = FixedVector<PoseMode, kWorkModes>;
 
 // How hard walking has been recently.
@@ -23,6 +23,16 @@ struct StuckState {
   std::uint32_t confirmed = 0;  // landmarks that the best mode predicted since
 };
 
+// A landmark that the best mode did not predict, where it would be seen now.
+struct SurprisingSighting {
+  bool present = false;
+  double age = 0.0;  // s
+  Point2<Field> landmark;
+  Point2<Robot> place;
+  double distanceVariance = 0.0;  // cm2
+  double headingVariance = 0.0;   // rad2
+};
+
 struct PoseState {
   bool started = false;
   bool lost = true;  // no landmark has been used since the start or the last loss of all modes
@@ -30,6 +40,7 @@ struct PoseState {
   double noiseScale = 1.0;  // of the variances
   FocalScale focal;
   ImageLag lag;
+  SurprisingSighting surprising;
   std::uint32_t unexplained = 0;  // landmarks in a row that no mode predicted
   double secondsSinceLandmark = 0.0;
   double secondsSinceLines = 0.0;

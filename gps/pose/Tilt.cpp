@@ -34,9 +34,11 @@ void addAccelerometer(const GpsIn& in, const TiltParams& params, TiltSightings& 
   const CameraTilt& readWith = in.camera.tilt;
   const double noseDown = maths::asin(-forward / size);
   const double leftUp = maths::asin(left / size);
-  const double tilt = in.input.stance.bodyTilt.rad() - noseDown - readWith.tilt.rad();
+  const Angle known = in.input.stance.bodyTilt + in.camera.bodyTiltOffset;
+  const double tilt = known.rad() - noseDown - readWith.tilt.rad();
+  const double roll = leftUp - in.camera.bodyRollOffset.rad() - readWith.roll.rad();
   sightings.push_back({0.0, 1.0, tilt, variance});
-  sightings.push_back({-1.0, 0.0, leftUp - readWith.roll.rad(), variance});
+  sightings.push_back({-1.0, 0.0, roll, variance});
 }
 
 Vector2 directionOf(const TiltSighting& z) { return {z.forward, -z.right}; }

@@ -109,6 +109,9 @@ CameraPose cameraOf(const CameraTilt& tilt, const JointAngles& joints, const Sta
   CameraTilt lean = tilt;
   lean.roll = lean.roll + params.bodyRollOffset;
   CameraPose camera = leaning(cameraPose(joints, stance), stance, lean);
+  camera.tilt = tilt;
+  camera.bodyTiltOffset = params.bodyTiltOffset;
+  camera.bodyRollOffset = params.bodyRollOffset;
   camera.lens = params.lens;
   if (params.cameraRollOffset.rad() != 0.0) rollCamera(params.cameraRollOffset, camera);
   return camera;

@@ -18,19 +18,23 @@ namespace kelpie {
 // row: axes[3 * row + column]) are the camera's x, y and z axes in the robot frame in the middle of
 // the exposure. The sensor exposes columns left to right: from the first to the last the axes turn
 // by the vector `turn`. `tilt` is contained in position and axes; its variances say how well these
-// are known.
+// are known. So are the offsets of the body's own lean (BodyParams), which `tilt` is beyond.
 struct CameraPose {
   Point3<Robot> position;
   std::array<double, 9> axes{};
   std::array<double, 3> turn{};  // rad over the image, about x, y, z of the robot frame
   Lens lens;
   CameraTilt tilt;
+  Angle bodyTiltOffset;
+  Angle bodyRollOffset;
 
   static constexpr auto fields() {
     return fieldList(field("position", &CameraPose::position),
                      field("axes", &CameraPose::axes, "", -1.000001, 1.000001),
                      field("turn", &CameraPose::turn, "rad", -10, 10),
-                     field("lens", &CameraPose::lens), field("tilt", &CameraPose::tilt));
+                     field("lens", &CameraPose::lens), field("tilt", &CameraPose::tilt),
+                     field("bodyTiltOffset", &CameraPose::bodyTiltOffset, "rad", -10, 10),
+                     field("bodyRollOffset", &CameraPose::bodyRollOffset, "rad", -10, 10));
   }
 };
 

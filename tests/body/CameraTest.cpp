@@ -184,6 +184,19 @@ TEST(BodyStep, OffsetsAreAddedToWhatIsSensed) {
   EXPECT_EQ(state.camera.axes, posed(-2, 3, 0).axes);
 }
 
+TEST(BodyStep, AKnownRollTurnsTheCameraAndIsNotBelievedAgain) {
+  FrameInput input;
+  input.cameraTilt.roll = Angle::deg(0.5);
+  BodyParams params;
+  params.bodyRollOffset = Angle::deg(3.0);
+  const CameraPose known = step(input, params).camera;
+  EXPECT_EQ(known.tilt.roll.deg(), input.cameraTilt.roll.deg());
+  EXPECT_NEAR(known.bodyRollOffset.deg(), 3.0, 1e-12);
+  input.cameraTilt.roll = Angle::deg(3.5);
+  const CameraPose estimated = step(input, {}).camera;
+  for (std::size_t i = 0; i < 9; ++i) EXPECT_NEAR(known.axes[i], estimated.axes[i], 1e-12);
+}
+
 TEST(BodyStep, HeadSpeedIsThatOfTheFastestHeadJointPerFrame) {
   FrameInput input = standing();
   input.headRate = {0.5, -3.0, 1.0};

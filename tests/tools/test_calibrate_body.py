@@ -72,3 +72,32 @@ def test_measured_sizes_tell_the_focal_length_of_2005(tmp_path):
 def test_a_folder_without_sizes_is_one_line(tmp_path):
     result = kelpie("calibrate", "body", tmp_path)
     assert result.returncode == 2 and "ball_radius.csv: cannot be opened" in complaint(result)
+
+
+def test_a_wrong_size_is_named_by_file_and_line_and_an_empty_line_is_none(tmp_path):
+    for name, size in (("ball_radius.csv", 20), ("beacon_height_lab.csv", 60),
+                       ("goal_height.csv", 60)):
+        rows = "".join(f"a,{size - i},{100 + 10 * i},0\n" for i in range(8))
+        (tmp_path / name).write_text("series,pixels,distance,excluded\n" + rows + "\n")
+    ball = tmp_path / "ball_radius.csv"
+    text = ball.read_text()
+    for bad in ("a,nan,12,0", "a,-3,100,0", "a,3,0,0", "a,abc,1,0"):
+        ball.write_text(text + bad + "\n")
+        result = kelpie("calibrate", "body", tmp_path)
+        assert result.returncode == 2
+        assert "ball_radius.csv:11: a size and a distance above 0" in complaint(result)
+
+
+def test_standard_output_gets_the_parameters_and_nothing_else(stand, tmp_path):
+    picture = tmp_path / "residuals.png"
+    result = kelpie("calibrate", "body", stand, "--out", "-", "--picture", picture)
+    assert result.returncode == 0 and result.stdout.startswith("# kelpie calibrate body from")
+    assert "how far" not in result.stdout and picture.exists()
+
+
+def test_a_picture_must_be_a_png_and_no_other_output(stand, tmp_path):
+    result = kelpie("calibrate", "body", stand, "--picture", tmp_path / "r.jpg")
+    assert result.returncode == 2 and ".png" in complaint(result)
+    result = kelpie("calibrate", "body", stand, "--out", tmp_path / "r.png", "--picture",
+                    f"{tmp_path}/./r.png")
+    assert result.returncode == 2 and not (tmp_path / "r.png").exists()

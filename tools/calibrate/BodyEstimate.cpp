@@ -51,7 +51,9 @@ class Estimator {
 
  private:
   Status start() {
-    tiltNearest();
+    nearest(kNeckTilt, {0.0, -1.5, 1.5, -3.0, 3.0, -4.5, 4.5});
+    nearest(kBodyRoll, {0.0, -2.0, 2.0, -4.0, 4.0});
+    nearest(kNeckTilt, {0.0, -1.5, 1.5});
     seen_ = look(log_, values_, 1);
     const std::size_t kinds = landmarkKinds(seen_);
     const auto place = startPlace(log_, seen_);
@@ -66,14 +68,16 @@ class Estimator {
     return Done{};
   }
 
-  // Vision's checks take no tilt of 4 deg: of these tilts that which shows it the most landmarks.
-  void tiltNearest() {
+  // Vision's checks take no tilt or roll of 4 deg: of these, in deg, that which shows it the most
+  // landmarks.
+  void nearest(Unknown unknown, const std::vector<double>& offsets) {
     constexpr std::size_t kEvery = 4;
     Numbers best = values_;
     std::size_t most = 0;
-    for (const double tilt : {0.0, -1.5, 1.5, -3.0, 3.0, -4.5, 4.5}) {
-      Numbers tried = values_;
-      tried[kNeckTilt] += Angle::deg(tilt).rad();
+    const Numbers start = values_;
+    for (const double offset : offsets) {
+      Numbers tried = start;
+      tried[unknown] += Angle::deg(offset).rad();
       std::size_t count = 0;
       for (const Percepts& percepts : look(log_, tried, kEvery).percepts)
         count += percepts.landmarks.size();
@@ -139,7 +143,8 @@ class Estimator {
     const auto fitting = static_cast<std::size_t>(std::count(fits.begin(), fits.end(), true));
     if (2 * fitting >= seen) return Done{};
     return Error{"what is seen does not fit the field: the landmarks of " +
-                 std::to_string(seen - fitting) + " frames of " + std::to_string(seen)};
+                 std::to_string(seen - fitting) + " frames of " + std::to_string(seen) +
+                 " (another field or team, a robot that was moved, or one that leans by 5 deg)"};
   }
 
   // Two landmarks may be matched by a wrong place, whose lines are elsewhere.

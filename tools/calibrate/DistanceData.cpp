@@ -10,6 +10,7 @@
 #include "robot/body/Camera.h"
 #include "robot/body/FieldDescription.h"
 #include "robot/core/Maths.h"
+#include "tools/calibrate/Csv.h"
 #include "tools/calibrate/SharedData.h"
 #include "vision/VisionParams.h"
 
@@ -92,14 +93,22 @@ Expected<Measurements> readMeasurements(SizedObject object, const std::string& f
   std::map<std::string, int> series;
   std::string line;
   std::getline(in, line);
-  while (std::getline(in, line)) {
+  for (int number = 2; std::getline(in, line); ++number) {
+    if (!line.empty() && line.back() == '\r') line.pop_back();
+    if (line.empty()) continue;
     std::istringstream row(line);
     std::array<std::string, 4> cell;
     for (auto& c : cell) std::getline(row, c, ',');
     const auto next = static_cast<int>(file.seriesFirst ? series.size() : rows.size());
     const int own = file.seriesFirst ? series.emplace(cell[0], next).first->second : next;
     if (cell[3] == "1") continue;
-    rows.push_back({own, std::stod(cell[1]), std::stod(cell[2])});
+    double pixels = 0.0;
+    double centimetres = 0.0;
+    if (!parseNumber(cell[1], pixels) || !parseNumber(cell[2], centimetres) || pixels <= 0.0 ||
+        centimetres <= 0.0)
+      return Error{path + ":" + std::to_string(number) +
+                   ": a size and a distance above 0 expected"};
+    rows.push_back({own, pixels, centimetres});
     addPosture(object, rows.back());
   }
   if (rows.empty()) return Error{path + ": holds no measurements"};

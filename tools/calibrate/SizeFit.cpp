@@ -64,6 +64,8 @@ Expected<SizeFit> fitSizes(const std::string& folder) {
     objects[i] = *rows;
   }
   const Fit fit = robustFit(problemOf(objects));
+  if (!fit.converged || !std::isfinite(fit.value[kFocal]) || !std::isfinite(fit.sd[kFocal]))
+    return Error{folder + ": no focal length fits these sizes"};
   SizeFit result;
   result.focalLength = fit.value[kFocal];
   result.focalSd = fit.sd[kFocal];

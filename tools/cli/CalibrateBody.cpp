@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 
+#include "robot/core/FieldCheck.h"
 #include "tools/calibrate/BodyEstimate.h"
+#include "tools/calibrate/BodyModel.h"
 #include "tools/calibrate/ResidualPicture.h"
 #include "tools/calibrate/SizeFit.h"
 #include "tools/cli/Calibrate.h"
@@ -64,7 +67,22 @@ std::string parameterFile(const std::vector<Told>& unknowns, const std::string& 
     const std::string sd = fmt::format("  # sd {:.2g}\n", told.sd);
     (ofLens ? lens : body) += name + " = " + valueFor(told) + sd;
   }
-  return "# " + heading + "\n" + body + (lens.empty() ? "" : "\n[body.lens]\n" + lens);
+  std::string line = heading;  // a name of a file may hold a line break
+  std::replace_if(
+      line.begin(), line.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, '?');
+  return "# " + line + "\n" + body + (lens.empty() ? "" : "\n[body.lens]\n" + lens);
+}
+
+// What a file of parameters may hold (BodyParams::fields): a fit beyond it is no robot's.
+Status checkRanges(const std::vector<Told>& unknowns) {
+  calibrate::Numbers values = calibrate::valuesOf(body::BodyParams{});
+  for (const Told& told : unknowns)
+    if (told.told && told.unknown < calibrate::kBodyUnknowns)
+      values[told.unknown] =
+          told.value / calibrate::inUnit(static_cast<calibrate::Unknown>(told.unknown));
+  std::string why;
+  if (verify(calibrate::paramsWith({}, values), &why)) return Done{};
+  return Error{"what fits best is no robot's: " + why};
 }
 
 void tellOne(const Told& told) {
@@ -109,14 +127,17 @@ int fromLog(const BodyOptions& options) {
   if (!log) return fail(log.error(), kExitBadInput);
   const auto estimate = calibrate::estimateBody(*log);
   if (!estimate) return fail(options.input + ": " + estimate.error(), kExitBadInput);
-  if (options.out != "-") tell(*estimate);
+  const bool aside = options.out == "-";  // the file is all that standard output gets
+  if (!aside) tell(*estimate);
+  const Status within = checkRanges(estimate->unknowns);
+  if (!within) return fail(within.error(), kExitBadInput);
+  const int code = write(
+      options, parameterFile(estimate->unknowns, "kelpie calibrate body from " + options.input));
   if (!options.picture.empty()) {
     const Status drawn = calibrate::writeResidualPicture(*estimate, options.picture);
     if (!drawn) return fail(drawn.error(), kExitBadInput);
-    fmt::print("{}: how far sightings lie beside, before and after\n", options.picture);
+    if (!aside) fmt::print("{}: how far sightings lie beside, before and after\n", options.picture);
   }
-  const int code = write(
-      options, parameterFile(estimate->unknowns, "kelpie calibrate body from " + options.input));
   if (log->cutOff.empty() || code != kExitDone) return code;
   return fail(options.input + ": " + log->cutOff + "; calibrated up to there", kExitBadInput);
 }
@@ -127,15 +148,18 @@ int fromSizes(const BodyOptions& options) {
   const auto fit = calibrate::fitSizes(options.input + "/");
   if (!fit) return fail(fit.error(), kExitBadInput);
   constexpr std::array<const char*, calibrate::kSizedObjects> kNames = {"ball", "beacon", "goal"};
-  for (std::size_t i = 0; i < calibrate::kSizedObjects; ++i)
+  const bool aside = options.out == "-";  // the file is all that standard output gets
+  for (std::size_t i = 0; i < calibrate::kSizedObjects && !aside; ++i)
     fmt::print("{:<6} {:3} measured, edge {:5.2f} px, error of distance {:.1f} -> {:.1f} cm\n",
                kNames[i], fit->measured[i], fit->optics[i].edge, fit->before[i].rms,
                fit->after[i].rms);
-  fmt::print("lens.focalLength {:9.3f} +- {:.3f} px\n", fit->focalLength, fit->focalSd);
+  if (!aside) fmt::print("lens.focalLength {:9.3f} +- {:.3f} px\n", fit->focalLength, fit->focalSd);
   Told focal;
   focal.value = fit->focalLength;
   focal.sd = fit->focalSd;
   focal.told = true;
+  const Status within = checkRanges({focal});
+  if (!within) return fail(within.error(), kExitBadInput);
   return write(options, parameterFile({focal}, "kelpie calibrate body from " + options.input));
 }
 
@@ -145,9 +169,15 @@ int calibrateBody(const BodyOptions& options) {
     if (!target) return fail(target.error(), kExitBadInput);
     if (!path.empty() && !canWrite(path)) return fail(path + ": cannot be written", kExitBadInput);
   }
-  if (!options.out.empty() && options.out == options.picture)
-    return fail("--out and --picture: both are " + options.out, kExitBadInput);
   std::error_code error;
+  const auto place = [&error](const std::string& path) {
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(path, error), error);
+  };
+  if (!options.out.empty() && !options.picture.empty() &&
+      place(options.out) == place(options.picture))
+    return fail("--out and --picture: both are " + options.out, kExitBadInput);
+  if (!options.picture.empty() && std::filesystem::path(options.picture).extension() != ".png")
+    return fail("--picture " + options.picture + ": its name must end with .png", kExitBadInput);
   return std::filesystem::is_directory(options.input, error) ? fromSizes(options)
                                                              : fromLog(options);
 }

@@ -43,7 +43,8 @@ std::vector<std::string> wordsOf(const UnlikeOptions& options) {
     words.push_back(value);
   };
   if (options.seed != 0) add("--unlike", std::to_string(options.seed));
-  for (const std::string& kind : options.only) add("--unlike-only", kind);
+  if (options.seed != 0)
+    for (const std::string& kind : options.only) add("--unlike-only", kind);
   if (options.tiltError != 0.0) add("--tilt-error", std::to_string(options.tiltError));
   if (options.rollError != 0.0) add("--roll-error", std::to_string(options.rollError));
   return words;

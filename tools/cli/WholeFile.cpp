@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/cli/WholeFile.h"
 
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 
 namespace kelpie::cli {
@@ -48,8 +50,11 @@ bool canWrite(const std::string& path) {
 bool writeWhole(const std::string& path, const std::string& text) {
   if (path == "-") return std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
   if (isDevice(path)) return writeInto(path, text);
-  const std::string part = path + ".part";
-  std::FILE* file = std::fopen(part.c_str(), "wb");
+  std::string part = path + ".XXXXXX";
+  const int descriptor = mkstemp(part.data());
+  if (descriptor < 0) return false;
+  (void)fchmod(descriptor, 0644);  // mkstemp lets nobody else read it
+  std::FILE* file = fdopen(descriptor, "wb");
   if (file == nullptr) return false;
   const bool written = std::fwrite(text.data(), 1, text.size(), file) == text.size();
   const bool closed = std::fclose(file) == 0;

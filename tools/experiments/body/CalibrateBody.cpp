@@ -5,11 +5,11 @@
 // alone. At rest the head has sunk through the play of neck and nod, which is part of the truth.
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 
 #include "tools/calibrate/BodyEstimate.h"
 #include "tools/calibrate/ResidualPicture.h"
 #include "tools/cli/Logs.h"
+#include "tools/cli/Workshop.h"
 #include "tools/experiments/harness/ChildProcesses.h"
 #include "tools/experiments/harness/Statistics.h"
 #include "tools/experiments/pose/LocaliseMatch.h"
@@ -82,12 +82,12 @@ Found compare(const BodyEstimate& e, const sim::UnlikeRobot& truth) {
 
 Expected<Found> calibrateOne(const Request& request, const agent::AgentConfig& config,
                              std::uint64_t seed) {
-  const std::string name = "kelpie-calibrate-body-" + std::to_string(seed) + ".mcap";
-  const std::string path = (std::filesystem::temp_directory_path() / name).string();
+  const cli::Workshop workshop;
+  if (!workshop.ready()) return Error{"there is no room for a temporary folder"};
+  const std::string path = workshop.path("stand.mcap");
   sim::UnlikeRobot truth;
   const Status recorded = record(config, request, seed, path, truth);
   auto log = recorded ? calibrate::readStanding(path) : Error{recorded.error()};
-  std::filesystem::remove(path);
   if (!recorded) return Error{recorded.error()};
   const auto estimate = log ? calibrate::estimateBody(*log) : Error{log.error()};
   if (!estimate) {
