@@ -8,10 +8,6 @@
 namespace kelpie::body {
 namespace {
 
-// facts-2005 section 2.2, in cm.
-constexpr double kNeckLength = 8.0;
-constexpr double kFaceLength = 8.106;
-constexpr double kCameraDrop = 1.46;
 constexpr int kExposureRounds = 4;
 constexpr double kFarRow = 1e4;  // px; a horizon outside the image ends here
 

@@ -21,6 +21,9 @@ constexpr double kBodyWidth = 13.44;          // left to right shoulder axis
 constexpr double kNeckAboveShoulder = 1.95;   // neck tilt axis above the front shoulder axis
 constexpr double kChestDepth = 5.0;           // chest and belly below the line of the shoulder axes
 constexpr double kNeckBehindShoulder = 0.25;  // and behind it
+constexpr double kNeckLength = 8.0;           // neck tilt axis to nod axis (facts-2005 section 2.2)
+constexpr double kFaceLength = 8.106;         // nod axis to the camera's plane
+constexpr double kCameraDrop = 1.46;          // camera below the nod axis
 
 struct JointRange {
   double min;

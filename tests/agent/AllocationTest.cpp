@@ -57,7 +57,7 @@ struct Match {
     motion.time = world->time();
     motion.sensors = world->sensors(0);
     const MotionOutput& output = motions->step(motion, counter);
-    world->robot(0).command(orders(output));
+    world->bodies().command(0, orders(output));
     world->render(0, world->time(), input->image);
     input->time = world->time();
     input->elapsed = 0.032;

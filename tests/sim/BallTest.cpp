@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "tools/sim/Ball.h"
+#include "tools/sim/BallContact.h"
 #include "tools/sim/Referee.h"
 
 namespace kelpie::sim {

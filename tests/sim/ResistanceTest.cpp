@@ -121,7 +121,7 @@ int pressedWhileSwinging(WalkingBody& body, const WalkRequest& walk) {
     body.step(command);
     const SensorFrame& now = body.world().sensors(0).back();
     for (const LegId leg : {LegId::leftFront, LegId::rightFront})
-      count += now.paw[index(leg)] && !body.world().robot(0).onGround()[index(leg)] ? 1 : 0;
+      count += now.paw[index(leg)] && !body.world().bodies().onGround(0)[index(leg)] ? 1 : 0;
   }
   return count;
 }
@@ -149,11 +149,11 @@ TEST(Resistance, TwoRobotsThatPushEachOtherGiveWayAlike) {
   setup.players.push_back({TeamColour::blue, 1, {{183.0, 210.0}, Angle::deg(90.0)}});
   setup.ball = {20.0, 20.0};
   World world(WorldParams{}, field, setup, 1);
-  const Point2<Field> a = world.robot(0).place().pose.position;
-  const Point2<Field> b = world.robot(1).place().pose.position;
+  const Point2<Field> a = world.bodies().place(0).pose.position;
+  const Point2<Field> b = world.bodies().place(1).pose.position;
   world.tick();
-  const double first = distance(world.robot(0).place().pose.position, a);
-  const double second = distance(world.robot(1).place().pose.position, b);
+  const double first = distance(world.bodies().place(0).pose.position, a);
+  const double second = distance(world.bodies().place(1).pose.position, b);
   EXPECT_GT(first, 0.5);
   EXPECT_NEAR(first, second, 0.2 * first);
 }

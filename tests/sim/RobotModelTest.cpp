@@ -112,12 +112,12 @@ TEST(RobotModel, VectorsPlayInTurnAndAreCounted) {
   robot.command(reply);
   for (int t = 0; t < 3; ++t) robot.tick();
   EXPECT_NEAR(robot.place().joints[Joint::headPan].deg(), 3.0, 1e-9);
-  EXPECT_EQ(robot.takeVectorsDone(), 0U);
+  EXPECT_EQ(robot.queue().takeVectorsDone(), 0U);
   for (int t = 0; t < 5; ++t) robot.tick();
-  EXPECT_EQ(robot.takeVectorsDone(), 2U);
+  EXPECT_EQ(robot.queue().takeVectorsDone(), 2U);
   for (int t = 0; t < 5; ++t) robot.tick();
   EXPECT_NEAR(robot.place().joints[Joint::headPan].deg(), 4.0, 1e-9);  // holds
-  EXPECT_EQ(robot.vectorsWaiting(), 0U);
+  EXPECT_EQ(robot.queue().vectorsWaiting(), 0U);
 }
 
 TEST(RobotModel, ServosAreLateAndLimited) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "robot/core/FieldCheck.h"
+#include "tools/sim/KinematicBodies.h"
 #include "tools/sim/Sensors.h"
 
 namespace kelpie::sim {
@@ -11,11 +12,24 @@ namespace {
 
 struct Place {
   std::vector<Obstacle> obstacles = obstaclesOf(*body::fieldDescription("2006"));
-  std::vector<RobotModel> robots;
-  Ball ball{{180, 300}, {}};
+  KinematicBodies bodies{{}, *body::fieldDescription("2006")};
+  std::vector<BodyPlace> places;
 
-  Place() { robots.emplace_back(RobotParams{}, Pose2{{180, 200}, Angle::deg(90)}, 1); }
-  Surroundings around() const { return {ball, obstacles, robots, 0}; }
+  Place() {
+    bodies.putBall({{180, 300}, {}});
+    add({{180, 200}, Angle::deg(90)}, 1);
+  }
+  void add(const Pose2& pose, std::uint64_t seed) { bodies.add({RobotParams{}, pose, seed}); }
+  Surroundings around() {
+    bodies.setObstacles(obstacles);
+    places.clear();
+    for (std::size_t i = 0; i < bodies.count(); ++i) places.push_back(bodies.place(i));
+    return {bodies.ball(), obstacles, places, 0};
+  }
+  SensorFrame felt(const SensorParams& params, Random& random) {
+    const Surroundings now = around();
+    return sense(now, bodies.feel(0), params, random);
+  }
 };
 
 TEST(Sensors, RayStopsAtGroundBallAndGoal) {
@@ -34,8 +48,8 @@ TEST(Sensors, StandingStillUpReadsGravity) {
   SensorParams params;
   params.accelerationSd = 0.0;
   Random random(1);
-  const SensorFrame frame = sense(place.around(), params, random);
-  const double tilt = place.robots[0].place().stance.bodyTilt.rad();
+  const SensorFrame frame = place.felt(params, random);
+  const double tilt = place.bodies.robot(0).place().stance.bodyTilt.rad();
   EXPECT_NEAR(frame.acceleration[2], 981.0 * std::cos(tilt), 1e-6);
   EXPECT_NEAR(frame.acceleration[0], -981.0 * std::sin(tilt), 1e-6);
   EXPECT_TRUE(frame.paw[0] && frame.paw[1] && frame.paw[2] && frame.paw[3]);
@@ -47,8 +61,8 @@ TEST(Sensors, FrameIsInsideItsRanges) {
   Random random(1);
   std::string why;
   for (int i = 0; i < 50; ++i) {
-    place.robots[0].tick();
-    EXPECT_TRUE(verify(sense(place.around(), {}, random), &why)) << why;
+    place.bodies.robot(0).tick();
+    EXPECT_TRUE(verify(place.felt({}, random), &why)) << why;
   }
 }
 
@@ -56,15 +70,15 @@ TEST(Sensors, FrameIsInsideItsRanges) {
 // into can press them. It lies on its belly and looks up the field.
 struct Hanging : Place {
   Hanging() {
-    robots[0].lift(1.0);
-    robots[0].tick();
+    bodies.robot(0).lift(1.0);
+    bodies.robot(0).tick();
   }
   std::array<bool, kLegCount> paws() {
     Random random(1);
-    return sense(around(), {}, random).paw;
+    return felt({}, random).paw;
   }
   Point2<Field> paw(LegId leg, std::size_t robot = 0) const {
-    const FieldPoint3 p = bodyParts(robots[robot].place())[index(leg)].centre;
+    const FieldPoint3 p = bodyParts(bodies.place(robot))[index(leg)].centre;
     return {p.x, p.y};
   }
   void wall(Point2<Field> a, Point2<Field> b) { obstacles.push_back({a, b, 0.6}); }
@@ -108,21 +122,21 @@ TEST(Sensors, AWallIsFeltByThePawsThatReachIt) {
 
 TEST(Sensors, APawFeelsAnotherRobotsLeg) {
   Hanging place;
-  place.robots.emplace_back(RobotParams{}, Pose2{{180.0, 212.0}, Angle::deg(-90.0)}, 1);
+  place.add({{180.0, 212.0}, Angle::deg(-90.0)}, 1);
   EXPECT_EQ(place.paws(), kNone);
   const double gap = place.paw(LegId::rightFront, 1).y - place.paw(LegId::leftFront).y;
-  place.robots[1].push({0.0, 2.5 - gap});
+  place.bodies.robot(1).push({0.0, 2.5 - gap});
   EXPECT_EQ(place.paws(), kBothFront);
 }
 
 TEST(Sensors, FingersPressHeadBackAndChin) {
   Place place;
   Random random(1);
-  SensorFrame frame = sense(place.around(), {}, random);
+  SensorFrame frame = place.felt({}, random);
   EXPECT_EQ(frame.headTouch, 0.0);
   EXPECT_FALSE(frame.back[0] || frame.back[1] || frame.back[2] || frame.chin);
-  place.robots[0].touch({42.0, {true, false, true}, true});
-  frame = sense(place.around(), {}, random);
+  place.bodies.robot(0).touch({42.0, {true, false, true}, true});
+  frame = place.felt({}, random);
   EXPECT_EQ(frame.headTouch, 42.0);
   EXPECT_TRUE(frame.back[0] && !frame.back[1] && frame.back[2] && frame.chin);
 }

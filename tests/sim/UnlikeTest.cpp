@@ -5,6 +5,7 @@
 
 #include "robot/body/Camera.h"
 #include "robot/core/FieldCheck.h"
+#include "tools/sim/KinematicBodies.h"
 #include "tools/sim/Unlike.h"
 #include "tools/sim/World.h"
 
@@ -115,7 +116,7 @@ World worldWith(const UnlikeParams& unlike) {
   params.unlike = unlike;
   World world(params, field, *scenario("empty-goal", field, {{TeamColour::red, 1}}, 3), 3);
   for (int i = 0; i < 40; ++i) {
-    world.robot(0).twist(Angle::deg(0.5));
+    world.shove(0, {}, Angle::deg(0.5));
     world.tick();
   }
   return world;

@@ -128,7 +128,7 @@ std::unique_ptr<Image> seen(const WorldParams& params, const JointAngles& joints
   setup.players.push_back({TeamColour::red, 2, {{186.0, 265.0}, Angle::deg(0.0)}});
   setup.ball = {20.0, 20.0};
   World world(params, *body::fieldDescription("2006"), setup, 5);
-  world.robot(0).command(targets(joints));
+  world.bodies().command(0, targets(joints));
   for (int i = 0; i < 60; ++i) world.tick();
   auto image = std::make_unique<Image>();
   world.render(0, world.time(), *image);

@@ -206,6 +206,8 @@ void addPlay(CLI::App& app, int& code) {
   command->add_option("--without", session.artefactsOff, "Camera artefacts switched off")
       ->check(CLI::IsMember({"ring", "centres", "noise", "shift", "rolling", "blur", "shine",
                              "own-legs", "spectators"}));
+  command->add_flag("--physical,!--fast", session.physical,
+                    "Bodies with masses, servos and contacts, or kinematic ones (the default)");
   addUnlikeOptions(*command, session.unlike);
   addLeanOptions(*command, session.unlike);
   command

@@ -41,6 +41,7 @@ std::vector<std::string> worldCommand(const SessionOptions& options, const Works
                                    "--result",
                                    workshop.path("result.json"),
                                    "--tell-goals"};
+  argv.push_back(options.physical ? "--physical" : "--fast");
   if (options.realTime) argv.push_back("--real-time");
   if (!options.log.empty()) {
     argv.insert(argv.end(), {"--truth", workshop.path("world.mcap")});

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// The ball as a disc that rolls on the carpet: friction, and impulses from what it touches. It
-// never leaves the ground. Robots do not feel it.
+// The ball, and the things on the field that stop it; the kinematic world's rolling and bouncing: a
+// disc with friction that never leaves the ground.
 #pragma once
 
 #include <vector>
 
 #include "robot/body/FieldDescription.h"
 #include "robot/core/Geometry.h"
-#include "tools/sim/RobotModel.h"
 
 namespace kelpie::sim {
 
@@ -49,8 +48,13 @@ struct Ball {
 void roll(Ball& ball, double seconds, const BallParams& params);
 void bounce(Ball& ball, const std::vector<Obstacle>& obstacles, const BallParams& params);
 
-// One tick: rolls and touches, in steps of 2 ms because a foot moves 2 cm in a tick.
-void tickBall(Ball& ball, const std::vector<RobotModel>& robots,
-              const std::vector<Obstacle>& obstacles, const BallParams& params);
+// A surface with horizontal normal n (towards the ball) moving at `speed` along it, `depth` inside
+// the ball.
+struct Impact {
+  Point2<Field> normal;
+  double depth = 0.0;
+  double speed = 0.0;
+};
+void strike(Ball& ball, const Impact& impact, double restitution);
 
 }  // namespace kelpie::sim

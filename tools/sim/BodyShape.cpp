@@ -55,6 +55,22 @@ Point3<Robot> neckBase(const Stance& stance) {
 
 }  // namespace
 
+JointAngles startingPose() {
+  JointAngles joints;
+  for (std::size_t i = 0; i < kLegCount; ++i) {
+    const auto leg = static_cast<LegId>(i);
+    const bool front = body::isFront(leg);
+    const bool right = leg == LegId::rightFront || leg == LegId::rightHind;
+    const double side = right ? 8.5 : -8.5;
+    const Point3<Torso> foot =
+        front ? Point3<Torso>{side, 1.0, -8.5} : Point3<Torso>{side, -14.0, -9.5};
+    body::setLegAngles(joints, leg, body::reachFoot(leg, foot).angles);
+  }
+  joints[Joint::mouth] = Angle::deg(-3.0);
+  joints[Joint::tailTilt] = Angle::deg(20.0);
+  return body::withinLimits(joints);
+}
+
 Point3<Robot> leanedVector(const Lean& lean, Point3<Robot> v) {
   if (lean.level()) return v;
   const double st = lean.tilt.sin();

@@ -52,6 +52,9 @@ constexpr std::size_t kLeftShin = 5;
 constexpr std::size_t kRightShin = 7;
 BodyParts bodyParts(const BodyPlace& place);
 
+// The pose a robot is switched on in: lying low on bent legs.
+JointAngles startingPose();
+
 using Feet = std::array<Point3<Robot>, kLegCount>;  // where the legs touch the ground
 Feet feetOf(const JointAngles& joints, const Stance& stance);
 

@@ -31,10 +31,11 @@ void Referee::record(TimeUs now, EventKind kind, TeamColour team, Point2<Field> 
   events_.push_back(event);
 }
 
-void Referee::tick(TimeUs now, Ball& ball) {
+bool Referee::tick(TimeUs now, Ball& ball) {
   if (!started_) record({0}, EventKind::start, TeamColour::red, ball.position);
   started_ = true;
-  if (finished_) return;
+  if (finished_) return false;
+  const Ball was = ball;
   if (const auto team = goalFor(field_, ball.position)) {
     record(now, EventKind::goal, *team, ball.position);
     int& goals = *team == TeamColour::red ? score_.red : score_.blue;
@@ -49,6 +50,7 @@ void Referee::tick(TimeUs now, Ball& ball) {
   }
   finished_ = finished_ || now.seconds() >= params_.seconds;
   if (finished_) record(now, EventKind::end, TeamColour::red, ball.position);
+  return distance(was.position, ball.position) > 0.0;
 }
 
 std::vector<MatchEvent> Referee::takeEvents() { return std::exchange(events_, {}); }

@@ -45,7 +45,8 @@ class Referee {
  public:
   Referee(const RefereeParams& params, const body::FieldDescription& field);
 
-  void tick(TimeUs now, Ball& ball);
+  // Whether it put the ball elsewhere.
+  bool tick(TimeUs now, Ball& ball);
   bool finished() const { return finished_; }
   const Score& score() const { return score_; }
   std::vector<MatchEvent> takeEvents();

@@ -7,8 +7,6 @@
 namespace kelpie::sim {
 namespace {
 
-// A command queue deeper than this is a runaway agent; OPEN-R programs keep two.
-constexpr std::size_t kMaxQueue = 16;
 constexpr int kHandStays = 25;  // ticks that a hand needs to let go: 0.2 s [chosen]
 constexpr std::uint64_t kFeltStream = 0x6c656773;
 
@@ -19,22 +17,6 @@ bool isLeg(std::size_t joint) {
 std::size_t legOf(std::size_t joint) { return (joint - index(Joint::leftFrontRotator)) / 3; }
 
 }  // namespace
-
-JointAngles startingPose() {
-  JointAngles joints;
-  for (std::size_t i = 0; i < kLegCount; ++i) {
-    const auto leg = static_cast<LegId>(i);
-    const bool front = body::isFront(leg);
-    const bool right = leg == LegId::rightFront || leg == LegId::rightHind;
-    const double side = right ? 8.5 : -8.5;
-    const Point3<Torso> foot =
-        front ? Point3<Torso>{side, 1.0, -8.5} : Point3<Torso>{side, -14.0, -9.5};
-    body::setLegAngles(joints, leg, body::reachFoot(leg, foot).angles);
-  }
-  joints[Joint::mouth] = Angle::deg(-3.0);
-  joints[Joint::tailTilt] = Angle::deg(20.0);
-  return body::withinLimits(joints);
-}
 
 PlanarMotion rigidMotion(const std::vector<Point2<Robot>>& from,
                          const std::vector<Point2<Robot>>& to) {
@@ -69,44 +51,21 @@ RobotModel::RobotModel(const RobotParams& params, const Pose2& start, std::uint6
       resistance_(params.resistance, seed ^ kFeltStream),
       faults_(faults),
       neck_(faults.play),
-      motors_(startingPose()) {
+      motors_(startingPose()),
+      queue_(motors_) {
   place_.pose = start;
   place_.lean = faults.lean;
   place_.joints = neck_.step(motors_);
   place_.stance = body::stanceFromLegs(place_.joints);
 
   before_ = place_;
-  target_ = sensed_ = motors_;
+  sensed_ = motors_;
   feet_ = feetOf(place_.joints, place_.stance);
   for (std::size_t i = 0; i < kLegCount; ++i) onGround_[i] = feet_[i].z < params_.contactHeight;
 }
 
-void RobotModel::command(const host::AgentReply& reply) {
-  motorPower_ = reply.motorPower;
-  gains_ = reply.gains;
-  legGain_ = reply.legGain;
-  for (const host::EffectorVector& vector : reply.vectors) {
-    if (queue_.size() < kMaxQueue && vector.ticks > 0) queue_.push_back(vector);
-  }
-}
-
-void RobotModel::playQueue() {
-  if (queue_.empty()) return;
-  const host::EffectorVector& vector = queue_.front();
-  const JointAngles& wanted =
-      vector.targets[std::min<std::size_t>(played_, host::kMaxVectorTicks - 1)];
-  for (std::size_t j = 0; j < kJointCount; ++j) {
-    if ((vector.joints >> j & 1U) != 0) target_.angle[j] = wanted.angle[j];
-  }
-  target_ = body::withinLimits(target_);
-  if (++played_ < vector.ticks) return;
-  queue_.pop_front();
-  played_ = 0;
-  ++done_;
-}
-
 double RobotModel::slowed(std::size_t joint) const {
-  const double lag = isLeg(joint) ? params_.lagTicks / legGain_ : params_.lagTicks;
+  const double lag = isLeg(joint) ? params_.lagTicks / legGain() : params_.lagTicks;
   const double share = lag > 0.0 ? 1.0 - maths::exp(-1.0 / lag) : 1.0;
   const bool stands = isLeg(joint) && onGround_[legOf(joint)];
   return stands ? share * (1.0 - resistance_.slowed()) : share;
@@ -114,11 +73,11 @@ double RobotModel::slowed(std::size_t joint) const {
 
 void RobotModel::moveJoints() {
   for (std::size_t j = 0; j < kJointCount; ++j) {
-    if (!motorPower_ || (gains_ >> j & 1U) == 0) continue;
+    if (!queue_.held(j)) continue;
     const bool head = j < index(Joint::leftFrontRotator);
     const double most = (head ? params_.headRate : params_.legRate) * kTickSeconds;
     const double now = motors_.angle[j].rad();
-    const double step = slowed(j) * (target_.angle[j].rad() - now);
+    const double step = slowed(j) * (target().angle[j].rad() - now);
     motors_.angle[j] = Angle::rad(now + maths::clamp(step, -most, most));
   }
   place_.joints = neck_.step(motors_);
@@ -145,7 +104,7 @@ void RobotModel::drawSlip(const std::array<bool, kLegCount>& standing) {
 }
 
 PlanarMotion RobotModel::given(const PlanarMotion& walked) const {
-  const bool weak = legGain_ < params_.weak.below;
+  const bool weak = legGain() < params_.weak.below;
   const double free = 1.0 - resistance_.held();
   if (!weak) return {free * walked.x, free * walked.y, free * walked.turn};
   return {free * params_.weak.left * walked.x, free * params_.weak.forward * walked.y,
@@ -183,7 +142,7 @@ void RobotModel::tick() {
   handTicks_ = std::max(0, handTicks_ - 1);
   resistance_.feel(walked_, pushed_);
   pushed_ = {};
-  playQueue();
+  queue_.play();
   moveJoints();
   moveBody();
   senseJoints();
@@ -207,12 +166,6 @@ Touch RobotModel::touched() const {
   Touch touch = touch_;
   touch.back[1] = touch.back[1] || lifted_ > 0.0 || handTicks_ > 0;
   return touch;
-}
-
-std::uint32_t RobotModel::takeVectorsDone() {
-  const std::uint32_t done = done_;
-  done_ = 0;
-  return done;
 }
 
 }  // namespace kelpie::sim

@@ -7,7 +7,6 @@
 
 #include <array>
 #include <cstdint>
-#include <deque>
 #include <vector>
 
 #include "robot/body/Legs.h"
@@ -15,7 +14,9 @@
 #include "robot/core/Random.h"
 #include "robot/host/WorldProtocol.h"
 #include "tools/sim/Backlash.h"
+#include "tools/sim/Bodies.h"
 #include "tools/sim/BodyShape.h"
+#include "tools/sim/CommandQueue.h"
 #include "tools/sim/Resistance.h"
 #include "tools/sim/Unlike.h"
 
@@ -70,17 +71,7 @@ struct BodySphere {
   double radius = 0.0;
 };
 
-// What somebody's fingers press.
-struct Touch {
-  double head = 0.0;           // 0 to kHardestTouch
-  std::array<bool, 3> back{};  // front, middle, rear
-  bool chin = false;
-};
-constexpr double kHardestTouch = 80.0;  // of the head's sensor (openr.md 5.6)
-
-// The trunk seen from above, in the robot frame. The chest is 1.8 cm ahead of the neck base
-// (data/robot/geometry.csv).
-constexpr double kChestAhead = 1.8;
+// The trunk seen from above, in the robot frame, behind the chest.
 constexpr double kTrunkBack = -16.0;
 constexpr double kTrunkHalfWidth = 4.5;
 
@@ -99,7 +90,7 @@ class RobotModel {
              const BodyFaults& faults = {});
 
   // What the agent sent to the effectors.
-  void command(const host::AgentReply& reply);
+  void command(const host::AgentReply& reply) { queue_.add(reply); }
   // One tick of 8 ms.
   void tick();
   // Moves the body by force, as an obstacle does. The legs feel it in the next tick.
@@ -121,21 +112,18 @@ class RobotModel {
 
   const BodyPlace& place() const { return place_; }
   const BodyPlace& placeBefore() const { return before_; }
-  const JointAngles& target() const { return target_; }
+  const JointAngles& target() const { return queue_.target(); }
   // Where the motors are: as place().joints but for the play of the head.
   const JointAngles& motors() const { return motors_; }
   const BodyFaults& faults() const { return faults_; }
   const JointAngles& sensed() const { return sensed_; }
-  double legGain() const { return legGain_; }  // over the standard one
+  double legGain() const { return queue_.legGain(); }  // over the standard one
   const std::array<double, kJointCount>& dutyNoise() const { return dutyNoise_; }
   const std::array<bool, kLegCount>& onGround() const { return onGround_; }
   std::array<BodySphere, 9> spheres() const;
-  // Vectors whose output ended since the last call.
-  std::uint32_t takeVectorsDone();
-  std::size_t vectorsWaiting() const { return queue_.size(); }
+  CommandQueue& queue() { return queue_; }
 
  private:
-  void playQueue();
   void moveJoints();
   double slowed(std::size_t joint) const;  // share of its movement that a joint keeps
   void senseJoints();
@@ -151,19 +139,13 @@ class RobotModel {
   BodyPlace place_;
   BodyPlace before_;
   JointAngles motors_;
-  JointAngles target_;
+  CommandQueue queue_;
   JointAngles sensed_;
   Feet feet_;
   std::array<bool, kLegCount> onGround_{};
-  bool motorPower_ = false;
-  std::uint32_t gains_ = 0;
-  double legGain_ = 1.0;
   Point2<Field> walked_;  // by itself in the last tick
   Point2<Field> pushed_;  // and by others since
   std::array<double, kJointCount> dutyNoise_{};
-  std::deque<host::EffectorVector> queue_;
-  std::uint32_t played_ = 0;  // ticks of the first vector
-  std::uint32_t done_ = 0;
   double slipForward_ = 0.0;
   double slipAside_ = 0.0;
   double slipTurn_ = 0.0;
@@ -172,8 +154,5 @@ class RobotModel {
   int handTicks_ = 0;    // that a hand is still felt
   Touch touch_;
 };
-
-// The pose a robot is switched on in: lying low on bent legs.
-JointAngles startingPose();
 
 }  // namespace kelpie::sim

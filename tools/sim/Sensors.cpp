@@ -13,12 +13,8 @@ constexpr double kNothing = 1e6;
 constexpr double kObstacleHeight = 30.0;
 constexpr double kRobotHeight = 20.0;
 constexpr double kRobotRadius = 8.0;
-constexpr double kGravity = 981.0;
-constexpr double kStep = 0.5;       // cm, of the search along a ray
-constexpr double kSearch = 160.0;   // cm, how far rays are searched for upright things
-constexpr double kChinReach = 2.5;  // cm between ball and jaw that closes the chin switch
-constexpr double kPawGives = 0.2;   // cm that a paw is pushed in before its switch closes [chosen]
-constexpr double kRobotReach = 40.0;   // cm: no part of a robot is further from its neck base
+constexpr double kStep = 0.5;          // cm, of the search along a ray
+constexpr double kSearch = 160.0;      // cm, how far rays are searched for upright things
 constexpr double kChestHeight = -2.0;  // of the chest sensor over the shoulder axis
 constexpr double kChestDown = 0.5;     // slope of the chest sensor's ray
 
@@ -50,7 +46,7 @@ bool insideAnything(const Surroundings& around, FieldPoint3 p) {
   if (p.z > kRobotHeight) return false;
   for (std::size_t i = 0; i < around.robots.size(); ++i) {
     if (i == around.self) continue;
-    const Point2<Field> middle = fieldFromRobot(around.robots[i].place().pose, {0.0, -6.5});
+    const Point2<Field> middle = fieldFromRobot(around.robots[i].pose, {0.0, -6.5});
     if (distance(middle, ground) < kRobotRadius) return true;
   }
   return false;
@@ -74,7 +70,7 @@ double measured(double distance, Range range, double noise, Random& random) {
 }
 
 void senseDistances(const Surroundings& around, double noise, Random& random, SensorFrame& frame) {
-  const BodyPlace& place = around.robots[around.self].place();
+  const BodyPlace& place = around.robots[around.self];
   const FieldCamera head = fieldCamera(place.pose, trueCamera(place));
   const double ahead = rayDistance(around, head.position, head.forward);
   frame.headNearDistance = measured(ahead, {5.0, 50.0}, noise, random);
@@ -89,57 +85,7 @@ void senseDistances(const Surroundings& around, double noise, Random& random, Se
   frame.chestDistance = measured(down, {10.0, 90.0}, noise, random);
 }
 
-bool chinTouched(const Surroundings& around, const BodySphere& head) {
-  const BodyPlace& place = around.robots[around.self].place();
-  const Point2<Robot> ball = robotFromField(place.pose, around.ball.position);
-  const FieldPoint3 d =
-      head.now - FieldPoint3{around.ball.position.x, around.ball.position.y, body::kBallRadius};
-  const double gap = std::sqrt(d.x * d.x + d.y * d.y + d.z * d.z) - body::kBallRadius - head.radius;
-  return d.z > 0.0 && gap < kChinReach && std::fabs(ball.x) < 5.0 && ball.y > 0.0;
-}
-
-bool within(FieldPoint3 a, FieldPoint3 b, double reach) {
-  const FieldPoint3 d = a - b;
-  return d.x * d.x + d.y * d.y + d.z * d.z < reach * reach;
-}
-
-// A part of a leg that is deeper inside something than its sole gives: it pushes.
-bool pushes(const Surroundings& around, const BodySphere& part) {
-  const double reach = part.radius - kPawGives;
-  const Point2<Field> ground{part.now.x, part.now.y};
-  for (const Obstacle& o : around.obstacles)
-    if (distance(nearestOn(o, ground), ground) < o.radius + reach) return true;
-  for (std::size_t i = 0; i < around.robots.size(); ++i) {
-    const Point2<Field> other = around.robots[i].place().pose.position;
-    if (i == around.self || distance(other, ground) > kRobotReach) continue;
-    for (const BodySphere& theirs : around.robots[i].spheres())
-      if (within(theirs.now, part.now, theirs.radius + reach)) return true;
-  }
-  return false;
-}
-
-// Whether a paw is pressed: by the ground that it stands on, or by what it or a front leg's lower
-// part pushes into.
-std::array<bool, kLegCount> pawsPressed(const Surroundings& around,
-                                        const std::array<BodySphere, 9>& parts) {
-  std::array<bool, kLegCount> pressed = around.robots[around.self].onGround();
-  for (std::size_t i = 0; i < kLegCount; ++i) pressed[i] = pressed[i] || pushes(around, parts[i]);
-  const std::size_t left = index(LegId::leftFront);
-  const std::size_t right = index(LegId::rightFront);
-  pressed[left] = pressed[left] || pushes(around, parts[kLeftShin]);
-  pressed[right] = pressed[right] || pushes(around, parts[kRightShin]);
-  return pressed;
-}
-
 }  // namespace
-
-std::array<double, 3> accelerationAtRest(const Stance& stance, const BodyFaults& faults) {
-  const Angle tilt = stance.bodyTilt + faults.lean.tilt;
-  const Angle roll = faults.lean.roll;
-  const std::array<double, 3>& bias = faults.accelerationBias;
-  return {-kGravity * tilt.sin() * roll.cos() + bias[0], kGravity * roll.sin() + bias[1],
-          kGravity * tilt.cos() * roll.cos() + bias[2]};
-}
 
 double rayDistance(const Surroundings& around, FieldPoint3 from, FieldPoint3 direction) {
   const double free =
@@ -156,25 +102,18 @@ double batteryCurrent(const std::array<SensorFrame, kTicksPerMessage>& ticks,
   return params.idleCurrent + params.currentPerDuty * duty;
 }
 
-SensorFrame sense(const Surroundings& around, const SensorParams& params, Random& random) {
-  const RobotModel& robot = around.robots[around.self];
+SensorFrame sense(const Surroundings& around, const BodyFeeling& feeling,
+                  const SensorParams& params, Random& random) {
   SensorFrame frame;
-  frame.joints = robot.sensed();
-  for (std::size_t j = 0; j < kJointCount; ++j) {
-    const double error = robot.target().angle[j].rad() - robot.motors().angle[j].rad();
-    const bool leg = j >= index(Joint::leftFrontRotator) && j <= index(Joint::rightHindKnee);
-    const double gain = params.dutyPerRad * (leg ? robot.legGain() : 1.0);
-    frame.duty[j] = maths::clamp(gain * error + robot.dutyNoise()[j], -1.0, 1.0);
-  }
+  frame.joints = feeling.joints;
+  frame.duty = feeling.duty;
   senseDistances(around, params.distanceNoise, random, frame);
-  frame.acceleration = accelerationAtRest(robot.place().stance, robot.faults());
+  frame.acceleration = feeling.acceleration;
   for (double& axis : frame.acceleration) axis = random.gaussian(axis, params.accelerationSd);
-  const auto parts = robot.spheres();
-  frame.paw = pawsPressed(around, parts);
-  const Touch touch = robot.touched();
-  frame.chin = touch.chin || chinTouched(around, parts.back());
-  frame.headTouch = touch.head;
-  frame.back = touch.back;
+  frame.paw = feeling.paw;
+  frame.chin = feeling.touch.chin;
+  frame.headTouch = feeling.touch.head;
+  frame.back = feeling.touch.back;
   return frame;
 }
 

@@ -8,14 +8,13 @@
 #include "robot/core/Motion.h"
 #include "robot/core/Random.h"
 #include "tools/sim/Ball.h"
-#include "tools/sim/RobotModel.h"
+#include "tools/sim/Bodies.h"
 
 namespace kelpie::sim {
 
 struct SensorParams {
   double distanceNoise = 0.03;  // share of the distance, sd
   double accelerationSd = 25.0;
-  double dutyPerRad = 2.5;         // motor duty for a following error
   double idleCurrent = 700.0;      // mA, of all but the legs
   double currentPerDuty = 1500.0;  // mA more for each leg joint at full duty
 
@@ -23,7 +22,6 @@ struct SensorParams {
     using P = SensorParams;
     return fieldList(field("distanceNoise", &P::distanceNoise, "", 0, 0.5),
                      field("accelerationSd", &P::accelerationSd, "cm/s2", 0, 500),
-                     field("dutyPerRad", &P::dutyPerRad, "1/rad", 0, 100),
                      field("idleCurrent", &P::idleCurrent, "mA", 0, 1e4),
                      field("currentPerDuty", &P::currentPerDuty, "mA", 0, 1e4));
   }
@@ -33,15 +31,12 @@ struct SensorParams {
 struct Surroundings {
   Ball ball;
   const std::vector<Obstacle>& obstacles;
-  const std::vector<RobotModel>& robots;
+  const std::vector<BodyPlace>& robots;
   std::size_t self;
 };
 
-SensorFrame sense(const Surroundings& around, const SensorParams& params, Random& random);
-
-// What the accelerometer of a robot that does not move tells, but for its noise: gravity in the
-// body as it really leans, and the sensor's own bias. Forward, left, up.
-std::array<double, 3> accelerationAtRest(const Stance& stance, const BodyFaults& faults);
+SensorFrame sense(const Surroundings& around, const BodyFeeling& feeling,
+                  const SensorParams& params, Random& random);
 
 // Drawn from the battery: a motor's current goes with its duty. Mean over the ticks, mA.
 double batteryCurrent(const std::array<SensorFrame, kTicksPerMessage>& ticks,

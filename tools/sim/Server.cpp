@@ -68,7 +68,7 @@ Status Server::sendStep(std::size_t robot, TimeUs now, bool sensors, bool image)
     step.sensors = world_.sensors(robot);
     step.batteryCurrent = world_.batteryCurrent(robot);
   }
-  step.vectorsDone = world_.robot(robot).takeVectorsDone();
+  step.vectorsDone = world_.bodies().takeVectorsDone(robot);
   step.imagePresent = image;
   step.game = world_.gameFor(robot);
   buffer_.clear();
@@ -88,7 +88,7 @@ Status Server::takeReply(std::size_t robot) {
   if (!decode(buffer_.data(), buffer_.size(), reply)) return Error{"its reply cannot be decoded"};
   std::string why;
   if (!verify(reply, &why)) return Error{"its reply is refused: " + why};
-  world_.robot(robot).command(reply);
+  world_.bodies().command(robot, reply);
   return Done{};
 }
 
@@ -121,6 +121,14 @@ void Server::sayGoodbye(std::uint8_t reason) {
   for (Agent& agent : agents_) (void)agent.connection.send(host::MessageType::goodbye, buffer_);
 }
 
+Status Server::moveTo(TimeUs now) {
+  while (static_cast<std::int64_t>(world_.ticks()) * kTickUs < now.us) {
+    const Status ticked = world_.tick();
+    if (!ticked) return ticked;
+  }
+  return Done{};
+}
+
 Status Server::run() {
   std::int64_t messages = 1;
   std::int64_t images = 1;
@@ -129,7 +137,11 @@ Status Server::run() {
     const std::int64_t sensorsAt = messages * kMessageUs;
     const std::int64_t imageAt = images * 1000000 / 30;
     const std::int64_t now = std::min(sensorsAt, imageAt);
-    while (static_cast<std::int64_t>(world_.ticks()) * kTickUs < now) world_.tick();
+    const Status moved = moveTo({now});
+    if (!moved) {
+      sayGoodbye(1);
+      return moved;
+    }
     if (hooks_.beforeStep) hooks_.beforeStep({now});
     const bool sensors = now == sensorsAt;
     const bool image = now == imageAt;

@@ -43,6 +43,7 @@ class Server {
   Status sendStep(std::size_t robot, TimeUs now, bool sensors, bool image);
   Status takeReply(std::size_t robot);
   Status step(TimeUs now, bool sensors, bool image);
+  Status moveTo(TimeUs now);
   void writeTruth(TimeUs now, bool image);
   void sayGoodbye(std::uint8_t reason);
   std::string nameOf(std::size_t robot) const;

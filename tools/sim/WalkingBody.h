@@ -12,18 +12,23 @@
 
 namespace kelpie::sim {
 
+enum class BodyKind : std::uint8_t { fast, physical };
+
 class WalkingBody {
  public:
   static constexpr int kStartMessages = 62;  // 2 s: ramp and standing
 
   // In the middle of the field, looking up it.
-  explicit WalkingBody(std::uint64_t seed, const actuator::ActuatorParams& params = {})
+  explicit WalkingBody(std::uint64_t seed, const actuator::ActuatorParams& params = {},
+                       BodyKind kind = BodyKind::fast)
       : params_(params) {
     const auto field = *body::fieldDescription("2006");
     Setup setup;
     setup.players.push_back({TeamColour::red, 1, {{180.0, 200.0}, Angle::deg(90.0)}});
     setup.ball = {20.0, 20.0};
-    world_ = std::make_unique<World>(WorldParams{}, field, setup, seed);
+    WorldParams world;
+    world.fast = kind == BodyKind::fast;
+    world_ = std::make_unique<World>(world, field, setup, seed);
     for (int i = 0; i < kStartMessages; ++i) step({});
   }
 
@@ -46,7 +51,6 @@ class WalkingBody {
 
   Pose2 pose() const { return world_->truth(world_->time()).robots[0].pose; }
   World& world() { return *world_; }
-  Ball& ball() { return world_->ball(); }
 
  private:
   static constexpr double kWornCurrent = 4500.0;  // mA
@@ -61,7 +65,7 @@ class WalkingBody {
     vector.joints = reply.gains;
     for (std::size_t i = 0; i < kTicksPerMessage; ++i) vector.targets[i] = output.joints[i].target;
     reply.vectors.push_back(vector);
-    world_->robot(0).command(reply);
+    world_->bodies().command(0, reply);
   }
 
   std::unique_ptr<World> world_;

@@ -4,16 +4,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tools/sim/KinematicBodies.h"
+
 namespace kelpie::sim {
 namespace {
 
 constexpr double kTickUs = 8000.0;
 constexpr double kExposureUs = 1e6 / 30.0;
-// A robot seen from above: two discs, cm ahead of the neck base.
-constexpr std::array<double, 2> kBodyDiscs{-2.0, -11.0};
-constexpr double kBodyRadius = 7.0;
 constexpr double kHighestLift = 15.0;  // cm; a stance's shoulders are 30 cm up at most
-constexpr double kRoom = 60.0;         // cm beyond the carpet that robots may walk
 
 double mixed(double a, double b, double t) { return a + t * (b - a); }
 Angle mixed(Angle a, Angle b, double t) { return a + (b - a) * t; }
@@ -37,14 +35,6 @@ std::uint64_t partSeed(std::uint64_t seed, std::uint64_t part) {
   return Random(seed ^ (part * 0x9e3779b97f4a7c15ULL)).next();
 }
 
-void pushOff(RobotModel& robot, double disc, Point2<Field> from, double reach) {
-  const Point2<Field> centre = fieldFromRobot(robot.place().pose, {0.0, disc});
-  const Point2<Field> away = centre - from;
-  const double gap = away.norm();
-  if (gap >= reach || gap <= 0.0) return;
-  robot.push(away * ((reach - gap) / gap));
-}
-
 }  // namespace
 
 World::World(const WorldParams& params, const body::FieldDescription& field, const Setup& setup,
@@ -55,13 +45,10 @@ World::World(const WorldParams& params, const body::FieldDescription& field, con
       obstacles_(obstaclesOf(field)),
       players_(setup.players),
       scene_(fieldScene(field, params.spectators ? partSeed(seed, 1) | 1U : 0, unlike_.venue)),
-      ball_{setup.ball, {}},
       referee_(params.referee, field) {
   for (std::size_t i = 0; i < players_.size(); ++i) {
     const std::uint64_t part = 10 * (i + 1);
     Random colours(partSeed(seed, part));
-    robots_.emplace_back(params_.robot, players_[i].start, partSeed(seed, part + 1),
-                         unlike_.robots[i].body);
     sensorRandom_.emplace_back(partSeed(seed, part + 2));
     cameraRandom_.emplace_back(partSeed(seed, part + 3));
     RobotCamera camera = randomCamera(colours, params_.camera.artefacts);
@@ -69,15 +56,36 @@ World::World(const WorldParams& params, const body::FieldDescription& field, con
     cameras_.push_back(std::make_unique<Camera>(params_.camera, camera));
     shine_.push_back(partSeed(seed, part + 4));
   }
+  buildBodies(seed);
+  bodies_->putBall({setup.ball, {}});
   sensors_.resize(players_.size());
   remember();
 }
 
+// Where physical ones cannot be built the kinematic ones stand there and the first tick says why.
+void World::buildBodies(std::uint64_t seed) {
+  std::vector<PhysicalStart> physical;
+  auto kinematic = std::make_unique<KinematicBodies>(params_.ball, field_);
+  for (std::size_t i = 0; i < players_.size(); ++i) {
+    const std::uint64_t own = partSeed(seed, 10 * (i + 1) + 1);
+    kinematic->add({params_.robot, players_[i].start, own, unlike_.robots[i].body});
+    physical.push_back({players_[i].start, params_.physics, unlike_.robots[i].body, own});
+  }
+  bodies_ = std::move(kinematic);
+  if (params_.fast) return;
+  auto built = PhysicalBodies::build(field_, physical, params_.physics, params_.physicalSensors);
+  if (built) {
+    bodies_ = std::move(*built);
+  } else {
+    fault_ = built.error();
+  }
+}
+
 void World::remember() {
   Moment& moment = history_[ticks_ % kHistory];
-  moment.ball = ball_;
+  moment.ball = bodies_->ball();
   moment.robots.clear();
-  for (const RobotModel& robot : robots_) moment.robots.push_back(robot.place());
+  for (std::size_t i = 0; i < robotCount(); ++i) moment.robots.push_back(bodies_->place(i));
 }
 
 const World::Moment& World::momentAt(std::int64_t tick) const {
@@ -101,103 +109,70 @@ Point2<Field> World::ballAt(double ticks) const {
   return moved ? before.position : mixed(before.position, after.position, ticks - whole);
 }
 
-Point2<Field> World::nearestWalkable(Point2<Field> p) const {
-  const double side = field_.sideFringe + kRoom;
-  const double end = field_.endFringe + kRoom;
-  return {maths::clamp(p.x, -side, field_.width + side),
-          maths::clamp(p.y, -end, field_.length + end)};
-}
-
-// Both give way alike: two robots that push against each other go nowhere, and one that pushes
-// another that stands moves it at half its own speed.
-void World::separate(std::size_t one, std::size_t other) {
-  for (const double a : kBodyDiscs) {
-    for (const double b : kBodyDiscs) {
-      const Point2<Field> mine = fieldFromRobot(robots_[one].place().pose, {0.0, a});
-      const Point2<Field> theirs = fieldFromRobot(robots_[other].place().pose, {0.0, b});
-      const Point2<Field> away = mine - theirs;
-      const double gap = away.norm();
-      if (gap >= 2.0 * kBodyRadius || gap <= 0.0) continue;
-      const Point2<Field> half = away * (0.5 * (2.0 * kBodyRadius - gap) / gap);
-      robots_[one].push(half);
-      robots_[other].push(half * -1.0);
-    }
-  }
-}
-
-// Out of goals, beacons and each other.
-void World::keepApart() {
-  for (std::size_t i = 0; i < robots_.size(); ++i) {
-    for (const double disc : kBodyDiscs) {
-      const Point2<Field> centre = fieldFromRobot(robots_[i].place().pose, {0.0, disc});
-      for (const Obstacle& obstacle : obstacles_) {
-        pushOff(robots_[i], disc, nearestOn(obstacle, centre), kBodyRadius + obstacle.radius);
-      }
-    }
-    for (std::size_t k = 0; k < i; ++k) separate(i, k);
-    const Point2<Field> p = robots_[i].place().pose.position;
-    robots_[i].push(nearestWalkable(p) - p);
-  }
-}
-
 void World::senseAll() {
-  for (std::size_t i = 0; i < robots_.size(); ++i) {
-    const Surroundings around{ball_, obstacles_, robots_, i};
+  const Moment& now = momentAt(ticks_);
+  for (std::size_t i = 0; i < robotCount(); ++i) {
+    const Surroundings around{now.ball, obstacles_, now.robots, i};
     std::rotate(sensors_[i].begin(), sensors_[i].begin() + 1, sensors_[i].end());
-    sensors_[i].back() = sense(around, params_.sensors, sensorRandom_[i]);
+    sensors_[i].back() = sense(around, bodies_->feel(i), params_.sensors, sensorRandom_[i]);
   }
 }
 
-void World::tick() {
-  for (RobotModel& robot : robots_) robot.tick();
-  keepApart();
-  tickBall(ball_, robots_, obstacles_, params_.ball);
+Status World::tick() {
+  if (!fault_.empty()) return Error{fault_};
+  const Status moved = bodies_->tick();
+  if (!moved) {
+    fault_ = moved.error() + " at " + std::to_string(time().seconds()) + " s";
+    return Error{fault_};
+  }
   ++ticks_;
-  referee_.tick(time(), ball_);
+  Ball ball = bodies_->ball();
+  if (referee_.tick(time(), ball)) bodies_->putBall(ball);
   remember();
   senseAll();
+  return Done{};
 }
 
 Status World::carry(std::size_t robot, const Pose2& pose) {
-  if (robot >= robots_.size()) return Error{"there is no robot " + std::to_string(robot)};
+  if (robot >= robotCount()) return Error{"there is no robot " + std::to_string(robot)};
   const Point2<Field> p = pose.position;
   if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(pose.heading.rad()))
     return Error{"a place for a robot is not finite"};
-  if (distance(p, nearestWalkable(p)) > 0.0) return Error{"a place for a robot is off the ground"};
-  robots_[robot].carry(pose);
+  if (distance(p, nearestWalkable(field_, p)) > 0.0)
+    return Error{"a place for a robot is off the ground"};
+  bodies_->carry(robot, pose);
   for (Moment& moment : history_)
     if (robot < moment.robots.size()) moment.robots[robot].pose = pose;
   return Done{};
 }
 
 Status World::hold(std::size_t robot, double share) {
-  if (robot >= robots_.size()) return Error{"there is no robot " + std::to_string(robot)};
+  if (robot >= robotCount()) return Error{"there is no robot " + std::to_string(robot)};
   if (!(share >= 0.0 && share <= 1.0)) return Error{"a robot is held by a share from 0 to 1"};
-  robots_[robot].hold(share);
+  bodies_->hold(robot, share);
   return Done{};
 }
 
 Status World::shove(std::size_t robot, Point2<Field> way, Angle turn) {
-  if (robot >= robots_.size()) return Error{"there is no robot " + std::to_string(robot)};
+  if (robot >= robotCount()) return Error{"there is no robot " + std::to_string(robot)};
   if (!std::isfinite(way.x) || !std::isfinite(way.y) || !std::isfinite(turn.rad()))
     return Error{"a push is not finite"};
-  robots_[robot].push(way);
-  robots_[robot].twist(turn);
+  bodies_->shove(robot, way, turn);
   return Done{};
 }
 
 Status World::lift(std::size_t robot, double height) {
-  if (robot >= robots_.size()) return Error{"there is no robot " + std::to_string(robot)};
+  if (robot >= robotCount()) return Error{"there is no robot " + std::to_string(robot)};
   if (!(height >= 0.0 && height <= kHighestLift)) return Error{"a robot is lifted by 0 to 15 cm"};
-  robots_[robot].lift(height);
+  bodies_->lift(robot, height);
   return Done{};
 }
 
 Status World::touch(std::size_t robot, const Touch& touch) {
-  if (robot >= robots_.size()) return Error{"there is no robot " + std::to_string(robot)};
+  if (robot >= robotCount()) return Error{"there is no robot " + std::to_string(robot)};
   if (!(touch.head >= 0.0 && touch.head <= kHardestTouch))
     return Error{"a head is pressed by 0 to 80"};
-  robots_[robot].touch(touch);
+  bodies_->touch(robot, touch);
   return Done{};
 }
 
@@ -205,6 +180,7 @@ void World::putUp(const OuterWall& wall) {
   addWall(scene_, wall);
   for (std::size_t side = 0; side < 4; ++side)
     obstacles_.push_back({wall.corners[side], wall.corners[(side + 1) % 4], 1.0});
+  bodies_->setObstacles(obstacles_);
 }
 
 void World::takeLandmarksAway() {
@@ -214,6 +190,7 @@ void World::takeLandmarksAway() {
   };
   obstacles_.erase(std::remove_if(obstacles_.begin(), obstacles_.end(), isBeacon),
                    obstacles_.end());
+  bodies_->setObstacles(obstacles_);
 }
 
 // A share of the exposure of the image that the robot's camera stamps with `end`.
@@ -237,7 +214,7 @@ void World::render(std::size_t robot, TimeUs end, Image& image) {
   const double middle = ticksAt(robot, end, 0.5);
   setBall(scene_, ballAt(middle));
   std::vector<RobotLook> others;
-  for (std::size_t i = 0; i < robots_.size(); ++i) {
+  for (std::size_t i = 0; i < robotCount(); ++i) {
     if (i == robot) continue;
     const BodyPlace place = placeAt(i, middle);
     others.push_back({place.pose, place.stance.shoulderHeight, players_[i].team, shine_[i],
@@ -264,12 +241,12 @@ TruthFrame World::truth(TimeUs time) const {
   const double ticks = static_cast<double>(time.us) / kTickUs;
   TruthFrame truth;
   truth.time = time;
-  for (std::size_t i = 0; i < robots_.size(); ++i) {
+  for (std::size_t i = 0; i < robotCount(); ++i) {
     const BodyPlace place = placeAt(i, ticks);
     truth.robots.push_back({players_[i].team, players_[i].number, place.pose, place.stance});
   }
   truth.ball = ballAt(ticks);
-  truth.ballVelocity = ball_.velocity;
+  truth.ballVelocity = bodies_->ball().velocity;
   truth.redScore = static_cast<std::uint8_t>(std::min(255, score().red));
   truth.blueScore = static_cast<std::uint8_t>(std::min(255, score().blue));
   return truth;

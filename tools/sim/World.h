@@ -14,6 +14,7 @@
 #include "robot/core/Expected.h"
 #include "robot/host/WorldProtocol.h"
 #include "tools/sim/Ball.h"
+#include "tools/sim/Bodies.h"
 #include "tools/sim/Camera.h"
 #include "tools/sim/OuterWall.h"
 #include "tools/sim/Referee.h"
@@ -21,12 +22,16 @@
 #include "tools/sim/Sensors.h"
 #include "tools/sim/Truth.h"
 #include "tools/sim/Unlike.h"
+#include "tools/sim/physics/PhysicalBodies.h"
 
 namespace kelpie::sim {
 
 struct WorldParams {
   CameraParams camera;
+  bool fast = true;  // kinematic bodies in place of physical ones
   RobotParams robot;
+  PhysicsParams physics;
+  PhysicalSensorParams physicalSensors;
   BallParams ball;
   SensorParams sensors;
   RefereeParams referee;
@@ -38,11 +43,12 @@ struct WorldParams {
 
   static constexpr auto fields() {
     using P = WorldParams;
-    return fieldList(field("camera", &P::camera), field("robot", &P::robot),
-                     field("ball", &P::ball), field("sensors", &P::sensors),
-                     field("referee", &P::referee), field("shine", &P::shine),
-                     field("rolling", &P::rolling), field("spectators", &P::spectators),
-                     field("ownLegs", &P::ownLegs));
+    return fieldList(field("camera", &P::camera), field("fast", &P::fast),
+                     field("robot", &P::robot), field("physics", &P::physics),
+                     field("physicalSensors", &P::physicalSensors), field("ball", &P::ball),
+                     field("sensors", &P::sensors), field("referee", &P::referee),
+                     field("shine", &P::shine), field("rolling", &P::rolling),
+                     field("spectators", &P::spectators), field("ownLegs", &P::ownLegs));
   }
 };
 
@@ -68,7 +74,8 @@ class World {
   World(const WorldParams& params, const body::FieldDescription& field, const Setup& setup,
         std::uint64_t seed);
 
-  void tick();
+  // One tick of 8 ms; or, from then on always, what ended the match in one line.
+  Status tick();
   // Somebody carries a robot to another place. No image shows the way; its back feels the hand for
   // 0.2 s. Refuses a robot that is not
   // there and a pose that is not finite or off the ground that robots may walk on.
@@ -91,8 +98,8 @@ class World {
   TimeUs time() const { return {static_cast<std::int64_t>(ticks_) * kTickUs}; }
   bool finished() const { return referee_.finished(); }
 
-  std::size_t robotCount() const { return robots_.size(); }
-  RobotModel& robot(std::size_t i) { return robots_[i]; }
+  std::size_t robotCount() const { return players_.size(); }
+  Bodies& bodies() { return *bodies_; }
   // Sensor frames of the last four ticks, oldest first.
   const std::array<SensorFrame, kTicksPerMessage>& sensors(std::size_t robot) const {
     return sensors_[robot];
@@ -111,7 +118,8 @@ class World {
   // What was drawn of it when it is unlike; for logs.
   const UnlikeWorld& unlike() const { return unlike_; }
   bool isUnlike() const { return params_.unlike.seed != 0 || !params_.unlike.lean.level(); }
-  Ball& ball() { return ball_; }
+  Ball ball() const { return bodies_->ball(); }
+  void putBall(const Ball& ball) { bodies_->putBall(ball); }
   const Score& score() const { return referee_.score(); }
   std::vector<MatchEvent> takeEvents() { return referee_.takeEvents(); }
 
@@ -125,11 +133,9 @@ class World {
   BodyPlace placeAt(std::size_t robot, double ticks) const;
   Point2<Field> ballAt(double ticks) const;
   double ticksAt(std::size_t robot, TimeUs end, double share) const;
-  Point2<Field> nearestWalkable(Point2<Field> p) const;
+  void buildBodies(std::uint64_t seed);
   void remember();
   void senseAll();
-  void keepApart();
-  void separate(std::size_t one, std::size_t other);
 
   WorldParams params_;
   body::FieldDescription field_;
@@ -137,16 +143,16 @@ class World {
   std::vector<Obstacle> obstacles_;
   std::vector<Player> players_;
   std::vector<std::uint64_t> shine_;
-  std::vector<RobotModel> robots_;
+  std::unique_ptr<Bodies> bodies_;
   std::vector<std::array<SensorFrame, kTicksPerMessage>> sensors_;
   std::vector<Random> sensorRandom_;
   std::vector<Random> cameraRandom_;
   std::vector<std::unique_ptr<Camera>> cameras_;
   Scene scene_;
-  Ball ball_;
   Referee referee_;
   std::array<Moment, kHistory> history_;
   std::uint32_t ticks_ = 0;
+  std::string fault_;
 };
 
 }  // namespace kelpie::sim

@@ -30,6 +30,7 @@ struct Options {
   double wait = 60.0;  // s for the agents to come
   bool noRing = false, noNoise = false, noShift = false, noRolling = false;
   bool noBlur = false, noSlip = false, noSpectators = false;
+  bool physical = false;
   bool noCentres = false, noShine = false, noOwnLegs = false;
   cli::UnlikeOptions unlike;
   WorldParams world;
@@ -45,6 +46,7 @@ WorldParams worldParams(const Options& options) {
   artefacts.centres = !options.noCentres;
   params.shine.on = !options.noShine;
   params.ownLegs = !options.noOwnLegs;
+  params.fast = !options.physical;
   params.rolling = !options.noRolling;
   params.spectators = !options.noSpectators;
   params.unlike = cli::paramsOf(options.unlike);
@@ -148,6 +150,8 @@ void describe(CLI::App& app, Options& options) {
   app.add_flag("--no-rolling", options.noRolling, "all columns exposed at once");
   app.add_flag("--no-slip", options.noSlip, "feet do not slip");
   app.add_flag("--no-spectators", options.noSpectators, "nobody around the field");
+  app.add_flag("--physical,!--fast", options.physical,
+               "bodies with masses, servos and contacts, or kinematic ones (the default)");
   cli::addUnlikeOptions(app, options.unlike);
   cli::addLeanOptions(app, options.unlike);
 }

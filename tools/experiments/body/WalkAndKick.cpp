@@ -51,11 +51,11 @@ Displacement walkRatio(const WalkRequest& request, std::uint64_t seed, bool weak
 Point2<Robot> kicked(Point2<Robot> from, std::uint64_t seed) {
   sim::WalkingBody body(seed);
   const Pose2 pose = body.pose();
-  body.ball() = {fieldFromRobot(pose, from), {0.0, 0.0}};
+  body.world().putBall({fieldFromRobot(pose, from), {0.0, 0.0}});
   Command command;
   command.motion = MotionKind::kickForward;
   for (int i = 0; i < 150; ++i) body.step(i < 20 ? command : Command{});
-  return robotFromField(pose, body.ball().position) - from;
+  return robotFromField(pose, body.world().ball().position) - from;
 }
 
 Expected<Json> walkAndKick(const Request& request) {

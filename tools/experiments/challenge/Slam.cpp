@@ -319,7 +319,7 @@ Expected<ChallengeResult> playChallenge(const Request& request, agent::AgentConf
   configure(setup, config);
   LocaliseMatch match(config, cli::defaultScripts(), seed, request.unlike);
   match.world().putUp(setup.wall);
-  match.world().ball() = {{4.0, 4.0}, {}};  // nobody plays with it
+  match.world().putBall({{4.0, 4.0}, {}});  // nobody plays with it
   Status status = match.world().carry(0, setup.start);
   if (!status) return Error{status.error()};
   ChallengeRecorder recorder(request, "slam-" + std::to_string(seed));

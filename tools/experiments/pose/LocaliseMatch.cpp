@@ -72,7 +72,7 @@ void LocaliseMatch::sense() {
   motion_.batteryCurrent = world_->batteryCurrent(0);
   const MotionOutput& output = loops_->motion(motion_);
   // At the start a second vector ahead, as the OPEN-R object sends.
-  if (world_->robot(0).vectorsWaiting() == 0) {
+  if (world_->bodies().vectorsWaiting(0) == 0) {
     std::array<JointFrame, kTicksPerMessage> held;
     held.fill(output.joints[0]);
     send(held, output.status.lowGain);
@@ -90,7 +90,7 @@ void LocaliseMatch::send(const std::array<JointFrame, kTicksPerMessage>& joints,
   vector.joints = reply.gains;
   for (std::size_t i = 0; i < kTicksPerMessage; ++i) vector.targets[i] = joints[i].target;
   reply.vectors.push_back(vector);
-  world_->robot(0).command(reply);
+  world_->bodies().command(0, reply);
 }
 
 void LocaliseMatch::see(TimeUs now) {
@@ -116,7 +116,7 @@ void LocaliseMatch::replaceBall() {
     place = {random_.uniform(kBallFromLines, field_.width - kBallFromLines),
              random_.uniform(kBallFromLines, field_.length - kBallFromLines)};
   } while (distance(place, robot) < kMinToRobot);
-  world_->ball() = {place, {}};
+  world_->putBall({place, {}});
 }
 
 void LocaliseMatch::frame(const FrameInput& input, const FrameOutput& output) {

@@ -7,7 +7,7 @@
 #include "gps/pose/Tilt.h"
 #include "robot/body/Camera.h"
 #include "tools/sim/BodyShape.h"
-#include "tools/sim/Sensors.h"
+#include "tools/sim/KinematicBodies.h"
 
 namespace kelpie::experiments {
 namespace {

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+// The kinematic ball among kinematic robots: impulses from what it touches. Robots do not feel it.
+#pragma once
+
+#include <vector>
+
+#include "tools/sim/Ball.h"
+#include "tools/sim/RobotModel.h"
+
+namespace kelpie::sim {
+
+// One tick: rolls and touches, in steps of 2 ms because a foot moves 2 cm in a tick.
+void tickBall(Ball& ball, const std::vector<RobotModel>& robots,
+              const std::vector<Obstacle>& obstacles, const BallParams& params);
+
+}  // namespace kelpie::sim

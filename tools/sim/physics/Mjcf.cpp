@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/sim/physics/Mjcf.h"
+
+#include <fmt/format.h>
+
+#include "tools/sim/Bodies.h"
+#include "tools/sim/physics/RobotXml.h"
+
+namespace kelpie::sim {
+namespace {
+
+constexpr double kCm = 0.01;        // m
+constexpr double kWallHigh = 0.15;  // half the height of a goal's walls
+
+std::string thing(const std::string& shape) {
+  return fmt::format("<geom {} contype=\"{}\" conaffinity=\"{}\" friction=\"0.3 0.005 0.0001\"/>\n",
+                     shape, kThingsBit, kAllBits & ~kThingsBit);
+}
+
+std::string wall(const Obstacle& o) {
+  const Point2<Field> way = o.b - o.a;
+  const Point2<Field> middle = (o.a + o.b) * 0.5;
+  const double half = 0.5 * way.norm() + o.radius;
+  return thing(fmt::format("type=\"box\" pos=\"{} {} {}\" size=\"{} {} {}\" euler=\"0 0 {}\"",
+                           kCm * middle.x, kCm * middle.y, kWallHigh, kCm * half, kCm * o.radius,
+                           kWallHigh, Angle::rad(maths::atan2(way.y, way.x)).deg()));
+}
+
+std::string post(const Obstacle& o, double height) {
+  return thing(fmt::format("type=\"cylinder\" pos=\"{} {} {}\" size=\"{} {}\"", kCm * o.a.x,
+                           kCm * o.a.y, 0.5 * kCm * height, kCm * o.radius, 0.5 * kCm * height));
+}
+
+// Robots do not leave the room.
+std::string roomXml(const body::FieldDescription& field) {
+  const double side = kCm * (field.sideFringe + kRoom);
+  const double end = kCm * (field.endFringe + kRoom);
+  const double width = kCm * field.width;
+  const double length = kCm * field.length;
+  const auto plane = [](double x, double y, const char* normal) {
+    return thing(
+        fmt::format("type=\"plane\" pos=\"{} {} 0\" zaxis=\"{}\" size=\"9 9 1\"", x, y, normal));
+  };
+  return plane(-side, 0, "1 0 0") + plane(width + side, 0, "-1 0 0") + plane(0, -end, "0 1 0") +
+         plane(0, length + end, "0 -1 0");
+}
+
+std::string fieldXml(const body::FieldDescription& field, const ContactParams& contact) {
+  std::string out = fmt::format(
+      "<geom name=\"carpet\" type=\"plane\" size=\"9 9 1\" contype=\"{}\" conaffinity=\"{}\" "
+      "friction=\"{} 0.005 0.0001\"/>\n",
+      kThingsBit, kAllBits & ~kThingsBit, contact.carpet);
+  for (const Obstacle& o : obstaclesOf(field))
+    out += distance(o.a, o.b) > 0.0
+               ? wall(o)
+               : post(o, o.radius == field.beaconRadius ? field.beaconHeight : field.goalHeight);
+  return out + roomXml(field);
+}
+
+std::string ballXml(const PhysicalBallParams& ball) {
+  const double radius = kCm * body::kBallRadius;
+  const double inertia = 2.0 / 3.0 * ball.mass * radius * radius;  // of a hollow sphere
+  return fmt::format(
+      "<body name=\"ball\" pos=\"0 0 {0}\">\n<freejoint name=\"ball\"/>\n"
+      "<inertial pos=\"0 0 0\" mass=\"{1}\" diaginertia=\"{2} {2} {2}\"/>\n"
+      "<geom name=\"ball\" type=\"sphere\" size=\"{0}\" contype=\"{3}\" conaffinity=\"{4}\" "
+      "friction=\"{5} 0.005 0.0001\" priority=\"1\" condim=\"3\" solref=\"{6} {7}\"/>\n</body>\n",
+      radius, ball.mass, inertia, kBallBit, kAllBits & ~kBallBit, ball.friction, ball.time,
+      ball.damping);
+}
+
+}  // namespace
+
+std::string worldXml(const body::FieldDescription& field, const RobotsPhysics& robots,
+                     const PhysicsParams& world) {
+  // Full buffers only warn, and robots fall through the carpet: eight robots dropped in a heap used
+  // 260 rows and 65 contacts (physics.md section 8).
+  std::string out =
+      "<mujoco model=\"kelpie\">\n<compiler angle=\"degree\" inertiafromgeom=\"false\"/>\n"
+      "<size njmax=\"3000\" nconmax=\"600\"/>\n"
+      "<option timestep=\"0.002\" solver=\"Newton\" integrator=\"Euler\" cone=\"pyramidal\" "
+      "iterations=\"20\" gravity=\"0 0 -9.81\"/>\n<worldbody>\n";
+  out += fieldXml(field, world.contact);
+  out += ballXml(world.ball);
+  for (std::size_t i = 0; i < robots.size(); ++i) out += robotXml(i, robots[i]);
+  out += "</worldbody>\n<actuator>\n";
+  for (std::size_t i = 0; i < robots.size(); ++i) out += servosXml(i, robots[i].servo);
+  out += "</actuator>\n<sensor>\n";
+  for (std::size_t i = 0; i < robots.size(); ++i)
+    out += fmt::format("<accelerometer site=\"r{}_imu\" cutoff=\"19.6\"/>\n", i);
+  return out + "</sensor>\n</mujoco>\n";
+}
+
+}  // namespace kelpie::sim

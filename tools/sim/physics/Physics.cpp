@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/sim/physics/Physics.h"
+
+#include <cmath>
+#include <utility>
+
+namespace kelpie::sim {
+namespace {
+
+constexpr double kCm = 0.01;      // m
+constexpr double kStep = 0.002;   // s
+constexpr double kReach = 0.13;   // m from a part's centre to the ball's within which it may touch
+constexpr double kLying = 0.003;  // m over the carpet below which the ball rolls on it
+constexpr double kAtRest = 1e-3;  // m/s below which rolling resistance fades
+
+}  // namespace
+
+Expected<Physics> Physics::build(const body::FieldDescription& field, const RobotsPhysics& robots,
+                                 const PhysicsParams& world) {
+  Expected<Engine> engine = Engine::load(worldXml(field, robots, world));
+  if (!engine) return Error{engine.error()};
+  return Physics(std::move(*engine), robots, world);
+}
+
+Physics::Physics(Engine engine, RobotsPhysics params, const PhysicsParams& world)
+    : engine_(std::move(engine)), params_(std::move(params)), world_(world) {
+  for (std::size_t i = 0; i < params_.size(); ++i) robots_.emplace_back(engine_, i);
+  ballBody_ = engine_.body("ball");
+  const int free = engine_.joint("ball");
+  ballQpos_ = engine_.model().jnt_qposadr[free];
+  ballDof_ = engine_.model().jnt_dofadr[free];
+}
+
+void Physics::putRobot(std::size_t i, const Pose2& pose, const JointAngles& joints) {
+  robots_[i].place(pose, joints, engine_);
+}
+
+void Physics::putBall(const Ball& ball) {
+  mjData& data = engine_.data();
+  mjtNum* q = data.qpos + ballQpos_;
+  q[0] = kCm * ball.position.x;
+  q[1] = kCm * ball.position.y;
+  q[2] = kCm * body::kBallRadius;
+  mjtNum* v = data.qvel + ballDof_;
+  v[0] = kCm * ball.velocity.x;
+  v[1] = kCm * ball.velocity.y;
+  v[2] = 0.0;
+  // It rolls: v = w x r.
+  const double radius = kCm * body::kBallRadius;
+  v[3] = -v[1] / radius;
+  v[4] = v[0] / radius;
+  v[5] = 0.0;
+  q[3] = 1.0;
+  q[4] = q[5] = q[6] = 0.0;
+}
+
+Ball Physics::ball() const {
+  const mjtNum* q = engine_.data().qpos + ballQpos_;
+  const mjtNum* v = engine_.data().qvel + ballDof_;
+  return {{q[0] / kCm, q[1] / kCm}, {v[0] / kCm, v[1] / kCm}};
+}
+
+double Physics::ballHeight() const { return engine_.data().qpos[ballQpos_ + 2] / kCm; }
+
+bool Physics::ballNearRobot() const {
+  const mjData& data = engine_.data();
+  const mjtNum* b = data.xpos + 3 * ballBody_;
+  for (int body = 1; body < engine_.model().nbody; ++body) {
+    if (body == ballBody_) continue;
+    const mjtNum* p = data.xpos + 3 * body;
+    const double x = p[0] - b[0];
+    const double y = p[1] - b[1];
+    if (x * x + y * y < kReach * kReach) return true;
+  }
+  return false;
+}
+
+// Rolling resistance as a force at the ball's centre; of a ball that rolls without slipping, 5/3 of
+// its mass are to be braked.
+void Physics::rollBall() {
+  mjData& data = engine_.data();
+  mjtNum* force = data.qfrc_applied + ballDof_;
+  force[0] = force[1] = 0.0;
+  if (data.qpos[ballQpos_ + 2] > kCm * body::kBallRadius + kLying) return;
+  const mjtNum* v = data.qvel + ballDof_;
+  const double speed = maths::hypot(v[0], v[1]);
+  if (speed <= 0.0) return;
+  const PhysicalBallParams& p = world_.ball;
+  const double brake = p.drag * speed + p.roll * std::fmin(1.0, speed / kAtRest);
+  const double share = -5.0 / 3.0 * p.mass * brake / speed;
+  force[0] = share * v[0];
+  force[1] = share * v[1];
+}
+
+Status Physics::tick() {
+  double left = kTickSeconds;
+  while (left > 0.5e-3) {
+    const double step = std::fmin(left, ballNearRobot() ? 0.5 * kStep : kStep);
+    rollBall();
+    const Status stepped = engine_.step(step);
+    if (!stepped) return stepped;
+    left -= step;
+  }
+  return Done{};
+}
+
+}  // namespace kelpie::sim
