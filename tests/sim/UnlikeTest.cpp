@@ -135,7 +135,7 @@ TEST(Unlike, ALateImageIsThatOfTheFrameBefore) {
   const TimeUs end = like.time();
   const auto stale = late.cameras(0, end);
   const auto before = like.cameras(0, {end.us - 33333});
-  for (const std::size_t x : {0, 100, 207}) {
+  for (const std::size_t x : {0U, 100U, 207U}) {
     EXPECT_NEAR(stale[x].forward.x, before[x].forward.x, 1e-6);
     EXPECT_NEAR(stale[x].position.x, before[x].position.x, 1e-4);
   }
