@@ -11,6 +11,7 @@
 #include "robot/body/Camera.h"
 #include "robot/core/Random.h"
 #include "tools/sim/WalkingBody.h"
+#include "tools/sim/physics/Variation.h"
 
 namespace kelpie::sim {
 namespace {
@@ -136,6 +137,13 @@ TEST(PhysicalBody, PushedOverItLiesOnItsSideAndGravitySaysSo) {
   EXPECT_GT(std::fabs(place.lean.roll.deg()), 45.0);
   const auto a = physics.robot(0).feeling({}, physics.engine()).acceleration;
   EXPECT_GT(std::fabs(a[1]), 700.0);
+}
+
+TEST(PhysicalBody, VariedModelsDifferByTheirSeedOnly) {
+  const PhysicsParams one = varied({}, 3);
+  EXPECT_EQ(one.contact.carpet, varied({}, 3).contact.carpet);
+  EXPECT_NE(one.contact.carpet, varied({}, 4).contact.carpet);
+  EXPECT_NEAR(one.servo.leg.stall / one.servo.leg.kp, Servo{}.stall / Servo{}.kp, 1e-12);
 }
 
 TEST(PhysicalBall, RollsAsFarAsItsResistanceSays) {

@@ -3,6 +3,7 @@
 // true way out. Two command vectors are in flight, as on the robot.
 #pragma once
 
+#include <cmath>
 #include <memory>
 
 #include "actuator/Actuator.h"
@@ -20,7 +21,7 @@ class WalkingBody {
 
   // In the middle of the field, looking up it.
   explicit WalkingBody(std::uint64_t seed, const actuator::ActuatorParams& params = {},
-                       BodyKind kind = BodyKind::fast)
+                       BodyKind kind = BodyKind::fast, const PhysicsParams& physics = {})
       : params_(params) {
     const auto field = *body::fieldDescription("2006");
     Setup setup;
@@ -28,6 +29,7 @@ class WalkingBody {
     setup.ball = {20.0, 20.0};
     WorldParams world;
     world.fast = kind == BodyKind::fast;
+    world.physics = physics;
     world_ = std::make_unique<World>(world, field, setup, seed);
     for (int i = 0; i < kStartMessages; ++i) step({});
   }
@@ -49,6 +51,13 @@ class WalkingBody {
   // From now on the battery gives so much current that the agent spares the legs.
   void wearOut() { worn_ = true; }
 
+  // As no walking robot does; nothing in a kinematic world falls.
+  bool fallen() {
+    constexpr double kLies = 45.0;  // deg
+    const BodyPlace place = world_->bodies().place(0);
+    return std::fabs(place.lean.roll.deg()) > kLies ||
+           std::fabs(place.stance.bodyTilt.deg()) > kLies;
+  }
   Pose2 pose() const { return world_->truth(world_->time()).robots[0].pose; }
   World& world() { return *world_; }
 
