@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/cli/WholeFile.h"
 
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 
 namespace kelpie::cli {
@@ -28,8 +26,8 @@ Status putInPlace(const Status& written, const std::string& part, const std::str
 
 namespace {
 
-bool writeInto(const std::string& path, const std::string& text) {
-  std::FILE* file = std::fopen(path.c_str(), "wb");
+// Closes it, too.
+bool writeAll(std::FILE* file, const std::string& text) {
   if (file == nullptr) return false;
   const bool written = std::fwrite(text.data(), 1, text.size(), file) == text.size();
   return std::fclose(file) == 0 && written;
@@ -49,16 +47,12 @@ bool canWrite(const std::string& path) {
 
 bool writeWhole(const std::string& path, const std::string& text) {
   if (path == "-") return std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
-  if (isDevice(path)) return writeInto(path, text);
-  std::string part = path + ".XXXXXX";
-  const int descriptor = mkstemp(part.data());
-  if (descriptor < 0) return false;
-  (void)fchmod(descriptor, 0644);  // mkstemp lets nobody else read it
-  std::FILE* file = fdopen(descriptor, "wb");
+  if (isDevice(path)) return writeAll(std::fopen(path.c_str(), "wb"), text);
+  // A name of our own, and none that is there already: it may be the user's.
+  const std::string part = path + "." + std::to_string(getpid()) + ".part";
+  std::FILE* file = std::fopen(part.c_str(), "wbx");
   if (file == nullptr) return false;
-  const bool written = std::fwrite(text.data(), 1, text.size(), file) == text.size();
-  const bool closed = std::fclose(file) == 0;
-  const Status whole = written && closed ? Status(Done{}) : Error{path};
+  const Status whole = writeAll(file, text) ? Status(Done{}) : Error{path};
   return putInPlace(whole, part, path).ok();
 }
 

@@ -64,21 +64,22 @@ World::World(const WorldParams& params, const body::FieldDescription& field, con
 
 // Where physical ones cannot be built the kinematic ones stand there and the first tick says why.
 void World::buildBodies(std::uint64_t seed) {
-  std::vector<PhysicalStart> physical;
-  auto kinematic = std::make_unique<KinematicBodies>(params_.ball, field_);
-  for (std::size_t i = 0; i < players_.size(); ++i) {
-    const std::uint64_t own = partSeed(seed, 10 * (i + 1) + 1);
-    kinematic->add({params_.robot, players_[i].start, own, unlike_.robots[i].body});
-    physical.push_back({players_[i].start, params_.physics, unlike_.robots[i].body, own});
-  }
-  bodies_ = std::move(kinematic);
-  if (params_.fast) return;
-  auto built = PhysicalBodies::build(field_, physical, params_.physics, params_.physicalSensors);
-  if (built) {
-    bodies_ = std::move(*built);
-  } else {
+  const auto own = [seed](std::size_t i) { return partSeed(seed, 10 * (i + 1) + 1); };
+  if (!params_.fast) {
+    std::vector<PhysicalStart> starts;
+    for (std::size_t i = 0; i < players_.size(); ++i)
+      starts.push_back({players_[i].start, params_.physics, unlike_.robots[i].body, own(i)});
+    auto built = PhysicalBodies::build(field_, starts, params_.physics, params_.physicalSensors);
+    if (built) {
+      bodies_ = std::move(*built);
+      return;
+    }
     fault_ = built.error();
   }
+  auto kinematic = std::make_unique<KinematicBodies>(params_.ball, field_);
+  for (std::size_t i = 0; i < players_.size(); ++i)
+    kinematic->add({params_.robot, players_[i].start, own(i), unlike_.robots[i].body});
+  bodies_ = std::move(kinematic);
 }
 
 void World::remember() {

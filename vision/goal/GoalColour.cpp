@@ -2,6 +2,7 @@
 #include "vision/goal/GoalColour.h"
 
 #include "robot/core/Maths.h"
+#include "vision/pixels/Between.h"
 
 namespace kelpie::vision {
 namespace {
@@ -42,10 +43,10 @@ CarpetColour carpetColour(const Scene& scene) {
 double paintShare(const Scene& scene, const CarpetColour& carpet, ColourClass colour,
                   PixelPoint p) {
   if (!carpet.known || colour != ColourClass::blue) return 1.0;
-  constexpr Chroma paint = kBlueOverCarpet;
+  constexpr Chroma kPaint = kBlueOverCarpet;
   const Yuv here = scene.sampler.corrected(Sampler::pixelOf(p.x), Sampler::pixelOf(p.y));
-  const double along = (here.cr - carpet.cr) * paint.cr + (here.cb - carpet.cb) * paint.cb;
-  return along / (maths::square(paint.cr) + maths::square(paint.cb));
+  const double along = (here.cr - carpet.cr) * kPaint.cr + (here.cb - carpet.cb) * kPaint.cb;
+  return along / (maths::square(kPaint.cr) + maths::square(kPaint.cb));
 }
 
 std::optional<double> paintedShare(const Scene& scene, const CarpetColour& carpet,
@@ -55,7 +56,7 @@ std::optional<double> paintedShare(const Scene& scene, const CarpetColour& carpe
   if (!carpet.known || colour != ColourClass::blue) return std::nullopt;
   // Of three neighbours, against noise.
   const auto paint = [&](double share) {
-    const PixelPoint p{foot.x + share * (top.x - foot.x), foot.y + share * (top.y - foot.y)};
+    const PixelPoint p = between(foot, top, share);
     double sum = 0.0;
     for (const double aside : {-1.0, 0.0, 1.0})
       sum += paintShare(scene, carpet, colour, moved(p, scene.frame.right(), aside));

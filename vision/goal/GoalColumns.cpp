@@ -6,6 +6,7 @@
 #include <iterator>
 #include <optional>
 
+#include "vision/pixels/Between.h"
 #include "vision/pixels/GroundRay.h"
 #include "vision/pixels/SpanWalk.h"
 
@@ -89,9 +90,7 @@ double paintOf(const Scene& scene, const CarpetColour& carpet, const GoalCandida
                const GoalColumn& column) {
   double sum = 0.0;
   for (const double share : {0.3, 0.5, 0.7}) {
-    const PixelPoint at{column.foot.x + share * (column.top.x - column.foot.x),
-                        column.foot.y + share * (column.top.y - column.foot.y)};
-    sum += paintShare(scene, carpet, c.colour, at);
+    sum += paintShare(scene, carpet, c.colour, between(column.foot, column.top, share));
   }
   return sum / 3.0;
 }
@@ -103,9 +102,7 @@ EdgeHit topOf(const Scene& scene, const CarpetColour& carpet, const GoalCandidat
   const EdgeHit top = walkToEdge(scene.sampler, {start, scene.frame.up(), c.colour, kHoles});
   const auto share = paintedShare(scene, carpet, c.colour, foot, top.point);
   if (!share) return top;
-  const PixelPoint end{foot.x + *share * (top.point.x - foot.x),
-                       foot.y + *share * (top.point.y - foot.y)};
-  return {end, false, *share * top.length};
+  return {between(foot, top.point, *share), false, *share * top.length};
 }
 
 std::optional<GoalColumn> columnAt(const Scene& scene, const GoalFinderParams& p,

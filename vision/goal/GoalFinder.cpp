@@ -133,7 +133,7 @@ double hiddenSd(const Scene& scene, const GoalCandidate& c) {
 // cm of the same by the goal's own turn, which the heights of its columns tell: in unlike worlds
 // headings of whole goals were off by 2 deg at 3.5 m, with squared errors three to five times what
 // one degree allows (`kelpie evaluate cut-goals --unlike 21`).
-constexpr double kTurnSd = 4.0;
+constexpr double kAlongByTurnSd = 4.0;
 
 LandmarkPercept perceptOf(const Scene& scene, const GoalCandidate& c, const GoalShape& shape,
                           const GoalFinderParams& p) {
@@ -151,7 +151,7 @@ LandmarkPercept perceptOf(const Scene& scene, const GoalCandidate& c, const Goal
       maths::square(c.distanceSd) + maths::square(0.05 * percept.distance) + maths::square(across);
   percept.headingVariance =
       maths::square(p.headingSd.rad()) +
-      maths::square(std::max(across, kTurnSd) / std::max(percept.distance, 20.0));
+      maths::square(std::max(across, kAlongByTurnSd) / std::max(percept.distance, 20.0));
   percept.elevationError = elevationErrorOf(scene, c, p);
   percept.leftEdge = bearing(camera + shape.leftPost(scene.field));
   percept.rightEdge = bearing(camera + shape.rightPost(scene.field));

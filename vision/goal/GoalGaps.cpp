@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "vision/pixels/Between.h"
 #include "vision/pixels/GroundRay.h"
 
 namespace kelpie::vision {
@@ -51,17 +52,13 @@ struct Sight {
   PixelPoint top;
 };
 
-PixelPoint mix(PixelPoint a, PixelPoint b, double share) {
-  return {a.x + share * (b.x - a.x), a.y + share * (b.y - a.y)};
-}
-
 // What one direction shows between the foot and the top of the wall.
 Look lookBetween(const Scene& scene, ColourClass colour, const Sight& wall, double shift) {
   int places = 0;
   int open = 0;
   for (int i = 0; i < kHeights; ++i) {
     const double share = 0.12 + 0.72 * i / (kHeights - 1);
-    const PixelPoint at = moved(mix(wall.foot, wall.top, share), scene.frame.up(), -shift);
+    const PixelPoint at = moved(between(wall.foot, wall.top, share), scene.frame.up(), -shift);
     if (!Sampler::usable(at)) continue;
     const ColourClass seen = scene.sampler.classAt(at);
     ++places;
@@ -177,9 +174,9 @@ class MouthView {
     while (i > to_.step) nextSpan();
     if (plain_) {
       const double share = static_cast<double>(i - from_.step) / (to_.step - from_.step);
-      const Sight between{mix(from_.sight->foot, to_.sight->foot, share),
-                          mix(from_.sight->top, to_.sight->top, share)};
-      return lookBetween(scene_, colour_, between, shift_);
+      const Sight sight{between(from_.sight->foot, to_.sight->foot, share),
+                        between(from_.sight->top, to_.sight->top, share)};
+      return lookBetween(scene_, colour_, sight, shift_);
     }
     return lookFrom(i == to_.step ? to_ : knotAt(i));
   }

@@ -3,6 +3,7 @@
 
 #include "robot/core/Maths.h"
 #include "robot/core/Percepts.h"
+#include "vision/pixels/Between.h"
 
 namespace kelpie::vision {
 namespace {
@@ -38,10 +39,8 @@ PixelPoint pixelCentre(PixelPoint p) {
   return {Sampler::pixelOf(p.x) + 0.5, Sampler::pixelOf(p.y) + 0.5};
 }
 
-PixelPoint between(PixelPoint a, PixelPoint b, double share) {
-  const PixelPoint p = pixelCentre(a);
-  const PixelPoint q = pixelCentre(b);
-  return {p.x + share * (q.x - p.x), p.y + share * (q.y - p.y)};
+PixelPoint betweenCentres(PixelPoint a, PixelPoint b, double share) {
+  return between(pixelCentre(a), pixelCentre(b), share);
 }
 
 // How much of the inside colour a pixel has: 1 inside, 0 outside.
@@ -67,7 +66,8 @@ PixelPoint halfBlended(const Sampler& sampler, const SpanWalk& walk, const Blend
     const double now = blend(colour + colour);
     if (now < 0.5 && step > 0) {
       const double share = before > now ? (before - 0.5) / (before - now) : 0.5;
-      return between(along(walk, step - 1), along(walk, step), maths::clamp(share, 0.0, 1.0));
+      return betweenCentres(along(walk, step - 1), along(walk, step),
+                            maths::clamp(share, 0.0, 1.0));
     }
     before = now;
   }
@@ -76,7 +76,7 @@ PixelPoint halfBlended(const Sampler& sampler, const SpanWalk& walk, const Blend
 
 // `last` is the last step inside; two steps on the mixed pixels of the edge are passed.
 PixelPoint halfWay(const Sampler& sampler, const SpanWalk& walk, int last) {
-  const PixelPoint plain = between(along(walk, last), along(walk, last + 1), 0.5);
+  const PixelPoint plain = betweenCentres(along(walk, last), along(walk, last + 1), 0.5);
   const int beyond = last + 3;
   if (!Sampler::usable(along(walk, beyond))) return plain;
   const int inner = last >= 2 ? last - 2 : 0;

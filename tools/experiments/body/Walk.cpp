@@ -7,9 +7,9 @@
 #include <cmath>
 
 #include "robot/core/Random.h"
+#include "tools/experiments/body/Ways.h"
 #include "tools/experiments/harness/Experiment.h"
 #include "tools/experiments/harness/Statistics.h"
-#include "tools/sim/WalkingBody.h"
 #include "tools/sim/physics/Variation.h"
 
 namespace kelpie::experiments {
@@ -39,26 +39,20 @@ struct Speeds {
   double reported = 0.0;  // by odometry
 };
 
-Speeds speedsOf(const Direction& direction, std::uint64_t seed) {
-  sim::WalkingBody body = bodyOf(seed);
-  Command command;
-  command.walk = direction.request;
-  for (int i = 0; i < kStart; ++i) body.step(command);
-  const bool turns = direction.request.turn != 0.0;
-  double way = 0.0;
-  double told = 0.0;
-  Pose2 last = body.pose();
-  for (int i = 0; i < kMeasured; ++i) {
-    const Odometry odometry = body.step(command).odometry;
-    const Pose2 pose = body.pose();
-    const Point2<Robot> moved = robotFromField(last, pose.position);
-    const bool ahead = direction.request.forward != 0.0;
-    way += turns ? (pose.heading - last.heading).deg() : ahead ? moved.y : -moved.x;
-    told += turns ? odometry.turn.deg() : ahead ? odometry.forward : odometry.left;
-    last = pose;
-  }
+// Of the direction that is asked for.
+double speedIn(const WalkRequest& request, const Displacement& way) {
   const double seconds = kMeasured * kMessageSeconds;
-  return {std::fabs(way) / seconds, std::fabs(told) / seconds};
+  if (request.turn != 0.0) return std::fabs(Angle::rad(1.0).deg() * way.turn) / seconds;
+  return std::fabs(request.forward != 0.0 ? way.forward : way.left) / seconds;
+}
+
+Speeds speedsOf(const WalkRequest& request, std::uint64_t seed) {
+  sim::WalkingBody body = bodyOf(seed);
+  Ways ways;
+  walkOn(body, request, kStart, ways);
+  ways = {};
+  walkOn(body, request, kMeasured, ways);
+  return {speedIn(request, ways.walked), speedIn(request, ways.reported)};
 }
 
 // Whether it fell within a minute.
@@ -84,7 +78,8 @@ Expected<Json> walk(const Request& request) {
     Values speeds;
     Values errors;
     for (int i = 0; i < request.trials; ++i) {
-      const Speeds speed = speedsOf(direction, request.seed + static_cast<std::uint64_t>(i));
+      const Speeds speed =
+          speedsOf(direction.request, request.seed + static_cast<std::uint64_t>(i));
       speeds.push_back(speed.walked);
       errors.push_back(100.0 * std::fabs(speed.reported / std::max(speed.walked, 1.0) - 1.0));
     }

@@ -3,20 +3,14 @@
 // odometry says, and how far and straight the ball goes from each place in the kick's zone.
 #include <cmath>
 
+#include "tools/experiments/body/Ways.h"
 #include "tools/experiments/harness/Experiment.h"
-#include "tools/sim/WalkingBody.h"
 
 namespace kelpie::experiments {
 namespace {
 
 constexpr int kWalkMessages = 90;
 constexpr int kStopMessages = 30;
-
-struct Displacement {
-  double forward = 0.0;
-  double left = 0.0;
-  double turn = 0.0;  // rad
-};
 
 // Until the actuator spares the legs, and they stand still.
 void wearOut(sim::WalkingBody& body) {
@@ -29,20 +23,10 @@ void wearOut(sim::WalkingBody& body) {
 Displacement walkRatio(const WalkRequest& request, std::uint64_t seed, bool weak = false) {
   sim::WalkingBody body(seed);
   if (weak) wearOut(body);
-  Displacement reported;
-  Displacement walked;
-  Pose2 last = body.pose();
-  for (int i = 0; i < kWalkMessages + kStopMessages; ++i) {
-    Command command;
-    if (i < kWalkMessages) command.walk = request;
-    const Odometry odometry = body.step(command).odometry;
-    reported = {reported.forward + odometry.forward, reported.left + odometry.left,
-                reported.turn + odometry.turn.rad()};
-    const Point2<Robot> moved = robotFromField(last, body.pose().position);
-    walked = {walked.forward + moved.y, walked.left - moved.x,
-              walked.turn + (body.pose().heading - last.heading).rad()};
-    last = body.pose();
-  }
+  Ways ways;
+  walkOn(body, request, kWalkMessages, ways);
+  walkOn(body, {}, kStopMessages, ways);
+  const auto& [walked, reported] = ways;
   return {walked.forward / reported.forward, walked.left / reported.left,
           walked.turn / reported.turn};
 }

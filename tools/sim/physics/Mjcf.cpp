@@ -5,11 +5,11 @@
 
 #include "tools/sim/Bodies.h"
 #include "tools/sim/physics/RobotXml.h"
+#include "tools/sim/physics/Units.h"
 
 namespace kelpie::sim {
 namespace {
 
-constexpr double kCm = 0.01;        // m
 constexpr double kWallHigh = 0.15;  // half the height of a goal's walls
 
 std::string thing(const std::string& shape) {

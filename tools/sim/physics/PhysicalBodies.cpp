@@ -5,11 +5,11 @@
 #include <utility>
 
 #include "robot/body/Ers7.h"
+#include "tools/sim/physics/Units.h"
 
 namespace kelpie::sim {
 namespace {
 
-constexpr double kCm = 0.01;    // m
 constexpr int kHandStays = 25;  // ticks that a hand needs to let go: 0.2 s [chosen]
 // A hand round the trunk: a spring that a walking robot moves by a few mm [chosen].
 constexpr double kHandSpring = 600.0;  // N/m

@@ -7,11 +7,11 @@
 
 #include "robot/body/Ers7.h"
 #include "tools/sim/physics/RobotXml.h"
+#include "tools/sim/physics/Units.h"
 
 namespace kelpie::sim {
 namespace {
 
-constexpr double kCm = 0.01;           // m
 constexpr double kPawForce = 0.3;      // N that closes a paw's switch [chosen]
 constexpr double kUpright = 90.0;      // deg from a heading to the turn of the torso's axes
 constexpr double kClearance = 0.0005;  // m under the lowest paw of a robot that is put down

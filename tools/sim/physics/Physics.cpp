@@ -4,10 +4,11 @@
 #include <cmath>
 #include <utility>
 
+#include "tools/sim/physics/Units.h"
+
 namespace kelpie::sim {
 namespace {
 
-constexpr double kCm = 0.01;      // m
 constexpr double kStep = 0.002;   // s
 constexpr double kReach = 0.13;   // m from a part's centre to the ball's within which it may touch
 constexpr double kLying = 0.003;  // m over the carpet below which the ball rolls on it

@@ -5,11 +5,11 @@
 
 #include "robot/body/Ers7.h"
 #include "robot/body/Legs.h"
+#include "tools/sim/physics/Units.h"
 
 namespace kelpie::sim {
 namespace {
 
-constexpr double kCm = 0.01;  // m
 constexpr double kBeyondLimit =
     3.0;  // deg, of the hardware's stop over the soft limit (openr.md 5.6)
 constexpr double kPawRadius = 0.010;
