@@ -30,8 +30,9 @@ void recordEffort(const MotionInput& in, bool walking, EffortState& state) {
 }
 
 double effort(const EffortState& state, const GaitParams& gait) {
-  if (state.ticks < gait.halfStepTicks) return 0.0;
-  const std::uint32_t count = std::min(state.ticks, 2 * gait.halfStepTicks);
+  const auto halfStep = static_cast<std::uint32_t>(gait.halfStepTicks);
+  if (state.ticks < halfStep) return 0.0;
+  const std::uint32_t count = std::min(state.ticks, 2 * halfStep);
   double sum = 0.0;
   for (std::uint32_t back = 1; back <= count; ++back)
     sum += state.duty[(state.ticks - back) % state.duty.size()];

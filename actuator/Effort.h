@@ -6,10 +6,21 @@
 #pragma once
 
 #include "actuator/ActuatorParams.h"
-#include "actuator/ActuatorState.h"
+#include "actuator/ActuatorParams.h"
 #include "robot/core/Motion.h"
 
 namespace kelpie::actuator {
+
+// Duty of the hardest working leg joint in each tick of walking without a break.
+struct EffortState {
+  std::array<double, 128> duty{};  // a ring; a step has at most 120 ticks
+  std::uint32_t ticks = 0;         // walked, all in all
+};
+
+struct GainState {
+  bool low = false;
+  double current = 0.0;  // mA, running mean
+};
 
 // Takes the sensed ticks of one message; forgets all of them when the robot does not walk.
 void recordEffort(const MotionInput& in, bool walking, EffortState& state);

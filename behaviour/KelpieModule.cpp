@@ -19,13 +19,20 @@ constexpr const char* kEnums =
     "    BEACON_PINK_ON_YELLOW = range(6)\n"
     "PINKS_OFF, PINKS_MAP, PINKS_LOCALISE = range(3)\n"
     "STRIKER, CHALLENGER = range(2)\n"
-    "NO_MOTION, STAND, KICK_FORWARD = range(3)\n"
+    "NO_MOTION, STAND, SIT, KICK_FORWARD, HARD_FORWARD, WEDGE, HEAD_SWIPE_LEFT, \\\n"
+    "    HEAD_SWIPE_RIGHT, UPENN_LEFT, UPENN_RIGHT, BLOCK, BLOCK_LEFT, BLOCK_RIGHT, GRAB, \\\n"
+    "    GRAB_QUICK, HOLD, RELEASE, GET_UP_FRONT, GET_UP_BACK, GET_UP_LEFT, GET_UP_RIGHT, \\\n"
+    "    CHEER = range(22)\n"
+    "WALK, WALK_FAST, WALK_TURNING, WALK_DRIBBLE, WALK_BACK, WALK_LOW, WALK_WEAK = range(7)\n"
+    "AIM_JOINTS, AIM_DIRECTION, AIM_POINT = range(3)\n"
+    "NOT_FALLEN, ON_FRONT, ON_BACK, ON_LEFT, ON_RIGHT = range(5)\n"
     "RED, BLUE = range(2)\n"
     "INITIAL, READY, SET, PLAYING, FINISHED = range(5)\n"
     "LINE, BORDER, FIELD = range(3)\n"
     "NECK_TILT, HEAD_PAN, HEAD_NOD, MOUTH = range(4)\n";
-static_assert(kLandmarkKindCount == 6 && kMotionKindCount == 3 && kPinkUseCount == 3 &&
-                  kPlayerKindCount == 2,
+static_assert(kLandmarkKindCount == 6 && kMotionKindCount == 22 && kPinkUseCount == 3 &&
+                  kPlayerKindCount == 2 && kWalkKindCount == 7 && kHeadAimCount == 3 &&
+                  kFallSideCount == 5,
               "kEnums must follow its enums");
 
 std::string number(double value) {

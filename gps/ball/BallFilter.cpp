@@ -141,7 +141,7 @@ void miss(const FrameInput& input, const BallFilterParams& params, BallTrack& ba
 }
 
 void expectKick(const FrameInput& input, const BallFilterParams& params, BallTrack& ball) {
-  const bool kicking = input.motion.running == MotionKind::kickForward;
+  const bool kicking = isKick(input.motion.running);
   const double away = maths::hypot(ball.both.mean[0], ball.both.mean[1]);
   if (!kicking || away > params.kickReach) return;
   ball.secondsSinceKick = 0.0;

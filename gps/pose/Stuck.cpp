@@ -52,7 +52,8 @@ double excessEffort(const FrameInput& input, const StuckParams& params, StuckSta
 Odometry shortened(const Odometry& odometry, double excess, const StuckParams& params) {
   if (excess <= 0.0) return odometry;
   const double share = factor(excess, params);
-  return {share * odometry.forward, share * odometry.left, Angle::rad(share * odometry.turn.rad())};
+  return {share * odometry.forward, share * odometry.left, Angle::rad(share * odometry.turn.rad()),
+          odometry.variance};
 }
 
 StepNoise grown(const StepNoise& noise, double excess, double elapsed, const StuckParams& params) {

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 
 #include "robot/core/Motion.h"
 
@@ -17,16 +18,26 @@ class OdometryTrack {
   // A step that ended at `end` and lasted one message.
   void add(TimeUs end, const Odometry& step) {
     for (std::size_t i = totals_.size() - 1; i > 0; --i) totals_[i] = totals_[i - 1];
-    totals_[0] = {totals_[1].forward + step.forward, totals_[1].left + step.left,
-                  totals_[1].turn + step.turn.rad()};
+    const OdometryVariance& last = totals_[1].variance;
+    totals_[0] = {totals_[1].forward + step.forward,
+                  totals_[1].left + step.left,
+                  totals_[1].turn + step.turn.rad(),
+                  {last.forward + step.variance.forward, last.left + step.variance.left,
+                   last.turn + step.variance.turn}};
     end_ = end;
   }
 
   // What was walked between the previous call and `time`.
   Odometry until(TimeUs time) {
     const Total total = totalAt(time);
-    const Odometry walked{total.forward - taken_.forward, total.left - taken_.left,
-                          Angle::rad(total.turn - taken_.turn)};
+    Odometry walked{total.forward - taken_.forward,
+                    total.left - taken_.left,
+                    Angle::rad(total.turn - taken_.turn),
+                    {}};
+    // Of time that was extrapolated too far there is nothing to take back.
+    walked.variance = {std::fmax(0.0, total.variance.forward - taken_.variance.forward),
+                       std::fmax(0.0, total.variance.left - taken_.variance.left),
+                       std::fmax(0.0, total.variance.turn - taken_.variance.turn)};
     taken_ = total;
     return walked;
   }
@@ -37,6 +48,7 @@ class OdometryTrack {
     double forward = 0.0;  // cm
     double left = 0.0;     // cm
     double turn = 0.0;     // rad, not wrapped
+    OdometryVariance variance;
   };
 
   Total totalAt(TimeUs time) const {
@@ -46,8 +58,12 @@ class OdometryTrack {
     const Total& a = totals_[i];
     const Total& b = totals_[i + 1];
     const double share = back - static_cast<double>(i);
-    return {a.forward + share * (b.forward - a.forward), a.left + share * (b.left - a.left),
-            a.turn + share * (b.turn - a.turn)};
+    const auto mix = [share](double at, double to) { return at + share * (to - at); };
+    return {mix(a.forward, b.forward),
+            mix(a.left, b.left),
+            mix(a.turn, b.turn),
+            {mix(a.variance.forward, b.variance.forward), mix(a.variance.left, b.variance.left),
+             mix(a.variance.turn, b.variance.turn)}};
   }
 
   std::array<Total, kSteps + 1> totals_{};  // since the start, at the ends of steps, latest first

@@ -103,7 +103,7 @@ void rollCamera(Angle roll, CameraPose& camera) {
 CameraPose cameraOf(const CameraTilt& tilt, const JointAngles& joints, const Stance& stance,
                     const BodyParams& params) {
   CameraTilt lean = tilt;
-  lean.roll = lean.roll + params.bodyRollOffset;
+  lean.roll = lean.roll + params.bodyRollOffset + stance.bodyRoll;
   CameraPose camera = leaning(cameraPose(joints, stance), stance, lean);
   camera.tilt = tilt;
   camera.bodyTiltOffset = params.bodyTiltOffset;

@@ -142,7 +142,7 @@ Stance stanceFromLegs(const JointAngles& joints) {
     }
   }
   const Angle tilt = Angle::rad(maths::atan2(front.z - hind.z, front.y - hind.y));
-  return {front.y * tilt.sin() - front.z * tilt.cos(), tilt};
+  return {front.y * tilt.sin() - front.z * tilt.cos(), tilt, {}};
 }
 
 Point3<Robot> robotFromTorso(const Stance& stance, const Point3<Torso>& p) {

@@ -6,39 +6,110 @@
 
 #include "robot/core/Angle.h"
 #include "robot/core/Fields.h"
+#include "robot/core/Geometry.h"
 
 namespace kelpie {
 
-// Wished speed of the robot frame.
+// Which set of the actuator's walk parameters is used. `weak` is for weakly held legs: the actuator
+// takes it by itself in place of any other while the battery is spared.
+enum class WalkKind : std::uint8_t { normal, fast, turning, dribble, back, low, weak };
+constexpr std::uint8_t kWalkKindCount = 7;
+
+// Wished speed of the robot frame over the ground, as it shall really be. What is too fast is
+// scaled down, its direction kept.
 struct WalkRequest {
   double forward = 0.0;  // cm/s
   double left = 0.0;     // cm/s
   double turn = 0.0;     // rad/s, left positive
+  double pivot = 0.0;    // cm ahead of the neck base: what the turn is about, a ball for example
+  WalkKind kind = WalkKind::normal;
 
   static constexpr auto fields() {
-    return fieldList(field("forward", &WalkRequest::forward, "cm/s", -30, 42),
-                     field("left", &WalkRequest::left, "cm/s", -20, 20),
-                     field("turn", &WalkRequest::turn, "rad/s", -3.8, 3.8));
+    return fieldList(field("forward", &WalkRequest::forward, "cm/s", -45, 60),
+                     field("left", &WalkRequest::left, "cm/s", -35, 35),
+                     field("turn", &WalkRequest::turn, "rad/s", -4.5, 4.5),
+                     field("pivot", &WalkRequest::pivot, "cm", -30, 60),
+                     field("kind", &WalkRequest::kind, "", 0, kWalkKindCount - 1));
   }
 };
+
+// What a HeadRequest names: three joints, the direction of the camera's axis, or a point to look at.
+enum class HeadAim : std::uint8_t { joints, direction, point };
+constexpr std::uint8_t kHeadAimCount = 3;
 
 struct HeadRequest {
   Angle neckTilt;
   Angle headPan;
   Angle headNod;
   double speed = 0.0;  // rad/s at most for each joint; 0 = as fast as the joints go
+  HeadAim aim = HeadAim::joints;
+  Angle direction;       // to the left of the body's axis
+  Angle elevation;       // above the horizon
+  Point3<Robot> target;  // cm
 
   static constexpr auto fields() {
     return fieldList(field("neckTilt", &HeadRequest::neckTilt, "rad", -75, 0),
                      field("headPan", &HeadRequest::headPan, "rad", -88, 88),
                      field("headNod", &HeadRequest::headNod, "rad", -15, 45),
-                     field("speed", &HeadRequest::speed, "rad/s", 0, 10));
+                     field("speed", &HeadRequest::speed, "rad/s", 0, 10),
+                     field("aim", &HeadRequest::aim, "", 0, kHeadAimCount - 1),
+                     field("direction", &HeadRequest::direction, "rad", -180, 180),
+                     field("elevation", &HeadRequest::elevation, "rad", -90, 90),
+                     field("target", &HeadRequest::target, "cm", -1000, 1000));
   }
 };
 
-// Special motions: sequences of poses that replace the walk while they run.
-enum class MotionKind : std::uint8_t { none, stand, kickForward };
-constexpr std::uint8_t kMotionKindCount = 3;
+struct TailRequest {
+  Angle tilt = Angle::deg(30.0);
+  Angle pan;
+
+  static constexpr auto fields() {
+    return fieldList(field("tilt", &TailRequest::tilt, "rad", 5, 60),
+                     field("pan", &TailRequest::pan, "rad", -45, 45));
+  }
+};
+
+// Never up for long (openr.md 5.6).
+struct EarRequest {
+  bool leftUp = false;
+  bool rightUp = false;
+
+  static constexpr auto fields() {
+    return fieldList(field("leftUp", &EarRequest::leftUp), field("rightUp", &EarRequest::rightUp));
+  }
+};
+
+// Special motions: key frames that replace the walk while they run (actuator/data/motions).
+// kickForward strikes a ball that lies ahead, hardForward and wedge one that is held. Sides name
+// where the ball goes or the robot lies.
+enum class MotionKind : std::uint8_t {
+  none,
+  stand,
+  sit,
+  kickForward,
+  hardForward,
+  wedge,
+  headSwipeLeft,
+  headSwipeRight,
+  upennLeft,
+  upennRight,
+  block,
+  blockLeft,
+  blockRight,
+  grab,
+  grabQuick,
+  hold,
+  release,
+  getUpFront,
+  getUpBack,
+  getUpLeft,
+  getUpRight,
+  cheer
+};
+constexpr std::uint8_t kMotionKindCount = 22;
+constexpr bool isKick(MotionKind kind) {
+  return kind >= MotionKind::kickForward && kind <= MotionKind::upennRight;
+}
 
 // Why the behaviour host answered in place of the script.
 enum class Fallback : std::uint8_t { none, notLoaded, scriptError, badCommand, timeLimit };
@@ -52,6 +123,8 @@ struct Command {
   WalkRequest walk;
   HeadRequest head;
   bool mouthOpen = false;
+  TailRequest tail;
+  EarRequest ears;
   MotionKind motion = MotionKind::none;  // started when it differs from none and nothing runs
   std::uint32_t leds = 0;
   bool localise = false;  // while standing: find the pose by the field lines alone
@@ -60,7 +133,8 @@ struct Command {
 
   static constexpr auto fields() {
     return fieldList(field("walk", &Command::walk), field("head", &Command::head),
-                     field("mouthOpen", &Command::mouthOpen),
+                     field("mouthOpen", &Command::mouthOpen), field("tail", &Command::tail),
+                     field("ears", &Command::ears),
                      field("motion", &Command::motion, "", 0, kMotionKindCount - 1),
                      field("leds", &Command::leds), field("localise", &Command::localise),
                      field("pinks", &Command::pinks, "", 0, kPinkUseCount - 1),

@@ -52,4 +52,9 @@ struct JointAngles {
   }
 };
 
+// A share of the way of a joint, which cannot turn past its stops: angles are not taken round.
+inline Angle partWay(Angle from, Angle to, double share) {
+  return Angle::rad(from.rad() + share * (to.rad() - from.rad()));
+}
+
 }  // namespace kelpie

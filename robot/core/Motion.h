@@ -17,10 +17,12 @@ namespace kelpie {
 struct Stance {
   double shoulderHeight = 10.0;
   Angle bodyTilt;
+  Angle bodyRoll;  // left side up positive
 
   static constexpr auto fields() {
     return fieldList(field("shoulderHeight", &Stance::shoulderHeight, "cm", 0, 30),
-                     field("bodyTilt", &Stance::bodyTilt, "rad", -90, 90));
+                     field("bodyTilt", &Stance::bodyTilt, "rad", -90, 90),
+                     field("bodyRoll", &Stance::bodyRoll, "rad", -90, 90));
   }
 };
 
@@ -49,16 +51,31 @@ struct SensorFrame {
   }
 };
 
+// Variances of an odometry step; all 0 when the actuator does not know.
+struct OdometryVariance {
+  double forward = 0.0;  // cm2
+  double left = 0.0;     // cm2
+  double turn = 0.0;     // rad2
+
+  static constexpr auto fields() {
+    return fieldList(field("forward", &OdometryVariance::forward, "cm2", 0, 1e4),
+                     field("left", &OdometryVariance::left, "cm2", 0, 1e4),
+                     field("turn", &OdometryVariance::turn, "rad2", 0, 10));
+  }
+};
+
 // How far the robot frame moved on the ground: along and across its own axis, then turned.
 struct Odometry {
   double forward = 0.0;
   double left = 0.0;
   Angle turn;
+  OdometryVariance variance;
 
   static constexpr auto fields() {
     return fieldList(field("forward", &Odometry::forward, "cm", -100, 100),
                      field("left", &Odometry::left, "cm", -100, 100),
-                     field("turn", &Odometry::turn, "rad", -180, 180));
+                     field("turn", &Odometry::turn, "rad", -180, 180),
+                     field("variance", &Odometry::variance));
   }
 };
 
@@ -79,9 +96,34 @@ struct MotionInput {
 struct JointFrame {
   JointAngles target;
   std::uint32_t leds = 0;
+  EarRequest ears;
 
   static constexpr auto fields() {
-    return fieldList(field("target", &JointFrame::target), field("leds", &JointFrame::leds));
+    return fieldList(field("target", &JointFrame::target), field("leds", &JointFrame::leds),
+                     field("ears", &JointFrame::ears));
+  }
+};
+
+// Where a robot lies that has fallen: on its nose or belly, its back, its left or right side.
+enum class FallSide : std::uint8_t { none, front, back, left, right };
+constexpr std::uint8_t kFallSideCount = 5;
+
+// What the body feels of the world: from motor duty, joint speed, accelerometer, paws, chin, chest.
+struct Feeling {
+  double current = 0.0;  // mean over the last step of the rotators' current, share of the greatest;
+                         // 0 while not walking
+  double load = 0.0;     // that current beyond what the same walk takes on free ground
+  bool stuck = false;
+  FallSide fallen = FallSide::none;
+  bool ballHeld = false;                // between chin, chest and forelegs
+  std::array<bool, 2> pawBlocked{};     // left and right front paw pressed in the air
+
+  static constexpr auto fields() {
+    return fieldList(field("current", &Feeling::current, "", 0, 1),
+                     field("load", &Feeling::load, "", -1, 1), field("stuck", &Feeling::stuck),
+                     field("fallen", &Feeling::fallen, "", 0, kFallSideCount - 1),
+                     field("ballHeld", &Feeling::ballHeld),
+                     field("pawBlocked", &Feeling::pawBlocked));
   }
 };
 
@@ -93,13 +135,15 @@ struct MotionStatus {
   double effort = 0.0;   // mean over the last step of the hardest working leg joint's duty, 0..1;
                          // 0 while not walking (thesis 2004 section 2.2.4)
   bool lowGain = false;  // the leg joints are held weakly, to spare the battery
+  Feeling feeling;
 
   static constexpr auto fields() {
     return fieldList(field("running", &MotionStatus::running, "", 0, kMotionKindCount - 1),
                      field("secondsLeft", &MotionStatus::secondsLeft, "s", 0, 10),
                      field("ready", &MotionStatus::ready),
                      field("effort", &MotionStatus::effort, "", 0, 1),
-                     field("lowGain", &MotionStatus::lowGain));
+                     field("lowGain", &MotionStatus::lowGain),
+                     field("feeling", &MotionStatus::feeling));
   }
 };
 

@@ -46,7 +46,7 @@ Command randomCommand(Random& random) {
   command.head.headNod = Angle::deg(random.uniform(-170, 170));
   command.head.speed = random.uniform(-1, 10);
   command.mouthOpen = random.chance(0.5);
-  if (random.chance(0.1)) command.motion = static_cast<MotionKind>(random.index(3));
+  if (random.chance(0.1)) command.motion = static_cast<MotionKind>(random.index(kMotionKindCount));
   return command;
 }
 
@@ -65,15 +65,15 @@ TEST(Start, RampNeverJumpsAndEndsInTheStanceAfterASecond) {
       last = joints;
     }
     const Stance stance = body::stanceFromLegs(last);
-    EXPECT_NEAR(stance.shoulderHeight, w.params.stance.shoulderHeight, 1e-6);
-    EXPECT_NEAR(stance.bodyTilt.deg(), w.params.stance.bodyTilt.deg(), 1e-6);
+    EXPECT_NEAR(stance.shoulderHeight, w.stance().shoulderHeight, 1e-6);
+    EXPECT_NEAR(stance.bodyTilt.deg(), w.stance().bodyTilt.deg(), 1e-6);
   }
 }
 
 TEST(Start, WalkRequestWaitsForTheRamp) {
   Walker w;
   w.run(WalkRequest{30, 0, 0}, 20);
-  EXPECT_EQ(w.state.gait.velocity.forward, 0.0);
+  EXPECT_EQ(w.state.walk.feet.forward, 0.0);
 }
 
 TEST(Joints, StayInsideLimitsAndSlewForAThousandRandomCommands) {
@@ -131,13 +131,13 @@ TEST(Joints, NotANumberFromTheSensorsReachesNoJoint) {
   w.run(Command{}, 40);
   for (const JointAngles& joints : w.ticks)
     for (const Angle angle : joints.angle) ASSERT_TRUE(std::isfinite(angle.rad()));
-  EXPECT_NEAR(body::stanceFromLegs(w.ticks.back()).shoulderHeight, w.params.stance.shoulderHeight,
+  EXPECT_NEAR(body::stanceFromLegs(w.ticks.back()).shoulderHeight, w.stance().shoulderHeight,
               1e-6);
 }
 
 TEST(Odometry, OfAStraightWalkIsTheIntegralOfTheSpeedSomeTicksLate) {
-  ActuatorParams params;
-  params.odometry = {{1.0, 1.0, 1.0}, {}, 8};  // two whole messages
+  ActuatorParams params = exactWalks();
+  params.odometry.delayTicks = 8;  // two whole messages
   Walker w(params);
   w.standUp();
   double walked = 0.0;
@@ -152,22 +152,23 @@ TEST(Odometry, OfAStraightWalkIsTheIntegralOfTheSpeedSomeTicksLate) {
   EXPECT_NEAR(walked - told, 8 * 0.008 * 20.0, 1e-9);
 }
 
-TEST(Odometry, ScalesCalibrateEachDirection) {
-  ActuatorParams params;
-  params.odometry = {{0.5, 0.7, 0.9}, {}, 0};
+TEST(Odometry, TellsTheRealSpeedWhateverTheFeetDo) {
+  ActuatorParams params = exactWalks();
+  params.odometry.delayTicks = 0;
+  params.walks.normal.calibration.forward.scale = 0.5;
+  params.walks.normal.calibration.left.scale = 0.7;
   Walker w(params);
   w.standUp();
-  w.run(WalkRequest{10, 5, 0}, 60);
-  EXPECT_NEAR(w.out.odometry.forward, 0.5 * 10 * 0.032, 1e-9);
-  EXPECT_NEAR(w.out.odometry.left, 0.7 * 5 * 0.032, 1e-9);
-  w.run(WalkRequest{0, 0, 1}, 60);
-  EXPECT_NEAR(w.out.odometry.turn.rad(), 0.9 * 1 * 0.032, 1e-9);
+  w.run(WalkRequest{6, 3, 0}, 60);
+  EXPECT_NEAR(w.out.odometry.forward, 6 * 0.032, 1e-9);
+  EXPECT_NEAR(w.out.odometry.left, 3 * 0.032, 1e-9);
+  EXPECT_NEAR(w.state.walk.feet.forward, 12.0, 1e-9);
 }
 
 // Four steps of one tick, each turned by what was turned before it.
 TEST(Odometry, TurningWithinAMessageBendsTheWay) {
-  ActuatorParams params;
-  params.odometry = {{1.0, 1.0, 1.0}, {}, 0};
+  ActuatorParams params = exactWalks();
+  params.odometry.delayTicks = 0;
   Walker w(params);
   w.standUp();
   w.run(WalkRequest{5, 0, 1.5}, 50);
@@ -207,8 +208,8 @@ TEST(Outputs, LedsPassAndTheStanceIsThatOfTheSensedLegs) {
   command.leds = 0x5a5a;
   w.run(command, 1);
   for (const JointFrame& frame : w.out.joints) EXPECT_EQ(frame.leds, 0x5a5au);
-  EXPECT_NEAR(w.out.stance.shoulderHeight, w.params.stance.shoulderHeight, 1e-9);
-  EXPECT_NEAR(w.out.stance.bodyTilt.rad(), w.params.stance.bodyTilt.rad(), 1e-9);
+  EXPECT_NEAR(w.out.stance.shoulderHeight, w.stance().shoulderHeight, 1e-9);
+  EXPECT_NEAR(w.out.stance.bodyTilt.rad(), w.stance().bodyTilt.rad(), 1e-9);
 }
 
 TEST(Outputs, TheSameInputsGiveTheSameBits) {

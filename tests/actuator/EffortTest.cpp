@@ -96,18 +96,18 @@ TEST(Gain, CurrentThatIsNotANumberChangesNothing) {
   EXPECT_TRUE(state.low && std::isfinite(state.current));
 }
 
-TEST(Gain, WeakLegsHaveTheirOwnOdometry) {
+TEST(Gain, WeakLegsHaveTheirOwnWalk) {
   Walker walker;
-  walker.params.odometry.low = {0.5, 0.4, 0.3};
-  walker.params.odometry.high = {1.0, 1.0, 1.0};
+  walker.params.walks.weak.most.turn = 0.3;
   walker.standUp();
   walker.run(WalkRequest{0.0, 0.0, 1.0}, 30);
-  const double strong = walker.out.odometry.turn.rad();
+  EXPECT_NEAR(walker.state.walk.feet.turn, 1.0, 1e-9);
   EXPECT_FALSE(walker.out.status.lowGain);
   walker.input.batteryCurrent = 5000.0;
   walker.run(WalkRequest{0.0, 0.0, 1.0}, 300);
   EXPECT_TRUE(walker.out.status.lowGain);
-  EXPECT_NEAR(walker.out.odometry.turn.rad(), 0.3 * strong, 1e-9);
+  EXPECT_EQ(walker.state.walk.kind, WalkKind::weak);
+  EXPECT_NEAR(walker.state.walk.feet.turn, 0.3, 1e-9);
 }
 
 TEST(Gain, AKickHasAllTheStrength) {

@@ -10,9 +10,18 @@
 
 namespace kelpie::actuator {
 
+// Parameters whose walks do exactly what is asked, so that facts of the geometry can be checked.
+inline ActuatorParams exactWalks() {
+  ActuatorParams params;
+  params.walks = {};
+  params.walks.normal.gait.lead = 1.0;
+  params.walks.normal.stance.hindAside = 9.5;
+  return params;
+}
+
 class Walker {
  public:
-  explicit Walker(const ActuatorParams& parameters = {}) : params(parameters) {}
+  explicit Walker(const ActuatorParams& parameters = exactWalks()) : params(parameters) {}
 
   // Runs the command for some messages of four ticks.
   void run(const Command& command, int messages) {
@@ -34,11 +43,12 @@ class Walker {
     ticks.clear();
     travelled.clear();
   }
-  // Where the commanded joints put a foot when the body is carried as the parameters say.
+  // Where the commanded joints put a foot when the body is carried as the walk says.
   Point3<Robot> foot(const JointAngles& joints, LegId leg) const {
-    const Stance stance{params.stance.shoulderHeight, params.stance.bodyTilt};
-    return body::robotFromTorso(stance, body::footPosition(leg, body::legAngles(joints, leg)));
+    const Stance carried{stance().shoulderHeight, stance().bodyTilt, {}};
+    return body::robotFromTorso(carried, body::footPosition(leg, body::legAngles(joints, leg)));
   }
+  const StanceParams& stance() const { return params.walks.normal.stance; }
 
   ActuatorParams params;
   ActuatorState state;

@@ -206,7 +206,7 @@ TEST(BodyStep, HeadSpeedIsThatOfTheFastestHeadJointPerFrame) {
 // The head pans at 3 rad/s from the joints given; what body::step makes of it.
 CameraPose panningCamera(double neck, double pan, double nod, double rate) {
   FrameInput input = standing();
-  input.stance = {10.0, Angle::deg(12)};
+  input.stance = {10.0, Angle::deg(12), {}};
   input.sensors.joints[Joint::neckTilt] = Angle::deg(neck);
   input.sensors.joints[Joint::headPan] = Angle::deg(pan);
   input.sensors.joints[Joint::headNod] = Angle::deg(nod);

@@ -106,7 +106,7 @@ TEST(Legs, RightLegsAreMirrorImagesOfTheLeft) {
 // facts-2005 section 2.2: shoulder 10 cm and hip 13.2 cm lean the body by 14.25 deg.
 TEST(Stance, ShoulderTenAndHipThirteenLeanByFourteenDegrees) {
   JointAngles joints;
-  const Stance wanted{10.0, Angle::rad(std::asin(3.2 / 13.0))};
+  const Stance wanted{10.0, Angle::rad(std::asin(3.2 / 13.0)), {}};
   for (const LegId leg : kLegs) {
     const bool front = leg == LegId::leftFront || leg == LegId::rightFront;
     const double side = leg == LegId::leftFront || leg == LegId::leftHind ? -1 : 1;
@@ -153,7 +153,7 @@ TEST(Stance, ChestCarriesTheBodyWhenBothFrontLegsAreUp) {
 }
 
 TEST(Stance, TorsoAndGroundTransformsAreInverse) {
-  const Stance stance{9.3, Angle::deg(12)};
+  const Stance stance{9.3, Angle::deg(12), {}};
   const Point3<Torso> p{3, -7, -2};
   EXPECT_LT(apart(torsoFromRobot(stance, robotFromTorso(stance, p)), p), 1e-12);
   const auto neck = robotFromTorso(stance, {0, -0.25, 1.95});

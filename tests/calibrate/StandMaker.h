@@ -28,7 +28,7 @@ inline sim::BodyPlace postureOf(const Stand& stand, int way, int stop) {
   const double down = std::array<double, 3>{2.0, 10.0, 16.0}[static_cast<std::size_t>(way % 3)];
   sim::BodyPlace place;
   place.pose = stand.place;
-  place.stance = {10.0, Angle::deg(10.5)};
+  place.stance = {10.0, Angle::deg(10.5), {}};
   const double pan = (way % 2 == 0 ? 1.0 : -1.0) * (18.0 * stop - 81.0);
   place.joints[Joint::neckTilt] = Angle::deg(neck);
   place.joints[Joint::headPan] = Angle::deg(pan);

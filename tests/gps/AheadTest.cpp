@@ -13,7 +13,7 @@ namespace {
 FrameInput walkingFrame(double lag) {
   FrameInput input;
   input.elapsed = 1.0 / 30.0;
-  input.odometry = {1.0, 0.0, Angle::deg(3.0)};
+  input.odometry = {1.0, 0.0, Angle::deg(3.0), {}};
   input.imageLag.seconds = lag;
   return input;
 }

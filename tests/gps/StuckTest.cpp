@@ -60,7 +60,7 @@ TEST(Stuck, TheEffortOfAFasterStepBeforeIsNoHold) {
   const StuckParams params;
   sim::LocalisingRobot robot = walker(freeEffort(40.0, params));
   const auto excessAt = [&](double speed) {
-    robot.input.odometry = {speed * kFrameSeconds, 0.0, {}};
+    robot.input.odometry = {speed * kFrameSeconds, 0.0, {}, {}};
     return excessEffort(robot.input, params, robot.state.pose.stuck, robot.state.counts);
   };
   for (int i = 0; i < 60; ++i) excessAt(40.0);

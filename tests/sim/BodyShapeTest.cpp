@@ -20,7 +20,7 @@ constexpr Colour kPaint{128.0F, 20.0F, 220.0F};  // of no other thing
 BodyPlace placed(double tilt, double pan, double nod) {
   BodyPlace place;
   place.pose = {{180.0, 270.0}, Angle::deg(35.0)};
-  place.stance = {10.0, Angle::deg(14.25)};
+  place.stance = {10.0, Angle::deg(14.25), {}};
   place.joints[Joint::neckTilt] = Angle::deg(tilt);
   place.joints[Joint::headPan] = Angle::deg(pan);
   place.joints[Joint::headNod] = Angle::deg(nod);

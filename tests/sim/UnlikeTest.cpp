@@ -58,7 +58,7 @@ TEST(Unlike, LeansHaveTheirSpread) {
 
 BodyPlace looking() {
   BodyPlace place;
-  place.stance = {10.0, Angle::deg(14.0)};
+  place.stance = {10.0, Angle::deg(14.0), {}};
   place.joints[Joint::neckTilt] = Angle::deg(-10.0);
   place.joints[Joint::headPan] = Angle::deg(30.0);
   return place;
@@ -175,7 +175,7 @@ TEST(Unlike, TheAccelerometerFeelsTheLeanAndItsBias) {
   BodyFaults faults;
   faults.lean = {Angle::deg(1.0), Angle::deg(2.0)};
   faults.accelerationBias = {3.0, 4.0, 5.0};
-  const auto felt = accelerationAtRest({10.0, Angle::deg(14.0)}, faults);
+  const auto felt = accelerationAtRest({10.0, Angle::deg(14.0), {}}, faults);
   EXPECT_NEAR(felt[0],
               -981.0 * std::sin(15 * maths::kPi / 180) * std::cos(2 * maths::kPi / 180) + 3, 1e-6);
   EXPECT_NEAR(felt[1], 981.0 * std::sin(2 * maths::kPi / 180) + 4, 1e-6);

@@ -107,7 +107,7 @@ TEST(World, LiftsAndTouchesThatCannotBeAreRefused) {
 
 // Legs that stand, the head as asked for.
 JointAngles standing(double tilt, double pan, double nod) {
-  const Stance stance{10.0, Angle::deg(10.0)};
+  const Stance stance{10.0, Angle::deg(10.0), {}};
   JointAngles joints;
   setFrontFeet(joints, stance, {Point2<Robot>{-9.5, 4.0}, {9.5, 0.0}});
   for (const LegId leg : {LegId::leftHind, LegId::rightHind}) {

@@ -191,7 +191,7 @@ void frameFromBytes(const std::uint8_t* data, std::size_t size, HostileFrame& fr
   frame.input = {};
   for (const Joint joint : {Joint::neckTilt, Joint::headPan, Joint::headNod})
     frame.input.sensors.joints[joint] = Angle::deg(angleFrom(next()));
-  frame.input.stance = {next() * 30.0 / 255.0, Angle::deg(0.5 * angleFrom(next()))};
+  frame.input.stance = {next() * 30.0 / 255.0, Angle::deg(0.5 * angleFrom(next())), {}};
   frame.input.headRate = {0.0, (next() - 128.0) / 4.0, (next() - 128.0) / 4.0};
   frame.input.odometry.turn = Angle::deg(angleFrom(next()));
   frame.body = body::step(frame.input, {});

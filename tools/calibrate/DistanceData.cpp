@@ -37,7 +37,7 @@ DataFile fileOf(SizedObject object) {
 // Standing, head straight ahead, looking `pitch` up from level: the nod makes up for the lean of
 // the body, the neck bends for what is lower.
 CameraPose headAt(double pitch) {
-  const Stance stance{10.0, Angle::deg(14.25)};
+  const Stance stance{10.0, Angle::deg(14.25), {}};
   JointAngles joints;
   const double up = stance.bodyTilt.rad() + pitch;
   joints[Joint::headNod] = Angle::rad(std::fmax(up, 0.0));

@@ -140,8 +140,8 @@ RecordedRow rowOf(const Numbers& n) {
   row.neckTilt = Angle::deg(n[1]);
   row.headPan = Angle::deg(n[2]);
   row.headNod = Angle::deg(n[3]);
-  row.stance = {n[5] / 10.0, Angle::deg(n[4])};
-  row.odometry = {n[6], n[7], Angle::deg(n[8])};
+  row.stance = {n[5] / 10.0, Angle::deg(n[4]), {}};
+  row.odometry = {n[6], n[7], Angle::deg(n[8]), {}};
   return row;
 }
 

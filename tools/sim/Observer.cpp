@@ -45,7 +45,7 @@ void Observer::walk(double forward, double left, double turn) {
   const double way = std::hypot(forward, left);
   if (noise.walk.headingPerCm > 0.0)
     truth.heading += noise.walk.headingPerCm * std::sqrt(way) * random_.gaussian();
-  input.odometry = {forward, left, Angle::rad(turn)};
+  input.odometry = {forward, left, Angle::rad(turn), {}};
   walking_ = way > 0.0 || turn != 0.0;
   phase_ += 2.0 * maths::kPi * kFrameSeconds / (2.0 * kStepTime);
 }

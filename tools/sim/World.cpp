@@ -22,7 +22,8 @@ BodyPlace mixed(const BodyPlace& a, const BodyPlace& b, double t) {
   place.pose = {mixed(a.pose.position, b.pose.position, t),
                 mixed(a.pose.heading, b.pose.heading, t)};
   place.stance = {mixed(a.stance.shoulderHeight, b.stance.shoulderHeight, t),
-                  mixed(a.stance.bodyTilt, b.stance.bodyTilt, t)};
+                  mixed(a.stance.bodyTilt, b.stance.bodyTilt, t),
+                  mixed(a.stance.bodyRoll, b.stance.bodyRoll, t)};
   for (std::size_t j = 0; j < kJointCount; ++j) {
     place.joints.angle[j] = mixed(a.joints.angle[j], b.joints.angle[j], t);
   }

@@ -20,7 +20,7 @@ BodyPlace sweeping(double image) {
   BodyPlace place;
   const double whole = std::floor(image);
   place.pose = {{180.0 + 60.0 * maths::sin(whole * 0.02), 200.0}, Angle::deg(whole * 1.2)};
-  place.stance = {10.0, Angle::deg(14.25)};
+  place.stance = {10.0, Angle::deg(14.25), {}};
   place.joints[Joint::headPan] = Angle::deg(60.0 * maths::sin(image * 0.15));
   place.joints[Joint::neckTilt] = Angle::deg(-20.0 + 15.0 * maths::sin(image * 0.11));
   return place;

@@ -48,7 +48,7 @@ BodyPlace placeOf(const Options& options, const Pose2& pose) {
   if (head.size() != 3) head = {-5.0, 0.0, 0.0};
   BodyPlace place;
   place.pose = pose;
-  place.stance = {10.0, Angle::deg(14.25)};
+  place.stance = {10.0, Angle::deg(14.25), {}};
   place.joints[Joint::neckTilt] = Angle::deg(head[0]);
   place.joints[Joint::headPan] = Angle::deg(head[1]);
   place.joints[Joint::headNod] = Angle::deg(head[2]);

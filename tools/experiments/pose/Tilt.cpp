@@ -37,7 +37,7 @@ constexpr double kJointNoise = 0.0015;  // rad
 constexpr double kHeightNoise = 0.1;    // cm
 constexpr double kTiltNoiseDeg = 0.2;
 constexpr double kRateNoise = 0.1;  // rad/s
-const Stance kStance{10.0, Angle::deg(14.25)};
+const Stance kStance{10.0, Angle::deg(14.25), {}};
 const Angle kNod = Angle::deg(5.0);  // the horizon is in the upper third of the image
 
 // What one walk showed.
@@ -139,7 +139,8 @@ class PixelWalk {
       angle = angle + Angle::rad(sensorRandom_.gaussian(0.0, kJointNoise));
     input.headRate = {0.0, panRate(frame) + sensorRandom_.gaussian(0.0, kRateNoise), 0.0};
     input.stance = {kStance.shoulderHeight + sensorRandom_.gaussian(0.0, kHeightNoise),
-                    kStance.bodyTilt + Angle::deg(sensorRandom_.gaussian(0.0, kTiltNoiseDeg))};
+                    kStance.bodyTilt + Angle::deg(sensorRandom_.gaussian(0.0, kTiltNoiseDeg)),
+                    {}};
     input.sensors.acceleration = sim::accelerationAtRest(kStance, view_.real.body);
     for (double& axis : input.sensors.acceleration)
       axis += sensorRandom_.gaussian(0.0, sim::SensorParams{}.accelerationSd);

@@ -86,7 +86,7 @@ void ViewMaker::placeThings() {
   view_.pose = {
       {random_.uniform(10.0, field.width - 10.0), random_.uniform(10.0, field.length - 10.0)},
       randomDeg(random_, -180.0, 180.0)};
-  stance_ = {random_.uniform(8.5, 11.0), randomDeg(random_, 8.0, 16.0)};
+  stance_ = {random_.uniform(8.5, 11.0), randomDeg(random_, 8.0, 16.0), {}};
   for (int i = 0; i < kTries; ++i) {
     const auto place = robotPolar(random_.uniform(20.0, 360.0), randomDeg(random_, -85.0, 85.0));
     view_.ball = fieldFromRobot(view_.pose, place);
@@ -229,7 +229,8 @@ void ViewMaker::turnAndRender() {
   input.headRate = {0.0, rate.headPan + random_.gaussian(0.0, kRateNoise),
                     rate.headNod + random_.gaussian(0.0, kRateNoise)};
   input.stance = {stance_.shoulderHeight + random_.gaussian(0.0, kHeightNoise),
-                  stance_.bodyTilt + Angle::deg(random_.gaussian(0.0, kTiltNoiseDeg))};
+                  stance_.bodyTilt + Angle::deg(random_.gaussian(0.0, kTiltNoiseDeg)),
+                  {}};
   if (turn != 0.0)
     input.odometry.turn = Angle::rad(turn * kFrameSeconds + random_.gaussian(0.0, kTurnNoise));
   sim::Camera camera(params_.camera, view_.robotCamera);

@@ -45,7 +45,7 @@ HeadPose randomHead(Random& random) {
   head.joints[Joint::neckTilt] = Angle::deg(random.uniform(-60.0, 0.0));
   head.joints[Joint::headPan] = Angle::deg(random.uniform(-88.0, 88.0));
   head.joints[Joint::headNod] = Angle::deg(random.uniform(-15.0, 30.0));
-  head.stance = {random.uniform(7.0, 12.0), Angle::deg(random.uniform(0.0, 18.0))};
+  head.stance = {random.uniform(7.0, 12.0), Angle::deg(random.uniform(0.0, 18.0)), {}};
   return head;
 }
 

@@ -74,10 +74,13 @@ std::string ballXml(const PhysicalBallParams& ball) {
 std::string worldXml(const body::FieldDescription& field, const RobotsPhysics& robots,
                      const PhysicsParams& world) {
   // Full buffers only warn, and robots fall through the carpet: eight robots dropped in a heap used
-  // 260 rows and 65 contacts (physics.md section 8).
-  std::string out =
+  // 260 rows and 65 contacts (physics.md section 8). MuJoCo clears the square of the rows when it
+  // starts: 0.2 s for 3000.
+  std::string out = fmt::format(
       "<mujoco model=\"kelpie\">\n<compiler angle=\"degree\" inertiafromgeom=\"false\"/>\n"
-      "<size njmax=\"3000\" nconmax=\"600\"/>\n"
+      "<size njmax=\"{}\" nconmax=\"{}\"/>\n",
+      200 + 350 * robots.size(), 60 + 70 * robots.size());
+  out +=
       "<option timestep=\"0.002\" solver=\"Newton\" integrator=\"Euler\" cone=\"pyramidal\" "
       "iterations=\"20\" gravity=\"0 0 -9.81\"/>\n<worldbody>\n";
   out += fieldXml(field, world.contact);

@@ -45,7 +45,8 @@ Expected<std::unique_ptr<PhysicalBodies>> PhysicalBodies::build(
                                0.0,
                                {},
                                0.0,
-                               0});
+                               0,
+                               {}});
     bodies->physics_.putRobot(i, start.pose, startingPose());
   }
   const Status settled = bodies->physics_.engine().settle();
@@ -61,8 +62,21 @@ void PhysicalBodies::drive(std::size_t i) {
   for (std::size_t j = 0; j < kJointCount; ++j) {
     if (robot.queue.held(j)) gain[j] = isLeg(j) ? robot.queue.legGain() : 1.0;
   }
-  physics_.robot(i).command(robot.queue.target(), gain, physics_.params(i).servo,
-                            physics_.engine());
+  physics_.robot(i).command(throughGears(i), gain, physics_.params(i).servo, physics_.engine());
+}
+
+// A gear with play moves what is behind it only at the ends of the play.
+JointAngles PhysicalBodies::throughGears(std::size_t i) {
+  Robot& robot = robots_[i];
+  const double half = 0.5 * physics_.params(i).servo.legPlay;
+  JointAngles targets = robot.queue.target();
+  for (std::size_t j = 0; j < kServoCount; ++j) {
+    if (!isLeg(j)) continue;
+    const double motor = targets.angle[j].rad();
+    robot.driven[j] = maths::clamp(robot.driven[j], motor - half, motor + half);
+    targets.angle[j] = Angle::rad(robot.driven[j]);
+  }
+  return targets;
 }
 
 // Forces of a hand on the trunk.

@@ -80,7 +80,9 @@ class PhysicalBodies : public Bodies {
     Pose2 anchor;               // where a hand took it
     double anchorHeight = 0.0;  // m
     int handTicks = 0;
+    std::array<double, kJointCount> driven{};  // rad, the far side of each gear's play
   };
+  JointAngles throughGears(std::size_t i);
   PhysicalBodies(Physics physics, const PhysicalSensorParams& sensors)
       : physics_(std::move(physics)), sensors_(sensors) {}
   void drive(std::size_t i);

@@ -9,7 +9,7 @@
 namespace kelpie::sim {
 namespace {
 
-constexpr double kStep = 0.002;   // s
+constexpr double kBallStep = 0.001;  // s, while the ball may touch a robot
 constexpr double kReach = 0.13;   // m from a part's centre to the ball's within which it may touch
 constexpr double kLying = 0.003;  // m over the carpet below which the ball rolls on it
 constexpr double kAtRest = 1e-3;  // m/s below which rolling resistance fades
@@ -96,7 +96,8 @@ void Physics::rollBall() {
 Status Physics::tick() {
   double left = kTickSeconds;
   while (left > 0.5e-3) {
-    const double step = std::fmin(left, ballNearRobot() ? 0.5 * kStep : kStep);
+    const double longest = ballNearRobot() ? std::fmin(kBallStep, world_.step) : world_.step;
+    const double step = std::fmin(left, longest);
     rollBall();
     const Status stepped = engine_.step(step);
     if (!stepped) return stepped;

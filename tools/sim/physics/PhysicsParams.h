@@ -34,13 +34,15 @@ struct ServoParams {
   Servo headNod{0.8, 8.0, 2.29};
   Servo mouth{0.15, 10.1, 2.29};
   double armature = 0.0015;  // kg m2, a rotor of 0.5 to 1 g cm2 behind 1:150
+  double legPlay = 0.0;      // rad between the two sides of a leg's gears
 
   static constexpr auto fields() {
     using P = ServoParams;
     return fieldList(field("leg", &P::leg), field("shoulderGain", &P::shoulderGain, "", 0.1, 2),
                      field("neckTilt", &P::neckTilt), field("headPan", &P::headPan),
                      field("headNod", &P::headNod), field("mouth", &P::mouth),
-                     field("armature", &P::armature, "kg m2", 1e-4, 0.1));
+                     field("armature", &P::armature, "kg m2", 1e-4, 0.1),
+                     field("legPlay", &P::legPlay, "rad", 0, 0.1));
   }
 };
 
@@ -99,11 +101,13 @@ struct PhysicsParams {
   MassParams mass;
   ContactParams contact;
   PhysicalBallParams ball;
+  double step = 0.002;  // s, the longest; 0.004 is as good where only walks are learnt
 
   static constexpr auto fields() {
     using P = PhysicsParams;
     return fieldList(field("servo", &P::servo), field("mass", &P::mass),
-                     field("contact", &P::contact), field("ball", &P::ball));
+                     field("contact", &P::contact), field("ball", &P::ball),
+                     field("step", &P::step, "s", 0.0005, 0.004));
   }
 };
 

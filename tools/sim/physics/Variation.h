@@ -8,7 +8,10 @@
 
 namespace kelpie::sim {
 
-// That model with friction, armature, contact and servo drawn about its own.
+constexpr double kMostPlay = 0.015;  // rad, in a leg's gears [chosen]
+
+// That model with friction, armature, contact, servo, mass and the play of the legs' gears drawn
+// about its own.
 inline PhysicsParams varied(PhysicsParams params, std::uint64_t seed) {
   Random random(seed);
   params.contact.carpet *= random.uniform(0.75, 1.25);
@@ -20,6 +23,11 @@ inline PhysicsParams varied(PhysicsParams params, std::uint64_t seed) {
     servo->stall *= strength;
     servo->kp *= strength;
   }
+  const double weight = random.uniform(0.92, 1.1);
+  for (double* mass : {&params.mass.trunk, &params.mass.neck, &params.mass.head, &params.mass.jaw,
+                       &params.mass.upperLeg, &params.mass.lowerLeg})
+    *mass *= weight;
+  params.servo.legPlay += random.uniform(0.0, kMostPlay);
   return params;
 }
 

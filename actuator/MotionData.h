@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+// Special motions as data: key frames for head and legs. One for each MotionKind, from
+// actuator/data/motions/*.toml; the format is told there (README.md).
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "robot/core/Command.h"
+#include "robot/core/FixedVector.h"
+#include "robot/core/Joints.h"
+
+namespace kelpie::actuator {
+
+constexpr std::size_t kLegJoints = 3 * kLegCount;
+
+// What the legs do in a key frame: go to its angles, stay where they are, take up the stance of a
+// walk, or walk on.
+enum class KeyLegs : std::uint8_t { angles, stay, stance, walk };
+constexpr std::uint8_t kKeyLegsCount = 4;
+
+struct KeyFrame {
+  std::uint32_t ticks = 1;   // of 8 ms, how long it lasts
+  bool interpolate = false;  // in a straight line in joint space; else commanded at once, as the
+                             // player of 2005 did (facts-2005 section 6.5)
+  bool movesHead = false;    // else the head obeys the Command
+  std::array<Angle, 3> head{};  // neck tilt, pan, nod
+  bool movesMouth = false;      // else so
+  Angle mouth;
+  KeyLegs legs = KeyLegs::stay;
+  std::array<Angle, kLegJoints> angles{};  // in the order of Joint
+  WalkRequest walk;                        // of `walk`; its kind of `stance`
+
+  static constexpr auto fields() {
+    using P = KeyFrame;
+    return fieldList(field("ticks", &P::ticks, "", 1, 500),
+                     field("interpolate", &P::interpolate), field("movesHead", &P::movesHead),
+                     field("head", &P::head, "rad", -88, 88), field("movesMouth", &P::movesMouth),
+                     field("mouth", &P::mouth, "rad", -55, -3),
+                     field("legs", &P::legs, "", 0, kKeyLegsCount - 1),
+                     field("angles", &P::angles, "rad", -130, 130), field("walk", &P::walk));
+  }
+};
+
+struct MotionData {
+  FixedVector<KeyFrame, 12> frames;
+  Angle slew = Angle::deg(20.0);  // a tick at most, head and legs
+  bool atOnce = false;            // starts in the middle of a step too
+  std::uint32_t returnTicks = 30;  // from its last pose back to the walk
+  // How far the robot frame goes, spread evenly over the key frames.
+  double forward = 0.0;  // cm
+  double left = 0.0;     // cm
+  Angle turn;
+
+  static constexpr auto fields() {
+    using P = MotionData;
+    return fieldList(field("frames", &P::frames), field("slew", &P::slew, "rad", 0.5, 40),
+                     field("atOnce", &P::atOnce),
+                     field("returnTicks", &P::returnTicks, "", 0, 500),
+                     field("forward", &P::forward, "cm", -100, 100),
+                     field("left", &P::left, "cm", -100, 100),
+                     field("turn", &P::turn, "rad", -180, 180));
+  }
+};
+
+// In the order of MotionKind; that of `none` is empty.
+struct Motions {
+  std::array<MotionData, kMotionKindCount> of{};
+
+  const MotionData& operator[](MotionKind kind) const { return of[placeOf(kind)]; }
+  MotionData& operator[](MotionKind kind) { return of[placeOf(kind)]; }
+  static constexpr auto fields() { return fieldList(field("of", &Motions::of)); }
+
+ private:
+  static std::size_t placeOf(MotionKind kind) {
+    const auto i = static_cast<std::size_t>(kind);
+    return i < kMotionKindCount ? i : 0;
+  }
+};
+
+std::uint32_t ticksOf(const MotionData& motion);
+
+// The names of the files in actuator/data/motions, in the order of MotionKind.
+extern const std::array<const char*, kMotionKindCount> kMotionNames;
+
+// Those of actuator/data/motions.
+const Motions& standardMotions();
+
+}  // namespace kelpie::actuator

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "actuator/WalkSpeed.h"
+
+#include <cmath>
+
+namespace kelpie::actuator {
+namespace {
+
+// Each round shrinks the error by the share of one direction in another, at most a third.
+constexpr int kRounds = 12;
+
+double finite(double value) { return std::isfinite(value) ? value : 0.0; }
+
+double along(const SpeedCurve& curve, double s) {
+  return curve.scale * s + curve.bend * s * std::fabs(s);
+}
+
+// The smaller solution; where the curve never comes so far, its summit.
+double against(const SpeedCurve& curve, double real) {
+  if (curve.bend == 0.0) return real / curve.scale;
+  const double root = curve.scale * curve.scale + 4.0 * curve.bend * std::fabs(real);
+  const double size = root <= 0.0 ? -curve.scale / (2.0 * curve.bend)
+                                  : 2.0 * std::fabs(real) / (curve.scale + std::sqrt(root));
+  return real < 0.0 ? -size : size;
+}
+
+const SpeedCurve& forwardCurve(const WalkCalibration& c, double forward) {
+  return forward < 0.0 ? c.back : c.forward;
+}
+
+double square(double value) { return value * value; }
+
+double approach(double now, double target, double most) {
+  return now + maths::clamp(target - now, -most, most);
+}
+
+}  // namespace
+
+Velocity realSpeed(const Velocity& feet, const WalkCalibration& c) {
+  return {along(forwardCurve(c, feet.forward), feet.forward) +
+              c.forwardPerTurn * std::fabs(feet.turn) + c.forwardPerLeft * std::fabs(feet.left),
+          along(c.left, feet.left) + c.leftPerTurn * feet.turn,
+          along(c.turn, feet.turn) + c.turnPerLeft * feet.left};
+}
+
+Velocity feetSpeed(const Velocity& real, const WalkCalibration& c) {
+  Velocity feet;
+  for (int round = 0; round < kRounds; ++round) {
+    const double forward = real.forward - c.forwardPerTurn * std::fabs(feet.turn) -
+                           c.forwardPerLeft * std::fabs(feet.left);
+    feet = {against(forwardCurve(c, forward), forward),
+            against(c.left, real.left - c.leftPerTurn * feet.turn),
+            against(c.turn, real.turn - c.turnPerLeft * feet.left)};
+  }
+  return feet;
+}
+
+Velocity wantedSpeed(const WalkRequest& request, const WalkSet& set) {
+  const double turn = finite(request.turn);
+  const Velocity real{finite(request.forward), finite(request.left) - turn * finite(request.pivot),
+                      turn};
+  if (still(real)) return {};
+  const Velocity feet = feetSpeed(real, set.calibration);
+  const StrokeLimits& most = set.most;
+  const double size = std::sqrt(square(feet.forward / (feet.forward < 0.0 ? most.back : most.forward)) +
+                                square(feet.left / most.left) + square(feet.turn / most.turn));
+  const double share = size > 1.0 ? 1.0 / size : 1.0;
+  return {share * feet.forward, share * feet.left, share * feet.turn};
+}
+
+Velocity approached(const Velocity& now, const Velocity& wanted, const GaitParams& gait) {
+  const double most = gait.acceleration * kTickSeconds;
+  return {approach(now.forward, wanted.forward, most), approach(now.left, wanted.left, most),
+          approach(now.turn, wanted.turn, gait.turnAcceleration * kTickSeconds)};
+}
+
+}  // namespace kelpie::actuator

@@ -1,0 +1,142 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0
+"""Writes the standard walks and motions as C++: compile.py WALKS.toml MOTIONS_FOLDER OUT.cpp
+
+A walk's keys are those of WalkSet's fields, in the syntax of parameter files; a motion's are told in
+actuator/README.md. What is wrong in a file ends the build with `file: what`."""
+
+import re
+import sys
+import tomllib
+from pathlib import Path
+
+MOTIONS = ("none stand sit kick_forward hard_forward wedge head_swipe_left head_swipe_right upenn_left "
+           "upenn_right block block_left block_right grab grab_quick hold release get_up_front "
+           "get_up_back get_up_left get_up_right cheer").split()
+LEGS = ["left_front", "left_hind", "right_front", "right_hind"]
+MOTION_KEYS = {"about", "slew", "at_once", "return_ticks", "way", "frame"}
+FRAME_KEYS = {"ticks", "interpolate", "head", "mouth", "legs", "walk", "forward", "left", "turn",
+              "front", "hind", *LEGS}
+
+
+class Wrong(Exception):
+    pass
+
+
+def degrees(value):
+    return f"Angle::deg({float(value)})"
+
+
+def text_value(text):
+    """A number with its unit as parameter files write it: an angle, or a bare number."""
+    number, unit = re.fullmatch(r"(-?[0-9.e-]*[0-9.])\s*(\S*)", text).groups()
+    return degrees(number) if unit == "deg" else str(float(number))
+
+
+def assignments(path, table):
+    for key, value in table.items():
+        where = f"{path}.{key}"
+        if isinstance(value, dict):
+            yield from assignments(where, value)
+        elif key == "locus":
+            yield f"{where} = static_cast<LocusShape>({int(value)});"
+        else:
+            yield f"{where} = {text_value(value) if isinstance(value, str) else float(value)};"
+
+
+def check_keys(table, known):
+    for key in table:
+        if key not in known:
+            raise Wrong(f"{key}: there is no such key")
+
+
+def array_of(values, count, what):
+    if not isinstance(values, list) or len(values) != count:
+        raise Wrong(f"{what}: wants {count} angles in degrees")
+    return "{" + ", ".join(degrees(v) for v in values) + "}"
+
+
+def leg_angles(frame):
+    angles = []
+    for leg in LEGS:
+        values = frame.get(leg, frame.get(leg.split("_")[1]))
+        if values is None:
+            raise Wrong(f"{leg}: has no angles")
+        array_of(values, 3, leg)
+        angles += values
+    return angles
+
+
+def legs(frame):
+    if any(key in frame for key in ("front", "hind", *LEGS)):
+        yield "key.legs = KeyLegs::angles;"
+        yield f"key.angles = {{{array_of(leg_angles(frame), 12, 'legs')}}};"
+        return
+    yield f"key.legs = KeyLegs::{frame.get('legs', 'stay')};"
+    yield f"key.walk.kind = WalkKind::{frame.get('walk', 'normal')};"
+    for speed in ("forward", "left"):
+        yield f"key.walk.{speed} = {float(frame.get(speed, 0))};"
+    yield f"key.walk.turn = Angle::deg({float(frame.get('turn', 0))}).rad();"
+
+
+def key_frame(frame):
+    check_keys(frame, FRAME_KEYS)
+    yield "{ KeyFrame key;"
+    yield f"key.ticks = {int(frame['ticks'])};"
+    yield f"key.interpolate = {str(frame.get('interpolate', False)).lower()};"
+    if "head" in frame:
+        yield f"key.movesHead = true; key.head = {{{array_of(frame['head'], 3, 'head')}}};"
+    if "mouth" in frame:
+        yield f"key.movesMouth = true; key.mouth = {degrees(frame['mouth'])};"
+    yield from legs(frame)
+    yield "motion.frames.push_back(key); }"
+
+
+def motion(name, table):
+    check_keys(table, MOTION_KEYS)
+    yield f"void {name}(MotionData& motion) {{"
+    yield f"motion.slew = {degrees(table.get('slew', 20))};"
+    yield f"motion.atOnce = {str(table.get('at_once', False)).lower()};"
+    yield f"motion.returnTicks = {int(table.get('return_ticks', 30))};"
+    way = table.get("way", {})
+    check_keys(way, {"forward", "left", "turn"})
+    yield f"motion.forward = {float(way.get('forward', 0))}; motion.left = {float(way.get('left', 0))};"
+    yield f"motion.turn = {degrees(way.get('turn', 0))};"
+    for frame in table["frame"]:
+        yield from key_frame(frame)
+    yield "}"
+
+
+def read(path):
+    with open(path, "rb") as file:
+        return tomllib.load(file)
+
+
+def program(walks, folder):
+    yield "// Written by actuator/data/compile.py from actuator/data."
+    yield '#include "actuator/MotionData.h"'
+    yield '#include "actuator/WalkSet.h"'
+    yield "namespace kelpie::actuator {"
+    names = ", ".join(f'"{name}"' for name in MOTIONS)
+    yield f"const std::array<const char*, kMotionKindCount> kMotionNames{{{names}}};"
+    yield "namespace {"
+    yield "WalkSets walks() { WalkSets sets;"
+    yield from assignments("sets", read(walks)["actuator"]["walks"])
+    yield "return sets; }"
+    found = [name for name in MOTIONS if (folder / f"{name}.toml").exists()]
+    for name in found:
+        try:
+            yield from motion(name, read(folder / f"{name}.toml"))
+        except (Wrong, KeyError) as wrong:
+            raise SystemExit(f"{folder / name}.toml: {wrong}")
+    yield "Motions motions() { Motions all;"
+    yield from (f"{name}(all.of[{MOTIONS.index(name)}]);" for name in found)
+    yield "return all; }"
+    yield "}  // namespace"
+    yield "const WalkSets& standardWalks() { static const WalkSets sets = walks(); return sets; }"
+    yield "const Motions& standardMotions() { static const Motions all = motions(); return all; }"
+    yield "}  // namespace kelpie::actuator"
+
+
+if __name__ == "__main__":
+    Path(sys.argv[3]).write_text("\n".join(program(Path(sys.argv[1]), Path(sys.argv[2]))) + "\n")

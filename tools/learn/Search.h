@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// The search for numbers that do something best: NLopt's controlled random search (CRS2) within
+// bounds, from a seed. Every trial is written into a journal; with the journal of a search that was
+// broken off the same trials are taken from it, so that the search goes on where it was.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "robot/core/Expected.h"
+
+namespace kelpie::learn {
+
+struct SearchSpace {
+  std::vector<std::string> names;
+  std::vector<double> least;
+  std::vector<double> most;
+  std::vector<double> start;  // moved inside
+};
+
+struct SearchPlan {
+  int trials = 600;
+  int population = 40;
+  std::uint32_t seed = 1;
+  std::string journal;  // a file; empty: none
+};
+
+struct SearchResult {
+  std::vector<double> best;
+  double gain = 0.0;
+  std::vector<double> gains;  // the best gain after each trial
+  int replayed = 0;           // of them taken from the journal
+};
+
+// The gain of a point; greater is better, must be finite.
+using Gain = std::function<double(const std::vector<double>&)>;
+// Told after each trial: how many were made, and the best gain.
+using Told = std::function<void(int, double)>;
+
+// Errors: a journal of another search, or one that cannot be written.
+Expected<SearchResult> search(const SearchSpace& space, const SearchPlan& plan, const Gain& gain,
+                              const Told& told);
+
+}  // namespace kelpie::learn
