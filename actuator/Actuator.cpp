@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "actuator/Gaze.h"
 #include "actuator/Head.h"
 #include "actuator/JointLimits.h"
 #include "robot/body/Legs.h"
@@ -52,7 +53,7 @@ WalkRequest walkWanted(const Command& command, const ActuatorParams& params,
 
 JointAngles asked(const Command& command, const ActuatorParams& params, ActuatorState& state) {
   stepWalk(walkWanted(command, params, state), params, state.walk);
-  JointAngles target = headTarget(command.head, state.target, params);
+  JointAngles target = headTarget(asJoints(command.head, state.stance), state.target, params);
   setLegs(state.walk.set, state.walk.feet, state.walk.phase, target);
   target[Joint::mouth] = Angle::deg(command.mouthOpen ? kMouthOpen : kMouthClosed);
   target[Joint::tailTilt] = command.tail.tilt;
@@ -141,6 +142,7 @@ MotionStatus status(const ActuatorParams& params, const ActuatorState& state) {
 
 MotionOutput step(const MotionInput& in, const ActuatorParams& params, ActuatorState& state) {
   if (!state.started) begin(in, params, state);
+  state.stance = body::stanceFromLegs(in.sensors.back().joints);
   MotionOutput out;
   stepGain(in.batteryCurrent, params.gain, state.gain);
   recordEffort(in, walking(params, state), state.effort);
@@ -149,7 +151,7 @@ MotionOutput step(const MotionInput& in, const ActuatorParams& params, ActuatorS
     frame = {state.target, in.command.leds, in.command.ears};
   }
   out.odometry = odometry(params.odometry, state.odometry);
-  out.stance = body::stanceFromLegs(in.sensors.back().joints);
+  out.stance = state.stance;
   out.status = status(params, state);
   return out;
 }

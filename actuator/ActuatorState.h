@@ -10,7 +10,8 @@
 
 namespace kelpie::actuator {
 
-// From a pose to where the joints are asked to be, in a straight line: at the start, after a motion.
+// From a pose to where the joints are asked to be, in a straight line: at the start, after a
+// motion.
 struct BlendState {
   JointAngles from;
   std::uint32_t tick = 0;
@@ -22,6 +23,7 @@ struct ActuatorState {
   bool ready = false;  // the start ramp has ended
   BlendState blend;
   JointAngles target;  // last commanded
+  Stance stance;       // as last sensed
   WalkState walk;
   MotionState motion;
   EffortState effort;

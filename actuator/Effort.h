@@ -6,7 +6,6 @@
 #pragma once
 
 #include "actuator/ActuatorParams.h"
-#include "actuator/ActuatorParams.h"
 #include "robot/core/Motion.h"
 
 namespace kelpie::actuator {

@@ -20,10 +20,10 @@ enum class KeyLegs : std::uint8_t { angles, stay, stance, walk };
 constexpr std::uint8_t kKeyLegsCount = 4;
 
 struct KeyFrame {
-  std::uint32_t ticks = 1;   // of 8 ms, how long it lasts
-  bool interpolate = false;  // in a straight line in joint space; else commanded at once, as the
-                             // player of 2005 did (facts-2005 section 6.5)
-  bool movesHead = false;    // else the head obeys the Command
+  std::uint32_t ticks = 1;      // of 8 ms, how long it lasts
+  bool interpolate = false;     // in a straight line in joint space; else commanded at once, as the
+                                // player of 2005 did (facts-2005 section 6.5)
+  bool movesHead = false;       // else the head obeys the Command
   std::array<Angle, 3> head{};  // neck tilt, pan, nod
   bool movesMouth = false;      // else so
   Angle mouth;
@@ -33,10 +33,9 @@ struct KeyFrame {
 
   static constexpr auto fields() {
     using P = KeyFrame;
-    return fieldList(field("ticks", &P::ticks, "", 1, 500),
-                     field("interpolate", &P::interpolate), field("movesHead", &P::movesHead),
-                     field("head", &P::head, "rad", -88, 88), field("movesMouth", &P::movesMouth),
-                     field("mouth", &P::mouth, "rad", -55, -3),
+    return fieldList(field("ticks", &P::ticks, "", 1, 500), field("interpolate", &P::interpolate),
+                     field("movesHead", &P::movesHead), field("head", &P::head, "rad", -88, 88),
+                     field("movesMouth", &P::movesMouth), field("mouth", &P::mouth, "rad", -55, -3),
                      field("legs", &P::legs, "", 0, kKeyLegsCount - 1),
                      field("angles", &P::angles, "rad", -130, 130), field("walk", &P::walk));
   }
@@ -44,8 +43,8 @@ struct KeyFrame {
 
 struct MotionData {
   FixedVector<KeyFrame, 12> frames;
-  Angle slew = Angle::deg(20.0);  // a tick at most, head and legs
-  bool atOnce = false;            // starts in the middle of a step too
+  Angle slew = Angle::deg(20.0);   // a tick at most, head and legs
+  bool atOnce = false;             // starts in the middle of a step too
   std::uint32_t returnTicks = 30;  // from its last pose back to the walk
   // How far the robot frame goes, spread evenly over the key frames.
   double forward = 0.0;  // cm
@@ -55,8 +54,7 @@ struct MotionData {
   static constexpr auto fields() {
     using P = MotionData;
     return fieldList(field("frames", &P::frames), field("slew", &P::slew, "rad", 0.5, 40),
-                     field("atOnce", &P::atOnce),
-                     field("returnTicks", &P::returnTicks, "", 0, 500),
+                     field("atOnce", &P::atOnce), field("returnTicks", &P::returnTicks, "", 0, 500),
                      field("forward", &P::forward, "cm", -100, 100),
                      field("left", &P::left, "cm", -100, 100),
                      field("turn", &P::turn, "rad", -180, 180));

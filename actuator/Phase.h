@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Where in the step the robot is. The phase only ever goes on, so that a change of speed, direction
-// or walk never makes a foot step back; what fades in and out as the robot begins and ends to walk is
-// the lift.
+// or walk never makes a foot step back; what fades in and out as the robot begins and ends to walk
+// is the lift.
 #pragma once
 
 #include "actuator/WalkSet.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The walk, tick by tick: which set, how fast, where in the step. A change of set mixes the two over
-// some ticks; nothing ever jumps.
+// The walk, tick by tick: which set, how fast, where in the step. A change of set mixes the two
+// over some ticks; nothing ever jumps.
 #pragma once
 
 #include "actuator/ActuatorParams.h"

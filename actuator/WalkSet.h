@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // How to walk, as data: where feet stand, how they move, how fast, and what comes of it on carpet.
-// One set for each WalkKind. The values are in actuator/data/walks.toml, which `kelpie calibrate
+// One set for each WalkKind. The values are in actuator/data/walks, which `kelpie calibrate
 // walk` writes; the defaults here only stand.
 #pragma once
 
@@ -73,10 +73,9 @@ struct StrokeLimits {
 
   static constexpr auto fields() {
     using P = StrokeLimits;
-    return fieldList(field("forward", &P::forward, "cm/s", 0.1, 150),
-                     field("back", &P::back, "cm/s", 0.1, 150),
-                     field("left", &P::left, "cm/s", 0.1, 100),
-                     field("turn", &P::turn, "rad/s", 0.05, 12));
+    return fieldList(
+        field("forward", &P::forward, "cm/s", 0.1, 150), field("back", &P::back, "cm/s", 0.1, 150),
+        field("left", &P::left, "cm/s", 0.1, 100), field("turn", &P::turn, "rad/s", 0.05, 12));
   }
 };
 
@@ -91,8 +90,8 @@ struct SpeedCurve {
   }
 };
 
-// And across: a robot that turns also moves aside, one that steps aside also turns (mirrored for the
-// other side); both may move it ahead.
+// And across: a robot that turns also moves aside, one that steps aside also turns (mirrored for
+// the other side); both may move it ahead.
 struct WalkCalibration {
   SpeedCurve forward;
   SpeedCurve back;
@@ -151,7 +150,7 @@ WalkSet& walkSet(WalkSets& sets, WalkKind kind);
 // Each number of a set on its way to another's, by that share; the locus is that of `to`.
 WalkSet mixed(const WalkSet& from, const WalkSet& to, double share);
 
-// Those of actuator/data/walks.toml.
+// Those of actuator/data/walks.
 const WalkSets& standardWalks();
 
 }  // namespace kelpie::actuator

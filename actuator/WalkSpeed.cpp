@@ -62,8 +62,9 @@ Velocity wantedSpeed(const WalkRequest& request, const WalkSet& set) {
   if (still(real)) return {};
   const Velocity feet = feetSpeed(real, set.calibration);
   const StrokeLimits& most = set.most;
-  const double size = std::sqrt(square(feet.forward / (feet.forward < 0.0 ? most.back : most.forward)) +
-                                square(feet.left / most.left) + square(feet.turn / most.turn));
+  const double size =
+      std::sqrt(square(feet.forward / (feet.forward < 0.0 ? most.back : most.forward)) +
+                square(feet.left / most.left) + square(feet.turn / most.turn));
   const double share = size > 1.0 ? 1.0 / size : 1.0;
   return {share * feet.forward, share * feet.left, share * feet.turn};
 }

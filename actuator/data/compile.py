@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""Writes the standard walks and motions as C++: compile.py WALKS.toml MOTIONS_FOLDER OUT.cpp
+"""Writes the standard walks and motions as C++: compile.py WALKS MOTIONS OUT.cpp
 
 A walk's keys are those of WalkSet's fields, in the syntax of parameter files; a motion's are told in
 actuator/README.md. What is wrong in a file ends the build with `file: what`."""
@@ -121,7 +121,8 @@ def program(walks, folder):
     yield f"const std::array<const char*, kMotionKindCount> kMotionNames{{{names}}};"
     yield "namespace {"
     yield "WalkSets walks() { WalkSets sets;"
-    yield from assignments("sets", read(walks)["actuator"]["walks"])
+    for path in sorted(walks.glob("*.toml")):
+        yield from assignments("sets", read(path)["actuator"]["walks"])
     yield "return sets; }"
     found = [name for name in MOTIONS if (folder / f"{name}.toml").exists()]
     for name in found:

@@ -11,7 +11,10 @@ namespace {
 
 Command looking(double neck, double pan, double nod, double speed = 0.0) {
   Command command;
-  command.head = {Angle::deg(neck), Angle::deg(pan), Angle::deg(nod), speed};
+  command.head.neckTilt = Angle::deg(neck);
+  command.head.headPan = Angle::deg(pan);
+  command.head.headNod = Angle::deg(nod);
+  command.head.speed = speed;
   return command;
 }
 
@@ -65,7 +68,7 @@ TEST(Head, MouthOpensAndCloses) {
   Command command;
   command.mouthOpen = true;
   w.run(command, 10);
-  EXPECT_NEAR(w.ticks.back()[Joint::mouth].deg(), -50, 1e-9);
+  EXPECT_NEAR(w.ticks.back()[Joint::mouth].deg(), -55, 1e-9);
   w.run(Command{}, 10);
   EXPECT_NEAR(w.ticks.back()[Joint::mouth].deg(), -3, 1e-9);
 }

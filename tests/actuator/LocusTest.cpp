@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "actuator/Locus.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
+
+#include "actuator/Locus.h"
 
 namespace kelpie::actuator {
 namespace {

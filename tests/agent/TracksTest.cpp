@@ -70,7 +70,7 @@ TEST(OdometryTrack, FramesShareTheWayWithoutLossOrRepeat) {
   double walked = 0.0;
   std::int64_t image = 16667;
   for (std::int64_t message = 1; message <= 100; ++message) {
-    track.add({message * 32000}, {1.0, -0.5, Angle::deg(2.0)});
+    track.add({message * 32000}, {1.0, -0.5, Angle::deg(2.0), {}});
     while (image <= message * 32000 + 16000) {
       walked += track.until({image}).forward;
       image += 33333;
@@ -81,7 +81,7 @@ TEST(OdometryTrack, FramesShareTheWayWithoutLossOrRepeat) {
 
 TEST(OdometryTrack, NothingIsWalkedTwiceAtTheSameTime) {
   OdometryTrack track;
-  track.add({32000}, {1.0, 0.0, Angle()});
+  track.add({32000}, {1.0, 0.0, Angle(), {}});
   track.until({20000});
   EXPECT_EQ(track.until({20000}).forward, 0.0);
 }
@@ -89,7 +89,7 @@ TEST(OdometryTrack, NothingIsWalkedTwiceAtTheSameTime) {
 TEST(OdometryTrack, AnImageOfThreeMessagesAgoGetsTheWayUntilThen) {
   OdometryTrack track;
   for (std::int64_t message = 1; message <= 6; ++message)
-    track.add({message * 32000}, {static_cast<double>(message), 0.0, Angle()});
+    track.add({message * 32000}, {static_cast<double>(message), 0.0, Angle(), {}});
   EXPECT_NEAR(track.until({3 * 32000 + 16000}).forward, 1.0 + 2.0 + 3.0 + 2.0, 1e-12);
   EXPECT_NEAR(track.until({6 * 32000}).forward, 2.0 + 5.0 + 6.0, 1e-12);
 }

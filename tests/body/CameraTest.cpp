@@ -17,7 +17,7 @@ CameraPose posed(double neck, double pan, double nod, double tilt = 0.0) {
   joints[Joint::neckTilt] = Angle::deg(neck);
   joints[Joint::headPan] = Angle::deg(pan);
   joints[Joint::headNod] = Angle::deg(nod);
-  return cameraPose(joints, {10.0, Angle::deg(tilt)});
+  return cameraPose(joints, {10.0, Angle::deg(tilt), {}});
 }
 
 CameraPose randomPose(Random& random) {
@@ -307,7 +307,7 @@ double elevationDeg(const CameraPose& camera) {
 
 // The camera of a head that looks level ahead (0) or aside.
 CameraPose tilted(double pan, const CameraTilt& tilt) {
-  return leaning(posed(0, pan, 0), {10.0, Angle::deg(0)}, tilt);
+  return leaning(posed(0, pan, 0), {10.0, Angle::deg(0), {}}, tilt);
 }
 
 TEST(LeaningBody, TiltRaisesTheViewAheadAndRollTheViewToTheLeft) {

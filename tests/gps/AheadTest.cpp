@@ -42,7 +42,7 @@ TEST(Ahead, TheBallStaysOnTheFieldAndTurnsAsideOfTheRobot) {
   world.ball.present = true;
   world.ball.relative = {0.0, 100.0};
   world.ball.position = fieldFromRobot(world.pose, world.ball.relative);
-  bringForward({0.0, 0.0, Angle::deg(10.0)}, world);
+  bringForward({0.0, 0.0, Angle::deg(10.0), {}}, world);
   EXPECT_NEAR((world.pose.heading - kPose.heading).deg(), 10.0, 1e-9);
   EXPECT_NEAR(world.ball.heading.deg(), -10.0, 1e-9);
   const Point2<Field> seen = fieldFromRobot(world.pose, world.ball.relative);

@@ -56,7 +56,7 @@ TEST(Crossing, WaitsForTheSecondWhileTheRobotWalksAndTurns) {
   Carried robot;
   robot.see(0);
   for (int i = 0; i < 60; ++i) {
-    const Odometry step{0.8, 0.1, Angle::deg(1.0)};
+    const Odometry step{0.8, 0.1, Angle::deg(1.0), {}};
     robot.really = moved(robot.really, step);
     moveCrossing(step, kFrameSeconds, robot.state.surprising);
   }

@@ -14,7 +14,7 @@ namespace kelpie::gps {
 namespace {
 
 TEST(Predict, JacobianMatchesDifferences) {
-  const Odometry odometry{1.3, -0.4, Angle::rad(0.2)};
+  const Odometry odometry{1.3, -0.4, Angle::rad(0.2), {}};
   const Pose2 pose{{100, 200}, Angle::rad(0.7)};
   const auto jacobian = movedJacobian(pose, odometry);
   constexpr double kStep = 1e-6;

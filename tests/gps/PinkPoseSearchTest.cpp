@@ -132,7 +132,7 @@ TEST(Survey, CarriesWhatItSawThroughATurnOnTheSpot) {
   FixedVector<LinePoint, 256> points;
   points.push_back({LinePointKind::line, {0.0, 100.0}, 1.0, {}});
   addToSurvey(points, bearings, {}, survey);
-  moveSurvey({0, 0, Angle::deg(90)}, 1.0, survey);
+  moveSurvey({0, 0, Angle::deg(90), {}}, 1.0, survey);
   bearings[0].heading = Angle::deg(-60);
   points[0].position = {100.0, 0.0};  // the same place after a quarter turn left
   addToSurvey(points, bearings, {}, survey);

@@ -12,7 +12,7 @@
 namespace kelpie::gps {
 namespace {
 
-const Odometry kStep{0.6, -0.2, Angle::rad(0.01)};
+const Odometry kStep{0.6, -0.2, Angle::rad(0.01), {}};
 
 bool sameBits(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; }
 

@@ -24,7 +24,7 @@ CameraPose headAt(double tilt, double pan, double nod) {
   joints[Joint::neckTilt] = Angle::deg(tilt);
   joints[Joint::headPan] = Angle::deg(pan);
   joints[Joint::headNod] = Angle::deg(nod);
-  return body::cameraPose(joints, {10.0, Angle::deg(14.25)});
+  return body::cameraPose(joints, {10.0, Angle::deg(14.25), {}});
 }
 
 Scene match() {

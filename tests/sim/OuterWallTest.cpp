@@ -53,7 +53,7 @@ TEST(OuterWall, IsTheSameForTheSameSeedOnly) {
 // The pixel at which a robot in the middle of the field, looking level at `place`, sees its height.
 Yuv seenAt(const Scene& scene, Point2<Field> place, double height) {
   const Pose2 pose{{180.0, 270.0}, Angle::rad(std::atan2(place.y - 270.0, place.x - 180.0))};
-  const CameraPose camera = body::cameraPose({}, {10.0, Angle::deg(0)});
+  const CameraPose camera = body::cameraPose({}, {10.0, Angle::deg(0), {}});
   ColumnCameras columns;
   columns.fill(fieldCamera(pose, camera));
   Random random(1);

@@ -34,7 +34,7 @@ Counts seen(const RobotLook& robot, const ShineParams& shine) {
   ColumnCameras columns;
   JointAngles joints;
   joints[Joint::neckTilt] = Angle::deg(-5.0);
-  columns.fill(fieldCamera(kSelf, body::cameraPose(joints, {10.0, Angle::deg(14.25)})));
+  columns.fill(fieldCamera(kSelf, body::cameraPose(joints, {10.0, Angle::deg(14.25), {}})));
   Random random(1);
   const auto image = std::make_unique<Image>();
   Camera(idealCamera(), {}).render(scene, columns, random, *image);

@@ -68,7 +68,7 @@ TEST(Lean, TiltTurnsTheCameraAsTheStanceWould) {
   BodyPlace place = looking();
   place.lean.tilt = Angle::deg(2.0);
   const CameraPose leaned = trueCamera(place);
-  const CameraPose stance = body::cameraPose(place.joints, {10.0, Angle::deg(16.0)});
+  const CameraPose stance = body::cameraPose(place.joints, {10.0, Angle::deg(16.0), {}});
   for (std::size_t i = 0; i < 9; ++i) EXPECT_NEAR(leaned.axes[i], stance.axes[i], 1e-9);
   EXPECT_NEAR(leaned.position.z, stance.position.z, 0.05);
 }

@@ -14,6 +14,7 @@ void addCalibrateBody(CLI::App& command, int& code);
 void addCalibrateRing(CLI::App& command, int& code);
 void addCalibrateColour(CLI::App& command, int& code);
 void addCalibrateShift(CLI::App& command, int& code);
+void addCalibrateWalk(CLI::App& command, int& code);
 
 // Whether `out` may be written: a plain file or none yet, and not the very input.
 Status checkTarget(const std::string& out, const std::string& input);

@@ -10,7 +10,7 @@
 namespace kelpie::learn {
 namespace {
 
-constexpr int kStartMessages = 38;      // the ramp of 1 s and a moment of standing
+constexpr int kStartMessages = 38;       // the ramp of 1 s and a moment of standing
 constexpr double kWornCurrent = 4500.0;  // mA
 
 std::unique_ptr<sim::PhysicalBodies> buildBodies(const sim::PhysicsParams& model,
@@ -30,7 +30,7 @@ std::unique_ptr<sim::PhysicalBodies> buildBodies(const sim::PhysicsParams& model
 
 PhysicalWalker::PhysicalWalker(const sim::PhysicsParams& model,
                                const actuator::ActuatorParams& params, std::uint64_t seed)
-    : bodies_(buildBodies(model, seed)), params_(params) {
+    : bodies_(buildBodies(model, seed)), params_(&params) {
   for (int i = 0; i < kStartMessages; ++i) step({});
 }
 
@@ -47,7 +47,7 @@ const MotionOutput& PhysicalWalker::step(const Command& command) {
   input_.time.us += kTicksPerMessage * kTickUs;
   input_.batteryCurrent = worn_ ? kWornCurrent : 0.0;
   input_.command = command;
-  output_ = actuator::step(input_, params_, state_);
+  output_ = actuator::step(input_, *params_, state_);
   send();
   if (!sent_) send();
   sent_ = true;
@@ -62,8 +62,7 @@ void PhysicalWalker::send() {
   host::EffectorVector vector;
   vector.ticks = kTicksPerMessage;
   vector.joints = reply.gains;
-  for (std::size_t i = 0; i < kTicksPerMessage; ++i)
-    vector.targets[i] = output_.joints[i].target;
+  for (std::size_t i = 0; i < kTicksPerMessage; ++i) vector.targets[i] = output_.joints[i].target;
   reply.vectors.push_back(vector);
   bodies_->command(0, reply);
 }

@@ -32,7 +32,7 @@ class PhysicalWalker {
   void send();
 
   std::unique_ptr<sim::PhysicalBodies> bodies_;
-  const actuator::ActuatorParams& params_;  // must live as long
+  const actuator::ActuatorParams* params_;  // must live as long
   actuator::ActuatorState state_;
   MotionInput input_;
   MotionOutput output_;

@@ -111,8 +111,7 @@ Expected<SearchResult> search(const SearchSpace& space, const SearchPlan& plan, 
   nlopt_set_population(optimiser.get(), static_cast<unsigned>(plan.population));
   nlopt_set_maxeval(optimiser.get(), plan.trials);
   std::vector<double> x = space.start;
-  for (std::size_t i = 0; i < x.size(); ++i)
-    x[i] = std::clamp(x[i], space.least[i], space.most[i]);
+  for (std::size_t i = 0; i < x.size(); ++i) x[i] = std::clamp(x[i], space.least[i], space.most[i]);
   double least = 0.0;
   nlopt_optimize(optimiser.get(), x.data(), &least);
   return run.result;

@@ -94,8 +94,7 @@ std::vector<sim::PhysicsParams> variedModels(std::uint64_t seed, int count, doub
 }
 
 std::vector<WalkTrial> tryOnAll(const WalkTrialPlan& plan, const WalkSet& set,
-                                const std::vector<sim::PhysicsParams>& models,
-                                std::uint64_t seed) {
+                                const std::vector<sim::PhysicsParams>& models, std::uint64_t seed) {
   actuator::ActuatorParams params;
   actuator::walkSet(params.walks, plan.kind) = set;
   std::vector<WalkTrial> trials(models.size());

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/core.h>
+
+#include <memory>
+
+#include "robot/core/ParameterFile.h"
+#include "tools/cli/Calibrate.h"
+#include "tools/cli/Commands.h"
+#include "tools/cli/GainPicture.h"
+#include "tools/cli/Progress.h"
+#include "tools/cli/Usage.h"
+#include "tools/cli/WholeFile.h"
+#include "tools/learn/WalkFile.h"
+#include "tools/learn/WalkFit.h"
+#include "tools/learn/WalkLearner.h"
+
+namespace kelpie::cli {
+namespace {
+
+constexpr double kLearningStep = 0.004;  // s; as good as 0.002 for walks and half as dear
+constexpr double kJudgingStep = 0.002;
+constexpr int kJudges = 5;
+constexpr std::uint64_t kJudgesFrom = 500000;  // seeds of models that no search has seen
+constexpr int kSpeeds = 48;                    // on each model, for the calibration
+
+constexpr const char* kHelp =
+    R"(
+Searches the numbers of one walk: stance, gait, and how far the feet may go in each direction. Each
+trial walks on several varied models at once (friction, armature, contact, servo, mass, play of the
+gears), in four directions and by random commands; what is fast on one model alone gains nothing.
+Afterwards the set's speeds are measured and its calibration fitted, and it is judged on five models
+that the search has not seen.
+
+KIND is normal, fast, turning, dribble, back, low or weak. The search begins at that walk as it is, or
+as the parameter file of --start has it. With --journal a search that was broken off goes on.
+
+  kelpie calibrate walk normal --out actuator/data/walks/normal.toml --journal walk.journal
+  kelpie calibrate walk fast --trials 1000 --seed 2 --out fast.toml --picture gain.png
+  kelpie play --params fast.toml)";
+
+struct WalkOptions {
+  std::string kind;
+  std::string out;
+  std::string start;
+  std::string picture;
+  int models = 4;
+  bool onlyFit = false;
+  learn::SearchPlan plan;
+};
+
+Expected<WalkKind> kindOf(const std::string& name) {
+  for (std::uint8_t i = 0; i < kWalkKindCount; ++i)
+    if (name == learn::nameOf(static_cast<WalkKind>(i))) return static_cast<WalkKind>(i);
+  return Error{name + ": no such walk; normal, fast, turning, dribble, back, low and weak are"};
+}
+
+Expected<actuator::WalkSet> startOf(const WalkOptions& options, WalkKind kind) {
+  actuator::ActuatorParams params;
+  if (!options.start.empty()) {
+    ParameterSet set;
+    set.add("actuator", params);
+    const Status read = set.overlay(options.start);
+    if (!read) return Error{read.error()};
+  }
+  return actuator::walkSet(params.walks, kind);
+}
+
+learn::WalkTrialPlan planOf(WalkKind kind) {
+  learn::WalkTrialPlan plan;
+  plan.kind = kind;
+  return plan;
+}
+
+void calibrated(WalkKind kind, std::uint64_t seed, int models, actuator::WalkSet& set) {
+  std::vector<learn::SpeedSample> samples;
+  for (const auto& model : learn::variedModels(seed, models, kJudgingStep)) {
+    const auto more = learn::sampleSpeeds(kind, set, model, kSpeeds, seed + samples.size());
+    samples.insert(samples.end(), more.begin(), more.end());
+  }
+  set.calibration = learn::fitCalibration(samples);
+}
+
+// Of five models: the mean and the slowest.
+std::string judged(WalkKind kind, const actuator::WalkSet& set) {
+  learn::WalkTrialPlan plan = planOf(kind);
+  plan.measuredSeconds = 4.0;
+  plan.randomSeconds = 60.0;
+  const auto models = learn::variedModels(kJudgesFrom, kJudges, kJudgingStep);
+  const auto trials = learn::tryOnAll(plan, set, models, kJudgesFrom);
+  std::array<double, learn::kWalkWays> mean{};
+  std::array<double, learn::kWalkWays> least{};
+  int falls = 0;
+  for (std::size_t way = 0; way < learn::kWalkWays; ++way) {
+    least[way] = trials[0].speed[way];
+    for (const auto& trial : trials) {
+      mean[way] += trial.speed[way] / kJudges;
+      least[way] = std::min(least[way], trial.speed[way]);
+    }
+  }
+  for (const auto& trial : trials) falls += trial.fell ? 1 : 0;
+  const double deg = Angle::rad(1.0).deg();
+  return fmt::format(
+      "forward {:.1f} (slowest {:.1f}), back {:.1f} ({:.1f}), side {:.1f} ({:.1f}) cm/s, turn "
+      "{:.0f} "
+      "({:.0f}) deg/s; {} of {} fell within a minute",
+      mean[0], least[0], mean[1], least[1], mean[2], least[2], deg * mean[3], deg * least[3], falls,
+      kJudges);
+}
+
+Expected<actuator::WalkSet> learnt(const WalkOptions& options, WalkKind kind,
+                                   const actuator::WalkSet& start) {
+  const std::uint64_t modelSeed = 1000 + 100 * std::uint64_t{options.plan.seed};
+  const auto models = learn::variedModels(modelSeed, options.models, kLearningStep);
+  const learn::WalkAim aim = learn::aimOf(kind);
+  const auto gain = [&](const std::vector<double>& point) {
+    const auto set = learn::walkOf(point, start);
+    return learn::gainOf(learn::tryOnAll(planOf(kind), set, models, modelSeed), aim);
+  };
+  Progress progress("walk " + options.kind, "trials");
+  const auto all = static_cast<std::size_t>(options.plan.trials);
+  const auto found =
+      learn::search(learn::walkSpace(start), options.plan, gain,
+                    [&](int done, double) { progress(static_cast<std::size_t>(done), all); });
+  if (!found) return Error{found.error()};
+  fmt::print("gain {:.3f} after {} trials, {} of them from the journal\n", found->gain,
+             found->gains.size(), found->replayed);
+  if (!options.picture.empty()) {
+    const Status drawn =
+        drawGain(found->gains, "kelpie calibrate walk " + options.kind, options.picture);
+    if (!drawn) return Error{drawn.error()};
+  }
+  return learn::walkOf(found->best, start);
+}
+
+int calibrateWalk(const WalkOptions& options) {
+  const auto kind = kindOf(options.kind);
+  if (!kind) return fail(kind.error(), kExitBadInput);
+  if (!canWrite(options.out)) return fail(options.out + ": cannot be written", kExitBadInput);
+  const auto start = startOf(options, *kind);
+  if (!start) return fail(start.error(), kExitBadInput);
+  fmt::print("before, on models that no search has seen: {}\n", judged(*kind, *start));
+  Expected<actuator::WalkSet> set = *start;
+  if (!options.onlyFit) set = learnt(options, *kind, *start);
+  if (!set) return fail(set.error(), kExitBadInput);
+  calibrated(*kind, 2000 + 100 * std::uint64_t{options.plan.seed}, options.models, *set);
+  const std::string verdict = judged(*kind, *set);
+  fmt::print("after: {}\n", verdict);
+  const std::string heading =
+      fmt::format("kelpie calibrate walk {} --trials {} --seed {}\n{}", options.kind,
+                  options.plan.trials, options.plan.seed, verdict);
+  if (!writeWhole(options.out, learn::walkText(*kind, *set, heading)))
+    return fail(options.out + ": cannot be written", kExitBadInput);
+  return kExitDone;
+}
+
+}  // namespace
+
+void addCalibrateWalk(CLI::App& command, int& code) {
+  auto* walk = command.add_subcommand("walk", "Learn a walk on varied physical models");
+  walk->footer(kHelp);
+  auto options = std::make_shared<WalkOptions>();
+  walk->add_option("KIND", options->kind, "the walk that is learnt")->required();
+  walk->add_option("--out", options->out, "parameter file to write")->required();
+  walk->add_option("--start", options->start, "parameter file that the search begins at");
+  walk->add_option("--trials", options->plan.trials, "of the search")
+      ->check(inRange(1, 1000000))
+      ->capture_default_str();
+  walk->add_option("--seed", options->plan.seed, "of search and models")
+      ->check(inRange(0, 1e6))
+      ->capture_default_str();
+  walk->add_option("--models", options->models, "varied models to learn on")
+      ->check(inRange(1, 100))
+      ->capture_default_str();
+  walk->add_option("--journal", options->plan.journal, "file of the trials; goes on where it ends");
+  walk->add_option("--picture", options->picture, "PNG of the gain");
+  walk->add_flag("--fit", options->onlyFit, "calibrates the walk as it is, without a search");
+  walk->callback([options, &code] { code = calibrateWalk(*options); });
+}
+
+}  // namespace kelpie::cli
