@@ -75,6 +75,7 @@ std::vector<SpeedSample> sampleSpeeds(WalkKind kind, const actuator::WalkSet& se
   Random random(seed);
   std::vector<SpeedSample> samples;
   PhysicalWalker walker(model, params, seed);
+  if (kind == WalkKind::weak) spare(walker);
   for (int i = 0; i < count; ++i) {
     const Velocity feet = drawn(set.most, i, random);
     Command command;

@@ -73,6 +73,12 @@ WalkRequest allOf(WalkWay way, WalkKind kind) {
   return request;
 }
 
+void spare(PhysicalWalker& walker) {
+  constexpr double kUntilSpared = 6.0;  // s
+  walker.spareLegs();
+  for (int i = 0; i < messagesOf(kUntilSpared); ++i) walker.step({});
+}
+
 Walked& operator+=(Walked& sum, const Walked& more) {
   sum = {sum.forward + more.forward, sum.left + more.left, sum.turn + more.turn};
   return sum;
@@ -89,6 +95,7 @@ Walked walkOn(PhysicalWalker& walker, const Command& command) {
 WalkTrial tryWalk(const WalkTrialPlan& plan, const sim::PhysicsParams& model,
                   const actuator::ActuatorParams& params, std::uint64_t seed) {
   PhysicalWalker walker(model, params, seed);
+  if (plan.kind == WalkKind::weak) spare(walker);
   WalkTrial trial;
   Spread roll;
   Spread tilt;

@@ -25,6 +25,8 @@ struct Walked {
 };
 
 Walked& operator+=(Walked& sum, const Walked& more);
+// Until the actuator has taken the weak walk.
+void spare(PhysicalWalker& walker);
 // One step of 32 ms.
 Walked walkOn(PhysicalWalker& walker, const Command& command);
 
