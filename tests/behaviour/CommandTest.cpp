@@ -50,13 +50,13 @@ TEST(CommandReader, EverythingIsClampedToTheFieldLists) {
       "head=kelpie.HeadRequest(neck_tilt_deg=300, head_pan_deg=-300, head_nod_deg=46), "
       "motion=77, leds=-4)");
   EXPECT_EQ(command.fallback, Fallback::none);
-  EXPECT_EQ(command.walk.forward, 42.0);
-  EXPECT_EQ(command.walk.left, -20.0);
-  EXPECT_EQ(command.walk.turn, -3.8);
+  EXPECT_EQ(command.walk.forward, 60.0);
+  EXPECT_EQ(command.walk.left, -35.0);
+  EXPECT_EQ(command.walk.turn, -4.5);
   EXPECT_NEAR(command.head.neckTilt.deg(), 0.0, 1e-12);
   EXPECT_NEAR(command.head.headPan.deg(), -88.0, 1e-12);
   EXPECT_NEAR(command.head.headNod.deg(), 45.0, 1e-12);
-  EXPECT_EQ(command.motion, MotionKind::kickForward);
+  EXPECT_EQ(command.motion, MotionKind::cheer);
   EXPECT_EQ(command.leds, 0u);
 }
 

@@ -17,7 +17,7 @@ bool contains(const std::string& text, const std::string& part) {
 
 TEST(Host, ScriptsCommandReachesTheBody) {
   const Scripts scripts(
-      "return kelpie.Command(walk=kelpie.WalkRequest(forward=12.0, turn_deg=90), motion=2)");
+      "return kelpie.Command(walk=kelpie.WalkRequest(forward=12.0, turn_deg=90), motion=3)");
   HostRun run(scripts);
   const Command command = run.step();
   EXPECT_EQ(command.fallback, Fallback::none) << run.state.lastError();

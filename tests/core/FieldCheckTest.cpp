@@ -62,10 +62,10 @@ TEST(Verify, RandomValuesInRangePass) {
 
 TEST(Verify, NamesTheNumberOutsideItsRange) {
   Command command;
-  command.walk.forward = 43.0;
+  command.walk.forward = 61.0;
   std::string why;
   EXPECT_FALSE(verify(command, &why));
-  EXPECT_EQ(why, "walk.forward: 43 cm/s is outside -30..42");
+  EXPECT_EQ(why, "walk.forward: 61 cm/s is outside -45..60");
 }
 
 TEST(Verify, AngleRangesAreInDegrees) {

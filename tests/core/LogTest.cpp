@@ -141,7 +141,7 @@ TEST_F(Log, AnotherFieldListIsNamedWithTopicAndLine) {
   ASSERT_FALSE(status);
   EXPECT_EQ(status.error(),
             "topic walk (kelpie/WalkRequest): recorded with another field list; schema line 1 is "
-            "\"float64 forward  # cm/s, -30..42\", expected \"float64 forward  # cm, -100..100\"");
+            "\"float64 forward  # cm/s, -45..60\", expected \"float64 forward  # cm, -100..100\"");
 }
 
 TEST_F(Log, FullDiskIsReportedOnceAndEndsTheWriting) {

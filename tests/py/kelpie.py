@@ -5,7 +5,13 @@ GOAL_BLUE, GOAL_YELLOW, BEACON_BLUE_ON_PINK, BEACON_PINK_ON_BLUE, BEACON_YELLOW_
     BEACON_PINK_ON_YELLOW = range(6)
 PINKS_OFF, PINKS_MAP, PINKS_LOCALISE = range(3)
 STRIKER, CHALLENGER = range(2)
-NO_MOTION, STAND, KICK_FORWARD = range(3)
+NO_MOTION, STAND, SIT, KICK_FORWARD, HARD_FORWARD, WEDGE, HEAD_SWIPE_LEFT, \
+    HEAD_SWIPE_RIGHT, UPENN_LEFT, UPENN_RIGHT, BLOCK, BLOCK_LEFT, BLOCK_RIGHT, GRAB, \
+    GRAB_QUICK, HOLD, RELEASE, GET_UP_FRONT, GET_UP_BACK, GET_UP_LEFT, GET_UP_RIGHT, \
+    CHEER = range(22)
+WALK, WALK_FAST, WALK_TURNING, WALK_DRIBBLE, WALK_BACK, WALK_LOW, WALK_WEAK = range(7)
+AIM_JOINTS, AIM_DIRECTION, AIM_POINT = range(3)
+NOT_FALLEN, ON_FRONT, ON_BACK, ON_LEFT, ON_RIGHT = range(5)
 RED, BLUE = range(2)
 INITIAL, READY, SET, PLAYING, FINISHED = range(5)
 LINE, BORDER, FIELD = range(3)
@@ -25,12 +31,30 @@ class WalkRequest(Fields):
         'forward',
         'left',
         'turn_deg',
+        'pivot',
+        'kind',
     )
 
     def __init__(self, **given):
         self.forward = 0.0
         self.left = 0.0
         self.turn_deg = 0.0
+        self.pivot = 0.0
+        self.kind = 0
+        self._take(given)
+
+
+class Point3(Fields):
+    __slots__ = (
+        'x',
+        'y',
+        'z',
+    )
+
+    def __init__(self, **given):
+        self.x = 0.0
+        self.y = 0.0
+        self.z = 0.0
         self._take(given)
 
 
@@ -40,6 +64,10 @@ class HeadRequest(Fields):
         'head_pan_deg',
         'head_nod_deg',
         'speed_deg',
+        'aim',
+        'direction_deg',
+        'elevation_deg',
+        'target',
     )
 
     def __init__(self, **given):
@@ -47,6 +75,34 @@ class HeadRequest(Fields):
         self.head_pan_deg = 0.0
         self.head_nod_deg = 0.0
         self.speed_deg = 0.0
+        self.aim = 0
+        self.direction_deg = 0.0
+        self.elevation_deg = 0.0
+        self.target = Point3()
+        self._take(given)
+
+
+class TailRequest(Fields):
+    __slots__ = (
+        'tilt_deg',
+        'pan_deg',
+    )
+
+    def __init__(self, **given):
+        self.tilt_deg = 29.999999999999996
+        self.pan_deg = 0.0
+        self._take(given)
+
+
+class EarRequest(Fields):
+    __slots__ = (
+        'left_up',
+        'right_up',
+    )
+
+    def __init__(self, **given):
+        self.left_up = False
+        self.right_up = False
         self._take(given)
 
 
@@ -55,6 +111,8 @@ class Command(Fields):
         'walk',
         'head',
         'mouth_open',
+        'tail',
+        'ears',
         'motion',
         'leds',
         'localise',
@@ -65,6 +123,8 @@ class Command(Fields):
         self.walk = WalkRequest()
         self.head = HeadRequest()
         self.mouth_open = False
+        self.tail = TailRequest()
+        self.ears = EarRequest()
         self.motion = 0
         self.leds = 0
         self.localise = False
@@ -128,11 +188,27 @@ class Stance(Fields):
     __slots__ = (
         'shoulder_height',
         'body_tilt_deg',
+        'body_roll_deg',
     )
 
     def __init__(self, **given):
         self.shoulder_height = 10.0
         self.body_tilt_deg = 0.0
+        self.body_roll_deg = 0.0
+        self._take(given)
+
+
+class OdometryVariance(Fields):
+    __slots__ = (
+        'forward',
+        'left',
+        'turn_deg2',
+    )
+
+    def __init__(self, **given):
+        self.forward = 0.0
+        self.left = 0.0
+        self.turn_deg2 = 0.0
         self._take(given)
 
 
@@ -141,12 +217,34 @@ class Odometry(Fields):
         'forward',
         'left',
         'turn_deg',
+        'variance',
     )
 
     def __init__(self, **given):
         self.forward = 0.0
         self.left = 0.0
         self.turn_deg = 0.0
+        self.variance = OdometryVariance()
+        self._take(given)
+
+
+class Feeling(Fields):
+    __slots__ = (
+        'current',
+        'load',
+        'stuck',
+        'fallen',
+        'ball_held',
+        'paw_blocked',
+    )
+
+    def __init__(self, **given):
+        self.current = 0.0
+        self.load = 0.0
+        self.stuck = False
+        self.fallen = 0
+        self.ball_held = False
+        self.paw_blocked = [False] * 2
         self._take(given)
 
 
@@ -157,6 +255,7 @@ class MotionStatus(Fields):
         'ready',
         'effort',
         'low_gain',
+        'feeling',
     )
 
     def __init__(self, **given):
@@ -165,6 +264,7 @@ class MotionStatus(Fields):
         self.ready = False
         self.effort = 0.0
         self.low_gain = False
+        self.feeling = Feeling()
         self._take(given)
 
 

@@ -15,14 +15,16 @@ constexpr double kWornCurrent = 4500.0;  // mA
 
 std::unique_ptr<sim::PhysicalBodies> buildBodies(const sim::PhysicsParams& model,
                                                  std::uint64_t seed) {
-  const auto field = *body::fieldDescription("2006");
+  // Far from goals and beacons, and the room ends nowhere near.
+  auto field = *body::fieldDescription("2006");
+  field.sideFringe = field.endFringe = 1e5;
   sim::PhysicalStart start;
-  start.pose = {{180.0, 200.0}, Angle::deg(90.0)};
+  start.pose = {{3000.0, 3000.0}, Angle::deg(90.0)};
   start.params = model;
   start.seed = seed;
   auto bodies = sim::PhysicalBodies::build(field, {start}, model, {});
   if (!bodies) throw std::runtime_error(bodies.error());
-  (*bodies)->putBall({{20.0, 20.0}, {}});
+  (*bodies)->putBall({{2000.0, 2000.0}, {}});
   return std::move(*bodies);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A physical robot with its actuator in the middle of an empty field, as cheap as can be: commands
+// A physical robot with its actuator on carpet without an end, as cheap as can be: commands
 // in, what the actuator tells and the true way out. Two command vectors are in flight, as on the
 // robot. It begins standing.
 #pragma once

@@ -2,6 +2,7 @@
 #include "tools/learn/WalkLearner.h"
 
 #include <algorithm>
+#include <cmath>
 #include <future>
 #include <thread>
 
@@ -49,8 +50,26 @@ const std::array<Knob, 19> kKnobs{{
 
 #undef KELPIE_KNOB
 
-// Up to the aim each share counts whole, beyond it a third.
-double worth(double share) { return share <= 1.0 ? share : 1.0 + (share - 1.0) / 3.0; }
+// Up to the aim each share counts whole, beyond it a twentieth.
+double worth(double share) { return share <= 1.0 ? share : 1.0 + (share - 1.0) / 20.0; }
+
+// Of one direction over all models.
+struct Over {
+  double mean = 0.0;
+  double least = 0.0;
+  double spread = 0.0;  // standard deviation over the mean
+};
+
+Over over(const std::vector<double>& speeds) {
+  Over result;
+  const auto count = static_cast<double>(speeds.size());
+  for (const double speed : speeds) result.mean += speed / count;
+  double squares = 0.0;
+  for (const double speed : speeds) squares += maths::square(speed - result.mean) / count;
+  result.least = *std::min_element(speeds.begin(), speeds.end());
+  result.spread = std::sqrt(squares) / std::max(1e-3, std::fabs(result.mean));
+  return result;
+}
 
 }  // namespace
 
@@ -111,19 +130,27 @@ std::vector<WalkTrial> tryOnAll(const WalkTrialPlan& plan, const WalkSet& set,
 
 double gainOf(const std::vector<WalkTrial>& trials, const WalkAim& aim) {
   double gain = 0.0;
-  const double count = static_cast<double>(trials.size());
+  const auto count = static_cast<double>(trials.size());
   for (std::size_t way = 0; way < kWalkWays; ++way) {
-    double sum = 0.0;
-    double least = trials[0].speed[way];
+    std::vector<double> whole;
+    std::vector<double> half;
     for (const WalkTrial& trial : trials) {
-      sum += trial.speed[way];
-      least = std::min(least, trial.speed[way]);
+      whole.push_back(trial.speed[way]);
+      half.push_back(trial.half[way]);
     }
-    const double judged = 0.5 * (sum / count + least);
-    gain += aim.weight[way] * worth(judged / aim.speed[way]);
+    const Over full = over(whole);
+    const Over less = over(half);
+    gain += aim.weight[way] * worth(0.5 * (full.mean + full.least) / aim.speed[way]);
+    const double uneven = 2.0 * less.mean / std::max(1e-3, full.mean) - 1.0;
+    // A walk that hardly goes yet shall first learn to go.
+    const double spread = std::min(1.0, full.spread + less.spread);
+    gain -= aim.weight[way] * (aim.spreadCosts * spread +
+                               aim.unevenCosts * std::min(1.0, std::fabs(uneven)));
   }
-  for (const WalkTrial& trial : trials)
-    gain -= (trial.fell ? 1.0 : 0.0) + aim.swayCosts * trial.sway / count;
+  for (const WalkTrial& trial : trials) {
+    const double costs = aim.bendCosts * std::min(trial.bend, 0.01) + aim.swayCosts * trial.sway;
+    gain -= (trial.fell ? 1.0 : 0.0) + costs / count;
+  }
   return gain;
 }
 

@@ -11,9 +11,14 @@ namespace kelpie::learn {
 
 // What is wanted of a set: the speed in each direction that counts as 1, and how much it counts.
 struct WalkAim {
-  std::array<double, kWalkWays> speed{38.0, 28.0, 24.0, 3.2};  // cm/s, rad/s
+  std::array<double, kWalkWays> speed{40.0, 32.0, 28.0, 3.4};  // cm/s, rad/s
   std::array<double, kWalkWays> weight{1.0, 1.0, 1.0, 1.0};
-  double swayCosts = 0.5;  // a rad
+  // What makes a walk hard to foretell: speeds that differ from model to model, half the stroke that
+  // is not half the speed, straight walks that bend.
+  double spreadCosts = 1.5;  // a share of the speed
+  double unevenCosts = 0.5;  // so
+  double bendCosts = 150.0;  // a rad/cm: 3 deg a metre cost 0.08
+  double swayCosts = 3.0;    // a rad
 };
 WalkAim aimOf(WalkKind kind);
 

@@ -3,13 +3,13 @@
 
 #include <cmath>
 
+#include "actuator/WalkSpeed.h"
 #include "robot/core/Random.h"
 
 namespace kelpie::learn {
 namespace {
 
 constexpr double kMessageSeconds = kTickSeconds * kTicksPerMessage;
-constexpr double kAll = 1000.0;
 
 int messagesOf(double seconds) { return static_cast<int>(seconds / kMessageSeconds + 0.5); }
 
@@ -28,6 +28,37 @@ struct Spread {
     return count == 0 ? 0.0 : squares / count - maths::square(sum / count);
   }
 };
+
+struct Sway {
+  Spread roll;
+  Spread tilt;
+
+  void add(const sim::BodyPlace& place) {
+    roll.add(place.lean.roll.rad());
+    tilt.add(place.stance.bodyTilt.rad());
+  }
+  double rms() const { return std::sqrt(roll.variance() + tilt.variance()); }
+};
+
+// What is walked after the speed has become even.
+Walked straightOn(const WalkTrialPlan& plan, const WalkRequest& request, PhysicalWalker& walker,
+                  Sway& sway) {
+  Command command;
+  command.walk = request;
+  const int start = messagesOf(plan.startSeconds);
+  Walked sum;
+  for (int m = 0; m < start + messagesOf(plan.measuredSeconds) && !walker.fallen(); ++m) {
+    const Walked step = walkOn(walker, command);
+    if (m < start) continue;
+    sum += step;
+    sway.add(walker.place());
+  }
+  return sum;
+}
+
+double bendOf(const Walked& walked) {
+  return std::fabs(walked.turn) / std::fmax(1.0, std::fabs(walked.forward));
+}
 
 double along(WalkWay way, const Walked& walked) {
   switch (way) {
@@ -63,14 +94,15 @@ bool fallsAtRandom(const WalkTrialPlan& plan, PhysicalWalker& walker, std::uint6
 
 }  // namespace
 
-WalkRequest allOf(WalkWay way, WalkKind kind) {
-  WalkRequest request;
-  request.kind = kind;
-  if (way == WalkWay::forward) request.forward = kAll;
-  if (way == WalkWay::back) request.forward = -kAll;
-  if (way == WalkWay::left) request.left = kAll;
-  if (way == WalkWay::turn) request.turn = kAll;
-  return request;
+WalkRequest shareOf(WalkWay way, double share, const actuator::WalkSet& set, WalkKind kind) {
+  const actuator::StrokeLimits& most = set.most;
+  actuator::Velocity feet;
+  if (way == WalkWay::forward) feet.forward = share * most.forward;
+  if (way == WalkWay::back) feet.forward = -share * most.back;
+  if (way == WalkWay::left) feet.left = share * most.left;
+  if (way == WalkWay::turn) feet.turn = share * most.turn;
+  const actuator::Velocity real = actuator::realSpeed(feet, set.calibration);
+  return {real.forward, real.left, real.turn, 0.0, kind};
 }
 
 void spare(PhysicalWalker& walker) {
@@ -96,26 +128,19 @@ WalkTrial tryWalk(const WalkTrialPlan& plan, const sim::PhysicsParams& model,
                   const actuator::ActuatorParams& params, std::uint64_t seed) {
   PhysicalWalker walker(model, params, seed);
   if (plan.kind == WalkKind::weak) spare(walker);
+  const actuator::WalkSet& set = actuator::walkSet(params.walks, plan.kind);
   WalkTrial trial;
-  Spread roll;
-  Spread tilt;
-  for (std::size_t i = 0; i < kWalkWays && !trial.fell; ++i) {
-    Command command;
-    command.walk = allOf(static_cast<WalkWay>(i), plan.kind);
-    const int start = messagesOf(plan.startSeconds);
-    const int measured = messagesOf(plan.measuredSeconds);
-    Walked sum;
-    for (int m = 0; m < start + measured && !walker.fallen(); ++m) {
-      const Walked step = walkOn(walker, command);
-      if (m < start) continue;
-      sum += step;
-      roll.add(walker.place().lean.roll.rad());
-      tilt.add(walker.place().stance.bodyTilt.rad());
+  Sway sway;
+  for (const double share : {1.0, 0.5})
+    for (std::size_t i = 0; i < kWalkWays && !trial.fell; ++i) {
+      const auto way = static_cast<WalkWay>(i);
+      const Walked sum = straightOn(plan, shareOf(way, share, set, plan.kind), walker, sway);
+      trial.fell = walker.fallen();
+      (share == 1.0 ? trial.speed : trial.half)[i] = along(way, sum) / plan.measuredSeconds;
+      const bool straight = way == WalkWay::forward || way == WalkWay::back;
+      if (straight) trial.bend = std::fmax(trial.bend, bendOf(sum));
     }
-    trial.fell = walker.fallen();
-    trial.speed[i] = along(static_cast<WalkWay>(i), sum) / (measured * kMessageSeconds);
-  }
-  trial.sway = std::sqrt(roll.variance() + tilt.variance());
+  trial.sway = sway.rms();
   if (!trial.fell) trial.fell = fallsAtRandom(plan, walker, seed);
   return trial;
 }

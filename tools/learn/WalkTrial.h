@@ -14,8 +14,8 @@ namespace kelpie::learn {
 enum class WalkWay : std::uint8_t { forward, back, left, turn };
 constexpr std::size_t kWalkWays = 4;
 
-// More than any walk does: the set's own limits decide.
-WalkRequest allOf(WalkWay way, WalkKind kind);
+// Feet that go that share of what the set lets them.
+WalkRequest shareOf(WalkWay way, double share, const actuator::WalkSet& set, WalkKind kind);
 
 // What was really done, in the robot's own frame, summed over its turns.
 struct Walked {
@@ -32,13 +32,15 @@ Walked walkOn(PhysicalWalker& walker, const Command& command);
 
 struct WalkTrialPlan {
   WalkKind kind = WalkKind::normal;
-  double startSeconds = 1.0;     // until the speed is even
-  double measuredSeconds = 1.6;  // in each direction
+  double startSeconds = 0.9;     // until the speed is even
+  double measuredSeconds = 1.5;  // in each direction, and as long at half the speed
   double randomSeconds = 6.0;    // of random commands, a new one each second
 };
 
 struct WalkTrial {
-  std::array<double, kWalkWays> speed{};  // cm/s, and rad/s
+  std::array<double, kWalkWays> speed{};  // cm/s, and rad/s, of feet that go as far as they may
+  std::array<double, kWalkWays> half{};   // of feet at half of that
+  double bend = 0.0;                      // rad a cm, largest turn of a straight walk
   double sway = 0.0;                      // rad, rms of roll and of tilt about its mean
   bool fell = false;
 };
