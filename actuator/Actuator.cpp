@@ -79,9 +79,16 @@ Velocity speedOfMotion(const MotionData& motion) {
   return {motion.forward / seconds, motion.left / seconds, motion.turn.rad() / seconds};
 }
 
-Velocity realSpeedNow(const ActuatorParams& params, const ActuatorState& state) {
-  if (walksOn(params, state)) return realSpeed(state.walk.feet, state.walk.set.calibration);
-  return speedOfMotion(params.motions[state.motion.kind]);
+// What this tick's commands make likely, for the odometry.
+CommandedTick commandedNow(const ActuatorParams& params, const ActuatorState& state) {
+  if (!walksOn(params, state)) {
+    return {speedOfMotion(params.motions[state.motion.kind]), {}, true};
+  }
+  const WalkOdometry& odometry = state.walk.set.odometry;
+  CommandedTick tick{realSpeed(state.walk.feet, odometry.commanded), {}, false};
+  if (!still(state.walk.feet))
+    tick.joints = {odometry.joints, odometry.jointsLeft, odometry.jointsTurn};
+  return tick;
 }
 
 // After its last key frame the legs go back to the walk in a straight line.
@@ -114,7 +121,7 @@ void tick(const Command& command, const ActuatorParams& params, ActuatorState& s
     target = blended(target, state);
   }
   state.target = limited(target, state.target, slew);
-  record(realSpeedNow(params, state), state.odometry);
+  record(commandedNow(params, state), state.odometry);
   if (running(state.motion)) moveOn(params, state);
 }
 
@@ -150,7 +157,7 @@ MotionOutput step(const MotionInput& in, const ActuatorParams& params, ActuatorS
     tick(in.command, params, state);
     frame = {state.target, in.command.leds, in.command.ears};
   }
-  out.odometry = odometry(params.odometry, state.odometry);
+  out.odometry = odometry(in, params.odometry, state.odometry);
   out.stance = state.stance;
   out.status = status(params, state);
   return out;

@@ -7,14 +7,26 @@
 
 namespace kelpie::actuator {
 
-// What was walked is told from the speed of the feet through the calibration of the walk, this much
-// later: two command vectors are in flight and the servos lag.
+// Commands become movement this much later: two command vectors are in flight and the servos lag.
+// And how far what is told may be wrong, as variances that grow with the way.
 struct OdometryParams {
   std::uint32_t delayTicks = 10;
+  double alongPerCm = 0.1;      // cm2 along the walking direction per cm walked
+  double acrossPerCm = 0.0625;  // cm2 across it per cm walked
+  double turnPerRad = 0.75e-3;  // rad2 per rad turned
+  double turnPerCm = 0.625e-5;  // rad2 per cm walked
+  double positionPerRad = 0.5;  // cm2 per rad turned
+  double motionFactor = 20.0;   // of all of them in a special motion
 
   static constexpr auto fields() {
     using P = OdometryParams;
-    return fieldList(field("delayTicks", &P::delayTicks, "", 0, 24));
+    return fieldList(field("delayTicks", &P::delayTicks, "", 0, 24),
+                     field("alongPerCm", &P::alongPerCm, "cm", 0, 100),
+                     field("acrossPerCm", &P::acrossPerCm, "cm", 0, 100),
+                     field("turnPerRad", &P::turnPerRad, "rad", 0, 10),
+                     field("turnPerCm", &P::turnPerCm, "rad2/cm", 0, 1),
+                     field("positionPerRad", &P::positionPerRad, "cm2/rad", 0, 1000),
+                     field("motionFactor", &P::motionFactor, "", 0, 1e4));
   }
 };
 

@@ -85,31 +85,52 @@ struct SpeedCurve {
   double bend = 0.0;
 
   static constexpr auto fields() {
-    return fieldList(field("scale", &SpeedCurve::scale, "", 0.05, 3),
+    return fieldList(field("scale", &SpeedCurve::scale, "", -30, 30),
                      field("bend", &SpeedCurve::bend, "", -1, 1));
   }
 };
 
 // And across: a robot that turns also moves aside, one that steps aside also turns (mirrored for
-// the other side); both may move it ahead.
+// the other side), and less or more so while it goes forward.
 struct WalkCalibration {
   SpeedCurve forward;
   SpeedCurve back;
   SpeedCurve left;
   SpeedCurve turn;
-  double leftPerTurn = 0.0;     // cm a rad
-  double turnPerLeft = 0.0;     // rad a cm
-  double forwardPerTurn = 0.0;  // cm a rad, turning to either side
-  double forwardPerLeft = 0.0;  // cm a cm, stepping to either side
+  SpeedCurve leftPerTurn{0.0, 0.0};  // cm a rad
+  SpeedCurve turnPerLeft{0.0, 0.0};  // rad a cm
+  double forwardPerTurn = 0.0;       // cm a rad, turning to either side
+  double forwardPerLeft = 0.0;       // cm a cm, stepping to either side
+  double forwardPerLeftTurn = 0.0;   // of the product of both
+  double leftPerForwardTurn = 0.0;
+  double turnPerForwardLeft = 0.0;
 
   static constexpr auto fields() {
     using P = WalkCalibration;
     return fieldList(field("forward", &P::forward), field("back", &P::back),
                      field("left", &P::left), field("turn", &P::turn),
-                     field("leftPerTurn", &P::leftPerTurn, "", -30, 30),
-                     field("turnPerLeft", &P::turnPerLeft, "", -1, 1),
+                     field("leftPerTurn", &P::leftPerTurn), field("turnPerLeft", &P::turnPerLeft),
                      field("forwardPerTurn", &P::forwardPerTurn, "", -30, 30),
-                     field("forwardPerLeft", &P::forwardPerLeft, "", -1, 1));
+                     field("forwardPerLeft", &P::forwardPerLeft, "", -1, 1),
+                     field("forwardPerLeftTurn", &P::forwardPerLeftTurn, "", -1, 1),
+                     field("leftPerForwardTurn", &P::leftPerForwardTurn, "", -1, 1),
+                     field("turnPerForwardLeft", &P::turnPerForwardLeft, "", -1, 1));
+  }
+};
+
+// How what was walked is told: from the commanded speed of the feet by curves of its own, and a
+// share of what the standing feet's joints say (FootMotion.h).
+struct WalkOdometry {
+  WalkCalibration commanded;
+  double joints = 0.0;      // of the feet's motion ahead
+  double jointsLeft = 0.0;  // and aside
+  double jointsTurn = 0.0;
+
+  static constexpr auto fields() {
+    using P = WalkOdometry;
+    return fieldList(field("commanded", &P::commanded), field("joints", &P::joints, "", -2, 2),
+                     field("jointsLeft", &P::jointsLeft, "", -2, 2),
+                     field("jointsTurn", &P::jointsTurn, "", -2, 2));
   }
 };
 
@@ -118,11 +139,12 @@ struct WalkSet {
   GaitParams gait;
   StrokeLimits most;
   WalkCalibration calibration;
+  WalkOdometry odometry;
 
   static constexpr auto fields() {
     using P = WalkSet;
     return fieldList(field("stance", &P::stance), field("gait", &P::gait), field("most", &P::most),
-                     field("calibration", &P::calibration));
+                     field("calibration", &P::calibration), field("odometry", &P::odometry));
   }
 };
 

@@ -28,6 +28,14 @@ const SpeedCurve& forwardCurve(const WalkCalibration& c, double forward) {
   return forward < 0.0 ? c.back : c.forward;
 }
 
+// What each direction gives to the others.
+Velocity acrossOf(const Velocity& feet, const WalkCalibration& c) {
+  return {c.forwardPerTurn * std::fabs(feet.turn) + c.forwardPerLeft * std::fabs(feet.left) +
+              c.forwardPerLeftTurn * feet.left * feet.turn,
+          along(c.leftPerTurn, feet.turn) + c.leftPerForwardTurn * feet.forward * feet.turn,
+          along(c.turnPerLeft, feet.left) + c.turnPerForwardLeft * feet.forward * feet.left};
+}
+
 double square(double value) { return value * value; }
 
 double approach(double now, double target, double most) {
@@ -37,20 +45,18 @@ double approach(double now, double target, double most) {
 }  // namespace
 
 Velocity realSpeed(const Velocity& feet, const WalkCalibration& c) {
-  return {along(forwardCurve(c, feet.forward), feet.forward) +
-              c.forwardPerTurn * std::fabs(feet.turn) + c.forwardPerLeft * std::fabs(feet.left),
-          along(c.left, feet.left) + c.leftPerTurn * feet.turn,
-          along(c.turn, feet.turn) + c.turnPerLeft * feet.left};
+  const Velocity more = acrossOf(feet, c);
+  return {along(forwardCurve(c, feet.forward), feet.forward) + more.forward,
+          along(c.left, feet.left) + more.left, along(c.turn, feet.turn) + more.turn};
 }
 
 Velocity feetSpeed(const Velocity& real, const WalkCalibration& c) {
   Velocity feet;
   for (int round = 0; round < kRounds; ++round) {
-    const double forward = real.forward - c.forwardPerTurn * std::fabs(feet.turn) -
-                           c.forwardPerLeft * std::fabs(feet.left);
-    feet = {against(forwardCurve(c, forward), forward),
-            against(c.left, real.left - c.leftPerTurn * feet.turn),
-            against(c.turn, real.turn - c.turnPerLeft * feet.left)};
+    const Velocity more = acrossOf(feet, c);
+    const double forward = real.forward - more.forward;
+    feet = {against(forwardCurve(c, forward), forward), against(c.left, real.left - more.left),
+            against(c.turn, real.turn - more.turn)};
   }
   return feet;
 }

@@ -30,6 +30,11 @@ bool plausible(const Odometry& odometry) {
 }
 
 StepNoise stepNoise(const Odometry& odometry, double elapsed, const MotionNoise& noise) {
+  const OdometryVariance& told = odometry.variance;
+  if (told.forward > 0.0 || told.left > 0.0 || told.turn > 0.0) {
+    const double pushes = noise.positionPerSecond * elapsed;
+    return {told.forward + pushes, told.left + pushes, told.turn + noise.turnPerSecond * elapsed};
+  }
   const double forward = std::fabs(odometry.forward);
   const double left = std::fabs(odometry.left);
   const double turn = std::fabs(odometry.turn.rad());

@@ -30,6 +30,7 @@ double elapsedOf(const FrameInput& input);
 bool plausible(const Odometry& odometry);
 
 StepNoise scaledBy(double scale, const StepNoise& noise);
+// Variances that the odometry tells, else those of `noise`.
 StepNoise stepNoise(const Odometry& odometry, double elapsed, const MotionNoise& noise);
 
 Pose2 moved(const Pose2& pose, const Odometry& odometry);

@@ -155,12 +155,64 @@ TEST(Odometry, TellsTheRealSpeedWhateverTheFeetDo) {
   params.odometry.delayTicks = 0;
   params.walks.normal.calibration.forward.scale = 0.5;
   params.walks.normal.calibration.left.scale = 0.7;
+  params.walks.normal.odometry.commanded = params.walks.normal.calibration;
   Walker w(params);
   w.standUp();
   w.run(WalkRequest{6, 3, 0}, 60);
   EXPECT_NEAR(w.out.odometry.forward, 6 * 0.032, 1e-9);
   EXPECT_NEAR(w.out.odometry.left, 3 * 0.032, 1e-9);
   EXPECT_NEAR(w.state.walk.feet.forward, 12.0, 1e-9);
+}
+
+// The joints of this walker do what they are told at once.
+TEST(Odometry, OfTheStandingFeetsJointsIsTheSpeedOfTheFeet) {
+  ActuatorParams params = exactWalks();
+  WalkOdometry& told = params.walks.normal.odometry;
+  told.commanded.forward = told.commanded.left = told.commanded.turn = {0.0, 0.0};
+  told.joints = told.jointsLeft = told.jointsTurn = 1.0;
+  Walker w(params);
+  w.standUp();
+  w.run(WalkRequest{10, 4, 0.3}, 60);
+  w.input.sensors[0].joints = w.input.sensors[1].joints = w.ticks[w.ticks.size() - 4];
+  Odometry sum;
+  for (int i = 0; i < 110; ++i) {
+    for (std::size_t tick = 0; tick < 4; ++tick)
+      w.input.sensors[tick].joints = w.ticks[w.ticks.size() - 4 + tick];
+    w.out = step(w.input, w.params, w.state);
+    for (const JointFrame& frame : w.out.joints) w.ticks.push_back(frame.target);
+    sum.forward += w.out.odometry.forward;
+    sum.left += w.out.odometry.left;
+    sum.turn = sum.turn + w.out.odometry.turn;
+  }
+  const double seconds = 110 * 0.032;
+  EXPECT_NEAR(sum.forward, 10 * seconds, 0.05 * 10 * seconds);
+  EXPECT_NEAR(sum.left, 4 * seconds, 0.1 * 4 * seconds);
+  EXPECT_NEAR(sum.turn.rad(), 0.3 * seconds, 0.05 * 0.3 * seconds);
+}
+
+TEST(Odometry, OfARobotThatStandsIsNothingWhateverItsJointsSay) {
+  Random random(9);
+  Walker w;
+  w.params.walks.normal.odometry.joints = 1.0;
+  w.standUp();
+  for (int i = 0; i < 50; ++i) {
+    for (SensorFrame& sensors : w.input.sensors)
+      for (Angle& angle : sensors.joints.angle)
+        angle = angle + Angle::rad(random.gaussian(0, 0.01));
+    w.out = step(w.input, w.params, w.state);
+    ASSERT_EQ(w.out.odometry.forward, 0.0);
+    ASSERT_EQ(w.out.odometry.variance.forward, 0.0);
+  }
+}
+
+TEST(Odometry, VarianceGrowsWithTheWayAndMostInAMotion) {
+  Walker w;
+  w.standUp();
+  w.run(WalkRequest{10, 0, 0}, 60);
+  const double slow = w.out.odometry.variance.forward;
+  w.run(WalkRequest{20, 0, 0}, 60);
+  EXPECT_GT(slow, 0.0);
+  EXPECT_NEAR(w.out.odometry.variance.forward, 2.0 * slow, 1e-9);
 }
 
 // Four steps of one tick, each turned by what was turned before it.

@@ -148,8 +148,11 @@ TEST(Walk, FeetMoveSoThatTheRequestBecomesReal) {
   c.back = {0.7, 0.0};
   c.left = {0.9, -0.006};
   c.turn = {0.75, 0.02};
-  c.leftPerTurn = -4.0;
-  c.turnPerLeft = 0.01;
+  c.leftPerTurn = {-4.0, 0.3};
+  c.turnPerLeft = {0.01, 0.0};
+  c.turnPerForwardLeft = 1e-4;
+  c.leftPerForwardTurn = 0.01;
+  c.forwardPerLeftTurn = -0.02;
   c.forwardPerTurn = 1.0;
   c.forwardPerLeft = -0.1;
   for (int i = 0; i < 200; ++i) {

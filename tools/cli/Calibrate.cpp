@@ -44,6 +44,7 @@ void addCalibrate(CLI::App& app, int& code) {
   addCalibrateColour(*command, code);
   addCalibrateShift(*command, code);
   addCalibrateWalk(*command, code);
+  addCalibrateFast(*command, code);
   auto* shown = command->add_subcommand("show", "What a table file says about itself");
   auto path = std::make_shared<std::string>();
   shown->add_option("FILE", *path)->required();

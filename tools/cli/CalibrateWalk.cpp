@@ -78,6 +78,7 @@ void calibrated(WalkKind kind, std::uint64_t seed, int models, actuator::WalkSet
     samples.insert(samples.end(), more.begin(), more.end());
   }
   set.calibration = learn::fitCalibration(samples);
+  set.odometry = learn::fitOdometry(samples);
 }
 
 // Of five models: the mean and the slowest.

@@ -41,6 +41,13 @@ Velocity evenSpeed(const Walked& walked, double seconds) {
   return {walked.forward / seconds, walked.left / seconds, walked.turn / seconds};
 }
 
+// Odometry that tells what the joints say and nothing else.
+actuator::WalkOdometry jointsAlone() {
+  WalkCalibration nothing;
+  nothing.forward = nothing.back = nothing.left = nothing.turn = {0.0, 0.0};
+  return {nothing, 1.0, 1.0, 1.0};
+}
+
 struct Rows {
   std::vector<std::vector<double>> features;
   std::vector<double> values;
@@ -63,6 +70,43 @@ struct Rows {
   }
 };
 
+// With joints their shares are fitted along with the curves.
+actuator::WalkOdometry fitted(const std::vector<SpeedSample>& samples, bool withJoints) {
+  Rows forward;
+  Rows left;
+  Rows turn;
+  for (const auto& [feet, real, joints] : samples) {
+    const double ahead = std::fmax(feet.forward, 0.0);
+    const double behind = std::fmin(feet.forward, 0.0);
+    const double use = withJoints ? 1.0 : 0.0;
+    forward.add({ahead, square(ahead), behind, square(behind), std::fabs(feet.turn),
+                 std::fabs(feet.left), feet.left * feet.turn, use * joints.forward},
+                real.forward);
+    left.add({feet.left, square(feet.left), feet.turn, square(feet.turn), feet.forward * feet.turn,
+              use * joints.left},
+             real.left);
+    turn.add({feet.turn, square(feet.turn), feet.left, square(feet.left), feet.forward * feet.left,
+              use * joints.turn},
+             real.turn);
+  }
+  const Eigen::VectorXd f = forward.solved();
+  const Eigen::VectorXd l = left.solved();
+  const Eigen::VectorXd t = turn.solved();
+  WalkCalibration c;
+  c.forward = {f(0), f(1)};
+  c.back = {f(2), f(3)};
+  c.forwardPerTurn = f(4);
+  c.forwardPerLeft = f(5);
+  c.forwardPerLeftTurn = f(6);
+  c.left = {l(0), l(1)};
+  c.leftPerTurn = {l(2), l(3)};
+  c.leftPerForwardTurn = l(4);
+  c.turn = {t(0), t(1)};
+  c.turnPerLeft = {t(2), t(3)};
+  c.turnPerForwardLeft = t(4);
+  return {c, f(7), l(5), t(5)};
+}
+
 }  // namespace
 
 std::vector<SpeedSample> sampleSpeeds(WalkKind kind, const actuator::WalkSet& set,
@@ -71,6 +115,7 @@ std::vector<SpeedSample> sampleSpeeds(WalkKind kind, const actuator::WalkSet& se
   actuator::ActuatorParams params;
   actuator::WalkSet exact = set;
   exact.calibration = {};
+  exact.odometry = jointsAlone();
   actuator::walkSet(params.walks, kind) = exact;
   Random random(seed);
   std::vector<SpeedSample> samples;
@@ -82,41 +127,28 @@ std::vector<SpeedSample> sampleSpeeds(WalkKind kind, const actuator::WalkSet& se
     command.walk = {feet.forward, feet.left, feet.turn, 0.0, kind};
     for (int m = 0; m < kStart; ++m) walker.step(command);
     Walked sum;
-    for (int m = 0; m < kMeasured; ++m) sum += walkOn(walker, command);
-    if (walker.fallen())
+    Walked joints;
+    for (int m = 0; m < kMeasured; ++m) {
+      sum += walkOn(walker, command);
+      const Odometry& told = walker.output().odometry;
+      joints += {told.forward, told.left, told.turn.rad()};
+    }
+    if (walker.fallen()) {
       walker = PhysicalWalker(model, params, seed);
-    else
-      samples.push_back({feet, evenSpeed(sum, kMeasured * kMessageSeconds)});
+      continue;
+    }
+    const double seconds = kMeasured * kMessageSeconds;
+    samples.push_back({feet, evenSpeed(sum, seconds), evenSpeed(joints, seconds)});
   }
   return samples;
 }
 
 WalkCalibration fitCalibration(const std::vector<SpeedSample>& samples) {
-  Rows forward;
-  Rows left;
-  Rows turn;
-  for (const auto& [feet, real] : samples) {
-    const double ahead = std::fmax(feet.forward, 0.0);
-    const double behind = std::fmin(feet.forward, 0.0);
-    forward.add(
-        {ahead, square(ahead), behind, square(behind), std::fabs(feet.turn), std::fabs(feet.left)},
-        real.forward);
-    left.add({feet.left, square(feet.left), feet.turn}, real.left);
-    turn.add({feet.turn, square(feet.turn), feet.left}, real.turn);
-  }
-  const Eigen::VectorXd f = forward.solved();
-  const Eigen::VectorXd l = left.solved();
-  const Eigen::VectorXd t = turn.solved();
-  WalkCalibration c;
-  c.forward = {f(0), f(1)};
-  c.back = {f(2), f(3)};
-  c.forwardPerTurn = f(4);
-  c.forwardPerLeft = f(5);
-  c.left = {l(0), l(1)};
-  c.leftPerTurn = l(2);
-  c.turn = {t(0), t(1)};
-  c.turnPerLeft = t(2);
-  return c;
+  return fitted(samples, false).commanded;
+}
+
+actuator::WalkOdometry fitOdometry(const std::vector<SpeedSample>& samples) {
+  return fitted(samples, true);
 }
 
 }  // namespace kelpie::learn

@@ -13,6 +13,7 @@ namespace kelpie::learn {
 struct SpeedSample {
   actuator::Velocity feet;
   actuator::Velocity real;
+  actuator::Velocity joints;  // what the standing feet's joints say of it
 };
 
 // `count` speeds within the set's limits on one model, none of them twice; a robot that falls is
@@ -21,6 +22,8 @@ std::vector<SpeedSample> sampleSpeeds(WalkKind kind, const actuator::WalkSet& se
                                       const sim::PhysicsParams& model, int count,
                                       std::uint64_t seed);
 
+// From feet to real speed; and of how it is told.
 actuator::WalkCalibration fitCalibration(const std::vector<SpeedSample>& samples);
+actuator::WalkOdometry fitOdometry(const std::vector<SpeedSample>& samples);
 
 }  // namespace kelpie::learn

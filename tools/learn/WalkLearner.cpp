@@ -100,6 +100,7 @@ WalkSet walkOf(const std::vector<double>& point, const WalkSet& start) {
   for (std::size_t i = 0; i < kKnobs.size(); ++i) kKnobs[i].set(set, point[i]);
   set.gait.turnAcceleration = 0.1 * set.gait.acceleration;
   set.calibration = {};
+  set.odometry = {};
   return set;
 }
 
@@ -144,8 +145,8 @@ double gainOf(const std::vector<WalkTrial>& trials, const WalkAim& aim) {
     const double uneven = 2.0 * less.mean / std::max(1e-3, full.mean) - 1.0;
     // A walk that hardly goes yet shall first learn to go.
     const double spread = std::min(1.0, full.spread + less.spread);
-    gain -= aim.weight[way] * (aim.spreadCosts * spread +
-                               aim.unevenCosts * std::min(1.0, std::fabs(uneven)));
+    gain -= aim.weight[way] *
+            (aim.spreadCosts * spread + aim.unevenCosts * std::min(1.0, std::fabs(uneven)));
   }
   for (const WalkTrial& trial : trials) {
     const double costs = aim.bendCosts * std::min(trial.bend, 0.01) + aim.swayCosts * trial.sway;

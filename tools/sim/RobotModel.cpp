@@ -18,32 +18,6 @@ std::size_t legOf(std::size_t joint) { return (joint - index(Joint::leftFrontRot
 
 }  // namespace
 
-PlanarMotion rigidMotion(const std::vector<Point2<Robot>>& from,
-                         const std::vector<Point2<Robot>>& to) {
-  PlanarMotion motion;
-  if (from.empty()) return motion;
-  const double share = 1.0 / static_cast<double>(from.size());
-  Point2<Robot> a;
-  Point2<Robot> b;
-  for (std::size_t i = 0; i < from.size(); ++i) {
-    a = a + from[i] * share;
-    b = b + to[i] * share;
-  }
-  double along = 0.0;
-  double across = 0.0;
-  for (std::size_t i = 0; i < from.size(); ++i) {
-    const Point2<Robot> p = from[i] - a;
-    const Point2<Robot> q = to[i] - b;
-    along += p.x * q.x + p.y * q.y;
-    across += p.x * q.y - p.y * q.x;
-  }
-  motion.turn = from.size() > 1 ? maths::atan2(across, along) : 0.0;
-  const maths::SinCos r = maths::sinCos(motion.turn);
-  motion.x = b.x - (r.cos * a.x - r.sin * a.y);
-  motion.y = b.y - (r.sin * a.x + r.cos * a.y);
-  return motion;
-}
-
 RobotModel::RobotModel(const RobotParams& params, const Pose2& start, std::uint64_t seed,
                        const BodyFaults& faults)
     : params_(params),
@@ -103,6 +77,13 @@ void RobotModel::drawSlip(const std::array<bool, kLegCount>& standing) {
   resistance_.newStep();
 }
 
+PlanarMotion RobotModel::onCarpet(const PlanarMotion& walked) const {
+  const GroundParams& p = params_.ground;
+  return {p.left * walked.x - p.leftPerTurn * walked.turn,
+          (walked.y < 0.0 ? p.back : p.forward) * walked.y,
+          p.turn * walked.turn - p.turnPerLeft * walked.x};
+}
+
 PlanarMotion RobotModel::given(const PlanarMotion& walked) const {
   const bool weak = legGain() < params_.weak.below;
   const double free = 1.0 - resistance_.held();
@@ -125,7 +106,8 @@ void RobotModel::moveBody() {
     to.push_back({feet_[i].x, feet_[i].y});
   }
   drawSlip(standing);
-  const PlanarMotion motion = given(rigidMotion(from, to));
+  const PlanarMotion motion =
+      given(onCarpet(body::rigidMotion(from.data(), to.data(), from.size())));
   const double x = motion.x * (1.0 - slipAside_);
   const double y = motion.y * (1.0 - slipForward_);
   const double turn = motion.turn * (1.0 - slipTurn_) + drift_ * maths::hypot(x, y);

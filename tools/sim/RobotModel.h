@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "robot/body/Legs.h"
+#include "robot/body/PlanarMotion.h"
 #include "robot/core/FrameInput.h"
 #include "robot/core/Random.h"
 #include "robot/host/WorldProtocol.h"
@@ -38,6 +39,26 @@ struct WeakLegParams {
   }
 };
 
+// What becomes on carpet of the way that standing feet walk, so that a kinematic robot goes as a
+// physical one does: shares of each direction, and what turning moves it aside, stepping aside
+// turns it. `kelpie calibrate fast` fits them.
+struct GroundParams {
+  double forward = 1.0;
+  double back = 1.0;
+  double left = 1.0;
+  double turn = 1.0;
+  double leftPerTurn = 0.0;  // cm a rad
+  double turnPerLeft = 0.0;  // rad a cm
+
+  static constexpr auto fields() {
+    using P = GroundParams;
+    return fieldList(field("forward", &P::forward, "", 0.1, 3), field("back", &P::back, "", 0.1, 3),
+                     field("left", &P::left, "", 0.1, 3), field("turn", &P::turn, "", 0.1, 3),
+                     field("leftPerTurn", &P::leftPerTurn, "cm", -30, 30),
+                     field("turnPerLeft", &P::turnPerLeft, "rad/cm", -1, 1));
+  }
+};
+
 struct RobotParams {
   double lagTicks = 2.0;         // first-order lag of every joint
   double headRate = 6.5;         // rad/s
@@ -47,6 +68,7 @@ struct RobotParams {
   double slipMean = 0.02;        // share of the way that is lost
   double slipSd = 0.03;          // its spread from step to step
   double driftSd = 0.0006;       // rad per cm of way, from step to step
+  GroundParams ground;
   ResistanceParams resistance;
   WeakLegParams weak;
 
@@ -59,7 +81,7 @@ struct RobotParams {
                      field("contactHeight", &P::contactHeight, "cm", 0, 3),
                      field("slipMean", &P::slipMean, "", -0.5, 0.5),
                      field("slipSd", &P::slipSd, "", 0, 0.5),
-                     field("driftSd", &P::driftSd, "rad/cm", 0, 0.1),
+                     field("driftSd", &P::driftSd, "rad/cm", 0, 0.1), field("ground", &P::ground),
                      field("resistance", &P::resistance), field("weak", &P::weak));
   }
 };
@@ -75,14 +97,7 @@ struct BodySphere {
 constexpr double kTrunkBack = -16.0;
 constexpr double kTrunkHalfWidth = 4.5;
 
-// The rigid motion of the ground plane that brings points `from` to `to` with the least squares.
-struct PlanarMotion {
-  double x = 0.0;
-  double y = 0.0;
-  double turn = 0.0;
-};
-PlanarMotion rigidMotion(const std::vector<Point2<Robot>>& from,
-                         const std::vector<Point2<Robot>>& to);
+using body::PlanarMotion;
 
 class RobotModel {
  public:
@@ -129,6 +144,7 @@ class RobotModel {
   void senseJoints();
   void moveBody();
   PlanarMotion given(const PlanarMotion& walked) const;
+  PlanarMotion onCarpet(const PlanarMotion& walked) const;
   void drawSlip(const std::array<bool, kLegCount>& standing);
 
   RobotParams params_;

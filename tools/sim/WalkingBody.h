@@ -21,7 +21,8 @@ class WalkingBody {
 
   // In the middle of the field, looking up it.
   explicit WalkingBody(std::uint64_t seed, const actuator::ActuatorParams& params = {},
-                       BodyKind kind = BodyKind::fast, const PhysicsParams& physics = {})
+                       BodyKind kind = BodyKind::fast, const PhysicsParams& physics = {},
+                       const GroundParams& ground = RobotParams{}.ground)
       : params_(params) {
     const auto field = *body::fieldDescription("2006");
     Setup setup;
@@ -30,6 +31,7 @@ class WalkingBody {
     WorldParams world;
     world.fast = kind == BodyKind::fast;
     world.physics = physics;
+    world.robot.ground = ground;
     world_ = std::make_unique<World>(world, field, setup, seed);
     for (int i = 0; i < kStartMessages; ++i) step({});
   }

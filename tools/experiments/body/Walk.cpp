@@ -1,99 +1,192 @@
 // SPDX-License-Identifier: Apache-2.0
-// The walk on the physical body: how fast it is in each direction, what of it odometry tells, and
-// whether random commands make it fall, on as many models as there are trials, each varied in
-// friction, armature, contact and servo (tools/sim/physics/Variation.h).
+// The walk on physical bodies, as many models as there are trials, each varied in friction,
+// armature, contact, servo, mass and the play of its gears (tools/sim/physics/Variation.h), on
+// carpet without an end: how fast it is in 24 directions, turning, with the fast set and with weak
+// legs; how far odometry is off; how much a straight walk bends; and whether ten minutes of random
+// commands make it fall.
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "robot/core/Random.h"
-#include "tools/experiments/body/Ways.h"
+#include "tools/experiments/body/OnModels.h"
 #include "tools/experiments/harness/Experiment.h"
 #include "tools/experiments/harness/Statistics.h"
-#include "tools/sim/physics/Variation.h"
 
 namespace kelpie::experiments {
 namespace {
 
+using learn::PhysicalWalker;
+using learn::Walked;
+
 constexpr double kMessageSeconds = kTickSeconds * kTicksPerMessage;
-constexpr int kStart = 62;       // messages until the speed is even
-constexpr int kMeasured = 125;   // 4 s
-constexpr int kRandom = 1875;    // a minute of random commands
-constexpr int kOneCommand = 40;  // 1.3 s
+constexpr int kStart = 44;     // messages until the speed is even
+constexpr int kMeasured = 94;  // 3 s
+constexpr int kDirections = 24;
+constexpr double kAll = 200.0;     // cm/s; more than any walk does
+constexpr double kAllTurn = 20.0;  // rad/s
+constexpr int kRandom = 18750;     // ten minutes
+constexpr int kOneCommand = 40;    // 1.3 s
 
-struct Direction {
-  const char* key;
-  WalkRequest request;  // the largest that a behaviour may ask for
-};
-constexpr std::array<Direction, 4> kDirections{{{"forward_cm_s", {42.0, 0.0, 0.0}},
-                                                {"back_cm_s", {-30.0, 0.0, 0.0}},
-                                                {"side_cm_s", {0.0, 20.0, 0.0}},
-                                                {"turn_deg_s", {0.0, 0.0, 3.8}}}};
-
-sim::WalkingBody bodyOf(std::uint64_t seed) {
-  return sim::WalkingBody(seed, {}, sim::BodyKind::physical, sim::varied({}, seed));
-}
-
-struct Speeds {
-  double walked = 0.0;    // cm/s or deg/s
-  double reported = 0.0;  // by odometry
+struct Leg {
+  Walked real;
+  Walked told;
 };
 
-// Of the direction that is asked for.
-double speedIn(const WalkRequest& request, const Displacement& way) {
-  const double seconds = kMeasured * kMessageSeconds;
-  if (request.turn != 0.0) return std::fabs(Angle::rad(1.0).deg() * way.turn) / seconds;
-  return std::fabs(request.forward != 0.0 ? way.forward : way.left) / seconds;
+Leg legOf(PhysicalWalker& walker, const WalkRequest& request) {
+  Command command;
+  command.walk = request;
+  for (int i = 0; i < kStart; ++i) walker.step(command);
+  Leg leg;
+  for (int i = 0; i < kMeasured; ++i) {
+    leg.real += learn::walkOn(walker, command);
+    const Odometry& told = walker.output().odometry;
+    leg.told += {told.forward, told.left, told.turn.rad()};
+  }
+  return leg;
 }
 
-Speeds speedsOf(const WalkRequest& request, std::uint64_t seed) {
-  sim::WalkingBody body = bodyOf(seed);
-  Ways ways;
-  walkOn(body, request, kStart, ways);
-  ways = {};
-  walkOn(body, request, kMeasured, ways);
-  return {speedIn(request, ways.walked), speedIn(request, ways.reported)};
+double wayOf(const Walked& walked) { return std::hypot(walked.forward, walked.left); }
+
+WalkRequest towards(int direction, double speed, WalkKind kind = WalkKind::normal) {
+  const Angle angle = Angle::deg(360.0 / kDirections * direction);
+  return {speed * angle.cos(), speed * angle.sin(), 0.0, 0.0, kind};
 }
 
-// Whether it fell within a minute.
-bool fallsIn(std::uint64_t seed) {
-  sim::WalkingBody body = bodyOf(seed);
+// What one model does.
+struct Model {
+  std::array<double, kDirections> speed{};  // cm/s
+  double turn = 0.0;                        // deg/s
+  double fast = 0.0;
+  std::array<double, 4> weak{};  // forward, back, side cm/s, turn deg/s
+  Values wayErrors;              // percent, of ways of one to two metres
+  Values turnErrors;             // deg in 360
+  Values bends;                  // deg in a metre of walking straight ahead
+  double sway = 0.0;
+  bool fell = false;
+};
+
+void judgeOdometry(const Leg& leg, Model& model) {
+  const double off = std::hypot(leg.told.forward - leg.real.forward, leg.told.left - leg.real.left);
+  model.wayErrors.push_back(100.0 * off / wayOf(leg.real));
+}
+
+double degrees(double rad) { return Angle::rad(1.0).deg() * rad; }
+
+void walkDirections(PhysicalWalker& walker, Model& model) {
+  constexpr double kSeconds = kMeasured * kMessageSeconds;
+  for (int d = 0; d < kDirections; ++d) {
+    const Leg leg = legOf(walker, towards(d, kAll));
+    model.speed[static_cast<std::size_t>(d)] = wayOf(leg.real) / kSeconds;
+    judgeOdometry(leg, model);
+    judgeOdometry(legOf(walker, towards(d, 18.0)), model);
+  }
+  for (const double speed : {12.0, 24.0, 36.0}) {
+    const Leg leg = legOf(walker, {speed, 0.0, 0.0});
+    model.bends.push_back(degrees(std::fabs(leg.real.turn)) / (0.01 * wayOf(leg.real)));
+  }
+}
+
+void turnRound(PhysicalWalker& walker, Model& model) {
+  for (const double turn : {-1.0, -2.0, -kAllTurn, 1.0, 2.0, kAllTurn}) {
+    const Leg leg = legOf(walker, {0.0, 0.0, turn});
+    model.turnErrors.push_back(360.0 * std::fabs(leg.told.turn / leg.real.turn - 1.0));
+    if (turn > 2.0) model.turn = degrees(leg.real.turn) / (kMeasured * kMessageSeconds);
+  }
+}
+
+void walkWeakly(const sim::PhysicsParams& physics, std::uint64_t seed, Model& model) {
+  const actuator::ActuatorParams params;
+  PhysicalWalker walker(physics, params, seed);
+  learn::spare(walker);
+  constexpr double kSeconds = kMeasured * kMessageSeconds;
+  model.weak = {wayOf(legOf(walker, {kAll, 0.0, 0.0}).real) / kSeconds,
+                wayOf(legOf(walker, {-kAll, 0.0, 0.0}).real) / kSeconds,
+                wayOf(legOf(walker, {0.0, kAll, 0.0}).real) / kSeconds,
+                degrees(legOf(walker, {0.0, 0.0, kAllTurn}).real.turn) / kSeconds};
+}
+
+bool fallsIn(PhysicalWalker& walker, std::uint64_t seed) {
   Random random(seed);
   Command command;
   for (int i = 0; i < kRandom; ++i) {
     if (i % kOneCommand == 0)
-      command.walk = {random.uniform(-30.0, 42.0), random.uniform(-20.0, 20.0),
-                      random.uniform(-3.8, 3.8)};
-    body.step(command);
-    if (body.fallen()) return true;
+      command.walk = {random.uniform(-45.0, 60.0), random.uniform(-35.0, 35.0),
+                      random.uniform(-4.5, 4.5)};
+    walker.step(command);
+    if (walker.fallen()) return true;
   }
   return false;
 }
 
+Model walkModel(const sim::PhysicsParams& physics, std::uint64_t seed) {
+  const actuator::ActuatorParams params;
+  PhysicalWalker walker(physics, params, seed);
+  Model model;
+  walkDirections(walker, model);
+  turnRound(walker, model);
+  model.fast = wayOf(legOf(walker, {kAll, 0.0, 0.0, 0.0, WalkKind::fast}).real) /
+               (kMeasured * kMessageSeconds);
+  walkWeakly(physics, seed, model);
+  model.fell = fallsIn(walker, seed);
+  return model;
+}
+
+// The mean over all models; and the least share that one of them does of it.
+double meanOf(const std::vector<Model>& models, double (*speed)(const Model&), double& worst) {
+  Values speeds;
+  for (const Model& model : models) speeds.push_back(speed(model));
+  const double all = mean(speeds);
+  worst = std::min(worst, percentile(speeds, 0.0) / std::max(all, 1e-3));
+  return all;
+}
+
 Expected<Json> walk(const Request& request) {
+  const std::vector<Model> models = onModels<Model>(request, walkModel);
+  double worst = 1.0;
   Json json;
-  double worstShare = 1.0;
-  double odometry = 0.0;
-  for (const Direction& direction : kDirections) {
+  json["forward_cm_s"] = meanOf(
+      models, [](const Model& m) { return m.speed[0]; }, worst);
+  json["back_cm_s"] = meanOf(
+      models, [](const Model& m) { return m.speed[12]; }, worst);
+  json["side_cm_s"] = meanOf(
+      models, [](const Model& m) { return 0.5 * (m.speed[6] + m.speed[18]); }, worst);
+  json["turn_deg_s"] = meanOf(
+      models, [](const Model& m) { return m.turn; }, worst);
+  json["fast_cm_s"] = meanOf(
+      models, [](const Model& m) { return m.fast; }, worst);
+  Json weak;
+  const std::array<const char*, 4> names{"forward_cm_s", "back_cm_s", "side_cm_s", "turn_deg_s"};
+  for (std::size_t i = 0; i < names.size(); ++i) {
     Values speeds;
-    Values errors;
-    for (int i = 0; i < request.trials; ++i) {
-      const Speeds speed =
-          speedsOf(direction.request, request.seed + static_cast<std::uint64_t>(i));
-      speeds.push_back(speed.walked);
-      errors.push_back(100.0 * std::fabs(speed.reported / std::max(speed.walked, 1.0) - 1.0));
-    }
-    json[direction.key] = mean(speeds);
-    json[std::string("least_") + direction.key] = percentile(speeds, 0.0);
-    worstShare = std::min(worstShare, percentile(speeds, 0.0) / mean(speeds));
-    json[std::string("odometry_pct_of_") + direction.key] = mean(errors);
-    odometry = std::max(odometry, mean(errors));
+    for (const Model& model : models) speeds.push_back(model.weak[i]);
+    weak[names[i]] = mean(speeds);
   }
+  Values slowest;
+  for (std::size_t d = 0; d < kDirections; ++d) {
+    Values speeds;
+    for (const Model& model : models) speeds.push_back(model.speed[d]);
+    slowest.push_back(mean(speeds));
+    worst = std::min(worst, percentile(speeds, 0.0) / mean(speeds));
+  }
+  Values ways;
+  Values turns;
+  Values bends;
   int falls = 0;
-  for (int i = 0; i < request.trials; ++i)
-    falls += fallsIn(request.seed + static_cast<std::uint64_t>(i)) ? 1 : 0;
-  json["worst_share"] = worstShare;
-  json["odometry_pct"] = odometry;
+  for (const Model& model : models) {
+    append(model.wayErrors, ways);
+    append(model.turnErrors, turns);
+    append(model.bends, bends);
+    falls += model.fell ? 1 : 0;
+  }
+  json["slowest_direction_cm_s"] = percentile(slowest, 0.0);
+  json["worst_share"] = worst;
+  json["weak"] = weak;
+  json["odometry_pct"] = mean(ways);
+  json["odometry_worst_pct"] = percentile(ways, 1.0);
+  json["odometry_turn_deg"] = mean(turns);
+  json["bend_deg_m"] = mean(bends);
+  json["bend_worst_deg_m"] = percentile(bends, 1.0);
   json["falls"] = falls;
   return json;
 }
