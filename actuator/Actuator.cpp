@@ -153,6 +153,8 @@ MotionOutput step(const MotionInput& in, const ActuatorParams& params, ActuatorS
   MotionOutput out;
   stepGain(in.batteryCurrent, params.gain, state.gain);
   recordEffort(in, walking(params, state), state.effort);
+  const Feeling feeling =
+      feel(in, state.walk, walking(params, state), params.feeling, state.feeling);
   for (JointFrame& frame : out.joints) {
     tick(in.command, params, state);
     frame = {state.target, in.command.leds, in.command.ears};
@@ -160,6 +162,7 @@ MotionOutput step(const MotionInput& in, const ActuatorParams& params, ActuatorS
   out.odometry = odometry(in, params.odometry, state.odometry);
   out.stance = state.stance;
   out.status = status(params, state);
+  out.status.feeling = feeling;
   return out;
 }
 

@@ -2,6 +2,7 @@
 // What can be tuned in the actuator. Walks and motions are data of their own (actuator/data).
 #pragma once
 
+#include "actuator/FeelingParams.h"
 #include "actuator/MotionData.h"
 #include "actuator/WalkSet.h"
 
@@ -50,6 +51,7 @@ struct ActuatorParams {
   Motions motions = standardMotions();
   OdometryParams odometry;
   GainParams gain;
+  FeelingParams feeling;
   double rampSeconds = 1.0;          // from the sensed pose to the stance
   double mixSeconds = 0.3;           // from one walk to another
   Angle walkSlew = Angle::deg(4.0);  // per tick, legs while walking (facts-2005 section 6.4)
@@ -59,6 +61,7 @@ struct ActuatorParams {
     using P = ActuatorParams;
     return fieldList(field("walks", &P::walks), field("motions", &P::motions),
                      field("odometry", &P::odometry), field("gain", &P::gain),
+                     field("feeling", &P::feeling),
                      field("rampSeconds", &P::rampSeconds, "s", 0.2, 10),
                      field("mixSeconds", &P::mixSeconds, "s", 0.01, 10),
                      field("walkSlew", &P::walkSlew, "rad", 0.5, 20),

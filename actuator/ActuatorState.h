@@ -4,6 +4,7 @@
 #pragma once
 
 #include "actuator/Effort.h"
+#include "actuator/Feeling.h"
 #include "actuator/MotionPlayer.h"
 #include "actuator/Odometry.h"
 #include "actuator/Walk.h"
@@ -28,6 +29,7 @@ struct ActuatorState {
   MotionState motion;
   EffortState effort;
   GainState gain;
+  FeelingState feeling;
   OdometryState odometry;
 };
 

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+// What can be tuned in what the body feels (Falls.h, Feeling.h).
+#pragma once
+
+#include <cstdint>
+
+#include "robot/core/Fields.h"
+
+namespace kelpie::actuator {
+
+// Rest poses of the physical body (physics.md section 6), forward, left and up: on the left side
+// (0, -900, -400), on the back (510, 0, -840) cm/s2. A walk of 35 cm/s keeps its low passed upward
+// part between 930 and 1060 (section 5), so that a lean of 60 deg is far from any walk.
+struct FallParams {
+  double filterTicks = 20.0;    // of the low pass
+  double fallenBelow = 490.0;   // upward part below which a robot lies
+  double uprightAbove = 700.0;  // and above which it has got up: 45 deg
+  std::uint32_t messages = 5;   // that must agree (facts-2005 section 6.4)
+
+  static constexpr auto fields() {
+    using P = FallParams;
+    return fieldList(field("filterTicks", &P::filterTicks, "", 1, 200),
+                     field("fallenBelow", &P::fallenBelow, "cm/s2", -900, 900),
+                     field("uprightAbove", &P::uprightAbove, "cm/s2", -900, 950),
+                     field("messages", &P::messages, "", 1, 100));
+  }
+};
+
+// What load a walk shows on free ground, for the speed of its feet. It is below none: a walk brings
+// about a little more than the weight, the gears and the model of the legs explain. Fitted by
+// `kelpie evaluate stuck-physical`, which tells it for the walks of today.
+struct FreeLoad {
+  double forward = -0.0003;  // for a cm/s
+  double back = -0.0005;     // for a cm/s
+  double left = -0.0007;     // for a cm/s, to either side
+  double turn = -0.015;      // for a rad/s, to either side
+
+  static constexpr auto fields() {
+    using P = FreeLoad;
+    return fieldList(field("forward", &P::forward, "", -0.1, 0.1),
+                     field("back", &P::back, "", -0.1, 0.1), field("left", &P::left, "", -0.1, 0.1),
+                     field("turn", &P::turn, "", -1, 1));
+  }
+};
+
+// On free ground the load is within 0.03 for 99 % of the time, held it is 0.045 to 0.13.
+struct FeelingParams {
+  FallParams falls;
+  FreeLoad free;
+  double noLoad = 7.5;            // rad/s of a joint without load (docs/body.md)
+  double weight = 0.162;          // of the robot over a joint's greatest torque, 1/cm: 16 N, 1 N m
+  double lever = 10.0;            // cm from the middle to the feet, by which a turn counts
+  double legLength = 10.0;        // cm, by which a push is a share of the rotators' currents
+  double leastSpeed = 4.0;        // cm/s of the feet below which no load is told
+  std::uint32_t delayTicks = 10;  // from a command until the joints do it
+  double stuckLoad = 0.038;       // load above which something holds the robot
+  double freeLoad = 0.02;         // and below which it is free again
+  double stuckSeconds = 0.19;     // for which it must be above
+  double airborne = 0.6;          // share of the lift above which a foot is in the air
+  std::uint32_t pressTicks = 3;   // for which a paw must be pressed there
+  double blockedSeconds = 0.4;    // that it counts: 12 frames (facts-2005 section 6.4)
+
+  static constexpr auto fields() {
+    using P = FeelingParams;
+    return fieldList(
+        field("falls", &P::falls), field("free", &P::free),
+        field("noLoad", &P::noLoad, "rad/s", 1, 100), field("weight", &P::weight, "1/cm", 0, 10),
+        field("lever", &P::lever, "cm", 1, 100), field("legLength", &P::legLength, "cm", 1, 100),
+        field("leastSpeed", &P::leastSpeed, "cm/s", 0.1, 100),
+        field("delayTicks", &P::delayTicks, "", 0, 60), field("stuckLoad", &P::stuckLoad, "", 0, 1),
+        field("freeLoad", &P::freeLoad, "", 0, 1),
+        field("stuckSeconds", &P::stuckSeconds, "s", 0, 10),
+        field("airborne", &P::airborne, "", 0, 1), field("pressTicks", &P::pressTicks, "", 1, 30),
+        field("blockedSeconds", &P::blockedSeconds, "s", 0, 10));
+  }
+};
+
+}  // namespace kelpie::actuator
