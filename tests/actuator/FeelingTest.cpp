@@ -152,13 +152,16 @@ TEST_F(Feels, ThatItIsHeldWithinSevenTenthsOfASecondAndFreeWithinASecond) {
   EXPECT_FALSE(feeling().stuck);
 }
 
-TEST_F(Feels, NotHeldByOneBlow) {
+TEST_F(Feels, HeldOnlyWhenTheLoadLasts) {
   walk(kAhead, {}, 60);
+  for (int i = 0; i < 10 && feeling().load < walker.params.feeling.stuckLoad; ++i)
+    walk(kAhead, {0.0, -0.1, 0.0}, 1);
+  EXPECT_GT(feeling().load, walker.params.feeling.stuckLoad);
+  EXPECT_FALSE(feeling().stuck);
+  walk(kAhead, {0.0, -0.1, 0.0}, 4);
+  EXPECT_FALSE(feeling().stuck);
   walk(kAhead, {0.0, -0.1, 0.0}, 1);
-  for (int i = 0; i < 20; ++i) {
-    walk(kAhead, {}, 1);
-    EXPECT_FALSE(feeling().stuck);
-  }
+  EXPECT_TRUE(feeling().stuck);
 }
 
 TEST_F(Feels, NotHeldWhereItLies) {

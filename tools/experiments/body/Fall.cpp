@@ -82,20 +82,22 @@ Fallen watch(PhysicalWalker& walker) {
   return fallen;
 }
 
-// Thrown over: speed to that side and about the axis that lies across it, as by a foul.
+// Thrown over: speed to that side and a spin that lifts the feet, as by a foul. Not every throw
+// brings the robot down.
 void throwOver(FallSide side, std::uint64_t seed, PhysicalWalker& walker) {
   Random random(seed ^ 0xb10UL);
   sim::Engine& engine = walker.bodies().physics().engine();
   const int trunk = walker.bodies().physics().robot(0).trunk();
   mjtNum* v = engine.data().qvel + engine.model().jnt_dofadr[engine.model().body_jntadr[trunk]];
   const mjtNum* axes = engine.data().xmat + 9 * trunk;  // columns: right, ahead, up
-  const double push = random.uniform(1.4, 2.2);         // m/s
+  const double push = random.uniform(0.4, 0.7);         // m/s
   const double spin = random.uniform(6.0, 9.0);         // rad/s
+  constexpr double kHop = 0.5;                          // m/s upwards
   const bool aside = side == FallSide::left || side == FallSide::right;
   const double sign = side == FallSide::right || side == FallSide::front ? 1.0 : -1.0;
   const int along = aside ? 0 : 1;
-  for (int k = 0; k < 3; ++k) v[k] += 0.3 * sign * push * axes[3 * k + along];
-  v[2] += 0.5;
+  for (int k = 0; k < 3; ++k) v[k] += sign * push * axes[3 * k + along];
+  v[2] += kHop;
   v[3 + (aside ? 1 : 0)] += (aside ? sign : -sign) * spin;
 }
 
@@ -137,7 +139,9 @@ Expected<Json> falls(const Request& request) {
   Share found;
   Share wrong;
   Share thrownUp;
-  std::array<Share, kSides.size()> upright;
+  Share thrownLay;
+  std::array<Share, kSides.size()> upright;  // of those laid down
+  std::array<Share, kSides.size()> lay;
   Share all;
   Values seconds;
   int falseOnes = 0;
@@ -151,6 +155,8 @@ Expected<Json> falls(const Request& request) {
       if (one.lay) wrong.count(one.wrongSide);
       if (thrown) thrownUp.count(up);
       if (!thrown) upright[side].count(up);
+      if (!thrown) lay[side].count(one.lay);
+      if (thrown) thrownLay.count(one.lay);
       all.count(up);
       seconds.push_back(one.seconds);
     }
@@ -159,12 +165,14 @@ Expected<Json> falls(const Request& request) {
   Json json{{"found_rate", found.value()},
             {"upright_rate", all.value()},
             {"thrown_upright_rate", thrownUp.value()},
+            {"thrown_lay_rate", thrownLay.value()},
             {"seconds_p95", percentile(seconds, 0.95)},
             {"wrong_side_rate", wrong.value()},
             {"false_a_minute", falseOnes / (request.trials * kRandom * kMessageSeconds / 60.0)}};
   double least = 1.0;
   for (std::size_t i = 0; i < kSides.size(); ++i) {
     json[std::string(kNames[i]) + "_upright_rate"] = upright[i].value();
+    json[std::string(kNames[i]) + "_lay_rate"] = lay[i].value();
     least = std::min(least, upright[i].value());
   }
   json["least_upright_rate"] = least;
