@@ -90,20 +90,21 @@ StepSums sumsOf(std::uint32_t step, const FeelingParams& params, const FeelingSt
 }
 
 // Along the way that was commanded, a turn counted on its lever.
-double loadOf(const Push& resisted, const Velocity& feet, const FeelingParams& params) {
+double loadOf(const Push& resisted, const Velocity& feet, const FreeLoad& free,
+              const FeelingParams& params) {
   const double turn = params.lever * feet.turn;
   const double speed =
       std::sqrt(maths::square(feet.forward) + maths::square(feet.left) + maths::square(turn));
   if (speed < params.leastSpeed) return 0.0;
   const double against = resisted.forward * feet.forward + resisted.left * feet.left +
                          resisted.turn / params.lever * turn;
-  return -params.legLength / kLegCount * against / speed - freeLoad(feet, params.free);
+  return -params.legLength / kLegCount * against / speed - freeLoad(feet, free);
 }
 
 // 0 until enough was walked.
-void feelLoad(const GaitParams& gait, const FeelingParams& params, const FeelingState& state,
+void feelLoad(const WalkState& walk, const FeelingParams& params, const FeelingState& state,
               Feeling& feeling) {
-  const auto step = static_cast<std::uint32_t>(2.0 * gait.halfStepTicks + 0.5);
+  const auto step = static_cast<std::uint32_t>(2.0 * walk.set.gait.halfStepTicks + 0.5);
   const std::uint32_t all = step + params.delayTicks;
   if (step == 0 || state.ticks < all || all > state.felt.size()) return;
   const StepSums sums = sumsOf(step, params, state);
@@ -112,7 +113,8 @@ void feelLoad(const GaitParams& gait, const FeelingParams& params, const Feeling
   const Velocity feet{share * sums.feet.forward, share * sums.feet.left, share * sums.feet.turn};
   const Push resisted{share * sums.resisted.forward, share * sums.resisted.left,
                       share * sums.resisted.turn};
-  feeling.load = maths::clamp(loadOf(resisted, feet, params), -1.0, 1.0);
+  feeling.load =
+      maths::clamp(loadOf(resisted, feet, freeLoadOf(walk.kind, params.free), params), -1.0, 1.0);
 }
 
 bool stuck(double load, const FeelingParams& params, FeelingState& state) {
@@ -131,6 +133,18 @@ double freeLoad(const Velocity& feet, const FreeLoad& params) {
          params.turn * std::fabs(feet.turn);
 }
 
+const FreeLoad& freeLoadOf(WalkKind kind, const FreeLoads& loads) {
+  switch (kind) {
+    case WalkKind::fast: return loads.fast;
+    case WalkKind::turning: return loads.turning;
+    case WalkKind::dribble: return loads.dribble;
+    case WalkKind::back: return loads.back;
+    case WalkKind::low: return loads.low;
+    case WalkKind::weak: return loads.weak;
+    default: return loads.normal;
+  }
+}
+
 Feeling feel(const MotionInput& in, const WalkState& walk, bool walking,
              const FeelingParams& params, FeelingState& state) {
   stepFalls(in, params.falls, state.falls);
@@ -138,7 +152,7 @@ Feeling feel(const MotionInput& in, const WalkState& walk, bool walking,
   for (double& left : state.blockedSeconds) left = std::max(0.0, left - kMessageSeconds);
   for (const SensorFrame& tick : in.sensors) recordTick(tick, commanded, walking, params, state);
   Feeling feeling;
-  feelLoad(walk.set.gait, params, state, feeling);
+  feelLoad(walk, params, state, feeling);
   feeling.stuck = stuck(feeling.load, params, state);
   feeling.fallen = state.falls.fallen;
   for (std::size_t i = 0; i < feeling.pawBlocked.size(); ++i)

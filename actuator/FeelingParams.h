@@ -43,10 +43,29 @@ struct FreeLoad {
   }
 };
 
+// For each kind of walk. Those that were not fitted have the values of the first walk, whose feet
+// hardly leave the ground.
+struct FreeLoads {
+  FreeLoad normal;
+  FreeLoad fast{0.0004, -0.0001, 0.0005, 0.005};
+  FreeLoad turning = fast;
+  FreeLoad dribble = fast;
+  FreeLoad back = fast;
+  FreeLoad low = fast;
+  FreeLoad weak = fast;
+
+  static constexpr auto fields() {
+    using P = FreeLoads;
+    return fieldList(field("normal", &P::normal), field("fast", &P::fast),
+                     field("turning", &P::turning), field("dribble", &P::dribble),
+                     field("back", &P::back), field("low", &P::low), field("weak", &P::weak));
+  }
+};
+
 // On free ground the load is within 0.03 for 99 % of the time, held it is 0.045 to 0.13.
 struct FeelingParams {
   FallParams falls;
-  FreeLoad free;
+  FreeLoads free;
   double noLoad = 7.5;            // rad/s of a joint without load (docs/body.md)
   double weight = 0.162;          // of the robot over a joint's greatest torque, 1/cm: 16 N, 1 N m
   double lever = 10.0;            // cm from the middle to the feet, by which a turn counts

@@ -143,7 +143,7 @@ class LoadFit {
 
 actuator::FreeLoad fitted(const Request& request) {
   actuator::ActuatorParams params;
-  params.feeling.free = {0.0, 0.0, 0.0, 0.0};
+  params.feeling.free.normal = {0.0, 0.0, 0.0, 0.0};
   LoadFit fit;
   for (int trial = 0; trial < request.trials; ++trial) {
     const std::uint64_t seed = trialOf(request, trial).seed + kOthers;
