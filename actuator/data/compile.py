@@ -2,17 +2,17 @@
 # SPDX-License-Identifier: Apache-2.0
 """Writes the standard walks and motions as C++: compile.py WALKS MOTIONS OUT.cpp
 
-A walk's keys are those of WalkSet's fields, in the syntax of parameter files; a motion's are told in
-actuator/README.md. What is wrong in a file ends the build with `file: what`."""
+A walk's keys are those of WalkSet's fields, in the syntax of parameter files; a motion's are told
+in actuator/README.md. What is wrong in a file ends the build with `file: what`."""
 
 import re
 import sys
 import tomllib
 from pathlib import Path
 
-MOTIONS = ("none stand sit kick_forward hard_forward wedge head_swipe_left head_swipe_right upenn_left "
-           "upenn_right block block_left block_right grab grab_quick hold release get_up_front "
-           "get_up_back get_up_left get_up_right cheer").split()
+MOTIONS = ("none stand sit kick_forward hard_forward wedge head_swipe_left head_swipe_right "
+           "upenn_left upenn_right block block_left block_right grab grab_quick hold release "
+           "get_up_front get_up_back get_up_left get_up_right cheer").split()
 LEGS = ["left_front", "left_hind", "right_front", "right_hind"]
 MOTION_KEYS = {"about", "slew", "at_once", "return_ticks", "way", "frame"}
 FRAME_KEYS = {"ticks", "interpolate", "head", "mouth", "legs", "walk", "forward", "left", "turn",
@@ -100,7 +100,8 @@ def motion(name, table):
     yield f"motion.returnTicks = {int(table.get('return_ticks', 30))};"
     way = table.get("way", {})
     check_keys(way, {"forward", "left", "turn"})
-    yield f"motion.forward = {float(way.get('forward', 0))}; motion.left = {float(way.get('left', 0))};"
+    yield f"motion.forward = {float(way.get('forward', 0))};"
+    yield f"motion.left = {float(way.get('left', 0))};"
     yield f"motion.turn = {degrees(way.get('turn', 0))};"
     for frame in table["frame"]:
         yield from key_frame(frame)

@@ -33,7 +33,7 @@ struct WalkRequest {
   }
 };
 
-// What a HeadRequest names: three joints, the direction of the camera's axis, or a point to look at.
+// What a HeadRequest names: three joints, the direction of the camera's axis, or a point.
 enum class HeadAim : std::uint8_t { joints, direction, point };
 constexpr std::uint8_t kHeadAimCount = 3;
 

@@ -91,8 +91,10 @@ TEST(Resistance, AShovedRobotMovesAndTurnsByThat) {
 }
 
 TEST(Resistance, WeakLegsTurnAboutHalfAsFar) {
-  WalkingBody strong(9);
-  WalkingBody weak(9);
+  actuator::ActuatorParams alike;  // the same feet, weak or not
+  alike.walks.weak = alike.walks.normal;
+  WalkingBody strong(9, alike);
+  WalkingBody weak(9, alike);
   weak.wearOut();
   Command turn;
   turn.walk.turn = 1.2;

@@ -14,6 +14,7 @@ namespace {
 // A body that follows its targets at once and does not slip.
 RobotParams ideal() {
   RobotParams params;
+  params.ground = GroundParams::plain();
   params.lagTicks = 0.0;
   params.headRate = params.legRate = 1000.0;
   params.jointNoiseSd = params.slipMean = params.slipSd = params.driftSd = 0.0;

@@ -41,7 +41,7 @@ int calibrateFast(std::uint64_t seed, int models, int speeds) {
                                           seed + samples.size());
     samples.insert(samples.end(), more.begin(), more.end());
   }
-  const auto before = learn::kinematicSpeeds(samples, {}, seed);
+  const auto before = learn::kinematicSpeeds(samples, sim::GroundParams::plain(), seed);
   const sim::GroundParams ground = learn::fitGround(samples, before);
   const auto after = learn::kinematicSpeeds(samples, ground, seed);
   fmt::print(

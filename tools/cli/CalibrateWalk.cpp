@@ -31,8 +31,8 @@ gears), in four directions and by random commands; what is fast on one model alo
 Afterwards the set's speeds are measured and its calibration fitted, and it is judged on five models
 that the search has not seen.
 
-KIND is normal, fast, turning, dribble, back, low or weak. The search begins at that walk as it is, or
-as the parameter file of --start has it. With --journal a search that was broken off goes on.
+KIND is normal, fast, turning, dribble, back, low or weak. The search begins at that walk as it is,
+or as the parameter file of --start has it. With --journal a search that was broken off goes on.
 
   kelpie calibrate walk normal --out actuator/data/walks/normal.toml --journal walk.journal
   kelpie calibrate walk fast --trials 1000 --seed 2 --out fast.toml --picture gain.png

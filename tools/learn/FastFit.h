@@ -13,7 +13,7 @@ std::vector<actuator::Velocity> kinematicSpeeds(const std::vector<SpeedSample>& 
                                                 const sim::GroundParams& ground,
                                                 std::uint64_t seed);
 
-// `walked`: on plain ground (GroundParams{}).
+// `walked`: on plain ground.
 sim::GroundParams fitGround(const std::vector<SpeedSample>& samples,
                             const std::vector<actuator::Velocity>& walked);
 

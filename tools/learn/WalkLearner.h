@@ -13,7 +13,7 @@ namespace kelpie::learn {
 struct WalkAim {
   std::array<double, kWalkWays> speed{40.0, 32.0, 28.0, 3.4};  // cm/s, rad/s
   std::array<double, kWalkWays> weight{1.0, 1.0, 1.0, 1.0};
-  // What makes a walk hard to foretell: speeds that differ from model to model, half the stroke that
+  // What makes a walk hard to predict: speeds that differ from model to model, half the stroke that
   // is not half the speed, straight walks that bend.
   double spreadCosts = 1.5;  // a share of the speed
   double unevenCosts = 0.5;  // so

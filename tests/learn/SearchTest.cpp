@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/learn/Search.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+
+namespace kelpie::learn {
+namespace {
+
+const SearchSpace kSpace{{"x", "y"}, {-5.0, -5.0}, {5.0, 5.0}, {4.0, 4.0}};
+
+double hill(const std::vector<double>& p) {
+  return -(p[0] - 1.0) * (p[0] - 1.0) - (p[1] + 2.0) * (p[1] + 2.0);
+}
+
+void nothing(int, double) {}
+
+class JournalFile {
+ public:
+  JournalFile() : path_(std::filesystem::temp_directory_path() / "kelpie_search_test.journal") {
+    std::filesystem::remove(path_);
+  }
+  ~JournalFile() { std::filesystem::remove(path_); }
+  std::string path() const { return path_.string(); }
+
+ private:
+  std::filesystem::path path_;
+};
+
+SearchPlan planOf(int trials, const std::string& journal = "") {
+  SearchPlan plan;
+  plan.trials = trials;
+  plan.population = 20;
+  plan.seed = 3;
+  plan.journal = journal;
+  return plan;
+}
+
+TEST(Search, FindsTheTopOfAHill) {
+  const auto found = search(kSpace, planOf(600), hill, nothing);
+  ASSERT_TRUE(found.ok());
+  EXPECT_NEAR(found->best[0], 1.0, 0.05);
+  EXPECT_NEAR(found->best[1], -2.0, 0.05);
+}
+
+TEST(Search, GoesOnWhereItWasBrokenOff) {
+  const JournalFile journal;
+  ASSERT_TRUE(search(kSpace, planOf(60, journal.path()), hill, nothing).ok());
+  int asked = 0;
+  const auto again = search(
+      kSpace, planOf(100, journal.path()),
+      [&](const std::vector<double>& p) {
+        ++asked;
+        return hill(p);
+      },
+      nothing);
+  const auto whole = search(kSpace, planOf(100), hill, nothing);
+  ASSERT_TRUE(again.ok() && whole.ok());
+  EXPECT_EQ(again->best, whole->best);
+  EXPECT_GE(again->replayed, 60);
+  EXPECT_LE(asked, 45);
+}
+
+TEST(Search, ALineThatWasCutOffIsTriedAgain) {
+  const JournalFile journal;
+  ASSERT_TRUE(search(kSpace, planOf(40, journal.path()), hill, nothing).ok());
+  std::ofstream(journal.path(), std::ios::app) << "0x1p+0 0x1.8";
+  const auto again = search(kSpace, planOf(60, journal.path()), hill, nothing);
+  ASSERT_TRUE(again.ok());
+  EXPECT_EQ(again->best, search(kSpace, planOf(60), hill, nothing)->best);
+}
+
+TEST(Search, AJournalOfAnotherSearchIsRefused) {
+  const JournalFile journal;
+  ASSERT_TRUE(search(kSpace, planOf(30, journal.path()), hill, nothing).ok());
+  SearchPlan other = planOf(30, journal.path());
+  other.seed = 4;
+  const auto refused = search(kSpace, other, hill, nothing);
+  ASSERT_FALSE(refused.ok());
+  EXPECT_NE(refused.error().find("another search"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace kelpie::learn

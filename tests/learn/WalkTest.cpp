@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "actuator/WalkSpeed.h"
+#include "robot/core/ParameterFile.h"
+#include "robot/core/Random.h"
+#include "tools/learn/WalkFile.h"
+#include "tools/learn/WalkFit.h"
+#include "tools/learn/WalkLearner.h"
+
+namespace kelpie::learn {
+namespace {
+
+using actuator::Velocity;
+
+TEST(WalkFile, IsAParameterFileThatGivesTheSetBack) {
+  const actuator::WalkSet& set = actuator::standardWalks().normal;
+  const auto path = std::filesystem::temp_directory_path() / "kelpie_walk_test.toml";
+  std::ofstream(path) << walkText(WalkKind::low, set, "a walk\nof two lines");
+  actuator::ActuatorParams params;
+  ParameterSet parameters;
+  parameters.add("actuator", params);
+  const Status read = parameters.overlay(path.string());
+  std::filesystem::remove(path);
+  ASSERT_TRUE(read) << read.error();
+  EXPECT_NEAR(params.walks.low.gait.hindLift, set.gait.hindLift, 1e-5);
+  EXPECT_NEAR(params.walks.low.stance.bodyTilt.deg(), set.stance.bodyTilt.deg(), 1e-3);
+  EXPECT_NEAR(params.walks.low.odometry.commanded.left.scale, set.odometry.commanded.left.scale,
+              1e-5);
+}
+
+// Half of what the body does is told by joints that are right.
+TEST(WalkFit, FindsTheCurvesAndSharesThatMadeTheSamples) {
+  actuator::WalkCalibration c;
+  c.forward = {0.9, 0.002};
+  c.back = {0.8, 0.0};
+  c.left = {1.1, -0.004};
+  c.turn = {1.3, 0.05};
+  c.leftPerTurn = {3.0, -0.5};
+  c.turnPerLeft = {-0.01, 0.0};
+  c.turnPerForwardLeft = 2e-4;
+  Random random(4);
+  std::vector<SpeedSample> samples;
+  for (int i = 0; i < 200; ++i) {
+    const Velocity feet{random.uniform(-30, 35), random.uniform(-30, 30), random.uniform(-2, 2)};
+    const Velocity joints{random.uniform(-30, 30), random.uniform(-30, 30), random.uniform(-2, 2)};
+    Velocity real = realSpeed(feet, c);
+    real = {real.forward + 0.5 * joints.forward, real.left + 0.25 * joints.left, real.turn};
+    samples.push_back({feet, real, joints});
+  }
+  const actuator::WalkOdometry fitted = fitOdometry(samples);
+  EXPECT_NEAR(fitted.joints, 0.5, 1e-9);
+  EXPECT_NEAR(fitted.jointsLeft, 0.25, 1e-9);
+  EXPECT_NEAR(fitted.jointsTurn, 0.0, 1e-9);
+  EXPECT_NEAR(fitted.commanded.forward.bend, 0.002, 1e-9);
+  EXPECT_NEAR(fitted.commanded.leftPerTurn.bend, -0.5, 1e-9);
+  EXPECT_NEAR(fitted.commanded.turnPerForwardLeft, 2e-4, 1e-9);
+}
+
+TEST(Gain, OfAWalkThatFallsOrDiffersBetweenModelsIsLess) {
+  WalkTrial good;
+  good.speed = {40.0, 32.0, 28.0, 3.4};
+  good.half = {20.0, 16.0, 14.0, 1.7};
+  WalkTrial slower = good;
+  slower.speed[0] = slower.half[0] = 10.0;
+  WalkTrial fallen = good;
+  fallen.fell = true;
+  const double best = gainOf({good, good}, {});
+  EXPECT_NEAR(best, 4.0, 1e-9);
+  EXPECT_LT(gainOf({good, slower}, {}), best - 0.5);
+  EXPECT_LT(gainOf({good, fallen}, {}), best - 0.9);
+}
+
+// A model that no search has seen (docs/body.md tells the figures of five).
+TEST(NormalWalk, WalksInEachDirectionAndTellsHowFar) {
+  const actuator::ActuatorParams params;
+  PhysicalWalker walker(variedModels(654321, 1, 0.002)[0], params, 8);
+  const std::array<WalkRequest, 3> ways{{{30, 0, 0}, {-20, 0, 0}, {0, 20, 0}}};
+  for (const WalkRequest& way : ways) {
+    Command command;
+    command.walk = way;
+    for (int i = 0; i < 40; ++i) walker.step(command);
+    Walked real;
+    Walked told;
+    for (int i = 0; i < 60; ++i) {
+      real += walkOn(walker, command);
+      const Odometry& odometry = walker.output().odometry;
+      told += {odometry.forward, odometry.left, odometry.turn.rad()};
+    }
+    const double seconds = 60 * 0.032;
+    EXPECT_NEAR(real.forward / seconds, way.forward, 0.25 * std::fabs(way.forward) + 4.0);
+    EXPECT_NEAR(real.left / seconds, way.left, 0.25 * std::fabs(way.left) + 4.0);
+    EXPECT_NEAR(told.forward, real.forward, 0.12 * std::fabs(real.forward) + 3.0);
+    EXPECT_NEAR(told.left, real.left, 0.12 * std::fabs(real.left) + 3.0);
+  }
+  EXPECT_FALSE(walker.fallen());
+}
+
+}  // namespace
+}  // namespace kelpie::learn
