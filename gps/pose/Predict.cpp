@@ -16,6 +16,15 @@ Angle directionOfStep(const Pose2& pose, const Odometry& odometry) {
   return Angle::rad(pose.heading.rad() + 0.5 * odometry.turn.rad());
 }
 
+// Told at all, and what one frame of walking or kicking can be wrong by.
+bool likely(const OdometryVariance& told) {
+  constexpr double kMostSquare = 100.0;  // cm2
+  constexpr double kMostTurn = 0.1;      // rad2
+  const auto within = [](double value, double most) { return value >= 0.0 && value <= most; };
+  return within(told.forward, kMostSquare) && within(told.left, kMostSquare) &&
+         within(told.turn, kMostTurn) && told.forward + told.left + told.turn > 0.0;
+}
+
 }  // namespace
 
 double elapsedOf(const FrameInput& input) {
@@ -31,7 +40,7 @@ bool plausible(const Odometry& odometry) {
 
 StepNoise stepNoise(const Odometry& odometry, double elapsed, const MotionNoise& noise) {
   const OdometryVariance& told = odometry.variance;
-  if (told.forward > 0.0 || told.left > 0.0 || told.turn > 0.0) {
+  if (likely(told)) {
     const double pushes = noise.positionPerSecond * elapsed;
     return {told.forward + pushes, told.left + pushes, told.turn + noise.turnPerSecond * elapsed};
   }
