@@ -9,8 +9,8 @@ Odometry sinceExposure(const FrameInput& input) {
   const double elapsed = elapsedOf(input);
   if (!(elapsed > 0.0) || !plausible(input.odometry)) return {};
   const double share = maths::clamp(input.imageLag.seconds / elapsed, 0.0, 2.0);
-  return {share * input.odometry.forward, share * input.odometry.left,
-          input.odometry.turn * share, {}};
+  return {
+      share * input.odometry.forward, share * input.odometry.left, input.odometry.turn * share, {}};
 }
 
 void bringForward(const Odometry& step, WorldModel& world) {

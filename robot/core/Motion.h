@@ -115,8 +115,8 @@ struct Feeling {
   double load = 0.0;     // that current beyond what the same walk takes on free ground
   bool stuck = false;
   FallSide fallen = FallSide::none;
-  bool ballHeld = false;                // between chin, chest and forelegs
-  std::array<bool, 2> pawBlocked{};     // left and right front paw pressed in the air
+  bool ballHeld = false;             // between chin, chest and forelegs
+  std::array<bool, 2> pawBlocked{};  // left and right front paw pressed in the air
 
   static constexpr auto fields() {
     return fieldList(field("current", &Feeling::current, "", 0, 1),
@@ -138,12 +138,11 @@ struct MotionStatus {
   Feeling feeling;
 
   static constexpr auto fields() {
-    return fieldList(field("running", &MotionStatus::running, "", 0, kMotionKindCount - 1),
-                     field("secondsLeft", &MotionStatus::secondsLeft, "s", 0, 10),
-                     field("ready", &MotionStatus::ready),
-                     field("effort", &MotionStatus::effort, "", 0, 1),
-                     field("lowGain", &MotionStatus::lowGain),
-                     field("feeling", &MotionStatus::feeling));
+    return fieldList(
+        field("running", &MotionStatus::running, "", 0, kMotionKindCount - 1),
+        field("secondsLeft", &MotionStatus::secondsLeft, "s", 0, 10),
+        field("ready", &MotionStatus::ready), field("effort", &MotionStatus::effort, "", 0, 1),
+        field("lowGain", &MotionStatus::lowGain), field("feeling", &MotionStatus::feeling));
   }
 };
 

@@ -41,8 +41,8 @@ struct WeakLegParams {
 
 // What becomes on carpet of the way that standing feet walk, so that a kinematic robot goes as a
 // physical one does: shares of each direction, and what turning moves it aside, stepping aside
-// turns it. Fitted by `kelpie calibrate fast --seed 11 --models 3 --speeds 40`: ways then differ by 7 %, on
-// plain ground by 18 %.
+// turns it. Fitted by `kelpie calibrate fast --seed 11 --models 3 --speeds 40`: ways then differ by
+// 7 %, on plain ground by 18 %.
 struct GroundParams {
   double forward = 1.058;
   double back = 1.227;
