@@ -20,9 +20,7 @@ void mix(const S& from, double share, S& to) {
     const Member& old = from.*(f.member);
     if constexpr (HasFields<Member>::value) {
       mix(old, share, member);
-    } else if constexpr (std::is_same_v<Member, Angle>) {
-      member = old + (member - old) * share;
-    } else if constexpr (std::is_floating_point_v<Member>) {
+    } else if constexpr (!std::is_enum_v<Member>) {
       member = old + (member - old) * share;
     }
   });

@@ -12,8 +12,8 @@ namespace kelpie::gps {
 // own: what duty its motors show depends on their wear and on the carpet.
 struct StuckParams {
   bool use = true;
-  double freeEffort = 0.09;          // of walking freely and slowly,
-  double effortPerSpeed = 0.0033;    // s/cm, more for each cm/s of the feet
+  double freeEffort = 0.196;         // of walking freely and slowly,
+  double effortPerSpeed = 0.0016;    // s/cm, more for each cm/s of the feet
   double sidewaysFactor = 1.3;       // cm/s forward that cost as much as 1 sideways
   double turnLever = 13.0;           // cm: the same for 1 rad/s
   double margin = 0.02;              // q0 is that much above the effort of walking freely

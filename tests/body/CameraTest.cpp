@@ -65,8 +65,8 @@ TEST(Camera, AxesAreOrthonormalAndRightHanded) {
   Random random(21);
   for (int i = 0; i < 200; ++i) {
     const auto a = randomPose(random).axes;
-    for (int c = 0; c < 3; ++c)
-      for (int d = 0; d < 3; ++d)
+    for (std::size_t c = 0; c < 3; ++c)
+      for (std::size_t d = 0; d < 3; ++d)
         ASSERT_NEAR(a[c] * a[d] + a[3 + c] * a[3 + d] + a[6 + c] * a[6 + d], c == d, 1e-12);
     ASSERT_NEAR(a[3] * a[7] - a[6] * a[4], a[2], 1e-12);
   }

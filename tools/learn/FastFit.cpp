@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "robot/core/Random.h"
 #include "tools/sim/WalkingBody.h"
 
 namespace kelpie::learn {
@@ -14,20 +15,39 @@ constexpr int kStart = 36;     // messages until the speed is even
 constexpr int kMeasured = 40;  // 1.3 s: it must not come to a wall
 constexpr double kSeconds = kMeasured * kTicksPerMessage * kTickSeconds;
 
-Velocity walkedBy(sim::WalkingBody& body, const Velocity& feet) {
+// A direction alone, or all at once.
+WalkRequest drawn(int number, Random& random) {
+  const double share = random.uniform(0.3, 1.0);
+  const double side = random.chance(0.5) ? share : -share;
+  switch (number % 6) {
+    case 0: return {share * 37.0, 0.0, 0.0};
+    case 1: return {-share * 40.0, 0.0, 0.0};
+    case 2: return {0.0, side * 30.0, 0.0};
+    case 3: return {0.0, 0.0, side * 3.5};
+    default:
+      return {random.uniform(-20.0, 25.0), random.uniform(-15.0, 15.0), random.uniform(-1.2, 1.2)};
+  }
+}
+
+Velocity plus(const Velocity& sum, double forward, double left, double turn) {
+  return {sum.forward + forward / kSeconds, sum.left + left / kSeconds, sum.turn + turn / kSeconds};
+}
+
+FastSample walkedBy(sim::WalkingBody& body, const WalkRequest& request) {
   Command command;
-  command.walk = {feet.forward, feet.left, feet.turn, 0.0, WalkKind::normal};
+  command.walk = request;
   (void)body.world().carry(0, {{180.0, 270.0}, Angle::deg(90.0)});
   for (int i = 0; i < kStart; ++i) body.step(command);
-  Velocity sum;
+  FastSample sample;
   for (int i = 0; i < kMeasured; ++i) {
     const Pose2 last = body.pose();
-    body.step(command);
+    const Odometry told = body.step(command).odometry;
     const Point2<Robot> moved = robotFromField(last, body.pose().position);
-    sum = {sum.forward + moved.y / kSeconds, sum.left - moved.x / kSeconds,
-           sum.turn + (body.pose().heading - last.heading).rad() / kSeconds};
+    sample.told = plus(sample.told, told.forward, told.left, told.turn.rad());
+    sample.walked =
+        plus(sample.walked, moved.y, -moved.x, (body.pose().heading - last.heading).rad());
   }
-  return sum;
+  return sample;
 }
 
 // Least squares of b = share * a.
@@ -59,30 +79,38 @@ struct TwoRatios {
 
 }  // namespace
 
-std::vector<Velocity> kinematicSpeeds(const std::vector<SpeedSample>& samples,
-                                      const sim::GroundParams& ground, std::uint64_t seed) {
-  actuator::ActuatorParams params;
-  params.walks.normal.calibration = {};
-  sim::WalkingBody body(seed, params, sim::BodyKind::fast, {}, ground);
-  std::vector<Velocity> walked;
-  for (const SpeedSample& sample : samples) walked.push_back(walkedBy(body, sample.feet));
-  return walked;
+std::vector<FastSample> sampleFast(const sim::GroundParams& ground, int count, std::uint64_t seed) {
+  sim::WalkingBody body(seed, {}, sim::BodyKind::fast, {}, ground);
+  Random random(seed);
+  std::vector<FastSample> samples;
+  for (int i = 0; i < count; ++i) samples.push_back(walkedBy(body, drawn(i, random)));
+  return samples;
 }
 
-sim::GroundParams fitGround(const std::vector<SpeedSample>& samples,
-                            const std::vector<Velocity>& walked) {
+sim::GroundParams fitGround(const std::vector<FastSample>& samples) {
   Ratio forward;
   Ratio back;
   TwoRatios left;
   TwoRatios turn;
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    const Velocity& real = samples[i].real;
-    const Velocity& by = walked[i];
-    (by.forward < 0.0 ? back : forward).add(by.forward, real.forward);
-    left.add(by.left, by.turn, real.left);
-    turn.add(by.turn, by.left, real.turn);
+  for (const auto& [walked, told] : samples) {
+    (walked.forward < 0.0 ? back : forward).add(walked.forward, told.forward);
+    left.add(walked.left, walked.turn, told.left);
+    turn.add(walked.turn, walked.left, told.turn);
   }
   return {forward.value(), back.value(), left.first(), turn.first(), left.second(), turn.second()};
+}
+
+FastError errorOf(const std::vector<FastSample>& samples) {
+  FastError sum;
+  double way = 0.0;
+  double turn = 0.0;
+  for (const auto& [walked, told] : samples) {
+    sum.way += std::hypot(walked.forward - told.forward, walked.left - told.left);
+    sum.turn += std::fabs(walked.turn - told.turn);
+    way += std::hypot(told.forward, told.left);
+    turn += std::fabs(told.turn);
+  }
+  return {100.0 * sum.way / way, 100.0 * sum.turn / turn};
 }
 
 }  // namespace kelpie::learn
