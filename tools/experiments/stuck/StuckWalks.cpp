@@ -205,7 +205,7 @@ Json effortCalibration(const Request& request) {
 
 Json weakTurns(const Request& request) {
   actuator::ActuatorParams one;
-  one.walks.weak.calibration = one.walks.normal.calibration;
+  one.walks.weak.odometry = {one.walks.normal.calibration, 0.0, 0.0, 0.0};
   return {{"turns", 10},
           {"two_sets_drift_percent", turned(request, {})},
           {"one_set_drift_percent", turned(request, one)}};
