@@ -155,6 +155,7 @@ MotionOutput step(const MotionInput& in, const ActuatorParams& params, ActuatorS
   recordEffort(in, walking(params, state), state.effort);
   const Feeling feeling =
       feel(in, state.walk, walking(params, state), params.feeling, state.feeling);
+  const bool held = stepHeldBall(in, state.target, params.feeling.heldBall, state.heldBall);
   for (JointFrame& frame : out.joints) {
     tick(in.command, params, state);
     frame = {state.target, in.command.leds, in.command.ears};
@@ -163,6 +164,7 @@ MotionOutput step(const MotionInput& in, const ActuatorParams& params, ActuatorS
   out.stance = state.stance;
   out.status = status(params, state);
   out.status.feeling = feeling;
+  out.status.feeling.ballHeld = held;
   return out;
 }
 

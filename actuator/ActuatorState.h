@@ -5,6 +5,7 @@
 
 #include "actuator/Effort.h"
 #include "actuator/Feeling.h"
+#include "actuator/HeldBall.h"
 #include "actuator/MotionPlayer.h"
 #include "actuator/Odometry.h"
 #include "actuator/Walk.h"
@@ -30,6 +31,7 @@ struct ActuatorState {
   EffortState effort;
   GainState gain;
   FeelingState feeling;
+  HeldBallState heldBall;
   OdometryState odometry;
 };
 

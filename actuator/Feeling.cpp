@@ -113,8 +113,7 @@ void feelLoad(const WalkState& walk, const FeelingParams& params, const FeelingS
   const Velocity feet{share * sums.feet.forward, share * sums.feet.left, share * sums.feet.turn};
   const Push resisted{share * sums.resisted.forward, share * sums.resisted.left,
                       share * sums.resisted.turn};
-  feeling.load =
-      maths::clamp(loadOf(resisted, feet, freeLoadOf(walk.kind, params.free), params), -1.0, 1.0);
+  feeling.load = maths::clamp(loadOf(resisted, feet, walk.set.freeLoad, params), -1.0, 1.0);
 }
 
 bool stuck(double load, const FeelingParams& params, FeelingState& state) {
@@ -131,18 +130,6 @@ double freeLoad(const Velocity& feet, const FreeLoad& params) {
   const double ahead = feet.forward < 0.0 ? -params.back : params.forward;
   return ahead * feet.forward + params.left * std::fabs(feet.left) +
          params.turn * std::fabs(feet.turn);
-}
-
-const FreeLoad& freeLoadOf(WalkKind kind, const FreeLoads& loads) {
-  switch (kind) {
-    case WalkKind::fast: return loads.fast;
-    case WalkKind::turning: return loads.turning;
-    case WalkKind::dribble: return loads.dribble;
-    case WalkKind::back: return loads.back;
-    case WalkKind::low: return loads.low;
-    case WalkKind::weak: return loads.weak;
-    default: return loads.normal;
-  }
 }
 
 Feeling feel(const MotionInput& in, const WalkState& walk, bool walking,

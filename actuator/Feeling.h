@@ -37,9 +37,6 @@ struct FeelingState {
 // What load a walk shows without anything in its way, its feet moving so.
 double freeLoad(const Velocity& feet, const FreeLoad& params);
 
-// A kind that there is not counts as normal.
-const FreeLoad& freeLoadOf(WalkKind kind, const FreeLoads& loads);
-
 // One message. `walk` as it was commanded until now; `walking`: the legs walk.
 Feeling feel(const MotionInput& in, const WalkState& walk, bool walking,
              const FeelingParams& params, FeelingState& state);

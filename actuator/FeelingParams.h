@@ -4,6 +4,7 @@
 
 #include <cstdint>
 
+#include "robot/core/Angle.h"
 #include "robot/core/Fields.h"
 
 namespace kelpie::actuator {
@@ -26,46 +27,30 @@ struct FallParams {
   }
 };
 
-// What load a walk shows on free ground, for the speed of its feet. It is below none: a walk brings
-// about a little more than the weight, the gears and the model of the legs explain. Fitted by
-// `kelpie evaluate stuck-physical`, which tells it for the walks of today.
-struct FreeLoad {
-  double forward = -0.0003;  // for a cm/s
-  double back = -0.0005;     // for a cm/s
-  double left = -0.0007;     // for a cm/s, to either side
-  double turn = -0.015;      // for a rad/s, to either side
+// A ball between chin, chest and forelegs, felt while the head is in the pose that holds one. With
+// the ball the neck stands 2 to 6 deg higher than without (physics.md section 10: error 1.8 to 3.0
+// and 4.4 deg): the empty head sags by its weight.
+struct HeldBallParams {
+  Angle neckBelow = Angle::deg(-45.0);   // a commanded neck lower than that,
+  Angle mouthBelow = Angle::deg(-40.0);  // and jaw further open, hold
+  std::uint32_t ticks = 27;              // of the window: 0.22 s
+  Angle sag = Angle::deg(3.2);           // of the empty neck, mean over the window, at least
+  double chest = 13.0;  // cm: a ball closer than the chest sensor can tell reads this or more
+                        // (facts-2005 section 6.4); empty it reads 10
 
   static constexpr auto fields() {
-    using P = FreeLoad;
-    return fieldList(field("forward", &P::forward, "", -0.1, 0.1),
-                     field("back", &P::back, "", -0.1, 0.1), field("left", &P::left, "", -0.1, 0.1),
-                     field("turn", &P::turn, "", -1, 1));
-  }
-};
-
-// For each kind of walk. Those that were not fitted have the values of the first walk, whose feet
-// hardly leave the ground.
-struct FreeLoads {
-  FreeLoad normal;
-  FreeLoad fast{0.0004, -0.0001, 0.0005, 0.005};
-  FreeLoad turning = fast;
-  FreeLoad dribble = fast;
-  FreeLoad back = fast;
-  FreeLoad low = fast;
-  FreeLoad weak = fast;
-
-  static constexpr auto fields() {
-    using P = FreeLoads;
-    return fieldList(field("normal", &P::normal), field("fast", &P::fast),
-                     field("turning", &P::turning), field("dribble", &P::dribble),
-                     field("back", &P::back), field("low", &P::low), field("weak", &P::weak));
+    using P = HeldBallParams;
+    return fieldList(field("neckBelow", &P::neckBelow, "rad", -75, 0),
+                     field("mouthBelow", &P::mouthBelow, "rad", -55, -3),
+                     field("ticks", &P::ticks, "", 1, 60), field("sag", &P::sag, "rad", -20, 20),
+                     field("chest", &P::chest, "cm", 0, 100));
   }
 };
 
 // On free ground the load is within 0.03 for 99 % of the time, held it is 0.045 to 0.13.
 struct FeelingParams {
   FallParams falls;
-  FreeLoads free;
+  HeldBallParams heldBall;
   double noLoad = 7.5;            // rad/s of a joint without load (docs/body.md)
   double weight = 0.162;          // of the robot over a joint's greatest torque, 1/cm: 16 N, 1 N m
   double lever = 10.0;            // cm from the middle to the feet, by which a turn counts
@@ -82,7 +67,7 @@ struct FeelingParams {
   static constexpr auto fields() {
     using P = FeelingParams;
     return fieldList(
-        field("falls", &P::falls), field("free", &P::free),
+        field("falls", &P::falls), field("heldBall", &P::heldBall),
         field("noLoad", &P::noLoad, "rad/s", 1, 100), field("weight", &P::weight, "1/cm", 0, 10),
         field("lever", &P::lever, "cm", 1, 100), field("legLength", &P::legLength, "cm", 1, 100),
         field("leastSpeed", &P::leastSpeed, "cm/s", 0.1, 100),

@@ -41,6 +41,22 @@ struct KeyFrame {
   }
 };
 
+// What a kick does with the ball, as its calibration measured it. Places from the neck base.
+struct KickEffect {
+  double ahead = 0.0;     // cm, where the ball lies as it begins
+  double left = 0.0;      // cm
+  double distance = 0.0;  // cm, how far it goes on the mean, until it lies still; 0: is no kick
+  Angle direction;        // left of straight ahead
+
+  static constexpr auto fields() {
+    using P = KickEffect;
+    return fieldList(field("ahead", &P::ahead, "cm", -30, 60),
+                     field("left", &P::left, "cm", -30, 30),
+                     field("distance", &P::distance, "cm", 0, 1000),
+                     field("direction", &P::direction, "rad", -180, 180));
+  }
+};
+
 struct MotionData {
   FixedVector<KeyFrame, 12> frames;
   Angle slew = Angle::deg(20.0);   // a tick at most, head and legs
@@ -50,6 +66,7 @@ struct MotionData {
   double forward = 0.0;  // cm
   double left = 0.0;     // cm
   Angle turn;
+  KickEffect kick;
 
   static constexpr auto fields() {
     using P = MotionData;
@@ -57,7 +74,7 @@ struct MotionData {
                      field("atOnce", &P::atOnce), field("returnTicks", &P::returnTicks, "", 0, 500),
                      field("forward", &P::forward, "cm", -100, 100),
                      field("left", &P::left, "cm", -100, 100),
-                     field("turn", &P::turn, "rad", -180, 180));
+                     field("turn", &P::turn, "rad", -180, 180), field("kick", &P::kick));
   }
 };
 

@@ -134,17 +134,36 @@ struct WalkOdometry {
   }
 };
 
+// What load (Feeling.h) the walk shows with nothing in its way, for the speed of its feet. It is
+// below none: a walk brings about a little more than the weight, the gears and the model of the
+// legs explain.
+struct FreeLoad {
+  double forward = 0.0;  // for a cm/s
+  double back = 0.0;     // for a cm/s
+  double left = 0.0;     // for a cm/s, to either side
+  double turn = 0.0;     // for a rad/s, to either side
+
+  static constexpr auto fields() {
+    using P = FreeLoad;
+    return fieldList(field("forward", &P::forward, "", -0.1, 0.1),
+                     field("back", &P::back, "", -0.1, 0.1), field("left", &P::left, "", -0.1, 0.1),
+                     field("turn", &P::turn, "", -1, 1));
+  }
+};
+
 struct WalkSet {
   StanceParams stance;
   GaitParams gait;
   StrokeLimits most;
   WalkCalibration calibration;
   WalkOdometry odometry;
+  FreeLoad freeLoad;
 
   static constexpr auto fields() {
     using P = WalkSet;
     return fieldList(field("stance", &P::stance), field("gait", &P::gait), field("most", &P::most),
-                     field("calibration", &P::calibration), field("odometry", &P::odometry));
+                     field("calibration", &P::calibration), field("odometry", &P::odometry),
+                     field("freeLoad", &P::freeLoad));
   }
 };
 

@@ -14,7 +14,7 @@ MOTIONS = ("none stand sit kick_forward hard_forward wedge head_swipe_left head_
            "upenn_left upenn_right block block_left block_right grab grab_quick hold release "
            "get_up_front get_up_back get_up_left get_up_right cheer").split()
 LEGS = ["left_front", "left_hind", "right_front", "right_hind"]
-MOTION_KEYS = {"about", "slew", "at_once", "return_ticks", "way", "frame"}
+MOTION_KEYS = {"about", "slew", "at_once", "return_ticks", "way", "kick", "frame"}
 FRAME_KEYS = {"ticks", "interpolate", "head", "mouth", "legs", "walk", "forward", "left", "turn",
               "front", "hind", *LEGS}
 
@@ -103,6 +103,11 @@ def motion(name, table):
     yield f"motion.forward = {float(way.get('forward', 0))};"
     yield f"motion.left = {float(way.get('left', 0))};"
     yield f"motion.turn = {degrees(way.get('turn', 0))};"
+    kick = table.get("kick", {})
+    check_keys(kick, {"ahead", "left", "distance", "direction"})
+    for key in ("ahead", "left", "distance"):
+        yield f"motion.kick.{key} = {float(kick.get(key, 0))};"
+    yield f"motion.kick.direction = {degrees(kick.get('direction', 0))};"
     for frame in table["frame"]:
         yield from key_frame(frame)
     yield "}"
@@ -111,6 +116,32 @@ def motion(name, table):
 def read(path):
     with open(path, "rb") as file:
         return tomllib.load(file)
+
+
+def other_side(frame):
+    """A key frame with left and right exchanged, the head turned to the other side."""
+    swapped = {key: value for key, value in frame.items() if key not in LEGS}
+    for key in set(LEGS) & set(frame):
+        side, leg = key.split("_")
+        swapped[{"left": "right", "right": "left"}[side] + "_" + leg] = frame[key]
+    if "head" in frame:
+        neck, pan, nod = frame["head"]
+        swapped["head"] = [neck, -pan, nod]
+    for key in set(frame) & {"left", "turn"}:
+        swapped[key] = -frame[key]
+    return swapped
+
+
+def read_motion(path):
+    table = read(path)
+    if "mirror" not in table:
+        return table
+    check_keys(table, {"mirror", "about"})
+    table = read(path.with_name(table["mirror"] + ".toml"))
+    for part in ("way", "kick"):
+        for key in set(table.get(part, {})) & {"left", "turn", "direction"}:
+            table[part][key] = -table[part][key]
+    return {**table, "frame": [other_side(frame) for frame in table["frame"]]}
 
 
 def program(walks, folder):
@@ -128,7 +159,7 @@ def program(walks, folder):
     found = [name for name in MOTIONS if (folder / f"{name}.toml").exists()]
     for name in found:
         try:
-            yield from motion(name, read(folder / f"{name}.toml"))
+            yield from motion(name, read_motion(folder / f"{name}.toml"))
         except (Wrong, KeyError) as wrong:
             raise SystemExit(f"{folder / name}.toml: {wrong}")
     yield "Motions motions() { Motions all;"

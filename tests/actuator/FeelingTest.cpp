@@ -52,7 +52,7 @@ class Feels : public ::testing::Test {
  protected:
   Feels() {
     walker.params.feeling.noLoad = 1e9;
-    walker.params.feeling.free.normal = {0.0, 0.0, 0.0, 0.0};
+    walker.params.walks.normal.freeLoad = {};
     walker.standUp();
   }
   // Walks with the feet pushing so, shares of a joint's torque for a cm, all four together.
@@ -129,7 +129,7 @@ TEST_F(Feels, ThePushAgainstTheWayThatItGoes) {
 }
 
 TEST_F(Feels, TheFreeShareIsNoLoad) {
-  walker.params.feeling.free.normal.forward = 0.1 / 20.0;
+  walker.params.walks.normal.freeLoad.forward = 0.1 / 20.0;
   walk(kAhead, {0.0, -0.04, 0.0}, 60);
   EXPECT_NEAR(feeling().load, 0.0, 0.01);
   EXPECT_FALSE(feeling().stuck);

@@ -37,13 +37,14 @@ Status checkTarget(const std::string& out, const std::string& input) {
 
 void addCalibrate(CLI::App& app, int& code) {
   auto* command = app.add_subcommand(
-      "calibrate", "Make the tables of a robot's camera and a venue's light; learn walks");
+      "calibrate", "Make the tables of a robot's camera and a venue's light; learn walks and motions");
   command->require_subcommand(1);
   addCalibrateBody(*command, code);
   addCalibrateRing(*command, code);
   addCalibrateColour(*command, code);
   addCalibrateShift(*command, code);
   addCalibrateWalk(*command, code);
+  addCalibrateMotion(*command, code);
   addCalibrateFast(*command, code);
   auto* shown = command->add_subcommand("show", "What a table file says about itself");
   auto path = std::make_shared<std::string>();

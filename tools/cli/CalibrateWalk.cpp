@@ -45,7 +45,7 @@ struct WalkOptions {
   std::string picture;
   int models = 4;
   bool onlyFit = false;
-  learn::SearchPlan plan;
+  learn::SearchPlan plan{learn::SearchMethod::cma, 600, 0, 0.2, 1, {}};
 };
 
 Expected<WalkKind> kindOf(const std::string& name) {
@@ -79,6 +79,7 @@ void calibrated(WalkKind kind, std::uint64_t seed, int models, actuator::WalkSet
   }
   set.calibration = learn::fitCalibration(samples);
   set.odometry = learn::fitOdometry(samples);
+  set.freeLoad = learn::fitFreeLoad(samples);
 }
 
 // Of five models: the mean and the slowest.
@@ -98,14 +99,19 @@ std::string judged(WalkKind kind, const actuator::WalkSet& set) {
       least[way] = std::min(least[way], trial.speed[way]);
     }
   }
-  for (const auto& trial : trials) falls += trial.fell ? 1 : 0;
+  double lost = 0.0;
+  for (const auto& trial : trials) {
+    falls += trial.fell ? 1 : 0;
+    lost += trial.lost / kJudges;
+  }
   const double deg = Angle::rad(1.0).deg();
   return fmt::format(
       "forward {:.1f} (slowest {:.1f}), back {:.1f} ({:.1f}), side {:.1f} ({:.1f}) cm/s, turn "
       "{:.0f} "
-      "({:.0f}) deg/s; {} of {} fell within a minute",
+      "({:.0f}) deg/s; {} of {} fell within a minute{}",
       mean[0], least[0], mean[1], least[1], mean[2], least[2], deg * mean[3], deg * least[3], falls,
-      kJudges);
+      kJudges,
+      kind == WalkKind::dribble ? fmt::format("; ball lost in {:.0f} %", 100.0 * lost) : "");
 }
 
 Expected<actuator::WalkSet> learnt(const WalkOptions& options, WalkKind kind,
@@ -120,7 +126,7 @@ Expected<actuator::WalkSet> learnt(const WalkOptions& options, WalkKind kind,
   Progress progress("walk " + options.kind, "trials");
   const auto all = static_cast<std::size_t>(options.plan.trials);
   const auto found =
-      learn::search(learn::walkSpace(start), options.plan, gain,
+      learn::search(learn::walkSpace(kind, start), options.plan, gain,
                     [&](int done, double) { progress(static_cast<std::size_t>(done), all); });
   if (!found) return Error{found.error()};
   fmt::print("gain {:.3f} after {} trials, {} of them from the journal\n", found->gain,

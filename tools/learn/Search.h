@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The search for numbers that do something best: NLopt's controlled random search (CRS2) within
-// bounds, from a seed. Every trial is written into a journal; with the journal of a search that was
-// broken off the same trials are taken from it, so that the search goes on where it was.
+// The search for numbers that do something best, within bounds and from a seed: NLopt's controlled
+// random search (CRS2), or CMA-ES by Debian's python3-cmaes. Every trial is written into a journal;
+// with the journal of a search that was broken off the same trials are taken from it, so that the
+// search goes on where it was.
 #pragma once
 
 #include <cstdint>
@@ -20,9 +21,15 @@ struct SearchSpace {
   std::vector<double> start;  // moved inside
 };
 
+// CRS keeps the best points from everywhere; CMA-ES follows a valley of many numbers: a kick of 27
+// numbers gained 0.73 after 400 trials, by CRS 0.48.
+enum class SearchMethod : std::uint8_t { crs, cma };
+
 struct SearchPlan {
+  SearchMethod method = SearchMethod::crs;
   int trials = 600;
-  int population = 40;
+  int population = 40;  // 0, of CMA-ES only: by the count of numbers
+  double spread = 0.2;  // of CMA-ES: the first standard deviation, share of each number's range
   std::uint32_t seed = 1;
   std::string journal;  // a file; empty: none
 };

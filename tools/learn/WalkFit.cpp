@@ -75,7 +75,7 @@ actuator::WalkOdometry fitted(const std::vector<SpeedSample>& samples, bool with
   Rows forward;
   Rows left;
   Rows turn;
-  for (const auto& [feet, real, joints] : samples) {
+  for (const auto& [feet, real, joints, load] : samples) {
     const double ahead = std::fmax(feet.forward, 0.0);
     const double behind = std::fmin(feet.forward, 0.0);
     const double use = withJoints ? 1.0 : 0.0;
@@ -116,6 +116,7 @@ std::vector<SpeedSample> sampleSpeeds(WalkKind kind, const actuator::WalkSet& se
   actuator::WalkSet exact = set;
   exact.calibration = {};
   exact.odometry = jointsAlone();
+  exact.freeLoad = {};
   actuator::walkSet(params.walks, kind) = exact;
   Random random(seed);
   std::vector<SpeedSample> samples;
@@ -128,17 +129,19 @@ std::vector<SpeedSample> sampleSpeeds(WalkKind kind, const actuator::WalkSet& se
     for (int m = 0; m < kStart; ++m) walker.step(command);
     Walked sum;
     Walked joints;
+    double load = 0.0;
     for (int m = 0; m < kMeasured; ++m) {
       sum += walkOn(walker, command);
       const Odometry& told = walker.output().odometry;
       joints += {told.forward, told.left, told.turn.rad()};
+      load += walker.output().status.feeling.load / kMeasured;
     }
     if (walker.fallen()) {
       walker = PhysicalWalker(model, params, seed);
       continue;
     }
     const double seconds = kMeasured * kMessageSeconds;
-    samples.push_back({feet, evenSpeed(sum, seconds), evenSpeed(joints, seconds)});
+    samples.push_back({feet, evenSpeed(sum, seconds), evenSpeed(joints, seconds), load});
   }
   return samples;
 }
@@ -149,6 +152,16 @@ WalkCalibration fitCalibration(const std::vector<SpeedSample>& samples) {
 
 actuator::WalkOdometry fitOdometry(const std::vector<SpeedSample>& samples) {
   return fitted(samples, true);
+}
+
+actuator::FreeLoad fitFreeLoad(const std::vector<SpeedSample>& samples) {
+  Rows rows;
+  for (const SpeedSample& sample : samples)
+    rows.add({std::fmax(sample.feet.forward, 0.0), std::fmax(-sample.feet.forward, 0.0),
+              std::fabs(sample.feet.left), std::fabs(sample.feet.turn)},
+             sample.load);
+  const Eigen::VectorXd free = rows.solved();
+  return {free(0), free(1), free(2), free(3)};
 }
 
 }  // namespace kelpie::learn

@@ -14,6 +14,7 @@ struct SpeedSample {
   actuator::Velocity feet;
   actuator::Velocity real;
   actuator::Velocity joints;  // what the standing feet's joints say of it
+  double load = 0.0;          // felt (Feeling.h), the walk's own in it
 };
 
 // `count` speeds within the set's limits on one model, none of them twice; a robot that falls is
@@ -25,5 +26,7 @@ std::vector<SpeedSample> sampleSpeeds(WalkKind kind, const actuator::WalkSet& se
 // From feet to real speed; and of how it is told.
 actuator::WalkCalibration fitCalibration(const std::vector<SpeedSample>& samples);
 actuator::WalkOdometry fitOdometry(const std::vector<SpeedSample>& samples);
+// What of the load is the walk's own.
+actuator::FreeLoad fitFreeLoad(const std::vector<SpeedSample>& samples);
 
 }  // namespace kelpie::learn

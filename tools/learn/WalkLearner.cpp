@@ -3,9 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <future>
-#include <thread>
 
+#include "tools/learn/OnCores.h"
 #include "tools/sim/physics/Variation.h"
 
 namespace kelpie::learn {
@@ -53,6 +52,20 @@ const std::array<Knob, 19> kKnobs{{
 // Up to the aim each share counts whole, beyond it a twentieth.
 double worth(double share) { return share <= 1.0 ? share : 1.0 + (share - 1.0) / 20.0; }
 
+// A dribbling robot carries its front low, its front paws beside the ball (physics.md section 10).
+struct Range {
+  const char* name;
+  double least;
+  double most;
+};
+const std::array<Range, 5> kDribbleRanges{{{"height", 6.8, 8.6},
+                                           {"tilt", 13.0, 24.0},
+                                           {"frontAhead", 7.8, 10.0},
+                                           {"frontAside", 6.5, 7.4},
+                                           {"hindBehind", 10.0, 16.0}}};
+
+constexpr double kLostCosts = 4.0;  // of a dribbling walk that keeps no ball
+
 // Of one direction over all models.
 struct Over {
   double mean = 0.0;
@@ -79,12 +92,16 @@ WalkAim aimOf(WalkKind kind) {
     aim.speed[0] = 48.0;
     aim.weight = {3.0, 0.1, 0.3, 0.3};
   }
+  if (kind == WalkKind::dribble) {
+    aim.speed = {22.0, 10.0, 12.0, 2.4};
+    aim.weight = {2.0, 0.3, 0.6, 2.0};
+  }
   if (kind == WalkKind::turning) aim.weight = {0.3, 0.3, 0.5, 3.0};
   if (kind == WalkKind::back) aim.weight = {0.3, 3.0, 0.5, 0.5};
   return aim;
 }
 
-SearchSpace walkSpace(const WalkSet& start) {
+SearchSpace walkSpace(WalkKind kind, const WalkSet& start) {
   SearchSpace space;
   for (const Knob& knob : kKnobs) {
     space.names.emplace_back(knob.name);
@@ -92,6 +109,13 @@ SearchSpace walkSpace(const WalkSet& start) {
     space.most.push_back(knob.most);
     space.start.push_back(knob.get(start));
   }
+  if (kind != WalkKind::dribble) return space;
+  for (const Range& range : kDribbleRanges)
+    for (std::size_t i = 0; i < space.names.size(); ++i)
+      if (space.names[i] == range.name) {
+        space.least[i] = range.least;
+        space.most[i] = range.most;
+      }
   return space;
 }
 
@@ -118,14 +142,8 @@ std::vector<WalkTrial> tryOnAll(const WalkTrialPlan& plan, const WalkSet& set,
   actuator::ActuatorParams params;
   actuator::walkSet(params.walks, plan.kind) = set;
   std::vector<WalkTrial> trials(models.size());
-  const std::size_t workers = std::max(1U, std::thread::hardware_concurrency());
-  std::vector<std::future<void>> running;
-  for (std::size_t w = 0; w < workers; ++w)
-    running.push_back(std::async(std::launch::async, [&, w] {
-      for (std::size_t i = w; i < models.size(); i += workers)
-        trials[i] = tryWalk(plan, models[i], params, seed + i);
-    }));
-  for (auto& worker : running) worker.get();
+  onCores(models.size(),
+          [&](std::size_t i) { trials[i] = tryWalk(plan, models[i], params, seed + i); });
   return trials;
 }
 
@@ -150,7 +168,7 @@ double gainOf(const std::vector<WalkTrial>& trials, const WalkAim& aim) {
   }
   for (const WalkTrial& trial : trials) {
     const double costs = aim.bendCosts * std::min(trial.bend, 0.01) + aim.swayCosts * trial.sway;
-    gain -= (trial.fell ? 1.0 : 0.0) + costs / count;
+    gain -= (trial.fell ? 1.0 : 0.0) + (costs + kLostCosts * trial.lost) / count;
   }
   return gain;
 }

@@ -22,7 +22,7 @@ struct WalkAim {
 };
 WalkAim aimOf(WalkKind kind);
 
-SearchSpace walkSpace(const actuator::WalkSet& start);
+SearchSpace walkSpace(WalkKind kind, const actuator::WalkSet& start);
 actuator::WalkSet walkOf(const std::vector<double>& point, const actuator::WalkSet& start);
 
 // The models of a seed: all differ.

@@ -5,6 +5,7 @@
 
 #include "actuator/WalkSpeed.h"
 #include "robot/core/Random.h"
+#include "tools/learn/HeldBall.h"
 
 namespace kelpie::learn {
 namespace {
@@ -40,10 +41,14 @@ struct Sway {
   double rms() const { return std::sqrt(roll.variance() + tilt.variance()); }
 };
 
+Command baseCommand(WalkKind kind) {
+  return kind == WalkKind::dribble ? holdingCommand() : Command{};
+}
+
 // What is walked after the speed has become even.
 Walked straightOn(const WalkTrialPlan& plan, const WalkRequest& request, PhysicalWalker& walker,
                   Sway& sway) {
-  Command command;
+  Command command = baseCommand(request.kind);
   command.walk = request;
   const int start = messagesOf(plan.startSeconds);
   Walked sum;
@@ -83,7 +88,7 @@ WalkRequest randomRequest(WalkKind kind, Random& random) {
 bool fallsAtRandom(const WalkTrialPlan& plan, PhysicalWalker& walker, std::uint64_t seed) {
   constexpr double kOneCommand = 1.0;  // s
   Random random(seed);
-  Command command;
+  Command command = baseCommand(plan.kind);
   for (int i = 0; i < messagesOf(plan.randomSeconds); ++i) {
     if (i % messagesOf(kOneCommand) == 0) command.walk = randomRequest(plan.kind, random);
     walker.step(command);
@@ -130,13 +135,16 @@ WalkTrial tryWalk(const WalkTrialPlan& plan, const sim::PhysicsParams& model,
   if (plan.kind == WalkKind::weak) spare(walker);
   const actuator::WalkSet& set = actuator::walkSet(params.walks, plan.kind);
   WalkTrial trial;
+  const bool dribbles = plan.kind == WalkKind::dribble;
   Sway sway;
   for (const double share : {1.0, 0.5})
     for (std::size_t i = 0; i < kWalkWays && !trial.fell; ++i) {
       const auto way = static_cast<WalkWay>(i);
+      if (dribbles && !holdsBall(walker)) giveBall({0.0, kHeldAhead}, walker);
       const Walked sum = straightOn(plan, shareOf(way, share, set, plan.kind), walker, sway);
       trial.fell = walker.fallen();
       (share == 1.0 ? trial.speed : trial.half)[i] = along(way, sum) / plan.measuredSeconds;
+      if (dribbles && !holdsBall(walker)) trial.lost += 0.5 / kWalkWays;
       const bool straight = way == WalkWay::forward || way == WalkWay::back;
       if (straight) trial.bend = std::fmax(trial.bend, bendOf(sum));
     }

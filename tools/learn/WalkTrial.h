@@ -43,8 +43,10 @@ struct WalkTrial {
   double bend = 0.0;                      // rad a cm, largest turn of a straight walk
   double sway = 0.0;                      // rad, rms of roll and of tilt about its mean
   bool fell = false;
+  double lost = 0.0;  // share of the straight walks and turns that a held ball did not stand
 };
 
+// The dribbling walk goes with a held ball.
 WalkTrial tryWalk(const WalkTrialPlan& plan, const sim::PhysicsParams& model,
                   const actuator::ActuatorParams& params, std::uint64_t seed);
 

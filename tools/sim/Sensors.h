@@ -38,6 +38,9 @@ struct Surroundings {
 SensorFrame sense(const Surroundings& around, const BodyFeeling& feeling,
                   const SensorParams& params, Random& random);
 
+// Of the chest's sensor, cm; what is closer than 7 cm reads too far.
+double chestDistance(const Surroundings& around, double noise, Random& random);
+
 // Drawn from the battery: a motor's current goes with its duty. Mean over the ticks, mA.
 double batteryCurrent(const std::array<SensorFrame, kTicksPerMessage>& ticks,
                       const SensorParams& params);

@@ -2,7 +2,7 @@
 // What the body feels of being held while it walks (actuator/Feeling.h), on physical models varied
 // in friction, armature, contact, servo and mass: how often a hand that holds it, or half of it, is
 // found in time, and how often a robot that walks free, is pushed lightly or stands thinks that it
-// is held. Beside it the free load that other models would give the parameters.
+// is held.
 #include <array>
 #include <cmath>
 
@@ -19,14 +19,12 @@ namespace {
 using learn::PhysicalWalker;
 
 constexpr double kMessageSeconds = kTickSeconds * kTicksPerMessage;
-constexpr double kInTime = 0.7;          // s, in which a hold is to be found
-constexpr int kSteady = 47;              // messages, 1.5 s, until a walk is even
-constexpr int kInTimeMessages = 21;      // 0.67 s
-constexpr int kFreeMessages = 1875;      // a minute
-constexpr int kFitMessages = 470;        // 15 s
-constexpr int kOneCommand = 40;          // 1.3 s
-constexpr std::uint64_t kOthers = 5000;  // the seeds of the models that are fitted on
-constexpr double kStep = 0.002;          // s, of the physics
+constexpr double kInTime = 0.7;      // s, in which a hold is to be found
+constexpr int kSteady = 47;          // messages, 1.5 s, until a walk is even
+constexpr int kInTimeMessages = 21;  // 0.67 s
+constexpr int kFreeMessages = 1875;  // a minute
+constexpr int kOneCommand = 40;      // 1.3 s
+constexpr double kStep = 0.002;      // s, of the physics
 
 Command atRandom(Random& random) {
   Command command;
@@ -113,54 +111,6 @@ Alarms alarms(bool blows, std::uint64_t seed, const actuator::ActuatorParams& pa
   return count;
 }
 
-// Least squares of the load without its free share: a row for each message.
-class LoadFit {
- public:
-  void add(const actuator::Velocity& feet, double load) {
-    const std::array<double, 4> x{std::fmax(feet.forward, 0.0), std::fmax(-feet.forward, 0.0),
-                                  std::fabs(feet.left), std::fabs(feet.turn)};
-    for (std::size_t i = 0; i < 4; ++i) {
-      right_[i] += x[i] * load;
-      for (std::size_t j = 0; j < 4; ++j) left_[i][j] += x[i] * x[j];
-    }
-  }
-  // By Gauss and Seidel: the directions hardly depend on each other.
-  actuator::FreeLoad solved() const {
-    std::array<double, 4> w{};
-    for (int round = 0; round < 200; ++round)
-      for (std::size_t i = 0; i < 4; ++i) {
-        double rest = right_[i];
-        for (std::size_t j = 0; j < 4; ++j) rest -= j == i ? 0.0 : left_[i][j] * w[j];
-        w[i] = left_[i][i] > 0.0 ? rest / left_[i][i] : 0.0;
-      }
-    return {w[0], w[1], w[2], w[3]};
-  }
-
- private:
-  std::array<std::array<double, 4>, 4> left_{};
-  std::array<double, 4> right_{};
-};
-
-actuator::FreeLoad fitted(const Request& request) {
-  actuator::ActuatorParams params;
-  params.feeling.free.normal = {0.0, 0.0, 0.0, 0.0};
-  LoadFit fit;
-  for (int trial = 0; trial < request.trials; ++trial) {
-    const std::uint64_t seed = trialOf(request, trial).seed + kOthers;
-    Random random(seed);
-    PhysicalWalker walker = walkerOf(seed, params);
-    Command command;
-    for (int i = 0; i < kFitMessages; ++i) {
-      if (i % kOneCommand == 0) command = atRandom(random);
-      if (i % 10 == 0) moveHome(walker);
-      const Feeling& feeling = walker.step(command).status.feeling;
-      if (i % kOneCommand > kOneCommand / 2 && feeling.load != 0.0)
-        fit.add(walker.state().walk.feet, feeling.load);
-    }
-  }
-  return fit.solved();
-}
-
 Expected<Json> held(const Request& request) {
   constexpr int kPerTrial = 10;
   const actuator::ActuatorParams params;
@@ -180,7 +130,6 @@ Expected<Json> held(const Request& request) {
     add(alarms(false, 100 * trial.seed, params), free);
     add(alarms(true, 100 * trial.seed + 1, params), pushed);
   });
-  const actuator::FreeLoad fit = fitted(request);
   const double minutes = request.trials * kFreeMessages * kMessageSeconds / 60.0;
   return Json{{"held_rate", whole.value()},
               {"half_held_rate", half.value()},
@@ -189,11 +138,7 @@ Expected<Json> held(const Request& request) {
               {"false_a_minute_pushed", pushed.stuck / minutes},
               {"false_paws_a_minute", free.pawBlocked / minutes},
               {"false_falls_a_minute", (free.fallen + pushed.fallen) / (2.0 * minutes)},
-              {"within_s", kInTime},
-              {"fit_forward", fit.forward},
-              {"fit_back", fit.back},
-              {"fit_left", fit.left},
-              {"fit_turn", fit.turn}};
+              {"within_s", kInTime}};
 }
 
 const Registration kHeld("stuck-physical",

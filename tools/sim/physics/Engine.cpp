@@ -70,6 +70,10 @@ Expected<Engine> Engine::load(const std::string& xml) {
   }
 }
 
+Engine::Engine(const Engine& other)
+    : model_(mj_copyModel(nullptr, other.model_.get())),
+      data_(mj_copyData(nullptr, other.model_.get(), other.data_.get())) {}
+
 int Engine::idOf(mjtObj kind, const std::string& name) const {
   return mj_name2id(model_.get(), kind, name.c_str());
 }

@@ -19,6 +19,13 @@ class Engine {
   // From XML text. The error is MuJoCo's own line.
   static Expected<Engine> load(const std::string& xml);
 
+  // A copy goes on from the same instant, apart.
+  Engine(const Engine& other);
+  Engine(Engine&&) = default;
+  Engine& operator=(const Engine&) = delete;
+  Engine& operator=(Engine&&) = default;
+  ~Engine() = default;
+
   mjModel& model() { return *model_; }
   const mjModel& model() const { return *model_; }
   mjData& data() { return *data_; }
@@ -36,6 +43,7 @@ class Engine {
   Status settle();
 
  private:
+  Engine() = default;
   struct Free {
     void operator()(mjModel* model) const { mj_deleteModel(model); }
     void operator()(mjData* data) const { mj_deleteData(data); }

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/core.h>
+
+#include <memory>
+
+#include "tools/cli/Calibrate.h"
+#include "tools/cli/Commands.h"
+#include "tools/cli/GainPicture.h"
+#include "tools/cli/Progress.h"
+#include "tools/cli/Usage.h"
+#include "tools/cli/WholeFile.h"
+#include "tools/learn/GetUpTrial.h"
+#include "tools/learn/KickLearner.h"
+#include "tools/learn/MotionFile.h"
+#include "tools/learn/WalkLearner.h"
+
+namespace kelpie::cli {
+namespace {
+
+constexpr double kStep = 0.002;  // s; shorter by itself while a ball touches the robot
+constexpr int kJudges = 5;
+constexpr int kJudgedPlaces = 12;
+constexpr std::uint64_t kJudgesFrom = 500000;  // seeds of models and places that no search has seen
+
+constexpr const char* kHelp =
+    R"(
+Searches the key frames of a motion: of each frame that gives angles its ticks, the legs and, if it
+moves it, the head. Legs that are alike left and right stay so. Each trial is made on several varied
+models. A kick shall send the ball far, its way within the aim's directions, from places some
+millimetres apart; getting up shall end on the feet. Afterwards it is judged on models and places
+that the search has not seen.
+
+The search begins at the motion as it is, or as the file of --start has it. With --journal a search
+that was broken off goes on. docs/body.md has the aims.
+
+  kelpie calibrate motion hard_forward --out actuator/data/motions/hard_forward.toml
+  kelpie calibrate motion upenn_left --trials 2000 --seed 2 --journal upenn.journal --out upenn.toml
+  kelpie motion upenn.toml --film upenn.mp4)";
+
+struct MotionOptions {
+  std::string name;
+  std::string out;
+  std::string start;
+  std::string picture;
+  int models = 4;
+  int places = 3;
+  double reach = 40.0;
+  learn::SearchPlan plan{learn::SearchMethod::cma, 800, 0, 0.2, 1, {}};
+};
+
+// What a motion is judged by; greater is better.
+struct Judge {
+  std::function<double(const actuator::MotionData&)> gain;
+  // In words; of a kick also in the motion's own data.
+  std::function<std::string(actuator::MotionData&)> verdict;
+};
+
+Judge judgeOfKick(const learn::KickAim& aim, const MotionOptions& options) {
+  const std::uint64_t seed = 1000 + 100 * std::uint64_t{options.plan.seed};
+  const auto starts = std::make_shared<std::vector<learn::KickStart>>(learn::beforeKicks(
+      aim, learn::variedModels(seed, options.models, kStep), options.places, seed));
+  const auto unseen = std::make_shared<std::vector<learn::KickStart>>(learn::beforeKicks(
+      aim, learn::variedModels(kJudgesFrom, kJudges, kStep), kJudgedPlaces, kJudgesFrom));
+  return {[starts, aim](const actuator::MotionData& motion) {
+            return learn::gainOf(learn::tryFromAll(motion, aim, *starts), aim, motion);
+          },
+          [unseen, aim](actuator::MotionData& motion) {
+            const auto spread = learn::spreadOf(learn::tryFromAll(motion, aim, *unseen));
+            motion.kick = {aim.ball.y, -aim.ball.x, spread.distance, spread.direction};
+            return learn::spreadText(spread, motion);
+          }};
+}
+
+Judge judgeOfGettingUp(FallSide side, const MotionOptions& options) {
+  const std::uint64_t seed = 1000 + 100 * std::uint64_t{options.plan.seed};
+  const auto models = learn::variedModels(seed, options.models, kStep);
+  const auto unseen = learn::variedModels(kJudgesFrom, 4 * kJudges, kStep);
+  return {[=](const actuator::MotionData& motion) {
+            return learn::getUpGain(motion, side, models, seed);
+          },
+          [=](actuator::MotionData& motion) {
+            const double gain = learn::getUpGain(motion, side, unseen, kJudgesFrom);
+            return fmt::format("{:.2f} of 2: 2 stands, 0 lies", gain);
+          }};
+}
+
+Expected<Judge> judgeOf(MotionKind kind, const actuator::MotionData& start,
+                        const MotionOptions& options) {
+  if (const auto* aim = learn::findKick(kind))
+    return judgeOfKick(learn::aimOf(*aim, start), options);
+  for (const FallSide side : {FallSide::front, FallSide::back, FallSide::left, FallSide::right})
+    if (learn::getUpMotion(side) == kind) return judgeOfGettingUp(side, options);
+  return Error{options.name + ": has no aim to be searched for; kicks and getting up have one" +
+               (learn::mirrored(kind) != kind ? " (it is another's mirror image)" : "")};
+}
+
+Expected<actuator::MotionData> learnt(const MotionOptions& options, const Judge& judge,
+                                      const actuator::MotionData& start) {
+  const auto gain = [&](const std::vector<double>& point) {
+    return judge.gain(learn::motionOf(point, start));
+  };
+  Progress progress("motion " + options.name, "trials");
+  const auto all = static_cast<std::size_t>(options.plan.trials);
+  const auto found =
+      learn::search(learn::motionSpace(start, Angle::deg(options.reach)), options.plan, gain,
+                    [&](int done, double) { progress(static_cast<std::size_t>(done), all); });
+  if (!found) return Error{found.error()};
+  fmt::print("gain {:.3f} after {} trials, {} of them from the journal\n", found->gain,
+             found->gains.size(), found->replayed);
+  if (!options.picture.empty()) {
+    const Status drawn =
+        drawGain(found->gains, "kelpie calibrate motion " + options.name, options.picture);
+    if (!drawn) return Error{drawn.error()};
+  }
+  return learn::motionOf(found->best, start);
+}
+
+int calibrateMotion(const MotionOptions& options) {
+  const auto kind = learn::motionNamed(options.name);
+  if (!kind) return fail(kind.error(), kExitBadInput);
+  if (!canWrite(options.out)) return fail(options.out + ": cannot be written", kExitBadInput);
+  Expected<actuator::MotionData> motion = actuator::standardMotions()[*kind];
+  if (!options.start.empty()) motion = learn::readMotion(options.start);
+  if (!motion) return fail(motion.error(), kExitBadInput);
+  const auto judge = judgeOf(*kind, *motion, options);
+  if (!judge) return fail(judge.error(), kExitBadInput);
+  fmt::print("before: {}\n", judge->verdict(*motion));
+  motion = learnt(options, *judge, *motion);
+  if (!motion) return fail(motion.error(), kExitBadInput);
+  const std::string verdict = judge->verdict(*motion);
+  fmt::print("after: {}\n", verdict);
+  const std::string about =
+      fmt::format("kelpie calibrate motion {} --trials {} --seed {}\n{}", options.name,
+                  options.plan.trials, options.plan.seed, verdict);
+  if (!writeWhole(options.out, learn::motionText(*motion, about)))
+    return fail(options.out + ": cannot be written", kExitBadInput);
+  return kExitDone;
+}
+
+}  // namespace
+
+void addCalibrateMotion(CLI::App& command, int& code) {
+  auto* motion = command.add_subcommand("motion", "Search the key frames of a kick or a get-up");
+  motion->footer(kHelp);
+  auto options = std::make_shared<MotionOptions>();
+  motion->add_option("NAME", options->name, "the motion, hard_forward for example")->required();
+  motion->add_option("--out", options->out, "motion file to write")->required();
+  motion->add_option("--start", options->start, "motion file that the search begins at");
+  motion->add_option("--trials", options->plan.trials, "of the search")
+      ->check(inRange(1, 1000000))
+      ->capture_default_str();
+  motion->add_option("--seed", options->plan.seed, "of search, models and places")
+      ->check(inRange(0, 1e6))
+      ->capture_default_str();
+  motion->add_option("--models", options->models, "varied models to learn on")
+      ->check(inRange(1, 100))
+      ->capture_default_str();
+  motion->add_option("--places", options->places, "of the ball, on each model")
+      ->check(inRange(1, 100))
+      ->capture_default_str();
+  motion->add_option("--reach", options->reach, "deg that an angle may go from where it starts")
+      ->check(inRange(0.1, 250))
+      ->capture_default_str();
+  motion->add_option("--journal", options->plan.journal,
+                     "file of the trials; goes on where it ends");
+  motion->add_option("--picture", options->picture, "PNG of the gain");
+  motion->callback([options, &code] { code = calibrateMotion(*options); });
+}
+
+}  // namespace kelpie::cli

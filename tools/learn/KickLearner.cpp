@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/learn/KickLearner.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "tools/learn/OnCores.h"
+
+namespace kelpie::learn {
+namespace {
+
+using actuator::MotionData;
+
+constexpr double kTicksPerFrame = 1.0 / (30.0 * kTickSeconds);
+
+double off(Angle direction, const KickAim& aim) {
+  const double over = std::fmax((direction - aim.most).deg(), (aim.least - direction).deg());
+  return std::fmax(0.0, over);
+}
+
+}  // namespace
+
+std::vector<KickStart> beforeKicks(const KickAim& aim,
+                                   const std::vector<sim::PhysicsParams>& models, int places,
+                                   std::uint64_t seed, bool pushed) {
+  std::vector<KickStart> starts(models.size() * static_cast<std::size_t>(places));
+  onCores(starts.size(), [&](std::size_t i) {
+    starts[i] = beforeKick(aim, models[i % models.size()], seed + i, pushed);
+  });
+  return starts;
+}
+
+std::vector<Kicked> tryFromAll(const MotionData& motion, const KickAim& aim,
+                               const std::vector<KickStart>& starts) {
+  std::vector<Kicked> kicked(starts.size());
+  onCores(starts.size(),
+          [&](std::size_t i) { kicked[i] = tryKick(motion, aim.motion, starts[i]); });
+  return kicked;
+}
+
+KickSpread spreadOf(const std::vector<Kicked>& kicked) {
+  KickSpread spread;
+  double squares = 0.0;
+  double cosSum = 0.0;
+  double sinSum = 0.0;
+  const auto count = static_cast<double>(kicked.size());
+  for (const Kicked& kick : kicked) {
+    spread.distance += kick.distance / count;
+    squares += kick.distance * kick.distance / count;
+    spread.falls += kick.fell ? 1 : 0;
+    spread.stayed += kick.left ? 0 : 1;
+    if (!kick.left) continue;
+    const maths::SinCos way = maths::sinCos(kick.direction.rad());
+    cosSum += way.cos;
+    sinSum += way.sin;
+  }
+  spread.distanceSd = std::sqrt(std::fmax(0.0, squares - maths::square(spread.distance)));
+  spread.direction = Angle::rad(maths::atan2(sinSum, cosSum));
+  double off = 0.0;
+  for (const Kicked& kick : kicked)
+    if (kick.left) off += maths::square((kick.direction - spread.direction).rad());
+  const double left = std::fmax(1.0, count - spread.stayed);
+  spread.directionSd = Angle::rad(std::sqrt(off / left));
+  return spread;
+}
+
+std::string spreadText(const KickSpread& spread, const MotionData& motion) {
+  return fmt::format(
+      "{:.0f} cm (sd {:.0f}), direction {:.1f} deg (sd {:.1f}), {:.0f} frames; {} fell, {} balls "
+      "stayed",
+      spread.distance, spread.distanceSd, spread.direction.deg(), spread.directionSd.deg(),
+      ticksOf(motion) / kTicksPerFrame, spread.falls, spread.stayed);
+}
+
+double gainOf(const std::vector<Kicked>& kicked, const KickAim& aim, const MotionData& motion) {
+  constexpr double kOffWorthNothing = 40.0;  // deg outside the aim's directions
+  constexpr double kSpread = 12.0;           // deg of standard deviation that cost a whole
+  constexpr double kFrame = 0.05;            // for a frame too many
+  double gain = 0.0;
+  const auto count = static_cast<double>(kicked.size());
+  for (const Kicked& kick : kicked) {
+    const double share = kick.distance / aim.distance;
+    const double worth = share <= 1.0 ? share : 1.0 + (share - 1.0) / 20.0;
+    gain += worth * std::fmax(0.0, 1.0 - off(kick.direction, aim) / kOffWorthNothing) / count;
+    gain -= kick.fell ? 1.0 / count : 0.0;
+  }
+  const KickSpread spread = spreadOf(kicked);
+  gain -= 0.3 * spread.distanceSd / aim.distance;
+  // A ball that hardly rolls has any direction.
+  const double rolls = std::fmin(1.0, spread.distance / (0.3 * aim.distance));
+  gain -= rolls * std::fmin(1.0, 0.5 * spread.directionSd.deg() / kSpread);
+  const double over = ticksOf(motion) / kTicksPerFrame - aim.frames;
+  return gain - kFrame * std::fmax(0.0, over);
+}
+
+}  // namespace kelpie::learn

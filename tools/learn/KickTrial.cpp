@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/learn/KickTrial.h"
+
+#include <cmath>
+
+#include "actuator/MotionPlayer.h"
+#include "robot/core/Random.h"
+#include "tools/learn/HeldBall.h"
+
+namespace kelpie::learn {
+namespace {
+
+constexpr int kStandMessages = 20;  // before a free ball is put down
+constexpr int kRestMessages = 4;    // and until the kick
+constexpr int kAfterMessages = 18;  // 0.58 s, back to the stance
+constexpr double kKept = 3.0;       // cm, a ball that has gone no further has not left
+
+Point2<Robot> scattered(const KickAim& aim, Random& random) {
+  return {aim.ball.x + random.uniform(-aim.scatter, aim.scatter),
+          aim.ball.y + random.uniform(-aim.scatter, aim.scatter)};
+}
+
+void putBallDown(Point2<Robot> place, PhysicalWalker& walker) {
+  Command command;
+  command.head.neckTilt = Angle::deg(-20.0);
+  for (int i = 0; i < kStandMessages; ++i) walker.step(command);
+  walker.bodies().putBall({fieldFromRobot(walker.pose(), place), {}});
+  for (int i = 0; i < kRestMessages; ++i) walker.step(command);
+}
+
+// Walks against the robot and touches it as the kick begins.
+std::optional<Opponent> pusher() {
+  Opponent opponent;
+  opponent.ahead = 48.0;
+  opponent.command.walk.forward = 12.0;
+  return opponent;
+}
+
+// How far a ball still rolls: dv/dt = -(drag v + roll).
+double rollOut(double speed, const sim::PhysicalBallParams& ball) {
+  const double v = 0.01 * speed;
+  return 100.0 * (v - ball.roll / ball.drag * std::log1p(ball.drag * v / ball.roll)) / ball.drag;
+}
+
+}  // namespace
+
+const std::vector<KickAim>& kicks() {
+  const auto deg = [](double value) { return Angle::deg(value); };
+  static const std::vector<KickAim> all{
+      {MotionKind::kickForward, false, {0.0, 14.0}, 1.2, 180.0, deg(-4), deg(4), 20},
+      {MotionKind::hardForward, true, {0.0, kHeldAhead}, 0.6, 250.0, deg(-3), deg(3), 20},
+      {MotionKind::wedge, true, {0.0, kHeldAhead}, 0.6, 100.0, deg(-2), deg(2), 16},
+      {MotionKind::headSwipeLeft, false, {3.0, 13.0}, 1.2, 190.0, deg(30), deg(50), 13},
+      {MotionKind::upennLeft, false, {6.0, 12.0}, 1.2, 250.0, deg(45), deg(60), 16},
+  };
+  return all;
+}
+
+MotionKind mirrored(MotionKind motion) {
+  switch (motion) {
+    case MotionKind::headSwipeLeft: return MotionKind::headSwipeRight;
+    case MotionKind::headSwipeRight: return MotionKind::headSwipeLeft;
+    case MotionKind::upennLeft: return MotionKind::upennRight;
+    case MotionKind::upennRight: return MotionKind::upennLeft;
+    default: return motion;
+  }
+}
+
+KickAim mirrored(const KickAim& aim) {
+  KickAim other = aim;
+  other.motion = mirrored(aim.motion);
+  other.ball.x = -aim.ball.x;
+  other.least = -aim.most;
+  other.most = -aim.least;
+  return other;
+}
+
+const KickAim* findKick(MotionKind motion) {
+  for (const KickAim& aim : kicks())
+    if (aim.motion == motion) return &aim;
+  return nullptr;
+}
+
+KickAim aimOf(const KickAim& aim, const actuator::MotionData& motion) {
+  KickAim own = aim;
+  if (motion.kick.distance > 0.0) own.ball = {-motion.kick.left, motion.kick.ahead};
+  return own;
+}
+
+KickStart beforeKick(const KickAim& aim, const sim::PhysicsParams& model, std::uint64_t seed,
+                     bool pushed) {
+  Random random(seed ^ 0x61c4ULL);
+  KickStart start;
+  start.params = std::make_unique<actuator::ActuatorParams>();
+  start.walker = std::make_unique<PhysicalWalker>(model, *start.params, seed,
+                                                  pushed ? pusher() : std::nullopt);
+  PhysicalWalker& walker = *start.walker;
+  const Point2<Robot> place = scattered(aim, random);
+  if (aim.held) giveBall(place, walker);
+  if (!aim.held) putBallDown(place, walker);
+  start.ball = walker.bodies().ball().position;
+  start.pose = walker.pose();
+  start.roll = model.ball;
+  return start;
+}
+
+Kicked tryKick(const actuator::MotionData& motion, MotionKind kind, const KickStart& start) {
+  actuator::ActuatorParams params = *start.params;
+  params.motions[kind] = motion;
+  PhysicalWalker walker(*start.walker, params);
+  Command command;
+  command.motion = kind;
+  const int messages = static_cast<int>(ticksOf(motion) / kTicksPerMessage) + 1 + kAfterMessages;
+  Kicked kicked;
+  for (int i = 0; i < messages && !kicked.fell; ++i) {
+    walker.step(command);
+    kicked.fell = walker.fallen();
+  }
+  if (walker.failed()) return kicked;
+  const sim::Ball ball = walker.bodies().ball();
+  const Point2<Field> way = ball.position - start.ball;
+  const double speed = ball.velocity.norm();
+  const double more = speed > 0.0 ? rollOut(speed, start.roll) / speed : 0.0;
+  const Point2<Field> whole = way + ball.velocity * more;
+  kicked.distance = whole.norm();
+  kicked.direction = Angle::rad(maths::atan2(whole.y, whole.x)) - start.pose.heading;
+  kicked.left = kicked.distance > kKept;
+  return kicked;
+}
+
+}  // namespace kelpie::learn

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+// How far and where a kick sends the ball, on one physical model: the robot stands or holds the
+// ball, plays the motion, and the ball rolls out. What comes before the kick is simulated once;
+// each trial goes on from a copy of it.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "tools/learn/PhysicalWalker.h"
+
+namespace kelpie::learn {
+
+// What is wanted of a kick, and from where. Directions are left of straight ahead.
+struct KickAim {
+  MotionKind motion = MotionKind::none;
+  bool held = false;        // the ball is held under the chin, else it lies free
+  Point2<Robot> ball;       // cm from the neck base: where it lies, before it is held
+  double scatter = 1.2;     // cm, to each side of there
+  double distance = 100.0;  // cm, what counts as 1
+  Angle least;
+  Angle most;
+  int frames = 20;  // of 1/30 s at most
+};
+
+// The kicks of actuator/data/motions; the one to the right of a pair is the mirrored left one.
+const std::vector<KickAim>& kicks();
+const KickAim* findKick(MotionKind motion);
+MotionKind mirrored(MotionKind motion);
+KickAim mirrored(const KickAim& aim);
+
+// The one of a motion as it is: the ball lies where the motion wants it.
+KickAim aimOf(const KickAim& aim, const actuator::MotionData& motion);
+
+// A robot about to kick.
+struct KickStart {
+  std::unique_ptr<actuator::ActuatorParams> params;
+  std::unique_ptr<PhysicalWalker> walker;
+  Point2<Field> ball;
+  Pose2 pose;
+  sim::PhysicalBallParams roll;
+};
+// The ball lies up to the scatter beside its place, as the seed has it.
+// `pushed`: another robot comes from the front and pushes, from half a second before.
+KickStart beforeKick(const KickAim& aim, const sim::PhysicsParams& model, std::uint64_t seed,
+                     bool pushed = false);
+
+struct Kicked {
+  double distance = 0.0;  // cm, until the ball lies still
+  Angle direction;        // of its way
+  bool fell = false;      // or its physics failed
+  bool left = true;       // a held ball is no longer between the legs
+};
+Kicked tryKick(const actuator::MotionData& motion, MotionKind kind, const KickStart& start);
+
+}  // namespace kelpie::learn
