@@ -125,6 +125,17 @@ void tick(const Command& command, const ActuatorParams& params, ActuatorState& s
   if (running(state.motion)) moveOn(params, state);
 }
 
+// Up for a while at most, then down until it was asked down.
+bool earNow(bool up, const ActuatorParams& params, std::uint32_t& ticks) {
+  ticks = up ? ticks + 1 : 0;
+  return up && ticks * kTickSeconds <= params.earSeconds;
+}
+
+EarRequest earsNow(const EarRequest& ears, const ActuatorParams& params, ActuatorState& state) {
+  return {earNow(ears.leftUp, params, state.earTicks[0]),
+          earNow(ears.rightUp, params, state.earTicks[1])};
+}
+
 bool walking(const ActuatorParams& params, const ActuatorState& state) {
   return state.ready && walksOn(params, state) && !standing(state.walk);
 }
@@ -158,7 +169,7 @@ MotionOutput step(const MotionInput& in, const ActuatorParams& params, ActuatorS
   const bool held = stepHeldBall(in, state.target, params.feeling.heldBall, state.heldBall);
   for (JointFrame& frame : out.joints) {
     tick(in.command, params, state);
-    frame = {state.target, in.command.leds, in.command.ears};
+    frame = {state.target, in.command.leds, earsNow(in.command.ears, params, state)};
   }
   out.odometry = odometry(in, params.odometry, state.odometry);
   out.stance = state.stance;

@@ -56,6 +56,7 @@ struct ActuatorParams {
   double mixSeconds = 0.3;           // from one walk to another
   Angle walkSlew = Angle::deg(4.0);  // per tick, legs while walking (facts-2005 section 6.4)
   Angle headSlew = Angle::deg(4.0);  // per tick
+  double earSeconds = 1.0;           // an ear asked up for longer goes down (openr.md 5.6)
 
   static constexpr auto fields() {
     using P = ActuatorParams;
@@ -65,7 +66,8 @@ struct ActuatorParams {
                      field("rampSeconds", &P::rampSeconds, "s", 0.2, 10),
                      field("mixSeconds", &P::mixSeconds, "s", 0.01, 10),
                      field("walkSlew", &P::walkSlew, "rad", 0.5, 20),
-                     field("headSlew", &P::headSlew, "rad", 0.5, 20));
+                     field("headSlew", &P::headSlew, "rad", 0.5, 20),
+                     field("earSeconds", &P::earSeconds, "s", 0, 10));
   }
 };
 

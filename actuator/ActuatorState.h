@@ -3,6 +3,8 @@
 // switched on.
 #pragma once
 
+#include <array>
+
 #include "actuator/Effort.h"
 #include "actuator/Feeling.h"
 #include "actuator/HeldBall.h"
@@ -33,6 +35,7 @@ struct ActuatorState {
   FeelingState feeling;
   HeldBallState heldBall;
   OdometryState odometry;
+  std::array<std::uint32_t, 2> earTicks{};  // that each ear has been up
 };
 
 }  // namespace kelpie::actuator

@@ -6,6 +6,8 @@
 namespace kelpie::actuator {
 namespace {
 
+constexpr double kUnknownSag = 10.0;  // deg; no ball is told by a neck that says nothing
+
 bool holdingPose(const JointAngles& commanded, const HeldBallParams& params) {
   return commanded[Joint::neckTilt] < params.neckBelow &&
          commanded[Joint::mouth] < params.mouthBelow;
@@ -13,7 +15,7 @@ bool holdingPose(const JointAngles& commanded, const HeldBallParams& params) {
 
 HeldBallTick felt(const SensorFrame& tick, const JointAngles& commanded) {
   const double sag = (commanded[Joint::neckTilt] - tick.joints[Joint::neckTilt]).deg();
-  return {std::isfinite(sag) ? sag : 0.0,
+  return {std::isfinite(sag) ? sag : kUnknownSag,
           std::isfinite(tick.chestDistance) ? tick.chestDistance : 0.0, tick.chin};
 }
 

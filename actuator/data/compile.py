@@ -13,6 +13,7 @@ from pathlib import Path
 MOTIONS = ("none stand sit kick_forward hard_forward wedge head_swipe_left head_swipe_right "
            "upenn_left upenn_right block block_left block_right grab grab_quick hold release "
            "get_up_front get_up_back get_up_left get_up_right cheer").split()
+MOUTH_SHUT = -3
 LEGS = ["left_front", "left_hind", "right_front", "right_hind"]
 MOTION_KEYS = {"about", "slew", "at_once", "return_ticks", "way", "kick", "frame"}
 FRAME_KEYS = {"ticks", "interpolate", "head", "mouth", "legs", "walk", "forward", "left", "turn",
@@ -86,8 +87,9 @@ def key_frame(frame):
     yield f"key.interpolate = {str(frame.get('interpolate', False)).lower()};"
     if "head" in frame:
         yield f"key.movesHead = true; key.head = {{{array_of(frame['head'], 3, 'head')}}};"
+    yield f"key.mouth = {degrees(frame.get('mouth', MOUTH_SHUT))};"
     if "mouth" in frame:
-        yield f"key.movesMouth = true; key.mouth = {degrees(frame['mouth'])};"
+        yield "key.movesMouth = true;"
     yield from legs(frame)
     yield "motion.frames.push_back(key); }"
 
@@ -126,9 +128,9 @@ def other_side(frame):
         swapped[{"left": "right", "right": "left"}[side] + "_" + leg] = frame[key]
     if "head" in frame:
         neck, pan, nod = frame["head"]
-        swapped["head"] = [neck, -pan, nod]
+        swapped["head"] = [neck, 0 - pan, nod]
     for key in set(frame) & {"left", "turn"}:
-        swapped[key] = -frame[key]
+        swapped[key] = 0 - frame[key]
     return swapped
 
 
@@ -140,7 +142,7 @@ def read_motion(path):
     table = read(path.with_name(table["mirror"] + ".toml"))
     for part in ("way", "kick"):
         for key in set(table.get(part, {})) & {"left", "turn", "direction"}:
-            table[part][key] = -table[part][key]
+            table[part][key] = 0 - table[part][key]
     return {**table, "frame": [other_side(frame) for frame in table["frame"]]}
 
 

@@ -74,9 +74,10 @@ OStatus Agent::openPrimitives() {
   const OStatus joints = openAll(openr::kJointLocators, ids_.joints);
   const OStatus sensors = openAll(openr::kSensorLocators, ids_.sensors);
   const OStatus leds = openAll(openr::kLedLocators, ids_.leds);
+  const OStatus ears = openAll(openr::kEarLocators, ids_.ears);
   const OStatus camera = OPENR::OpenPrimitive(openr::kCameraLocator, &ids_.camera);
   if (camera != oSUCCESS) OSYSLOG1((osyslogERROR, "no camera: %u", unsigned(camera)));
-  for (const OStatus status : {joints, sensors, leds}) {
+  for (const OStatus status : {joints, sensors, leds, ears}) {
     if (status != oSUCCESS) return status;
   }
   return camera;

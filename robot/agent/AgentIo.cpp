@@ -53,6 +53,13 @@ OCommandValue ledCommand(std::size_t led, bool on) {
   return value;
 }
 
+OCommandValue earCommand(bool up) {
+  const OJointCommandValue4 order = {up ? ojoint4_STATE1 : ojoint4_STATE0, 1, 0};
+  OCommandValue value;
+  std::memcpy(&value, &order, sizeof value);
+  return value;
+}
+
 void copyBand(const OFbkImage& band, Image::Plane& plane) {
   constexpr std::size_t kWidth = kImageWidth;
   const std::size_t stride = kWidth + static_cast<std::size_t>(band.Skip());
@@ -131,8 +138,11 @@ void prepareCommands(OCommandVectorData& vector, const PrimitiveIds& ids) {
   }
   for (std::size_t i = 0; i < openr::kLedCount; ++i) {
     const bool switched = i < openr::kSwitchedLeds;
-    vector.GetInfo(kJointCount + i)
+    vector.GetInfo(kFirstLed + i)
         ->Set(switched ? odataLED_COMMAND2 : odataLED_COMMAND3, ids.leds[i], kTicks);
+  }
+  for (std::size_t i = 0; i < openr::kEarCount; ++i) {
+    vector.GetInfo(kFirstEar + i)->Set(odataJOINT_COMMAND4, ids.ears[i], kTicks);
   }
 }
 
@@ -145,8 +155,11 @@ void writeCommands(const std::array<JointFrame, kTicksPerMessage>& frames,
     }
     for (std::size_t i = 0; i < openr::kLedCount; ++i) {
       const bool on = (frames[tick].leds >> i & 1U) != 0;
-      vector.GetData(kJointCount + i)->value[tick] = ledCommand(i, on);
+      vector.GetData(kFirstLed + i)->value[tick] = ledCommand(i, on);
     }
+    const EarRequest& ears = frames[tick].ears;
+    vector.GetData(kFirstEar)->value[tick] = earCommand(ears.leftUp);
+    vector.GetData(kFirstEar + 1)->value[tick] = earCommand(ears.rightUp);
   }
 }
 

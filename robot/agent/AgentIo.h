@@ -19,6 +19,7 @@ struct PrimitiveIds {
   std::array<OPrimitiveID, kJointCount> joints;
   std::array<OPrimitiveID, openr::kSensorCount> sensors;
   std::array<OPrimitiveID, openr::kLedCount> leds;
+  std::array<OPrimitiveID, openr::kEarCount> ears;
   OPrimitiveID camera;
 };
 
@@ -48,8 +49,10 @@ class SensorReader {
   std::array<bool, 3> back_{};  // pressed or not: their thresholds have a memory
 };
 
-// Commands of one vector: all joints and LEDs.
-constexpr std::size_t kCommandCount = kJointCount + openr::kLedCount;
+// Commands of one vector: all joints, LEDs and ears, in this order.
+constexpr std::size_t kFirstLed = kJointCount;
+constexpr std::size_t kFirstEar = kFirstLed + openr::kLedCount;
+constexpr std::size_t kCommandCount = kFirstEar + openr::kEarCount;
 // Type, primitive and number of frames of each command; these never change.
 void prepareCommands(OCommandVectorData& vector, const PrimitiveIds& ids);
 void writeCommands(const std::array<JointFrame, kTicksPerMessage>& frames,

@@ -57,6 +57,10 @@ class CommandReader {
       joint(primitive.index, info.numFrames, data);
       return true;
     }
+    if (primitive.kind == PrimitiveKind::ear && info.type == odataJOINT_COMMAND4) {
+      ear(primitive.index, data.value[info.numFrames - 1]);
+      return true;
+    }
     if (primitive.kind != PrimitiveKind::led) return false;
     const bool switched = primitive.index < openr::kSwitchedLeds;
     if (info.type != (switched ? odataLED_COMMAND2 : odataLED_COMMAND3)) return false;
@@ -79,6 +83,12 @@ class CommandReader {
     std::memcpy(&onOff, &last, sizeof onOff);
     std::memcpy(&intensity, &last, sizeof intensity);
     if (switched ? onOff.led != oledOFF : intensity.intensity > 0) out_.leds |= 1U << index;
+  }
+
+  void ear(std::size_t index, const OCommandValue& last) {
+    OJointCommandValue4 state;
+    std::memcpy(&state, &last, sizeof state);
+    if (state.value != ojoint4_STATE0) out_.ears |= 1U << index;
   }
 
   EffectorVector& out_;

@@ -11,6 +11,7 @@
 namespace kelpie::host {
 namespace {
 
+using openr::kEarLocators;
 using openr::kJointLocators;
 using openr::kLedLocators;
 using openr::kSensorLocators;
@@ -35,6 +36,7 @@ std::optional<Primitive> withLocator(const char* locator) {
   auto found = lookUp(kJointLocators, PrimitiveKind::joint, locator);
   if (!found) found = lookUp(kSensorLocators, PrimitiveKind::sensor, locator);
   if (!found) found = lookUp(kLedLocators, PrimitiveKind::led, locator);
+  if (!found) found = lookUp(kEarLocators, PrimitiveKind::ear, locator);
   if (!found && std::strcmp(openr::kCameraLocator, locator) == 0) {
     found = Primitive{PrimitiveKind::camera, 0};
   }

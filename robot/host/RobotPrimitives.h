@@ -15,11 +15,11 @@
 
 namespace kelpie::host {
 
-enum class PrimitiveKind : std::uint8_t { joint, sensor, led, camera };
+enum class PrimitiveKind : std::uint8_t { joint, sensor, led, ear, camera };
 
 struct Primitive {
   PrimitiveKind kind = PrimitiveKind::joint;
-  std::size_t index = 0;  // Joint, Sensor or number of the LED
+  std::size_t index = 0;  // Joint, Sensor or number of the LED or ear
 };
 
 // The identifier that a primitive gets when it is opened.

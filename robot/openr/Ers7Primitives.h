@@ -97,6 +97,13 @@ constexpr std::array<const char*, kLedCount> kLedLocators = {
     "PRM:/lz-LED3:lz",
 };
 
+// Left and right; up or not. An ear that is held up for long wears its solenoid (openr.md 5.6).
+constexpr std::size_t kEarCount = 2;
+constexpr std::array<const char*, kEarCount> kEarLocators = {
+    "PRM:/r1/c1/c2/c3/e5-Joint4:15",
+    "PRM:/r1/c1/c2/c3/e6-Joint4:16",
+};
+
 constexpr const char* kCameraLocator = "PRM:/r1/c1/c2/c3/i1-FbkImageSensor:F1";
 
 // What the sensors can tell; beyond that they saturate.

@@ -262,6 +262,21 @@ TEST(Outputs, LedsPassAndTheStanceIsThatOfTheSensedLegs) {
   EXPECT_NEAR(w.out.stance.bodyTilt.rad(), w.stance().bodyTilt.rad(), 1e-9);
 }
 
+TEST(Outputs, AnEarStaysUpForASecondAtMost) {
+  Walker w;
+  w.standUp();
+  Command command;
+  command.ears.leftUp = true;
+  w.run(command, 30);
+  EXPECT_TRUE(w.out.joints.back().ears.leftUp);
+  EXPECT_FALSE(w.out.joints.back().ears.rightUp);
+  w.run(command, 2);
+  EXPECT_FALSE(w.out.joints.back().ears.leftUp);
+  w.run(Command{}, 1);
+  w.run(command, 1);
+  EXPECT_TRUE(w.out.joints.back().ears.leftUp);
+}
+
 TEST(Outputs, TheSameInputsGiveTheSameBits) {
   Walker a;
   Walker b;

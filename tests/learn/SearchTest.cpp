@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -32,6 +33,7 @@ class JournalFile {
 
 SearchPlan planOf(int trials, const std::string& journal = "") {
   SearchPlan plan;
+  plan.method = SearchMethod::crs;
   plan.trials = trials;
   plan.population = 20;
   plan.seed = 3;
@@ -81,6 +83,47 @@ TEST(Search, AJournalOfAnotherSearchIsRefused) {
   const auto refused = search(kSpace, other, hill, nothing);
   ASSERT_FALSE(refused.ok());
   EXPECT_NE(refused.error().find("another search"), std::string::npos);
+}
+
+// A narrow valley: what is good in one number depends on the other.
+double valley(const std::vector<double>& p) {
+  const double along = p[0] + p[1] - 1.0;
+  const double across = p[0] - p[1];
+  return -along * along - 100.0 * across * across;
+}
+
+SearchPlan covarianceOf(int trials, const std::string& journal = "") {
+  SearchPlan plan = planOf(trials, journal);
+  plan.method = SearchMethod::cma;
+  plan.population = 0;
+  return plan;
+}
+
+TEST(CovarianceSearch, FollowsANarrowValley) {
+  const auto found = search(kSpace, covarianceOf(400), valley, nothing);
+  ASSERT_TRUE(found.ok()) << found.error();
+  EXPECT_NEAR(found->best[0], 0.5, 0.01);
+  EXPECT_NEAR(found->best[1], 0.5, 0.01);
+}
+
+TEST(CovarianceSearch, GoesOnWhereItWasBrokenOff) {
+  const JournalFile journal;
+  ASSERT_TRUE(search(kSpace, covarianceOf(30, journal.path()), hill, nothing).ok());
+  const auto again = search(kSpace, covarianceOf(60, journal.path()), hill, nothing);
+  const auto whole = search(kSpace, covarianceOf(60), hill, nothing);
+  ASSERT_TRUE(again.ok() && whole.ok());
+  EXPECT_GE(again->replayed, 30);
+  EXPECT_EQ(again->gains, whole->gains);
+}
+
+TEST(CovarianceSearch, StaysWithinItsBounds) {
+  const auto inside = [](const std::vector<double>& p) {
+    for (const double number : p) EXPECT_LE(std::fabs(number), 5.0);
+    return p[0] + p[1];
+  };
+  const auto found = search(kSpace, covarianceOf(200), inside, nothing);
+  ASSERT_TRUE(found.ok());
+  EXPECT_GT(found->gain, 9.9);
 }
 
 }  // namespace

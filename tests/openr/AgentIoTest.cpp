@@ -24,6 +24,9 @@ PrimitiveIds allIds() {
   for (std::size_t i = 0; i < ids.leds.size(); ++i) {
     ids.leds[i] = identifier({PrimitiveKind::led, i});
   }
+  for (std::size_t i = 0; i < ids.ears.size(); ++i) {
+    ids.ears[i] = identifier({PrimitiveKind::ear, i});
+  }
   return ids;
 }
 
@@ -200,6 +203,7 @@ class CommandTest : public testing::Test {
     robot_.newCommandVector(kCommandCount, &memory_, &vector_);
     for (const char* locator : openr::kJointLocators) open(locator);
     for (const char* locator : openr::kLedLocators) open(locator);
+    for (const char* locator : openr::kEarLocators) open(locator);
     prepareCommands(*vector_, allIds());
     region_ = new RCRegion(memory_, 0, vector_, vector_->vectorInfo.totalSize);
   }
@@ -223,6 +227,17 @@ class CommandTest : public testing::Test {
   RCRegion* region_ = nullptr;
   host::EffectorVector out_;
 };
+
+TEST_F(CommandTest, EarsArriveEachForItself) {
+  for (const bool left : {false, true}) {
+    std::array<JointFrame, kTicksPerMessage> frames;
+    for (JointFrame& frame : frames) frame.ears = {left, !left};
+    host::EffectorVector out;
+    writeCommands(frames, *vector_);
+    EXPECT_EQ("", host::readCommands(*region_, robot_, out));
+    EXPECT_EQ(left ? 1U : 2U, out.ears);
+  }
+}
 
 TEST_F(CommandTest, TargetsOfFourTicksArriveWithinAMicroradian) {
   std::array<JointFrame, kTicksPerMessage> frames;

@@ -40,14 +40,16 @@ TEST(LayoutTest, OffsetsAreThoseOfTheDocuments) {
 
 TEST_F(ApiTest, EveryLocatorOfTheTablesOpensOnItsOwn) {
   std::vector<OPrimitiveID> ids;
-  ids.reserve(kJointLocators.size() + kSensorLocators.size() + kLedLocators.size() + 1);
+  ids.reserve(kJointLocators.size() + kSensorLocators.size() + kLedLocators.size() +
+              kEarLocators.size() + 1);
   for (const char* locator : kJointLocators) ids.push_back(open(locator));
   for (const char* locator : kSensorLocators) ids.push_back(open(locator));
   for (const char* locator : kLedLocators) ids.push_back(open(locator));
+  for (const char* locator : kEarLocators) ids.push_back(open(locator));
   ids.push_back(open(kCameraLocator));
   std::sort(ids.begin(), ids.end());
   EXPECT_EQ(ids.end(), std::adjacent_find(ids.begin(), ids.end()));
-  EXPECT_EQ(60U, ids.size());
+  EXPECT_EQ(62U, ids.size());
 }
 
 TEST_F(ApiTest, LocatorsOfLegsFollowLegAndJoint) {

@@ -16,6 +16,7 @@ namespace {
 // Reads "seed population spread" and the mean; then in turn writes the number of points and the
 // points, and reads their gains. Numbers are hexadecimal: the same bits on both sides.
 constexpr const char* kProgram = R"(
+import os
 import sys
 try:
     import numpy
@@ -33,16 +34,19 @@ seed, population, spread = numbers()
 mean = numpy.array(numbers())
 search = CMA(mean=mean, sigma=spread, bounds=numpy.array([[0.0, 1.0]] * len(mean)), seed=int(seed),
              population_size=int(population) or None)
-while True:
-    points = [search.ask() for _ in range(search.population_size)]
-    print(len(points))
-    for point in points:
-        print(*(float(share).hex() for share in point))
-    sys.stdout.flush()
-    gains = numbers()
-    if not gains:
-        break
-    search.tell([(point, -gain) for point, gain in zip(points, gains)])
+try:
+    while True:
+        points = [search.ask() for _ in range(search.population_size)]
+        print(len(points))
+        for point in points:
+            print(*(float(share).hex() for share in point))
+        sys.stdout.flush()
+        gains = numbers()
+        if not gains:
+            break
+        search.tell([(point, -gain) for point, gain in zip(points, gains)])
+except BrokenPipeError:
+    os._exit(0)  # nobody asks any more
 )";
 
 std::string hexLine(const std::vector<double>& numbers) {

@@ -29,9 +29,9 @@ void putBallDown(Point2<Robot> place, PhysicalWalker& walker) {
 }
 
 // Walks against the robot and touches it as the kick begins.
-std::optional<Opponent> pusher() {
+std::optional<Opponent> pusher(bool held) {
   Opponent opponent;
-  opponent.ahead = 48.0;
+  opponent.ahead = held ? 36.0 : 33.0;  // a held ball is given first
   opponent.command.walk.forward = 12.0;
   return opponent;
 }
@@ -93,7 +93,7 @@ KickStart beforeKick(const KickAim& aim, const sim::PhysicsParams& model, std::u
   KickStart start;
   start.params = std::make_unique<actuator::ActuatorParams>();
   start.walker = std::make_unique<PhysicalWalker>(model, *start.params, seed,
-                                                  pushed ? pusher() : std::nullopt);
+                                                  pushed ? pusher(aim.held) : std::nullopt);
   PhysicalWalker& walker = *start.walker;
   const Point2<Robot> place = scattered(aim, random);
   if (aim.held) giveBall(place, walker);

@@ -7,6 +7,7 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <initializer_list>
 
@@ -25,6 +26,7 @@ using actuator::MotionData;
 constexpr std::array<const char*, kLegCount> kLegs{"left_front", "left_hind", "right_front",
                                                    "right_hind"};
 constexpr std::array<const char*, 4> kKeyLegs{"angles", "stay", "stance", "walk"};
+const Angle kMouthShut = Angle::deg(-3.0);
 constexpr std::size_t kSide = kLegJoints / 2;
 
 // Reads one file. The first thing that is wrong stays in `wrong`.
@@ -102,8 +104,9 @@ class Reader {
     }
     for (std::size_t i = 0; i < 3; ++i) {
       const auto value = (*list)[i].value<double>();
-      if (!value) complain(*node, key + ": wants 3 angles in degrees");
-      out[i] = Angle::deg(value.value_or(0.0));
+      const bool angle = value && std::fabs(*value) <= 180.0;
+      if (!angle) complain(*node, key + ": wants 3 angles in degrees");
+      out[i] = Angle::deg(angle ? *value : 0.0);
     }
     return true;
   }
@@ -113,6 +116,7 @@ class Reader {
     known(*frame, {"ticks", "interpolate", "head", "mouth", "legs", "walk", "forward", "left",
                    "turn", "front", "hind", kLegs[0], kLegs[1], kLegs[2], kLegs[3]});
     KeyFrame key;
+    key.mouth = kMouthShut;
     if (!frame->contains("ticks")) complain(node, "ticks: is missing");
     number(*frame, "ticks", key.ticks);
     number(*frame, "interpolate", key.interpolate);

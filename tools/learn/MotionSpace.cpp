@@ -86,14 +86,14 @@ MotionData mirrored(const MotionData& motion) {
   MotionData other = motion;
   for (KeyFrame& key : other.frames) {
     std::rotate(key.angles.begin(), key.angles.begin() + kSide, key.angles.end());
-    key.head[1] = -key.head[1];
-    key.walk.left = -key.walk.left;
-    key.walk.turn = -key.walk.turn;
+    key.head[1] = Angle() - key.head[1];
+    key.walk.left = 0.0 - key.walk.left;
+    key.walk.turn = 0.0 - key.walk.turn;
   }
-  other.left = -other.left;
-  other.turn = -other.turn;
-  other.kick.left = -other.kick.left;
-  other.kick.direction = -other.kick.direction;
+  other.left = 0.0 - other.left;
+  other.turn = Angle() - other.turn;
+  other.kick.left = 0.0 - other.kick.left;
+  other.kick.direction = Angle() - other.kick.direction;
   return other;
 }
 

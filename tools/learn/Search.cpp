@@ -77,8 +77,10 @@ Status searchByCovariance(const SearchSpace& space, const SearchPlan& plan,
     const auto asked = cma->ask();
     if (!asked) return Error{asked.error()};
     std::vector<double> gains;
-    for (const auto& shares : *asked) gains.push_back(run.tryPoint(scaled(shares, space)));
-    cma->tell(gains);
+    const std::size_t left = static_cast<std::size_t>(plan.trials) - run.result.gains.size();
+    for (std::size_t i = 0; i < std::min(left, asked->size()); ++i)
+      gains.push_back(run.tryPoint(scaled((*asked)[i], space)));
+    if (gains.size() == asked->size()) cma->tell(gains);
   }
   return Done{};
 }

@@ -15,7 +15,7 @@ constexpr double kMinutes = 10.0;  // of play, a trial
 
 Status playMatch(const Request& request, const agent::AgentConfig& config, const Trial& trial,
                  Values& milliseconds) {
-  LocaliseMatch match(config, cli::defaultScripts(), trial.seed, request.unlike);
+  LocaliseMatch match(config, cli::defaultScripts(), trial.seed, request.unlike, request.physical);
   const auto watch = [&](const WatchedFrame& frame) {
     milliseconds.push_back(1000.0 * frame.seconds);
   };
@@ -43,9 +43,9 @@ Expected<Json> loop(const Request& request) {
               {"longest_ms", percentile(milliseconds, 1.0)}};
 }
 
-const Registration kLoop("loop",
-                         "ten minutes of play: share of frames done within 33.3 ms on this machine",
-                         {Option::trials, Option::seed, Option::unlike, Option::params}, 1, loop);
+const Registration kLoop(
+    "loop", "ten minutes of play: share of frames done within 33.3 ms on this machine",
+    {Option::trials, Option::seed, Option::unlike, Option::params, Option::physical}, 1, loop);
 
 }  // namespace
 }  // namespace kelpie::experiments

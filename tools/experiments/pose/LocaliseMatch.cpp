@@ -15,13 +15,14 @@ constexpr double kBallFromLines = 40.0;  // cm, where it lies after a goal
 constexpr double kMinToRobot = 40.0;     // cm between it and the robot
 
 std::unique_ptr<sim::World> endlessMatch(const agent::AgentConfig& config, std::uint64_t seed,
-                                         const cli::UnlikeOptions& unlike) {
+                                         const cli::UnlikeOptions& unlike, bool physical) {
   const body::FieldDescription& field = config.field;
   const auto setup = *sim::scenario("empty-goal", field, {{config.team, config.player}}, seed);
   sim::WorldParams params;
   params.referee.seconds = 1e5;
   params.referee.goals = 0;
   params.unlike = cli::paramsOf(unlike);
+  params.fast = !physical;
   return std::make_unique<sim::World>(params, field, setup, seed);
 }
 
@@ -35,9 +36,9 @@ Expected<agent::AgentConfig> agentConfig(const Request& request) {
 }
 
 LocaliseMatch::LocaliseMatch(const agent::AgentConfig& config, const std::string& scripts,
-                             std::uint64_t seed, const cli::UnlikeOptions& unlike)
+                             std::uint64_t seed, const cli::UnlikeOptions& unlike, bool physical)
     : field_(config.field),
-      world_(endlessMatch(config, seed, unlike)),
+      world_(endlessMatch(config, seed, unlike, physical)),
       loops_(std::make_unique<agent::AgentLoops>(config, scripts,
                                                  static_cast<agent::LogSink&>(*this))),
       random_(seed ^ 0xba11ULL),

@@ -152,8 +152,18 @@ struct OLEDCommandValue3 {
   word period;  // in 8 ms
   word reserved;
 };
+using OJointValue4 = slongword;
+constexpr OJointValue4 ojoint4_STATE0 = 0;
+constexpr OJointValue4 ojoint4_STATE1 = 1;
+
+struct OJointCommandValue4 {
+  OJointValue4 value;
+  word period;  // in 8 ms
+  word reserved;
+};
 static_assert(sizeof(OCommandValue) == 8 && sizeof(OJointCommandValue2) == 8 &&
-                  sizeof(OLEDCommandValue2) == 8 && sizeof(OLEDCommandValue3) == 8,
+                  sizeof(OLEDCommandValue2) == 8 && sizeof(OLEDCommandValue3) == 8 &&
+                  sizeof(OJointCommandValue4) == 8,
               "frameSize of commands, openr.md 5.3");
 
 struct OCommandData {

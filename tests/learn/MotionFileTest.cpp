@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "robot/core/FieldCheck.h"
+#include "tools/learn/MotionFile.h"
+#include "tools/learn/MotionSpace.h"
+
+namespace kelpie::learn {
+namespace {
+
+using actuator::MotionData;
+
+std::filesystem::path motionsFolder() {
+  return std::filesystem::path(KELPIE_SOURCE_DIR) / "actuator/data/motions";
+}
+
+Expected<MotionData> readText(const std::string& text) {
+  const auto path = std::filesystem::temp_directory_path() / "kelpie_motion_test.toml";
+  std::ofstream(path) << text;
+  auto motion = readMotion(path.string());
+  std::filesystem::remove(path);
+  return motion;
+}
+
+const std::string kFrame = "[[frame]]\nticks = 5\nfront = [1, 2, 3]\nhind = [4, 5, 6]\n";
+
+std::string complaint(const std::string& text) {
+  const auto motion = readText(text);
+  return motion.ok() ? "" : motion.error();
+}
+
+TEST(MotionFile, EveryStandardMotionReadsAsItWasCompiledIn) {
+  for (std::size_t i = 1; i < kMotionKindCount; ++i) {
+    const auto path = motionsFolder() / (std::string(actuator::kMotionNames[i]) + ".toml");
+    const MotionData& compiled = actuator::standardMotions().of[i];
+    ASSERT_EQ(std::filesystem::exists(path), !compiled.frames.empty()) << path;
+    if (compiled.frames.empty()) continue;
+    const auto read = readMotion(path.string());
+    ASSERT_TRUE(read.ok()) << read.error();
+    std::string where;
+    EXPECT_FALSE(firstDifference(*read, compiled, &where)) << path << ": " << where;
+  }
+}
+
+TEST(MotionFile, WhatIsWrittenReadsTheSame) {
+  for (const MotionData& motion : actuator::standardMotions().of) {
+    if (motion.frames.empty()) continue;
+    const auto read = readText(motionText(motion, "written"));
+    ASSERT_TRUE(read.ok()) << read.error();
+    EXPECT_EQ(motionText(*read, "written"), motionText(motion, "written"));
+    EXPECT_EQ(read->frames.size(), motion.frames.size());
+  }
+}
+
+TEST(MotionFile, AMirrorImageTwiceIsTheMotionItself) {
+  for (const MotionData& motion : actuator::standardMotions().of) {
+    std::string where;
+    EXPECT_FALSE(firstDifference(mirrored(mirrored(motion)), motion, &where)) << where;
+  }
+}
+
+TEST(MotionFile, WhatIsWrongIsToldByLineOrName) {
+  EXPECT_NE(complaint("slew = 5\n").find("has no [[frame]]"), std::string::npos);
+  EXPECT_NE(complaint(kFrame + "speed = 3\n").find("speed: there is no such key"),
+            std::string::npos);
+  EXPECT_NE(complaint("[[frame]]\nticks = 5\nfront = [1, 2]\nhind = [4, 5, 6]\n")
+                .find(":3: front: wants 3 angles"),
+            std::string::npos);
+  EXPECT_NE(complaint("[[frame]]\nticks = 5\nleft_front = [1, 2, 3]\n").find("a leg has no angles"),
+            std::string::npos);
+  EXPECT_NE(complaint("[[frame]]\nticks = 9000\nlegs = \"stay\"\n").find("ticks"),
+            std::string::npos);
+  EXPECT_NE(complaint("[[frame]]\nticks = -1\nlegs = \"stay\"\n").find("ticks"), std::string::npos);
+  EXPECT_NE(complaint("[[frame]]\nticks = 5\nlegs = \"fly\"\n").find("legs: there is no such one"),
+            std::string::npos);
+  EXPECT_NE(complaint("[[frame]]\nticks = 5\nfront = [1, 2, 300]\nhind = [4, 5, 6]\n")
+                .find("wants 3 angles"),
+            std::string::npos);
+  EXPECT_NE(complaint("mirror = \"nothing\"\n").find("is no motion"), std::string::npos);
+  EXPECT_NE(complaint("slew = [\n").find("toml:"), std::string::npos);
+  EXPECT_FALSE(readMotion("/nowhere/at/all.toml").ok());
+}
+
+TEST(MotionFile, ThirteenFramesAreTooMany) {
+  std::string text;
+  for (int i = 0; i < 13; ++i) text += kFrame;
+  EXPECT_NE(complaint(text).find("more than 12"), std::string::npos);
+}
+
+TEST(MotionSpace, ThePointWhereItStartsIsTheMotionItself) {
+  const MotionData& kick = actuator::standardMotions()[MotionKind::kickForward];
+  const SearchSpace space = motionSpace(kick, Angle::deg(30.0));
+  std::string where;
+  EXPECT_FALSE(firstDifference(motionOf(space.start, kick), kick, &where)) << where;
+}
+
+TEST(MotionSpace, LegsThatAreAlikeStayAlike) {
+  MotionData kick = actuator::standardMotions()[MotionKind::kickForward];
+  SearchSpace space = motionSpace(kick, Angle::deg(30.0));
+  for (double& number : space.start) number += 2.0;
+  const MotionData other = motionOf(space.start, kick);
+  for (const auto& key : other.frames)
+    for (std::size_t j = 0; j < actuator::kLegJoints / 2; ++j)
+      EXPECT_EQ(key.angles[j].rad(), key.angles[j + actuator::kLegJoints / 2].rad());
+}
+
+}  // namespace
+}  // namespace kelpie::learn
