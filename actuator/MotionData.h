@@ -46,14 +46,18 @@ struct KickEffect {
   double ahead = 0.0;     // cm, where the ball lies as it begins
   double left = 0.0;      // cm
   double distance = 0.0;  // cm, how far it goes on the mean, until it lies still; 0: is no kick
-  Angle direction;        // left of straight ahead
+  double distanceSd = 0.0;
+  Angle direction;  // left of straight ahead
+  Angle directionSd;
 
   static constexpr auto fields() {
     using P = KickEffect;
     return fieldList(field("ahead", &P::ahead, "cm", -30, 60),
                      field("left", &P::left, "cm", -30, 30),
                      field("distance", &P::distance, "cm", 0, 1000),
-                     field("direction", &P::direction, "rad", -180, 180));
+                     field("distanceSd", &P::distanceSd, "cm", 0, 1000),
+                     field("direction", &P::direction, "rad", -180, 180),
+                     field("directionSd", &P::directionSd, "rad", 0, 180));
   }
 };
 

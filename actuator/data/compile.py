@@ -106,10 +106,12 @@ def motion(name, table):
     yield f"motion.left = {float(way.get('left', 0))};"
     yield f"motion.turn = {degrees(way.get('turn', 0))};"
     kick = table.get("kick", {})
-    check_keys(kick, {"ahead", "left", "distance", "direction"})
+    check_keys(kick, {"ahead", "left", "distance", "distance_sd", "direction", "direction_sd"})
     for key in ("ahead", "left", "distance"):
         yield f"motion.kick.{key} = {float(kick.get(key, 0))};"
+    yield f"motion.kick.distanceSd = {float(kick.get('distance_sd', 0))};"
     yield f"motion.kick.direction = {degrees(kick.get('direction', 0))};"
+    yield f"motion.kick.directionSd = {degrees(kick.get('direction_sd', 0))};"
     for frame in table["frame"]:
         yield from key_frame(frame)
     yield "}"

@@ -24,6 +24,11 @@ double speedOfFeet(const FrameInput& input, const StuckParams& params) {
   return maths::hypot(maths::hypot(input.odometry.forward, left), turn) / elapsedOf(input);
 }
 
+double excessLoad(const Feeling& feeling, const StuckParams& params) {
+  const bool held = feeling.stuck && feeling.load <= 1.0;
+  return held ? std::max(0.0, feeling.load - params.margin) : 0.0;
+}
+
 double factor(double excess, const StuckParams& params) {
   return 1.0 / (1.0 + params.slowing * excess);
 }
@@ -44,6 +49,7 @@ double excessEffort(const FrameInput& input, const StuckParams& params, StuckSta
     return 0.0;
   }
   if (!params.use || !walks(input)) return 0.0;
+  if (params.byLoad) return excessLoad(input.motion.feeling, params);
   // The effort is a mean over the last step, which may have been a faster one.
   const double speed = std::max(now, state.speed);
   return std::max(0.0, effort - freeEffort(speed, params) - params.margin);

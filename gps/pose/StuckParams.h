@@ -12,6 +12,9 @@ namespace kelpie::gps {
 // own: what duty its motors show depends on their wear and on the carpet.
 struct StuckParams {
   bool use = true;
+  // By the load that the body feels (actuator/Feeling.h) in place of the effort: that of servos
+  // with masses to move says nothing (physics.md section 5), that of kinematic ones feels no load.
+  bool byLoad = false;
   double freeEffort = 0.196;         // of walking freely and slowly,
   double effortPerSpeed = 0.0016;    // s/cm, more for each cm/s of the feet
   double sidewaysFactor = 1.3;       // cm/s forward that cost as much as 1 sideways
@@ -28,7 +31,8 @@ struct StuckParams {
   static constexpr auto fields() {
     using P = StuckParams;
     return fieldList(
-        field("use", &P::use), field("freeEffort", &P::freeEffort, "", 0, 1),
+        field("use", &P::use), field("byLoad", &P::byLoad),
+        field("freeEffort", &P::freeEffort, "", 0, 1),
         field("effortPerSpeed", &P::effortPerSpeed, "s/cm", 0, 1),
         field("sidewaysFactor", &P::sidewaysFactor, "", 0, 100),
         field("turnLever", &P::turnLever, "cm", 0, 1000), field("margin", &P::margin, "", 0, 1),

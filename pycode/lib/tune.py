@@ -44,9 +44,10 @@ class LineUp:
 
 class Strike:
     # The ball's place in the robot frame from which the kick hits it.
-    KICK_NEAR = 6.0          # chest against the ball
-    KICK_FAR = 9.6           # 190 ms pass until the push begins: 1.5 cm at MIN_SPEED
-    KICK_SIDE = 2.5          # the chest is flat, the paws are 18 cm apart
+    KICK_AHEAD = 14.0        # actuator/data/motions/kick_forward.toml
+    KICK_NEAR = 12.4
+    KICK_FAR = 15.4          # 190 ms pass until the kick begins: 1.5 cm at MIN_SPEED
+    KICK_SIDE = 1.8
     KICK_AIM = 14.0          # deg between the robot's and the goal's direction
     FORWARD_GAIN = 1.5
     FORWARD_SPEED = 26.0
@@ -55,7 +56,7 @@ class Strike:
     SIDE_GAIN = 1.5
     SIDE_SPEED = 7.0
     SIDE_FIRST = 3.0         # the ball farther aside: do not go closer than STAND_OFF
-    STAND_OFF = 13.0
+    STAND_OFF = 18.0
     TURN_GAIN = 1.2
     TURN_SPEED = 30.0
     LOST_AIM = 28.0          # line up again

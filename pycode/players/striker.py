@@ -9,6 +9,7 @@ from lib.head import look_at, view
 from lib.machine import Machine
 from lib.tune import Approach, Goal, Kick, LineUp, Strike, Stuck, Watch
 from skills.find_ball import FindBall
+from skills.get_up import GetUp
 from skills.go_to_ball import GoToBall
 from skills.kick import KickForward
 from skills.line_up import CircleBall, aim_error
@@ -24,6 +25,7 @@ class Striker(Machine):
         super().__init__(self.search)
         self.goal = OpponentGoal()
         self.watch = WatchBall()
+        self.get_up = GetUp()
         self.swept_s = NEVER_S  # when the goal was last looked for
 
     def command(self, world) -> kelpie.Command:
@@ -31,6 +33,9 @@ class Striker(Machine):
         if world.game.state != kelpie.PLAYING or world.game.penalised:
             self.reset(world, 'play is halted', self.search)
             return self.idle(world)
+        if self.get_up.needed(world):
+            self.reset(world, 'has fallen', self.search)
+            return kelpie.Command(motion=self.get_up.motion(world))
         return self.step(world)
 
     def idle(self, world) -> kelpie.Command:

@@ -25,17 +25,20 @@ class StepToKick:
 
     def can_kick(self, world, goal_point) -> bool:
         ball = world.ball.relative
-        return (abs(ball.x) <= Strike.KICK_SIDE and ball.y <= Strike.KICK_FAR and
+        return (abs(ball.x) <= Strike.KICK_SIDE and
+                Strike.KICK_NEAR <= ball.y <= Strike.KICK_FAR and
                 abs(self.aim(world, goal_point)) <= Strike.KICK_AIM)
 
     def walk(self, world, goal_point) -> kelpie.WalkRequest:
         ball = world.ball.relative
         centred = abs(ball.x) <= Strike.SIDE_FIRST
-        target = Strike.KICK_NEAR if centred else Strike.STAND_OFF
+        target = Strike.KICK_AHEAD if centred else Strike.STAND_OFF
         ahead = ball.y - target
         forward = clamp(Strike.FORWARD_GAIN * ahead, -Strike.FORWARD_SPEED, Strike.FORWARD_SPEED)
         if centred and 0.0 < forward < Strike.MIN_SPEED:
             forward = Strike.MIN_SPEED
+        if ball.y < Strike.KICK_NEAR:
+            forward = -Strike.MIN_SPEED
         left = clamp(-Strike.SIDE_GAIN * ball.x, -Strike.SIDE_SPEED, Strike.SIDE_SPEED)
         turn = clamp(Strike.TURN_GAIN * self.aim(world, goal_point), -Strike.TURN_SPEED,
                      Strike.TURN_SPEED)

@@ -69,11 +69,10 @@ struct EffectorVector {
   std::uint32_t ears = 0;  // bit 0: left up, bit 1: right up
 
   static constexpr auto fields() {
-    return fieldList(field("ticks", &EffectorVector::ticks, "", 0, kMaxVectorTicks),
-                     field("joints", &EffectorVector::joints),
-                     field("targets", &EffectorVector::targets),
-                     field("leds", &EffectorVector::leds),
-                     field("ears", &EffectorVector::ears, "", 0, 3));
+    return fieldList(
+        field("ticks", &EffectorVector::ticks, "", 0, kMaxVectorTicks),
+        field("joints", &EffectorVector::joints), field("targets", &EffectorVector::targets),
+        field("leds", &EffectorVector::leds), field("ears", &EffectorVector::ears, "", 0, 3));
   }
 };
 

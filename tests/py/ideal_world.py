@@ -89,7 +89,7 @@ class IdealWorld:
             self.kick_left_s = KICK_S
             self.kicks += 1
             x, y = self.robot_frame(self.ball)
-            if abs(x) < 2.5 and 4.0 < y < 11.0:
+            if abs(x) < 2.5 and 11.5 < y < 16.5:
                 self.shoot(self.ball + KICK_CM * self.facing)
         running = self.kick_left_s > 0.0
         self.world.motion.running = kelpie.KICK_FORWARD if running else kelpie.NO_MOTION

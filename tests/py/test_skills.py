@@ -45,14 +45,15 @@ def test_ball_aside_is_not_approached_further_until_it_is_centred():
     assert walk.forward == pytest.approx(0) and walk.left < 0
 
 
-@pytest.mark.parametrize('x, y, can', [(0, 7.5, True), (2.6, 7.5, False), (0, 9.7, False)])
+@pytest.mark.parametrize('x, y, can', [(0, 14.0, True), (2.0, 14.0, False),
+                                        (0, 15.6, False), (0, 12.0, False)])
 def test_kick_zone(x, y, can):
     world = world_with_ball(x, y)
     assert StepToKick().can_kick(world, (0.0, 200.0)) is can
 
 
 def test_no_kick_past_the_goal():
-    world = world_with_ball(0, 7.5)
+    world = world_with_ball(0, 14.0)
     assert not StepToKick().can_kick(world, (100.0, 200.0))
 
 

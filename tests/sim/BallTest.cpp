@@ -50,10 +50,9 @@ TEST(Ball, StaysInsideTheGoal) {
 
 TEST(Ball, PushedByTheChestItRunsAhead) {
   RobotParams params;
-  std::vector<RobotModel> robots;
-  robots.emplace_back(params, Pose2{{180, 200}, Angle::deg(90)}, 1);
+  const RobotModel robot(params, Pose2{{180, 200}, Angle::deg(90)}, 1);
   Ball ball{{180, 200 + kChestAhead + body::kBallRadius - 0.5}, {}};
-  tickBall(ball, robots, {}, {});
+  tickBall(ball, {&robot}, {}, {});
   EXPECT_NEAR(ball.position.y, 200 + kChestAhead + body::kBallRadius, 0.05);
   EXPECT_NEAR(ball.position.x, 180.0, 1e-6);
 }

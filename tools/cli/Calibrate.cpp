@@ -37,7 +37,7 @@ Status checkTarget(const std::string& out, const std::string& input) {
 
 void addCalibrate(CLI::App& app, int& code) {
   auto* command = app.add_subcommand(
-      "calibrate", "Make the tables of a robot's camera and a venue's light; learn walks and motions");
+      "calibrate", "Make the tables of a robot's camera and a venue's light, learn walks, motions");
   command->require_subcommand(1);
   addCalibrateBody(*command, code);
   addCalibrateRing(*command, code);

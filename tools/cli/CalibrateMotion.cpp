@@ -66,7 +66,9 @@ Judge judgeOfKick(const learn::KickAim& aim, const MotionOptions& options) {
           },
           [unseen, aim](actuator::MotionData& motion) {
             const auto spread = learn::spreadOf(learn::tryFromAll(motion, aim, *unseen));
-            motion.kick = {aim.ball.y, -aim.ball.x, spread.distance, spread.direction};
+            const Point2<Robot> place = learn::meanPlace(*unseen);
+            motion.kick = {place.y,           -place.x,         spread.distance,
+                           spread.distanceSd, spread.direction, spread.directionSd};
             return learn::spreadText(spread, motion);
           }};
 }

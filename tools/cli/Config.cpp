@@ -94,6 +94,7 @@ Status applyConfig(const ConfigOptions& options, agent::AgentConfig& config) {
   if (options.player > 0) config.player = static_cast<std::uint8_t>(options.player);
   const Status calibration = applyCalibration(options, config.calibration);
   if (!calibration) return calibration;
+  if (options.physical) config.gps.stuck.byLoad = true;
   const Status overlaid = overlayParameters(options.params, config);
   if (!overlaid) return overlaid;
   agent::shareField(config);

@@ -20,6 +20,7 @@ struct ConfigOptions {
   std::string ring;                 // nominal, none, 2006 or a file
   std::string initial;              // "x,y,heading" in cm and degrees
   std::vector<std::string> params;  // TOML files, general to specific
+  bool physical = false;            // for a body with masses; else for a kinematic one
 };
 
 // Registers --field, --team, --colour-table, --ring, --init and --params.

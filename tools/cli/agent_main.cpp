@@ -132,6 +132,7 @@ int main(int argc, char** argv) {
                "The log's records go out one by one, uncompressed");
   app.add_option("--pycode", options.pycode, "Behaviours, folder or zip");
   app.add_option("--player", options.config.player, "Number in the team")->check(CLI::Range(1, 4));
+  app.add_flag("--physical", options.config.physical, "The body has masses and servos");
   app.add_option("--drop-rate", options.dropRate, "Share of images lost on the way")
       ->check(kelpie::cli::inRange(0.0, 1.0));
   app.add_option("--seed", options.seed, "Of the losses")

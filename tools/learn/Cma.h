@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "robot/core/Expected.h"
-#include "tools/learn/Search.h"
+#include "tools/learn/SearchPlan.h"
 
 namespace kelpie::learn {
 

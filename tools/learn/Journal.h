@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "robot/core/Expected.h"
-#include "tools/learn/Search.h"
+#include "tools/learn/SearchPlan.h"
 
 namespace kelpie::learn {
 

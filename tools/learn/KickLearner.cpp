@@ -39,6 +39,14 @@ std::vector<Kicked> tryFromAll(const MotionData& motion, const KickAim& aim,
   return kicked;
 }
 
+Point2<Robot> meanPlace(const std::vector<KickStart>& starts) {
+  Point2<Robot> mean;
+  for (const KickStart& start : starts)
+    mean =
+        mean + robotFromField(start.pose, start.ball) * (1.0 / static_cast<double>(starts.size()));
+  return mean;
+}
+
 KickSpread spreadOf(const std::vector<Kicked>& kicked) {
   KickSpread spread;
   double squares = 0.0;

@@ -16,6 +16,9 @@ std::vector<KickStart> beforeKicks(const KickAim& aim,
 std::vector<Kicked> tryFromAll(const actuator::MotionData& motion, const KickAim& aim,
                                const std::vector<KickStart>& starts);
 
+// Where the ball lies on the mean as the kick begins.
+Point2<Robot> meanPlace(const std::vector<KickStart>& starts);
+
 struct KickSpread {
   double distance = 0.0;  // cm, mean
   double distanceSd = 0.0;

@@ -83,7 +83,7 @@ const KickAim* findKick(MotionKind motion) {
 
 KickAim aimOf(const KickAim& aim, const actuator::MotionData& motion) {
   KickAim own = aim;
-  if (motion.kick.distance > 0.0) own.ball = {-motion.kick.left, motion.kick.ahead};
+  if (!aim.held && motion.kick.distance > 0.0) own.ball = {-motion.kick.left, motion.kick.ahead};
   return own;
 }
 

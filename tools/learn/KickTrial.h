@@ -30,7 +30,7 @@ const KickAim* findKick(MotionKind motion);
 MotionKind mirrored(MotionKind motion);
 KickAim mirrored(const KickAim& aim);
 
-// The one of a motion as it is: the ball lies where the motion wants it.
+// The one of a motion as it is: a free ball lies where the motion wants it.
 KickAim aimOf(const KickAim& aim, const actuator::MotionData& motion);
 
 // A robot about to kick.

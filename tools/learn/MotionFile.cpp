@@ -48,11 +48,13 @@ class Reader {
       number(*way, "turn", motion.turn);
     }
     if (const toml::table* kick = file["kick"].as_table()) {
-      known(*kick, {"ahead", "left", "distance", "direction"});
+      known(*kick, {"ahead", "left", "distance", "distance_sd", "direction", "direction_sd"});
       number(*kick, "ahead", motion.kick.ahead);
       number(*kick, "left", motion.kick.left);
       number(*kick, "distance", motion.kick.distance);
+      number(*kick, "distance_sd", motion.kick.distanceSd);
       number(*kick, "direction", motion.kick.direction);
+      number(*kick, "direction_sd", motion.kick.directionSd);
     }
     if (const toml::array* frames = file["frame"].as_array())
       for (const toml::node& frame : *frames) addFrame(frame, motion);
@@ -226,8 +228,10 @@ std::string motionText(const MotionData& motion, const std::string& about) {
   const actuator::KickEffect& kick = motion.kick;
   if (kick.distance > 0.0)
     out += fmt::format(
-        "kick = {{ ahead = {:.1f}, left = {:.1f}, distance = {:.0f}, direction = {:.1f} }}\n",
-        kick.ahead, kick.left, kick.distance, kick.direction.deg());
+        "kick = {{ ahead = {:.1f}, left = {:.1f}, distance = {:.0f}, distance_sd = {:.0f}, "
+        "direction = {:.1f}, direction_sd = {:.1f} }}\n",
+        kick.ahead, kick.left, kick.distance, kick.distanceSd, kick.direction.deg(),
+        kick.directionSd.deg());
   for (const KeyFrame& key : motion.frames) out += frameText(key);
   return out;
 }

@@ -80,16 +80,16 @@ void touchTrunk(Ball& ball, const RobotModel& robot, double t, const BallParams&
 
 }  // namespace
 
-void tickBall(Ball& ball, const std::vector<RobotModel>& robots,
+void tickBall(Ball& ball, const std::vector<const RobotModel*>& robots,
               const std::vector<Obstacle>& obstacles, const BallParams& params) {
   constexpr double kNearby = 40.0;  // no part of a robot is further from its neck base
   for (int step = 1; step <= kSteps; ++step) {
     const double t = static_cast<double>(step) / kSteps;
     roll(ball, kTickSeconds / kSteps, params);
-    for (const RobotModel& robot : robots) {
-      if (distance(robot.place().pose.position, ball.position) > kNearby) continue;
-      for (const BodySphere& sphere : robot.spheres()) touchSphere(ball, sphere, t, params);
-      touchTrunk(ball, robot, t, params);
+    for (const RobotModel* robot : robots) {
+      if (distance(robot->place().pose.position, ball.position) > kNearby) continue;
+      for (const BodySphere& sphere : robot->spheres()) touchSphere(ball, sphere, t, params);
+      touchTrunk(ball, *robot, t, params);
     }
     bounce(ball, obstacles, params);
     limitSpeed(ball, params);

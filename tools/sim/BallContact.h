@@ -9,8 +9,9 @@
 
 namespace kelpie::sim {
 
-// One tick: rolls and touches, in steps of 2 ms because a foot moves 2 cm in a tick.
-void tickBall(Ball& ball, const std::vector<RobotModel>& robots,
+// One tick of a ball among the robots that may touch it: rolls and touches, in steps of 2 ms
+// because a foot moves 2 cm in a tick.
+void tickBall(Ball& ball, const std::vector<const RobotModel*>& robots,
               const std::vector<Obstacle>& obstacles, const BallParams& params);
 
 }  // namespace kelpie::sim

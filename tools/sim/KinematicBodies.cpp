@@ -14,6 +14,8 @@ constexpr double kChinReach = 2.5;  // cm between ball and jaw that closes the c
 constexpr double kPawGives = 0.2;   // cm that a paw is pushed in before its switch closes [chosen]
 constexpr double kRobotReach = 40.0;  // cm: no part of a robot is further from its neck base
 constexpr double kGravity = 981.0;
+// deg that the neck stands below its target without a ball under the chin (physics.md section 10).
+constexpr double kEmptySag = 4.4;
 
 void pushOff(RobotModel& robot, double disc, Point2<Field> from, double reach) {
   const Point2<Field> centre = fieldFromRobot(robot.place().pose, {0.0, disc});
@@ -121,14 +123,22 @@ BodyFeeling KinematicBodies::feel(std::size_t i) {
   const auto parts = robot.spheres();
   feeling.paw = pawsPressed(i, parts);
   feeling.touch = robot.touched();
-  feeling.touch.chin = feeling.touch.chin || chinTouched(i, parts.back());
+  const bool holds = kicks_.holds(i);
+  feeling.touch.chin = feeling.touch.chin || holds || chinTouched(i, parts.back());
+  if (holdingPose(robot.target()) && !holds) {
+    Angle& neck = feeling.joints[Joint::neckTilt];
+    neck = neck - Angle::deg(kEmptySag);
+  }
   return feeling;
 }
 
 Status KinematicBodies::tick() {
   for (RobotModel& robot : robots_) robot.tick();
   keepApart();
-  tickBall(ball_, robots_, obstacles_, ballParams_);
+  std::vector<const RobotModel*> touching;
+  for (std::size_t i = 0; i < robots_.size(); ++i)
+    if (!kicks_.tick(i, robots_[i], ball_)) touching.push_back(&robots_[i]);
+  tickBall(ball_, touching, obstacles_, ballParams_);
   return Done{};
 }
 

@@ -8,6 +8,7 @@
 
 #include "tools/sim/BallContact.h"
 #include "tools/sim/Bodies.h"
+#include "tools/sim/FastKicks.h"
 #include "tools/sim/RobotModel.h"
 
 namespace kelpie::sim {
@@ -21,8 +22,10 @@ std::array<double, 3> accelerationAtRest(const Stance& stance, const BodyFaults&
 
 class KinematicBodies : public Bodies {
  public:
-  KinematicBodies(const BallParams& ball, const body::FieldDescription& field)
-      : ballParams_(ball), field_(field), obstacles_(obstaclesOf(field)) {}
+  // `seed`: of where kicks send the ball.
+  KinematicBodies(const BallParams& ball, const body::FieldDescription& field,
+                  std::uint64_t seed = 0)
+      : ballParams_(ball), field_(field), obstacles_(obstaclesOf(field)), kicks_(ball, seed) {}
 
   void add(RobotModel robot) { robots_.push_back(std::move(robot)); }
   RobotModel& robot(std::size_t i) { return robots_[i]; }
@@ -68,6 +71,7 @@ class KinematicBodies : public Bodies {
   std::vector<Obstacle> obstacles_;
   std::vector<RobotModel> robots_;
   Ball ball_;
+  FastKicks kicks_;
 };
 
 }  // namespace kelpie::sim

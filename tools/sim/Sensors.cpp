@@ -110,11 +110,15 @@ double rayDistance(const Surroundings& around, FieldPoint3 from, FieldPoint3 dir
 }
 
 double batteryCurrent(const std::array<SensorFrame, kTicksPerMessage>& ticks,
-                      const SensorParams& params) {
+                      const SensorParams& params, bool physical) {
   double duty = 0.0;
+  double squares = 0.0;
   for (const SensorFrame& tick : ticks)
-    for (std::size_t j = index(Joint::leftFrontRotator); j <= index(Joint::rightHindKnee); ++j)
+    for (std::size_t j = index(Joint::leftFrontRotator); j <= index(Joint::rightHindKnee); ++j) {
       duty += std::fabs(tick.duty[j]) / kTicksPerMessage;
+      squares += maths::square(tick.duty[j]) / kTicksPerMessage;
+    }
+  if (physical) return params.idleCurrent + params.currentPerSquare * squares;
   return params.idleCurrent + params.currentPerDuty * duty;
 }
 

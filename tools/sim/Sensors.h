@@ -17,13 +17,17 @@ struct SensorParams {
   double accelerationSd = 25.0;
   double idleCurrent = 700.0;      // mA, of all but the legs
   double currentPerDuty = 1500.0;  // mA more for each leg joint at full duty
+  // Of physical servos, whose power goes with the square of what they give: a walk at full speed
+  // draws 2200 mA [chosen: below the 2500 at which legs get strong again, facts-2005 section 2.5].
+  double currentPerSquare = 280.0;
 
   static constexpr auto fields() {
     using P = SensorParams;
     return fieldList(field("distanceNoise", &P::distanceNoise, "", 0, 0.5),
                      field("accelerationSd", &P::accelerationSd, "cm/s2", 0, 500),
                      field("idleCurrent", &P::idleCurrent, "mA", 0, 1e4),
-                     field("currentPerDuty", &P::currentPerDuty, "mA", 0, 1e4));
+                     field("currentPerDuty", &P::currentPerDuty, "mA", 0, 1e4),
+                     field("currentPerSquare", &P::currentPerSquare, "mA", 0, 1e4));
   }
 };
 
@@ -41,9 +45,9 @@ SensorFrame sense(const Surroundings& around, const BodyFeeling& feeling,
 // Of the chest's sensor, cm; what is closer than 7 cm reads too far.
 double chestDistance(const Surroundings& around, double noise, Random& random);
 
-// Drawn from the battery: a motor's current goes with its duty. Mean over the ticks, mA.
+// Drawn from the battery: a kinematic motor's current goes with its duty. Mean over the ticks, mA.
 double batteryCurrent(const std::array<SensorFrame, kTicksPerMessage>& ticks,
-                      const SensorParams& params);
+                      const SensorParams& params, bool physical = false);
 
 // Distance along a ray to the first of ground, ball, obstacle up to 30 cm high, other robot.
 double rayDistance(const Surroundings& around, FieldPoint3 from, FieldPoint3 direction);

@@ -77,7 +77,7 @@ void World::buildBodies(std::uint64_t seed) {
     }
     fault_ = built.error();
   }
-  auto kinematic = std::make_unique<KinematicBodies>(params_.ball, field_);
+  auto kinematic = std::make_unique<KinematicBodies>(params_.ball, field_, partSeed(seed, 7));
   for (std::size_t i = 0; i < players_.size(); ++i)
     kinematic->add({params_.robot, players_[i].start, own(i), unlike_.robots[i].body});
   bodies_ = std::move(kinematic);

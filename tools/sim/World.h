@@ -105,7 +105,7 @@ class World {
     return sensors_[robot];
   }
   double batteryCurrent(std::size_t robot) const {
-    return sim::batteryCurrent(sensors_[robot], params_.sensors);
+    return sim::batteryCurrent(sensors_[robot], params_.sensors, !params_.fast);
   }
   // The image whose exposure of 1/30 s ends at `end`; ticks() must have reached it, by at most one
   // tick.

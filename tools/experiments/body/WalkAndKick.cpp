@@ -47,9 +47,11 @@ Expected<Json> walkAndKick(const Request& request) {
   double sum = 0.0;
   double aside = 0.0;
   int kicks = 0;
-  for (const double ahead : {6.0, 7.0, 8.0, 9.0, 10.0})
-    for (const double x : {-4.0, -2.0, 0.0, 2.0, 4.0}) {
-      const Point2<Robot> way = kicked({x, ahead}, request.seed);
+  const double place = actuator::standardMotions()[MotionKind::kickForward].kick.ahead;
+  for (const double ahead : {-1.0, -0.5, 0.0, 0.5, 1.0})
+    for (const double x : {-0.8, -0.4, 0.0, 0.4, 0.8}) {
+      const auto seed = request.seed + static_cast<std::uint64_t>(kicks);
+      const Point2<Robot> way = kicked({x, place + ahead}, seed);
       shortest = std::fmin(shortest, way.y);
       sum += way.y;
       aside = std::fmax(aside, std::fabs(bearing(way).deg()));

@@ -32,6 +32,7 @@ Expected<agent::AgentConfig> agentConfig(const Request& request) {
   cli::ConfigOptions options;
   options.params = request.params;
   options.field = request.field;
+  options.physical = request.physical;
   return cli::makeConfig(options);
 }
 

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a kinematic world, which knows no blows, makes of grabs and kicks. A ball between the paws
+// of a robot whose head is in the pose that holds one goes where the robot goes. A robot whose legs
+// are commanded into the last key frame of a kick (actuator/data/motions) sends a ball that lies
+// where the kick wants it as far and as straight as the physical one did on the mean, and spread as
+// there (`kelpie calibrate motion` measures both). A ball further aside goes less far.
+// Knows no other motions than those that are compiled in.
+#pragma once
+
+#include <vector>
+
+#include "actuator/MotionData.h"
+#include "robot/core/Random.h"
+#include "tools/sim/Ball.h"
+#include "tools/sim/RobotModel.h"
+
+namespace kelpie::sim {
+
+// The speed with which a ball leaves to roll so far.
+double speedToRoll(double distance, const BallParams& params);
+
+// The head that holds a ball, by where it is commanded.
+bool holdingPose(const JointAngles& target);
+
+class FastKicks {
+ public:
+  FastKicks(const BallParams& ball, std::uint64_t seed) : ball_(ball), random_(seed ^ 0x61c45ULL) {}
+
+  // One tick of one robot. True: what it does with the ball is settled, no part of it touches it.
+  bool tick(std::size_t robot, const RobotModel& body, Ball& ball);
+  bool holds(std::size_t robot) const { return robot < grips_.size() && grips_[robot].holds; }
+
+ private:
+  struct Grip {
+    bool holds = false;
+    bool kicked = false;  // by the motion that is played
+    Point2<Robot> place;  // of a held ball
+  };
+  bool hold(const RobotModel& body, Grip& grip, Ball& ball) const;
+  void kick(const actuator::KickEffect& effect, const RobotModel& body, Grip& grip, Ball& ball);
+
+  BallParams ball_;
+  Random random_;
+  std::vector<Grip> grips_;
+};
+
+}  // namespace kelpie::sim
