@@ -11,7 +11,8 @@ from conftest import ROOT, complaint, kelpie
 @pytest.mark.parametrize("words, refused, known", [
     (["ball", "--params", "CMakeLists.txt"], "--params", "--trials, --seed, --json"),
     (["team-ball", "--unlike", "3"], "--unlike", "--trials, --seed, --json"),
-    (["kidnap", "--pictures", "."], "--pictures", "--seed, --unlike, --params, --traces, --physical, --json"),
+    (["kidnap", "--pictures", "."], "--pictures",
+     "--seed, --unlike, --params, --traces, --physical, --json"),
     (["objects", "--traces", "."], "--traces", "--trials, --seed, --unlike, --pictures, --json"),
     (["walk-and-kick", "--trials", "1"], "--trials", "--seed, --json"),
     (["distances", "--seed", "1"], "--seed", "knows --json"),

@@ -16,9 +16,11 @@ constexpr double kFurthest = 10.8;
 constexpr double kAside = 4.5;
 constexpr double kHeldAhead = 7.9;
 constexpr double kDrawnIn = 0.1;  // share of the way there, a tick
-constexpr double kSame = 0.3;     // deg by which commanded angles may differ from a key frame's
-constexpr double kSure = 1.2;     // cm from the kick's place at which its figures were measured,
-constexpr double kOff = 4.0;      // and at which nothing is left of it
+constexpr std::size_t kFirstLegJoint = index(Joint::leftFrontRotator);
+constexpr double kWalkSlew = 4.5;  // deg a tick: only motions command more
+constexpr double kSame = 0.3;      // deg by which commanded angles may differ from a key frame's
+constexpr double kSure = 1.2;      // cm from the kick's place at which its figures were measured,
+constexpr double kOff = 4.0;       // and at which nothing is left of it
 
 bool headDown(const JointAngles& target) {
   constexpr double kNeck = -45.0;  // deg
@@ -30,29 +32,44 @@ bool canHold(Point2<Robot> ball) {
   return ball.y > kNearest && ball.y < kFurthest && std::fabs(ball.x) < kAside;
 }
 
-bool legsAt(const KeyFrame& key, const JointAngles& target) {
-  if (key.legs != KeyLegs::angles) return false;
-  for (std::size_t j = 0; j < actuator::kLegJoints; ++j) {
-    const Angle at = target.angle[index(Joint::leftFrontRotator) + j];
-    if (std::fabs((at - key.angles[j]).deg()) > kSame) return false;
-  }
-  return true;
-}
-
-// The kick that the robot is commanded into, and how many key frames are still to come.
-struct Playing {
+// The legs of a kick's key frame as the actuator's clamp lets them be commanded.
+struct KickFrame {
+  JointAngles joints;
   const MotionData* motion = nullptr;
-  std::size_t left = 0;
+  std::size_t left = 0;  // key frames still to come
 };
 
-Playing played(const JointAngles& target) {
+std::vector<KickFrame> kickFrames() {
+  std::vector<KickFrame> frames;
   for (std::size_t k = 0; k < kMotionKindCount; ++k) {
     const MotionData& motion = actuator::standardMotions().of[k];
     if (!isKick(static_cast<MotionKind>(k))) continue;
-    for (std::size_t f = 0; f < motion.frames.size(); ++f)
-      if (legsAt(motion.frames[f], target)) return {&motion, motion.frames.size() - 1 - f};
+    for (std::size_t f = 0; f < motion.frames.size(); ++f) {
+      const KeyFrame& key = motion.frames[f];
+      if (key.legs != KeyLegs::angles) continue;
+      KickFrame frame{{}, &motion, motion.frames.size() - 1 - f};
+      for (std::size_t j = 0; j < actuator::kLegJoints; ++j)
+        frame.joints.angle[kFirstLegJoint + j] = key.angles[j];
+      frame.joints = body::withinLimits(frame.joints);
+      frames.push_back(frame);
+    }
   }
-  return {};
+  return frames;
+}
+
+// The greatest difference of a leg joint, deg.
+double legsApart(const JointAngles& a, const JointAngles& b) {
+  double most = 0.0;
+  for (std::size_t j = kFirstLegJoint; j < kFirstLegJoint + actuator::kLegJoints; ++j)
+    most = std::fmax(most, std::fabs((a.angle[j] - b.angle[j]).deg()));
+  return most;
+}
+
+const KickFrame* played(const JointAngles& target) {
+  static const std::vector<KickFrame> frames = kickFrames();
+  for (const KickFrame& frame : frames)
+    if (legsApart(frame.joints, target) < kSame) return &frame;
+  return nullptr;
 }
 
 // dv/dt = -(k v + friction), as roll() has it.
@@ -114,18 +131,21 @@ void FastKicks::kick(const actuator::KickEffect& effect, const RobotModel& body,
 bool FastKicks::tick(std::size_t robot, const RobotModel& body, Ball& ball) {
   if (robot >= grips_.size()) grips_.resize(robot + 1);
   Grip& grip = grips_[robot];
-  const Playing now = played(body.target());
-  if (now.motion == nullptr) {
+  const JointAngles& target = body.target();
+  const bool jumps = legsApart(target, grip.target) > kWalkSlew;
+  grip.target = target;
+  const KickFrame* frame = played(target);
+  if (frame == nullptr && !jumps) {
     grip.kicked = false;
-    grip.holds = holdingPose(body.target()) && hold(body, grip, ball);
+    grip.holds = holdingPose(target) && hold(body, grip, ball);
     // A head that comes down with its jaw shut passes in front of the ball.
     const Point2<Robot> at = robotFromField(body.place().pose, ball.position);
-    return grip.holds || (headDown(body.target()) && canHold(at));
+    return grip.holds || (headDown(target) && canHold(at));
   }
   // A held ball stays until the kick's last key frame.
   if (grip.holds && !grip.kicked) hold(body, grip, ball);
-  if (now.left == 0 && !grip.kicked) {
-    kick(now.motion->kick, body, grip, ball);
+  if (frame != nullptr && frame->left == 0 && !grip.kicked) {
+    kick(frame->motion->kick, body, grip, ball);
     grip.holds = false;
   }
   return true;

@@ -35,6 +35,7 @@ class FastKicks {
     bool holds = false;
     bool kicked = false;  // by the motion that is played
     Point2<Robot> place;  // of a held ball
+    JointAngles target;   // of the tick before
   };
   bool hold(const RobotModel& body, Grip& grip, Ball& ball) const;
   void kick(const actuator::KickEffect& effect, const RobotModel& body, Grip& grip, Ball& ball);
