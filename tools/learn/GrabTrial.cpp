@@ -8,7 +8,6 @@
 namespace kelpie::learn {
 namespace {
 
-constexpr double kMessageSeconds = kTickSeconds * kTicksPerMessage;
 constexpr int kApproach = 250;  // messages, 8 s
 constexpr int kAfter = 16;      // 0.5 s
 // The ball is that far ahead of the neck base, its closing speed counted, when the grab begins

@@ -22,7 +22,7 @@ constexpr double kAhead = 15.0;    // cm/s
 constexpr double kCarried = 50.0;  // cm
 constexpr double kSettled = 0.26;  // s after which a window has seen nothing but what is now
 
-enum class Rolls : std::uint8_t { not_, anywhere, across };
+enum class Rolls : std::uint8_t { no, anywhere, across };
 
 struct Grabbed {
   learn::GrabEnd end = learn::GrabEnd::missed;
@@ -41,7 +41,7 @@ learn::GrabPlace placeOf(Rolls rolls, Random& random) {
   const double far = random.uniform(50.0, 90.0);
   const maths::SinCos way = maths::sinCos(rolls == Rolls::across ? 0.3 * bearing : bearing);
   place.ball = {far * way.sin, far * way.cos};
-  if (rolls == Rolls::not_) return place;
+  if (rolls == Rolls::no) return place;
   place.speed = random.uniform(5.0, 30.0);
   place.direction = Angle::deg(random.uniform(-180.0, 180.0));
   if (rolls == Rolls::across) place.direction = Angle::deg(random.chance(0.5) ? 90.0 : -90.0);
@@ -126,10 +126,10 @@ Sums tryAll(Rolls rolls, bool quick, const Request& request) {
 }
 
 Expected<Json> grabs(const Request& request) {
-  const Sums rest = tryAll(Rolls::not_, false, request);
+  const Sums rest = tryAll(Rolls::no, false, request);
   const Sums rolling = tryAll(Rolls::anywhere, false, request);
   const Sums across = tryAll(Rolls::across, false, request);
-  const Sums quick = tryAll(Rolls::not_, true, request);
+  const Sums quick = tryAll(Rolls::no, true, request);
   return Json{{"success_rest", rest.success.value()},
               {"success_rolling", rolling.success.value()},
               {"success_across", across.success.value()},
