@@ -74,20 +74,27 @@ bool walksOn(const ActuatorParams& params, const ActuatorState& state) {
   return !running(state.motion) || keyFrame(params.motions, state.motion).legs == KeyLegs::walk;
 }
 
-Velocity speedOfMotion(const MotionData& motion) {
-  const double seconds = kTickSeconds * ticksOf(motion);
-  return {motion.forward / seconds, motion.left / seconds, motion.turn.rad() / seconds};
+CommandedTick tickOf(const MotionData& motion) {
+  const MotionWay& way = motion.way;
+  const double ticks = ticksOf(motion);
+  CommandedTick tick;
+  const double seconds = kTickSeconds * ticks;
+  tick.real = {way.forward / seconds, way.left / seconds, way.turn.rad() / seconds};
+  tick.motion = {maths::square(way.forwardSd) / ticks, maths::square(way.leftSd) / ticks,
+                 maths::square(way.turnSd.rad()) / ticks};
+  return tick;
 }
 
 // What this tick's commands make likely, for the odometry.
 CommandedTick commandedNow(const ActuatorParams& params, const ActuatorState& state) {
-  if (!walksOn(params, state)) {
-    return {speedOfMotion(params.motions[state.motion.kind]), {}, true};
-  }
-  const WalkOdometry& odometry = state.walk.set.odometry;
-  CommandedTick tick{realSpeed(state.walk.feet, odometry.commanded), {}, false};
+  if (!walksOn(params, state)) return tickOf(params.motions[state.motion.kind]);
+  const WalkSet& set = state.walk.set;
+  CommandedTick tick;
+  tick.real = likelySpeed(state.walk.feet, set.odometry, state.odometry.load);
+  tick.stride = {state.walk.feet, state.walk.phase};
+  if (params.physical) tick.swing = swing(tick.stride, set);
   if (!still(state.walk.feet))
-    tick.joints = {odometry.joints, odometry.jointsLeft, odometry.jointsTurn};
+    tick.joints = {set.odometry.joints, set.odometry.jointsLeft, set.odometry.jointsTurn};
   return tick;
 }
 
@@ -143,6 +150,13 @@ bool walking(const ActuatorParams& params, const ActuatorState& state) {
 // A kick needs all the strength there is (facts-2005 section 2.5).
 bool lowGain(const ActuatorState& state) { return state.gain.low && !running(state.motion); }
 
+Stance stanceAt(std::size_t tick, const MotionInput& in, const ActuatorParams& params,
+                const ActuatorState& state) {
+  const Stance legs = body::stanceFromLegs(in.sensors[tick].joints);
+  if (!params.physical) return legs;
+  return swaying(legs, shown(tick, params.odometry, state.odometry).stride, state.walk.set);
+}
+
 MotionStatus status(const ActuatorParams& params, const ActuatorState& state) {
   MotionStatus now;
   now.ready = state.ready;
@@ -166,13 +180,15 @@ MotionOutput step(const MotionInput& in, const ActuatorParams& params, ActuatorS
   recordEffort(in, walking(params, state), state.effort);
   const Feeling feeling =
       feel(in, state.walk, walking(params, state), params.feeling, state.feeling);
+  if (params.physical && walking(params, state)) recordLoad(feeling.load, state.odometry);
   const bool held = stepHeldBall(in, state.target, params.feeling.heldBall, state.heldBall);
   for (JointFrame& frame : out.joints) {
     tick(in.command, params, state);
     frame = {state.target, in.command.leds, earsNow(in.command.ears, params, state)};
   }
   out.odometry = odometry(in, params.odometry, state.odometry);
-  out.stance = state.stance;
+  for (std::size_t i = 0; i < kTicksPerMessage; ++i)
+    out.stances[i] = stanceAt(i, in, params, state);
   out.status = status(params, state);
   out.status.feeling = feeling;
   out.status.feeling.ballHeld = held;

@@ -14,10 +14,9 @@ struct OdometryParams {
   std::uint32_t delayTicks = 10;
   double alongPerCm = 0.1;      // cm2 along the walking direction per cm walked
   double acrossPerCm = 0.0625;  // cm2 across it per cm walked
-  double turnPerRad = 0.75e-3;  // rad2 per rad turned
+  double turnPerRad = 3e-3;     // rad2 per rad turned: sd 8 deg in 360; varied models differ by 7
   double turnPerCm = 0.625e-5;  // rad2 per cm walked
   double positionPerRad = 0.5;  // cm2 per rad turned
-  double motionFactor = 20.0;   // of all of them in a special motion
 
   static constexpr auto fields() {
     using P = OdometryParams;
@@ -26,8 +25,7 @@ struct OdometryParams {
                      field("acrossPerCm", &P::acrossPerCm, "cm", 0, 100),
                      field("turnPerRad", &P::turnPerRad, "rad", 0, 10),
                      field("turnPerCm", &P::turnPerCm, "rad2/cm", 0, 1),
-                     field("positionPerRad", &P::positionPerRad, "cm2/rad", 0, 1000),
-                     field("motionFactor", &P::motionFactor, "", 0, 1e4));
+                     field("positionPerRad", &P::positionPerRad, "cm2/rad", 0, 1000));
   }
 };
 
@@ -56,18 +54,21 @@ struct ActuatorParams {
   double mixSeconds = 0.3;           // from one walk to another
   Angle walkSlew = Angle::deg(4.0);  // per tick, legs while walking (facts-2005 section 6.4)
   Angle headSlew = Angle::deg(4.0);  // per tick
-  double earSeconds = 1.0;           // an ear asked up for longer goes down (openr.md 5.6)
+  // A body with masses: it sways as it walks, and its load tells of the carpet (Sway.h,
+  // Odometry.h).
+  bool physical = true;
+  double earSeconds = 1.0;  // an ear asked up for longer goes down (openr.md 5.6)
 
   static constexpr auto fields() {
     using P = ActuatorParams;
-    return fieldList(field("walks", &P::walks), field("motions", &P::motions),
-                     field("odometry", &P::odometry), field("gain", &P::gain),
-                     field("feeling", &P::feeling),
-                     field("rampSeconds", &P::rampSeconds, "s", 0.2, 10),
-                     field("mixSeconds", &P::mixSeconds, "s", 0.01, 10),
-                     field("walkSlew", &P::walkSlew, "rad", 0.5, 20),
-                     field("headSlew", &P::headSlew, "rad", 0.5, 20),
-                     field("earSeconds", &P::earSeconds, "s", 0, 10));
+    return fieldList(
+        field("walks", &P::walks), field("motions", &P::motions), field("odometry", &P::odometry),
+        field("gain", &P::gain), field("feeling", &P::feeling),
+        field("rampSeconds", &P::rampSeconds, "s", 0.2, 10),
+        field("mixSeconds", &P::mixSeconds, "s", 0.01, 10),
+        field("walkSlew", &P::walkSlew, "rad", 0.5, 20),
+        field("headSlew", &P::headSlew, "rad", 0.5, 20), field("physical", &P::physical),
+        field("earSeconds", &P::earSeconds, "s", 0, 10));
   }
 };
 

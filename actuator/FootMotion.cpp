@@ -3,13 +3,36 @@
 
 #include <cmath>
 
-#include "robot/body/Legs.h"
-
 namespace kelpie::actuator {
 namespace {
 
 constexpr double kLow = 0.4;      // cm above the ground: lower feet carry the body
 constexpr double kPressed = 0.8;  // cm, with the paw pressed
+
+SupportPlace placeOf(std::size_t i, const Stance& stance, const SensorFrame& sensors) {
+  const LegId leg = body::legOfSupport(i);
+  const body::Support paw = body::supportOf(index(leg), sensors.joints);
+  const body::Support support = body::supportOf(i, sensors.joints);
+  const Point3<Torso> tip = body::footPosition(leg, body::legAngles(sensors.joints, leg));
+  const Point3<Robot> way =
+      body::robotFromTorso(stance, tip) - body::robotFromTorso(stance, paw.middle);
+  SupportPlace place;
+  place.middle = body::robotFromTorso(stance, support.middle);
+  place.legWay = {way.x / paw.radius, way.y / paw.radius, way.z / paw.radius};
+  place.radius = support.radius;
+  place.down = place.middle.z - place.radius < (sensors.paw[index(leg)] ? kPressed : kLow);
+  return place;
+}
+
+// Where the point that touched the ground is after the lower leg turned a little: the middle alone
+// would miss by what the sphere rolls, some percent of a step.
+Point2<Robot> rolledFrom(const SupportPlace& before, const SupportPlace& now) {
+  const Point3<Robot>& a = before.legWay;
+  const Point3<Robot>& b = now.legWay;
+  const double aboutX = now.radius * (a.y * b.z - a.z * b.y);
+  const double aboutY = now.radius * (a.z * b.x - a.x * b.z);
+  return {now.middle.x - aboutY, now.middle.y + aboutX};
+}
 
 bool finite(const JointAngles& joints) {
   for (const Angle angle : joints.angle)
@@ -25,20 +48,17 @@ body::PlanarMotion stepFootMotion(const SensorFrame& sensors, FootMotionState& s
     return {};
   }
   const Stance stance = body::stanceFromLegs(sensors.joints);
-  std::array<Point2<Robot>, kLegCount> before{};
-  std::array<Point2<Robot>, kLegCount> now{};
+  std::array<Point2<Robot>, body::kSupportCount> before{};
+  std::array<Point2<Robot>, body::kSupportCount> now{};
   std::size_t count = 0;
-  for (std::size_t i = 0; i < kLegCount; ++i) {
-    const auto leg = static_cast<LegId>(i);
-    const Point3<Robot> foot =
-        body::robotFromTorso(stance, body::footPosition(leg, body::legAngles(sensors.joints, leg)));
-    const bool down = foot.z < (sensors.paw[i] ? kPressed : kLow);
-    if (state.known && down && state.down[i]) {
-      before[count] = {state.feet[i].x, state.feet[i].y};
-      now[count++] = {foot.x, foot.y};
+  for (std::size_t i = 0; i < body::kSupportCount; ++i) {
+    SupportPlace& was = state.supports[i];
+    const SupportPlace is = placeOf(i, stance, sensors);
+    if (state.known && is.down && was.down) {
+      before[count] = {was.middle.x, was.middle.y};
+      now[count++] = rolledFrom(was, is);
     }
-    state.feet[i] = foot;
-    state.down[i] = down;
+    was = is;
   }
   state.known = true;
   return body::rigidMotion(now.data(), before.data(), count);

@@ -1,20 +1,28 @@
 // SPDX-License-Identifier: Apache-2.0
-// How the body moved between two sensed ticks, by the joints alone: the feet that are on the ground
-// in both keep their places. Which ones are is geometry, the body standing on its lowest feet; a
-// foot whose paw is pressed counts even when it is not low. Wrong by what the feet slip and the
+// How the body moved between two sensed ticks, by the joints alone: the paws and cowls that are on
+// the ground in both roll there without slip. Which ones are is geometry, the body standing on its
+// lowest; one whose paw is pressed counts even when it is not low. Wrong by what they slip and the
 // body rolls; a robot that stands still does not move, whatever carries it.
 #pragma once
 
 #include <array>
 
+#include "robot/body/Legs.h"
 #include "robot/body/PlanarMotion.h"
 #include "robot/core/Motion.h"
 
 namespace kelpie::actuator {
 
+// A sphere of a leg that may carry the body, and how its lower leg points.
+struct SupportPlace {
+  Point3<Robot> middle;
+  Point3<Robot> legWay;  // of length 1, towards its tip
+  double radius = 0.0;
+  bool down = false;
+};
+
 struct FootMotionState {
-  std::array<Point3<Robot>, kLegCount> feet{};
-  std::array<bool, kLegCount> down{};
+  std::array<SupportPlace, body::kSupportCount> supports{};
   bool known = false;
 };
 

@@ -61,24 +61,38 @@ struct KickEffect {
   }
 };
 
+// How far the robot frame goes in a motion, until it stands again, as its calibration measured it;
+// odometry spreads it evenly over the key frames.
+struct MotionWay {
+  double forward = 0.0;  // cm
+  double left = 0.0;     // cm
+  Angle turn;
+  double forwardSd = 0.0;
+  double leftSd = 0.0;
+  Angle turnSd;
+
+  static constexpr auto fields() {
+    using P = MotionWay;
+    return fieldList(
+        field("forward", &P::forward, "cm", -100, 100), field("left", &P::left, "cm", -100, 100),
+        field("turn", &P::turn, "rad", -180, 180), field("forwardSd", &P::forwardSd, "cm", 0, 100),
+        field("leftSd", &P::leftSd, "cm", 0, 100), field("turnSd", &P::turnSd, "rad", 0, 180));
+  }
+};
+
 struct MotionData {
   FixedVector<KeyFrame, 12> frames;
   Angle slew = Angle::deg(20.0);   // a tick at most, head and legs
   bool atOnce = false;             // starts in the middle of a step too
   std::uint32_t returnTicks = 30;  // from its last pose back to the walk
-  // How far the robot frame goes, spread evenly over the key frames.
-  double forward = 0.0;  // cm
-  double left = 0.0;     // cm
-  Angle turn;
+  MotionWay way;
   KickEffect kick;
 
   static constexpr auto fields() {
     using P = MotionData;
     return fieldList(field("frames", &P::frames), field("slew", &P::slew, "rad", 0.5, 40),
                      field("atOnce", &P::atOnce), field("returnTicks", &P::returnTicks, "", 0, 500),
-                     field("forward", &P::forward, "cm", -100, 100),
-                     field("left", &P::left, "cm", -100, 100),
-                     field("turn", &P::turn, "rad", -180, 180), field("kick", &P::kick));
+                     field("way", &P::way), field("kick", &P::kick));
   }
 };
 

@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "actuator/WalkSpeed.h"
+
 namespace kelpie::actuator {
 namespace {
 
@@ -24,15 +26,22 @@ TickWay wayOf(const CommandedTick& tick, const body::PlanarMotion& feet) {
           tick.real.turn * kTickSeconds + tick.joints.turn * feet.turn};
 }
 
-void addVariance(const TickWay& way, bool special, const OdometryParams& p, OdometryVariance& sum) {
-  const double factor = special ? p.motionFactor : 1.0;
+TickWay swung(const TickWay& way, const Swing& now, Swing& last) {
+  const TickWay more{way.forward + now.forward - last.forward, way.left + now.left - last.left,
+                     way.turn + now.turn - last.turn};
+  last = now;
+  return more;
+}
+
+void addVariance(const TickWay& way, const OdometryVariance& motion, const OdometryParams& p,
+                 OdometryVariance& sum) {
   const double forward = std::fabs(way.forward);
   const double left = std::fabs(way.left);
   const double turn = std::fabs(way.turn);
   const double always = p.positionPerRad * turn;
-  sum.forward += factor * (p.alongPerCm * forward + p.acrossPerCm * left + always);
-  sum.left += factor * (p.alongPerCm * left + p.acrossPerCm * forward + always);
-  sum.turn += factor * (p.turnPerRad * turn + p.turnPerCm * (forward + left));
+  sum.forward += motion.forward + p.alongPerCm * forward + p.acrossPerCm * left + always;
+  sum.left += motion.left + p.alongPerCm * left + p.acrossPerCm * forward + always;
+  sum.turn += motion.turn + p.turnPerRad * turn + p.turnPerCm * (forward + left);
 }
 
 void compose(const TickWay& way, Odometry& sum) {
@@ -43,6 +52,24 @@ void compose(const TickWay& way, Odometry& sum) {
 
 }  // namespace
 
+CommandedTick shown(std::size_t tick, const OdometryParams& params, const OdometryState& state) {
+  return commanded(static_cast<std::uint32_t>(kTicksPerMessage - tick) + params.delayTicks, state);
+}
+
+void recordLoad(double load, OdometryState& state) {
+  constexpr double kSeconds = 2.0;  // of carpet and battery, not of somebody who pushes
+  constexpr double kMost = 0.06;    // loads of free walks on varied models are within 0.03
+  constexpr double kShare = kTicksPerMessage * kTickSeconds / kSeconds;
+  state.load += kShare * (maths::clamp(load, -kMost, kMost) - state.load);
+}
+
+Velocity likelySpeed(const Velocity& feet, const WalkOdometry& odometry, double load) {
+  const Velocity even = realSpeed(feet, odometry.commanded);
+  return {even.forward + load * odometry.loadForward * feet.forward,
+          even.left + load * odometry.loadLeft * feet.left,
+          even.turn + load * odometry.loadTurn * feet.turn};
+}
+
 void record(const CommandedTick& tick, OdometryState& state) {
   state.ticks[state.count++ % state.ticks.size()] = tick;
 }
@@ -51,10 +78,10 @@ Odometry odometry(const MotionInput& in, const OdometryParams& params, OdometryS
   Odometry sum;
   for (std::uint32_t i = 0; i < kTicksPerMessage; ++i) {
     const body::PlanarMotion feet = stepFootMotion(in.sensors[i], state.feet);
-    const CommandedTick tick = commanded(kTicksPerMessage - i + params.delayTicks, state);
+    const CommandedTick tick = shown(i, params, state);
     const TickWay way = wayOf(tick, feet);
-    addVariance(way, tick.special, params, sum.variance);
-    compose(way, sum);
+    addVariance(way, tick.motion, params, sum.variance);
+    compose(swung(way, tick.swing, state.swing), sum);
   }
   return sum;
 }

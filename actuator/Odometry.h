@@ -7,6 +7,7 @@
 #include "actuator/ActuatorParams.h"
 #include "actuator/Feet.h"
 #include "actuator/FootMotion.h"
+#include "actuator/Sway.h"
 #include "robot/core/Motion.h"
 
 namespace kelpie::actuator {
@@ -15,18 +16,31 @@ constexpr std::size_t kMaxDelay = 24;  // ticks of odometry kept back
 
 // One commanded tick.
 struct CommandedTick {
-  Velocity real;         // that the commands alone make likely
-  Velocity joints;       // share of the feet's motion in each direction; 0 standing and in motions
-  bool special = false;  // of a special motion
+  Velocity real;    // that the commands alone make likely
+  Velocity joints;  // share of the feet's motion in each direction; 0 standing and in motions
+  OdometryVariance motion;  // of a special motion
+  Stride stride;            // standing in motions
+  Swing swing;              // of that stride
 };
 
 struct OdometryState {
   std::array<CommandedTick, kMaxDelay + kTicksPerMessage> ticks{};  // a ring of the last
   std::uint32_t count = 0;
   FootMotionState feet;
+  Swing swing;        // that the last tick showed
+  double load = 0.0;  // of the walk, over some seconds
 };
 
+// The load of one more message of walking.
+void recordLoad(double load, OdometryState& state);
+
+// What the feet's speed likely brings about under the load that the last seconds had.
+Velocity likelySpeed(const Velocity& feet, const WalkOdometry& odometry, double load);
+
 void record(const CommandedTick& tick, OdometryState& state);
+
+// What the body showed in one tick of the last message: what was commanded the delay before it.
+CommandedTick shown(std::size_t tick, const OdometryParams& params, const OdometryState& state);
 
 // Of the last four ticks.
 Odometry odometry(const MotionInput& in, const OdometryParams& params, OdometryState& state);

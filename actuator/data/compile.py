@@ -101,10 +101,12 @@ def motion(name, table):
     yield f"motion.atOnce = {str(table.get('at_once', False)).lower()};"
     yield f"motion.returnTicks = {int(table.get('return_ticks', 30))};"
     way = table.get("way", {})
-    check_keys(way, {"forward", "left", "turn"})
-    yield f"motion.forward = {float(way.get('forward', 0))};"
-    yield f"motion.left = {float(way.get('left', 0))};"
-    yield f"motion.turn = {degrees(way.get('turn', 0))};"
+    check_keys(way, {"forward", "left", "turn", "forward_sd", "left_sd", "turn_sd"})
+    for axis in ("forward", "left"):
+        yield f"motion.way.{axis} = {float(way.get(axis, 0))};"
+        yield f"motion.way.{axis}Sd = {float(way.get(axis + '_sd', 0))};"
+    yield f"motion.way.turn = {degrees(way.get('turn', 0))};"
+    yield f"motion.way.turnSd = {degrees(way.get('turn_sd', 0))};"
     kick = table.get("kick", {})
     check_keys(kick, {"ahead", "left", "distance", "distance_sd", "direction", "direction_sd"})
     for key in ("ahead", "left", "distance"):

@@ -15,7 +15,7 @@ struct StuckParams {
   // By the load that the body feels (actuator/Feeling.h) in place of the effort: that of servos
   // with masses to move says nothing (physics.md section 5), that of kinematic ones feels no load.
   bool byLoad = false;
-  double freeEffort = 0.196;         // of walking freely and slowly,
+  double freeEffort = 0.145;         // of walking freely and slowly,
   double effortPerSpeed = 0.0016;    // s/cm, more for each cm/s of the feet
   double sidewaysFactor = 1.3;       // cm/s forward that cost as much as 1 sideways
   double turnLever = 13.0;           // cm: the same for 1 rad/s

@@ -34,11 +34,12 @@ const MotionOutput& AgentLoops::motion(const MotionInput& withoutCommand) {
   motionInput_.sensors = withoutCommand.sensors;
   motionInput_.batteryCurrent = withoutCommand.batteryCurrent;
   motionInput_.command = frame_ != nullptr ? frame_->command : Command{};
+  motionOutput_ = &motionLoop_.step(motionInput_, silent_);
   for (std::size_t tick = 0; tick < motionInput_.sensors.size(); ++tick) {
     const auto back = static_cast<std::int64_t>(motionInput_.sensors.size() - 1 - tick) * kTickUs;
-    joints_.add({motionInput_.time.us - back}, motionInput_.sensors[tick]);
+    joints_.add({motionInput_.time.us - back}, motionInput_.sensors[tick],
+                motionOutput_->stances[tick]);
   }
-  motionOutput_ = &motionLoop_.step(motionInput_, silent_);
   odometry_.add(motionInput_.time, motionOutput_->odometry);
   log_.motion(motionInput_, *motionOutput_);
   return *motionOutput_;
@@ -55,7 +56,7 @@ void AgentLoops::camera(const Image& image, TimeUs exposureMiddle, std::uint32_t
   const TimeUs exposed{exposureMiddle.us - TimeUs::fromSeconds(input_.imageLag.seconds).us};
   input_.sensors = joints_.at(exposed);
   input_.headRate = joints_.headRate(exposed);
-  input_.stance = motionOutput_->stance;
+  input_.stance = joints_.stance(exposed);
   input_.cameraTilt = frame_ != nullptr ? frame_->world.cameraTilt : startingTilt_;
   input_.focalScale = frame_ != nullptr ? frame_->world.focalScale : startingFocal_;
   input_.odometry = odometry_.until(exposed);

@@ -21,19 +21,34 @@ JointTrack::Span JointTrack::between(std::size_t older, std::size_t newer) const
   return {&frames_[older % kTicks], &frames_[newer % kTicks], times_[older % kTicks], seconds};
 }
 
+double JointTrack::partWay(const Places& places, TimeUs time) const {
+  const Span span = between(places.older, places.newer);
+  const double past = (time - span.start).seconds();
+  return span.seconds > 0.0 ? maths::clamp(past / span.seconds, 0.0, 1.0 + kMaxExtrapolation) : 0.0;
+}
+
 SensorFrame JointTrack::at(TimeUs time) const {
   if (empty()) return {};
   const Places places = placesAt(time);
   const Span span = between(places.older, places.newer);
-  const double past = (time - span.start).seconds();
-  const double fraction =
-      span.seconds > 0.0 ? maths::clamp(past / span.seconds, 0.0, 1.0 + kMaxExtrapolation) : 0.0;
+  const double fraction = partWay(places, time);
   SensorFrame result = frames_[(next_ - 1) % kTicks];
   for (std::size_t j = 0; j < kJointCount; ++j) {
     const Angle from = span.older->joints.angle[j];
     result.joints.angle[j] = from + (span.newer->joints.angle[j] - from) * fraction;
   }
   return result;
+}
+
+Stance JointTrack::stance(TimeUs time) const {
+  if (empty()) return {};
+  const Places places = placesAt(time);
+  const double part = partWay(places, time);
+  const Stance& from = stances_[places.older % kTicks];
+  const Stance& to = stances_[places.newer % kTicks];
+  return {from.shoulderHeight + part * (to.shoulderHeight - from.shoulderHeight),
+          from.bodyTilt + (to.bodyTilt - from.bodyTilt) * part,
+          from.bodyRoll + (to.bodyRoll - from.bodyRoll) * part};
 }
 
 HeadRate JointTrack::headRate(TimeUs time) const {

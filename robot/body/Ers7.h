@@ -16,6 +16,12 @@ constexpr double kKneeForward = 0.9;  // knee axis ahead of that line (behind it
 constexpr double kKneeOut = 0.47;     // and outside it
 constexpr double kLowerLegFront = 7.736;
 constexpr double kLowerLegHind = 8.314;
+constexpr double kPawRadius = 1.0;  // of the sphere that the lower leg ends in [chosen]
+// The elbow cowl of a front leg: a rounded bar along the lower leg, behind it [chosen].
+constexpr double kCowlRadius = 1.4;
+constexpr double kCowlBehind = 1.1;
+constexpr double kCowlBegins = 1.5;  // below the knee
+constexpr double kCowlEnds = 4.5;
 constexpr double kBodyLength = 13.0;          // front to hind shoulder axis
 constexpr double kBodyWidth = 13.44;          // left to right shoulder axis
 constexpr double kNeckAboveShoulder = 1.95;   // neck tilt axis above the front shoulder axis

@@ -37,31 +37,45 @@ struct PlaneFoot {
   double x;
   double y;
 };
-PlaneFoot planeFoot(LegId leg, double knee) {
+PlaneFoot planeFoot(double knee, double along, double ahead = 0.0) {
   const maths::SinCos k = maths::sinCos(knee);
-  const double length = lowerLength(leg);
-  return {kKneeForward + length * k.sin, kUpperLeg + length * k.cos};
+  return {kKneeForward + along * k.sin + ahead * k.cos, kUpperLeg + along * k.cos - ahead * k.sin};
 }
 
-// What can touch the ground, in the sagittal plane of the torso: feet, chest and belly.
+// A point of the lower leg in its plane, turned as shoulder and rotator turn it.
+Point3<Torso> ofLowerLeg(LegId leg, const LegAngles& angles, const PlaneFoot& plane) {
+  const maths::SinCos out = maths::sinCos(angles.shoulder.rad());
+  const double down = plane.y * out.cos - kKneeOut * out.sin;
+  const double outwards = plane.y * out.sin + kKneeOut * out.cos;
+  const maths::SinCos turn = maths::sinCos(mirrorOf(leg) * angles.rotator.rad());
+  return inTorso(
+      leg, {plane.x * turn.cos + down * turn.sin, down * turn.cos - plane.x * turn.sin, outwards});
+}
+
+// What can touch the ground, in the sagittal plane of the torso, raised by kPawRadius, which every
+// edge is round by: paws, cowls, chest and belly.
 struct Contact {
   double y;
   double z;
 };
-constexpr std::size_t kContactCount = 6;  // three in front, then three behind
+constexpr std::size_t kFrontContacts = 5;
+constexpr std::size_t kContactCount = kFrontContacts + 3;
 using Contacts = std::array<Contact, kContactCount>;
 
 Contacts contacts(const JointAngles& joints) {
-  const auto foot = [&](LegId leg) {
-    const Point3<Torso> p = footPosition(leg, legAngles(joints, leg));
-    return Contact{p.y, p.z};
+  const auto support = [&](std::size_t i) {
+    const Support s = supportOf(i, joints);
+    return Contact{s.middle.y, s.middle.z - (s.radius - kPawRadius)};
   };
-  return {{foot(LegId::leftFront),
-           foot(LegId::rightFront),
-           {0.0, -kChestDepth},
-           foot(LegId::leftHind),
-           foot(LegId::rightHind),
-           {-kBodyLength, -kChestDepth}}};
+  constexpr double kEdge = kPawRadius - kChestDepth;
+  return {{{0.0, kEdge},
+           support(index(LegId::leftFront)),
+           support(index(LegId::rightFront)),
+           support(kLegCount),
+           support(kLegCount + 1),
+           {-kBodyLength, kEdge},
+           support(index(LegId::leftHind)),
+           support(index(LegId::rightHind))}};
 }
 
 // How far the lowest contact is below the line through a hind and a front one; 0 = none is.
@@ -87,13 +101,22 @@ void setLegAngles(JointAngles& joints, LegId leg, const LegAngles& angles) {
 }
 
 Point3<Torso> footPosition(LegId leg, const LegAngles& angles) {
-  const PlaneFoot plane = planeFoot(leg, angles.knee.rad());
-  const maths::SinCos out = maths::sinCos(angles.shoulder.rad());
-  const double down = plane.y * out.cos - kKneeOut * out.sin;
-  const double outwards = plane.y * out.sin + kKneeOut * out.cos;
-  const maths::SinCos turn = maths::sinCos(mirrorOf(leg) * angles.rotator.rad());
-  return inTorso(
-      leg, {plane.x * turn.cos + down * turn.sin, down * turn.cos - plane.x * turn.sin, outwards});
+  return ofLowerLeg(leg, angles, planeFoot(angles.knee.rad(), lowerLength(leg)));
+}
+
+LegId legOfSupport(std::size_t i) {
+  if (i < kLegCount) return static_cast<LegId>(i);
+  return i == kLegCount ? LegId::leftFront : LegId::rightFront;
+}
+
+Support supportOf(std::size_t i, const JointAngles& joints) {
+  const LegId leg = legOfSupport(i);
+  const LegAngles angles = legAngles(joints, leg);
+  const double knee = angles.knee.rad();
+  const bool paw = i < kLegCount;
+  const PlaneFoot plane = paw ? planeFoot(knee, lowerLength(leg) - kPawRadius)
+                              : planeFoot(knee, kCowlEnds, -kCowlBehind);
+  return {ofLowerLeg(leg, angles, plane), paw ? kPawRadius : kCowlRadius};
 }
 
 LegSolution reachFoot(LegId leg, Point3<Torso> foot) {
@@ -104,7 +127,7 @@ LegSolution reachFoot(LegId leg, Point3<Torso> foot) {
                          maths::square(wanted.z) - maths::square(kKneeOut);
   const double bend = (inPlane - upper * upper - length * length) / (2.0 * upper * length);
   const double knee = maths::atan2(kKneeForward, kUpperLeg) + maths::acos(bend);
-  const PlaneFoot plane = planeFoot(leg, knee);
+  const PlaneFoot plane = planeFoot(knee, length);
   const double reach = maths::hypot(plane.y, kKneeOut);
   const double lift = wanted.z / reach;
   const double shoulder = maths::asin(lift) - maths::atan2(kKneeOut, plane.y);
@@ -128,11 +151,11 @@ LegSolution reachFoot(LegId leg, Point3<Torso> foot) {
 Stance stanceFromLegs(const JointAngles& joints) {
   constexpr double kShortestBase = 1.0;  // cm; contacts nearer than that carry no body
   const Contacts all = contacts(joints);
-  Contact front = all[2];
-  Contact hind = all[5];
+  Contact front = all[0];
+  Contact hind = all[kFrontContacts];
   double best = deepestBelow(all, hind, front);
-  for (std::size_t f = 0; f < 3; ++f) {
-    for (std::size_t h = 3; h < kContactCount; ++h) {
+  for (std::size_t f = 0; f < kFrontContacts; ++f) {
+    for (std::size_t h = kFrontContacts; h < kContactCount; ++h) {
       if (all[f].y - all[h].y < kShortestBase) continue;
       const double below = deepestBelow(all, all[h], all[f]);
       if (below >= best) continue;
@@ -142,7 +165,7 @@ Stance stanceFromLegs(const JointAngles& joints) {
     }
   }
   const Angle tilt = Angle::rad(maths::atan2(front.z - hind.z, front.y - hind.y));
-  return {front.y * tilt.sin() - front.z * tilt.cos(), tilt, {}};
+  return {kPawRadius + front.y * tilt.sin() - front.z * tilt.cos(), tilt, {}};
 }
 
 Point3<Robot> robotFromTorso(const Stance& stance, const Point3<Torso>& p) {

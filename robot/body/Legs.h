@@ -30,8 +30,19 @@ struct LegAngles {
 LegAngles legAngles(const JointAngles& joints, LegId leg);
 void setLegAngles(JointAngles& joints, LegId leg, const LegAngles& angles);
 
-// Where the leg touches the ground (the tip of the lower leg).
+// The tip of the lower leg.
 Point3<Torso> footPosition(LegId leg, const LegAngles& angles);
+
+// What of the legs stands on the ground, as spheres: the four paws in the order of LegId (a leg
+// that leans by 45 deg touches the ground 3 mm below its tip), then the elbow cowls of the left and
+// the right front leg, on which a robot with bent knees rests.
+struct Support {
+  Point3<Torso> middle;
+  double radius = 0.0;
+};
+constexpr std::size_t kSupportCount = kLegCount + 2;
+Support supportOf(std::size_t i, const JointAngles& joints);
+LegId legOfSupport(std::size_t i);
 
 // The angles that bring the foot to a place; the nearest reachable ones (cosines clamped) and
 // `reached` = false when it is out of reach or a joint limit is in the way.
@@ -42,7 +53,7 @@ struct LegSolution {
 LegSolution reachFoot(LegId leg, Point3<Torso> foot);
 
 // Height of the front shoulder axis and lean of the body, when it stands on the lower of what is in
-// front (feet, chest) and the lower of what is behind (feet, belly). Roll is left out.
+// front (paws, cowls, chest) and the lower of what is behind (paws, belly). Roll is left out.
 Stance stanceFromLegs(const JointAngles& joints);
 
 // Between the leaning torso and the ground: the robot frame's origin is below the neck base.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What passes the motion loop: sensor frames and the current Command in; joint targets, odometry
-// and stance out. One message holds four ticks of 8 ms, as an OPEN-R sensor vector does.
+// and stances out. One message holds four ticks of 8 ms, as an OPEN-R sensor vector does.
 #pragma once
 
 #include <array>
@@ -148,14 +148,14 @@ struct MotionStatus {
 
 struct MotionOutput {
   std::array<JointFrame, kTicksPerMessage> joints{};
-  Odometry odometry;  // over the message, as commanded and calibrated
-  Stance stance;      // from the sensed legs
+  Odometry odometry;                               // over the message, as commanded and calibrated
+  std::array<Stance, kTicksPerMessage> stances{};  // at each tick of the input, by legs and walk
   MotionStatus status;
 
   static constexpr auto fields() {
     return fieldList(
         field("joints", &MotionOutput::joints), field("odometry", &MotionOutput::odometry),
-        field("stance", &MotionOutput::stance), field("status", &MotionOutput::status));
+        field("stances", &MotionOutput::stances), field("status", &MotionOutput::status));
   }
 };
 

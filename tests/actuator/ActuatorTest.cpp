@@ -65,8 +65,8 @@ TEST(Start, RampNeverJumpsAndEndsInTheStanceAfterASecond) {
       last = joints;
     }
     const Stance stance = body::stanceFromLegs(last);
-    EXPECT_NEAR(stance.shoulderHeight, w.stance().shoulderHeight, 1e-6);
-    EXPECT_NEAR(stance.bodyTilt.deg(), w.stance().bodyTilt.deg(), 1e-6);
+    EXPECT_NEAR(stance.shoulderHeight, w.stood().shoulderHeight, 1e-6);
+    EXPECT_NEAR(stance.bodyTilt.deg(), w.stood().bodyTilt.deg(), 1e-6);
   }
 }
 
@@ -130,7 +130,7 @@ TEST(Joints, NotANumberFromTheSensorsReachesNoJoint) {
   w.run(Command{}, 40);
   for (const JointAngles& joints : w.ticks)
     for (const Angle angle : joints.angle) ASSERT_TRUE(std::isfinite(angle.rad()));
-  EXPECT_NEAR(body::stanceFromLegs(w.ticks.back()).shoulderHeight, w.stance().shoulderHeight, 1e-6);
+  EXPECT_NEAR(body::stanceFromLegs(w.ticks.back()).shoulderHeight, w.stood().shoulderHeight, 1e-6);
 }
 
 TEST(Odometry, OfAStraightWalkIsTheIntegralOfTheSpeedSomeTicksLate) {
@@ -205,7 +205,28 @@ TEST(Odometry, OfARobotThatStandsIsNothingWhateverItsJointsSay) {
   }
 }
 
-TEST(Odometry, VarianceGrowsWithTheWayAndMostInAMotion) {
+TEST(Odometry, OfAMotionIsWhatItsFileSaysAsUncertainAsThat) {
+  ActuatorParams params = exactWalks();
+  params.motions[MotionKind::wedge].way = {3.0, -1.0, Angle::deg(4), 2.0, 1.0, Angle::deg(5)};
+  Walker w(params);
+  w.standUp();
+  Command command;
+  command.motion = MotionKind::wedge;
+  w.run(command, 40);
+  Odometry sum;
+  for (const Odometry& odometry : w.travelled) {
+    sum.forward += odometry.forward;
+    sum.turn = sum.turn + odometry.turn;
+    sum.variance.left += odometry.variance.left;
+    sum.variance.turn += odometry.variance.turn;
+  }
+  EXPECT_NEAR(sum.forward, 3.0, 0.1);
+  EXPECT_NEAR(sum.turn.deg(), 4.0, 1e-9);
+  EXPECT_NEAR(std::sqrt(sum.variance.left), 1.0, 0.7);  // beside the variance of such a way walked
+  EXPECT_NEAR(Angle::rad(std::sqrt(sum.variance.turn)).deg(), 5.0, 0.3);
+}
+
+TEST(Odometry, VarianceGrowsWithTheWay) {
   Walker w;
   w.standUp();
   w.run(WalkRequest{10, 0, 0}, 60);
@@ -258,8 +279,8 @@ TEST(Outputs, LedsPassAndTheStanceIsThatOfTheSensedLegs) {
   command.leds = 0x5a5a;
   w.run(command, 1);
   for (const JointFrame& frame : w.out.joints) EXPECT_EQ(frame.leds, 0x5a5au);
-  EXPECT_NEAR(w.out.stance.shoulderHeight, w.stance().shoulderHeight, 1e-9);
-  EXPECT_NEAR(w.out.stance.bodyTilt.rad(), w.stance().bodyTilt.rad(), 1e-9);
+  EXPECT_NEAR(w.out.stances.back().shoulderHeight, w.stood().shoulderHeight, 1e-9);
+  EXPECT_NEAR(w.out.stances.back().bodyTilt.rad(), w.stood().bodyTilt.rad(), 1e-9);
 }
 
 TEST(Outputs, AnEarStaysUpForASecondAtMost) {

@@ -48,6 +48,12 @@ class Walker {
     const Stance carried{stance().shoulderHeight, stance().bodyTilt, {}};
     return body::robotFromTorso(carried, body::footPosition(leg, body::legAngles(joints, leg)));
   }
+  // The stance of a robot whose legs stand as the walk says: it rests on round paws and cowls.
+  Stance stood() const {
+    JointAngles joints;
+    setLegs(params.walks.normal, {}, {}, joints);
+    return body::stanceFromLegs(joints);
+  }
   const StanceParams& stance() const { return params.walks.normal.stance; }
 
   ActuatorParams params;

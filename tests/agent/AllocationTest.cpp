@@ -62,7 +62,7 @@ struct Match {
     input->time = world->time();
     input->elapsed = 0.032;
     input->sensors = motion.sensors.back();
-    input->stance = output.stance;
+    input->stance = output.stances.back();
     input->odometry = output.odometry;
     input->motion = output.status;
     motion.command = frames->step(*input, counter).command;

@@ -27,6 +27,16 @@ TEST(JointTrack, BetweenTicksAnglesAreInterpolated) {
   EXPECT_NEAR(panning(12).at({9 * kTickUs + 2000}).joints[Joint::headPan].deg(), 9.25, 1e-9);
 }
 
+TEST(JointTrack, TheStanceIsThatOfTheExposureToo) {
+  JointTrack track;
+  track.add({0}, {}, {10.0, Angle::deg(6), Angle::deg(-1)});
+  track.add({kTickUs}, {}, {11.0, Angle::deg(8), Angle::deg(1)});
+  const Stance stance = track.stance({kTickUs / 4});
+  EXPECT_NEAR(stance.shoulderHeight, 10.25, 1e-9);
+  EXPECT_NEAR(stance.bodyTilt.deg(), 6.5, 1e-9);
+  EXPECT_NEAR(stance.bodyRoll.deg(), -0.5, 1e-9);
+}
+
 TEST(JointTrack, BeyondTheNewestTickAnglesGoOnForAtMostTwentyMilliseconds) {
   const JointTrack track = panning(12);
   EXPECT_NEAR(track.at({13 * kTickUs}).joints[Joint::headPan].deg(), 13.0, 1e-9);

@@ -49,15 +49,54 @@ TEST(WalkFit, FindsTheCurvesAndSharesThatMadeTheSamples) {
     const Velocity joints{random.uniform(-30, 30), random.uniform(-30, 30), random.uniform(-2, 2)};
     Velocity real = realSpeed(feet, c);
     real = {real.forward + 0.5 * joints.forward, real.left + 0.25 * joints.left, real.turn};
-    samples.push_back({feet, real, joints});
+    samples.push_back({feet, real, joints, random.uniform(-0.05, 0.05)});
+    samples.back().real.turn += -1.5 * samples.back().load * feet.turn;
   }
-  const actuator::WalkOdometry fitted = fitOdometry(samples);
+  const actuator::WalkOdometry fitted = fitOdometry(samples, {});
   EXPECT_NEAR(fitted.joints, 0.5, 1e-9);
   EXPECT_NEAR(fitted.jointsLeft, 0.25, 1e-9);
   EXPECT_NEAR(fitted.jointsTurn, 0.0, 1e-9);
+  EXPECT_NEAR(fitted.loadTurn, -1.5, 1e-9);
   EXPECT_NEAR(fitted.commanded.forward.bend, 0.002, 1e-9);
   EXPECT_NEAR(fitted.commanded.leftPerTurn.bend, -0.5, 1e-9);
   EXPECT_NEAR(fitted.commanded.turnPerForwardLeft, 2e-4, 1e-9);
+}
+
+TEST(WalkFit, FindsTheSwayThatMadeTheSamples) {
+  Random random(5);
+  actuator::WalkSet set;
+  set.sway.tilt.turnWave = {0.05, -0.02};
+  set.sway.tilt.forward = -0.03;
+  set.sway.roll.stepWave = {0.01, 0.02};
+  set.sway.height.left = 0.2;
+  set.sway.turn.stepWave = {0.03, -0.01};
+  std::vector<SwaySample> samples;
+  actuator::Swing last;
+  for (int i = 0; i < 400; ++i) {
+    const actuator::Stride stride{
+        {random.uniform(-30, 30), random.uniform(-20, 20), random.uniform(-2, 2)},
+        {random.uniform(0, 1), 1.0}};
+    const Stance stance = actuator::swaying({0.0, {}, {}}, stride, set);
+    SwaySample sample;
+    sample.stride = stride;
+    sample.tilt = stance.bodyTilt.rad();
+    sample.roll = stance.bodyRoll.rad();
+    sample.height = stance.shoulderHeight;
+    const actuator::Swing swing = actuator::swing(stride, set);
+    sample.moved = {swing.forward - last.forward, swing.left - last.left, swing.turn - last.turn};
+    if (!samples.empty()) sample.before = samples.back().stride;
+    last = swing;
+    samples.push_back(sample);
+  }
+  const actuator::WalkSway sway = fitSway(samples, {}, set.most);
+  EXPECT_NEAR(sway.tilt.turnWave.cosine, 0.05, 1e-9);
+  EXPECT_NEAR(sway.tilt.turnWave.sine, -0.02, 1e-9);
+  EXPECT_NEAR(sway.tilt.forward, -0.03, 1e-9);
+  EXPECT_NEAR(sway.roll.stepWave.sine, 0.02, 1e-9);
+  EXPECT_NEAR(sway.roll.step, 0.0, 1e-9);
+  EXPECT_NEAR(sway.height.left, 0.2, 1e-9);
+  EXPECT_NEAR(sway.turn.stepWave.cosine, 0.03, 1e-9);
+  EXPECT_NEAR(sway.turn.stepWave.sine, -0.01, 1e-9);
 }
 
 TEST(Gain, OfAWalkThatFallsOrDiffersBetweenModelsIsLess) {

@@ -12,7 +12,7 @@ from conftest import ROOT, complaint, kelpie
     (["ball", "--params", "CMakeLists.txt"], "--params", "--trials, --seed, --json"),
     (["team-ball", "--unlike", "3"], "--unlike", "--trials, --seed, --json"),
     (["kidnap", "--pictures", "."], "--pictures",
-     "--seed, --unlike, --params, --traces, --physical, --json"),
+     "--seed, --unlike, --params, --traces, --fast, --json"),
     (["objects", "--traces", "."], "--traces", "--trials, --seed, --unlike, --pictures, --json"),
     (["walk-and-kick", "--trials", "1"], "--trials", "--seed, --json"),
     (["distances", "--seed", "1"], "--seed", "knows --json"),

@@ -38,7 +38,8 @@ def start_match(out, *words, tmp, **options):
 
 
 def test_the_last_line_tells_every_goal_and_the_others_what_each_file_is(tmp_path):
-    result = kelpie("play", "--seconds", "90", "--goals", "2", "--seed", "7", "--out", tmp_path)
+    result = kelpie("play", "--fast", "--seconds", "90", "--goals", "2", "--seed", "7", "--out",
+                    tmp_path)
     assert result.returncode == 0, result.stderr
     *files, last = result.stdout.splitlines()
     goals = re.fullmatch(r"GOAL after ([\d.]+), ([\d.]+) s \(seed 7, ([\d.]+) simulated seconds in "

@@ -64,8 +64,8 @@ def place_of_a_reader(match, tmp_path_factory):
     (place / "sheets").mkdir()
     for i, paper in enumerate(PAPERS):
         (place / "sheets" / f"{i}.yuv").write_bytes(sheet(paper))
-    kelpie("play", "--pycode", ROOT / "tools/calibrate/looking", "--seconds", "14", "--seed", "3",
-           "--images", "all", "--no-film", "--out", place / "out/stand")
+    kelpie("play", "--fast", "--pycode", ROOT / "tools/calibrate/looking", "--seconds", "14",
+           "--seed", "3", "--images", "all", "--no-film", "--out", place / "out/stand")
     return place
 
 

@@ -5,9 +5,11 @@
 #include <memory>
 
 #include "robot/agent/Replay.h"
+#include "tools/cli/BenchMatch.h"
 #include "tools/cli/Commands.h"
 #include "tools/cli/Config.h"
 #include "tools/cli/Figures.h"
+#include "tools/cli/Usage.h"
 #include "tools/cli/WholeFile.h"
 
 namespace kelpie::cli {
@@ -17,6 +19,8 @@ struct BenchOptions {
   std::string log = "out/match.mcap";
   std::string json = "-";
   std::string pycode = defaultScripts();
+  bool match = false;
+  MatchBench plan;
 };
 
 // Frames whose image the log did not keep run without vision; as whole frames they do not count.
@@ -65,7 +69,21 @@ class StopWatch : public agent::StageObserver {
   std::vector<double> frames_;
 };
 
+int benchWholeMatch(const BenchOptions& options) {
+  if (!canWrite(options.json)) return fail(options.json + ": cannot be written", kExitBadInput);
+  const auto speeds = benchMatch(options.plan);
+  if (!speeds) return fail(speeds.error(), kExitCheckFailed);
+  const Json json{{"physics_one", speeds->physicsOfOne},
+                  {"match", speeds->match},
+                  {"robots", options.plan.robots},
+                  {"seconds", options.plan.seconds}};
+  if (!writeWhole(options.json, json.dump(2) + "\n"))
+    return fail(options.json + ": cannot be written", kExitBadInput);
+  return kExitDone;
+}
+
 int bench(const BenchOptions& options) {
+  if (options.match) return benchWholeMatch(options);
   StopWatch watch;
   agent::ReplayOptions request;
   request.scripts = options.pycode;
@@ -87,12 +105,25 @@ int bench(const BenchOptions& options) {
 
 void addBench(CLI::App& app, int& code) {
   auto* command = app.add_subcommand(
-      "bench", "Nanoseconds of each stage and of the whole frame, over the frames of a log");
+      "bench",
+      "Nanoseconds of each stage over the frames of a log; or how fast matches are played");
   auto options = std::make_shared<BenchOptions>();
   command->add_option("LOG", options->log, "The log to run on")->capture_default_str();
   command->add_option("--json", options->json, "File for the figures, - for standard output");
   command->add_option("--pycode", options->pycode, "Behaviours (default: pycode/)")
       ->check(CLI::ExistingPath);
+  command->add_flag("--match", options->match,
+                    "How many times faster than a clock: one walking physical robot on a core "
+                    "(physics_one), a match with cameras and agents on all (match)");
+  command->add_option("--robots", options->plan.robots, "of that match")
+      ->check(CLI::Range(1, 8))
+      ->capture_default_str();
+  command->add_option("--seconds", options->plan.seconds, "of that match")
+      ->check(inRange(1.0, 1e5))
+      ->capture_default_str();
+  command->add_option("--seed", options->plan.seed, "of that match")->check(inRange(0.0, 1e6));
+  command->add_flag("--physical,!--fast", options->plan.physical,
+                    "with bodies with masses (the default), or kinematic ones");
   command->callback([options, &code] { code = bench(*options); });
 }
 

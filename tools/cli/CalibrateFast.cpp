@@ -13,9 +13,10 @@ namespace {
 
 constexpr const char* kHelp =
     R"(
-The kinematic world (--fast) has no masses: feet that stand carry the body. Odometry is fitted to
+The kinematic world (--fast) has no masses: feet that stand carry the body. Walks are calibrated to
 physical bodies (`kelpie calibrate walk`); this fits the GroundParams of tools/sim/RobotModel.h so
-that the kinematic robot goes as far as its odometry tells, and prints them with what is left.
+that the kinematic robot goes as fast as it is asked to, and prints them with what is left. How far
+its balls go is in the motion files: `kelpie calibrate motion`.
 
   kelpie calibrate fast --seed 11)";
 
@@ -27,14 +28,12 @@ struct FastOptions {
 int calibrateFast(const FastOptions& options) {
   const auto plain = learn::sampleFast(sim::GroundParams::plain(), options.walks, options.seed);
   const sim::GroundParams ground = learn::fitGround(plain);
-  fmt::print("forward {:.3f} back {:.3f} left {:.3f} turn {:.3f}\n", ground.forward, ground.back,
-             ground.left, ground.turn);
-  fmt::print("leftPerTurn {:.2f} turnPerLeft {:.4f}\n", ground.leftPerTurn, ground.turnPerLeft);
+  fmt::print("forward {:.3f} left {:.3f} turn {:.3f}\n", ground.forward, ground.left, ground.turn);
   const learn::FastError before = learn::errorOf(plain);
   const learn::FastError after =
       learn::errorOf(learn::sampleFast(ground, options.walks, options.seed + 1));
   fmt::print(
-      "odometry is off by {:.1f} % of the way, {:.1f} % of the turn on plain ground, by "
+      "speed is off by {:.1f} % of the way, {:.1f} % of the turn on plain ground, by "
       "{:.1f} and {:.1f} % on this\n",
       before.way, before.turn, after.way, after.turn);
   return kExitDone;

@@ -42,6 +42,7 @@ struct MotionOptions {
   std::string out;
   std::string start;
   std::string picture;
+  bool onlyFit = false;
   int models = 4;
   int places = 3;
   double reach = 40.0;
@@ -69,6 +70,7 @@ Judge judgeOfKick(const learn::KickAim& aim, const MotionOptions& options) {
             const Point2<Robot> place = learn::meanPlace(*unseen);
             motion.kick = {place.y,           -place.x,         spread.distance,
                            spread.distanceSd, spread.direction, spread.directionSd};
+            motion.way = spread.way;
             return learn::spreadText(spread, motion);
           }};
 }
@@ -127,7 +129,7 @@ int calibrateMotion(const MotionOptions& options) {
   const auto judge = judgeOf(*kind, *motion, options);
   if (!judge) return fail(judge.error(), kExitBadInput);
   fmt::print("before: {}\n", judge->verdict(*motion));
-  motion = learnt(options, *judge, *motion);
+  if (!options.onlyFit) motion = learnt(options, *judge, *motion);
   if (!motion) return fail(motion.error(), kExitBadInput);
   const std::string verdict = judge->verdict(*motion);
   fmt::print("after: {}\n", verdict);
@@ -165,6 +167,8 @@ void addCalibrateMotion(CLI::App& command, int& code) {
       ->capture_default_str();
   motion->add_option("--journal", options->plan.journal,
                      "file of the trials; goes on where it ends");
+  motion->add_flag("--fit", options->onlyFit,
+                   "judges the motion as it is, without a search, and writes what it does");
   motion->add_option("--picture", options->picture, "PNG of the gain");
   motion->callback([options, &code] { code = calibrateMotion(*options); });
 }

@@ -10,6 +10,7 @@
 #include "tools/cli/Progress.h"
 #include "tools/cli/Usage.h"
 #include "tools/cli/WholeFile.h"
+#include "tools/learn/OnCores.h"
 #include "tools/learn/WalkFile.h"
 #include "tools/learn/WalkFit.h"
 #include "tools/learn/WalkLearner.h"
@@ -45,6 +46,7 @@ struct WalkOptions {
   std::string picture;
   int models = 4;
   bool onlyFit = false;
+  bool keepStance = false;
   learn::SearchPlan plan{learn::SearchMethod::cma, 600, 0, 0.2, 1, {}};
 };
 
@@ -72,14 +74,17 @@ learn::WalkTrialPlan planOf(WalkKind kind) {
 }
 
 void calibrated(WalkKind kind, std::uint64_t seed, int models, actuator::WalkSet& set) {
-  std::vector<learn::SpeedSample> samples;
-  for (const auto& model : learn::variedModels(seed, models, kJudgingStep)) {
-    const auto more = learn::sampleSpeeds(kind, set, model, kSpeeds, seed + samples.size());
-    samples.insert(samples.end(), more.begin(), more.end());
-  }
-  set.calibration = learn::fitCalibration(samples);
-  set.odometry = learn::fitOdometry(samples);
-  set.freeLoad = learn::fitFreeLoad(samples);
+  const auto varied = learn::variedModels(seed, models, kJudgingStep);
+  std::vector<learn::WalkSamples> each(varied.size());
+  learn::onCores(varied.size(), [&](std::size_t i) {
+    each[i] = learn::sampleWalk(kind, set, varied[i], kSpeeds, seed + i);
+  });
+  learn::WalkSamples samples;
+  for (const auto& more : each) learn::append(more, samples);
+  set.calibration = learn::fitCalibration(samples.speeds);
+  set.freeLoad = learn::fitFreeLoad(samples.speeds);
+  set.odometry = learn::fitOdometry(samples.speeds, set.freeLoad);
+  set.sway = learn::fitSway(samples.sways, set.odometry, set.most);
 }
 
 // Of five models: the mean and the slowest.
@@ -119,14 +124,15 @@ Expected<actuator::WalkSet> learnt(const WalkOptions& options, WalkKind kind,
   const std::uint64_t modelSeed = 1000 + 100 * std::uint64_t{options.plan.seed};
   const auto models = learn::variedModels(modelSeed, options.models, kLearningStep);
   const learn::WalkAim aim = learn::aimOf(kind);
+  const auto part = options.keepStance ? learn::WalkPart::gait : learn::WalkPart::whole;
   const auto gain = [&](const std::vector<double>& point) {
-    const auto set = learn::walkOf(point, start);
+    const auto set = learn::walkOf(point, part, start);
     return learn::gainOf(learn::tryOnAll(planOf(kind), set, models, modelSeed), aim);
   };
   Progress progress("walk " + options.kind, "trials");
   const auto all = static_cast<std::size_t>(options.plan.trials);
   const auto found =
-      learn::search(learn::walkSpace(kind, start), options.plan, gain,
+      learn::search(learn::walkSpace(kind, part, start), options.plan, gain,
                     [&](int done, double) { progress(static_cast<std::size_t>(done), all); });
   if (!found) return Error{found.error()};
   fmt::print("gain {:.3f} after {} trials, {} of them from the journal\n", found->gain,
@@ -136,7 +142,7 @@ Expected<actuator::WalkSet> learnt(const WalkOptions& options, WalkKind kind,
         drawGain(found->gains, "kelpie calibrate walk " + options.kind, options.picture);
     if (!drawn) return Error{drawn.error()};
   }
-  return learn::walkOf(found->best, start);
+  return learn::walkOf(found->best, part, start);
 }
 
 int calibrateWalk(const WalkOptions& options) {
@@ -180,6 +186,8 @@ void addCalibrateWalk(CLI::App& command, int& code) {
       ->capture_default_str();
   walk->add_option("--journal", options->plan.journal, "file of the trials; goes on where it ends");
   walk->add_option("--picture", options->picture, "PNG of the gain");
+  walk->add_flag("--keep-stance", options->keepStance,
+                 "searches the gait alone: kicks begin in the stance");
   walk->add_flag("--fit", options->onlyFit, "calibrates the walk as it is, without a search");
   walk->callback([options, &code] { code = calibrateWalk(*options); });
 }

@@ -9,6 +9,7 @@
 
 #include "robot/body/FieldDescription.h"
 #include "robot/core/ParameterFile.h"
+#include "tools/sim/FastActuator.h"
 
 namespace kelpie::cli {
 namespace {
@@ -94,7 +95,8 @@ Status applyConfig(const ConfigOptions& options, agent::AgentConfig& config) {
   if (options.player > 0) config.player = static_cast<std::uint8_t>(options.player);
   const Status calibration = applyCalibration(options, config.calibration);
   if (!calibration) return calibration;
-  if (options.physical) config.gps.stuck.byLoad = true;
+  if (options.body != Body::asItIs) config.gps.stuck.byLoad = options.body == Body::physical;
+  if (options.body == Body::fast) sim::makeFast({}, config.actuator);
   const Status overlaid = overlayParameters(options.params, config);
   if (!overlaid) return overlaid;
   agent::shareField(config);

@@ -12,6 +12,10 @@
 
 namespace kelpie::cli {
 
+// What the agent's body is: that of the config as it is (a log's, or one with masses), a kinematic
+// one, or one with masses whose load tells that it is stuck.
+enum class Body : std::uint8_t { asItIs, fast, physical };
+
 struct ConfigOptions {
   std::string field;                // empty: as it is (2006 for a new one)
   std::string team;                 // red or blue; empty: as it is
@@ -20,7 +24,7 @@ struct ConfigOptions {
   std::string ring;                 // nominal, none, 2006 or a file
   std::string initial;              // "x,y,heading" in cm and degrees
   std::vector<std::string> params;  // TOML files, general to specific
-  bool physical = false;            // for a body with masses; else for a kinematic one
+  Body body = Body::asItIs;
 };
 
 // Registers --field, --team, --colour-table, --ring, --init and --params.

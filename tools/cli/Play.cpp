@@ -207,7 +207,7 @@ void addPlay(CLI::App& app, int& code) {
       ->check(CLI::IsMember({"ring", "centres", "noise", "shift", "rolling", "blur", "shine",
                              "own-legs", "spectators"}));
   command->add_flag("--physical,!--fast", session.physical,
-                    "Bodies with masses, servos and contacts, or kinematic ones (the default)");
+                    "Bodies with masses, servos and contacts (the default), or kinematic ones");
   addUnlikeOptions(*command, session.unlike);
   addLeanOptions(*command, session.unlike);
   command

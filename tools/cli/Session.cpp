@@ -74,7 +74,7 @@ std::vector<std::string> agentCommand(const SessionOptions& options, const Works
   if (!options.colourTable.empty())
     argv.insert(argv.end(), {"--colour-table", options.colourTable});
   for (const auto& file : options.params) argv.insert(argv.end(), {"--params", file});
-  if (options.physical) argv.push_back("--physical");
+  argv.push_back(options.physical ? "--physical" : "--fast");
   return argv;
 }
 

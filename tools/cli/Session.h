@@ -26,7 +26,7 @@ struct SessionOptions {
   std::string ring = "nominal";
   std::vector<std::string> artefactsOff;  // of kelpie-world's --no-...
   UnlikeOptions unlike;
-  bool physical = false;   // bodies with masses and servos; otherwise kinematic ones
+  bool physical = true;    // bodies with masses and servos; otherwise kinematic ones
   std::string log;         // where the merged log goes; empty: none is kept
   bool allImages = false;  // the log keeps every image (Logs.h)
   bool realTime = false;   // no faster than a clock

@@ -36,6 +36,7 @@ struct AgentOptions {
   bool allImages = false;
   bool plainLog = false;
   ConfigOptions config;
+  bool physical = true;
 };
 
 // Passes frames on to the log, if there is one, and says now and then what the robot believes.
@@ -89,7 +90,9 @@ Expected<SourcePtr> openSource(const AgentOptions& options, const agent::AgentCo
 int run(const AgentOptions& options) {
   const Status scripts = checkScripts(options.pycode);
   if (!scripts) return fail(scripts.error(), 2);
-  const auto config = makeConfig(options.config);
+  ConfigOptions request = options.config;
+  request.body = options.physical ? Body::physical : Body::fast;
+  const auto config = makeConfig(request);
   if (!config) return fail(config.error(), 2);
   if (sameFile(options.recording, options.log))
     return fail(options.log + ": is the recording itself", 2);
@@ -132,7 +135,8 @@ int main(int argc, char** argv) {
                "The log's records go out one by one, uncompressed");
   app.add_option("--pycode", options.pycode, "Behaviours, folder or zip");
   app.add_option("--player", options.config.player, "Number in the team")->check(CLI::Range(1, 4));
-  app.add_flag("--physical", options.config.physical, "The body has masses and servos");
+  app.add_flag("--physical,!--fast", options.physical,
+               "The body has masses and servos (the default), or is a kinematic one");
   app.add_option("--drop-rate", options.dropRate, "Share of images lost on the way")
       ->check(kelpie::cli::inRange(0.0, 1.0));
   app.add_option("--seed", options.seed, "Of the losses")

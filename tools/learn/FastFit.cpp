@@ -20,8 +20,8 @@ WalkRequest drawn(int number, Random& random) {
   const double share = random.uniform(0.3, 1.0);
   const double side = random.chance(0.5) ? share : -share;
   switch (number % 6) {
-    case 0: return {share * 37.0, 0.0, 0.0};
-    case 1: return {-share * 40.0, 0.0, 0.0};
+    case 0: return {share * 34.0, 0.0, 0.0};
+    case 1: return {-share * 34.0, 0.0, 0.0};
     case 2: return {0.0, side * 30.0, 0.0};
     case 3: return {0.0, 0.0, side * 3.5};
     default:
@@ -39,11 +39,11 @@ FastSample walkedBy(sim::WalkingBody& body, const WalkRequest& request) {
   (void)body.world().carry(0, {{180.0, 270.0}, Angle::deg(90.0)});
   for (int i = 0; i < kStart; ++i) body.step(command);
   FastSample sample;
+  sample.asked = {request.forward, request.left, request.turn};
   for (int i = 0; i < kMeasured; ++i) {
     const Pose2 last = body.pose();
-    const Odometry told = body.step(command).odometry;
+    body.step(command);
     const Point2<Robot> moved = robotFromField(last, body.pose().position);
-    sample.told = plus(sample.told, told.forward, told.left, told.turn.rad());
     sample.walked =
         plus(sample.walked, moved.y, -moved.x, (body.pose().heading - last.heading).rad());
   }
@@ -62,21 +62,6 @@ struct Ratio {
   double value() const { return squares > 0.0 ? products / squares : 1.0; }
 };
 
-// Of b = first * x + second * y.
-struct TwoRatios {
-  double xx = 0.0, xy = 0.0, yy = 0.0, xb = 0.0, yb = 0.0;
-
-  void add(double x, double y, double b) {
-    xx += x * x;
-    xy += x * y;
-    yy += y * y;
-    xb += x * b;
-    yb += y * b;
-  }
-  double first() const { return (xb * yy - yb * xy) / (xx * yy - xy * xy); }
-  double second() const { return (yb * xx - xb * xy) / (xx * yy - xy * xy); }
-};
-
 }  // namespace
 
 std::vector<FastSample> sampleFast(const sim::GroundParams& ground, int count, std::uint64_t seed) {
@@ -89,26 +74,25 @@ std::vector<FastSample> sampleFast(const sim::GroundParams& ground, int count, s
 
 sim::GroundParams fitGround(const std::vector<FastSample>& samples) {
   Ratio forward;
-  Ratio back;
-  TwoRatios left;
-  TwoRatios turn;
-  for (const auto& [walked, told] : samples) {
-    (walked.forward < 0.0 ? back : forward).add(walked.forward, told.forward);
-    left.add(walked.left, walked.turn, told.left);
-    turn.add(walked.turn, walked.left, told.turn);
+  Ratio left;
+  Ratio turn;
+  for (const auto& [walked, asked] : samples) {
+    forward.add(walked.forward, asked.forward);
+    left.add(walked.left, asked.left);
+    turn.add(walked.turn, asked.turn);
   }
-  return {forward.value(), back.value(), left.first(), turn.first(), left.second(), turn.second()};
+  return {forward.value(), left.value(), turn.value()};
 }
 
 FastError errorOf(const std::vector<FastSample>& samples) {
   FastError sum;
   double way = 0.0;
   double turn = 0.0;
-  for (const auto& [walked, told] : samples) {
-    sum.way += std::hypot(walked.forward - told.forward, walked.left - told.left);
-    sum.turn += std::fabs(walked.turn - told.turn);
-    way += std::hypot(told.forward, told.left);
-    turn += std::fabs(told.turn);
+  for (const auto& [walked, asked] : samples) {
+    sum.way += std::hypot(walked.forward - asked.forward, walked.left - asked.left);
+    sum.turn += std::fabs(walked.turn - asked.turn);
+    way += std::hypot(asked.forward, asked.left);
+    turn += std::fabs(asked.turn);
   }
   return {100.0 * sum.way / way, 100.0 * sum.turn / turn};
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Makes the kinematic body go as far as its odometry tells, which is fitted to physical bodies: it
-// walks at many speeds, and the shares of GroundParams are fitted to what it did and what was told.
+// Makes the kinematic body go as fast as it is asked to, though its walks are calibrated to
+// physical bodies: it walks at many speeds, and the shares of GroundParams are fitted to what it
+// did.
 #pragma once
 
 #include <vector>
@@ -12,7 +13,7 @@ namespace kelpie::learn {
 
 struct FastSample {
   actuator::Velocity walked;
-  actuator::Velocity told;
+  actuator::Velocity asked;
 };
 
 // `count` even walks of the normal set on that ground, in all directions.
@@ -21,7 +22,7 @@ std::vector<FastSample> sampleFast(const sim::GroundParams& ground, int count, s
 // Of samples on plain ground.
 sim::GroundParams fitGround(const std::vector<FastSample>& samples);
 
-// By how much what was walked differs from what was told, percent of the ways and of the turns.
+// By how much what was walked differs from what was asked, percent of the ways and of the turns.
 struct FastError {
   double way = 0.0;
   double turn = 0.0;

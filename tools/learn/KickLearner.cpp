@@ -47,15 +47,41 @@ Point2<Robot> meanPlace(const std::vector<KickStart>& starts) {
   return mean;
 }
 
+// Mean and standard deviation of one number.
+struct Spread {
+  double mean = 0.0;
+  double sd = 0.0;
+};
+template <class Get>
+Spread spreadOver(const std::vector<Kicked>& kicked, Get get) {
+  Spread spread;
+  const auto count = static_cast<double>(kicked.size());
+  double squares = 0.0;
+  for (const Kicked& kick : kicked) {
+    spread.mean += get(kick) / count;
+    squares += maths::square(get(kick)) / count;
+  }
+  spread.sd = std::sqrt(std::fmax(0.0, squares - maths::square(spread.mean)));
+  return spread;
+}
+
+actuator::MotionWay wayOver(const std::vector<Kicked>& kicked) {
+  const Spread forward = spreadOver(kicked, [](const Kicked& k) { return k.way.forward; });
+  const Spread left = spreadOver(kicked, [](const Kicked& k) { return k.way.left; });
+  const Spread turn = spreadOver(kicked, [](const Kicked& k) { return k.way.turn; });
+  return {forward.mean, left.mean, Angle::rad(turn.mean), forward.sd, left.sd, Angle::rad(turn.sd)};
+}
+
 KickSpread spreadOf(const std::vector<Kicked>& kicked) {
   KickSpread spread;
-  double squares = 0.0;
+  const Spread distance = spreadOver(kicked, [](const Kicked& k) { return k.distance; });
+  spread.distance = distance.mean;
+  spread.distanceSd = distance.sd;
+  spread.way = wayOver(kicked);
   double cosSum = 0.0;
   double sinSum = 0.0;
   const auto count = static_cast<double>(kicked.size());
   for (const Kicked& kick : kicked) {
-    spread.distance += kick.distance / count;
-    squares += kick.distance * kick.distance / count;
     spread.falls += kick.fell ? 1 : 0;
     spread.stayed += kick.left ? 0 : 1;
     if (!kick.left) continue;
@@ -63,7 +89,6 @@ KickSpread spreadOf(const std::vector<Kicked>& kicked) {
     cosSum += way.cos;
     sinSum += way.sin;
   }
-  spread.distanceSd = std::sqrt(std::fmax(0.0, squares - maths::square(spread.distance)));
   spread.direction = Angle::rad(maths::atan2(sinSum, cosSum));
   double off = 0.0;
   for (const Kicked& kick : kicked)

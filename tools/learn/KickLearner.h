@@ -26,6 +26,7 @@ struct KickSpread {
   Angle directionSd;
   int falls = 0;
   int stayed = 0;  // balls that did not leave
+  actuator::MotionWay way;
 };
 KickSpread spreadOf(const std::vector<Kicked>& kicked);
 std::string spreadText(const KickSpread& spread, const actuator::MotionData& motion);

@@ -113,7 +113,7 @@ Kicked tryKick(const actuator::MotionData& motion, MotionKind kind, const KickSt
   const int messages = static_cast<int>(ticksOf(motion) / kTicksPerMessage) + 1 + kAfterMessages;
   Kicked kicked;
   for (int i = 0; i < messages && !kicked.fell; ++i) {
-    walker.step(command);
+    kicked.way += walkOn(walker, command);
     kicked.fell = walker.fallen();
   }
   if (walker.failed()) return kicked;

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "tools/learn/PhysicalWalker.h"
+#include "tools/learn/WalkTrial.h"
 
 namespace kelpie::learn {
 
@@ -51,6 +51,7 @@ struct Kicked {
   Angle direction;        // of its way
   bool fell = false;      // or its physics failed
   bool left = true;       // a held ball is no longer between the legs
+  Walked way;             // of the robot, until it stands again
 };
 Kicked tryKick(const actuator::MotionData& motion, MotionKind kind, const KickStart& start);
 

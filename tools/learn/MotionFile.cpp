@@ -42,10 +42,13 @@ class Reader {
     number(file, "at_once", motion.atOnce);
     number(file, "return_ticks", motion.returnTicks);
     if (const toml::table* way = file["way"].as_table()) {
-      known(*way, {"forward", "left", "turn"});
-      number(*way, "forward", motion.forward);
-      number(*way, "left", motion.left);
-      number(*way, "turn", motion.turn);
+      known(*way, {"forward", "left", "turn", "forward_sd", "left_sd", "turn_sd"});
+      number(*way, "forward", motion.way.forward);
+      number(*way, "left", motion.way.left);
+      number(*way, "turn", motion.way.turn);
+      number(*way, "forward_sd", motion.way.forwardSd);
+      number(*way, "left_sd", motion.way.leftSd);
+      number(*way, "turn_sd", motion.way.turnSd);
     }
     if (const toml::table* kick = file["kick"].as_table()) {
       known(*kick, {"ahead", "left", "distance", "distance_sd", "direction", "direction_sd"});
@@ -221,16 +224,23 @@ std::string motionText(const MotionData& motion, const std::string& about) {
   if (motion.slew.deg() != 20.0) out += fmt::format("slew = {:.1f}\n", motion.slew.deg());
   if (motion.atOnce) out += "at_once = true\n";
   out += fmt::format("return_ticks = {}\n", motion.returnTicks);
-  const bool moves = motion.forward != 0.0 || motion.left != 0.0 || motion.turn != Angle();
-  if (moves)
-    out += fmt::format("way = {{ forward = {:.1f}, left = {:.1f}, turn = {:.1f} }}\n",
-                       motion.forward, motion.left, motion.turn.deg());
+  // No number ends as -0.0, whose mirror image would be another.
+  const auto tenths = [](double number) { return std::round(10.0 * number) / 10.0 + 0.0; };
+  const actuator::MotionWay& way = motion.way;
+  const std::array<double, 6> numbers{way.forward,   way.left,   way.turn.deg(),
+                                      way.forwardSd, way.leftSd, way.turnSd.deg()};
+  if (std::any_of(numbers.begin(), numbers.end(), [](double n) { return n != 0.0; }))
+    out += fmt::format(
+        "way = {{ forward = {:.1f}, left = {:.1f}, turn = {:.1f}, forward_sd = {:.1f}, "
+        "left_sd = {:.1f}, turn_sd = {:.1f} }}\n",
+        tenths(numbers[0]), tenths(numbers[1]), tenths(numbers[2]), numbers[3], numbers[4],
+        numbers[5]);
   const actuator::KickEffect& kick = motion.kick;
   if (kick.distance > 0.0)
     out += fmt::format(
         "kick = {{ ahead = {:.1f}, left = {:.1f}, distance = {:.0f}, distance_sd = {:.0f}, "
         "direction = {:.1f}, direction_sd = {:.1f} }}\n",
-        kick.ahead, kick.left, kick.distance, kick.distanceSd, kick.direction.deg(),
+        kick.ahead, tenths(kick.left), kick.distance, kick.distanceSd, tenths(kick.direction.deg()),
         kick.directionSd.deg());
   for (const KeyFrame& key : motion.frames) out += frameText(key);
   return out;

@@ -90,8 +90,8 @@ MotionData mirrored(const MotionData& motion) {
     key.walk.left = 0.0 - key.walk.left;
     key.walk.turn = 0.0 - key.walk.turn;
   }
-  other.left = 0.0 - other.left;
-  other.turn = Angle() - other.turn;
+  other.way.left = 0.0 - other.way.left;
+  other.way.turn = Angle() - other.way.turn;
   other.kick.left = 0.0 - other.kick.left;
   other.kick.direction = Angle() - other.kick.direction;
   return other;

@@ -49,6 +49,10 @@ const std::array<Knob, 19> kKnobs{{
 
 #undef KELPIE_KNOB
 
+constexpr std::size_t kStanceKnobs = 6;  // the first
+
+std::size_t firstKnob(WalkPart part) { return part == WalkPart::gait ? kStanceKnobs : 0; }
+
 // Up to the aim each share counts whole, beyond it a twentieth.
 double worth(double share) { return share <= 1.0 ? share : 1.0 + (share - 1.0) / 20.0; }
 
@@ -101,9 +105,10 @@ WalkAim aimOf(WalkKind kind) {
   return aim;
 }
 
-SearchSpace walkSpace(WalkKind kind, const WalkSet& start) {
+SearchSpace walkSpace(WalkKind kind, WalkPart part, const WalkSet& start) {
   SearchSpace space;
-  for (const Knob& knob : kKnobs) {
+  for (std::size_t k = firstKnob(part); k < kKnobs.size(); ++k) {
+    const Knob& knob = kKnobs[k];
     space.names.emplace_back(knob.name);
     space.least.push_back(knob.least);
     space.most.push_back(knob.most);
@@ -119,9 +124,10 @@ SearchSpace walkSpace(WalkKind kind, const WalkSet& start) {
   return space;
 }
 
-WalkSet walkOf(const std::vector<double>& point, const WalkSet& start) {
+WalkSet walkOf(const std::vector<double>& point, WalkPart part, const WalkSet& start) {
   WalkSet set = start;
-  for (std::size_t i = 0; i < kKnobs.size(); ++i) kKnobs[i].set(set, point[i]);
+  const std::size_t first = firstKnob(part);
+  for (std::size_t i = 0; i < point.size(); ++i) kKnobs[first + i].set(set, point[i]);
   set.gait.turnAcceleration = 0.1 * set.gait.acceleration;
   set.calibration = {};
   set.odometry = {};

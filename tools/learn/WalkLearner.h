@@ -9,21 +9,25 @@
 
 namespace kelpie::learn {
 
+// What of a set is searched: all of it, or the gait alone, since kicks begin in a stance.
+enum class WalkPart : std::uint8_t { whole, gait };
+
 // What is wanted of a set: the speed in each direction that counts as 1, and how much it counts.
 struct WalkAim {
   std::array<double, kWalkWays> speed{40.0, 32.0, 28.0, 3.4};  // cm/s, rad/s
   std::array<double, kWalkWays> weight{1.0, 1.0, 1.0, 1.0};
   // What makes a walk hard to predict: speeds that differ from model to model, half the stroke that
   // is not half the speed, straight walks that bend.
-  double spreadCosts = 1.5;  // a share of the speed
+  double spreadCosts = 4.0;  // a share of the speed
   double unevenCosts = 0.5;  // so
-  double bendCosts = 150.0;  // a rad/cm: 3 deg a metre cost 0.08
+  double bendCosts = 400.0;  // a rad/cm: 3 deg a metre cost 0.2
   double swayCosts = 3.0;    // a rad
 };
 WalkAim aimOf(WalkKind kind);
 
-SearchSpace walkSpace(WalkKind kind, const actuator::WalkSet& start);
-actuator::WalkSet walkOf(const std::vector<double>& point, const actuator::WalkSet& start);
+SearchSpace walkSpace(WalkKind kind, WalkPart part, const actuator::WalkSet& start);
+actuator::WalkSet walkOf(const std::vector<double>& point, WalkPart part,
+                         const actuator::WalkSet& start);
 
 // The models of a seed: all differ.
 std::vector<sim::PhysicsParams> variedModels(std::uint64_t seed, int count, double step);

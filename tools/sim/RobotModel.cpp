@@ -34,8 +34,8 @@ RobotModel::RobotModel(const RobotParams& params, const Pose2& start, std::uint6
 
   before_ = place_;
   sensed_ = motors_;
-  feet_ = feetOf(place_.joints, place_.stance);
-  for (std::size_t i = 0; i < kLegCount; ++i) onGround_[i] = feet_[i].z < params_.contactHeight;
+  onGround_ = standingLegs();
+  (void)rolled();
 }
 
 double RobotModel::slowed(std::size_t joint) const {
@@ -79,9 +79,7 @@ void RobotModel::drawSlip(const std::array<bool, kLegCount>& standing) {
 
 PlanarMotion RobotModel::onCarpet(const PlanarMotion& walked) const {
   const GroundParams& p = params_.ground;
-  return {p.left * walked.x - p.leftPerTurn * walked.turn,
-          (walked.y < 0.0 ? p.back : p.forward) * walked.y,
-          p.turn * walked.turn - p.turnPerLeft * walked.x};
+  return {p.left * walked.x, p.forward * walked.y, p.turn * walked.turn};
 }
 
 PlanarMotion RobotModel::given(const PlanarMotion& walked) const {
@@ -92,22 +90,31 @@ PlanarMotion RobotModel::given(const PlanarMotion& walked) const {
           free * params_.weak.turn * walked.turn};
 }
 
+// Those whose paws are on the ground, or nearly.
+std::array<bool, kLegCount> RobotModel::standingLegs() const {
+  std::array<bool, kLegCount> standing{};
+  for (std::size_t i = 0; i < kLegCount; ++i) {
+    const body::Support paw = body::supportOf(i, place_.joints);
+    const double height = body::robotFromTorso(place_.stance, paw.middle).z - paw.radius;
+    standing[i] = height < params_.contactHeight;
+  }
+  return standing;
+}
+
+// As far as the paws and cowls on the ground roll; in the air none does.
+PlanarMotion RobotModel::rolled() {
+  SensorFrame legs;
+  legs.joints = place_.joints;
+  const PlanarMotion motion = actuator::stepFootMotion(legs, rolling_);
+  return lifted_ > 0.0 ? PlanarMotion{} : motion;
+}
+
 void RobotModel::moveBody() {
   place_.stance = body::stanceFromLegs(place_.joints);
   place_.stance.shoulderHeight += lifted_;
-  const Feet feet = feetOf(place_.joints, place_.stance);
-  std::array<bool, kLegCount> standing{};
-  std::vector<Point2<Robot>> from;
-  std::vector<Point2<Robot>> to;
-  for (std::size_t i = 0; i < kLegCount; ++i) {
-    standing[i] = feet[i].z < params_.contactHeight;
-    if (!standing[i] || !onGround_[i]) continue;
-    from.push_back({feet[i].x, feet[i].y});
-    to.push_back({feet_[i].x, feet_[i].y});
-  }
+  const std::array<bool, kLegCount> standing = standingLegs();
   drawSlip(standing);
-  const PlanarMotion motion =
-      given(onCarpet(body::rigidMotion(from.data(), to.data(), from.size())));
+  const PlanarMotion motion = given(onCarpet(rolled()));
   const double x = motion.x * (1.0 - slipAside_);
   const double y = motion.y * (1.0 - slipForward_);
   const double turn = motion.turn * (1.0 - slipTurn_) + drift_ * maths::hypot(x, y);
@@ -115,7 +122,6 @@ void RobotModel::moveBody() {
   place_.pose.position = fieldFromRobot(place_.pose, {x, y});
   walked_ = place_.pose.position - was;
   place_.pose.heading = place_.pose.heading + Angle::rad(turn);
-  feet_ = feet;
   onGround_ = standing;
 }
 

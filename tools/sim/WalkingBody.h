@@ -9,6 +9,7 @@
 #include "actuator/Actuator.h"
 #include "robot/body/Ers7.h"
 #include "robot/body/FieldDescription.h"
+#include "tools/sim/FastActuator.h"
 #include "tools/sim/World.h"
 
 namespace kelpie::sim {
@@ -30,6 +31,8 @@ class WalkingBody {
     setup.ball = {20.0, 20.0};
     WorldParams world;
     world.fast = kind == BodyKind::fast;
+    // Parameters that are a kinematic body's already stay as they are.
+    if (kind == BodyKind::fast && params_.physical) makeFast(world.robot, params_);
     world.physics = physics;
     world.robot.ground = ground;
     world_ = std::make_unique<World>(world, field, setup, seed);

@@ -30,7 +30,7 @@ struct Options {
   double wait = 60.0;  // s for the agents to come
   bool noRing = false, noNoise = false, noShift = false, noRolling = false;
   bool noBlur = false, noSlip = false, noSpectators = false;
-  bool physical = false;
+  bool physical = true;
   bool noCentres = false, noShine = false, noOwnLegs = false;
   cli::UnlikeOptions unlike;
   WorldParams world;
@@ -151,7 +151,7 @@ void describe(CLI::App& app, Options& options) {
   app.add_flag("--no-slip", options.noSlip, "feet do not slip");
   app.add_flag("--no-spectators", options.noSpectators, "nobody around the field");
   app.add_flag("--physical,!--fast", options.physical,
-               "bodies with masses, servos and contacts, or kinematic ones (the default)");
+               "bodies with masses, servos and contacts (the default), or kinematic ones");
   cli::addUnlikeOptions(app, options.unlike);
   cli::addLeanOptions(app, options.unlike);
 }

@@ -8,9 +8,8 @@
 namespace kelpie::experiments {
 namespace {
 
-constexpr std::array<const char*, 8> kOptionNames = {"--trials",   "--seed",    "--unlike",
-                                                     "--params",   "--field",   "--traces",
-                                                     "--pictures", "--physical"};
+constexpr std::array<const char*, 8> kOptionNames = {
+    "--trials", "--seed", "--unlike", "--params", "--field", "--traces", "--pictures", "--fast"};
 
 std::string_view name(const Experiment& experiment) { return experiment.name; }
 

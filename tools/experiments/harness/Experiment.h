@@ -23,19 +23,10 @@ namespace kelpie::experiments {
 using cli::Json;
 
 // What a user may ask for beside the experiment's name and --json.
-enum class Option : std::uint8_t {
-  trials,
-  seed,
-  unlike,
-  params,
-  field,
-  traces,
-  pictures,
-  physical
-};
+enum class Option : std::uint8_t { trials, seed, unlike, params, field, traces, pictures, fast };
 constexpr std::initializer_list<Option> kAllOptions = {
     Option::trials, Option::seed,   Option::unlike,   Option::params,
-    Option::field,  Option::traces, Option::pictures, Option::physical};
+    Option::field,  Option::traces, Option::pictures, Option::fast};
 const char* nameOf(Option option);  // "--trials"
 
 class Options {
@@ -61,7 +52,7 @@ struct Request {
   std::string field;                // its name; empty: 2006
   std::string traces;               // folder for tables (Trace.h); empty: none
   std::string pictures;             // folder for pictures of what went wrong; empty: none
-  bool physical = false;            // bodies with masses in place of kinematic ones
+  bool fast = false;                // kinematic bodies in place of those with masses
   std::function<void(int done, int all)> progress;
 
   // Where the table of that name goes; empty without --traces.

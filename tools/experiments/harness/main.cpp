@@ -64,8 +64,8 @@ void addOptions(CLI::App& app, EvaluateOptions& options) {
   app.add_option(nameOf(Option::pictures), request.pictures,
                  "Folder for pictures of what went wrong")
       ->check(CLI::ExistingDirectory);
-  app.add_flag(nameOf(Option::physical), request.physical,
-               "Bodies with masses and servos in place of kinematic ones");
+  app.add_flag(nameOf(Option::fast), request.fast,
+               "Kinematic bodies in place of those with masses and servos");
   app.add_option("--json", options.json, "File for the figures, - for standard output");
   app.add_flag("--list", options.list, "Each experiment with the options that it uses");
 }

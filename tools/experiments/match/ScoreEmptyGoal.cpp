@@ -34,6 +34,7 @@ Trials playAll(const Request& request) {
       session.seed = trialOf(request, i).seed;
       session.seconds = kLimit;
       session.unlike = request.unlike;
+      session.physical = !request.fast;
       const cli::SessionResult result = cli::runSession(session, {});
       const std::lock_guard<std::mutex> lock(mutex);
       all.results[static_cast<std::size_t>(i)] = result;
@@ -77,7 +78,7 @@ Expected<Json> scoreEmptyGoal(const Request& request) {
 
 const Registration kScoreEmptyGoal(
     "score-empty-goal", "one robot against an empty goal: share of goals within 60 s, time",
-    {Option::trials, Option::seed, Option::unlike}, 20, scoreEmptyGoal);
+    {Option::trials, Option::seed, Option::unlike, Option::fast}, 20, scoreEmptyGoal);
 
 }  // namespace
 }  // namespace kelpie::experiments

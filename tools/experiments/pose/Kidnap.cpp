@@ -222,7 +222,7 @@ Pose2 anywhere(const body::FieldDescription& field, Random& random) {
 Expected<MatchRecord> playMatch(const Request& request, const agent::AgentConfig& config,
                                 std::uint64_t seed) {
   MatchRecorder recorder(config.gps, request.tracePath("kidnap-" + std::to_string(seed)));
-  LocaliseMatch match(config, cli::defaultScripts(), seed, request.unlike, request.physical);
+  LocaliseMatch match(config, cli::defaultScripts(), seed, request.unlike, !request.fast);
   Random random(seed ^ 0x51dca9ULL);
   for (int kidnap = 0; kidnap <= kKidnaps; ++kidnap) {
     const Status played = match.play(
@@ -244,7 +244,7 @@ void addTimes(const std::string& prefix, const Values& times, Json& figures) {
 }
 
 Expected<Json> kidnap(const Request& request) {
-  const auto config = agentConfig(request);
+  const auto config = agentConfig(request, !request.fast);
   if (!config) return Error{config.error()};
   const auto matches = trialsInChildProcesses(
       request, [&](const Trial& trial) { return playMatch(request, *config, trial.seed); });
@@ -264,9 +264,8 @@ Expected<Json> kidnap(const Request& request) {
 
 const Registration kKidnap(
     "kidnap", "carried away every 20 s while playing: time until the pose is right again",
-    {Option::trials, Option::seed, Option::unlike, Option::params, Option::traces,
-     Option::physical},
-    8, kidnap);
+    {Option::trials, Option::seed, Option::unlike, Option::params, Option::traces, Option::fast}, 8,
+    kidnap);
 
 }  // namespace
 }  // namespace kelpie::experiments

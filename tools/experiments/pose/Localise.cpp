@@ -107,6 +107,11 @@ struct FrameRow {
   double sinceLandmark;
   std::size_t landmarks;
   std::size_t linePoints;
+  double odometryForward, odometryLeft;
+  Angle odometryTurn;
+  std::size_t walk, motion;  // last asked, and under way
+  double forward, left;
+  Angle turn;  // a second
 
   static constexpr auto fields() {
     return fieldList(
@@ -116,7 +121,12 @@ struct FrameRow {
         field("estimate_heading_deg", &FrameRow::believedHeading), field("sd_cm", &FrameRow::sd),
         field("sd_deg", &FrameRow::headingSd), field("nees", &FrameRow::nees),
         field("since_landmark_s", &FrameRow::sinceLandmark),
-        field("landmarks", &FrameRow::landmarks), field("line_points", &FrameRow::linePoints));
+        field("landmarks", &FrameRow::landmarks), field("line_points", &FrameRow::linePoints),
+        field("odometry_forward_cm", &FrameRow::odometryForward),
+        field("odometry_left_cm", &FrameRow::odometryLeft),
+        field("odometry_turn_deg", &FrameRow::odometryTurn), field("walk", &FrameRow::walk),
+        field("motion", &FrameRow::motion), field("forward_cm_s", &FrameRow::forward),
+        field("left_cm_s", &FrameRow::left), field("turn_deg_s", &FrameRow::turn));
   }
 };
 
@@ -134,7 +144,15 @@ FrameRow rowOf(const WatchedFrame& frame, const PoseError& error) {
           error.nees,
           world.secondsSinceLandmark,
           frame.output.percepts.landmarks.size(),
-          frame.output.percepts.linePoints.size()};
+          frame.output.percepts.linePoints.size(),
+          frame.input.odometry.forward,
+          frame.input.odometry.left,
+          frame.input.odometry.turn,
+          static_cast<std::size_t>(frame.input.lastCommand.walk.kind),
+          static_cast<std::size_t>(frame.input.motion.running),
+          frame.input.lastCommand.walk.forward,
+          frame.input.lastCommand.walk.left,
+          Angle::rad(frame.input.lastCommand.walk.turn)};
 }
 
 class MatchRecorder {
@@ -184,7 +202,7 @@ class MatchRecorder {
 
 Expected<MatchRecord> playMatch(const Request& request, const agent::AgentConfig& config,
                                 std::uint64_t seed) {
-  LocaliseMatch match(config, cli::defaultScripts(), seed, request.unlike, request.physical);
+  LocaliseMatch match(config, cli::defaultScripts(), seed, request.unlike, !request.fast);
   MatchRecorder recorder(config.gps, match.world().truth({}).robots[0].pose, request,
                          "localise-" + std::to_string(seed));
   const Status played =
@@ -220,7 +238,7 @@ struct Totals {
 };
 
 Expected<Json> localise(const Request& request) {
-  const auto config = agentConfig(request);
+  const auto config = agentConfig(request, !request.fast);
   if (!config) return Error{config.error()};
   const auto matches = trialsInChildProcesses(
       request, [&](const Trial& trial) { return playMatch(request, *config, trial.seed); });
@@ -248,7 +266,7 @@ Expected<Json> localise(const Request& request) {
 const Registration kLocalise(
     "localise", "three minutes of play from pixels: errors of the pose and their causes",
     {Option::trials, Option::seed, Option::unlike, Option::params, Option::field, Option::traces,
-     Option::physical},
+     Option::fast},
     8, localise);
 
 }  // namespace

@@ -28,11 +28,11 @@ std::unique_ptr<sim::World> endlessMatch(const agent::AgentConfig& config, std::
 
 }  // namespace
 
-Expected<agent::AgentConfig> agentConfig(const Request& request) {
+Expected<agent::AgentConfig> agentConfig(const Request& request, bool physical) {
   cli::ConfigOptions options;
   options.params = request.params;
   options.field = request.field;
-  options.physical = request.physical;
+  options.body = physical ? cli::Body::physical : cli::Body::fast;
   return cli::makeConfig(options);
 }
 

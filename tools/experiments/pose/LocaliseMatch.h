@@ -18,8 +18,9 @@
 
 namespace kelpie::experiments {
 
-// The agent's default configuration, changed by the experiment's parameter files.
-Expected<agent::AgentConfig> agentConfig(const Request& request);
+// The agent's default configuration for a kinematic or a physical body, changed by the experiment's
+// parameter files.
+Expected<agent::AgentConfig> agentConfig(const Request& request, bool physical = false);
 
 struct WatchedFrame {
   const FrameInput& input;

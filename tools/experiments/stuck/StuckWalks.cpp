@@ -205,7 +205,8 @@ Json effortCalibration(const Request& request) {
 
 Json weakTurns(const Request& request) {
   actuator::ActuatorParams one;
-  one.walks.weak.odometry = {one.walks.normal.calibration, 0.0, 0.0, 0.0};
+  sim::makeFast({}, one);
+  one.walks.weak.odometry = one.walks.normal.odometry;
   return {{"turns", 10},
           {"two_sets_drift_percent", turned(request, {})},
           {"one_set_drift_percent", turned(request, one)}};

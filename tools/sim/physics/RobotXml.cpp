@@ -12,11 +12,9 @@ namespace {
 
 constexpr double kBeyondLimit =
     3.0;  // deg, of the hardware's stop over the soft limit (openr.md 5.6)
-constexpr double kPawRadius = 0.010;
+constexpr double kPawRadius = kCm * body::kPawRadius;
 constexpr double kShinRadius = 0.012;
 // The front cowl rolls on the carpet 25 mm behind the forearm's line (facts-2005 section 2.4).
-constexpr double kCowlRadius = 0.014;
-constexpr double kCowlBehind = 0.011;
 // What the ball feels of a forearm (physics.md section 11).
 constexpr double kForearmRadius = 0.018;
 
@@ -118,8 +116,9 @@ class Writer {
     capsule("shin" + name, {}, {0.0, 0.0, -0.6 * length}, kShinRadius);
     sphere("paw" + name, {0.0, 0.0, kPawRadius - length}, kPawRadius);
     if (!front) return;
-    capsule("cowl" + name, {0.0, -0.8 * ahead * kCowlBehind, -0.015},
-            {0.0, -ahead * kCowlBehind, -0.045}, kCowlRadius);
+    constexpr double kBehind = kCm * body::kCowlBehind;
+    capsule("cowl" + name, {0.0, -0.8 * ahead * kBehind, -kCm * body::kCowlBegins},
+            {0.0, -ahead * kBehind, -kCm * body::kCowlEnds}, kCm * body::kCowlRadius);
     capsule("forearm" + name, {0.0, 0.0, -0.02}, {0.0, 0.0, -0.055}, kForearmRadius, kBallBit);
   }
 
