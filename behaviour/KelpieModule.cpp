@@ -29,7 +29,14 @@ constexpr const char* kEnums =
     "RED, BLUE = range(2)\n"
     "INITIAL, READY, SET, PLAYING, FINISHED = range(5)\n"
     "LINE, BORDER, FIELD = range(3)\n"
-    "NECK_TILT, HEAD_PAN, HEAD_NOD, MOUTH = range(4)\n";
+    "NECK_TILT, HEAD_PAN, HEAD_NOD, MOUTH = range(4)\n"
+    // Bits of Command.leds, in the order of robot/openr/Ers7Primitives.h.
+    "LED_HEAD_COLOUR, LED_HEAD_WHITE, LED_MODE_RED, LED_MODE_GREEN, LED_MODE_BLUE, \\\n"
+    "    LED_WIRELESS = (1 << i for i in range(6))\n"
+    "LED_FACE = tuple(1 << i for i in range(6, 20))\n"
+    "LED_BACK_FRONT_COLOUR, LED_BACK_FRONT_WHITE, LED_BACK_MIDDLE_COLOUR, \\\n"
+    "    LED_BACK_MIDDLE_WHITE, LED_BACK_REAR_COLOUR, LED_BACK_REAR_WHITE = \\\n"
+    "    (1 << i for i in range(20, 26))\n";
 static_assert(kLandmarkKindCount == 6 && kMotionKindCount == 22 && kPinkUseCount == 3 &&
                   kPlayerKindCount == 2 && kWalkKindCount == 7 && kHeadAimCount == 3 &&
                   kFallSideCount == 5,

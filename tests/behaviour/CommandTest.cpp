@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include "robot/openr/Ers7Primitives.h"
 #include "tests/behaviour/Scripts.h"
 
 namespace kelpie::behaviour {
@@ -58,6 +59,28 @@ TEST(CommandReader, EverythingIsClampedToTheFieldLists) {
   EXPECT_NEAR(command.head.headNod.deg(), 45.0, 1e-12);
   EXPECT_EQ(command.motion, MotionKind::cheer);
   EXPECT_EQ(command.leds, 0u);
+}
+
+TEST(CommandReader, LedsAreAskedForByName) {
+  const Command command = decided(
+      "return kelpie.Command(leds=kelpie.LED_MODE_RED + kelpie.LED_FACE[0] + "
+      "kelpie.LED_FACE[13] + kelpie.LED_BACK_REAR_WHITE)");
+  std::string lit;
+  for (std::size_t i = 0; i < openr::kLedCount; ++i)
+    if ((command.leds >> i & 1U) != 0) lit += std::string(openr::kLedLocators[i]).substr(4) + " ";
+  EXPECT_EQ(lit,
+            "/r1/c1/c2/c3/l3-LED2:l3 /r1/c1/c2/c3/la-LED3:la /r1/c1/c2/c3/ln-LED3:ln "
+            "/lz-LED3:lz ");
+}
+
+TEST(CommandReader, TailEarsAndMouthAreAsTheScriptAsked) {
+  const Command command = decided(
+      "return kelpie.Command(tail=kelpie.TailRequest(tilt_deg=50, pan_deg=-20), "
+      "ears=kelpie.EarRequest(right_up=True), mouth_open=True)");
+  EXPECT_EQ(command.fallback, Fallback::none);
+  EXPECT_NEAR(command.tail.tilt.deg(), 50.0, 1e-12);
+  EXPECT_NEAR(command.tail.pan.deg(), -20.0, 1e-12);
+  EXPECT_TRUE(command.ears.rightUp && !command.ears.leftUp && command.mouthOpen);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 // Raw vectors to frame structs and back: order, units, saturation, refusal.
 #include <gtest/gtest.h>
 
+#include "actuator/Actuator.h"
 #include "robot/agent/AgentIo.h"
 #include "robot/host/DataVectors.h"
 #include "robot/host/RobotPrimitives.h"
@@ -237,6 +238,29 @@ TEST_F(CommandTest, EarsArriveEachForItself) {
     EXPECT_EQ("", host::readCommands(*region_, robot_, out));
     EXPECT_EQ(left ? 1U : 2U, out.ears);
   }
+}
+
+// From the Command to what the world gets, through the actuator and the OPEN-R vector.
+TEST_F(CommandTest, LedsTailMouthAndEarsOfACommandArrive) {
+  MotionInput in;
+  in.command.leds = 0x2a5a5a5;
+  in.command.tail = {Angle::deg(50.0), Angle::deg(-20.0)};
+  in.command.mouthOpen = true;
+  const actuator::ActuatorParams params;
+  actuator::ActuatorState state;
+  MotionOutput output;
+  for (int message = 0; message < 60; ++message) {
+    in.command.ears.rightUp = message == 59;  // it would go down by itself
+    output = actuator::step(in, params, state);
+  }
+  writeCommands(output.joints, *vector_);
+  EXPECT_EQ("", host::readCommands(*region_, robot_, out_));
+  const JointAngles& last = out_.targets[kTicksPerMessage - 1];
+  EXPECT_EQ(0x2a5a5a5U, out_.leds);
+  EXPECT_EQ(2U, out_.ears);
+  EXPECT_NEAR(50.0, last[Joint::tailTilt].deg(), 1e-3);
+  EXPECT_NEAR(-20.0, last[Joint::tailPan].deg(), 1e-3);
+  EXPECT_NEAR(-55.0, last[Joint::mouth].deg(), 1e-3);
 }
 
 TEST_F(CommandTest, TargetsOfFourTicksArriveWithinAMicroradian) {
