@@ -9,6 +9,7 @@
 #include "tools/cli/Progress.h"
 #include "tools/cli/Usage.h"
 #include "tools/cli/WholeFile.h"
+#include "tools/learn/BlockTrial.h"
 #include "tools/learn/GetUpTrial.h"
 #include "tools/learn/KickLearner.h"
 #include "tools/learn/MotionFile.h"
@@ -27,7 +28,8 @@ constexpr const char* kHelp =
 Searches the key frames of a motion: of each frame that gives angles its ticks, the legs and, if it
 moves it, the head. Legs that are alike left and right stay so. Each trial is made on several varied
 models. A kick shall send the ball far, its way within the aim's directions, from places some
-millimetres apart; getting up shall end on the feet. Afterwards it is judged on models and places
+millimetres apart; getting up shall end on the feet; a block shall cover much of the goal, soon, and
+end in the stance. Afterwards it is judged on models and places
 that the search has not seen.
 
 The search begins at the motion as it is, or as the file of --start has it. With --journal a search
@@ -88,13 +90,33 @@ Judge judgeOfGettingUp(FallSide side, const MotionOptions& options) {
           }};
 }
 
+Judge judgeOfBlock(MotionKind kind, const actuator::MotionData& start,
+                   const MotionOptions& options) {
+  const auto standing = [&](std::uint64_t seed, int models) {
+    auto stages = std::make_shared<std::vector<learn::MotionStage>>();
+    for (const sim::PhysicsParams& model : learn::variedModels(seed, models, kStep))
+      stages->push_back(learn::standingStage(kind, start, model, seed));
+    return stages;
+  };
+  const auto stages = standing(1000 + 100 * std::uint64_t{options.plan.seed}, options.models);
+  const auto unseen = standing(kJudgesFrom, kJudges);
+  return {
+      [stages](const actuator::MotionData& motion) { return learn::blockGain(motion, *stages); },
+      [unseen](actuator::MotionData& motion) {
+        return fmt::format("{:.2f}: 1 covers 25 cm to each side that it is for",
+                           learn::blockGain(motion, *unseen));
+      }};
+}
+
 Expected<Judge> judgeOf(MotionKind kind, const actuator::MotionData& start,
                         const MotionOptions& options) {
   if (const auto* aim = learn::findKick(kind))
     return judgeOfKick(learn::aimOf(*aim, start), options);
   for (const FallSide side : {FallSide::front, FallSide::back, FallSide::left, FallSide::right})
     if (learn::getUpMotion(side) == kind) return judgeOfGettingUp(side, options);
-  return Error{options.name + ": has no aim to be searched for; kicks and getting up have one" +
+  if (learn::isBlock(kind)) return judgeOfBlock(kind, start, options);
+  return Error{options.name +
+               ": has no aim to be searched for; kicks, getting up, blocks have one" +
                (learn::mirrored(kind) != kind ? " (it is another's mirror image)" : "")};
 }
 
@@ -144,7 +166,8 @@ int calibrateMotion(const MotionOptions& options) {
 }  // namespace
 
 void addCalibrateMotion(CLI::App& command, int& code) {
-  auto* motion = command.add_subcommand("motion", "Search the key frames of a kick or a get-up");
+  auto* motion =
+      command.add_subcommand("motion", "Search the key frames of a kick, a get-up or a block");
   motion->footer(kHelp);
   auto options = std::make_shared<MotionOptions>();
   motion->add_option("NAME", options->name, "the motion, hard_forward for example")->required();

@@ -19,5 +19,6 @@ void addEvaluate(CLI::App& app, int& code);
 void addFilm(CLI::App& app, int& code);
 void addBench(CLI::App& app, int& code);
 void addCalibrate(CLI::App& app, int& code);
+void addMotion(CLI::App& app, int& code);
 
 }  // namespace kelpie::cli

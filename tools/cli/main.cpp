@@ -27,6 +27,7 @@ int main(int argc, char** argv) {
   kelpie::cli::addFilm(app, code);
   kelpie::cli::addBench(app, code);
   kelpie::cli::addCalibrate(app, code);
+  kelpie::cli::addMotion(app, code);
   try {
     bool done = false;  // after help, or a mistake in the options
     const int usage = kelpie::cli::parseOptions(app, argc, argv, done);

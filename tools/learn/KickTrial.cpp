@@ -36,12 +36,6 @@ std::optional<Opponent> pusher(bool held) {
   return opponent;
 }
 
-// How far a ball still rolls: dv/dt = -(drag v + roll).
-double rollOut(double speed, const sim::PhysicalBallParams& ball) {
-  const double v = 0.01 * speed;
-  return 100.0 * (v - ball.roll / ball.drag * std::log1p(ball.drag * v / ball.roll)) / ball.drag;
-}
-
 }  // namespace
 
 const std::vector<KickAim>& kicks() {
@@ -87,6 +81,15 @@ KickAim aimOf(const KickAim& aim, const actuator::MotionData& motion) {
   return own;
 }
 
+// dv/dt = -(drag v + roll).
+Point2<Field> restingPlace(const sim::Ball& ball, const sim::PhysicalBallParams& roll) {
+  const double v = 0.01 * ball.velocity.norm();
+  if (v <= 0.0) return ball.position;
+  const double way =
+      (v - roll.roll / roll.drag * std::log1p(roll.drag * v / roll.roll)) / roll.drag;
+  return ball.position + ball.velocity * (way / v);
+}
+
 KickStart beforeKick(const KickAim& aim, const sim::PhysicsParams& model, std::uint64_t seed,
                      bool pushed) {
   Random random(seed ^ 0x61c4ULL);
@@ -117,11 +120,7 @@ Kicked tryKick(const actuator::MotionData& motion, MotionKind kind, const KickSt
     kicked.fell = walker.fallen();
   }
   if (walker.failed()) return kicked;
-  const sim::Ball ball = walker.bodies().ball();
-  const Point2<Field> way = ball.position - start.ball;
-  const double speed = ball.velocity.norm();
-  const double more = speed > 0.0 ? rollOut(speed, start.roll) / speed : 0.0;
-  const Point2<Field> whole = way + ball.velocity * more;
+  const Point2<Field> whole = restingPlace(walker.bodies().ball(), start.roll) - start.ball;
   kicked.distance = whole.norm();
   kicked.direction = Angle::rad(maths::atan2(whole.y, whole.x)) - start.pose.heading;
   kicked.left = kicked.distance > kKept;

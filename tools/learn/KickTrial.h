@@ -46,6 +46,9 @@ struct KickStart {
 KickStart beforeKick(const KickAim& aim, const sim::PhysicsParams& model, std::uint64_t seed,
                      bool pushed = false);
 
+// Where a ball lies still at last, when nothing stops it.
+Point2<Field> restingPlace(const sim::Ball& ball, const sim::PhysicalBallParams& roll);
+
 struct Kicked {
   double distance = 0.0;  // cm, until the ball lies still
   Angle direction;        // of its way

@@ -62,6 +62,7 @@ const MotionOutput& PhysicalWalker::step(const Command& command) {
   for (std::size_t tick = 0; tick < kTicksPerMessage; ++tick) {
     if (!failed_) failed_ = !bodies_->tick();
     feel(tick);
+    if (watcher_) watcher_();
   }
   for (std::size_t i = 0; i < drives_.size(); ++i) act(i, i == 0 ? command : opponent_);
   return output();

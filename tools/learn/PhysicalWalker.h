@@ -4,6 +4,7 @@
 // robot. It begins standing. An opponent may stand before it, which does always the same.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -35,6 +36,8 @@ class PhysicalWalker {
   Pose2 pose() const { return place().pose; }
   bool fallen() const;
   bool failed() const { return failed_; }
+  // Called after every tick of 8 ms, by this walker and by none of its copies.
+  void watch(std::function<void()> tick) { watcher_ = std::move(tick); }
   void spareLegs() { worn_ = true; }  // the battery gives so much that the actuator takes weak legs
   sim::PhysicalBodies& bodies() { return *bodies_; }
   const actuator::ActuatorState& state() const { return drives_[0].state; }
@@ -59,6 +62,7 @@ class PhysicalWalker {
   std::vector<sim::Obstacle> obstacles_;  // none
   bool failed_ = false;
   bool worn_ = false;
+  std::function<void()> watcher_;
 };
 
 }  // namespace kelpie::learn
