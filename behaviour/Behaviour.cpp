@@ -2,6 +2,7 @@
 #include "behaviour/Behaviour.h"
 
 #include "behaviour/PythonHost.h"
+#include "robot/core/FieldCheck.h"
 
 namespace kelpie::behaviour {
 namespace {
@@ -14,6 +15,13 @@ Command standAndScan(const FrameInput& input, const BehaviourParams& params, Fal
   command.head.headPan = params.scanPan * maths::sin(phase);
   command.fallback = reason;
   return command;
+}
+
+// What came by network may hold anything.
+Command driven(const BehaviourIn& in, const BehaviourParams& params) {
+  const Command& command = in.input.drive.command;
+  if (verify(command, nullptr)) return command;
+  return standAndScan(in.input, params, Fallback::badCommand);
 }
 
 }  // namespace
@@ -59,6 +67,7 @@ BehaviourState::~BehaviourState() = default;
 const std::string& BehaviourState::lastError() const { return host_->lastError(); }
 
 Command step(const BehaviourIn& in, const BehaviourParams& params, BehaviourState& state) {
+  if (in.input.drive.present) return driven(in, params);
   Command command;
   const Fallback reason = state.host().decide(in, params, command);
   return reason == Fallback::none ? command : standAndScan(in.input, params, reason);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // behaviour: the host of the embedded Python. Calls decide(world) once per camera frame, validates
 // and clamps the Command, and answers with a safe one (stand and scan) when the script cannot.
+// While somebody drives the robot the Command is the driver's, and the script is not called.
 #pragma once
 
 #include <memory>

@@ -63,6 +63,7 @@ void AgentLoops::camera(const Image& image, TimeUs exposureMiddle, std::uint32_t
   input_.motion = motionOutput_->status;
   input_.game = game_;
   input_.lastCommand = frame_ != nullptr ? frame_->command : Command{};
+  input_.drive = drive_;
   input_.image = image;
   frame_ = &frameLoop_.step(input_, silent_);
   log_.frame(input_, *frame_);

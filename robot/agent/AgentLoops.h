@@ -24,6 +24,7 @@ class AgentLoops : public Loops {
   void camera(const Image& image, TimeUs exposureMiddle, std::uint32_t number) override;
 
   void setGame(const GameState& game) { game_ = game; }
+  void setDrive(const Drive& drive) { drive_ = drive; }
   const std::string& scriptError() const { return frameLoop_.scriptError(); }
 
  private:
@@ -35,6 +36,7 @@ class AgentLoops : public Loops {
   ImageLag startingLag_;
   StageObserver silent_;
   GameState game_;
+  Drive drive_;
   MotionInput motionInput_;
   const MotionOutput* motionOutput_ = nullptr;
   FrameInput input_;  // a member because of its size

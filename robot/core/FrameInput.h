@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Everything the camera loop gets to know: image, body, sensors, odometry, game and the last
-// Command. It is logged whole, so that a replay of inputs gives the same outputs.
+// Everything the camera loop gets to know: image, body, sensors, odometry, game, the last Command
+// and what a driver asks. It is logged whole, so that a replay of inputs gives the same outputs.
 #pragma once
 
 #include <cstdint>
@@ -35,6 +35,17 @@ struct GameState {
   }
 };
 
+// What a person who drives the robot asks of its body, newest. It comes by network as the game
+// state does. While it is present the behaviours are not asked.
+struct Drive {
+  bool present = false;
+  Command command;
+
+  static constexpr auto fields() {
+    return fieldList(field("present", &Drive::present), field("command", &Drive::command));
+  }
+};
+
 // How fast the head joints turned during the exposure.
 struct HeadRate {
   double neckTilt = 0.0;  // rad/s
@@ -63,6 +74,7 @@ struct FrameInput {
   MotionStatus motion;
   GameState game;
   Command lastCommand;
+  Drive drive;
   FixedVector<TeamMessage, kTeammates> team;  // heard since the previous frame
   Image image;
 
@@ -75,8 +87,8 @@ struct FrameInput {
         field("cameraTilt", &FrameInput::cameraTilt), field("focalScale", &FrameInput::focalScale),
         field("imageLag", &FrameInput::imageLag), field("odometry", &FrameInput::odometry),
         field("motion", &FrameInput::motion), field("game", &FrameInput::game),
-        field("lastCommand", &FrameInput::lastCommand), field("team", &FrameInput::team),
-        field("image", &FrameInput::image));
+        field("lastCommand", &FrameInput::lastCommand), field("drive", &FrameInput::drive),
+        field("team", &FrameInput::team), field("image", &FrameInput::image));
   }
 };
 

@@ -16,7 +16,7 @@
 namespace kelpie::host {
 namespace {
 
-constexpr auto kLastType = MessageType::goodbye;
+constexpr auto kLastType = MessageType::drive;
 
 std::string decimal(double value) {
   char text[32];
@@ -82,6 +82,8 @@ const char* messageName(MessageType type) {
     case MessageType::image: return "image";
     case MessageType::reply: return "reply";
     case MessageType::goodbye: return "goodbye";
+    case MessageType::view: return "view";
+    case MessageType::drive: return "drive";
   }
   return "unknown";
 }

@@ -17,7 +17,8 @@ namespace kelpie::host {
 
 constexpr std::uint32_t kWorldMagic = 0x4b4c5031;  // "1PLK" in memory
 
-enum class MessageType : std::uint32_t { hello, step, image, reply, goodbye };
+// The last two pass between an agent and its driver (DriverProtocol.h).
+enum class MessageType : std::uint32_t { hello, step, image, reply, goodbye, view, drive };
 
 struct MessageHeader {
   std::uint32_t magic = kWorldMagic;

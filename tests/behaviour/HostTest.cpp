@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <ctime>
 #include <filesystem>
@@ -24,6 +25,28 @@ TEST(Host, ScriptsCommandReachesTheBody) {
   EXPECT_EQ(command.walk.forward, 12.0);
   EXPECT_NEAR(command.walk.turn, 1.5707963, 1e-6);
   EXPECT_EQ(command.motion, MotionKind::kickForward);
+}
+
+TEST(Host, DriversCommandGoesAheadOfTheScripts) {
+  const Scripts scripts("return kelpie.Command(walk=kelpie.WalkRequest(forward=12.0))");
+  HostRun run(scripts);
+  run.input.drive.present = true;
+  run.input.drive.command.walk.forward = -7.0;
+  EXPECT_EQ(run.step().walk.forward, -7.0);
+  run.input.drive.present = false;
+  EXPECT_EQ(run.step().walk.forward, 12.0);
+}
+
+TEST(Host, DriversCommandOutOfRangeMakesTheRobotStand) {
+  const Scripts scripts("return kelpie.Command()");
+  HostRun run(scripts);
+  run.input.drive.present = true;
+  for (const double speed : {1000.0, std::nan("")}) {
+    run.input.drive.command.walk.forward = speed;
+    const Command command = run.step();
+    EXPECT_EQ(command.fallback, Fallback::badCommand);
+    EXPECT_EQ(command.walk.forward, 0.0);
+  }
 }
 
 TEST(Host, SyntaxErrorNamesFileAndLineAndFallsBack) {

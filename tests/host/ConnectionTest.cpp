@@ -87,8 +87,8 @@ TEST(ConnectionTest, BadMagicIsRefused) {
 
 TEST(ConnectionTest, UnknownTypeIsRefused) {
   Bytes wrong = kStepOf5;
-  wrong[4] = 5;
-  EXPECT_EQ("unknown message type 5 from the world", complaint(wrong, false));
+  wrong[4] = 7;
+  EXPECT_EQ("unknown message type 7 from the world", complaint(wrong, false));
 }
 
 TEST(ConnectionTest, OversizeIsRefusedBeforeAnythingIsAllocated) {

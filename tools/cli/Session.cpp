@@ -75,6 +75,7 @@ std::vector<std::string> agentCommand(const SessionOptions& options, const Works
     argv.insert(argv.end(), {"--colour-table", options.colourTable});
   for (const auto& file : options.params) argv.insert(argv.end(), {"--params", file});
   argv.push_back(options.physical ? "--physical" : "--fast");
+  if (!options.driver.empty()) argv.insert(argv.end(), {"--driver", options.driver});
   return argv;
 }
 
@@ -173,7 +174,7 @@ Ends waitForBoth(Process& world, Process& agent, bool blue, const SessionTalk& t
   while (!agent.ended()) {
     if (agent.readLine(line, 50)) said.hear(line, talk);
     while (world.readLine(line, 0)) hearWorld(line, blue, talk);
-    if (interrupted() && !asked) {
+    if (!asked && (interrupted() || (talk.over && talk.over()))) {
       asked = true;
       world.terminate();  // it ends the match, and with it the agent
     }

@@ -30,6 +30,7 @@ struct SessionOptions {
   std::string log;         // where the merged log goes; empty: none is kept
   bool allImages = false;  // the log keeps every image (Logs.h)
   bool realTime = false;   // no faster than a clock
+  std::string driver;      // socket of who drives the robot; empty: the behaviours play
 };
 
 struct SessionResult {
@@ -45,11 +46,12 @@ struct SessionResult {
 
 // Called with each status line of the agent (what the robot believes, in words), with each goal as
 // it falls, and with any other line for the user (an error in a script), which goes to standard
-// error without it. Each may be empty.
+// error without it. `over` is asked again and again: true ends the match. Each may be empty.
 struct SessionTalk {
   std::function<void(const std::string&)> status;
   std::function<void(const std::string&)> line;
   std::function<void(bool own, double seconds)> goal;
+  std::function<bool()> over;
 };
 
 // After trouble the log is still there up to the last whole frame.

@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "robot/agent/AgentLoops.h"
+#include "robot/host/DriverLink.h"
 #include "robot/host/RecordingSource.h"
 #include "robot/host/RunAgent.h"
 #include "robot/host/WorldSource.h"
@@ -35,27 +36,39 @@ struct AgentOptions {
   bool status = false;
   bool allImages = false;
   bool plainLog = false;
+  std::string driver;
   ConfigOptions config;
   bool physical = true;
 };
 
-// Passes frames on to the log, if there is one, and says now and then what the robot believes.
+// Passes frames on to the log and the driver, if there are such, and says now and then what the
+// robot believes.
 class AgentSink : public agent::LogSink {
  public:
-  AgentSink(LogFile* log, bool status) : log_(log), status_(status) {}
+  AgentSink(LogFile* log, host::DriverLink* driver, bool status)
+      : log_(log), driver_(driver), status_(status) {}
   void motion(const MotionInput& input, const MotionOutput& output) override {
     if (log_ != nullptr) log_->motion(input, output);
   }
   void frame(const FrameInput& input, const FrameOutput& output) override {
     if (log_ != nullptr) log_->frame(input, output);
+    if (driver_ != nullptr && !driverGone_) tellDriver(input, output);
     if (!status_ || input.frame % kStatusFrames != 0) return;
     fmt::print("{}{}\n", kStatusMark, describe(input, output));
     std::fflush(stdout);
   }
 
  private:
+  void tellDriver(const FrameInput& input, const FrameOutput& output) {
+    const Status told = driver_->tell(input, output);
+    driverGone_ = !told;
+    if (driverGone_) fmt::print(stderr, "{}; the robot stands\n", told.error());
+  }
+
   LogFile* log_;
+  host::DriverLink* driver_;
   bool status_;
+  bool driverGone_ = false;
 };
 
 int fail(const std::string& message, int code) {
@@ -63,12 +76,16 @@ int fail(const std::string& message, int code) {
   return code;
 }
 
-Status runFrom(host::Source& source, const AgentOptions& options, agent::AgentLoops& loops) {
+// Game state and driver are heard at each step, ahead of its image.
+Status runFrom(host::Source& source, const AgentOptions& options, const host::DriverLink* driver,
+               agent::AgentLoops& loops) {
   host::HostParams params;
   params.dropRate = options.dropRate;
   params.seed = options.seed;
-  const auto summary = host::runAgent(source, loops, params,
-                                      [&loops](const GameState& game) { loops.setGame(game); });
+  const auto summary = host::runAgent(source, loops, params, [&](const GameState& game) {
+    loops.setGame(game);
+    if (driver != nullptr) loops.setDrive(driver->drive());
+  });
   if (!summary) return Error{summary.error()};
   return Done{};
 }
@@ -84,6 +101,14 @@ Expected<SourcePtr> openSource(const AgentOptions& options, const agent::AgentCo
   auto world = host::WorldSource::connect(options.socket, {config.team, config.player}, {});
   if (!world) return Error{world.error()};
   return SourcePtr(std::make_unique<host::WorldSource>(std::move(*world)));
+}
+
+Status openDriver(const AgentOptions& options, std::optional<host::DriverLink>& driver) {
+  if (options.driver.empty()) return Done{};
+  auto link = host::DriverLink::connect(options.driver);
+  if (!link) return Error{link.error()};
+  driver.emplace(std::move(*link));
+  return Done{};
 }
 
 // A script that does not load is bad input: told before the match, not during it.
@@ -107,10 +132,13 @@ int run(const AgentOptions& options) {
     if (!created) return fail(created.error(), 2);
     log.emplace(std::move(*created));
   }
-  AgentSink sink(log ? &*log : nullptr, options.status);
+  std::optional<host::DriverLink> driver;
+  const Status driven = openDriver(options, driver);
+  if (!driven) return fail(driven.error(), 1);
+  AgentSink sink(log ? &*log : nullptr, driver ? &*driver : nullptr, options.status);
   agent::AgentLoops loops(*config, options.pycode, sink);
   if (!loops.scriptError().empty()) return fail(loops.scriptError(), 2);
-  const Status played = runFrom(**source, options, loops);
+  const Status played = runFrom(**source, options, driver ? &*driver : nullptr, loops);
   const Status closed = log ? log->close() : Status(Done{});
   if (!played) return fail(played.error(), 1);
   return closed ? 0 : fail(closed.error(), 1);
@@ -141,6 +169,9 @@ int main(int argc, char** argv) {
       ->check(kelpie::cli::inRange(0.0, 1.0));
   app.add_option("--seed", options.seed, "Of the losses")
       ->check(kelpie::cli::inRange(0.0, kelpie::cli::kLargestSeed));
+  app.add_option("--driver", options.driver,
+                 "Socket of a driver, who is told what the robot sees and whose commands the body "
+                 "gets; the behaviours are not asked");
   app.add_flag("--status", options.status, "Says twice a second what the robot believes");
   addConfigOptions(app, options.config);
   bool done = false;
