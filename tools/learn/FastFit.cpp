@@ -68,6 +68,7 @@ std::vector<FastSample> sampleFast(const sim::GroundParams& ground, int count, s
   sim::WalkingBody body(seed, {}, sim::BodyKind::fast, {}, ground);
   Random random(seed);
   std::vector<FastSample> samples;
+  samples.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) samples.push_back(walkedBy(body, drawn(i, random)));
   return samples;
 }
