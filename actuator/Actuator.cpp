@@ -20,6 +20,7 @@ void begin(const MotionInput& in, const ActuatorParams& params, ActuatorState& s
   state.target = in.sensors.back().joints;
   for (Angle& angle : state.target.angle)
     if (!std::isfinite(angle.rad())) angle = Angle();
+  state.odometry.reach.felt = state.target;
   const double ticks = params.rampSeconds / kTickSeconds + 0.5;
   state.blend = {state.target, 0, static_cast<std::uint32_t>(ticks)};
 }
@@ -86,15 +87,16 @@ CommandedTick tickOf(const MotionData& motion) {
 }
 
 // What this tick's commands make likely, for the odometry.
-CommandedTick commandedNow(const ActuatorParams& params, const ActuatorState& state) {
+CommandedTick commandedNow(const ActuatorParams& params, ActuatorState& state) {
   if (!walksOn(params, state)) return tickOf(params.motions[state.motion.kind]);
   const WalkSet& set = state.walk.set;
   CommandedTick tick;
-  tick.real = likelySpeed(state.walk.feet, set.odometry, state.odometry.load);
+  if (params.physical) tick.felt = felt(state.walk.feet, state.odometry);
+  tick.real = likelySpeed(state.walk.feet, tick.felt, set.odometry);
   tick.stride = {state.walk.feet, state.walk.phase};
   if (params.physical) tick.swing = swing(tick.stride, set);
   if (!still(state.walk.feet))
-    tick.joints = {set.odometry.joints, set.odometry.jointsLeft, set.odometry.jointsTurn};
+    tick.joints = {set.odometry.forward.joints, set.odometry.left.joints, set.odometry.turn.joints};
   return tick;
 }
 
@@ -127,8 +129,11 @@ void tick(const Command& command, const ActuatorParams& params, ActuatorState& s
   } else {
     target = blended(target, state);
   }
-  state.target = limited(target, state.target, slew);
-  record(commandedNow(params, state), state.odometry);
+  const JointAngles before = state.target;
+  state.target = limited(target, before, slew);
+  CommandedTick now = commandedNow(params, state);
+  now.told = movedBy(before, state.target);
+  record(now, state.odometry);
   if (running(state.motion)) moveOn(params, state);
 }
 
@@ -180,7 +185,7 @@ MotionOutput step(const MotionInput& in, const ActuatorParams& params, ActuatorS
   recordEffort(in, walking(params, state), state.effort);
   const Feeling feeling =
       feel(in, state.walk, walking(params, state), params.feeling, state.feeling);
-  if (params.physical && walking(params, state)) recordLoad(feeling.load, state.odometry);
+  if (walking(params, state)) recordLoad(feeling.load, state.odometry);
   const bool held = stepHeldBall(in, state.target, params.feeling.heldBall, state.heldBall);
   for (JointFrame& frame : out.joints) {
     tick(in.command, params, state);

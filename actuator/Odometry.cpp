@@ -3,8 +3,6 @@
 
 #include <cmath>
 
-#include "actuator/WalkSpeed.h"
-
 namespace kelpie::actuator {
 namespace {
 
@@ -63,11 +61,14 @@ void recordLoad(double load, OdometryState& state) {
   state.load += kShare * (maths::clamp(load, -kMost, kMost) - state.load);
 }
 
-Velocity likelySpeed(const Velocity& feet, const WalkOdometry& odometry, double load) {
-  const Velocity even = realSpeed(feet, odometry.commanded);
-  return {even.forward + load * odometry.loadForward * feet.forward,
-          even.left + load * odometry.loadLeft * feet.left,
-          even.turn + load * odometry.loadTurn * feet.turn};
+Felt felt(const Velocity& feet, OdometryState& state) {
+  constexpr double kShare = kTickSeconds / 0.25;
+  Velocity& lately = state.lately;
+  const Velocity change{feet.forward - lately.forward, feet.left - lately.left,
+                        feet.turn - lately.turn};
+  lately = {lately.forward + kShare * change.forward, lately.left + kShare * change.left,
+            lately.turn + kShare * change.turn};
+  return {state.load, reachOf(state.reach), change};
 }
 
 void record(const CommandedTick& tick, OdometryState& state) {
@@ -79,6 +80,7 @@ Odometry odometry(const MotionInput& in, const OdometryParams& params, OdometryS
   for (std::uint32_t i = 0; i < kTicksPerMessage; ++i) {
     const body::PlanarMotion feet = stepFootMotion(in.sensors[i], state.feet);
     const CommandedTick tick = shown(i, params, state);
+    stepReach(tick.told, !standing(tick.stride.phase), in.sensors[i].joints, state.reach);
     const TickWay way = wayOf(tick, feet);
     addVariance(way, tick.motion, params, sum.variance);
     compose(swung(way, tick.swing, state.swing), sum);

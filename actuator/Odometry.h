@@ -8,6 +8,7 @@
 #include "actuator/Feet.h"
 #include "actuator/FootMotion.h"
 #include "actuator/Sway.h"
+#include "actuator/Told.h"
 #include "robot/core/Motion.h"
 
 namespace kelpie::actuator {
@@ -21,6 +22,8 @@ struct CommandedTick {
   OdometryVariance motion;  // of a special motion
   Stride stride;            // standing in motions
   Swing swing;              // of that stride
+  LegPower told{};          // what the legs were told to move
+  Felt felt;                // until then
 };
 
 struct OdometryState {
@@ -29,13 +32,15 @@ struct OdometryState {
   FootMotionState feet;
   Swing swing;        // that the last tick showed
   double load = 0.0;  // of the walk, over some seconds
+  ReachState reach;
+  Velocity lately;  // of the feet, commanded
 };
 
 // The load of one more message of walking.
 void recordLoad(double load, OdometryState& state);
 
-// What the feet's speed likely brings about under the load that the last seconds had.
-Velocity likelySpeed(const Velocity& feet, const WalkOdometry& odometry, double load);
+// One more tick of feet that move so, and what the walk until it felt like.
+Felt felt(const Velocity& feet, OdometryState& state);
 
 void record(const CommandedTick& tick, OdometryState& state);
 

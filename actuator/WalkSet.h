@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdint>
 
+#include "actuator/WalkOdometry.h"
 #include "actuator/WalkSway.h"
 #include "robot/core/Command.h"
 
@@ -119,29 +120,6 @@ struct WalkCalibration {
   }
 };
 
-// How what was walked is told: from the commanded speed of the feet by curves of its own, a share
-// of what the standing feet's joints say (FootMotion.h), and as much less as the legs feel more
-// load than they do on the mean (Feeling.h): on a carpet that holds they slip less and turn less.
-struct WalkOdometry {
-  WalkCalibration commanded;
-  double joints = 0.0;      // of the feet's motion ahead
-  double jointsLeft = 0.0;  // and aside
-  double jointsTurn = 0.0;
-  double loadForward = 0.0;  // share of the feet's speed ahead, for a load of 1
-  double loadLeft = 0.0;
-  double loadTurn = 0.0;
-
-  static constexpr auto fields() {
-    using P = WalkOdometry;
-    return fieldList(field("commanded", &P::commanded), field("joints", &P::joints, "", -2, 2),
-                     field("jointsLeft", &P::jointsLeft, "", -2, 2),
-                     field("jointsTurn", &P::jointsTurn, "", -2, 2),
-                     field("loadForward", &P::loadForward, "", -20, 20),
-                     field("loadLeft", &P::loadLeft, "", -20, 20),
-                     field("loadTurn", &P::loadTurn, "", -20, 20));
-  }
-};
-
 // What load (Feeling.h) the walk shows with nothing in its way, for the speed of its feet. It is
 // below none: a walk brings about a little more than the weight, the gears and the model of the
 // legs explain.
@@ -164,7 +142,7 @@ struct WalkSet {
   GaitParams gait;
   StrokeLimits most;
   WalkCalibration calibration;
-  WalkOdometry odometry;
+  WalkOdometry odometry = exactOdometry();
   FreeLoad freeLoad;
   WalkSway sway;
 

@@ -155,7 +155,8 @@ TEST(Odometry, TellsTheRealSpeedWhateverTheFeetDo) {
   params.odometry.delayTicks = 0;
   params.walks.normal.calibration.forward.scale = 0.5;
   params.walks.normal.calibration.left.scale = 0.7;
-  params.walks.normal.odometry.commanded = params.walks.normal.calibration;
+  params.walks.normal.odometry.forward.ahead = 0.5;
+  params.walks.normal.odometry.left.left = 0.7;
   Walker w(params);
   w.standUp();
   w.run(WalkRequest{6, 3, 0}, 60);
@@ -168,8 +169,8 @@ TEST(Odometry, TellsTheRealSpeedWhateverTheFeetDo) {
 TEST(Odometry, OfTheStandingFeetsJointsIsTheSpeedOfTheFeet) {
   ActuatorParams params = exactWalks();
   WalkOdometry& told = params.walks.normal.odometry;
-  told.commanded.forward = told.commanded.left = told.commanded.turn = {0.0, 0.0};
-  told.joints = told.jointsLeft = told.jointsTurn = 1.0;
+  told = {};
+  told.forward.joints = told.left.joints = told.turn.joints = 1.0;
   Walker w(params);
   w.standUp();
   w.run(WalkRequest{10, 4, 0.3}, 60);
@@ -193,7 +194,7 @@ TEST(Odometry, OfTheStandingFeetsJointsIsTheSpeedOfTheFeet) {
 TEST(Odometry, OfARobotThatStandsIsNothingWhateverItsJointsSay) {
   Random random(9);
   Walker w;
-  w.params.walks.normal.odometry.joints = 1.0;
+  w.params.walks.normal.odometry.forward.joints = 1.0;
   w.standUp();
   for (int i = 0; i < 50; ++i) {
     for (SensorFrame& sensors : w.input.sensors)

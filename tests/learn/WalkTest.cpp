@@ -4,9 +4,11 @@
 #include <filesystem>
 #include <fstream>
 
+#include "actuator/Told.h"
 #include "actuator/WalkSpeed.h"
 #include "robot/core/ParameterFile.h"
 #include "robot/core/Random.h"
+#include "tools/learn/Numbers.h"
 #include "tools/learn/WalkFile.h"
 #include "tools/learn/WalkFit.h"
 #include "tools/learn/WalkLearner.h"
@@ -28,8 +30,7 @@ TEST(WalkFile, IsAParameterFileThatGivesTheSetBack) {
   ASSERT_TRUE(read) << read.error();
   EXPECT_NEAR(params.walks.low.gait.hindLift, set.gait.hindLift, 1e-5);
   EXPECT_NEAR(params.walks.low.stance.bodyTilt.deg(), set.stance.bodyTilt.deg(), 1e-3);
-  EXPECT_NEAR(params.walks.low.odometry.commanded.left.scale, set.odometry.commanded.left.scale,
-              1e-5);
+  EXPECT_NEAR(params.walks.low.odometry.left.felt.load, set.odometry.left.felt.load, 1e-5);
 }
 
 // Half of what the body does is told by joints that are right.
@@ -43,23 +44,31 @@ TEST(WalkFit, FindsTheCurvesAndSharesThatMadeTheSamples) {
   c.turnPerLeft = {-0.01, 0.0};
   c.turnPerForwardLeft = 2e-4;
   Random random(4);
-  std::vector<SpeedSample> samples;
+  std::vector<WaySample> samples;
   for (int i = 0; i < 200; ++i) {
     const Velocity feet{random.uniform(-30, 35), random.uniform(-30, 30), random.uniform(-2, 2)};
     const Velocity joints{random.uniform(-30, 30), random.uniform(-30, 30), random.uniform(-2, 2)};
+    const auto little = [&random] { return random.uniform(-0.1, 0.1); };
+    const actuator::Felt felt{
+        little(), {little(), little(), little()}, {little(), little(), little()}};
     Velocity real = realSpeed(feet, c);
     real = {real.forward + 0.5 * joints.forward, real.left + 0.25 * joints.left, real.turn};
-    samples.push_back({feet, real, joints, random.uniform(-0.05, 0.05)});
-    samples.back().real.turn += -1.5 * samples.back().load * feet.turn;
+    real.turn += (-1.5 * felt.load + 0.8 * felt.reach.front) * feet.turn;
+    real.turn -= 0.3 * felt.change.turn;
+    samples.push_back({numbersOf(actuator::alongFactors(feet, felt, joints.forward)),
+                       numbersOf(actuator::leftFactors(feet, felt, joints.left)),
+                       numbersOf(actuator::turnFactors(feet, felt, joints.turn)), real});
   }
-  const actuator::WalkOdometry fitted = fitOdometry(samples, {});
-  EXPECT_NEAR(fitted.joints, 0.5, 1e-9);
-  EXPECT_NEAR(fitted.jointsLeft, 0.25, 1e-9);
-  EXPECT_NEAR(fitted.jointsTurn, 0.0, 1e-9);
-  EXPECT_NEAR(fitted.loadTurn, -1.5, 1e-9);
-  EXPECT_NEAR(fitted.commanded.forward.bend, 0.002, 1e-9);
-  EXPECT_NEAR(fitted.commanded.leftPerTurn.bend, -0.5, 1e-9);
-  EXPECT_NEAR(fitted.commanded.turnPerForwardLeft, 2e-4, 1e-9);
+  const actuator::WalkOdometry fitted = fitOdometry(samples);
+  EXPECT_NEAR(fitted.forward.joints, 0.5, 1e-9);
+  EXPECT_NEAR(fitted.left.joints, 0.25, 1e-9);
+  EXPECT_NEAR(fitted.turn.joints, 0.0, 1e-9);
+  EXPECT_NEAR(fitted.turn.felt.load, -1.5, 1e-9);
+  EXPECT_NEAR(fitted.turn.felt.frontReach, 0.8, 1e-9);
+  EXPECT_NEAR(fitted.turn.felt.change, -0.3, 1e-9);
+  EXPECT_NEAR(fitted.forward.aheadBent, 0.002, 1e-9);
+  EXPECT_NEAR(fitted.left.turnBent, -0.5, 1e-9);
+  EXPECT_NEAR(fitted.turn.forwardLeft, 2e-4, 1e-9);
 }
 
 TEST(WalkFit, FindsTheSwayThatMadeTheSamples) {

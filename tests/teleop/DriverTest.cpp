@@ -43,7 +43,7 @@ TEST(TeleopDriver, NoNumberOfKeysLeavesTheRanges) {
 
 TEST(TeleopDriver, HeadTurnsLeftAndLooksAhead) {
   Drive drive;
-  EXPECT_EQ(drive.press("jj").head.direction.deg(), 30.0);
+  EXPECT_NEAR(drive.press("jj").head.direction.deg(), 30.0, 1e-12);
   EXPECT_NEAR(drive.press("i").head.elevation.deg(), -10.0, 1e-12);
   EXPECT_EQ(drive.press("m").head.direction.deg(), 0.0);
 }

@@ -22,7 +22,8 @@ constexpr double kLearningStep = 0.004;  // s; as good as 0.002 for walks and ha
 constexpr double kJudgingStep = 0.002;
 constexpr int kJudges = 5;
 constexpr std::uint64_t kJudgesFrom = 500000;  // seeds of models that no search has seen
-constexpr int kSpeeds = 48;                    // on each model, for the calibration
+constexpr int kSpeeds = 32;                    // on each model, for the calibration
+constexpr int kCommands = 100;                 // on each model, for the odometry
 
 constexpr const char* kHelp =
     R"(
@@ -73,17 +74,27 @@ learn::WalkTrialPlan planOf(WalkKind kind) {
   return plan;
 }
 
+// The speeds that behaviours ask for can be walked only when a first calibration is there.
 void calibrated(WalkKind kind, std::uint64_t seed, int models, actuator::WalkSet& set) {
   const auto varied = learn::variedModels(seed, models, kJudgingStep);
-  std::vector<learn::WalkSamples> each(varied.size());
-  learn::onCores(varied.size(), [&](std::size_t i) {
-    each[i] = learn::sampleWalk(kind, set, varied[i], kSpeeds, seed + i);
-  });
   learn::WalkSamples samples;
-  for (const auto& more : each) learn::append(more, samples);
-  set.calibration = learn::fitCalibration(samples.speeds);
+  set.calibration = {};
+  for (const std::uint64_t again : {seed, seed + 1000}) {
+    std::vector<learn::WalkSamples> each(varied.size());
+    learn::onCores(varied.size(), [&](std::size_t i) {
+      each[i] = learn::sampleWalk(kind, set, varied[i], kSpeeds, again + i);
+    });
+    for (const auto& more : each) learn::append(more, samples);
+    set.calibration = learn::fitCalibration(samples.speeds);
+  }
   set.freeLoad = learn::fitFreeLoad(samples.speeds);
-  set.odometry = learn::fitOdometry(samples.speeds, set.freeLoad);
+  std::vector<std::vector<learn::WaySample>> ways(varied.size());
+  learn::onCores(varied.size(), [&](std::size_t i) {
+    ways[i] = learn::sampleWays(kind, set, varied[i], kCommands, seed + i);
+  });
+  for (std::size_t i = 1; i < ways.size(); ++i)
+    ways[0].insert(ways[0].end(), ways[i].begin(), ways[i].end());
+  set.odometry = learn::fitOdometry(ways[0]);
   set.sway = learn::fitSway(samples.sways, set.odometry, set.most);
 }
 

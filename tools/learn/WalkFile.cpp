@@ -10,10 +10,10 @@ namespace {
 
 template <class M>
 std::string valueText(const M& value, const std::string& unit) {
-  if constexpr (std::is_same_v<M, Angle>) return fmt::format("\"{:.3f}deg\"", value.deg());
+  if constexpr (std::is_same_v<M, Angle>) return fmt::format("\"{:.6g}deg\"", value.deg());
   if constexpr (std::is_enum_v<M>) return fmt::format("{}", static_cast<int>(value));
   if constexpr (std::is_floating_point_v<M>) {
-    return unit.empty() ? fmt::format("{:.5f}", value) : fmt::format("\"{:.5f}{}\"", value, unit);
+    return unit.empty() ? fmt::format("{:.6g}", value) : fmt::format("\"{:.6g}{}\"", value, unit);
   }
   return "";
 }

@@ -130,7 +130,7 @@ WalkSet walkOf(const std::vector<double>& point, WalkPart part, const WalkSet& s
   for (std::size_t i = 0; i < point.size(); ++i) kKnobs[first + i].set(set, point[i]);
   set.gait.turnAcceleration = 0.1 * set.gait.acceleration;
   set.calibration = {};
-  set.odometry = {};
+  set.odometry = actuator::exactOdometry();
   return set;
 }
 

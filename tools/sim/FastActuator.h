@@ -11,11 +11,9 @@ namespace kelpie::sim {
 inline void makeFast(const RobotParams& robot, actuator::ActuatorParams& params) {
   const auto told = [&robot](double forward, double left, double turn) {
     actuator::WalkOdometry odometry;
-    actuator::WalkCalibration& none = odometry.commanded;
-    none.forward = none.back = none.left = none.turn = {0.0, 0.0};
-    odometry.joints = forward * robot.ground.forward;
-    odometry.jointsLeft = left * robot.ground.left;
-    odometry.jointsTurn = turn * robot.ground.turn;
+    odometry.forward.joints = forward * robot.ground.forward;
+    odometry.left.joints = left * robot.ground.left;
+    odometry.turn.joints = turn * robot.ground.turn;
     return odometry;
   };
   for (std::uint8_t kind = 0; kind < kWalkKindCount; ++kind)
