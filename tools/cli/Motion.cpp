@@ -61,6 +61,8 @@ Expected<Chosen> chosenFile(const MotionOptions& options) {
 Expected<Chosen> chosen(const MotionOptions& options) {
   if (isPath(options.name)) return chosenFile(options);
   const auto kind = learn::motionNamed(options.name);
+  const auto as = learn::motionNamed(options.as.empty() ? options.name : options.as);
+  if (!as) return Error{as.error()};
   if (!kind) return Error{kind.error()};
   const actuator::MotionData& motion = actuator::standardMotions()[*kind];
   if (motion.frames.empty()) return Error{options.name + ": there is no file of that motion yet"};
@@ -161,6 +163,8 @@ int play(const MotionOptions& options) {
   if (!motion) return fail(motion.error(), kExitBadInput);
   for (const std::string& out : {options.film, options.picture})
     if (!out.empty() && !canWrite(out)) return fail(out + ": cannot be written", kExitBadInput);
+  if (!options.film.empty() && std::filesystem::path(options.film).extension() != ".mp4")
+    return fail(options.film + ": a film's name ends with .mp4", kExitBadInput);
   const sim::PhysicsParams model =
       options.model == 0 ? sim::PhysicsParams{} : sim::varied({}, options.model);
   learn::MotionStage stage = learn::sceneOf(motion->kind, motion->motion, model, options.seed);
