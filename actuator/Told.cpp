@@ -11,8 +11,8 @@ double cubed(double s) { return s * s * s; }
 
 FeltTerms feltFactors(double speed, double change, const Felt& felt) {
   const Reach& reach = felt.reach;
-  return {felt.load * speed, reach.front * speed, reach.front * bent(speed), reach.hind * speed,
-          reach.shoulders * speed, change};
+  return {felt.load * speed,  reach.front * speed,     reach.front * bent(speed),
+          reach.hind * speed, reach.shoulders * speed, change};
 }
 
 AcrossTerms acrossFactors(const Velocity& feet, double joints) {
