@@ -123,10 +123,11 @@ void LocaliseMatch::replaceBall() {
 
 void LocaliseMatch::frame(const FrameInput& input, const FrameOutput& output) {
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - frameBegan_;
-  const Pose2 truth = world_->truth(input.time).robots[0].pose;
+  const sim::TruthFrame then = world_->truth(input.time);
+  const Pose2 truth = then.robots[0].pose;
   if (!seen_) before_ = truth;
   seen_ = true;
-  if (watch_) watch_({input, output, truth, before_, took.count()});
+  if (watch_) watch_({input, output, truth, before_, then.ball, took.count()});
   before_ = truth;
 }
 

@@ -27,6 +27,7 @@ struct WatchedFrame {
   const FrameOutput& output;
   Pose2 truth;           // in the middle of the exposure: the time of the input
   Pose2 before;          // the truth of the frame before
+  Point2<Field> ball;    // the truth, then
   double seconds = 0.0;  // that the frame took on this machine, by its clock
 };
 

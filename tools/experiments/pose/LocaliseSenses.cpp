@@ -30,6 +30,16 @@ LandmarkRow rowOf(const LandmarkPercept& percept, const TrueLandmark& truth, Tim
 
 }  // namespace
 
+template <class Percept>
+void LandmarkErrors::add(const Percept& percept, const TrueLandmark& truth) {
+  const double farther = percept.distance - truth.distance;
+  const double aside = (percept.heading - truth.heading).rad();
+  distance.push_back(farther / truth.distance);
+  heading.push_back(aside * kDegrees);
+  distanceOverSd.push_back(farther / std::sqrt(percept.distanceVariance));
+  headingOverSd.push_back(aside / std::sqrt(percept.headingVariance));
+}
+
 void LandmarkErrors::add(const LandmarkErrors& other) {
   append(other.distance, distance);
   append(other.heading, heading);
@@ -71,6 +81,8 @@ void SenseErrors::add(const SenseErrors& other) {
   falseLandmarks += other.falseLandmarks;
   beacons.add(other.beacons);
   goals.add(other.goals);
+  balls.add(other.balls);
+  falseBalls += other.falseBalls;
   forward.add(other.forward);
   left.add(other.left);
   turn.add(other.turn);
@@ -78,6 +90,7 @@ void SenseErrors::add(const SenseErrors& other) {
 
 Json SenseErrors::summary() const {
   return {{"beacon", beacons.summary(seconds)},      {"goal", goals.summary(seconds)},
+          {"ball", balls.summary(seconds)},          {"false_balls_per_s", falseBalls / seconds},
           {"false_per_s", falseLandmarks / seconds}, {"odometryForward", forward.summary()},
           {"odometryLeft", left.summary()},          {"odometryTurn", turn.summary()}};
 }
@@ -92,13 +105,20 @@ void SenseRecorder::addLandmark(const LandmarkPercept& percept, const WatchedFra
   }
   const bool goal = isGoal(percept.kind);
   if (goal && isCut(percept)) return;
-  LandmarkErrors& errors = goal ? errors_.goals : errors_.beacons;
-  const double farther = percept.distance - truth.distance;
-  const double aside = (percept.heading - truth.heading).rad();
-  errors.distance.push_back(farther / truth.distance);
-  errors.heading.push_back(aside * kDegrees);
-  errors.distanceOverSd.push_back(farther / std::sqrt(percept.distanceVariance));
-  errors.headingOverSd.push_back(aside / std::sqrt(percept.headingVariance));
+  (goal ? errors_.goals : errors_.beacons).add(percept, truth);
+}
+
+void SenseRecorder::addBall(const BallPercept& percept, const WatchedFrame& frame) {
+  constexpr double kFarthest = 150.0;
+  const Point2<Robot> ball = robotFromField(frame.truth, frame.ball);
+  if (!percept.present || percept.distance > kFarthest) return;
+  const bool there = (percept.heading - bearing(ball)).abs().deg() < 10.0 &&
+                     std::fabs(percept.distance - ball.norm()) < ball.norm() / 3.0;
+  if (there) {
+    errors_.balls.add(percept, {ball.norm(), bearing(ball)});
+  } else {
+    ++errors_.falseBalls;
+  }
 }
 
 void SenseRecorder::addStep(const WatchedFrame& frame) {
@@ -122,6 +142,7 @@ void SenseRecorder::frame(const WatchedFrame& frame) {
   errors_.seconds = frame.input.time.seconds();
   for (const LandmarkPercept& percept : frame.output.percepts.landmarks)
     addLandmark(percept, frame);
+  addBall(frame.output.percepts.ball, frame);
   addStep(frame);
 }
 

@@ -26,6 +26,9 @@ struct LandmarkErrors {
                      field("headingOverSd", &LandmarkErrors::headingOverSd));
   }
   void add(const LandmarkErrors& other);
+  // A percept of a landmark or a ball.
+  template <class Percept>
+  void add(const Percept& percept, const TrueLandmark& truth);
   Json summary(double seconds) const;
 };
 
@@ -48,20 +51,23 @@ struct SenseErrors {
   int falseLandmarks = 0;
   LandmarkErrors beacons;
   LandmarkErrors goals;          // uncut ones
+  LandmarkErrors balls;          // to 150 cm
+  int falseBalls = 0;            // of those
   OdometryErrors forward, left;  // cm
   OdometryErrors turn;           // deg
 
   static constexpr auto fields() {
-    return fieldList(field("seconds", &SenseErrors::seconds, "s"),
-                     field("falseLandmarks", &SenseErrors::falseLandmarks),
-                     field("beacons", &SenseErrors::beacons), field("goals", &SenseErrors::goals),
-                     field("forward", &SenseErrors::forward, "cm"),
-                     field("left", &SenseErrors::left, "cm"),
-                     field("turn", &SenseErrors::turn, "deg"));
+    return fieldList(
+        field("seconds", &SenseErrors::seconds, "s"),
+        field("falseLandmarks", &SenseErrors::falseLandmarks),
+        field("beacons", &SenseErrors::beacons), field("goals", &SenseErrors::goals),
+        field("balls", &SenseErrors::balls), field("falseBalls", &SenseErrors::falseBalls),
+        field("forward", &SenseErrors::forward, "cm"), field("left", &SenseErrors::left, "cm"),
+        field("turn", &SenseErrors::turn, "deg"));
   }
   void add(const SenseErrors& other);
-  // For beacons and goals bias and spread of distance and heading, as they are and over the claimed
-  // sd; landmarks and false ones a second; true way over odometry.
+  // For beacons, goals and balls bias and spread of distance and heading, as they are and over the
+  // claimed sd; landmarks and false ones a second; true way over odometry.
   Json summary() const;
 };
 
@@ -100,6 +106,7 @@ class SenseRecorder {
 
  private:
   void addLandmark(const LandmarkPercept& percept, const WatchedFrame& frame);
+  void addBall(const BallPercept& percept, const WatchedFrame& frame);
   void addStep(const WatchedFrame& frame);
 
   gps::GpsParams params_;
