@@ -34,10 +34,11 @@ def test_a_path_is_played_as_the_motion_that_its_name_says(tmp_path):
 
 
 def test_a_file_of_another_name_is_a_kick_where_it_says_so_or_as_it_is_told(tmp_path):
-    copy = tmp_path / "mine.toml"
+    free, copy = tmp_path / "free.toml", tmp_path / "mine.toml"
+    shutil.copy(MOTIONS / "upenn_left.toml", free)
     shutil.copy(MOTIONS / "hard_forward.toml", copy)
-    free, held = kelpie("motion", copy), kelpie("motion", copy, "--as", "hard_forward")
-    assert "7.9 cm ahead and 0.0 cm" in free.stdout
+    assert "lay 12.0 cm ahead and 6.0 cm to the right" in kelpie("motion", free).stdout
+    held = kelpie("motion", copy, "--as", "hard_forward")
     assert held.stdout.splitlines()[1:] == kelpie("motion", "hard_forward").stdout.splitlines()[1:]
 
 
