@@ -33,16 +33,14 @@ class JournalFile {
 
 SearchPlan planOf(int trials, const std::string& journal = "") {
   SearchPlan plan;
-  plan.method = SearchMethod::crs;
   plan.trials = trials;
-  plan.population = 20;
   plan.seed = 3;
   plan.journal = journal;
   return plan;
 }
 
 TEST(Search, FindsTheTopOfAHill) {
-  const auto found = search(kSpace, planOf(600), hill, nothing);
+  const auto found = search(kSpace, planOf(300), hill, nothing);
   ASSERT_TRUE(found.ok());
   EXPECT_NEAR(found->best[0], 1.0, 0.05);
   EXPECT_NEAR(found->best[1], -2.0, 0.05);
@@ -92,36 +90,19 @@ double valley(const std::vector<double>& p) {
   return -along * along - 100.0 * across * across;
 }
 
-SearchPlan covarianceOf(int trials, const std::string& journal = "") {
-  SearchPlan plan = planOf(trials, journal);
-  plan.method = SearchMethod::cma;
-  plan.population = 0;
-  return plan;
-}
-
-TEST(CovarianceSearch, FollowsANarrowValley) {
-  const auto found = search(kSpace, covarianceOf(400), valley, nothing);
+TEST(Search, FollowsANarrowValley) {
+  const auto found = search(kSpace, planOf(400), valley, nothing);
   ASSERT_TRUE(found.ok()) << found.error();
   EXPECT_NEAR(found->best[0], 0.5, 0.01);
   EXPECT_NEAR(found->best[1], 0.5, 0.01);
 }
 
-TEST(CovarianceSearch, GoesOnWhereItWasBrokenOff) {
-  const JournalFile journal;
-  ASSERT_TRUE(search(kSpace, covarianceOf(30, journal.path()), hill, nothing).ok());
-  const auto again = search(kSpace, covarianceOf(60, journal.path()), hill, nothing);
-  const auto whole = search(kSpace, covarianceOf(60), hill, nothing);
-  ASSERT_TRUE(again.ok() && whole.ok());
-  EXPECT_GE(again->replayed, 30);
-  EXPECT_EQ(again->gains, whole->gains);
-}
-
-TEST(CovarianceSearch, StaysWithinItsBounds) {
+TEST(Search, StaysWithinItsBounds) {
   const auto inside = [](const std::vector<double>& p) {
     for (const double number : p) EXPECT_LE(std::fabs(number), 5.0);
     return p[0] + p[1];
   };
-  const auto found = search(kSpace, covarianceOf(200), inside, nothing);
+  const auto found = search(kSpace, planOf(200), inside, nothing);
   ASSERT_TRUE(found.ok());
   EXPECT_GT(found->gain, 9.9);
 }

@@ -48,7 +48,7 @@ struct MotionOptions {
   int models = 4;
   int places = 3;
   double reach = 40.0;
-  learn::SearchPlan plan{learn::SearchMethod::cma, 800, 0, 0.2, 1, {}};
+  learn::SearchPlan plan{800, 0, 0.2, 1, {}};
 };
 
 // What a motion is judged by; greater is better.

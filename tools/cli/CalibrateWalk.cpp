@@ -34,7 +34,8 @@ Afterwards the set's speeds are measured and its calibration fitted, and it is j
 that the search has not seen.
 
 KIND is normal, fast, turning, dribble, back, low or weak. The search begins at that walk as it is,
-or as the parameter file of --start has it. With --journal a search that was broken off goes on.
+or as the parameter file of --start has it; one that is good already gains by a --spread of 0.05.
+With --journal a search that was broken off goes on.
 
   kelpie calibrate walk normal --out actuator/data/walks/normal.toml --journal walk.journal
   kelpie calibrate walk fast --trials 1000 --seed 2 --out fast.toml --picture gain.png
@@ -48,7 +49,7 @@ struct WalkOptions {
   int models = 4;
   bool onlyFit = false;
   bool keepStance = false;
-  learn::SearchPlan plan{learn::SearchMethod::cma, 600, 0, 0.2, 1, {}};
+  learn::SearchPlan plan{600, 0, 0.2, 1, {}};
 };
 
 Expected<WalkKind> kindOf(const std::string& name) {
@@ -191,6 +192,10 @@ void addCalibrateWalk(CLI::App& command, int& code) {
       ->capture_default_str();
   walk->add_option("--seed", options->plan.seed, "of search and models")
       ->check(inRange(0, 1e6))
+      ->capture_default_str();
+  walk->add_option("--spread", options->plan.spread,
+                   "where the search begins: a standard deviation, share of each number's range")
+      ->check(inRange(0.001, 1.0))
       ->capture_default_str();
   walk->add_option("--models", options->models, "varied models to learn on")
       ->check(inRange(1, 100))

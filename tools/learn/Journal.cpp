@@ -12,8 +12,7 @@ namespace {
 
 std::string headOf(const SearchSpace& space, const SearchPlan& plan) {
   std::string text =
-      fmt::format("{} seed {} population {}", plan.method == SearchMethod::cma ? "cma" : "crs",
-                  plan.seed, plan.population);
+      fmt::format("cma seed {} population {} spread {}", plan.seed, plan.population, plan.spread);
   for (std::size_t i = 0; i < space.names.size(); ++i)
     text += fmt::format(" {} {:a} {:a} {:a}", space.names[i], space.least[i], space.most[i],
                         space.start[i]);

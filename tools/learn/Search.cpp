@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/learn/Search.h"
 
-#include <nlopt.h>
-
 #include <algorithm>
-#include <memory>
 
 #include "tools/learn/Cma.h"
 #include "tools/learn/Journal.h"
@@ -33,24 +30,6 @@ struct Run {
   }
 };
 
-double cost(unsigned count, const double* x, double*, void* data) {
-  return -static_cast<Run*>(data)->tryPoint({x, x + count});
-}
-
-void searchAtRandom(const SearchSpace& space, const SearchPlan& plan, std::vector<double> x,
-                    Run& run) {
-  const std::unique_ptr<nlopt_opt_s, void (*)(nlopt_opt)> optimiser(
-      nlopt_create(NLOPT_GN_CRS2_LM, static_cast<unsigned>(space.names.size())), nlopt_destroy);
-  nlopt_srand(plan.seed);
-  nlopt_set_min_objective(optimiser.get(), cost, &run);
-  nlopt_set_lower_bounds(optimiser.get(), space.least.data());
-  nlopt_set_upper_bounds(optimiser.get(), space.most.data());
-  nlopt_set_population(optimiser.get(), static_cast<unsigned>(plan.population));
-  nlopt_set_maxeval(optimiser.get(), plan.trials);
-  double least = 0.0;
-  nlopt_optimize(optimiser.get(), x.data(), &least);
-}
-
 // In shares of the way from the least to the most of each number.
 std::vector<double> scaled(const std::vector<double>& shares, const SearchSpace& space) {
   std::vector<double> point = shares;
@@ -68,8 +47,8 @@ std::vector<double> sharesOf(const std::vector<double>& point, const SearchSpace
   return shares;
 }
 
-Status searchByCovariance(const SearchSpace& space, const SearchPlan& plan,
-                          const std::vector<double>& start, Run& run) {
+Status searchFrom(const SearchSpace& space, const SearchPlan& plan,
+                  const std::vector<double>& start, Run& run) {
   auto cma = Cma::start(sharesOf(start, space), plan);
   if (!cma) return Error{cma.error()};
   run.tryPoint(start);
@@ -95,12 +74,8 @@ Expected<SearchResult> search(const SearchSpace& space, const SearchPlan& plan, 
   std::vector<double> start = space.start;
   for (std::size_t i = 0; i < start.size(); ++i)
     start[i] = std::clamp(start[i], space.least[i], space.most[i]);
-  if (plan.method == SearchMethod::crs) {
-    searchAtRandom(space, plan, start, run);
-  } else {
-    const Status searched = searchByCovariance(space, plan, start, run);
-    if (!searched) return Error{searched.error()};
-  }
+  const Status searched = searchFrom(space, plan, start, run);
+  if (!searched) return Error{searched.error()};
   return run.result;
 }
 
