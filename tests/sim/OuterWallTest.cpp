@@ -96,7 +96,7 @@ TEST(OuterWall, HiddenLandmarksLeaveWhiteGoalsAndNoBeacons) {
 TEST(OuterWall, StopsRobotsAndABeaconTakenAwayDoesNot) {
   World world(WorldParams{}, field(), *scenario("empty-goal", field(), {{TeamColour::red, 1}}, 3),
               3);
-  world.putUp(wallWithOneSheet());
+  ASSERT_TRUE(world.putUp(wallWithOneSheet()));
   ASSERT_TRUE(world.carry(0, {{390.0, 270.0}, Angle::deg(90)}));
   world.tick();
   EXPECT_LT(world.truth(world.time()).robots[0].pose.position.x, 388.5);
@@ -104,10 +104,20 @@ TEST(OuterWall, StopsRobotsAndABeaconTakenAwayDoesNot) {
   ASSERT_TRUE(world.carry(0, atBeacon));
   world.tick();
   EXPECT_GT(distance(world.truth(world.time()).robots[0].pose.position, atBeacon.position), 1.0);
-  world.takeLandmarksAway();
+  ASSERT_TRUE(world.takeLandmarksAway());
   ASSERT_TRUE(world.carry(0, atBeacon));
   world.tick();
   EXPECT_LT(distance(world.truth(world.time()).robots[0].pose.position, atBeacon.position), 1.0);
+}
+
+TEST(OuterWall, ASecondOneHasNoRoomInThePhysicalWorld) {
+  WorldParams params;
+  params.fast = false;
+  World world(params, field(), *scenario("empty-goal", field(), {{TeamColour::red, 1}}, 3), 3);
+  ASSERT_TRUE(world.putUp(wallWithOneSheet()));
+  const Status refused = world.putUp(wallWithOneSheet());
+  ASSERT_FALSE(refused);
+  EXPECT_NE(refused.error().find("no room"), std::string::npos);
 }
 
 }  // namespace

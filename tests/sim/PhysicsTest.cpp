@@ -39,6 +39,32 @@ JointAngles anyPose(Random& random) {
   return body::withinLimits(joints);
 }
 
+// How far along x a ball comes that is rolled at what stands there.
+double furthestOf(Physics& physics, const Ball& ball) {
+  physics.putBall(ball);
+  double furthest = ball.position.x;
+  for (int i = 0; i < 200; ++i) {
+    EXPECT_TRUE(physics.tick());
+    furthest = std::fmax(furthest, physics.ball().position.x);
+  }
+  return furthest;
+}
+
+TEST(PhysicalWorld, ABallStopsAtWhatStandsOnTheFieldNow) {
+  Physics physics = oneRobot();
+  const Ball ball{{50.0, 400.0}, {120.0, 0.0}};
+  const double free = furthestOf(physics, ball);
+  const Obstacle wall{{90.0, 350.0}, {90.0, 450.0}, 1.0};
+  const Obstacle post{{80.0, 400.0}, {80.0, 400.0}, 2.0};
+  ASSERT_TRUE(physics.setObstacles({wall}));
+  EXPECT_NEAR(furthestOf(physics, ball), 90.0 - 1.0 - body::kBallRadius, 0.7);
+  ASSERT_TRUE(physics.setObstacles({wall, post}));
+  EXPECT_NEAR(furthestOf(physics, ball), 80.0 - 2.0 - body::kBallRadius, 0.7);
+  ASSERT_TRUE(physics.setObstacles({}));
+  EXPECT_NEAR(furthestOf(physics, ball), free, 0.1);
+  EXPECT_GT(free, 120.0);
+}
+
 TEST(PhysicalBody, EveryPawIsWhereTheKinematicsHaveIt) {
   Physics physics = oneRobot();
   Random random(5);

@@ -21,7 +21,7 @@ struct Place {
   }
   void add(const Pose2& pose, std::uint64_t seed) { bodies.add({RobotParams{}, pose, seed}); }
   Surroundings around() {
-    bodies.setObstacles(obstacles);
+    EXPECT_TRUE(bodies.setObstacles(obstacles));
     places.clear();
     for (std::size_t i = 0; i < bodies.count(); ++i) places.push_back(bodies.place(i));
     return {bodies.ball(), obstacles, places, 0};

@@ -69,8 +69,8 @@ class Bodies {
   virtual void shove(std::size_t robot, Point2<Field> way, Angle turn) = 0;
   virtual void lift(std::size_t robot, double height) = 0;
   virtual void touch(std::size_t robot, const Touch& touch) = 0;
-  // Something more stands on the field, or no longer does.
-  virtual void setObstacles(const std::vector<Obstacle>& obstacles) = 0;
+  // All that stands on the field from now on. Error: more than there is room for.
+  virtual Status setObstacles(const std::vector<Obstacle>& obstacles) = 0;
 };
 
 }  // namespace kelpie::sim

@@ -56,7 +56,10 @@ class KinematicBodies : public Bodies {
   }
   void lift(std::size_t robot, double height) override { robots_[robot].lift(height); }
   void touch(std::size_t robot, const Touch& touch) override { robots_[robot].touch(touch); }
-  void setObstacles(const std::vector<Obstacle>& obstacles) override { obstacles_ = obstacles; }
+  Status setObstacles(const std::vector<Obstacle>& obstacles) override {
+    obstacles_ = obstacles;
+    return Done{};
+  }
 
  private:
   void keepApart();

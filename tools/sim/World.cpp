@@ -178,21 +178,21 @@ Status World::touch(std::size_t robot, const Touch& touch) {
   return Done{};
 }
 
-void World::putUp(const OuterWall& wall) {
+Status World::putUp(const OuterWall& wall) {
   addWall(scene_, wall);
   for (std::size_t side = 0; side < 4; ++side)
     obstacles_.push_back({wall.corners[side], wall.corners[(side + 1) % 4], 1.0});
-  bodies_->setObstacles(obstacles_);
+  return bodies_->setObstacles(obstacles_);
 }
 
-void World::takeLandmarksAway() {
+Status World::takeLandmarksAway() {
   hideLandmarks(scene_);
   const auto isBeacon = [this](const Obstacle& obstacle) {
     return distance(obstacle.a, obstacle.b) == 0.0 && obstacle.radius == field_.beaconRadius;
   };
   obstacles_.erase(std::remove_if(obstacles_.begin(), obstacles_.end(), isBeacon),
                    obstacles_.end());
-  bodies_->setObstacles(obstacles_);
+  return bodies_->setObstacles(obstacles_);
 }
 
 // A share of the exposure of the image that the robot's camera stamps with `end`.

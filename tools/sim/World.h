@@ -91,9 +91,10 @@ class World {
   Status lift(std::size_t robot, double height);
   // Fingers press its sensors so until the next call. Refuses a pressure off the sensor's range.
   Status touch(std::size_t robot, const Touch& touch);
-  // Somebody changes what stands round the field, as between the stages of the 2004 challenge.
-  void putUp(const OuterWall& wall);
-  void takeLandmarksAway();  // no beacons, goals covered with white
+  // Somebody changes what stands round the field, as between the stages of the 2004 challenge. One
+  // outer wall fits.
+  Status putUp(const OuterWall& wall);
+  Status takeLandmarksAway();  // no beacons, goals covered with white
   std::uint32_t ticks() const { return ticks_; }
   TimeUs time() const { return {static_cast<std::int64_t>(ticks_) * kTickUs}; }
   bool finished() const { return referee_.finished(); }

@@ -305,7 +305,8 @@ Status halfTime(const Setup& setup, LocaliseMatch& match, const LocaliseMatch::W
   match.halt(true);
   const Status before = match.play(kStage1 + 0.5 * kHalt, watch);
   if (!before) return before;
-  match.world().takeLandmarksAway();
+  const Status hidden = match.world().takeLandmarksAway();
+  if (!hidden) return hidden;
   const Status carried = match.world().carry(0, setup.carried);
   if (!carried) return carried;
   const Status after = match.play(kStage1 + kHalt, watch);
@@ -318,9 +319,10 @@ Expected<ChallengeResult> playChallenge(const Request& request, agent::AgentConf
   const Setup setup = setupOf(config.field, seed);
   configure(setup, config);
   LocaliseMatch match(config, cli::defaultScripts(), seed, request.unlike);
-  match.world().putUp(setup.wall);
+  Status status = match.world().putUp(setup.wall);
+  if (!status) return Error{status.error()};
   match.world().putBall({{4.0, 4.0}, {}});  // nobody plays with it
-  Status status = match.world().carry(0, setup.start);
+  status = match.world().carry(0, setup.start);
   if (!status) return Error{status.error()};
   ChallengeRecorder recorder(request, "slam-" + std::to_string(seed));
   const auto watcher = [&recorder](const WatchedFrame& frame) { recorder.frame(frame); };

@@ -5,30 +5,15 @@
 
 #include "tools/sim/Bodies.h"
 #include "tools/sim/physics/RobotXml.h"
+#include "tools/sim/physics/Things.h"
 #include "tools/sim/physics/Units.h"
 
 namespace kelpie::sim {
 namespace {
 
-constexpr double kWallHigh = 0.15;  // half the height of a goal's walls
-
 std::string thing(const std::string& shape) {
   return fmt::format("<geom {} contype=\"{}\" conaffinity=\"{}\" friction=\"0.3 0.005 0.0001\"/>\n",
                      shape, kThingsBit, kAllBits & ~kThingsBit);
-}
-
-std::string wall(const Obstacle& o) {
-  const Point2<Field> way = o.b - o.a;
-  const Point2<Field> middle = (o.a + o.b) * 0.5;
-  const double half = 0.5 * way.norm() + o.radius;
-  return thing(fmt::format("type=\"box\" pos=\"{} {} {}\" size=\"{} {} {}\" euler=\"0 0 {}\"",
-                           kCm * middle.x, kCm * middle.y, kWallHigh, kCm * half, kCm * o.radius,
-                           kWallHigh, Angle::rad(maths::atan2(way.y, way.x)).deg()));
-}
-
-std::string post(const Obstacle& o, double height) {
-  return thing(fmt::format("type=\"cylinder\" pos=\"{} {} {}\" size=\"{} {}\"", kCm * o.a.x,
-                           kCm * o.a.y, 0.5 * kCm * height, kCm * o.radius, 0.5 * kCm * height));
 }
 
 // Robots do not leave the room.
@@ -50,11 +35,7 @@ std::string fieldXml(const body::FieldDescription& field, const ContactParams& c
       "<geom name=\"carpet\" type=\"plane\" size=\"9 9 1\" contype=\"{}\" conaffinity=\"{}\" "
       "friction=\"{} 0.005 0.0001\"/>\n",
       kThingsBit, kAllBits & ~kThingsBit, contact.carpet);
-  for (const Obstacle& o : obstaclesOf(field))
-    out += distance(o.a, o.b) > 0.0
-               ? wall(o)
-               : post(o, o.radius == field.beaconRadius ? field.beaconHeight : field.goalHeight);
-  return out + roomXml(field);
+  return out + thingSlotsXml(field) + roomXml(field);
 }
 
 std::string ballXml(const PhysicalBallParams& ball) {

@@ -17,7 +17,8 @@ namespace kelpie::sim {
 // One robot's own parameters: no two are alike.
 using RobotsPhysics = std::vector<PhysicsParams>;
 
-// Names: "r0_trunk", "r0_<joint index>", "r0_paw<leg>", "ball", "carpet".
+// Names: "r0_trunk", "r0_<joint index>", "r0_paw<leg>", "ball", "carpet"; what stands on the carpet
+// are empty slots until it is put there (Things.h).
 std::string worldXml(const body::FieldDescription& field, const RobotsPhysics& robots,
                      const PhysicsParams& world);
 

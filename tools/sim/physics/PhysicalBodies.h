@@ -63,7 +63,9 @@ class PhysicalBodies : public Bodies {
   void shove(std::size_t robot, Point2<Field> way, Angle turn) override;
   void lift(std::size_t robot, double height) override;
   void touch(std::size_t robot, const Touch& touch) override { robots_[robot].touch = touch; }
-  void setObstacles(const std::vector<Obstacle>&) override {}
+  Status setObstacles(const std::vector<Obstacle>& obstacles) override {
+    return physics_.setObstacles(obstacles);
+  }
 
   Physics& physics() { return physics_; }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "tools/sim/physics/Things.h"
 #include "tools/sim/physics/Units.h"
 
 namespace kelpie::sim {
@@ -20,11 +21,18 @@ Expected<Physics> Physics::build(const body::FieldDescription& field, const Robo
                                  const PhysicsParams& world) {
   Expected<Engine> engine = Engine::load(worldXml(field, robots, world));
   if (!engine) return Error{engine.error()};
-  return Physics(std::move(*engine), robots, world);
+  Physics physics(std::move(*engine), field, robots, world);
+  const Status furnished = physics.setObstacles(obstaclesOf(field));
+  if (!furnished) return Error{furnished.error()};
+  return physics;
 }
 
-Physics::Physics(Engine engine, RobotsPhysics params, const PhysicsParams& world)
-    : engine_(std::move(engine)), params_(std::move(params)), world_(world) {
+Physics::Physics(Engine engine, body::FieldDescription field, RobotsPhysics params,
+                 const PhysicsParams& world)
+    : engine_(std::move(engine)),
+      field_(std::move(field)),
+      params_(std::move(params)),
+      world_(world) {
   for (std::size_t i = 0; i < params_.size(); ++i) robots_.emplace_back(engine_, i);
   ballBody_ = engine_.body("ball");
   const int free = engine_.joint("ball");
@@ -62,6 +70,10 @@ Ball Physics::ball() const {
 }
 
 double Physics::ballHeight() const { return engine_.data().qpos[ballQpos_ + 2] / kCm; }
+
+Status Physics::setObstacles(const std::vector<Obstacle>& obstacles) {
+  return putThings(obstacles, field_, engine_);
+}
 
 bool Physics::ballNearRobot() const {
   const mjData& data = engine_.data();

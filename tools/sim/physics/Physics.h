@@ -25,17 +25,21 @@ class Physics {
   void putRobot(std::size_t i, const Pose2& pose, const JointAngles& joints);
   void putBall(const Ball& ball);
   Ball ball() const;
+  // What stands on the field, all of it. Error: more than the model has room for.
+  Status setObstacles(const std::vector<Obstacle>& obstacles);
   double ballHeight() const;  // cm, of its centre
 
   // One tick, or in one line what went wrong.
   Status tick();
 
  private:
-  Physics(Engine engine, RobotsPhysics params, const PhysicsParams& world);
+  Physics(Engine engine, body::FieldDescription field, RobotsPhysics params,
+          const PhysicsParams& world);
   bool ballNearRobot() const;
   void rollBall();
 
   Engine engine_;
+  body::FieldDescription field_;
   RobotsPhysics params_;
   PhysicsParams world_;
   std::vector<PhysicalRobot> robots_;
