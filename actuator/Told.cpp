@@ -9,10 +9,21 @@ namespace {
 double bent(double s) { return s * std::fabs(s); }
 double cubed(double s) { return s * s * s; }
 
-FeltTerms feltFactors(double speed, double change, const Felt& felt) {
+SideReach meanOf(const Reach& reach) {
+  const auto& [left, right] = reach;
+  return {0.5 * (left.frontRotator + right.frontRotator),
+          0.5 * (left.frontShoulder + right.frontShoulder),
+          0.5 * (left.frontKnee + right.frontKnee),
+          0.5 * (left.hindRotator + right.hindRotator),
+          0.5 * (left.hindShoulder + right.hindShoulder),
+          0.5 * (left.hindKnee + right.hindKnee)};
+}
+
+// A turn or side step is the mirror image of that to the other side.
+void feel(double speed, double change, const Felt& felt, AcrossTerms& f) {
   const Reach& reach = felt.reach;
-  return {felt.load * speed,  reach.front * speed,     reach.front * bent(speed),
-          reach.hind * speed, reach.shoulders * speed, change};
+  f.felt = {felt.load * speed, change, (speed > 0.0 ? reach.left : reach.right) * speed};
+  f.otherLegs = (speed > 0.0 ? reach.right : reach.left) * speed;
 }
 
 AcrossTerms acrossFactors(const Velocity& feet, double joints) {
@@ -35,9 +46,7 @@ AcrossTerms acrossFactors(const Velocity& feet, double joints) {
 }
 
 double sum(const FeltTerms& f, const FeltTerms& share) {
-  return f.load * share.load + f.frontReach * share.frontReach +
-         f.frontReachBent * share.frontReachBent + f.hindReach * share.hindReach +
-         f.shoulderReach * share.shoulderReach + f.change * share.change;
+  return f.load * share.load + f.change * share.change + sum(f.legs, share.legs);
 }
 
 double sum(const AlongTerms& f, const AlongTerms& share) {
@@ -55,7 +64,8 @@ double sum(const AcrossTerms& f, const AcrossTerms& share) {
          f.turnCubed * share.turnCubed + f.forwardLeft * share.forwardLeft +
          f.forwardTurn * share.forwardTurn + f.speedLeft * share.speedLeft +
          f.speedTurn * share.speedTurn + f.leftTurning * share.leftTurning +
-         f.turnAside * share.turnAside + sum(f.felt, share.felt);
+         f.turnAside * share.turnAside + sum(f.felt, share.felt) +
+         sum(f.otherLegs, share.otherLegs);
 }
 
 }  // namespace
@@ -80,19 +90,19 @@ AlongTerms alongFactors(const Velocity& feet, const Felt& felt, double joints) {
   f.aheadTurn = ahead * turn;
   f.behindLeft = behind * left;
   f.behindTurn = behind * turn;
-  f.felt = feltFactors(feet.forward, felt.change.forward, felt);
+  f.felt = {felt.load * feet.forward, felt.change.forward, meanOf(felt.reach) * feet.forward};
   return f;
 }
 
 AcrossTerms leftFactors(const Velocity& feet, const Felt& felt, double joints) {
   AcrossTerms f = acrossFactors(feet, joints);
-  f.felt = feltFactors(feet.left, felt.change.left, felt);
+  feel(feet.left, felt.change.left, felt, f);
   return f;
 }
 
 AcrossTerms turnFactors(const Velocity& feet, const Felt& felt, double joints) {
   AcrossTerms f = acrossFactors(feet, joints);
-  f.felt = feltFactors(feet.turn, felt.change.turn, felt);
+  feel(feet.turn, felt.change.turn, felt, f);
   return f;
 }
 

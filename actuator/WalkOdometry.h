@@ -3,27 +3,20 @@
 // `kelpie calibrate walk` fits them to walks on varied models.
 #pragma once
 
-#include "robot/core/Fields.h"
+#include "actuator/SideReach.h"
 
 namespace kelpie::actuator {
 
 // Shares of what the body feels, each times the feet's speed in the direction that is told.
 struct FeltTerms {
-  double load = 0.0;            // Feeling.h
-  double frontReach = 0.0;      // Reach.h
-  double frontReachBent = 0.0;  // times |speed| as well
-  double hindReach = 0.0;
-  double shoulderReach = 0.0;
+  double load = 0.0;    // Feeling.h
   double change = 0.0;  // times the change of that speed in the last quarter of a second, alone
+  SideReach legs;       // Reach.h; of the side that it goes to, ahead the mean of both
 
   static constexpr auto fields() {
     using P = FeltTerms;
-    return fieldList(field("load", &P::load, "", -50, 50),
-                     field("frontReach", &P::frontReach, "", -50, 50),
-                     field("frontReachBent", &P::frontReachBent, "", -50, 50),
-                     field("hindReach", &P::hindReach, "", -50, 50),
-                     field("shoulderReach", &P::shoulderReach, "", -50, 50),
-                     field("change", &P::change, "", -50, 50));
+    return fieldList(field("load", &P::load, "", -50, 50), field("change", &P::change, "", -50, 50),
+                     field("legs", &P::legs));
   }
 };
 
@@ -77,6 +70,7 @@ struct AcrossTerms {
   double leftTurning = 0.0;  // left times |turn|
   double turnAside = 0.0;    // turn times |left|
   FeltTerms felt;
+  SideReach otherLegs;
 
   static constexpr auto fields() {
     using P = AcrossTerms;
@@ -91,7 +85,8 @@ struct AcrossTerms {
                      field("speedLeft", &P::speedLeft, "", -30, 30),
                      field("speedTurn", &P::speedTurn, "", -30, 30),
                      field("leftTurning", &P::leftTurning, "", -30, 30),
-                     field("turnAside", &P::turnAside, "", -30, 30), field("felt", &P::felt));
+                     field("turnAside", &P::turnAside, "", -30, 30), field("felt", &P::felt),
+                     field("otherLegs", &P::otherLegs));
   }
 };
 

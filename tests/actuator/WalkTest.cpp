@@ -173,6 +173,27 @@ TEST(Walk, TurningAboutAPointKeepsItInItsPlace) {
   EXPECT_EQ(v.forward, 0.0);
 }
 
+// 1 where the feet go as far as they may.
+double strokeShare(const Velocity& feet, const StrokeLimits& most) {
+  return std::hypot(feet.forward / (feet.forward < 0.0 ? most.back : most.forward),
+                    feet.left / most.left, feet.turn / most.turn);
+}
+
+TEST(Walk, ARequestBeyondTheFeetKeepsItsDirection) {
+  const WalkSet set = standardWalks().normal;
+  for (const WalkRequest& request :
+       {WalkRequest{0, 0, 20}, {0, 0, -5}, {150, 150, 0}, {-90, 40, 3}, {300, 0, 2}}) {
+    const Velocity feet = wantedSpeed(request, set);
+    EXPECT_NEAR(strokeShare(feet, set.most), 1.0, 0.01);
+    const Velocity real = realSpeed(feet, set.calibration);
+    const double share = std::hypot(real.forward, real.left, real.turn) /
+                         std::hypot(request.forward, request.left, request.turn);
+    EXPECT_NEAR(real.forward, share * request.forward, 0.3);
+    EXPECT_NEAR(real.left, share * request.left, 0.3);
+    EXPECT_NEAR(real.turn, share * request.turn, 0.03);
+  }
+}
+
 TEST(Walk, MirroredRequestGivesMirroredFeetHalfAStepLater) {
   Walker left;
   Walker right;

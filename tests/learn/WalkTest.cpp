@@ -49,11 +49,17 @@ TEST(WalkFit, FindsTheCurvesAndSharesThatMadeTheSamples) {
     const Velocity feet{random.uniform(-30, 35), random.uniform(-30, 30), random.uniform(-2, 2)};
     const Velocity joints{random.uniform(-30, 30), random.uniform(-30, 30), random.uniform(-2, 2)};
     const auto little = [&random] { return random.uniform(-0.1, 0.1); };
-    const actuator::Felt felt{
-        little(), {little(), little(), little()}, {little(), little(), little()}};
+    const auto side = [&little] {
+      return actuator::SideReach{little(), little(), little(), little(), little(), little()};
+    };
+    const actuator::Felt felt{little(), {side(), side()}, {little(), little(), little()}};
     Velocity real = realSpeed(feet, c);
     real = {real.forward + 0.5 * joints.forward, real.left + 0.25 * joints.left, real.turn};
-    real.turn += (-1.5 * felt.load + 0.8 * felt.reach.front) * feet.turn;
+    const bool leftwards = feet.turn > 0.0;
+    const auto& [left, right] = felt.reach;
+    real.turn += -1.5 * felt.load * feet.turn;
+    real.turn += 0.8 * (leftwards ? left : right).frontRotator * feet.turn;
+    real.turn += 0.4 * (leftwards ? right : left).hindKnee * feet.turn;
     real.turn -= 0.3 * felt.change.turn;
     samples.push_back({numbersOf(actuator::alongFactors(feet, felt, joints.forward)),
                        numbersOf(actuator::leftFactors(feet, felt, joints.left)),
@@ -64,7 +70,8 @@ TEST(WalkFit, FindsTheCurvesAndSharesThatMadeTheSamples) {
   EXPECT_NEAR(fitted.left.joints, 0.25, 1e-9);
   EXPECT_NEAR(fitted.turn.joints, 0.0, 1e-9);
   EXPECT_NEAR(fitted.turn.felt.load, -1.5, 1e-9);
-  EXPECT_NEAR(fitted.turn.felt.frontReach, 0.8, 1e-9);
+  EXPECT_NEAR(fitted.turn.felt.legs.frontRotator, 0.8, 1e-9);
+  EXPECT_NEAR(fitted.turn.otherLegs.hindKnee, 0.4, 1e-9);
   EXPECT_NEAR(fitted.turn.felt.change, -0.3, 1e-9);
   EXPECT_NEAR(fitted.forward.aheadBent, 0.002, 1e-9);
   EXPECT_NEAR(fitted.left.turnBent, -0.5, 1e-9);

@@ -38,6 +38,11 @@ struct Rows {
   }
 };
 
+std::vector<double> weighted(std::vector<double> row, double weight) {
+  for (double& number : row) number *= weight;
+  return row;
+}
+
 template <class S>
 S solved(const Rows& rows) {
   const Eigen::VectorXd found = rows.solved();
@@ -104,9 +109,9 @@ actuator::WalkOdometry fitOdometry(const std::vector<WaySample>& samples) {
   Rows left;
   Rows turn;
   for (const WaySample& sample : samples) {
-    forward.add(sample.forward, sample.real.forward);
-    left.add(sample.left, sample.real.left);
-    turn.add(sample.turn, sample.real.turn);
+    forward.add(weighted(sample.forward, sample.weight), sample.weight * sample.real.forward);
+    left.add(weighted(sample.left, sample.weight), sample.weight * sample.real.left);
+    turn.add(weighted(sample.turn, sample.weight), sample.weight * sample.real.turn);
   }
   return {solved<actuator::AlongTerms>(forward), solved<actuator::AcrossTerms>(left),
           solved<actuator::AcrossTerms>(turn)};

@@ -23,6 +23,7 @@ struct WaySample {
   std::vector<double> left;
   std::vector<double> turn;
   actuator::Velocity real;
+  double weight = 1.0;  // of its residual in the fit
 };
 
 // An instant of a walk: how the body stood then beyond what its legs said, and where it went since
