@@ -21,9 +21,11 @@ SideReach meanOf(const Reach& reach) {
 
 // A turn or side step is the mirror image of that to the other side.
 void feel(double speed, double change, const Felt& felt, AcrossTerms& f) {
-  const Reach& reach = felt.reach;
-  f.felt = {felt.load * speed, change, (speed > 0.0 ? reach.left : reach.right) * speed};
-  f.otherLegs = (speed > 0.0 ? reach.right : reach.left) * speed;
+  const SideReach& near = speed > 0.0 ? felt.reach.left : felt.reach.right;
+  const SideReach& other = speed > 0.0 ? felt.reach.right : felt.reach.left;
+  f.felt = {felt.load * speed, change, near * speed, near * bent(speed)};
+  f.otherLegs = other * speed;
+  f.otherLegsBent = other * bent(speed);
 }
 
 AcrossTerms acrossFactors(const Velocity& feet, double joints) {
@@ -46,7 +48,8 @@ AcrossTerms acrossFactors(const Velocity& feet, double joints) {
 }
 
 double sum(const FeltTerms& f, const FeltTerms& share) {
-  return f.load * share.load + f.change * share.change + sum(f.legs, share.legs);
+  return f.load * share.load + f.change * share.change + sum(f.legs, share.legs) +
+         sum(f.legsBent, share.legsBent);
 }
 
 double sum(const AlongTerms& f, const AlongTerms& share) {
@@ -65,7 +68,7 @@ double sum(const AcrossTerms& f, const AcrossTerms& share) {
          f.forwardTurn * share.forwardTurn + f.speedLeft * share.speedLeft +
          f.speedTurn * share.speedTurn + f.leftTurning * share.leftTurning +
          f.turnAside * share.turnAside + sum(f.felt, share.felt) +
-         sum(f.otherLegs, share.otherLegs);
+         sum(f.otherLegs, share.otherLegs) + sum(f.otherLegsBent, share.otherLegsBent);
 }
 
 }  // namespace
@@ -90,7 +93,9 @@ AlongTerms alongFactors(const Velocity& feet, const Felt& felt, double joints) {
   f.aheadTurn = ahead * turn;
   f.behindLeft = behind * left;
   f.behindTurn = behind * turn;
-  f.felt = {felt.load * feet.forward, felt.change.forward, meanOf(felt.reach) * feet.forward};
+  const SideReach reach = meanOf(felt.reach);
+  f.felt = {felt.load * feet.forward, felt.change.forward, reach * feet.forward,
+            reach * bent(feet.forward)};
   return f;
 }
 

@@ -12,11 +12,12 @@ struct FeltTerms {
   double load = 0.0;    // Feeling.h
   double change = 0.0;  // times the change of that speed in the last quarter of a second, alone
   SideReach legs;       // Reach.h; of the side that it goes to, ahead the mean of both
+  SideReach legsBent;   // times |speed| as well
 
   static constexpr auto fields() {
     using P = FeltTerms;
     return fieldList(field("load", &P::load, "", -50, 50), field("change", &P::change, "", -50, 50),
-                     field("legs", &P::legs));
+                     field("legs", &P::legs), field("legsBent", &P::legsBent));
   }
 };
 
@@ -71,6 +72,7 @@ struct AcrossTerms {
   double turnAside = 0.0;    // turn times |left|
   FeltTerms felt;
   SideReach otherLegs;
+  SideReach otherLegsBent;
 
   static constexpr auto fields() {
     using P = AcrossTerms;
@@ -86,7 +88,7 @@ struct AcrossTerms {
                      field("speedTurn", &P::speedTurn, "", -30, 30),
                      field("leftTurning", &P::leftTurning, "", -30, 30),
                      field("turnAside", &P::turnAside, "", -30, 30), field("felt", &P::felt),
-                     field("otherLegs", &P::otherLegs));
+                     field("otherLegs", &P::otherLegs), field("otherLegsBent", &P::otherLegsBent));
   }
 };
 

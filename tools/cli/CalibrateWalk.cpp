@@ -170,9 +170,11 @@ int calibrateWalk(const WalkOptions& options) {
   calibrated(*kind, 2000 + 100 * std::uint64_t{options.plan.seed}, options.models, *set);
   const std::string verdict = judged(*kind, *set);
   fmt::print("after: {}\n", verdict);
-  const std::string heading =
-      fmt::format("kelpie calibrate walk {} --trials {} --seed {}\n{}", options.kind,
-                  options.plan.trials, options.plan.seed, verdict);
+  const std::string how = options.onlyFit ? fmt::format("--fit --models {}", options.models)
+                                          : fmt::format("--trials {}{}", options.plan.trials,
+                                                        options.keepStance ? " --keep-stance" : "");
+  const std::string heading = fmt::format("kelpie calibrate walk {} {} --seed {}\n{}", options.kind,
+                                          how, options.plan.seed, verdict);
   if (!writeWhole(options.out, learn::walkText(*kind, *set, heading)))
     return fail(options.out + ": cannot be written", kExitBadInput);
   return kExitDone;

@@ -24,6 +24,21 @@ struct Rows {
     features.push_back(row);
     values.push_back(value);
   }
+  // Keeps the numbers from that column on small (ridge regression): each costs that share of the
+  // squares of its column.
+  void holdBack(std::size_t first, double share) {
+    const std::size_t columns = features.front().size();
+    std::vector<std::vector<double>> held;
+    for (std::size_t k = first; k < columns; ++k) {
+      double squares = 0.0;
+      for (const std::vector<double>& row : features) squares += maths::square(row[k]);
+      std::vector<double> row(columns, 0.0);
+      row[k] = std::sqrt(share * squares);
+      held.push_back(row);
+    }
+    features.insert(features.end(), held.begin(), held.end());
+    values.resize(features.size(), 0.0);
+  }
   Eigen::VectorXd solved() const {
     const auto rows = static_cast<Eigen::Index>(features.size());
     const auto columns = static_cast<Eigen::Index>(features.front().size());
@@ -113,6 +128,13 @@ actuator::WalkOdometry fitOdometry(const std::vector<WaySample>& samples) {
     left.add(weighted(sample.left, sample.weight), sample.weight * sample.real.left);
     turn.add(weighted(sample.turn, sample.weight), sample.weight * sample.real.turn);
   }
+  // Two dozen models differ in fewer ways than legs have joints: without it turns of models that
+  // the fit had not seen were told 3.2 deg off, with it 2.9.
+  constexpr double kHeld = 3e-4;
+  const std::size_t side = numbersOf(actuator::SideReach{}).size();  // they come last
+  forward.holdBack(numbersOf(actuator::AlongTerms{}).size() - 2 * side, kHeld);
+  left.holdBack(numbersOf(actuator::AcrossTerms{}).size() - 4 * side, kHeld);
+  turn.holdBack(numbersOf(actuator::AcrossTerms{}).size() - 4 * side, kHeld);
   return {solved<actuator::AlongTerms>(forward), solved<actuator::AcrossTerms>(left),
           solved<actuator::AcrossTerms>(turn)};
 }

@@ -22,6 +22,7 @@ constexpr int kWay = 16;       // half a second
 // Of a way whose command began earlier. Most of what is walked is even, and with 1 the fit took
 // the starts and stops for it: an even turn was told 2 % too far.
 constexpr double kEven = 4.0;
+constexpr double kAlone = 2.0;  // of a way in one direction: nothing says then what others add
 
 // Half of the speeds are asked in one direction alone, as behaviours ask, the others in all at
 // once.
@@ -137,6 +138,10 @@ Velocity played(const actuator::WalkSet& set, Random& random) {
           random.uniform(-most.left, most.left), round};
 }
 
+bool alone(const WalkRequest& r) {
+  return (r.forward != 0.0 ? 1 : 0) + (r.left != 0.0 ? 1 : 0) + (r.turn != 0.0 ? 1 : 0) <= 1;
+}
+
 void addTo(std::vector<double>& mean, const std::vector<double>& numbers) {
   mean.resize(numbers.size());
   for (std::size_t i = 0; i < mean.size(); ++i) mean[i] += numbers[i] / kWay;
@@ -206,7 +211,7 @@ std::vector<WaySample> sampleWays(WalkKind kind, const actuator::WalkSet& set,
     const int parts = 1 + random.index(5);
     for (int part = 0; part < parts; ++part) {
       samples.push_back(sampleWay(command, walker));
-      if (part > 0) samples.back().weight = kEven;
+      samples.back().weight = (part > 0 ? kEven : 1.0) * (alone(command.walk) ? kAlone : 1.0);
     }
     if (!walker.fallen()) continue;
     samples.resize(samples.size() - static_cast<std::size_t>(parts));
