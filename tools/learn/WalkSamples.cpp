@@ -208,13 +208,13 @@ std::vector<WaySample> sampleWays(WalkKind kind, const actuator::WalkSet& set,
   if (kind == WalkKind::weak) spare(walker);
   for (int i = 0; i < count; ++i) {
     const Command command = walking(kind, played(set, random), walker);
-    const int parts = 1 + random.index(5);
-    for (int part = 0; part < parts; ++part) {
+    const std::uint32_t parts = 1 + random.index(5);
+    for (std::uint32_t part = 0; part < parts; ++part) {
       samples.push_back(sampleWay(command, walker));
       samples.back().weight = (part > 0 ? kEven : 1.0) * (alone(command.walk) ? kAlone : 1.0);
     }
     if (!walker.fallen()) continue;
-    samples.resize(samples.size() - static_cast<std::size_t>(parts));
+    samples.resize(samples.size() - parts);
     walker = PhysicalWalker(model, params, seed);
   }
   return samples;

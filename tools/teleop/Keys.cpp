@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/teleop/Keys.h"
 
+#include <fmt/format.h>
+
 #include <charconv>
 #include <cmath>
 #include <sstream>
@@ -124,7 +126,7 @@ Expected<std::vector<TimedKey>> readKeys(const std::string& text, const std::str
     if ((words >> std::ws).eof()) continue;
     TimedKey key{};
     const std::string wrong = readLine(words, keys.empty() ? 0.0 : keys.back().seconds, key);
-    if (!wrong.empty()) return Error{name + ":" + std::to_string(number) + ": " + wrong};
+    if (!wrong.empty()) return Error{fmt::format("{}:{}: {}", name, number, wrong)};
     keys.push_back(key);
   }
   if (keys.empty()) return Error{name + ": holds no keys"};

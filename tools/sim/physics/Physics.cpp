@@ -27,12 +27,9 @@ Expected<Physics> Physics::build(const body::FieldDescription& field, const Robo
   return physics;
 }
 
-Physics::Physics(Engine engine, body::FieldDescription field, RobotsPhysics params,
+Physics::Physics(Engine engine, const body::FieldDescription& field, RobotsPhysics params,
                  const PhysicsParams& world)
-    : engine_(std::move(engine)),
-      field_(std::move(field)),
-      params_(std::move(params)),
-      world_(world) {
+    : engine_(std::move(engine)), field_(field), params_(std::move(params)), world_(world) {
   for (std::size_t i = 0; i < params_.size(); ++i) robots_.emplace_back(engine_, i);
   ballBody_ = engine_.body("ball");
   const int free = engine_.joint("ball");

@@ -33,7 +33,7 @@ class Physics {
   Status tick();
 
  private:
-  Physics(Engine engine, body::FieldDescription field, RobotsPhysics params,
+  Physics(Engine engine, const body::FieldDescription& field, RobotsPhysics params,
           const PhysicsParams& world);
   bool ballNearRobot() const;
   void rollBall();
