@@ -5,7 +5,9 @@
 #include <limits>
 
 #include "actuator/Actuator.h"
+#include "actuator/JointLimits.h"
 #include "robot/body/Ers7.h"
+#include "robot/body/Legs.h"
 #include "robot/core/Random.h"
 #include "tests/actuator/Walker.h"
 
@@ -105,6 +107,22 @@ TEST(Joints, WalkingChangesNoJointByMoreThanFourDegreesATick) {
     for (const JointAngles& joints : w.ticks) {
       ASSERT_LE(largestStep(joints, last), 4.0 + 1e-9);
       last = joints;
+    }
+  }
+}
+
+TEST(Joints, AShoulderIsNeverWhereTheBodyIsOnTheWay) {
+  Random random(6);
+  JointAngles now = body::withinLimits({});
+  JointAngles wanted;
+  for (int tick = 0; tick < 20000; ++tick) {
+    if (tick % 40 == 0)
+      for (Angle& angle : wanted.angle) angle = Angle::deg(random.uniform(-135.0, 135.0));
+    const JointAngles last = now;
+    now = limited(wanted, last, {Angle::deg(4.0), Angle::deg(4.0)});
+    for (std::size_t j = 0; j < kJointCount; ++j) {
+      ASSERT_NEAR(now.angle[j].deg(), body::withinLimits(now).angle[j].deg(), 1e-9) << j;
+      ASSERT_LE(std::fabs(now.angle[j].rad() - last.angle[j].rad()), Angle::deg(4.0).rad() + 1e-9);
     }
   }
 }
