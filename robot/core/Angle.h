@@ -19,6 +19,7 @@ class Angle {
   double deg() const { return radians_ * (180.0 / maths::kPi); }
   double sin() const { return maths::sin(radians_); }
   double cos() const { return maths::cos(radians_); }
+  maths::SinCos sinCos() const { return maths::sinCos(radians_); }  // at the price of one
   Angle abs() const { return Angle(std::fabs(radians_)); }
 
   Angle operator-() const { return rad(-radians_); }

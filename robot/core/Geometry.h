@@ -100,21 +100,20 @@ struct Pose2 {
 inline Angle bearing(Point2<Robot> p) { return Angle::rad(maths::atan2(-p.x, p.y)); }
 
 inline Point2<Robot> robotPolar(double distance, Angle heading) {
-  return {-distance * heading.sin(), distance * heading.cos()};
+  const maths::SinCos h = heading.sinCos();
+  return {-distance * h.sin, distance * h.cos};
 }
 
 // Thesis 2004 equation 3.12: g = R(h - pi/2) l + (x, y).
 inline Point2<Field> fieldFromRobot(const Pose2& pose, Point2<Robot> p) {
-  const double s = pose.heading.sin();
-  const double c = pose.heading.cos();
-  return {pose.position.x + s * p.x + c * p.y, pose.position.y - c * p.x + s * p.y};
+  const maths::SinCos h = pose.heading.sinCos();
+  return {pose.position.x + h.sin * p.x + h.cos * p.y, pose.position.y - h.cos * p.x + h.sin * p.y};
 }
 
 inline Point2<Robot> robotFromField(const Pose2& pose, Point2<Field> p) {
-  const double s = pose.heading.sin();
-  const double c = pose.heading.cos();
+  const maths::SinCos h = pose.heading.sinCos();
   const Point2<Field> d = p - pose.position;
-  return {s * d.x - c * d.y, c * d.x + s * d.y};
+  return {h.sin * d.x - h.cos * d.y, h.cos * d.x + h.sin * d.y};
 }
 
 }  // namespace kelpie

@@ -171,6 +171,30 @@ TEST(Unlike, AWorldWithItsLensShowsPointsWhereTheLensHasThem) {
   EXPECT_GT(image->pixel(static_cast<int>(there.x), static_cast<int>(there.y)).y, 100);
 }
 
+// Of a physical robot that has begun to walk off its starting pose.
+JointAngles legsAfter(const UnlikeParams& unlike) {
+  const body::FieldDescription field = *body::fieldDescription("2006");
+  WorldParams params;
+  params.fast = false;
+  params.unlike = unlike;
+  World world(params, field, *scenario("empty-goal", field, {{TeamColour::red, 1}}, 3), 3);
+  host::AgentReply reply;
+  reply.motorPower = true;
+  reply.gains = (1U << kJointCount) - 1;
+  world.bodies().command(0, reply);
+  for (int i = 0; i < 30; ++i) EXPECT_TRUE(world.tick().ok());
+  return world.bodies().place(0).joints;
+}
+
+TEST(Unlike, PhysicalRobotsMoveAsTheirOwnServosMassAndFriction) {
+  const JointAngles like = legsAfter({});
+  const auto differ = [&like](const JointAngles& legs) {
+    return legs[Joint::leftHindKnee] != like[Joint::leftHindKnee];
+  };
+  EXPECT_TRUE(differ(legsAfter(unlikeParams(1, {"physics"}))));
+  EXPECT_FALSE(differ(legsAfter(unlikeParams(1, {"tape"}))));
+}
+
 TEST(Unlike, TheAccelerometerFeelsTheLeanAndItsBias) {
   BodyFaults faults;
   faults.lean = {Angle::deg(1.0), Angle::deg(2.0)};

@@ -152,5 +152,28 @@ TEST(World, ShineCentresAndOwnLegsCanEachBeLeftOut) {
   EXPECT_FALSE(same(*seen({}, down), *seen(blind, down)));
 }
 
+TEST(World, AnImageOfTheKeptPastDoesNotShowWhatMovedSince) {
+  sim::Setup setup;
+  setup.players.push_back({TeamColour::red, 1, {{180.0, 200.0}, Angle::deg(90.0)}});
+  setup.players.push_back({TeamColour::blue, 2, {{186.0, 265.0}, Angle::deg(0.0)}});
+  setup.ball = {185.0, 235.0};
+  const auto shown = [&setup](int ticksSince) {
+    World world({}, *body::fieldDescription("2006"), setup, 5);
+    for (int i = 0; i < 20; ++i) world.tick();
+    const Past past = world.past();
+    const TimeUs end = world.time();
+    for (int i = 0; i < ticksSince; ++i) {
+      world.shove(0, {1.0, 0.0}, Angle::deg(2.0));
+      world.shove(1, {1.0, 0.0}, {});
+      world.putBall({{100.0, 300.0}, {}});
+      world.tick();
+    }
+    auto image = std::make_unique<Image>();
+    world.render(0, past, end, *image);
+    return image;
+  };
+  EXPECT_TRUE(same(*shown(0), *shown(4)));
+}
+
 }  // namespace
 }  // namespace kelpie::sim

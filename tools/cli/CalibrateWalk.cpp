@@ -4,13 +4,13 @@
 #include <memory>
 
 #include "robot/core/ParameterFile.h"
+#include "robot/host/OnCores.h"
 #include "tools/cli/Calibrate.h"
 #include "tools/cli/Commands.h"
 #include "tools/cli/GainPicture.h"
 #include "tools/cli/Progress.h"
 #include "tools/cli/Usage.h"
 #include "tools/cli/WholeFile.h"
-#include "tools/learn/OnCores.h"
 #include "tools/learn/WalkFile.h"
 #include "tools/learn/WalkFit.h"
 #include "tools/learn/WalkLearner.h"
@@ -82,7 +82,7 @@ void calibrated(WalkKind kind, std::uint64_t seed, int models, actuator::WalkSet
   set.calibration = {};
   for (const std::uint64_t again : {seed, seed + 1000}) {
     std::vector<learn::WalkSamples> each(varied.size());
-    learn::onCores(varied.size(), [&](std::size_t i) {
+    host::onCores(varied.size(), [&](std::size_t i) {
       each[i] = learn::sampleWalk(kind, set, varied[i], kSpeeds, again + i);
     });
     for (const auto& more : each) learn::append(more, samples);
@@ -90,7 +90,7 @@ void calibrated(WalkKind kind, std::uint64_t seed, int models, actuator::WalkSet
   }
   set.freeLoad = learn::fitFreeLoad(samples.speeds);
   std::vector<std::vector<learn::WaySample>> ways(varied.size());
-  learn::onCores(varied.size(), [&](std::size_t i) {
+  host::onCores(varied.size(), [&](std::size_t i) {
     ways[i] = learn::sampleWays(kind, set, varied[i], kCommands, seed + i);
   });
   for (std::size_t i = 1; i < ways.size(); ++i)

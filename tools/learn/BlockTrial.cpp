@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "robot/body/FieldDescription.h"
-#include "tools/learn/OnCores.h"
+#include "robot/host/OnCores.h"
 
 namespace kelpie::learn {
 namespace {
@@ -67,7 +67,7 @@ bool isBlock(MotionKind kind) {
 
 double blockGain(const actuator::MotionData& motion, const std::vector<MotionStage>& stages) {
   std::vector<double> gains(stages.size());
-  onCores(stages.size(), [&](std::size_t i) { gains[i] = gainOn(motion, stages[i]); });
+  host::onCores(stages.size(), [&](std::size_t i) { gains[i] = gainOn(motion, stages[i]); });
   double sum = 0.0;
   for (const double gain : gains) sum += gain;
   return stages.empty() ? 0.0 : sum / static_cast<double>(stages.size());

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "tools/learn/OnCores.h"
+#include "robot/host/OnCores.h"
 
 namespace kelpie::learn {
 namespace {
@@ -25,7 +25,7 @@ std::vector<KickStart> beforeKicks(const KickAim& aim,
                                    const std::vector<sim::PhysicsParams>& models, int places,
                                    std::uint64_t seed, bool pushed) {
   std::vector<KickStart> starts(models.size() * static_cast<std::size_t>(places));
-  onCores(starts.size(), [&](std::size_t i) {
+  host::onCores(starts.size(), [&](std::size_t i) {
     starts[i] = beforeKick(aim, models[i % models.size()], seed + i, pushed);
   });
   return starts;
@@ -34,8 +34,8 @@ std::vector<KickStart> beforeKicks(const KickAim& aim,
 std::vector<Kicked> tryFromAll(const MotionData& motion, const KickAim& aim,
                                const std::vector<KickStart>& starts) {
   std::vector<Kicked> kicked(starts.size());
-  onCores(starts.size(),
-          [&](std::size_t i) { kicked[i] = tryKick(motion, aim.motion, starts[i]); });
+  host::onCores(starts.size(),
+                [&](std::size_t i) { kicked[i] = tryKick(motion, aim.motion, starts[i]); });
   return kicked;
 }
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tools/learn/OnCores.h"
+#include "robot/host/OnCores.h"
 #include "tools/sim/physics/Variation.h"
 
 namespace kelpie::learn {
@@ -157,8 +157,8 @@ std::vector<WalkTrial> tryOnAll(const WalkTrialPlan& plan, const WalkSet& set,
   actuator::ActuatorParams params;
   actuator::walkSet(params.walks, plan.kind) = set;
   std::vector<WalkTrial> trials(models.size());
-  onCores(models.size(),
-          [&](std::size_t i) { trials[i] = tryWalk(plan, models[i], params, seed + i); });
+  host::onCores(models.size(),
+                [&](std::size_t i) { trials[i] = tryWalk(plan, models[i], params, seed + i); });
   return trials;
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "robot/core/Maths.h"
 
@@ -11,8 +12,6 @@ namespace {
 
 constexpr std::size_t kRows = kImageHeight;
 constexpr std::size_t kColumns = kImageWidth;
-constexpr std::size_t kNoiseTable = 1U << 16;
-constexpr std::uint64_t kNoiseSeed = 20060618;
 
 struct Polynomial {
   double a1, b1, a2, b2, a3, b3;
@@ -63,10 +62,9 @@ double ringValue(std::size_t channel, double value, double distance) {
   return ringGain(p, distance) * value + ringOffset(p, distance);
 }
 
-Artefacts::Artefacts(const ArtefactParams& params, const RobotCamera& robot)
-    : params_(params), robot_(robot), previous_(2 * kRows) {
+Artefacts::Artefacts(const ArtefactParams& params, const RobotCamera& robot, SharedTables tables)
+    : params_(params), robot_(robot), tables_(std::move(tables)), previous_(2 * kRows) {
   prepareGains();
-  prepareNoise();
   prepareTone();
 }
 
@@ -87,12 +85,6 @@ void Artefacts::prepareGains() {
       offset_[c][i] = static_cast<float>(ring * add + ringOffset(kRing[c], d));
     }
   }
-}
-
-void Artefacts::prepareNoise() {
-  Random random(kNoiseSeed);
-  noise_.resize(kNoiseTable + kRows);
-  for (float& value : noise_) value = static_cast<float>(random.gaussian());
 }
 
 void Artefacts::prepareTone() {
@@ -140,7 +132,7 @@ void Artefacts::finish(const RawImage::Plane& plane, std::size_t channel, Random
     const float* gain = gain_[channel].data() + first;
     const float* offset = offset_[channel].data() + first;
     // A random stretch of the table for each column: as good as fresh numbers and 20 times faster.
-    const float* noise = noise_.data() + random.index(kNoiseTable);
+    const float* noise = tables_->noise.data() + random.index(kNoises);
     std::array<std::uint8_t, kRows> bytes;
     for (std::size_t y = 0; y < kRows; ++y) {
       const float v = gain[y] * value[y] + offset[y] + amount * noise[y] + 0.5F;

@@ -12,6 +12,7 @@
 #include "robot/core/Geometry.h"
 #include "robot/core/Image.h"
 #include "robot/core/Random.h"
+#include "tools/sim/RandomTables.h"
 
 namespace kelpie::sim {
 
@@ -85,14 +86,14 @@ double ringValue(std::size_t channel, double value, double distance);
 
 class Artefacts {
  public:
-  Artefacts(const ArtefactParams& params, const RobotCamera& robot);
+  Artefacts(const ArtefactParams& params, const RobotCamera& robot,
+            SharedTables tables = makeRandomTables());
 
   // Makes bytes of the raw image, which is used up.
   void apply(RawImage& raw, Random& random, Image& image);
 
  private:
   void prepareGains();
-  void prepareNoise();
   void prepareTone();
   void blur(RawImage::Plane& plane);
   void finish(const RawImage::Plane& plane, std::size_t channel, Random& random,
@@ -104,8 +105,8 @@ class Artefacts {
   std::array<std::vector<float>, 3> gain_;
   std::array<std::vector<float>, 3> offset_;
   std::array<std::vector<std::uint8_t>, 3> tone_;  // by value; empty: linear
-  std::vector<float> noise_;                       // normal numbers with sd 1
-  std::vector<float> previous_;                    // two columns, for the blur
+  SharedTables tables_;
+  std::vector<float> previous_;  // two columns, for the blur
 };
 
 }  // namespace kelpie::sim

@@ -35,7 +35,8 @@ CameraParams idealCamera();
 
 class Camera {
  public:
-  Camera(const CameraParams& params, const RobotCamera& robot);
+  Camera(const CameraParams& params, const RobotCamera& robot,
+         const SharedTables& tables = makeRandomTables());
 
   void render(const Scene& scene, const ColumnCameras& cameras, Random& random, Image& image);
 
@@ -43,28 +44,39 @@ class Camera {
   struct Column {
     std::array<float, kImageHeight> y, cr, cb, carpet;
   };
+  void selectQuads(const Scene& scene, const ColumnCameras& cameras);
   void selectOwn(const Scene& scene, const ColumnCameras& cameras);
   void selectShapes(const Scene& scene, const FieldCamera& camera, double middle);
   void renderSlice(const Scene& scene, const Slice& slice);
   void collectSolids(const Scene& scene, const Slice& slice);
   void paintGround(const Scene& scene, const Slice& slice);
   void paint(const Span& span);
-  void addTexture(const FieldCamera& camera, double middle);
-  void lightGround(const Scene& scene, const FieldCamera& camera, double middle);
+  void addTexture(const Slice& middle);
+  void lightGround(const Scene& scene, const Slice& middle);
   void addSlice(float share);
   void keepColumn(std::size_t x);
 
   CameraParams params_;
   Artefacts artefacts_;
   RawImage raw_;
-  std::vector<float> texture_;
+  SharedTables tables_;
   Column slice_;
   Column column_;
-  std::vector<const Solid*> solids_;  // that may meet the column
+  struct InView {
+    const Quad* shape;
+    std::size_t first;  // column, and the last, that may show it
+    std::size_t last;
+  };
+  std::vector<InView> view_;     // of solids, that the image may show
+  std::vector<SeenQuad> quads_;  // of those, that may meet the column
   std::vector<const Cylinder*> beacons_;
-  std::vector<const Quad*> lines_;
+  std::vector<InView> lineView_;
+  std::vector<SeenQuad> lines_;
+  Quad ground_;
+  SeenQuad carpet_;
   std::vector<const Limb*> own_;  // that the image may show
   std::vector<Span> spans_;
+  std::vector<const Span*> order_;  // far to near
 };
 
 }  // namespace kelpie::sim

@@ -6,21 +6,23 @@ namespace {
 
 double dot(FieldPoint3 a, FieldPoint3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
+FieldPoint3 turned(const maths::SinCos& heading, Point3<Robot> v) {
+  return {heading.sin * v.x + heading.cos * v.y, heading.sin * v.y - heading.cos * v.x, v.z};
+}
+
 }  // namespace
 
 FieldPoint3 fieldVector(const Pose2& robot, Point3<Robot> v) {
-  const double s = robot.heading.sin();
-  const double c = robot.heading.cos();
-  return {s * v.x + c * v.y, s * v.y - c * v.x, v.z};
+  return turned(robot.heading.sinCos(), v);
 }
 
 FieldCamera fieldCamera(const Pose2& robot, const CameraPose& camera, const Lens& lens) {
+  const maths::SinCos heading = robot.heading.sinCos();
   const auto axis = [&](std::size_t column) {
-    return fieldVector(robot,
-                       {camera.axes[column], camera.axes[3 + column], camera.axes[6 + column]});
+    return turned(heading, {camera.axes[column], camera.axes[3 + column], camera.axes[6 + column]});
   };
-  const double s = robot.heading.sin();
-  const double c = robot.heading.cos();
+  const double s = heading.sin;
+  const double c = heading.cos;
   const Point3<Robot> p = camera.position;
   return {{robot.position.x + s * p.x + c * p.y, robot.position.y + s * p.y - c * p.x, p.z},
           axis(0),

@@ -147,7 +147,7 @@ double lightAt(const Scene& scene, Point2<Field> place) {
   const Point2<Field> middle = (scene.carpet[0] + scene.carpet[1]) * 0.5;
   const Point2<Field> way = place - middle;
   const double half = 0.5 * (scene.carpet[1].y - scene.carpet[0].y);
-  const double along = way.x * scene.light.side.cos() + way.y * scene.light.side.sin();
+  const double along = way.x * scene.towardsLight.x + way.y * scene.towardsLight.y;
   return maths::clamp(along / half, -1.0, 1.0);
 }
 
@@ -158,6 +158,7 @@ Scene fieldScene(const body::FieldDescription& nominal, std::uint64_t crowdSeed,
   scene.green = brighter(scene.green, venue.carpet);
   scene.stripes = venue.stripes;
   scene.light = venue.light;
+  scene.towardsLight = {venue.light.side.cos(), venue.light.side.sin()};
   const body::Carpet carpet = body::carpetOf(field);
   scene.carpet = {carpet.low, carpet.high};
   addLines(scene, field);

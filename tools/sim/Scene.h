@@ -155,6 +155,7 @@ struct Scene {
   Colour green = colours::kGreen;
   Stripes stripes;
   SecondLight light;
+  Point2<Field> towardsLight{1.0, 0.0};  // unit vector of its side
   std::vector<Quad> lines;
   std::vector<Disc> circle;  // painted in order, under the lines' intersections
   std::vector<Solid> fixtures;

@@ -22,9 +22,16 @@ struct Box {
   Point3<Robot> high;
 };
 
-FieldPoint3 onField(const Pose2& pose, Point3<Robot> p) {
-  const Point2<Field> ground = fieldFromRobot(pose, {p.x, p.y});
-  return {ground.x, ground.y, p.z};
+// Where it stands; its heading's sine and cosine serve some hundred corners.
+struct Stand {
+  Point2<Field> position;
+  maths::SinCos heading;
+};
+
+FieldPoint3 onField(const Stand& stand, Point3<Robot> p) {
+  const maths::SinCos& h = stand.heading;
+  return {stand.position.x + h.sin * p.x + h.cos * p.y,
+          stand.position.y - h.cos * p.x + h.sin * p.y, p.z};
 }
 
 struct Face {
@@ -45,11 +52,11 @@ std::array<Face, 5> faces(const Box& box) {
        {{{{a.x, a.y, a.z}, {a.x, b.y, a.z}, {a.x, b.y, b.z}, {a.x, a.y, b.z}}}, {-1, 0, 0}, 0.94}}};
 }
 
-void addQuad(Solid& solid, const Pose2& pose, const Face& face, Colour colour, double bias) {
+void addQuad(Solid& solid, const Stand& stand, const Face& face, Colour colour, double bias) {
   Quad quad;
-  for (std::size_t i = 0; i < 4; ++i) quad.corner[i] = onField(pose, face.corner[i]);
-  const FieldPoint3 tip = onField(pose, face.normal);
-  quad.normal = {tip.x - pose.position.x, tip.y - pose.position.y, face.normal.z};
+  for (std::size_t i = 0; i < 4; ++i) quad.corner[i] = onField(stand, face.corner[i]);
+  const FieldPoint3 tip = onField(stand, face.normal);
+  quad.normal = {tip.x - stand.position.x, tip.y - stand.position.y, face.normal.z};
   quad.colour = colour;
   quad.lit = face.lit;
   quad.slope = 0.1;
@@ -58,8 +65,8 @@ void addQuad(Solid& solid, const Pose2& pose, const Face& face, Colour colour, d
   solid.quads.push_back(quad);
 }
 
-void addBox(Solid& solid, const Pose2& pose, const Box& box, Colour colour, double bias) {
-  for (const Face& face : faces(box)) addQuad(solid, pose, face, colour, bias);
+void addBox(Solid& solid, const Stand& stand, const Box& box, Colour colour, double bias) {
+  for (const Face& face : faces(box)) addQuad(solid, stand, face, colour, bias);
 }
 
 Point3<Robot> at(Point3<Robot> from, Point3<Robot> a, double s, Point3<Robot> b, double t) {
@@ -72,8 +79,8 @@ Colour mixed(Colour a, Colour b, double share) {
 }
 
 // A row of yellow and pink along the edge from corner `first` of a red face, inside it.
-void addShine(Solid& solid, const RobotLook& look, const Face& face, std::size_t first,
-              const ShineParams& params, Random& random) {
+void addShine(Solid& solid, const RobotLook& look, const Stand& stand, const Face& face,
+              std::size_t first, const ShineParams& params, Random& random) {
   const double gloss = look.uniform.gloss;
   const Point3<Robot> start = face.corner[first];
   const Point3<Robot> edge = face.corner[(first + 1) % 4] - start;
@@ -93,12 +100,13 @@ void addShine(Solid& solid, const RobotLook& look, const Face& face, std::size_t
                       at(start, edge, to, inward, width), at(start, edge, from, inward, width)},
                      face.normal,
                      face.lit};
-    addQuad(solid, look.pose, patch, mixed(colours::kRobotRed, gleam, params.strength), kShineBias);
+    addQuad(solid, stand, patch, mixed(colours::kRobotRed, gleam, params.strength), kShineBias);
   }
 }
 
 // Places where the colour has come off, and dirt, inside an upright face.
-void addScuffs(Solid& solid, const RobotLook& look, const Face& face, Random& random) {
+void addScuffs(Solid& solid, const RobotLook& look, const Stand& stand, const Face& face,
+               Random& random) {
   const Point3<Robot> start = face.corner[0];
   const Point3<Robot> edge = face.corner[1] - start;
   const Point3<Robot> inward = face.corner[3] - start;
@@ -113,26 +121,27 @@ void addScuffs(Solid& solid, const RobotLook& look, const Face& face, Random& ra
         face.normal,
         face.lit};
     const Colour colour = random.chance(0.5) ? colours::kShell : colours::kGrey;
-    addQuad(solid, look.pose, patch, colour, kScuffBias);
+    addQuad(solid, stand, patch, colour, kScuffBias);
   }
 }
 
 // The team's colour on a box, glossy at its upright faces' edges when it is red.
-void addUniform(Solid& solid, const RobotLook& look, const Box& box, const ShineParams& shine,
-                Random& random) {
+void addUniform(Solid& solid, const RobotLook& look, const Stand& stand, const Box& box,
+                const ShineParams& shine, Random& random) {
   const bool red = look.team == TeamColour::red;
   const Colour team = red ? colours::kRobotRed : colours::kRobotBlue;
   const Colour colour = mixed(team, colours::kGrey, look.uniform.fade);
-  addBox(solid, look.pose, box, colour, kUniformBias);
+  addBox(solid, stand, box, colour, kUniformBias);
   if (look.uniform.scuffs > 0.0) {
     Random wear(look.shine ^ kWearStream);
     for (const Face& face : faces(box))
-      if (face.normal.z <= 0.0) addScuffs(solid, look, face, wear);
+      if (face.normal.z <= 0.0) addScuffs(solid, look, stand, face, wear);
   }
   if (!red || !shine.on) return;
   for (const Face& face : faces(box)) {
     if (face.normal.z > 0.0) continue;
-    for (std::size_t edge = 0; edge < 4; ++edge) addShine(solid, look, face, edge, shine, random);
+    for (std::size_t edge = 0; edge < 4; ++edge)
+      addShine(solid, look, stand, face, edge, shine, random);
   }
 }
 
@@ -140,24 +149,24 @@ void addUniform(Solid& solid, const RobotLook& look, const Box& box, const Shine
 Solid robotSolid(const RobotLook& look, const ShineParams& shine) {
   const double h = look.shoulderHeight;
   const Colour shell = colours::kShell;
+  const Stand stand{look.pose.position, look.pose.heading.sinCos()};
   Solid solid;
-  addBox(solid, look.pose, {{-4.0, -15.0, h - 3.5}, {4.0, 1.5, h + 2.5}}, shell, 0.0);
-  addBox(solid, look.pose, {{-3.5, 2.0, h + 5.0}, {3.5, 11.0, h + 11.0}}, shell, 0.0);
-  addBox(solid, look.pose, {{-2.5, 11.0, h + 5.5}, {2.5, 13.0, h + 9.0}}, colours::kBlack, 0.0);
-  addBox(solid, look.pose, {{-2.0, -1.5, h + 2.5}, {2.0, 1.5, h + 6.0}}, colours::kGrey, 0.0);
+  addBox(solid, stand, {{-4.0, -15.0, h - 3.5}, {4.0, 1.5, h + 2.5}}, shell, 0.0);
+  addBox(solid, stand, {{-3.5, 2.0, h + 5.0}, {3.5, 11.0, h + 11.0}}, shell, 0.0);
+  addBox(solid, stand, {{-2.5, 11.0, h + 5.5}, {2.5, 13.0, h + 9.0}}, colours::kBlack, 0.0);
+  addBox(solid, stand, {{-2.0, -1.5, h + 2.5}, {2.0, 1.5, h + 6.0}}, colours::kGrey, 0.0);
   for (const double side : {-5.6, 5.6}) {
     for (const double along : {0.5, -12.5}) {
-      addBox(solid, look.pose,
+      addBox(solid, stand,
              {{side - 1.6, along - 2.2, h * 0.45}, {side + 1.6, along + 2.2, h + 2.0}}, shell, 0.0);
-      addBox(solid, look.pose,
-             {{side - 1.4, along - 2.5, 0.0}, {side + 1.4, along + 1.5, h * 0.45}}, colours::kGrey,
-             0.0);
+      addBox(solid, stand, {{side - 1.4, along - 2.5, 0.0}, {side + 1.4, along + 1.5, h * 0.45}},
+             colours::kGrey, 0.0);
     }
   }
   // Team patches: back, both flanks and the head's sides.
   Random random(look.shine);
-  addUniform(solid, look, {{-4.3, -10.5, h - 1.5}, {4.3, -4.0, h + 2.8}}, shine, random);
-  addUniform(solid, look, {{-3.8, 3.5, h + 7.0}, {3.8, 7.0, h + 11.3}}, shine, random);
+  addUniform(solid, look, stand, {{-4.3, -10.5, h - 1.5}, {4.3, -4.0, h + 2.8}}, shine, random);
+  addUniform(solid, look, stand, {{-3.8, 3.5, h + 7.0}, {3.8, 7.0, h + 11.3}}, shine, random);
   enclose(solid);
   return solid;
 }

@@ -45,28 +45,39 @@ double ballAlong(const Ball& ball, FieldPoint3 from, FieldPoint3 way) {
   return std::max(0.0, middle - std::sqrt(r2 - miss2));
 }
 
-bool insideAnything(const Surroundings& around, FieldPoint3 p) {
-  const Point2<Field> ground{p.x, p.y};
-  if (p.z < kObstacleHeight) {
-    for (const Obstacle& o : around.obstacles) {
-      if (distance(nearestOn(o, ground), ground) < o.radius) return true;
-    }
+// Whether a ray's first `end` cm can come that close to it, seen from above.
+bool mayMeet(const Obstacle& thing, FieldPoint3 from, FieldPoint3 way, double end) {
+  const Point2<Field> middle = (thing.a + thing.b) * 0.5;
+  const Point2<Field> d{middle.x - from.x, middle.y - from.y};
+  const double reach = thing.radius + 0.5 * distance(thing.a, thing.b);
+  if (maths::square(d.x) + maths::square(d.y) > maths::square(reach + end)) return false;
+  return std::fabs(d.x * way.y - d.y * way.x) <= reach * maths::hypot(way.x, way.y) + 1e-9;
+}
+
+// How far along a ray a thing of that height is met; `end` when it is not before that.
+double thingAlong(const Obstacle& thing, double height, FieldPoint3 from, FieldPoint3 way,
+                  double end) {
+  if (!mayMeet(thing, from, way, end)) return end;
+  for (double t = 0.0; t < end; t += kStep) {
+    const FieldPoint3 p = along(from, way, t);
+    if (p.z >= height) continue;
+    const Point2<Field> ground{p.x, p.y};
+    if (distance(nearestOn(thing, ground), ground) < thing.radius) return t;
   }
-  if (p.z > kRobotHeight) return false;
-  for (std::size_t i = 0; i < around.robots.size(); ++i) {
-    if (i == around.self) continue;
-    const Point2<Field> middle = fieldFromRobot(around.robots[i].pose, {0.0, -6.5});
-    if (distance(middle, ground) < kRobotRadius) return true;
-  }
-  return false;
+  return end;
 }
 
 double uprightAlong(const Surroundings& around, FieldPoint3 from, FieldPoint3 way, double limit) {
   const double end = std::min(limit, kSearch);
-  for (double t = 0.0; t < end; t += kStep) {
-    if (insideAnything(around, along(from, way, t))) return t;
+  double first = end;
+  for (const Obstacle& thing : around.obstacles)
+    first = thingAlong(thing, kObstacleHeight, from, way, first);
+  for (std::size_t i = 0; i < around.robots.size(); ++i) {
+    if (i == around.self) continue;
+    const Point2<Field> middle = fieldFromRobot(around.robots[i].pose, {0.0, -6.5});
+    first = thingAlong({middle, middle, kRobotRadius}, kRobotHeight, from, way, first);
   }
-  return kNothing;
+  return first < end ? first : kNothing;
 }
 
 struct Range {

@@ -2,9 +2,11 @@
 #include "tools/sim/Server.h"
 
 #include <algorithm>
+#include <future>
 #include <utility>
 
 #include "robot/core/Encoding.h"
+#include "robot/host/OnCores.h"
 
 namespace kelpie::sim {
 namespace {
@@ -51,34 +53,81 @@ Expected<std::vector<Agent>> gatherAgents(host::Listener& listener, std::size_t 
 }
 
 Server::Server(World& world, std::vector<Agent>& agents, LogWriter* log, ServerHooks hooks)
-    : world_(world),
-      agents_(agents),
-      log_(log),
-      hooks_(std::move(hooks)),
-      image_(std::make_unique<Image>()) {}
+    : world_(world), agents_(agents), log_(log), hooks_(std::move(hooks)) {
+  for (std::size_t i = 0; i < agents_.size(); ++i) outboxes_.push_back(std::make_unique<Outbox>());
+}
 
 std::string Server::nameOf(std::size_t robot) const { return titleOf(agents_[robot].hello); }
 
-Status Server::sendStep(std::size_t robot, TimeUs now, bool sensors, bool image) {
-  host::WorldStep step;
-  step.time = now;
-  step.sensorsPresent = sensors;
-  if (sensors) {
-    step.firstTick = static_cast<std::uint32_t>(now.us / kTickUs) - kTicksPerMessage;
-    step.sensors = world_.sensors(robot);
-    step.batteryCurrent = world_.batteryCurrent(robot);
+Server::Step Server::nextStep() const {
+  const TimeUs sensorsAt{messages_ * kMessageUs};
+  const TimeUs imageAt{images_ * 1000000 / 30};
+  const TimeUs now = std::min(sensorsAt, imageAt);
+  return {now, sensorsAt == now, imageAt == now, {}};
+}
+
+Status Server::moveTo(TimeUs now) {
+  while (static_cast<std::int64_t>(world_.ticks()) * kTickUs < now.us) {
+    const Status ticked = world_.tick();
+    if (!ticked) return ticked;
   }
-  step.vectorsDone = world_.bodies().takeVectorsDone(robot);
-  step.imagePresent = image;
-  step.game = world_.gameFor(robot);
-  buffer_.clear();
-  encode(step, buffer_);
-  const Status sent = agents_[robot].connection.send(host::MessageType::step, buffer_);
-  if (!sent || !image) return sent;
-  world_.render(robot, now, *image_);
-  buffer_.clear();
-  encode(*image_, buffer_);
-  return agents_[robot].connection.send(host::MessageType::image, buffer_);
+  return Done{};
+}
+
+// The world is where it is at that time.
+void Server::prepare(Step step) {
+  host::WorldStep out;
+  out.time = step.now;
+  out.sensorsPresent = step.sensors;
+  out.imagePresent = step.image;
+  for (std::size_t i = 0; i < agents_.size(); ++i) {
+    if (step.sensors) {
+      out.firstTick = static_cast<std::uint32_t>(step.now.us / kTickUs) - kTicksPerMessage;
+      out.sensors = world_.sensors(i);
+      out.batteryCurrent = world_.batteryCurrent(i);
+      out.vectorsDone = world_.bodies().takeVectorsDone(i);
+    }
+    out.game = world_.gameFor(i);
+    encode(out, step.messages.emplace_back());
+  }
+  if (step.image) exposed_ = world_.past();
+  writeTruth(step.now, step.image);
+  messages_ += step.sensors ? 1 : 0;
+  images_ += step.image ? 1 : 0;
+  over_ = world_.finished();
+  open_.push_back(std::move(step));
+}
+
+// To the next image, unless bodies need an answer before. Steps on the way are prepared.
+Status Server::moveAhead() {
+  while (!over_) {
+    const auto sensed =
+        std::find_if(open_.begin(), open_.end(), [](const Step& step) { return step.sensors; });
+    const TimeUs next = nextStep().now;
+    const std::int64_t ticks = (next.us + kTickUs - 1) / kTickUs;
+    if (sensed != open_.end() && ticks * kTickUs > sensed->now.us + kMessageUs) return Done{};
+    const Status moved = moveTo(next);
+    if (!moved || nextStep().image) return moved;
+    prepare(nextStep());
+  }
+  return Done{};
+}
+
+Status Server::sendTo(std::size_t robot, const Step& step) {
+  host::Connection& connection = agents_[robot].connection;
+  const Status sent = connection.send(host::MessageType::step, step.messages[robot]);
+  if (!sent || !step.image) return sent;
+  Outbox& out = *outboxes_[robot];
+  world_.render(robot, exposed_, step.now, out.image);
+  out.buffer.clear();
+  encode(out.image, out.buffer);
+  return connection.send(host::MessageType::image, out.buffer);
+}
+
+void Server::send(const Step& step) {
+  const auto one = [&](std::size_t i) { outboxes_[i]->sent = sendTo(i, step); };
+  if (step.image) return host::onCores(agents_.size(), one);
+  for (std::size_t i = 0; i < agents_.size(); ++i) one(i);
 }
 
 Status Server::takeReply(std::size_t robot) {
@@ -92,14 +141,10 @@ Status Server::takeReply(std::size_t robot) {
   return Done{};
 }
 
-Status Server::step(TimeUs now, bool sensors, bool image) {
-  // First all agents get their part, so that they think at the same time.
+Status Server::takeReplies() {
   for (std::size_t i = 0; i < agents_.size(); ++i) {
-    const Status sent = sendStep(i, now, sensors, image);
-    if (!sent) return Error{nameOf(i) + ": " + sent.error()};
-  }
-  for (std::size_t i = 0; i < agents_.size(); ++i) {
-    const Status got = takeReply(i);
+    const Status& sent = outboxes_[i]->sent;
+    const Status got = sent ? takeReply(i) : sent;
     if (!got) return Error{nameOf(i) + ": " + got.error()};
   }
   return Done{};
@@ -121,41 +166,34 @@ void Server::sayGoodbye(std::uint8_t reason) {
   for (Agent& agent : agents_) (void)agent.connection.send(host::MessageType::goodbye, buffer_);
 }
 
-Status Server::moveTo(TimeUs now) {
-  while (static_cast<std::int64_t>(world_.ticks()) * kTickUs < now.us) {
-    const Status ticked = world_.tick();
-    if (!ticked) return ticked;
+Status Server::playOn() {
+  over_ = world_.finished();
+  while (!over_ && !(hooks_.stopped && hooks_.stopped())) {
+    const Status moved = moveTo(nextStep().now);
+    if (!moved) return moved;
+    prepare(nextStep());
+    if (hooks_.beforeStep) hooks_.beforeStep(open_.front().now);
+    auto sending = std::async(std::launch::async, [this, &step = open_.front()] { send(step); });
+    const Status ahead = moveAhead();
+    sending.get();
+    if (!ahead) return ahead;
+    Status got = takeReplies();
+    for (open_.pop_front(); got && !open_.empty(); open_.pop_front()) {
+      if (hooks_.beforeStep) hooks_.beforeStep(open_.front().now);
+      send(open_.front());
+      got = takeReplies();
+    }
+    if (!got) return got;
   }
   return Done{};
 }
 
 Status Server::run() {
-  std::int64_t messages = 1;
-  std::int64_t images = 1;
   if (log_ != nullptr && world_.isUnlike()) log_->write(kUnlikeTopic, TimeUs{}, world_.unlike());
-  while (!world_.finished() && !(hooks_.stopped && hooks_.stopped())) {
-    const std::int64_t sensorsAt = messages * kMessageUs;
-    const std::int64_t imageAt = images * 1000000 / 30;
-    const std::int64_t now = std::min(sensorsAt, imageAt);
-    const Status moved = moveTo({now});
-    if (!moved) {
-      sayGoodbye(1);
-      return moved;
-    }
-    if (hooks_.beforeStep) hooks_.beforeStep({now});
-    const bool sensors = now == sensorsAt;
-    const bool image = now == imageAt;
-    const Status done = step({now}, sensors, image);
-    writeTruth({now}, image);
-    if (!done) {
-      sayGoodbye(1);
-      return done;
-    }
-    if (sensors) ++messages;
-    if (image) ++images;
-  }
-  sayGoodbye(0);
-  return Done{};
+  const Status played = playOn();
+  writeTruth(world_.time(), false);  // what happened after the last step
+  sayGoodbye(played ? 0 : 1);
+  return played;
 }
 
 }  // namespace kelpie::sim

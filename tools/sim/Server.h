@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // A World for agent processes: sends each what its robot senses and sees, waits for what it sends
 // to the effectors, and lets time go on. Sensors every 32 ms, images every 1/30 s, in the order of
-// time; no agent can be late, and none can be early.
+// time; no agent can be late, and none can be early. Images take most of a match's time: they are
+// rendered on all cores, and while the bodies already move on to the next one. Of an agent's two
+// command vectors in flight one lasts for these 32 ms, so that none comes too late; what an agent
+// sends without them, such as gains, waits until then.
 #pragma once
 
+#include <deque>
 #include <functional>
 #include <optional>
 #include <string>
@@ -40,10 +44,22 @@ class Server {
   Status run();
 
  private:
-  Status sendStep(std::size_t robot, TimeUs now, bool sensors, bool image);
-  Status takeReply(std::size_t robot);
-  Status step(TimeUs now, bool sensors, bool image);
+  // What happens at one time, and how it is said to each robot.
+  struct Step {
+    TimeUs now;
+    bool sensors = false;
+    bool image = false;
+    std::vector<std::vector<std::uint8_t>> messages;
+  };
+  Step nextStep() const;
   Status moveTo(TimeUs now);
+  void prepare(Step step);
+  Status moveAhead();
+  void send(const Step& step);
+  Status sendTo(std::size_t robot, const Step& step);
+  Status takeReplies();
+  Status takeReply(std::size_t robot);
+  Status playOn();
   void writeTruth(TimeUs now, bool image);
   void sayGoodbye(std::uint8_t reason);
   std::string nameOf(std::size_t robot) const;
@@ -52,8 +68,19 @@ class Server {
   std::vector<Agent>& agents_;
   LogWriter* log_;
   ServerHooks hooks_;
+  // Of one robot, so that all images can be rendered at the same time.
+  struct Outbox {
+    std::vector<std::uint8_t> buffer;
+    Image image;
+    Status sent = Done{};
+  };
+  std::vector<std::unique_ptr<Outbox>> outboxes_;
   std::vector<std::uint8_t> buffer_;
-  std::unique_ptr<Image> image_;
+  Past exposed_;  // what the images show that are being rendered
+  std::int64_t messages_ = 1;
+  std::int64_t images_ = 1;
+  std::deque<Step> open_;  // steps whose answers have not been taken, the oldest first
+  bool over_ = false;      // the last of them ends the match
 };
 
 }  // namespace kelpie::sim

@@ -17,6 +17,19 @@ double dot(FieldPoint3 a, FieldPoint3 b) { return a.x * b.x + a.y * b.y + a.z * 
 
 }  // namespace
 
+SeenQuad seenBy(const FieldCamera& camera, const Quad& shape) {
+  SeenQuad seen;
+  seen.shape = &shape;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const FieldPoint3 d = shape.corner[i] - camera.position;
+    seen.right[i] = dot(camera.right, d);
+    seen.down[i] = dot(camera.down, d);
+    seen.depth[i] = dot(camera.forward, d);
+  }
+  seen.turnedAway = shape.oneSided && dot(shape.normal, camera.position - shape.corner[0]) <= 0.0;
+  return seen;
+}
+
 Slice::Slice(const FieldCamera& camera, double x)
     : camera_(camera), u_((x - camera.lens.principalX) / camera.lens.focal) {
   const FieldPoint3& r = camera.right;
@@ -31,6 +44,21 @@ bool Slice::mayMeet(FieldPoint3 centre, double radius, double margin) const {
   if (depth + radius < kNear) return false;
   const double off = std::fabs(dot(normal_, d)) * inverseNormal_;
   return off <= radius + margin * (depth + radius);
+}
+
+bool Slice::mayMeet(const SeenQuad& shape, double margin) const {
+  if (shape.turnedAway) return false;
+  bool ahead = false;
+  bool left = true;
+  bool right = true;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const double side = shape.right[i] - u_ * shape.depth[i];
+    const double room = margin * std::fabs(shape.depth[i]);
+    ahead = ahead || shape.depth[i] >= kNear;
+    left = left && side < -room;
+    right = right && side > room;
+  }
+  return ahead && !left && !right;
 }
 
 double Slice::rowOf(double down, double depth) const {
@@ -62,23 +90,21 @@ std::optional<Span> Slice::stretch(Seen a, Seen b) const {
   return span;
 }
 
-std::optional<Span> Slice::quad(const Quad& shape) const {
-  if (shape.oneSided && dot(shape.normal, camera_.position - shape.corner[0]) <= 0.0) {
-    return std::nullopt;
-  }
+std::optional<Span> Slice::quad(const SeenQuad& seen) const {
+  if (seen.turnedAway) return std::nullopt;
+  const Quad& shape = *seen.shape;
   std::array<double, 4> side;
-  for (std::size_t i = 0; i < 4; ++i) {
-    side[i] = dot(normal_, shape.corner[i] - camera_.position);
-  }
+  for (std::size_t i = 0; i < 4; ++i) side[i] = seen.right[i] - u_ * seen.depth[i];
   std::array<Seen, 2> ends{};
   std::size_t found = 0;
   for (std::size_t i = 0; i < 4 && found < 2; ++i) {
     const std::size_t next = (i + 1) & 3;
     if ((side[i] < 0.0) == (side[next] < 0.0)) continue;
     const double t = side[i] / (side[i] - side[next]);
-    const FieldPoint3& p = shape.corner[i];
-    const FieldPoint3& q = shape.corner[next];
-    ends[found++] = seen({p.x + t * (q.x - p.x), p.y + t * (q.y - p.y), p.z + t * (q.z - p.z)});
+    const auto between = [t](double a, double b) { return a + t * (b - a); };
+    ends[found++] = {between(seen.down[i], seen.down[next]),
+                     between(seen.depth[i], seen.depth[next]),
+                     between(shape.corner[i].z, shape.corner[next].z)};
   }
   if (found < 2) return std::nullopt;
   std::optional<Span> span = stretch(ends[0], ends[1]);
@@ -218,6 +244,24 @@ std::optional<Slice::GroundHit> Slice::groundAt(double row) const {
   const double x = camera_.forward.x + u_ * camera_.right.x + v * camera_.down.x;
   const double y = camera_.forward.y + u_ * camera_.right.y + v * camera_.down.y;
   return GroundHit{camera_.position.x + t * x, camera_.position.y + t * y, t};
+}
+
+Slice::GroundRows Slice::groundRows() const {
+  GroundRows rows;
+  const FieldPoint3 at = camera_.position;
+  const FieldPoint3 down = camera_.down;
+  const double ahead = camera_.forward.x + u_ * camera_.right.x;
+  const double aside = camera_.forward.y + u_ * camera_.right.y;
+  const double up = camera_.forward.z + u_ * camera_.right.z;
+  for (std::size_t row = 0; row < kImageHeight; ++row) {
+    const double v = (kRowMiddles[row] - camera_.lens.principalY) / camera_.lens.focal;
+    const double z = up + v * down.z;
+    const double depth = z > -kFlat ? 0.0 : -at.z / z;
+    rows.depth[row] = depth;
+    rows.x[row] = at.x + depth * (ahead + v * down.x);
+    rows.y[row] = at.y + depth * (aside + v * down.y);
+  }
+  return rows;
 }
 
 }  // namespace kelpie::sim

@@ -23,6 +23,23 @@ struct Span {
   double darkens = 0.0;  // > 0: no paint, what is below loses this share of its light
 };
 
+// A quad's corners from a camera, cm along its axes: the same for all planes of a column.
+struct SeenQuad {
+  const Quad* shape = nullptr;
+  std::array<double, 4> right{};
+  std::array<double, 4> down{};
+  std::array<double, 4> depth{};
+  bool turnedAway = false;
+};
+SeenQuad seenBy(const FieldCamera& camera, const Quad& shape);
+
+constexpr std::array<double, kImageHeight> rowMiddles() {
+  std::array<double, kImageHeight> middle{};
+  for (std::size_t row = 0; row < kImageHeight; ++row) middle[row] = static_cast<double>(row) + 0.5;
+  return middle;
+}
+constexpr std::array<double, kImageHeight> kRowMiddles = rowMiddles();
+
 class Slice {
  public:
   // The column plane through image coordinate x (0..208).
@@ -30,8 +47,12 @@ class Slice {
 
   // Whether a sphere can touch the plane within `margin` (share of its depth) to both sides.
   bool mayMeet(FieldPoint3 centre, double radius, double margin) const;
+  // Whether a quad can touch what lies between the planes that go `margin` (share of the depth) to
+  // both sides of this one.
+  bool mayMeet(const SeenQuad& shape, double margin) const;
 
-  std::optional<Span> quad(const Quad& shape) const;
+  std::optional<Span> quad(const SeenQuad& shape) const;
+  std::optional<Span> quad(const Quad& shape) const { return quad(seenBy(camera_, shape)); }
   std::optional<Span> disc(const Disc& shape) const;
   std::optional<Span> sphere(const Sphere& shape) const;
   std::optional<Span> limb(const Limb& shape) const;
@@ -45,6 +66,13 @@ class Slice {
     double depth;
   };
   std::optional<GroundHit> groundAt(double row) const;
+  // The same for the middles of all rows; depth 0 above the horizon.
+  struct GroundRows {
+    std::array<double, kImageHeight> x;
+    std::array<double, kImageHeight> y;
+    std::array<double, kImageHeight> depth;
+  };
+  GroundRows groundRows() const;
 
  private:
   struct Seen {  // a point of the plane: down and forward of the camera

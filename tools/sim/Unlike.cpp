@@ -12,7 +12,8 @@ struct Kind {
   const char* name;
   bool UnlikeParams::*on;
 };
-constexpr std::array<Kind, 11> kKinds{{{"body", &UnlikeParams::body},
+constexpr std::array<Kind, 12> kKinds{{{"body", &UnlikeParams::body},
+                                       {"physics", &UnlikeParams::physics},
                                        {"neck", &UnlikeParams::neck},
                                        {"lens", &UnlikeParams::lens},
                                        {"shutter", &UnlikeParams::shutter},
@@ -35,7 +36,8 @@ enum class Stream : std::uint64_t {
   tape,
   carpet,
   light,
-  room
+  room,
+  physics
 };
 constexpr std::size_t kVenue = kMaxRobots;  // where a robot's number stands otherwise
 
@@ -113,6 +115,7 @@ UnlikeRobot drawUnlikeRobot(const UnlikeParams& params, std::uint64_t match, std
   const auto stream = [&](Stream kind) { return streamOf(params, match, robot, kind); };
   if (params.seed != 0) {
     if (params.body) drawn.body = drawBody(params, stream(Stream::body));
+    if (params.physics) drawn.physics = stream(Stream::physics).next() | 1U;
     if (params.neck) drawn.body.play = drawPlay(params, stream(Stream::neck));
     if (params.lens)
       drawn.lens.focal *= 1.0 + params.focalShare * stream(Stream::lens).uniform(-1.0, 1.0);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // How a world differs from the one that Kelpie was tuned in, drawn from a seed: each robot's body,
-// neck, lens, shutter and uniform, and the place that it plays in. No two real robots and no two
-// venues are alike; the like world (seed 0) has none of this. Every kind of difference can be
-// switched off by itself and has its own random numbers, so that one never changes another.
+// physics, neck, lens, shutter and uniform, and the place that it plays in. No two real robots and
+// no two venues are alike; the like world (seed 0) has none of this. Every kind of difference can
+// be switched off by itself and has its own random numbers, so that one never changes another.
 #pragma once
 
 #include <array>
@@ -27,6 +27,7 @@ struct UnlikeParams {
   Lean lean;               // constant, of every robot, in the like world too: for experiments
 
   bool body = true;     // lean and accelerometer
+  bool physics = true;  // servos, mass, friction and play of legs (physics/Variation.h)
   bool neck = true;     // play of the head's joints
   bool lens = true;     // focal length
   bool shutter = true;  // read-out time, or global
@@ -92,6 +93,7 @@ struct BodyFaults {
 
 struct UnlikeRobot {
   BodyFaults body;
+  std::uint64_t physics = 0;  // seed of a varied physical robot; 0: the standard one
   Lens lens;
   double readout = 1.0;                       // share of the frame; 0: global
   double lag = 0.0;                           // frames
@@ -99,11 +101,11 @@ struct UnlikeRobot {
   Uniform uniform;
 
   static constexpr auto fields() {
-    return fieldList(field("body", &UnlikeRobot::body), field("lens", &UnlikeRobot::lens),
-                     field("readout", &UnlikeRobot::readout, "", 0, 1),
-                     field("lag", &UnlikeRobot::lag, "", 0, 1),
-                     field("tone", &UnlikeRobot::tone, "", 0.5, 2),
-                     field("uniform", &UnlikeRobot::uniform));
+    return fieldList(
+        field("body", &UnlikeRobot::body), field("physics", &UnlikeRobot::physics),
+        field("lens", &UnlikeRobot::lens), field("readout", &UnlikeRobot::readout, "", 0, 1),
+        field("lag", &UnlikeRobot::lag, "", 0, 1), field("tone", &UnlikeRobot::tone, "", 0.5, 2),
+        field("uniform", &UnlikeRobot::uniform));
   }
 };
 

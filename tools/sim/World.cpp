@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "tools/sim/KinematicBodies.h"
+#include "tools/sim/physics/Variation.h"
 
 namespace kelpie::sim {
 namespace {
@@ -12,24 +13,6 @@ namespace {
 constexpr double kTickUs = 8000.0;
 constexpr double kExposureUs = 1e6 / 30.0;
 constexpr double kHighestLift = 15.0;  // cm; a stance's shoulders are 30 cm up at most
-
-double mixed(double a, double b, double t) { return a + t * (b - a); }
-Angle mixed(Angle a, Angle b, double t) { return a + (b - a) * t; }
-Point2<Field> mixed(Point2<Field> a, Point2<Field> b, double t) { return a + (b - a) * t; }
-
-BodyPlace mixed(const BodyPlace& a, const BodyPlace& b, double t) {
-  BodyPlace place;
-  place.pose = {mixed(a.pose.position, b.pose.position, t),
-                mixed(a.pose.heading, b.pose.heading, t)};
-  place.stance = {mixed(a.stance.shoulderHeight, b.stance.shoulderHeight, t),
-                  mixed(a.stance.bodyTilt, b.stance.bodyTilt, t),
-                  mixed(a.stance.bodyRoll, b.stance.bodyRoll, t)};
-  for (std::size_t j = 0; j < kJointCount; ++j) {
-    place.joints.angle[j] = mixed(a.joints.angle[j], b.joints.angle[j], t);
-  }
-  place.lean = a.lean;
-  return place;
-}
 
 // Seeds of parts that must not share a stream.
 std::uint64_t partSeed(std::uint64_t seed, std::uint64_t part) {
@@ -45,22 +28,24 @@ World::World(const WorldParams& params, const body::FieldDescription& field, con
       unlike_(drawUnlike(params.unlike, seed, setup.players.size())),
       obstacles_(obstaclesOf(field)),
       players_(setup.players),
-      scene_(fieldScene(field, params.spectators ? partSeed(seed, 1) | 1U : 0, unlike_.venue)),
       referee_(params.referee, field) {
+  const std::uint64_t crowd = params.spectators ? partSeed(seed, 1) | 1U : 0;
+  const Scene scene = fieldScene(field, crowd, unlike_.venue);
+  const SharedTables tables = makeRandomTables();
   for (std::size_t i = 0; i < players_.size(); ++i) {
     const std::uint64_t part = 10 * (i + 1);
     Random colours(partSeed(seed, part));
     sensorRandom_.emplace_back(partSeed(seed, part + 2));
-    cameraRandom_.emplace_back(partSeed(seed, part + 3));
     RobotCamera camera = randomCamera(colours, params_.camera.artefacts);
     camera.tone = unlike_.robots[i].tone;
-    cameras_.push_back(std::make_unique<Camera>(params_.camera, camera));
+    eyes_.push_back(std::make_unique<Eye>(
+        Eye{{params_.camera, camera, tables}, Random(partSeed(seed, part + 3)), scene}));
     shine_.push_back(partSeed(seed, part + 4));
   }
   buildBodies(seed);
   bodies_->putBall({setup.ball, {}});
   sensors_.resize(players_.size());
-  remember();
+  past_.remember(ticks_, *bodies_);
 }
 
 // Where physical ones cannot be built the kinematic ones stand there and the first tick says why.
@@ -68,8 +53,12 @@ void World::buildBodies(std::uint64_t seed) {
   const auto own = [seed](std::size_t i) { return partSeed(seed, 10 * (i + 1) + 1); };
   if (!params_.fast) {
     std::vector<PhysicalStart> starts;
-    for (std::size_t i = 0; i < players_.size(); ++i)
-      starts.push_back({players_[i].start, params_.physics, unlike_.robots[i].body, own(i)});
+    for (std::size_t i = 0; i < players_.size(); ++i) {
+      const UnlikeRobot& robot = unlike_.robots[i];
+      const PhysicsParams physics =
+          robot.physics == 0 ? params_.physics : varied(params_.physics, robot.physics);
+      starts.push_back({players_[i].start, physics, robot.body, own(i)});
+    }
     auto built = PhysicalBodies::build(field_, starts, params_.physics, params_.physicalSensors);
     if (built) {
       bodies_ = std::move(*built);
@@ -83,38 +72,9 @@ void World::buildBodies(std::uint64_t seed) {
   bodies_ = std::move(kinematic);
 }
 
-void World::remember() {
-  Moment& moment = history_[ticks_ % kHistory];
-  moment.ball = bodies_->ball();
-  moment.robots.clear();
-  for (std::size_t i = 0; i < robotCount(); ++i) moment.robots.push_back(bodies_->place(i));
-}
-
-const World::Moment& World::momentAt(std::int64_t tick) const {
-  const std::int64_t last = ticks_;
-  const std::int64_t oldest = std::max<std::int64_t>(0, last - static_cast<int>(kHistory) + 1);
-  return history_[static_cast<std::size_t>(std::min(std::max(tick, oldest), last)) % kHistory];
-}
-
-BodyPlace World::placeAt(std::size_t robot, double ticks) const {
-  const double whole = std::floor(ticks);
-  const auto tick = static_cast<std::int64_t>(whole);
-  return mixed(momentAt(tick).robots[robot], momentAt(tick + 1).robots[robot], ticks - whole);
-}
-
-Point2<Field> World::ballAt(double ticks) const {
-  const double whole = std::floor(ticks);
-  const auto tick = static_cast<std::int64_t>(whole);
-  const Ball& before = momentAt(tick).ball;
-  const Ball& after = momentAt(tick + 1).ball;
-  const bool moved = distance(before.position, after.position) > 10.0;  // by the referee
-  return moved ? before.position : mixed(before.position, after.position, ticks - whole);
-}
-
 void World::senseAll() {
-  const Moment& now = momentAt(ticks_);
   for (std::size_t i = 0; i < robotCount(); ++i) {
-    const Surroundings around{now.ball, obstacles_, now.robots, i};
+    const Surroundings around{past_.ballNow(), obstacles_, past_.robotsNow(), i};
     std::rotate(sensors_[i].begin(), sensors_[i].begin() + 1, sensors_[i].end());
     sensors_[i].back() = sense(around, bodies_->feel(i), params_.sensors, sensorRandom_[i]);
   }
@@ -130,7 +90,7 @@ Status World::tick() {
   ++ticks_;
   Ball ball = bodies_->ball();
   if (referee_.tick(time(), ball)) bodies_->putBall(ball);
-  remember();
+  past_.remember(ticks_, *bodies_);
   senseAll();
   return Done{};
 }
@@ -143,8 +103,7 @@ Status World::carry(std::size_t robot, const Pose2& pose) {
   if (distance(p, nearestWalkable(field_, p)) > 0.0)
     return Error{"a place for a robot is off the ground"};
   bodies_->carry(robot, pose);
-  for (Moment& moment : history_)
-    if (robot < moment.robots.size()) moment.robots[robot].pose = pose;
+  past_.carry(robot, pose);
   return Done{};
 }
 
@@ -179,14 +138,14 @@ Status World::touch(std::size_t robot, const Touch& touch) {
 }
 
 Status World::putUp(const OuterWall& wall) {
-  addWall(scene_, wall);
+  for (const auto& eye : eyes_) addWall(eye->scene, wall);
   for (std::size_t side = 0; side < 4; ++side)
     obstacles_.push_back({wall.corners[side], wall.corners[(side + 1) % 4], 1.0});
   return bodies_->setObstacles(obstacles_);
 }
 
 Status World::takeLandmarksAway() {
-  hideLandmarks(scene_);
+  for (const auto& eye : eyes_) hideLandmarks(eye->scene);
   const auto isBeacon = [this](const Obstacle& obstacle) {
     return distance(obstacle.a, obstacle.b) == 0.0 && obstacle.radius == field_.beaconRadius;
   };
@@ -201,30 +160,31 @@ double World::ticksAt(std::size_t robot, TimeUs end, double share) const {
   return std::max(0.0, (static_cast<double>(end.us) - kExposureUs * late) / kTickUs);
 }
 
-ColumnCameras World::cameras(std::size_t robot, TimeUs end) const {
+ColumnCameras World::cameras(std::size_t robot, const Past& past, TimeUs end) const {
   const UnlikeRobot& own = unlike_.robots[robot];
   const double readout = params_.rolling ? own.readout : 0.0;
   ColumnCameras cameras;
   for (std::size_t x = 0; x < kImageWidth; ++x) {
-    const BodyPlace place = placeAt(robot, ticksAt(robot, end, exposedAt(x, readout)));
+    const BodyPlace place = past.place(robot, ticksAt(robot, end, exposedAt(x, readout)));
     cameras[x] = fieldCamera(place.pose, trueCamera(place), own.lens);
   }
   return cameras;
 }
 
-void World::render(std::size_t robot, TimeUs end, Image& image) {
+void World::render(std::size_t robot, const Past& past, TimeUs end, Image& image) {
   const double middle = ticksAt(robot, end, 0.5);
-  setBall(scene_, ballAt(middle));
+  Eye& eye = *eyes_[robot];
+  setBall(eye.scene, past.ball(middle));
   std::vector<RobotLook> others;
   for (std::size_t i = 0; i < robotCount(); ++i) {
     if (i == robot) continue;
-    const BodyPlace place = placeAt(i, middle);
+    const BodyPlace place = past.place(i, middle);
     others.push_back({place.pose, place.stance.shoulderHeight, players_[i].team, shine_[i],
                       unlike_.robots[i].uniform});
   }
-  setRobots(scene_, others, params_.shine);
-  if (params_.ownLegs) scene_.own = frontLegs(placeAt(robot, middle));
-  cameras_[robot]->render(scene_, cameras(robot, end), cameraRandom_[robot], image);
+  setRobots(eye.scene, others, params_.shine);
+  if (params_.ownLegs) eye.scene.own = frontLegs(past.place(robot, middle));
+  eye.camera.render(eye.scene, cameras(robot, past, end), eye.random, image);
 }
 
 GameState World::gameFor(std::size_t robot) const {
@@ -244,10 +204,10 @@ TruthFrame World::truth(TimeUs time) const {
   TruthFrame truth;
   truth.time = time;
   for (std::size_t i = 0; i < robotCount(); ++i) {
-    const BodyPlace place = placeAt(i, ticks);
+    const BodyPlace place = past_.place(i, ticks);
     truth.robots.push_back({players_[i].team, players_[i].number, place.pose, place.stance});
   }
-  truth.ball = ballAt(ticks);
+  truth.ball = past_.ball(ticks);
   truth.ballVelocity = bodies_->ball().velocity;
   truth.redScore = static_cast<std::uint8_t>(std::min(255, score().red));
   truth.blueScore = static_cast<std::uint8_t>(std::min(255, score().blue));

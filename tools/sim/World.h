@@ -17,6 +17,7 @@
 #include "tools/sim/Bodies.h"
 #include "tools/sim/Camera.h"
 #include "tools/sim/OuterWall.h"
+#include "tools/sim/Past.h"
 #include "tools/sim/Referee.h"
 #include "tools/sim/RobotModel.h"
 #include "tools/sim/Sensors.h"
@@ -110,9 +111,13 @@ class World {
   }
   // The image whose exposure of 1/30 s ends at `end`; ticks() must have reached it, by at most one
   // tick.
-  void render(std::size_t robot, TimeUs end, Image& image);
+  void render(std::size_t robot, TimeUs end, Image& image) { render(robot, past_, end, image); }
   // The camera's place on the field for each column of that image, as it really is.
-  ColumnCameras cameras(std::size_t robot, TimeUs end) const;
+  ColumnCameras cameras(std::size_t robot, TimeUs end) const { return cameras(robot, past_, end); }
+  // The same from a copy of the past that reaches it. Different robots' images may be rendered so
+  // at the same time, and while the world ticks on.
+  const Past& past() const { return past_; }
+  void render(std::size_t robot, const Past& past, TimeUs end, Image& image);
 
   GameState gameFor(std::size_t robot) const;
   TruthFrame truth(TimeUs time) const;
@@ -125,17 +130,14 @@ class World {
   std::vector<MatchEvent> takeEvents() { return referee_.takeEvents(); }
 
  private:
-  static constexpr std::size_t kHistory = 16;  // ticks; an exposure spans 4.2, a frame of lag 4.2
-  struct Moment {
-    std::vector<BodyPlace> robots;
-    Ball ball;
+  struct Eye {
+    Camera camera;
+    Random random;
+    Scene scene;  // its own, so that no robot's image waits for another's
   };
-  const Moment& momentAt(std::int64_t tick) const;
-  BodyPlace placeAt(std::size_t robot, double ticks) const;
-  Point2<Field> ballAt(double ticks) const;
+  ColumnCameras cameras(std::size_t robot, const Past& past, TimeUs end) const;
   double ticksAt(std::size_t robot, TimeUs end, double share) const;
   void buildBodies(std::uint64_t seed);
-  void remember();
   void senseAll();
 
   WorldParams params_;
@@ -147,11 +149,9 @@ class World {
   std::unique_ptr<Bodies> bodies_;
   std::vector<std::array<SensorFrame, kTicksPerMessage>> sensors_;
   std::vector<Random> sensorRandom_;
-  std::vector<Random> cameraRandom_;
-  std::vector<std::unique_ptr<Camera>> cameras_;
-  Scene scene_;
+  std::vector<std::unique_ptr<Eye>> eyes_;
   Referee referee_;
-  std::array<Moment, kHistory> history_;
+  Past past_;
   std::uint32_t ticks_ = 0;
   std::string fault_;
 };

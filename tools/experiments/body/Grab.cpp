@@ -4,10 +4,10 @@
 // across. Who has it turns by half a circle and carries it 50 cm ahead. All the while: does the
 // robot feel rightly whether it has the ball, and soon enough when it is taken away?
 #include "robot/core/Random.h"
+#include "robot/host/OnCores.h"
 #include "tools/experiments/harness/Experiment.h"
 #include "tools/experiments/harness/Statistics.h"
 #include "tools/learn/GrabTrial.h"
-#include "tools/learn/OnCores.h"
 #include "tools/learn/WalkLearner.h"
 
 namespace kelpie::experiments {
@@ -119,7 +119,7 @@ struct Sums {
 
 Sums tryAll(Rolls rolls, bool quick, const Request& request) {
   std::vector<Grabbed> all(static_cast<std::size_t>(request.trials));
-  learn::onCores(all.size(), [&](std::size_t i) { all[i] = one(rolls, quick, request.seed + i); });
+  host::onCores(all.size(), [&](std::size_t i) { all[i] = one(rolls, quick, request.seed + i); });
   Sums sums;
   for (const Grabbed& grabbed : all) sums.add(grabbed);
   return sums;
