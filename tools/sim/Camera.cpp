@@ -157,8 +157,12 @@ void Camera::selectShapes(const Scene& scene, const FieldCamera& camera, double 
 }
 
 void Camera::paintGround(const Scene& scene, const Slice& slice) {
-  if (const auto floor = slice.ground(scene.floor)) paint(*floor);
-  if (auto carpet = slice.quad(carpet_)) {
+  auto carpet = slice.quad(carpet_);
+  if (auto floor = slice.ground(scene.floor)) {
+    if (carpet && carpet->bottom >= kRowsDouble) floor->bottom = std::ceil(carpet->top);
+    paint(*floor);
+  }
+  if (carpet) {
     carpet->carpet = 1.0F;
     paint(*carpet);
   }
