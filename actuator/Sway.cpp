@@ -16,7 +16,9 @@ double swayOf(const SwayCurve& c, const Stride& stride, const StrokeLimits& most
   const SwayCurve f = swayFactors(stride, most, side);
   return f.step * c.step + f.forward * c.forward + f.left * c.left + f.turn * c.turn +
          sum(f.stepWave, c.stepWave) + sum(f.forwardWave, c.forwardWave) +
-         sum(f.leftWave, c.leftWave) + sum(f.turnWave, c.turnWave);
+         sum(f.leftWave, c.leftWave) + sum(f.turnWave, c.turnWave) +
+         sum(f.stepRipple, c.stepRipple) + sum(f.forwardRipple, c.forwardRipple) +
+         sum(f.leftEither, c.leftEither) + sum(f.turnEither, c.turnEither);
 }
 
 }  // namespace
@@ -39,6 +41,11 @@ SwayCurve swayFactors(const Stride& stride, const StrokeLimits& most, SwaySide s
   f.forwardWave = wave(on * forward, same ? twice : once);
   f.leftWave = wave(on * left, same ? once : twice);
   f.turnWave = wave(on * turn, same ? once : twice);
+  const maths::SinCos more = maths::sinCos((same ? 8.0 : 6.0) * maths::kPi * phase.phase);
+  f.stepRipple = wave(on, more);
+  f.forwardRipple = wave(on * forward, more);
+  f.leftEither = wave(on * std::fabs(left), same ? twice : once);
+  f.turnEither = wave(on * std::fabs(turn), same ? twice : once);
   return f;
 }
 

@@ -29,13 +29,21 @@ struct SwayCurve {
   Wave forwardWave;
   Wave leftWave;
   Wave turnWave;
+  // Two times more a step than the waves above.
+  Wave stepRipple;
+  Wave forwardRipple;
+  // Of the stroke aside and in a turn, the same either way.
+  Wave leftEither;
+  Wave turnEither;
 
   static constexpr auto fields() {
     using P = SwayCurve;
     return fieldList(field("step", &P::step, "", -1, 1), field("forward", &P::forward, "", -1, 1),
                      field("left", &P::left, "", -1, 1), field("turn", &P::turn, "", -1, 1),
                      field("stepWave", &P::stepWave), field("forwardWave", &P::forwardWave),
-                     field("leftWave", &P::leftWave), field("turnWave", &P::turnWave));
+                     field("leftWave", &P::leftWave), field("turnWave", &P::turnWave),
+                     field("stepRipple", &P::stepRipple), field("forwardRipple", &P::forwardRipple),
+                     field("leftEither", &P::leftEither), field("turnEither", &P::turnEither));
   }
 };
 

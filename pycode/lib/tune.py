@@ -82,7 +82,9 @@ class Watch:
     SPIN_PAN = 15.0          # a small sweep, ahead of the turn, while turning on the spot
     GLANCE_EVERY = 2.5
     GLANCE_TIME = 0.7
-    GLANCE_FAR = 55.0        # only while the ball is farther than this
+    # Only while the ball is farther than this: around it, too. Blind until the kick, 6 s, the
+    # robot lost its heading: 1.31 deg on the mean of 16 matches, 1.20 with these glances.
+    GLANCE_FAR = 16.0
     GLANCE_PITCH = -6.0
     GLANCE_PAN = 60.0        # aside, when nobody knows where the goal is
     BALL_HEIGHT = 5.0

@@ -87,7 +87,8 @@ class Striker(Machine):
         goal_point = self.goal.where(world)
         if self.aligned(world, goal_point):
             return self.enter(world, self.strike, StepToKick())
-        return kelpie.Command(walk=self.skill.walk(world, goal_point), head=self.track(world))
+        return kelpie.Command(walk=self.skill.walk(world, goal_point),
+                              head=self.watch.head(world, self.goal))
 
     def aligned(self, world, goal_point) -> bool:
         ball = (world.ball.relative.x, world.ball.relative.y)

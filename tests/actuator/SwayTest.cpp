@@ -12,6 +12,7 @@ namespace {
 SwayCurve anyCurve(Random& random) {
   const auto next = [&] { return random.uniform(-0.1, 0.1); };
   return {next(),           next(),           next(),           next(),
+          {next(), next()}, {next(), next()}, {next(), next()}, {next(), next()},
           {next(), next()}, {next(), next()}, {next(), next()}, {next(), next()}};
 }
 
