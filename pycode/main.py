@@ -5,7 +5,7 @@ import kelpie
 from players.challenger import Challenger
 from players.striker import Striker
 
-players = {kelpie.STRIKER: Striker(), kelpie.CHALLENGER: Challenger()}
+players = {kelpie.FORWARD: Striker(), kelpie.CHALLENGER: Challenger()}
 
 
 def decide(world) -> kelpie.Command:
