@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/cli/Match.h"
 
+#include <algorithm>
 #include <memory>
 
 #include "robot/agent/FrameMessages.h"
@@ -17,13 +18,16 @@ Point2<Field> inTeamFrame(Point2<Field> p, const body::FieldDescription& field, 
   return {field.width - p.x, field.length - p.y};
 }
 
+// Of the robot that the log is of: the first of its team, whose number is the least there.
 TruePlaces placesOf(const sim::TruthFrame& truth, const body::FieldDescription& field,
                     TeamColour team) {
   TruePlaces places;
-  places.present = !truth.robots.empty();
+  const auto* own = std::find_if(truth.robots.begin(), truth.robots.end(),
+                                 [&](const sim::RobotTruth& one) { return one.team == team; });
+  places.present = own != truth.robots.end();
   places.ball = inTeamFrame(truth.ball, field, team);
   if (!places.present) return places;
-  const Pose2& pose = truth.robots[0].pose;
+  const Pose2& pose = own->pose;
   places.robot.position = inTeamFrame(pose.position, field, team);
   places.robot.heading = team == TeamColour::red ? pose.heading : pose.heading + Angle::deg(180.0);
   return places;
