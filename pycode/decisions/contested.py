@@ -19,10 +19,14 @@ class Contested:
     def __init__(self):
         self.frames = LATCH + 1  # since the last trigger
 
+    @property
+    def now(self) -> bool:
+        return self.frames <= LATCH
+
     def update(self, world, memory) -> bool:
         """Once per frame; whether the ball is contested in it."""
         self.frames = 0 if triggered(world, memory) else self.frames + 1
-        return self.frames <= LATCH
+        return self.now
 
 
 def triggered(world, memory) -> bool:

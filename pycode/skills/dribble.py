@@ -27,7 +27,7 @@ class Dribble(Machine):
         super().__init__(self.run)
         self.memory = memory
         self.where = where
-        self.track = TrackBall()
+        self.track = TrackBall(memory)
 
     @property
     def done(self) -> bool:

@@ -39,7 +39,7 @@ class KickBall(Machine):
         super().__init__(self.walk_up)
         self.memory = memory
         self.which = which
-        self.track = TrackBall()
+        self.track = TrackBall(memory)
 
     @property
     def committed(self) -> bool:
