@@ -93,8 +93,7 @@ class Attacker(Machine):
         if self.committed:
             return self.skill.command(world)
         if self.skill is not None and self.skill.done:
-            self.after_skill()
-            return self.enter(world, self.find, None, self.leaf + ' has ended')
+            return self.after_skill(world)
         if self.lost(world):
             return self.enter(world, self.find, None, 'ball unseen for {} frames',
                               float(self.memory.ball_lost))
@@ -106,7 +105,9 @@ class Attacker(Machine):
         self.choose_leaf(world)
         return self.skill.command(world)
 
-    def after_skill(self):
+    def after_skill(self, world):
+        """A skill that leaves no hint itself sent the ball ahead."""
+        self.enter(world, self.find, None, self.leaf + ' has ended')
         self.leaf = None
         if self.memory.hint is None or self.memory.frame - self.memory.hint[2] > 2:
             self.memory.set_hint(*LOOK_AFTER)

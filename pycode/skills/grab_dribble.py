@@ -61,6 +61,8 @@ class GrabDribble(Machine):
 
     @property
     def committed(self) -> bool:
+        if self.done:
+            return False
         return self.hold is not None or self.skill.committed
 
     @property
