@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Where the sight through a pixel meets the carpet, from the sensed head joints and the stance
-# (thesis 2006 section 6.2.1 projects so; lengths of facts-2005 section 2.2). Keeps nothing. The lens
-# is a pinhole of 56.9 x 45.2 deg: off by up to 1 deg in the corners of the image, and by whatever
+# (thesis 2006 section 6.2.1 projects so; lengths of facts-2005 section 2.2). Keeps nothing. The
+# lens is a pinhole of 56.9 x 45.2 deg: off by up to 1 deg in the corners of the image, and by what
 # the body leans beyond its stance.
 import math
 
