@@ -4,10 +4,13 @@
 import kelpie
 from decisions.tree import rows
 from players.challenger import Challenger
+from players.ellipse_goalie import EllipseGoalie
 from players.forward import Forward
+from players.goalie import Goalie
 from players.single import SKILLS, OneSkill
 
-MAKERS = {kelpie.FORWARD: Forward, kelpie.CHALLENGER: Challenger, kelpie.ONE_SKILL: OneSkill}
+MAKERS = {kelpie.FORWARD: Forward, kelpie.GOALIE: Goalie, kelpie.GOALIE_2004: EllipseGoalie,
+          kelpie.CHALLENGER: Challenger, kelpie.ONE_SKILL: OneSkill}
 players = {}
 
 
