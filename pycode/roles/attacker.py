@@ -15,6 +15,7 @@ from skills.active_localise import ActiveLocalise
 from skills.avoid_own_box import AvoidOwnBox
 from skills.dribble import Dribble
 from skills.find_ball import FindBall
+from skills.glance import Glance
 from skills.grab_dribble import GrabDribble
 from skills.kick_ball import KickBall
 from skills.line_up_kick import LineUpKick
@@ -26,6 +27,7 @@ CHIN = 20.0             # cm
 SETTLED = 35.0          # cm to the ball; nearer, a leaf is kept for some frames
 KEPT_FRAMES = 12
 LOOK_AFTER = 100.0, 0.0     # cm, deg: where a kicked ball is looked for
+BOX_WAIT = 6.0          # s; who is alone waits so long for its ball to leave the own box
 KICKS = {tree.UPENN_LEFT: kelpie.UPENN_LEFT, tree.UPENN_RIGHT: kelpie.UPENN_RIGHT,
          tree.HEAD_LEFT: kelpie.HEAD_SWIPE_LEFT, tree.HEAD_RIGHT: kelpie.HEAD_SWIPE_RIGHT}
 LINE_UP = 'line_up_kick'    # in place of a grab when that is switched off
@@ -43,6 +45,8 @@ class Attacker(Machine):
         self.held = HeldChoice(memory, self.contested)
         self.localise_skill = ActiveLocalise(memory)
         self.stuck = PawStuck()
+        self.glance = Glance(memory)
+        self.box_waited = False  # alone, and waited long enough for a ball in the own box
         self.leaf, self.leaf_why = None, ()
         self.leaf_frame = 0
 
@@ -80,9 +84,18 @@ class Attacker(Machine):
         return self.stuck.command(world)
 
     def avoid_box(self, world):
-        if not self.box_in_the_way(world):
-            return self.enter(world, self.find, None, 'the ball has left the own box')
-        return self.skill.command(world)
+        """A robot without team mates has no goalie who clears the ball: it fetches it in the end."""
+        if not world.teammates and self.timed_out(world, BOX_WAIT):
+            self.box_waited = True
+        if self.lost(world) or not self.box_in_the_way(world):
+            return self.enter(world, self.find, None, 'the own box is no longer in the way')
+        return self.looking_round(world, self.skill.command(world))
+
+    def looking_round(self, world, command) -> kelpie.Command:
+        """The same, with the head at a landmark now and then."""
+        if self.glance.update(world, not self.committed):
+            command.head = self.glance.head(world)
+        return command
 
     def localise(self, world):
         if self.skill.done(world) or self.lost(world):
@@ -103,7 +116,7 @@ class Attacker(Machine):
         if self.localise_skill.needed(world):
             return self.enter(world, self.localise, self.localise_skill, 'far ball, time to look')
         self.choose_leaf(world)
-        return self.skill.command(world)
+        return self.looking_round(world, self.skill.command(world))
 
     def after_skill(self, world):
         """A skill that leaves no hint itself sent the ball ahead."""
@@ -113,8 +126,10 @@ class Attacker(Machine):
             self.memory.set_hint(*LOOK_AFTER)
 
     def box_in_the_way(self, world) -> bool:
-        holds = self.memory.grab_lost < 2
-        return AvoidOwnBox.needed(world, holds)
+        inside = AvoidOwnBox.needed(world, self.memory.grab_lost < 2)
+        if not inside:
+            self.box_waited = False
+        return inside and not self.box_waited
 
     def choose_leaf(self, world):
         situation = Situation(world, self.contested.now, self.memory.approach_lost < 3)
@@ -149,6 +164,8 @@ class Attacker(Machine):
         trace.append((self.LAYER, self.NAME, self.state.__name__, self.why, *self.numbers))
         if self.state == self.play and self.leaf is not None:
             trace.append((kelpie.LAYER_DECISION, 'tree', self.leaf, *self.leaf_why))
+        if self.glance.looking:
+            self.glance.explain(trace)
         below = getattr(self.skill, 'explain', None)
         if below is not None:
             below(trace)
