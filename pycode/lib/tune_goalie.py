@@ -5,8 +5,7 @@
 
 class Body:
     """What the goalie asks of its legs."""
-    FORWARD = 34.0           # the walk does 36, 38 and 37 cm/s and 214 deg/s (docs/body.md)
-    LEFT = 34.0
+    SPEED = 34.0             # the walk does 36 to 38 cm/s and 214 deg/s (docs/body.md)
     TURN = 180.0
     MARGIN = 6.0             # of the box; the pose is off by 2.6 cm (docs/body.md)
     SECONDS = 0.35           # to an edge of the box at least: the legs follow late
@@ -78,9 +77,10 @@ class Facing:
     RIGHT = 50.0
     OWN_GOAL = 35.0          # deg; the own goal seen that near to straight ahead ...
     OWN_FRAMES = 5           # ... so often says that the pose is wrong
+    AGAINST_POSE = 150.0     # deg of a turn while the pose says that all is well
     NOTHING = 8.0            # s without ball and landmarks
     TURN = 120.0             # deg/s
-    TIME = 4.0
+    TIME = 5.0               # s of turning, and then of not turning
 
 
 class Look:

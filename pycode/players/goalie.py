@@ -75,7 +75,8 @@ class Goalie(Machine):
     def take(self, world, state, make, why, *numbers) -> bool:
         """Enters the state, with a new skill, unless it is in it."""
         if self.state != state:
-            self.facing.end()
+            if state != self.turn:
+                self.facing.end()
             self.enter(world, state, make(), why, *numbers)
         return True
 

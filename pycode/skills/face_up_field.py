@@ -25,10 +25,13 @@ class FaceUpField:
         self.own_goal = 0       # frames that saw it ahead, less those that did not
         self.something_s = None  # when ball or landmark was last seen
         self.side = 0.0         # of the turn; 0 while there is none
+        self.left_deg = 0.0     # of a turn against the pose, by odometry
+        self.began_s = self.rest_s = 0.0
 
     def update(self, world):
         """To be called in every frame."""
         step = 1 if own_goal_ahead(world) else -1
+        self.left_deg -= abs(world.odometry.turn_deg)
         self.own_goal = max(0, min(2 * Facing.OWN_FRAMES, self.own_goal + step))
         if (self.something_s is None or world.percepts.landmarks or world.percepts.ball.present or
                 world.motion.running != kelpie.NO_MOTION):
@@ -41,8 +44,12 @@ class FaceUpField:
     def wrong(self, world) -> tuple | None:
         """Why the goalie faces the wrong way, with a number; None if it does not."""
         aside = self.aside(world)
+        if self.side != 0.0 and world.time_s - self.began_s > Facing.TIME:
+            self.rest_s = world.time_s + Facing.TIME  # somebody holds the robot, or it is lost
+        if world.time_s < self.rest_s:
+            return None
         if self.side != 0.0:    # the turn goes on until all is well
-            going = abs(aside) > Facing.RIGHT or self.own_goal > 0
+            going = abs(aside) > Facing.RIGHT or self.own_goal > 0 or self.left_deg > 0.0
             return ('turning on, up-field is {} deg to the left', aside) if going else None
         if abs(aside) > Facing.WRONG:
             return 'up-field is {} deg to the left', aside
@@ -54,8 +61,12 @@ class FaceUpField:
         return None
 
     def begin(self, world):
-        self.side = 1.0 if self.aside(world) >= 0.0 else -1.0
-        self.something_s = world.time_s
+        """Against a pose that says that all is well, the turn goes well round: on the way the
+        landmarks put the pose right, or else it would turn back."""
+        aside = self.aside(world)
+        self.side = 1.0 if aside >= 0.0 else -1.0
+        self.left_deg = Facing.AGAINST_POSE if abs(aside) <= Facing.WRONG else 0.0
+        self.began_s = self.something_s = world.time_s
 
     def end(self):
         self.side = 0.0

@@ -19,7 +19,7 @@ def in_box(world, walk) -> kelpie.WalkRequest:
     return kelpie.WalkRequest(forward=forward, left=left, turn_deg=walk.turn_deg, kind=walk.kind)
 
 
-def walk_towards(world, place, gain=Guard.GAIN, speed=Body.LEFT) -> kelpie.WalkRequest:
+def walk_towards(world, place, gain=Guard.GAIN, speed=Body.SPEED) -> kelpie.WalkRequest:
     """Straight to a place of the field while turning to its heading."""
     x, y = from_field(world.pose, place[0], place[1])
     pace = min(1.0, speed / max(gain * math.hypot(x, y), 1e-6))
