@@ -136,7 +136,8 @@ class ClassWriter {
     const T sample{};
     forEachField(sample, [&](const auto&, const auto& member) {
       using Part = typename ScalarOf<std::decay_t<decltype(member)>>::type;
-      if constexpr (HasFields<Part>::value) write<Part>();
+      // A trace is a list of tuples: they are made in every frame, and faster than objects.
+      if constexpr (HasFields<Part>::value && !std::is_same_v<Part, TraceStep>) write<Part>();
     });
   }
 

@@ -28,6 +28,7 @@ class Memory:
         self.approach_lost = NEVER  # frames since a grab was approached
         self.grab_lost = NEVER      # frames since a grab was begun or the ball held
         self.localised_lost = NEVER  # frames since the head last looked for landmarks
+        self.marks = {}             # of each kind of landmark: the frame in which it was seen last
         self.hint = None            # (distance cm, heading deg, frame): where to look for the ball
 
     def update(self, world) -> None:
@@ -50,6 +51,7 @@ class Memory:
         self.own_goal_lost += 1
         target = target_goal(world)
         for mark in world.percepts.landmarks:
+            self.marks[mark.kind] = self.frame
             if mark.kind == target:
                 self.goal_lost, self.goal_heading = 0, mark.heading_deg
             elif mark.kind in (kelpie.GOAL_BLUE, kelpie.GOAL_YELLOW):

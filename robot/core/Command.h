@@ -136,7 +136,8 @@ struct TraceStep {
   static constexpr auto fields() {
     return fieldList(field("layer", &TraceStep::layer, "", 0, kTraceLayerCount - 1),
                      field("module", &TraceStep::module), field("branch", &TraceStep::branch),
-                     field("reason", &TraceStep::reason), field("numbers", &TraceStep::numbers));
+                     field("reason", &TraceStep::reason),
+                     field("numbers", &TraceStep::numbers, "", -1e6, 1e6));
   }
 };
 // From the player down.

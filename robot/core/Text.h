@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // A short text in a frame struct: at most Capacity bytes of UTF-8, no heap. On the wire a ROS 1
-// string. What is longer is cut off before the character that does not fit whole.
+// string. What is longer is cut off before the character that does not fit whole. What came from
+// outside, a log's, may be no UTF-8: whoever shows it must stand that.
 #pragma once
 
-#include <cstdint>
+#include <cstring>
 #include <string_view>
 
-#include "robot/core/FieldTypes.h"
 #include "robot/core/FixedVector.h"
 
 namespace kelpie {
@@ -23,20 +23,12 @@ class Text : public FixedVector<std::uint8_t, Capacity> {
       size = Capacity;
       while (size > 0 && (static_cast<std::uint8_t>(text[size]) & 0xC0U) == 0x80U) --size;
     }
-    this->clear();
-    for (const char c : text.substr(0, size)) this->push_back(static_cast<std::uint8_t>(c));
+    this->resize(size);
+    if (size > 0) std::memcpy(this->begin(), text.data(), size);
   }
   std::string_view view() const {
     return {reinterpret_cast<const char*>(this->begin()), this->size()};
   }
 };
-
-template <std::size_t N>
-struct IsFixedVector<Text<N>> : std::true_type {};
-
-template <class T>
-struct IsText : std::false_type {};
-template <std::size_t N>
-struct IsText<Text<N>> : std::true_type {};
 
 }  // namespace kelpie

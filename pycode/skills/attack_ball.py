@@ -1,0 +1,131 @@
+# SPDX-License-Identifier: Apache-2.0
+# Walks to a ball in the goal box or at its edge so that a clearing kick hits it (thesis 2006
+# section 4.3.1): of all kicks and directions it takes the place that is reached soonest, inside the
+# box, and from which the ball goes up-field and past who stands there. Keeps the place, chosen anew
+# every half second or when the ball rolls on. Fails in scrums, where the ball moves with whoever
+# pushes it.
+import math
+
+import kelpie
+from lib.geom import clamp, from_field, wrap
+from lib.goalie_places import UP_FIELD, beyond_box, off_own_goal
+from lib.tune_goalie import Attack, Body, Clear
+from skills.clear_ball import KICKS
+from skills.guard_goal import in_box
+
+DIRECTIONS = (-80.0, -45.0, -15.0, 15.0, 45.0, 80.0)  # deg from up-field, where the ball may go
+PACE, PACE_TURN = 30.0, 120.0  # cm/s, deg/s: what a place costs in time
+ASTERN = 1.5        # s for a place beyond the ball: the way leads round it
+ASIDE = 0.006       # s per deg that the ball goes away from up-field
+OPPONENT = 0.8      # s for a direction in which somebody stands
+OPPONENT_CM, OPPONENT_DEG = 70.0, 25.0
+ROUND = 18.0        # cm; a straight way that comes nearer to the ball pushes it
+
+
+class Stand:
+    """Where to stand for a kick: a place on the field."""
+
+    def __init__(self, ball, kick, direction):
+        self.kick, self.direction = kick, direction
+        self.heading = direction - kick.direction
+        angle = math.radians(self.heading)
+        self.ahead = (math.cos(angle), math.sin(angle))
+        self.x, self.y = self.back(ball, 0.0)
+
+    def back(self, ball, off):
+        """The place from which the ball lies where the kick needs it, `off` cm farther ahead."""
+        dx, dy = self.ahead
+        ahead, right = self.kick.ahead + off, self.kick.right
+        return ball[0] - ahead * dx - right * dy, ball[1] - ahead * dy + right * dx
+
+    def after(self):
+        """Where the kick leaves the robot."""
+        dx, dy = self.ahead
+        return self.x + self.kick.forward * dx, self.y + self.kick.forward * dy
+
+
+class AttackBall:
+    NAME = 'attack_ball'
+
+    def __init__(self):
+        self.stand = None
+        self.chosen_s = 0.0
+        self.ball = (0.0, 0.0)
+
+    def can(self, world) -> bool:
+        """Whether there is a place to kick the ball from."""
+        self.choose(world)
+        return self.stand is not None
+
+    def choose(self, world):
+        ball = (world.ball.position.x, world.ball.position.y)
+        rolled = math.hypot(ball[0] - self.ball[0], ball[1] - self.ball[1])
+        if world.time_s - self.chosen_s < Attack.AGAIN and rolled < Attack.MOVED:
+            return
+        self.chosen_s, self.ball = world.time_s, ball
+        stands = [Stand(ball, kick, UP_FIELD + aside) for kick in KICKS for aside in DIRECTIONS]
+        good = [stand for stand in stands if possible(world, ball, stand)]
+        self.stand = min(good, key=lambda stand: cost(world, ball, stand, self.stand), default=None)
+
+    def walk(self, world) -> kelpie.WalkRequest:
+        """To the place; first to one farther back, until side and heading fit."""
+        stand = self.stand
+        ball = (world.ball.position.x, world.ball.position.y)
+        turn = wrap(stand.heading - world.pose.heading_deg)
+        x, y = from_field(world.pose, *stand.back(ball, 0.0))
+        fits = abs(turn) < Attack.TURN_FIRST and abs(x) < Attack.SIDE_FIRST
+        if not fits:
+            x, y = from_field(world.pose, *stand.back(ball, Attack.STAND_OFF))
+        pace = min(1.0, Attack.WALK / max(Attack.GAIN * math.hypot(x, y), 1e-6))
+        rate = clamp(Attack.TURN_GAIN * turn, -Attack.TURN, Attack.TURN)
+        return in_box(world, kelpie.WalkRequest(forward=pace * Attack.GAIN * y,
+                                                left=-pace * Attack.GAIN * x, turn_deg=rate))
+
+    def explain(self, trace) -> None:
+        if self.stand is not None:
+            trace.append((kelpie.LAYER_SKILL, self.NAME, self.stand.kick.name,
+                          'the ball shall go to {} deg, from ({}, {})', self.stand.direction,
+                          self.stand.x, self.stand.y))
+
+
+def possible(world, ball, stand) -> bool:
+    """Inside the box before and after the kick, not turned to the own goal, safe from an own
+    goal."""
+    field = world.field
+    return (abs(wrap(stand.heading - UP_FIELD)) < Attack.FACING and
+            beyond_box(field, (stand.x, stand.y), Body.MARGIN) < 1.0 and
+            beyond_box(field, stand.after()) == 0.0 and
+            off_own_goal(field, ball, stand.direction) > Clear.OFF_GOAL)
+
+
+def cost(world, ball, stand, chosen) -> float:
+    """Seconds until the kick, and what the direction is worth."""
+    x, y = world.pose.position.x, world.pose.position.y
+    away = math.hypot(stand.x - x, stand.y - y)
+    turn = abs(wrap(stand.heading - world.pose.heading_deg))
+    seconds = max(away / PACE, turn / PACE_TURN)
+    seconds += ASIDE * abs(wrap(stand.direction - UP_FIELD))
+    if past_ball((x, y), (stand.x, stand.y), ball):
+        seconds += ASTERN
+    if any(in_the_way(ball, stand.direction, other.position) for other in world.opponents):
+        seconds += OPPONENT
+    same = chosen is not None and chosen.kick is stand.kick and chosen.direction == stand.direction
+    return seconds - (0.4 if same else 0.0)
+
+
+def past_ball(start, end, ball) -> bool:
+    """Whether the straight way comes near the ball before its end."""
+    dx, dy = end[0] - start[0], end[1] - start[1]
+    length2 = dx * dx + dy * dy
+    if length2 < 1.0:
+        return False
+    along = ((ball[0] - start[0]) * dx + (ball[1] - start[1]) * dy) / length2
+    if not 0.0 < along < 0.9:
+        return False
+    return math.hypot(ball[0] - start[0] - along * dx, ball[1] - start[1] - along * dy) < ROUND
+
+
+def in_the_way(ball, direction, other) -> bool:
+    dx, dy = other.x - ball[0], other.y - ball[1]
+    return (math.hypot(dx, dy) < OPPONENT_CM and
+            abs(wrap(math.degrees(math.atan2(dy, dx)) - direction)) < OPPONENT_DEG)

@@ -1,0 +1,37 @@
+# SPDX-License-Identifier: Apache-2.0
+# Whether a shot is to be stopped with the body, and by which block (thesis 2006 section 4.3.1,
+# checklist G14). Keeps in how many frames in a row the ball filter told of a shot: it is believed
+# only then, since a false block costs 1.5 s on the ground. It fails against a shot that the filter
+# tells of too late.
+import kelpie
+from lib.shot import Shot, coming
+from lib.tune_goalie import Block as Tune
+
+NAMES = {kelpie.BLOCK: 'wide', kelpie.BLOCK_LEFT: 'left', kelpie.BLOCK_RIGHT: 'right'}
+
+
+def block_for(shot: Shot) -> int:
+    """The block that meets a shot in time, or NO_MOTION: wide for one that comes straight, else to
+    the side on which it would pass."""
+    if not Tune.SOONEST <= shot.seconds <= Tune.LATEST or abs(shot.aside) > Tune.REACH:
+        return kelpie.NO_MOTION
+    if abs(shot.aside) <= Tune.CENTRE:
+        return kelpie.BLOCK
+    return kelpie.BLOCK_LEFT if shot.aside < 0.0 else kelpie.BLOCK_RIGHT
+
+
+class ShotWatch:
+    def __init__(self):
+        self.frames = 0
+        self.shot = None
+
+    def update(self, world):
+        """To be called in every frame."""
+        seen = world.ball.seconds_since_seen < Tune.SEEN
+        self.shot = coming(world, Tune.BESIDE, Tune.SHORT, Tune.SPEED) if seen else None
+        self.frames = self.frames + 1 if self.shot is not None else 0
+
+    def block(self) -> int:
+        """The block to be done now, or NO_MOTION."""
+        believed = self.frames >= Tune.FRAMES
+        return block_for(self.shot) if believed else kelpie.NO_MOTION

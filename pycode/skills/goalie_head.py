@@ -1,0 +1,93 @@
+# SPDX-License-Identifier: Apache-2.0
+# The goalie's head (thesis 2006 section 4.3.1): always on the ball; back to it at once when it is
+# lost, by where it is believed, then by a point scan; now and then a glance at a beacon. Keeps the
+# state, when it last glanced and how often. It looks away only when it is told that it may and the
+# ball is far and does not come, so a goalie in a long scrum does not localise.
+import kelpie
+from lib.head import look_at
+from lib.landmarks import GOALIE_PAN, choose_landmark, look_at_landmark
+from lib.machine import Machine
+from lib.tune import Watch
+from lib.tune_goalie import Look
+from skills.point_scan import PointScan
+
+
+def seen(world, seconds=Watch.FRESH) -> bool:
+    return world.ball.present and world.ball.seconds_since_seen < seconds
+
+
+class GoalieHead(Machine):
+    NAME = 'goalie_head'
+    FAR = Look.FAR   # cm; a nearer ball is not left alone
+
+    def __init__(self):
+        super().__init__(self.search)
+        self.free = False
+        self.glances = 0
+        self.glanced_s = 0.0
+
+    def head(self, world, free) -> kelpie.HeadRequest:
+        """`free`: whether the player can do without the ball for a moment."""
+        self.free = free
+        return self.step(world)
+
+    def idle(self, world) -> kelpie.HeadRequest:
+        return self.at_ball(world)
+
+    def at_ball(self, world):
+        ball = world.ball.relative
+        return look_at(ball.x, ball.y, Watch.BALL_HEIGHT, world.stance)
+
+    def track(self, world):
+        if not seen(world, Look.LOST):
+            return self.regain_ball(world)
+        mark = self.landmark(world)
+        if mark is not None:
+            self.glances += 1
+            return self.enter(world, self.localise, mark, 'glance {}; the pose is sure to {} cm',
+                              self.glances, world.position_sd)
+        return self.at_ball(world)
+
+    def regain_ball(self, world):
+        """Which of the ways to find the ball comes first."""
+        if not world.ball.present:
+            return self.enter(world, self.search, PointScan(world), 'no ball is believed')
+        return self.enter(world, self.believed, None, 'the ball is unseen for {} s',
+                          world.ball.seconds_since_seen)
+
+    def landmark(self, world):
+        """The one to glance at now, or None."""
+        sure = (world.position_sd < Look.SURE_SD and
+                world.heading_sd_deg < Look.SURE_HEADING_SD)
+        every = Look.EVERY_SURE if sure else Look.EVERY_LOST
+        calm = world.ball.distance > self.FAR and world.ball.velocity.y > -Look.STILL
+        if not self.free or not calm or world.time_s - self.glanced_s < every:
+            return None
+        # With the near beacons in every second one only: they are far aside.
+        limit = GOALIE_PAN if self.glances % 2 else Look.FRONT
+        return choose_landmark(world, limit, world.head.head_pan_deg)
+
+    def localise(self, world):
+        self.glanced_s = world.time_s
+        if not self.free or self.timed_out(world, Look.TIME):
+            return self.after_glance(world)
+        return look_at_landmark(world, self.skill)
+
+    def after_glance(self, world):
+        return self.enter(world, self.believed, None, 'the glance is over')
+
+    def believed(self, world):
+        if seen(world, Look.LOST) and world.ball.seconds_since_seen < self.since(world):
+            return self.enter(world, self.track, None, 'the ball is {} cm away',
+                              world.ball.distance)
+        if not world.ball.present or self.timed_out(world, Look.BELIEVED):
+            return self.enter(world, self.search, PointScan(world), 'not where it is believed')
+        return self.at_ball(world)
+
+    def search(self, world):
+        if seen(world, Look.LOST):
+            return self.enter(world, self.track, None, 'the ball is {} cm away',
+                              world.ball.distance)
+        if self.skill is None:
+            self.skill = PointScan(world)
+        return self.skill.head(world)

@@ -1,0 +1,184 @@
+# SPDX-License-Identifier: Apache-2.0
+import math
+import random
+
+import kelpie
+import pytest
+from goalie_world import GoalieWorld, run, scene, shot
+from lib import goalie_places as places
+from lib.tune_goalie import Block
+from players.goalie import Goalie
+
+
+def state(world, frames=Block.FRAMES):
+    """What the goalie does after so many frames of a scene that does not change."""
+    player = Goalie()
+    for _ in range(frames):
+        world.see()
+        player.command(world.world)
+    return player.state.__name__
+
+
+# Algorithm 4.1: six scenes, six branches
+
+@pytest.mark.parametrize('branch, ball, velocity, at, facing', [
+    ('turn', 180 + 200j, 0j, 180 + 20j, -1j),
+    ('block', 180 + 90j, -130j, 180 + 20j, 1j),
+    ('adjust', 180 + 90j, -75j, 180 + 20j, 1j),
+    ('clear', 180 + 44j, 0j, 180 + 30j, 1j),
+    ('attack', 180 + 62j, 0j, 180 + 20j, 1j),
+    ('guard', 180 + 200j, 0j, 180 + 20j, 1j)])
+def test_scene_selects_its_branch(branch, ball, velocity, at, facing):
+    assert state(scene(ball, velocity, at, facing)) == branch
+
+
+@pytest.mark.parametrize('first, second, both', [
+    ('turn', 'block', dict(ball=180 + 90j, velocity=-130j, facing=-1j)),
+    ('block', 'clear', dict(ball=180 + 34j, velocity=-60j)),
+    ('clear', 'attack', dict(ball=180 + 34j))])
+def test_an_earlier_branch_goes_before_a_later_one(first, second, both):
+    assert state(scene(**both)) == first
+
+
+def test_trace_says_branch_reason_and_skill():
+    world, player = scene(180 + 62j), Goalie()
+    trace = player.command(world.world).trace
+    layer, module, branch, reason, *numbers = trace[0]
+    assert (layer, module, branch) == (kelpie.LAYER_PLAYER, 'goalie', 'attack')
+    assert [step[1] for step in trace] == ['goalie', 'attack_ball', 'goalie_head']
+    for _, module, branch, reason, *numbers in trace:
+        assert len(module) <= 20 and len(branch) <= 24 and len(reason) <= 80
+        assert len(numbers) == reason.count('{}') <= 3
+
+
+def test_goalie_stands_still_while_play_is_halted():
+    world, player = scene(180 + 90j, -130j), Goalie()
+    world.world.game.state = kelpie.SET
+    for _ in range(60):
+        world.see()
+        command = player.command(world.world)
+        assert (command.walk.forward, command.walk.left, command.walk.turn_deg) == (0, 0, 0)
+        assert command.motion == kelpie.NO_MOTION
+
+
+def test_a_fallen_goalie_gets_up():
+    world, player = scene(), Goalie()
+    world.world.motion.feeling.fallen = kelpie.ON_LEFT
+    assert player.command(world.world).motion == kelpie.GET_UP_LEFT
+    world.world.motion.feeling.fallen = kelpie.NOT_FALLEN
+    world.see()
+    assert player.command(world.world).motion == kelpie.NO_MOTION
+    assert player.state == player.guard
+
+
+def test_a_block_is_let_come_to_its_end():
+    world, player = scene(180 + 90j, -130j), Goalie()
+    states = []
+    for _ in range(75):
+        world.step(player.command(world.world))
+        states.append(player.state.__name__)
+    assert states.count('block') > 45 and states[-1] != 'block'
+    assert not world.conceded
+
+
+# The whole player in a plane world
+
+def test_balls_in_the_box_are_cleared_without_own_goals():
+    chance, cleared = random.Random(7), 0
+    for seed in range(60):
+        world, player = GoalieWorld(seed, noise=1.0), Goalie()
+        world.ball = complex(chance.uniform(120, 240), chance.uniform(25, 68))
+        run(world, player.command, 10.0)
+        assert not world.conceded and world.outside == 0
+        cleared += places.beyond_box(world.field, (world.ball.real, world.ball.imag)) > 15.0
+    assert cleared >= 54
+
+
+def test_goalie_never_leaves_its_box():
+    chance = random.Random(8)
+    for seed in range(1000):
+        world, player = GoalieWorld(seed, noise=1.0), Goalie()
+        world.at = complex(chance.uniform(125, 235), chance.uniform(8, 55))
+        world.facing = complex(math.cos(seed), math.sin(seed))
+        world.ball = complex(chance.uniform(0, 360), chance.uniform(5, 250))
+        world.velocity = complex(chance.gauss(0, 30), chance.gauss(0, 30))
+        run(world, player.command, 2.0)
+        assert world.outside == 0
+
+
+def test_of_a_hundred_shots_few_go_in():
+    saved = [not shot(Goalie().command, seed).conceded for seed in range(100)]
+    assert sum(saved) >= 80
+
+
+@pytest.mark.parametrize('mended', [True, False])
+def test_an_own_goal_faced_by_mistake_is_turned_away_from(mended):
+    """Kidnapped: the pose says up-field, the robot faces its own goal. On the way round landmarks
+    mend the pose, or they do not."""
+    scenery, player = scene(facing=-1j), Goalie()
+    world, lie, facing = scenery.world, 180.0, []
+    for _ in range(120):
+        scenery.see()
+        down = math.degrees(math.atan2(scenery.facing.real, -scenery.facing.imag))
+        world.percepts.landmarks = [kelpie.LandmarkPercept(
+            kind=kelpie.GOAL_YELLOW, distance=30.0, heading_deg=-down)] if abs(down) < 60 else []
+        if mended and abs(down) > 100:
+            lie = 0.0
+        world.pose.heading_deg += lie
+        world.ball.present = world.percepts.ball.present = False
+        command = player.command(world)
+        scenery.walk(command.walk)
+        world.odometry.turn_deg = command.walk.turn_deg / 30
+        facing.append(scenery.facing.imag)
+    assert max(facing) > 0.7
+    assert facing[-1] > 0.7 or not mended
+
+
+def test_a_goalie_pushed_round_turns_to_face_up_field():
+    world, player = scene(facing=-1j), Goalie()
+    run(world, player.command, 3.0)
+    assert world.facing.imag > 0.7 and world.outside == 0
+
+
+def test_random_worlds_never_stop_the_goalie():
+    chance, player, states = random.Random(9), Goalie(), set()
+    world = GoalieWorld().world
+    for _ in range(20000):
+        scramble(world, chance)
+        command = player.command(world)
+        assert math.isfinite(command.walk.forward + command.walk.left + command.walk.turn_deg)
+        assert abs(command.walk.left) <= 500 and len(command.trace) <= 8
+        states.add(player.state.__name__)
+    assert states == {'turn', 'block', 'adjust', 'clear', 'attack', 'guard'}
+
+
+def scramble(world, chance):
+    """Everything at random, some of it seldom."""
+    world.time_s += 1.0 / 30.0
+    world.frame += 1
+    world.game.state = chance.choice([kelpie.PLAYING] * 20 + [kelpie.SET])
+    world.motion.feeling.fallen = chance.choice([kelpie.NOT_FALLEN] * 50 + [kelpie.ON_BACK])
+    world.motion.running = chance.choice([kelpie.NO_MOTION] * 5 + [kelpie.BLOCK, kelpie.UPENN_LEFT])
+    if chance.random() < 0.9:
+        return
+    world.pose = kelpie.Pose2(heading_deg=chance.choice([90.0, chance.uniform(-180, 180)]))
+    world.pose.position = kelpie.Point2(x=chance.uniform(100, 260), y=chance.uniform(-10, 80))
+    ball = world.ball
+    ball.present, ball.seconds_since_seen = chance.random() < 0.9, chance.choice([0.0, 0.0, 2.0])
+    ball.relative = kelpie.Point2(x=chance.uniform(-9, 9), y=chance.uniform(5, 60))
+    ball.distance = math.hypot(ball.relative.x, ball.relative.y)
+    ball.position = kelpie.Point2(x=chance.uniform(0, 360), y=chance.uniform(-10, 300))
+    ball.velocity = kelpie.Point2(x=chance.gauss(0, 20), y=chance.gauss(-40, 60))
+    if chance.random() < 0.3:
+        ball.velocity = kelpie.Point2()
+    ball.stopping_point = kelpie.Point2(x=180.0, y=chance.uniform(-100, 200))
+
+
+def test_a_turn_that_does_not_help_comes_to_an_end():
+    world, player = scene(facing=-1j), Goalie()
+    turning = 0
+    for _ in range(30 * 20):
+        world.see()   # held: it asks, but does not turn
+        player.command(world.world)
+        turning += player.state == player.turn
+    assert 30 * 8 < turning < 30 * 12

@@ -1,0 +1,114 @@
+# SPDX-License-Identifier: Apache-2.0
+import math
+import random
+
+import kelpie
+import pytest
+from goalie_world import BRAKE, DRAG, scene, speed_to_go
+from lib import goalie_places as places
+from lib.tune_goalie import Block, Clear
+from skills.block import ShotWatch, block_for
+from skills.clear_ball import KICKS, clearing_kick
+
+
+# Block choice (checklist A-4.3.1.4)
+
+@pytest.mark.parametrize('aside, motion', [
+    (0, kelpie.BLOCK), (8.9, kelpie.BLOCK), (-8.9, kelpie.BLOCK), (9.1, kelpie.BLOCK_RIGHT),
+    (-9.1, kelpie.BLOCK_LEFT), (30, kelpie.BLOCK_RIGHT), (-30, kelpie.BLOCK_LEFT),
+    (60, kelpie.NO_MOTION), (-60, kelpie.NO_MOTION)])
+def test_block_is_on_the_side_where_the_ball_passes(aside, motion):
+    world = scene(180 + 80j, 120 * (complex(aside, -60) / abs(complex(aside, -60))))
+    world.world.field = kelpie.FieldDescription(goal_width=300.0)  # whatever comes is at the goal
+    watch = ShotWatch()
+    for _ in range(Block.FRAMES):
+        watch.update(world.world)
+    assert watch.shot.aside == pytest.approx(aside, abs=1e-6)
+    assert watch.block() == motion
+
+
+def way_in(speed, seconds):
+    """cm that a ball of that speed rolls, by small steps."""
+    way = 0.0
+    for _ in range(int(seconds * 1000)):
+        way, speed = way + speed * 1e-3, max(0.0, speed - (DRAG * speed + BRAKE) * 1e-3)
+    return way
+
+
+@pytest.mark.parametrize('speed', range(5, 200, 5))
+def test_only_fast_balls_are_blocked(speed):
+    """A ball 40 cm ahead of the goalie, at all speeds."""
+    world = scene(180 + 60j, -1j * speed)
+    watch = ShotWatch()
+    for _ in range(Block.FRAMES):
+        watch.update(world.world)
+    reaches = speed > speed_to_go(60.0 - Block.SHORT)
+    in_time = way_in(speed, Block.LATEST) > 40.0
+    assert (watch.block() != kelpie.NO_MOTION) == (reaches and in_time)
+
+
+@pytest.mark.parametrize('ball, velocity', [
+    (180 + 90j, 130j), (180 + 90j, 130 + 0j), (100 + 60j, 30 - 130j), (180 + 90j, 90 - 100j)])
+def test_a_ball_that_misses_the_goal_is_not_blocked(ball, velocity):
+    world, watch = scene(ball, velocity), ShotWatch()
+    for _ in range(5):
+        watch.update(world.world)
+    assert watch.block() == kelpie.NO_MOTION
+
+
+def test_one_frame_alone_makes_no_block():
+    world, watch = scene(180 + 90j, -130j), ShotWatch()
+    watch.update(world.world)
+    assert watch.block() == kelpie.NO_MOTION
+    world.world.ball.velocity.y = 0.0
+    watch.update(world.world)
+    world.world.ball.velocity.y = -130.0
+    watch.update(world.world)
+    assert watch.block() == kelpie.NO_MOTION
+
+
+def test_an_unseen_ball_is_not_blocked():
+    world, watch = scene(180 + 90j, -130j), ShotWatch()
+    world.world.ball.seconds_since_seen = Block.SEEN
+    for _ in range(5):
+        watch.update(world.world)
+    assert watch.block() == kelpie.NO_MOTION
+
+
+@pytest.mark.parametrize('seconds, blocked', [(0.05, False), (0.1, True), (0.8, True), (1, False)])
+def test_block_neither_too_late_nor_too_early(seconds, blocked):
+    shot = type('Shot', (), dict(aside=0.0, seconds=seconds))
+    assert (block_for(shot) != kelpie.NO_MOTION) == blocked
+
+
+# Clearing (A-4.3.1.5)
+
+def test_a_clear_never_goes_towards_the_own_goal():
+    chance, kicks = random.Random(5), 0
+    for _ in range(5000):
+        at = complex(chance.uniform(115, 245), chance.uniform(0, 65))
+        facing = math.radians(chance.uniform(-180, 180))
+        facing = complex(math.cos(facing), math.sin(facing))
+        kick = chance.choice(KICKS)
+        world = scene(at + (kick.ahead - 1j * kick.right) * facing, at=at, facing=facing).world
+        chosen = clearing_kick(world)
+        if chosen is None:
+            continue
+        kicks += 1
+        direction = world.pose.heading_deg + chosen.direction
+        ball = world.ball.position.x, world.ball.position.y
+        assert places.off_own_goal(world.field, ball, direction) > Clear.OFF_GOAL
+    assert kicks > 1500
+
+
+@pytest.mark.parametrize('name, right, ahead', [
+    ('kick_forward', 0.0, 14.0), ('kick_forward', 1.0, 13.0), ('upenn_left', 6.0, 12.0),
+    ('upenn_right', -6.0, 12.0), ('head_swipe_left', 3.4, 13.0), ('head_swipe_right', -3.4, 13.0),
+    (None, 12.0, 14.0), (None, 0.0, 22.0), (None, 0.0, 8.0)])
+def test_kick_is_the_one_whose_place_the_ball_lies_in(name, right, ahead):
+    kick = clearing_kick(scene(complex(180 + right, 30 + ahead), at=180 + 30j).world)
+    assert (kick.name if kick else None) == name
+
+
+def test_a_ball_between_goalie_and_goal_is_not_kicked():
+    assert clearing_kick(scene(180 + 16j, at=180 + 30j, facing=-1j).world) is None
