@@ -2,12 +2,13 @@
 // When a ball is held, for how long, and how far it is taken.
 #include <gtest/gtest.h>
 
+#include "robot/core/Time.h"
 #include "tools/sim/HoldWatch.h"
 
 namespace kelpie::sim {
 namespace {
 
-constexpr Pose2 kUpField{{180.0, 100.0}, Angle::deg(90.0)};
+const Pose2 kUpField{{180.0, 100.0}, Angle::deg(90.0)};
 
 // So many seconds of frames: a robot that goes ahead at that speed, the ball that far before it.
 void watch(double seconds, double speed, Point2<Robot> ball, Pose2& robot, double& now,
