@@ -26,7 +26,8 @@ def test_an_opponent_keeps_the_other_goal_and_is_not_logged(opponent, standing, 
                     "--no-film", "--out", tmp_path / "out")
     assert result.returncode == 1 and "no goal in 2 s" in result.stdout, result.stderr
     told = kelpie("info", tmp_path / "out/match.mcap").stdout
-    topics = dict(line.split()[::2] for line in told.splitlines() if line.startswith("/"))
+    topics = {line.split()[0]: line.split()[2] for line in told.splitlines()
+              if line.startswith("/")}
     assert topics["/frame/output"] == topics["/truth"] == "60"
     assert kelpie("replay", tmp_path / "out/match.mcap", "--check", "--pycode",
                   standing).returncode == 0
