@@ -66,10 +66,17 @@ class Attack:
 
 
 class Clear:
-    AHEAD = 1.8              # cm off a kick's best place of the ball
-    SIDE = 2.0
-    OFF_GOAL = 25.0          # deg from the own goal's cone: 3 sd of a swipe's direction
+    OFF_GOAL, SDS = 25.0, 3.0  # deg, and sd of a kick's direction, from the own goal's cone
     SEEN = 0.6               # s; the chin hides a near ball
+    NEAR = 25.0              # cm; no kick reaches farther
+    LATENCY = 0.05, 0.2      # s from asking to the motion's beginning, at least and at most
+    WORTH = 0.45             # of a kick that is done as the ball lies
+    FAR = 180.0              # cm that are as good as farther
+    ASIDE = 0.35             # worth lost by a kick across the field
+    ACROSS = 0.85            # share left of one that goes past the goal's middle
+    OPPONENT, OPPONENT_DEG = 70.0, 25.0
+    STRAIGHT = 25.0          # deg; held against, such a kick gets 10 cm ahead (docs/body.md)
+    HELD_STRAIGHT, HELD_ASIDE = 0.3, 0.75
 
 
 class Facing:

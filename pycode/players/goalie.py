@@ -12,7 +12,7 @@ from lib.shot import coming, speed
 from lib.tune_goalie import Attack, Coming, Guard
 from skills.attack_ball import AttackBall
 from skills.block import NAMES, ShotWatch
-from skills.clear_ball import clearing_kick, off_goal
+from skills.clear_ball import clearing_kick
 from skills.face_up_field import FaceUpField
 from skills.get_up import GetUp
 from skills.goalie_head import GoalieHead, seen
@@ -106,11 +106,12 @@ class Goalie(Machine):
                          'a ball comes at {} cm/s, to {} cm right', shot.speed, shot.aside)
 
     def may_clear(self, world) -> bool:
-        kick = clearing_kick(world)
-        if kick is None:
+        best = clearing_kick(world)
+        if best is None:
             return False
-        return self.take(world, self.clear, lambda: Kick(world, kick.motion),
-                         kick.name + ' goes {} deg from the own goal', off_goal(world, kick))
+        return self.take(world, self.clear, lambda: Kick(world, best.kick),
+                         'worth {}, to {} deg, {} deg off the own goal', best.worth,
+                         best.direction, best.off_goal)
 
     def may_attack(self, world) -> bool:
         ball = world.ball
