@@ -25,8 +25,9 @@ class Goalie(Machine):
     LAYER = kelpie.LAYER_PLAYER
     NAME = 'goalie'
 
-    def __init__(self):
+    def __init__(self, rule=bisector_place):
         super().__init__(self.guard, GuardGoal(Guard))
+        self.rule = rule    # from the field and a ball to the place to guard
         self.memory = Memory()
         self.eyes = GoalieHead()
         self.shots = ShotWatch()
@@ -169,4 +170,4 @@ class Goalie(Machine):
         """Where to guard: by the ball, or in the middle when it is unseen for long."""
         if not seen(world, Guard.UNSEEN):
             return central_place(world.field)
-        return bisector_place(world.field, (world.ball.position.x, world.ball.position.y))
+        return self.rule(world.field, (world.ball.position.x, world.ball.position.y))
