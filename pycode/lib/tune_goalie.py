@@ -16,7 +16,8 @@ class Guard:
     TURN_GAIN = 3.0          # deg/s per deg
     LAZY, ACCURATE = 8.0, 3.0          # cm; of the goalie of 2006, after facts-2005 7.2 and K10
     LAZY_TURN, ACCURATE_TURN = 14.0, 5.0
-    UNSEEN = 4.0             # an unseen ball is believed that long; then to the middle
+    UNSEEN = 1.5             # an unseen ball is believed that long; then to the middle, where the
+                             # head sees all there is ahead: 4 s cost goals by balls at the side
 
 
 class GuardEllipse:
@@ -35,6 +36,8 @@ class Block:
     SHORT = 10.0             # a ball that would stop that short of the line may still go in
     SEEN = 0.12              # a ball unseen for longer is not judged
     FRAMES = 2               # in a row that say so
+    FASTEST = 240.0          # cm/s; kicks go 2.2 m, which takes 190. What is faster was lost and
+    SEEN_FRAMES = 4          # found elsewhere: a ball is judged when seen that often in a row
 
 
 class Coming:
@@ -95,6 +98,7 @@ class Look:
     EVERY_LOST, EVERY_SURE = 1.7, 3.2
     SURE_SD, SURE_HEADING_SD = 6.0, 4.0
     TIME = 0.3
+    STEADY = 0.7             # s of tracking before a glance
     FAR = 60.0               # the ball; nearer it is not left alone
     FAR_ELLIPSE = 25.0       # thesis 2004 section 4.2.3
     STILL = 15.0             # cm/s of the ball towards the goal

@@ -30,7 +30,7 @@ class Goalie(Machine):
         self.rule = rule    # from the field and a ball to the place to guard
         self.memory = Memory()
         self.eyes = GoalieHead()
-        self.shots = ShotWatch()
+        self.shots = ShotWatch(self.memory)
         self.facing = FaceUpField()
         self.get_up = GetUp()
         self.rest_s = 0.0   # no attack before, after one that came to nothing

@@ -60,7 +60,8 @@ class GoalieHead(Machine):
         sure = (world.position_sd < Look.SURE_SD and
                 world.heading_sd_deg < Look.SURE_HEADING_SD)
         every = Look.EVERY_SURE if sure else Look.EVERY_LOST
-        calm = world.ball.distance > self.FAR and world.ball.velocity.y > -Look.STILL
+        calm = (world.ball.distance > self.FAR and world.ball.velocity.y > -Look.STILL and
+                self.since(world) > Look.STEADY)
         if not self.free or not calm or world.time_s - self.glanced_s < every:
             return None
         # With the near beacons in every second one only: they are far aside.

@@ -10,7 +10,7 @@ from lib.tune_goalie import Block
 from players.goalie import Goalie
 
 
-def state(world, frames=Block.FRAMES):
+def state(world, frames=Block.SEEN_FRAMES + Block.FRAMES - 1):
     """What the goalie does after so many frames of a scene that does not change."""
     player = Goalie()
     for _ in range(frames):

@@ -7,12 +7,19 @@ import pytest
 from goalie_world import BRAKE, DRAG, scene, speed_to_go
 from lib import goalie_places as places
 from lib import kick_table
+from lib.memory import Memory
 from lib.tune_goalie import Block
 from skills.block import ShotWatch, block_for
 from skills.clear_ball import clearing_kick, foretold
 
 
 # Block choice (checklist A-4.3.1.4)
+
+def seeing(run=Block.SEEN_FRAMES, lost=0):
+    memory = Memory()
+    memory.ball_run, memory.ball_lost = run, lost
+    return memory
+
 
 @pytest.mark.parametrize('aside, motion', [
     (0, kelpie.BLOCK), (8.9, kelpie.BLOCK), (-8.9, kelpie.BLOCK), (9.1, kelpie.BLOCK_RIGHT),
@@ -21,7 +28,7 @@ from skills.clear_ball import clearing_kick, foretold
 def test_block_is_on_the_side_where_the_ball_passes(aside, motion):
     world = scene(180 + 80j, 120 * (complex(aside, -60) / abs(complex(aside, -60))))
     world.world.field = kelpie.FieldDescription(goal_width=300.0)  # whatever comes is at the goal
-    watch = ShotWatch()
+    watch = ShotWatch(seeing())
     for _ in range(Block.FRAMES):
         watch.update(world.world)
     assert watch.shot.aside == pytest.approx(aside, abs=1e-6)
@@ -40,7 +47,7 @@ def way_in(speed, seconds):
 def test_only_fast_balls_are_blocked(speed):
     """A ball 40 cm ahead of the goalie, at all speeds."""
     world = scene(180 + 60j, -1j * speed)
-    watch = ShotWatch()
+    watch = ShotWatch(seeing())
     for _ in range(Block.FRAMES):
         watch.update(world.world)
     reaches = speed > speed_to_go(60.0 - Block.SHORT)
@@ -51,14 +58,14 @@ def test_only_fast_balls_are_blocked(speed):
 @pytest.mark.parametrize('ball, velocity', [
     (180 + 90j, 130j), (180 + 90j, 130 + 0j), (100 + 60j, 30 - 130j), (180 + 90j, 90 - 100j)])
 def test_a_ball_that_misses_the_goal_is_not_blocked(ball, velocity):
-    world, watch = scene(ball, velocity), ShotWatch()
+    world, watch = scene(ball, velocity), ShotWatch(seeing())
     for _ in range(5):
         watch.update(world.world)
     assert watch.block() == kelpie.NO_MOTION
 
 
 def test_one_frame_alone_makes_no_block():
-    world, watch = scene(180 + 90j, -130j), ShotWatch()
+    world, watch = scene(180 + 90j, -130j), ShotWatch(seeing())
     watch.update(world.world)
     assert watch.block() == kelpie.NO_MOTION
     world.world.ball.velocity.y = 0.0
@@ -69,8 +76,26 @@ def test_one_frame_alone_makes_no_block():
 
 
 def test_an_unseen_ball_is_not_blocked():
-    world, watch = scene(180 + 90j, -130j), ShotWatch()
+    world, watch = scene(180 + 90j, -130j), ShotWatch(seeing())
     world.world.ball.seconds_since_seen = Block.SEEN
+    for _ in range(5):
+        watch.update(world.world)
+    assert watch.block() == kelpie.NO_MOTION
+
+
+def test_a_ball_just_found_is_not_blocked_but_a_single_frame_may_miss_it():
+    """Found elsewhere, it seems to have come from where it was believed."""
+    world, memory = scene(180 + 90j, -130j).world, seeing(Block.SEEN_FRAMES - 1)
+    watch = ShotWatch(memory)
+    for run, lost, believed in [(Block.SEEN_FRAMES - 1, 0, 0), (Block.SEEN_FRAMES, 0, 1),
+                                (0, 1, 2), (1, 0, 3), (0, 1, 4), (0, 2, 0), (1, 0, 0)]:
+        memory.ball_run, memory.ball_lost = run, lost
+        watch.update(world)
+        assert watch.frames == believed
+
+
+def test_no_kick_is_so_fast():
+    world, watch = scene(180 + 90j, -1j * (Block.FASTEST + 1.0)), ShotWatch(seeing())
     for _ in range(5):
         watch.update(world.world)
     assert watch.block() == kelpie.NO_MOTION
