@@ -9,7 +9,7 @@ import kelpie
 from lib.goalie_places import beyond_box, central_place, ellipse_place, off_rear_wall
 from lib.machine import Machine
 from lib.memory import Memory
-from lib.tune_goalie import Attack, Guard, GuardEllipse, Paw
+from lib.tune_goalie import Attack, GuardEllipse, Paw
 from skills.attack_ball import AttackBall
 from skills.clear_ball import clearing_kick
 from skills.ellipse_head import EllipseHead
@@ -95,7 +95,7 @@ class EllipseGoalie(Machine):
         return kelpie.Command(walk=walk, head=self.eyes.head(world, True))
 
     def place(self, world):
-        if not seen(world, Guard.UNSEEN):
+        if not seen(world, GuardEllipse.UNSEEN):
             return central_place(world.field)
         return ellipse_place(world.field, ball_of(world))
 

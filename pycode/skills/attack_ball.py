@@ -8,7 +8,7 @@ import math
 import kelpie
 from lib import kick_table
 from lib.geom import clamp, from_field, wrap
-from lib.goalie_places import UP_FIELD, beyond_box
+from lib.goalie_places import UP_FIELD, beyond_box, direction, middle
 from lib.tune_goalie import Attack, Body
 from skills.clear_ball import Clearance
 from skills.guard_goal import in_box
@@ -68,7 +68,7 @@ class AttackBall:
         stands = [Stand(ball, kick, UP_FIELD + aside) for kick in kick_table.kicks(False)
                   for aside in DIRECTIONS]
         costs = [(cost(world, ball, stand, self.stand), stand) for stand in stands
-                 if possible(world, stand)]
+                 if possible(world, ball, stand)]
         best = min(costs, key=lambda pair: pair[0], default=(math.inf, None))
         self.stand = best[1] if best[0] < math.inf else None
 
@@ -93,9 +93,11 @@ class AttackBall:
                           self.stand.direction, self.stand.x, self.stand.y))
 
 
-def possible(world, stand) -> bool:
-    """Inside the box before and after the kick, and not turned to the own goal."""
-    return (abs(wrap(stand.heading - UP_FIELD)) < Attack.FACING and
+def possible(world, ball, stand) -> bool:
+    """Inside the box before and after the kick, and between goal and ball: who turns aside lets the
+    ball past."""
+    outwards = direction(middle(world.field), ball)
+    return (abs(wrap(stand.heading - outwards)) < Attack.FACING and
             beyond_box(world.field, (stand.x, stand.y), Body.MARGIN) < 1.0 and
             beyond_box(world.field, stand.after()) == 0.0)
 

@@ -16,7 +16,7 @@ class Clearance:
     the own goal that is, and what it is worth, 0 to 1."""
 
     def __init__(self, world, kick, ball, outcome, heading_deg):
-        self.kick = kick
+        self.kick, self.ball = kick, ball
         chance, aside, sd, distance, _ = outcome
         self.direction = wrap(heading_deg + aside)
         self.off_goal = off_own_goal(world.field, ball, self.direction)
@@ -29,6 +29,11 @@ class Clearance:
         if any(in_the_way(ball, self.direction, other.position) for other in world.opponents):
             straight = abs(aside) < Clear.STRAIGHT
             self.worth *= Clear.HELD_STRAIGHT if straight else Clear.HELD_ASIDE
+
+    def after(self, way):
+        """The point of the field that the ball passes after so many cm."""
+        angle = math.radians(self.direction)
+        return self.ball[0] + way * math.cos(angle), self.ball[1] + way * math.sin(angle)
 
 
 def in_the_way(ball, direction, other) -> bool:
