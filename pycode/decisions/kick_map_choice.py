@@ -11,7 +11,7 @@ from lib.aim import mouth, size
 from lib.geom import wrap
 
 NEARLY = 0.93          # of the aimed kick's worth: turning on costs time
-STILL = 35.0           # deg/s; who turns faster does not know where the kick goes
+AIM_SD = 3.0           # deg beside the map's: what the body does between choice and kick
 NEARNESS = 0.5         # worth of a ball on the goal line's middle, against a goal's 1
 FALL_OFF = 150.0       # cm from the goal in which that falls to 1/e
 OUT = 0.3              # share of that worth which a ball out of the field keeps
@@ -28,8 +28,7 @@ def choose(world, dribble, overdue) -> tuple | None:
     aimed = best(world, gap, turn)[0]
     if overdue:
         return kick, 'out of time; worth {} of {} aimed', worth, aimed
-    rate = abs(world.odometry.turn_deg) / max(world.elapsed_s, 0.02)
-    if worth < NEARLY * aimed or rate > STILL or dribble.should_carry(world):
+    if worth < NEARLY * aimed or dribble.should_carry(world):
         return None
     return kick, 'worth {}, {} aimed; gap of {} deg', worth, aimed, size(gap)
 
@@ -46,7 +45,7 @@ def worth_of(world, kick, gap, turn) -> float:
     field, ball = world.field, held_ball(world)
     free = None if gap is None else (gap[1], gap[0])
     goal = kick_table.chance_of_goal(world.pose, ball, outcome, field, free,
-                                     heading_sd=world.heading_sd_deg)
+                                     heading_sd=math.hypot(world.heading_sd_deg, AIM_SD))
     angle = math.radians(world.pose.heading_deg + direction + turn)
     x, y = ball[0] + distance * math.cos(angle), ball[1] + distance * math.sin(angle)
     inside = 0.0 < x < field.width and 0.0 < y < field.length

@@ -91,9 +91,9 @@ def circle_place(field, ball) -> Place:
     return facing((x0 + radius * dx / away, y0 + radius * dy / away), ball)
 
 
-def central_place(field) -> Place:
+def central_place(field, y=STAND_Y) -> Place:
     """Where to wait for a ball of which nothing is known."""
-    return middle(field)[0], STAND_Y, UP_FIELD
+    return middle(field)[0], y, UP_FIELD
 
 
 def box(field, margin=0.0) -> tuple[float, float, float, float]:

@@ -18,6 +18,9 @@ BACK_OFF_FRAMES = 45     # a wall behind, or a ball that rolls after us, must no
 IR_NEAR = 12.0           # cm; the carpet, the head as far down as it goes, reads 14
 IR_FRAMES = 66           # since the ball was close (scan threshold of facts-2005 section 7.1)
 SPIN_TURN = 360.0        # deg by odometry; then somewhere else is looked
+# Frames in which the image shows the place where the ball is believed, and no ball: it is not there
+# (gps takes as many, BallFilterParams::missedFrames, to forget it faster).
+MISSED_FRAMES = 5
 BLOCKS = (kelpie.BLOCK, kelpie.BLOCK_LEFT, kelpie.BLOCK_RIGHT)
 
 MAX_PAN = 88.0
@@ -33,7 +36,7 @@ class Situation:
     """What the steps decide on. Counts are frames, lengths cm."""
 
     __slots__ = ('frame', 'lost', 'force_until', 'hint_frame', 'ir', 'close_lost', 'blocking',
-                 'believed', 'distance', 'backed', 'scanned', 'reach', 'turned')
+                 'believed', 'distance', 'backed', 'scanned', 'reach', 'turned', 'unseen')
 
     def __init__(self, **given):
         self.frame = 0
@@ -43,12 +46,13 @@ class Situation:
         self.ir = math.inf         # filtered near distance of the head
         self.close_lost = 10000    # frames since the ball was close
         self.blocking = False      # a block runs
-        self.believed = False      # gps has an estimate of the ball
+        self.believed = False      # gps has an estimate of the ball that no image refuted
         self.distance = math.inf   # to it
         self.backed = 0            # frames that it stepped back
         self.scanned = 0           # frames that it scanned
         self.reach = MOST_SCAN     # deg of the pan that a scan would cover
         self.turned = 0.0          # deg that it spun
+        self.unseen = 36           # sectors around it that no image showed
         for name, value in given.items():
             setattr(self, name, value)
 
@@ -85,7 +89,7 @@ def use_scan(now) -> bool:
 
 
 def use_spin(now) -> bool:
-    return now.turned < SPIN_TURN
+    return now.turned < SPIN_TURN and now.unseen > 0
 
 
 def use_roam(now) -> bool:

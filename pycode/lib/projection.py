@@ -53,3 +53,11 @@ def ground_through(world, pixel_x, pixel_y) -> Point | None:
     share = -above / sight[2]
     x, y = x + share * sight[0], y + share * sight[1]
     return (x, y) if math.hypot(x, y) <= FARTHEST else None
+
+
+def off_axis(world, place) -> float:
+    """Degrees between the camera's axis and the sight to a point of the robot frame (x, y, z)."""
+    axis = from_face(world, (0.0, 1.0, 0.0))
+    sight = [a - b for a, b in zip(place, camera(world))]
+    along = sum(a * b for a, b in zip(axis, sight))
+    return math.degrees(math.acos(max(-1.0, min(1.0, along / max(math.hypot(*sight), 1e-9)))))

@@ -16,12 +16,14 @@ class Guard:
     TURN_GAIN = 3.0          # deg/s per deg
     LAZY, ACCURATE = 8.0, 3.0          # cm; of the goalie of 2006, after facts-2005 7.2 and K10
     LAZY_TURN, ACCURATE_TURN = 14.0, 5.0
-    UNSEEN = 4.0             # an unseen ball is believed that long; then to the middle
+    UNSEEN = 1.0             # s; stand still that long for an unseen ball, then to the middle,
+    LOST = 4.0               # and to the line: the head sees 26 deg past the sides
 
 
 class GuardEllipse:
     LAZY, ACCURATE = 15.0, 7.0         # checklist U14
     LAZY_TURN, ACCURATE_TURN = 20.0, 8.0
+    UNSEEN = 4.0             # s that an unseen ball is believed; then to the middle
 
 
 class Block:
@@ -35,6 +37,8 @@ class Block:
     SHORT = 10.0             # a ball that would stop that short of the line may still go in
     SEEN = 0.12              # a ball unseen for longer is not judged
     FRAMES = 2               # in a row that say so
+    FASTEST = 240.0          # cm/s; kicks go 2.2 m, which takes 190. What is faster was lost and
+    SEEN_FRAMES = 4          # found elsewhere: a ball is judged when seen that often in a row
 
 
 class Coming:
@@ -62,14 +66,22 @@ class Attack:
     STAND_OFF = 7.0          # cm more from the ball until side and heading fit
     SIDE_FIRST = 4.0         # cm
     TURN_FIRST = 20.0        # deg
-    FACING = 100.0           # deg from up-field that it turns away at most
+    FACING = 55.0            # deg from the way out of the goal past the ball, at most
 
 
 class Clear:
-    AHEAD = 1.8              # cm off a kick's best place of the ball
-    SIDE = 2.0
-    OFF_GOAL = 25.0          # deg from the own goal's cone: 3 sd of a swipe's direction
+    OFF_GOAL, SDS = 25.0, 3.0  # deg, and sd of a kick's direction, from the own goal's cone
     SEEN = 0.6               # s; the chin hides a near ball
+    NEAR = 25.0              # cm; no kick reaches farther
+    LATENCY = 0.05, 0.2      # s from asking to the motion's beginning, at least and at most
+    WORTH = 0.45             # of a kick that is done as the ball lies
+    LOOK = 80.0              # cm after which the head looks for the ball
+    FAR = 180.0              # cm that are as good as farther
+    ASIDE = 0.35             # worth lost by a kick across the field
+    ACROSS = 0.85            # share left of one that goes past the goal's middle
+    OPPONENT, OPPONENT_DEG = 70.0, 25.0
+    STRAIGHT = 25.0          # deg; held against, such a kick gets 10 cm ahead (docs/body.md)
+    HELD_STRAIGHT, HELD_ASIDE = 0.3, 0.75
 
 
 class Facing:
@@ -88,6 +100,7 @@ class Look:
     EVERY_LOST, EVERY_SURE = 1.7, 3.2
     SURE_SD, SURE_HEADING_SD = 6.0, 4.0
     TIME = 0.3
+    STEADY = 0.7             # s of tracking before a glance
     FAR = 60.0               # the ball; nearer it is not left alone
     FAR_ELLIPSE = 25.0       # thesis 2004 section 4.2.3
     STILL = 15.0             # cm/s of the ball towards the goal
@@ -98,10 +111,11 @@ class Look:
 
 
 class PointScan:
-    BEACON = 0.24            # s; the head pans 60 deg in 0.12 s, then four images
-    FRONT = 0.28
-    DOWN = 12.0              # deg below the horizontal at the beacons: a ball from 45 cm on shows
-    FRONT_AT = 22.0          # cm ahead
+    BEACON = 0.22            # s; the head pans 33 deg in 0.1 s, then three images
+    LOW = 0.22, 0.36, 0.36   # to the right it is 28 deg, then 88 to the front, and to the left
+    DOWN = 12.0              # deg below the horizontal at the beacons: a ball from 30 cm on shows
+    LOW_AT = 28.0            # cm; a ball from 12 to 130 cm shows
+    NEAR = 60.0              # cm; a ball lost nearer is first looked for low
 
 
 class Pan:

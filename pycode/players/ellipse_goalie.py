@@ -9,9 +9,9 @@ import kelpie
 from lib.goalie_places import beyond_box, central_place, ellipse_place, off_rear_wall
 from lib.machine import Machine
 from lib.memory import Memory
-from lib.tune_goalie import Attack, Guard, GuardEllipse, Paw
+from lib.tune_goalie import Attack, GuardEllipse, Paw
 from skills.attack_ball import AttackBall
-from skills.clear_ball import clearing_kick, off_goal
+from skills.clear_ball import clearing_kick
 from skills.ellipse_head import EllipseHead
 from skills.get_up import GetUp
 from skills.goalie_head import seen
@@ -95,7 +95,7 @@ class EllipseGoalie(Machine):
         return kelpie.Command(walk=walk, head=self.eyes.head(world, True))
 
     def place(self, world):
-        if not seen(world, Guard.UNSEEN):
+        if not seen(world, GuardEllipse.UNSEEN):
             return central_place(world.field)
         return ellipse_place(world.field, ball_of(world))
 
@@ -104,10 +104,10 @@ class EllipseGoalie(Machine):
         if failed is not None or not self.skill.can(world):
             return self.enter(world, self.guard, GuardGoal(GuardEllipse),
                               *(failed or ('there is no place to kick from',)))
-        kick = None if self.paw else clearing_kick(world)
-        if kick is not None:
-            return self.enter(world, self.clear, Kick(world, kick.motion),
-                              kick.name + ' goes {} deg from the own goal', off_goal(world, kick))
+        best = None if self.paw else clearing_kick(world)
+        if best is not None:
+            return self.enter(world, self.clear, Kick(world, best.kick),
+                              'to {} deg, {} deg off the own goal', best.direction, best.off_goal)
         # The head may glance now as well; the thesis found that it seldom comes to it (4.2.3).
         return kelpie.Command(walk=self.skill.walk(world), head=self.eyes.head(world, True))
 

@@ -5,14 +5,14 @@
 # what it counts of shots and of its facing. It never leaves its box (checklist K07); it fails as
 # the pose does, and against shots from so near that the ball is past before a block lies.
 import kelpie
-from lib.goalie_places import beside, beyond_box, bisector_place, central_place, facing
+from lib.goalie_places import LEAST_Y, beside, beyond_box, bisector_place, central_place, facing
 from lib.machine import Machine
 from lib.memory import Memory
 from lib.shot import coming, speed
-from lib.tune_goalie import Attack, Coming, Guard
+from lib.tune_goalie import Attack, Clear, Coming, Guard
 from skills.attack_ball import AttackBall
 from skills.block import NAMES, ShotWatch
-from skills.clear_ball import clearing_kick, off_goal
+from skills.clear_ball import clearing_kick
 from skills.face_up_field import FaceUpField
 from skills.get_up import GetUp
 from skills.goalie_head import GoalieHead, seen
@@ -25,13 +25,15 @@ class Goalie(Machine):
     LAYER = kelpie.LAYER_PLAYER
     NAME = 'goalie'
 
-    def __init__(self):
+    def __init__(self, rule=bisector_place):
         super().__init__(self.guard, GuardGoal(Guard))
+        self.rule = rule    # from the field and a ball to the place to guard
         self.memory = Memory()
         self.eyes = GoalieHead()
-        self.shots = ShotWatch()
+        self.shots = ShotWatch(self.memory)
         self.facing = FaceUpField()
         self.get_up = GetUp()
+        self.cleared_to = None  # the point of the field that the last clearance was to pass
         self.rest_s = 0.0   # no attack before, after one that came to nothing
 
     def command(self, world) -> kelpie.Command:
@@ -106,11 +108,14 @@ class Goalie(Machine):
                          'a ball comes at {} cm/s, to {} cm right', shot.speed, shot.aside)
 
     def may_clear(self, world) -> bool:
-        kick = clearing_kick(world)
-        if kick is None:
+        best = clearing_kick(world)
+        if best is None:
             return False
-        return self.take(world, self.clear, lambda: Kick(world, kick.motion),
-                         kick.name + ' goes {} deg from the own goal', off_goal(world, kick))
+        if self.state != self.clear:
+            self.cleared_to = best.after(Clear.LOOK)
+        return self.take(world, self.clear, lambda: Kick(world, best.kick),
+                         'worth {}, to {} deg, {} deg off the own goal', best.worth,
+                         best.direction, best.off_goal)
 
     def may_attack(self, world) -> bool:
         ball = world.ball
@@ -138,7 +143,10 @@ class Goalie(Machine):
         return self.perform(world)
 
     def clear(self, world):
-        return self.perform(world)
+        command = self.perform(world)
+        if command is None:
+            self.eyes.expect(world, self.cleared_to)
+        return command
 
     def perform(self, world):
         motion = self.skill.motion(world)
@@ -161,11 +169,17 @@ class Goalie(Machine):
         return kelpie.Command(walk=self.skill.walk(world), head=self.eyes.head(world, False))
 
     def guard(self, world) -> kelpie.Command:
-        walk = self.skill.walk(world, self.place(world))
+        place = self.place(world)
+        walk = self.skill.walk(world, place) if place is not None else kelpie.WalkRequest()
         return kelpie.Command(walk=walk, head=self.eyes.head(world, True))
 
     def place(self, world):
-        """Where to guard: by the ball, or in the middle when it is unseen for long."""
+        """Where to guard: by the ball; nowhere else while it is looked for at first; then in the
+        middle, and at last so near to the line that no ball can lie behind the robot unseen."""
+        if not seen(world, Guard.LOST):
+            return central_place(world.field, LEAST_Y)
         if not seen(world, Guard.UNSEEN):
             return central_place(world.field)
-        return bisector_place(world.field, (world.ball.position.x, world.ball.position.y))
+        if not seen(world):
+            return None
+        return self.rule(world.field, (world.ball.position.x, world.ball.position.y))

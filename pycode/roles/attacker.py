@@ -27,6 +27,7 @@ CHIN = 20.0             # cm
 SETTLED = 35.0          # cm to the ball; nearer, a leaf is kept for some frames
 KEPT_FRAMES = 12
 LOOK_AFTER = 100.0, 0.0     # cm, deg: where a kicked ball is looked for
+WATCH = 0.4             # s after a kick
 BOX_WAIT = 6.0          # s; who is alone waits so long for its ball to leave the own box
 KICKS = {tree.UPENN_LEFT: kelpie.UPENN_LEFT, tree.UPENN_RIGHT: kelpie.UPENN_RIGHT,
          tree.HEAD_LEFT: kelpie.HEAD_SWIPE_LEFT, tree.HEAD_RIGHT: kelpie.HEAD_SWIPE_RIGHT}
@@ -119,11 +120,19 @@ class Attacker(Machine):
         return self.looking_round(world, self.skill.command(world))
 
     def after_skill(self, world):
-        """A skill that leaves no hint itself sent the ball ahead."""
-        self.enter(world, self.find, None, self.leaf + ' has ended')
-        self.leaf = None
+        """Watches where the ball goes; a skill that leaves no hint itself sent it ahead."""
         if self.memory.hint is None or self.memory.frame - self.memory.hint[2] > 2:
             self.memory.set_hint(*LOOK_AFTER)
+        self.enter(world, self.watch, FindBall(world, self.memory), self.leaf + ' has ended')
+        self.leaf = None
+
+    def watch(self, world):
+        """The ball that was just kicked is not where it was believed: what is seen of it in this
+        time is not played yet."""
+        command = self.skill.command(world)
+        if self.timed_out(world, WATCH):
+            self.enter(world, self.find, self.skill, 'it has rolled for {} s', WATCH)
+        return command
 
     def box_in_the_way(self, world) -> bool:
         inside = AvoidOwnBox.needed(world, self.memory.grab_lost < 2)

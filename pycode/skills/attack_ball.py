@@ -1,33 +1,34 @@
 # SPDX-License-Identifier: Apache-2.0
 # Walks to a ball in the goal box or at its edge so that a clearing kick hits it (thesis 2006
 # section 4.3.1): of all kicks and directions it takes the place that is reached soonest, inside the
-# box, and from which the ball goes up-field and past who stands there. Keeps the place, chosen anew
-# every half second or when the ball rolls on. Fails in scrums, where the ball moves with whoever
-# pushes it.
+# box, and from which the kick is worth most. Keeps the place, chosen anew every half second or when
+# the ball rolls on. Fails in scrums, where the ball moves with whoever pushes it.
 import math
 
 import kelpie
+from lib import kick_table
 from lib.geom import clamp, from_field, wrap
-from lib.goalie_places import UP_FIELD, beyond_box, off_own_goal
-from lib.tune_goalie import Attack, Body, Clear
-from skills.clear_ball import KICKS
+from lib.goalie_places import UP_FIELD, beyond_box, direction, middle
+from lib.tune_goalie import Attack, Body
+from skills.clear_ball import Clearance
 from skills.guard_goal import in_box
 
 DIRECTIONS = (-80.0, -45.0, -15.0, 15.0, 45.0, 80.0)  # deg from up-field, where the ball may go
 PACE, PACE_TURN = 30.0, 120.0  # cm/s, deg/s: what a place costs in time
 ASTERN = 1.5        # s for a place beyond the ball: the way leads round it
-ASIDE = 0.006       # s per deg that the ball goes away from up-field
-OPPONENT = 0.8      # s for a direction in which somebody stands
-OPPONENT_CM, OPPONENT_DEG = 70.0, 25.0
+WORTH = 2.0         # s that a clearance of worth 1 may take longer than one of worth 0
+CHOSEN = 0.4        # s that the place of before may take longer
 ROUND = 18.0        # cm; a straight way that comes nearer to the ball pushes it
 
 
 class Stand:
-    """Where to stand for a kick: a place on the field."""
+    """Where to stand for a kick in a direction of the field: a place on it."""
 
     def __init__(self, ball, kick, direction):
         self.kick, self.direction = kick, direction
-        self.heading = direction - kick.direction
+        self.right, self.far = kick_table.best_place(kick)
+        self.outcome = kick_table.outcome(kick, self.right, self.far)
+        self.heading = direction - self.outcome[1]
         angle = math.radians(self.heading)
         self.ahead = (math.cos(angle), math.sin(angle))
         self.x, self.y = self.back(ball, 0.0)
@@ -35,13 +36,14 @@ class Stand:
     def back(self, ball, off):
         """The place from which the ball lies where the kick needs it, `off` cm farther ahead."""
         dx, dy = self.ahead
-        ahead, right = self.kick.ahead + off, self.kick.right
-        return ball[0] - ahead * dx - right * dy, ball[1] - ahead * dy + right * dx
+        far = self.far + off
+        return ball[0] - far * dx - self.right * dy, ball[1] - far * dy + self.right * dx
 
     def after(self):
         """Where the kick leaves the robot."""
+        right, ahead, _ = kick_table.turn_way(self.kick)
         dx, dy = self.ahead
-        return self.x + self.kick.forward * dx, self.y + self.kick.forward * dy
+        return self.x + ahead * dx + right * dy, self.y + ahead * dy - right * dx
 
 
 class AttackBall:
@@ -63,9 +65,12 @@ class AttackBall:
         if world.time_s - self.chosen_s < Attack.AGAIN and rolled < Attack.MOVED:
             return
         self.chosen_s, self.ball = world.time_s, ball
-        stands = [Stand(ball, kick, UP_FIELD + aside) for kick in KICKS for aside in DIRECTIONS]
-        good = [stand for stand in stands if possible(world, ball, stand)]
-        self.stand = min(good, key=lambda stand: cost(world, ball, stand, self.stand), default=None)
+        stands = [Stand(ball, kick, UP_FIELD + aside) for kick in kick_table.kicks(False)
+                  for aside in DIRECTIONS]
+        costs = [(cost(world, ball, stand, self.stand), stand) for stand in stands
+                 if possible(world, ball, stand)]
+        best = min(costs, key=lambda pair: pair[0], default=(math.inf, None))
+        self.stand = best[1] if best[0] < math.inf else None
 
     def walk(self, world) -> kelpie.WalkRequest:
         """To the place; first to one farther back, until side and heading fit."""
@@ -83,34 +88,33 @@ class AttackBall:
 
     def explain(self, trace) -> None:
         if self.stand is not None:
-            trace.append((kelpie.LAYER_SKILL, self.NAME, self.stand.kick.name,
-                          'the ball shall go to {} deg, from ({}, {})', self.stand.direction,
-                          self.stand.x, self.stand.y))
+            trace.append((kelpie.LAYER_SKILL, self.NAME, 'walk',
+                          'the ball shall go to {} deg, kicked from ({}, {})',
+                          self.stand.direction, self.stand.x, self.stand.y))
 
 
 def possible(world, ball, stand) -> bool:
-    """Inside the box before and after the kick, not turned to the own goal, safe from an own
-    goal."""
-    field = world.field
-    return (abs(wrap(stand.heading - UP_FIELD)) < Attack.FACING and
-            beyond_box(field, (stand.x, stand.y), Body.MARGIN) < 1.0 and
-            beyond_box(field, stand.after()) == 0.0 and
-            off_own_goal(field, ball, stand.direction) > Clear.OFF_GOAL)
+    """Inside the box before and after the kick, and between goal and ball: who turns aside lets the
+    ball past."""
+    outwards = direction(middle(world.field), ball)
+    return (abs(wrap(stand.heading - outwards)) < Attack.FACING and
+            beyond_box(world.field, (stand.x, stand.y), Body.MARGIN) < 1.0 and
+            beyond_box(world.field, stand.after()) == 0.0)
 
 
 def cost(world, ball, stand, chosen) -> float:
-    """Seconds until the kick, and what the direction is worth."""
+    """Seconds until the kick, less what it is worth; infinite for one at the own goal."""
+    clearance = Clearance(world, stand.kick, ball, stand.outcome, stand.heading)
+    if not clearance.safe:
+        return math.inf
     x, y = world.pose.position.x, world.pose.position.y
     away = math.hypot(stand.x - x, stand.y - y)
     turn = abs(wrap(stand.heading - world.pose.heading_deg))
-    seconds = max(away / PACE, turn / PACE_TURN)
-    seconds += ASIDE * abs(wrap(stand.direction - UP_FIELD))
+    seconds = max(away / PACE, turn / PACE_TURN) - WORTH * clearance.worth
     if past_ball((x, y), (stand.x, stand.y), ball):
         seconds += ASTERN
-    if any(in_the_way(ball, stand.direction, other.position) for other in world.opponents):
-        seconds += OPPONENT
-    same = chosen is not None and chosen.kick is stand.kick and chosen.direction == stand.direction
-    return seconds - (0.4 if same else 0.0)
+    same = chosen is not None and chosen.kick == stand.kick and chosen.direction == stand.direction
+    return seconds - (CHOSEN if same else 0.0)
 
 
 def past_ball(start, end, ball) -> bool:
@@ -123,9 +127,3 @@ def past_ball(start, end, ball) -> bool:
     if not 0.0 < along < 0.9:
         return False
     return math.hypot(ball[0] - start[0] - along * dx, ball[1] - start[1] - along * dy) < ROUND
-
-
-def in_the_way(ball, direction, other) -> bool:
-    dx, dy = other.x - ball[0], other.y - ball[1]
-    return (math.hypot(dx, dy) < OPPONENT_CM and
-            abs(wrap(math.degrees(math.atan2(dy, dx)) - direction)) < OPPONENT_DEG)

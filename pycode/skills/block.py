@@ -21,15 +21,23 @@ def block_for(shot: Shot) -> int:
 
 
 class ShotWatch:
-    def __init__(self):
+    def __init__(self, memory):
+        self.memory = memory
         self.frames = 0
+        self.run = 0      # frames in which the ball was seen, but for single ones
         self.shot = None
 
     def update(self, world):
         """To be called in every frame."""
         seen = world.ball.seconds_since_seen < Tune.SEEN
         self.shot = coming(world, Tune.BESIDE, Tune.SHORT, Tune.SPEED) if seen else None
-        self.frames = self.frames + 1 if self.shot is not None else 0
+        sure = self.shot is not None and self.shot.speed < Tune.FASTEST and self.steady()
+        self.frames = self.frames + 1 if sure else 0
+
+    def steady(self) -> bool:
+        """Whether vision had the ball for some frames, one of them missing at most."""
+        self.run = max(self.run, self.memory.ball_run) if self.memory.ball_lost < 2 else 0
+        return self.run >= Tune.SEEN_FRAMES
 
     def block(self) -> int:
         """The block to be done now, or NO_MOTION."""

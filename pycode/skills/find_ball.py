@@ -2,12 +2,15 @@
 # Looks for a lost ball by a chain of eight steps (sFindBall, thesis 2006 section 6.2.2, figure 6.2)
 # and a ninth of ours, a walk to the other half; in every frame the first whose condition holds
 # (lib/lost_ball.py) says what legs and head do. Keeps what is forced or hinted, carried along by
-# odometry, how long it stepped back, scanned and spun, and the side on which the ball was last
-# believed. Has no end: the player leaves it when the ball is seen. Knows no obstacles.
+# odometry, how long it stepped back, scanned and spun, what it has looked at, and the side on which
+# the ball was last believed. Has no end: the player leaves it when the ball is seen. Knows no
+# obstacles.
 import math
 
 import kelpie
 from lib import lost_ball
+from lib.doubt import Doubt
+from lib.explored import Explored
 from lib.geom import Point, clamp, heading, moved, polar
 from lib.lost_ball import MOST_SCAN, Situation, first_step, scan_half_width, scan_limits
 from lib.machine import Machine
@@ -63,12 +66,14 @@ class FindBall(Machine):
         self.hint_point = None         # of the robot frame
         self.still = None              # head joints while it does not move
         self.side = side_of(world, 1.0)
+        self.doubt = Doubt()
         self.roaming = Roam(world)
         self.restart()
 
     def restart(self):
         """The ball was seen or the robot is somewhere else: nothing here was looked at yet."""
         self.backed = self.scanned = 0
+        self.explored = Explored()
         self.scan_head = ScanForBall(self.side)
         self.spinning = SpinForBall(self.side)
 
@@ -99,27 +104,33 @@ class FindBall(Machine):
         hint = self.memory.hint
         if hint is not None and hint[2] != self.hint_frame:
             self.hint_point, self.hint_frame = polar(hint[0], hint[1]), hint[2]
+        self.doubt.update(world)
         if self.memory.ball_lost == 0:
             self.restart()
+        self.explored.update(world)
 
     def situation(self, world) -> Situation:
-        memory, ball = self.memory, world.ball
+        memory = self.memory
         low, high = self.limits(world)
-        known = self.forced_point is not None or ball.present
+        known = self.forced_point is not None or world.ball.present
         return Situation(frame=memory.frame, lost=memory.ball_lost,
                          force_until=self.force_until if known else -1,
                          hint_frame=self.hint_frame, ir=memory.ir, close_lost=memory.close_lost,
                          blocking=world.motion.running in lost_ball.BLOCKS,
-                         believed=ball.present, distance=self.away(world), backed=self.backed,
-                         scanned=self.scanned, reach=high - low, turned=self.spinning.turned)
+                         believed=self.believes(world), distance=self.away(world),
+                         backed=self.backed, scanned=self.scanned, reach=high - low,
+                         turned=self.spinning.turned, unseen=self.explored.unseen)
+
+    def believes(self, world) -> bool:
+        return world.ball.present and not self.doubt.refuted
 
     def away(self, world) -> float:
-        return world.ball.distance if world.ball.present else math.inf
+        return world.ball.distance if self.believes(world) else math.inf
 
     def limits(self, world) -> tuple[float, float]:
         """Pans of the scan: all that the head reaches without a belief."""
         ball = world.ball
-        if not ball.present:
+        if not self.believes(world):
             return scan_limits(0.0, MOST_SCAN)
         half = scan_half_width(ball_sd(ball.covariance), ball.distance, world.heading_sd_deg)
         return scan_limits(ball.heading_deg, half)
@@ -168,14 +179,25 @@ class FindBall(Machine):
         return kelpie.Command(walk=walk, head=self.scan_head.head(world, low, high, True))
 
     def scan(self, world) -> kelpie.Command:
+        """Without a belief the head goes to one side first, and then to the other while the body
+        turns there, too: what the spin has to show afterwards is less."""
+        believes = self.believes(world)
+        if self.scanned == 0:
+            self.scan_head = ScanForBall(self.side if believes else -self.side)
         self.scanned += 1
-        return kelpie.Command(head=self.scan_head.head(world, *self.limits(world)))
+        head = self.scan_head.head(world, *self.limits(world))
+        turns = not believes and self.scan_head.side == self.side
+        turn = lost_ball.spin_speed(math.inf, self.side) if turns else 0.0
+        return kelpie.Command(head=head, walk=kelpie.WalkRequest(turn_deg=turn))
 
     def spin(self, world) -> kelpie.Command:
         if self.spinning.turned == 0.0:
             self.spinning = SpinForBall(self.side)
-        self.memory.spun(self.spinning.side)
-        return self.spinning.command(world, self.away(world))
+        side = self.spinning.side
+        self.memory.spun(side)
+        alone = world.task.search == kelpie.SEARCH_BY_SPIN
+        unseen = 0.0 if alone else self.explored.next_unseen(side)
+        return self.spinning.command(world, self.away(world), unseen)
 
     def roam(self, world) -> kelpie.Command:
         if self.roaming.done(world):

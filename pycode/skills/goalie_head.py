@@ -4,11 +4,13 @@
 # state, when it last glanced and how often. It looks away only when it is told that it may and the
 # ball is far and does not come, so a goalie in a long scrum does not localise.
 import kelpie
+from lib.geom import from_field
 from lib.head import look_at
 from lib.landmarks import GOALIE_PAN, choose_landmark, look_at_landmark
 from lib.machine import Machine
 from lib.tune import Watch
 from lib.tune_goalie import Look
+from lib.tune_goalie import PointScan as PointScanTune
 from skills.point_scan import PointScan
 
 
@@ -23,6 +25,7 @@ class GoalieHead(Machine):
     def __init__(self):
         super().__init__(self.search)
         self.free = False
+        self.tracked = 0.0    # cm to the ball when it was last tracked
         self.glances = 0
         self.glanced_s = 0.0
 
@@ -39,6 +42,7 @@ class GoalieHead(Machine):
         return look_at(ball.x, ball.y, Watch.BALL_HEIGHT, world.stance)
 
     def track(self, world):
+        self.tracked = world.ball.distance
         if not seen(world, Look.LOST):
             return self.regain_ball(world)
         mark = self.landmark(world)
@@ -51,7 +55,7 @@ class GoalieHead(Machine):
     def regain_ball(self, world):
         """Which of the ways to find the ball comes first."""
         if not world.ball.present:
-            return self.enter(world, self.search, PointScan(world), 'no ball is believed')
+            return self.enter(world, self.search, self.scan(world), 'no ball is believed')
         return self.enter(world, self.believed, None, 'the ball is unseen for {} s',
                           world.ball.seconds_since_seen)
 
@@ -60,7 +64,8 @@ class GoalieHead(Machine):
         sure = (world.position_sd < Look.SURE_SD and
                 world.heading_sd_deg < Look.SURE_HEADING_SD)
         every = Look.EVERY_SURE if sure else Look.EVERY_LOST
-        calm = world.ball.distance > self.FAR and world.ball.velocity.y > -Look.STILL
+        calm = (world.ball.distance > self.FAR and world.ball.velocity.y > -Look.STILL and
+                self.since(world) > Look.STEADY)
         if not self.free or not calm or world.time_s - self.glanced_s < every:
             return None
         # With the near beacons in every second one only: they are far aside.
@@ -81,13 +86,28 @@ class GoalieHead(Machine):
             return self.enter(world, self.track, None, 'the ball is {} cm away',
                               world.ball.distance)
         if not world.ball.present or self.timed_out(world, Look.BELIEVED):
-            return self.enter(world, self.search, PointScan(world), 'not where it is believed')
+            return self.enter(world, self.search, self.scan(world), 'not where it is believed')
         return self.at_ball(world)
+
+    def expect(self, world, point):
+        """The ball was kicked and should come by that point of the field."""
+        self.enter(world, self.expected, point, 'kicked to ({}, {})', *point)
+
+    def expected(self, world):
+        if seen(world, Look.LOST) and world.ball.seconds_since_seen < self.since(world):
+            return self.enter(world, self.track, None, 'the ball is {} cm away',
+                              world.ball.distance)
+        if self.timed_out(world, Look.BELIEVED):
+            return self.enter(world, self.search, PointScan(world, True), 'not where it was kicked')
+        return look_at(*from_field(world.pose, *self.skill), Watch.BALL_HEIGHT, world.stance)
 
     def search(self, world):
         if seen(world, Look.LOST):
             return self.enter(world, self.track, None, 'the ball is {} cm away',
                               world.ball.distance)
         if self.skill is None:
-            self.skill = PointScan(world)
+            self.skill = self.scan(world)
         return self.skill.head(world)
+
+    def scan(self, world):
+        return PointScan(world, self.tracked < PointScanTune.NEAR)

@@ -28,6 +28,7 @@ TURNED = 15              # frames since a large turn; before that nearer only (G
 AFTER_TURN = 0.75
 FRAME_S = 1.0 / 30.0
 
+SEEN = 6                 # frames: nobody grabs a ball that it has not just seen
 IR_NEAR = 12.0           # cm of the filtered infrared: the ball is close
 FORWARD = 8.0            # cm/s that the motion ends with (actuator/data/motions/grab.toml)
 START_S = 0.5            # for the motion to begin
@@ -96,7 +97,8 @@ class Grab(Machine):
         ball = (world.ball.relative.x, world.ball.relative.y)
         self.memory.approach_lost = 0
         vx, vy = intercept.relative_velocity(world) if intercept.rolls(world.ball) else (0.0, 0.0)
-        if can_grab(ball, (vx * FRAME_S, vy * FRAME_S), self.memory.turn_lost):
+        seen = self.memory.ball_lost < SEEN
+        if seen and can_grab(ball, (vx * FRAME_S, vy * FRAME_S), self.memory.turn_lost):
             self.quick = self.memory.ir < IR_NEAR
             self.asked_s = world.time_s
             return self.enter(world, self.grab, None, 'ball {} cm ahead, {} cm aside', ball[1],

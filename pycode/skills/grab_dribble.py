@@ -17,11 +17,15 @@ from skills.hold import FORWARD_SPEED, SIDE_SPEED, TURN_SPEED, Hold, carry
 from skills.kick import Kick
 from skills.release import Release
 
-TIME_OUT = 2.2          # s from the grab's begin; the kick's motion ends 0.5 s later (rule: 3 s)
+TIME_OUT = 2.6          # s from asking for the grab, which holds 0.4 s later; the ball is gone in 0.35
 FARTHEST = 40.0         # cm from the place of the grab (rule: 50 cm)
+SETTLE = 0.2            # s after the grab
+FEEL = 0.5              # s within which a caught ball is felt (docs/body.md: 0.22)
+STEADY = 0.17           # s without a turn before a kick: in a turn it went 6 deg aside
 TURN_GAIN = 4.0         # deg/s per deg
 LEAST_TURN = 25.0       # deg/s: the dribble walk hardly turns slower
 DELAY = 0.13            # s from a command to the body's turn
+CARRY_UNTIL = 1.8       # s: later there is no time for a way that matters
 CARRY_TO = 120.0        # cm to the goal from which carrying on helps no more
 CARRY_FROM = 200.0      # and beyond which a kick does not reach the goal anyway
 SEARCH_Y = 400.0        # cm; from here on the goal is turned for more slowly (G39)
@@ -56,7 +60,6 @@ class GrabDribble(Machine):
         self.searched = 0         # frames of the search turn
         self.search_side = 1.0
         self.over_turned = 0
-        self.choice = None
         self.lost_ball = False
 
     @property
@@ -90,7 +93,7 @@ class GrabDribble(Machine):
         self.lost_ball = True
         side = 1.0 if self.memory.spin_side < 0.0 else -1.0
         self.memory.set_hint(HINT[0], side * HINT[1] if abs(self.hold.turned) > 20.0 else 0.0)
-        self.enter(world, self.ended, None, why, *numbers)
+        return self.enter(world, self.ended, None, why, *numbers)
 
     # States
 
@@ -98,14 +101,24 @@ class GrabDribble(Machine):
         command = self.skill.command(world)
         if self.skill.done:
             self.hold = Hold(world, self.skill.asked_s)
-            self.enter(world, self.turn, None, 'the grab is over')
+            self.enter(world, self.settle, None, 'the grab is over')
         return command
+
+    def settle(self, world):
+        """Stands until the ball is felt: a ball that was not caught is not turned with, and one
+        that still moves between the paws is not kicked."""
+        held = world.motion.feeling.ball_held
+        if held and self.since(world) > SETTLE:
+            return self.enter(world, self.turn, None, 'the ball is felt')
+        if self.since(world) > FEEL:
+            return self.end(world, 'no ball is felt after the grab')
+        return carry()
 
     def turn(self, world):
         """To the gap or the goal; without either, round until it comes into view."""
-        self.choice = self.choose(world, self, False)
-        if self.choice is not None:
-            return self.fire(world, self.choice)
+        choice = self.choose(world, self, False)
+        if choice is not None:
+            return self.enter(world, self.steady, None, choice[1], *choice[2:])
         if self.at_edge(world):
             return self.enter(world, self.off_edge, None, '{} cm from the line',
                               self.line_distance(world))
@@ -122,6 +135,15 @@ class GrabDribble(Machine):
         self.memory.spin_side = 1.0 if turn >= 0.0 else -1.0
         return carry(turn=turn)
 
+    def steady(self, world):
+        """Stands still for a moment, then kicks if that is still right."""
+        if self.since(world) < STEADY:
+            return carry()
+        choice = self.choose(world, self, False)
+        if choice is None:
+            return self.enter(world, self.turn, None, 'the aim was lost in the stop')
+        return self.fire(world, choice)
+
     def search_turn(self, world):
         """Goal not seen and pose not sure: turn the shorter way by what the pose says."""
         if self.searched == 0:
@@ -132,13 +154,15 @@ class GrabDribble(Machine):
         return carry(turn=SEARCH_SHARE * speed * self.search_side)
 
     def should_carry(self, world) -> bool:
+        if self.hold.seconds(world) > CARRY_UNTIL:
+            return False
         if self.plan in ('grab_turn_kick', 'grab_turn_shoot'):
             return False
         return CARRY_TO < self.goal_distance(world) < CARRY_FROM
 
     def carry_on(self, world):
         """Ahead to the goal, kept on the gap's middle."""
-        if self.goal_distance(world) < CARRY_TO or self.aim.gap is None:
+        if self.aim.gap is None or not self.should_carry(world):
             return self.enter(world, self.turn, None, 'goal {} cm away', self.goal_distance(world))
         if world.task.dodge and in_the_way(world):
             return self.enter(world, self.dodge, Dodge(world, self.memory),
@@ -165,7 +189,6 @@ class GrabDribble(Machine):
         what, reason, *told = choice
         if why:
             reason, told = why + ': ' + reason, (*numbers, *told)
-        self.choice = choice
         if isinstance(what, int):
             self.enter(world, self.kick, Kick(world, what), reason[:80], *told[:3])
         else:

@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
 # The goalie's way to find a lost ball (thesis 2006 section 4.3.1): the head jumps between fixed
 # points, rests at each and goes round again: the beacon at the near left, the far left, the far
-# right, the near right, close before the chest. One round takes 1.3 s, a sweep of the whole range
-# 4.8 s, and it localises on the way. Keeps when it began. With a wrong pose it misses the beacons;
-# a beacon that the pose says is out of reach is replaced by where it is seen from the middle.
+# right, the near right, then low to the right, close before the chest, low to the left. One round
+# takes 1.8 s, a sweep of the whole range 4.8 s, and it localises on the way. The thesis has no
+# points low to the sides; balls beside the goalie went in unseen. Keeps when it began and with
+# which point. With a wrong pose it misses the beacons; a beacon that the pose says is out of reach
+# is replaced by where it is seen from the middle.
 import math
 
 import kelpie
@@ -13,6 +15,7 @@ from lib.landmarks import GOALS
 from lib.tune_goalie import PointScan as Tune
 
 FROM_MIDDLE = (60.0, 27.0, -27.0, -60.0)  # deg, the beacons of 2006 from the middle of the goal
+LOW = (-MAX_PAN, 0.0, MAX_PAN)            # deg, the points after them
 
 
 def beacons(field):
@@ -28,29 +31,43 @@ def beacons(field):
 class PointScan:
     NAME = 'point_scan'
 
-    def __init__(self, world):
+    def __init__(self, world, near=False):
+        """`near`: the ball was lost close by, so the low points come first."""
         self.start_s = world.time_s
-        self.points = beacons(world.field)
-        self.at = 0   # the point looked at
+        self.beacons = beacons(world.field)
+        self.times = (Tune.BEACON,) * len(self.beacons) + Tune.LOW
+        self.first = len(self.beacons) + 1 if near else 0
+        self.at = self.first   # the point looked at
 
     def period(self) -> float:
         """Seconds of one round."""
-        return len(self.points) * Tune.BEACON + Tune.FRONT
+        return sum(self.times)
 
     def rounds(self, world) -> int:
         """That came to an end."""
         return int((world.time_s - self.start_s) / self.period())
 
     def head(self, world) -> kelpie.HeadRequest:
-        passed = math.fmod(world.time_s - self.start_s, self.period())
-        self.at = min(int(passed / Tune.BEACON), len(self.points))
-        if self.at == len(self.points):
-            return look_at(0.0, Tune.FRONT_AT, 0.0, world.stance)
-        aside = heading(*from_field(world.pose, *self.points[self.at]))
+        self.at = self.point(world.time_s - self.start_s)
+        low = self.at - len(self.beacons)
+        if low >= 0:
+            aside = math.radians(LOW[low])
+            return look_at(-Tune.LOW_AT * math.sin(aside), Tune.LOW_AT * math.cos(aside), 0.0,
+                           world.stance)
+        aside = heading(*from_field(world.pose, *self.beacons[self.at]))
         pan = aside if abs(aside) < MAX_PAN else FROM_MIDDLE[self.at]
         return view(pan, Tune.DOWN, world.stance)
 
+    def point(self, passed) -> int:
+        """The one that is looked at so many seconds after the scan's beginning."""
+        passed = math.fmod(passed + sum(self.times[:self.first]), self.period())
+        at = 0
+        while at < len(self.times) - 1 and passed >= self.times[at]:
+            passed -= self.times[at]
+            at += 1
+        return at
+
     def explain(self, trace) -> None:
-        branch = 'front' if self.at == len(self.points) else 'beacon'
+        branch = 'low' if self.at >= len(self.beacons) else 'beacon'
         trace.append((kelpie.LAYER_SKILL, self.NAME, branch, 'point {} of {} of a round',
-                      self.at + 1, len(self.points) + 1))
+                      self.at + 1, len(self.times)))

@@ -3,7 +3,7 @@
 # 2006 section 6.2.2, algorithm 6.2). Keeps the side it was begun to and how far it turned by
 # odometry. It sees nothing under the chin: the chain steps back first.
 import kelpie
-from lib.lost_ball import spin_head, spin_speed
+from lib.lost_ball import MAX_PAN, spin_head, spin_speed
 from skills.scan_for_ball import head_params
 
 
@@ -12,8 +12,11 @@ class SpinForBall:
         self.side = side
         self.turned = 0.0  # deg
 
-    def command(self, world, distance) -> kelpie.Command:
-        """`distance`: cm to where the ball is believed, infinite without such a belief."""
+    def command(self, world, distance, unseen=0.0) -> kelpie.Command:
+        """`distance`: cm to where the ball is believed, infinite without such a belief. `unseen`:
+        deg of turning to the next direction that was not looked at; the head goes on to there."""
         self.turned += abs(world.odometry.turn_deg)
-        return kelpie.Command(head=head_params(*spin_head(distance, self.side)),
+        pan, tilt, crane = spin_head(distance, self.side)
+        pan = self.side * max(abs(pan), min(unseen, MAX_PAN))
+        return kelpie.Command(head=head_params(pan, tilt, crane),
                               walk=kelpie.WalkRequest(turn_deg=spin_speed(distance, self.side)))

@@ -9,6 +9,7 @@ import math
 import random
 
 import kelpie
+from lib import kick_table
 
 FRAME_S = 1.0 / 30.0
 LATE = 3            # frames from a command to the legs
@@ -18,14 +19,7 @@ DRAG, BRAKE = 0.76, 6.0
 BLOCKS = {kelpie.BLOCK: (21.4, 21.4, 0.12, 1.0, 1.7),
           kelpie.BLOCK_LEFT: (31.8, 12.7, 0.22, 0.95, 1.6),
           kelpie.BLOCK_RIGHT: (12.7, 31.8, 0.22, 0.95, 1.6)}
-# Motion: the ball's place ahead and to the left, how far it goes and in which direction.
-KICKS = {kelpie.KICK_FORWARD: (14.0, 0.0, 135.0, 0.0),
-         kelpie.UPENN_LEFT: (12.0, -6.0, 206.0, 42.0),
-         kelpie.UPENN_RIGHT: (12.0, 6.0, 206.0, -42.0),
-         kelpie.HEAD_SWIPE_LEFT: (13.0, -3.0, 198.0, 37.0),
-         kelpie.HEAD_SWIPE_RIGHT: (13.0, 3.0, 198.0, -37.0)}
 KICK_S = 0.7
-REACH = 2.5         # cm that a ball may lie off a kick's place
 
 
 def speed_to_go(distance):
@@ -49,7 +43,7 @@ class GoalieWorld:
         self.world = kelpie.WorldFrame(field=self.field)
         self.world.stance.body_tilt_deg = 14.25
         self.commands, self.balls = [], []
-        self.running, self.ran_s, self.kicked = kelpie.NO_MOTION, 0.0, False
+        self.running, self.ran_s, self.kicks = kelpie.NO_MOTION, 0.0, 0
         self.conceded = self.own_goal = False
         self.outside = self.frames = 0
         self.cleared = None   # the direction of the last kick that met the ball, deg
@@ -115,6 +109,7 @@ class GoalieWorld:
         late = self.commands[-LATE] if len(self.commands) >= LATE else kelpie.Command()
         self.move_head(command.head)
         self.motion(late.motion)
+        self.world.odometry = kelpie.Odometry()
         if self.running == kelpie.NO_MOTION:
             self.walk(late.walk)
         self.roll()
@@ -134,17 +129,22 @@ class GoalieWorld:
             length = BLOCKS[self.running][4] if self.running in BLOCKS else KICK_S
             if self.ran_s > length:
                 self.running = kelpie.NO_MOTION
-        elif wanted in BLOCKS or wanted in KICKS:
+        elif wanted in BLOCKS or wanted in kick_table.kicks(False):
             self.running, self.ran_s = wanted, 0.0
-            if wanted in KICKS:
-                self.kick(*KICKS[wanted])
+            if wanted not in BLOCKS:
+                self.kick(wanted)
 
-    def kick(self, ahead, left, distance, direction):
-        x, y = self.in_robot(self.ball)
-        if abs(x - left) < REACH and abs(y - ahead) < REACH:
-            towards = self.facing * cmath.rect(1.0, math.radians(direction))
-            self.velocity = speed_to_go(distance) * towards
-            self.cleared = math.degrees(cmath.phase(towards))
+    def kick(self, which):
+        left, ahead = self.in_robot(self.ball)
+        outcome = kick_table.outcome(which, -left, ahead)
+        self.kicks += 1
+        if outcome is None or self.chance.random() > outcome[0]:
+            return
+        _, direction, sd, distance, far_sd = outcome
+        angle = math.radians(self.chance.gauss(direction, sd))
+        towards = self.facing * cmath.rect(1.0, angle)
+        self.velocity = speed_to_go(max(10.0, self.chance.gauss(distance, far_sd))) * towards
+        self.cleared = math.degrees(cmath.phase(towards))
 
     def walk(self, request):
         step = complex(max(-37.0, min(36.0, request.forward)),
@@ -152,6 +152,9 @@ class GoalieWorld:
         turn = math.radians(max(-214.0, min(214.0, request.turn_deg))) * FRAME_S
         self.at += step * self.facing
         self.facing *= cmath.rect(1.0, turn)
+        odometry = self.world.odometry
+        odometry.forward, odometry.left = step.real, step.imag
+        odometry.turn_deg = math.degrees(turn)
 
     # What the goalie is told
 

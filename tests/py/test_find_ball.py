@@ -5,6 +5,8 @@ import math
 import kelpie
 import pytest
 from lib import hints
+from lib.doubt import Doubt
+from lib.explored import Explored
 from lib.lost_ball import (CHAIN, SPIN_TURN, Situation, first_step, scan_half_width, scan_limits,
                            spin_head, spin_speed, use_back_off, use_belief, use_forced, use_hint,
                            use_infrared, use_last_seen, use_scan, use_spin)
@@ -59,7 +61,8 @@ def test_every_reason_fits_a_trace():
     (use_back_off, dict(distance=39.9, believed=True, backed=45), False),
     (use_scan, dict(scanned=29), True), (use_scan, dict(scanned=30), False),
     (use_scan, dict(scanned=0, reach=0.0), False),
-    (use_spin, dict(turned=359.9), True), (use_spin, dict(turned=360.0), False)])
+    (use_spin, dict(turned=359.9), True), (use_spin, dict(turned=360.0), False),
+    (use_spin, dict(turned=0.0, unseen=1), True), (use_spin, dict(turned=0.0, unseen=0), False)])
 def test_boundaries(use, facts, holds):
     assert use(Situation(**facts)) is holds
 
@@ -119,6 +122,7 @@ class Search:
         self.world = kelpie.WorldFrame(field=kelpie.FIELDS['2006'])
         self.world.pose.position.x, self.world.pose.position.y = 180.0, 100.0
         self.world.pose.heading_deg = 90.0
+        self.world.head.head_nod_deg = 45.0  # looks up: no image refutes a belief
         self.believe(place)
         self.memory = Memory()
         self.skill = FindBall(self.world, self.memory)
@@ -255,6 +259,70 @@ def test_a_ball_seen_again_starts_the_search_anew():
     assert search.step == 'spin'
 
 
+def test_a_belief_that_five_images_refute_is_a_belief_no_longer():
+    search = Search(lost=5)
+    search.world.head.head_nod_deg = 0.0
+    steps = []
+    for _ in range(6):
+        search.next()
+        steps.append(search.step)
+    assert steps == ['belief'] * 4 + ['scan'] * 2
+    search.next(seen=True)
+    assert not search.skill.doubt.refuted
+
+
+@pytest.mark.parametrize('place, robot, refuted', [
+    ((0.0, 100.0), None, True), ((0.0, 24.0), None, False), ((0.0, 230.0), None, False),
+    ((60.0, 100.0), None, False), ((0.0, 100.0), (60.0, 10.0), False),
+    ((0.0, 100.0), (160.0, 10.0), True), ((0.0, 100.0), (60.0, 20.0), True)])
+def test_only_a_place_that_is_in_sight_can_be_refuted(place, robot, refuted):
+    search, doubt = Search(place=place), Doubt()
+    search.world.head.head_nod_deg, search.world.percepts.ball.present = 0.0, False
+    if robot is not None:
+        search.world.percepts.robots = [kelpie.RobotPercept(distance=robot[0],
+                                                            heading_deg=robot[1])]
+    for _ in range(5):
+        doubt.update(search.world)
+    assert doubt.refuted is refuted
+
+
+def test_without_a_belief_the_scan_goes_to_the_other_side_first_and_turns_with_the_second_sweep():
+    search = Search(lost=30, place=None)
+    for _ in range(3):
+        command = search.next()
+        assert command.head.head_pan_deg == -88.0 and command.walk.turn_deg == 0.0
+    search.world.head.head_pan_deg = -85.0
+    command = search.next()
+    assert search.step == 'scan'
+    assert command.head.head_pan_deg == 88.0 and command.walk.turn_deg == 55.0
+
+
+def test_a_spin_ends_when_all_around_was_looked_at():
+    search, turned = Search(lost=100, place=None), 0.0
+    for _ in range(500):
+        command = search.next()
+        follow(search.world, command.head)
+        search.world.odometry.turn_deg = command.walk.turn_deg / 30.0
+        turned += search.world.odometry.turn_deg
+        if search.step == 'roam':
+            break
+    assert search.step == 'roam' and 100.0 < turned < 200.0  # the head reaches 220 deg alone
+
+
+def test_what_was_looked_at_is_counted_in_sectors_and_turns_with_the_body():
+    explored, world = Explored(), kelpie.WorldFrame()
+    explored.update(world)
+    assert explored.unseen == 31  # within 22 deg: -20 to 20
+    assert explored.next_unseen(1.0) == 30.0 and explored.next_unseen(-1.0) == 30.0
+    world.odometry.turn_deg = 20.0
+    explored.update(world)
+    assert explored.unseen == 29 and explored.next_unseen(-1.0) == 50.0
+    world.odometry.turn_deg = 10.0
+    for _ in range(36):
+        explored.update(world)
+    assert explored.unseen == 0 and explored.next_unseen(1.0) == 360.0
+
+
 def test_plain_spinning_turns_from_the_first_frame_on():
     search = Search(place=(-50.0, 0.0))
     search.world.task.search = kelpie.SEARCH_BY_SPIN
@@ -284,15 +352,20 @@ def test_a_search_without_a_memory_keeps_its_own():
 # The scan's head
 
 
+def follow(world, head):
+    """One frame of an ideal head."""
+    step = (head.speed_deg or 360.0) / FRAMES_PER_S
+    away = head.head_pan_deg - world.head.head_pan_deg
+    world.head.head_pan_deg += max(-step, min(step, away))
+
+
 def swept(scan, seconds, limits):
     """Pans and pitches of an ideal head that follows a scan."""
     world, pans, pitches = kelpie.WorldFrame(), [], []
     for _ in range(round(seconds * FRAMES_PER_S)):
         world.time_s += 1.0 / FRAMES_PER_S
         head = scan.head(world, *limits)
-        step = head.speed_deg / FRAMES_PER_S
-        away = head.head_pan_deg - world.head.head_pan_deg
-        world.head.head_pan_deg += max(-step, min(step, away))
+        follow(world, head)
         pans.append(world.head.head_pan_deg)
         pitches.append(head.neck_tilt_deg + head.head_nod_deg)
     return pans, pitches

@@ -10,7 +10,7 @@ from lib.tune_goalie import Block
 from players.goalie import Goalie
 
 
-def state(world, frames=Block.FRAMES):
+def state(world, frames=Block.SEEN_FRAMES + Block.FRAMES - 1):
     """What the goalie does after so many frames of a scene that does not change."""
     player = Goalie()
     for _ in range(frames):
@@ -106,8 +106,12 @@ def test_goalie_never_leaves_its_box():
         assert world.outside == 0
 
 
-def test_of_a_hundred_shots_few_go_in():
-    saved = [not shot(Goalie().command, seed).conceded for seed in range(100)]
+@pytest.mark.parametrize('rule', [places.bisector_place, places.ellipse_place,
+                                  places.circle_place])
+def test_of_a_hundred_shots_few_go_in_wherever_the_goalie_stands(rule):
+    """The rules of both theses in the same scenes (checklist K10): from 60 to 160 cm they do not
+    differ by more than chance; nearer, 34, 36 and 37 of 100 go in."""
+    saved = [not shot(Goalie(rule).command, seed).conceded for seed in range(100)]
     assert sum(saved) >= 80
 
 

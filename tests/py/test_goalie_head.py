@@ -35,15 +35,22 @@ def scanned(scan, world, seconds):
     return looks
 
 
-def test_all_four_beacons_and_the_front_are_seen_in_each_round():
+def test_all_four_beacons_the_front_and_both_sides_are_seen_in_each_round():
     world = world_at()
     scan = PointScan(world)
-    looks = scanned(scan, world, scan.period())
-    for x, y in beacons(world.field):
-        aside = math.degrees(math.atan2(180.0 - x, y - 20.0))
-        assert sum(abs(pan - aside) < 5.0 for pan, _ in looks) >= 2
-    assert sum(tilt < -20.0 for _, tilt in looks) >= 3
-    assert scan.rounds(world) == 1
+    for _ in range(2):
+        looks = scanned(scan, world, scan.period())
+        for x, y in beacons(world.field):
+            aside = math.degrees(math.atan2(180.0 - x, y - 20.0))
+            assert sum(abs(pan - aside) < 5.0 for pan, _ in looks) >= 1
+        for aside in (-80, 0, 80):
+            assert sum(tilt < -15.0 and abs(pan - aside) < 10.0 for pan, tilt in looks) >= 2
+
+
+def test_a_ball_lost_close_by_is_first_looked_for_at_the_feet():
+    world = world_at()
+    assert abs(PointScan(world, near=True).head(world).head_pan_deg) < 1.0
+    assert PointScan(world, near=False).head(world).head_pan_deg > 50.0
 
 
 def test_point_scan_with_a_wrong_heading_looks_ahead_all_the_same():

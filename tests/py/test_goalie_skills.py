@@ -4,9 +4,9 @@ import math
 import kelpie
 import pytest
 from goalie_world import GoalieWorld, run, world_at
+from lib import kick_table
 from lib.tune_goalie import Guard, GuardEllipse
 from skills.attack_ball import AttackBall, Stand, past_ball
-from skills.clear_ball import KICKS
 from skills.guard_goal import GuardGoal, walk_towards
 
 
@@ -47,13 +47,15 @@ def test_way_to_a_place_is_straight_whatever_the_heading(heading):
 # Attacking
 
 def test_from_its_stand_the_ball_lies_where_the_kick_needs_it():
-    for kick in KICKS:
+    for kick in kick_table.kicks(False):
         stand = Stand((170.0, 50.0), kick, 120.0)
         angle = math.radians(stand.heading)
         dx, dy = 170.0 - stand.x, 50.0 - stand.y
-        assert dx * math.cos(angle) + dy * math.sin(angle) == pytest.approx(kick.ahead)
-        assert dx * math.sin(angle) - dy * math.cos(angle) == pytest.approx(kick.right)
-        assert stand.heading + kick.direction == pytest.approx(120.0)
+        right, ahead = kick_table.best_place(kick)
+        assert dx * math.cos(angle) + dy * math.sin(angle) == pytest.approx(ahead)
+        assert dx * math.sin(angle) - dy * math.cos(angle) == pytest.approx(right)
+        aside = kick_table.outcome(kick, right, ahead)[1]
+        assert stand.heading + aside == pytest.approx(120.0)
 
 
 def test_a_ball_far_from_the_box_has_no_stand():
@@ -87,12 +89,16 @@ def test_a_direction_in_which_an_opponent_stands_is_avoided():
     assert abs(other.stand.direction - attack.stand.direction) > 25
 
 
-def test_kicks_of_an_attack_go_up_field_in_a_plane_world():
-    scene, attack = GoalieWorld(), AttackBall()
-    scene.ball = 165 + 55j
-    def decide(world):
-        return kelpie.Command(walk=attack.walk(world)) if attack.can(world) else kelpie.Command()
-    run(scene, decide, 5.0)
-    left, ahead = scene.in_robot(scene.ball)
-    assert abs(ahead - attack.stand.kick.ahead) < 1.8
-    assert abs(-left - attack.stand.kick.right) < 2.0
+def walk_to_kick(attack, world):
+    walks = attack.can(world)
+    return kelpie.Command(walk=attack.walk(world) if walks else kelpie.WalkRequest())
+
+
+def test_an_attack_comes_to_where_its_kick_needs_the_ball():
+    for ball in (165 + 55j, 180 + 62j, 215 + 50j, 135 + 40j):
+        scene, attack = GoalieWorld(), AttackBall()
+        scene.ball = ball
+        run(scene, lambda world: walk_to_kick(attack, world), 5.0)
+        left, ahead = scene.in_robot(scene.ball)
+        assert ahead == pytest.approx(attack.stand.far, abs=2.0)
+        assert -left == pytest.approx(attack.stand.right, abs=2.0)
