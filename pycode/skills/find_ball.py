@@ -28,6 +28,7 @@ BACK_SPEED = -50.0     # cm/s, of the walk back (docs/body.md)
 NEAR = 25.0            # cm; nearer to the belief the robot would push the ball
 INFRARED_HEAD = (0.0, -10.0, -20.0)  # pan, tilt, crane
 BREAK_PAN = 30.0       # deg back against a spin that went past the ball (G36)
+ONE_SIDE = 8.0         # deg
 SPIN_BREAK = 15        # frames for which a spin is recent (facts-2005 section 7.2)
 
 
@@ -40,10 +41,12 @@ def remembered(world) -> Memory:
 
 
 def side_of(world, before) -> float:
-    """The side on which the ball is believed, +1 left; as before when nobody knows."""
-    if not world.ball.present:
+    """The side on which the ball is believed, +1 left; as before when nobody knows, or when it is
+    straight ahead and noise would decide."""
+    aside = world.ball.heading_deg
+    if not world.ball.present or abs(aside) < ONE_SIDE:
         return before
-    return 1.0 if world.ball.heading_deg >= 0.0 else -1.0
+    return 1.0 if aside > 0.0 else -1.0
 
 
 def ball_sd(covariance) -> float:
@@ -66,7 +69,9 @@ class FindBall(Machine):
         self.hint_point = None         # of the robot frame
         self.still = None              # head joints while it does not move
         self.side = side_of(world, 1.0)
-        self.doubt = Doubt()
+        # Whoever lost it has looked for it where it is believed since it was seen last.
+        self.doubt = Doubt(max(0, self.memory.ball_lost - lost_ball.LAST_SEEN_FRAMES))
+        self.hint_doubt = Doubt()
         self.roaming = Roam(world)
         self.restart()
 
@@ -96,7 +101,8 @@ class FindBall(Machine):
         """Takes one frame's odometry and percepts."""
         if self.own_memory:
             self.memory.update(world)
-        self.side = side_of(world, self.side)
+        if self.believes(world):
+            self.side = side_of(world, self.side)
         if self.forced_point is not None:
             self.forced_point = moved(*self.forced_point, world.odometry)
         if self.hint_point is not None:
@@ -104,7 +110,9 @@ class FindBall(Machine):
         hint = self.memory.hint
         if hint is not None and hint[2] != self.hint_frame:
             self.hint_point, self.hint_frame = polar(hint[0], hint[1]), hint[2]
-        self.doubt.update(world)
+            self.hint_doubt = Doubt()
+        self.doubt.update(world, believed(world) if world.ball.present else None)
+        self.hint_doubt.update(world, self.hint_point)
         if self.memory.ball_lost == 0:
             self.restart()
         self.explored.update(world)
@@ -115,7 +123,8 @@ class FindBall(Machine):
         known = self.forced_point is not None or world.ball.present
         return Situation(frame=memory.frame, lost=memory.ball_lost,
                          force_until=self.force_until if known else -1,
-                         hint_frame=self.hint_frame, ir=memory.ir, close_lost=memory.close_lost,
+                         hint_frame=None if self.hint_doubt.refuted else self.hint_frame,
+                         ir=memory.ir, close_lost=memory.close_lost,
                          blocking=world.motion.running in lost_ball.BLOCKS,
                          believed=self.believes(world), distance=self.away(world),
                          backed=self.backed, scanned=self.scanned, reach=high - low,
@@ -185,8 +194,12 @@ class FindBall(Machine):
         if self.scanned == 0:
             self.scan_head = ScanForBall(self.side if believes else -self.side)
         self.scanned += 1
-        head = self.scan_head.head(world, *self.limits(world))
-        turns = not believes and self.scan_head.side == self.side
+        if believes:
+            return kelpie.Command(head=self.scan_head.head(world, *self.limits(world)))
+        head = self.scan_head.level_head(world)
+        if self.scan_head.rows == 2:
+            self.scanned = lost_ball.SCAN_FRAMES  # both sides were shown
+        turns = self.scan_head.side == self.side
         turn = lost_ball.spin_speed(math.inf, self.side) if turns else 0.0
         return kelpie.Command(head=head, walk=kelpie.WalkRequest(turn_deg=turn))
 
@@ -200,8 +213,6 @@ class FindBall(Machine):
         return self.spinning.command(world, self.away(world), unseen)
 
     def roam(self, world) -> kelpie.Command:
-        if self.roaming.done(world):
-            self.restart()
         return self.roaming.command(world)
 
     def go_and_look(self, point: Point) -> kelpie.Command:

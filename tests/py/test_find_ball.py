@@ -12,7 +12,7 @@ from lib.lost_ball import (CHAIN, SPIN_TURN, Situation, first_step, scan_half_wi
                            use_infrared, use_last_seen, use_scan, use_spin)
 from lib.memory import Memory
 from skills.find_ball import FindBall, ball_sd
-from skills.scan_for_ball import FRAMES_PER_S, ScanForBall, head_params
+from skills.scan_for_ball import FRAMES_PER_S, LATE_FRAMES, ScanForBall, head_params
 
 ALL_HOLD = dict(frame=100, lost=3, force_until=110, hint_frame=95, ir=8.0, close_lost=10,
                 believed=True, distance=20.0)
@@ -158,8 +158,7 @@ def test_a_lost_ball_is_looked_for_by_one_step_after_the_other():
         search.world.odometry.turn_deg = command.walk.turn_deg / 30.0
         if not steps or steps[-1][0] != search.step:
             steps.append((search.step, frame + 1))
-    assert [step for step, _ in steps[:6]] == ['last_seen', 'belief', 'scan', 'spin', 'roam',
-                                               'scan']
+    assert [step for step, _ in steps] == ['last_seen', 'belief', 'scan', 'spin', 'roam']
     # Unseen frames: 4 that wait, the belief to the 25th, the scan from the 26th for 30.
     assert [frame for _, frame in steps[:4]] == [1, 5, 26, 56]
 
@@ -260,19 +259,37 @@ def test_a_ball_seen_again_starts_the_search_anew():
 
 
 def test_a_belief_that_five_images_refute_is_a_belief_no_longer():
-    search = Search(lost=5)
+    search = Search()
     search.world.head.head_nod_deg = 0.0
     steps = []
     for _ in range(6):
         search.next()
         steps.append(search.step)
-    assert steps == ['belief'] * 4 + ['scan'] * 2
+    assert steps == ['last_seen'] * 4 + ['scan'] * 2
     search.next(seen=True)
     assert not search.skill.doubt.refuted
 
 
+def test_whoever_lost_the_ball_has_looked_for_it_there_since():
+    search = Search(lost=8)
+    search.world.head.head_nod_deg = 0.0
+    search.next()
+    assert search.step == 'scan'
+
+
+def test_a_hint_that_five_images_refute_is_followed_no_longer():
+    search = Search(lost=30)
+    search.world.head.head_nod_deg = -25.0
+    search.memory.set_hint(30.0, 0.0)
+    steps = []
+    for _ in range(6):
+        search.next()
+        steps.append(search.step)
+    assert steps == ['hint'] * 4 + ['scan'] * 2
+
+
 @pytest.mark.parametrize('place, robot, refuted', [
-    ((0.0, 100.0), None, True), ((0.0, 24.0), None, False), ((0.0, 230.0), None, False),
+    ((0.0, 100.0), None, True), ((0.0, 21.0), None, False), ((0.0, 230.0), None, False),
     ((60.0, 100.0), None, False), ((0.0, 100.0), (60.0, 10.0), False),
     ((0.0, 100.0), (160.0, 10.0), True), ((0.0, 100.0), (60.0, 20.0), True)])
 def test_only_a_place_that_is_in_sight_can_be_refuted(place, robot, refuted):
@@ -282,26 +299,35 @@ def test_only_a_place_that_is_in_sight_can_be_refuted(place, robot, refuted):
         search.world.percepts.robots = [kelpie.RobotPercept(distance=robot[0],
                                                             heading_deg=robot[1])]
     for _ in range(5):
-        doubt.update(search.world)
+        doubt.update(search.world, place)
     assert doubt.refuted is refuted
 
 
 def test_without_a_belief_the_scan_goes_to_the_other_side_first_and_turns_with_the_second_sweep():
     search = Search(lost=30, place=None)
-    for _ in range(3):
+    for frame in range(4):
         command = search.next()
-        assert command.head.head_pan_deg == -88.0 and command.walk.turn_deg == 0.0
-    search.world.head.head_pan_deg = -85.0
+        head = command.head
+        assert command.walk.turn_deg == 0.0
+        if frame < 3:  # past the feet
+            assert (head.head_pan_deg, head.neck_tilt_deg) == (-88.0, -30.0)
+    assert head.aim == kelpie.AIM_DIRECTION
+    assert (head.direction_deg, head.elevation_deg) == (-88.0, -20.0)
+    search.world.head.head_pan_deg = -50.0  # four frames later it will be there
     command = search.next()
-    assert search.step == 'scan'
-    assert command.head.head_pan_deg == 88.0 and command.walk.turn_deg == 55.0
+    assert (command.head.direction_deg, command.walk.turn_deg) == (88.0, 55.0)
+    search.world.head.head_pan_deg = 50.0
+    search.next()
+    search.next()
+    assert search.step == 'spin'  # both sides were shown
 
 
 def test_a_spin_ends_when_all_around_was_looked_at():
     search, turned = Search(lost=100, place=None), 0.0
+    late_head = LateHead(search.world)
     for _ in range(500):
         command = search.next()
-        follow(search.world, command.head)
+        late_head.follow(command.head)
         search.world.odometry.turn_deg = command.walk.turn_deg / 30.0
         turned += search.world.odometry.turn_deg
         if search.step == 'roam':
@@ -352,20 +378,30 @@ def test_a_search_without_a_memory_keeps_its_own():
 # The scan's head
 
 
-def follow(world, head):
-    """One frame of an ideal head."""
-    step = (head.speed_deg or 360.0) / FRAMES_PER_S
-    away = head.head_pan_deg - world.head.head_pan_deg
-    world.head.head_pan_deg += max(-step, min(step, away))
+class LateHead:
+    """A head whose pan follows what was asked for LATE_FRAMES ago, as fast as was asked."""
+
+    def __init__(self, world):
+        self.world, self.asked = world, []
+
+    def follow(self, head):
+        self.asked.append(head)
+        if len(self.asked) > LATE_FRAMES:
+            head = self.asked[-1 - LATE_FRAMES]
+            step = (head.speed_deg or 360.0) / FRAMES_PER_S
+            pan = head.direction_deg if head.aim == kelpie.AIM_DIRECTION else head.head_pan_deg
+            away = pan - self.world.head.head_pan_deg
+            self.world.head.head_pan_deg += max(-step, min(step, away))
 
 
 def swept(scan, seconds, limits):
-    """Pans and pitches of an ideal head that follows a scan."""
+    """Pans of a head that follows a scan, and the pitches asked for."""
     world, pans, pitches = kelpie.WorldFrame(), [], []
+    late_head = LateHead(world)
     for _ in range(round(seconds * FRAMES_PER_S)):
         world.time_s += 1.0 / FRAMES_PER_S
         head = scan.head(world, *limits)
-        follow(world, head)
+        late_head.follow(head)
         pans.append(world.head.head_pan_deg)
         pitches.append(head.neck_tilt_deg + head.head_nod_deg)
     return pans, pitches
