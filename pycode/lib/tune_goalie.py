@@ -16,8 +16,9 @@ class Guard:
     TURN_GAIN = 3.0          # deg/s per deg
     LAZY, ACCURATE = 8.0, 3.0          # cm; of the goalie of 2006, after facts-2005 7.2 and K10
     LAZY_TURN, ACCURATE_TURN = 14.0, 5.0
-    UNSEEN = 1.0             # s; stand still that long for an unseen ball, then to the middle,
-    LOST = 4.0               # and to the line: the head sees 26 deg past the sides
+    FRESH = 0.4              # s; for a ball unseen for longer the goalie stands still,
+    UNSEEN = 1.2             # then goes to the middle,
+    LOST = 4.0               # then to the line: the head sees 26 deg past the sides
 
 
 class GuardEllipse:
@@ -89,8 +90,11 @@ class Facing:
     RIGHT = 50.0
     OWN_GOAL = 35.0          # deg; the own goal seen that near to straight ahead ...
     OWN_FRAMES = 5           # ... so often says that the pose is wrong
-    AGAINST_POSE = 150.0     # deg of a turn while the pose says that all is well
-    NOTHING = 8.0            # s without ball and landmarks
+    AGAINST_POSE = 270.0     # deg of a turn while the pose says that all is well
+    NOTHING = 8.0            # s without a landmark; a scrum in which none was seen for 15 s pushed
+                             # the goalie round, and a pose sure to 7 cm was 200 cm off
+    OFF_BOX = 50.0           # cm
+    PAN, DOWN = 20.0, 6.0    # deg of the view while turning
     TURN = 120.0             # deg/s
     TIME = 5.0               # s of turning, and then of not turning
 
@@ -112,7 +116,7 @@ class Look:
 
 class PointScan:
     BEACON = 0.22            # s; the head pans 33 deg in 0.1 s, then three images
-    LOW = 0.22, 0.36, 0.36   # to the right it is 28 deg, then 88 to the front, and to the left
+    LOW = 0.26               # 44 deg
     DOWN = 12.0              # deg below the horizontal at the beacons: a ball from 30 cm on shows
     LOW_AT = 28.0            # cm; a ball from 12 to 130 cm shows
     NEAR = 60.0              # cm; a ball lost nearer is first looked for low

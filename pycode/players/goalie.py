@@ -34,6 +34,7 @@ class Goalie(Machine):
         self.facing = FaceUpField()
         self.get_up = GetUp()
         self.cleared_to = None  # the point of the field that the last clearance was to pass
+        self.moved_s = 0.0  # when the last motion ended
         self.rest_s = 0.0   # no attack before, after one that came to nothing
 
     def command(self, world) -> kelpie.Command:
@@ -137,7 +138,7 @@ class Goalie(Machine):
     # States
 
     def turn(self, world) -> kelpie.Command:
-        return kelpie.Command(walk=self.skill.walk(world), head=self.eyes.head(world, False))
+        return kelpie.Command(walk=self.skill.walk(world), head=self.skill.head(world))
 
     def block(self, world):
         return self.perform(world)
@@ -151,6 +152,8 @@ class Goalie(Machine):
     def perform(self, world):
         motion = self.skill.motion(world)
         if self.skill.done(world):
+            self.moved_s = world.time_s
+            self.eyes.look_again(world)
             return self.enter(world, self.guard, GuardGoal(Guard), 'the motion has ended')
         return kelpie.Command(motion=motion, head=self.eyes.head(world, False))
 
@@ -173,13 +176,20 @@ class Goalie(Machine):
         walk = self.skill.walk(world, place) if place is not None else kelpie.WalkRequest()
         return kelpie.Command(walk=walk, head=self.eyes.head(world, True))
 
+    def lost_for(self, world) -> float:
+        """Seconds in which the head looked for the ball; a motion takes the head along."""
+        if not world.ball.present:
+            return world.time_s - self.moved_s
+        return min(world.ball.seconds_since_seen, world.time_s - self.moved_s)
+
     def place(self, world):
         """Where to guard: by the ball; nowhere else while it is looked for at first; then in the
         middle, and at last so near to the line that no ball can lie behind the robot unseen."""
-        if not seen(world, Guard.LOST):
+        lost = self.lost_for(world)
+        if lost > Guard.LOST:
             return central_place(world.field, LEAST_Y)
-        if not seen(world, Guard.UNSEEN):
+        if lost > Guard.UNSEEN:
             return central_place(world.field)
-        if not seen(world):
+        if lost > Guard.FRESH:
             return None
         return self.rule(world.field, (world.ball.position.x, world.ball.position.y))

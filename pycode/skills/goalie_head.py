@@ -10,7 +10,7 @@ from lib.landmarks import GOALIE_PAN, choose_landmark, look_at_landmark
 from lib.machine import Machine
 from lib.tune import Watch
 from lib.tune_goalie import Look
-from lib.tune_goalie import PointScan as PointScanTune
+from lib.tune_goalie import PointScan as ScanTune
 from skills.point_scan import PointScan
 
 
@@ -89,6 +89,11 @@ class GoalieHead(Machine):
             return self.enter(world, self.search, self.scan(world), 'not where it is believed')
         return self.at_ball(world)
 
+    def look_again(self, world):
+        """After a motion, which had the head: where the ball is believed, then all over."""
+        if self.state == self.search:
+            self.enter(world, self.believed, None, 'a motion has ended')
+
     def expect(self, world, point):
         """The ball was kicked and should come by that point of the field."""
         self.enter(world, self.expected, point, 'kicked to ({}, {})', *point)
@@ -98,7 +103,7 @@ class GoalieHead(Machine):
             return self.enter(world, self.track, None, 'the ball is {} cm away',
                               world.ball.distance)
         if self.timed_out(world, Look.BELIEVED):
-            return self.enter(world, self.search, PointScan(world, True), 'not where it was kicked')
+            return self.enter(world, self.search, PointScan(world, 0.0), 'not where it was kicked')
         return look_at(*from_field(world.pose, *self.skill), Watch.BALL_HEIGHT, world.stance)
 
     def search(self, world):
@@ -110,4 +115,6 @@ class GoalieHead(Machine):
         return self.skill.head(world)
 
     def scan(self, world):
-        return PointScan(world, self.tracked < PointScanTune.NEAR)
+        """Beginning where the ball is believed, if it was lost close by."""
+        ball = world.ball
+        return PointScan(world, ball.heading_deg if self.tracked < ScanTune.NEAR else None)

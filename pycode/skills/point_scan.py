@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 # The goalie's way to find a lost ball (thesis 2006 section 4.3.1): the head jumps between fixed
 # points, rests at each and goes round again: the beacon at the near left, the far left, the far
-# right, the near right, then low to the right, close before the chest, low to the left. One round
-# takes 1.8 s, a sweep of the whole range 4.8 s, and it localises on the way. The thesis has no
-# points low to the sides; balls beside the goalie went in unseen. Keeps when it began and with
+# right, the near right, then five points low from right to left. One round takes 2.2 s, a sweep of the whole range 4.8 s, and it localises on the way. The thesis has one
+# low point, before the chest; balls beside the goalie went in unseen. Keeps when it began and with
 # which point. With a wrong pose it misses the beacons; a beacon that the pose says is out of reach
 # is replaced by where it is seen from the middle.
 import math
@@ -15,7 +14,7 @@ from lib.landmarks import GOALS
 from lib.tune_goalie import PointScan as Tune
 
 FROM_MIDDLE = (60.0, 27.0, -27.0, -60.0)  # deg, the beacons of 2006 from the middle of the goal
-LOW = (-MAX_PAN, 0.0, MAX_PAN)            # deg, the points after them
+LOW = (-88.0, -44.0, 0.0, 44.0, 88.0)     # deg, the points after them
 
 
 def beacons(field):
@@ -31,12 +30,16 @@ def beacons(field):
 class PointScan:
     NAME = 'point_scan'
 
-    def __init__(self, world, near=False):
-        """`near`: the ball was lost close by, so the low points come first."""
+    def __init__(self, world, near_deg=None):
+        """`near_deg`: where (deg to the left) the ball was lost, if that was close by: the low
+        points there come first."""
         self.start_s = world.time_s
         self.beacons = beacons(world.field)
-        self.times = (Tune.BEACON,) * len(self.beacons) + Tune.LOW
-        self.first = len(self.beacons) + 1 if near else 0
+        self.times = (Tune.BEACON,) * len(self.beacons) + (Tune.LOW,) * len(LOW)
+        self.first = 0
+        if near_deg is not None:
+            nearest = min(range(len(LOW)), key=lambda i: abs(LOW[i] - near_deg))
+            self.first = len(self.beacons) + nearest
         self.at = self.first   # the point looked at
 
     def period(self) -> float:

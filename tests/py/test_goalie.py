@@ -121,7 +121,7 @@ def test_an_own_goal_faced_by_mistake_is_turned_away_from(mended):
     mend the pose, or they do not."""
     scenery, player = scene(facing=-1j), Goalie()
     world, lie, facing = scenery.world, 180.0, []
-    for _ in range(120):
+    for _ in range(150):
         scenery.see()
         down = math.degrees(math.atan2(scenery.facing.real, -scenery.facing.imag))
         world.percepts.landmarks = [kelpie.LandmarkPercept(
@@ -186,3 +186,24 @@ def test_a_turn_that_does_not_help_comes_to_an_end():
         player.command(world.world)
         turning += player.state == player.turn
     assert 30 * 8 < turning < 30 * 12
+
+
+@pytest.mark.parametrize('sign', ['no landmark', 'far off the box'])
+def test_a_pose_that_cannot_be_right_makes_the_goalie_look_round(sign):
+    scenery, player = scene(), Goalie()
+    world, turned = scenery.world, 0.0
+    for frame in range(450):
+        scenery.see()
+        lost = 30 < frame and turned < 200
+        if sign == 'far off the box' and lost:
+            world.pose.position.y = 130.0
+        if sign == 'far off the box' or not lost:
+            world.percepts.landmarks = [kelpie.LandmarkPercept(kind=kelpie.GOAL_BLUE)]
+        else:
+            world.percepts.landmarks = []
+        command = player.command(world)
+        scenery.walk(command.walk)
+        world.odometry.turn_deg = command.walk.turn_deg / 30
+        turned += abs(command.walk.turn_deg) / 30
+    assert 270 < turned < 500 and player.state == player.guard
+    assert scenery.facing.imag > 0.7

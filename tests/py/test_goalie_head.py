@@ -43,14 +43,16 @@ def test_all_four_beacons_the_front_and_both_sides_are_seen_in_each_round():
         for x, y in beacons(world.field):
             aside = math.degrees(math.atan2(180.0 - x, y - 20.0))
             assert sum(abs(pan - aside) < 5.0 for pan, _ in looks) >= 1
-        for aside in (-80, 0, 80):
+        for aside in (-80, -44, 0, 44, 80):
             assert sum(tilt < -15.0 and abs(pan - aside) < 10.0 for pan, tilt in looks) >= 2
 
 
-def test_a_ball_lost_close_by_is_first_looked_for_at_the_feet():
+@pytest.mark.parametrize('lost, pan', [(0, 0), (-15, 0), (30, 44), (170, 88), (-60, -44)])
+def test_a_ball_lost_close_by_is_first_looked_for_low_on_that_side(lost, pan):
     world = world_at()
-    assert abs(PointScan(world, near=True).head(world).head_pan_deg) < 1.0
-    assert PointScan(world, near=False).head(world).head_pan_deg > 50.0
+    request = PointScan(world, lost).head(world)
+    assert request.head_pan_deg == pytest.approx(pan)
+    assert request.neck_tilt_deg < PointScan(world).head(world).neck_tilt_deg
 
 
 def test_point_scan_with_a_wrong_heading_looks_ahead_all_the_same():
