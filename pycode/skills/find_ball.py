@@ -29,6 +29,7 @@ NEAR = 25.0            # cm; nearer to the belief the robot would push the ball
 INFRARED_HEAD = (0.0, -10.0, -20.0)  # pan, tilt, crane
 BREAK_PAN = 30.0       # deg back against a spin that went past the ball (G36)
 ONE_SIDE = 8.0         # deg
+TAKEN_S = 0.1
 SPIN_BREAK = 15        # frames for which a spin is recent (facts-2005 section 7.2)
 
 
@@ -47,6 +48,11 @@ def side_of(world, before) -> float:
     if not world.ball.present or abs(aside) < ONE_SIDE:
         return before
     return 1.0 if aside > 0.0 else -1.0
+
+
+def taken(world) -> bool:
+    """Whether gps takes what vision saw for the ball: one sighting elsewhere may be a mistake."""
+    return world.ball.present and world.ball.seconds_since_seen < TAKEN_S
 
 
 def ball_sd(covariance) -> float:
@@ -113,7 +119,7 @@ class FindBall(Machine):
             self.hint_doubt = Doubt()
         self.doubt.update(world, believed(world) if world.ball.present else None)
         self.hint_doubt.update(world, self.hint_point)
-        if self.memory.ball_lost == 0:
+        if self.memory.ball_lost == 0 and taken(world):
             self.restart()
         self.explored.update(world)
 

@@ -349,6 +349,21 @@ def test_what_was_looked_at_is_counted_in_sectors_and_turns_with_the_body():
     assert explored.unseen == 0 and explored.next_unseen(1.0) == 360.0
 
 
+def test_one_sighting_that_gps_does_not_take_does_not_start_the_search_anew():
+    search = Search(lost=100, place=None)
+    while search.step != 'spin':
+        search.next()
+        search.skill.scanned += 3
+    for seconds_since_seen, step in ((2.0, 'spin'), (0.0, 'scan')):
+        search.world.ball.present = True
+        search.world.ball.seconds_since_seen = seconds_since_seen
+        search.next(seen=True)
+        search.world.ball.present = False
+        for _ in range(5):
+            search.next()
+        assert search.step == step
+
+
 def test_plain_spinning_turns_from_the_first_frame_on():
     search = Search(place=(-50.0, 0.0))
     search.world.task.search = kelpie.SEARCH_BY_SPIN

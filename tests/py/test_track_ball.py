@@ -111,6 +111,24 @@ def test_a_close_ball_is_remembered():
         assert memory.close_lost == lost
 
 
+def test_a_rolling_ball_is_aimed_at_where_it_will_be_four_frames_later():
+    world = world_looking(0.0, -10.0, 0.0)
+    world.pose.heading_deg = 90.0
+    ball = world.ball
+    ball.present, ball.distance, ball.relative.y, ball.velocity.x = True, 100.0, 100.0, 60.0
+    assert TrackBall().head(world).target.x == pytest.approx(8.0)
+    ball.seconds_since_seen = 1.0  # an old velocity tells nothing
+    assert TrackBall().head(world).target.x == pytest.approx(0.0)
+
+
+def test_a_turning_robot_aims_at_where_the_ball_will_be_in_its_frame():
+    world = world_looking(0.0, -10.0, 0.0)
+    world.ball.present, world.ball.distance, world.ball.relative.y = True, 100.0, 100.0
+    world.odometry.turn_deg = 3.0
+    target = TrackBall().head(world).target
+    assert math.degrees(math.atan2(-target.x, target.y)) == pytest.approx(-12.0)
+
+
 def turned_towards(world, request):
     """One frame of a head that goes 12 deg a frame at most, aimed by the camera's own place."""
     x, y, above = camera(world)
