@@ -58,15 +58,15 @@ class Attack:
     UNSEEN = 1.0             # s; the chin hides a near ball
     TIME = 8.0
     REST = 2.0               # s without another attack after one that took longer
-    GAIN = 2.2
-    WALK = 30.0
+    GAIN = 3.0
+    WALK = 34.0
     TURN_GAIN = 3.0
     TURN = 150.0
     AGAIN = 0.5              # s after which the place to kick from is chosen anew
     MOVED = 6.0              # cm that the ball rolls before that
-    STAND_OFF = 7.0          # cm more from the ball until side and heading fit
+    STAND_OFF = 4.0          # cm more from the ball until side and heading fit
     SIDE_FIRST = 4.0         # cm
-    TURN_FIRST = 20.0        # deg
+    TURN_FIRST = 25.0        # deg
     FACING = 55.0            # deg from the way out of the goal past the ball, at most
 
 
@@ -94,6 +94,7 @@ class Facing:
     NOTHING = 8.0            # s without a landmark; a scrum in which none was seen for 15 s pushed
                              # the goalie round, and a pose sure to 7 cm was 200 cm off
     OFF_BOX = 50.0           # cm
+    OFF_TIME = 2.0           # s; jumps of the pose that end by themselves are shorter
     PAN, DOWN = 20.0, 6.0    # deg of the view while turning
     TURN = 120.0             # deg/s
     TIME = 5.0               # s of turning, and then of not turning
@@ -117,6 +118,7 @@ class Look:
 class PointScan:
     BEACON = 0.22            # s; the head pans 33 deg in 0.1 s, then three images
     LOW = 0.26               # 44 deg
+    NEAR_TIME = 0.3
     DOWN = 12.0              # deg below the horizontal at the beacons: a ball from 30 cm on shows
     LOW_AT = 28.0            # cm; a ball from 12 to 130 cm shows
     NEAR = 60.0              # cm; a ball lost nearer is first looked for low

@@ -8,6 +8,7 @@ import kelpie
 from lib.goalie_places import LEAST_Y, beside, beyond_box, bisector_place, central_place, facing
 from lib.machine import Machine
 from lib.memory import Memory
+from lib.pose_watch import PoseWatch
 from lib.shot import coming, speed
 from lib.tune_goalie import Attack, Clear, Coming, Guard
 from skills.attack_ball import AttackBall
@@ -32,8 +33,10 @@ class Goalie(Machine):
         self.eyes = GoalieHead()
         self.shots = ShotWatch(self.memory)
         self.facing = FaceUpField()
+        self.pose = PoseWatch()
         self.get_up = GetUp()
         self.cleared_to = None  # the point of the field that the last clearance was to pass
+        self.shot_aside = 0.0  # cm, of the last shot that was blocked
         self.moved_s = 0.0  # when the last motion ended
         self.rest_s = 0.0   # no attack before, after one that came to nothing
 
@@ -41,6 +44,7 @@ class Goalie(Machine):
         self.memory.update(world)
         self.shots.update(world)
         self.facing.update(world)
+        self.pose.update(world)
         command = self.decide(world)
         self.explain(command.trace)
         return command
@@ -53,8 +57,14 @@ class Goalie(Machine):
             self.start_over(world, 'has fallen')
             return kelpie.Command(motion=self.get_up.motion(world))
         if self.state not in (self.block, self.clear):  # a motion is let come to its end
+            if self.pose.doubtful:
+                return self.wait(world)
             self.choose(world)
         return self.step(world)
+
+    def wait(self, world) -> kelpie.Command:
+        """Stands still, the eyes on the ball, until the pose can be right."""
+        return kelpie.Command(head=self.eyes.head(world, False))
 
     def idle(self, world) -> kelpie.Command:
         return kelpie.Command(head=Scan().head(world, world.time_s))
@@ -64,7 +74,10 @@ class Goalie(Machine):
         self.reset(world, why, self.guard, GuardGoal(Guard))
 
     def explain(self, trace) -> None:
-        super().explain(trace)
+        if self.pose.doubtful:
+            trace.append((self.LAYER, self.NAME, 'wait', 'the pose has jumped'))
+        else:
+            super().explain(trace)
         self.eyes.explain(trace)
 
     # Algorithm 4.1: each rule enters its state if it holds, and says so
@@ -97,6 +110,7 @@ class Goalie(Machine):
         if motion == kelpie.NO_MOTION:
             return False
         shot = self.shots.shot
+        self.shot_aside = shot.aside
         return self.take(world, self.block, lambda: Kick(world, motion),
                          NAMES[motion] + ' block: at {} cm/s it passes {} cm right in {} s',
                          shot.speed, shot.aside, shot.seconds)
@@ -141,7 +155,10 @@ class Goalie(Machine):
         return kelpie.Command(walk=self.skill.walk(world), head=self.skill.head(world))
 
     def block(self, world):
-        return self.perform(world)
+        command = self.perform(world)
+        if command is None:
+            self.eyes.look_near(world, 1.0 if self.shot_aside < 0.0 else -1.0)
+        return command
 
     def clear(self, world):
         command = self.perform(world)
@@ -153,7 +170,6 @@ class Goalie(Machine):
         motion = self.skill.motion(world)
         if self.skill.done(world):
             self.moved_s = world.time_s
-            self.eyes.look_again(world)
             return self.enter(world, self.guard, GuardGoal(Guard), 'the motion has ended')
         return kelpie.Command(motion=motion, head=self.eyes.head(world, False))
 

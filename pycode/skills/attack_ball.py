@@ -8,27 +8,27 @@ import math
 import kelpie
 from lib import kick_table
 from lib.geom import clamp, from_field, wrap
-from lib.goalie_places import UP_FIELD, beyond_box, direction, middle
+from lib.goalie_places import beyond_box, direction, middle
 from lib.tune_goalie import Attack, Body
 from skills.clear_ball import Clearance
 from skills.guard_goal import in_box
 
-DIRECTIONS = (-80.0, -45.0, -15.0, 15.0, 45.0, 80.0)  # deg from up-field, where the ball may go
-PACE, PACE_TURN = 30.0, 120.0  # cm/s, deg/s: what a place costs in time
+TURNS = (0.0, -20.0, 20.0, -45.0, 45.0, -70.0, 70.0)  # deg from the way to the ball
+PACE, PACE_TURN = 26.0, 120.0  # cm/s, deg/s: what a place costs in time
 ASTERN = 1.5        # s for a place beyond the ball: the way leads round it
-WORTH = 2.0         # s that a clearance of worth 1 may take longer than one of worth 0
-CHOSEN = 0.4        # s that the place of before may take longer
+WORTH = 1.2         # s that a clearance of worth 1 may take longer than one of worth 0
+CHOSEN = 0.3        # s that the place of before may take longer
 ROUND = 18.0        # cm; a straight way that comes nearer to the ball pushes it
 
 
 class Stand:
-    """Where to stand for a kick in a direction of the field: a place on it."""
+    """Where to stand with that heading for a kick: a place on the field."""
 
-    def __init__(self, ball, kick, direction):
-        self.kick, self.direction = kick, direction
+    def __init__(self, ball, kick, heading_deg):
+        self.kick, self.heading = kick, heading_deg
         self.right, self.far = kick_table.best_place(kick)
         self.outcome = kick_table.outcome(kick, self.right, self.far)
-        self.heading = direction - self.outcome[1]
+        self.direction = heading_deg + self.outcome[1]
         angle = math.radians(self.heading)
         self.ahead = (math.cos(angle), math.sin(angle))
         self.x, self.y = self.back(ball, 0.0)
@@ -65,22 +65,23 @@ class AttackBall:
         if world.time_s - self.chosen_s < Attack.AGAIN and rolled < Attack.MOVED:
             return
         self.chosen_s, self.ball = world.time_s, ball
-        stands = [Stand(ball, kick, UP_FIELD + aside) for kick in kick_table.kicks(False)
-                  for aside in DIRECTIONS]
+        ahead = direction((world.pose.position.x, world.pose.position.y), ball)
+        stands = [Stand(ball, kick, ahead + turn) for kick in kick_table.kicks(False)
+                  for turn in TURNS]
         costs = [(cost(world, ball, stand, self.stand), stand) for stand in stands
                  if possible(world, ball, stand)]
         best = min(costs, key=lambda pair: pair[0], default=(math.inf, None))
         self.stand = best[1] if best[0] < math.inf else None
 
     def walk(self, world) -> kelpie.WalkRequest:
-        """To the place; first to one farther back, until side and heading fit."""
+        """To the place, but not up to the ball before side and heading fit."""
         stand = self.stand
         ball = (world.ball.position.x, world.ball.position.y)
         turn = wrap(stand.heading - world.pose.heading_deg)
         x, y = from_field(world.pose, *stand.back(ball, 0.0))
-        fits = abs(turn) < Attack.TURN_FIRST and abs(x) < Attack.SIDE_FIRST
-        if not fits:
-            x, y = from_field(world.pose, *stand.back(ball, Attack.STAND_OFF))
+        if abs(turn) > Attack.TURN_FIRST or abs(x) > Attack.SIDE_FIRST:
+            back_y = from_field(world.pose, *stand.back(ball, Attack.STAND_OFF))[1]
+            y = back_y if back_y > 0.0 else min(y, 0.0)
         pace = min(1.0, Attack.WALK / max(Attack.GAIN * math.hypot(x, y), 1e-6))
         rate = clamp(Attack.TURN_GAIN * turn, -Attack.TURN, Attack.TURN)
         return in_box(world, kelpie.WalkRequest(forward=pace * Attack.GAIN * y,

@@ -32,6 +32,7 @@ class FaceUpField:
     def __init__(self):
         self.own_goal = 0       # frames that saw it ahead, less those that did not
         self.landmark_s = None  # when a landmark was last seen
+        self.near_box_s = None  # when the pose was last near the box
         self.was_home = False   # in the box, since the last turn
         self.side = 0.0         # of the turn; 0 while there is none
         self.left_deg = 0.0     # of a turn against the pose, by odometry
@@ -44,7 +45,10 @@ class FaceUpField:
         self.own_goal = max(0, min(2 * Facing.OWN_FRAMES, self.own_goal + step))
         if self.landmark_s is None or world.percepts.landmarks:
             self.landmark_s = world.time_s
-        self.was_home = self.was_home or off_box(world) == 0.0
+        away = off_box(world)
+        self.was_home = self.was_home or away == 0.0
+        if away < Facing.OFF_BOX or self.near_box_s is None:
+            self.near_box_s = world.time_s
 
     def aside(self, world) -> float:
         """Degrees from the robot's heading to up-field, as the pose says."""
@@ -71,7 +75,7 @@ class FaceUpField:
         unseen = world.time_s - self.landmark_s
         if unseen > Facing.NOTHING:
             return 'no landmark for {} s', unseen
-        if self.was_home and off_box(world) > Facing.OFF_BOX:
+        if self.was_home and world.time_s - self.near_box_s > Facing.OFF_TIME:
             return 'the pose is {} cm off the box', off_box(world)
         return None
 

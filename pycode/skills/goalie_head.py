@@ -89,10 +89,11 @@ class GoalieHead(Machine):
             return self.enter(world, self.search, self.scan(world), 'not where it is believed')
         return self.at_ball(world)
 
-    def look_again(self, world):
-        """After a motion, which had the head: where the ball is believed, then all over."""
-        if self.state == self.search:
-            self.enter(world, self.believed, None, 'a motion has ended')
+    def look_near(self, world, side):
+        """After a block, which had the head: the ball lies close by, seldom where the filter
+        believes it, which knows of no block. `side`: +1 left, -1 right."""
+        if not seen(world, Look.LOST):
+            self.enter(world, self.search, PointScan(world, side), 'a block has ended')
 
     def expect(self, world, point):
         """The ball was kicked and should come by that point of the field."""
@@ -103,7 +104,7 @@ class GoalieHead(Machine):
             return self.enter(world, self.track, None, 'the ball is {} cm away',
                               world.ball.distance)
         if self.timed_out(world, Look.BELIEVED):
-            return self.enter(world, self.search, PointScan(world, 0.0), 'not where it was kicked')
+            return self.enter(world, self.search, PointScan(world, 1.0), 'not where it was kicked')
         return look_at(*from_field(world.pose, *self.skill), Watch.BALL_HEIGHT, world.stance)
 
     def search(self, world):
@@ -115,6 +116,7 @@ class GoalieHead(Machine):
         return self.skill.head(world)
 
     def scan(self, world):
-        """Beginning where the ball is believed, if it was lost close by."""
-        ball = world.ball
-        return PointScan(world, ball.heading_deg if self.tracked < ScanTune.NEAR else None)
+        """Low first on the side where the ball is believed, if it was lost close by."""
+        if self.tracked > ScanTune.NEAR:
+            return PointScan(world)
+        return PointScan(world, 1.0 if world.ball.heading_deg >= 0.0 else -1.0)

@@ -6,6 +6,7 @@ import pytest
 from goalie_world import world_at
 from lib.tune import Watch
 from lib.tune_goalie import Look, Pan
+from lib.tune_goalie import PointScan as Tune
 from skills.ellipse_head import EllipseHead
 from skills.goalie_head import GoalieHead
 from skills.point_scan import PointScan, beacons
@@ -47,12 +48,17 @@ def test_all_four_beacons_the_front_and_both_sides_are_seen_in_each_round():
             assert sum(tilt < -15.0 and abs(pan - aside) < 10.0 for pan, tilt in looks) >= 2
 
 
-@pytest.mark.parametrize('lost, pan', [(0, 0), (-15, 0), (30, 44), (170, 88), (-60, -44)])
-def test_a_ball_lost_close_by_is_first_looked_for_low_on_that_side(lost, pan):
+@pytest.mark.parametrize('side', [1.0, -1.0])
+def test_a_ball_lost_close_by_is_first_looked_for_low_from_the_front_outwards(side):
     world = world_at()
-    request = PointScan(world, lost).head(world)
-    assert request.head_pan_deg == pytest.approx(pan)
-    assert request.neck_tilt_deg < PointScan(world).head(world).neck_tilt_deg
+    scan = PointScan(world, side)
+    looks = scanned(scan, world, 3 * Tune.NEAR_TIME)
+    rests = [round(pan / 44.0) for pan, tilt in looks if tilt < -15.0]
+    turns = [pan for pan, before in zip(rests, [None] + rests) if pan != before]
+    assert turns == [0, side, 2 * side]
+    assert scan.rounds(world) == 0
+    world.time_s += 1e-3
+    assert scan.head(world).head_pan_deg > 50 and scan.branch == 'beacon'
 
 
 def test_point_scan_with_a_wrong_heading_looks_ahead_all_the_same():

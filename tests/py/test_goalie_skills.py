@@ -49,13 +49,12 @@ def test_way_to_a_place_is_straight_whatever_the_heading(heading):
 def test_from_its_stand_the_ball_lies_where_the_kick_needs_it():
     for kick in kick_table.kicks(False):
         stand = Stand((170.0, 50.0), kick, 120.0)
-        angle = math.radians(stand.heading)
+        angle = math.radians(120.0)
         dx, dy = 170.0 - stand.x, 50.0 - stand.y
         right, ahead = kick_table.best_place(kick)
         assert dx * math.cos(angle) + dy * math.sin(angle) == pytest.approx(ahead)
         assert dx * math.sin(angle) - dy * math.cos(angle) == pytest.approx(right)
-        aside = kick_table.outcome(kick, right, ahead)[1]
-        assert stand.heading + aside == pytest.approx(120.0)
+        assert stand.direction == 120.0 + kick_table.outcome(kick, right, ahead)[1]
 
 
 def test_a_ball_far_from_the_box_has_no_stand():
