@@ -17,7 +17,7 @@ from skills.hold import FORWARD_SPEED, SIDE_SPEED, TURN_SPEED, Hold, carry
 from skills.kick import Kick
 from skills.release import Release
 
-TIME_OUT = 2.6          # s from asking for the grab, which holds 0.4 s later; the ball is gone in 0.35
+TIME_OUT = 2.45         # s from asking for the grab, which holds 0.4 s later; the ball is gone in 0.35
 FARTHEST = 40.0         # cm from the place of the grab (rule: 50 cm)
 SETTLE = 0.2            # s after the grab
 FEEL = 0.5              # s within which a caught ball is felt (docs/body.md: 0.22)
@@ -27,7 +27,7 @@ LEAST_TURN = 25.0       # deg/s: the dribble walk hardly turns slower
 DELAY = 0.13            # s from a command to the body's turn
 CARRY_UNTIL = 1.8       # s: later there is no time for a way that matters
 CARRY_TO = 120.0        # cm to the goal from which carrying on helps no more
-CARRY_FROM = 200.0      # and beyond which a kick does not reach the goal anyway
+CARRY_FROM = 230.0      # and beyond which a kick does not reach the goal anyway
 SEARCH_Y = 400.0        # cm; from here on the goal is turned for more slowly (G39)
 SEARCH_TURN, SEARCH_TURN_FRONT = 50.0, 40.0   # deg/s as the thesis has it,
 SEARCH_SHARE = 2.0                            # and how much faster this body turns with the ball
@@ -69,6 +69,11 @@ class GrabDribble(Machine):
         return self.hold is not None or self.skill.committed
 
     @property
+    def standing(self) -> bool:
+        """It has stopped turning for a kick."""
+        return self.state == self.steady
+
+    @property
     def done(self) -> bool:
         return self.state == self.ended
 
@@ -84,10 +89,18 @@ class GrabDribble(Machine):
         self.aim.update(world)
         if self.hold.slipped:
             self.end(world, 'nothing is felt of the ball')
+        elif self.state == self.overdue:
+            return
         elif self.hold.seconds(world) > TIME_OUT:
-            self.fire(world, self.choose(world, self, True), 'held {} s', self.hold.seconds(world))
+            self.enter(world, self.overdue, None, 'held {} s', self.hold.seconds(world))
         elif self.hold.way > FARTHEST:
-            self.fire(world, self.choose(world, self, True), 'carried {} cm', self.hold.way)
+            self.enter(world, self.overdue, None, 'carried {} cm', self.hold.way)
+
+    def overdue(self, world):
+        """The rules leave no more time: it stands, then kicks whatever it sees of the goal."""
+        if self.since(world) < STEADY:
+            return carry()
+        return self.fire(world, self.choose(world, self, True))
 
     def end(self, world, why, *numbers):
         self.lost_ball = True
@@ -156,7 +169,7 @@ class GrabDribble(Machine):
     def should_carry(self, world) -> bool:
         if self.hold.seconds(world) > CARRY_UNTIL:
             return False
-        if self.plan in ('grab_turn_kick', 'grab_turn_shoot'):
+        if self.plan == 'grab_turn_kick':
             return False
         return CARRY_TO < self.goal_distance(world) < CARRY_FROM
 
@@ -184,15 +197,13 @@ class GrabDribble(Machine):
         turn = turn_towards(world, self.inwards(world))
         return carry(turn=turn)
 
-    def fire(self, world, choice, why='', *numbers):
+    def fire(self, world, choice):
         """Kicks or lets go, as (choice, reason, numbers...) says."""
         what, reason, *told = choice
-        if why:
-            reason, told = why + ': ' + reason, (*numbers, *told)
         if isinstance(what, int):
-            self.enter(world, self.kick, Kick(world, what), reason[:80], *told[:3])
+            self.enter(world, self.kick, Kick(world, what), reason, *told)
         else:
-            self.enter(world, self.release, Release(world), reason[:80], *told[:3])
+            self.enter(world, self.release, Release(world), reason, *told)
 
     def kick(self, world):
         if self.skill.done(world):
