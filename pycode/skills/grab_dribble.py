@@ -21,7 +21,9 @@ TIME_OUT = 2.45         # s from asking for the grab, which holds 0.4 s later; t
 FARTHEST = 40.0         # cm from the place of the grab (rule: 50 cm)
 SETTLE = 0.2            # s after the grab
 FEEL = 0.5              # s within which a caught ball is felt (docs/body.md: 0.22)
-STEADY = 0.17           # s without a turn before a kick: in a turn it went 6 deg aside
+STEADY, STEADY_MOST = 0.17, 0.4   # s that it stands before a kick, and at most until it is still:
+STILL, STILL_TURN = 5.0, 15.0     # cm/s, deg/s; out of a turn balls went 6 deg aside, out of a
+                                  # walk half as far
 TURN_GAIN = 4.0         # deg/s per deg
 LEAST_TURN = 25.0       # deg/s: the dribble walk hardly turns slower
 DELAY = 0.13            # s from a command to the body's turn
@@ -98,7 +100,7 @@ class GrabDribble(Machine):
 
     def overdue(self, world):
         """The rules leave no more time: it stands, then kicks whatever it sees of the goal."""
-        if self.since(world) < STEADY:
+        if not self.still(world):
             return carry()
         return self.fire(world, self.choose(world, self, True))
 
@@ -150,12 +152,20 @@ class GrabDribble(Machine):
 
     def steady(self, world):
         """Stands still for a moment, then kicks if that is still right."""
-        if self.since(world) < STEADY:
+        if not self.still(world):
             return carry()
         choice = self.choose(world, self, False)
         if choice is None:
             return self.enter(world, self.turn, None, 'the aim was lost in the stop')
         return self.fire(world, choice)
+
+    def still(self, world) -> bool:
+        """Whether the stop before a kick is over."""
+        seconds = max(world.elapsed_s, 0.02)
+        speed = math.hypot(world.odometry.forward, world.odometry.left) / seconds
+        turn = abs(world.odometry.turn_deg) / seconds
+        stands = speed < STILL and turn < STILL_TURN
+        return self.since(world) > (STEADY if stands else STEADY_MOST)
 
     def search_turn(self, world):
         """Goal not seen and pose not sure: turn the shorter way by what the pose says."""
