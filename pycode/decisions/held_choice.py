@@ -20,14 +20,14 @@ class HeldChoice:
     def choose(self, world, dribble, overdue) -> tuple | None:
         """(kick or kick_choice.RELEASE, reason, numbers...) or None. `dribble`: the GrabDribble;
         `overdue`: the rules leave no more time."""
+        if world.task.kicks == kelpie.KICKS_BY_MAP:
+            return kick_map_choice.choose(world, dribble, overdue)
         strike = UPENN_PLANS.get(dribble.plan)
         if strike is not None:
             return strike, 'struck back into the field at once'
         if dribble.plan == 'grab_dribble_stop' and not overdue:
             inside = dribble.line_distance(world) > STOP_INSIDE
             return (kick_choice.RELEASE, 'carried back into the field') if inside else None
-        if world.task.kicks == kelpie.KICKS_BY_MAP:
-            return kick_map_choice.choose(world, dribble, overdue)
         return self.by_rules(world, dribble, overdue)
 
     def by_rules(self, world, dribble, overdue):

@@ -15,6 +15,7 @@ GRAB_TURN_KICK, GRAB_TURN_SHOOT, GRAB_DRIBBLE_GOAL, GRAB_DRIBBLE_STOP, GRAB_UPEN
 DRIBBLE, UPENN_LEFT, UPENN_RIGHT, HEAD_LEFT, HEAD_RIGHT, AVOID_OWN_GOAL = WITHOUT_GRAB = (
     'dribble', 'upenn_left', 'upenn_right', 'head_left', 'head_right', 'avoid_own_goal')
 LEAVES = WITH_GRAB + WITHOUT_GRAB
+KICK_AHEAD = 'kick_ahead'   # ours, of the kick map alone: a free ball straight ahead
 
 SHOOTING = 170.0     # cm to the goal from which a held ball is shot at a gap
 ROUGHLY_UP = 30.0    # deg: "facing roughly the right direction", Alg 5.3
@@ -49,7 +50,7 @@ def upenn(of='up', left_is=1.0):
     return by_side(of, UPENN_LEFT, UPENN_RIGHT, left_is)
 
 
-def head(of='up', left_is=1.0):
+def swipe(of='up', left_is=1.0):
     return by_side(of, HEAD_LEFT, HEAD_RIGHT, left_is)
 
 
@@ -73,14 +74,14 @@ def at_edge(grab):
     return Node('ball up-field of the robot, 20 to 160 deg?', lambda s: 20.0 <= s.across <= 160.0,
                 Node('goal 30 to 80 deg off the way to the ball?',
                      lambda s: 30.0 <= abs(s.off_goal) <= 80.0, upenn('off_goal', -1.0),
-                     head('off_goal', -1.0), goal_is, 'off_goal'),
+                     swipe('off_goal', -1.0), goal_is, 'off_goal'),
                 grab, ('', 'at an edge, ball at {} deg'), 'across')
 
 
 def defensive(grab):
     """Alg 5.2; its overlapping tests come to these (G28)."""
     rest = within('up-field', 'up', 45.0, 70.0, upenn(),
-                  within('up-field', 'up', 10.0, 45.0, head(),
+                  within('up-field', 'up', 10.0, 45.0, swipe(),
                          within('up-field', 'up', 0.0, 20.0, DRIBBLE, grab), closed=False))
     return outside(contest(contested_own, grab), at_edge(grab), rest)
 
@@ -88,7 +89,7 @@ def defensive(grab):
 def middle(grab):
     """Alg 5.5. It grabs when it looks up-field or far away from it."""
     rest = within('up-field', 'up', 45.0, 110.0, upenn(),
-                  within('up-field', 'up', 20.0, 45.0, head(), grab, closed=False))
+                  within('up-field', 'up', 20.0, 45.0, swipe(), grab, closed=False))
     return outside(contest(lambda leaf: leaf, grab), at_edge(grab), rest)
 
 

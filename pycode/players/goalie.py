@@ -42,9 +42,10 @@ class Goalie(Machine):
 
     def command(self, world) -> kelpie.Command:
         self.memory.update(world)
+        self.pose.update(world)
+        world = self.pose.believed(world)
         self.shots.update(world)
         self.facing.update(world)
-        self.pose.update(world)
         command = self.decide(world)
         self.explain(command.trace)
         return command
@@ -57,14 +58,8 @@ class Goalie(Machine):
             self.start_over(world, 'has fallen')
             return kelpie.Command(motion=self.get_up.motion(world))
         if self.state not in (self.block, self.clear):  # a motion is let come to its end
-            if self.pose.doubtful:
-                return self.wait(world)
             self.choose(world)
         return self.step(world)
-
-    def wait(self, world) -> kelpie.Command:
-        """Stands still, the eyes on the ball, until the pose can be right."""
-        return kelpie.Command(head=self.eyes.head(world, False))
 
     def idle(self, world) -> kelpie.Command:
         return kelpie.Command(head=Scan().head(world, world.time_s))
@@ -74,10 +69,9 @@ class Goalie(Machine):
         self.reset(world, why, self.guard, GuardGoal(Guard))
 
     def explain(self, trace) -> None:
+        super().explain(trace)
         if self.pose.doubtful:
-            trace.append((self.LAYER, self.NAME, 'wait', 'the pose has jumped'))
-        else:
-            super().explain(trace)
+            trace.append((kelpie.LAYER_SKILL, 'pose_watch', 'carried', 'the pose has jumped'))
         self.eyes.explain(trace)
 
     # Algorithm 4.1: each rule enters its state if it holds, and says so
@@ -123,7 +117,7 @@ class Goalie(Machine):
                          'a ball comes at {} cm/s, to {} cm right', shot.speed, shot.aside)
 
     def may_clear(self, world) -> bool:
-        best = clearing_kick(world)
+        best = clearing_kick(world) if self.seen_since_motion(world) else None
         if best is None:
             return False
         if self.state != self.clear:
@@ -136,14 +130,18 @@ class Goalie(Machine):
         ball = world.ball
         away = beyond_box(world.field, (ball.position.x, ball.position.y))
         limit = Attack.LEAVE if self.state == self.attack else Attack.NEAR
-        if (not seen(world, Attack.UNSEEN) or away > limit or speed(ball) > Attack.SPEED or
-                world.time_s < self.rest_s):
+        if (not seen(world, Attack.UNSEEN) or not self.seen_since_motion(world) or away > limit or
+                speed(ball) > Attack.SPEED or world.time_s < self.rest_s):
             return False
         skill = self.skill if self.state == self.attack else AttackBall()
         if not skill.can(world):
             return False
         return self.take(world, self.attack, lambda: skill, 'the ball is {} cm beyond the box',
                          away)
+
+    def seen_since_motion(self, world) -> bool:
+        """Whether the ball was seen after the last kick or block, which moved it."""
+        return world.time_s - self.moved_s > world.ball.seconds_since_seen
 
     def may_guard(self, world) -> bool:
         return self.take(world, self.guard, lambda: GuardGoal(Guard), 'the ball is {} cm away',

@@ -4,7 +4,7 @@
 # state, the skill, the leaf that it plays and why, the contest's latch and the goal. A skill that is
 # committed (a grab, a kick, a held ball) is not interrupted; any other may change in any frame.
 import kelpie
-from decisions import tree
+from decisions import leaf_by_map, tree
 from decisions.contested import Contested
 from decisions.held_choice import HeldChoice
 from decisions.situation import Situation
@@ -27,10 +27,11 @@ CHIN = 20.0             # cm
 SETTLED = 35.0          # cm to the ball; nearer, a leaf is kept for some frames
 KEPT_FRAMES = 12
 LOOK_AFTER = 100.0, 0.0     # cm, deg: where a kicked ball is looked for
+SEEN_S = 0.1            # s: a sighting that gps refused is none
 WATCH = 0.4             # s after a kick
 BOX_WAIT = 6.0          # s; who is alone waits so long for its ball to leave the own box
 KICKS = {tree.UPENN_LEFT: kelpie.UPENN_LEFT, tree.UPENN_RIGHT: kelpie.UPENN_RIGHT,
-         tree.HEAD_LEFT: kelpie.HEAD_SWIPE_LEFT, tree.HEAD_RIGHT: kelpie.HEAD_SWIPE_RIGHT}
+         tree.KICK_AHEAD: kelpie.KICK_FORWARD, tree.HEAD_LEFT: kelpie.HEAD_SWIPE_LEFT, tree.HEAD_RIGHT: kelpie.HEAD_SWIPE_RIGHT}
 LINE_UP = 'line_up_kick'    # in place of a grab when that is switched off
 
 
@@ -50,6 +51,7 @@ class Attacker(Machine):
         self.box_waited = False  # alone, and waited long enough for a ball in the own box
         self.leaf, self.leaf_why = None, ()
         self.leaf_frame = 0
+        self.tree_leaf, self.tree_why = None, ()
 
     def command(self, world) -> kelpie.Command:
         """The frame's answer while playing."""
@@ -75,7 +77,7 @@ class Attacker(Machine):
     def find(self, world):
         if self.skill is None:
             self.skill = FindBall(world, self.memory)
-        if world.ball.present and self.memory.ball_lost == 0:
+        if world.ball.present and world.ball.seconds_since_seen < SEEN_S:
             return self.enter(world, self.play, None, 'the ball is {} cm away', world.ball.distance)
         return self.skill.command(world)
 
@@ -143,6 +145,9 @@ class Attacker(Machine):
     def choose_leaf(self, world):
         situation = Situation(world, self.contested.now, self.memory.approach_lost < 3)
         leaf, *why = tree.decide(situation)
+        self.tree_leaf, self.tree_why = leaf, tuple(why)
+        if world.task.kicks == kelpie.KICKS_BY_MAP and world.task.grab:
+            leaf, *why = leaf_by_map.choose(world, situation, leaf, self.leaf)
         if leaf in tree.WITH_GRAB and not world.task.grab:
             leaf = LINE_UP
         settled = (world.ball.distance < SETTLED and
@@ -172,7 +177,9 @@ class Attacker(Machine):
     def explain(self, trace) -> None:
         trace.append((self.LAYER, self.NAME, self.state.__name__, self.why, *self.numbers))
         if self.state == self.play and self.leaf is not None:
-            trace.append((kelpie.LAYER_DECISION, 'tree', self.leaf, *self.leaf_why))
+            trace.append((kelpie.LAYER_DECISION, 'tree', self.tree_leaf, *self.tree_why))
+            if (self.leaf, self.leaf_why) != (self.tree_leaf, self.tree_why):
+                trace.append((kelpie.LAYER_DECISION, 'leaf_by_map', self.leaf, *self.leaf_why))
         if self.glance.looking:
             self.glance.explain(trace)
         below = getattr(self.skill, 'explain', None)

@@ -8,7 +8,7 @@ import math
 import kelpie
 from lib import kick_table
 from lib.geom import clamp, from_field, wrap
-from lib.goalie_places import beyond_box, direction, middle
+from lib.goalie_places import UP_FIELD, beyond_box, direction, middle
 from lib.tune_goalie import Attack, Body
 from skills.clear_ball import Clearance
 from skills.guard_goal import in_box
@@ -95,10 +95,11 @@ class AttackBall:
 
 
 def possible(world, ball, stand) -> bool:
-    """Inside the box before and after the kick, and between goal and ball: who turns aside lets the
-    ball past."""
+    """Inside the box before and after the kick; between goal and ball, since who turns aside lets
+    the ball past; and with landmarks in view."""
     outwards = direction(middle(world.field), ball)
     return (abs(wrap(stand.heading - outwards)) < Attack.FACING and
+            abs(wrap(stand.heading - UP_FIELD)) < Attack.LANDMARKS and
             beyond_box(world.field, (stand.x, stand.y), Body.MARGIN) < 1.0 and
             beyond_box(world.field, stand.after()) == 0.0)
 

@@ -29,6 +29,9 @@ NEAR = 25.0            # cm; nearer to the belief the robot would push the ball
 INFRARED_HEAD = (0.0, -10.0, -20.0)  # pan, tilt, crane
 BREAK_PAN = 30.0       # deg back against a spin that went past the ball (G36)
 ONE_SIDE = 8.0         # deg
+# Times the speed of algorithm 6.2. From 13 starts without a ball in sight it was seen and kept in
+# sight after 2.9 s in the mean, at the algorithm's 55 deg/s after 3.9; the scan sweeps faster yet.
+SPIN_TIMES = 2.0
 TAKEN_S = 0.1
 SPIN_BREAK = 15        # frames for which a spin is recent (facts-2005 section 7.2)
 
@@ -206,7 +209,7 @@ class FindBall(Machine):
         if self.scan_head.rows == 2:
             self.scanned = lost_ball.SCAN_FRAMES  # both sides were shown
         turns = self.scan_head.side == self.side
-        turn = lost_ball.spin_speed(math.inf, self.side) if turns else 0.0
+        turn = SPIN_TIMES * lost_ball.spin_speed(math.inf, self.side) if turns else 0.0
         return kelpie.Command(head=head, walk=kelpie.WalkRequest(turn_deg=turn))
 
     def spin(self, world) -> kelpie.Command:
@@ -214,9 +217,10 @@ class FindBall(Machine):
             self.spinning = SpinForBall(self.side)
         side = self.spinning.side
         self.memory.spun(side)
-        alone = world.task.search == kelpie.SEARCH_BY_SPIN
-        unseen = 0.0 if alone else self.explored.next_unseen(side)
-        return self.spinning.command(world, self.away(world), unseen)
+        if world.task.search == kelpie.SEARCH_BY_SPIN:
+            return self.spinning.command(world, self.away(world))
+        unseen = self.explored.next_unseen(side)
+        return self.spinning.command(world, self.away(world), unseen, SPIN_TIMES)
 
     def roam(self, world) -> kelpie.Command:
         return self.roaming.command(world)

@@ -4,6 +4,8 @@
 # one. Looks at what was not seen for longest; without a pose to go by it sweeps to a side. Keeps the
 # landmark, the frames of this look and the side. One landmark alone, seen again and again, leaves a
 # robot at the wrong place of a circle about it: match 3 of the simulator stood 150 cm off for a minute.
+import math
+
 import kelpie
 from lib.head import view
 from lib.landmarks import ATTACKER_PAN, in_reach, look_at_landmark
@@ -12,7 +14,8 @@ from lib.machine import Machine
 EVERY = 70             # frames between looks; 45 to 120 in facts-2005 section 7.2
 EVERY_BAD = 22         # with a bad pose
 NEAR = 45.0            # cm; a nearer ball needs the head
-SEEN = 4               # frames in a row with the ball before a look
+SEEN = 8               # frames in a row with the ball before a look
+SLOW = 15.0            # cm/s; of a ball that rolls faster the velocity must be seen
 LOOK = 11              # frames
 BAD_SD, BAD_HEADING_SD = 20.0, 9.0   # cm, deg
 SWEEP_PAN = 60.0       # deg
@@ -47,6 +50,9 @@ class Glance(Machine):
 
     def due(self, world) -> bool:
         every = EVERY_BAD if bad(world) else EVERY
+        velocity = world.ball.velocity
+        if math.hypot(velocity.x, velocity.y) > SLOW:
+            return False
         return (world.ball.distance > NEAR and self.memory.ball_run >= SEEN and
                 self.memory.localised_lost > every)
 

@@ -14,10 +14,12 @@ from skills.hold import carry
 from skills.track_ball import TrackBall
 
 TURN_GAIN = 0.9          # Alg of section 6.3.3: the heading less 10 %, against over-turning
-TURN_SPEED = 120.0       # deg/s
-FAST_FROM = 70.0         # cm: from there on the fast walk, if the ball is ahead
-FAST_WITHIN = 12.0       # deg
-CLOSING = 26.0           # cm/s at least, ball ahead: slower, and the jaw meets the ball
+TURN_SPEED = 120.0       # deg/s while it walks ahead,
+SPIN_SPEED = 200.0       # and on the spot with the turning walk,
+SPIN_FROM = 50.0         # deg: for a ball farther aside
+FAST_FROM = 45.0         # cm: from there on the fast walk, if the ball is ahead
+FAST_WITHIN = 20.0       # deg
+CLOSING = 31.0           # cm/s at least, ball ahead: slower, and the jaw meets the ball
 SPEED = 36.0             # cm/s
 
 PREDICTED = 6            # frames
@@ -28,7 +30,7 @@ TURNED = 15              # frames since a large turn; before that nearer only (G
 AFTER_TURN = 0.75
 FRAME_S = 1.0 / 30.0
 
-SEEN = 6                 # frames: nobody grabs a ball that it has not just seen
+SEEN_S = 0.2             # s: nobody grabs a ball that it has not just seen
 IR_NEAR = 12.0           # cm of the filtered infrared: the ball is close
 FORWARD = 8.0            # cm/s that the motion ends with (actuator/data/motions/grab.toml)
 START_S = 0.5            # for the motion to begin
@@ -49,6 +51,9 @@ def approach(ball) -> kelpie.WalkRequest:
 def limited(request, aside, can=SPEED) -> kelpie.WalkRequest:
     """What the legs can do of it, no slower ahead than a grab needs, and turned to twice as fast
     as the thesis has it: 0.9 /s would curve past a ball 30 deg aside."""
+    if abs(aside) > SPIN_FROM:
+        speed = clamp(3.0 * aside, -SPIN_SPEED, SPIN_SPEED)
+        return kelpie.WalkRequest(turn_deg=speed, kind=kelpie.WALK_TURNING)
     if abs(aside) < 60.0:
         request.forward = max(request.forward, CLOSING * math.cos(math.radians(aside)))
     if request.kind == kelpie.WALK:
@@ -97,7 +102,7 @@ class Grab(Machine):
         ball = (world.ball.relative.x, world.ball.relative.y)
         self.memory.approach_lost = 0
         vx, vy = intercept.relative_velocity(world) if intercept.rolls(world.ball) else (0.0, 0.0)
-        seen = self.memory.ball_lost < SEEN
+        seen = world.ball.seconds_since_seen < SEEN_S
         if seen and can_grab(ball, (vx * FRAME_S, vy * FRAME_S), self.memory.turn_lost):
             self.quick = self.memory.ir < IR_NEAR
             self.asked_s = world.time_s

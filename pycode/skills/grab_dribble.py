@@ -17,17 +17,19 @@ from skills.hold import FORWARD_SPEED, SIDE_SPEED, TURN_SPEED, Hold, carry
 from skills.kick import Kick
 from skills.release import Release
 
-TIME_OUT = 2.6          # s from asking for the grab, which holds 0.4 s later; the ball is gone in 0.35
+TIME_OUT = 2.45         # s from asking for the grab, which holds 0.4 s later; the ball is gone in 0.35
 FARTHEST = 40.0         # cm from the place of the grab (rule: 50 cm)
 SETTLE = 0.2            # s after the grab
 FEEL = 0.5              # s within which a caught ball is felt (docs/body.md: 0.22)
-STEADY = 0.17           # s without a turn before a kick: in a turn it went 6 deg aside
+STEADY, STEADY_MOST = 0.17, 0.4   # s that it stands before a kick, and at most until it is still:
+STILL, STILL_TURN = 5.0, 15.0     # cm/s, deg/s; out of a turn balls went 6 deg aside, out of a
+                                  # walk half as far
 TURN_GAIN = 4.0         # deg/s per deg
 LEAST_TURN = 25.0       # deg/s: the dribble walk hardly turns slower
 DELAY = 0.13            # s from a command to the body's turn
 CARRY_UNTIL = 1.8       # s: later there is no time for a way that matters
 CARRY_TO = 120.0        # cm to the goal from which carrying on helps no more
-CARRY_FROM = 200.0      # and beyond which a kick does not reach the goal anyway
+CARRY_FROM = 230.0      # and beyond which a kick does not reach the goal anyway
 SEARCH_Y = 400.0        # cm; from here on the goal is turned for more slowly (G39)
 SEARCH_TURN, SEARCH_TURN_FRONT = 50.0, 40.0   # deg/s as the thesis has it,
 SEARCH_SHARE = 2.0                            # and how much faster this body turns with the ball
@@ -69,6 +71,11 @@ class GrabDribble(Machine):
         return self.hold is not None or self.skill.committed
 
     @property
+    def standing(self) -> bool:
+        """It has stopped turning for a kick."""
+        return self.state == self.steady
+
+    @property
     def done(self) -> bool:
         return self.state == self.ended
 
@@ -84,10 +91,18 @@ class GrabDribble(Machine):
         self.aim.update(world)
         if self.hold.slipped:
             self.end(world, 'nothing is felt of the ball')
+        elif self.state == self.overdue:
+            return
         elif self.hold.seconds(world) > TIME_OUT:
-            self.fire(world, self.choose(world, self, True), 'held {} s', self.hold.seconds(world))
+            self.enter(world, self.overdue, None, 'held {} s', self.hold.seconds(world))
         elif self.hold.way > FARTHEST:
-            self.fire(world, self.choose(world, self, True), 'carried {} cm', self.hold.way)
+            self.enter(world, self.overdue, None, 'carried {} cm', self.hold.way)
+
+    def overdue(self, world):
+        """The rules leave no more time: it stands, then kicks whatever it sees of the goal."""
+        if not self.still(world):
+            return carry()
+        return self.fire(world, self.choose(world, self, True))
 
     def end(self, world, why, *numbers):
         self.lost_ball = True
@@ -137,12 +152,20 @@ class GrabDribble(Machine):
 
     def steady(self, world):
         """Stands still for a moment, then kicks if that is still right."""
-        if self.since(world) < STEADY:
+        if not self.still(world):
             return carry()
         choice = self.choose(world, self, False)
         if choice is None:
             return self.enter(world, self.turn, None, 'the aim was lost in the stop')
         return self.fire(world, choice)
+
+    def still(self, world) -> bool:
+        """Whether the stop before a kick is over."""
+        seconds = max(world.elapsed_s, 0.02)
+        speed = math.hypot(world.odometry.forward, world.odometry.left) / seconds
+        turn = abs(world.odometry.turn_deg) / seconds
+        stands = speed < STILL and turn < STILL_TURN
+        return self.since(world) > (STEADY if stands else STEADY_MOST)
 
     def search_turn(self, world):
         """Goal not seen and pose not sure: turn the shorter way by what the pose says."""
@@ -156,7 +179,7 @@ class GrabDribble(Machine):
     def should_carry(self, world) -> bool:
         if self.hold.seconds(world) > CARRY_UNTIL:
             return False
-        if self.plan in ('grab_turn_kick', 'grab_turn_shoot'):
+        if self.plan == 'grab_turn_kick':
             return False
         return CARRY_TO < self.goal_distance(world) < CARRY_FROM
 
@@ -184,15 +207,13 @@ class GrabDribble(Machine):
         turn = turn_towards(world, self.inwards(world))
         return carry(turn=turn)
 
-    def fire(self, world, choice, why='', *numbers):
+    def fire(self, world, choice):
         """Kicks or lets go, as (choice, reason, numbers...) says."""
         what, reason, *told = choice
-        if why:
-            reason, told = why + ': ' + reason, (*numbers, *told)
         if isinstance(what, int):
-            self.enter(world, self.kick, Kick(world, what), reason[:80], *told[:3])
+            self.enter(world, self.kick, Kick(world, what), reason, *told)
         else:
-            self.enter(world, self.release, Release(world), reason[:80], *told[:3])
+            self.enter(world, self.release, Release(world), reason, *told)
 
     def kick(self, world):
         if self.skill.done(world):

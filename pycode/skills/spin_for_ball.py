@@ -12,11 +12,13 @@ class SpinForBall:
         self.side = side
         self.turned = 0.0  # deg
 
-    def command(self, world, distance, unseen=0.0) -> kelpie.Command:
+    def command(self, world, distance, unseen=0.0, times=1.0) -> kelpie.Command:
         """`distance`: cm to where the ball is believed, infinite without such a belief. `unseen`:
-        deg of turning to the next direction that was not looked at; the head goes on to there."""
+        deg of turning to the next direction that was not looked at; the head goes on to there.
+        `times`: as fast as the algorithm's speed."""
         self.turned += abs(world.odometry.turn_deg)
         pan, tilt, crane = spin_head(distance, self.side)
         pan = self.side * max(abs(pan), min(unseen, MAX_PAN))
         return kelpie.Command(head=head_params(pan, tilt, crane),
-                              walk=kelpie.WalkRequest(turn_deg=spin_speed(distance, self.side)))
+                              walk=kelpie.WalkRequest(turn_deg=times *
+                                                      spin_speed(distance, self.side)))

@@ -214,14 +214,22 @@ def run(scene, decide, seconds):
     return scene
 
 
-def scene(ball=180 + 200j, velocity=0j, at=180 + 20j, facing=1j):
-    """A goalie world at rest, told of the ball without noise or delay."""
-    world = GoalieWorld()
+def scene(ball=180 + 200j, velocity=0j, at=180 + 20j, facing=1j, seed=1, noise=0.0):
+    """A goalie world in which all stand somewhere for some frames."""
+    world = GoalieWorld(seed, noise)
     world.at, world.facing, world.ball, world.velocity = at, facing, ball, velocity
     world.balls.clear()
     for _ in range(3):
         world.see()
     return world
+
+
+def anywhere(seed, chance):
+    """A noisy scene: the goalie in its box, the ball rolling somewhere in its half."""
+    return scene(complex(chance.uniform(0, 360), chance.uniform(5, 250)),
+                 complex(chance.gauss(0, 30), chance.gauss(0, 30)),
+                 complex(chance.uniform(125, 235), chance.uniform(8, 55)),
+                 cmath.rect(1.0, seed), seed, 1.0)
 
 
 def world_at(x=180.0, y=20.0, heading=90.0):

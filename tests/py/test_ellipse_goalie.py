@@ -5,7 +5,7 @@ import random
 
 import kelpie
 import pytest
-from goalie_world import GoalieWorld, run, scene, shot
+from goalie_world import GoalieWorld, anywhere, run, scene, shot
 from lib import goalie_places as places
 from lib.tune_goalie import Attack, Paw
 from players.ellipse_goalie import EllipseGoalie, attack_due, attack_failed
@@ -60,10 +60,8 @@ def test_goalie_waits_in_the_middle_for_a_ball_unseen_for_long():
 def test_goalie_of_2004_never_leaves_its_box_either():
     chance = random.Random(18)
     for seed in range(300):
-        world, player = GoalieWorld(seed, noise=1.0), EllipseGoalie(paw=seed % 2 == 1)
-        world.at = complex(chance.uniform(125, 235), chance.uniform(8, 55))
-        world.ball = complex(chance.uniform(0, 360), chance.uniform(5, 250))
-        world.velocity = complex(chance.gauss(0, 30), chance.gauss(0, 30))
+        world = anywhere(seed, chance)
+        player = EllipseGoalie(paw=seed % 2 == 1)
         run(world, player.command, 2.0)
         assert world.outside == 0
 

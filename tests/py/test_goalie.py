@@ -4,7 +4,7 @@ import random
 
 import kelpie
 import pytest
-from goalie_world import GoalieWorld, run, scene, shot
+from goalie_world import GoalieWorld, anywhere, run, scene, shot
 from lib import goalie_places as places
 from lib.tune_goalie import Block
 from players.goalie import Goalie
@@ -97,11 +97,8 @@ def test_balls_in_the_box_are_cleared_without_own_goals():
 def test_goalie_never_leaves_its_box():
     chance = random.Random(8)
     for seed in range(1000):
-        world, player = GoalieWorld(seed, noise=1.0), Goalie()
-        world.at = complex(chance.uniform(125, 235), chance.uniform(8, 55))
-        world.facing = complex(math.cos(seed), math.sin(seed))
-        world.ball = complex(chance.uniform(0, 360), chance.uniform(5, 250))
-        world.velocity = complex(chance.gauss(0, 30), chance.gauss(0, 30))
+        world = anywhere(seed, chance)
+        player = Goalie()
         run(world, player.command, 2.0)
         assert world.outside == 0
 

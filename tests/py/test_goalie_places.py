@@ -134,7 +134,8 @@ def test_near_the_wall_only_the_move_across_is_left():
 def test_no_wish_takes_the_goalie_out_of_its_box():
     chance = random.Random(3)
     for _ in range(1000):
-        at = pose(chance.uniform(121, 239), chance.uniform(6, 59), chance.uniform(-180, 180))
+        left, right, near, far = places.box(FIELD, Body.MARGIN)
+        at = pose(chance.uniform(left, right), chance.uniform(near, far), chance.uniform(-180, 180))
         forward, left = chance.uniform(-40, 40), chance.uniform(-40, 40)
         for _ in range(60):
             ahead, aside = places.kept_in_box(FIELD, at, forward, left, Body.MARGIN, Body.SECONDS)
