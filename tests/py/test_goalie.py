@@ -23,7 +23,7 @@ def state(world, frames=Block.SEEN_FRAMES + Block.FRAMES - 1):
 
 @pytest.mark.parametrize('branch, ball, velocity, at, facing', [
     ('turn', 180 + 200j, 0j, 180 + 20j, -1j),
-    ('block', 180 + 90j, -130j, 180 + 20j, 1j),
+    ('block', 180 + 90j, -170j, 180 + 20j, 1j),
     ('adjust', 180 + 90j, -75j, 180 + 20j, 1j),
     ('clear', 180 + 44j, 0j, 180 + 30j, 1j),
     ('attack', 180 + 62j, 0j, 180 + 20j, 1j),
@@ -33,8 +33,8 @@ def test_scene_selects_its_branch(branch, ball, velocity, at, facing):
 
 
 @pytest.mark.parametrize('first, second, both', [
-    ('turn', 'block', dict(ball=180 + 90j, velocity=-130j, facing=-1j)),
-    ('block', 'clear', dict(ball=180 + 34j, velocity=-60j)),
+    ('turn', 'block', dict(ball=180 + 90j, velocity=-170j, facing=-1j)),
+    ('block', 'clear', dict(ball=180 + 40j, velocity=-170j)),
     ('clear', 'attack', dict(ball=180 + 34j))])
 def test_an_earlier_branch_goes_before_a_later_one(first, second, both):
     assert state(scene(**both)) == first
@@ -52,7 +52,7 @@ def test_trace_says_branch_reason_and_skill():
 
 
 def test_goalie_stands_still_while_play_is_halted():
-    world, player = scene(180 + 90j, -130j), Goalie()
+    world, player = scene(180 + 90j, -170j), Goalie()
     world.world.game.state = kelpie.SET
     for _ in range(60):
         world.see()
@@ -72,7 +72,7 @@ def test_a_fallen_goalie_gets_up():
 
 
 def test_a_block_is_let_come_to_its_end():
-    world, player = scene(180 + 90j, -130j), Goalie()
+    world, player = scene(180 + 90j, -170j), Goalie()
     states = []
     for _ in range(75):
         world.step(player.command(world.world))
