@@ -29,6 +29,7 @@ KEPT_FRAMES = 12
 LOOK_AFTER = 100.0, 0.0     # cm, deg: where a kicked ball is looked for
 SEEN_S = 0.1            # s: a sighting that gps refused is none
 WATCH = 0.4             # s after a kick
+AHEAD, FOLLOW = 15.0, 40.0  # deg, cm/s: a ball that went ahead is followed meanwhile
 BOX_WAIT = 6.0          # s; who is alone waits so long for its ball to leave the own box
 KICKS = {tree.UPENN_LEFT: kelpie.UPENN_LEFT, tree.UPENN_RIGHT: kelpie.UPENN_RIGHT,
          tree.KICK_AHEAD: kelpie.KICK_FORWARD, tree.HEAD_LEFT: kelpie.HEAD_SWIPE_LEFT, tree.HEAD_RIGHT: kelpie.HEAD_SWIPE_RIGHT}
@@ -130,8 +131,10 @@ class Attacker(Machine):
 
     def watch(self, world):
         """The ball that was just kicked is not where it was believed: what is seen of it in this
-        time is not played yet."""
+        time is not played yet, only followed."""
         command = self.skill.command(world)
+        if abs(self.memory.hint[1]) < AHEAD:
+            command.walk = kelpie.WalkRequest(forward=FOLLOW, kind=kelpie.WALK_FAST)
         if self.timed_out(world, WATCH):
             self.enter(world, self.find, self.skill, 'it has rolled for {} s', WATCH)
         return command
