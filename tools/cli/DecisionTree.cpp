@@ -77,11 +77,13 @@ void LeafCounter::take(const Trace& trace) {
   last_ = leaf;
 }
 
-void LeafCounter::putInto(DecisionTree& tree) const {
+bool LeafCounter::putInto(DecisionTree& tree) const {
+  bool allKnown = true;
   for (const auto& [leaf, count] : counts_) {
     const auto found = tree.placeOf.find(leaf.second);
     const bool known =
         found != tree.placeOf.end() && asTraced(tree.nodes[found->second].text) == leaf.first;
+    allKnown = allKnown && known;
     for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
       const bool here = known ? i == found->second : asTraced(tree.nodes[i].text) == leaf.first;
       if (here && tree.nodes[i].leaf) add(tree.nodes[i].count, count);
@@ -91,6 +93,7 @@ void LeafCounter::putInto(DecisionTree& tree) const {
   for (std::size_t i = tree.nodes.size(); i-- > 0;)
     for (const std::size_t below : tree.nodes[i].below)
       add(tree.nodes[i].count, tree.nodes[below].count);
+  return allKnown;
 }
 
 }  // namespace kelpie::cli

@@ -45,8 +45,8 @@ class LeafCounter {
   std::uint32_t frames() const { return frames_; }    // taken
   std::uint32_t decided() const { return decided_; }  // of these, with a leaf
   const std::map<std::string, LeafCount>& byName() const { return byName_; }
-  // Into the tree's counts.
-  void putInto(DecisionTree& tree) const;
+  // Into the tree's counts. False where a leaf's place was not told.
+  bool putInto(DecisionTree& tree) const;
 
  private:
   using Leaf = std::pair<std::string, std::string>;  // name and place, which may be empty

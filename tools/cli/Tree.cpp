@@ -48,11 +48,12 @@ void printCounts(const LeafCounter& counter, const DecisionTree& tree) {
 }
 
 std::vector<std::string> captionOf(const TreeOptions& options, const LeafCounter& counter,
-                                   const DecisionLog& log) {
+                                   const DecisionLog& log, bool placesKnown) {
   return {fmt::format("{}: {} frames from {:.1f} to {:.1f} s; in {} of them the tree was asked",
                       std::filesystem::path(options.log).filename().string(), counter.frames(),
                       log.first, log.last, counter.decided()),
-          "a leaf is the brighter the more frames it took; 'times' is how often it was come to"};
+          "a leaf is the brighter the more frames it took; 'times' is how often it was come to",
+          placesKnown ? "" : "counted by a leaf's name: the same wherever that name stands"};
 }
 
 int drawOut(const TreeOptions& options, const cv::Mat& picture) {
@@ -71,10 +72,10 @@ int treeWithLog(const TreeOptions& options, DecisionTree& tree) {
   if (!log) return fail(log.error(), kExitBadInput);
   if (counter.decided() == 0)
     return fail(options.log + ": holds no decision of the tree", kExitBadInput);
-  counter.putInto(tree);
+  const bool known = counter.putInto(tree);
   printCounts(counter, tree);
   const int code =
-      drawOut(options, drawTree(tree, counter.frames(), captionOf(options, counter, *log)));
+      drawOut(options, drawTree(tree, counter.frames(), captionOf(options, counter, *log, known)));
   if (code != kExitDone || log->cutOff.empty()) return code;
   return fail(log->cutOff, kExitBadInput);
 }
