@@ -171,7 +171,7 @@ def test_tree_refuses_what_it_cannot_draw_in_one_line(log, silent, pycode, tmp_p
     assert "main.py has no tree()" in refused("tree", "--pycode", tmp_path, "--out", out)
     (tmp_path / "main.py").write_text("def decide(world):\n    return\n\ndef tree():\n    1 / 0\n")
     assert "main.py:5: ZeroDivisionError" in refused("tree", "--pycode", tmp_path, "--out", out)
-    (tmp_path / "main.py").write_text("def decide(w):\n    return\n\ndef tree():\n    return 'ab'\n")
+    (tmp_path / "main.py").write_text("def decide(w):\n    1\n\ndef tree():\n    return 'ab'\n")
     assert "row 0: not (id, " in refused("tree", "--pycode", tmp_path, "--out", out)
     assert "is the log itself" in refused("tree", log, "--pycode", pycode, "--out", log)
     assert not out.exists()
