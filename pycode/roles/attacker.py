@@ -52,7 +52,7 @@ class Attacker(Machine):
         self.box_waited = False  # alone, and waited long enough for a ball in the own box
         self.leaf, self.leaf_why = None, ()
         self.leaf_frame = 0
-        self.tree_leaf, self.tree_why = None, ()
+        self.tree_leaf, self.tree_place, self.tree_why = None, '', ()
 
     def command(self, world) -> kelpie.Command:
         """The frame's answer while playing."""
@@ -147,7 +147,7 @@ class Attacker(Machine):
 
     def choose_leaf(self, world):
         situation = Situation(world, self.contested.now, self.memory.approach_lost < 3)
-        leaf, *why = tree.decide(situation)
+        leaf, self.tree_place, *why = tree.decide(situation)
         self.tree_leaf, self.tree_why = leaf, tuple(why)
         if world.task.kicks == kelpie.KICKS_BY_MAP and world.task.grab:
             leaf, *why = leaf_by_map.choose(world, situation, leaf, self.leaf)
@@ -180,7 +180,8 @@ class Attacker(Machine):
     def explain(self, trace) -> None:
         trace.append((self.LAYER, self.NAME, self.state.__name__, self.why, *self.numbers))
         if self.state == self.play and self.leaf is not None:
-            trace.append((kelpie.LAYER_DECISION, 'tree', self.tree_leaf, *self.tree_why))
+            trace.append((kelpie.LAYER_DECISION, 'tree ' + self.tree_place, self.tree_leaf,
+                          *self.tree_why))
             if (self.leaf, self.leaf_why) != (self.tree_leaf, self.tree_why):
                 trace.append((kelpie.LAYER_DECISION, 'leaf_by_map', self.leaf, *self.leaf_why))
         if self.glance.looking:
