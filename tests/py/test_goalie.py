@@ -6,8 +6,9 @@ import kelpie
 import pytest
 from goalie_world import GoalieWorld, anywhere, run, scene, shot
 from lib import goalie_places as places
-from lib.tune_goalie import Block
+from lib.tune_goalie import Block, Guard
 from players.goalie import Goalie
+from skills.guard_goal import GuardGoal
 
 
 def state(world, frames=Block.SEEN_FRAMES + Block.FRAMES - 1):
@@ -204,3 +205,16 @@ def test_a_pose_that_cannot_be_right_makes_the_goalie_look_round(sign):
         turned += abs(command.walk.turn_deg) / 30
     assert 270 < turned < 500 and player.state == player.guard
     assert scenery.facing.imag > 0.7
+
+
+@pytest.mark.parametrize('ahead, right, steps_back', [
+    (8.0, 0.0, True), (14.0, -10.0, True), (30.0, 0.0, False), (-5.0, 0.0, False)])
+def test_a_ball_lost_under_the_chin_is_backed_off_from(ahead, right, steps_back):
+    scenery, player = scene(complex(180 + right, 30 + ahead), at=180 + 30j), Goalie()
+    scenery.world.ball.seconds_since_seen = Guard.FRESH + 0.1
+    scenery.world.percepts.ball.present = False
+    player.moved_s = -10.0
+    player.enter(scenery.world, player.guard, GuardGoal(Guard))
+    command = player.guard(scenery.world)
+    assert (command.walk.forward < 0.0) == steps_back
+    assert command.walk.left == pytest.approx(0.0)
