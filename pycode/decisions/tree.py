@@ -137,13 +137,15 @@ TREE = Node('y < 0.4 length?', lambda s: s.zone == zones.DEFENSIVE,
 
 
 def decide(situation, node=TREE) -> tuple:
-    """(leaf, reason, *numbers): the leaf's name and why, as Command.trace tells it."""
+    """(leaf, place, reason, *numbers): the leaf's name, its id in rows(), and why, as
+    Command.trace tells it."""
     path = []
     while isinstance(node, Node):
         yes = node.test(situation)
         path.append((node, yes))
         node = node.yes if yes else node.no
-    return (node, *_why(path, situation))
+    place = '0' + ''.join('y' if yes else 'n' for _, yes in path)
+    return (node, place, *_why(path, situation))
 
 
 def _why(path, situation):

@@ -13,6 +13,7 @@ SLOW = 9.0              # cm/s: slower ones stop within 6 cm
 SEEN_S = 0.35           # an older velocity tells nothing
 STEP_S = 0.1
 LONGEST_S = 4.0
+FOREVER = 60.0          # s
 TURN_SPEED = 150.0      # deg/s of the robot
 WALK_SPEED = 33.0       # cm/s
 REACH = 9.0             # cm: the ball need not come to the neck
@@ -33,13 +34,12 @@ def rolls(ball) -> bool:
 
 
 def ahead_of(world, seconds) -> Point:
-    """Where the ball will be on the field."""
+    """Where the ball will be on the field: on its way to the stopping point that gps foretells."""
     ball = world.ball
     speed = math.hypot(ball.velocity.x, ball.velocity.y)
-    if speed < 1e-6:
-        return ball.position.x, ball.position.y
-    way = rolled(speed, seconds) / speed
-    return ball.position.x + way * ball.velocity.x, ball.position.y + way * ball.velocity.y
+    share = rolled(speed, seconds) / max(rolled(speed, FOREVER), 1e-6)
+    return (ball.position.x + share * (ball.stopping_point.x - ball.position.x),
+            ball.position.y + share * (ball.stopping_point.y - ball.position.y))
 
 
 def needed(x, y) -> float:

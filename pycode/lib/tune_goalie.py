@@ -17,6 +17,7 @@ class Guard:
     LAZY, ACCURATE = 8.0, 3.0          # cm; of the goalie of 2006, after facts-2005 7.2 and K10
     LAZY_TURN, ACCURATE_TURN = 14.0, 5.0
     FRESH = 0.4              # s; for a ball unseen for longer the goalie stands still,
+    CHIN, BACK_OFF = 16.0, -15.0  # or back from one that was so near, at that speed,
     UNSEEN = 1.2             # then goes to the middle,
     LOST = 4.0               # then to the line: the head sees 26 deg past the sides
 
@@ -34,6 +35,10 @@ class Block:
     LATEST = 0.8             # 27 frames; before it, walk
     CENTRE = 9.0             # aside, to which the wide block is right
     REACH = 36.0             # 30 in 2005; block_left covers 32 (docs/body.md) and a ball's radius
+    STAND_SPEED = 160.0      # up to there a ball is stopped standing, if that is enough: on its
+    STAND = 5.0              # feet the goalie clears before the attacker comes, but a block takes
+    STEP, STEP_LATE = 20.0, 0.25  # 1.7 s. cm/s of a step aside, and s until it begins. Of 96 balls
+                             # 3 went in, 7 when every one was blocked
     BESIDE = 6.0             # beside the mouth: the velocity is off by some degrees
     SHORT = 10.0             # a ball that would stop that short of the line may still go in
     SEEN = 0.12              # a ball unseen for longer is not judged
@@ -107,6 +112,7 @@ class Look:
     EVERY_LOST, EVERY_SURE = 1.7, 3.2
     SURE_SD, SURE_HEADING_SD = 6.0, 4.0
     TIME = 0.3
+    SURVEY, SURVEY_TIME, SURVEY_DOWN = (75.0, 25.0, -25.0, -75.0), 0.26, 6.0  # pan, s, deg down
     STEADY = 0.7             # s of tracking before a glance
     FAR = 60.0               # the ball; nearer it is not left alone
     FAR_ELLIPSE = 25.0       # thesis 2004 section 4.2.3

@@ -17,7 +17,7 @@ from skills.clear_ball import clearing_kick
 from skills.face_up_field import FaceUpField
 from skills.get_up import GetUp
 from skills.goalie_head import GoalieHead, seen
-from skills.guard_goal import GuardGoal
+from skills.guard_goal import GuardGoal, in_box
 from skills.kick import Kick
 from skills.watch import Scan
 
@@ -187,8 +187,14 @@ class Goalie(Machine):
 
     def guard(self, world) -> kelpie.Command:
         place = self.place(world)
-        walk = self.skill.walk(world, place) if place is not None else kelpie.WalkRequest()
+        walk = self.skill.walk(world, place) if place is not None else self.back_off(world)
         return kelpie.Command(walk=walk, head=self.eyes.head(world, True))
+
+    def back_off(self, world) -> kelpie.WalkRequest:
+        """A ball lost at the feet is under the chin: a step back shows it."""
+        ball = world.ball.relative
+        under = world.ball.present and 0.0 < ball.y < Guard.CHIN and abs(ball.x) < Guard.CHIN
+        return in_box(world, kelpie.WalkRequest(forward=Guard.BACK_OFF if under else 0.0))
 
     def lost_for(self, world) -> float:
         """Seconds in which the head looked for the ball; a motion takes the head along."""

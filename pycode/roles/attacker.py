@@ -29,6 +29,7 @@ KEPT_FRAMES = 12
 LOOK_AFTER = 100.0, 0.0     # cm, deg: where a kicked ball is looked for
 SEEN_S = 0.1            # s: a sighting that gps refused is none
 WATCH = 0.4             # s after a kick
+AHEAD, FOLLOW = 15.0, 40.0  # deg, cm/s: a ball that went ahead is followed meanwhile
 BOX_WAIT = 6.0          # s; who is alone waits so long for its ball to leave the own box
 KICKS = {tree.UPENN_LEFT: kelpie.UPENN_LEFT, tree.UPENN_RIGHT: kelpie.UPENN_RIGHT,
          tree.KICK_AHEAD: kelpie.KICK_FORWARD, tree.HEAD_LEFT: kelpie.HEAD_SWIPE_LEFT, tree.HEAD_RIGHT: kelpie.HEAD_SWIPE_RIGHT}
@@ -51,7 +52,7 @@ class Attacker(Machine):
         self.box_waited = False  # alone, and waited long enough for a ball in the own box
         self.leaf, self.leaf_why = None, ()
         self.leaf_frame = 0
-        self.tree_leaf, self.tree_why = None, ()
+        self.tree_leaf, self.tree_place, self.tree_why = None, '', ()
 
     def command(self, world) -> kelpie.Command:
         """The frame's answer while playing."""
@@ -130,8 +131,10 @@ class Attacker(Machine):
 
     def watch(self, world):
         """The ball that was just kicked is not where it was believed: what is seen of it in this
-        time is not played yet."""
+        time is not played yet, only followed."""
         command = self.skill.command(world)
+        if abs(self.memory.hint[1]) < AHEAD:
+            command.walk = kelpie.WalkRequest(forward=FOLLOW, kind=kelpie.WALK_FAST)
         if self.timed_out(world, WATCH):
             self.enter(world, self.find, self.skill, 'it has rolled for {} s', WATCH)
         return command
@@ -144,7 +147,7 @@ class Attacker(Machine):
 
     def choose_leaf(self, world):
         situation = Situation(world, self.contested.now, self.memory.approach_lost < 3)
-        leaf, *why = tree.decide(situation)
+        leaf, self.tree_place, *why = tree.decide(situation)
         self.tree_leaf, self.tree_why = leaf, tuple(why)
         if world.task.kicks == kelpie.KICKS_BY_MAP and world.task.grab:
             leaf, *why = leaf_by_map.choose(world, situation, leaf, self.leaf)
@@ -177,7 +180,8 @@ class Attacker(Machine):
     def explain(self, trace) -> None:
         trace.append((self.LAYER, self.NAME, self.state.__name__, self.why, *self.numbers))
         if self.state == self.play and self.leaf is not None:
-            trace.append((kelpie.LAYER_DECISION, 'tree', self.tree_leaf, *self.tree_why))
+            trace.append((kelpie.LAYER_DECISION, 'tree ' + self.tree_place, self.tree_leaf,
+                          *self.tree_why))
             if (self.leaf, self.leaf_why) != (self.tree_leaf, self.tree_why):
                 trace.append((kelpie.LAYER_DECISION, 'leaf_by_map', self.leaf, *self.leaf_why))
         if self.glance.looking:

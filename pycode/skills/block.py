@@ -15,9 +15,16 @@ def block_for(shot: Shot) -> int:
     the side on which it would pass."""
     if not Tune.SOONEST <= shot.seconds <= Tune.LATEST or abs(shot.aside) > Tune.REACH:
         return kelpie.NO_MOTION
+    if shot.speed < Tune.STAND_SPEED and abs(shot.aside) < stepped(shot.seconds):
+        return kelpie.NO_MOTION
     if abs(shot.aside) <= Tune.CENTRE:
         return kelpie.BLOCK
     return kelpie.BLOCK_LEFT if shot.aside < 0.0 else kelpie.BLOCK_RIGHT
+
+
+def stepped(seconds) -> float:
+    """cm aside that a goalie on its feet covers of a ball that comes in that time."""
+    return Tune.STAND + Tune.STEP * max(0.0, seconds - Tune.STEP_LATE)
 
 
 class ShotWatch:

@@ -5,7 +5,7 @@
 # ball is far and does not come, so a goalie in a long scrum does not localise.
 import kelpie
 from lib.geom import from_field
-from lib.head import look_at
+from lib.head import look_at, view
 from lib.landmarks import GOALIE_PAN, choose_landmark, look_at_landmark
 from lib.machine import Machine
 from lib.tune import Watch
@@ -27,6 +27,7 @@ class GoalieHead(Machine):
         self.free = False
         self.tracked = 0.0    # cm to the ball when it was last tracked
         self.glances = 0
+        self.marked = False   # the landmark was seen in this glance
         self.glanced_s = 0.0
 
     def head(self, world, free) -> kelpie.HeadRequest:
@@ -48,6 +49,7 @@ class GoalieHead(Machine):
         mark = self.landmark(world)
         if mark is not None:
             self.glances += 1
+            self.marked = False
             return self.enter(world, self.localise, mark, 'glance {}; the pose is sure to {} cm',
                               self.glances, world.position_sd)
         return self.at_ball(world)
@@ -74,9 +76,21 @@ class GoalieHead(Machine):
 
     def localise(self, world):
         self.glanced_s = world.time_s
+        self.marked = self.marked or any(mark.kind == self.skill.kind
+                                         for mark in world.percepts.landmarks)
         if not self.free or self.timed_out(world, Look.TIME):
+            if self.free and not self.marked:
+                return self.enter(world, self.survey, None, 'no landmark where the pose says')
             return self.after_glance(world)
         return look_at_landmark(world, self.skill)
+
+    def survey(self, world):
+        """Once from left to right, at rest in four directions: what is seen mends the pose."""
+        self.glanced_s = world.time_s
+        look = int(self.since(world) / Look.SURVEY_TIME)
+        if not self.free or look >= len(Look.SURVEY):
+            return self.after_glance(world)
+        return view(Look.SURVEY[look], Look.SURVEY_DOWN, world.stance)
 
     def after_glance(self, world):
         return self.enter(world, self.believed, None, 'the glance is over')

@@ -23,7 +23,8 @@ constexpr const char* kScript =
 // Writes a log as the agent does, and looks at what passes.
 class Sink : public LogSink {
  public:
-  Sink(const std::string& path, const AgentConfig& config) : log_(std::move(*LogWriter::open(path))) {
+  Sink(const std::string& path, const AgentConfig& config)
+      : log_(std::move(*LogWriter::open(path))) {
     log_.write(kConfigTopic, TimeUs{}, config);
   }
   void motion(const MotionInput& input, const MotionOutput& output) override {

@@ -128,7 +128,7 @@ def test_a_reason_fits_a_trace_and_has_a_number_for_each_mark():
         ball = chance.uniform(0, 360), chance.uniform(0, 540)
         made = world(ball[0], ball[1], chance.uniform(-180, 180), ball)
         put_ball_ahead(made, 30.0)
-        _, reason, *numbers = tree.decide(Situation(made, chance.random() < 0.3, False))
+        _, _, reason, *numbers = tree.decide(Situation(made, chance.random() < 0.3, False))
         assert len(reason) <= 80 and reason.count('{}') == len(numbers) <= 3
 
 
@@ -137,6 +137,17 @@ def test_the_drawing_has_one_row_a_node_and_each_hangs_below_another():
     names = [row[0] for row in rows]
     assert len(set(names)) == len(names) and rows[0][1] == ''
     assert all(row[1] in names for row in rows[1:])
+
+
+def test_the_place_of_a_leaf_is_its_row_of_the_drawing():
+    chance = random.Random(9)
+    drawn = {row[0]: row[3] for row in tree.rows() if row[4]}
+    for _ in range(2000):
+        ball = chance.uniform(0, 360), chance.uniform(0, 540)
+        made = world(ball[0], ball[1], chance.uniform(-180, 180), ball)
+        put_ball_ahead(made, 30.0)
+        chosen, place, *_ = tree.decide(Situation(made, chance.random() < 0.3, False))
+        assert drawn[place] == chosen
 
 
 # Contested

@@ -6,8 +6,9 @@ import kelpie
 import pytest
 from goalie_world import GoalieWorld, anywhere, run, scene, shot
 from lib import goalie_places as places
-from lib.tune_goalie import Block
+from lib.tune_goalie import Block, Guard
 from players.goalie import Goalie
+from skills.guard_goal import GuardGoal
 
 
 def state(world, frames=Block.SEEN_FRAMES + Block.FRAMES - 1):
@@ -23,7 +24,7 @@ def state(world, frames=Block.SEEN_FRAMES + Block.FRAMES - 1):
 
 @pytest.mark.parametrize('branch, ball, velocity, at, facing', [
     ('turn', 180 + 200j, 0j, 180 + 20j, -1j),
-    ('block', 180 + 90j, -130j, 180 + 20j, 1j),
+    ('block', 180 + 90j, -170j, 180 + 20j, 1j),
     ('adjust', 180 + 90j, -75j, 180 + 20j, 1j),
     ('clear', 180 + 44j, 0j, 180 + 30j, 1j),
     ('attack', 180 + 62j, 0j, 180 + 20j, 1j),
@@ -33,8 +34,8 @@ def test_scene_selects_its_branch(branch, ball, velocity, at, facing):
 
 
 @pytest.mark.parametrize('first, second, both', [
-    ('turn', 'block', dict(ball=180 + 90j, velocity=-130j, facing=-1j)),
-    ('block', 'clear', dict(ball=180 + 34j, velocity=-60j)),
+    ('turn', 'block', dict(ball=180 + 90j, velocity=-170j, facing=-1j)),
+    ('block', 'clear', dict(ball=180 + 40j, velocity=-170j)),
     ('clear', 'attack', dict(ball=180 + 34j))])
 def test_an_earlier_branch_goes_before_a_later_one(first, second, both):
     assert state(scene(**both)) == first
@@ -52,7 +53,7 @@ def test_trace_says_branch_reason_and_skill():
 
 
 def test_goalie_stands_still_while_play_is_halted():
-    world, player = scene(180 + 90j, -130j), Goalie()
+    world, player = scene(180 + 90j, -170j), Goalie()
     world.world.game.state = kelpie.SET
     for _ in range(60):
         world.see()
@@ -72,7 +73,7 @@ def test_a_fallen_goalie_gets_up():
 
 
 def test_a_block_is_let_come_to_its_end():
-    world, player = scene(180 + 90j, -130j), Goalie()
+    world, player = scene(180 + 90j, -170j), Goalie()
     states = []
     for _ in range(75):
         world.step(player.command(world.world))
@@ -204,3 +205,16 @@ def test_a_pose_that_cannot_be_right_makes_the_goalie_look_round(sign):
         turned += abs(command.walk.turn_deg) / 30
     assert 270 < turned < 500 and player.state == player.guard
     assert scenery.facing.imag > 0.7
+
+
+@pytest.mark.parametrize('ahead, right, steps_back', [
+    (8.0, 0.0, True), (14.0, -10.0, True), (30.0, 0.0, False), (-5.0, 0.0, False)])
+def test_a_ball_lost_under_the_chin_is_backed_off_from(ahead, right, steps_back):
+    scenery, player = scene(complex(180 + right, 30 + ahead), at=180 + 30j), Goalie()
+    scenery.world.ball.seconds_since_seen = Guard.FRESH + 0.1
+    scenery.world.percepts.ball.present = False
+    player.moved_s = -10.0
+    player.enter(scenery.world, player.guard, GuardGoal(Guard))
+    command = player.guard(scenery.world)
+    assert (command.walk.forward < 0.0) == steps_back
+    assert command.walk.left == pytest.approx(0.0)

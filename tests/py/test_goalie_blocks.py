@@ -26,7 +26,7 @@ def seeing(run=Block.SEEN_FRAMES, lost=0):
     (-9.1, kelpie.BLOCK_LEFT), (30, kelpie.BLOCK_RIGHT), (-30, kelpie.BLOCK_LEFT),
     (60, kelpie.NO_MOTION), (-60, kelpie.NO_MOTION)])
 def test_block_is_on_the_side_where_the_ball_passes(aside, motion):
-    world = scene(180 + 80j, 120 * (complex(aside, -60) / abs(complex(aside, -60))))
+    world = scene(180 + 80j, 170 * (complex(aside, -60) / abs(complex(aside, -60))))
     world.world.field = kelpie.FieldDescription(goal_width=300.0)  # whatever comes is at the goal
     watch = ShotWatch(seeing())
     for _ in range(Block.FRAMES):
@@ -44,15 +44,23 @@ def way_in(speed, seconds):
 
 
 @pytest.mark.parametrize('speed', range(5, 200, 5))
-def test_only_fast_balls_are_blocked(speed):
-    """A ball 40 cm ahead of the goalie, at all speeds."""
-    world = scene(180 + 60j, -1j * speed)
+def test_of_balls_straight_ahead_only_the_fastest_are_blocked(speed):
+    """40 cm ahead of the goalie; the slower ones its legs stop as it stands."""
     watch = ShotWatch(seeing())
     for _ in range(Block.FRAMES):
-        watch.update(world.world)
-    reaches = speed > speed_to_go(60.0 - Block.SHORT)
+        watch.update(scene(180 + 60j, -1j * speed).world)
+    assert (watch.block() == kelpie.BLOCK) == (speed >= Block.STAND_SPEED)
+
+
+@pytest.mark.parametrize('speed', range(5, 200, 5))
+def test_of_balls_aside_the_fast_are_blocked_and_the_slow_walked_to(speed):
+    """20 cm aside: a ball that takes 1 s leaves the time for two steps."""
+    watch = ShotWatch(seeing())
+    for _ in range(Block.FRAMES):
+        watch.update(scene(200 + 60j, -1j * speed).world)
+    comes = speed_to_go(60.0 - Block.SHORT) < speed < Block.FASTEST
     in_time = way_in(speed, Block.LATEST) > 40.0
-    assert (watch.block() != kelpie.NO_MOTION) == (reaches and in_time)
+    assert (watch.block() == kelpie.BLOCK_RIGHT) == (comes and in_time)
 
 
 @pytest.mark.parametrize('ball, velocity', [
@@ -65,18 +73,18 @@ def test_a_ball_that_misses_the_goal_is_not_blocked(ball, velocity):
 
 
 def test_one_frame_alone_makes_no_block():
-    world, watch = scene(180 + 90j, -130j), ShotWatch(seeing())
+    world, watch = scene(180 + 90j, -170j), ShotWatch(seeing())
     watch.update(world.world)
     assert watch.block() == kelpie.NO_MOTION
     world.world.ball.velocity.y = 0.0
     watch.update(world.world)
-    world.world.ball.velocity.y = -130.0
+    world.world.ball.velocity.y = -170.0
     watch.update(world.world)
     assert watch.block() == kelpie.NO_MOTION
 
 
 def test_an_unseen_ball_is_not_blocked():
-    world, watch = scene(180 + 90j, -130j), ShotWatch(seeing())
+    world, watch = scene(180 + 90j, -170j), ShotWatch(seeing())
     world.world.ball.seconds_since_seen = Block.SEEN
     for _ in range(5):
         watch.update(world.world)
@@ -85,7 +93,7 @@ def test_an_unseen_ball_is_not_blocked():
 
 def test_a_ball_just_found_is_not_blocked_but_a_single_frame_may_miss_it():
     """Found elsewhere, it seems to have come from where it was believed."""
-    world, memory = scene(180 + 90j, -130j).world, seeing(Block.SEEN_FRAMES - 1)
+    world, memory = scene(180 + 90j, -170j).world, seeing(Block.SEEN_FRAMES - 1)
     watch = ShotWatch(memory)
     for run, lost, believed in [(Block.SEEN_FRAMES - 1, 0, 0), (Block.SEEN_FRAMES, 0, 1),
                                 (0, 1, 2), (1, 0, 3), (0, 1, 4), (0, 2, 0), (1, 0, 0)]:
@@ -103,7 +111,7 @@ def test_no_kick_is_so_fast():
 
 @pytest.mark.parametrize('seconds, blocked', [(0.05, False), (0.1, True), (0.8, True), (1, False)])
 def test_block_neither_too_late_nor_too_early(seconds, blocked):
-    shot = type('Shot', (), dict(aside=0.0, seconds=seconds))
+    shot = type('Shot', (), dict(aside=25.0, seconds=seconds, speed=100.0))
     assert (block_for(shot) != kelpie.NO_MOTION) == blocked
 
 

@@ -106,6 +106,8 @@ def heads(head, world, seconds, free=True):
 
 def seeing(world, seen=True):
     world.percepts.ball.present = seen
+    world.percepts.landmarks = [kelpie.LandmarkPercept(kind=mark.kind)
+                                for mark in world.field.landmarks]
     if seen:
         world.ball.seconds_since_seen = 0.0
     return world
@@ -126,6 +128,25 @@ def test_no_glance_while_the_ball_is_near_or_comes(change):
     if change == 'coming':
         world.ball.velocity.y = -Look.STILL - 1.0
     assert heads(GoalieHead(), world, 8.0, change != 'not free') == ['track']
+
+
+def test_a_glance_that_finds_no_landmark_is_followed_by_a_survey():
+    world = seeing(world_at())
+    world.percepts.landmarks = []
+    assert 'survey' in heads(GoalieHead(), world, 5.0)
+    head, pans = GoalieHead(), []
+    head.enter(world, head.survey)
+    for _ in range(32):
+        world.time_s += 1.0 / 30.0
+        request = head.head(world, True)
+        if head.state == head.survey and request.head_pan_deg not in pans:
+            pans.append(request.head_pan_deg)
+    assert pans == list(Look.SURVEY)
+
+
+def test_a_glance_that_finds_it_is_not():
+    world = seeing(world_at())
+    assert 'survey' not in heads(GoalieHead(), world, 12.0)
 
 
 def test_glances_are_more_frequent_when_the_pose_is_unsure():

@@ -17,6 +17,8 @@ void addImport(CLI::App& app, int& code);
 void addCompress(CLI::App& app, int& code);
 void addShow(CLI::App& app, int& code);
 void addWhy(CLI::App& app, int& code);
+void addTree(CLI::App& app, int& code);
+void addVectors(CLI::App& app, int& code);
 void addEvaluate(CLI::App& app, int& code);
 void addFilm(CLI::App& app, int& code);
 void addBench(CLI::App& app, int& code);

@@ -96,12 +96,6 @@ void drawOthers(cv::Mat& picture, const Percepts& seen, int scale) {
   for (const auto& gap : seen.gaps) drawGap(picture, gap, scale);
 }
 
-// From field centimetres to picture pixels; up-field is up.
-cv::Point onPicture(const body::FieldDescription& field, double scale, Point2<Field> p) {
-  return {static_cast<int>(std::lround((p.x + kMargin) * scale)),
-          static_cast<int>(std::lround((field.length + kMargin - p.y) * scale))};
-}
-
 void drawGoal(cv::Mat& picture, const body::FieldDescription& field, double scale, bool own,
               const cv::Scalar& colour) {
   const double middle = field.width / 2;
@@ -153,6 +147,11 @@ void drawBelief(cv::Mat& picture, const body::FieldDescription& field, double sc
 }
 
 }  // namespace
+
+cv::Point onPicture(const body::FieldDescription& field, double scale, Point2<Field> p) {
+  return {static_cast<int>(std::lround((p.x + kMargin) * scale)),
+          static_cast<int>(std::lround((field.length + kMargin - p.y) * scale))};
+}
 
 const TrueRobot* TruePlaces::own() const {
   const auto found =

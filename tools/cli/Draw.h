@@ -75,6 +75,8 @@ void drawLines(cv::Mat& picture, const std::vector<std::string>& lines, cv::Poin
 
 // The field seen from above, the team's own goal at the bottom, `pixelsPerCm` to the cm.
 cv::Mat drawField(const body::FieldDescription& field, TeamColour team, double pixelsPerCm);
+// Where a place is on such a picture; up-field is up.
+cv::Point onPicture(const body::FieldDescription& field, double pixelsPerCm, Point2<Field> p);
 void drawPaths(cv::Mat& picture, const body::FieldDescription& field, double pixelsPerCm,
                const Paths& paths);
 void drawPlaces(cv::Mat& picture, const body::FieldDescription& field, double pixelsPerCm,

@@ -32,9 +32,16 @@ std::string printable(std::string_view text) {
   return shown;
 }
 
+// What stands behind the first word of a module, a place in the decision tree, is for `kelpie
+// tree`.
+std::string moduleOf(const TraceStep& step) {
+  const std::string_view whole = step.module.view();
+  return printable(whole.substr(0, whole.find(' ')));
+}
+
 // Who decided: a module without a name goes by its layer.
 std::string deciderOf(const TraceStep& step) {
-  return step.module.empty() ? wordFor(step.layer) : printable(step.module.view());
+  return step.module.empty() ? wordFor(step.layer) : moduleOf(step);
 }
 
 std::string choiceOf(const TraceStep& step) {
@@ -129,7 +136,7 @@ std::string lineOf(const TraceStep& step) {
 
 std::string sentenceOf(const TraceStep& step) {
   const std::string reason = reasonOf(step);
-  const std::string name = step.module.empty() ? "" : ' ' + printable(step.module.view());
+  const std::string name = step.module.empty() ? "" : ' ' + moduleOf(step);
   return fmt::format("The {}{} chose {}{}.", wordFor(step.layer), name,
                      step.branch.empty() ? "?" : printable(step.branch.view()),
                      reason.empty() ? "" : ": " + reason);
