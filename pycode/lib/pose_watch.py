@@ -18,6 +18,7 @@ class PoseWatch:
     def __init__(self):
         self.carried = None     # x, y, heading in deg
         self.sure = False       # of the pose before the jump
+        self.gave_in = False    # in this frame, to a jump that lasted
         self.since_s = None     # when the doubt began; None without one
 
     def update(self, world):
@@ -28,9 +29,10 @@ class PoseWatch:
         away, aside = apart(self.carried, told(world))
         if self.since_s is None and self.sure and (away > JUMP_CM or aside > JUMP_DEG):
             self.since_s = world.time_s
+        self.gave_in = False
         right = away < BACK_CM and aside < BACK_DEG
         if self.since_s is not None and (right or world.time_s - self.since_s > LONGEST):
-            self.since_s = None
+            self.since_s, self.gave_in = None, not right
         if self.since_s is None:
             self.carried = told(world)
             self.sure = world.position_sd < SURE_CM and world.heading_sd_deg < SURE_DEG

@@ -30,7 +30,7 @@ class Goalie(Machine):
         super().__init__(self.guard, GuardGoal(Guard))
         self.rule = rule    # from the field and a ball to the place to guard
         self.memory = Memory()
-        self.eyes = GoalieHead()
+        self.eyes = GoalieHead(self.memory)
         self.shots = ShotWatch(self.memory)
         self.facing = FaceUpField()
         self.pose = PoseWatch()
@@ -43,6 +43,7 @@ class Goalie(Machine):
     def command(self, world) -> kelpie.Command:
         self.memory.update(world)
         self.pose.update(world)
+        self.eyes.asked = self.eyes.asked or self.pose.gave_in
         world = self.pose.believed(world)
         self.shots.update(world)
         self.facing.update(world)
@@ -210,6 +211,6 @@ class Goalie(Machine):
             return central_place(world.field, LEAST_Y)
         if lost > Guard.UNSEEN:
             return central_place(world.field)
-        if lost > Guard.FRESH:
+        if lost > Guard.FRESH or self.eyes.state == self.eyes.survey:
             return None
         return self.rule(world.field, (world.ball.position.x, world.ball.position.y))
