@@ -12,7 +12,7 @@
 #include "tools/cli/Commands.h"
 #include "tools/cli/Process.h"
 #include "tools/cli/Progress.h"
-#include "tools/cli/Session.h"
+#include "tools/session/Session.h"
 #include "tools/cli/Usage.h"
 #include "tools/cli/WholeFile.h"
 #include "tools/cli/Workshop.h"
