@@ -2,8 +2,9 @@
 # Backs off when a front paw pushes at something in its swing (thesis 2006 section 4.3.3): straight
 # back from both paws, back and to the other side from one, for a certain time. A robot that walks
 # ahead and is felt to be held counts as both: on the physical body two heads meet before any paw
-# does (of 5 walks at a standing robot 4 get past it in 16 s, by paws alone none). Keeps until when, to which side, and when it last backed straight. Feels nothing while it
-# stands. A paw that a near ball presses is the contested ball's matter.
+# does; of 5 walks at a standing robot 4 get past it within 16 s, by paws alone none. Keeps until
+# when, to which side, and when it last backed straight. Feels nothing while it stands. A paw that a
+# near ball presses is the contested ball's matter.
 import kelpie
 from lib.machine import Machine
 
