@@ -2,9 +2,10 @@
 import pytest
 import kelpie
 from lib.goal import OpponentGoal
-from lib.tune import Goal, Kick, Strike
+from lib import tune
+from lib.tune import Goal, Strike
 from skills.go_to_ball import GoToBall, behind
-from skills.kick import KickForward
+from skills.kick import Kick
 from skills.line_up import CircleBall, aim_error
 from skills.strike import StepToKick
 
@@ -59,7 +60,7 @@ def test_no_kick_past_the_goal():
 
 def test_kick_is_requested_until_it_runs_and_ends_with_it():
     world = kelpie.WorldFrame(field=kelpie.FIELDS['2006'])
-    kick = KickForward(world)
+    kick = Kick(world)
     assert kick.motion(world) == kelpie.KICK_FORWARD
     world.motion.running = kelpie.KICK_FORWARD
     assert kick.motion(world) == kelpie.NO_MOTION and not kick.done(world)
@@ -69,8 +70,8 @@ def test_kick_is_requested_until_it_runs_and_ends_with_it():
 
 def test_kick_that_never_starts_is_given_up():
     world = kelpie.WorldFrame(field=kelpie.FIELDS['2006'])
-    kick = KickForward(world)
-    world.time_s += Kick.START_TIME + 0.1
+    kick = Kick(world)
+    world.time_s += tune.Kick.START_TIME + 0.1
     assert kick.done(world)
 
 
