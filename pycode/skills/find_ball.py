@@ -129,13 +129,15 @@ class FindBall(Machine):
     def situation(self, world) -> Situation:
         memory = self.memory
         low, high = self.limits(world)
+        head_low = world.head.neck_tilt_deg < lost_ball.LOW_NECK
         known = self.forced_point is not None or world.ball.present
         return Situation(frame=memory.frame, lost=memory.ball_lost,
                          force_until=self.force_until if known else -1,
                          hint_frame=None if self.hint_doubt.refuted else self.hint_frame,
-                         ir=memory.ir, close_lost=memory.close_lost,
+                         ir=math.inf if head_low else memory.ir, close_lost=memory.close_lost,
                          blocking=world.motion.running in lost_ball.BLOCKS,
                          believed=self.believes(world), distance=self.away(world),
+                         left=lost_ball.sent_away(memory.hint, memory.frame),
                          backed=self.backed, scanned=self.scanned, reach=high - low,
                          turned=self.spinning.turned, unseen=self.explored.unseen)
 
