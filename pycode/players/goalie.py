@@ -211,6 +211,6 @@ class Goalie(Machine):
             return central_place(world.field, LEAST_Y)
         if lost > Guard.UNSEEN:
             return central_place(world.field)
-        if lost > Guard.FRESH or self.eyes.state == self.eyes.survey:
+        if not seen(world, Guard.FRESH) or self.eyes.state == self.eyes.survey:
             return None
         return self.rule(world.field, (world.ball.position.x, world.ball.position.y))
