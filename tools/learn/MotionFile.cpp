@@ -217,7 +217,9 @@ Expected<MotionData> readMotion(const std::string& path) {
   const toml::parse_result parsed = toml::parse_file(path);
   if (!parsed) {
     const toml::parse_error& error = parsed.error();
-    return Error{fmt::format("{}:{}: {}", path, error.source().begin.line, error.description())};
+    const auto line = error.source().begin.line;  // 0: not one of the file's
+    if (line == 0) return Error{path + ": cannot be read"};
+    return Error{fmt::format("{}:{}: {}", path, line, error.description())};
   }
   const auto other = parsed.table()["mirror"].value<std::string>();
   if (!other) return Reader(path).read(parsed.table());
