@@ -30,7 +30,7 @@ INFRARED_HEAD = (0.0, -10.0, -20.0)  # pan, tilt, crane
 BREAK_PAN = 30.0       # deg back against a spin that went past the ball (G36)
 ONE_SIDE = 8.0         # deg
 # Times the speed of algorithm 6.2. From 13 starts without a ball in sight it was seen and kept in
-# sight after 2.9 s in the mean, at the algorithm's 55 deg/s after 3.9; the scan sweeps faster yet.
+# sight after 2.9 s on average, at the algorithm's 55 deg/s after 3.9; the scan sweeps faster yet.
 SPIN_TIMES = 2.0
 TAKEN_S = 0.1
 SPIN_BREAK = 15        # frames for which a spin is recent (facts-2005 section 7.2)
