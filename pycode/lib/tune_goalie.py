@@ -18,7 +18,7 @@ class Guard:
     LAZY_TURN, ACCURATE_TURN = 14.0, 5.0
     FRESH = 0.4              # s; for a ball unseen for longer the goalie stands still,
     CHIN, BACK_OFF = 16.0, -15.0  # or back from one that was so near, at that speed,
-    UNSEEN = 1.2             # then goes to the middle,
+    UNSEEN = 1.6             # then goes to the middle, when the head has looked low all round,
     LOST = 4.0               # then to the line: the head sees 26 deg past the sides
 
 
@@ -126,7 +126,7 @@ class Look:
 class PointScan:
     BEACON = 0.22            # s; the head pans 33 deg in 0.1 s, then three images
     LOW = 0.26               # 44 deg
-    NEAR_TIME = 0.3
+    NEAR_TIMES = 0.24, 0.5, 0.76, 1.24, 1.5  # ends of the looks; the fourth is 132 deg away
     DOWN = 12.0              # deg below the horizontal at the beacons: a ball from 30 cm on shows
     LOW_AT = 28.0            # cm; a ball from 12 to 130 cm shows
     NEAR = 60.0              # cm; a ball lost nearer is first looked for low

@@ -206,11 +206,12 @@ class Goalie(Machine):
     def place(self, world):
         """Where to guard: by the ball; nowhere else while it is looked for at first; then in the
         middle, and at last so near to the line that no ball can lie behind the robot unseen."""
-        lost = self.lost_for(world)
+        lost = self.lost_for(world) if self.pose.settled(world) else 0.0
         if lost > Guard.LOST:
             return central_place(world.field, LEAST_Y)
         if lost > Guard.UNSEEN:
             return central_place(world.field)
-        if lost > Guard.FRESH or self.eyes.state == self.eyes.survey:
+        if (not seen(world, Guard.FRESH) or not self.pose.settled(world) or
+                self.eyes.state == self.eyes.survey):
             return None
         return self.rule(world.field, (world.ball.position.x, world.ball.position.y))

@@ -4,9 +4,10 @@
 # state, the skill, the leaf that it plays and why, the contest's latch and the goal. A skill that is
 # committed (a grab, a kick, a held ball) is not interrupted; any other may change in any frame.
 import kelpie
-from decisions import leaf_by_map, tree
+from decisions import tree
 from decisions.contested import Contested
 from decisions.held_choice import HeldChoice
+from decisions.leaf_by_map import LeafByMap
 from decisions.situation import Situation
 from lib.geom import from_field, heading
 from lib.goal import OpponentGoal
@@ -45,6 +46,7 @@ class Attacker(Machine):
         self.memory = memory
         self.goal = OpponentGoal()
         self.contested = Contested()
+        self.by_map = LeafByMap()
         self.held = HeldChoice(memory, self.contested)
         self.localise_skill = ActiveLocalise(memory)
         self.stuck = PawStuck()
@@ -78,7 +80,8 @@ class Attacker(Machine):
     def find(self, world):
         if self.skill is None:
             self.skill = FindBall(world, self.memory)
-        if world.ball.present and world.ball.seconds_since_seen < SEEN_S:
+        # gps has a felt ball as seen: vision must say so, too, or play() would send it back here.
+        if not self.lost(world) and world.ball.seconds_since_seen < SEEN_S:
             return self.enter(world, self.play, None, 'the ball is {} cm away', world.ball.distance)
         return self.skill.command(world)
 
@@ -126,6 +129,7 @@ class Attacker(Machine):
         """Watches where the ball goes; a skill that leaves no hint itself sent it ahead."""
         if self.memory.hint is None or self.memory.frame - self.memory.hint[2] > 2:
             self.memory.set_hint(*LOOK_AFTER)
+        self.by_map = LeafByMap()
         self.enter(world, self.watch, FindBall(world, self.memory), self.leaf + ' has ended')
         self.leaf = None
 
@@ -150,7 +154,7 @@ class Attacker(Machine):
         leaf, self.tree_place, *why = tree.decide(situation)
         self.tree_leaf, self.tree_why = leaf, tuple(why)
         if world.task.kicks == kelpie.KICKS_BY_MAP and world.task.grab:
-            leaf, *why = leaf_by_map.choose(world, situation, leaf, self.leaf)
+            leaf, *why = self.by_map.choose(world, situation, leaf, self.leaf)
         if leaf in tree.WITH_GRAB and not world.task.grab:
             leaf = LINE_UP
         settled = (world.ball.distance < SETTLED and

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 # The goalie's head (thesis 2006 section 4.3.1): always on the ball; back to it at once when it is
 # lost, by where it is believed, then by a point scan; now and then a glance at the landmark seen
-# longest ago, and a survey of all when there is none. Keeps the state and when it last glanced. It looks away only when it is told that it may and the
-# ball is far and does not come, so a goalie in a long scrum does not localise.
+# longest ago, and a survey of all when there is none. Keeps the state and when it last glanced. It
+# looks away only when it is told that it may and the ball is far and does not come, so a goalie in
+# a long scrum does not localise.
 import kelpie
 from lib.geom import from_field
 from lib.head import look_at, view

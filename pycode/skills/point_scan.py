@@ -16,7 +16,7 @@ from lib.tune_goalie import PointScan as Tune
 
 FROM_MIDDLE = (60.0, 27.0, -27.0, -60.0)  # deg, the beacons of 2006 from the middle of the goal
 LOW = (-88.0, -44.0, 0.0, 44.0, 88.0)     # deg, the points after them
-NEAR = (0.0, 44.0, 88.0)                  # once before them, for a ball lost close by on the left
+NEAR = (0.0, 44.0, 88.0, -44.0, -88.0)    # once before them, for a ball lost close by on the left
 
 
 def beacons(field):
@@ -50,13 +50,14 @@ class PointScan:
 
     def passed(self, world) -> float:
         """Seconds since the first round began; negative before it."""
-        return world.time_s - self.start_s - len(self.near) * Tune.NEAR_TIME
+        return world.time_s - self.start_s - (Tune.NEAR_TIMES[-1] if self.near else 0.0)
 
     def head(self, world) -> kelpie.HeadRequest:
         passed = self.passed(world)
         if passed < 0.0:
             self.branch = 'near'
-            self.at = max(0, len(self.near) - math.ceil(-passed / Tune.NEAR_TIME))
+            passed += Tune.NEAR_TIMES[-1]
+            self.at = sum(passed >= end for end in Tune.NEAR_TIMES)
             return self.low(world, self.near[self.at])
         passed = math.fmod(passed, self.period())
         self.branch, self.at = 'beacon', int(passed / Tune.BEACON)

@@ -207,6 +207,15 @@ def test_a_pose_that_cannot_be_right_makes_the_goalie_look_round(sign):
     assert scenery.facing.imag > 0.7
 
 
+def test_where_the_ball_was_believed_before_a_block_is_not_where_it_is_guarded_against():
+    scenery, player = scene(120 + 30j), Goalie()
+    scenery.world.ball.seconds_since_seen = 2.0
+    player.moved_s = scenery.world.time_s - 0.1   # the block has just ended
+    assert player.place(scenery.world) is None
+    player.moved_s -= Guard.UNSEEN
+    assert player.place(scenery.world) == places.central_place(scenery.world.field)
+
+
 @pytest.mark.parametrize('ahead, right, steps_back', [
     (8.0, 0.0, True), (14.0, -10.0, True), (30.0, 0.0, False), (-5.0, 0.0, False)])
 def test_a_ball_lost_under_the_chin_is_backed_off_from(ahead, right, steps_back):

@@ -53,10 +53,10 @@ def test_all_four_beacons_the_front_and_both_sides_are_seen_in_each_round():
 def test_a_ball_lost_close_by_is_first_looked_for_low_from_the_front_outwards(side):
     world = world_at()
     scan = PointScan(world, side)
-    looks = scanned(scan, world, 3 * Tune.NEAR_TIME)
+    looks = scanned(scan, world, Tune.NEAR_TIMES[-1])
     rests = [round(pan / 44.0) for pan, tilt in looks if tilt < -15.0]
     turns = [pan for pan, before in zip(rests, [None] + rests) if pan != before]
-    assert turns == [0, side, 2 * side]
+    assert turns == [0, side, 2 * side, -side, -2 * side]
     assert scan.rounds(world) == 0
     world.time_s += 1e-3
     assert scan.head(world).head_pan_deg > 50 and scan.branch == 'beacon'

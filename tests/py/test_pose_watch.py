@@ -36,7 +36,10 @@ def test_a_jump_is_doubted_until_it_is_taken_back(off):
     walk = Walk()
     walk.step()
     assert [walk.step(off) for _ in range(5)] == [True] * 5
-    assert not walk.step()
+    assert not walk.step() and not walk.watch.settled(walk.world)
+    for _ in range(30):
+        walk.step()
+    assert walk.watch.settled(walk.world)
 
 
 def test_a_jump_that_lasts_is_believed():
