@@ -81,6 +81,7 @@ class Goal:
     POSE_HEADING_SD = 20.0   # poses worse than this say nothing about the goal
     POSE_FRESH = 15.0        # neither do those without a landmark for so long
     SWEEP = 2.6              # look for it that long before playing without
+    REGAIN = 1.0             # then look for the ball again that long
 
 
 class Look:

@@ -188,11 +188,15 @@ class Goalie(Machine):
 
     def guard(self, world) -> kelpie.Command:
         place = self.place(world)
-        walk = self.skill.walk(world, place) if place is not None else self.back_off(world)
+        walk = self.skill.walk(world, place) if place is not None else self.look_about(world)
         return kelpie.Command(walk=walk, head=self.eyes.head(world, True))
 
-    def back_off(self, world) -> kelpie.WalkRequest:
-        """A ball lost at the feet is under the chin: a step back shows it."""
+    def look_about(self, world) -> kelpie.WalkRequest:
+        """A ball lost at the feet is under the chin: a step back shows it. One beside the body is
+        seen only when that turns."""
+        side = self.eyes.turn_side(world)
+        if side != 0.0:
+            return kelpie.WalkRequest(turn_deg=side * Guard.SEARCH_TURN)
         ball = world.ball.relative
         under = world.ball.present and 0.0 < ball.y < Guard.CHIN and abs(ball.x) < Guard.CHIN
         return in_box(world, kelpie.WalkRequest(forward=Guard.BACK_OFF if under else 0.0))

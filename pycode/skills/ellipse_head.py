@@ -12,7 +12,7 @@ from skills.goalie_head import GoalieHead, seen
 
 class EllipseHead(GoalieHead):
     NAME = 'ellipse_head'
-    FAR = Look.FAR_ELLIPSE
+    FAR = FAR_SURE = Look.FAR_ELLIPSE
 
     def __init__(self, memory):
         super().__init__(memory)

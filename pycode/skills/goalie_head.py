@@ -21,7 +21,8 @@ def seen(world, seconds=Watch.FRESH) -> bool:
 
 class GoalieHead(Machine):
     NAME = 'goalie_head'
-    FAR = Look.FAR   # cm; a nearer ball is not left alone
+    FAR = Look.FAR   # cm; a nearer ball is not left alone,
+    FAR_SURE = Look.FAR_SURE   # nor one so near while the pose is sure
 
     def __init__(self, memory):
         super().__init__(self.search)
@@ -68,7 +69,10 @@ class GoalieHead(Machine):
 
     def calm(self, world) -> bool:
         """Whether the ball can be left alone for a moment."""
-        return (self.free and world.ball.distance > self.FAR and
+        sure = (world.position_sd < Look.SURE_SD and
+                world.heading_sd_deg < Look.SURE_HEADING_SD)
+        far = self.FAR_SURE if sure and not self.asked else self.FAR
+        return (self.free and world.ball.distance > far and
                 world.ball.velocity.y > -Look.STILL and self.since(world) > Look.STEADY)
 
     def landmark(self, world):
@@ -140,6 +144,10 @@ class GoalieHead(Machine):
         if self.skill is None:
             self.skill = self.scan(world)
         return self.skill.head(world)
+
+    def turn_side(self, world) -> float:
+        """To which side the body must turn for the search, +1 left; 0: to none."""
+        return self.skill.turn_side(world) if isinstance(self.skill, PointScan) else 0.0
 
     def scan(self, world):
         """Low first on the side where the ball is believed, if it was lost close by."""

@@ -16,7 +16,7 @@ from lib.tune_goalie import PointScan as Tune
 
 FROM_MIDDLE = (60.0, 27.0, -27.0, -60.0)  # deg, the beacons of 2006 from the middle of the goal
 LOW = (-88.0, -44.0, 0.0, 44.0, 88.0)     # deg, the points after them
-NEAR = (0.0, 44.0, 88.0, -44.0, -88.0)    # once before them, for a ball lost close by on the left
+NEAR = (0.0, 44.0, -44.0, 30.0)           # once before them, for a ball lost close by on the left
 
 
 def beacons(field):
@@ -34,7 +34,8 @@ class PointScan:
 
     def __init__(self, world, near=0.0):
         """`near`: the side (+1 left, -1 right) where the ball was lost close by: before the first
-        round the head looks low, from the front outwards. 0: it was lost farther away."""
+        round the head looks low ahead, then the body turns to that side. 0: it was lost farther
+        away."""
         self.start_s = world.time_s
         self.beacons = beacons(world.field)
         self.near = tuple(near * pan for pan in NEAR) if near else ()
@@ -68,6 +69,11 @@ class PointScan:
         low = int((passed - len(self.beacons) * Tune.BEACON) / Tune.LOW)
         self.branch, self.at = 'low', min(low, len(LOW) - 1)
         return self.low(world, LOW[self.at])
+
+    def turn_side(self, world) -> float:
+        """Where the body must turn, +1 left: a head panned to the side cannot look down. 0: not."""
+        turns = self.branch == 'near' and self.at == len(NEAR) - 1
+        return math.copysign(1.0, self.near[-1]) if turns else 0.0
 
     def low(self, world, pan):
         aside = math.radians(pan)

@@ -3,8 +3,8 @@
 # noise, a kick sends a ball in its strike zone to where the motion's table says, at once, and a
 # grab catches a ball between the paws. Its geometry is its own, not that of lib/: the field is the
 # complex plane in cm, a heading is a unit number. With `noise` 1 the ball is seen with standard
-# deviations of 4 % and 1 deg, the goal with 2 deg, the pose is off by up to 15 cm and 6 deg, and the
-# legs do 10 % less than was requested and than odometry reports.
+# deviations of 4 % and 1 deg, the goal with 2 deg, the pose is off by up to 15 cm and 6 deg, and
+# the legs do 10 % less than was requested and than odometry reports.
 import cmath
 import math
 import random

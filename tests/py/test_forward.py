@@ -188,3 +188,24 @@ def test_every_frame_tells_from_the_player_down_to_a_skill():
         assert layers == sorted(layers) and layers[0] == kelpie.LAYER_PLAYER
         assert layers[-1] == kelpie.LAYER_SKILL
         ideal.step(command)
+
+
+def test_a_ball_that_only_the_body_feels_is_searched_for():
+    """gps tells a felt ball as seen now; vision has not seen it for long."""
+    ideal, player = game(9)
+    ideal.hidden, ideal.held = True, True
+    for _ in range(90):
+        ideal.step(kelpie.Command())
+        ideal.world.ball.seconds_since_seen = 0.0
+        player.command(ideal.world)
+        assert player.role.state == player.role.find
+
+
+def test_the_goal_is_looked_for_once_and_the_ball_is_found_again_after_it():
+    ideal, player = game(18, WITHOUT)
+    sweeps, before = 0, ''
+    while ideal.world.time_s < 30.0 and not ideal.kicks:
+        ideal.step(player.command(ideal.world))
+        now = doing(player)[1]
+        sweeps, before = sweeps + (now == 'look_for_goal' != before), now
+    assert ideal.kicks > 0 and sweeps <= 2

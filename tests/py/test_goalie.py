@@ -11,10 +11,12 @@ from players.goalie import Goalie
 from skills.guard_goal import GuardGoal
 
 
-def state(world, frames=Block.SEEN_FRAMES + Block.FRAMES - 1):
-    """What the goalie does after so many frames of a scene that does not change."""
+def state(world, frames=Block.SEEN_FRAMES + Block.FRAMES):
+    """What the goalie does when the ball comes by there, after so many frames."""
     player = Goalie()
+    world.ball -= world.velocity * frames / 30.0
     for _ in range(frames):
+        world.ball += world.velocity / 30.0
         world.see()
         player.command(world.world)
     return player.state.__name__
@@ -25,7 +27,7 @@ def state(world, frames=Block.SEEN_FRAMES + Block.FRAMES - 1):
 @pytest.mark.parametrize('branch, ball, velocity, at, facing', [
     ('turn', 180 + 200j, 0j, 180 + 20j, -1j),
     ('block', 180 + 90j, -170j, 180 + 20j, 1j),
-    ('adjust', 180 + 90j, -75j, 180 + 20j, 1j),
+    ('adjust', 180 + 85j, -75j, 180 + 20j, 1j),
     ('clear', 180 + 44j, 0j, 180 + 30j, 1j),
     ('attack', 180 + 62j, 0j, 180 + 20j, 1j),
     ('guard', 180 + 200j, 0j, 180 + 20j, 1j)])
@@ -158,6 +160,8 @@ def scramble(world, chance):
     """Everything at random, some of it seldom."""
     world.time_s += 1.0 / 30.0
     world.frame += 1
+    world.ball.position.x += world.ball.velocity.x / 30.0
+    world.ball.position.y += world.ball.velocity.y / 30.0
     world.game.state = chance.choice([kelpie.PLAYING] * 20 + [kelpie.SET])
     world.motion.feeling.fallen = chance.choice([kelpie.NOT_FALLEN] * 50 + [kelpie.ON_BACK])
     world.motion.running = chance.choice([kelpie.NO_MOTION] * 5 + [kelpie.BLOCK, kelpie.UPENN_LEFT])

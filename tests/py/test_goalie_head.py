@@ -50,16 +50,17 @@ def test_all_four_beacons_the_front_and_both_sides_are_seen_in_each_round():
 
 
 @pytest.mark.parametrize('side', [1.0, -1.0])
-def test_a_ball_lost_close_by_is_first_looked_for_low_from_the_front_outwards(side):
+def test_a_ball_lost_close_by_is_first_looked_for_low_ahead_then_the_body_turns(side):
     world = world_at()
     scan = PointScan(world, side)
-    looks = scanned(scan, world, Tune.NEAR_TIMES[-1])
+    looks = scanned(scan, world, Tune.NEAR_TIMES[2])
     rests = [round(pan / 44.0) for pan, tilt in looks if tilt < -15.0]
     turns = [pan for pan, before in zip(rests, [None] + rests) if pan != before]
-    assert turns == [0, side, 2 * side, -side, -2 * side]
-    assert scan.rounds(world) == 0
-    world.time_s += 1e-3
-    assert scan.head(world).head_pan_deg > 50 and scan.branch == 'beacon'
+    assert turns == [0, side, -side] and scan.turn_side(world) == 0.0
+    world.time_s = scan.start_s + Tune.NEAR_TIMES[2] + 0.1
+    assert side * scan.head(world).head_pan_deg > 0 and scan.turn_side(world) == side
+    world.time_s = scan.start_s + Tune.NEAR_TIMES[3] + 0.1
+    assert scan.head(world).head_pan_deg > 50 and scan.turn_side(world) == 0.0
 
 
 def test_point_scan_with_a_wrong_heading_looks_ahead_all_the_same():

@@ -2,11 +2,13 @@
 import pytest
 import kelpie
 from lib.goal import OpponentGoal
+from lib.memory import Memory
 from lib import tune
 from lib.tune import Goal, Strike
 from skills.go_to_ball import GoToBall, behind
 from skills.kick import Kick
 from skills.line_up import CircleBall, aim_error
+from skills.line_up_kick import LineUpKick
 from skills.strike import StepToKick
 
 
@@ -117,3 +119,17 @@ def test_seen_goal_is_carried_along_and_then_forgotten():
     assert goal.where(world) == pytest.approx((200.0, 0.0))
     world.time_s += Goal.FRESH + 0.1
     assert goal.where(world) is None
+
+
+def test_a_ball_that_vanishes_in_the_last_steps_ends_them_without_a_circle():
+    world = world_with_ball(0.0, 18.0)
+    goal = OpponentGoal()
+    goal.point, skill = (0.0, 240.0), LineUpKick(Memory(), goal)
+    states = set()
+    for frame in range(120):
+        world.time_s += 1.0 / 30.0
+        goal.seen_s = world.time_s
+        world.ball.seconds_since_seen = max(0, frame - 10) / 30
+        skill.command(world)
+        states.add(skill.state.__name__)
+    assert 'strike' in states and skill.state == skill.line_up
