@@ -7,7 +7,7 @@
 import math
 
 import kelpie
-from lib import intercept
+from lib import hints, intercept
 from lib.geom import clamp, heading
 from lib.machine import Machine
 from skills.hold import carry
@@ -33,6 +33,7 @@ FRAME_S = 1.0 / 30.0
 SEEN_S = 0.2             # s: nobody grabs a ball that it has not just seen
 IR_NEAR = 12.0           # cm of the filtered infrared: the ball is close
 FORWARD = 8.0            # cm/s that the motion ends with (actuator/data/motions/grab.toml)
+HINT_WITHIN = 40.0       # cm; a far ball that is lost need not be where the paws are
 START_S = 0.5            # for the motion to begin
 LONGEST_S = 2.0
 
@@ -108,7 +109,8 @@ class Grab(Machine):
             self.asked_s = world.time_s
             return self.enter(world, self.grab, None, 'ball {} cm ahead, {} cm aside', ball[1],
                               ball[0])
-        self.memory.set_hint(30.0, 0.0)
+        if world.ball.distance < HINT_WITHIN:
+            self.memory.set_hint(*hints.GRAB)
         place = intercept.target(world)
         walk = limited(approach(place), heading(*place))
         return kelpie.Command(walk=walk, head=self.track.head(world))
