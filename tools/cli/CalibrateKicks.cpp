@@ -25,7 +25,7 @@ others. Takes minutes; an interrupt ends it and leaves the file as it was. docs/
 map".
 
   kelpie calibrate kicks --out pycode/lib/kick_map.py
-  kelpie calibrate kicks --trials 2 --models 2 --step 4 --out -)";
+  kelpie calibrate kicks --trials 2 --step 4 --out -)";
 
 struct KicksOptions {
   std::string out;
@@ -54,11 +54,10 @@ int calibrateKicks(const KicksOptions& options) {
   for (const learn::KickGrid& grid : map) describe(grid);
   const std::uint64_t first = learn::firstModelOf(options.plan);
   const std::string about = fmt::format(
-      "kelpie calibrate kicks --trials {} --models {} --seed {} --step {}\n"
-      "models of the seeds {} to {}, {} runs at each place, {} from the hold",
-      options.plan.trials, options.plan.models, options.plan.seed, options.plan.step, first,
-      first + static_cast<std::uint64_t>(options.plan.models) - 1, options.plan.trials,
-      map.back().window.whole.runs);
+      "kelpie calibrate kicks --trials {} --seed {} --step {}\n"
+      "models of the seeds {} to {}, one run on each at each place, {} from the hold",
+      options.plan.trials, options.plan.seed, options.plan.step, first,
+      first + static_cast<std::uint64_t>(options.plan.trials) - 1, map.back().window.whole.runs);
   if (!writeWhole(options.out, learn::kickMapText(map, about)))
     return fail(options.out + ": cannot be written", kExitBadInput);
   return kExitDone;
@@ -71,11 +70,8 @@ void addCalibrateKicks(CLI::App& command, int& code) {
   kicks->footer(kHelp);
   auto options = std::make_shared<KicksOptions>();
   kicks->add_option("--out", options->out, "Python module to write")->required();
-  kicks->add_option("--trials", options->plan.trials, "at each place, on the models in turn")
+  kicks->add_option("--trials", options->plan.trials, "at each place, each on another varied model")
       ->check(inRange(1, 1000))
-      ->capture_default_str();
-  kicks->add_option("--models", options->plan.models, "varied models to learn on")
-      ->check(inRange(1, 100))
       ->capture_default_str();
   kicks->add_option("--seed", options->plan.seed, "of models and places")
       ->check(inRange(0, 1e6))

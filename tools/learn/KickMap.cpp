@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kPhysicsStep = 0.002;  // s, shorter by itself while a ball touches the robot
 constexpr double kPushed = 1.0;         // cm: a ball that rests so far from its place is not there
-constexpr int kHeldRuns = 6;            // times as many as a place of the free ball has
+constexpr int kHeldRuns = 4;            // times as many as a place of the free ball has
 constexpr double kHeldScatter = 0.6;    // cm to each side, before it is held
 
 // Kicks that send a ball the same way, mirrored, from a place that is mirrored.
@@ -91,7 +91,7 @@ class Learner {
  public:
   Learner(const KickMapPlan& plan, const KickMapTold& told)
       : plan_(plan), told_(told), map_(emptyMap(plan)) {
-    models_ = variedModels(firstModelOf(plan), plan.models, kPhysicsStep);
+    models_ = variedModels(firstModelOf(plan), plan.trials, kPhysicsStep);
   }
 
   KickMap learn() {
@@ -185,6 +185,12 @@ KickRun kickFrom(Point2<Robot> place, MotionKind motion, const KickStart& standi
   const Point2<Robot> lies = robotFromField(start.pose, start.ball);
   if (start.walker->failed() || (lies - place).norm() > kPushed) return {{}, false};
   return {tryKick(actuator::standardMotions()[motion], motion, start), true};
+}
+
+KickRun kickAtOnce(Point2<Robot> place, MotionKind motion, const KickStart& start) {
+  const KickStart with = withBallJustAt(place, start);
+  const Kicked kicked = tryKick(actuator::standardMotions()[motion], motion, with);
+  return {kicked, !with.walker->failed()};
 }
 
 KickMap learnKickMap(const KickMapPlan& plan, const KickMapTold& told) {

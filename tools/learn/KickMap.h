@@ -52,8 +52,7 @@ using KickMap = std::vector<KickGrid>;
 
 struct KickMapPlan {
   std::uint64_t seed = 1;  // of models and places
-  int models = 5;
-  int trials = 15;         // at each place, on the models in turn
+  int trials = 24;         // at each place, each on another model: some kick half as far
   double aside = 10.0;     // cm, the outermost places
   double nearest = 10.0;   // cm ahead
   double furthest = 18.0;  // cm ahead
@@ -70,8 +69,13 @@ struct KickRun {
 };
 // The ball is put down at that place of a standing robot, which then kicks.
 KickRun kickFrom(Point2<Robot> place, MotionKind motion, const KickStart& standing);
+// The ball is put there as a robot is asked to kick that does anything, walks for example.
+KickRun kickAtOnce(Point2<Robot> place, MotionKind motion, const KickStart& start);
 
 KickCell cellOf(const std::vector<KickRun>& runs);
+// Between the places, as pycode/lib/kick_table.py does it: of no runs outside the grid and next to a
+// place of no runs.
+KickCell cellAt(const KickGrid& grid, Point2<Robot> place);
 // The best place and those about it.
 KickWindow windowOf(const KickGrid& grid);
 

@@ -13,8 +13,8 @@ namespace kelpie::learn {
 // `about`: the command, a line or more.
 std::string kickMapText(const KickMap& map, const std::string& about);
 
-// Of a text that kickMapText() wrote; nothing else of Python is understood. Shares are read as they
-// were rounded; frames and the robot's way are left out.
+// Of a text that kickMapText() wrote; nothing else of Python is understood. Of the runs at a place
+// it only tells whether there were any.
 Expected<KickMap> readKickMap(const std::string& text);
 
 }  // namespace kelpie::learn

@@ -45,6 +45,19 @@ std::optional<Opponent> pusher(bool held) {
   return opponent;
 }
 
+void readBall(KickStart& start) {
+  start.ball = start.walker->bodies().ball().position;
+  start.pose = start.walker->pose();
+}
+
+KickStart copyOf(const KickStart& other) {
+  KickStart start;
+  start.params = std::make_unique<actuator::ActuatorParams>(*other.params);
+  start.walker = std::make_unique<PhysicalWalker>(*other.walker, *start.params);
+  start.roll = other.roll;
+  return start;
+}
+
 }  // namespace
 
 const std::vector<KickAim>& kicks() {
@@ -113,31 +126,40 @@ KickStart beforeKick(const KickAim& aim, const sim::PhysicsParams& model, std::u
     stepOn(kStandMessages, lookingDown(), walker);
     putBallDown(place, walker);
   }
-  start.ball = walker.bodies().ball().position;
-  start.pose = walker.pose();
   start.roll = model.ball;
+  readBall(start);
   return start;
 }
 
 KickStart standingStart(const sim::PhysicsParams& model, std::uint64_t seed) {
+  return walkingStart(model, seed, {}, 0);
+}
+
+KickStart walkingStart(const sim::PhysicsParams& model, std::uint64_t seed,
+                       const WalkRequest& walk, int messages) {
   KickStart start;
   start.params = std::make_unique<actuator::ActuatorParams>();
   start.walker = std::make_unique<PhysicalWalker>(model, *start.params, seed);
   stepOn(kStandMessages, lookingDown(), *start.walker);
-  start.ball = start.walker->bodies().ball().position;
-  start.pose = start.walker->pose();
+  Command command = lookingDown();
+  command.walk = walk;
+  stepOn(messages, command, *start.walker);
   start.roll = model.ball;
+  readBall(start);
   return start;
 }
 
 KickStart withBallAt(Point2<Robot> place, const KickStart& standing) {
-  KickStart start;
-  start.params = std::make_unique<actuator::ActuatorParams>(*standing.params);
-  start.walker = std::make_unique<PhysicalWalker>(*standing.walker, *start.params);
+  KickStart start = copyOf(standing);
   putBallDown(place, *start.walker);
-  start.ball = start.walker->bodies().ball().position;
-  start.pose = start.walker->pose();
-  start.roll = standing.roll;
+  readBall(start);
+  return start;
+}
+
+KickStart withBallJustAt(Point2<Robot> place, const KickStart& before) {
+  KickStart start = copyOf(before);
+  start.walker->bodies().putBall({fieldFromRobot(start.walker->pose(), place), {}});
+  readBall(start);
   return start;
 }
 
