@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 # What a kick will do with the ball, read from the kick map (lib/kick_map.py), and with what chance
 # that makes a goal. Places in cm in the robot frame, directions in degrees left of straight ahead,
-# both as the kick is asked for. An outcome is a tuple: chance that the ball goes, its direction,
-# standard deviation (sd), how far it rolls in cm, sd; direction and distance are of balls that go.
-# Keeps nothing. Fails for a ball that still rolls, and for directions that are no bell curve.
+# both as the kick's motion begins; a walking robot goes on till then (at_kick). An outcome is a
+# tuple: chance that the ball goes, its direction, standard deviation (sd), how far it rolls in cm,
+# sd; direction and distance are of balls that go. A place that is 1 cm off is in the sd. Keeps
+# nothing. Fails for a ball that still rolls.
 import math
 
 import kelpie
@@ -22,16 +23,29 @@ SLICE = 6.0         # deg of direction over which the way to the goal line chang
 
 def kicks(held) -> list:
     """The motions that the map knows, for a held ball or for one that lies free."""
-    known = list(kick_map.HELD if held else kick_map.FREE)
+    known = list(kick_map.HELD if held else kick_map.STANDING)
     return known + [RIGHT_OF[kick] for kick in known if kick in RIGHT_OF]
 
 
-def outcome(kick, x, y) -> Outcome | None:
-    """Of a free ball that lies there; None outside the map, or where no ball can lie.
+def at_kick(x, y, forward, left, turn_deg) -> tuple:
+    """Where a resting ball that is at (x, y) as the kick is asked for will be as its motion begins,
+    and how far the robot will have turned by then (deg), walking on at those cm/s and deg/s."""
+    turn = turn_deg * kick_map.UNTIL_KICK
+    aside, ahead = polar(1.0, 0.5 * turn)
+    forward, left = forward * kick_map.UNTIL_KICK, left * kick_map.UNTIL_KICK
+    x, y = x - forward * aside + left * ahead, y - forward * ahead - left * aside
+    angle = math.radians(turn)
+    return (x * math.cos(angle) + y * math.sin(angle),
+            y * math.cos(angle) - x * math.sin(angle), turn)
+
+
+def outcome(kick, x, y, walking=False) -> Outcome | None:
+    """Of a free ball that lies there; None outside the map, or where no ball can lie. walking: the
+    robot walks until the motion begins, else it stands.
 
     Bilinear between the map's places. Each counts for direction and distance by the share of its
     balls that went: from where none goes, nothing is known of where they would have gone."""
-    grid = kick_map.FREE.get(LEFT_OF.get(kick, kick))
+    grid = _table(False, walking).get(LEFT_OF.get(kick, kick))
     if grid is None:
         return None
     side = -1.0 if kick in LEFT_OF or (kick not in RIGHT_OF and x < 0.0) else 1.0
@@ -55,23 +69,22 @@ def held_outcome(kick) -> Outcome | None:
     return data and _mirrored(_mean(((1.0, data['whole']),)), _side(kick))
 
 
-def best_place(kick) -> Point:
+def best_place(kick, walking=False) -> Point:
     """Where a free ball should lie: where the kick does best, and the places about it as well."""
-    x, y = kick_map.FREE[LEFT_OF.get(kick, kick)]['best']
+    x, y = _data(kick, False, walking)['best']
     return _side(kick) * x, y
 
 
-def window(kick) -> tuple:
+def window(kick, walking=False) -> tuple:
     """The places about the best one from where at least 80 % of the balls go about the same way:
     least x, least y, most x, most y."""
-    (left, near), (right, far) = kick_map.FREE[LEFT_OF.get(kick, kick)]['window']
+    (left, near), (right, far) = _data(kick, False, walking)['window']
     return (left, near, right, far) if _side(kick) > 0.0 else (-right, near, -left, far)
 
 
-def window_outcome(kick) -> Outcome:
+def window_outcome(kick, walking=False) -> Outcome:
     """Of a free ball that lies anywhere in the kick's window."""
-    data = kick_map.FREE[LEFT_OF.get(kick, kick)]
-    return _mirrored(_mean(((1.0, data['whole']),)), _side(kick))
+    return _mirrored(_mean(((1.0, _data(kick, False, walking)['whole']),)), _side(kick))
 
 
 def frames(kick, held=False) -> int:
@@ -79,10 +92,10 @@ def frames(kick, held=False) -> int:
     return _data(kick, held)['frames']
 
 
-def turn_way(kick, held=False) -> tuple:
-    """Where the robot is after the kick, in the frame that it began in: right, ahead, degrees that
-    it has turned to the left."""
-    right, ahead, turn = _data(kick, held)['way']
+def turn_way(kick, held=False, walking=False) -> tuple:
+    """Where the robot is after the kick, in the frame that it was asked in: right, ahead, degrees
+    that it has turned to the left."""
+    right, ahead, turn = _data(kick, held, walking)['way']
     side = _side(kick)
     return side * right, ahead, side * turn
 
@@ -129,8 +142,14 @@ def _side(kick) -> float:
     return -1.0 if kick in LEFT_OF else 1.0
 
 
-def _data(kick, held) -> dict:
-    return (kick_map.HELD if held else kick_map.FREE)[LEFT_OF.get(kick, kick)]
+def _table(held, walking) -> dict:
+    if held:
+        return kick_map.HELD
+    return kick_map.WALKING if walking else kick_map.STANDING
+
+
+def _data(kick, held, walking=False) -> dict:
+    return _table(held, walking)[LEFT_OF.get(kick, kick)]
 
 
 def _between(places, at) -> tuple:

@@ -73,7 +73,7 @@ TEST(KickMap, SaysThatASwipeToTheLeftGoesLeftAndAHeldKickAhead) {
     const KickCell& whole = grid.window.whole;
     if (grid.motion == MotionKind::headSwipeLeft) {
       EXPECT_GT(whole.direction.deg(), 10.0);
-    } else if (grid.held && grid.motion != MotionKind::upennLeft) {
+    } else if (grid.from == KickFrom::hold && grid.motion != MotionKind::upennLeft) {
       EXPECT_NEAR(whole.direction.deg(), 0.0, 5.0);
     } else {
       continue;
@@ -81,7 +81,7 @@ TEST(KickMap, SaysThatASwipeToTheLeftGoesLeftAndAHeldKickAhead) {
     EXPECT_EQ(whole.went, 1.0);
     ++checked;
   }
-  EXPECT_EQ(checked, 4);
+  EXPECT_EQ(checked, 5);
 }
 
 TEST(KickMap, KickIntoNothingHasNoSuccess) {
@@ -108,9 +108,20 @@ TEST(KickMap, IsEmptyWhenItWasInterrupted) {
   EXPECT_LT(told, 10);
 }
 
+TEST(KickMap, WalkingRobotHasTheBallWhereItShallBeAsTheMotionBegins) {
+  Random random(3);
+  for (int i = 0; i < 100; ++i) {
+    const WalkRequest walk = drawLastSteps(random).walk;
+    const Point2<Robot> place{random.uniform(-8.0, 8.0), random.uniform(10.0, 18.0)};
+    const Point2<Robot> asked = placeAsAsked(place, walk);
+    EXPECT_GT(asked.y, place.y + 0.3);  // it walks on towards it
+    EXPECT_NEAR((placeAtKick(asked, walk) - place).norm(), 0.0, 1e-9);
+  }
+}
+
 TEST(KickCell, HasTheDirectionAndDistanceOfTheBallsThatWent) {
-  const KickCell cell = cellOf({runOf(100.0, 170.0), runOf(200.0, -170.0), runOf(5.0, 40.0),
-                                runOf(150.0, 180.0, true)});
+  const KickCell cell = cellOf(
+      {runOf(100.0, 170.0), runOf(200.0, -170.0), runOf(5.0, 40.0), runOf(150.0, 180.0, true)});
   EXPECT_EQ(cell.runs, 4);
   EXPECT_NEAR(cell.went, 0.75, 1e-9);
   EXPECT_NEAR(cell.fell, 0.25, 1e-9);
@@ -185,7 +196,7 @@ TEST(KickMapFile, IsReadAsItWasWritten) {
 TEST(KickMapFile, TheStandardOneReadsAndHasEveryLeftKick) {
   const auto map = readKickMap(standardText());
   ASSERT_TRUE(map.ok()) << map.error();
-  EXPECT_EQ(map->size(), 7U);
+  EXPECT_EQ(map->size(), 10U);
   for (const KickGrid& grid : *map) EXPECT_GE(grid.window.whole.went, 0.8);
 }
 

@@ -3,10 +3,12 @@
 a goal that follows."""
 import math
 import random
+from types import SimpleNamespace
 
 import kelpie
 import pytest
 from lib import kick_map, kick_table
+from lib.geom import heading, moved
 
 FIELD = kelpie.FIELDS['2006']
 MIDDLE = 0.5 * FIELD.width
@@ -29,7 +31,7 @@ def goal_chance(ball, outcome=STRAIGHT, heading=90.0, **options):
 def small_map(monkeypatch):
     """Two by two places; from the right near one no ball goes, the left far one is the robot's."""
     cells = ((100, 40, 4, 200, 20, 0), (0, 0, 0, 0, 0, 0)), (None, (50, 10, 8, 100, 10, 0))
-    monkeypatch.setattr(kick_map, 'FREE', {kelpie.UPENN_LEFT: {
+    monkeypatch.setattr(kick_map, 'STANDING', {kelpie.UPENN_LEFT: {
         'frames': 6, 'way': (-4.0, 5.0, 36), 'whole': (90, 30, 6, 150, 20, 0),
         'ahead': (10, 12), 'aside': (2, 4), 'best': (2, 10), 'window': ((2, 10), (4, 10)),
         'places': cells}})
@@ -47,7 +49,7 @@ def test_between_two_places_chances_are_shared(small_map):
 
 
 def test_directions_are_weighted_by_the_balls_that_went(monkeypatch, small_map):
-    monkeypatch.setitem(kick_map.FREE[kelpie.UPENN_LEFT], 'places', (
+    monkeypatch.setitem(kick_map.STANDING[kelpie.UPENN_LEFT], 'places', (
         ((100, 40, 4, 200, 20, 0), (100, 20, 8, 100, 40, 0)),
         ((50, 10, 4, 50, 20, 0), (50, 10, 8, 50, 40, 0))))
     assert kick_table.outcome(kelpie.UPENN_LEFT, 3, 10) == (1.0, 30.0, 6.0, 150.0, 30.0)
@@ -99,29 +101,51 @@ def test_every_kick_of_the_map_is_known_by_both_its_sides():
         assert 0 < kick_table.frames(kick, held=True) <= 20
 
 
+@pytest.mark.parametrize('walking', [False, True])
 @pytest.mark.parametrize('kick', kick_table.kicks(False))
-def test_from_the_best_place_and_all_its_window_the_ball_goes(kick):
-    least_x, least_y, most_x, most_y = kick_table.window(kick)
-    x, y = kick_table.best_place(kick)
+def test_from_the_best_place_and_all_its_window_the_ball_goes(kick, walking):
+    least_x, least_y, most_x, most_y = kick_table.window(kick, walking)
+    x, y = kick_table.best_place(kick, walking)
     assert least_x <= x <= most_x and least_y <= y <= most_y
     rng = random.Random(5)
     for _ in range(50):
         place = rng.uniform(least_x, most_x), rng.uniform(least_y, most_y)
-        assert kick_table.outcome(kick, *place)[0] >= 0.8
-    assert kick_table.window_outcome(kick)[0] >= 0.8
+        assert kick_table.outcome(kick, *place, walking)[0] >= 0.8
+    assert kick_table.window_outcome(kick, walking)[0] >= 0.8
 
 
+@pytest.mark.parametrize('walking', [False, True])
 @pytest.mark.parametrize('kick', kick_table.kicks(False))
-def test_every_outcome_is_a_possible_one(kick):
+def test_every_outcome_is_a_possible_one(kick, walking):
     rng = random.Random(7)
     for _ in range(500):
-        found = kick_table.outcome(kick, rng.uniform(-12, 12), rng.uniform(8, 20))
+        found = kick_table.outcome(kick, rng.uniform(-12, 12), rng.uniform(8, 20), walking)
         if found is None:
             continue
         chance, direction, sd, distance, distance_sd = found
         assert 0.0 <= chance <= 1.0 and abs(direction) <= 180.0 and 0.0 <= sd <= 90.0
         assert 0.0 <= distance <= 400.0 and distance_sd >= 0.0
         assert chance == 0.0 or distance > 30.0
+
+
+def test_a_walking_robot_comes_nearer_until_its_kick_begins():
+    x, y, turned = kick_table.at_kick(2.0, 16.0, 20.0, 0.0, 0.0)
+    assert (x, turned) == (2.0, 0.0) and 16.0 - y == pytest.approx(20.0 * kick_map.UNTIL_KICK)
+    x, y, _ = kick_table.at_kick(2.0, 16.0, 0.0, 10.0, 0.0)
+    assert x - 2.0 == pytest.approx(10.0 * kick_map.UNTIL_KICK) and y == 16.0
+
+
+def test_a_turning_robot_sees_the_ball_go_round_the_other_way():
+    x, y, turned = kick_table.at_kick(0.0, 14.0, 0.0, 0.0, 50.0)
+    assert turned == pytest.approx(50.0 * kick_map.UNTIL_KICK)
+    assert heading(x, y) == pytest.approx(-turned) and math.hypot(x, y) == pytest.approx(14.0)
+
+
+def test_walking_until_the_kick_is_as_odometry_moves_a_resting_ball():
+    step = SimpleNamespace(forward=15.0 * kick_map.UNTIL_KICK, left=-4.0 * kick_map.UNTIL_KICK,
+                           turn_deg=17.0 * kick_map.UNTIL_KICK)
+    assert kick_table.at_kick(3.0, 15.0, 15.0, -4.0, 17.0)[:2] == pytest.approx(
+        moved(3.0, 15.0, step))
 
 
 def test_a_chance_between_two_directions_is_that_of_a_bell_curve():

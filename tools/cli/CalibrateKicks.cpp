@@ -36,20 +36,24 @@ void describe(const learn::KickGrid& grid) {
   const learn::KickCell& whole = grid.window.whole;
   const std::string name = actuator::kMotionNames[static_cast<std::size_t>(grid.motion)];
   const std::string where =
-      grid.held ? "held" : fmt::format("{:.0f} {:.0f}", grid.window.best.x, grid.window.best.y);
-  fmt::print(stderr, "{:16} {:>6}: {:3.0f} % go, {:4.0f} deg (sd {:2.0f}), {:3.0f} cm (sd {:2.0f})\n",
-             name, where, 100.0 * whole.went, whole.direction.deg(), whole.directionSd.deg(),
-             whole.distance, whole.distanceSd);
+      grid.from == learn::KickFrom::hold
+          ? ""
+          : fmt::format("{:.0f} {:.0f}", grid.window.best.x, grid.window.best.y);
+  fmt::print(
+      stderr, "{:8} {:16} {:>5}: {:3.0f} % go, {:4.0f} deg (sd {:2.0f}), {:3.0f} cm (sd {:2.0f})\n",
+      learn::kKickFromNames[static_cast<std::size_t>(grid.from)], name, where, 100.0 * whole.went,
+      whole.direction.deg(), whole.directionSd.deg(), whole.distance, whole.distanceSd);
 }
 
 int calibrateKicks(const KicksOptions& options) {
   if (!canWrite(options.out)) return fail(options.out + ": cannot be written", kExitBadInput);
   catchInterrupts();
   Progress progress("kick map", "kicks");
-  const learn::KickMap map = learn::learnKickMap(options.plan, [&](std::size_t done, std::size_t all) {
-    progress(done, all);
-    return !interrupted();
-  });
+  const learn::KickMap map =
+      learn::learnKickMap(options.plan, [&](std::size_t done, std::size_t all) {
+        progress(done, all);
+        return !interrupted();
+      });
   if (map.empty()) return fail("interrupted; nothing is written", kExitCheckFailed);
   for (const learn::KickGrid& grid : map) describe(grid);
   const std::uint64_t first = learn::firstModelOf(options.plan);
@@ -66,7 +70,8 @@ int calibrateKicks(const KicksOptions& options) {
 }  // namespace
 
 void addCalibrateKicks(CLI::App& command, int& code) {
-  auto* kicks = command.add_subcommand("kicks", "Measure where each kick sends the ball, from where");
+  auto* kicks =
+      command.add_subcommand("kicks", "Measure where each kick sends the ball, from where");
   kicks->footer(kHelp);
   auto options = std::make_shared<KicksOptions>();
   kicks->add_option("--out", options->out, "Python module to write")->required();

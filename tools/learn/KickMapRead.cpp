@@ -84,7 +84,7 @@ class Reader {
     const char* start = text_.c_str() + at_;
     char* end = nullptr;
     const double read = std::strtod(start, &end);
-    if (end == start) complain("no number where one should be");
+    if (end == start) complain("something else where a number should be");
     at_ += static_cast<std::size_t>(end - start);
     return read;
   }
@@ -149,10 +149,10 @@ Status readPlaces(Value& kick, KickGrid& grid) {
   return Done{};
 }
 
-Expected<KickGrid> gridOf(const std::string& key, Value& kick, bool held) {
+Expected<KickGrid> gridOf(const std::string& key, Value& kick, KickFrom from) {
   KickGrid grid;
   grid.motion = motionOf(key);
-  grid.held = held;
+  grid.from = from;
   if (!isKick(grid.motion)) return Error{"kick map: " + key + " is no kick"};
   if (kick.of["whole"].items.size() != kOutcome || kick.of["way"].items.size() != 3)
     return Error{"kick map: " + key + " has no whole or no way"};
@@ -162,7 +162,7 @@ Expected<KickGrid> gridOf(const std::string& key, Value& kick, bool held) {
   grid.way.left = -way[0];
   grid.way.forward = way[1];
   grid.way.turn = Angle::deg(way[2]);
-  if (held) {
+  if (from == KickFrom::hold) {
     grid.ahead = grid.aside = {0.0};
     grid.cells = {grid.window.whole};
     return grid;
@@ -177,11 +177,11 @@ Expected<KickGrid> gridOf(const std::string& key, Value& kick, bool held) {
 Expected<KickMap> readKickMap(const std::string& text) {
   KickMap map;
   Reader reader(text);
-  for (const bool held : {false, true}) {
-    Value kicks = reader.dictionary(held ? "HELD" : "FREE");
+  for (std::size_t from = 0; from < kKickFroms; ++from) {
+    Value kicks = reader.dictionary(kKickFromNames[from]);
     if (!reader.wrong().empty()) return Error{reader.wrong()};
     for (auto& [key, kick] : kicks.of) {
-      auto grid = gridOf(key, kick, held);
+      auto grid = gridOf(key, kick, static_cast<KickFrom>(from));
       if (!grid) return Error{grid.error()};
       map.push_back(std::move(*grid));
     }

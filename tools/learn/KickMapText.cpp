@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cctype>
-
 #include <cmath>
 
 #include "tools/learn/KickMapFile.h"
@@ -23,13 +22,15 @@ constexpr const char* kLegend = R"(#
 # Lengths in cm, directions in deg left of ahead. An outcome: percent of the runs in which the ball
 # went further than 30 cm; its direction, standard deviation (sd); how far it rolls when nothing
 # stops it, sd; percent of the runs in which the robot fell. None: the robot's body is in the way.
-# FREE, a ball that lies on the carpet: 'places' has a row of outcomes for each distance 'ahead',
-# from the nearest; an outcome in it for each place 'aside', to the right, from the leftmost. A kick
-# that is its own mirror image has the places to the right alone, a pair its left kick alone.
-# 'best' is the place with the best neighbours, 'window' two corners of the places about it from
-# where at least 80 % go about the same way, 'whole' the outcome over them.
+# STANDING and WALKING, a robot that stands, or walks until it kicks, and a ball that lies on the
+# carpet; from walking, as it all will be when the motion begins. 'places' has a row of outcomes for
+# each distance 'ahead', from the nearest; an outcome in it for each place 'aside', to the right,
+# from the leftmost. A kick that is its own mirror image has the places to the right alone, a pair
+# its left kick alone. 'best' is the place with the best neighbours, 'window' two corners of the
+# places about it from where at least 80 % go about the same way, 'whole' the outcome over them.
 # HELD, a ball in the hold: 'whole' alone. 'frames' of 1/30 s that the kick takes; 'way' of the
 # robot until it stands again: right, ahead, deg turned to the left.
+# UNTIL_KICK: s from asking until a walking robot's motion begins, on the mean.
 import kelpie
 
 )";
@@ -48,9 +49,9 @@ std::string place(Point2<Robot> point) {
 std::string outcome(const KickCell& cell) {
   if (cell.runs == 0) return "None";
   const auto percent = [](double share) { return number(100.0 * share, 0); };
-  return fmt::format("({}, {}, {}, {}, {}, {})", percent(cell.went), number(cell.direction.deg(), 0),
-                     number(cell.directionSd.deg(), 0), number(cell.distance, 0),
-                     number(cell.distanceSd, 0), percent(cell.fell));
+  return fmt::format("({}, {}, {}, {}, {}, {})", percent(cell.went),
+                     number(cell.direction.deg(), 0), number(cell.directionSd.deg(), 0),
+                     number(cell.distance, 0), number(cell.distanceSd, 0), percent(cell.fell));
 }
 
 std::string nameOf(MotionKind motion) {
@@ -99,7 +100,7 @@ std::string kick(const KickGrid& grid) {
                       number(-grid.way.left, 1), number(grid.way.forward, 1),
                       number(grid.way.turn.deg(), 0));
   text += fmt::format("        'whole': {},\n", outcome(grid.window.whole));
-  if (!grid.held) text += places(grid);
+  if (grid.from != KickFrom::hold) text += places(grid);
   return text + "    },\n";
 }
 
@@ -107,17 +108,18 @@ std::string kick(const KickGrid& grid) {
 
 std::string kickMapText(const KickMap& map, const std::string& about) {
   std::string text = kHead;
-  std::size_t from = 0;
-  while (from < about.size()) {
-    const std::size_t end = std::min(about.find('\n', from), about.size());
-    text += "#   " + about.substr(from, end - from) + "\n";
-    from = end + 1;
+  std::size_t start = 0;
+  while (start < about.size()) {
+    const std::size_t end = std::min(about.find('\n', start), about.size());
+    text += "#   " + about.substr(start, end - start) + "\n";
+    start = end + 1;
   }
   text += kLegend;
-  for (const bool held : {false, true}) {
-    text += held ? "\nHELD = {\n" : "FREE = {\n";
+  text += fmt::format("UNTIL_KICK = {}\n", kUntilKick);
+  for (std::size_t from = 0; from < kKickFroms; ++from) {
+    text += fmt::format("\n{} = {{\n", kKickFromNames[from]);
     for (const KickGrid& grid : map)
-      if (grid.held == held) text += kick(grid);
+      if (static_cast<std::size_t>(grid.from) == from) text += kick(grid);
     text += "}\n";
   }
   return text;

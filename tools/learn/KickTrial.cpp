@@ -132,19 +132,20 @@ KickStart beforeKick(const KickAim& aim, const sim::PhysicsParams& model, std::u
 }
 
 KickStart standingStart(const sim::PhysicsParams& model, std::uint64_t seed) {
-  return walkingStart(model, seed, {}, 0);
-}
-
-KickStart walkingStart(const sim::PhysicsParams& model, std::uint64_t seed,
-                       const WalkRequest& walk, int messages) {
   KickStart start;
   start.params = std::make_unique<actuator::ActuatorParams>();
   start.walker = std::make_unique<PhysicalWalker>(model, *start.params, seed);
   stepOn(kStandMessages, lookingDown(), *start.walker);
+  start.roll = model.ball;
+  readBall(start);
+  return start;
+}
+
+KickStart walkingStart(const KickStart& standing, const WalkRequest& walk, int messages) {
+  KickStart start = copyOf(standing);
   Command command = lookingDown();
   command.walk = walk;
   stepOn(messages, command, *start.walker);
-  start.roll = model.ball;
   readBall(start);
   return start;
 }

@@ -50,9 +50,8 @@ KickStart beforeKick(const KickAim& aim, const sim::PhysicsParams& model, std::u
 // near as the robot's body lets it.
 KickStart standingStart(const sim::PhysicsParams& model, std::uint64_t seed);
 KickStart withBallAt(Point2<Robot> place, const KickStart& standing);
-// Walks for so many messages after it has stood, and still does; its ball nowhere near.
-KickStart walkingStart(const sim::PhysicsParams& model, std::uint64_t seed,
-                       const WalkRequest& walk, int messages);
+// Goes on from there walking, for so many messages.
+KickStart walkingStart(const KickStart& standing, const WalkRequest& walk, int messages);
 // The same instant with a ball put there.
 KickStart withBallJustAt(Point2<Robot> place, const KickStart& start);
 

@@ -9,10 +9,10 @@
 namespace kelpie::learn {
 namespace {
 
-constexpr double kSure = 0.8;         // share of balls that go, at every place of a window
-constexpr double kAlike = 15.0;       // deg between the ways from a window's places and its best
-constexpr double kFar = 200.0;        // cm that count as whole
-constexpr double kWildSd = 30.0;      // deg of direction that are worth nothing
+constexpr double kSure = 0.8;     // share of balls that go, at every place of a window
+constexpr double kAlike = 15.0;   // deg between the ways from a window's places and its best
+constexpr double kFar = 200.0;    // cm that count as whole
+constexpr double kWildSd = 30.0;  // deg of direction that are worth nothing
 
 struct Sums {
   double count = 0.0;
@@ -58,9 +58,9 @@ double worthAbout(const KickGrid& grid, std::size_t row, std::size_t column) {
       if (r == 0 && c == 0) continue;
       weights += 0.5;
       // The places left out of a kick that is its own mirror image.
-      const auto otherColumn = static_cast<std::size_t>(
-          isItsOwnMirror(grid) ? std::abs(static_cast<int>(column) + c)
-                                               : static_cast<int>(column) + c);
+      const auto otherColumn =
+          static_cast<std::size_t>(isItsOwnMirror(grid) ? std::abs(static_cast<int>(column) + c)
+                                                        : static_cast<int>(column) + c);
       const auto otherRow = row + static_cast<std::size_t>(r);
       if (otherRow < grid.ahead.size() && otherColumn < grid.aside.size())
         sum += 0.5 * worthOf(grid.cell(otherRow, otherColumn));
@@ -93,7 +93,7 @@ bool isSure(const KickGrid& grid, const Block& block, const KickCell& best) {
 
 // The places to the left, which a kick that is its own mirror image leaves out.
 bool hasMirrorImage(const KickGrid& grid, const Block& block) {
-  return isItsOwnMirror(grid) && !grid.held && grid.aside[block.column] == 0.0;
+  return isItsOwnMirror(grid) && grid.from != KickFrom::hold && grid.aside[block.column] == 0.0;
 }
 
 std::size_t sizeOf(const KickGrid& grid, const Block& block) {
@@ -111,7 +111,8 @@ Block sureBlock(const KickGrid& grid, std::size_t row, std::size_t column) {
     for (block.lastRow = row; block.lastRow < grid.ahead.size(); ++block.lastRow)
       for (block.column = 0; block.column <= column; ++block.column)
         for (block.lastColumn = column; block.lastColumn < grid.aside.size(); ++block.lastColumn)
-          if (sizeOf(grid, block) > sizeOf(grid, greatest) && isSure(grid, block, best)) greatest = block;
+          if (sizeOf(grid, block) > sizeOf(grid, greatest) && isSure(grid, block, best))
+            greatest = block;
   return greatest;
 }
 
@@ -222,8 +223,8 @@ KickWindow windowOf(const KickGrid& grid) {
   const std::size_t row = best / grid.aside.size();
   const std::size_t column = best % grid.aside.size();
   const Block block = sureBlock(grid, row, column);
-  const double left = hasMirrorImage(grid, block) ? -grid.aside[block.lastColumn]
-                                                  : grid.aside[block.column];
+  const double left =
+      hasMirrorImage(grid, block) ? -grid.aside[block.lastColumn] : grid.aside[block.column];
   return {{grid.aside[column], grid.ahead[row]},
           {left, grid.ahead[block.row]},
           {grid.aside[block.lastColumn], grid.ahead[block.lastRow]},

@@ -10,6 +10,7 @@
 #include "robot/host/OnCores.h"
 #include "tools/experiments/harness/Experiment.h"
 #include "tools/experiments/harness/Statistics.h"
+#include "tools/experiments/harness/Trace.h"
 #include "tools/learn/HeldBall.h"
 #include "tools/learn/KickMapFile.h"
 #include "tools/learn/WalkLearner.h"
@@ -17,9 +18,11 @@
 namespace kelpie::experiments {
 namespace {
 
+using learn::KickFrom;
+
 constexpr double kStep = 0.002;            // s, of the physics
 constexpr std::uint64_t kUnseen = 700000;  // seeds of models that no search and no map has seen
-constexpr std::size_t kPlaces = 24;        // of each kick, on each model and side
+constexpr std::size_t kPlaces = 24;        // of each kick, on each model, left and right in turn
 constexpr std::size_t kHolds = 6;          // on each model
 constexpr double kLikely = 0.5;            // a chance from which a kick's way is judged
 constexpr double kSurest = 2.0;            // deg and cm: as kick_table.py, SD_FLOOR
@@ -29,37 +32,44 @@ constexpr std::size_t kBins = 5;           // of equal chances
 struct Told {
   learn::KickCell said;
   learn::Kicked kicked;
+  Point2<Robot> place;  // as the motion begins; of a held ball nowhere
+  WalkRequest walk;     // until then
   bool went() const { return kicked.distance > learn::kBallGoes; }
+};
+
+// One kick, for --traces.
+struct KickRow {
+  MotionKind motion = MotionKind::none;
+  std::int32_t from = 0;
+  double x = 0.0;
+  double y = 0.0;
+  double forward = 0.0;
+  double left = 0.0;
+  Angle turn;
+  double chance = 0.0;
+  Angle saidDirection;
+  double saidDistance = 0.0;
+  Angle direction;
+  double distance = 0.0;
+
+  static constexpr auto fields() {
+    using P = KickRow;
+    return fieldList(
+        field("motion", &P::motion), field("from", &P::from), field("x_cm", &P::x, "cm"),
+        field("y_cm", &P::y, "cm"), field("forward_cm_s", &P::forward, "cm/s"),
+        field("left_cm_s", &P::left, "cm/s"), field("turn_deg_s", &P::turn, "rad"),
+        field("chance", &P::chance), field("said_deg", &P::saidDirection, "rad"),
+        field("said_cm", &P::saidDistance, "cm"), field("direction_deg", &P::direction, "rad"),
+        field("distance_cm", &P::distance, "cm"));
+  }
 };
 
 struct Job {
   const learn::KickGrid* grid = nullptr;
   bool right = false;  // the mirrored kick
-  bool walks = false;
   std::uint64_t seed = 0;
   std::size_t model = 0;
 };
-
-// Slow enough to kick from: the last steps up to the ball.
-WalkRequest lastSteps(Random& random) {
-  WalkRequest walk;
-  walk.forward = random.uniform(5.0, 20.0);
-  walk.left = random.uniform(-5.0, 5.0);
-  walk.turn = random.uniform(-0.3, 0.3);
-  return walk;
-}
-
-// How far the robot gets from asking until the motion begins: two vectors are in flight and the
-// step is finished first.
-constexpr double kUntilKick = 0.19;  // s
-
-Point2<Robot> asKicked(Point2<Robot> place, const WalkRequest& walk) {
-  const Angle turn = Angle::rad(0.5 * walk.turn * kUntilKick);
-  const double forward = walk.forward * kUntilKick;
-  const double left = walk.left * kUntilKick;
-  const Point2<Robot> moved{place.x + left, place.y - forward};
-  return {moved.x * turn.cos() + moved.y * turn.sin(), moved.y * turn.cos() - moved.x * turn.sin()};
-}
 
 class Judge {
  public:
@@ -77,54 +87,64 @@ class Judge {
     host::onCores(jobs_.size(), [&](std::size_t i) { all[i] = run(jobs_[i]); });
     Json json;
     for (const learn::KickGrid& grid : map_)
-      for (const bool walks : {false, true}) {
-        std::vector<Told> told;
-        for (std::size_t i = 0; i < jobs_.size(); ++i)
-          if (all[i] && jobs_[i].grid == &grid && jobs_[i].walks == walks) told.push_back(*all[i]);
-        if (!told.empty()) json[nameOf(grid, walks)] = figuresOf(told);
-      }
-    addTogether(all, json);
+      json[nameOf(grid)] =
+          figuresOf(toldOf(all, [&](const Job& job) { return job.grid == &grid; }));
+    for (const KickFrom from : {KickFrom::standing, KickFrom::walking})
+      json[from == KickFrom::walking ? "free_walking" : "free_standing"] =
+          figuresOf(toldOf(all, [&](const Job& job) { return job.grid->from == from; }));
+    trace(all);
     return json;
   }
 
  private:
-  static std::string nameOf(const learn::KickGrid& grid, bool walks) {
-    const std::string name = actuator::kMotionNames[static_cast<std::size_t>(grid.motion)];
-    return name + (grid.held ? "_held" : walks ? "_walking" : "_standing");
+  static std::string nameOf(const learn::KickGrid& grid) {
+    constexpr std::array<const char*, learn::kKickFroms> kFroms{"_standing", "_walking", "_held"};
+    return std::string(actuator::kMotionNames[static_cast<std::size_t>(grid.motion)]) +
+           kFroms[static_cast<std::size_t>(grid.from)];
   }
 
   void addJobs() {
     std::uint64_t seed = 1000 * request_.seed;
     for (const learn::KickGrid& grid : map_)
-      for (std::size_t model = 0; model < models_.size(); ++model)
-        for (const bool right : {false, true})
-          for (const bool walks : {false, true}) {
-            if (grid.held && (right || walks)) continue;
-            for (std::size_t i = 0; i < (grid.held ? kHolds : kPlaces); ++i)
-              jobs_.push_back({&grid, right, walks, ++seed, model});
-          }
+      for (std::size_t model = 0; model < models_.size(); ++model) {
+        const std::size_t count = grid.from == KickFrom::hold ? kHolds : kPlaces;
+        for (std::size_t i = 0; i < count; ++i)
+          jobs_.push_back({&grid, i % 2 == 1 && grid.from != KickFrom::hold, ++seed, model});
+      }
+  }
+
+  template <class Which>
+  std::vector<Told> toldOf(const std::vector<std::optional<Told>>& all, Which which) const {
+    std::vector<Told> told;
+    for (std::size_t i = 0; i < all.size(); ++i)
+      if (all[i] && which(jobs_[i])) told.push_back(*all[i]);
+    return told;
   }
 
   std::optional<Told> run(const Job& job) const {
-    if (job.grid->held) return held(job);
+    if (job.grid->from == KickFrom::hold) return held(job);
     Random random(job.seed);
-    const Point2<Robot> place{random.uniform(-job.grid->aside.back(), job.grid->aside.back()),
+    const double most = job.grid->aside.back();
+    const Point2<Robot> place{random.uniform(-most, most),
                               random.uniform(job.grid->ahead.front(), job.grid->ahead.back())};
-    const MotionKind motion =
-        job.right ? learn::mirrored(job.grid->motion) : job.grid->motion;
-    if (!job.walks) return answer(job, place, learn::kickFrom(place, motion, standing_[job.model]));
-    const WalkRequest walk = lastSteps(random);
-    const auto walking = learn::walkingStart(models_[job.model], job.seed, walk,
-                                             30 + static_cast<int>(random.index(16)));
-    return answer(job, asKicked(place, walk), learn::kickAtOnce(place, motion, walking));
-  }
-
-  static std::optional<Told> answer(const Job& job, Point2<Robot> place,
-                                    const learn::KickRun& run) {
-    const bool swapped = job.right && learn::mirrored(job.grid->motion) != job.grid->motion;
-    Told told{learn::cellAt(*job.grid, {swapped ? -place.x : place.x, place.y}), run.kicked};
+    const MotionKind other = learn::mirrored(job.grid->motion);
+    const bool swapped = job.right && other != job.grid->motion;
+    Told told;
+    told.place = place;
+    told.said = learn::cellAt(*job.grid, {swapped ? -place.x : place.x, place.y});
     if (swapped) told.said.direction = -told.said.direction;
-    if (!run.counts || told.said.runs == 0) return std::nullopt;
+    learn::LastSteps last;
+    if (job.grid->from == KickFrom::walking) last = learn::drawLastSteps(random);
+    told.walk = last.walk;
+    const MotionKind motion = swapped ? other : job.grid->motion;
+    const learn::KickStart& standing = standing_[job.model];
+    const learn::KickRun kick =
+        job.grid->from == KickFrom::standing
+            ? learn::kickFrom(place, motion, standing)
+            : learn::kickInStep(place, motion,
+                                learn::walkingStart(standing, last.walk, last.messages), last.walk);
+    told.kicked = kick.kicked;
+    if (!kick.counts || told.said.runs == 0) return std::nullopt;
     return told;
   }
 
@@ -135,8 +155,23 @@ class Judge {
     hold.scatter = 0.6;
     const auto start = learn::beforeKick(hold, models_[job.model], job.seed);
     const MotionKind motion = job.grid->motion;
-    return Told{job.grid->window.whole,
-                learn::tryKick(actuator::standardMotions()[motion], motion, start)};
+    Told told;
+    told.said = job.grid->window.whole;
+    told.kicked = learn::tryKick(actuator::standardMotions()[motion], motion, start);
+    return told;
+  }
+
+  void trace(const std::vector<std::optional<Told>>& all) const {
+    Trace<KickRow> table(request_.tracePath("kicks"));
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      if (!all[i]) continue;
+      const Job& job = jobs_[i];
+      const auto& [said, kicked, place, walk] = *all[i];
+      table.add({job.right ? learn::mirrored(job.grid->motion) : job.grid->motion,
+                 static_cast<std::int32_t>(job.grid->from), place.x, place.y, walk.forward,
+                 walk.left, Angle::rad(walk.turn), said.went, said.direction, said.distance,
+                 kicked.direction, kicked.distance});
+    }
   }
 
   // Mean off, root of the mean square, and how often within one and two standard deviations: 0.68
@@ -208,15 +243,6 @@ class Judge {
     return json;
   }
 
-  void addTogether(const std::vector<std::optional<Told>>& all, Json& json) const {
-    for (const bool walks : {false, true}) {
-      std::vector<Told> told;
-      for (std::size_t i = 0; i < jobs_.size(); ++i)
-        if (all[i] && jobs_[i].walks == walks && !jobs_[i].grid->held) told.push_back(*all[i]);
-      json[walks ? "free_walking" : "free_standing"] = figuresOf(told);
-    }
-  }
-
   const Request& request_;
   learn::KickMap map_;
   std::vector<sim::PhysicsParams> models_;
@@ -235,7 +261,7 @@ Expected<Json> kickMap(const Request& request) {
 }
 
 const Registration kKickMap("kick-map", "how right the kick map is on models it was not learnt on",
-                            {Option::trials, Option::seed}, 12, kickMap);
+                            {Option::trials, Option::seed, Option::traces}, 12, kickMap);
 
 }  // namespace
 }  // namespace kelpie::experiments
