@@ -66,6 +66,8 @@ BehaviourState::~BehaviourState() = default;
 
 const std::string& BehaviourState::lastError() const { return host_->lastError(); }
 
+Expected<Rows> BehaviourState::ask(const std::string& function) { return host_->ask(function); }
+
 Command step(const BehaviourIn& in, const BehaviourParams& params, BehaviourState& state) {
   if (in.input.drive.present) return driven(in, params);
   Command command;

@@ -9,7 +9,9 @@
 
 #include "behaviour/BehaviourIn.h"
 #include "behaviour/BehaviourParams.h"
+#include "behaviour/Rows.h"
 #include "robot/core/Command.h"
+#include "robot/core/Expected.h"
 
 namespace kelpie::behaviour {
 
@@ -28,6 +30,9 @@ class BehaviourState {
   PythonHost& host() { return *host_; }
   // First line of the last script error with file and line, empty if the last call went well.
   const std::string& lastError() const;
+  // For tools, not during play: what a function of main.py without parameters answers, a list of
+  // texts or of tuples, each cell as text ("True" for a bool). An error has one line.
+  Expected<Rows> ask(const std::string& function);
 
  private:
   std::unique_ptr<PythonHost> host_;

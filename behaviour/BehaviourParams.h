@@ -10,19 +10,44 @@
 
 namespace kelpie::behaviour {
 
-// The player: it plays against a goal, or the 2004 localisation challenge (thesis 2004
-// section 4.1).
-enum class PlayerKind : std::uint8_t { striker, challenger };
-constexpr std::uint8_t kPlayerKindCount = 2;
+// Who plays: a forward, the goalie of 2006 or of 2004, the 2004 localisation challenge (thesis 2004
+// section 4.1), or one skill alone, begun anew in every frame (`kelpie vectors`).
+enum class PlayerKind : std::uint8_t { forward, goalie, goalie2004, challenger, skill };
+constexpr std::uint8_t kPlayerKindCount = 5;
+
+// What the kick choice goes by: the rules of thesis 2006 (algorithms 6.8 to 6.11), or the map of
+// where each kick sends the ball.
+enum class KickChoice : std::uint8_t { thesis, map };
+constexpr std::uint8_t kKickChoiceCount = 2;
+
+// What a shot is aimed by: the goal and its gaps as seen, or the pose.
+enum class Aiming : std::uint8_t { sight, pose };
+constexpr std::uint8_t kAimingCount = 2;
+
+// How a lost ball is looked for: the chain of thesis 2006 figure 6.2, or turning on the spot.
+enum class BallSearch : std::uint8_t { chain, spin };
+constexpr std::uint8_t kBallSearchCount = 2;
 
 // The part of `world` that is fixed before the match.
 struct Task {
-  PlayerKind player = PlayerKind::striker;
+  PlayerKind player = PlayerKind::forward;
   std::array<double, 10> points{};  // cm on the field: x, y of the challenge's five points
+  bool grab = true;                 // the ball is grabbed where the decision tree says so
+  KickChoice kicks = KickChoice::map;
+  Aiming aiming = Aiming::sight;
+  BallSearch search = BallSearch::chain;
+  bool dodge = true;       // with the ball, around who stands in the way
+  bool intercept = true;   // a rolling ball is met where it will be
+  std::uint8_t skill = 0;  // of PlayerKind::skill: its number in main.SKILLS
 
   static constexpr auto fields() {
     return fieldList(field("player", &Task::player, "", 0, kPlayerKindCount - 1),
-                     field("points", &Task::points, "cm", -1000, 2000));
+                     field("points", &Task::points, "cm", -1000, 2000), field("grab", &Task::grab),
+                     field("kicks", &Task::kicks, "", 0, kKickChoiceCount - 1),
+                     field("aiming", &Task::aiming, "", 0, kAimingCount - 1),
+                     field("search", &Task::search, "", 0, kBallSearchCount - 1),
+                     field("dodge", &Task::dodge), field("intercept", &Task::intercept),
+                     field("skill", &Task::skill, "", 0, 99));
   }
 };
 

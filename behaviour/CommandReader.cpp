@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "behaviour/PythonNames.h"
+#include "behaviour/TraceReader.h"
 
 namespace kelpie::behaviour {
 namespace {
@@ -69,7 +70,9 @@ bool readInteger(PyObject* object, T& value, const Limits& limits, std::string& 
 
 template <class T>
 bool read(PyObject* object, T& value, const Limits& limits, std::string& why) {
-  if constexpr (HasFields<T>::value) {
+  if constexpr (std::is_same_v<T, Trace>) {
+    return readTrace(object, value, why);
+  } else if constexpr (HasFields<T>::value) {
     return readStruct(object, value, why);
   } else if constexpr (std::is_same_v<T, bool>) {
     const int truth = PyBool_Check(object) ? PyObject_IsTrue(object) : -1;

@@ -18,7 +18,11 @@ constexpr const char* kEnums =
     "GOAL_BLUE, GOAL_YELLOW, BEACON_BLUE_ON_PINK, BEACON_PINK_ON_BLUE, BEACON_YELLOW_ON_PINK, \\\n"
     "    BEACON_PINK_ON_YELLOW = range(6)\n"
     "PINKS_OFF, PINKS_MAP, PINKS_LOCALISE = range(3)\n"
-    "STRIKER, CHALLENGER = range(2)\n"
+    "FORWARD, GOALIE, GOALIE_2004, CHALLENGER, ONE_SKILL = range(5)\n"
+    "KICKS_BY_RULES, KICKS_BY_MAP = range(2)\n"
+    "AIMING_BY_SIGHT, AIMING_BY_POSE = range(2)\n"
+    "SEARCH_BY_CHAIN, SEARCH_BY_SPIN = range(2)\n"
+    "LAYER_PLAYER, LAYER_ROLE, LAYER_DECISION, LAYER_SKILL = range(4)\n"
     "NO_MOTION, STAND, SIT, KICK_FORWARD, HARD_FORWARD, WEDGE, HEAD_SWIPE_LEFT, \\\n"
     "    HEAD_SWIPE_RIGHT, UPENN_LEFT, UPENN_RIGHT, BLOCK, BLOCK_LEFT, BLOCK_RIGHT, GRAB, \\\n"
     "    GRAB_QUICK, HOLD, RELEASE, GET_UP_FRONT, GET_UP_BACK, GET_UP_LEFT, GET_UP_RIGHT, \\\n"
@@ -38,8 +42,9 @@ constexpr const char* kEnums =
     "    LED_BACK_MIDDLE_WHITE, LED_BACK_REAR_COLOUR, LED_BACK_REAR_WHITE = \\\n"
     "    (1 << i for i in range(20, 26))\n";
 static_assert(kLandmarkKindCount == 6 && kMotionKindCount == 22 && kPinkUseCount == 3 &&
-                  kPlayerKindCount == 2 && kWalkKindCount == 7 && kHeadAimCount == 3 &&
-                  kFallSideCount == 5,
+                  kPlayerKindCount == 5 && kTraceLayerCount == 4 && kKickChoiceCount == 2 &&
+                  kAimingCount == 2 && kBallSearchCount == 2 && kWalkKindCount == 7 &&
+                  kHeadAimCount == 3 && kFallSideCount == 5,
               "kEnums must follow its enums");
 
 std::string number(double value) {
@@ -131,7 +136,8 @@ class ClassWriter {
     const T sample{};
     forEachField(sample, [&](const auto&, const auto& member) {
       using Part = typename ScalarOf<std::decay_t<decltype(member)>>::type;
-      if constexpr (HasFields<Part>::value) write<Part>();
+      // A trace is a list of tuples: they are made in every frame, and faster than objects.
+      if constexpr (HasFields<Part>::value && !std::is_same_v<Part, TraceStep>) write<Part>();
     });
   }
 

@@ -40,6 +40,18 @@ std::string textOf(PyObject* object) {
   return text != nullptr ? text : "";
 }
 
+// Of a list of lists of texts, as the guard makes it.
+Rows rowsOf(PyObject* list) {
+  Rows rows;
+  for (Py_ssize_t i = 0; i < PyList_Size(list); ++i) {
+    PyObject* const cells = PyList_GET_ITEM(list, i);
+    rows.emplace_back();
+    for (Py_ssize_t k = 0; k < PyList_Size(cells); ++k)
+      rows.back().push_back(textOf(PyList_GET_ITEM(cells, k)));
+  }
+  return rows;
+}
+
 }  // namespace
 
 PythonHost::PythonHost(const std::string& scripts)
@@ -146,6 +158,19 @@ Fallback PythonHost::read(PyObject* answer, Command& command) {
   }
   report(scripts_ + ": " + why, scripts_ + ": " + why);
   return Fallback::badCommand;
+}
+
+Expected<Rows> PythonHost::ask(const std::string& function) {
+  if (!version_) return Error{lastError_};
+  PythonRef answer;
+  {
+    const Watchdog watchdog(kLoadLimit);
+    answer = PythonRef(PyObject_CallMethod(version_.get(), "ask", "s", function.c_str()));
+  }
+  if (answer) return rowsOf(answer.get());
+  std::string line, all;
+  const PythonRef error = takeError(line, all);
+  return Error{line};
 }
 
 Fallback PythonHost::fail(Fallback reason) {

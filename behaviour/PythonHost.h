@@ -10,10 +10,12 @@
 #include "behaviour/BehaviourIn.h"
 #include "behaviour/BehaviourParams.h"
 #include "behaviour/Interpreter.h"
+#include "behaviour/Rows.h"
 #include "behaviour/Sources.h"
 #include "behaviour/ViewTypes.h"
 #include "behaviour/WorldFrame.h"
 #include "robot/core/Command.h"
+#include "robot/core/Expected.h"
 
 namespace kelpie::behaviour {
 
@@ -24,6 +26,9 @@ class PythonHost {
   // Takes over edited files, calls decide() and reads its answer. The Fallback tells what went
   // wrong; `command` is the script's only with Fallback::none.
   Fallback decide(const BehaviourIn& in, const BehaviourParams& params, Command& command);
+
+  // See BehaviourState::ask.
+  Expected<Rows> ask(const std::string& function);
 
   const std::string& lastError() const { return lastError_; }
 

@@ -50,6 +50,8 @@ PyObject* make(const Item& item, const char* at) {
     case ItemKind::number: return PyLong_FromUnsignedLong(read<std::uint32_t>(at));
     case ItemKind::big:
       return PyFloat_FromDouble(item.factor * static_cast<double>(read<std::int64_t>(at)));
+    case ItemKind::text:
+      return PyUnicode_DecodeUTF8(at, static_cast<Py_ssize_t>(item.size(at)), "replace");
     case ItemKind::view: return makeView(item.viewType, at);
     case ItemKind::sequence: return makeSequence(item, at);
   }

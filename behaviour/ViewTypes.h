@@ -16,7 +16,7 @@
 
 namespace kelpie::behaviour {
 
-enum class ItemKind : std::uint8_t { real, boolean, byte, word, number, big, view, sequence };
+enum class ItemKind : std::uint8_t { real, boolean, byte, word, number, big, text, view, sequence };
 
 // How to make a Python object from bytes at an address.
 struct Item {
@@ -25,8 +25,8 @@ struct Item {
   double factor = 1.0;  // real: from stored to shown; big: seconds per count
   PyTypeObject* viewType = nullptr;
   PyTypeObject* sequenceType = nullptr;
-  std::size_t stride = 0;  // sequence: bytes from one element to the next
-  std::size_t (*size)(const char*) = nullptr;
+  std::size_t stride = 0;                      // sequence: bytes from one element to the next
+  std::size_t (*size)(const char*) = nullptr;  // of a sequence or text
   std::shared_ptr<Item> element;
 };
 
@@ -82,6 +82,9 @@ Item ViewTypes::itemFor(const char* unit) {
     item.kind = sizeof(T) == 1   ? ItemKind::byte
                 : sizeof(T) == 2 ? ItemKind::word
                                  : ItemKind::number;
+  } else if constexpr (IsText<T>::value) {
+    item.kind = ItemKind::text;
+    item.size = [](const char* at) { return reinterpret_cast<const T*>(at)->size(); };
   } else if constexpr (kIsSequence<T>) {
     item.kind = ItemKind::sequence;
     item.sequenceType = reinterpret_cast<PyTypeObject*>(sequence_.get());

@@ -87,6 +87,14 @@ class Version:
         if self.decide is None:
             raise AttributeError('main.py has no decide(world)')
 
+    def ask(self, name):
+        """What a function of main.py that takes nothing answers: a list of lists of texts."""
+        function = getattr(self.modules['main'], name, None)
+        if function is None:
+            raise AttributeError('main.py has no %s()' % name)
+        return [[str(cell) for cell in ((row,) if isinstance(row, str) else row)]
+                for row in function()]
+
     def missing(self, name):
         if name == 'main':
             return 'there is no main.py'

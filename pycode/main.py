@@ -2,11 +2,30 @@
 # Where the host starts: decide(world) -> Command, once per camera frame. What a robot remembers
 # lives in the player made here; an edited file makes a new one.
 import kelpie
+from decisions.tree import rows
 from players.challenger import Challenger
-from players.striker import Striker
+from players.ellipse_goalie import EllipseGoalie
+from players.forward import Forward
+from players.goalie import Goalie
+from players.single import SKILLS, OneSkill
 
-players = {kelpie.STRIKER: Striker(), kelpie.CHALLENGER: Challenger()}
+MAKERS = {kelpie.FORWARD: Forward, kelpie.GOALIE: Goalie, kelpie.GOALIE_2004: EllipseGoalie,
+          kelpie.CHALLENGER: Challenger, kelpie.ONE_SKILL: OneSkill}
+players = {}
 
 
 def decide(world) -> kelpie.Command:
-    return players[world.task.player].command(world)
+    kind = world.task.player
+    if kind not in players:
+        players[kind] = MAKERS[kind]()
+    return players[kind].command(world)
+
+
+def tree() -> list:
+    """The decision tree for a drawing: (id, id above, answer that leads here, text, leaf?)."""
+    return rows()
+
+
+def skill_names() -> list:
+    """What `kelpie vectors` can draw, in the order of world.task.skill."""
+    return list(SKILLS)

@@ -17,6 +17,7 @@ constexpr double kCandidateReach = 15.0;   // cm between two sightings of a new 
 constexpr double kCandidateShare = 0.1;    // of its distance more
 constexpr double kCandidateTime = 0.35;    // s between them
 constexpr double kStillWeight = 0.5;       // of a new ball: lying or rolling
+constexpr double kHeldStillWeight = 0.9;   // of a held ball
 constexpr double kPlainGate = 2.0;         // standard deviations, of a sighting as expected
 constexpr double kMinGatingWeight = 0.1;   // of a model that one sighting alone may confirm
 constexpr double kMinKickedWeight = 1e-3;  // the same when we have kicked
@@ -153,6 +154,18 @@ void expectKick(const FrameInput& input, const BallFilterParams& params, BallTra
   combineModels(ball);
 }
 
+// A ball that the body feels between chin, chest and forelegs is where those hold it, however the
+// robot moves. Without this the track stayed on the carpet while the robot turned with the ball,
+// and 10 cm aside of it the search began after the kick.
+void hold(const BallFilterParams& params, BallState& state) {
+  const Vector2 at(0.0, params.heldAhead);
+  const double variance = maths::square(params.heldSd);
+  beginModels({at, variance * Matrix2::Identity()}, params.stopSpeed, kHeldStillWeight,
+              state.track);
+  seenNow(state.track);
+  state.jumped.present = false;
+}
+
 // A track that has run into the body is put before it, at rest.
 void keepOutOfBody(BallTrack& ball) {
   for (BallHypothesis* model : {&ball.still, &ball.rolling}) {
@@ -190,7 +203,9 @@ void stepBall(const BallIn& in, const BallFilterParams& params, BallState& state
   }
   const bool good = in.percept.present && usable(in.percept);
   if (in.percept.present && !good) count(Refusal::ballNotFinite, counts);
-  if (good) {
+  if (in.input.motion.feeling.ballHeld) {
+    hold(params, state);
+  } else if (good) {
     see(in, params, state, counts);
   } else if (ball.present) {
     miss(in.input, params, ball);

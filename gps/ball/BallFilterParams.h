@@ -45,28 +45,32 @@ struct BallFilterParams {
   double missedReach = 100.0;      // cm; a ball in the image nearer than this must be seen
   std::uint32_t missedFrames = 5;  // so often in a row it may be missed
   double missedFactor = 4.0;       // how much faster it is given up then
+  double heldAhead = 8.0;          // cm from the neck to a ball that is held (docs/body.md)
+  double heldSd = 1.5;             // cm
   DropInParams dropIn;
 
   static constexpr auto fields() {
     using B = BallFilterParams;
-    return fieldList(
-        field("deceleration", &B::deceleration, "cm/s2", 0, 1000),
-        field("drag", &B::drag, "1/s", 0, 10),
-        field("velocityNoise", &B::velocityNoise, "cm2/s3", 0, 1e6),
-        field("positionNoise", &B::positionNoise, "cm2/s", 0, 1e5),
-        field("unseenNoise", &B::unseenNoise, "cm2/s", 0, 1e6),
-        field("startRate", &B::startRate, "1/s", 0, 30),
-        field("stopRate", &B::stopRate, "1/s", 0, 30),
-        field("stopSpeed", &B::stopSpeed, "cm/s", 0, 100),
-        field("minSd", &B::minSd, "cm", 0.1, 100), field("maxShare", &B::maxShare, "", 0.001, 10),
-        field("startSpeedSd", &B::startSpeedSd, "cm/s", 0, 1000),
-        field("kickSpeedSd", &B::kickSpeedSd, "cm/s", 0, 1000),
-        field("kickReach", &B::kickReach, "cm", 0, 200),
-        field("kickSeconds", &B::kickSeconds, "s", 0, 10), field("gate", &B::gate, "", 1, 100),
-        field("keep", &B::keep, "s", 0.1, 100),
-        field("missedReach", &B::missedReach, "cm", 0, 1000),
-        field("missedFrames", &B::missedFrames, "", 0, 1000),
-        field("missedFactor", &B::missedFactor, "", 1, 100), field("dropIn", &B::dropIn));
+    return fieldList(field("deceleration", &B::deceleration, "cm/s2", 0, 1000),
+                     field("drag", &B::drag, "1/s", 0, 10),
+                     field("velocityNoise", &B::velocityNoise, "cm2/s3", 0, 1e6),
+                     field("positionNoise", &B::positionNoise, "cm2/s", 0, 1e5),
+                     field("unseenNoise", &B::unseenNoise, "cm2/s", 0, 1e6),
+                     field("startRate", &B::startRate, "1/s", 0, 30),
+                     field("stopRate", &B::stopRate, "1/s", 0, 30),
+                     field("stopSpeed", &B::stopSpeed, "cm/s", 0, 100),
+                     field("minSd", &B::minSd, "cm", 0.1, 100),
+                     field("maxShare", &B::maxShare, "", 0.001, 10),
+                     field("startSpeedSd", &B::startSpeedSd, "cm/s", 0, 1000),
+                     field("kickSpeedSd", &B::kickSpeedSd, "cm/s", 0, 1000),
+                     field("kickReach", &B::kickReach, "cm", 0, 200),
+                     field("kickSeconds", &B::kickSeconds, "s", 0, 10),
+                     field("gate", &B::gate, "", 1, 100), field("keep", &B::keep, "s", 0.1, 100),
+                     field("missedReach", &B::missedReach, "cm", 0, 1000),
+                     field("missedFrames", &B::missedFrames, "", 0, 1000),
+                     field("missedFactor", &B::missedFactor, "", 1, 100),
+                     field("heldAhead", &B::heldAhead, "cm", 0, 30),
+                     field("heldSd", &B::heldSd, "cm", 0.1, 30), field("dropIn", &B::dropIn));
   }
 };
 

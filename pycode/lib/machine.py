@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-# The base of state machines that take one step per camera frame. It keeps the state (a bound
-# method), that state's skill, the time at which it was entered and why the machine last started
-# over; all of it comes from enter() and reset(), nothing from the world. It fails where states
-# enter one another in a circle: after MAX_ENTRIES in one frame idle() answers for them.
+# The base of state machines that take one step per camera frame, and of what they tell of
+# themselves. It keeps the state (a bound method), that state's skill, when it was entered and why,
+# with the numbers that decided; all of it comes from enter() and reset(), nothing from the world.
+# It fails where states enter one another in a circle: after MAX_ENTRIES in one frame idle() answers
+# for them.
+import kelpie
 
 MAX_ENTRIES = 4  # three states in one frame are the longest sane chain
 
@@ -15,19 +17,24 @@ class Machine:
     no state may leave work behind that only a later frame of it would end.
     """
 
+    LAYER = kelpie.LAYER_SKILL
+    NAME = ''  # whose decision a trace tells; a subclass names it as its file is named
+
     def __init__(self, state, skill=None):
         self.state = state
         self.skill = skill
         self.entered_s = None  # world.time_s when the state was entered; None before the first step
         self.why = 'the start'
+        self.numbers = ()
 
-    def enter(self, world, state, skill=None) -> None:
+    def enter(self, world, state, skill=None, why='', *numbers) -> None:
+        """`why`: at most 80 characters, each {} of it for the next of at most three numbers."""
         self.state, self.skill, self.entered_s = state, skill, world.time_s
+        self.why, self.numbers = why, numbers
 
     def reset(self, world, why: str, state, skill=None) -> None:
         """Enters a state, whatever the machine was doing, and keeps the reason in `why`."""
-        self.why = why
-        self.enter(world, state, skill)
+        self.enter(world, state, skill, why)
 
     def since(self, world) -> float:
         """Seconds since the state was entered."""
@@ -49,3 +56,10 @@ class Machine:
     def idle(self, world):
         """The answer when the states of a frame come to none."""
         raise NotImplementedError('states enter one another in a circle')
+
+    def explain(self, trace) -> None:
+        """Appends what it does and why to a list for Command.trace, and lets its skill go on."""
+        trace.append((self.LAYER, self.NAME, self.state.__name__, self.why, *self.numbers))
+        below = getattr(self.skill, 'explain', None)
+        if below is not None:
+            below(trace)

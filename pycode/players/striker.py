@@ -11,7 +11,7 @@ from lib.tune import Approach, Goal, Kick, LineUp, Strike, Stuck, Watch
 from skills.find_ball import FindBall
 from skills.get_up import GetUp
 from skills.go_to_ball import GoToBall
-from skills.kick import KickForward
+from skills.kick import Kick as KickForward
 from skills.line_up import CircleBall, aim_error
 from skills.strike import StepToKick
 from skills.watch import Scan, Sweep, WatchBall

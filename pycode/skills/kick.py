@@ -1,24 +1,25 @@
 # SPDX-License-Identifier: Apache-2.0
-# Asks for the forward kick until it runs, then waits for its end. Keeps when it began and whether
-# the motion has run, from world.motion. A kick that never starts is given up after
-# Kick.START_TIME; whether the ball was hit it cannot tell.
+# Asks for a kick until it runs, then waits for its end. Keeps which, when it began and whether the
+# motion has run, from world.motion. A kick that never starts is given up after START_TIME of
+# lib/tune.py; whether the ball was hit it cannot tell.
 import kelpie
-from lib.tune import Kick
+from lib import tune
 
 
-class KickForward:
-    def __init__(self, world):
+class Kick:
+    def __init__(self, world, which=kelpie.KICK_FORWARD):
+        self.which = which
         self.start_s = world.time_s
         self.ran = False
 
     def done(self, world) -> bool:
         passed = world.time_s - self.start_s
         if self.ran:
-            return world.motion.running != kelpie.KICK_FORWARD or passed > Kick.TIME
-        return passed > Kick.START_TIME
+            return world.motion.running != self.which or passed > tune.Kick.TIME
+        return passed > tune.Kick.START_TIME
 
     def motion(self, world) -> int:
-        """The motion to ask for: KICK_FORWARD or NO_MOTION."""
-        if world.motion.running == kelpie.KICK_FORWARD:
+        """The motion to ask for: the kick's, or NO_MOTION once it runs."""
+        if world.motion.running == self.which:
             self.ran = True
-        return kelpie.NO_MOTION if self.ran else kelpie.KICK_FORWARD
+        return kelpie.NO_MOTION if self.ran else self.which

@@ -16,6 +16,15 @@ std::uint32_t droppedBetween(std::uint32_t last, std::uint32_t now) {
   return step > 0 && step <= kMaxDropped ? step - 1 : 0;
 }
 
+// What was asked of the body. Why it was asked stays in the FrameOutput, or a log would tell it
+// three times.
+Command askedIn(const FrameOutput* frame) {
+  if (frame == nullptr) return {};
+  Command command = frame->command;
+  command.trace.clear();
+  return command;
+}
+
 }  // namespace
 
 AgentLoops::AgentLoops(const AgentConfig& config, const std::string& scripts, LogSink& log)
@@ -33,7 +42,7 @@ const MotionOutput& AgentLoops::motion(const MotionInput& withoutCommand) {
   motionInput_.time = withoutCommand.time;
   motionInput_.sensors = withoutCommand.sensors;
   motionInput_.batteryCurrent = withoutCommand.batteryCurrent;
-  motionInput_.command = frame_ != nullptr ? frame_->command : Command{};
+  motionInput_.command = askedIn(frame_);
   motionOutput_ = &motionLoop_.step(motionInput_, silent_);
   for (std::size_t tick = 0; tick < motionInput_.sensors.size(); ++tick) {
     const auto back = static_cast<std::int64_t>(motionInput_.sensors.size() - 1 - tick) * kTickUs;
@@ -62,7 +71,7 @@ void AgentLoops::camera(const Image& image, TimeUs exposureMiddle, std::uint32_t
   input_.odometry = odometry_.until(exposed);
   input_.motion = motionOutput_->status;
   input_.game = game_;
-  input_.lastCommand = frame_ != nullptr ? frame_->command : Command{};
+  input_.lastCommand = askedIn(frame_);
   input_.drive = drive_;
   input_.image = image;
   frame_ = &frameLoop_.step(input_, silent_);

@@ -6,7 +6,9 @@
 
 #include "robot/core/Angle.h"
 #include "robot/core/Fields.h"
+#include "robot/core/FixedVector.h"
 #include "robot/core/Geometry.h"
+#include "robot/core/Text.h"
 
 namespace kelpie {
 
@@ -119,6 +121,28 @@ enum class Fallback : std::uint8_t { none, notLoaded, scriptError, badCommand, t
 enum class PinkUse : std::uint8_t { off, map, localise };
 constexpr std::uint8_t kPinkUseCount = 3;
 
+// Who decided, from who plays down to how it is done (thesis 2006 figures 4.1 and 5.1).
+enum class TraceLayer : std::uint8_t { player, role, decision, skill };
+constexpr std::uint8_t kTraceLayerCount = 4;
+
+// One decision on the way to a Command. Each {} in `reason` stands for the next of `numbers`.
+struct TraceStep {
+  TraceLayer layer = TraceLayer::player;
+  Text<20> module;  // whose decision it is: "grab_dribble"
+  Text<24> branch;  // what was chosen: "aim"
+  Text<80> reason;  // why: "the gap is {} deg to the left"
+  FixedVector<double, 3> numbers;
+
+  static constexpr auto fields() {
+    return fieldList(field("layer", &TraceStep::layer, "", 0, kTraceLayerCount - 1),
+                     field("module", &TraceStep::module), field("branch", &TraceStep::branch),
+                     field("reason", &TraceStep::reason),
+                     field("numbers", &TraceStep::numbers, "", -1e6, 1e6));
+  }
+};
+// From the player down.
+using Trace = FixedVector<TraceStep, 8>;
+
 struct Command {
   WalkRequest walk;
   HeadRequest head;
@@ -130,6 +154,7 @@ struct Command {
   bool localise = false;  // while standing: find the pose by the field lines alone
   PinkUse pinks = PinkUse::off;
   Fallback fallback = Fallback::none;
+  Trace trace;  // why all this; empty in what is told again (FrameInput, MotionInput)
 
   static constexpr auto fields() {
     return fieldList(field("walk", &Command::walk), field("head", &Command::head),
@@ -138,7 +163,8 @@ struct Command {
                      field("motion", &Command::motion, "", 0, kMotionKindCount - 1),
                      field("leds", &Command::leds), field("localise", &Command::localise),
                      field("pinks", &Command::pinks, "", 0, kPinkUseCount - 1),
-                     field("fallback", &Command::fallback, "", 0, 4));
+                     field("fallback", &Command::fallback, "", 0, 4),
+                     field("trace", &Command::trace));
   }
 };
 

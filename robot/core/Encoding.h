@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // The ROS 1 wire encoding of every struct with a field list: little-endian without padding, fields
 // in the order of the list. bool = one byte 0 or 1, enum = its fixed type, Angle = float64 rad,
-// TimeUs = int64, std::array = its elements, FixedVector = uint32 length and elements. Used by the
-// log and by the simulated world's protocol. decode() trusts nothing: it refuses data that end
-// early or late, lengths over the capacity, bools and enums that do not exist.
+// TimeUs = int64, std::array = its elements, FixedVector = uint32 length and elements, Text = the
+// same of its bytes. Used by the log and by the simulated world's protocol. decode() trusts
+// nothing: it refuses data that end early or late, lengths over the capacity, bools and enums that
+// do not exist.
 #pragma once
 
 #include <cstdint>

@@ -41,6 +41,11 @@ bool differs(const T& a, const T& b, std::string* path);
 
 template <class S>
 bool sequenceDiffers(const S& a, const S& b, std::string* path) {
+  if constexpr (IsText<S>::value) {
+    if (a.view() == b.view()) return false;
+    *path = ": \"" + std::string(a.view()) + "\" != \"" + std::string(b.view()) + '"';
+    return true;
+  }
   if (a.size() != b.size()) {
     *path = ": " + std::to_string(a.size()) + " elements != " + std::to_string(b.size());
     return true;

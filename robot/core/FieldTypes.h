@@ -11,6 +11,7 @@
 #include "robot/core/Angle.h"
 #include "robot/core/Fields.h"
 #include "robot/core/FixedVector.h"
+#include "robot/core/Text.h"
 #include "robot/core/Time.h"
 
 namespace kelpie {
@@ -24,6 +25,13 @@ template <class T>
 struct IsFixedVector : std::false_type {};
 template <class T, std::size_t N>
 struct IsFixedVector<FixedVector<T, N>> : std::true_type {};
+template <std::size_t N>
+struct IsFixedVector<Text<N>> : std::true_type {};  // of its bytes
+
+template <class T>
+struct IsText : std::false_type {};
+template <std::size_t N>
+struct IsText<Text<N>> : std::true_type {};
 
 template <class T>
 inline constexpr bool kIsSequence = IsArray<T>::value || IsFixedVector<T>::value;

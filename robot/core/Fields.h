@@ -10,9 +10,9 @@
 //     }
 //   };
 //
-// A member may be a number, bool, enum with a fixed type, Angle, TimeUs, std::array, FixedVector or
-// a struct with a list of its own. Absent is a bool named `present`, never a magic number. The
-// range limits each scalar inside the member; Angle ranges are given in degrees.
+// A member may be a number, bool, enum with a fixed type, Angle, TimeUs, std::array, FixedVector,
+// Text or a struct with a list of its own. Absent is a bool named `present`, never a magic number.
+// The range limits each scalar inside the member; Angle ranges are given in degrees.
 #pragma once
 
 #include <limits>

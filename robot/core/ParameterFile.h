@@ -68,6 +68,7 @@ class ParameterSet {
 
   template <class M>
   void addMember(Parameter parameter, M& member) {
+    static_assert(!IsText<M>::value, "a parameter is a number: a file could not set a text");
     if constexpr (HasFields<M>::value) {
       return addStruct(parameter.key, member);
     } else if constexpr (kIsSequence<M>) {

@@ -49,9 +49,12 @@ std::string wireTypeName(SchemaSections& sections) {
     return "float64";
   } else if constexpr (std::is_same_v<T, TimeUs>) {
     return "int64";
+  } else if constexpr (IsText<T>::value) {
+    return "string";
   } else if constexpr (kIsSequence<T>) {
     using Item = typename T::value_type;
-    static_assert(!kIsSequence<Item>, "ROS 1 has no arrays of arrays: wrap the inner in a struct");
+    static_assert(!kIsSequence<Item>,
+                  "a sequence of sequences or texts: wrap the inner in a struct");
     const std::string item = wireTypeName<Item>(sections);
     if constexpr (IsFixedVector<T>::value) return item + "[]";
     return item + "[" + std::to_string(sizeof(T) / sizeof(Item)) + "]";

@@ -18,8 +18,8 @@ constexpr std::size_t kMaxDepth =
 
 std::size_t numberWidth(const std::string& type) {
   static const std::map<std::string, std::size_t> kWidths = {
-      {"bool", 1},   {"int8", 1},  {"uint8", 1},  {"int16", 2},   {"uint16", 2}, {"int32", 4},
-      {"uint32", 4}, {"int64", 8}, {"uint64", 8}, {"float32", 4}, {"float64", 8}};
+      {"bool", 1},   {"int8", 1},  {"uint8", 1},  {"int16", 2},   {"uint16", 2},  {"int32", 4},
+      {"uint32", 4}, {"int64", 8}, {"uint64", 8}, {"float32", 4}, {"float64", 8}, {"string", 1}};
   const auto found = kWidths.find(type);
   return found == kWidths.end() ? 0 : found->second;
 }
@@ -32,6 +32,7 @@ const SchemaMember* find(const SchemaStruct& members, const std::string& name) {
 
 // Whether a member recorded as one can be read as the other.
 bool areCompatible(const SchemaMember& theirs, const SchemaMember& ours) {
+  if ((theirs.type == "string") != (ours.type == "string")) return false;
   return (theirs.width > 0) == (ours.width > 0) && theirs.isArray() == ours.isArray();
 }
 
@@ -53,11 +54,16 @@ bool parseMember(const std::string& line, SchemaMember& member) {
   if (!(words >> member.type >> member.name)) return false;
   std::getline(words, comment);
   const std::size_t bracket = member.type.find('[');
+  if (member.type == "string") {
+    member.sequence = true;
+    member.count = 0;
+  }
   if (bracket != std::string::npos) {
     const std::string inside = member.type.substr(bracket + 1);
     member.sequence = inside == "]";
     member.count = std::strtoul(inside.c_str(), nullptr, 10);
     member.type.resize(bracket);
+    if (member.type == "string") return false;  // a list of texts: our lists have none
     if (!member.sequence && (member.count == 0 || inside.back() != ']')) return false;
   }
   member.width = numberWidth(member.type);

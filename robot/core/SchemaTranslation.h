@@ -14,7 +14,8 @@
 
 namespace kelpie {
 
-// What one line of message text says: `type name`, `type[8] name`, `type[] name`.
+// What one line of message text says: `type name`, `type[8] name`, `type[] name`. A `string` is a
+// sequence of bytes.
 struct SchemaMember {
   std::string name;
   std::string type;       // "float64", "kelpie/Pose2"

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Fills any struct with a field list with random content: every number finite and in range, every
-// FixedVector of random length.
+// FixedVector of random length, every Text of whole characters.
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <string>
 
 #include "robot/core/FieldTypes.h"
 #include "robot/core/Random.h"
@@ -24,6 +26,12 @@ void randomise(T& value, Random& random, double min = -1e6, double max = 1e6) {
     const double low = std::max(min, 0.0);
     const double high = std::min(max, 255.0);
     value = static_cast<T>(low + random.index(static_cast<std::uint32_t>(high - low) + 1));
+  } else if constexpr (IsText<T>::value) {
+    constexpr std::array<const char*, 4> kCharacters{"a", " ", "\u00e9", "\U0001F415"};
+    std::string text;
+    const std::uint32_t length = random.index(static_cast<std::uint32_t>(T::kCapacity) + 1);
+    for (std::uint32_t i = 0; i < length; ++i) text += kCharacters[random.index(4)];
+    value.assign(text);
   } else if constexpr (kIsSequence<T>) {
     if constexpr (IsFixedVector<T>::value) {
       value.resize(random.index(static_cast<std::uint32_t>(T::kCapacity) + 1));

@@ -89,6 +89,18 @@ TEST(Ball, UnseenBallStaysWhereItIsWhileTheRobotMoves) {
   EXPECT_NEAR(world.ball.secondsSinceSeen, 2.0, 1e-9);
 }
 
+TEST(Ball, HeldBallGoesWithTheRobotWhateverVisionSees) {
+  BallScene scene({180, 200, 0.9}, 250, 300);
+  for (int i = 0; i < 30; ++i) scene.step(true);
+  scene.robot.input.motion.feeling.ballHeld = true;
+  for (int i = 0; i < 20; ++i) {
+    scene.robot.walk(0.0, 0.0, 2.0);
+    const WorldModel world = scene.step(true);
+    EXPECT_NEAR(world.ball.relative.x, 0.0, 0.1);
+    EXPECT_NEAR(world.ball.relative.y, 8.0, 0.1);
+  }
+}
+
 TEST(Ball, RollingBallHasItsSpeed) {
   double rolling = 120.0;  // cm/s, slowed by 6 cm/s2 and 0.8 of itself a second
   BallScene scene({180, 100, maths::kPi / 2}, 100, 250);

@@ -61,10 +61,24 @@ class IdealWorld:
         self.roll()
         self.see()
 
+    def joints(self, request):
+        """The neck, pan and nod that a request asks for, whatever it aims at."""
+        if request.aim == kelpie.AIM_JOINTS:
+            return request.neck_tilt_deg, request.head_pan_deg, request.head_nod_deg
+        if request.aim == kelpie.AIM_DIRECTION:
+            pan, pitch = request.direction_deg, 14.25 + request.elevation_deg
+        else:
+            x, y, z = request.target.x, request.target.y, request.target.z
+            pan = math.degrees(math.atan2(-x, y))
+            pitch = 14.25 - math.degrees(math.atan2(16.0 - z, max(1.0, math.hypot(x, y) - 9.0)))
+        neck = max(-32.0, min(0.0, pitch))
+        return neck, max(-88.0, min(88.0, pan)), max(-5.0, min(45.0, pitch - neck))
+
     def move_head(self, request):
         head = self.world.head
-        for name in ('neck_tilt_deg', 'head_pan_deg', 'head_nod_deg'):
-            step = getattr(request, name) - getattr(head, name)
+        wanted = self.joints(request)
+        for name, angle in zip(('neck_tilt_deg', 'head_pan_deg', 'head_nod_deg'), wanted):
+            step = angle - getattr(head, name)
             step = max(-12.0, min(12.0, step))  # 360 deg/s
             setattr(head, name, getattr(head, name) + step)
 
@@ -134,10 +148,12 @@ class IdealWorld:
         near = abs(self.ball - self.at) < 250.0 and y > 6.0
         seen = near and not self.hidden and self.in_view(self.ball, 4.2)
         ball.seconds_since_seen += FRAME_S
+        self.world.percepts.ball.present = seen
         if seen:
             ball.present, ball.seconds_since_seen = True, 0.0
             seen_at = (self.ball - self.at) * (1.0 + self.wrong(0.04))
             self.believed = self.at + seen_at * cmath.rect(1, math.radians(self.wrong(1.0)))
+            self.perceive(self.robot_frame(self.believed))
         if ball.seconds_since_seen > 5.0:
             ball.present = False
         if not ball.present:
@@ -147,6 +163,14 @@ class IdealWorld:
         ball.distance = math.hypot(x, y)
         ball.heading_deg = math.degrees(math.atan2(-x, y))
         ball.position.x, ball.position.y = self.believed.real, self.believed.imag
+
+    def perceive(self, place):
+        """The percept of a ball in the robot frame, without its place in the image: its top is
+        told to be out of it."""
+        ball = self.world.percepts.ball
+        ball.distance = math.hypot(*place)
+        ball.heading_deg = math.degrees(math.atan2(-place[0], place[1]))
+        ball.centre.y, ball.radius = 0.0, 1.0
 
 
 def play(decide, seed, seconds, noise=0.0, field='2006'):

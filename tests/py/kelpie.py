@@ -4,7 +4,11 @@
 GOAL_BLUE, GOAL_YELLOW, BEACON_BLUE_ON_PINK, BEACON_PINK_ON_BLUE, BEACON_YELLOW_ON_PINK, \
     BEACON_PINK_ON_YELLOW = range(6)
 PINKS_OFF, PINKS_MAP, PINKS_LOCALISE = range(3)
-STRIKER, CHALLENGER = range(2)
+FORWARD, GOALIE, GOALIE_2004, CHALLENGER, ONE_SKILL = range(5)
+KICKS_BY_RULES, KICKS_BY_MAP = range(2)
+AIMING_BY_SIGHT, AIMING_BY_POSE = range(2)
+SEARCH_BY_CHAIN, SEARCH_BY_SPIN = range(2)
+LAYER_PLAYER, LAYER_ROLE, LAYER_DECISION, LAYER_SKILL = range(4)
 NO_MOTION, STAND, SIT, KICK_FORWARD, HARD_FORWARD, WEDGE, HEAD_SWIPE_LEFT, \
     HEAD_SWIPE_RIGHT, UPENN_LEFT, UPENN_RIGHT, BLOCK, BLOCK_LEFT, BLOCK_RIGHT, GRAB, \
     GRAB_QUICK, HOLD, RELEASE, GET_UP_FRONT, GET_UP_BACK, GET_UP_LEFT, GET_UP_RIGHT, \
@@ -123,6 +127,7 @@ class Command(Fields):
         'leds',
         'localise',
         'pinks',
+        'trace',
     )
 
     def __init__(self, **given):
@@ -135,6 +140,7 @@ class Command(Fields):
         self.leds = 0
         self.localise = False
         self.pinks = 0
+        self.trace = []
         self._take(given)
 
 
@@ -728,11 +734,25 @@ class Task(Fields):
     __slots__ = (
         'player',
         'points',
+        'grab',
+        'kicks',
+        'aiming',
+        'search',
+        'dodge',
+        'intercept',
+        'skill',
     )
 
     def __init__(self, **given):
         self.player = 0
         self.points = [0.0] * 10
+        self.grab = True
+        self.kicks = 1
+        self.aiming = 0
+        self.search = 0
+        self.dodge = True
+        self.intercept = True
+        self.skill = 0
         self._take(given)
 
 

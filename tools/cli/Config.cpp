@@ -41,12 +41,28 @@ void addSections(ParameterSet& set, agent::AgentConfig& config) {
   set.add("actuator", config.actuator);
 }
 
-Status overlayParameters(const std::vector<std::string>& files, agent::AgentConfig& config) {
-  ParameterSet set;
-  addSections(set, config);
-  for (const auto& file : files) {
+// KEY=NUMBER, or true or false.
+Status setParameter(const std::string& words, ParameterSet& set) {
+  const std::size_t equals = words.find('=');
+  const std::string value = equals == std::string::npos ? "" : words.substr(equals + 1);
+  double number = value == "true" ? 1.0 : 0.0;
+  const bool truth = value == "true" || value == "false";
+  const char* const end = value.data() + value.size();
+  const auto [rest, error] = std::from_chars(value.data(), end, number);
+  if (!truth && (error != std::errc() || rest != end))
+    return Error{"--set " + words + ": expected KEY=NUMBER, or true or false"};
+  const Status assigned = set.assign(words.substr(0, equals), number);
+  return assigned ? assigned : Status(Error{"--set " + words + ": " + assigned.error()});
+}
+
+Status overlayParameters(const ConfigOptions& options, ParameterSet& set) {
+  for (const auto& file : options.params) {
     const Status read = set.overlay(file);
     if (!read) return read;
+  }
+  for (const auto& words : options.set) {
+    const Status assigned = setParameter(words, set);
+    if (!assigned) return assigned;
   }
   return Done{};
 }
@@ -76,6 +92,8 @@ void addConfigOptions(CLI::App& command, ConfigOptions& options) {
   command.add_option("--ring", options.ring, "Ring correction: nominal, none, 2006 or a file");
   command.add_option("--init", options.initial, "Known start: x,y,heading in cm and degrees");
   command.add_option("--params", options.params, "TOML files, general to specific");
+  command.add_option("--set", options.set,
+                     "One parameter each, over the files': KEY=NUMBER, or true or false");
 }
 
 Status applyConfig(const ConfigOptions& options, agent::AgentConfig& config) {
@@ -97,7 +115,9 @@ Status applyConfig(const ConfigOptions& options, agent::AgentConfig& config) {
   if (!calibration) return calibration;
   if (options.body != Body::asItIs) config.gps.stuck.byLoad = options.body == Body::physical;
   if (options.body == Body::fast) sim::makeFast({}, config.actuator);
-  const Status overlaid = overlayParameters(options.params, config);
+  ParameterSet set;
+  addSections(set, config);
+  const Status overlaid = overlayParameters(options, set);
   if (!overlaid) return overlaid;
   agent::shareField(config);
   if (options.initial.empty()) return Done{};
@@ -119,8 +139,7 @@ std::map<std::string, std::string> parameterNotes(const ConfigOptions& options) 
   agent::AgentConfig config;
   ParameterSet set;
   addSections(set, config);
-  for (const auto& file : options.params)
-    if (!set.overlay(file)) break;  // was read before, by applyConfig
+  static_cast<void>(overlayParameters(options, set));  // was read before, by applyConfig
   std::map<std::string, std::string> notes;
   for (const auto& change : set.changes())
     notes[change.key] =

@@ -24,10 +24,11 @@ struct ConfigOptions {
   std::string ring;                 // nominal, none, 2006 or a file
   std::string initial;              // "x,y,heading" in cm and degrees
   std::vector<std::string> params;  // TOML files, general to specific
+  std::vector<std::string> set;     // "behaviour.task.grab=false": over what the files say
   Body body = Body::asItIs;
 };
 
-// Registers --field, --team, --colour-table, --ring, --init and --params.
+// Registers --field, --team, --colour-table, --ring, --init, --params and --set.
 void addConfigOptions(CLI::App& command, ConfigOptions& options);
 
 // The values of the parameter files that differ from the defaults, "gps.ball.gate" -> "5 (file:3)",

@@ -16,7 +16,7 @@ std::string describe(const FrameInput& input, const FrameOutput& output) {
                         world.ball.heading.rad() >= 0 ? "left" : "right");
   else
     text += "  no ball";
-  if (output.command.motion == MotionKind::kickForward) text += "  KICK";
+  if (isKick(output.command.motion)) text += "  KICK";
   if (output.command.fallback != Fallback::none) text += "  FALLBACK";
   if (input.droppedFrames > 0) text += fmt::format("  {} frames dropped", input.droppedFrames);
   return text;

@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
@@ -95,12 +96,6 @@ void drawOthers(cv::Mat& picture, const Percepts& seen, int scale) {
   for (const auto& gap : seen.gaps) drawGap(picture, gap, scale);
 }
 
-// From field centimetres to picture pixels; up-field is up.
-cv::Point onPicture(const body::FieldDescription& field, double scale, Point2<Field> p) {
-  return {static_cast<int>(std::lround((p.x + kMargin) * scale)),
-          static_cast<int>(std::lround((field.length + kMargin - p.y) * scale))};
-}
-
 void drawGoal(cv::Mat& picture, const body::FieldDescription& field, double scale, bool own,
               const cv::Scalar& colour) {
   const double middle = field.width / 2;
@@ -123,6 +118,15 @@ void drawRobot(cv::Mat& picture, const body::FieldDescription& field, double sca
   cv::polylines(picture, corners, true, colour, 2, cv::LINE_AA);
 }
 
+// The log's own robot is white, like its path; the others have their team's colour and number.
+void drawTrueRobot(cv::Mat& picture, const body::FieldDescription& field, double scale,
+                   const TrueRobot& robot) {
+  drawRobot(picture, field, scale, robot.pose, robot.own ? kWhite : inkFor(robot.team));
+  const Point2<Field> middle = fieldFromRobot(robot.pose, Point2<Robot>{0.0, -10.0});
+  const cv::Point centre = onPicture(field, scale, middle) + cv::Point(-4, 5);
+  if (!robot.own) label(picture, std::to_string(robot.player), centre, inkFor(robot.team));
+}
+
 void drawBelief(cv::Mat& picture, const body::FieldDescription& field, double scale,
                 const WorldModel& world) {
   const auto& c = world.covariance;
@@ -143,6 +147,17 @@ void drawBelief(cv::Mat& picture, const body::FieldDescription& field, double sc
 }
 
 }  // namespace
+
+cv::Point onPicture(const body::FieldDescription& field, double scale, Point2<Field> p) {
+  return {static_cast<int>(std::lround((p.x + kMargin) * scale)),
+          static_cast<int>(std::lround((field.length + kMargin - p.y) * scale))};
+}
+
+const TrueRobot* TruePlaces::own() const {
+  const auto found =
+      std::find_if(robots.begin(), robots.end(), [](const TrueRobot& robot) { return robot.own; });
+  return found == robots.end() ? nullptr : &*found;
+}
 
 const char* wordFor(LandmarkKind kind) {
   switch (kind) {
@@ -186,6 +201,22 @@ cv::Mat drawCamera(const FrameInput& input, const FrameOutput& output, int scale
   return picture;
 }
 
+void drawLines(cv::Mat& picture, const std::vector<std::string>& lines, cv::Point where, int width,
+               double size, const cv::Scalar& colour) {
+  constexpr int kFont = cv::FONT_HERSHEY_SIMPLEX;
+  const auto wide = [&](const std::string& text) {
+    return cv::getTextSize(text, kFont, size, 1, nullptr).width > width;
+  };
+  for (std::string text : lines) {
+    if (wide(text)) {
+      while (text.size() > 1 && wide(text + "...")) text.pop_back();
+      text += "...";
+    }
+    cv::putText(picture, text, where, kFont, size, colour, 1, cv::LINE_AA);
+    where.y += kReasonLine;
+  }
+}
+
 cv::Mat drawField(const body::FieldDescription& field, TeamColour team, double scale) {
   const cv::Size size(static_cast<int>((field.width + 2 * kMargin) * scale),
                       static_cast<int>((field.length + 2 * kMargin) * scale));
@@ -223,7 +254,7 @@ void drawPlaces(cv::Mat& picture, const body::FieldDescription& field, double sc
                 const Moment& moment) {
   drawBelief(picture, field, scale, moment.output.world);
   if (!moment.truth.present) return;
-  drawRobot(picture, field, scale, moment.truth.robot, kWhite);
+  for (const TrueRobot& robot : moment.truth.robots) drawTrueRobot(picture, field, scale, robot);
   cv::circle(picture, onPicture(field, scale, moment.truth.ball),
              std::max(3, static_cast<int>(body::kBallRadius * scale)), kOrange, cv::FILLED,
              cv::LINE_AA);

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Pictures for people: the camera image with what vision made of it, and the field from above with
-// where the robot and the ball were and where the robot believes they are.
+// where the robots and the ball were and where the log's own robot believes they are.
 #pragma once
 
 #include <opencv2/core.hpp>
+#include <string>
 #include <vector>
 
 #include "robot/body/FieldDescription.h"
@@ -12,11 +13,20 @@
 
 namespace kelpie::cli {
 
+struct TrueRobot {
+  TeamColour team = TeamColour::red;
+  std::uint8_t player = 1;
+  bool own = false;  // the log is this robot's
+  Pose2 pose;
+};
+
 // True places from the world's log, when there is one.
 struct TruePlaces {
   bool present = false;
-  Pose2 robot;
+  std::vector<TrueRobot> robots;
   Point2<Field> ball;
+
+  const TrueRobot* own() const;  // null where the log's robot is not among them
 };
 
 // One moment of a match, ready to draw.
@@ -28,7 +38,7 @@ struct Moment {
 
 // Paths so far, in field coordinates.
 struct Paths {
-  std::vector<Point2<Field>> robot;
+  std::vector<Point2<Field>> robot;  // the log's own
   std::vector<Point2<Field>> ball;
   std::vector<Point2<Field>> belief;
 };
@@ -58,8 +68,15 @@ cv::Scalar inkFor(LinePointKind kind);
 // Everything that vision found, over the image.
 cv::Mat drawCamera(const FrameInput& input, const FrameOutput& output, int scale);
 
+// Lines of text from `where` downwards, each cut off where it is wider than `width` px.
+constexpr int kReasonLine = 18;  // px from one to the next
+void drawLines(cv::Mat& picture, const std::vector<std::string>& lines, cv::Point where, int width,
+               double size, const cv::Scalar& colour);
+
 // The field seen from above, the team's own goal at the bottom, `pixelsPerCm` to the cm.
 cv::Mat drawField(const body::FieldDescription& field, TeamColour team, double pixelsPerCm);
+// Where a place is on such a picture; up-field is up.
+cv::Point onPicture(const body::FieldDescription& field, double pixelsPerCm, Point2<Field> p);
 void drawPaths(cv::Mat& picture, const body::FieldDescription& field, double pixelsPerCm,
                const Paths& paths);
 void drawPlaces(cv::Mat& picture, const body::FieldDescription& field, double pixelsPerCm,

@@ -41,7 +41,9 @@ std::string jsonName(const char* name, const char* unit) {
 
 template <class T>
 Json fieldJson(const T& value, const char* unit = "") {
-  if constexpr (kIsSequence<T>) {
+  if constexpr (IsText<T>::value) {
+    return std::string(value.view());
+  } else if constexpr (kIsSequence<T>) {
     Json list = Json::array();
     for (const auto& item : value) list.push_back(fieldJson(item, unit));
     return list;

@@ -13,6 +13,7 @@
 #include "tools/cli/Match.h"
 #include "tools/cli/Process.h"
 #include "tools/cli/Progress.h"
+#include "tools/cli/TraceWords.h"
 #include "tools/cli/WholeFile.h"
 #include "tools/picture/FilmFile.h"
 #include "tools/picture/PngFile.h"
@@ -22,10 +23,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kCameraScale = 3;         // 624 x 480
-constexpr double kFieldScale = 1.0;     // pixels per cm
-constexpr int kFilmRate = 30;           // frames a second
-constexpr int kCaption = 32;            // px below the pictures
+constexpr int kCameraScale = 3;                           // 624 x 480
+constexpr double kFieldScale = 1.0;                       // pixels per cm
+constexpr int kFilmRate = 30;                             // frames a second
+constexpr int kCaption = 32;                              // px below the pictures
+constexpr int kReasonsTop = kCameraScale * kImageHeight;  // below the camera's picture
+constexpr int kReasonsHigh = (static_cast<int>(Trace::kCapacity) + 1) * kReasonLine - 12;
+constexpr double kReasonSize = 0.45;
 constexpr std::size_t kTrail = 300;     // frames of the paths that a film shows: ten seconds
 constexpr int kPictureFrames = 6;       // camera frames in the picture
 constexpr int kPictureCameraScale = 2;  // 416 x 320
@@ -35,7 +39,7 @@ const cv::Scalar kInk(235, 235, 235);
 void follow(Paths& paths, const Moment& moment) {
   paths.belief.push_back(moment.output.world.pose.position);
   if (!moment.truth.present) return;
-  paths.robot.push_back(moment.truth.robot.position);
+  if (const TrueRobot* own = moment.truth.own()) paths.robot.push_back(own->pose.position);
   paths.ball.push_back(moment.truth.ball);
 }
 
@@ -66,7 +70,7 @@ class FilmFrames {
   explicit FilmFrames(const Match& match)
       : field_(match.field()), ground_(drawField(match.field(), match.team(), kFieldScale)) {
     const int width = kCameraScale * kImageWidth + ground_.cols;
-    const int height = std::max(kCameraScale * kImageHeight, ground_.rows) + kCaption;
+    const int height = std::max(kReasonsTop + kReasonsHigh, ground_.rows) + kCaption;
     canvas_ = cv::Mat(even(height), even(width), CV_8UC3, cv::Scalar(30, 30, 30));
   }
   cv::Size size() const { return canvas_.size(); }
@@ -80,6 +84,8 @@ class FilmFrames {
     drawPaths(ground, field_, kFieldScale, paths_);
     drawPlaces(ground, field_, kFieldScale, moment);
     paste(canvas_, ground, kCameraScale * kImageWidth, 0);
+    drawLines(canvas_, reasonLines(moment.input.drive.present, moment.output.command),
+              {8, kReasonsTop + kReasonLine}, kCameraScale * kImageWidth - 16, kReasonSize, kInk);
     write(canvas_, describe(moment.input, moment.output), {8, canvas_.rows - 10});
     return canvas_;
   }
@@ -115,7 +121,8 @@ cv::Mat arrange(const cv::Mat& ground, const std::vector<cv::Mat>& frames) {
   for (std::size_t i = 0; i < frames.size(); ++i)
     paste(canvas, frames[i], ground.cols + 8 + static_cast<int>(i % 2) * (tileWidth + 8),
           static_cast<int>(i / 2) * tileHeight);
-  write(canvas, "white: robot   orange: ball   pink: where the robot believed it was",
+  write(canvas,
+        "white: robot   red, blue: others   orange: ball   pink: where the robot believed it was",
         {8, height - 10});
   return canvas;
 }

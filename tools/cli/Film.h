@@ -9,7 +9,8 @@
 
 namespace kelpie::cli {
 
-// Camera with overlays beside the field seen from above, 30 frames a second. An interrupt ends it
+// Camera with overlays and, below, why the robot did what it did, a line for each layer; beside it
+// the field seen from above. 30 frames a second. An interrupt ends it
 // within a frame, with an error.
 Status filmMatch(const Match& match, const std::string& out);
 

@@ -17,6 +17,9 @@ template <>
 inline constexpr std::array<const char*, 2> kEnumNames<TeamColour> = {"red", "blue"};
 template <>
 inline constexpr std::array<const char*, 3> kEnumNames<LinePointKind> = {"line", "border", "field"};
+template <>
+inline constexpr std::array<const char*, kTraceLayerCount> kEnumNames<TraceLayer> = {
+    "player", "role", "decision", "skill"};
 
 namespace {
 

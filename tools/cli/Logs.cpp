@@ -108,16 +108,24 @@ Expected<LogFile> LogFile::create(const std::string& path, const agent::AgentCon
 }
 
 void LogFile::motion(const MotionInput& input, const MotionOutput& output) {
+  if (images_ == ImagesKept::none) return;
   writer_.write(kMotionInputTopic, input.time, input);
   writer_.write(kMotionOutputTopic, input.time, output);
 }
 
 bool LogFile::keepsImage(const FrameInput& input) {
   const double now = input.time.seconds();
+  if (images_ == ImagesKept::none) return false;
   if (images_ == ImagesKept::all || now < kAllImagesSeconds) return true;
   if (now < nextImage_) return false;
   nextImage_ = now + kOneImageSeconds;
   return true;
+}
+
+void LogFile::drawPicture(const Image& image) {
+  const auto jpeg = picture::jpegOf(image, kPictureQuality);
+  picture_->jpeg.resize(std::min(jpeg.size(), JpegBytes::kCapacity));
+  std::copy_n(jpeg.begin(), picture_->jpeg.size(), picture_->jpeg.begin());
 }
 
 void LogFile::frame(const FrameInput& input, const FrameOutput& output) {
@@ -125,9 +133,7 @@ void LogFile::frame(const FrameInput& input, const FrameOutput& output) {
     writer_.write(kFrameInputTopic, input.time, input);
   } else {
     static_cast<FrameInput&>(*picture_) = input;
-    const auto jpeg = picture::jpegOf(input.image, kPictureQuality);
-    picture_->jpeg.resize(std::min(jpeg.size(), JpegBytes::kCapacity));
-    std::copy_n(jpeg.begin(), picture_->jpeg.size(), picture_->jpeg.begin());
+    if (images_ == ImagesKept::some) drawPicture(input.image);
     writer_.write(kPictureFrameTopic, input.time, *picture_);
   }
   writer_.write(kFrameOutputTopic, input.time, output);
@@ -138,7 +144,8 @@ Status decodeForPeople(const LogMessage& message, FrameInput& input) {
   const auto frame = std::make_unique<PictureFrame>();
   const Status read = decodeAs(message, *frame);
   if (!read) return read;
-  if (!picture::imageOfJpeg(frame->jpeg.begin(), frame->jpeg.size(), frame->image))
+  if (frame->jpeg.size() > 0 &&
+      !picture::imageOfJpeg(frame->jpeg.begin(), frame->jpeg.size(), frame->image))
     return Error{"topic " + message.topic() + ", byte " + std::to_string(message.offset) +
                  ": no picture of 208 x 160 pixels"};
   input = *frame;

@@ -16,8 +16,10 @@
 namespace kelpie::cli {
 
 // Which camera images a log keeps; the others become JPEG pictures of 2.5 KB (an image, full of
-// noise, compresses to no less than 70 KB). With `some` a match of ten minutes takes 160 MB.
-enum class ImagesKept : std::uint8_t { some, all };
+// noise, compresses to no less than 70 KB). With `some` a match of ten minutes takes 160 MB. With
+// `none` there are neither images nor pictures nor the motion loop's messages: what the robot knew,
+// decided and did in each frame, for experiments.
+enum class ImagesKept : std::uint8_t { none, some, all };
 constexpr double kAllImagesSeconds = 20.0;  // of the beginning, with `some`
 constexpr double kOneImageSeconds = 5.0;    // afterwards one in so many
 
@@ -35,6 +37,7 @@ class LogFile : public agent::LogSink {
  private:
   LogFile(LogWriter writer, ImagesKept images) : writer_(std::move(writer)), images_(images) {}
   bool keepsImage(const FrameInput& input);
+  void drawPicture(const Image& image);
 
   LogWriter writer_;
   ImagesKept images_;
@@ -45,7 +48,8 @@ class LogFile : public agent::LogSink {
 // Copies a message of a topic that we know, leaves out any other.
 Status copyMessage(const LogMessage& message, LogWriter& out);
 
-// As agent::decodeFrameInput, with the picture as the image where the image was not kept.
+// As agent::decodeFrameInput, with the picture as the image where the image was not kept
+// (a black one where there is no picture either).
 Status decodeForPeople(const LogMessage& message, FrameInput& input);
 
 // Tells the user which messages were read by translation from other field lists.

@@ -17,15 +17,22 @@ Point2<Field> inTeamFrame(Point2<Field> p, const body::FieldDescription& field, 
   return {field.width - p.x, field.length - p.y};
 }
 
-TruePlaces placesOf(const sim::TruthFrame& truth, const body::FieldDescription& field,
-                    TeamColour team) {
+TrueRobot placeOf(const sim::RobotTruth& truth, const Match& match) {
+  TrueRobot robot;
+  robot.team = truth.team;
+  robot.player = truth.player;
+  robot.own = truth.team == match.team() && truth.player == match.player();
+  robot.pose.position = inTeamFrame(truth.pose.position, match.field(), match.team());
+  robot.pose.heading =
+      match.team() == TeamColour::red ? truth.pose.heading : truth.pose.heading + Angle::deg(180.0);
+  return robot;
+}
+
+TruePlaces placesOf(const sim::TruthFrame& truth, const Match& match) {
   TruePlaces places;
   places.present = !truth.robots.empty();
-  places.ball = inTeamFrame(truth.ball, field, team);
-  if (!places.present) return places;
-  const Pose2& pose = truth.robots[0].pose;
-  places.robot.position = inTeamFrame(pose.position, field, team);
-  places.robot.heading = team == TeamColour::red ? pose.heading : pose.heading + Angle::deg(180.0);
+  places.ball = inTeamFrame(truth.ball, match.field(), match.team());
+  for (const sim::RobotTruth& robot : truth.robots) places.robots.push_back(placeOf(robot, match));
   return places;
 }
 
@@ -49,6 +56,7 @@ Expected<Match> Match::open(const std::string& path) {
     if (!read) return Error{path + ": " + read.error()};
     match.field_ = config->field;
     match.team_ = config->team;
+    match.player_ = config->player;
     configured = true;
   }
   if (!reader->status()) return Error{reader->status().error()};
@@ -75,7 +83,7 @@ void Match::forEachMoment(const std::function<bool(const Moment&)>& show) const 
   LogMessage message;
   while (reader->next(message)) {
     if (message.topic() == sim::kTruthTopic && decodeAs(message, truth))
-      places = placesOf(truth, field_, team_);
+      places = placesOf(truth, *this);
     if (agent::isFrameInput(message.topic())) inputKnown = decodeForPeople(message, *input).ok();
     if (message.topic() == kFrameOutputTopic && inputKnown && decodeAs(message, *output) &&
         !show({*input, *output, places}))

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A log of a match as moments: each frame's input and output with the true places of that time, all
-// in the field frame of the robot's own team.
+// in the field frame of the robot's own team. Its own robot is the one of the world's whose team
+// and player its configuration names.
 #pragma once
 
 #include <cstdint>
@@ -20,6 +21,7 @@ class Match {
 
   const body::FieldDescription& field() const { return field_; }
   TeamColour team() const { return team_; }
+  std::uint8_t player() const { return player_; }
   std::size_t frames() const { return frames_; }
   bool truncated() const { return truncated_; }
   std::string cutOff() const;  // "LOG: cut off at byte N; ..."
@@ -30,6 +32,7 @@ class Match {
   std::string path_;
   body::FieldDescription field_;
   TeamColour team_ = TeamColour::red;
+  std::uint8_t player_ = 1;
   std::size_t frames_ = 0;
   bool truncated_ = false;
   std::uint64_t offset_ = 0;

@@ -12,6 +12,7 @@
 #include "tools/cli/Process.h"
 #include "tools/cli/Progress.h"
 #include "tools/cli/Session.h"
+#include "tools/cli/StagingOptions.h"
 #include "tools/cli/WholeFile.h"
 
 namespace kelpie::cli {
@@ -26,6 +27,8 @@ struct PlayOptions {
   SessionOptions session;
   std::string out = "out";
   std::string images = "some";
+  std::string opponent = "none";
+  sim::StagingWords staging;
   bool noFilm = false;
 
   std::string file(const char* name) const { return out + "/" + name; }
@@ -90,9 +93,39 @@ Status checkConfig(const SessionOptions& session) {
   config.colourTable = session.colourTable;
   config.ring = session.ring;
   config.params = session.params;
+  config.set = session.set;
   const auto made = makeConfig(config);
   if (!made) return Error{made.error()};
   return session.pycode.empty() ? Status(Done{}) : checkScripts(session.pycode);
+}
+
+// A keeper of the other team is told what it is by its parameters.
+void addOpponent(PlayOptions& options) {
+  using behaviour::PlayerKind;
+  if (options.opponent == "none") return;
+  const PlayerKind kind =
+      options.opponent == "goalie" ? PlayerKind::goalie : PlayerKind::goalie2004;
+  Opponent keeper;
+  keeper.team = options.session.team == "red" ? "blue" : "red";
+  keeper.pycode = options.session.pycode;
+  keeper.set = {fmt::format("behaviour.task.player={}", static_cast<int>(kind))};
+  keeper.seed = options.session.seed;
+  options.session.opponents = {keeper};
+}
+
+// The world would refuse the same, but only after the start.
+Status stage(PlayOptions& options) {
+  SessionOptions& session = options.session;
+  const auto staging = sim::stagingFrom(options.staging);
+  if (!staging) return Error{staging.error()};
+  session.staging = *staging;
+  const bool both = !session.opponents.empty();
+  std::vector<host::AgentHello> robots;
+  if (both || session.team == "red") robots.push_back({TeamColour::red, 1});
+  if (both || session.team == "blue") robots.push_back({TeamColour::blue, 1});
+  const auto setup = sim::stagedScenario(session.scenario, *body::fieldDescription(session.field),
+                                         robots, session.seed, session.staging);
+  return setup ? Status(Done{}) : Status(Error{setup.error()});
 }
 
 SessionResult runShown(const PlayOptions& options) {
@@ -142,6 +175,9 @@ int exitCode(const PlayOptions& options, const SessionResult& result) {
 int play(PlayOptions& options) {
   const Status checked = checkConfig(options.session);
   if (!checked) return fail(checked.error(), kExitBadInput);
+  addOpponent(options);
+  const Status staged = stage(options);
+  if (!staged) return fail(staged.error(), kExitBadInput);
   catchInterrupts();
   std::error_code error;
   fs::create_directories(options.out, error);
@@ -184,9 +220,18 @@ void addPlay(CLI::App& app, int& code) {
   auto* goals = command->add_option("--goals", session.goals, "Ends after so many goals")
                     ->check(CLI::Range(1, kMaxGoals))
                     ->capture_default_str();
-  command->add_option("--scenario", session.scenario, "What is on the field at the start")
-      ->check(CLI::IsMember({"empty-goal", "kickoff"}))
+  auto* scenario = command
+                       ->add_option("--scenario", session.scenario,
+                                    "Who is where at the start: attack (far from the goal; what an "
+                                    "opponent keeps to), empty-goal or kickoff")
+                       ->check(CLI::IsMember({"attack", "empty-goal", "kickoff"}))
+                       ->capture_default_str();
+  command
+      ->add_option("--opponent", options->opponent,
+                   "Who keeps the other goal: none, goalie (of 2006) or goalie-2004")
+      ->check(CLI::IsMember({"none", "goalie", "goalie-2004"}))
       ->capture_default_str();
+  addStagingOptions(*command, options->staging);
   command->add_option("--field", session.field, "2006, osaka2005 or 2004")
       ->check(CLI::IsMember({"2006", "osaka2005", "2004"}))
       ->capture_default_str();
@@ -197,6 +242,8 @@ void addPlay(CLI::App& app, int& code) {
       ->check(CLI::ExistingPath);
   command->add_option("--params", session.params, "TOML files, general to specific")
       ->check(CLI::ExistingFile);
+  command->add_option("--set", session.set,
+                      "One parameter each, over the files': KEY=NUMBER, or true or false");
   command->add_option("--colour-table", session.colourTable, "Colour table file")
       ->check(CLI::ExistingFile);
   command->add_option("--ring", session.ring, "Ring correction: nominal, none, 2006 or a file")
@@ -223,6 +270,7 @@ void addPlay(CLI::App& app, int& code) {
   command->callback([=, &code] {
     if (options->session.realTime && seconds->count() == 0)
       options->session.seconds = kLongestMatch;
+    if (options->opponent != "none" && scenario->count() == 0) options->session.scenario = "attack";
     if (options->session.realTime && goals->count() == 0) options->session.goals = kMaxGoals;
     code = play(*options);
   });

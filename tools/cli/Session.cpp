@@ -14,70 +14,15 @@
 
 #include "tools/cli/AgentTalk.h"
 #include "tools/cli/Logs.h"
+#include "tools/cli/Opponents.h"
 #include "tools/cli/Process.h"
+#include "tools/cli/SessionCommands.h"
 #include "tools/cli/Workshop.h"
 
 namespace kelpie::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::vector<std::string> worldCommand(const SessionOptions& options, const Workshop& workshop) {
-  std::vector<std::string> argv = {programFolder() + "/kelpie-world",
-                                   "--socket",
-                                   workshop.path("world"),
-                                   "--robots",
-                                   "1",
-                                   "--seed",
-                                   std::to_string(options.seed),
-                                   "--field",
-                                   options.field,
-                                   "--scenario",
-                                   options.scenario,
-                                   "--seconds",
-                                   std::to_string(options.seconds),
-                                   "--goals",
-                                   std::to_string(options.goals),
-                                   "--result",
-                                   workshop.path("result.json"),
-                                   "--tell-goals"};
-  argv.push_back(options.physical ? "--physical" : "--fast");
-  if (options.realTime) argv.push_back("--real-time");
-  if (!options.log.empty()) {
-    argv.insert(argv.end(), {"--truth", workshop.path("world.mcap")});
-  }
-  for (const auto& artefact : options.artefactsOff) argv.push_back("--no-" + artefact);
-  for (const auto& word : wordsOf(options.unlike)) argv.push_back(word);
-  return argv;
-}
-
-std::vector<std::string> agentCommand(const SessionOptions& options, const Workshop& workshop) {
-  std::vector<std::string> argv = {programFolder() + "/kelpie-agent",
-                                   "--socket",
-                                   workshop.path("world"),
-                                   "--team",
-                                   options.team,
-                                   "--field",
-                                   options.field,
-                                   "--ring",
-                                   options.ring,
-                                   "--drop-rate",
-                                   std::to_string(options.dropRate),
-                                   "--seed",
-                                   std::to_string(options.seed),
-                                   "--status"};
-  // Plain: it is compressed when it is joined with the world's.
-  if (!options.log.empty())
-    argv.insert(argv.end(), {"--plain-log", "--log", workshop.path("agent.mcap")});
-  if (options.allImages) argv.push_back("--all-images");
-  if (!options.pycode.empty()) argv.insert(argv.end(), {"--pycode", options.pycode});
-  if (!options.colourTable.empty())
-    argv.insert(argv.end(), {"--colour-table", options.colourTable});
-  for (const auto& file : options.params) argv.insert(argv.end(), {"--params", file});
-  argv.push_back(options.physical ? "--physical" : "--fast");
-  if (!options.driver.empty()) argv.insert(argv.end(), {"--driver", options.driver});
-  return argv;
-}
 
 void readResult(const std::string& path, bool blue, SessionResult& result) {
   std::ifstream file(path);
@@ -101,17 +46,25 @@ void tell(const std::string& line, const SessionTalk& talk) {
     fmt::print(stderr, "{}\n", line);
 }
 
-// Lines of the world: goals for the caller, anything else (its complaint) for the user.
-void hearWorld(const std::string& line, bool blue, const SessionTalk& talk) {
-  std::istringstream words(line);
-  std::string word;
-  std::string team;
-  double seconds = 0.0;
-  if (!(words >> word >> team >> seconds) || word != "goal")
-    tell(line, talk);
-  else if (talk.goal)
-    talk.goal(team == (blue ? "blue" : "red"), seconds);
-}
+// What the world prints: goals for the caller, its complaint for the end.
+struct WorldTalk {
+  bool blue = false;  // the team that is watched
+  std::string complaint;
+
+  void hear(const std::string& line, const SessionTalk& talk) {
+    constexpr std::string_view kMark = "kelpie-world: ";
+    std::istringstream words(line);
+    std::string word;
+    std::string team;
+    double seconds = 0.0;
+    if (line.compare(0, kMark.size(), kMark) == 0)
+      complaint = line.substr(kMark.size());
+    else if (!(words >> word >> team >> seconds) || word != "goal")
+      tell(line, talk);
+    else if (talk.goal)
+      talk.goal(team == (blue ? "blue" : "red"), seconds);
+  }
+};
 
 // What the agent prints: status lines for the caller, its last complaint for the end, the rest (a
 // script's error) for the user at once.
@@ -144,6 +97,16 @@ struct Ends {
   int world = 0;
   bool worldAlive = true;  // when the agent had ended
   bool stuck = false;      // the agent had to be killed
+  bool opponent = false;   // one of them ended in trouble of its own
+};
+
+// The processes of a match, and what they said.
+struct Crew {
+  Process& world;
+  Process& agent;
+  Opponents& opponents;
+  WorldTalk worldSaid;
+  AgentTalk agentSaid;
 };
 
 // Ends a match that is over but for one of its processes: a script inside a long call of Python's
@@ -163,81 +126,113 @@ class Patience {
   std::chrono::steady_clock::time_point since_;
 };
 
-// Runs until both have ended. The world's death ends the agent (its socket closes); an agent that
-// ends in trouble takes the world with it.
-Ends waitForBoth(Process& world, Process& agent, bool blue, const SessionTalk& talk,
-                 AgentTalk& said) {
-  Ends ends;
+// Whether the world has ended, or does within a fifth of a second: one that was killed may be a
+// moment behind the agents that its end has stopped.
+bool endsSoon(Process& world) {
+  for (int i = 0; i < 20 && !world.ended(); ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  return world.ended();
+}
+
+void hearAll(int milliseconds, const SessionTalk& talk, Crew& crew) {
   std::string line;
+  if (crew.agent.readLine(line, milliseconds)) crew.agentSaid.hear(line, talk);
+  while (crew.world.readLine(line, 0)) crew.worldSaid.hear(line, talk);
+  crew.opponents.hear([&](const std::string& said) { tell(said, talk); });
+}
+
+// An opponent that ends in trouble takes the match with it: the world may still wait for it. One
+// that gives up while the world ends has lost that world only.
+void watchOpponents(Crew& crew, Ends& ends) {
+  if (ends.opponent || !crew.opponents.failed()) return;
+  if (crew.opponents.gaveUp() && endsSoon(crew.world)) return;
+  ends.opponent = true;
+  crew.world.terminate();
+}
+
+// Runs until agent and world have ended. The world's death ends the agents (their sockets close);
+// an agent that ends in trouble takes the world with it.
+Ends waitForAll(const SessionTalk& talk, Crew& crew) {
+  Ends ends;
   bool asked = false;
   Patience patience;
-  while (!agent.ended()) {
-    if (agent.readLine(line, 50)) said.hear(line, talk);
-    while (world.readLine(line, 0)) hearWorld(line, blue, talk);
+  while (!crew.agent.ended()) {
+    hearAll(50, talk, crew);
+    watchOpponents(crew, ends);
     if (!asked && (interrupted() || (talk.over && talk.over()))) {
       asked = true;
-      world.terminate();  // it ends the match, and with it the agent
+      crew.world.terminate();  // it ends the match, and with it the agents
     }
-    if ((asked || world.ended()) && !ends.stuck && patience.ended()) {
+    if ((asked || crew.world.ended()) && !ends.stuck && patience.ended()) {
       ends.stuck = true;
-      agent.kill();
+      crew.agent.kill();
+      crew.opponents.kill();
     }
   }
-  while (agent.readLine(line, 0)) said.hear(line, talk);
-  ends.agent = agent.wait();
-  // A world that was killed may be a moment behind the agent that its end has stopped.
-  for (int i = 0; i < 20 && ends.agent == 1 && !world.ended(); ++i)
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  ends.worldAlive = !world.ended();
-  if (ends.worldAlive && ends.agent != 0) world.terminate();
-  ends.world = world.wait();
-  while (world.readLine(line, 0)) hearWorld(line, blue, talk);
+  ends.agent = crew.agent.wait();
+  if (ends.agent == 1) watchOpponents(crew, ends);
+  ends.worldAlive = ends.agent == 1 ? !endsSoon(crew.world) : !crew.world.ended();
+  if (ends.worldAlive && ends.agent != 0) crew.world.terminate();
+  ends.world = crew.world.wait();
+  std::string line;
+  while (crew.agent.readLine(line, 0)) crew.agentSaid.hear(line, talk);
+  hearAll(0, talk, crew);
   return ends;
 }
 
-std::string troubleOf(const Ends& ends, const AgentTalk& said) {
+// Who ends last has often only lost the others: the first cause is told.
+std::string troubleOf(const Ends& ends, const Crew& crew) {
+  const std::string when = "; last: " + crew.agentSaid.when();
   if (!ends.worldAlive && ends.world >= 128)
-    return fmt::format("the world died (signal {}); last: {}", ends.world - 128, said.when());
+    return fmt::format("the world died (signal {})", ends.world - 128) + when;
+  if (ends.opponent) return crew.opponents.trouble() + when;
   if (ends.stuck)
-    return "the agent did not answer and was killed (a script in a long call?); last: " +
-           said.when();
-  if (ends.agent >= 128)
-    return fmt::format("the agent died (signal {}); last: {}", ends.agent - 128, said.when());
-  if (ends.agent != 0) return said.complaint.empty() ? "the agent gave up" : said.complaint;
+    return "the agent did not answer and was killed (a script in a long call?)" + when;
+  if (ends.agent >= 128) return fmt::format("the agent died (signal {})", ends.agent - 128) + when;
+  if (ends.agent == 2) return crew.agentSaid.complaint;
+  if (!crew.worldSaid.complaint.empty()) return crew.worldSaid.complaint;
+  if (ends.agent != 0)
+    return crew.agentSaid.complaint.empty() ? "the agent gave up" : crew.agentSaid.complaint;
   if (ends.world != 0) return fmt::format("the world stopped with code {}", ends.world);
   return {};
 }
 
-void watch(Process& world, Process& agent, bool blue, const SessionTalk& talk,
-           SessionResult& result) {
-  AgentTalk said;
-  const Ends ends = waitForBoth(world, agent, blue, talk, said);
-  result.trouble = troubleOf(ends, said);
+void watch(const SessionTalk& talk, Crew& crew, SessionResult& result) {
+  const Ends ends = waitForAll(talk, crew);
+  result.trouble = troubleOf(ends, crew);
   result.interrupted = interrupted();
   if (result.interrupted && !result.trouble.empty())
-    result.trouble = "interrupted; last: " + said.when();
-  result.badInput = ends.agent == 2;
+    result.trouble = "interrupted; last: " + crew.agentSaid.when();
+  result.badInput = ends.agent == 2 || (ends.opponent && crew.opponents.badInput());
+}
+
+void keepLog(const SessionOptions& options, const Workshop& workshop, SessionResult& result) {
+  if (options.log.empty() || !fs::exists(workshop.path("agent.mcap")) || result.badInput) return;
+  std::vector<std::string> halves;
+  for (const char* half : {"agent.mcap", "world.mcap"})
+    if (fs::exists(workshop.path(half))) halves.push_back(workshop.path(half));
+  const Status merged = mergeLogs(halves, options.log);
+  if (!merged) result.trouble = merged.error();
+  result.logged = merged.ok();
 }
 
 void play(const SessionOptions& options, const SessionTalk& talk, const Workshop& workshop,
           SessionResult& result) {
   auto world = Process::start(worldCommand(options, workshop), true);
   auto agent = Process::start(agentCommand(options, workshop), true);
-  if (!world || !agent) {
-    result.trouble = world ? agent.error() : world.error();
+  auto opponents = Opponents::start(options, workshop);
+  if (!world || !agent || !opponents) {
+    result.trouble = !world ? world.error() : !agent ? agent.error() : opponents.error();
     return;
   }
   const bool blue = options.team == "blue";
-  watch(*world, *agent, blue, talk, result);
-  if (!options.log.empty() && fs::exists(workshop.path("agent.mcap")) && !result.badInput) {
-    std::vector<std::string> halves;
-    for (const char* half : {"agent.mcap", "world.mcap"})
-      if (fs::exists(workshop.path(half))) halves.push_back(workshop.path(half));
-    const Status merged = mergeLogs(halves, options.log);
-    if (!merged) result.trouble = merged.error();
-    result.logged = merged.ok();
-  }
-  if (result.trouble.empty()) readResult(workshop.path("result.json"), blue, result);
+  Crew crew{*world, *agent, *opponents, {blue, {}}, {}};
+  watch(talk, crew, result);
+  keepLog(options, workshop, result);
+  if (!result.trouble.empty()) return;
+  readResult(workshop.path("result.json"), blue, result);
+  if (talk.frames && options.keepFrames)
+    talk.frames(workshop.path("agent.mcap"), workshop.path("world.mcap"));
 }
 
 }  // namespace

@@ -118,6 +118,16 @@ void writeObjects(cv::Mat& sheet, const SheetText& text, cv::Point where) {
 }
 
 // Three columns of reasons under each other, the commonest first.
+int linesOfWhy(const SheetIn& in) {
+  return in.why.empty() ? 0 : static_cast<int>(in.why.size()) + 2;
+}
+
+void writeWhy(cv::Mat& sheet, const SheetIn& in, cv::Point where) {
+  if (in.why.empty()) return;
+  write(sheet, "what the robot decided, from the player down:", where, kFaint);
+  drawLines(sheet, in.why, where + cv::Point(0, kLine), kWide, 0.45, kInk);
+}
+
 void writeRefusals(cv::Mat& sheet, const SheetText& text, cv::Point where) {
   write(sheet, "candidates refused, by reason:", where, kFaint);
   const std::size_t high = (text.refusals.size() + 2) / 3;
@@ -192,7 +202,7 @@ cv::Mat drawSheet(const SheetIn& in) {
   const int right = kWide + 2 * kGapPx;
   const int top = kHeading + kGapPx;
   const int second = top + kHeading + kHigh + kGapPx;
-  const int textHigh = std::max(kHigh, kLine * linesIn(text));
+  const int textHigh = std::max(kHigh, kLine * (linesIn(text) + linesOfWhy(in)));
   const int legend = second + kHeading + textHigh + kGapPx;
   cv::Mat sheet(legend + kLegend, right + kWide + kGapPx, CV_8UC3, kPaper);
   write(sheet, in.title, {kGapPx, kHeading}, kInk, 0.55);
@@ -204,6 +214,7 @@ cv::Mat drawSheet(const SheetIn& in) {
   const cv::Point words(right, second + kHeading + kLine);
   writeObjects(sheet, text, words);
   writeRefusals(sheet, text, words + cv::Point(0, kLine * linesAbove(text)));
+  writeWhy(sheet, in, words + cv::Point(0, kLine * linesIn(text)));
   writeClasses(sheet, {kGapPx, legend + 14});
   writeMarks(sheet, {kGapPx, legend + 38});
   return sheet;

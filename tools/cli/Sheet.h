@@ -18,6 +18,7 @@ struct SheetIn {
   const FrameInput& input;
   const FrameOutput& output;          // body and percepts are read
   const vision::VisionState& vision;  // as the step on this image left it
+  std::vector<std::string> why = {};  // what the log tells of the frame's decision, a line each
 };
 
 cv::Mat drawSheet(const SheetIn& in);

@@ -13,6 +13,7 @@
 #include "tools/cli/Logs.h"
 #include "tools/cli/Recording.h"
 #include "tools/cli/Sheet.h"
+#include "tools/cli/TraceWords.h"
 #include "tools/cli/WholeFile.h"
 #include "tools/picture/PngFile.h"
 #include "vision/Vision.h"
@@ -33,9 +34,10 @@ struct Shot {
   std::unique_ptr<FrameInput> input = std::make_unique<FrameInput>();
   std::unique_ptr<agent::AgentConfig> config = std::make_unique<agent::AgentConfig>();
   bool configured = false;
-  bool pictureOnly = false;  // vision sees a JPEG picture in place of the image
-  std::uint32_t frames = 0;  // in the source
-  std::string cutOff;        // a complaint when the log lacks its end
+  bool pictureOnly = false;      // vision sees a JPEG picture in place of the image
+  std::vector<std::string> why;  // of its decision, where the source is a log with outputs
+  std::uint32_t frames = 0;      // in the source
+  std::string cutOff;            // a complaint when the log lacks its end
 };
 
 Error noSuchFrame(const ShowOptions& options, const Shot& shot) {
@@ -49,6 +51,12 @@ Status takeMessage(const LogMessage& message, const ShowOptions& options, Shot& 
   if (message.topic() == kConfigTopic) {
     shot.configured = true;
     return decodeAs(message, *shot.config);
+  }
+  if (message.topic() == kFrameOutputTopic && shot.frames == options.frame + 1) {
+    const auto output = std::make_unique<FrameOutput>();
+    if (decodeAs(message, *output))
+      shot.why = reasonLines(shot.input->drive.present, output->command);
+    return Done{};
   }
   if (!agent::isFrameInput(message.topic())) return Done{};
   if (!shot.configured) return Error{message.topic() + " comes before " + kConfigTopic};
@@ -103,7 +111,7 @@ cv::Mat sheetOf(const ShowOptions& options, const Shot& shot) {
       fmt::format("{}: frame {} (of 0 to {}), {:.2f} s{}",
                   fs::path(options.source).filename().string(), options.frame, shot.frames - 1,
                   shot.input->time.seconds(), shot.pictureOnly ? ", seen in its JPEG picture" : "");
-  return drawSheet({title, *shot.input, *output, *state});
+  return drawSheet({title, *shot.input, *output, *state, shot.why});
 }
 
 Status draw(const ShowOptions& options, const Shot& shot) {

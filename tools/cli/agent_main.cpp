@@ -35,6 +35,7 @@ struct AgentOptions {
   std::uint64_t seed = 1;
   bool status = false;
   bool allImages = false;
+  bool noImages = false;
   bool plainLog = false;
   std::string driver;
   ConfigOptions config;
@@ -111,6 +112,11 @@ Status openDriver(const AgentOptions& options, std::optional<host::DriverLink>& 
   return Done{};
 }
 
+ImagesKept imagesKept(const AgentOptions& options) {
+  if (options.noImages) return ImagesKept::none;
+  return options.allImages ? ImagesKept::all : ImagesKept::some;
+}
+
 // A script that does not load is bad input: told before the match, not during it.
 int run(const AgentOptions& options) {
   const Status scripts = checkScripts(options.pycode);
@@ -126,9 +132,9 @@ int run(const AgentOptions& options) {
   // Only now: an earlier log is not lost to a world that is not there.
   std::optional<LogFile> log;
   if (!options.log.empty()) {
-    auto created = LogFile::create(options.log, *config, parameterNotes(options.config),
-                                   options.allImages ? ImagesKept::all : ImagesKept::some,
-                                   options.plainLog ? LogOptions{} : defaultLogOptions());
+    auto created =
+        LogFile::create(options.log, *config, parameterNotes(options.config), imagesKept(options),
+                        options.plainLog ? LogOptions{} : defaultLogOptions());
     if (!created) return fail(created.error(), 2);
     log.emplace(std::move(*created));
   }
@@ -157,8 +163,12 @@ int main(int argc, char** argv) {
   from->add_option("--recording", options.recording, "Log of an agent, through OPEN-R again");
   from->require_option(1);
   app.add_option("--log", options.log, "Log to write");
-  app.add_flag("--all-images", options.allImages,
-               "The log keeps every image, not only those of the beginning");
+  auto* all = app.add_flag("--all-images", options.allImages,
+                           "The log keeps every image, not only those of the beginning");
+  app.add_flag("--no-images", options.noImages,
+               "The log keeps no images and no motion messages, only what the robot knew, decided "
+               "and did in each frame")
+      ->excludes(all);
   app.add_flag("--plain-log", options.plainLog,
                "The log's records go out one by one, uncompressed");
   app.add_option("--pycode", options.pycode, "Behaviours, folder or zip");

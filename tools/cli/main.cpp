@@ -24,6 +24,9 @@ int main(int argc, char** argv) {
   kelpie::cli::addImport(app, code);
   kelpie::cli::addCompress(app, code);
   kelpie::cli::addShow(app, code);
+  kelpie::cli::addWhy(app, code);
+  kelpie::cli::addTree(app, code);
+  kelpie::cli::addVectors(app, code);
   kelpie::cli::addEvaluate(app, code);
   kelpie::cli::addFilm(app, code);
   kelpie::cli::addBench(app, code);

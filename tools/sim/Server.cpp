@@ -14,8 +14,7 @@ namespace {
 constexpr std::int64_t kMessageUs = kTickUs * kTicksPerMessage;
 
 std::string titleOf(const host::AgentHello& hello) {
-  const char* team = hello.team == TeamColour::red ? "red" : "blue";
-  return std::string("agent ") + team + " " + std::to_string(hello.player);
+  return "agent " + nameOf(hello);
 }
 
 bool before(const Agent& a, const Agent& b) {

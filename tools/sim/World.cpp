@@ -28,6 +28,7 @@ World::World(const WorldParams& params, const body::FieldDescription& field, con
       unlike_(drawUnlike(params.unlike, seed, setup.players.size())),
       obstacles_(obstaclesOf(field)),
       players_(setup.players),
+      throws_(setup.throws),
       referee_(params.referee, field) {
   const std::uint64_t crowd = params.spectators ? partSeed(seed, 1) | 1U : 0;
   const Scene scene = fieldScene(field, crowd, unlike_.venue);
@@ -43,7 +44,7 @@ World::World(const WorldParams& params, const body::FieldDescription& field, con
     shine_.push_back(partSeed(seed, part + 4));
   }
   buildBodies(seed);
-  bodies_->putBall({setup.ball, {}});
+  bodies_->putBall({setup.ball, setup.ballVelocity});
   sensors_.resize(players_.size());
   past_.remember(ticks_, *bodies_);
 }
@@ -80,6 +81,28 @@ void World::senseAll() {
   }
 }
 
+// A robot at the edge may stand so that its throw would come from beyond the lines.
+void World::throwBalls() {
+  for (; thrown_ < throws_.size() && throws_[thrown_].time <= time().seconds(); ++thrown_) {
+    const BallThrow& one = throws_[thrown_];
+    Ball ball = one.ball;
+    if (one.by) {
+      const auto robot = std::find_if(players_.begin(), players_.end(),
+                                      [&](const Player& player) { return player.is(*one.by); });
+      if (robot == players_.end()) continue;
+      const auto number = static_cast<std::size_t>(robot - players_.begin());
+      const Pose2 pose = bodies_->place(number).pose;
+      const auto onField = [&](Point2<Field> p) {
+        return fieldFromRobot(pose, Point2<Robot>{p.x, p.y});
+      };
+      ball = {onField(ball.position), onField(ball.velocity) - pose.position};
+    }
+    ball.position = {maths::clamp(ball.position.x, 0.0, field_.width),
+                     maths::clamp(ball.position.y, 0.0, field_.length)};
+    bodies_->putBall(ball);
+  }
+}
+
 Status World::tick() {
   if (!fault_.empty()) return Error{fault_};
   const Status moved = bodies_->tick();
@@ -88,6 +111,7 @@ Status World::tick() {
     return Error{fault_};
   }
   ++ticks_;
+  throwBalls();
   Ball ball = bodies_->ball();
   if (referee_.tick(time(), ball)) bodies_->putBall(ball);
   past_.remember(ticks_, *bodies_);

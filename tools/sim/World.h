@@ -21,6 +21,7 @@
 #include "tools/sim/Referee.h"
 #include "tools/sim/RobotModel.h"
 #include "tools/sim/Sensors.h"
+#include "tools/sim/Setup.h"
 #include "tools/sim/Truth.h"
 #include "tools/sim/Unlike.h"
 #include "tools/sim/physics/PhysicalBodies.h"
@@ -52,23 +53,6 @@ struct WorldParams {
                      field("spectators", &P::spectators), field("ownLegs", &P::ownLegs));
   }
 };
-
-struct Player {
-  TeamColour team = TeamColour::red;
-  std::uint8_t number = 1;
-  Pose2 start;
-};
-
-// Who starts where.
-struct Setup {
-  std::vector<Player> players;
-  Point2<Field> ball;
-};
-
-// "empty-goal": one robot and the ball anywhere. "kickoff": ball in the middle, robots in their own
-// halves. Teams are filled in by the caller, in the order of the agents.
-Expected<Setup> scenario(const std::string& name, const body::FieldDescription& field,
-                         const std::vector<host::AgentHello>& agents, std::uint64_t seed);
 
 class World {
  public:
@@ -139,12 +123,15 @@ class World {
   double ticksAt(std::size_t robot, TimeUs end, double share) const;
   void buildBodies(std::uint64_t seed);
   void senseAll();
+  void throwBalls();
 
   WorldParams params_;
   body::FieldDescription field_;
   UnlikeWorld unlike_;
   std::vector<Obstacle> obstacles_;
   std::vector<Player> players_;
+  std::vector<BallThrow> throws_;
+  std::size_t thrown_ = 0;  // of them
   std::vector<std::uint64_t> shine_;
   std::unique_ptr<Bodies> bodies_;
   std::vector<std::array<SensorFrame, kTicksPerMessage>> sensors_;

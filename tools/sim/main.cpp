@@ -10,9 +10,11 @@
 #include <thread>
 
 #include "tools/cli/Process.h"
+#include "tools/cli/StagingOptions.h"
 #include "tools/cli/UnlikeOptions.h"
 #include "tools/cli/Usage.h"
 #include "tools/sim/Server.h"
+#include "tools/sim/Staging.h"
 
 namespace kelpie::sim {
 namespace {
@@ -33,6 +35,7 @@ struct Options {
   bool physical = true;
   bool noCentres = false, noShine = false, noOwnLegs = false;
   cli::UnlikeOptions unlike;
+  StagingWords staging;
   WorldParams world;
 };
 
@@ -96,6 +99,8 @@ ServerHooks hooks(const Options& options) {
 Status play(const Options& options) {
   const auto field = body::fieldDescription(options.field);
   if (!field) return Error{field.error()};
+  const auto staging = stagingFrom(options.staging);
+  if (!staging) return Error{staging.error()};
   std::optional<LogWriter> log;
   if (!options.truth.empty()) {
     auto opened = LogWriter::open(options.truth);
@@ -108,7 +113,7 @@ Status play(const Options& options) {
   if (!agents) return Error{agents.error()};
   std::vector<host::AgentHello> hellos;
   for (const Agent& agent : *agents) hellos.push_back(agent.hello);
-  const auto setup = scenario(options.scenario, *field, hellos, options.seed);
+  const auto setup = stagedScenario(options.scenario, *field, hellos, options.seed, *staging);
   if (!setup) return Error{setup.error()};
   World world(worldParams(options), *field, *setup, options.seed);
   const Status played = Server(world, *agents, log ? &*log : nullptr, hooks(options)).run();
@@ -127,8 +132,9 @@ void describe(CLI::App& app, Options& options) {
       ->check(cli::inRange(0.0, cli::kLargestSeed));
   app.add_option("--field", options.field, "2006, osaka2005 or 2004")
       ->check(CLI::IsMember({"2006", "osaka2005", "2004"}));
-  app.add_option("--scenario", options.scenario, "empty-goal or kickoff")
-      ->check(CLI::IsMember({"empty-goal", "kickoff"}));
+  app.add_option("--scenario", options.scenario, "attack, empty-goal or kickoff")
+      ->check(CLI::IsMember({"attack", "empty-goal", "kickoff"}));
+  cli::addStagingOptions(app, options.staging);
   app.add_option("--seconds", options.world.referee.seconds, "length of the match")
       ->check(cli::inRange(0.0, 1e5));
   app.add_option("--goals", options.world.referee.goals, "of one team end the match; 0 = never")

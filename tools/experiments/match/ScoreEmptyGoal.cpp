@@ -1,84 +1,86 @@
 // SPDX-License-Identifier: Apache-2.0
 // The spine's own measure: from pixels to joints to a goal. Every trial is a match of its own seed
-// (seed, seed + 1, ...), which draws start pose, ball, slip, noise and the robot's colour shift.
-#include <algorithm>
-#include <atomic>
-#include <mutex>
-#include <thread>
-
-#include "tools/cli/Process.h"
-#include "tools/cli/Session.h"
+// (seed, seed + 1, ...), which draws start pose, ball, slip, noise and the robot's colour shift;
+// each is played twice, by a robot that may grab the ball and by one that may not.
 #include "tools/experiments/harness/Statistics.h"
-#include "tools/experiments/harness/Trials.h"
+#include "tools/experiments/match/Matches.h"
 
 namespace kelpie::experiments {
 namespace {
 
 constexpr double kLimit = 60.0;  // simulated seconds
 
-struct Trials {
-  std::vector<cli::SessionResult> results;
-  std::string error;  // of the first trial that broke
+using Results = std::vector<cli::SessionResult>;
+
+Expected<Results> playAll(const Request& request, bool grab) {
+  Results results(static_cast<std::size_t>(request.trials));
+  Matches matches;
+  matches.count = request.trials;
+  matches.session = [&](int number) {
+    cli::SessionOptions session = sessionOf(request, trialOf(request, number));
+    session.seconds = kLimit;
+    if (!grab) session.set = {"behaviour.task.grab=false"};
+    return session;
+  };
+  matches.judge = [&](int number, const cli::SessionResult& result, const Played&) {
+    results[static_cast<std::size_t>(number)] = result;
+  };
+  const Status played = playMatches(request, matches);
+  if (!played) return Error{played.error()};
+  return results;
+}
+
+struct Score {
+  Share scored;
+  Values times;
+  int ownGoals = 0;
 };
 
-Trials playAll(const Request& request) {
-  cli::catchInterrupts();  // so that no match leaves its folder behind
-  Trials all;
-  all.results.resize(static_cast<std::size_t>(request.trials));
-  std::atomic<int> next{0};
-  std::atomic<int> done{0};
-  std::mutex mutex;
-  const auto worker = [&] {
-    for (int i = next++; i < request.trials && !cli::interrupted(); i = next++) {
-      cli::SessionOptions session;
-      session.seed = trialOf(request, i).seed;
-      session.seconds = kLimit;
-      session.unlike = request.unlike;
-      session.physical = !request.fast;
-      const cli::SessionResult result = cli::runSession(session, {});
-      const std::lock_guard<std::mutex> lock(mutex);
-      all.results[static_cast<std::size_t>(i)] = result;
-      if (!result.trouble.empty() && all.error.empty())
-        all.error = "seed " + std::to_string(session.seed) + ": " + result.trouble;
-      if (request.progress) request.progress(++done, request.trials);
-    }
-  };
-  std::vector<std::thread> workers;
-  for (unsigned i = 0; i < std::max(1U, std::thread::hardware_concurrency()); ++i)
-    workers.emplace_back(worker);
-  for (auto& thread : workers) thread.join();
-  if (cli::interrupted()) all.error = "interrupted";
-  return all;
+Score scoreOf(const Results& results) {
+  Score score;
+  for (const auto& result : results) {
+    const bool goal = !result.goals.empty() && result.goals[0] <= kLimit;
+    score.scored.count(goal);
+    score.ownGoals += static_cast<int>(result.ownGoals.size());
+    score.times.push_back(goal ? result.goals[0] : kLimit);
+  }
+  return score;
+}
+
+Json eachOf(const Request& request, const Results& results, const Score& score) {
+  Json trials = Json::array();
+  for (std::size_t i = 0; i < results.size(); ++i)
+    trials.push_back({{"seed", request.seed + i},
+                      {"goal", score.times[i] < kLimit ? 1 : 0},
+                      {"seconds_s", score.times[i]},
+                      {"outs", results[i].outs}});
+  return trials;
 }
 
 Expected<Json> scoreEmptyGoal(const Request& request) {
-  const Trials all = playAll(request);
-  if (!all.error.empty()) return Error{all.error};
-  Values times;
-  Json trials = Json::array();
-  Share scored;
-  int ownGoals = 0;
-  for (std::size_t i = 0; i < all.results.size(); ++i) {
-    const auto& result = all.results[i];
-    const bool goal = !result.goals.empty() && result.goals[0] <= kLimit;
-    scored.count(goal);
-    ownGoals += static_cast<int>(result.ownGoals.size());
-    times.push_back(goal ? result.goals[0] : kLimit);
-    trials.push_back({{"seed", request.seed + i},
-                      {"goal", goal ? 1 : 0},
-                      {"seconds_s", times.back()},
-                      {"outs", result.outs}});
-  }
-  return Json{{"goals_rate", scored.value()},
-              {"median_s", percentile(times, 0.5)},
-              {"p90_s", percentile(times, 0.9)},
-              {"own_goals", ownGoals},
-              {"each", trials}};
+  const auto grabbing = playAll(request, true);
+  if (!grabbing) return Error{grabbing.error()};
+  const auto kicking = playAll(request, false);
+  if (!kicking) return Error{kicking.error()};
+  const Score with = scoreOf(*grabbing);
+  const Score without = scoreOf(*kicking);
+  return Json{{"goals_rate", with.scored.value()},
+              {"median_s", percentile(with.times, 0.5)},
+              {"p90_s", percentile(with.times, 0.9)},
+              {"own_goals", with.ownGoals},
+              {"goals_rate_no_grab", without.scored.value()},
+              {"median_no_grab_s", percentile(without.times, 0.5)},
+              {"p90_no_grab_s", percentile(without.times, 0.9)},
+              {"own_goals_no_grab", without.ownGoals},
+              {"each", eachOf(request, *grabbing, with)},
+              {"each_no_grab", eachOf(request, *kicking, without)}};
 }
 
 const Registration kScoreEmptyGoal(
-    "score-empty-goal", "one robot against an empty goal: share of goals within 60 s, time",
-    {Option::trials, Option::seed, Option::unlike, Option::fast}, 20, scoreEmptyGoal);
+    "score-empty-goal",
+    "one robot against an empty goal: goals within 60 s, time, with and without grab",
+    {Option::trials, Option::seed, Option::unlike, Option::params, Option::fast}, 20,
+    scoreEmptyGoal);
 
 }  // namespace
 }  // namespace kelpie::experiments

@@ -1,0 +1,50 @@
+# SPDX-License-Identifier: Apache-2.0
+# The kick of a robot that holds the ball, asked in every frame of skills/grab_dribble.py: by the
+# rules of the thesis (decisions/kick_choice.py) once it has aimed, or by the map of where kicks go
+# (decisions/kick_map_choice.py). Keeps the contest's latch of the attacker and the memory. Answers
+# None while the robot should turn or carry on.
+import kelpie
+from decisions import kick_choice, kick_map_choice
+from decisions.kick_choice import Hold
+
+UPENN_PLANS = {'grab_upenn_left': kelpie.UPENN_LEFT, 'grab_upenn_right': kelpie.UPENN_RIGHT}
+PASSES = {kick_choice.PASS_LEFT: kelpie.UPENN_LEFT, kick_choice.PASS_RIGHT: kelpie.UPENN_RIGHT}
+STOP_INSIDE = 45.0    # cm from the lines: a ball that was carried back is let go there
+
+
+class HeldChoice:
+    def __init__(self, memory, contested):
+        self.memory = memory
+        self.contested = contested
+
+    def choose(self, world, dribble, overdue) -> tuple | None:
+        """(kick or kick_choice.RELEASE, reason, numbers...) or None. `dribble`: the GrabDribble;
+        `overdue`: the rules leave no more time."""
+        if world.task.kicks == kelpie.KICKS_BY_MAP:
+            return kick_map_choice.choose(world, dribble, overdue)
+        strike = UPENN_PLANS.get(dribble.plan)
+        if strike is not None:
+            return strike, 'struck back into the field at once'
+        if dribble.plan == 'grab_dribble_stop' and not overdue:
+            inside = dribble.line_distance(world) > STOP_INSIDE
+            return (kick_choice.RELEASE, 'carried back into the field') if inside else None
+        return self.by_rules(world, dribble, overdue)
+
+    def by_rules(self, world, dribble, overdue):
+        aim = dribble.aim
+        hold = Hold(world, self.memory, self.contested.now, aim.gap, aim.aimed, dribble.searched,
+                    dribble.search_side)
+        if overdue:
+            return as_motion(kick_choice.out_of_time(hold))
+        if aim.aimed and not dribble.should_carry(world):
+            chosen = kick_choice.by_rules(hold)
+        elif aim.gap is None and dribble.searched >= kick_choice.SPUN:
+            chosen = kick_choice.goal_not_seen(hold)
+        else:
+            return None
+        return None if chosen[0] == kick_choice.SPIN_AWAY else as_motion(chosen)
+
+
+def as_motion(chosen) -> tuple:
+    """A pass across is a UPenn kick to that side."""
+    return (PASSES.get(chosen[0], chosen[0]), *chosen[1:])

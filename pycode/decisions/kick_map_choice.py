@@ -1,0 +1,79 @@
+# SPDX-License-Identifier: Apache-2.0
+# Which kick of a held ball, by the map of where kicks send the ball (lib/kick_map.py, learnt on
+# physical bodies), in place of the rules of the thesis: the one that is most likely a goal through
+# the free gap, and where none reaches, the one that brings the ball nearest. It kicks while turning
+# as soon as that is nearly as good as the aimed kick. Keeps nothing. As wrong as the pose, and as
+# the map where a robot's kicks differ from it.
+import math
+
+from lib import kick_table
+from lib.aim import mouth, size
+from lib.geom import wrap
+
+NEARLY = 0.93          # of the aimed kick's worth: turning on costs time
+STILL_GOOD = 0.8       # of it for who has stopped for the kick: gaps are seen unsteadily
+AIM_SD = 7.0           # deg beside the map's: of 40 kicks from matches 7.5, the map 1.0
+NEARNESS = 0.6         # worth of a ball on the goal line's middle, against a goal's 1; it falls to 0
+FALL_OFF = 650.0       # cm away, about the field's diagonal
+OUT = 0.5              # share of that worth which a ball out of the field keeps
+OWN_END = 45.0         # cm from the own goal line: a ball that goes there is worth
+OWN_END_WORTH = -0.5   # so much, since it may be an own goal
+HELD_AHEAD = 8.0       # cm from the neck to a held ball
+
+
+def choose(world, dribble, overdue) -> tuple | None:
+    """As decisions/held_choice.py asks: (kick, reason, numbers...) or None."""
+    gap = dribble.aim.gap or mouth(world)
+    if gap is None and not overdue:
+        return None
+    worth, kick = best(world, gap, 0.0)
+    turn = wrap(0.5 * (gap[0] + gap[1])) if gap is not None else 0.0
+    aimed = best(world, gap, turn)[0]
+    if overdue:
+        return kick, 'out of time; worth {} of {} aimed', worth, aimed
+    nearly = STILL_GOOD if dribble.standing else NEARLY
+    if worth < nearly * aimed or dribble.should_carry(world):
+        return None
+    return kick, 'worth {}, {} aimed; gap of {} deg', worth, aimed, size(gap)
+
+
+def best(world, gap, turn) -> tuple:
+    """(worth, kick) for a robot that had turned by so many deg on the spot."""
+    return max((worth_of(world, kick, gap, turn), kick) for kick in kick_table.kicks(True))
+
+
+def worth_of(world, kick, gap, turn) -> float:
+    """Of a kick from the hold, once the robot has turned by so many deg."""
+    return worth_of_way(world, held_ball(world), world.pose.heading_deg + turn,
+                        kick_table.held_outcome(kick), gap)
+
+
+def worth_of_way(world, ball, way, outcome, gap=None) -> float:
+    """The chance of a goal, and of what is no goal how near the ball comes to it, for a kick with
+    that outcome by a robot that looks along `way` (deg on the field); `gap` in deg of the robot's
+    frame of now."""
+    chance, direction, sd, distance, far_sd = outcome
+    field = world.field
+    turned = chance, direction + wrap(way - world.pose.heading_deg), sd, distance, far_sd
+    free = None if gap is None else (gap[1], gap[0])
+    goal = kick_table.chance_of_goal(world.pose, ball, turned, field, free,
+                                     heading_sd=math.hypot(world.heading_sd_deg, AIM_SD))
+    angle = math.radians(way + direction)
+    x, y = ball[0] + distance * math.cos(angle), ball[1] + distance * math.sin(angle)
+    inside = 0.0 < x < field.width and 0.0 < y < field.length
+    left = math.hypot(x - 0.5 * field.width, min(y, field.length) - field.length)
+    near = NEARNESS * max(0.0, 1.0 - left / FALL_OFF) * (1.0 if inside else OUT)
+    if y < OWN_END:
+        near = OWN_END_WORTH
+    return goal + (1.0 - goal) * chance * near
+
+
+def held_outcomes() -> list:
+    return [kick_table.held_outcome(kick) for kick in kick_table.kicks(True)]
+
+
+def held_ball(world):
+    """Where a held ball is on the field."""
+    angle = math.radians(world.pose.heading_deg)
+    place = world.pose.position
+    return place.x + HELD_AHEAD * math.cos(angle), place.y + HELD_AHEAD * math.sin(angle)

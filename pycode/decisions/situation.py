@@ -1,0 +1,63 @@
+# SPDX-License-Identifier: Apache-2.0
+# What the decision tree asks about, worked out once for a frame: plain numbers of ball, robot and
+# field. Headings are in degrees, left positive; those of the field count from straight up-field.
+# Keeps nothing. As wrong as pose and ball.
+import math
+
+from decisions import zones
+from lib.geom import TURN, heading, wrap
+from lib.goal import UP_FIELD_DEG
+
+CENTRE_OFFSET = 60.0   # cm up-field of the ball: the point whose bearing is `up` (checklist G29)
+GOAL_CROSSING = 20.0   # cm before the goal line: "front of the target goal", thesis 2006 Alg 5.7
+NEAR_LINE = 30.0       # cm: "really close to the goal line" (U22)
+FAR_OUT = 250.0        # cm to the goal: "still very far"
+NEAR_CENTRE = 60.0     # cm from the middle of the width
+FACING_GOAL = 15.0     # deg
+
+
+def bearing(pose, x, y) -> float:
+    """Degrees left of straight ahead to a point of the field."""
+    way = math.degrees(math.atan2(y - pose.position.y, x - pose.position.x))
+    return wrap(way - pose.heading_deg)
+
+
+def up_field(x0, y0, x1, y1) -> float:
+    """Direction from one point of the field to another, degrees left of up-field."""
+    return wrap(math.degrees(math.atan2(y1 - y0, x1 - x0)) - UP_FIELD_DEG)
+
+
+class Situation:
+    """All that Alg 5.1 to 5.7 test. `up`: the thesis' selfH2CenterH; `crossing`: its
+    selfH2CrossingH; `ball_to_goal`: its ballH2TGoalH; `off_goal`: the
+    difference that Alg 5.4 tests (checklist G30)."""
+
+    def __init__(self, world, contested: bool, about_to_grab: bool):
+        field, ball = world.field, world.ball.position
+        goal_x, goal_y = 0.5 * field.width, field.length
+        self.contested, self.about_to_grab = contested, about_to_grab
+        self.ball = (ball.x, ball.y)
+        self.zone = zones.zone(field, ball.y)
+        self.edge = zones.edge(field, ball.x)
+        self.corner = zones.corner(field, self.ball)
+        self.facing = wrap(world.pose.heading_deg - UP_FIELD_DEG)
+        self.ball_bearing = heading(world.ball.relative.x, world.ball.relative.y)
+        self.up = bearing(world.pose, ball.x, ball.y + CENTRE_OFFSET)
+        self.to_goal = bearing(world.pose, goal_x, goal_y)
+        self.ball_to_goal = up_field(ball.x, ball.y, goal_x, goal_y)
+        self.crossing = wrap(self.facing + self.ball_bearing -
+                             up_field(ball.x, ball.y, goal_x, goal_y - GOAL_CROSSING))
+        self.off_goal = wrap(self.facing + self.ball_bearing - self.ball_to_goal)
+        self.goal_distance = math.hypot(ball.x - goal_x, ball.y - goal_y)
+        self.line_distance = field.length - ball.y
+        self.near_centre = abs(ball.x - goal_x) < NEAR_CENTRE
+
+    @property
+    def own_goal_ahead(self) -> bool:
+        """Whether the robot looks down its own half, so that a kick ahead may be an own goal."""
+        return abs(self.facing) > 90.0
+
+    @property
+    def across(self) -> float:
+        """The ball's bearing on the field from 0 to 360 as Alg 5.4 has it: 90 is up-field."""
+        return (self.facing + self.ball_bearing + UP_FIELD_DEG) % TURN

@@ -1,0 +1,191 @@
+# SPDX-License-Identifier: Apache-2.0
+# Where a goalie stands and what it must keep clear of, as plane geometry on the field (cm,
+# degrees): three rules for the place to guard, the own goal as seen from a ball, the goal box, and
+# the wall beside the goal. Keeps nothing. A rule believes ball and pose: it is as wrong as they
+# are. With a ball behind the end line no rule makes sense; it is then taken to lie on the line.
+import math
+
+from lib.geom import Point, clamp, wrap
+
+Place = tuple[float, float, float]  # x, y of the neck base on the field, heading in degrees
+
+UP_FIELD = 90.0       # deg
+DOWN_FIELD = -90.0    # deg
+BALL_RADIUS = 4.2     # cm
+STAND_Y = 20.0        # cm from the goal line, thesis 2006 section 4.3.1
+LEAST_Y = 8.0         # cm; nearer to the line the hind legs stand in the goal's back wall
+CLIP_X = 35.0         # cm from the middle; facts-2005 section 7.2
+CLIP_HEADING = 60.0   # deg from up-field; facts-2005 section 7.2
+ELLIPSE_ACROSS = 45.0  # cm, half axes; checklist U18
+ELLIPSE_OUT = 25.0
+CIRCLE_NEAR, CIRCLE_FAR = 10.0, 45.0   # cm, the circle's radius ...
+BALL_NEAR, BALL_FAR = 60.0, 250.0      # ... for a ball that near to the goal, and that far
+LEG_SIDE = 7.0        # cm; legs at the corners of a rectangle, the neck base at the middle of its
+LEG_BACK = 13.0       # front edge (thesis 2004 figure 4.8; sizes of the ERS-7)
+WALL_ZONE = 2.0       # cm out from the wall
+
+
+def middle(field) -> Point:
+    """The middle of the own goal's mouth."""
+    return 0.5 * field.width, 0.0
+
+
+def posts(field) -> tuple[Point, Point]:
+    """The own goal's posts, the one at smaller x first."""
+    x, half = 0.5 * field.width, 0.5 * field.goal_width
+    return (x - half, 0.0), (x + half, 0.0)
+
+
+def direction(start, end) -> float:
+    """Heading (deg) from one point of the field to another."""
+    return math.degrees(math.atan2(end[1] - start[1], end[0] - start[0]))
+
+
+def bisector(field, ball) -> Point:
+    """Unit vector from a ball that halves the angle between its lines to the two posts."""
+    x = y = 0.0
+    for post in posts(field):
+        dx, dy = post[0] - ball[0], post[1] - ball[1]
+        away = max(math.hypot(dx, dy), 1e-6)
+        x, y = x + dx / away, y + dy / away
+    length = max(math.hypot(x, y), 1e-6)
+    return x / length, y / length
+
+
+def facing(place, ball) -> Place:
+    """A place with the heading towards the ball, but never far from up-field."""
+    aside = wrap(direction(place, ball) - UP_FIELD)
+    return place[0], place[1], UP_FIELD + clamp(aside, -CLIP_HEADING, CLIP_HEADING)
+
+
+def bisector_place(field, ball) -> Place:
+    """On the bisector at y = 20 cm (thesis 2006 section 4.3.1, checklist G15); with a ball nearer
+    to the line than 40 cm, half as far from it as the ball. Never farther aside than the mouth."""
+    ball_y = max(ball[1], 1.0)
+    y = clamp(0.5 * ball_y, LEAST_Y, STAND_Y)
+    dx, dy = bisector(field, (ball[0], ball_y))
+    x = ball[0] + dx * (ball_y - y) / max(-dy, 1e-6) if ball_y > y else ball[0]
+    x0 = middle(field)[0]
+    return facing((clamp(x, x0 - CLIP_X, x0 + CLIP_X), y), ball)
+
+
+def ellipse_place(field, ball) -> Place:
+    """Where the line from the ball to the goal's middle crosses the ellipse around the mouth
+    (thesis 2004 section 4.2.1)."""
+    x0, y0 = middle(field)
+    dx, dy = ball[0] - x0, max(ball[1], 0.0) - y0
+    if math.hypot(dx, dy) < 1e-6:
+        dy = 1.0
+    share = 1.0 / math.hypot(dx / ELLIPSE_ACROSS, dy / ELLIPSE_OUT)
+    return facing((x0 + share * dx, y0 + share * dy), ball)
+
+
+def circle_place(field, ball) -> Place:
+    """The older rule of thesis 2006 section 4.3.1: on a circle about the goal's middle, farther out
+    for a farther ball."""
+    x0, y0 = middle(field)
+    dx, dy = ball[0] - x0, max(ball[1], 0.0) - y0
+    away = max(math.hypot(dx, dy), 1e-6)
+    share = clamp((away - BALL_NEAR) / (BALL_FAR - BALL_NEAR), 0.0, 1.0)
+    radius = CIRCLE_NEAR + share * (CIRCLE_FAR - CIRCLE_NEAR)
+    return facing((x0 + radius * dx / away, y0 + radius * dy / away), ball)
+
+
+def central_place(field, y=STAND_Y) -> Place:
+    """Where to wait for a ball of which nothing is known."""
+    return middle(field)[0], y, UP_FIELD
+
+
+def box(field, margin=0.0) -> tuple[float, float, float, float]:
+    """The goal box less a margin: left, right, near, far."""
+    x0, half = 0.5 * field.width, 0.5 * field.box_width
+    return x0 - half + margin, x0 + half - margin, margin, field.box_depth - margin
+
+
+def clip_to_box(field, point, margin=0.0) -> Point:
+    """The point of the box, less a margin, that is nearest to a point."""
+    left, right, near, far = box(field, margin)
+    return clamp(point[0], left, right), clamp(point[1], near, far)
+
+
+def beyond_box(field, point, margin=0.0) -> float:
+    """cm from a point to the nearest one of the box; 0 inside."""
+    x, y = clip_to_box(field, point, margin)
+    return math.hypot(point[0] - x, point[1] - y)
+
+
+def own_goal_cone(field, ball) -> tuple[float, float]:
+    """The directions between which a ball goes into the own goal, a ball's radius beyond the posts
+    included: deg from straight down-field, the end at smaller x (negative) first."""
+    ball_y = max(ball[1], 0.1)
+    left, right = posts(field)
+    return (math.degrees(math.atan2(left[0] - BALL_RADIUS - ball[0], ball_y)),
+            math.degrees(math.atan2(right[0] + BALL_RADIUS - ball[0], ball_y)))
+
+
+def off_own_goal(field, ball, direction_deg) -> float:
+    """Degrees between a direction of the field and the nearest one that leads into the own goal;
+    negative inside the cone."""
+    low, high = own_goal_cone(field, ball)
+    aside = wrap(direction_deg - DOWN_FIELD)
+    if low <= aside <= high:
+        return max(low - aside, aside - high)
+    return min(abs(wrap(aside - low)), abs(wrap(aside - high)))
+
+
+def legs(pose) -> list[Point]:
+    """The four legs of the 2004 model (figure 4.8a) on the field."""
+    angle = math.radians(pose.heading_deg)
+    ahead = (math.cos(angle), math.sin(angle))
+    right = (math.sin(angle), -math.cos(angle))
+    return [(pose.position.x + side * LEG_SIDE * right[0] + back * ahead[0],
+             pose.position.y + side * LEG_SIDE * right[1] + back * ahead[1])
+            for side in (-1.0, 1.0) for back in (0.0, -LEG_BACK)]
+
+
+def at_rear_wall(field, pose) -> bool:
+    """Whether a leg is in the zone of the wall beside the goal (figure 4.8b); on a field without
+    one the end line stands for its foot."""
+    left, right = posts(field)
+    return any(y < field.border_width + WALL_ZONE and not left[0] < x < right[0]
+               for x, y in legs(pose))
+
+
+def to_field(heading_deg, forward, left) -> Point:
+    """A velocity of the robot frame as one of the field frame."""
+    angle = math.radians(heading_deg)
+    return (forward * math.cos(angle) - left * math.sin(angle),
+            forward * math.sin(angle) + left * math.cos(angle))
+
+
+def to_robot(heading_deg, x, y) -> tuple[float, float]:
+    """A velocity of the field frame as forward and left."""
+    angle = math.radians(heading_deg)
+    return (x * math.cos(angle) + y * math.sin(angle), y * math.cos(angle) - x * math.sin(angle))
+
+
+def beside(pose, right) -> Point:
+    """The point of the field so far (cm) to the right of the neck base."""
+    x, y = to_field(pose.heading_deg, 0.0, -right)
+    return pose.position.x + x, pose.position.y + y
+
+
+def off_rear_wall(field, pose, forward, left) -> tuple[float, float]:
+    """A wished velocity, without what would take a leg into the rear wall: near it only the part
+    across the field is left of a move (thesis 2004 section 4.2.4). The thesis cancels moves away
+    from the wall, too, and then the robot does not come off it; here those stay."""
+    x, y = to_field(pose.heading_deg, forward, left)
+    if y < 0.0 and at_rear_wall(field, pose):
+        return to_robot(pose.heading_deg, x, 0.0)
+    return forward, left
+
+
+def kept_in_box(field, pose, forward, left, margin, seconds) -> tuple[float, float]:
+    """A wished velocity, slowed towards each edge of the box less a margin so that it takes at
+    least that many seconds to get there; beyond an edge it leads back."""
+    x, y = to_field(pose.heading_deg, forward, left)
+    west, east, south, north = box(field, margin)
+    at_x, at_y = pose.position.x, pose.position.y
+    x = clamp(x, (west - at_x) / seconds, (east - at_x) / seconds)
+    y = clamp(y, (south - at_y) / seconds, (north - at_y) / seconds)
+    return to_robot(pose.heading_deg, x, y)

@@ -1,0 +1,74 @@
+# SPDX-License-Identifier: Apache-2.0
+# Where a rolling ball can be met: the first place on its way that the robot reaches as early as the
+# ball does. The ball slows down as gps believes it (gps/ball: 0.76 /s of its speed and 6 cm/s2).
+# Keeps nothing. Without a seen ball, or with a slow one, the place is the ball's own. It knows no
+# obstacles and no bounce.
+import math
+
+from lib.geom import Point, from_field, heading
+
+DRAG = 0.76             # 1/s
+FRICTION = 6.0          # cm/s2
+SLOW = 9.0              # cm/s: slower ones stop within 6 cm
+SEEN_S = 0.35           # an older velocity tells nothing
+STEP_S = 0.1
+LONGEST_S = 4.0
+FOREVER = 60.0          # s
+TURN_SPEED = 150.0      # deg/s of the robot
+WALK_SPEED = 33.0       # cm/s
+REACH = 9.0             # cm: the ball need not come to the neck
+
+
+def rolled(speed, seconds) -> float:
+    """cm that a ball of that speed (cm/s) rolls within a time: v' = -(DRAG v + FRICTION)."""
+    stop = math.log(1.0 + DRAG * speed / FRICTION) / DRAG
+    t = min(seconds, stop)
+    asymptote = speed + FRICTION / DRAG
+    return asymptote * (1.0 - math.exp(-DRAG * t)) / DRAG - FRICTION * t / DRAG
+
+
+def rolls(ball) -> bool:
+    """Whether its velocity is worth a prediction."""
+    return (ball.seconds_since_seen < SEEN_S and
+            math.hypot(ball.velocity.x, ball.velocity.y) > SLOW)
+
+
+def ahead_of(world, seconds) -> Point:
+    """Where the ball will be on the field: on its way to the stopping point that gps foretells."""
+    ball = world.ball
+    speed = math.hypot(ball.velocity.x, ball.velocity.y)
+    share = rolled(speed, seconds) / max(rolled(speed, FOREVER), 1e-6)
+    return (ball.position.x + share * (ball.stopping_point.x - ball.position.x),
+            ball.position.y + share * (ball.stopping_point.y - ball.position.y))
+
+
+def needed(x, y) -> float:
+    """Seconds until the robot is at a point of its frame: it turns, then walks."""
+    return abs(heading(x, y)) / TURN_SPEED + max(0.0, math.hypot(x, y) - REACH) / WALK_SPEED
+
+
+def meeting(world) -> Point:
+    """The point of the robot frame to walk to, the last one looked at when none is early enough."""
+    if not rolls(world.ball):
+        return world.ball.relative.x, world.ball.relative.y
+    seconds = STEP_S
+    while seconds < LONGEST_S:
+        x, y = from_field(world.pose, *ahead_of(world, seconds))
+        if needed(x, y) <= seconds:
+            break
+        seconds += STEP_S
+    return x, y
+
+
+def target(world) -> Point:
+    """Where to walk for the ball; the ball itself when intercepts are switched off."""
+    if world.task.intercept:
+        return meeting(world)
+    return world.ball.relative.x, world.ball.relative.y
+
+
+def relative_velocity(world) -> Point:
+    """The ball's velocity over the ground in the robot frame's directions, cm/s."""
+    angle = math.radians(world.pose.heading_deg)
+    vx, vy = world.ball.velocity.x, world.ball.velocity.y
+    return vx * math.sin(angle) - vy * math.cos(angle), vx * math.cos(angle) + vy * math.sin(angle)

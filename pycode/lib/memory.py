@@ -1,0 +1,72 @@
+# SPDX-License-Identifier: Apache-2.0
+# What one player remembers of the frames before, for all of its skills: since when ball and goals
+# are unseen, spins, what the infrared reads, and what skills tell each other (hints, last close
+# ball). Counted in camera frames, as the theses do; a dropped image does not count. update() comes
+# first in every frame. Everything else is a skill's own.
+import kelpie
+
+NEVER = 10000           # frames
+IR_RANGE = 50.0         # cm that the near sensor of the head reads at most
+IR_SHARE = 0.3          # of a new reading in the filter
+BIG_TURN_DEG = 40.0     # deg/s asked for; thesis 2006 Alg 6.3 counts frames since a large turn
+
+
+class Memory:
+    def __init__(self):
+        self.frame = 0              # camera frames since the start
+        self.ball_lost = NEVER      # frames since vision saw the ball
+        self.ball_run = 0           # frames in which it saw it without a break
+        self.goal_lost = NEVER      # frames since the opponents' goal was seen
+        self.own_goal_lost = NEVER
+        self.goal_heading = 0.0     # deg, of the opponents' goal when it was seen last
+        self.spin_side = 0.0        # of the last spin: +1 left, -1 right, 0 none yet
+        self.spin_lost = NEVER      # frames since a spin for the ball
+        self.spin_run = 0           # frames of this spin so far
+        self.turn_lost = NEVER      # frames since a large turn was asked for
+        self.ir = IR_RANGE          # cm, low-passed near distance of the head
+        self.close_lost = NEVER     # frames since the ball was close (find_ball)
+        self.approach_lost = NEVER  # frames since a grab was approached
+        self.grab_lost = NEVER      # frames since a grab was begun or the ball held
+        self.localised_lost = NEVER  # frames since the head last looked for landmarks
+        self.marks = {}             # of each kind of landmark: the frame in which it was seen last
+        self.hint = None            # (distance cm, heading deg, frame): where to look for the ball
+
+    def update(self, world) -> None:
+        self.frame += 1
+        for name in ('spin_lost', 'turn_lost', 'close_lost', 'approach_lost', 'grab_lost',
+                     'localised_lost'):
+            setattr(self, name, getattr(self, name) + 1)
+        self._see(world)
+        self.ir += IR_SHARE * (world.sensors.head_near_distance - self.ir)
+        if abs(world.last_command.walk.turn_deg) > BIG_TURN_DEG:
+            self.turn_lost = 0
+        if self.spin_lost > 1:
+            self.spin_run = 0
+
+    def _see(self, world):
+        seen = world.percepts.ball.present
+        self.ball_lost = 0 if seen else self.ball_lost + 1
+        self.ball_run = self.ball_run + 1 if seen else 0
+        self.goal_lost += 1
+        self.own_goal_lost += 1
+        target = target_goal(world)
+        for mark in world.percepts.landmarks:
+            self.marks[mark.kind] = self.frame
+            if mark.kind == target:
+                self.goal_lost, self.goal_heading = 0, mark.heading_deg
+            elif mark.kind in (kelpie.GOAL_BLUE, kelpie.GOAL_YELLOW):
+                self.own_goal_lost = 0
+
+    def spun(self, side) -> None:
+        """A skill turns on the spot for the ball in this frame: +1 to the left."""
+        self.spin_side, self.spin_lost = side, 0
+        self.spin_run += 1
+
+    def set_hint(self, distance, heading_deg) -> None:
+        """Where a skill thinks that the ball will come out (thesis 2006 table 6.1)."""
+        self.hint = (distance, heading_deg, self.frame)
+
+
+def target_goal(world) -> int:
+    """The opponents' goal; red defends the yellow one."""
+    return kelpie.GOAL_BLUE if world.game.team == kelpie.RED else kelpie.GOAL_YELLOW

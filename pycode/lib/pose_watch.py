@@ -1,0 +1,103 @@
+# SPDX-License-Identifier: Apache-2.0
+# Whether the pose has jumped, and the world as odometry says it is then. A goalie that stands in
+# its box, sure of its pose to a centimetre, cannot be 190 cm off in the next frame; but the
+# localiser believes that, for 0.2 to 2 s, when somebody hides half of the only beacon in view, or
+# after a block: 1.5 % of a goalie's frames. Keeps the pose carried by odometry and since when the
+# other one is doubted. A jump that lasts is believed in the end, right or wrong.
+import math
+
+from lib.geom import wrap
+
+JUMP_CM, JUMP_DEG = 35.0, 35.0
+BACK_CM, BACK_DEG = 20.0, 20.0   # so near to the carried pose it is right again
+SURE_CM, SURE_DEG = 8.0, 6.0     # sd; from a pose less sure than that a jump may be the truth
+LONGEST = 2.5                    # s
+
+
+class PoseWatch:
+    def __init__(self):
+        self.carried = None     # x, y, heading in deg
+        self.sure = False       # of the pose before the jump
+        self.since_s = None     # when the doubt began; None without one
+
+    def update(self, world):
+        """To be called in every frame."""
+        if self.carried is None:
+            self.carried = told(world)
+        self.carried = moved(self.carried, world.odometry)
+        away, aside = apart(self.carried, told(world))
+        if self.since_s is None and self.sure and (away > JUMP_CM or aside > JUMP_DEG):
+            self.since_s = world.time_s
+        right = away < BACK_CM and aside < BACK_DEG
+        if self.since_s is not None and (right or world.time_s - self.since_s > LONGEST):
+            self.since_s = None
+        if self.since_s is None:
+            self.carried = told(world)
+            self.sure = world.position_sd < SURE_CM and world.heading_sd_deg < SURE_DEG
+
+    @property
+    def doubtful(self) -> bool:
+        return self.since_s is not None
+
+    def believed(self, world):
+        """The world, or in doubt the one of the carried pose."""
+        return CarriedWorld(world, self.carried) if self.doubtful else world
+
+
+class Place:
+    def __init__(self, x, y):
+        self.x, self.y = x, y
+
+
+class CarriedPose:
+    def __init__(self, x, y, heading_deg):
+        self.position, self.heading_deg = Place(x, y), heading_deg
+
+
+class CarriedBall:
+    """A ball of one pose's field as that of another."""
+
+    def __init__(self, ball, was, pose):
+        self.ball = ball
+        angle = math.radians(pose[2] - was[2])
+        cos, sin = math.cos(angle), math.sin(angle)
+
+        def turned(x, y, at):
+            return Place(at[0] + x * cos - y * sin, at[1] + x * sin + y * cos)
+        self.position = turned(ball.position.x - was[0], ball.position.y - was[1], pose)
+        self.stopping_point = turned(ball.stopping_point.x - was[0],
+                                     ball.stopping_point.y - was[1], pose)
+        self.velocity = turned(ball.velocity.x, ball.velocity.y, (0.0, 0.0))
+
+    def __getattr__(self, name):
+        return getattr(self.ball, name)
+
+
+class CarriedWorld:
+    """A world whose pose and ball are those of the carried pose, and all else as it is."""
+
+    def __init__(self, world, pose):
+        self.world = world
+        self.pose = CarriedPose(*pose)
+        self.ball = CarriedBall(world.ball, told(world), pose)
+
+    def __getattr__(self, name):
+        return getattr(self.world, name)
+
+
+def told(world) -> tuple[float, float, float]:
+    return world.pose.position.x, world.pose.position.y, world.pose.heading_deg
+
+
+def moved(pose, odometry) -> tuple[float, float, float]:
+    """A pose after one frame's odometry, the step taken along half the turn."""
+    angle = math.radians(pose[2] + 0.5 * odometry.turn_deg)
+    forward, left = odometry.forward, odometry.left
+    return (pose[0] + forward * math.cos(angle) - left * math.sin(angle),
+            pose[1] + forward * math.sin(angle) + left * math.cos(angle),
+            pose[2] + odometry.turn_deg)
+
+
+def apart(a, b) -> tuple[float, float]:
+    """How far two poses are from each other, cm and deg."""
+    return math.hypot(a[0] - b[0], a[1] - b[1]), abs(wrap(a[2] - b[2]))

@@ -1,0 +1,31 @@
+# SPDX-License-Identifier: Apache-2.0
+# Requests for legs and head that go to a point of the robot frame. Keeps nothing. The way is
+# straight: who has obstacles to mind asks lib/obstacles.py first.
+import math
+
+import kelpie
+from lib.geom import Point, clamp, heading
+
+BALL_TOP = 8.4           # cm
+# Gates of facts-2005 section 7.2: a point within the first is walked to at full speed, one beyond
+# the second is turned to on the spot.
+AHEAD_WITHIN = 30.0      # deg
+ON_THE_SPOT = 80.0
+SPEED = 34.0             # cm/s
+SLOW_DOWN = 1.2          # 1/s: from 28 cm on the speed falls with the distance
+TURN_GAIN = 1.8          # deg/s per deg
+TURN_SPEED = 90.0        # deg/s; at 100 and more the images of a turning robot smear
+
+
+def towards(point: Point, near=0.0, speed=SPEED) -> kelpie.WalkRequest:
+    """Walks to a point and faces it; stops walking, but not facing, `near` cm before it."""
+    aside = heading(*point)
+    left = max(0.0, math.hypot(*point) - near)
+    share = clamp((ON_THE_SPOT - abs(aside)) / (ON_THE_SPOT - AHEAD_WITHIN), 0.0, 1.0)
+    return kelpie.WalkRequest(forward=share * min(speed, SLOW_DOWN * left),
+                              turn_deg=clamp(TURN_GAIN * aside, -TURN_SPEED, TURN_SPEED))
+
+
+def aim_at(x, y, height=BALL_TOP) -> kelpie.HeadRequest:
+    """The camera's axis through a point of the robot frame, `height` cm above the carpet."""
+    return kelpie.HeadRequest(aim=kelpie.AIM_POINT, target=kelpie.Point3(x=x, y=y, z=height))

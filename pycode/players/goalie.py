@@ -1,0 +1,215 @@
+# SPDX-License-Identifier: Apache-2.0
+# The goalie of 2006 (thesis 2006 section 4.3.1, algorithm 4.1). In every frame the first rule that
+# holds says what it does: turn to face up-field, block a shot, move into a slow ball's way, clear a
+# ball that lies right, walk to one in or at its box, guard the goal. Keeps the state, its head and
+# what it counts of shots and of its facing. It never leaves its box (checklist K07); it fails as
+# the pose does, and against shots from so near that the ball is past before a block lies.
+import kelpie
+from lib.goalie_places import LEAST_Y, beside, beyond_box, bisector_place, central_place, facing
+from lib.machine import Machine
+from lib.memory import Memory
+from lib.pose_watch import PoseWatch
+from lib.shot import coming, speed
+from lib.tune_goalie import Attack, Clear, Coming, Guard
+from skills.attack_ball import AttackBall
+from skills.block import NAMES, ShotWatch
+from skills.clear_ball import clearing_kick
+from skills.face_up_field import FaceUpField
+from skills.get_up import GetUp
+from skills.goalie_head import GoalieHead, seen
+from skills.guard_goal import GuardGoal, in_box
+from skills.kick import Kick
+from skills.watch import Scan
+
+
+class Goalie(Machine):
+    LAYER = kelpie.LAYER_PLAYER
+    NAME = 'goalie'
+
+    def __init__(self, rule=bisector_place):
+        super().__init__(self.guard, GuardGoal(Guard))
+        self.rule = rule    # from the field and a ball to the place to guard
+        self.memory = Memory()
+        self.eyes = GoalieHead()
+        self.shots = ShotWatch(self.memory)
+        self.facing = FaceUpField()
+        self.pose = PoseWatch()
+        self.get_up = GetUp()
+        self.cleared_to = None  # the point of the field that the last clearance was to pass
+        self.shot_aside = 0.0  # cm, of the last shot that was blocked
+        self.moved_s = 0.0  # when the last motion ended
+        self.rest_s = 0.0   # no attack before, after one that came to nothing
+
+    def command(self, world) -> kelpie.Command:
+        self.memory.update(world)
+        self.pose.update(world)
+        world = self.pose.believed(world)
+        self.shots.update(world)
+        self.facing.update(world)
+        command = self.decide(world)
+        self.explain(command.trace)
+        return command
+
+    def decide(self, world) -> kelpie.Command:
+        if world.game.state != kelpie.PLAYING or world.game.penalised:
+            self.start_over(world, 'play is halted')
+            return self.idle(world)
+        if self.get_up.needed(world):
+            self.start_over(world, 'has fallen')
+            return kelpie.Command(motion=self.get_up.motion(world))
+        if self.state not in (self.block, self.clear):  # a motion is let come to its end
+            self.choose(world)
+        return self.step(world)
+
+    def idle(self, world) -> kelpie.Command:
+        return kelpie.Command(head=Scan().head(world, world.time_s))
+
+    def start_over(self, world, why):
+        self.facing.end()
+        self.reset(world, why, self.guard, GuardGoal(Guard))
+
+    def explain(self, trace) -> None:
+        super().explain(trace)
+        if self.pose.doubtful:
+            trace.append((kelpie.LAYER_SKILL, 'pose_watch', 'carried', 'the pose has jumped'))
+        self.eyes.explain(trace)
+
+    # Algorithm 4.1: each rule enters its state if it holds, and says so
+
+    def choose(self, world):
+        for rule in (self.faces_wrong, self.shot_comes, self.ball_comes, self.may_clear,
+                     self.may_attack, self.may_guard):
+            if rule(world):
+                return
+
+    def take(self, world, state, make, why, *numbers) -> bool:
+        """Enters the state, with a new skill, unless it is in it."""
+        if self.state != state:
+            if state != self.turn:
+                self.facing.end()
+            self.enter(world, state, make(), why, *numbers)
+        return True
+
+    def faces_wrong(self, world) -> bool:
+        wrong = self.facing.wrong(world)
+        if wrong is None:
+            return False
+        self.take(world, self.turn, lambda: self.facing, *wrong)
+        if self.facing.side == 0.0:
+            self.facing.begin(world)
+        return True
+
+    def shot_comes(self, world) -> bool:
+        motion = self.shots.block()
+        if motion == kelpie.NO_MOTION:
+            return False
+        shot = self.shots.shot
+        self.shot_aside = shot.aside
+        return self.take(world, self.block, lambda: Kick(world, motion),
+                         NAMES[motion] + ' block: at {} cm/s it passes {} cm right in {} s',
+                         shot.speed, shot.aside, shot.seconds)
+
+    def ball_comes(self, world) -> bool:
+        shot = coming(world, Coming.BESIDE, Coming.SHORT, Coming.SPEED) if seen(world) else None
+        if shot is None or shot.seconds > Coming.LATEST:
+            return False
+        return self.take(world, self.adjust, lambda: GuardGoal(Coming),
+                         'a ball comes at {} cm/s, to {} cm right', shot.speed, shot.aside)
+
+    def may_clear(self, world) -> bool:
+        best = clearing_kick(world) if self.seen_since_motion(world) else None
+        if best is None:
+            return False
+        if self.state != self.clear:
+            self.cleared_to = best.after(Clear.LOOK)
+        return self.take(world, self.clear, lambda: Kick(world, best.kick),
+                         'worth {}, to {} deg, {} deg off the own goal', best.worth,
+                         best.direction, best.off_goal)
+
+    def may_attack(self, world) -> bool:
+        ball = world.ball
+        away = beyond_box(world.field, (ball.position.x, ball.position.y))
+        limit = Attack.LEAVE if self.state == self.attack else Attack.NEAR
+        if (not seen(world, Attack.UNSEEN) or not self.seen_since_motion(world) or away > limit or
+                speed(ball) > Attack.SPEED or world.time_s < self.rest_s):
+            return False
+        skill = self.skill if self.state == self.attack else AttackBall()
+        if not skill.can(world):
+            return False
+        return self.take(world, self.attack, lambda: skill, 'the ball is {} cm beyond the box',
+                         away)
+
+    def seen_since_motion(self, world) -> bool:
+        """Whether the ball was seen after the last kick or block, which moved it."""
+        return world.time_s - self.moved_s > world.ball.seconds_since_seen
+
+    def may_guard(self, world) -> bool:
+        return self.take(world, self.guard, lambda: GuardGoal(Guard), 'the ball is {} cm away',
+                         world.ball.distance)
+
+    # States
+
+    def turn(self, world) -> kelpie.Command:
+        return kelpie.Command(walk=self.skill.walk(world), head=self.skill.head(world))
+
+    def block(self, world):
+        command = self.perform(world)
+        if command is None:
+            self.eyes.look_near(world, 1.0 if self.shot_aside < 0.0 else -1.0)
+        return command
+
+    def clear(self, world):
+        command = self.perform(world)
+        if command is None:
+            self.eyes.expect(world, self.cleared_to)
+        return command
+
+    def perform(self, world):
+        motion = self.skill.motion(world)
+        if self.skill.done(world):
+            self.moved_s = world.time_s
+            return self.enter(world, self.guard, GuardGoal(Guard), 'the motion has ended')
+        return kelpie.Command(motion=motion, head=self.eyes.head(world, False))
+
+    def adjust(self, world) -> kelpie.Command:
+        """Into the way of the ball where it crosses the own line: a step aside, seldom more."""
+        shot = coming(world, Coming.BESIDE, Coming.SHORT, 0.0)
+        place = beside(world.pose, shot.aside if shot is not None else 0.0)
+        ball = (world.ball.position.x, world.ball.position.y)
+        walk = self.skill.walk(world, facing(place, ball))
+        return kelpie.Command(walk=walk, head=self.eyes.head(world, False))
+
+    def attack(self, world):
+        if self.timed_out(world, Attack.TIME):
+            self.rest_s = world.time_s + Attack.REST
+            return self.enter(world, self.guard, GuardGoal(Guard), 'the attack timed out')
+        return kelpie.Command(walk=self.skill.walk(world), head=self.eyes.head(world, False))
+
+    def guard(self, world) -> kelpie.Command:
+        place = self.place(world)
+        walk = self.skill.walk(world, place) if place is not None else self.back_off(world)
+        return kelpie.Command(walk=walk, head=self.eyes.head(world, True))
+
+    def back_off(self, world) -> kelpie.WalkRequest:
+        """A ball lost at the feet is under the chin: a step back shows it."""
+        ball = world.ball.relative
+        under = world.ball.present and 0.0 < ball.y < Guard.CHIN and abs(ball.x) < Guard.CHIN
+        return in_box(world, kelpie.WalkRequest(forward=Guard.BACK_OFF if under else 0.0))
+
+    def lost_for(self, world) -> float:
+        """Seconds in which the head looked for the ball; a motion takes the head along."""
+        if not world.ball.present:
+            return world.time_s - self.moved_s
+        return min(world.ball.seconds_since_seen, world.time_s - self.moved_s)
+
+    def place(self, world):
+        """Where to guard: by the ball; nowhere else while it is looked for at first; then in the
+        middle, and at last so near to the line that no ball can lie behind the robot unseen."""
+        lost = self.lost_for(world)
+        if lost > Guard.LOST:
+            return central_place(world.field, LEAST_Y)
+        if lost > Guard.UNSEEN:
+            return central_place(world.field)
+        if lost > Guard.FRESH:
+            return None
+        return self.rule(world.field, (world.ball.position.x, world.ball.position.y))

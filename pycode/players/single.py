@@ -1,0 +1,54 @@
+# SPDX-License-Identifier: Apache-2.0
+# One skill alone, begun anew in every frame: what it does at its first step from any place. For
+# drawings (`kelpie vectors`, the first iteration of thesis 2006 section 7.1.3). Keeps nothing.
+import kelpie
+from decisions.contested import Contested
+from decisions.held_choice import HeldChoice
+from decisions.tree import GRAB_DRIBBLE_GOAL
+from lib.goal import OpponentGoal
+from lib.memory import Memory
+from roles.attacker import Attacker
+from skills.avoid_own_box import AvoidOwnBox
+from skills.find_ball import FindBall
+from skills.grab_dribble import GrabDribble
+from skills.kick_ball import KickBall
+from skills.line_up_kick import LineUpKick
+
+
+def grab_dribble(world, memory):
+    return GrabDribble(memory, HeldChoice(memory, Contested()).choose, GRAB_DRIBBLE_GOAL)
+
+
+def attacker(world, memory):
+    role = Attacker(memory)
+    role.enter(world, role.play)
+    return role
+
+
+def line_up_kick(world, memory):
+    goal = OpponentGoal()
+    goal.update(world)
+    return LineUpKick(memory, goal)
+
+
+SKILLS = {
+    'attacker': attacker,
+    'avoid_own_box': lambda world, memory: AvoidOwnBox(memory),
+    'find_ball': FindBall,
+    'grab_dribble': grab_dribble,
+    'line_up_kick': line_up_kick,
+    'head_left': lambda world, memory: KickBall(memory, kelpie.HEAD_SWIPE_LEFT),
+    'head_right': lambda world, memory: KickBall(memory, kelpie.HEAD_SWIPE_RIGHT),
+    'upenn_left': lambda world, memory: KickBall(memory, kelpie.UPENN_LEFT),
+    'upenn_right': lambda world, memory: KickBall(memory, kelpie.UPENN_RIGHT),
+}
+
+
+class OneSkill:
+    def command(self, world) -> kelpie.Command:
+        memory = Memory()
+        memory.update(world)
+        makers = list(SKILLS.values())
+        if world.task.skill >= len(makers):
+            return kelpie.Command()
+        return makers[world.task.skill](world, memory).command(world)

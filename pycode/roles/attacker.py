@@ -1,0 +1,191 @@
+# SPDX-License-Identifier: Apache-2.0
+# The robot that plays the ball (thesis 2006 Alg 4.2): keeps out of its own box, looks for landmarks
+# when that costs nothing, finds the ball, and uses the skill that the decision tree names. Keeps the
+# state, the skill, the leaf that it plays and why, the contest's latch and the goal. A skill that is
+# committed (a grab, a kick, a held ball) is not interrupted; any other may change in any frame.
+import kelpie
+from decisions import leaf_by_map, tree
+from decisions.contested import Contested
+from decisions.held_choice import HeldChoice
+from decisions.situation import Situation
+from lib.geom import from_field, heading
+from lib.goal import OpponentGoal
+from lib.machine import Machine
+from skills.active_localise import ActiveLocalise
+from skills.avoid_own_box import AvoidOwnBox
+from skills.dribble import Dribble
+from skills.find_ball import FindBall
+from skills.glance import Glance
+from skills.grab_dribble import GrabDribble
+from skills.kick_ball import KickBall
+from skills.line_up_kick import LineUpKick
+from skills.paw_stuck import PawStuck
+
+LOST_FRAMES = 15        # the ball is looked for after so many without a sight,
+LOST_NEAR_FRAMES = 40   # or so many where the chin hides it
+CHIN = 20.0             # cm
+SETTLED = 35.0          # cm to the ball; nearer, a leaf is kept for some frames
+KEPT_FRAMES = 12
+LOOK_AFTER = 100.0, 0.0     # cm, deg: where a kicked ball is looked for
+SEEN_S = 0.1            # s: a sighting that gps refused is none
+WATCH = 0.4             # s after a kick
+AHEAD, FOLLOW = 15.0, 40.0  # deg, cm/s: a ball that went ahead is followed meanwhile
+BOX_WAIT = 6.0          # s; who is alone waits so long for its ball to leave the own box
+KICKS = {tree.UPENN_LEFT: kelpie.UPENN_LEFT, tree.UPENN_RIGHT: kelpie.UPENN_RIGHT,
+         tree.KICK_AHEAD: kelpie.KICK_FORWARD, tree.HEAD_LEFT: kelpie.HEAD_SWIPE_LEFT, tree.HEAD_RIGHT: kelpie.HEAD_SWIPE_RIGHT}
+LINE_UP = 'line_up_kick'    # in place of a grab when that is switched off
+
+
+class Attacker(Machine):
+    LAYER = kelpie.LAYER_ROLE
+    NAME = 'attacker'
+
+    def __init__(self, memory):
+        super().__init__(self.find)
+        self.memory = memory
+        self.goal = OpponentGoal()
+        self.contested = Contested()
+        self.held = HeldChoice(memory, self.contested)
+        self.localise_skill = ActiveLocalise(memory)
+        self.stuck = PawStuck()
+        self.glance = Glance(memory)
+        self.box_waited = False  # alone, and waited long enough for a ball in the own box
+        self.leaf, self.leaf_why = None, ()
+        self.leaf_frame = 0
+        self.tree_leaf, self.tree_place, self.tree_why = None, '', ()
+
+    def command(self, world) -> kelpie.Command:
+        """The frame's answer while playing."""
+        self.goal.update(world)
+        self.contested.update(world, self.memory)
+        if not self.committed and self.stuck.needed(world):
+            if self.state != self.back_off:
+                self.enter(world, self.back_off, self.stuck, 'a front paw pushes at something')
+        return self.step(world)
+
+    @property
+    def committed(self) -> bool:
+        return self.state == self.play and self.skill is not None and self.skill.committed
+
+    def lost(self, world) -> bool:
+        if not world.ball.present:
+            return True
+        most = LOST_NEAR_FRAMES if world.ball.distance < CHIN else LOST_FRAMES
+        return self.memory.ball_lost > most
+
+    # States
+
+    def find(self, world):
+        if self.skill is None:
+            self.skill = FindBall(world, self.memory)
+        if world.ball.present and world.ball.seconds_since_seen < SEEN_S:
+            return self.enter(world, self.play, None, 'the ball is {} cm away', world.ball.distance)
+        return self.skill.command(world)
+
+    def back_off(self, world):
+        if not self.stuck.needed(world):
+            return self.enter(world, self.find, None, 'the paws are free')
+        return self.stuck.command(world)
+
+    def avoid_box(self, world):
+        """A robot without team mates has no goalie who clears the ball: it fetches it in the end."""
+        if not world.teammates and self.timed_out(world, BOX_WAIT):
+            self.box_waited = True
+        if self.lost(world) or not self.box_in_the_way(world):
+            return self.enter(world, self.find, None, 'the own box is no longer in the way')
+        return self.looking_round(world, self.skill.command(world))
+
+    def looking_round(self, world, command) -> kelpie.Command:
+        """The same, with the head at a landmark now and then."""
+        if self.glance.update(world, not self.committed):
+            command.head = self.glance.head(world)
+        return command
+
+    def localise(self, world):
+        if self.skill.done(world) or self.lost(world):
+            return self.enter(world, self.find, None, 'looked at a landmark')
+        return self.skill.command(world)
+
+    def play(self, world):
+        if self.committed:
+            return self.skill.command(world)
+        if self.skill is not None and self.skill.done:
+            return self.after_skill(world)
+        if self.lost(world):
+            return self.enter(world, self.find, None, 'ball unseen for {} frames',
+                              float(self.memory.ball_lost))
+        if self.box_in_the_way(world):
+            return self.enter(world, self.avoid_box, AvoidOwnBox(self.memory),
+                              'the ball is in the own box')
+        if self.localise_skill.needed(world):
+            return self.enter(world, self.localise, self.localise_skill, 'far ball, time to look')
+        self.choose_leaf(world)
+        return self.looking_round(world, self.skill.command(world))
+
+    def after_skill(self, world):
+        """Watches where the ball goes; a skill that leaves no hint itself sent it ahead."""
+        if self.memory.hint is None or self.memory.frame - self.memory.hint[2] > 2:
+            self.memory.set_hint(*LOOK_AFTER)
+        self.enter(world, self.watch, FindBall(world, self.memory), self.leaf + ' has ended')
+        self.leaf = None
+
+    def watch(self, world):
+        """The ball that was just kicked is not where it was believed: what is seen of it in this
+        time is not played yet, only followed."""
+        command = self.skill.command(world)
+        if abs(self.memory.hint[1]) < AHEAD:
+            command.walk = kelpie.WalkRequest(forward=FOLLOW, kind=kelpie.WALK_FAST)
+        if self.timed_out(world, WATCH):
+            self.enter(world, self.find, self.skill, 'it has rolled for {} s', WATCH)
+        return command
+
+    def box_in_the_way(self, world) -> bool:
+        inside = AvoidOwnBox.needed(world, self.memory.grab_lost < 2)
+        if not inside:
+            self.box_waited = False
+        return inside and not self.box_waited
+
+    def choose_leaf(self, world):
+        situation = Situation(world, self.contested.now, self.memory.approach_lost < 3)
+        leaf, self.tree_place, *why = tree.decide(situation)
+        self.tree_leaf, self.tree_why = leaf, tuple(why)
+        if world.task.kicks == kelpie.KICKS_BY_MAP and world.task.grab:
+            leaf, *why = leaf_by_map.choose(world, situation, leaf, self.leaf)
+        if leaf in tree.WITH_GRAB and not world.task.grab:
+            leaf = LINE_UP
+        settled = (world.ball.distance < SETTLED and
+                   self.memory.frame - self.leaf_frame < KEPT_FRAMES)
+        if self.skill is None or (leaf != self.leaf and not settled):
+            self.skill, self.leaf, self.leaf_frame = self.make(leaf), leaf, self.memory.frame
+            self.leaf_why = tuple(why)
+        elif leaf == self.leaf:
+            self.leaf_why = tuple(why)
+
+    def make(self, leaf):
+        """The skill that plays a leaf, begun anew."""
+        if leaf in KICKS:
+            return KickBall(self.memory, KICKS[leaf])
+        if leaf == tree.DRIBBLE:
+            return Dribble(self.memory, self.goal_heading)
+        if leaf == LINE_UP:
+            return LineUpKick(self.memory, self.goal)
+        return GrabDribble(self.memory, self.held.choose, leaf)
+
+    def goal_heading(self, world) -> float:
+        point = self.goal.where(world)
+        if point is None:
+            point = from_field(world.pose, 0.5 * world.field.width, world.field.length)
+        return heading(*point)
+
+    def explain(self, trace) -> None:
+        trace.append((self.LAYER, self.NAME, self.state.__name__, self.why, *self.numbers))
+        if self.state == self.play and self.leaf is not None:
+            trace.append((kelpie.LAYER_DECISION, 'tree ' + self.tree_place, self.tree_leaf,
+                          *self.tree_why))
+            if (self.leaf, self.leaf_why) != (self.tree_leaf, self.tree_why):
+                trace.append((kelpie.LAYER_DECISION, 'leaf_by_map', self.leaf, *self.leaf_why))
+        if self.glance.looking:
+            self.glance.explain(trace)
+        below = getattr(self.skill, 'explain', None)
+        if below is not None:
+            below(trace)

@@ -1,0 +1,79 @@
+# SPDX-License-Identifier: Apache-2.0
+# The goalie's clearing kicks (thesis 2006 section 4.3.1): which kick, of the ball as it will lie
+# when the motion begins, sends it far, up-field and past who stands there, and in no case to the
+# own goal. Keeps nothing; what a kick does it reads from the kick map. Fails where the map does:
+# for a ball that an opponent holds against the kick goes anywhere (docs/body.md, Kicks).
+import math
+
+from lib import intercept, kick_table
+from lib.geom import wrap
+from lib.goalie_places import UP_FIELD, off_own_goal
+from lib.tune_goalie import Clear
+
+
+class Clearance:
+    """A kick of a ball at (x, y) on the field: where it goes (deg on the field), how many deg off
+    the own goal that is, and what it is worth, 0 to 1."""
+
+    def __init__(self, world, kick, ball, outcome, heading_deg):
+        self.kick, self.ball = kick, ball
+        chance, aside, sd, distance, _ = outcome
+        self.direction = wrap(heading_deg + aside)
+        self.off_goal = off_own_goal(world.field, ball, self.direction)
+        self.safe = self.off_goal > max(Clear.OFF_GOAL, Clear.SDS * sd)
+        up = math.cos(math.radians(self.direction - UP_FIELD))
+        self.worth = chance * min(1.0, distance / Clear.FAR) * (1.0 - Clear.ASIDE * (1.0 - up))
+        outwards = (ball[0] - 0.5 * world.field.width) * math.cos(math.radians(self.direction))
+        if outwards < 0.0:
+            self.worth *= Clear.ACROSS
+        if any(in_the_way(ball, self.direction, other.position) for other in world.opponents):
+            straight = abs(aside) < Clear.STRAIGHT
+            self.worth *= Clear.HELD_STRAIGHT if straight else Clear.HELD_ASIDE
+
+    def after(self, way):
+        """The point of the field that the ball passes after so many cm."""
+        angle = math.radians(self.direction)
+        return self.ball[0] + way * math.cos(angle), self.ball[1] + way * math.sin(angle)
+
+
+def in_the_way(ball, direction, other) -> bool:
+    """Whether somebody at `other` stands near the ball in that direction."""
+    dx, dy = other.x - ball[0], other.y - ball[1]
+    return (math.hypot(dx, dy) < Clear.OPPONENT and
+            abs(wrap(math.degrees(math.atan2(dy, dx)) - direction)) < Clear.OPPONENT_DEG)
+
+
+def foretold(world, seconds) -> tuple[float, float]:
+    """The ball's place in the robot frame after that time: the robot walks on, the ball rolls."""
+    ball, step = world.ball.relative, world.odometry
+    share = seconds / max(world.elapsed_s, 0.02)
+    vx, vy = intercept.relative_velocity(world) if intercept.rolls(world.ball) else (0.0, 0.0)
+    return (ball.x + share * step.left + seconds * vx,
+            ball.y - share * step.forward + seconds * vy)
+
+
+def clearance(world, kick) -> Clearance | None:
+    """What a kick that is asked for now is worth at least, whether the motion begins at once or at
+    the end of a step; None if it then reaches no ball or is not safe."""
+    ball = (world.ball.position.x, world.ball.position.y)
+    worst = None
+    for seconds in Clear.LATENCY:
+        outcome = kick_table.outcome(kick, *foretold(world, seconds))
+        if outcome is None:
+            return None
+        one = Clearance(world, kick, ball, outcome, world.pose.heading_deg)
+        if not one.safe:
+            return None
+        if worst is None or one.worth < worst.worth:
+            worst = one
+    return worst
+
+
+def clearing_kick(world) -> Clearance | None:
+    """The best safe kick of the ball as it lies, if it is good enough not to walk on."""
+    ball = world.ball
+    if not ball.present or ball.seconds_since_seen > Clear.SEEN or ball.distance > Clear.NEAR:
+        return None
+    found = [clearance(world, kick) for kick in kick_table.kicks(False)]
+    good = [one for one in found if one is not None and one.worth > Clear.WORTH]
+    return max(good, key=lambda one: one.worth, default=None)

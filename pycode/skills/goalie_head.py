@@ -1,0 +1,136 @@
+# SPDX-License-Identifier: Apache-2.0
+# The goalie's head (thesis 2006 section 4.3.1): always on the ball; back to it at once when it is
+# lost, by where it is believed, then by a point scan; now and then a glance at a beacon. Keeps the
+# state, when it last glanced and how often. It looks away only when it is told that it may and the
+# ball is far and does not come, so a goalie in a long scrum does not localise.
+import kelpie
+from lib.geom import from_field
+from lib.head import look_at, view
+from lib.landmarks import GOALIE_PAN, choose_landmark, look_at_landmark
+from lib.machine import Machine
+from lib.tune import Watch
+from lib.tune_goalie import Look
+from lib.tune_goalie import PointScan as ScanTune
+from skills.point_scan import PointScan
+
+
+def seen(world, seconds=Watch.FRESH) -> bool:
+    return world.ball.present and world.ball.seconds_since_seen < seconds
+
+
+class GoalieHead(Machine):
+    NAME = 'goalie_head'
+    FAR = Look.FAR   # cm; a nearer ball is not left alone
+
+    def __init__(self):
+        super().__init__(self.search)
+        self.free = False
+        self.tracked = 0.0    # cm to the ball when it was last tracked
+        self.glances = 0
+        self.marked = False   # the landmark was seen in this glance
+        self.glanced_s = 0.0
+
+    def head(self, world, free) -> kelpie.HeadRequest:
+        """`free`: whether the player can do without the ball for a moment."""
+        self.free = free
+        return self.step(world)
+
+    def idle(self, world) -> kelpie.HeadRequest:
+        return self.at_ball(world)
+
+    def at_ball(self, world):
+        ball = world.ball.relative
+        return look_at(ball.x, ball.y, Watch.BALL_HEIGHT, world.stance)
+
+    def track(self, world):
+        self.tracked = world.ball.distance
+        if not seen(world, Look.LOST):
+            return self.regain_ball(world)
+        mark = self.landmark(world)
+        if mark is not None:
+            self.glances += 1
+            self.marked = False
+            return self.enter(world, self.localise, mark, 'glance {}; the pose is sure to {} cm',
+                              self.glances, world.position_sd)
+        return self.at_ball(world)
+
+    def regain_ball(self, world):
+        """Which of the ways to find the ball comes first."""
+        if not world.ball.present:
+            return self.enter(world, self.search, self.scan(world), 'no ball is believed')
+        return self.enter(world, self.believed, None, 'the ball is unseen for {} s',
+                          world.ball.seconds_since_seen)
+
+    def landmark(self, world):
+        """The one to glance at now, or None."""
+        sure = (world.position_sd < Look.SURE_SD and
+                world.heading_sd_deg < Look.SURE_HEADING_SD)
+        every = Look.EVERY_SURE if sure else Look.EVERY_LOST
+        calm = (world.ball.distance > self.FAR and world.ball.velocity.y > -Look.STILL and
+                self.since(world) > Look.STEADY)
+        if not self.free or not calm or world.time_s - self.glanced_s < every:
+            return None
+        # With the near beacons in every second one only: they are far aside.
+        limit = GOALIE_PAN if self.glances % 2 else Look.FRONT
+        return choose_landmark(world, limit, world.head.head_pan_deg)
+
+    def localise(self, world):
+        self.glanced_s = world.time_s
+        self.marked = self.marked or any(mark.kind == self.skill.kind
+                                         for mark in world.percepts.landmarks)
+        if not self.free or self.timed_out(world, Look.TIME):
+            if self.free and not self.marked:
+                return self.enter(world, self.survey, None, 'no landmark where the pose says')
+            return self.after_glance(world)
+        return look_at_landmark(world, self.skill)
+
+    def survey(self, world):
+        """Once from left to right, at rest in four directions: what is seen mends the pose."""
+        self.glanced_s = world.time_s
+        look = int(self.since(world) / Look.SURVEY_TIME)
+        if not self.free or look >= len(Look.SURVEY):
+            return self.after_glance(world)
+        return view(Look.SURVEY[look], Look.SURVEY_DOWN, world.stance)
+
+    def after_glance(self, world):
+        return self.enter(world, self.believed, None, 'the glance is over')
+
+    def believed(self, world):
+        if seen(world, Look.LOST) and world.ball.seconds_since_seen < self.since(world):
+            return self.enter(world, self.track, None, 'the ball is {} cm away',
+                              world.ball.distance)
+        if not world.ball.present or self.timed_out(world, Look.BELIEVED):
+            return self.enter(world, self.search, self.scan(world), 'not where it is believed')
+        return self.at_ball(world)
+
+    def look_near(self, world, side):
+        """After a block, which had the head: the ball lies close by, seldom where the filter
+        believes it, which knows of no block. `side`: +1 left, -1 right."""
+        if not seen(world, Look.LOST):
+            self.enter(world, self.search, PointScan(world, side), 'a block has ended')
+
+    def expect(self, world, point):
+        """The ball was kicked and should come by that point of the field."""
+        self.enter(world, self.expected, point, 'kicked to ({}, {})', *point)
+
+    def expected(self, world):
+        if seen(world, Look.LOST) and world.ball.seconds_since_seen < self.since(world):
+            return self.enter(world, self.track, None, 'the ball is {} cm away',
+                              world.ball.distance)
+        if self.timed_out(world, Look.BELIEVED):
+            return self.enter(world, self.search, PointScan(world, 1.0), 'not where it was kicked')
+        return look_at(*from_field(world.pose, *self.skill), Watch.BALL_HEIGHT, world.stance)
+
+    def search(self, world):
+        if seen(world, Look.LOST):
+            return self.enter(world, self.track, None, 'the ball is {} cm away',
+                              world.ball.distance)
+        if self.skill is None:
+            self.skill = self.scan(world)
+        return self.skill.head(world)
+
+    def scan(self, world):
+        """Low first on the side where the ball is believed, if it was lost close by."""
+        if self.tracked > ScanTune.NEAR:
+            return PointScan(world)
+        return PointScan(world, 1.0 if world.ball.heading_deg >= 0.0 else -1.0)

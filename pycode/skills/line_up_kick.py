@@ -1,0 +1,100 @@
+# SPDX-License-Identifier: Apache-2.0
+# Gets the ball between itself and the goal and kicks it ahead from where it lies: what is played in
+# place of a grab when grabbing is switched off. Keeps the state and the goal's place; the goal is
+# looked for once in a while before the robot lines up. Slow: it circles the ball.
+import kelpie
+from lib.geom import heading
+from lib.goal import NEVER_S
+from lib.head import look_at, view
+from lib.machine import Machine
+from lib.tune import Approach, Goal, LineUp, Strike, Watch
+from lib import tune
+from skills.go_to_ball import GoToBall
+from skills.kick import Kick
+from skills.line_up import CircleBall, aim_error
+from skills.strike import StepToKick
+from skills.watch import Sweep, WatchBall
+
+
+class LineUpKick(Machine):
+    NAME = 'line_up_kick'
+
+    def __init__(self, memory, goal):
+        """`goal`: the player's OpponentGoal, which the player keeps up to date."""
+        super().__init__(self.approach, GoToBall())
+        self.memory = memory
+        self.goal = goal
+        self.watch = WatchBall()
+        self.swept_s = NEVER_S
+
+    @property
+    def committed(self) -> bool:
+        return self.state in (self.strike, self.kick, self.look_for_goal)
+
+    @property
+    def done(self) -> bool:
+        return self.state == self.ended
+
+    def command(self, world) -> kelpie.Command:
+        return self.step(world)
+
+    def track(self, world) -> kelpie.HeadRequest:
+        ball = world.ball.relative
+        return look_at(ball.x, ball.y, Watch.BALL_HEIGHT, world.stance)
+
+    def approach(self, world):
+        if self.timed_out(world, Approach.TIME):
+            return self.enter(world, self.ended, None, 'the approach took too long')
+        if world.ball.distance < Approach.NEAR:
+            return self.enter(world, self.line_up, CircleBall(), 'ball {} cm away',
+                              world.ball.distance)
+        walk = self.skill.walk(world, self.goal.where(world))
+        return kelpie.Command(walk=walk, head=self.watch.head(world, self.goal))
+
+    def line_up(self, world):
+        goal_point = self.goal.where(world)
+        if world.ball.distance > LineUp.LEFT_BEHIND:
+            return self.enter(world, self.approach, GoToBall(), 'the ball rolled {} cm away',
+                              world.ball.distance)
+        if not self.goal.seen(world) and world.time_s - self.swept_s > 2.0 * Goal.FRESH:
+            return self.enter(world, self.look_for_goal, Sweep(), 'where is the goal?')
+        if self.timed_out(world, LineUp.TIME):
+            return self.enter(world, self.ended, None, 'circled too long')
+        if self.aligned(world, goal_point):
+            return self.enter(world, self.strike, StepToKick(), 'ball and goal are in line')
+        return kelpie.Command(walk=self.skill.walk(world, goal_point),
+                              head=self.watch.head(world, self.goal))
+
+    def aligned(self, world, goal_point) -> bool:
+        ball = (world.ball.relative.x, world.ball.relative.y)
+        return (goal_point is not None and abs(aim_error(ball, goal_point)) < LineUp.AIMED and
+                abs(heading(*ball)) < LineUp.FACED)
+
+    def look_for_goal(self, world):
+        """Stands still for one sweep of the head: the shot is worth knowing where the goal is."""
+        seen = self.goal.seen(world) and self.goal.seen_s > self.entered_s
+        if seen or self.timed_out(world, Goal.SWEEP):
+            self.swept_s = world.time_s
+            return self.enter(world, self.line_up, CircleBall(), 'looked for the goal')
+        return kelpie.Command(head=self.skill.head(world, self.since(world)))
+
+    def strike(self, world):
+        goal_point = self.goal.where(world)
+        if self.timed_out(world, Strike.TIME):
+            return self.enter(world, self.ended, None, 'the last steps took too long')
+        if self.skill.can_kick(world, goal_point):
+            return self.enter(world, self.kick, Kick(world, kelpie.KICK_FORWARD),
+                              'ball {} cm ahead', world.ball.relative.y)
+        if self.skill.out_of_reach(world, goal_point):
+            return self.enter(world, self.line_up, CircleBall(), 'small steps help no more')
+        return kelpie.Command(walk=self.skill.walk(world, goal_point), head=self.track(world))
+
+    def kick(self, world):
+        motion = self.skill.motion(world)
+        if self.skill.done(world):
+            return self.enter(world, self.ended, None, 'kicked')
+        head = view(0.0, tune.Kick.LOOK_DOWN, world.stance)
+        return kelpie.Command(head=head, motion=motion)
+
+    def ended(self, world):
+        return kelpie.Command(head=view(0.0, tune.Kick.LOOK_AHEAD, world.stance))

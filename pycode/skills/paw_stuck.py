@@ -1,0 +1,76 @@
+# SPDX-License-Identifier: Apache-2.0
+# Backs off when a front paw pushes at something in its swing (thesis 2006 section 4.3.3): straight
+# back from both paws, back and to the other side from one, for a certain time. Keeps until when, to
+# which side, and when it last backed straight. Feels nothing while it stands, and nothing with its
+# hind legs or sides. A paw that a near ball presses is the contested ball's matter.
+import kelpie
+from lib.machine import Machine
+
+BACK_S = 0.8          # ours; the body feels a paw for 0.4 s after it was pressed
+BACK_SPEED = -24.0    # cm/s
+SIDE_SPEED = 18.0
+# Whoever was met head on so recently is passed on the right, as it does the same. Of 51 meetings of
+# two discs (tests/py/test_paw_stuck.py) all end within 45 s; 36 do when both back straight again.
+AGAIN_S = 4.0
+BALL_AT_PAWS = 30.0   # cm
+
+
+def blocked(world) -> tuple[bool, bool]:
+    """Whether the left and the right front paw push at something that is not the ball."""
+    ball = world.ball
+    if ball.present and ball.distance < BALL_AT_PAWS:
+        return False, False
+    left, right = world.motion.feeling.paw_blocked
+    return left, right
+
+
+class PawStuck(Machine):
+    NAME = 'paw_stuck'
+
+    def __init__(self):
+        super().__init__(self.free)
+        self.straight_s = None  # when it last backed straight
+
+    def needed(self, world) -> bool:
+        """Whether it backs in this frame; may be asked more than once."""
+        if self.entered_s is not None and self.state != self.free:
+            if not self.timed_out(world, BACK_S):
+                return True
+        left, right = blocked(world)
+        if left or right:
+            self.begin(world, left, right)
+        else:
+            self.enter(world, self.free, None, 'no paw is blocked')
+        return left or right
+
+    def begin(self, world, left, right):
+        again = self.straight_s is not None and world.time_s - self.straight_s < AGAIN_S
+        if left and right and not again:
+            self.straight_s = world.time_s
+            self.enter(world, self.back, None, 'both front paws are blocked')
+        elif left and right:
+            self.enter(world, self.back_right, None, 'both front paws are blocked again')
+        elif left:
+            self.enter(world, self.back_right, None, 'the left front paw is blocked')
+        else:
+            self.enter(world, self.back_left, None, 'the right front paw is blocked')
+
+    def walk(self, world) -> kelpie.WalkRequest:
+        return self.step(world)
+
+    def command(self, world) -> kelpie.Command:
+        """The head looks ahead, a little down."""
+        return kelpie.Command(walk=self.walk(world), head=kelpie.HeadRequest(
+            aim=kelpie.AIM_DIRECTION, elevation_deg=-10.0))
+
+    def free(self, world):
+        return kelpie.WalkRequest()
+
+    def back(self, world):
+        return kelpie.WalkRequest(forward=BACK_SPEED)
+
+    def back_left(self, world):
+        return kelpie.WalkRequest(forward=BACK_SPEED, left=SIDE_SPEED)
+
+    def back_right(self, world):
+        return kelpie.WalkRequest(forward=BACK_SPEED, left=-SIDE_SPEED)

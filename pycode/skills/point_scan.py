@@ -1,0 +1,77 @@
+# SPDX-License-Identifier: Apache-2.0
+# The goalie's way to find a lost ball (thesis 2006 section 4.3.1): the head jumps between fixed
+# points, rests at each and goes round again: the beacon at the near left, the far left, the far
+# right, the near right, then five points low from right to left. One round takes 2.2 s, a sweep of
+# the whole range 4.8 s, and it localises on the way. The thesis has one low point, before the
+# chest; balls beside the goalie went in unseen. Keeps when it began and with which point. With a
+# wrong pose it misses the beacons; a beacon that the pose says is out of reach is replaced by where
+# it is seen from the middle.
+import math
+
+import kelpie
+from lib.geom import from_field, heading
+from lib.head import MAX_PAN, look_at, view
+from lib.landmarks import GOALS
+from lib.tune_goalie import PointScan as Tune
+
+FROM_MIDDLE = (60.0, 27.0, -27.0, -60.0)  # deg, the beacons of 2006 from the middle of the goal
+LOW = (-88.0, -44.0, 0.0, 44.0, 88.0)     # deg, the points after them
+NEAR = (0.0, 44.0, 88.0)                  # once before them, for a ball lost close by on the left
+
+
+def beacons(field):
+    """(x, y) of the four beacons: near left, far left, far right, near right of who looks
+    up-field."""
+    places = [(mark.position.x, mark.position.y) for mark in field.landmarks
+              if mark.kind not in GOALS]
+    left = sorted((p for p in places if p[0] < 0.5 * field.width), key=lambda p: p[1])
+    right = sorted((p for p in places if p[0] > 0.5 * field.width), key=lambda p: -p[1])
+    return left + right
+
+
+class PointScan:
+    NAME = 'point_scan'
+
+    def __init__(self, world, near=0.0):
+        """`near`: the side (+1 left, -1 right) where the ball was lost close by: before the first
+        round the head looks low, from the front outwards. 0: it was lost farther away."""
+        self.start_s = world.time_s
+        self.beacons = beacons(world.field)
+        self.near = tuple(near * pan for pan in NEAR) if near else ()
+        self.branch, self.at = 'beacon', 0   # the point looked at
+
+    def period(self) -> float:
+        """Seconds of one round."""
+        return len(self.beacons) * Tune.BEACON + len(LOW) * Tune.LOW
+
+    def rounds(self, world) -> int:
+        """That came to an end."""
+        return max(0, int(self.passed(world) / self.period()))
+
+    def passed(self, world) -> float:
+        """Seconds since the first round began; negative before it."""
+        return world.time_s - self.start_s - len(self.near) * Tune.NEAR_TIME
+
+    def head(self, world) -> kelpie.HeadRequest:
+        passed = self.passed(world)
+        if passed < 0.0:
+            self.branch = 'near'
+            self.at = max(0, len(self.near) - math.ceil(-passed / Tune.NEAR_TIME))
+            return self.low(world, self.near[self.at])
+        passed = math.fmod(passed, self.period())
+        self.branch, self.at = 'beacon', int(passed / Tune.BEACON)
+        if self.at < len(self.beacons):
+            aside = heading(*from_field(world.pose, *self.beacons[self.at]))
+            pan = aside if abs(aside) < MAX_PAN else FROM_MIDDLE[self.at]
+            return view(pan, Tune.DOWN, world.stance)
+        low = int((passed - len(self.beacons) * Tune.BEACON) / Tune.LOW)
+        self.branch, self.at = 'low', min(low, len(LOW) - 1)
+        return self.low(world, LOW[self.at])
+
+    def low(self, world, pan):
+        aside = math.radians(pan)
+        return look_at(-Tune.LOW_AT * math.sin(aside), Tune.LOW_AT * math.cos(aside), 0.0,
+                       world.stance)
+
+    def explain(self, trace) -> None:
+        trace.append((kelpie.LAYER_SKILL, self.NAME, self.branch, 'point {}', self.at + 1))

@@ -1,0 +1,186 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The decision tree and what it asks, thesis 2006 chapter 5; boundaries as its algorithms print
+them, read as the checklist does (G27 to G33)."""
+import math
+import random
+
+import kelpie
+import pytest
+from decisions import contested, tree, zones
+from decisions.contested import Contested
+from decisions.situation import Situation
+from lib.memory import Memory
+from situations import facing_up_point, put_ball, world
+
+FIELD = kelpie.FIELDS['2006']
+GRABS = set(tree.WITH_GRAB)
+
+
+@pytest.mark.parametrize('y, zone', [(0, 0), (215.9, 0), (216, 1), (323.9, 1), (324, 2), (540, 2)])
+def test_the_field_has_three_zones_of_40_20_and_40_percent(y, zone):
+    assert zones.zone(FIELD, y) == zone
+
+
+@pytest.mark.parametrize('x, y, number', [
+    (10, 100, 1), (180, 100, 2), (350, 100, 3), (10, 270, 4), (350, 270, 5), (180, 270, 6),
+    (180, 400, 7), (49.9, 400, 8), (310.1, 400, 9), (20, 500, 10), (340, 500, 11), (180, 500, 12)])
+def test_the_twelve_sub_zones_lie_as_in_figure_5_2(x, y, number):
+    assert zones.sub_zone(FIELD, (x, y)) == number
+
+
+def test_every_point_around_the_field_is_in_one_sub_zone():
+    chance = random.Random(5)
+    for _ in range(2000):
+        point = chance.uniform(-50, 410), chance.uniform(-50, 590)
+        assert 1 <= zones.sub_zone(FIELD, point) <= 12
+
+
+def leaf(made, contested_now=False, about_to_grab=False):
+    return tree.decide(Situation(made, contested_now, about_to_grab))[0]
+
+
+def sort(name):
+    """Left and right alike; every leaf with a grab is a GrabDribble of the thesis."""
+    return 'grab' if name in GRABS else name.replace('_left', '').replace('_right', '')
+
+
+@pytest.mark.parametrize('degrees, wanted', [
+    (0, 'dribble'), (10, 'dribble'), (10.1, 'head'), (44.9, 'head'), (45, 'upenn'),
+    (69.9, 'upenn'), (70, 'grab'), (100, 'grab'), (179, 'grab')])
+@pytest.mark.parametrize('side', [1, -1])
+def test_defensive_leaves_go_by_how_far_up_field_is_aside(degrees, wanted, side):
+    assert sort(leaf(facing_up_point(side * degrees, (180, 150)))) == wanted
+
+
+@pytest.mark.parametrize('degrees, wanted', [
+    (0, 'grab'), (20, 'grab'), (20.1, 'head'), (44.9, 'head'), (45, 'upenn'), (109.9, 'upenn'),
+    (110, 'grab'), (179, 'grab')])
+@pytest.mark.parametrize('side', [1, -1])
+def test_midfield_leaves_go_by_how_far_up_field_is_aside(degrees, wanted, side):
+    assert sort(leaf(facing_up_point(side * degrees, (180, 270)))) == wanted
+
+
+@pytest.mark.parametrize('y, elsewhere', [(150, 'dribble'), (270, 'grab')])
+@pytest.mark.parametrize('degrees, strikes', [(34.9, False), (35, True), (69.9, True), (70, False)])
+def test_a_contested_ball_is_struck_when_up_field_is_35_to_70_deg_aside(y, elsewhere, degrees,
+                                                                       strikes):
+    found = sort(leaf(facing_up_point(degrees, (180, y)), contested_now=True))
+    assert found == ('upenn' if strikes else elsewhere)
+
+
+def test_who_is_about_to_grab_a_contested_ball_of_its_own_third_grabs_it():
+    made = facing_up_point(0.0, (180, 150))
+    assert sort(leaf(made, True, True)) == 'grab' and leaf(made, True, False) == 'dribble'
+
+
+def test_a_strike_goes_to_the_side_on_which_up_field_is():
+    for y in (150, 270):
+        assert leaf(facing_up_point(50, (180, y))) == tree.UPENN_LEFT
+        assert leaf(facing_up_point(-50, (180, y))) == tree.UPENN_RIGHT
+        assert leaf(facing_up_point(30, (180, y))) == tree.HEAD_LEFT
+        assert leaf(facing_up_point(-30, (180, y))) == tree.HEAD_RIGHT
+
+
+@pytest.mark.parametrize('heading, wanted', [
+    (19.9, 'grab'), (20.1, None), (159.9, None), (160.1, 'grab'), (270, 'grab')])
+def test_at_an_edge_a_ball_that_is_not_up_field_is_grabbed(heading, wanted):
+    made = world(30, 100, heading, (30, 100))
+    put_ball_ahead(made, 25.0)
+    found = sort(leaf(made))
+    assert found == wanted if wanted else found in ('upenn', 'head')
+
+
+def put_ball_ahead(made, away):
+    angle = math.radians(made.pose.heading_deg)
+    bx, by = made.ball.position.x, made.ball.position.y
+    made.pose.position.x = bx - away * math.cos(angle)
+    made.pose.position.y = by - away * math.sin(angle)
+    put_ball(made, bx, by)
+
+
+@pytest.mark.parametrize('ball, heading, wanted', [
+    ((180, 515), 90, 'dribble'),          # close to the goal line
+    ((180, 509), 90, 'grab'),
+    ((180, 330), 90, 'grab'),             # 210 cm from the goal
+    ((55, 500), 70, 'upenn'),             # a corner, the goal's front 61 deg aside
+    ((55, 500), 20, 'grab')])
+def test_offensive_leaves(ball, heading, wanted):
+    made = world(ball[0], ball[1], heading, ball)
+    put_ball_ahead(made, 25.0)
+    assert sort(leaf(made)) == wanted
+
+
+def test_every_leaf_of_the_tree_is_reached():
+    chance = random.Random(7)
+    met = set()
+    for _ in range(30000):
+        ball = chance.uniform(0, 360), chance.uniform(0, 540)
+        made = world(ball[0], ball[1], chance.uniform(-180, 180), ball)
+        put_ball_ahead(made, 30.0)
+        met.add(leaf(made, chance.random() < 0.2, chance.random() < 0.3))
+    drawn = {row[3] for row in tree.rows() if row[4]}
+    assert met == drawn and met | {tree.AVOID_OWN_GOAL} == set(tree.LEAVES)
+
+
+def test_a_reason_fits_a_trace_and_has_a_number_for_each_mark():
+    chance = random.Random(8)
+    for _ in range(5000):
+        ball = chance.uniform(0, 360), chance.uniform(0, 540)
+        made = world(ball[0], ball[1], chance.uniform(-180, 180), ball)
+        put_ball_ahead(made, 30.0)
+        _, _, reason, *numbers = tree.decide(Situation(made, chance.random() < 0.3, False))
+        assert len(reason) <= 80 and reason.count('{}') == len(numbers) <= 3
+
+
+def test_the_drawing_has_one_row_a_node_and_each_hangs_below_another():
+    rows = tree.rows()
+    names = [row[0] for row in rows]
+    assert len(set(names)) == len(names) and rows[0][1] == ''
+    assert all(row[1] in names for row in rows[1:])
+
+
+def test_the_place_of_a_leaf_is_its_row_of_the_drawing():
+    chance = random.Random(9)
+    drawn = {row[0]: row[3] for row in tree.rows() if row[4]}
+    for _ in range(2000):
+        ball = chance.uniform(0, 360), chance.uniform(0, 540)
+        made = world(ball[0], ball[1], chance.uniform(-180, 180), ball)
+        put_ball_ahead(made, 30.0)
+        chosen, place, *_ = tree.decide(Situation(made, chance.random() < 0.3, False))
+        assert drawn[place] == chosen
+
+
+# Contested
+
+def close_ball():
+    return world(180, 200, 90, (180, 230))
+
+
+def test_a_ball_that_nobody_else_is_at_is_not_contested():
+    memory = Memory()
+    assert not contested.triggered(close_ball(), memory)
+
+
+@pytest.mark.parametrize('witness', ['paw', 'infrared', 'robot', 'map'])
+def test_each_witness_alone_makes_a_close_ball_contested_but_no_far_one(witness):
+    for away, wanted in ((30.0, True), (60.0, False)):
+        made, memory = world(180, 200, 90, (180, 200 + away)), Memory()
+        if witness == 'paw':
+            made.motion.feeling.paw_blocked = [False, True]
+        elif witness == 'infrared':
+            memory.ir = away - contested.IR_NEARER - 0.1
+        elif witness == 'robot':
+            made.percepts.robots = [kelpie.RobotPercept(distance=away + 20.0)]
+        else:
+            cell = kelpie.ObstacleCell(own=12.0)
+            cell.position.x, cell.position.y = 180.0, 215.0 + away
+            made.obstacles = [cell]
+        assert contested.triggered(made, memory) == wanted
+
+
+def test_a_contest_lasts_15_frames_after_its_last_trigger():
+    latch, memory, made = Contested(), Memory(), close_ball()
+    made.motion.feeling.paw_blocked = [True, False]
+    assert latch.update(made, memory)
+    made.motion.feeling.paw_blocked = [False, False]
+    assert [latch.update(made, memory) for _ in range(16)] == [True] * 15 + [False]

@@ -1,0 +1,172 @@
+# SPDX-License-Identifier: Apache-2.0
+import math
+import random
+
+import kelpie
+import pytest
+from goalie_world import BRAKE, DRAG, scene, speed_to_go
+from lib import goalie_places as places
+from lib import kick_table
+from lib.memory import Memory
+from lib.tune_goalie import Block
+from skills.block import ShotWatch, block_for
+from skills.clear_ball import clearing_kick, foretold
+
+
+# Block choice (checklist A-4.3.1.4)
+
+def seeing(run=Block.SEEN_FRAMES, lost=0):
+    memory = Memory()
+    memory.ball_run, memory.ball_lost = run, lost
+    return memory
+
+
+@pytest.mark.parametrize('aside, motion', [
+    (0, kelpie.BLOCK), (8.9, kelpie.BLOCK), (-8.9, kelpie.BLOCK), (9.1, kelpie.BLOCK_RIGHT),
+    (-9.1, kelpie.BLOCK_LEFT), (30, kelpie.BLOCK_RIGHT), (-30, kelpie.BLOCK_LEFT),
+    (60, kelpie.NO_MOTION), (-60, kelpie.NO_MOTION)])
+def test_block_is_on_the_side_where_the_ball_passes(aside, motion):
+    world = scene(180 + 80j, 170 * (complex(aside, -60) / abs(complex(aside, -60))))
+    world.world.field = kelpie.FieldDescription(goal_width=300.0)  # whatever comes is at the goal
+    watch = ShotWatch(seeing())
+    for _ in range(Block.FRAMES):
+        watch.update(world.world)
+    assert watch.shot.aside == pytest.approx(aside, abs=1e-6)
+    assert watch.block() == motion
+
+
+def way_in(speed, seconds):
+    """cm that a ball of that speed rolls, by small steps."""
+    way = 0.0
+    for _ in range(int(seconds * 1000)):
+        way, speed = way + speed * 1e-3, max(0.0, speed - (DRAG * speed + BRAKE) * 1e-3)
+    return way
+
+
+@pytest.mark.parametrize('speed', range(5, 200, 5))
+def test_of_balls_straight_ahead_only_the_fastest_are_blocked(speed):
+    """40 cm ahead of the goalie; the slower ones its legs stop as it stands."""
+    watch = ShotWatch(seeing())
+    for _ in range(Block.FRAMES):
+        watch.update(scene(180 + 60j, -1j * speed).world)
+    assert (watch.block() == kelpie.BLOCK) == (speed >= Block.STAND_SPEED)
+
+
+@pytest.mark.parametrize('speed', range(5, 200, 5))
+def test_of_balls_aside_the_fast_are_blocked_and_the_slow_walked_to(speed):
+    """20 cm aside: a ball that takes 1 s leaves the time for two steps."""
+    watch = ShotWatch(seeing())
+    for _ in range(Block.FRAMES):
+        watch.update(scene(200 + 60j, -1j * speed).world)
+    comes = speed_to_go(60.0 - Block.SHORT) < speed < Block.FASTEST
+    in_time = way_in(speed, Block.LATEST) > 40.0
+    assert (watch.block() == kelpie.BLOCK_RIGHT) == (comes and in_time)
+
+
+@pytest.mark.parametrize('ball, velocity', [
+    (180 + 90j, 130j), (180 + 90j, 130 + 0j), (100 + 60j, 30 - 130j), (180 + 90j, 90 - 100j)])
+def test_a_ball_that_misses_the_goal_is_not_blocked(ball, velocity):
+    world, watch = scene(ball, velocity), ShotWatch(seeing())
+    for _ in range(5):
+        watch.update(world.world)
+    assert watch.block() == kelpie.NO_MOTION
+
+
+def test_one_frame_alone_makes_no_block():
+    world, watch = scene(180 + 90j, -170j), ShotWatch(seeing())
+    watch.update(world.world)
+    assert watch.block() == kelpie.NO_MOTION
+    world.world.ball.velocity.y = 0.0
+    watch.update(world.world)
+    world.world.ball.velocity.y = -170.0
+    watch.update(world.world)
+    assert watch.block() == kelpie.NO_MOTION
+
+
+def test_an_unseen_ball_is_not_blocked():
+    world, watch = scene(180 + 90j, -170j), ShotWatch(seeing())
+    world.world.ball.seconds_since_seen = Block.SEEN
+    for _ in range(5):
+        watch.update(world.world)
+    assert watch.block() == kelpie.NO_MOTION
+
+
+def test_a_ball_just_found_is_not_blocked_but_a_single_frame_may_miss_it():
+    """Found elsewhere, it seems to have come from where it was believed."""
+    world, memory = scene(180 + 90j, -170j).world, seeing(Block.SEEN_FRAMES - 1)
+    watch = ShotWatch(memory)
+    for run, lost, believed in [(Block.SEEN_FRAMES - 1, 0, 0), (Block.SEEN_FRAMES, 0, 1),
+                                (0, 1, 2), (1, 0, 3), (0, 1, 4), (0, 2, 0), (1, 0, 0)]:
+        memory.ball_run, memory.ball_lost = run, lost
+        watch.update(world)
+        assert watch.frames == believed
+
+
+def test_no_kick_is_so_fast():
+    world, watch = scene(180 + 90j, -1j * (Block.FASTEST + 1.0)), ShotWatch(seeing())
+    for _ in range(5):
+        watch.update(world.world)
+    assert watch.block() == kelpie.NO_MOTION
+
+
+@pytest.mark.parametrize('seconds, blocked', [(0.05, False), (0.1, True), (0.8, True), (1, False)])
+def test_block_neither_too_late_nor_too_early(seconds, blocked):
+    shot = type('Shot', (), dict(aside=25.0, seconds=seconds, speed=100.0))
+    assert (block_for(shot) != kelpie.NO_MOTION) == blocked
+
+
+# Clearing (A-4.3.1.5)
+
+def test_a_clear_never_goes_towards_the_own_goal():
+    chance, kicks = random.Random(5), 0
+    for _ in range(5000):
+        at = complex(chance.uniform(115, 245), chance.uniform(0, 65))
+        heading = math.radians(chance.uniform(-180, 180))
+        facing = complex(math.cos(heading), math.sin(heading))
+        ball = at + complex(chance.uniform(10, 17), chance.uniform(-9, 9)) * facing
+        world = scene(ball, at=at, facing=facing).world
+        best = clearing_kick(world)
+        if best is None:
+            continue
+        kicks += 1
+        x, y = foretold(world, 0.1)
+        aside, sd = kick_table.outcome(best.kick, x, y)[1:3]
+        for off in (-3.0 * sd, 0.0, 3.0 * sd):
+            direction = math.degrees(heading) + aside + off
+            assert places.off_own_goal(world.field, (ball.real, ball.imag), direction) > 0
+    assert kicks > 1500
+
+
+@pytest.mark.parametrize('right, ahead, kicks', [
+    (0.0, 14.0, True), (5.0, 13.0, True), (-5.0, 13.0, True), (8.0, 12.0, True),
+    (14.0, 12.0, False), (0.0, 23.0, False), (0.0, 7.0, False)])
+def test_a_ball_before_the_goalie_is_kicked_where_a_kick_reaches_it(right, ahead, kicks):
+    best = clearing_kick(scene(complex(180 + right, 30 + ahead), at=180 + 30j).world)
+    assert (best is not None) == kicks
+    if kicks:
+        assert best.off_goal > 70 and abs(best.direction - 90) < 90
+
+
+def test_a_ball_between_goalie_and_goal_is_not_kicked():
+    for right in (-4, 0, 4):
+        world = scene(complex(180 - right, 16), at=180 + 30j, facing=-1j).world
+        best = clearing_kick(world)
+        assert best is None or abs(best.direction + 90) > 70
+
+
+def test_a_clear_passes_an_opponent_ahead():
+    world = scene(180 + 44j, at=180 + 30j).world
+    free = clearing_kick(world)
+    world.opponents = [kelpie.OpponentEstimate(position=kelpie.Point2(
+        x=180 + 25 * math.cos(math.radians(free.direction)),
+        y=44 + 25 * math.sin(math.radians(free.direction))))]
+    other = clearing_kick(world)
+    assert other is None or abs(other.direction - free.direction) > 25
+
+
+def test_what_is_kicked_is_the_ball_at_the_motions_beginning():
+    world = scene(180 + 58j, at=180 + 30j).world
+    world.elapsed_s = 1.0 / 30.0
+    assert foretold(world, 0.1) == pytest.approx((0.0, 28.0))
+    world.odometry.forward, world.odometry.left = 1.0, 0.5
+    assert foretold(world, 0.1) == pytest.approx((1.5, 25.0))

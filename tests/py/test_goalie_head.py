@@ -1,0 +1,209 @@
+# SPDX-License-Identifier: Apache-2.0
+import math
+
+import kelpie
+import pytest
+from goalie_world import world_at
+from lib.tune import Watch
+from lib.tune_goalie import Look, Pan
+from lib.tune_goalie import PointScan as Tune
+from skills.ellipse_head import EllipseHead
+from skills.goalie_head import GoalieHead
+from skills.point_scan import PointScan, beacons
+
+NEAR_LEFT, FAR_LEFT, FAR_RIGHT, NEAR_RIGHT = (-15, 135), (-15, 405), (375, 405), (375, 135)
+
+
+def test_one_round_of_the_point_scan_is_shorter_than_a_full_scan():
+    assert PointScan(world_at()).period() < 2.0 * Watch.SCAN_PERIOD / 2.0
+    assert PointScan(world_at()).period() < 2.0 * 2.0 * Pan.SIDE / Pan.SPEED
+
+
+def test_beacons_are_looked_at_from_the_near_left_round_to_the_near_right():
+    assert beacons(kelpie.FIELDS['2006']) == [NEAR_LEFT, FAR_LEFT, FAR_RIGHT, NEAR_RIGHT]
+
+
+def scanned(scan, world, seconds):
+    """What a head with 360 deg/s sees in frames in which it hardly turns: pans and tilts."""
+    world.time_s, pan, looks = scan.start_s, 0.0, []
+    while world.time_s < scan.start_s + seconds:
+        request = scan.head(world)
+        step = max(-12.0, min(12.0, request.head_pan_deg - pan))
+        pan += step
+        if abs(step) < 3.0:
+            looks.append((pan, request.neck_tilt_deg + request.head_nod_deg))
+        world.time_s += 1.0 / 30.0
+    return looks
+
+
+def test_all_four_beacons_the_front_and_both_sides_are_seen_in_each_round():
+    world = world_at()
+    scan = PointScan(world)
+    for _ in range(2):
+        looks = scanned(scan, world, scan.period())
+        for x, y in beacons(world.field):
+            aside = math.degrees(math.atan2(180.0 - x, y - 20.0))
+            assert sum(abs(pan - aside) < 5.0 for pan, _ in looks) >= 1
+        for aside in (-80, -44, 0, 44, 80):
+            assert sum(tilt < -15.0 and abs(pan - aside) < 10.0 for pan, tilt in looks) >= 2
+
+
+@pytest.mark.parametrize('side', [1.0, -1.0])
+def test_a_ball_lost_close_by_is_first_looked_for_low_from_the_front_outwards(side):
+    world = world_at()
+    scan = PointScan(world, side)
+    looks = scanned(scan, world, 3 * Tune.NEAR_TIME)
+    rests = [round(pan / 44.0) for pan, tilt in looks if tilt < -15.0]
+    turns = [pan for pan, before in zip(rests, [None] + rests) if pan != before]
+    assert turns == [0, side, 2 * side]
+    assert scan.rounds(world) == 0
+    world.time_s += 1e-3
+    assert scan.head(world).head_pan_deg > 50 and scan.branch == 'beacon'
+
+
+def test_point_scan_with_a_wrong_heading_looks_ahead_all_the_same():
+    world = world_at(heading=-90.0)
+    looks = scanned(PointScan(world), world, 2.0)
+    assert min(pan for pan, _ in looks) < -50 and max(pan for pan, _ in looks) > 50
+
+
+@pytest.mark.parametrize('axis, front, wide', [
+    (117.0, FAR_LEFT, FAR_LEFT), (63.0, FAR_RIGHT, FAR_RIGHT),
+    (149.0, FAR_LEFT, NEAR_LEFT), (31.0, FAR_RIGHT, NEAR_RIGHT)])
+def test_glances_go_to_the_beacon_along_the_widest_axis(axis, front, wide):
+    """In turn among those in front and those in a wider range."""
+    world = seeing(world_at())
+    c, s = math.cos(math.radians(axis)), math.sin(math.radians(axis))
+    world.covariance = [99 * c * c + 1, 99 * c * s, 0, 99 * c * s, 99 * s * s + 1, 0, 0, 0, 1]
+    assert glanced_at(world)[:4] == [front, wide, front, wide]
+
+
+def glanced_at(world):
+    """Places of the landmarks that the head glances at in 20 s."""
+    head, looked, was = GoalieHead(), [], None
+    for _ in range(600):
+        world.time_s += 1.0 / 30.0
+        head.head(world, True)
+        if head.state == head.localise and was != head.state:
+            looked.append((head.skill.position.x, head.skill.position.y))
+        was = head.state
+    return looked
+
+
+def heads(head, world, seconds, free=True):
+    """The states that a head goes through, each once in a row."""
+    states = []
+    for _ in range(int(30 * seconds)):
+        world.time_s += 1.0 / 30.0
+        world.ball.seconds_since_seen += 1.0 / 30.0
+        head.head(world, free)
+        if not states or states[-1] != head.state.__name__:
+            states.append(head.state.__name__)
+        if head.state in (head.track, head.believed) and world.percepts.ball.present:
+            world.ball.seconds_since_seen = 0.0
+    return states
+
+
+def seeing(world, seen=True):
+    world.percepts.ball.present = seen
+    world.percepts.landmarks = [kelpie.LandmarkPercept(kind=mark.kind)
+                                for mark in world.field.landmarks]
+    if seen:
+        world.ball.seconds_since_seen = 0.0
+    return world
+
+
+def test_head_of_2006_tracks_and_glances_now_and_then():
+    states = heads(GoalieHead(), seeing(world_at()), 12.0)
+    assert states[0] == 'track'
+    assert 3 <= states.count('localise') <= 5
+    assert states[1:4] == ['localise', 'believed', 'track']
+
+
+@pytest.mark.parametrize('change', ['not free', 'near', 'coming'])
+def test_no_glance_while_the_ball_is_near_or_comes(change):
+    world = seeing(world_at())
+    if change == 'near':
+        world.ball.distance = Look.FAR - 1.0
+    if change == 'coming':
+        world.ball.velocity.y = -Look.STILL - 1.0
+    assert heads(GoalieHead(), world, 8.0, change != 'not free') == ['track']
+
+
+def test_a_glance_that_finds_no_landmark_is_followed_by_a_survey():
+    world = seeing(world_at())
+    world.percepts.landmarks = []
+    assert 'survey' in heads(GoalieHead(), world, 5.0)
+    head, pans = GoalieHead(), []
+    head.enter(world, head.survey)
+    for _ in range(32):
+        world.time_s += 1.0 / 30.0
+        request = head.head(world, True)
+        if head.state == head.survey and request.head_pan_deg not in pans:
+            pans.append(request.head_pan_deg)
+    assert pans == list(Look.SURVEY)
+
+
+def test_a_glance_that_finds_it_is_not():
+    world = seeing(world_at())
+    assert 'survey' not in heads(GoalieHead(), world, 12.0)
+
+
+def test_glances_are_more_frequent_when_the_pose_is_unsure():
+    def glances(sd):
+        world = seeing(world_at())
+        world.position_sd = sd
+        return heads(GoalieHead(), world, 20.0).count('localise')
+    assert glances(Look.SURE_SD + 1.0) > 1.5 * glances(Look.SURE_SD - 1.0)
+
+
+def test_head_of_2006_regains_a_lost_ball_by_belief_then_by_points():
+    head, world = GoalieHead(), seeing(world_at())
+    heads(head, world, 0.5)
+    assert heads(head, seeing(world, False), 2.0) == ['track', 'believed', 'search']
+    world.ball.seconds_since_seen = 0.0
+    head.head(world, True)
+    assert head.state == head.track
+
+
+def test_head_of_2004_goes_back_to_the_last_angle_then_to_gps_then_searches():
+    head, world = EllipseHead(), seeing(world_at())
+    world.head.head_pan_deg = 33.0
+    states = heads(head, world, Look.EVERY_SURE - 0.1)
+    assert states == ['track']
+    world.percepts.ball.present = False
+    states = heads(head, world, 6.0)
+    assert states[:6] == ['track', 'localise', 'last_angle', 'believed', 'horizon', 'feet']
+    assert states[6] == 'horizon'
+
+
+def test_last_angle_is_where_the_ball_was_looked_at():
+    head, world = EllipseHead(), seeing(world_at())
+    world.head.head_pan_deg = 33.0
+    heads(head, world, 1.0)
+    world.head.head_pan_deg = 70.0
+    head.enter(world, head.last_angle)
+    assert head.head(world, True).head_pan_deg == 33.0
+
+
+def test_search_of_2004_pans_slowly_at_the_horizon_and_quickly_at_the_feet():
+    head, world = EllipseHead(), world_at()
+    world.ball.present = False
+    head.enter(world, head.horizon)
+    pans = {'horizon': [], 'feet': []}
+    for _ in range(90):
+        world.time_s += 1.0 / 30.0
+        request = head.head(world, True)
+        pans[head.state.__name__].append((request.head_pan_deg,
+                                          request.neck_tilt_deg + request.head_nod_deg))
+    for sweep in pans.values():
+        assert sweep[0][0] > 75 and min(pan for pan, _ in sweep) < -75
+    assert len(pans['feet']) < 0.6 * 30 * 2 * Pan.SIDE / Pan.SPEED
+    assert pans['feet'][3][1] < pans['horizon'][3][1] - 20
+
+
+def test_glances_of_2004_need_the_ball_25_cm_away():
+    for away, glances in [(24.0, False), (26.0, True)]:
+        world = seeing(world_at())
+        world.ball.distance = away
+        assert ('localise' in heads(EllipseHead(), world, 6.0)) == glances

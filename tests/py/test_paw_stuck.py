@@ -1,0 +1,114 @@
+# SPDX-License-Identifier: Apache-2.0
+import math
+import random
+
+import kelpie
+import pytest
+from skills.paw_stuck import BACK_S, PawStuck
+
+FRAME_S = 1.0 / 30.0
+
+
+def world_with(left, right, time_s=0.0):
+    world = kelpie.WorldFrame(time_s=time_s)
+    world.motion.feeling.paw_blocked = [left, right]
+    return world
+
+
+@pytest.mark.parametrize('left, right, backs, goes', [
+    (True, True, True, 0.0), (True, False, True, -1.0), (False, True, True, 1.0),
+    (False, False, False, 0.0)])
+def test_three_cases_of_paws(left, right, backs, goes):
+    skill, world = PawStuck(), world_with(left, right)
+    assert skill.needed(world) is backs
+    walk = skill.walk(world)
+    assert (walk.forward < 0.0) is backs and (walk.left > 0) - (walk.left < 0) == goes
+    assert walk.turn_deg == 0.0
+
+
+def test_it_backs_for_a_certain_time_after_the_paw_is_free():
+    skill = PawStuck()
+    assert skill.needed(world_with(True, False))
+    assert skill.needed(world_with(False, False, BACK_S - 0.01))
+    assert skill.walk(world_with(False, False, BACK_S - 0.01)).left < 0.0
+    assert not skill.needed(world_with(False, False, BACK_S + 0.01))
+
+
+def test_asking_twice_in_a_frame_is_asking_once():
+    once, twice = PawStuck(), PawStuck()
+    for frame in range(60):
+        world = world_with(frame == 3, False, frame * FRAME_S)
+        assert twice.needed(world) is twice.needed(world) is once.needed(world)
+
+
+def test_a_paw_at_the_ball_is_not_stuck():
+    world = world_with(True, True)
+    world.ball.present, world.ball.distance = True, 15.0
+    assert not PawStuck().needed(world)
+    world.ball.distance = 35.0
+    assert PawStuck().needed(world)
+
+
+def test_met_head_on_again_it_goes_to_the_right():
+    skill = PawStuck()
+    skill.needed(world_with(True, True))
+    world = world_with(True, True, 2.0)
+    assert skill.needed(world) and skill.walk(world).left < 0.0
+    world = world_with(True, True, 10.0)
+    assert skill.needed(world) and skill.walk(world).left == 0.0
+
+
+class Walker:
+    """A robot as a disc of 14 cm that walks to its place and feels what is ahead of its paws."""
+
+    def __init__(self, at, place):
+        self.at, self.place, self.stuck = at, place, PawStuck()
+
+    def step(self, other, time_s, avoid=True):
+        ahead = (self.place - self.at) / (abs(self.place - self.at) or 1.0)
+        met = (other.at - self.at) / ahead
+        touched = 0.0 < met.real < 34.0 and abs(met.imag) < 22.0
+        world = world_with(touched and met.imag > -8.0, touched and met.imag < 8.0, time_s)
+        walk = kelpie.WalkRequest(forward=min(30.0, 3.0 * abs(self.place - self.at)))
+        if avoid and self.stuck.needed(world):
+            walk = self.stuck.walk(world)
+        self.at += FRAME_S * complex(walk.forward, walk.left) * ahead
+        between = self.at - other.at
+        if abs(between) < 28.0:  # they slide along each other
+            self.at = other.at + 28.0 * between / abs(between)
+
+    @property
+    def arrived(self):
+        return abs(self.place - self.at) < 7.0
+
+
+def both_arrive(aside, avoid=True) -> bool:
+    one, two = Walker(0j, 200 + 0j), Walker(200 + aside * 1j, aside * 1j)
+    for frame in range(round(45.0 / FRAME_S)):
+        one.step(two, frame * FRAME_S, avoid)
+        two.step(one, frame * FRAME_S, avoid)
+        if one.arrived and two.arrived:
+            return True
+    return False
+
+
+@pytest.mark.parametrize('aside', range(-25, 26, 5))
+def test_two_robots_that_walk_head_on_reach_their_places_in_the_ready_time(aside):
+    assert both_arrive(float(aside))
+
+
+def test_without_backing_off_they_do_not():
+    assert not both_arrive(0.0, avoid=False)
+
+
+def test_random_paws_never_stop_it_for_good():
+    chance, skill, backs = random.Random(3), PawStuck(), 0
+    for frame in range(20000):
+        pressed = chance.random() < 0.01, chance.random() < 0.01
+        world = world_with(*pressed, frame * FRAME_S)
+        if skill.needed(world):
+            backs += 1
+            walk = skill.walk(world)
+            assert walk.forward < 0.0 and math.isfinite(walk.left)
+    assert 0 < backs < 20000
+    assert not skill.needed(world_with(False, False, 1e6))

@@ -1,0 +1,90 @@
+# SPDX-License-Identifier: Apache-2.0
+import math
+
+import kelpie
+import pytest
+from lib import geom
+from lib.pose_watch import LONGEST, PoseWatch, moved
+
+
+class Walk:
+    """A robot on a circle: told where it is, and once where it is not."""
+
+    def __init__(self):
+        self.world = kelpie.WorldFrame()
+        self.world.odometry = kelpie.Odometry(forward=1.0, left=0.3, turn_deg=2.0)
+        self.world.position_sd, self.world.heading_sd_deg = 2.0, 1.0
+        self.pose = (180.0, 20.0, 90.0)
+        self.watch = PoseWatch()
+
+    def step(self, off=(0.0, 0.0, 0.0)):
+        self.pose = moved(self.pose, self.world.odometry)
+        self.world.time_s += 1.0 / 30.0
+        x, y, heading = (a + b for a, b in zip(self.pose, off))
+        self.world.pose = kelpie.Pose2(position=kelpie.Point2(x=x, y=y), heading_deg=heading)
+        self.watch.update(self.world)
+        return self.watch.doubtful
+
+
+def test_a_walk_is_not_doubted():
+    walk = Walk()
+    assert not any(walk.step() for _ in range(200))
+
+
+@pytest.mark.parametrize('off', [(50.0, 0.0, 0.0), (0.0, -40.0, 0.0), (0.0, 0.0, 60.0)])
+def test_a_jump_is_doubted_until_it_is_taken_back(off):
+    walk = Walk()
+    walk.step()
+    assert [walk.step(off) for _ in range(5)] == [True] * 5
+    assert not walk.step()
+
+
+def test_a_jump_that_lasts_is_believed():
+    walk = Walk()
+    walk.step()
+    doubts = [walk.step((100.0, 50.0, 0.0)) for _ in range(100)]
+    assert doubts == sorted(doubts, reverse=True)
+    assert sum(doubts) == pytest.approx(30 * LONGEST, abs=2)
+
+
+def test_small_corrections_are_not_doubted():
+    walk = Walk()
+    walk.step()
+    assert not any(walk.step((15.0 * math.sin(i), 10.0, 10.0)) for i in range(60))
+
+
+def test_many_small_turns_lead_round():
+    pose = (0.0, 0.0, 0.0)
+    for _ in range(360):
+        pose = moved(pose, kelpie.Odometry(forward=math.radians(10.0), turn_deg=1.0))
+    assert pose[:2] == pytest.approx((0.0, 0.0), abs=1e-9)
+
+
+def test_a_jump_from_a_pose_that_was_not_sure_is_believed():
+    walk = Walk()
+    walk.world.position_sd = 15.0
+    walk.step()
+    assert not walk.step((100.0, 0.0, 0.0))
+
+
+def test_world_of_the_carried_pose_has_the_ball_where_the_robot_sees_it():
+    walk = Walk()
+    for _ in range(3):
+        walk.step()
+    ball = walk.world.ball
+    ball.position = kelpie.Point2(x=150.0, y=90.0)
+    ball.velocity = kelpie.Point2(x=-30.0, y=-100.0)
+    ball.stopping_point = kelpie.Point2(x=140.0, y=-20.0)
+    assert walk.step((120.0, 80.0, 140.0))
+    carried = walk.watch.believed(walk.world)
+    assert (carried.pose.position.x, carried.pose.heading_deg) == pytest.approx(
+        (walk.pose[0], walk.pose[2]))
+    turned = geom.from_field(walk.world.pose, 150.0, 90.0)
+    assert geom.from_field(carried.pose, carried.ball.position.x,
+                           carried.ball.position.y) == pytest.approx(turned)
+    assert carried.ball.distance == ball.distance and carried.field is walk.world.field
+    speed = math.hypot(carried.ball.velocity.x, carried.ball.velocity.y)
+    assert speed == pytest.approx(math.hypot(30.0, 100.0))
+    end = geom.from_field(walk.world.pose, 140.0, -20.0)
+    assert geom.from_field(carried.pose, carried.ball.stopping_point.x,
+                           carried.ball.stopping_point.y) == pytest.approx(end)

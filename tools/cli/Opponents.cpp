@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/cli/Opponents.h"
+
+#include <fmt/core.h>
+
+#include "tools/cli/AgentTalk.h"
+#include "tools/cli/SessionCommands.h"
+
+namespace kelpie::cli {
+
+Expected<Opponents> Opponents::start(const SessionOptions& options, const Workshop& workshop) {
+  Opponents opponents;
+  for (const Opponent& one : options.opponents) {
+    auto process = Process::start(opponentCommand(options, one, workshop), true);
+    if (!process) return Error{process.error()};
+    opponents.all_.push_back(
+        {fmt::format("the opponent {} {}", one.team, one.player), std::move(*process), ""});
+  }
+  return opponents;
+}
+
+void Opponents::hearOne(One& one, const std::function<void(const std::string&)>& tell) {
+  std::string line;
+  while (one.process.readLine(line, 0)) {
+    if (line.compare(0, kComplaintMark.size(), kComplaintMark) == 0)
+      one.complaint = line.substr(kComplaintMark.size());
+    else
+      tell(one.name + ": " + line);
+  }
+}
+
+void Opponents::hear(const std::function<void(const std::string&)>& tell) {
+  for (One& one : all_) hearOne(one, tell);
+}
+
+bool Opponents::failed() {
+  for (One& one : all_) {
+    if (!trouble_.empty()) break;
+    if (!one.process.ended()) continue;
+    hearOne(one, [](const std::string&) {});
+    code_ = one.process.wait();
+    if (code_ == 0) continue;
+    if (code_ >= 128)
+      trouble_ = fmt::format("{} died (signal {})", one.name, code_ - 128);
+    else
+      trouble_ = one.name + ": " + (one.complaint.empty() ? "it gave up" : one.complaint);
+  }
+  return !trouble_.empty();
+}
+
+void Opponents::kill() {
+  for (One& one : all_) one.process.kill();
+}
+
+}  // namespace kelpie::cli

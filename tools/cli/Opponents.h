@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// The other robots of a match as processes: what they say is heard, and one that dies has a name.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "tools/cli/Process.h"
+#include "tools/cli/Session.h"
+#include "tools/cli/Workshop.h"
+
+namespace kelpie::cli {
+
+class Opponents {
+ public:
+  // Starts them all, or none.
+  static Expected<Opponents> start(const SessionOptions& options, const Workshop& workshop);
+
+  // Takes what they have printed; a script's error goes to the user with the robot's name.
+  void hear(const std::function<void(const std::string&)>& tell);
+  // One of them has ended in trouble.
+  bool failed();
+  // "the opponent blue 1 died (signal 9)" or its complaint; empty when none failed.
+  const std::string& trouble() const { return trouble_; }
+  bool badInput() const { return code_ == 2; }
+  bool gaveUp() const { return code_ == 1; }  // as it does when the world is gone
+  void kill();
+
+ private:
+  struct One {
+    std::string name;
+    Process process;
+    std::string complaint;
+  };
+  void hearOne(One& one, const std::function<void(const std::string&)>& tell);
+
+  std::vector<One> all_;
+  std::string trouble_;
+  int code_ = 0;  // of the one in trouble
+};
+
+}  // namespace kelpie::cli

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/cli/SessionCommands.h"
+
+#include "tools/cli/Process.h"
+
+namespace kelpie::cli {
+namespace {
+
+using Words = std::vector<std::string>;
+
+void addEach(const char* option, const Words& values, Words& argv) {
+  for (const auto& value : values) argv.insert(argv.end(), {option, value});
+}
+
+void addUnlessEmpty(const char* option, const std::string& value, Words& argv) {
+  if (!value.empty()) argv.insert(argv.end(), {option, value});
+}
+
+void addStaging(const sim::Staging& staging, Words& argv) {
+  for (const auto& place : staging.places)
+    argv.insert(argv.end(), {"--place", sim::wordsFor(place)});
+  if (staging.ball) argv.insert(argv.end(), {"--ball", sim::wordsFor(*staging.ball)});
+  for (const auto& thrown : staging.throws)
+    argv.insert(argv.end(), {"--throw", sim::wordsFor(thrown)});
+}
+
+// What every agent of a match has in common.
+Words anyAgent(const SessionOptions& options, const std::string& team, std::uint64_t seed,
+               const Workshop& workshop) {
+  Words argv = {programFolder() + "/kelpie-agent",
+                "--socket",
+                workshop.path("world"),
+                "--team",
+                team,
+                "--field",
+                options.field,
+                "--ring",
+                options.ring,
+                "--drop-rate",
+                std::to_string(options.dropRate),
+                "--seed",
+                std::to_string(seed),
+                options.physical ? "--physical" : "--fast"};
+  addUnlessEmpty("--colour-table", options.colourTable, argv);
+  return argv;
+}
+
+}  // namespace
+
+Words worldCommand(const SessionOptions& options, const Workshop& workshop) {
+  Words argv = {programFolder() + "/kelpie-world",
+                "--socket",
+                workshop.path("world"),
+                "--robots",
+                std::to_string(1 + options.opponents.size()),
+                "--seed",
+                std::to_string(options.seed),
+                "--field",
+                options.field,
+                "--scenario",
+                options.scenario,
+                "--seconds",
+                std::to_string(options.seconds),
+                "--goals",
+                std::to_string(options.goals),
+                "--result",
+                workshop.path("result.json"),
+                "--tell-goals",
+                options.physical ? "--physical" : "--fast"};
+  if (options.realTime) argv.push_back("--real-time");
+  if (options.keepsLog()) argv.insert(argv.end(), {"--truth", workshop.path("world.mcap")});
+  for (const auto& artefact : options.artefactsOff) argv.push_back("--no-" + artefact);
+  for (const auto& word : wordsOf(options.unlike)) argv.push_back(word);
+  addStaging(options.staging, argv);
+  return argv;
+}
+
+Words agentCommand(const SessionOptions& options, const Workshop& workshop) {
+  Words argv = anyAgent(options, options.team, options.seed, workshop);
+  argv.push_back("--status");
+  // Plain: it is compressed when it is joined with the world's.
+  if (options.keepsLog())
+    argv.insert(argv.end(), {"--plain-log", "--log", workshop.path("agent.mcap")});
+  if (options.log.empty() && options.keepsLog()) argv.push_back("--no-images");
+  if (options.allImages) argv.push_back("--all-images");
+  addUnlessEmpty("--pycode", options.pycode, argv);
+  addEach("--params", options.params, argv);
+  addEach("--set", options.set, argv);
+  addUnlessEmpty("--driver", options.driver, argv);
+  return argv;
+}
+
+Words opponentCommand(const SessionOptions& options, const Opponent& opponent,
+                      const Workshop& workshop) {
+  Words argv = anyAgent(options, opponent.team, opponent.seed, workshop);
+  argv.insert(argv.end(), {"--player", std::to_string(opponent.player)});
+  addUnlessEmpty("--pycode", opponent.pycode, argv);
+  addEach("--params", opponent.params, argv);
+  addEach("--set", opponent.set, argv);
+  return argv;
+}
+
+}  // namespace kelpie::cli

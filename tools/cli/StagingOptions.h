@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+// --place, --ball and --throw: the same words for play and kelpie-world.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include "tools/sim/Staging.h"
+
+namespace kelpie::cli {
+
+void addStagingOptions(CLI::App& command, sim::StagingWords& staging);
+
+}  // namespace kelpie::cli

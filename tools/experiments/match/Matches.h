@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// Plays many matches, as many at a time as there are cores: a match is processes of its own, so
+// that threads suffice here.
+#pragma once
+
+#include <functional>
+
+#include "tools/cli/Session.h"
+#include "tools/experiments/harness/Trials.h"
+#include "tools/experiments/match/Played.h"
+
+namespace kelpie::experiments {
+
+// A match as the request asks for it: body, unlike world, parameter files; the seed is the trial's.
+cli::SessionOptions sessionOf(const Request& request, const Trial& trial);
+
+// What is played: `count` matches, by their numbers from 0.
+struct Matches {
+  int count = 0;
+  std::function<cli::SessionOptions(int number)> session;
+  // Called for each as it ends, one at a time, in any order. `played` is empty without keepFrames.
+  std::function<void(int number, const cli::SessionResult& result, const Played& played)> judge;
+};
+
+// Error: the seed and the trouble of the first match that broke, or that the user interrupted it.
+Status playMatches(const Request& request, const Matches& matches);
+
+}  // namespace kelpie::experiments

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+// How straight a held ball is shot at the goal (checklist A-6.4.1.3): the robot stands in the far
+// half with the ball just ahead of it and looks anywhere. Aiming by the goal as it is seen beside
+// aiming by the pose, by the same seeds; the first shot that follows a hold counts.
+#include <array>
+#include <cmath>
+
+#include "tools/experiments/skills/Tries.h"
+
+namespace kelpie::experiments {
+namespace {
+
+constexpr double kSeconds = 20.0;    // of a try
+constexpr double kBallAhead = 26.0;  // cm, the nearest place for a ball at the start
+constexpr double kAfterHold = 0.6;   // s in which a shot comes of the hold before it
+
+enum : std::size_t { kBySight, kByPose, kWays };
+
+struct Found {
+  bool shot = false;
+  bool onTarget = false;
+  double errorDeg = 0.0;  // left of the middle of the goal positive
+};
+
+void setUp(const Try& one, cli::SessionOptions& session) {
+  Random random = drawsOf(one);
+  const Pose2 robot{{random.uniform(90.0, 270.0), random.uniform(290.0, 420.0)},
+                    Angle::rad(random.uniform(-maths::kPi, maths::kPi))};
+  session.staging.places = {placed(TeamColour::red, robot)};
+  session.staging.ball = sim::Ball{fieldFromRobot(robot, {0.0, kBallAhead}), {}};
+  session.seconds = kSeconds;
+}
+
+bool comesOfAHold(const Shot& shot, const std::vector<sim::Hold>& holds) {
+  for (const sim::Hold& hold : holds)
+    if (shot.time >= hold.end - kAfterHold && shot.time <= hold.end + kAfterHold) return true;
+  return false;
+}
+
+Found foundIn(const Played& played) {
+  const body::FieldDescription field;
+  const std::vector<sim::Hold> holds = holdsOf(played, TeamColour::red);
+  Found found;
+  for (const Shot& shot : shotsOf(played, TeamColour::red)) {
+    if (!comesOfAHold(shot, holds)) continue;
+    const Point2<Field> goal{field.width / 2.0, field.length};
+    const auto across = crossing(shot, field.length);
+    found.shot = true;
+    found.errorDeg = (shot.direction - headingTo(shot.from, goal)).deg();
+    found.onTarget = across && std::fabs(*across - goal.x) < field.goalWidth / 2.0;
+    break;
+  }
+  return found;
+}
+
+Json figuresOf(const std::vector<Found>& all) {
+  Share shot;
+  Share onTarget;
+  Values errors;
+  Values sizes;
+  for (const Found& found : all) {
+    shot.count(found.shot);
+    if (!found.shot) continue;
+    onTarget.count(found.onTarget);
+    errors.push_back(found.errorDeg);
+    sizes.push_back(std::fabs(found.errorDeg));
+  }
+  return Json{{"shots_rate", shot.value()},
+              {"on_target_rate", onTarget.value()},
+              {"spread_deg", standardDeviation(errors)},
+              {"mean_deg", mean(errors)},
+              {"mean_abs_deg", mean(sizes)},
+              {"median_abs_deg", percentile(sizes, 0.5)}};
+}
+
+Expected<Json> aim(const Request& request) {
+  std::array<std::vector<Found>, kWays> found;
+  for (auto& all : found) all.resize(static_cast<std::size_t>(request.trials));
+  Tries tries;
+  tries.ways = {{"sight", {"behaviour.task.aiming=0"}}, {"pose", {"behaviour.task.aiming=1"}}};
+  tries.each = request.trials;
+  tries.setUp = setUp;
+  tries.judge = [&](const Try& one, const cli::SessionResult&, const Played& played) {
+    found[one.way][static_cast<std::size_t>(one.trial.number)] = foundIn(played);
+  };
+  const Status played = playTries(request, tries);
+  if (!played) return Error{played.error()};
+  return Json{{"sight", figuresOf(found[kBySight])}, {"pose", figuresOf(found[kByPose])}};
+}
+
+const Registration kAim("aim", "shots of a held ball: spread about the goal, by sight and by pose",
+                        {Option::trials, Option::seed, Option::unlike, Option::params,
+                         Option::fast},
+                        40, aim);
+
+}  // namespace
+}  // namespace kelpie::experiments

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a goalie is worth (checklist A-4.3.1.0): the same attacker from the same starts against the
+// goalie of 2006, that of 2004 and an empty goal. Every try begins with the scenario attack of its
+// seed and ends with a goal or after 60 s.
+#include <array>
+#include <cmath>
+
+#include "tools/experiments/skills/Tries.h"
+
+namespace kelpie::experiments {
+namespace {
+
+constexpr double kLimit = 60.0;  // simulated seconds
+constexpr double kSlow = 10.0;   // cm/s towards the goal: up to there nobody has set the ball off
+
+// Ways by number.
+enum : std::size_t { kEmpty, k2006, k2004, kWays };
+
+struct Found {
+  bool scored = false;
+  double seconds = kLimit;
+  int ownGoals = 0;        // of the attacker
+  int keeperOwnGoals = 0;  // goals that the keeper set off itself
+  int keeperFrames = 0;
+  int outsideFrames = 0;  // with its neck base beyond its box
+};
+
+bool outsideBox(const body::FieldDescription& field, Point2<Field> p) {
+  return p.y < field.length - field.boxDepth ||
+         std::fabs(p.x - field.width / 2.0) > field.boxWidth / 2.0;
+}
+
+// Who set off the ball that went into the blue goal: the robot nearest to it when it last did not
+// roll there.
+TeamColour setOffBy(const Played& played) {
+  const auto& all = played.moments;
+  for (std::size_t i = all.size(); i-- > 0;) {
+    if (all[i].truth.ballVelocity.y > kSlow) continue;
+    const auto far = [&](TeamColour team) {
+      return distance(all[i].robot(team).position, all[i].truth.ball);
+    };
+    return far(TeamColour::blue) < far(TeamColour::red) ? TeamColour::blue : TeamColour::red;
+  }
+  return TeamColour::red;
+}
+
+Found foundIn(const cli::SessionResult& result, const Played& played, bool keeper) {
+  static const body::FieldDescription field;
+  Found found;
+  found.scored = !result.goals.empty() && result.goals[0] <= kLimit;
+  if (found.scored) found.seconds = result.goals[0];
+  found.ownGoals = static_cast<int>(result.ownGoals.size());
+  if (!keeper) return found;
+  if (found.scored && setOffBy(played) == TeamColour::blue) found.keeperOwnGoals = 1;
+  for (const PlayedMoment& moment : played.moments) {
+    ++found.keeperFrames;
+    if (outsideBox(field, moment.robot(TeamColour::blue).position)) ++found.outsideFrames;
+  }
+  return found;
+}
+
+Json figuresOf(const std::vector<Found>& all) {
+  Share scored;
+  Values seconds;
+  int ownGoals = 0;
+  int keeperOwnGoals = 0;
+  Share outside;
+  for (const Found& found : all) {
+    scored.count(found.scored);
+    seconds.push_back(found.seconds);
+    ownGoals += found.ownGoals;
+    keeperOwnGoals += found.keeperOwnGoals;
+    outside.add({found.outsideFrames, found.keeperFrames});
+  }
+  return Json{{"goals_rate", scored.value()},
+              {"median_s", percentile(seconds, 0.5)},
+              {"own_goals", ownGoals},
+              {"goalie_own_goals", keeperOwnGoals},
+              {"goalie_outside_box", outside.value()}};
+}
+
+Expected<Json> goalie(const Request& request) {
+  std::array<std::vector<Found>, kWays> found;
+  for (auto& all : found) all.resize(static_cast<std::size_t>(request.trials));
+  Tries tries;
+  tries.ways = {{"empty", {}}, {"goalie", {}}, {"goalie_2004", {}}};
+  tries.each = request.trials;
+  tries.setUp = [](const Try& one, cli::SessionOptions& session) {
+    session.scenario = "attack";
+    session.seconds = kLimit;
+    if (one.way == k2006) addKeeper(behaviour::PlayerKind::goalie, session);
+    if (one.way == k2004) addKeeper(behaviour::PlayerKind::goalie2004, session);
+  };
+  tries.judge = [&](const Try& one, const cli::SessionResult& result, const Played& played) {
+    found[one.way][static_cast<std::size_t>(one.trial.number)] =
+        foundIn(result, played, one.way != kEmpty);
+  };
+  const Status played = playTries(request, tries);
+  if (!played) return Error{played.error()};
+  const Json empty = figuresOf(found[kEmpty]);
+  const Json of2006 = figuresOf(found[k2006]);
+  const Json of2004 = figuresOf(found[k2004]);
+  const double emptyRate = empty["goals_rate"];
+  return Json{{"ratio_to_empty", ratio(of2006["goals_rate"], emptyRate)},
+              {"ratio_2004_to_empty", ratio(of2004["goals_rate"], emptyRate)},
+              {"own_goals", empty["own_goals"].get<int>() + of2006["own_goals"].get<int>() +
+                                of2004["own_goals"].get<int>()},
+              {"goalie_own_goals", of2006["goalie_own_goals"]},
+              {"goalie_outside_box", of2006["goalie_outside_box"]},
+              {"empty", empty},
+              {"goalie", of2006},
+              {"goalie_2004", of2004}};
+}
+
+const Registration kGoalie(
+    "goalie", "one attacker against the goalie of 2006, of 2004 and none: goals within 60 s",
+    {Option::trials, Option::seed, Option::unlike, Option::params, Option::fast}, 50, goalie);
+
+}  // namespace
+}  // namespace kelpie::experiments
