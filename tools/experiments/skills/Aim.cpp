@@ -68,6 +68,7 @@ Json figuresOf(const std::vector<Found>& all) {
   return Json{{"shots_rate", shot.value()},
               {"on_target_rate", onTarget.value()},
               {"spread_deg", standardDeviation(errors)},
+              {"middle_68_deg", 0.5 * (percentile(errors, 0.84) - percentile(errors, 0.16))},
               {"mean_deg", mean(errors)},
               {"mean_abs_deg", mean(sizes)},
               {"median_abs_deg", percentile(sizes, 0.5)}};

@@ -11,12 +11,12 @@
 namespace kelpie::experiments {
 namespace {
 
-constexpr double kThrown = 4.0;   // s: the robot has got up and gone for 2.5 s
-constexpr double kWatched = 2.5;  // s before, in which it must have seen the ball
-constexpr double kWatchedShare = 0.8;
-constexpr double kLimit = 12.0;      // s after the throw
-constexpr double kRightDeg = 10.0;   // a percept that is off by less is the ball
-constexpr double kRightShare = 0.3;  // of the distance
+constexpr double kThrown = 4.0;        // s: the robot has got up and gone for 2.5 s
+constexpr double kWatched = 2.5;       // s before, in which it must have seen the ball
+constexpr double kWatchedShare = 0.5;  // the head looks at landmarks too
+constexpr double kLimit = 12.0;        // s after the throw
+constexpr double kRightDeg = 10.0;     // a percept that is off by less is the ball
+constexpr double kRightShare = 0.3;    // of the distance
 constexpr double kWalked = 85.0;  // cm that it has come by then, for where a robot hides the ball
 constexpr double kBehind = 32.0;  // cm behind the middle of a robot the ball cannot be seen
 

@@ -11,6 +11,7 @@ namespace kelpie::experiments {
 namespace {
 
 constexpr double kLimit = 60.0;  // simulated seconds
+constexpr double kReach = 40.0;  // cm from the neck base, of a kick
 constexpr double kSlow = 10.0;   // cm/s towards the goal: up to there nobody has set the ball off
 
 // Ways by number.
@@ -30,18 +31,18 @@ bool outsideBox(const body::FieldDescription& field, Point2<Field> p) {
          std::fabs(p.x - field.width / 2.0) > field.boxWidth / 2.0;
 }
 
-// Who set off the ball that went into the blue goal: the robot nearest to it when it last did not
-// roll there.
-TeamColour setOffBy(const Played& played) {
+// Whether the keeper itself set off the ball that went into its goal: when the ball last did not
+// roll there, it was the nearer one and the attacker out of reach.
+bool setOffByKeeper(const Played& played) {
   const auto& all = played.moments;
   for (std::size_t i = all.size(); i-- > 0;) {
     if (all[i].truth.ballVelocity.y > kSlow) continue;
     const auto far = [&](TeamColour team) {
       return distance(all[i].robot(team).position, all[i].truth.ball);
     };
-    return far(TeamColour::blue) < far(TeamColour::red) ? TeamColour::blue : TeamColour::red;
+    return far(TeamColour::blue) < far(TeamColour::red) && far(TeamColour::red) > kReach;
   }
-  return TeamColour::red;
+  return false;
 }
 
 Found foundIn(const cli::SessionResult& result, const Played& played, bool keeper) {
@@ -51,7 +52,7 @@ Found foundIn(const cli::SessionResult& result, const Played& played, bool keepe
   if (found.scored) found.seconds = result.goals[0];
   found.ownGoals = static_cast<int>(result.ownGoals.size());
   if (!keeper) return found;
-  if (found.scored && setOffBy(played) == TeamColour::blue) found.keeperOwnGoals = 1;
+  if (found.scored && setOffByKeeper(played)) found.keeperOwnGoals = 1;
   for (const PlayedMoment& moment : played.moments) {
     ++found.keeperFrames;
     if (outsideBox(field, moment.robot(TeamColour::blue).position)) ++found.outsideFrames;
@@ -59,13 +60,18 @@ Found foundIn(const cli::SessionResult& result, const Played& played, bool keepe
   return found;
 }
 
-Json figuresOf(const std::vector<Found>& all) {
+Json figuresOf(const Request& request, const std::vector<Found>& all) {
+  Json goals = Json::array();
+  Json keeperOwn = Json::array();
   Share scored;
   Values seconds;
   int ownGoals = 0;
   int keeperOwnGoals = 0;
   Share outside;
-  for (const Found& found : all) {
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const Found& found = all[i];
+    if (found.scored) goals.push_back(request.seed + i);
+    if (found.keeperOwnGoals > 0) keeperOwn.push_back(request.seed + i);
     scored.count(found.scored);
     seconds.push_back(found.seconds);
     ownGoals += found.ownGoals;
@@ -76,7 +82,9 @@ Json figuresOf(const std::vector<Found>& all) {
               {"median_s", percentile(seconds, 0.5)},
               {"own_goals", ownGoals},
               {"goalie_own_goals", keeperOwnGoals},
-              {"goalie_outside_box", outside.value()}};
+              {"goalie_outside_box", outside.value()},
+              {"seeds_with_goal", goals},
+              {"seeds_with_goalie_own_goal", keeperOwn}};
 }
 
 Expected<Json> goalie(const Request& request) {
@@ -97,9 +105,9 @@ Expected<Json> goalie(const Request& request) {
   };
   const Status played = playTries(request, tries);
   if (!played) return Error{played.error()};
-  const Json empty = figuresOf(found[kEmpty]);
-  const Json of2006 = figuresOf(found[k2006]);
-  const Json of2004 = figuresOf(found[k2004]);
+  const Json empty = figuresOf(request, found[kEmpty]);
+  const Json of2006 = figuresOf(request, found[k2006]);
+  const Json of2004 = figuresOf(request, found[k2004]);
   const double emptyRate = empty["goals_rate"];
   return Json{{"ratio_to_empty", ratio(of2006["goals_rate"], emptyRate)},
               {"ratio_2004_to_empty", ratio(of2004["goals_rate"], emptyRate)},

@@ -12,8 +12,8 @@ namespace {
 
 constexpr double kThrown = 2.5;      // s: the robot has got up and begun to walk
 constexpr double kAfter = 6.0;       // s after the throw that a try goes on
-constexpr double kToLine = 55.0;     // cm from the robot to the side line beside it
-constexpr double kBeforeEnd = 0.8;   // of its whole way a ball has gone when it leaves
+constexpr double kToLine = 40.0;     // cm from the robot to the side line beside it
+constexpr double kBeforeEnd = 0.9;   // of its whole way a ball has gone when it leaves
 constexpr double kReach = 15.0;      // cm ahead of the neck base
 constexpr double kReachAside = 8.0;  // cm
 constexpr double kSlowest = 20.0;    // cm/s
@@ -49,7 +49,7 @@ void setUp(const Try& one, int trials, cli::SessionOptions& session) {
   const double speed = speedOf(one, trials, random);
   const double path = kBeforeEnd * wayOf(speed);
   const Angle slant = Angle::deg(random.uniform(0.0, 35.0));  // towards the robot
-  const double ahead = random.uniform(15.0, 40.0);            // where it crosses the line
+  const double ahead = random.uniform(20.0, 45.0);            // where it crosses the line
   const maths::SinCos way = slant.sinCos();
   const Point2<Field> start{side * (kToLine - path * way.cos), ahead + path * way.sin};
   session.staging.places = {placed(TeamColour::red, robot)};
