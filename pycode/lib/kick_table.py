@@ -18,6 +18,7 @@ RIGHT_OF = {left: right for right, left in LEFT_OF.items()}
 NOTHING = (0.0, 0.0, 0.0, 0.0, 0.0)
 BALL_RADIUS = 4.2   # cm
 SD_FLOOR = 2.0      # deg, and cm: no kick is surer than that
+TAIL = 3.5          # sd: what lies farther off, 0.05 %, is left out
 SLICE = 6.0         # deg of direction over which the way to the goal line changes little
 
 
@@ -66,7 +67,7 @@ def outcome(kick, x, y, walking=False) -> Outcome | None:
 def held_outcome(kick) -> Outcome | None:
     """Of a ball in the hold; None for a kick that is not made from there."""
     data = kick_map.HELD.get(LEFT_OF.get(kick, kick))
-    return data and _mirrored(_mean(((1.0, data['whole']),)), _side(kick))
+    return data and _measured(data['whole'], _side(kick))
 
 
 def best_place(kick, walking=False) -> Point:
@@ -84,7 +85,7 @@ def window(kick, walking=False) -> tuple:
 
 def window_outcome(kick, walking=False) -> Outcome:
     """Of a free ball that lies anywhere in the kick's window."""
-    return _mirrored(_mean(((1.0, _data(kick, False, walking)['whole']),)), _side(kick))
+    return _measured(_data(kick, False, walking)['whole'], _side(kick))
 
 
 def frames(kick, held=False) -> int:
@@ -123,19 +124,36 @@ def chance_of_goal(pose, ball, outcome, field, gap=None, blocked=(), heading_sd=
     pose: of the robot as it kicks, heading_sd of it in degrees. gap: the only directions that are
     free, (low, high) in degrees left of ahead; None: all. blocked: directions that are not, a list
     of such pairs, of opponents and the goalie. The ball has to get over the line as a whole."""
-    chance, direction, sd = outcome[:3]
-    aimed = (chance, direction, math.hypot(sd, heading_sd)) + outcome[3:]
+    chance, direction, sd, distance, distance_sd = outcome
+    sd = max(math.hypot(sd, heading_sd), SD_FLOOR)
     to_line = max(field.length + BALL_RADIUS - ball[1], BALL_RADIUS)
-    sum_of_chances = 0.0
+    if to_line > distance + TAIL * max(distance_sd, SD_FLOOR):
+        return 0.0  # in most of the field, and at once
+    heading = pose.heading_deg + direction
+    total = 0.0
     for low, high in _free(_mouth(pose, ball, field), gap, blocked):
-        count = max(1, math.ceil((high - low) / SLICE))
-        step = (high - low) / count
-        for i in range(count):
-            start = low + i * step
-            up_field = polar(1.0, start + 0.5 * step + pose.heading_deg - 90.0)[1]
-            sum_of_chances += (chance_between(aimed, start, start + step) *
-                               chance_of_rolling(aimed, to_line / max(up_field, 1e-3)))
-    return sum_of_chances
+        middle = wrap(0.5 * (low + high) - direction)
+        start = max(middle - 0.5 * (high - low), -TAIL * sd)
+        end = min(middle + 0.5 * (high - low), TAIL * sd)
+        if start < end:
+            total += _chance_over_line(outcome, sd, to_line, heading, (start, end))
+    return chance * total
+
+
+def _chance_over_line(outcome, sd, to_line, heading, between) -> float:
+    """That a ball goes between two directions, told from the mean one, and rolls as far as the line
+    is in each; heading: the mean one on the field."""
+    start, end = between
+    count = math.ceil((end - start) / SLICE)
+    step = (end - start) / count
+    total, before = 0.0, _normal(start / sd)
+    for i in range(count):
+        up_field = math.sin(math.radians(heading + start + (i + 0.5) * step))
+        upto = _normal((start + (i + 1) * step) / sd)
+        if up_field > 0.0:
+            total += (upto - before) * chance_of_rolling(outcome, to_line / up_field)
+        before = upto
+    return total
 
 
 def _side(kick) -> float:
@@ -170,6 +188,11 @@ def _mean(weighted) -> Outcome:
     means = [sum(weight * cell[0] * cell[i] for weight, cell in weighted) / chance
              for i in range(1, 5)]
     return (min(0.01 * chance, 1.0), *means)
+
+
+def _measured(cell, side) -> Outcome:
+    """As the map has it, where a chance is in percent and falls are told too."""
+    return 0.01 * cell[0], side * cell[1], cell[2], cell[3], cell[4]
 
 
 def _mirrored(outcome, side) -> Outcome:

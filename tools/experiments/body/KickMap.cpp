@@ -4,6 +4,7 @@
 // that stands, and by one that walks until it kicks. What the map says against what happens.
 #include <cmath>
 #include <fstream>
+#include <mutex>
 #include <sstream>
 
 #include "robot/core/Random.h"
@@ -84,7 +85,10 @@ class Judge {
     });
     addJobs();
     std::vector<std::optional<Told>> all(jobs_.size());
-    host::onCores(jobs_.size(), [&](std::size_t i) { all[i] = run(jobs_[i]); });
+    host::onCores(jobs_.size(), [&](std::size_t i) {
+      all[i] = run(jobs_[i]);
+      tell();
+    });
     Json json;
     for (const learn::KickGrid& grid : map_)
       json[nameOf(grid)] =
@@ -97,6 +101,13 @@ class Judge {
   }
 
  private:
+  // In trials: each is a share of the kicks.
+  void tell() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    const std::size_t done = ++done_ * models_.size() / jobs_.size();
+    if (request_.progress) request_.progress(static_cast<int>(done), request_.trials);
+  }
+
   static std::string nameOf(const learn::KickGrid& grid) {
     constexpr std::array<const char*, learn::kKickFroms> kFroms{"_standing", "_walking", "_held"};
     return std::string(actuator::kMotionNames[static_cast<std::size_t>(grid.motion)]) +
@@ -248,6 +259,8 @@ class Judge {
   std::vector<sim::PhysicsParams> models_;
   std::vector<learn::KickStart> standing_;
   std::vector<Job> jobs_;
+  std::mutex mutex_;
+  std::size_t done_ = 0;
 };
 
 Expected<Json> kickMap(const Request& request) {
