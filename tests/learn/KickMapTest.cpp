@@ -67,7 +67,10 @@ TEST(KickMap, LearntTwiceIsTheSameAndOfAnotherSeedAnother) {
 }
 
 TEST(KickMap, SaysThatASwipeToTheLeftGoesLeftAndAHeldKickAhead) {
-  const KickMap map = learnKickMap(tinyPlan(), goOn);
+  KickMapPlan plan = tinyPlan();
+  plan.step = 2.0;
+  plan.trials = 3;
+  const KickMap map = learnKickMap(plan, goOn);
   int checked = 0;
   for (const KickGrid& grid : map) {
     const KickCell& whole = grid.window.whole;
@@ -78,7 +81,7 @@ TEST(KickMap, SaysThatASwipeToTheLeftGoesLeftAndAHeldKickAhead) {
     } else {
       continue;
     }
-    EXPECT_EQ(whole.went, 1.0);
+    EXPECT_GT(whole.went, 0.6);
     ++checked;
   }
   EXPECT_EQ(checked, 5);
@@ -102,10 +105,12 @@ TEST(KickMap, BallInsideTheRobotDoesNotCount) {
 }
 
 TEST(KickMap, IsEmptyWhenItWasInterrupted) {
-  int told = 0;
-  const auto stop = [&](std::size_t, std::size_t) { return ++told < 3; };
-  EXPECT_TRUE(learnKickMap(tinyPlan(), stop).empty());
-  EXPECT_LT(told, 10);
+  for (const int after : {3, 20}) {
+    int told = 0;
+    const auto stop = [&](std::size_t, std::size_t) { return ++told < after; };
+    EXPECT_TRUE(learnKickMap(tinyPlan(), stop).empty());
+    EXPECT_LT(told, after + 20);
+  }
 }
 
 TEST(KickMap, WalkingRobotHasTheBallWhereItShallBeAsTheMotionBegins) {

@@ -85,13 +85,13 @@ class Learner {
       : plan_(plan), told_(told), map_(emptyMap(plan)), seed_(firstModelOf(plan)) {}
 
   KickMap learn() {
-    makeStarts();
     const std::vector<Job> jobs = allJobs();
+    makeStarts(jobs.size());
     std::vector<KickRun> runs(jobs.size());
     host::onCores(jobs.size(), [&](std::size_t i) {
       if (!goesOn_) return;
       runs[i] = run(jobs[i], i);
-      tell(jobs.size());
+      tell(1, jobs.size());
     });
     if (!goesOn_) return {};
     for (std::size_t g = 0; g < map_.size(); ++g) sumUp(g, jobs, runs);
@@ -99,7 +99,7 @@ class Learner {
   }
 
  private:
-  void makeStarts() {
+  void makeStarts(std::size_t jobs) {
     const auto models = variedModels(seed_, plan_.trials, kPhysicsStep);
     KickAim hold;
     hold.held = true;
@@ -114,6 +114,8 @@ class Learner {
     s.walking.resize(count);
     s.walks.resize(count);
     host::onCores(count, [&](std::size_t i) {
+      tell(0, jobs);
+      if (!goesOn_) return;
       Random random(seed_ + i);
       const LastSteps last = drawLastSteps(random);
       s.holding[i] = beforeKick(hold, models[i % models.size()], seed_ + i);
@@ -126,7 +128,7 @@ class Learner {
     std::vector<Job> jobs;
     for (std::size_t g = 0; g < map_.size(); ++g) {
       const bool held = map_[g].from == KickFrom::hold;
-      const std::size_t trials = (held ? starts_.holding : starts_.standing).size();
+      const auto trials = static_cast<std::size_t>(plan_.trials * (held ? kStarts : 1));
       for (std::size_t cell = 0; cell < map_[g].cells.size(); ++cell)
         for (std::size_t trial = 0; trial < trials; ++trial) jobs.push_back({g, cell, trial});
     }
@@ -151,9 +153,10 @@ class Learner {
     return kickInStep(place, grid.motion, starts_.walking[start], starts_.walks[start]);
   }
 
-  void tell(std::size_t all) {
+  void tell(std::size_t more, std::size_t all) {
     const std::lock_guard<std::mutex> lock(mutex_);
-    if (!told_(++done_, all)) goesOn_ = false;
+    done_ += more;
+    if (!told_(done_, all)) goesOn_ = false;
   }
 
   void sumUp(std::size_t g, const std::vector<Job>& jobs, const std::vector<KickRun>& runs) {
