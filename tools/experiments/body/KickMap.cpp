@@ -42,6 +42,7 @@ struct Told {
 struct KickRow {
   MotionKind motion = MotionKind::none;
   std::int32_t from = 0;
+  std::int32_t model = 0;  // its seed
   double x = 0.0;
   double y = 0.0;
   double forward = 0.0;
@@ -56,12 +57,12 @@ struct KickRow {
   static constexpr auto fields() {
     using P = KickRow;
     return fieldList(
-        field("motion", &P::motion), field("from", &P::from), field("x_cm", &P::x, "cm"),
-        field("y_cm", &P::y, "cm"), field("forward_cm_s", &P::forward, "cm/s"),
-        field("left_cm_s", &P::left, "cm/s"), field("turn_deg_s", &P::turn, "rad"),
-        field("chance", &P::chance), field("said_deg", &P::saidDirection, "rad"),
-        field("said_cm", &P::saidDistance, "cm"), field("direction_deg", &P::direction, "rad"),
-        field("distance_cm", &P::distance, "cm"));
+        field("motion", &P::motion), field("from", &P::from), field("model", &P::model),
+        field("x_cm", &P::x, "cm"), field("y_cm", &P::y, "cm"),
+        field("forward_cm_s", &P::forward, "cm/s"), field("left_cm_s", &P::left, "cm/s"),
+        field("turn_deg_s", &P::turn, "rad"), field("chance", &P::chance),
+        field("said_deg", &P::saidDirection, "rad"), field("said_cm", &P::saidDistance, "cm"),
+        field("direction_deg", &P::direction, "rad"), field("distance_cm", &P::distance, "cm"));
   }
 };
 
@@ -179,9 +180,10 @@ class Judge {
       const Job& job = jobs_[i];
       const auto& [said, kicked, place, walk] = *all[i];
       table.add({job.right ? learn::mirrored(job.grid->motion) : job.grid->motion,
-                 static_cast<std::int32_t>(job.grid->from), place.x, place.y, walk.forward,
-                 walk.left, Angle::rad(walk.turn), said.went, said.direction, said.distance,
-                 kicked.direction, kicked.distance});
+                 static_cast<std::int32_t>(job.grid->from),
+                 static_cast<std::int32_t>(request_.seed + kUnseen + job.model), place.x, place.y,
+                 walk.forward, walk.left, Angle::rad(walk.turn), said.went, said.direction,
+                 said.distance, kicked.direction, kicked.distance});
     }
   }
 
