@@ -6,6 +6,7 @@
 # the map where a robot's kicks differ from it.
 import math
 
+import kelpie
 from lib import kick_table
 from lib.aim import mouth, size
 from lib.geom import wrap
@@ -18,6 +19,8 @@ FALL_OFF = 650.0       # cm away, about the field's diagonal
 OUT = 0.5              # share of that worth which a ball out of the field keeps
 OWN_END = 45.0         # cm from the own goal line: a ball that goes there is worth
 OWN_END_WORTH = -0.5   # so much, since it may be an own goal
+BESIDE = 30.0          # deg
+AHEAD = (kelpie.HARD_FORWARD, kelpie.WEDGE)
 HELD_AHEAD = 8.0       # cm from the neck to a held ball
 
 
@@ -26,9 +29,11 @@ def choose(world, dribble, overdue) -> tuple | None:
     gap = dribble.aim.gap or mouth(world)
     if gap is None and not overdue:
         return None
-    worth, kick = best(world, gap, 0.0)
-    turn = wrap(0.5 * (gap[0] + gap[1])) if gap is not None else 0.0
-    aimed = best(world, gap, turn)[0]
+    middle = wrap(0.5 * (gap[0] + gap[1])) if gap is not None else 0.0
+    worth, kick = best(world, gap, middle)
+    if worth <= 0.0 and not overdue:
+        return None
+    aimed = max(worth_of(world, one, gap, middle) for one in AHEAD)
     if overdue:
         return kick, 'out of time; worth {} of {} aimed', worth, aimed
     nearly = STILL_GOOD if dribble.standing else NEARLY
@@ -37,9 +42,15 @@ def choose(world, dribble, overdue) -> tuple | None:
     return kick, 'worth {}, {} aimed; gap of {} deg', worth, aimed, size(gap)
 
 
-def best(world, gap, turn) -> tuple:
-    """(worth, kick) for a robot that had turned by so many deg on the spot."""
-    return max((worth_of(world, kick, gap, turn), kick) for kick in kick_table.kicks(True))
+def best(world, gap, middle) -> tuple:
+    """(worth, kick) for how the robot stands; kicks that send the ball far beside the gap's middle
+    are worth nothing, which spares the robot their sums."""
+    worths = [(0.0, kelpie.HARD_FORWARD)]
+    for kick in kick_table.kicks(True):
+        direction = kick_table.held_outcome(kick)[1]
+        if abs(wrap(direction - middle)) < BESIDE:
+            worths.append((worth_of(world, kick, gap, 0.0), kick))
+    return max(worths)
 
 
 def worth_of(world, kick, gap, turn) -> float:
@@ -66,10 +77,6 @@ def worth_of_way(world, ball, way, outcome, gap=None) -> float:
     if y < OWN_END:
         near = OWN_END_WORTH
     return goal + (1.0 - goal) * chance * near
-
-
-def held_outcomes() -> list:
-    return [kick_table.held_outcome(kick) for kick in kick_table.kicks(True)]
 
 
 def held_ball(world):

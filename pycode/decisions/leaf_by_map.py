@@ -2,19 +2,21 @@
 # Whether the leaf of the decision tree is what the kick map would do too: each kick of a free ball
 # for how the robot comes to it, against a grab and the aimed kick that follows, by what the ball is
 # worth afterwards (decisions/kick_map_choice.py) less what the time costs. Only for a ball that
-# nobody contests; there the tree knows more. Keeps nothing. Where the map is used the tree's strikes
+# nobody contests; there the tree knows more. Where the map is used the tree's strikes
 # from an edge, of which every second one left the field, are grabs.
 import math
 
 import kelpie
 from decisions import tree
-from decisions.kick_map_choice import held_outcomes, worth_of_way
+from decisions.kick_map_choice import AHEAD, worth_of_way
 from lib import kick_table
 from lib.geom import wrap
 
 FREE = {tree.UPENN_LEFT: kelpie.UPENN_LEFT, tree.UPENN_RIGHT: kelpie.UPENN_RIGHT,
         tree.HEAD_LEFT: kelpie.HEAD_SWIPE_LEFT, tree.HEAD_RIGHT: kelpie.HEAD_SWIPE_RIGHT,
         tree.KICK_AHEAD: kelpie.KICK_FORWARD}
+GRAB = 'grab'
+WAYS = (GRAB, *FREE)
 SECOND = 0.02          # worth of a second: a kick of 170 cm takes 7 s, the walk after it counted
 KEEP = 0.04            # worth by which another leaf must be better than the one that is played
 GRAB_S = 1.3           # grab, feel, stand, kick
@@ -23,21 +25,37 @@ FREE_S = 0.6           # steps to the ball's place
 LINE = 35.0            # cm before the goal line, between the posts: the ball is run in
 
 
-def choose(world, situation, leaf, played=None) -> tuple:
-    """(leaf, reason, *numbers); the tree's own leaf where the map has nothing better. `played`:
-    the leaf of the frame before."""
-    if situation.contested or run_in(world, situation, leaf):
-        return leaf, 'as the tree says'
-    way = wrap(world.pose.heading_deg + situation.ball_bearing)
-    grab = grab_worth(world, situation, way)
-    free, kick = max((free_worth(world, situation, kick, way) + (KEEP if kick == played else 0.0),
-                      kick) for kick in FREE)
-    if free > grab + (KEEP if played in tree.WITH_GRAB else 0.0):
-        return kick, 'worth {} at once, {} with a grab', free, grab
-    if leaf in tree.WITH_GRAB:
+class LeafByMap:
+    """Keeps what each way to play the ball was worth when it was last worked out: one of them in a
+    frame, for all of them are a third of what the robot can spend on its behaviours."""
+
+    def __init__(self):
+        self.worths = {}
+        self.next = 0
+
+    def choose(self, world, situation, leaf, played=None) -> tuple:
+        """(leaf, reason, *numbers); the tree's own leaf where the map has nothing better. `played`:
+        the leaf of the frame before."""
+        if situation.contested or run_in(world, situation, leaf):
+            return leaf, 'as the tree says'
+        self.update(world, situation)
+        grab = self.worths[GRAB] + (KEEP if played in tree.WITH_GRAB else 0.0)
+        free, kick = max((worth + (KEEP if way == played else 0.0), way)
+                         for way, worth in self.worths.items() if way != GRAB)
+        if free > grab:
+            return kick, 'worth {} at once, {} with a grab', free, grab
+        if leaf not in tree.WITH_GRAB:
+            leaf = tree.decide(situation, tree.with_grab(situation.zone))[0]
         return leaf, 'worth {} with a grab, {} at once', grab, free
-    region = tree.with_grab(situation.zone)
-    return (tree.decide(situation, region)[0], 'worth {} with a grab, {} at once', grab, free)
+
+    def update(self, world, situation):
+        """All ways at first, then one after the other."""
+        way = wrap(world.pose.heading_deg + situation.ball_bearing)
+        due = WAYS if not self.worths else WAYS[self.next:self.next + 1]
+        self.next = (self.next + 1) % len(WAYS)
+        for name in due:
+            self.worths[name] = (grab_worth(world, situation, way) if name == GRAB
+                                 else free_worth(world, situation, name, way))
 
 
 def run_in(world, situation, leaf) -> bool:
@@ -57,6 +75,5 @@ def grab_worth(world, situation, way) -> float:
     ball = situation.ball
     goal = math.degrees(math.atan2(world.field.length - ball[1],
                                    0.5 * world.field.width - ball[0]))
-    worth = max(worth_of_way(world, ball, goal - outcome[1], outcome)
-                for outcome in held_outcomes())
+    worth = max(worth_of_way(world, ball, goal, kick_table.held_outcome(kick)) for kick in AHEAD)
     return worth - SECOND * (GRAB_S + TURN_S * abs(wrap(goal - way)))

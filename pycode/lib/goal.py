@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Keeps where the opponent goal is in the robot frame: as last seen, carried along by odometry for
-# Goal.FRESH seconds, else from the pose if that is good. None when neither is. Fails after a slip
+# Goal.FRESH seconds, else from the pose if that is good, None when neither is; and when a skill
+# looked for it. Fails after a slip
 # that odometry does not report: a carried goal is then wrong until it is seen again.
 import kelpie
 from lib.geom import Point, from_field, moved, polar
@@ -16,6 +17,7 @@ class OpponentGoal:
     def __init__(self):
         self.point = None       # as last seen, moved on since
         self.seen_s = NEVER_S
+        self.looked_s = NEVER_S  # when a skill last stood still to look for it
 
     def update(self, world):
         """Takes one frame's odometry and percepts; to be called in every frame."""

@@ -14,8 +14,11 @@ BELIEF_FRAMES = 26       # fewer unseen frames: the estimate tells where it is
 HINT_FRAMES = 15         # a hint holds that long (facts-2005 section 7.1)
 SCAN_FRAMES = 30         # 1 s
 BACK_OFF_WITHIN = 40.0   # cm
+LEFT_FRAMES = 60         # since a hint farther than that or so far aside: the ball was sent away
+LEFT_ASIDE = 20.0        # deg
 BACK_OFF_FRAMES = 45     # a wall behind, or a ball that rolls after us, must not hold it for ever
-IR_NEAR = 12.0           # cm; the carpet, the head as far down as it goes, reads 14
+IR_NEAR = 12.0           # cm; the carpet, the head as far down as it looks, reads 14
+LOW_NECK = -34.0         # deg; a neck that holds a ball is lower, and the carpet as near
 IR_FRAMES = 66           # since the ball was close (scan threshold of facts-2005 section 7.1)
 SPIN_TURN = 360.0        # deg by odometry; then somewhere else is looked
 # Frames in which the image shows the place where the ball is believed, and no ball: it is not there
@@ -36,7 +39,7 @@ class Situation:
     """What the steps decide on. Counts are frames, lengths cm."""
 
     __slots__ = ('frame', 'lost', 'force_until', 'hint_frame', 'ir', 'close_lost', 'blocking',
-                 'believed', 'distance', 'backed', 'scanned', 'reach', 'turned', 'unseen')
+                 'believed', 'distance', 'left', 'backed', 'scanned', 'reach', 'turned', 'unseen')
 
     def __init__(self, **given):
         self.frame = 0
@@ -48,6 +51,7 @@ class Situation:
         self.blocking = False      # a block runs
         self.believed = False      # gps has an estimate of the ball that no image refuted
         self.distance = math.inf   # to it
+        self.left = False          # a skill told that it went away
         self.backed = 0            # frames that it stepped back
         self.scanned = 0           # frames that it scanned
         self.reach = MOST_SCAN     # deg of the pan that a scan would cover
@@ -55,6 +59,12 @@ class Situation:
         self.unseen = 36           # sectors around it that no image showed
         for name, value in given.items():
             setattr(self, name, value)
+
+
+def sent_away(hint, frame) -> bool:
+    """Whether a hint (distance, heading, frame) says that the ball left the feet a moment ago."""
+    return (hint is not None and frame - hint[2] < LEFT_FRAMES
+            and (hint[0] > BACK_OFF_WITHIN or abs(hint[1]) > LEFT_ASIDE))
 
 
 def use_forced(now) -> bool:
@@ -80,7 +90,7 @@ def use_belief(now) -> bool:
 
 
 def use_back_off(now) -> bool:
-    return (now.believed and now.distance < BACK_OFF_WITHIN
+    return (now.believed and now.distance < BACK_OFF_WITHIN and not now.left
             and now.backed < BACK_OFF_FRAMES)
 
 

@@ -12,12 +12,15 @@ JUMP_CM, JUMP_DEG = 35.0, 35.0
 BACK_CM, BACK_DEG = 20.0, 20.0   # so near to the carried pose it is right again
 SURE_CM, SURE_DEG = 8.0, 6.0     # sd; from a pose less sure than that a jump may be the truth
 LONGEST = 2.5                    # s
+SETTLES = 0.7                    # s
 
 
 class PoseWatch:
     def __init__(self):
         self.carried = None     # x, y, heading in deg
         self.sure = False       # of the pose before the jump
+        self.gave_in = False    # in this frame, to a jump that lasted
+        self.ended_s = -math.inf  # the last doubt
         self.since_s = None     # when the doubt began; None without one
 
     def update(self, world):
@@ -28,9 +31,11 @@ class PoseWatch:
         away, aside = apart(self.carried, told(world))
         if self.since_s is None and self.sure and (away > JUMP_CM or aside > JUMP_DEG):
             self.since_s = world.time_s
+        self.gave_in = False
         right = away < BACK_CM and aside < BACK_DEG
         if self.since_s is not None and (right or world.time_s - self.since_s > LONGEST):
-            self.since_s = None
+            self.since_s, self.gave_in = None, not right
+            self.ended_s = world.time_s
         if self.since_s is None:
             self.carried = told(world)
             self.sure = world.position_sd < SURE_CM and world.heading_sd_deg < SURE_DEG
@@ -38,6 +43,10 @@ class PoseWatch:
     @property
     def doubtful(self) -> bool:
         return self.since_s is not None
+
+    def settled(self, world) -> bool:
+        """Whether the pose is good enough to walk by: one jump is often followed by others."""
+        return not self.doubtful and world.time_s - self.ended_s > SETTLES
 
     def believed(self, world):
         """The world, or in doubt the one of the carried pose."""

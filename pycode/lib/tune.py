@@ -4,18 +4,6 @@
 # is given.
 
 
-class Search:
-    BACK_OFF_NEAR = 35.0     # a ball lost nearer than this is at the feet: step back first
-    BACK_OFF_SPEED = -12.0
-    BACK_OFF_TIME = 1.2
-    SCAN_TIME = 2.0          # with the head only; then turn on the spot
-    TURN_SPEED = 50.0
-    TURN_TIME = 7.5          # once round
-    ROAM_SPEED = 22.0
-    ROAM_TIME = 9.0
-    ROAM_NEAR = 30.0
-
-
 class Approach:
     SLOW_DOWN = 45.0         # distance from which the speed falls
     SPEED = 34.0
@@ -68,7 +56,6 @@ class Strike:
 class Kick:
     START_TIME = 1.5         # for the motion to begin
     TIME = 5.0
-    LOOK_AFTER = 1.0         # the ball rolls away ahead: look there that long
     LOOK_DOWN = 20.0         # pitch of the view below the horizontal while kicking
     LOOK_AHEAD = 12.0        # and after it
 
@@ -79,7 +66,6 @@ class Watch:
     SCAN_PERIOD = 2.4        # one sweep there and back
     SCAN_LOW = -32.0         # pitch of the view, sweeps alternate between the two
     SCAN_HIGH = -12.0
-    SPIN_PAN = 15.0          # a small sweep, ahead of the turn, while turning on the spot
     GLANCE_EVERY = 2.5
     GLANCE_TIME = 0.7
     # Only while the ball is farther than this: around it, too. Blind until the kick, 6 s, the
@@ -96,11 +82,6 @@ class Goal:
     POSE_FRESH = 15.0        # neither do those without a landmark for so long
     SWEEP = 2.6              # look for it that long before playing without
     REGAIN = 1.0             # then look for the ball again that long
-
-
-class Stuck:
-    STEP_BACK = 1.0          # after a skill ran out of time
-    SPEED = -12.0
 
 
 class Look:

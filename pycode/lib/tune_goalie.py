@@ -17,8 +17,9 @@ class Guard:
     LAZY, ACCURATE = 8.0, 3.0          # cm; of the goalie of 2006, after facts-2005 7.2 and K10
     LAZY_TURN, ACCURATE_TURN = 14.0, 5.0
     FRESH = 0.4              # s; for a ball unseen for longer the goalie stands still,
+    SEARCH_TURN = 110.0      # deg/s to the side where a near ball was lost,
     CHIN, BACK_OFF = 16.0, -15.0  # or back from one that was so near, at that speed,
-    UNSEEN = 1.2             # then goes to the middle,
+    UNSEEN = 1.6             # then goes to the middle, when the head has looked low all round,
     LOST = 4.0               # then to the line: the head sees 26 deg past the sides
 
 
@@ -44,6 +45,7 @@ class Block:
     SEEN = 0.12              # a ball unseen for longer is not judged
     FRAMES = 2               # in a row that say so
     FASTEST = 240.0          # cm/s; kicks go 2.2 m, which takes 190. What is faster was lost and
+    MOVED = 0.4              # of the way that the velocity says, in each of those frames
     SEEN_FRAMES = 4          # found elsewhere: a ball is judged when seen that often in a row
 
 
@@ -79,8 +81,11 @@ class Attack:
 
 class Clear:
     OFF_GOAL, SDS = 25.0, 3.0  # deg, and sd of a kick's direction, from the own goal's cone
-    SEEN = 0.6               # s; the chin hides a near ball
+    SEEN = 0.2               # s; of kicks at balls unseen for longer hardly one hit
+    STANDS = 0.35            # s after a motion: the ball seen by a robot that lies or gets up is up
+                             # to 8 cm off, and the kick misses
     NEAR = 25.0              # cm; no kick reaches farther
+    BESIDE, FARTHEST = 2.0, 16.0  # cm about a kick's window, and ahead
     LATENCY = 0.05, 0.2      # s from asking to the motion's beginning, at least and at most
     WORTH = 0.45             # of a kick that is done as the ball lies
     LOOK = 80.0              # cm after which the head looks for the ball
@@ -114,7 +119,8 @@ class Look:
     TIME = 0.3
     SURVEY, SURVEY_TIME, SURVEY_DOWN = (75.0, 25.0, -25.0, -75.0), 0.26, 6.0  # pan, s, deg down
     STEADY = 0.7             # s of tracking before a glance
-    FAR = 60.0               # the ball; nearer it is not left alone
+    FAR = 60.0               # cm to the ball; nearer it is not left alone,
+    FAR_SURE = 120.0         # nor here while the pose is sure: from 100 cm the attacker shoots
     FAR_ELLIPSE = 25.0       # thesis 2004 section 4.2.3
     STILL = 15.0             # cm/s of the ball towards the goal
     FRONT = 45.0             # deg of pan in every second glance; the near beacons are at 60
@@ -126,7 +132,7 @@ class Look:
 class PointScan:
     BEACON = 0.22            # s; the head pans 33 deg in 0.1 s, then three images
     LOW = 0.26               # 44 deg
-    NEAR_TIME = 0.3
+    NEAR_TIMES = 0.24, 0.5, 0.9, 1.6  # s, ends of the looks; in the last one the body turns
     DOWN = 12.0              # deg below the horizontal at the beacons: a ball from 30 cm on shows
     LOW_AT = 28.0            # cm; a ball from 12 to 130 cm shows
     NEAR = 60.0              # cm; a ball lost nearer is first looked for low

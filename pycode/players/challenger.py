@@ -14,6 +14,9 @@ from skills.look_round import LookRound
 
 
 class Challenger(Machine):
+    LAYER = kelpie.LAYER_PLAYER
+    NAME = 'challenger'
+
     def __init__(self):
         super().__init__(self.find_out, LookRound())
         self.beyond = False  # the middle: where the map is made next
@@ -24,11 +27,15 @@ class Challenger(Machine):
         if world.game.state != kelpie.PLAYING or world.game.penalised:
             # Whatever was mapped by now is the map; the next play is the second stage.
             self.mapped = world.time_s > Challenge.MIN_STAGE
-            return self.idle(world)
+            command = self.idle(world)
+            command.trace.append((self.LAYER, self.NAME, 'waits', 'play is halted'))
+            return command
         if self.mapped and not self.stage2:
             self.points = points_of(world.task)
             self.reset(world, 'carried away', self.reorient, LookRound())
-        return self.step(world)
+        command = self.step(world)
+        self.explain(command.trace)
+        return command
 
     def idle(self, world) -> kelpie.Command:
         return self.localising(kelpie.Command())
@@ -41,7 +48,8 @@ class Challenger(Machine):
 
     def find_out(self, world):
         if self.knows_place(world) and self.skill.rows > 0:
-            return self.enter(world, self.go_to_stand, self.to_stand(world.field))
+            return self.enter(world, self.go_to_stand, self.to_stand(world.field),
+                              'the pose is sure to {} cm', world.position_sd)
         return self.skill.command(world)
 
     def to_stand(self, field) -> GoToPoint:
@@ -51,13 +59,14 @@ class Challenger(Machine):
     def go_to_stand(self, world):
         if self.skill.arrived(world) or self.timed_out(world, Challenge.STAND_TIME):
             self.beyond = not self.beyond
-            self.enter(world, self.map_pinks, LookRound())
+            self.enter(world, self.map_pinks, LookRound(), 'at the place to map from')
         # The map begins with the next frame: what this one saw, it may have seen while walking.
         return self.skill.command(world)
 
     def map_pinks(self, world):
         if self.skill.rounds >= Challenge.MAP_ROUNDS:
-            return self.enter(world, self.go_to_stand, self.to_stand(world.field))
+            return self.enter(world, self.go_to_stand, self.to_stand(world.field),
+                              'mapped in {} rounds', self.skill.rounds)
         command = self.skill.command(world)
         if not self.skill.turning:
             command.pinks = kelpie.PINKS_MAP
@@ -75,15 +84,16 @@ class Challenger(Machine):
     def next_point(self, world):
         """The way to the next point, or the end, begins with the next frame."""
         if self.points:
-            self.enter(world, self.visit, GoToPoint(self.points[0], Challenge.NEAR))
+            self.enter(world, self.visit, GoToPoint(self.points[0], Challenge.NEAR),
+                       '{} points are left', len(self.points))
         else:
-            self.enter(world, self.finish)
+            self.enter(world, self.finish, None, 'no point is left')
 
     def visit(self, world):
         if world.position_sd > Challenge.LOST_SD:
             return self.reset(world, 'the pose is lost', self.reorient, LookRound())
         if self.skill.arrived(world):
-            self.enter(world, self.announce, self.skill)
+            self.enter(world, self.announce, self.skill, 'stands at the point')
         return self.localising(self.skill.command(world))
 
     def announce(self, world):
@@ -104,4 +114,4 @@ class Challenger(Machine):
     def knows_place(self, world) -> bool:
         return (world.position_sd < Challenge.SURE_SD and
                 world.heading_sd_deg < Challenge.SURE_HEADING_SD and
-                world.modes[0].weight > Challenge.SURE_WEIGHT)
+                bool(world.modes) and world.modes[0].weight > Challenge.SURE_WEIGHT)

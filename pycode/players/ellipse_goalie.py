@@ -55,7 +55,7 @@ class EllipseGoalie(Machine):
         super().__init__(self.guard, GuardGoal(GuardEllipse))
         self.paw = paw   # attack by the paw kick of the first version
         self.memory = Memory()
-        self.eyes = EllipseHead()
+        self.eyes = EllipseHead(self.memory)
         self.get_up = GetUp()
 
     def command(self, world) -> kelpie.Command:

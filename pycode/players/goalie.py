@@ -30,7 +30,7 @@ class Goalie(Machine):
         super().__init__(self.guard, GuardGoal(Guard))
         self.rule = rule    # from the field and a ball to the place to guard
         self.memory = Memory()
-        self.eyes = GoalieHead()
+        self.eyes = GoalieHead(self.memory)
         self.shots = ShotWatch(self.memory)
         self.facing = FaceUpField()
         self.pose = PoseWatch()
@@ -43,6 +43,7 @@ class Goalie(Machine):
     def command(self, world) -> kelpie.Command:
         self.memory.update(world)
         self.pose.update(world)
+        self.eyes.asked = self.eyes.asked or self.pose.gave_in
         world = self.pose.believed(world)
         self.shots.update(world)
         self.facing.update(world)
@@ -117,7 +118,8 @@ class Goalie(Machine):
                          'a ball comes at {} cm/s, to {} cm right', shot.speed, shot.aside)
 
     def may_clear(self, world) -> bool:
-        best = clearing_kick(world) if self.seen_since_motion(world) else None
+        stands = world.time_s - self.moved_s > Clear.STANDS
+        best = clearing_kick(world) if stands else None
         if best is None:
             return False
         if self.state != self.clear:
@@ -187,11 +189,15 @@ class Goalie(Machine):
 
     def guard(self, world) -> kelpie.Command:
         place = self.place(world)
-        walk = self.skill.walk(world, place) if place is not None else self.back_off(world)
+        walk = self.skill.walk(world, place) if place is not None else self.look_about(world)
         return kelpie.Command(walk=walk, head=self.eyes.head(world, True))
 
-    def back_off(self, world) -> kelpie.WalkRequest:
-        """A ball lost at the feet is under the chin: a step back shows it."""
+    def look_about(self, world) -> kelpie.WalkRequest:
+        """A ball lost at the feet is under the chin: a step back shows it. One beside the body is
+        seen only when that turns."""
+        side = self.eyes.turn_side(world)
+        if side != 0.0:
+            return kelpie.WalkRequest(turn_deg=side * Guard.SEARCH_TURN)
         ball = world.ball.relative
         under = world.ball.present and 0.0 < ball.y < Guard.CHIN and abs(ball.x) < Guard.CHIN
         return in_box(world, kelpie.WalkRequest(forward=Guard.BACK_OFF if under else 0.0))
@@ -205,11 +211,12 @@ class Goalie(Machine):
     def place(self, world):
         """Where to guard: by the ball; nowhere else while it is looked for at first; then in the
         middle, and at last so near to the line that no ball can lie behind the robot unseen."""
-        lost = self.lost_for(world)
+        lost = self.lost_for(world) if self.pose.settled(world) else 0.0
         if lost > Guard.LOST:
             return central_place(world.field, LEAST_Y)
         if lost > Guard.UNSEEN:
             return central_place(world.field)
-        if lost > Guard.FRESH:
+        if (not seen(world, Guard.FRESH) or not self.pose.settled(world) or
+                self.eyes.state == self.eyes.survey):
             return None
         return self.rule(world.field, (world.ball.position.x, world.ball.position.y))

@@ -4,9 +4,10 @@
 # state, the skill, the leaf that it plays and why, the contest's latch and the goal. A skill that is
 # committed (a grab, a kick, a held ball) is not interrupted; any other may change in any frame.
 import kelpie
-from decisions import leaf_by_map, tree
+from decisions import tree
 from decisions.contested import Contested
 from decisions.held_choice import HeldChoice
+from decisions.leaf_by_map import LeafByMap
 from decisions.situation import Situation
 from lib.geom import from_field, heading
 from lib.goal import OpponentGoal
@@ -30,7 +31,8 @@ LOOK_AFTER = 100.0, 0.0     # cm, deg: where a kicked ball is looked for
 SEEN_S = 0.1            # s: a sighting that gps refused is none
 WATCH = 0.4             # s after a kick
 AHEAD, FOLLOW = 15.0, 40.0  # deg, cm/s: a ball that went ahead is followed meanwhile
-BOX_WAIT = 6.0          # s; who is alone waits so long for its ball to leave the own box
+BOX_WAIT_FRAMES = 90    # who is alone waits so long for its ball to leave the own box
+BOX_LEFT_Y = 130.0      # cm; a ball beyond has left it for certain
 KICKS = {tree.UPENN_LEFT: kelpie.UPENN_LEFT, tree.UPENN_RIGHT: kelpie.UPENN_RIGHT,
          tree.KICK_AHEAD: kelpie.KICK_FORWARD, tree.HEAD_LEFT: kelpie.HEAD_SWIPE_LEFT, tree.HEAD_RIGHT: kelpie.HEAD_SWIPE_RIGHT}
 LINE_UP = 'line_up_kick'    # in place of a grab when that is switched off
@@ -45,11 +47,12 @@ class Attacker(Machine):
         self.memory = memory
         self.goal = OpponentGoal()
         self.contested = Contested()
+        self.by_map = LeafByMap()
         self.held = HeldChoice(memory, self.contested)
         self.localise_skill = ActiveLocalise(memory)
         self.stuck = PawStuck()
         self.glance = Glance(memory)
-        self.box_waited = False  # alone, and waited long enough for a ball in the own box
+        self.box_frames = 0     # for which it waited for a ball in the own box
         self.leaf, self.leaf_why = None, ()
         self.leaf_frame = 0
         self.tree_leaf, self.tree_place, self.tree_why = None, '', ()
@@ -78,7 +81,8 @@ class Attacker(Machine):
     def find(self, world):
         if self.skill is None:
             self.skill = FindBall(world, self.memory)
-        if world.ball.present and world.ball.seconds_since_seen < SEEN_S:
+        # gps has a felt ball as seen: vision must say so, too, or play() would send it back here.
+        if not self.lost(world) and world.ball.seconds_since_seen < SEEN_S:
             return self.enter(world, self.play, None, 'the ball is {} cm away', world.ball.distance)
         return self.skill.command(world)
 
@@ -89,8 +93,7 @@ class Attacker(Machine):
 
     def avoid_box(self, world):
         """A robot without team mates has no goalie who clears the ball: it fetches it in the end."""
-        if not world.teammates and self.timed_out(world, BOX_WAIT):
-            self.box_waited = True
+        self.box_frames += 1
         if self.lost(world) or not self.box_in_the_way(world):
             return self.enter(world, self.find, None, 'the own box is no longer in the way')
         return self.looking_round(world, self.skill.command(world))
@@ -126,6 +129,7 @@ class Attacker(Machine):
         """Watches where the ball goes; a skill that leaves no hint itself sent it ahead."""
         if self.memory.hint is None or self.memory.frame - self.memory.hint[2] > 2:
             self.memory.set_hint(*LOOK_AFTER)
+        self.by_map = LeafByMap()
         self.enter(world, self.watch, FindBall(world, self.memory), self.leaf + ' has ended')
         self.leaf = None
 
@@ -140,17 +144,18 @@ class Attacker(Machine):
         return command
 
     def box_in_the_way(self, world) -> bool:
-        inside = AvoidOwnBox.needed(world, self.memory.grab_lost < 2)
-        if not inside:
-            self.box_waited = False
-        return inside and not self.box_waited
+        if world.ball.present and world.ball.position.y > BOX_LEFT_Y:
+            self.box_frames = 0
+        if not world.teammates and self.box_frames > BOX_WAIT_FRAMES:
+            return False
+        return AvoidOwnBox.needed(world, self.memory.grab_lost < 2)
 
     def choose_leaf(self, world):
         situation = Situation(world, self.contested.now, self.memory.approach_lost < 3)
         leaf, self.tree_place, *why = tree.decide(situation)
         self.tree_leaf, self.tree_why = leaf, tuple(why)
         if world.task.kicks == kelpie.KICKS_BY_MAP and world.task.grab:
-            leaf, *why = leaf_by_map.choose(world, situation, leaf, self.leaf)
+            leaf, *why = self.by_map.choose(world, situation, leaf, self.leaf)
         if leaf in tree.WITH_GRAB and not world.task.grab:
             leaf = LINE_UP
         settled = (world.ball.distance < SETTLED and

@@ -33,13 +33,26 @@ class ShotWatch:
         self.frames = 0
         self.run = 0      # frames in which the ball was seen, but for single ones
         self.shot = None
+        self.was = None   # the ball's place on the field in the last frame
 
     def update(self, world):
         """To be called in every frame."""
         seen = world.ball.seconds_since_seen < Tune.SEEN
         self.shot = coming(world, Tune.BESIDE, Tune.SHORT, Tune.SPEED) if seen else None
-        sure = self.shot is not None and self.shot.speed < Tune.FASTEST and self.steady()
+        moved = self.moved(world)
+        sure = self.shot is not None and self.shot.speed < Tune.FASTEST and self.steady() and moved
         self.frames = self.frames + 1 if sure else 0
+
+    def moved(self, world) -> bool:
+        """Whether the ball is believed to have gone on since the last frame nearly as fast as its
+        velocity says. One bad sighting makes a velocity, but no way in the frames after it."""
+        ball, was = world.ball, self.was
+        self.was = (ball.position.x, ball.position.y)
+        if was is None or self.shot is None:
+            return False
+        dx, dy = ball.position.x - was[0], ball.position.y - was[1]
+        along = (dx * ball.velocity.x + dy * ball.velocity.y) / self.shot.speed
+        return along > Tune.MOVED * self.shot.speed * world.elapsed_s
 
     def steady(self) -> bool:
         """Whether vision had the ball for some frames, one of them missing at most."""

@@ -5,22 +5,29 @@
 # sweep lasts 1.5 s and shows what is at the feet for 0.7 s.
 import kelpie
 from lib.head import view
+from lib.landmarks import GOALIE_PAN, choose_landmark
 from lib.tune_goalie import Look, Pan
 from skills.goalie_head import GoalieHead, seen
 
 
 class EllipseHead(GoalieHead):
     NAME = 'ellipse_head'
-    FAR = Look.FAR_ELLIPSE
+    FAR = FAR_SURE = Look.FAR_ELLIPSE
 
-    def __init__(self):
-        super().__init__()
+    def __init__(self, memory):
+        super().__init__(memory)
         self.state = self.horizon
         self.angles = None   # of the head when the ball was last looked at
 
     def track(self, world):
         self.angles = (world.head.neck_tilt_deg, world.head.head_pan_deg, world.head.head_nod_deg)
         return super().track(world)
+
+    def choose(self, world):
+        """Along the axis in which the pose is least sure; far aside, where the near beacons are, in
+        every second glance only (thesis 2004 figure 4.7)."""
+        limit = GOALIE_PAN if self.glances % 2 else Look.FRONT
+        return choose_landmark(world, limit, world.head.head_pan_deg)
 
     def after_glance(self, world):
         return self.enter(world, self.last_angle, None, 'the glance is over')

@@ -30,7 +30,7 @@ INFRARED_HEAD = (0.0, -10.0, -20.0)  # pan, tilt, crane
 BREAK_PAN = 30.0       # deg back against a spin that went past the ball (G36)
 ONE_SIDE = 8.0         # deg
 # Times the speed of algorithm 6.2. From 13 starts without a ball in sight it was seen and kept in
-# sight after 2.9 s in the mean, at the algorithm's 55 deg/s after 3.9; the scan sweeps faster yet.
+# sight after 2.9 s on average, at the algorithm's 55 deg/s after 3.9; the scan sweeps faster yet.
 SPIN_TIMES = 2.0
 TAKEN_S = 0.1
 SPIN_BREAK = 15        # frames for which a spin is recent (facts-2005 section 7.2)
@@ -129,13 +129,15 @@ class FindBall(Machine):
     def situation(self, world) -> Situation:
         memory = self.memory
         low, high = self.limits(world)
+        head_low = world.head.neck_tilt_deg < lost_ball.LOW_NECK
         known = self.forced_point is not None or world.ball.present
         return Situation(frame=memory.frame, lost=memory.ball_lost,
                          force_until=self.force_until if known else -1,
                          hint_frame=None if self.hint_doubt.refuted else self.hint_frame,
-                         ir=memory.ir, close_lost=memory.close_lost,
+                         ir=math.inf if head_low else memory.ir, close_lost=memory.close_lost,
                          blocking=world.motion.running in lost_ball.BLOCKS,
                          believed=self.believes(world), distance=self.away(world),
+                         left=lost_ball.sent_away(memory.hint, memory.frame),
                          backed=self.backed, scanned=self.scanned, reach=high - low,
                          turned=self.spinning.turned, unseen=self.explored.unseen)
 

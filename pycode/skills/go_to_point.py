@@ -12,6 +12,8 @@ from skills.watch_field import WatchField
 
 
 class GoToPoint:
+    NAME = 'go_to_point'
+
     def __init__(self, point: Point, near):
         self.point = point   # of the field
         self.near = near     # cm that count as there
@@ -43,3 +45,7 @@ class GoToPoint:
             return kelpie.WalkRequest(turn_deg=turn)
         speed = clamp(Challenge.SLOW_DOWN * away, Challenge.SLOW, Challenge.SPEED)
         return kelpie.WalkRequest(forward=speed, turn_deg=0.5 * turn)
+
+    def explain(self, trace) -> None:
+        branch = 'stand' if self.still_s is not None else 'turn' if self.turning else 'walk'
+        trace.append((kelpie.LAYER_SKILL, self.NAME, branch, 'the point is ({}, {})', *self.point))

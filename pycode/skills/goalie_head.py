@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
 # The goalie's head (thesis 2006 section 4.3.1): always on the ball; back to it at once when it is
-# lost, by where it is believed, then by a point scan; now and then a glance at a beacon. Keeps the
-# state, when it last glanced and how often. It looks away only when it is told that it may and the
-# ball is far and does not come, so a goalie in a long scrum does not localise.
+# lost, by where it is believed, then by a point scan; now and then a glance at the landmark seen
+# longest ago, and a survey of all when there is none. Keeps the state and when it last glanced. It
+# looks away only when it is told that it may and the ball is far and does not come, so a goalie in
+# a long scrum does not localise.
 import kelpie
 from lib.geom import from_field
 from lib.head import look_at, view
-from lib.landmarks import GOALIE_PAN, choose_landmark, look_at_landmark
+from lib.landmarks import GOALIE_PAN, in_reach, look_at_landmark
 from lib.machine import Machine
 from lib.tune import Watch
 from lib.tune_goalie import Look
@@ -20,11 +21,14 @@ def seen(world, seconds=Watch.FRESH) -> bool:
 
 class GoalieHead(Machine):
     NAME = 'goalie_head'
-    FAR = Look.FAR   # cm; a nearer ball is not left alone
+    FAR = Look.FAR   # cm; a nearer ball is not left alone,
+    FAR_SURE = Look.FAR_SURE   # nor one so near while the pose is sure
 
-    def __init__(self):
+    def __init__(self, memory):
         super().__init__(self.search)
+        self.memory = memory
         self.free = False
+        self.asked = False    # for a survey, as soon as the ball can be left alone
         self.tracked = 0.0    # cm to the ball when it was last tracked
         self.glances = 0
         self.marked = False   # the landmark was seen in this glance
@@ -46,6 +50,8 @@ class GoalieHead(Machine):
         self.tracked = world.ball.distance
         if not seen(world, Look.LOST):
             return self.regain_ball(world)
+        if self.asked and self.calm(world):
+            return self.enter(world, self.survey, None, 'the pose has jumped')
         mark = self.landmark(world)
         if mark is not None:
             self.glances += 1
@@ -61,18 +67,28 @@ class GoalieHead(Machine):
         return self.enter(world, self.believed, None, 'the ball is unseen for {} s',
                           world.ball.seconds_since_seen)
 
+    def calm(self, world) -> bool:
+        """Whether the ball can be left alone for a moment."""
+        sure = (world.position_sd < Look.SURE_SD and
+                world.heading_sd_deg < Look.SURE_HEADING_SD)
+        far = self.FAR_SURE if sure and not self.asked else self.FAR
+        return (self.free and world.ball.distance > far and
+                world.ball.velocity.y > -Look.STILL and self.since(world) > Look.STEADY)
+
     def landmark(self, world):
         """The one to glance at now, or None."""
         sure = (world.position_sd < Look.SURE_SD and
                 world.heading_sd_deg < Look.SURE_HEADING_SD)
         every = Look.EVERY_SURE if sure else Look.EVERY_LOST
-        calm = (world.ball.distance > self.FAR and world.ball.velocity.y > -Look.STILL and
-                self.since(world) > Look.STEADY)
-        if not self.free or not calm or world.time_s - self.glanced_s < every:
+        if world.time_s - self.glanced_s < every or not self.calm(world):
             return None
-        # With the near beacons in every second one only: they are far aside.
-        limit = GOALIE_PAN if self.glances % 2 else Look.FRONT
-        return choose_landmark(world, limit, world.head.head_pan_deg)
+        return self.choose(world)
+
+    def choose(self, world):
+        """The one seen longest ago: with one alone, seen again and again, the pose goes astray on a
+        circle about it."""
+        marks = [mark for mark, _, _ in in_reach(world, GOALIE_PAN)]
+        return min(marks, key=lambda mark: self.memory.marks.get(mark.kind, -1), default=None)
 
     def localise(self, world):
         self.glanced_s = world.time_s
@@ -86,7 +102,7 @@ class GoalieHead(Machine):
 
     def survey(self, world):
         """Once from left to right, at rest in four directions: what is seen mends the pose."""
-        self.glanced_s = world.time_s
+        self.glanced_s, self.asked = world.time_s, False
         look = int(self.since(world) / Look.SURVEY_TIME)
         if not self.free or look >= len(Look.SURVEY):
             return self.after_glance(world)
@@ -128,6 +144,10 @@ class GoalieHead(Machine):
         if self.skill is None:
             self.skill = self.scan(world)
         return self.skill.head(world)
+
+    def turn_side(self, world) -> float:
+        """To which side the body must turn for the search, +1 left; 0: to none."""
+        return self.skill.turn_side(world) if isinstance(self.skill, PointScan) else 0.0
 
     def scan(self, world):
         """Low first on the side where the ball is believed, if it was lost close by."""

@@ -16,7 +16,9 @@ def in_box(world, walk) -> kelpie.WalkRequest:
     """The walk, slowed so that the neck base stays in the goal box."""
     forward, left = kept_in_box(world.field, world.pose, walk.forward, walk.left, Body.MARGIN,
                                 Body.SECONDS)
-    return kelpie.WalkRequest(forward=forward, left=left, turn_deg=walk.turn_deg, kind=walk.kind)
+    share = min(1.0, Body.SPEED / max(math.hypot(forward, left), 1e-6))
+    return kelpie.WalkRequest(forward=share * forward, left=share * left, turn_deg=walk.turn_deg,
+                              kind=walk.kind)
 
 
 def walk_towards(world, place, gain=Guard.GAIN, speed=Body.SPEED) -> kelpie.WalkRequest:

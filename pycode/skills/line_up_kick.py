@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
 # Gets the ball between itself and the goal and kicks it ahead from where it lies: what is played in
-# place of a grab when grabbing is switched off. Keeps the state and the goal's place; the goal is
-# looked for once in a while before the robot lines up. Slow: it circles the ball.
+# place of a grab when grabbing is switched off. Keeps the state; where the goal is, and when it was
+# looked for, its player keeps, since another leaf may come between. The goal is looked for once in
+# a while before the robot lines up. Slow: it circles the ball.
 import kelpie
+from lib import tune
 from lib.geom import heading
-from lib.goal import NEVER_S
 from lib.head import look_at, view
 from lib.machine import Machine
 from lib.tune import Approach, Goal, LineUp, Strike, Watch
-from lib import tune
 from skills.go_to_ball import GoToBall
 from skills.kick import Kick
 from skills.line_up import CircleBall, aim_error
@@ -25,11 +25,10 @@ class LineUpKick(Machine):
         self.memory = memory
         self.goal = goal
         self.watch = WatchBall()
-        self.swept_s = NEVER_S
 
     @property
     def committed(self) -> bool:
-        return self.state in (self.strike, self.kick, self.look_for_goal)
+        return self.state in (self.strike, self.kick, self.look_for_goal, self.regain)
 
     @property
     def done(self) -> bool:
@@ -56,7 +55,7 @@ class LineUpKick(Machine):
         if world.ball.distance > LineUp.LEFT_BEHIND:
             return self.enter(world, self.approach, GoToBall(), 'the ball rolled {} cm away',
                               world.ball.distance)
-        if not self.goal.seen(world) and world.time_s - self.swept_s > 2.0 * Goal.FRESH:
+        if not self.goal.seen(world) and world.time_s - self.goal.looked_s > 2.0 * Goal.FRESH:
             return self.enter(world, self.look_for_goal, Sweep(), 'where is the goal?')
         if self.timed_out(world, LineUp.TIME):
             return self.enter(world, self.ended, None, 'circled too long')
@@ -66,17 +65,27 @@ class LineUpKick(Machine):
                               head=self.watch.head(world, self.goal))
 
     def aligned(self, world, goal_point) -> bool:
+        """Never where strike() would send it back at once: a ball unseen for long, for example."""
         ball = (world.ball.relative.x, world.ball.relative.y)
         return (goal_point is not None and abs(aim_error(ball, goal_point)) < LineUp.AIMED and
-                abs(heading(*ball)) < LineUp.FACED)
+                abs(heading(*ball)) < LineUp.FACED and
+                not StepToKick().out_of_reach(world, goal_point))
 
     def look_for_goal(self, world):
         """Stands still for one sweep of the head: the shot is worth knowing where the goal is."""
         seen = self.goal.seen(world) and self.goal.seen_s > self.entered_s
         if seen or self.timed_out(world, Goal.SWEEP):
-            self.swept_s = world.time_s
-            return self.enter(world, self.line_up, CircleBall(), 'looked for the goal')
+            self.goal.looked_s = world.time_s
+            return self.enter(world, self.regain, None, 'looked for the goal')
         return kelpie.Command(head=self.skill.head(world, self.since(world)))
+
+    def regain(self, world):
+        """After a look elsewhere the head needs a moment to find the ball again."""
+        seen = world.ball.present and world.ball.seconds_since_seen < Watch.FRESH
+        if seen or self.timed_out(world, Goal.REGAIN):
+            return self.enter(world, self.line_up, CircleBall(),
+                              'ball unseen for {} s', world.ball.seconds_since_seen)
+        return kelpie.Command(head=self.track(world))
 
     def strike(self, world):
         goal_point = self.goal.where(world)

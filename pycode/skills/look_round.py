@@ -9,6 +9,8 @@ from lib.tune import Look
 
 
 class LookRound(Machine):
+    NAME = 'look_round'
+
     def __init__(self):
         super().__init__(self.pan)
         self.row = 0        # of the two tilts
@@ -36,12 +38,13 @@ class LookRound(Machine):
         self.rows += 1
         self.row = 1 - self.row
         self.turned = 0.0
-        self.enter(world, self.turn if self.row == 0 else self.pan)
+        self.enter(world, self.turn if self.row == 0 else self.pan, None, 'row {} is over',
+                   self.rows)
 
     def turn(self, world) -> kelpie.Command:
         self.turned += world.odometry.turn_deg
         if self.turned >= Look.TURN:
             self.rounds += 1
-            self.enter(world, self.pan)
+            self.enter(world, self.pan, None, 'turned {} deg', self.turned)
         head = view(Look.PAN, Look.DOWN[0], world.stance)
         return kelpie.Command(head=head, walk=kelpie.WalkRequest(turn_deg=Look.TURN_SPEED))

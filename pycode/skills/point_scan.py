@@ -16,7 +16,7 @@ from lib.tune_goalie import PointScan as Tune
 
 FROM_MIDDLE = (60.0, 27.0, -27.0, -60.0)  # deg, the beacons of 2006 from the middle of the goal
 LOW = (-88.0, -44.0, 0.0, 44.0, 88.0)     # deg, the points after them
-NEAR = (0.0, 44.0, 88.0)                  # once before them, for a ball lost close by on the left
+NEAR = (0.0, 44.0, -44.0, 30.0)           # once before them, for a ball lost close by on the left
 
 
 def beacons(field):
@@ -34,7 +34,8 @@ class PointScan:
 
     def __init__(self, world, near=0.0):
         """`near`: the side (+1 left, -1 right) where the ball was lost close by: before the first
-        round the head looks low, from the front outwards. 0: it was lost farther away."""
+        round the head looks low ahead, then the body turns to that side. 0: it was lost farther
+        away."""
         self.start_s = world.time_s
         self.beacons = beacons(world.field)
         self.near = tuple(near * pan for pan in NEAR) if near else ()
@@ -50,13 +51,14 @@ class PointScan:
 
     def passed(self, world) -> float:
         """Seconds since the first round began; negative before it."""
-        return world.time_s - self.start_s - len(self.near) * Tune.NEAR_TIME
+        return world.time_s - self.start_s - (Tune.NEAR_TIMES[-1] if self.near else 0.0)
 
     def head(self, world) -> kelpie.HeadRequest:
         passed = self.passed(world)
         if passed < 0.0:
             self.branch = 'near'
-            self.at = max(0, len(self.near) - math.ceil(-passed / Tune.NEAR_TIME))
+            passed += Tune.NEAR_TIMES[-1]
+            self.at = sum(passed >= end for end in Tune.NEAR_TIMES)
             return self.low(world, self.near[self.at])
         passed = math.fmod(passed, self.period())
         self.branch, self.at = 'beacon', int(passed / Tune.BEACON)
@@ -67,6 +69,11 @@ class PointScan:
         low = int((passed - len(self.beacons) * Tune.BEACON) / Tune.LOW)
         self.branch, self.at = 'low', min(low, len(LOW) - 1)
         return self.low(world, LOW[self.at])
+
+    def turn_side(self, world) -> float:
+        """Where the body must turn, +1 left: a head panned to the side cannot look down. 0: not."""
+        turns = self.branch == 'near' and self.at == len(NEAR) - 1
+        return math.copysign(1.0, self.near[-1]) if turns else 0.0
 
     def low(self, world, pan):
         aside = math.radians(pan)

@@ -13,8 +13,8 @@ from lib.projection import ground_through
 from lib.steer import aim_at
 
 CLOSE = 30.0      # cm (facts-2005 section 7.2)
-# From an image to the head's answer to it on the physical body. Rolling balls (20 to 90 cm/s) are in
-# the middle third of the image, both ways, in 0.90 of the frames with it and in 0.80 without.
+# From an image to the head's answer to it on the physical body. With it balls that roll at 20 to 90
+# cm/s are in the middle third of the image, across and down, in 0.90 of the frames, else in 0.80.
 LATE_FRAMES = 4
 FRAMES_PER_S = 30.0
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # The head: follows the ball, glances at the goal while the ball is far, scans when it is lost.
-# WatchBall keeps when the next glance ends and to which side; the three ways to scan keep nothing.
+# WatchBall keeps when the next glance ends and to which side; the two ways to scan keep nothing.
 import math
 
 import kelpie
@@ -55,15 +55,6 @@ class Scan:
         pan = Watch.SCAN_PAN * math.sin(2.0 * math.pi * phase)
         pitch = Watch.SCAN_LOW if int(phase) % 2 == 0 else Watch.SCAN_HIGH
         return view(pan, -pitch, world.stance)
-
-
-class Spin:
-    """Ahead of the turn of the body, nodding between near and far; `side`: +1 turns left."""
-
-    def head(self, world, side) -> kelpie.HeadRequest:
-        phase = world.time_s / (0.5 * Watch.SCAN_PERIOD)
-        pitch = Watch.SCAN_LOW if math.sin(2.0 * math.pi * phase) < 0.0 else Watch.SCAN_HIGH
-        return view(side * Watch.SPIN_PAN, -pitch, world.stance)
 
 
 class Sweep:

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <map>
@@ -125,6 +126,8 @@ class FileReader {
 };
 
 Expected<std::string> fileText(const std::string& path) {
+  std::error_code none;
+  if (std::filesystem::is_directory(path, none)) return Error{path + ": is a directory"};
   errno = 0;
   std::ifstream file(path, std::ios::binary);
   const std::string text{std::istreambuf_iterator<char>(file), {}};

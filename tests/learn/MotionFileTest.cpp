@@ -79,9 +79,17 @@ TEST(MotionFile, WhatIsWrongIsToldByLineOrName) {
   EXPECT_NE(complaint("[[frame]]\nticks = 5\nfront = [1, 2, 300]\nhind = [4, 5, 6]\n")
                 .find("wants 3 angles"),
             std::string::npos);
+  EXPECT_NE(complaint("[[frame]]\nticks = 2.5\nlegs = \"stay\"\n").find("no whole number"),
+            std::string::npos);
+  EXPECT_NE(complaint("way = 3\n" + kFrame).find(":1: way: is no table"), std::string::npos);
+  EXPECT_NE(complaint("kick = \"far\"\n" + kFrame).find("kick: is no table"), std::string::npos);
+  EXPECT_NE(complaint("about = 3\n" + kFrame).find("about: is a text"), std::string::npos);
   EXPECT_NE(complaint("mirror = \"nothing\"\n").find("is no motion"), std::string::npos);
+  EXPECT_NE(complaint("mirror = \"nothing\"\nslew = 5\n").find(":2: slew: is not beside mirror"),
+            std::string::npos);
   EXPECT_NE(complaint("slew = [\n").find("toml:"), std::string::npos);
-  EXPECT_FALSE(readMotion("/nowhere/at/all.toml").ok());
+  EXPECT_NE(readMotion("/nowhere/at/all.toml").error().find("no such file"), std::string::npos);
+  EXPECT_NE(readMotion("/tmp").error().find("is a directory"), std::string::npos);
 }
 
 TEST(MotionFile, ThirteenFramesAreTooMany) {

@@ -73,6 +73,39 @@ TEST(Search, ALineThatWasCutOffIsTriedAgain) {
   EXPECT_EQ(again->best, search(kSpace, planOf(60), hill, nothing)->best);
 }
 
+TEST(Search, ANumberThatWasCutOffIsTriedAgain) {
+  const JournalFile journal;
+  ASSERT_TRUE(search(kSpace, planOf(40, journal.path()), hill, nothing).ok());
+  std::filesystem::resize_file(journal.path(), std::filesystem::file_size(journal.path()) - 6);
+  const auto again = search(kSpace, planOf(40, journal.path()), hill, nothing);
+  ASSERT_TRUE(again.ok());
+  EXPECT_EQ(again->replayed, 39);
+}
+
+TEST(Search, BrokenOffTwiceTriesNothingTwice) {
+  const JournalFile journal;
+  for (const int trials : {20, 40})
+    ASSERT_TRUE(search(kSpace, planOf(trials, journal.path()), hill, nothing).ok());
+  const auto again = search(kSpace, planOf(60, journal.path()), hill, nothing);
+  ASSERT_TRUE(again.ok());
+  EXPECT_EQ(again->replayed, 40);
+  EXPECT_EQ(again->best, search(kSpace, planOf(60), hill, nothing)->best);
+}
+
+TEST(Search, AJournalOfOtherTrialsIsRefused) {
+  const JournalFile journal;
+  ASSERT_TRUE(search(kSpace, planOf(40, journal.path()), hill, nothing).ok());
+  SearchPlan plan = planOf(40, journal.path());
+  plan.trial = "models 2";
+  EXPECT_FALSE(search(kSpace, plan, hill, nothing).ok());
+}
+
+TEST(Search, AJournalThatIsNoFileIsRefused) {
+  EXPECT_FALSE(search(kSpace, planOf(5, "/dev/null"), hill, nothing).ok());
+  EXPECT_FALSE(search(kSpace, planOf(5, "/tmp"), hill, nothing).ok());
+  EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
+}
+
 TEST(Search, AJournalOfAnotherSearchIsRefused) {
   const JournalFile journal;
   ASSERT_TRUE(search(kSpace, planOf(30, journal.path()), hill, nothing).ok());

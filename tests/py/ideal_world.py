@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 # An ideal world in the plane: the robot moves as requested, sees what its head looks at without
-# noise, and a kick sends a ball in the strike zone 150 cm ahead. Its geometry is its own, not that
-# of lib/: the field is the complex plane in cm, a heading is a unit number. With `noise` 1 the ball
-# is seen with standard deviations of 4 % and 1 deg, the goal with 2 deg, the pose is off by up to
-# 15 cm and 6 deg, and the legs do 10 % less than was requested and than odometry reports.
+# noise, a kick sends a ball in its strike zone to where the motion's table says, at once, and a
+# grab catches a ball between the paws. Its geometry is its own, not that of lib/: the field is the
+# complex plane in cm, a heading is a unit number. With `noise` 1 the ball is seen with standard
+# deviations of 4 % and 1 deg, the goal with 2 deg, the pose is off by up to 15 cm and 6 deg, and
+# the legs do 10 % less than was requested and than odometry reports.
 import cmath
 import math
 import random
@@ -12,7 +13,23 @@ import kelpie
 
 FRAME_S = 1.0 / 30.0
 HALF_WIDTH, HALF_HEIGHT = 28.0, 22.5  # of the image, degrees
-KICK_S, KICK_CM = 1.0, 150.0
+HELD_AHEAD = 8.0                      # cm from the neck base to a held ball
+# Each motion's seconds; what it does not do ends it at once.
+LASTS = {kelpie.GRAB: 0.4, kelpie.GRAB_QUICK: 0.2, kelpie.RELEASE: 0.5, kelpie.KICK_FORWARD: 1.0,
+         kelpie.HARD_FORWARD: 0.5, kelpie.WEDGE: 0.5, kelpie.HEAD_SWIPE_LEFT: 0.4,
+         kelpie.HEAD_SWIPE_RIGHT: 0.4, kelpie.UPENN_LEFT: 0.5, kelpie.UPENN_RIGHT: 0.5,
+         kelpie.GET_UP_FRONT: 1.5, kelpie.GET_UP_BACK: 1.5, kelpie.GET_UP_LEFT: 1.5,
+         kelpie.GET_UP_RIGHT: 1.5}
+# Where a free ball must lie (cm right, ahead, and how far off that at most) and where it goes (cm,
+# deg to the left).
+FREE = {kelpie.KICK_FORWARD: (0.0, 14.0, 2.5, 150.0, 0.0),
+        kelpie.HEAD_SWIPE_LEFT: (3.0, 13.0, 3.5, 200.0, 37.0),
+        kelpie.HEAD_SWIPE_RIGHT: (-3.0, 13.0, 3.5, 200.0, -37.0),
+        kelpie.UPENN_LEFT: (6.0, 12.0, 3.5, 205.0, 42.0),
+        kelpie.UPENN_RIGHT: (-6.0, 12.0, 3.5, 205.0, -42.0)}
+HELD = {kelpie.HARD_FORWARD: (170.0, 0.0), kelpie.WEDGE: (125.0, 0.0),
+        kelpie.HEAD_SWIPE_LEFT: (200.0, 75.0), kelpie.HEAD_SWIPE_RIGHT: (200.0, -75.0),
+        kelpie.UPENN_LEFT: (205.0, 75.0), kelpie.UPENN_RIGHT: (205.0, -75.0)}
 
 
 class IdealWorld:
@@ -29,10 +46,14 @@ class IdealWorld:
         self.world.stance.body_tilt_deg = 14.25
         self.world.ball.seconds_since_seen = 0.0
         self.world.heading_sd_deg, self.world.position_sd = 5.0, 10.0
-        self.kick_left_s = 0.0
+        self.left_s = 0.0    # of the motion that runs
+        self.asked = False   # for a motion in the frame before
+        self.held = False
+        self.held_s, self.held_at = 0.0, 0j
+        self.longest, self.farthest = 0.0, 0.0  # s and cm of all holds
         self.scored = False
         self.hidden = False  # nobody sees the ball any more
-        self.kicks = 0
+        self.kicks = self.grabs = 0
 
     def robot_frame(self, point):
         """(x right, y forward) in cm of a field point."""
@@ -55,8 +76,8 @@ class IdealWorld:
 
     def step(self, command):
         self.move_head(command.head)
-        self.kick(command)
-        if self.kick_left_s <= 0.0:
+        self.perform(command.motion)
+        if self.left_s <= 0.0:
             self.walk(command.walk)
         self.roll()
         self.see()
@@ -92,21 +113,47 @@ class IdealWorld:
         odometry.forward, odometry.left = step.real, step.imag
         odometry.turn_deg = math.degrees(turn)
         x, y = self.robot_frame(self.ball)
-        if abs(x) < 7.0 and -5.0 < y < 5.0:  # the chest pushes the ball
+        if not self.held and abs(x) < 7.0 and -5.0 < y < 5.0:  # the chest pushes the ball
             self.ball += (5.0 - y) * self.facing
 
-    def kick(self, command):
-        odometry = self.world.odometry
+    def perform(self, motion):
+        """One frame of the motion that runs; another begins only when one frame asked for none."""
+        odometry, status = self.world.odometry, self.world.motion
         odometry.forward = odometry.left = odometry.turn_deg = 0.0
-        self.kick_left_s -= FRAME_S
-        if command.motion == kelpie.KICK_FORWARD and self.kick_left_s <= 0.0:
-            self.kick_left_s = KICK_S
-            self.kicks += 1
+        if self.left_s > 0.0:
+            self.left_s -= FRAME_S
+            if self.left_s <= 0.0:
+                self.finish(status.running)
+        elif motion in LASTS and not self.asked:
+            self.left_s, status.running = LASTS[motion], motion
+            self.kick(motion)
+        self.asked = motion != kelpie.NO_MOTION
+        status.running = status.running if self.left_s > 0.0 else kelpie.NO_MOTION
+
+    def finish(self, motion):
+        if motion in (kelpie.GRAB, kelpie.GRAB_QUICK):
+            self.grabs += 1
             x, y = self.robot_frame(self.ball)
-            if abs(x) < 2.5 and 11.5 < y < 16.5:
-                self.shoot(self.ball + KICK_CM * self.facing)
-        running = self.kick_left_s > 0.0
-        self.world.motion.running = kelpie.KICK_FORWARD if running else kelpie.NO_MOTION
+            self.held = abs(x) < 4.0 and 4.0 < y < 14.0
+            self.held_s, self.held_at = 0.0, self.at
+        elif motion == kelpie.RELEASE:
+            self.held = False
+        elif motion >= kelpie.GET_UP_FRONT:
+            self.world.motion.feeling.fallen = kelpie.NOT_FALLEN
+
+    def kick(self, motion):
+        """Kicks strike as they begin."""
+        x, y = self.robot_frame(self.ball)
+        way = None
+        if self.held:
+            way = HELD.get(motion)
+        elif motion in FREE:
+            right, ahead, most, *where = FREE[motion]
+            way = where if abs(x - right) < most and abs(y - ahead) < most else None
+        self.kicks += motion in FREE or motion in HELD
+        if way is not None:
+            self.held = False
+            self.shoot(self.ball + cmath.rect(way[0], math.radians(way[1])) * self.facing)
 
     def shoot(self, end):
         start, self.ball = self.ball, end
@@ -116,7 +163,13 @@ class IdealWorld:
             self.scored = abs(crossing.real - self.goal.real) < 0.5 * self.field.goal_width
 
     def roll(self):
-        if not self.scored:  # the referee puts a ball that left the field back inside
+        self.world.motion.feeling.ball_held = self.held
+        if self.held:
+            self.ball = self.at + HELD_AHEAD * self.facing
+            self.held_s += FRAME_S
+            self.longest = max(self.longest, self.held_s)
+            self.farthest = max(self.farthest, abs(self.at - self.held_at))
+        elif not self.scored:  # the referee puts a ball that left the field back inside
             self.ball = complex(max(30.0, min(self.field.width - 30.0, self.ball.real)),
                                 max(40.0, min(self.field.length - 40.0, self.ball.imag)))
 
@@ -131,12 +184,20 @@ class IdealWorld:
         world.pose.heading_deg = math.degrees(cmath.phase(self.facing)) + 6.0 * drift
         self.see_ball()
         goal = self.goal
-        world.percepts.landmarks = []
+        world.percepts.landmarks, world.percepts.gaps = [], []
         if self.in_view(goal, 15.0) and abs(goal - self.at) < 400.0:
             x, y = self.robot_frame(goal)
             world.percepts.landmarks.append(kelpie.LandmarkPercept(
                 kind=kelpie.GOAL_BLUE, distance=abs(goal - self.at),
                 heading_deg=math.degrees(math.atan2(-x, y)) + self.wrong(2.0)))
+            world.percepts.gaps.append(self.gap())
+
+    def gap(self):
+        """The goal is free from post to post."""
+        half, wrong = 0.5 * self.field.goal_width, self.wrong(2.0)
+        left, right = (math.degrees(math.atan2(-x, y)) + wrong for x, y in
+                       map(self.robot_frame, (self.goal - half, self.goal + half)))
+        return kelpie.GoalGap(goal=kelpie.GOAL_BLUE, left_deg=left, right_deg=right)
 
     def wrong(self, sd):
         return self.noise * self.chance.gauss(0.0, sd)
@@ -154,7 +215,9 @@ class IdealWorld:
             seen_at = (self.ball - self.at) * (1.0 + self.wrong(0.04))
             self.believed = self.at + seen_at * cmath.rect(1, math.radians(self.wrong(1.0)))
             self.perceive(self.robot_frame(self.believed))
-        if ball.seconds_since_seen > 5.0:
+        if self.held:  # gps believes a ball that is felt in the hold
+            ball.present, self.believed = True, self.ball
+        elif ball.seconds_since_seen > 5.0:
             ball.present = False
         if not ball.present:
             return
@@ -173,9 +236,10 @@ class IdealWorld:
         ball.centre.y, ball.radius = 0.0, 1.0
 
 
-def play(decide, seed, seconds, noise=0.0, field='2006'):
+def play(decide, seed, seconds, noise=0.0, field='2006', task=None):
     """The world after that many seconds or the first goal."""
     ideal = IdealWorld(seed, noise, field)
+    ideal.world.task = task or kelpie.Task()
     ideal.see()
     while ideal.world.time_s < seconds and not ideal.scored:
         ideal.step(decide(ideal.world))

@@ -8,8 +8,8 @@ from lib import hints
 from lib.doubt import Doubt
 from lib.explored import Explored
 from lib.lost_ball import (CHAIN, SPIN_TURN, Situation, first_step, scan_half_width, scan_limits,
-                           spin_head, spin_speed, use_back_off, use_belief, use_forced, use_hint,
-                           use_infrared, use_last_seen, use_scan, use_spin)
+                           sent_away, spin_head, spin_speed, use_back_off, use_belief, use_forced,
+                           use_hint, use_infrared, use_last_seen, use_scan, use_spin)
 from lib.memory import Memory
 from skills.find_ball import FindBall, ball_sd
 from skills.scan_for_ball import FRAMES_PER_S, LATE_FRAMES, ScanForBall, head_params
@@ -59,12 +59,22 @@ def test_every_reason_fits_a_trace():
     (use_back_off, dict(distance=39.9, believed=False), False),
     (use_back_off, dict(distance=39.9, believed=True, backed=44), True),
     (use_back_off, dict(distance=39.9, believed=True, backed=45), False),
+    (use_back_off, dict(distance=39.9, believed=True, left=True), False),
     (use_scan, dict(scanned=29), True), (use_scan, dict(scanned=30), False),
     (use_scan, dict(scanned=0, reach=0.0), False),
     (use_spin, dict(turned=359.9), True), (use_spin, dict(turned=360.0), False),
     (use_spin, dict(turned=0.0, unseen=1), True), (use_spin, dict(turned=0.0, unseen=0), False)])
 def test_boundaries(use, facts, holds):
     assert use(Situation(**facts)) is holds
+
+
+@pytest.mark.parametrize('hint, away', [
+    (None, False), (hints.GRAB, False), ((41.0, 0.0), True), ((25.0, -30.0), True),
+    ((35.0, 120.0), True), ((35.0, 0.0), False)])
+def test_a_hint_tells_whether_the_ball_left_the_feet(hint, away):
+    given = None if hint is None else (*hint, 100)
+    assert sent_away(given, 159) is away
+    assert not sent_away(given, 160)
 
 
 @pytest.mark.parametrize('distance, speed', [(300.0, 55.0), (120.0, 55.0), (70.0, 57.75),
@@ -201,6 +211,14 @@ def test_a_forced_search_without_a_direction_walks_to_the_belief():
     search.believe(None)
     search.next()
     assert search.step != 'forced'
+
+
+def test_a_head_that_is_lower_than_a_look_reads_the_carpet():
+    search = Search(lost=30, place=(0.0, 20.0))
+    search.memory.close_lost, search.world.sensors.head_near_distance = 30, 6.0
+    search.memory.ir, search.world.head.neck_tilt_deg = 6.0, -50.0
+    search.next()
+    assert search.step != 'infrared'
 
 
 def test_a_near_reading_of_infrared_looks_down_and_walks_to_the_belief():

@@ -6,15 +6,18 @@ import kelpie
 import pytest
 from goalie_world import GoalieWorld, anywhere, run, scene, shot
 from lib import goalie_places as places
-from lib.tune_goalie import Block, Guard
+from lib.tune_goalie import Block, Clear, Guard
 from players.goalie import Goalie
 from skills.guard_goal import GuardGoal
 
 
-def state(world, frames=Block.SEEN_FRAMES + Block.FRAMES - 1):
-    """What the goalie does after so many frames of a scene that does not change."""
+def state(world, frames=Block.SEEN_FRAMES + Block.FRAMES):
+    """What the goalie does when the ball comes by there, after so many frames."""
     player = Goalie()
+    player.moved_s = -10.0
+    world.ball -= world.velocity * frames / 30.0
     for _ in range(frames):
+        world.ball += world.velocity / 30.0
         world.see()
         player.command(world.world)
     return player.state.__name__
@@ -25,7 +28,7 @@ def state(world, frames=Block.SEEN_FRAMES + Block.FRAMES - 1):
 @pytest.mark.parametrize('branch, ball, velocity, at, facing', [
     ('turn', 180 + 200j, 0j, 180 + 20j, -1j),
     ('block', 180 + 90j, -170j, 180 + 20j, 1j),
-    ('adjust', 180 + 90j, -75j, 180 + 20j, 1j),
+    ('adjust', 180 + 85j, -75j, 180 + 20j, 1j),
     ('clear', 180 + 44j, 0j, 180 + 30j, 1j),
     ('attack', 180 + 62j, 0j, 180 + 20j, 1j),
     ('guard', 180 + 200j, 0j, 180 + 20j, 1j)])
@@ -158,6 +161,8 @@ def scramble(world, chance):
     """Everything at random, some of it seldom."""
     world.time_s += 1.0 / 30.0
     world.frame += 1
+    world.ball.position.x += world.ball.velocity.x / 30.0
+    world.ball.position.y += world.ball.velocity.y / 30.0
     world.game.state = chance.choice([kelpie.PLAYING] * 20 + [kelpie.SET])
     world.motion.feeling.fallen = chance.choice([kelpie.NOT_FALLEN] * 50 + [kelpie.ON_BACK])
     world.motion.running = chance.choice([kelpie.NO_MOTION] * 5 + [kelpie.BLOCK, kelpie.UPENN_LEFT])
@@ -207,6 +212,15 @@ def test_a_pose_that_cannot_be_right_makes_the_goalie_look_round(sign):
     assert scenery.facing.imag > 0.7
 
 
+def test_where_the_ball_was_believed_before_a_block_is_not_where_it_is_guarded_against():
+    scenery, player = scene(120 + 30j), Goalie()
+    scenery.world.ball.seconds_since_seen = 2.0
+    player.moved_s = scenery.world.time_s - 0.1   # the block has just ended
+    assert player.place(scenery.world) is None
+    player.moved_s -= Guard.UNSEEN
+    assert player.place(scenery.world) == places.central_place(scenery.world.field)
+
+
 @pytest.mark.parametrize('ahead, right, steps_back', [
     (8.0, 0.0, True), (14.0, -10.0, True), (30.0, 0.0, False), (-5.0, 0.0, False)])
 def test_a_ball_lost_under_the_chin_is_backed_off_from(ahead, right, steps_back):
@@ -218,3 +232,14 @@ def test_a_ball_lost_under_the_chin_is_backed_off_from(ahead, right, steps_back)
     command = player.guard(scenery.world)
     assert (command.walk.forward < 0.0) == steps_back
     assert command.walk.left == pytest.approx(0.0)
+
+
+def test_no_kick_before_the_goalie_stands_after_a_motion():
+    scenery, player = scene(180 + 44j, at=180 + 30j), Goalie()
+    player.moved_s = scenery.world.time_s
+    waited = 0
+    while player.state != player.clear:
+        scenery.see()
+        player.command(scenery.world)
+        waited += 1
+    assert waited == pytest.approx(30 * Clear.STANDS, abs=2)

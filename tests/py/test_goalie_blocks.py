@@ -21,16 +21,26 @@ def seeing(run=Block.SEEN_FRAMES, lost=0):
     return memory
 
 
+def watched(ball, velocity, field=None, memory=None, frames=Block.FRAMES, unseen=0.0):
+    """The watch when a ball comes by there, after so many frames in which it rolled (and one more,
+    to roll from)."""
+    watch = ShotWatch(memory or seeing())
+    for before in range(frames, -1, -1):
+        world = scene(ball - velocity * before / 30.0, velocity).world
+        world.field = field or world.field
+        world.ball.seconds_since_seen = unseen
+        watch.update(world)
+    return watch
+
+
 @pytest.mark.parametrize('aside, motion', [
     (0, kelpie.BLOCK), (8.9, kelpie.BLOCK), (-8.9, kelpie.BLOCK), (9.1, kelpie.BLOCK_RIGHT),
     (-9.1, kelpie.BLOCK_LEFT), (30, kelpie.BLOCK_RIGHT), (-30, kelpie.BLOCK_LEFT),
     (60, kelpie.NO_MOTION), (-60, kelpie.NO_MOTION)])
 def test_block_is_on_the_side_where_the_ball_passes(aside, motion):
-    world = scene(180 + 80j, 170 * (complex(aside, -60) / abs(complex(aside, -60))))
-    world.world.field = kelpie.FieldDescription(goal_width=300.0)  # whatever comes is at the goal
-    watch = ShotWatch(seeing())
-    for _ in range(Block.FRAMES):
-        watch.update(world.world)
+    wide = kelpie.FieldDescription(goal_width=300.0)  # whatever comes is at the goal
+    way = complex(aside, -60)
+    watch = watched(180 + 80j, 170 * way / abs(way), wide)
     assert watch.shot.aside == pytest.approx(aside, abs=1e-6)
     assert watch.block() == motion
 
@@ -46,18 +56,14 @@ def way_in(speed, seconds):
 @pytest.mark.parametrize('speed', range(5, 200, 5))
 def test_of_balls_straight_ahead_only_the_fastest_are_blocked(speed):
     """40 cm ahead of the goalie; the slower ones its legs stop as it stands."""
-    watch = ShotWatch(seeing())
-    for _ in range(Block.FRAMES):
-        watch.update(scene(180 + 60j, -1j * speed).world)
+    watch = watched(180 + 60j, -1j * speed)
     assert (watch.block() == kelpie.BLOCK) == (speed >= Block.STAND_SPEED)
 
 
 @pytest.mark.parametrize('speed', range(5, 200, 5))
 def test_of_balls_aside_the_fast_are_blocked_and_the_slow_walked_to(speed):
     """20 cm aside: a ball that takes 1 s leaves the time for two steps."""
-    watch = ShotWatch(seeing())
-    for _ in range(Block.FRAMES):
-        watch.update(scene(200 + 60j, -1j * speed).world)
+    watch = watched(200 + 60j, -1j * speed)
     comes = speed_to_go(60.0 - Block.SHORT) < speed < Block.FASTEST
     in_time = way_in(speed, Block.LATEST) > 40.0
     assert (watch.block() == kelpie.BLOCK_RIGHT) == (comes and in_time)
@@ -66,46 +72,41 @@ def test_of_balls_aside_the_fast_are_blocked_and_the_slow_walked_to(speed):
 @pytest.mark.parametrize('ball, velocity', [
     (180 + 90j, 130j), (180 + 90j, 130 + 0j), (100 + 60j, 30 - 130j), (180 + 90j, 90 - 100j)])
 def test_a_ball_that_misses_the_goal_is_not_blocked(ball, velocity):
-    world, watch = scene(ball, velocity), ShotWatch(seeing())
-    for _ in range(5):
-        watch.update(world.world)
-    assert watch.block() == kelpie.NO_MOTION
+    assert watched(ball, velocity, frames=5).block() == kelpie.NO_MOTION
 
 
-def test_one_frame_alone_makes_no_block():
-    world, watch = scene(180 + 90j, -170j), ShotWatch(seeing())
-    watch.update(world.world)
-    assert watch.block() == kelpie.NO_MOTION
-    world.world.ball.velocity.y = 0.0
-    watch.update(world.world)
-    world.world.ball.velocity.y = -170.0
-    watch.update(world.world)
-    assert watch.block() == kelpie.NO_MOTION
+def test_a_shot_is_blocked_from_the_second_frame_on():
+    assert watched(180 + 90j, -170j, frames=1).block() == kelpie.NO_MOTION
+    assert watched(180 + 90j, -170j, frames=2).block() == kelpie.BLOCK
+
+
+def test_a_velocity_without_a_way_makes_no_block():
+    """One bad sighting, and the ball lies where it lay."""
+    watch = ShotWatch(seeing())
+    for y in (110, 90, 90, 90):
+        watch.update(scene(180 + 1j * y, -170j).world)
+        assert watch.block() == kelpie.NO_MOTION
 
 
 def test_an_unseen_ball_is_not_blocked():
-    world, watch = scene(180 + 90j, -170j), ShotWatch(seeing())
-    world.world.ball.seconds_since_seen = Block.SEEN
-    for _ in range(5):
-        watch.update(world.world)
-    assert watch.block() == kelpie.NO_MOTION
+    assert watched(180 + 90j, -170j, unseen=Block.SEEN).block() == kelpie.NO_MOTION
 
 
 def test_a_ball_just_found_is_not_blocked_but_a_single_frame_may_miss_it():
     """Found elsewhere, it seems to have come from where it was believed."""
-    world, memory = scene(180 + 90j, -170j).world, seeing(Block.SEEN_FRAMES - 1)
-    watch = ShotWatch(memory)
-    for run, lost, believed in [(Block.SEEN_FRAMES - 1, 0, 0), (Block.SEEN_FRAMES, 0, 1),
-                                (0, 1, 2), (1, 0, 3), (0, 1, 4), (0, 2, 0), (1, 0, 0)]:
+    memory = seeing()
+    watch, ball = ShotWatch(memory), 180 + 120j
+    for run, lost, believed in [(Block.SEEN_FRAMES - 2, 0, 0), (Block.SEEN_FRAMES - 1, 0, 0),
+                                (Block.SEEN_FRAMES, 0, 1), (0, 1, 2), (1, 0, 3), (0, 1, 4),
+                                (0, 2, 0), (1, 0, 0)]:
         memory.ball_run, memory.ball_lost = run, lost
-        watch.update(world)
+        ball -= 170j / 30.0
+        watch.update(scene(ball, -170j).world)
         assert watch.frames == believed
 
 
 def test_no_kick_is_so_fast():
-    world, watch = scene(180 + 90j, -1j * (Block.FASTEST + 1.0)), ShotWatch(seeing())
-    for _ in range(5):
-        watch.update(world.world)
+    watch = watched(180 + 90j, -1j * (Block.FASTEST + 1.0), frames=5)
     assert watch.block() == kelpie.NO_MOTION
 
 

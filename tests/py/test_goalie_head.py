@@ -4,6 +4,7 @@ import math
 import kelpie
 import pytest
 from goalie_world import world_at
+from lib.memory import Memory
 from lib.tune import Watch
 from lib.tune_goalie import Look, Pan
 from lib.tune_goalie import PointScan as Tune
@@ -49,16 +50,17 @@ def test_all_four_beacons_the_front_and_both_sides_are_seen_in_each_round():
 
 
 @pytest.mark.parametrize('side', [1.0, -1.0])
-def test_a_ball_lost_close_by_is_first_looked_for_low_from_the_front_outwards(side):
+def test_a_ball_lost_close_by_is_first_looked_for_low_ahead_then_the_body_turns(side):
     world = world_at()
     scan = PointScan(world, side)
-    looks = scanned(scan, world, 3 * Tune.NEAR_TIME)
+    looks = scanned(scan, world, Tune.NEAR_TIMES[2])
     rests = [round(pan / 44.0) for pan, tilt in looks if tilt < -15.0]
     turns = [pan for pan, before in zip(rests, [None] + rests) if pan != before]
-    assert turns == [0, side, 2 * side]
-    assert scan.rounds(world) == 0
-    world.time_s += 1e-3
-    assert scan.head(world).head_pan_deg > 50 and scan.branch == 'beacon'
+    assert turns == [0, side, -side] and scan.turn_side(world) == 0.0
+    world.time_s = scan.start_s + Tune.NEAR_TIMES[2] + 0.1
+    assert side * scan.head(world).head_pan_deg > 0 and scan.turn_side(world) == side
+    world.time_s = scan.start_s + Tune.NEAR_TIMES[3] + 0.1
+    assert scan.head(world).head_pan_deg > 50 and scan.turn_side(world) == 0.0
 
 
 def test_point_scan_with_a_wrong_heading_looks_ahead_all_the_same():
@@ -70,24 +72,44 @@ def test_point_scan_with_a_wrong_heading_looks_ahead_all_the_same():
 @pytest.mark.parametrize('axis, front, wide', [
     (117.0, FAR_LEFT, FAR_LEFT), (63.0, FAR_RIGHT, FAR_RIGHT),
     (149.0, FAR_LEFT, NEAR_LEFT), (31.0, FAR_RIGHT, NEAR_RIGHT)])
-def test_glances_go_to_the_beacon_along_the_widest_axis(axis, front, wide):
+def test_glances_of_2004_go_to_the_beacon_along_the_widest_axis(axis, front, wide):
     """In turn among those in front and those in a wider range."""
     world = seeing(world_at())
     c, s = math.cos(math.radians(axis)), math.sin(math.radians(axis))
     world.covariance = [99 * c * c + 1, 99 * c * s, 0, 99 * c * s, 99 * s * s + 1, 0, 0, 0, 1]
-    assert glanced_at(world)[:4] == [front, wide, front, wide]
+    assert glanced_at(EllipseHead(Memory()), world)[:4] == [front, wide, front, wide]
 
 
-def glanced_at(world):
-    """Places of the landmarks that the head glances at in 20 s."""
-    head, looked, was = GoalieHead(), [], None
+def test_glances_of_2006_go_to_the_landmark_seen_longest_ago():
+    world, memory = seeing(world_at()), Memory()
+    memory.marks = {mark.kind: 40 - mark.kind for mark in world.field.landmarks}
+    assert glanced_at(GoalieHead(memory), world)[0] == NEAR_RIGHT
+    looked = glanced_at(GoalieHead(Memory()), world)
+    assert set(looked) == {NEAR_LEFT, FAR_LEFT, FAR_RIGHT, NEAR_RIGHT, (180, 540)}
+
+
+def glanced_at(head, world):
+    """Places of the landmarks that the head glances at in 20 s, each seen when it is."""
+    looked, was, frame = [], None, 0
     for _ in range(600):
-        world.time_s += 1.0 / 30.0
+        world.time_s, frame = world.time_s + 1.0 / 30.0, frame + 1
         head.head(world, True)
         if head.state == head.localise and was != head.state:
             looked.append((head.skill.position.x, head.skill.position.y))
+            head.memory.marks[head.skill.kind] = frame
         was = head.state
+        world.ball.seconds_since_seen = 0.0
     return looked
+
+
+def test_a_pose_that_jumped_for_good_makes_the_head_survey():
+    head, world = GoalieHead(Memory()), seeing(world_at())
+    heads(head, world, 1.0)
+    head.asked = True
+    world.ball.distance = 40.0
+    assert heads(head, world, 1.0) == ['track']
+    world.ball.distance = 150.0
+    assert heads(head, world, 0.2) == ['survey'] and not head.asked
 
 
 def heads(head, world, seconds, free=True):
@@ -114,7 +136,7 @@ def seeing(world, seen=True):
 
 
 def test_head_of_2006_tracks_and_glances_now_and_then():
-    states = heads(GoalieHead(), seeing(world_at()), 12.0)
+    states = heads(GoalieHead(Memory()), seeing(world_at()), 12.0)
     assert states[0] == 'track'
     assert 3 <= states.count('localise') <= 5
     assert states[1:4] == ['localise', 'believed', 'track']
@@ -127,14 +149,14 @@ def test_no_glance_while_the_ball_is_near_or_comes(change):
         world.ball.distance = Look.FAR - 1.0
     if change == 'coming':
         world.ball.velocity.y = -Look.STILL - 1.0
-    assert heads(GoalieHead(), world, 8.0, change != 'not free') == ['track']
+    assert heads(GoalieHead(Memory()), world, 8.0, change != 'not free') == ['track']
 
 
 def test_a_glance_that_finds_no_landmark_is_followed_by_a_survey():
     world = seeing(world_at())
     world.percepts.landmarks = []
-    assert 'survey' in heads(GoalieHead(), world, 5.0)
-    head, pans = GoalieHead(), []
+    assert 'survey' in heads(GoalieHead(Memory()), world, 5.0)
+    head, pans = GoalieHead(Memory()), []
     head.enter(world, head.survey)
     for _ in range(32):
         world.time_s += 1.0 / 30.0
@@ -146,19 +168,19 @@ def test_a_glance_that_finds_no_landmark_is_followed_by_a_survey():
 
 def test_a_glance_that_finds_it_is_not():
     world = seeing(world_at())
-    assert 'survey' not in heads(GoalieHead(), world, 12.0)
+    assert 'survey' not in heads(GoalieHead(Memory()), world, 12.0)
 
 
 def test_glances_are_more_frequent_when_the_pose_is_unsure():
     def glances(sd):
         world = seeing(world_at())
         world.position_sd = sd
-        return heads(GoalieHead(), world, 20.0).count('localise')
+        return heads(GoalieHead(Memory()), world, 20.0).count('localise')
     assert glances(Look.SURE_SD + 1.0) > 1.5 * glances(Look.SURE_SD - 1.0)
 
 
 def test_head_of_2006_regains_a_lost_ball_by_belief_then_by_points():
-    head, world = GoalieHead(), seeing(world_at())
+    head, world = GoalieHead(Memory()), seeing(world_at())
     heads(head, world, 0.5)
     assert heads(head, seeing(world, False), 2.0) == ['track', 'believed', 'search']
     world.ball.seconds_since_seen = 0.0
@@ -167,7 +189,7 @@ def test_head_of_2006_regains_a_lost_ball_by_belief_then_by_points():
 
 
 def test_head_of_2004_goes_back_to_the_last_angle_then_to_gps_then_searches():
-    head, world = EllipseHead(), seeing(world_at())
+    head, world = EllipseHead(Memory()), seeing(world_at())
     world.head.head_pan_deg = 33.0
     states = heads(head, world, Look.EVERY_SURE - 0.1)
     assert states == ['track']
@@ -178,7 +200,7 @@ def test_head_of_2004_goes_back_to_the_last_angle_then_to_gps_then_searches():
 
 
 def test_last_angle_is_where_the_ball_was_looked_at():
-    head, world = EllipseHead(), seeing(world_at())
+    head, world = EllipseHead(Memory()), seeing(world_at())
     world.head.head_pan_deg = 33.0
     heads(head, world, 1.0)
     world.head.head_pan_deg = 70.0
@@ -187,7 +209,7 @@ def test_last_angle_is_where_the_ball_was_looked_at():
 
 
 def test_search_of_2004_pans_slowly_at_the_horizon_and_quickly_at_the_feet():
-    head, world = EllipseHead(), world_at()
+    head, world = EllipseHead(Memory()), world_at()
     world.ball.present = False
     head.enter(world, head.horizon)
     pans = {'horizon': [], 'feet': []}
@@ -206,4 +228,4 @@ def test_glances_of_2004_need_the_ball_25_cm_away():
     for away, glances in [(24.0, False), (26.0, True)]:
         world = seeing(world_at())
         world.ball.distance = away
-        assert ('localise' in heads(EllipseHead(), world, 6.0)) == glances
+        assert ('localise' in heads(EllipseHead(Memory()), world, 6.0)) == glances

@@ -5,9 +5,10 @@ import kelpie
 import pytest
 from goalie_world import GoalieWorld, run, world_at
 from lib import kick_table
-from lib.tune_goalie import Guard, GuardEllipse
+from lib.goalie_places import to_field
+from lib.tune_goalie import Body, Guard, GuardEllipse
 from skills.attack_ball import AttackBall, Stand, past_ball
-from skills.guard_goal import GuardGoal, walk_towards
+from skills.guard_goal import GuardGoal, in_box, walk_towards
 
 
 def still(walk):
@@ -101,3 +102,10 @@ def test_an_attack_comes_to_where_its_kick_needs_the_ball():
         left, ahead = scene.in_robot(scene.ball)
         assert ahead == pytest.approx(attack.stand.far, abs=2.0)
         assert -left == pytest.approx(attack.stand.right, abs=2.0)
+
+
+def test_the_way_back_into_the_box_is_not_faster_than_the_walk():
+    world = world_at(x=20.0, y=-60.0, heading=70.0)
+    walk = in_box(world, kelpie.WalkRequest(forward=10.0))
+    x, y = to_field(70.0, walk.forward, walk.left)
+    assert math.hypot(x, y) == pytest.approx(Body.SPEED) and x > 0 and y > 0

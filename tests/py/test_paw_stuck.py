@@ -49,6 +49,14 @@ def test_a_paw_at_the_ball_is_not_stuck():
     assert PawStuck().needed(world)
 
 
+@pytest.mark.parametrize('forward, backs', [(20.0, True), (0.0, False), (-20.0, False)])
+def test_a_robot_that_is_held_while_it_walks_ahead_backs_straight(forward, backs):
+    skill, world = PawStuck(), world_with(False, False)
+    world.motion.feeling.stuck, world.last_command.walk.forward = True, forward
+    assert skill.needed(world) is backs
+    assert skill.walk(world).left == 0.0
+
+
 def test_met_head_on_again_it_goes_to_the_right():
     skill = PawStuck()
     skill.needed(world_with(True, True))

@@ -36,13 +36,20 @@ def test_a_jump_is_doubted_until_it_is_taken_back(off):
     walk = Walk()
     walk.step()
     assert [walk.step(off) for _ in range(5)] == [True] * 5
-    assert not walk.step()
+    assert not walk.step() and not walk.watch.settled(walk.world)
+    for _ in range(30):
+        walk.step()
+    assert walk.watch.settled(walk.world)
 
 
 def test_a_jump_that_lasts_is_believed():
     walk = Walk()
     walk.step()
-    doubts = [walk.step((100.0, 50.0, 0.0)) for _ in range(100)]
+    doubts, gave_in = [], 0
+    for _ in range(100):
+        doubts.append(walk.step((100.0, 50.0, 0.0)))
+        gave_in += walk.watch.gave_in
+    assert gave_in == 1
     assert doubts == sorted(doubts, reverse=True)
     assert sum(doubts) == pytest.approx(30 * LONGEST, abs=2)
 

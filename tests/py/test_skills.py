@@ -2,10 +2,13 @@
 import pytest
 import kelpie
 from lib.goal import OpponentGoal
-from lib.tune import Goal, Kick, Strike
+from lib.memory import Memory
+from lib import tune
+from lib.tune import Goal, Strike
 from skills.go_to_ball import GoToBall, behind
-from skills.kick import KickForward
+from skills.kick import Kick
 from skills.line_up import CircleBall, aim_error
+from skills.line_up_kick import LineUpKick
 from skills.strike import StepToKick
 
 
@@ -59,7 +62,7 @@ def test_no_kick_past_the_goal():
 
 def test_kick_is_requested_until_it_runs_and_ends_with_it():
     world = kelpie.WorldFrame(field=kelpie.FIELDS['2006'])
-    kick = KickForward(world)
+    kick = Kick(world)
     assert kick.motion(world) == kelpie.KICK_FORWARD
     world.motion.running = kelpie.KICK_FORWARD
     assert kick.motion(world) == kelpie.NO_MOTION and not kick.done(world)
@@ -69,8 +72,8 @@ def test_kick_is_requested_until_it_runs_and_ends_with_it():
 
 def test_kick_that_never_starts_is_given_up():
     world = kelpie.WorldFrame(field=kelpie.FIELDS['2006'])
-    kick = KickForward(world)
-    world.time_s += Kick.START_TIME + 0.1
+    kick = Kick(world)
+    world.time_s += tune.Kick.START_TIME + 0.1
     assert kick.done(world)
 
 
@@ -116,3 +119,17 @@ def test_seen_goal_is_carried_along_and_then_forgotten():
     assert goal.where(world) == pytest.approx((200.0, 0.0))
     world.time_s += Goal.FRESH + 0.1
     assert goal.where(world) is None
+
+
+def test_a_ball_that_vanishes_in_the_last_steps_ends_them_without_a_circle():
+    world = world_with_ball(0.0, 18.0)
+    goal = OpponentGoal()
+    goal.point, skill = (0.0, 240.0), LineUpKick(Memory(), goal)
+    states = set()
+    for frame in range(120):
+        world.time_s += 1.0 / 30.0
+        goal.seen_s = world.time_s
+        world.ball.seconds_since_seen = max(0, frame - 10) / 30
+        skill.command(world)
+        states.add(skill.state.__name__)
+    assert 'strike' in states and skill.state == skill.line_up

@@ -3,14 +3,18 @@
 // wrong silently.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <limits>
+#include <memory>
 #include <utility>
 
 #include "robot/body/Camera.h"
 #include "robot/core/Random.h"
 #include "tools/sim/WalkingBody.h"
+#include "tools/sim/physics/PhysicalBodies.h"
 #include "tools/sim/physics/Variation.h"
 
 namespace kelpie::sim {
@@ -163,6 +167,25 @@ TEST(PhysicalBody, PushedOverItLiesOnItsSideAndGravitySaysSo) {
   EXPECT_GT(std::fabs(place.lean.roll.deg()), 45.0);
   const auto a = physics.robot(0).feeling({}, physics.engine()).acceleration;
   EXPECT_GT(std::fabs(a[1]), 700.0);
+}
+
+// Against its turning, whichever way up it is; once a hand made it spin until the physics failed.
+TEST(PhysicalBody, AHandHoldsStillWhatLiesOnItsBack) {
+  PhysicalStart start;
+  start.pose = {{180.0, 200.0}, Angle::deg(90.0)};
+  const auto built = PhysicalBodies::build(field2006(), {start}, {}, {});
+  const std::unique_ptr<PhysicalBodies>& bodies = *built;
+  bodies->putBall({{20.0, 20.0}, {}});
+  bodies->hold(0, 1.0);
+  Engine& engine = bodies->physics().engine();
+  const int joint = engine.model().body_jntadr[bodies->physics().robot(0).trunk()];
+  mjtNum* q = engine.data().qpos + engine.model().jnt_qposadr[joint];
+  const std::array<mjtNum, 4> half{0.0, 0.0, 1.0, 0.0};  // of a roll, from a heading of 90 deg
+  std::copy(half.begin(), half.end(), q + 3);
+  mjtNum* v = engine.data().qvel + engine.model().jnt_dofadr[joint];
+  v[5] = 3.0;
+  for (int tick = 0; tick < 500; ++tick) ASSERT_TRUE(bodies->tick());
+  EXPECT_LT(std::hypot(v[3], v[4], v[5]), 0.5);
 }
 
 TEST(PhysicalBody, VariedModelsDifferByTheirSeedOnly) {

@@ -48,7 +48,7 @@ struct MotionOptions {
   int models = 4;
   int places = 3;
   double reach = 40.0;
-  learn::SearchPlan plan{800, 0, 0.2, 1, {}};
+  learn::SearchPlan plan{800, 0, 0.2, 1, {}, {}};
 };
 
 // What a motion is judged by; greater is better.
@@ -126,9 +126,12 @@ Expected<actuator::MotionData> learnt(const MotionOptions& options, const Judge&
     return judge.gain(learn::motionOf(point, start));
   };
   Progress progress("motion " + options.name, "trials");
-  const auto all = static_cast<std::size_t>(options.plan.trials);
+  learn::SearchPlan plan = options.plan;
+  plan.trial =
+      fmt::format("motion {} models {} places {}", options.name, options.models, options.places);
+  const auto all = static_cast<std::size_t>(plan.trials);
   const auto found =
-      learn::search(learn::motionSpace(start, Angle::deg(options.reach)), options.plan, gain,
+      learn::search(learn::motionSpace(start, Angle::deg(options.reach)), plan, gain,
                     [&](int done, double) { progress(static_cast<std::size_t>(done), all); });
   if (!found) return Error{found.error()};
   fmt::print("gain {:.3f} after {} trials, {} of them from the journal\n", found->gain,
@@ -145,6 +148,8 @@ int calibrateMotion(const MotionOptions& options) {
   const auto kind = learn::motionNamed(options.name);
   if (!kind) return fail(kind.error(), kExitBadInput);
   if (!canWrite(options.out)) return fail(options.out + ": cannot be written", kExitBadInput);
+  if (!options.picture.empty() && !canWrite(options.picture))
+    return fail(options.picture + ": cannot be written", kExitBadInput);
   Expected<actuator::MotionData> motion = actuator::standardMotions()[*kind];
   if (!options.start.empty()) motion = learn::readMotion(options.start);
   if (!motion) return fail(motion.error(), kExitBadInput);

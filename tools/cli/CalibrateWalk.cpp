@@ -49,7 +49,7 @@ struct WalkOptions {
   int models = 4;
   bool onlyFit = false;
   bool keepStance = false;
-  learn::SearchPlan plan{600, 0, 0.2, 1, {}};
+  learn::SearchPlan plan{600, 0, 0.2, 1, {}, {}};
 };
 
 Expected<WalkKind> kindOf(const std::string& name) {
@@ -142,9 +142,11 @@ Expected<actuator::WalkSet> learnt(const WalkOptions& options, WalkKind kind,
     return learn::gainOf(learn::tryOnAll(planOf(kind), set, models, modelSeed), aim);
   };
   Progress progress("walk " + options.kind, "trials");
-  const auto all = static_cast<std::size_t>(options.plan.trials);
+  learn::SearchPlan plan = options.plan;
+  plan.trial = fmt::format("walk {} models {}", options.kind, options.models);
+  const auto all = static_cast<std::size_t>(plan.trials);
   const auto found =
-      learn::search(learn::walkSpace(kind, part, start), options.plan, gain,
+      learn::search(learn::walkSpace(kind, part, start), plan, gain,
                     [&](int done, double) { progress(static_cast<std::size_t>(done), all); });
   if (!found) return Error{found.error()};
   fmt::print("gain {:.3f} after {} trials, {} of them from the journal\n", found->gain,
@@ -161,6 +163,8 @@ int calibrateWalk(const WalkOptions& options) {
   const auto kind = kindOf(options.kind);
   if (!kind) return fail(kind.error(), kExitBadInput);
   if (!canWrite(options.out)) return fail(options.out + ": cannot be written", kExitBadInput);
+  if (!options.picture.empty() && !canWrite(options.picture))
+    return fail(options.picture + ": cannot be written", kExitBadInput);
   const auto start = startOf(options, *kind);
   if (!start) return fail(start.error(), kExitBadInput);
   fmt::print("before, on models that no search has seen: {}\n", judged(*kind, *start));

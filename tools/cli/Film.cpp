@@ -23,10 +23,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kCameraScale = 3;                           // 624 x 480
-constexpr double kFieldScale = 1.0;                       // pixels per cm
-constexpr int kFilmRate = 30;                             // frames a second
-constexpr int kCaption = 32;                              // px below the pictures
+constexpr int kCameraScale = 3;      // 624 x 480
+constexpr double kFieldScale = 1.0;  // pixels per cm
+constexpr int kFilmRate = 30;        // frames a second
+constexpr int kCaption = 32;         // px below the pictures
+constexpr int kTileText = 46;        // px below a camera's picture: belief, decisions, reason
 constexpr int kReasonsTop = kCameraScale * kImageHeight;  // below the camera's picture
 constexpr int kReasonsHigh = (static_cast<int>(Trace::kCapacity) + 1) * kReasonLine - 12;
 constexpr double kReasonSize = 0.45;
@@ -114,7 +115,7 @@ bool isShown(std::size_t frame, std::size_t all) {
 
 cv::Mat arrange(const cv::Mat& ground, const std::vector<cv::Mat>& frames) {
   const int tileWidth = kPictureCameraScale * kImageWidth;
-  const int tileHeight = kPictureCameraScale * kImageHeight + 22;
+  const int tileHeight = kPictureCameraScale * kImageHeight + kTileText;
   const int height = std::max(ground.rows, 3 * tileHeight) + kCaption;
   cv::Mat canvas(height, ground.cols + 2 * tileWidth + 16, CV_8UC3, cv::Scalar(30, 30, 30));
   paste(canvas, ground, 0, 0);
@@ -129,11 +130,19 @@ cv::Mat arrange(const cv::Mat& ground, const std::vector<cv::Mat>& frames) {
 
 cv::Mat tile(const Moment& moment) {
   const cv::Mat camera = drawCamera(moment.input, moment.output, kPictureCameraScale);
-  cv::Mat result(camera.rows + 22, camera.cols, CV_8UC3, cv::Scalar(30, 30, 30));
+  cv::Mat result(camera.rows + kTileText, camera.cols, CV_8UC3, cv::Scalar(30, 30, 30));
   paste(result, camera, 0, 0);
-  std::string text = describe(moment.input, moment.output);
-  cv::putText(result, text, {2, camera.rows + 15}, cv::FONT_HERSHEY_SIMPLEX, 0.35, kInk, 1,
-              cv::LINE_AA);
+  const auto line = [&](const std::string& text, int below) {
+    cv::putText(result, text, {2, camera.rows + below}, cv::FONT_HERSHEY_SIMPLEX, 0.35, kInk, 1,
+                cv::LINE_AA);
+  };
+  line(describe(moment.input, moment.output), 13);
+  // Who decided what, and the reason of the last in the chain.
+  const Trace& trace = moment.output.command.trace;
+  if (!trace.empty()) {
+    line(chainOf(trace), 26);
+    line(reasonOf(trace.back()), 39);
+  }
   return result;
 }
 

@@ -11,7 +11,7 @@
 #include "tools/cli/Logs.h"
 #include "tools/cli/Process.h"
 #include "tools/cli/Progress.h"
-#include "tools/cli/Session.h"
+#include "tools/session/Session.h"
 #include "tools/cli/StagingOptions.h"
 #include "tools/cli/WholeFile.h"
 

@@ -12,7 +12,7 @@
 #include "tools/cli/Commands.h"
 #include "tools/cli/Process.h"
 #include "tools/cli/Progress.h"
-#include "tools/cli/Session.h"
+#include "tools/session/Session.h"
 #include "tools/cli/Usage.h"
 #include "tools/cli/WholeFile.h"
 #include "tools/cli/Workshop.h"
@@ -42,7 +42,7 @@ Expected<std::vector<teleop::TimedKey>> keysOf(const std::string& file) {
   if (file == "-" && isatty(STDIN_FILENO) != 0)
     return Error{"--keys -: standard input is a terminal; leave --keys out to drive by hand"};
   std::ifstream opened;
-  if (file != "-") opened.open(file);
+  if (file != "-" && !std::filesystem::is_directory(file)) opened.open(file);
   std::istream& from = file == "-" ? std::cin : opened;
   const std::string text{std::istreambuf_iterator<char>(from), {}};
   if (from.bad() || (file != "-" && !opened.is_open())) return Error{file + ": cannot be read"};

@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <sstream>
 
 namespace kelpie::learn {
@@ -13,6 +15,7 @@ namespace {
 std::string headOf(const SearchSpace& space, const SearchPlan& plan) {
   std::string text =
       fmt::format("cma seed {} population {} spread {}", plan.seed, plan.population, plan.spread);
+  if (!plan.trial.empty()) text += " " + plan.trial;
   for (std::size_t i = 0; i < space.names.size(); ++i)
     text += fmt::format(" {} {:a} {:a} {:a}", space.names[i], space.least[i], space.most[i],
                         space.start[i]);
@@ -36,17 +39,23 @@ std::string lineOf(const std::vector<double>& point, double gain) {
 
 Status Journal::open(const SearchSpace& space, const SearchPlan& plan) {
   if (plan.journal.empty()) return Done{};
-  const std::string head = headOf(space, plan);
+  std::error_code error;
+  if (std::filesystem::exists(plan.journal, error) &&
+      !std::filesystem::is_regular_file(plan.journal, error))
+    return Error{plan.journal + ": is no file"};
+  path_ = plan.journal;
+  head_ = headOf(space, plan);
   std::ifstream file(plan.journal);
   std::string line;
-  if (file && std::getline(file, line) && line != head)
+  if (file && std::getline(file, line) && line != head_)
     return Error{plan.journal + ": is the journal of another search"};
   while (std::getline(file, line)) {
     std::vector<double> numbers = numbersOf(line);
-    if (numbers.size() != space.names.size() + 1) break;  // cut off while it was written
+    // The last one may be cut off while it was written, in the middle of a number, too.
+    if (file.eof() || numbers.size() != space.names.size() + 1) break;
     known_.push_back(std::move(numbers));
   }
-  return rewrite(head, plan.journal);
+  return rewrite();
 }
 
 const double* Journal::find(std::size_t i, const std::vector<double>& point) const {
@@ -54,18 +63,31 @@ const double* Journal::find(std::size_t i, const std::vector<double>& point) con
   return std::equal(point.begin(), point.end(), known_[i].begin()) ? &known_[i].back() : nullptr;
 }
 
-void Journal::add(const std::vector<double>& point, double gain) {
-  if (out_.is_open()) out_ << lineOf(point, gain) << std::flush;
+Status Journal::add(std::size_t i, const std::vector<double>& point, double gain) {
+  if (path_.empty()) return Done{};
+  if (i < known_.size()) {
+    known_.resize(i);
+    const Status cut = rewrite();
+    if (!cut) return cut;
+  }
+  known_.push_back(point);
+  known_.back().push_back(gain);
+  out_ << lineOf(point, gain) << std::flush;
+  if (!out_) return Error{path_ + ": cannot be written"};
+  return Done{};
 }
 
-Status Journal::rewrite(const std::string& head, const std::string& path) {
-  out_.open(path, std::ios::trunc);
-  out_ << head << '\n';
+// In another file first: a journal that is there already is never lost.
+Status Journal::rewrite() {
+  const std::string part = path_ + ".part";
+  out_ = std::ofstream(part, std::ios::trunc);
+  out_ << head_ << '\n';
   for (const auto& numbers : known_)
     out_ << lineOf({numbers.begin(), numbers.end() - 1}, numbers.back());
   out_.flush();
-  if (!out_) return Error{path + ": cannot be written"};
-  return Done{};
+  if (out_ && std::rename(part.c_str(), path_.c_str()) == 0) return Done{};
+  std::remove(part.c_str());
+  return Error{path_ + ": cannot be written"};
 }
 
 }  // namespace kelpie::learn

@@ -18,11 +18,14 @@ class Journal {
   Status open(const SearchSpace& space, const SearchPlan& plan);
   // The gain of trial number i, when it is known and was of that point.
   const double* find(std::size_t i, const std::vector<double>& point) const;
-  void add(const std::vector<double>& point, double gain);
+  // Writes trial number i, which was not known; what was known from there on was of other points.
+  Status add(std::size_t i, const std::vector<double>& point, double gain);
 
  private:
-  Status rewrite(const std::string& head, const std::string& path);
+  Status rewrite();
 
+  std::string path_;
+  std::string head_;
   std::vector<std::vector<double>> known_;
   std::ofstream out_;
 };

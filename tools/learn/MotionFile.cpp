@@ -38,10 +38,11 @@ class Reader {
     MotionData motion;
     motion.returnTicks = 30;
     known(file, {"about", "slew", "at_once", "return_ticks", "way", "kick", "frame"});
+    if (file.contains("about") && !file["about"].is_string()) complain(file, "about: is a text");
     number(file, "slew", motion.slew);
     number(file, "at_once", motion.atOnce);
     number(file, "return_ticks", motion.returnTicks);
-    if (const toml::table* way = file["way"].as_table()) {
+    if (const toml::table* way = table(file, "way")) {
       known(*way, {"forward", "left", "turn", "forward_sd", "left_sd", "turn_sd"});
       number(*way, "forward", motion.way.forward);
       number(*way, "left", motion.way.left);
@@ -50,7 +51,7 @@ class Reader {
       number(*way, "left_sd", motion.way.leftSd);
       number(*way, "turn_sd", motion.way.turnSd);
     }
-    if (const toml::table* kick = file["kick"].as_table()) {
+    if (const toml::table* kick = table(file, "kick")) {
       known(*kick, {"ahead", "left", "distance", "distance_sd", "direction", "direction_sd"});
       number(*kick, "ahead", motion.kick.ahead);
       number(*kick, "left", motion.kick.left);
@@ -77,6 +78,12 @@ class Reader {
       if (std::find(keys.begin(), keys.end(), key.str()) == keys.end())
         complain(node, std::string(key.str()) + ": there is no such key");
   }
+  // None where the key is not.
+  const toml::table* table(const toml::table& file, const char* key) {
+    const toml::node* node = file.get(key);
+    if (node != nullptr && !node->is_table()) complain(*node, std::string(key) + ": is no table");
+    return node != nullptr ? node->as_table() : nullptr;
+  }
   template <class T>
   void number(const toml::table& table, const char* key, T& value) {
     const toml::node* node = table.get(key);
@@ -91,7 +98,8 @@ class Reader {
       if constexpr (std::is_same_v<T, Angle>) {
         value = Angle::deg(*real);
       } else if constexpr (std::is_integral_v<T>) {
-        if (!(*real >= 0.0 && *real < 1e6)) return complain(*node, std::string(key) + ": too much");
+        if (!(*real >= 0.0 && *real < 1e6 && *real == std::floor(*real)))
+          return complain(*node, std::string(key) + ": is no whole number, or too much");
         value = static_cast<T>(*real);
       } else {
         value = *real;
@@ -203,13 +211,22 @@ std::string frameText(const KeyFrame& key) {
 }  // namespace
 
 Expected<MotionData> readMotion(const std::string& path) {
+  std::error_code none;
+  if (!std::filesystem::exists(path, none)) return Error{path + ": there is no such file"};
+  if (std::filesystem::is_directory(path, none)) return Error{path + ": is a directory"};
   const toml::parse_result parsed = toml::parse_file(path);
   if (!parsed) {
     const toml::parse_error& error = parsed.error();
-    return Error{fmt::format("{}:{}: {}", path, error.source().begin.line, error.description())};
+    const auto line = error.source().begin.line;  // 0: not one of the file's
+    if (line == 0) return Error{path + ": cannot be read"};
+    return Error{fmt::format("{}:{}: {}", path, line, error.description())};
   }
   const auto other = parsed.table()["mirror"].value<std::string>();
   if (!other) return Reader(path).read(parsed.table());
+  for (const auto& [key, node] : parsed.table())
+    if (key != "mirror" && key != "about")
+      return Error{fmt::format("{}:{}: {}: is not beside mirror", path, node.source().begin.line,
+                               key.str())};
   const std::string file = std::filesystem::path(path).parent_path() / (*other + ".toml");
   const toml::parse_result source = toml::parse_file(file);
   if (!source || source.table().contains("mirror"))

@@ -14,12 +14,15 @@ struct Run {
   const Told& told;
   Journal journal;
   SearchResult result;
+  Status written = Done{};
 
   double tryPoint(const std::vector<double>& point) {
     const double* known = journal.find(result.gains.size(), point);
     const double now = known != nullptr ? *known : gain(point);
-    result.replayed += known != nullptr ? 1 : 0;
-    journal.add(point, now);
+    if (known != nullptr)
+      ++result.replayed;
+    else if (written)
+      written = journal.add(result.gains.size(), point, now);
     if (result.gains.empty() || now > result.gain) {
       result.gain = now;
       result.best = point;
@@ -52,23 +55,23 @@ Status searchFrom(const SearchSpace& space, const SearchPlan& plan,
   auto cma = Cma::start(sharesOf(start, space), plan);
   if (!cma) return Error{cma.error()};
   run.tryPoint(start);
-  while (run.result.gains.size() < static_cast<std::size_t>(plan.trials)) {
+  while (run.written && run.result.gains.size() < static_cast<std::size_t>(plan.trials)) {
     const auto asked = cma->ask();
     if (!asked) return Error{asked.error()};
     std::vector<double> gains;
     const std::size_t left = static_cast<std::size_t>(plan.trials) - run.result.gains.size();
-    for (std::size_t i = 0; i < std::min(left, asked->size()); ++i)
+    for (std::size_t i = 0; i < std::min(left, asked->size()) && run.written; ++i)
       gains.push_back(run.tryPoint(scaled((*asked)[i], space)));
     if (gains.size() == asked->size()) cma->tell(gains);
   }
-  return Done{};
+  return run.written;
 }
 
 }  // namespace
 
 Expected<SearchResult> search(const SearchSpace& space, const SearchPlan& plan, const Gain& gain,
                               const Told& told) {
-  Run run{gain, told, {}, {}};
+  Run run{gain, told, {}, {}, Done{}};
   const Status opened = run.journal.open(space, plan);
   if (!opened) return Error{opened.error()};
   std::vector<double> start = space.start;

@@ -21,6 +21,7 @@ struct SearchPlan {
   double spread = 0.2;  // the first standard deviation, share of each number's range
   std::uint32_t seed = 1;
   std::string journal;  // a file; empty: none
+  std::string trial;    // what else a gain depends on, in words: a journal is of that alone
 };
 
 }  // namespace kelpie::learn

@@ -12,7 +12,8 @@ constexpr double kBallFromLines = 40.0;   // cm
 constexpr double kRobotFromLines = 50.0;  // cm
 constexpr double kApart = 40.0;           // cm between robot and ball at the start
 constexpr double kAttackersShare = 0.6;   // of the field's length, from the attacker's own end
-constexpr double kKeeperFromLine = 20.0;  // cm from its goal line to its neck base (A-4.3.1.7)
+// cm from its goal line to its neck base (checklist A-4.3.1.7).
+constexpr double kKeeperFromLine = 20.0;
 
 // A robot up to that y and a ball, apart.
 void drawBoth(const body::FieldDescription& field, double highest, Random& random, Pose2& start,

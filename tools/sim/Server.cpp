@@ -13,9 +13,7 @@ namespace {
 
 constexpr std::int64_t kMessageUs = kTickUs * kTicksPerMessage;
 
-std::string titleOf(const host::AgentHello& hello) {
-  return "agent " + nameOf(hello);
-}
+std::string titleOf(const host::AgentHello& hello) { return "agent " + nameOf(hello); }
 
 bool before(const Agent& a, const Agent& b) {
   return a.hello.team != b.hello.team ? a.hello.team < b.hello.team

@@ -30,7 +30,7 @@ std::vector<std::string> partsOf(const std::string& words) {
   return parts;
 }
 
-// "1,-2.5,3" as numbers; nothing when a part is no number, not finite or larger than 1e6.
+// "1,-2.5,3" as numbers; nothing when a part is not a finite number or larger than 1e6.
 std::vector<double> numbersOf(const std::string& text) {
   std::vector<double> numbers;
   const char* next = text.data();

@@ -45,6 +45,10 @@ Command anyCommand(Random& random) {
   command.head.headPan = angle();
   command.head.headNod = angle();
   command.head.speed = drawn(10, random);
+  command.head.aim = static_cast<HeadAim>(random.index(kHeadAimCount));
+  command.head.direction = angle();
+  command.head.elevation = angle();
+  command.head.target = {drawn(200, random), drawn(200, random), drawn(50, random)};
   command.mouthOpen = random.chance(0.5);
   command.tail = {angle(), angle()};
   if (random.chance(0.4)) command.motion = static_cast<MotionKind>(random.index(kMotionKindCount));

@@ -5,7 +5,7 @@
 
 #include <functional>
 
-#include "tools/cli/Session.h"
+#include "tools/session/Session.h"
 #include "tools/experiments/harness/Trials.h"
 #include "tools/experiments/match/Played.h"
 

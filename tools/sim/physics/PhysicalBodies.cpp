@@ -99,7 +99,10 @@ void PhysicalBodies::pull(std::size_t i) {
   force[0] = kHandSpring * kCm * off.x - kHandDamping * v[0];
   force[1] = kHandSpring * kCm * off.y - kHandDamping * v[1];
   const double turn = (robot.anchor.heading - robot.place.pose.heading).rad();
-  force[5] = kHandTurn * turn - kHandTurnDamping * v[5];
+  // A free body's angular velocity is in its own axes; a robot on its back turns the other way.
+  const mjtNum* r = data.xmat + 9 * body.trunk();
+  const double turning = r[6] * v[3] + r[7] * v[4] + r[8] * v[5];
+  force[5] = kHandTurn * turn - kHandTurnDamping * turning;
   if (robot.lifted <= 0.0) return;
   const double height = robot.anchorHeight + kCm * robot.lifted;
   force[2] = 2.0 * kHandSpring * (height - data.xpos[3 * body.trunk() + 2]) - kHandDamping * v[2];

@@ -2,8 +2,8 @@
 // The command lines of the processes of a match.
 #pragma once
 
-#include "tools/cli/Session.h"
 #include "tools/cli/Workshop.h"
+#include "tools/session/SessionOptions.h"
 
 namespace kelpie::cli {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tools/cli/Session.h"
+#include "tools/session/Session.h"
 
 #include <fmt/core.h>
 
@@ -14,10 +14,10 @@
 
 #include "tools/cli/AgentTalk.h"
 #include "tools/cli/Logs.h"
-#include "tools/cli/Opponents.h"
 #include "tools/cli/Process.h"
-#include "tools/cli/SessionCommands.h"
 #include "tools/cli/Workshop.h"
+#include "tools/session/Opponents.h"
+#include "tools/session/SessionCommands.h"
 
 namespace kelpie::cli {
 namespace {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tools/cli/Opponents.h"
+#include "tools/session/Opponents.h"
 
 #include <fmt/core.h>
 
 #include "tools/cli/AgentTalk.h"
-#include "tools/cli/SessionCommands.h"
+#include "tools/session/SessionCommands.h"
 
 namespace kelpie::cli {
 

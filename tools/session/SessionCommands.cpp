@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tools/cli/SessionCommands.h"
+#include "tools/session/SessionCommands.h"
 
 #include "tools/cli/Process.h"
 

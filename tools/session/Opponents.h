@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "tools/cli/Process.h"
-#include "tools/cli/Session.h"
 #include "tools/cli/Workshop.h"
+#include "tools/session/SessionOptions.h"
 
 namespace kelpie::cli {
 

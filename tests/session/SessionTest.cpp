@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "tools/cli/SessionCommands.h"
+#include "tools/session/SessionCommands.h"
 
 namespace kelpie::cli {
 namespace {
