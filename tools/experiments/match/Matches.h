@@ -5,9 +5,9 @@
 
 #include <functional>
 
-#include "tools/session/Session.h"
 #include "tools/experiments/harness/Trials.h"
 #include "tools/experiments/match/Played.h"
+#include "tools/session/Session.h"
 
 namespace kelpie::experiments {
 
