@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 # Walks up to a ball that lies free until it is where a kick strikes best, and kicks without a grab
 # (leaves UPenn_Kick and Head_Kick of thesis 2006 section 5.4). Keeps the state and the motion. The
-# ball's place is foretold for the moment the motion begins; a ball that the chin hides is where gps
-# believes it. It does not turn to the goal: the decision tree chose the kick for how it stands.
+# ball's place is predicted for the moment the motion begins; a ball that the chin hides is where
+# gps believes it. It does not turn to the goal: the decision tree chose the kick for how it stands.
 import math
 
 import kelpie
