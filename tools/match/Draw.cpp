@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tools/cli/Draw.h"
+#include "tools/match/Draw.h"
 
 #include <fmt/core.h>
 
@@ -9,7 +9,7 @@
 
 #include "tools/picture/CameraPicture.h"
 
-namespace kelpie::cli {
+namespace kelpie::match {
 namespace {
 
 using namespace ink;
@@ -260,4 +260,4 @@ void drawPlaces(cv::Mat& picture, const body::FieldDescription& field, double sc
              cv::LINE_AA);
 }
 
-}  // namespace kelpie::cli
+}  // namespace kelpie::match

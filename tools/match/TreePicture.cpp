@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tools/cli/TreePicture.h"
+#include "tools/match/TreePicture.h"
 
 #include <fmt/core.h>
 
@@ -7,9 +7,9 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
-#include "tools/cli/Draw.h"
+#include "tools/match/Draw.h"
 
-namespace kelpie::cli {
+namespace kelpie::match {
 namespace {
 
 constexpr int kRow = 22;     // px from a leaf to the next
@@ -128,4 +128,4 @@ cv::Mat drawTree(const DecisionTree& tree, std::uint32_t frames,
   return TreeDrawing(tree, frames).draw(caption);
 }
 
-}  // namespace kelpie::cli
+}  // namespace kelpie::match
