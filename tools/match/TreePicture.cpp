@@ -56,8 +56,11 @@ class TreeDrawing {
   std::string wordsOf(const TreeNode& node) const {
     if (!node.leaf || frames_ == 0) return node.text;
     if (node.count.frames == 0) return node.text + "  never";
-    return fmt::format("{}  {} frames, {:.1f} %; {} times", node.text, node.count.frames,
-                       100.0 * node.count.frames / frames_, node.count.times);
+    const auto counted = [](std::uint32_t count, const char* what) {
+      return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+    };
+    return fmt::format("{}  {}, {:.1f} %; {}", node.text, counted(node.count.frames, "frame"),
+                       100.0 * node.count.frames / frames_, counted(node.count.times, "time"));
   }
 
   // A column is as wide as the longest question in it; leaves may reach over the next ones, where
