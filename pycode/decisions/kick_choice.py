@@ -46,7 +46,7 @@ class Hold:
         return (aside * aside + below * below) ** 0.5 < CORNER_AREA
 
     def pass_across(self):
-        """Towards the middle: a robot in the left corner that looks up-field passes to the right."""
+        """Towards the middle: who looks up-field from the left corner passes to the right."""
         left = self.x < 0.5 * self.field.width
         return (PASS_RIGHT if left else PASS_LEFT, 'in a corner, the gap is small')
 

@@ -14,7 +14,7 @@ from lib.geom import wrap
 NEARLY = 0.93          # of the aimed kick's worth: turning on costs time
 STILL_GOOD = 0.8       # of it for who has stopped for the kick: gaps are seen unsteadily
 AIM_SD = 7.0           # deg beside the map's: of 40 kicks from matches 7.5, the map 1.0
-NEARNESS = 0.6         # worth of a ball on the goal line's middle, against a goal's 1; it falls to 0
+NEARNESS = 0.6         # worth of a ball in the goal line's middle, if a goal is 1; it falls to 0
 FALL_OFF = 650.0       # cm away, about the field's diagonal
 OUT = 0.5              # share of that worth which a ball out of the field keeps
 OWN_END = 45.0         # cm from the own goal line: a ball that goes there is worth

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 # The decision tree of the robot that plays the ball (thesis 2006 chapter 5), as data: which skill,
-# from a Situation. Nodes ask, leaves name skills; misprints are read as the checklist does (G27 to
-# G33). The thesis leaves open what happens at offensive edges and in offensive contests, and which
-# of its six leaves with grab a GrabDribble is: those sub-trees are ours. Keeps nothing.
+# from a Situation. Nodes ask, leaves name skills; misprints are read as in checklist G27 to G33.
+# The thesis leaves open what happens at offensive edges and in offensive contests, and which of its
+# six leaves with grab a GrabDribble is: those sub-trees are ours. Keeps nothing.
 from decisions import zones
 from decisions.situation import FACING_GOAL, FAR_OUT, NEAR_LINE
 

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-# The head's infrared as a yes or no: is something nearer than the carpet that it reads in the stance
-# with a held ball (thesis 2006 section 6.4.4)? The threshold is 0.8 of what it reads of the bare
-# carpet; other robots' sensors are told by a line through two of them. Calibration keeps sums of
-# its readings; nothing else is kept.
+# The head's infrared as a yes or no: is something nearer than the carpet that it reads in the
+# stance with a held ball (thesis 2006 section 6.4.4)? The threshold is 0.8 of what it reads of the
+# bare carpet; other robots' sensors are told by a line through two of them. Calibration keeps sums
+# of its readings; nothing else is kept.
 
 SHARE = 0.8        # of the mean over bare carpet
 DEFAULT = 20.0     # cm, the threshold of the final of 2006 (carpet read as 25 cm)

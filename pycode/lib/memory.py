@@ -24,6 +24,7 @@ class Memory:
         self.spin_run = 0           # frames of this spin so far
         self.turn_lost = NEVER      # frames since a large turn was asked for
         self.ir = IR_RANGE          # cm, low-passed near distance of the head
+        self.chest = IR_RANGE       # cm, low-passed distance of the chest: the carpet before it
         self.close_lost = NEVER     # frames since the ball was close (find_ball)
         self.approach_lost = NEVER  # frames since a grab was approached
         self.grab_lost = NEVER      # frames since a grab was begun or the ball held
@@ -37,6 +38,7 @@ class Memory:
                      'localised_lost'):
             setattr(self, name, getattr(self, name) + 1)
         self._see(world)
+        self.chest += IR_SHARE * (world.sensors.chest_distance - self.chest)
         self.ir += IR_SHARE * (world.sensors.head_near_distance - self.ir)
         if abs(world.last_command.walk.turn_deg) > BIG_TURN_DEG:
             self.turn_lost = 0

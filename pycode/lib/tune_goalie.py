@@ -81,7 +81,9 @@ class Attack:
 
 class Clear:
     OFF_GOAL, SDS = 25.0, 3.0  # deg, and sd of a kick's direction, from the own goal's cone
-    SEEN = 0.6               # s; the chin hides a near ball
+    SEEN = 0.2               # s; of kicks at balls unseen for longer hardly one hit
+    STANDS = 0.35            # s after a motion: the ball seen by a robot that lies or gets up is up
+                             # to 8 cm off, and the kick misses
     NEAR = 25.0              # cm; no kick reaches farther
     BESIDE, FARTHEST = 2.0, 16.0  # cm about a kick's window, and ahead
     LATENCY = 0.05, 0.2      # s from asking to the motion's beginning, at least and at most

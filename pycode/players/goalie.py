@@ -118,7 +118,8 @@ class Goalie(Machine):
                          'a ball comes at {} cm/s, to {} cm right', shot.speed, shot.aside)
 
     def may_clear(self, world) -> bool:
-        best = clearing_kick(world) if self.seen_since_motion(world) else None
+        stands = world.time_s - self.moved_s > Clear.STANDS
+        best = clearing_kick(world) if stands else None
         if best is None:
             return False
         if self.state != self.clear:

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 # The robot that plays the ball (thesis 2006 Alg 4.2): keeps out of its own box, looks for landmarks
-# when that costs nothing, finds the ball, and uses the skill that the decision tree names. Keeps the
-# state, the skill, the leaf that it plays and why, the contest's latch and the goal. A skill that is
-# committed (a grab, a kick, a held ball) is not interrupted; any other may change in any frame.
+# when that costs nothing, finds the ball, and uses the skill that the decision tree names. Keeps
+# the state, the skill, the leaf that it plays and why, the contest's latch and the goal. A skill
+# that is committed (a grab, a kick, a held ball) is not interrupted; any other may change in any
+# frame.
 import kelpie
 from decisions import tree
 from decisions.contested import Contested
@@ -34,7 +35,8 @@ AHEAD, FOLLOW = 15.0, 40.0  # deg, cm/s: a ball that went ahead is followed mean
 BOX_WAIT_FRAMES = 90    # who is alone waits so long for its ball to leave the own box
 BOX_LEFT_Y = 130.0      # cm; a ball beyond has left it for certain
 KICKS = {tree.UPENN_LEFT: kelpie.UPENN_LEFT, tree.UPENN_RIGHT: kelpie.UPENN_RIGHT,
-         tree.KICK_AHEAD: kelpie.KICK_FORWARD, tree.HEAD_LEFT: kelpie.HEAD_SWIPE_LEFT, tree.HEAD_RIGHT: kelpie.HEAD_SWIPE_RIGHT}
+         tree.KICK_AHEAD: kelpie.KICK_FORWARD,
+         tree.HEAD_LEFT: kelpie.HEAD_SWIPE_LEFT, tree.HEAD_RIGHT: kelpie.HEAD_SWIPE_RIGHT}
 LINE_UP = 'line_up_kick'    # in place of a grab when that is switched off
 
 
@@ -92,7 +94,7 @@ class Attacker(Machine):
         return self.stuck.command(world)
 
     def avoid_box(self, world):
-        """A robot without team mates has no goalie who clears the ball: it fetches it in the end."""
+        """Without team mates there is no goalie who clears the ball: it fetches it in the end."""
         self.box_frames += 1
         if self.lost(world) or not self.box_in_the_way(world):
             return self.enter(world, self.find, None, 'the own box is no longer in the way')

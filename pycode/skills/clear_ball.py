@@ -43,7 +43,7 @@ def in_the_way(ball, direction, other) -> bool:
             abs(wrap(math.degrees(math.atan2(dy, dx)) - direction)) < Clear.OPPONENT_DEG)
 
 
-def foretold(world, seconds) -> tuple[float, float]:
+def predicted(world, seconds) -> tuple[float, float]:
     """The ball's place in the robot frame after that time: the robot walks on, the ball rolls."""
     ball, step = world.ball.relative, world.odometry
     share = seconds / max(world.elapsed_s, 0.02)
@@ -67,7 +67,7 @@ def clearance(world, kick) -> Clearance | None:
     ball = (world.ball.position.x, world.ball.position.y)
     worst = None
     for seconds in Clear.LATENCY:
-        place = foretold(world, seconds)
+        place = predicted(world, seconds)
         outcome = kick_table.outcome(kick, *place) if in_window(kick, *place) else None
         if outcome is None:
             return None

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-# With the ball around whoever stands in the way (thesis 2006 section 6.4.4): infrared or dark pixels
-# ahead start a step to a side, which goes on until nothing is there for some frames. Keeps the side
-# and the frames that are still to be free. The side comes from where the robot is, before the
-# opponents' goal from the wider gap. It cannot see who stands beside it.
+# With the ball around whoever stands in the way (thesis 2006 section 6.4.4): infrared or dark
+# pixels ahead start a step to a side, which goes on until nothing is there for some frames. Keeps
+# the side and the frames that are still to be free. The side comes from where the robot is, before
+# the opponents' goal from the wider gap. It cannot see who stands beside it.
 import kelpie
 from lib import aim, obstacles
 from lib.infrared import DEFAULT, near
@@ -65,7 +65,8 @@ class Dodge(Machine):
         return side_by_place(world.field, place.x, place.y)
 
     def frames(self, world) -> int:
-        before_goal = world.field.length - world.pose.position.y < GOALIE_BOX + world.field.box_depth
+        to_line = world.field.length - world.pose.position.y
+        before_goal = to_line < GOALIE_BOX + world.field.box_depth
         return RELEASE_GOALIE if before_goal else RELEASE_OTHER
 
     @property

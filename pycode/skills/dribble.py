@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-# Runs into the ball and drives it on without a grab (leaf Dribble of thesis 2006 section 5.4): fast,
-# for when somebody else is near or the way ahead is free. Steers for a side of the ball, so that it
-# goes to the goal. Keeps when it began. The ball goes where the chest sends it, within 30 deg.
+# Runs into the ball and drives it on without a grab (leaf Dribble of thesis 2006 section 5.4):
+# fast, for when somebody else is near or the way ahead is free. Steers for a side of the ball, so
+# that it goes to the goal. Keeps when it began. The ball goes where the chest sends it, within 30
+# deg.
 import math
 
 import kelpie

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 # A short look of the head at a landmark while the legs walk on to a ball that is not near yet: the
 # attacker's active localisation between the spins after which thesis 2006 section 4.3.2 asks for
-# one. Looks at what was not seen for longest; without a pose to go by it sweeps to a side. Keeps the
-# landmark, the frames of this look and the side. One landmark alone, seen again and again, leaves a
-# robot at the wrong place of a circle about it: match 3 of the simulator stood 150 cm off for a minute.
+# one. Looks at what was not seen for longest; without a pose to go by it sweeps to a side. Keeps
+# the landmark, the frames of this look and the side. One landmark alone, seen again and again,
+# leaves a robot at the wrong place of a circle about it: in match 3 of the simulator 150 cm off for
+# a minute.
 import math
 
 import kelpie

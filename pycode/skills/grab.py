@@ -7,8 +7,9 @@
 import math
 
 import kelpie
-from lib import intercept
+from lib import hints, intercept
 from lib.geom import clamp, heading
+from lib.infrared import near
 from lib.machine import Machine
 from skills.hold import carry
 from skills.track_ball import TrackBall
@@ -31,8 +32,9 @@ AFTER_TURN = 0.75
 FRAME_S = 1.0 / 30.0
 
 SEEN_S = 0.2             # s: nobody grabs a ball that it has not just seen
-IR_NEAR = 12.0           # cm of the filtered infrared: the ball is close
+IR_NEAR = 11.5           # cm of the chest's filtered infrared, which reads the carpet at 14
 FORWARD = 8.0            # cm/s that the motion ends with (actuator/data/motions/grab.toml)
+HINT_WITHIN = 40.0       # cm; a far ball that is lost need not be where the paws are
 START_S = 0.5            # for the motion to begin
 LONGEST_S = 2.0
 
@@ -104,11 +106,13 @@ class Grab(Machine):
         vx, vy = intercept.relative_velocity(world) if intercept.rolls(world.ball) else (0.0, 0.0)
         seen = world.ball.seconds_since_seen < SEEN_S
         if seen and can_grab(ball, (vx * FRAME_S, vy * FRAME_S), self.memory.turn_lost):
-            self.quick = self.memory.ir < IR_NEAR
+            self.quick = near(self.memory.chest, IR_NEAR)
             self.asked_s = world.time_s
-            return self.enter(world, self.grab, None, 'ball {} cm ahead, {} cm aside', ball[1],
-                              ball[0])
-        self.memory.set_hint(30.0, 0.0)
+            return self.enter(world, self.grab, None,
+                              'ball {} cm ahead, {} cm aside; infrared of the chest {} cm',
+                              ball[1], ball[0], self.memory.chest)
+        if world.ball.distance < HINT_WITHIN:
+            self.memory.set_hint(*hints.GRAB)
         place = intercept.target(world)
         walk = limited(approach(place), heading(*place))
         return kelpie.Command(walk=walk, head=self.track.head(world))

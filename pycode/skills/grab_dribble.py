@@ -17,7 +17,7 @@ from skills.hold import FORWARD_SPEED, SIDE_SPEED, TURN_SPEED, Hold, carry
 from skills.kick import Kick
 from skills.release import Release
 
-TIME_OUT = 2.45         # s from asking for the grab, which holds 0.4 s later; the ball is gone in 0.35
+TIME_OUT = 2.45         # s from asking for the grab, which holds after 0.4; the ball goes in 0.35
 FARTHEST = 40.0         # cm from the place of the grab (rule: 50 cm)
 SETTLE = 0.2            # s after the grab
 FEEL = 0.5              # s within which a caught ball is felt (docs/body.md: 0.22)

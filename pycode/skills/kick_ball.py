@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
 # Walks up to a ball that lies free until it is where a kick strikes best, and kicks without a grab
 # (leaves UPenn_Kick and Head_Kick of thesis 2006 section 5.4). Keeps the state and the motion. The
-# ball's place is foretold for the moment the motion begins; a ball that the chin hides is where gps
-# believes it. It does not turn to the goal: the decision tree chose the kick for how it stands.
+# ball's place is predicted for the moment the motion begins; a ball that the chin hides is where
+# gps believes it. It does not turn to the goal: the decision tree chose the kick for how it stands.
 import math
 
 import kelpie
-from lib import intercept
+from lib import hints, intercept
 from lib.geom import clamp, heading
 from lib.machine import Machine
 from skills.grab import approach, limited
@@ -18,10 +18,7 @@ from skills.track_ball import TrackBall
 PLACES = {kelpie.KICK_FORWARD: (14.0, 0.0),
           kelpie.HEAD_SWIPE_LEFT: (13.0, -3.0), kelpie.HEAD_SWIPE_RIGHT: (13.0, 3.0),
           kelpie.UPENN_LEFT: (12.0, -6.0), kelpie.UPENN_RIGHT: (12.0, 6.0)}
-# Where it comes out: table 6.1 (distance cm, deg; the sign is the kick's side).
-HINTS = {kelpie.HEAD_SWIPE_LEFT: (50.0, 30.0), kelpie.HEAD_SWIPE_RIGHT: (50.0, -30.0),
-         kelpie.UPENN_LEFT: (25.0, 30.0), kelpie.UPENN_RIGHT: (25.0, -30.0),
-         kelpie.KICK_FORWARD: (50.0, 0.0)}
+AHEAD_HINT = 50.0, 0.0  # cm, deg: where a kick that table 6.1 does not have sends it
 
 LATENCY = 0.16         # s until the motion begins, in which the robot walks on
 NEAR_AHEAD, NEAR_SIDE = 1.8, 2.2    # cm
@@ -86,8 +83,7 @@ class KickBall(Machine):
 
     def kick(self, world):
         if self.skill.done(world):
-            distance, aside = HINTS[self.which]
-            self.memory.set_hint(distance, aside)
+            self.memory.set_hint(*(hints.of_kick(self.which) or AHEAD_HINT))
             return self.enter(world, self.ended, None, 'kicked')
         command = kelpie.Command(head=self.track.head(world))
         command.motion = self.skill.motion(world)

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 # Worlds that no field ever shows, to attack the behaviours with: all that a frame tells changes at
-# random, most of it seldom, so that skills get into all of their states. Every number is finite, but
-# the parts contradict one another: a ball in the arms that gps has on the other side, a motion
-# that nobody asked for, a clock that stands still or jumps. What a Command may be is at the end.
+# random, most of it seldom, so that skills get into all of their states. Every number is finite but
+# parts contradict one another: a ball in the arms that gps has on the other side, a motion that
+# nobody asked for, a clock that stands still or jumps. What a Command may be is at the end.
 import math
 import random
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-# Worlds for table tests: a robot somewhere on the field and a ball at a place, with all that follows
-# from these two filled in as gps would.
+# Worlds for table tests: a robot somewhere on the field and a ball at a place, with all that
+# follows from these two filled in as gps would.
 import math
 
 import kelpie

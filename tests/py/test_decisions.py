@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """The decision tree and what it asks, thesis 2006 chapter 5; boundaries as its algorithms print
-them, read as the checklist does (G27 to G33)."""
+them, misprints as in checklist G27 to G33."""
 import math
 import random
 

@@ -6,7 +6,7 @@ import kelpie
 import pytest
 from goalie_world import GoalieWorld, anywhere, run, scene, shot
 from lib import goalie_places as places
-from lib.tune_goalie import Block, Guard
+from lib.tune_goalie import Block, Clear, Guard
 from players.goalie import Goalie
 from skills.guard_goal import GuardGoal
 
@@ -14,6 +14,7 @@ from skills.guard_goal import GuardGoal
 def state(world, frames=Block.SEEN_FRAMES + Block.FRAMES):
     """What the goalie does when the ball comes by there, after so many frames."""
     player = Goalie()
+    player.moved_s = -10.0
     world.ball -= world.velocity * frames / 30.0
     for _ in range(frames):
         world.ball += world.velocity / 30.0
@@ -231,3 +232,14 @@ def test_a_ball_lost_under_the_chin_is_backed_off_from(ahead, right, steps_back)
     command = player.guard(scenery.world)
     assert (command.walk.forward < 0.0) == steps_back
     assert command.walk.left == pytest.approx(0.0)
+
+
+def test_no_kick_before_the_goalie_stands_after_a_motion():
+    scenery, player = scene(180 + 44j, at=180 + 30j), Goalie()
+    player.moved_s = scenery.world.time_s
+    waited = 0
+    while player.state != player.clear:
+        scenery.see()
+        player.command(scenery.world)
+        waited += 1
+    assert waited == pytest.approx(30 * Clear.STANDS, abs=2)

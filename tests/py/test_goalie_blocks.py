@@ -10,7 +10,7 @@ from lib import kick_table
 from lib.memory import Memory
 from lib.tune_goalie import Block
 from skills.block import ShotWatch, block_for
-from skills.clear_ball import clearing_kick, foretold
+from skills.clear_ball import clearing_kick, predicted
 
 
 # Block choice (checklist A-4.3.1.4)
@@ -130,7 +130,7 @@ def test_a_clear_never_goes_towards_the_own_goal():
         if best is None:
             continue
         kicks += 1
-        x, y = foretold(world, 0.1)
+        x, y = predicted(world, 0.1)
         aside, sd = kick_table.outcome(best.kick, x, y)[1:3]
         for off in (-3.0 * sd, 0.0, 3.0 * sd):
             direction = math.degrees(heading) + aside + off
@@ -168,6 +168,6 @@ def test_a_clear_passes_an_opponent_ahead():
 def test_what_is_kicked_is_the_ball_at_the_motions_beginning():
     world = scene(180 + 58j, at=180 + 30j).world
     world.elapsed_s = 1.0 / 30.0
-    assert foretold(world, 0.1) == pytest.approx((0.0, 28.0))
+    assert predicted(world, 0.1) == pytest.approx((0.0, 28.0))
     world.odometry.forward, world.odometry.left = 1.0, 0.5
-    assert foretold(world, 0.1) == pytest.approx((1.5, 25.0))
+    assert predicted(world, 0.1) == pytest.approx((1.5, 25.0))

@@ -52,7 +52,7 @@ def test_a_ball_rolls_4_69_of_its_velocity_in_six_predicted_frames():
 def grabbing(ir):
     """A grab at its begin, with what the filtered infrared reads."""
     memory = Memory()
-    memory.ir, memory.turn_lost = ir, LONG
+    memory.chest, memory.turn_lost = ir, LONG
     skill, made = Grab(memory), world(180, 200, 90, (180, 212))
     return skill, made, skill.command(made)
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The layers of pycode/, read from its text: main -> players -> roles -> decisions -> skills -> lib,
-and nothing else but `kelpie` and `math`."""
+"""The layers of pycode/, read from its text: main -> players -> roles -> decisions -> skills ->
+lib, and nothing else but `kelpie` and `math`."""
 import ast
 import pathlib
 import re

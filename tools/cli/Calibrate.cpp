@@ -46,6 +46,7 @@ void addCalibrate(CLI::App& app, int& code) {
   addCalibrateWalk(*command, code);
   addCalibrateMotion(*command, code);
   addCalibrateFast(*command, code);
+  addCalibrateKicks(*command, code);
   auto* shown = command->add_subcommand("show", "What a table file says about itself");
   auto path = std::make_shared<std::string>();
   shown->add_option("FILE", *path)->required();

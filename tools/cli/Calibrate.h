@@ -12,6 +12,7 @@ namespace kelpie::cli {
 
 void addCalibrateBody(CLI::App& command, int& code);
 void addCalibrateFast(CLI::App& command, int& code);
+void addCalibrateKicks(CLI::App& command, int& code);
 void addCalibrateMotion(CLI::App& command, int& code);
 void addCalibrateRing(CLI::App& command, int& code);
 void addCalibrateColour(CLI::App& command, int& code);

@@ -20,12 +20,21 @@ Point2<Robot> scattered(const KickAim& aim, Random& random) {
           aim.ball.y + random.uniform(-aim.scatter, aim.scatter)};
 }
 
-void putBallDown(Point2<Robot> place, PhysicalWalker& walker) {
+constexpr double kLookDown = -20.0;  // deg of the neck, before a free ball is kicked
+
+Command lookingDown() {
   Command command;
-  command.head.neckTilt = Angle::deg(-20.0);
-  for (int i = 0; i < kStandMessages; ++i) walker.step(command);
+  command.head.neckTilt = Angle::deg(kLookDown);
+  return command;
+}
+
+void stepOn(int messages, const Command& command, PhysicalWalker& walker) {
+  for (int i = 0; i < messages; ++i) walker.step(command);
+}
+
+void putBallDown(Point2<Robot> place, PhysicalWalker& walker) {
   walker.bodies().putBall({fieldFromRobot(walker.pose(), place), {}});
-  for (int i = 0; i < kRestMessages; ++i) walker.step(command);
+  stepOn(kRestMessages, lookingDown(), walker);
 }
 
 // Walks against the robot and touches it as the kick begins.
@@ -34,6 +43,19 @@ std::optional<Opponent> pusher(bool held) {
   opponent.ahead = held ? 36.0 : 33.0;  // a held ball is given first
   opponent.command.walk.forward = 12.0;
   return opponent;
+}
+
+void readBall(KickStart& start) {
+  start.ball = start.walker->bodies().ball().position;
+  start.pose = start.walker->pose();
+}
+
+KickStart copyOf(const KickStart& other) {
+  KickStart start;
+  start.params = std::make_unique<actuator::ActuatorParams>(*other.params);
+  start.walker = std::make_unique<PhysicalWalker>(*other.walker, *start.params);
+  start.roll = other.roll;
+  return start;
 }
 
 }  // namespace
@@ -100,10 +122,45 @@ KickStart beforeKick(const KickAim& aim, const sim::PhysicsParams& model, std::u
   PhysicalWalker& walker = *start.walker;
   const Point2<Robot> place = scattered(aim, random);
   if (aim.held) giveBall(place, walker);
-  if (!aim.held) putBallDown(place, walker);
-  start.ball = walker.bodies().ball().position;
-  start.pose = walker.pose();
+  if (!aim.held) {
+    stepOn(kStandMessages, lookingDown(), walker);
+    putBallDown(place, walker);
+  }
   start.roll = model.ball;
+  readBall(start);
+  return start;
+}
+
+KickStart standingStart(const sim::PhysicsParams& model, std::uint64_t seed) {
+  KickStart start;
+  start.params = std::make_unique<actuator::ActuatorParams>();
+  start.walker = std::make_unique<PhysicalWalker>(model, *start.params, seed);
+  stepOn(kStandMessages, lookingDown(), *start.walker);
+  start.roll = model.ball;
+  readBall(start);
+  return start;
+}
+
+KickStart walkingStart(const KickStart& standing, const WalkRequest& walk, int messages) {
+  KickStart start = copyOf(standing);
+  Command command = lookingDown();
+  command.walk = walk;
+  stepOn(messages, command, *start.walker);
+  readBall(start);
+  return start;
+}
+
+KickStart withBallAt(Point2<Robot> place, const KickStart& standing) {
+  KickStart start = copyOf(standing);
+  putBallDown(place, *start.walker);
+  readBall(start);
+  return start;
+}
+
+KickStart withBallJustAt(Point2<Robot> place, const KickStart& before) {
+  KickStart start = copyOf(before);
+  start.walker->bodies().putBall({fieldFromRobot(start.walker->pose(), place), {}});
+  readBall(start);
   return start;
 }
 

@@ -46,6 +46,15 @@ struct KickStart {
 KickStart beforeKick(const KickAim& aim, const sim::PhysicsParams& model, std::uint64_t seed,
                      bool pushed = false);
 
+// Stands, its ball nowhere near; then the same instant with a ball that lies there at rest, or as
+// near as the robot's body lets it.
+KickStart standingStart(const sim::PhysicsParams& model, std::uint64_t seed);
+KickStart withBallAt(Point2<Robot> place, const KickStart& standing);
+// Goes on from there walking, for so many messages.
+KickStart walkingStart(const KickStart& standing, const WalkRequest& walk, int messages);
+// The same instant with a ball put there.
+KickStart withBallJustAt(Point2<Robot> place, const KickStart& start);
+
 // Where a ball lies still at last, when nothing stops it.
 Point2<Field> restingPlace(const sim::Ball& ball, const sim::PhysicalBallParams& roll);
 

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+// A kick map as the Python module that the behaviours read (pycode/lib/kick_map.py), numbers
+// rounded to what their spread makes worth telling, and read again from its text.
+#pragma once
+
+#include <string>
+
+#include "robot/core/Expected.h"
+#include "tools/learn/KickMap.h"
+
+namespace kelpie::learn {
+
+// `about`: the command, a line or more.
+std::string kickMapText(const KickMap& map, const std::string& about);
+
+// Of a text that kickMapText() wrote; nothing else of Python is understood. Of the runs at a place
+// it only tells whether there were any.
+Expected<KickMap> readKickMap(const std::string& text);
+
+}  // namespace kelpie::learn
