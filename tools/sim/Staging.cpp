@@ -143,6 +143,7 @@ void takePlaces(const std::vector<host::AgentHello>& agents, const Staging& stag
   for (const RobotPlace& place : staging.places)
     setup.players.push_back({place.robot.team, place.robot.player, place.pose});
   std::vector<Player> ordered;
+  ordered.reserve(agents.size());
   for (const host::AgentHello& agent : agents)
     ordered.push_back(*std::find_if(setup.players.begin(), setup.players.end(),
                                     [&](const Player& player) { return player.is(agent); }));

@@ -53,17 +53,20 @@ Found foundIn(const Played& played) {
   return found;
 }
 
-Json figuresOf(const std::vector<Found>& all) {
+Json figuresOf(const Request& request, const std::vector<Found>& all) {
+  Json each = Json::array();
   Share shot;
   Share onTarget;
   Values errors;
   Values sizes;
-  for (const Found& found : all) {
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const Found& found = all[i];
     shot.count(found.shot);
     if (!found.shot) continue;
     onTarget.count(found.onTarget);
     errors.push_back(found.errorDeg);
     sizes.push_back(std::fabs(found.errorDeg));
+    each.push_back({{"seed", request.seed + i}, {"error_deg", found.errorDeg}});
   }
   return Json{{"shots_rate", shot.value()},
               {"on_target_rate", onTarget.value()},
@@ -71,7 +74,8 @@ Json figuresOf(const std::vector<Found>& all) {
               {"middle_68_deg", 0.5 * (percentile(errors, 0.84) - percentile(errors, 0.16))},
               {"mean_deg", mean(errors)},
               {"mean_abs_deg", mean(sizes)},
-              {"median_abs_deg", percentile(sizes, 0.5)}};
+              {"median_abs_deg", percentile(sizes, 0.5)},
+              {"each", each}};
 }
 
 Expected<Json> aim(const Request& request) {
@@ -86,7 +90,8 @@ Expected<Json> aim(const Request& request) {
   };
   const Status played = playTries(request, tries);
   if (!played) return Error{played.error()};
-  return Json{{"sight", figuresOf(found[kBySight])}, {"pose", figuresOf(found[kByPose])}};
+  return Json{{"sight", figuresOf(request, found[kBySight])},
+              {"pose", figuresOf(request, found[kByPose])}};
 }
 
 const Registration kAim("aim", "shots of a held ball: spread about the goal, by sight and by pose",
