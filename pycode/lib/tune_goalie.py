@@ -7,7 +7,7 @@ class Body:
     """What the goalie asks of its legs."""
     SPEED = 34.0             # the walk does 36 to 38 cm/s and 214 deg/s (docs/body.md)
     TURN = 180.0
-    MARGIN = 8.0             # of the box; the pose is off by 2.6 cm (docs/body.md), and pushed
+    MARGIN = 10.0            # of the box; the pose is off by 2.6 cm (docs/body.md), and others push
     SECONDS = 0.35           # to an edge of the box at least: the legs follow late
 
 
@@ -95,6 +95,7 @@ class Clear:
     OPPONENT, OPPONENT_DEG = 70.0, 25.0
     STRAIGHT = 25.0          # deg; held against, such a kick gets 10 cm ahead (docs/body.md)
     HELD_STRAIGHT, HELD_ASIDE = 0.3, 0.75
+    HELD_DEG = 106.0         # where a kick to a side then goes (docs/body.md)
 
 
 class Facing:

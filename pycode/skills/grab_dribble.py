@@ -19,7 +19,7 @@ from skills.release import Release
 
 TIME_OUT = 2.45         # s from asking for the grab, which holds after 0.4; the ball goes in 0.35
 FARTHEST = 40.0         # cm from the place of the grab (rule: 50 cm)
-SETTLE = 0.2            # s after the grab
+SETTLE = 0.13           # s after the grab
 FEEL = 0.5              # s within which a caught ball is felt (docs/body.md: 0.22)
 STEADY, STEADY_MOST = 0.17, 0.4   # s that it stands before a kick, and at most until it is still:
 STILL, STILL_TURN = 5.0, 15.0     # cm/s, deg/s; out of a turn balls went 6 deg aside, out of a

@@ -8,7 +8,7 @@ import math
 import kelpie
 
 NECK, NOD = -52.0, 45.0    # deg
-TURN_SPEED = 110.0         # deg/s; 20 of 20 balls were kept at up to 134 (physics.md section 10)
+TURN_SPEED = 130.0         # deg/s; 20 of 20 balls were kept at up to 134 (physics.md section 10)
 FORWARD_SPEED = 20.0       # cm/s; the dribble walk goes 23
 SIDE_SPEED = 14.0
 FEEL_S = 0.45              # after the grab until the feeling must say that the ball is there

@@ -9,17 +9,19 @@
 
 #include "tools/cli/Commands.h"
 #include "tools/cli/Describe.h"
-#include "tools/cli/Draw.h"
-#include "tools/cli/Match.h"
 #include "tools/cli/Process.h"
 #include "tools/cli/Progress.h"
-#include "tools/cli/TraceWords.h"
 #include "tools/cli/WholeFile.h"
+#include "tools/match/Draw.h"
+#include "tools/match/Match.h"
+#include "tools/match/TraceWords.h"
 #include "tools/picture/FilmFile.h"
 #include "tools/picture/PngFile.h"
 
 namespace kelpie::cli {
 namespace {
+
+using namespace match;
 
 namespace fs = std::filesystem;
 
@@ -164,13 +166,13 @@ Status writeFilm(const Match& match, const std::string& part) {
 
 }  // namespace
 
-Status filmMatch(const Match& match, const std::string& out) {
+Status filmMatch(const match::Match& match, const std::string& out) {
   const std::string part = partName(out);
   const Status written = writeFilm(match, part);
   return putInPlace(written ? written : Status(Error{out + ": " + written.error()}), part, out);
 }
 
-Status drawMatchPicture(const Match& match, const std::string& out) {
+Status drawMatchPicture(const match::Match& match, const std::string& out) {
   const auto& field = match.field();
   cv::Mat ground = drawField(field, match.team(), kPictureFieldScale);
   Paths paths;

@@ -50,7 +50,7 @@ std::string outcome(const SessionResult& result) {
 
 // The picture first: whoever interrupts the film keeps it.
 int makePictures(const PlayOptions& options) {
-  const auto match = Match::open(options.session.log);
+  const auto match = match::Match::open(options.session.log);
   if (!match) return fail(match.error(), kExitCheckFailed);
   const Status picture = drawMatchPicture(*match, options.file("match.png"));
   if (!picture) return fail(picture.error(), kExitCheckFailed);

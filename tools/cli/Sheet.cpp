@@ -8,11 +8,13 @@
 #include <opencv2/imgproc.hpp>
 #include <sstream>
 
-#include "tools/cli/Draw.h"
+#include "tools/match/Draw.h"
 #include "vision/pixels/ClassPicture.h"
 
 namespace kelpie::cli {
 namespace {
+
+using namespace match;
 
 constexpr int kScale = 3;
 constexpr int kGapPx = 12;

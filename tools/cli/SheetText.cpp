@@ -5,12 +5,14 @@
 #include <array>
 #include <cmath>
 
-#include "tools/cli/Draw.h"
 #include "tools/cli/Sheet.h"
+#include "tools/match/Draw.h"
 #include "vision/Refusal.h"
 
 namespace kelpie::cli {
 namespace {
+
+using namespace match;
 
 using Lines = std::vector<std::string>;
 

@@ -13,13 +13,15 @@
 #include "tools/cli/Logs.h"
 #include "tools/cli/Recording.h"
 #include "tools/cli/Sheet.h"
-#include "tools/cli/TraceWords.h"
 #include "tools/cli/WholeFile.h"
+#include "tools/match/TraceWords.h"
 #include "tools/picture/PngFile.h"
 #include "vision/Vision.h"
 
 namespace kelpie::cli {
 namespace {
+
+using namespace match;
 
 namespace fs = std::filesystem;
 

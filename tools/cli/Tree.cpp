@@ -9,13 +9,15 @@
 #include "behaviour/Behaviour.h"
 #include "tools/cli/Commands.h"
 #include "tools/cli/Config.h"
-#include "tools/cli/Decisions.h"
-#include "tools/cli/TreePicture.h"
 #include "tools/cli/WholeFile.h"
+#include "tools/match/Decisions.h"
+#include "tools/match/TreePicture.h"
 #include "tools/picture/PngFile.h"
 
 namespace kelpie::cli {
 namespace {
+
+using namespace match;
 
 struct TreeOptions {
   std::string log;

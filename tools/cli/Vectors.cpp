@@ -11,14 +11,16 @@
 #include "actuator/MotionData.h"
 #include "tools/cli/Commands.h"
 #include "tools/cli/Config.h"
-#include "tools/cli/Draw.h"
-#include "tools/cli/SkillField.h"
-#include "tools/cli/TraceWords.h"
 #include "tools/cli/WholeFile.h"
+#include "tools/match/Draw.h"
+#include "tools/match/SkillField.h"
+#include "tools/match/TraceWords.h"
 #include "tools/picture/PngFile.h"
 
 namespace kelpie::cli {
 namespace {
+
+using namespace match;
 
 constexpr double kScale = 2.0;        // pixels per cm
 constexpr double kLongest = 0.9;      // of the distance between places: the fastest arrow

@@ -7,12 +7,14 @@
 #include <limits>
 
 #include "tools/cli/Commands.h"
-#include "tools/cli/Decisions.h"
-#include "tools/cli/TraceWords.h"
 #include "tools/cli/Usage.h"
+#include "tools/match/Decisions.h"
+#include "tools/match/TraceWords.h"
 
 namespace kelpie::cli {
 namespace {
+
+using namespace match;
 
 constexpr double kNear = 0.25;    // s: a frame as near as this is the one that was asked for
 constexpr double kLongest = 1e6;  // s

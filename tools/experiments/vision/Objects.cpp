@@ -11,8 +11,8 @@
 #include <map>
 #include <opencv2/imgproc.hpp>
 
-#include "tools/cli/Draw.h"
 #include "tools/experiments/views/Looks.h"
+#include "tools/match/Draw.h"
 #include "tools/picture/PngFile.h"
 #include "vision/Refusal.h"
 
@@ -78,7 +78,7 @@ void keepPicture(const std::string& folder, const Look& look,
   FrameOutput output;
   output.body = look.body;
   output.percepts = look.seen;
-  cv::Mat picture = cli::drawCamera(look.view.input, output, 4);
+  cv::Mat picture = match::drawCamera(look.view.input, output, 4);
   int row = 16;
   for (const auto& fault : faults) {
     cv::putText(picture, fault, {4, row}, cv::FONT_HERSHEY_SIMPLEX, 0.5, {0, 0, 255}, 1,

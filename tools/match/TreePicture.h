@@ -6,12 +6,12 @@
 #include <opencv2/core.hpp>
 #include <string>
 
-#include "tools/cli/DecisionTree.h"
+#include "tools/match/DecisionTree.h"
 
-namespace kelpie::cli {
+namespace kelpie::match {
 
 // `frames`: of the log, 0 without one. `caption`: the lines below the tree.
 cv::Mat drawTree(const DecisionTree& tree, std::uint32_t frames,
                  const std::vector<std::string>& caption);
 
-}  // namespace kelpie::cli
+}  // namespace kelpie::match

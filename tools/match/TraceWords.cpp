@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tools/cli/TraceWords.h"
+#include "tools/match/TraceWords.h"
 
 #include <fmt/core.h>
 
@@ -8,7 +8,7 @@
 
 #include "actuator/MotionData.h"
 
-namespace kelpie::cli {
+namespace kelpie::match {
 namespace {
 
 // Bytes of the UTF-8 character at the beginning, 0 when there is none that may be shown.
@@ -170,4 +170,4 @@ std::vector<std::string> reasonLines(bool driven, const Command& command) {
   return lines;
 }
 
-}  // namespace kelpie::cli
+}  // namespace kelpie::match

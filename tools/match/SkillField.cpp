@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tools/cli/SkillField.h"
+#include "tools/match/SkillField.h"
 
 #include <fmt/core.h>
 
 #include <cmath>
 #include <memory>
 
-namespace kelpie::cli {
+namespace kelpie::match {
 namespace {
 
 const Angle kMostPan = Angle::deg(88.0);
@@ -126,4 +126,4 @@ Expected<std::vector<SkillStep>> skillField(const agent::AgentConfig& config,
   return steps;
 }
 
-}  // namespace kelpie::cli
+}  // namespace kelpie::match

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
-#include "tools/cli/DecisionTree.h"
-#include "tools/cli/TreePicture.h"
+#include "tools/match/DecisionTree.h"
+#include "tools/match/TreePicture.h"
 
-namespace kelpie::cli {
+namespace kelpie::match {
 namespace {
 
 const behaviour::Rows kRows = {{"0", "", "", "near?", "False"},
@@ -106,4 +106,4 @@ TEST(DecisionTree, APictureHasALineForEachLeaf) {
 }
 
 }  // namespace
-}  // namespace kelpie::cli
+}  // namespace kelpie::match

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
-#include "tools/cli/TraceWords.h"
+#include "tools/match/TraceWords.h"
 
-namespace kelpie::cli {
+namespace kelpie::match {
 namespace {
 
 TraceStep step(const std::string& module, const std::string& branch, const std::string& reason,
@@ -94,4 +94,4 @@ TEST(TraceWords, WhoDecidedInPlaceOfTheBehavioursIsSaid) {
 }
 
 }  // namespace
-}  // namespace kelpie::cli
+}  // namespace kelpie::match

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tools/cli/Draw.h"
+#include "tools/match/Draw.h"
 
 #include <fmt/core.h>
 
@@ -9,7 +9,7 @@
 
 #include "tools/picture/CameraPicture.h"
 
-namespace kelpie::cli {
+namespace kelpie::match {
 namespace {
 
 using namespace ink;
@@ -118,13 +118,15 @@ void drawRobot(cv::Mat& picture, const body::FieldDescription& field, double sca
   cv::polylines(picture, corners, true, colour, 2, cv::LINE_AA);
 }
 
-// The log's own robot is white, like its path; the others have their team's colour and number.
+// The log's own robot is white, like its path; the others have their team's colour and, beside
+// them, their number.
 void drawTrueRobot(cv::Mat& picture, const body::FieldDescription& field, double scale,
                    const TrueRobot& robot) {
   drawRobot(picture, field, scale, robot.pose, robot.own ? kWhite : inkFor(robot.team));
   const Point2<Field> middle = fieldFromRobot(robot.pose, Point2<Robot>{0.0, -10.0});
-  const cv::Point centre = onPicture(field, scale, middle) + cv::Point(-4, 5);
-  if (!robot.own) label(picture, std::to_string(robot.player), centre, inkFor(robot.team));
+  const cv::Point beside(static_cast<int>(14 * scale), 5);
+  if (!robot.own)
+    label(picture, std::to_string(robot.player), onPicture(field, scale, middle) + beside, kWhite);
 }
 
 void drawBelief(cv::Mat& picture, const body::FieldDescription& field, double scale,
@@ -260,4 +262,4 @@ void drawPlaces(cv::Mat& picture, const body::FieldDescription& field, double sc
              cv::LINE_AA);
 }
 
-}  // namespace kelpie::cli
+}  // namespace kelpie::match

@@ -9,10 +9,10 @@
 #include "robot/agent/LoggedTypes.h"
 #include "robot/core/LogTopics.h"
 #include "robot/core/LogWriter.h"
-#include "tools/cli/Match.h"
+#include "tools/match/Match.h"
 #include "tools/sim/Truth.h"
 
-namespace kelpie::cli {
+namespace kelpie::match {
 namespace {
 
 namespace fs = std::filesystem;
@@ -117,4 +117,4 @@ TEST_F(MatchLog, EveryRobotIsDrawnWhereItIs) {
 }
 
 }  // namespace
-}  // namespace kelpie::cli
+}  // namespace kelpie::match

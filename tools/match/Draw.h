@@ -11,7 +11,7 @@
 #include "robot/core/FrameInput.h"
 #include "robot/core/FrameOutput.h"
 
-namespace kelpie::cli {
+namespace kelpie::match {
 
 struct TrueRobot {
   TeamColour team = TeamColour::red;
@@ -82,4 +82,4 @@ void drawPaths(cv::Mat& picture, const body::FieldDescription& field, double pix
 void drawPlaces(cv::Mat& picture, const body::FieldDescription& field, double pixelsPerCm,
                 const Moment& moment);
 
-}  // namespace kelpie::cli
+}  // namespace kelpie::match

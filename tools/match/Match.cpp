@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tools/cli/Match.h"
+#include "tools/match/Match.h"
 
 #include <memory>
 
@@ -8,7 +8,7 @@
 #include "tools/cli/Logs.h"
 #include "tools/sim/Truth.h"
 
-namespace kelpie::cli {
+namespace kelpie::match {
 namespace {
 
 // The world's field is the red team's; the blue team's is the same turned by half a turn.
@@ -60,7 +60,7 @@ Expected<Match> Match::open(const std::string& path) {
     configured = true;
   }
   if (!reader->status()) return Error{reader->status().error()};
-  tellNotes(*reader);
+  cli::tellNotes(*reader);
   match.truncated_ = reader->truncated();
   match.offset_ = reader->offset();
   if (!configured || match.frames_ == 0)
@@ -84,11 +84,12 @@ void Match::forEachMoment(const std::function<bool(const Moment&)>& show) const 
   while (reader->next(message)) {
     if (message.topic() == sim::kTruthTopic && decodeAs(message, truth))
       places = placesOf(truth, *this);
-    if (agent::isFrameInput(message.topic())) inputKnown = decodeForPeople(message, *input).ok();
+    if (agent::isFrameInput(message.topic()))
+      inputKnown = cli::decodeForPeople(message, *input).ok();
     if (message.topic() == kFrameOutputTopic && inputKnown && decodeAs(message, *output) &&
         !show({*input, *output, places}))
       return;
   }
 }
 
-}  // namespace kelpie::cli
+}  // namespace kelpie::match

@@ -4,9 +4,9 @@
 #include <memory>
 
 #include "tests/behaviour/Scripts.h"
-#include "tools/cli/SkillField.h"
+#include "tools/match/SkillField.h"
 
-namespace kelpie::cli {
+namespace kelpie::match {
 namespace {
 
 class SkillField : public testing::Test {
@@ -73,4 +73,4 @@ TEST_F(SkillField, BehavioursThatFailAreAnErrorThatNamesThePlace) {
 }
 
 }  // namespace
-}  // namespace kelpie::cli
+}  // namespace kelpie::match

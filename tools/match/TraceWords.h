@@ -8,7 +8,7 @@
 
 #include "robot/core/Command.h"
 
-namespace kelpie::cli {
+namespace kelpie::match {
 
 const char* wordFor(TraceLayer layer);  // "player"
 // 83.4 -> "83", 8.26 -> "8.3", 0.127 -> "0.13": as much as a person wants to know.
@@ -30,4 +30,4 @@ std::string insteadOf(bool driven, const Command& command);
 // For pictures: that, or a line for each step of the trace.
 std::vector<std::string> reasonLines(bool driven, const Command& command);
 
-}  // namespace kelpie::cli
+}  // namespace kelpie::match

@@ -10,9 +10,9 @@
 
 #include "robot/body/FieldDescription.h"
 #include "robot/core/Expected.h"
-#include "tools/cli/Draw.h"
+#include "tools/match/Draw.h"
 
-namespace kelpie::cli {
+namespace kelpie::match {
 
 class Match {
  public:
@@ -38,4 +38,4 @@ class Match {
   std::uint64_t offset_ = 0;
 };
 
-}  // namespace kelpie::cli
+}  // namespace kelpie::match

@@ -13,7 +13,7 @@
 #include "robot/core/Command.h"
 #include "robot/core/Expected.h"
 
-namespace kelpie::cli {
+namespace kelpie::match {
 
 struct LeafCount {
   std::uint32_t frames = 0;
@@ -58,4 +58,4 @@ class LeafCounter {
   std::map<std::string, LeafCount> byName_;
 };
 
-}  // namespace kelpie::cli
+}  // namespace kelpie::match

@@ -13,7 +13,7 @@
 #include "robot/agent/AgentConfig.h"
 #include "robot/core/Expected.h"
 
-namespace kelpie::cli {
+namespace kelpie::match {
 
 struct SkillStep {
   Point2<Field> place;
@@ -33,4 +33,4 @@ Expected<std::vector<SkillStep>> skillField(const agent::AgentConfig& config,
                                             const SkillQuestion& question,
                                             behaviour::BehaviourState& behaviours);
 
-}  // namespace kelpie::cli
+}  // namespace kelpie::match

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tools/cli/DecisionTree.h"
+#include "tools/match/DecisionTree.h"
 
 #include <algorithm>
 
-namespace kelpie::cli {
+namespace kelpie::match {
 namespace {
 
 constexpr std::size_t kCells = 5;
@@ -96,4 +96,4 @@ bool LeafCounter::putInto(DecisionTree& tree) const {
   return allKnown;
 }
 
-}  // namespace kelpie::cli
+}  // namespace kelpie::match

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tools/cli/TreePicture.h"
+#include "tools/match/TreePicture.h"
 
 #include <fmt/core.h>
 
@@ -7,9 +7,9 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
-#include "tools/cli/Draw.h"
+#include "tools/match/Draw.h"
 
-namespace kelpie::cli {
+namespace kelpie::match {
 namespace {
 
 constexpr int kRow = 22;     // px from a leaf to the next
@@ -56,8 +56,11 @@ class TreeDrawing {
   std::string wordsOf(const TreeNode& node) const {
     if (!node.leaf || frames_ == 0) return node.text;
     if (node.count.frames == 0) return node.text + "  never";
-    return fmt::format("{}  {} frames, {:.1f} %; {} times", node.text, node.count.frames,
-                       100.0 * node.count.frames / frames_, node.count.times);
+    const auto counted = [](std::uint32_t count, const char* what) {
+      return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+    };
+    return fmt::format("{}  {}, {:.1f} %; {}", node.text, counted(node.count.frames, "frame"),
+                       100.0 * node.count.frames / frames_, counted(node.count.times, "time"));
   }
 
   // A column is as wide as the longest question in it; leaves may reach over the next ones, where
@@ -128,4 +131,4 @@ cv::Mat drawTree(const DecisionTree& tree, std::uint32_t frames,
   return TreeDrawing(tree, frames).draw(caption);
 }
 
-}  // namespace kelpie::cli
+}  // namespace kelpie::match

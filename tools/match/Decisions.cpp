@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tools/cli/Decisions.h"
+#include "tools/match/Decisions.h"
 
 #include <fmt/core.h>
 
@@ -8,7 +8,7 @@
 #include "robot/agent/FrameMessages.h"
 #include "tools/cli/Logs.h"
 
-namespace kelpie::cli {
+namespace kelpie::match {
 namespace {
 
 class Reading {
@@ -62,7 +62,7 @@ Expected<DecisionLog> readDecisions(const std::string& log, const Span& span,
     if (!taken) return Error{log + ": " + taken.error()};
   }
   if (!reader->status()) return Error{reader->status().error()};
-  tellNotes(*reader);
+  cli::tellNotes(*reader);
   if (reader->truncated())
     reading.found.cutOff =
         fmt::format("{}: cut off at byte {}; whole frames up to there", log, reader->offset());
@@ -70,4 +70,4 @@ Expected<DecisionLog> readDecisions(const std::string& log, const Span& span,
   return std::move(reading.found);
 }
 
-}  // namespace kelpie::cli
+}  // namespace kelpie::match

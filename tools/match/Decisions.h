@@ -11,7 +11,7 @@
 #include "robot/core/Expected.h"
 #include "robot/core/FrameInput.h"
 
-namespace kelpie::cli {
+namespace kelpie::match {
 
 struct Decision {
   double seconds = 0.0;  // middle of the exposure
@@ -38,4 +38,4 @@ struct DecisionLog {
 Expected<DecisionLog> readDecisions(const std::string& log, const Span& span,
                                     const std::function<void(const Decision&)>& visit);
 
-}  // namespace kelpie::cli
+}  // namespace kelpie::match
