@@ -51,7 +51,7 @@ def test_every_leaf_with_a_grab_can_be_played_to_its_end(plan):
 
 def test_it_stands_until_the_ball_is_felt_and_gives_up_a_ball_that_is_not():
     made, skill = holding()
-    for command in run(made, skill, SETTLE):
+    for command in run(made, skill, SETTLE - 0.05):
         assert command.walk.turn_deg == 0.0 and skill.state == skill.settle
     run(made, skill, 0.1)
     assert skill.state == skill.turn
