@@ -95,6 +95,7 @@ class Clear:
     OPPONENT, OPPONENT_DEG = 70.0, 25.0
     STRAIGHT = 25.0          # deg; held against, such a kick gets 10 cm ahead (docs/body.md)
     HELD_STRAIGHT, HELD_ASIDE = 0.3, 0.75
+    HELD_DEG = 106.0         # where a kick to a side then goes (docs/body.md)
 
 
 class Facing:

@@ -13,14 +13,17 @@ from lib.tune_goalie import Clear
 
 class Clearance:
     """A kick of a ball at (x, y) on the field: where it goes (deg on the field), how many deg off
-    the own goal that is, and what it is worth, 0 to 1."""
+    the own goal that is, and what it is worth, 0 to 1. It is safe if it cannot become an own goal,
+    not even where the ball goes when somebody holds against a kick to a side."""
 
     def __init__(self, world, kick, ball, outcome, heading_deg):
         self.kick, self.ball = kick, ball
         chance, aside, sd, distance, _ = outcome
         self.direction = wrap(heading_deg + aside)
         self.off_goal = off_own_goal(world.field, ball, self.direction)
-        self.safe = self.off_goal > max(Clear.OFF_GOAL, Clear.SDS * sd)
+        held = heading_deg + Clear.HELD_DEG * side_of(kick)
+        self.safe = (self.off_goal > max(Clear.OFF_GOAL, Clear.SDS * sd) and
+                     (side_of(kick) == 0.0 or off_own_goal(world.field, ball, held) > 0.0))
         up = math.cos(math.radians(self.direction - UP_FIELD))
         self.worth = chance * min(1.0, distance / Clear.FAR) * (1.0 - Clear.ASIDE * (1.0 - up))
         outwards = (ball[0] - 0.5 * world.field.width) * math.cos(math.radians(self.direction))
@@ -34,6 +37,11 @@ class Clearance:
         """The point of the field that the ball passes after so many cm."""
         angle = math.radians(self.direction)
         return self.ball[0] + way * math.cos(angle), self.ball[1] + way * math.sin(angle)
+
+
+def side_of(kick) -> float:
+    """+1 for a kick to the left, -1 for one to the right, 0 for one straight ahead."""
+    return -1.0 if kick in kick_table.LEFT_OF else 1.0 if kick in kick_table.RIGHT_OF else 0.0
 
 
 def in_the_way(ball, direction, other) -> bool:

@@ -10,7 +10,7 @@ from lib import kick_table
 from lib.memory import Memory
 from lib.tune_goalie import Block
 from skills.block import ShotWatch, block_for
-from skills.clear_ball import clearing_kick, predicted
+from skills.clear_ball import Clearance, clearing_kick, predicted, side_of
 
 
 # Block choice (checklist A-4.3.1.4)
@@ -146,6 +146,20 @@ def test_a_ball_before_the_goalie_is_kicked_where_a_kick_reaches_it(right, ahead
     assert (best is not None) == kicks
     if kicks:
         assert best.off_goal > 70 and abs(best.direction - 90) < 90
+
+
+@pytest.mark.parametrize('heading, sides', [
+    (90, {-1.0, 1.0}), (40, {1.0}), (140, {-1.0})])
+def test_no_kick_to_a_side_whose_ball_an_opponent_could_turn_into_the_goal(heading, sides):
+    """Held against, the ball goes 106 deg aside."""
+    world = scene(180 + 30j).world
+    world.pose.heading_deg = heading
+    found = set()
+    for kick in kick_table.kicks(False):
+        outcome = kick_table.window_outcome(kick)
+        if side_of(kick) != 0.0 and Clearance(world, kick, (180.0, 30.0), outcome, heading).safe:
+            found.add(side_of(kick))
+    assert found == sides
 
 
 def test_a_ball_between_goalie_and_goal_is_not_kicked():

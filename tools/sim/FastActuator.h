@@ -20,6 +20,10 @@ inline void makeFast(const RobotParams& robot, actuator::ActuatorParams& params)
     actuator::walkSet(params.walks, static_cast<WalkKind>(kind)).odometry = told(1.0, 1.0, 1.0);
   params.walks.weak.odometry = told(robot.weak.forward, robot.weak.left, robot.weak.turn);
   for (actuator::MotionData& motion : params.motions.of) motion.way = {};
+  // Its legs push nothing and its accelerometer knows of no weight: loads mean nothing.
+  params.feeling.stuckLoad = 1.0;
+  // Its fast walk's paws graze the carpet in the air, and it cannot be blocked: legs pass through.
+  params.feeling.blockedSeconds = 0.0;
   params.physical = false;
 }
 

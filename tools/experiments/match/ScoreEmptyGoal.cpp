@@ -77,8 +77,7 @@ Expected<Json> scoreEmptyGoal(const Request& request) {
 }
 
 const Registration kScoreEmptyGoal(
-    "score-empty-goal",
-    "one robot against an empty goal: goals within 60 s, time, with and without grab",
+    "score-empty-goal", "a robot against an empty goal: goals in 60 s, time, with and without grab",
     {Option::trials, Option::seed, Option::unlike, Option::params, Option::fast}, 20,
     scoreEmptyGoal);
 

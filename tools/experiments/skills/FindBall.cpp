@@ -151,7 +151,7 @@ Expected<Json> findBall(const Request& request) {
 }
 
 const Registration kFindBall(
-    "find-ball", "a ball put out of sight in five ways: seconds to find it, chain against spin",
+    "find-ball", "a ball put out of sight in five ways: seconds to find it, chain, spin",
     {Option::trials, Option::seed, Option::unlike, Option::params, Option::fast}, 12, findBall);
 
 }  // namespace

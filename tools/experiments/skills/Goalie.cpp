@@ -121,7 +121,7 @@ Expected<Json> goalie(const Request& request) {
 }
 
 const Registration kGoalie(
-    "goalie", "one attacker against the goalie of 2006, of 2004 and none: goals within 60 s",
+    "goalie", "an attacker against the goalie of 2006, of 2004 and none: goals in 60 s",
     {Option::trials, Option::seed, Option::unlike, Option::params, Option::fast}, 50, goalie);
 
 }  // namespace

@@ -116,7 +116,7 @@ Expected<Json> intercept(const Request& request) {
 }
 
 const Registration kIntercept(
-    "intercept", "balls that roll out past the robot: reached before, intercept or walking at them",
+    "intercept", "balls that roll out past the robot: reached, by intercept or walking at",
     {Option::trials, Option::seed, Option::unlike, Option::params, Option::fast}, 20, intercept);
 
 }  // namespace

@@ -1,0 +1,138 @@
+# SPDX-License-Identifier: Apache-2.0
+"""With a held ball (thesis 2006 section 6.4): settle, turn, search turn, edge, time and way."""
+import math
+
+import kelpie
+import pytest
+from decisions import tree
+from lib.geom import wrap
+from lib.memory import Memory
+from situations import world
+from skills import dodge
+from skills.grab_dribble import (EDGE, FARTHEST, FEEL, SEARCH_SHARE, SETTLE, TIME_OUT,
+                                 GrabDribble)
+from skills.hold import Hold
+
+FRAME_S = 1.0 / 30.0
+
+
+def asked(kick=kelpie.HARD_FORWARD):
+    """A choice that kicks when there is no more time, and never before."""
+    return lambda made, skill, overdue: (kick, 'told to') if overdue else None
+
+
+def holding(x=180.0, y=300.0, heading=90.0, plan=tree.GRAB_TURN_SHOOT, choose=None):
+    """A robot that has just grabbed the ball; the goal is not in sight and the pose not sure."""
+    made = world(x, y, heading)
+    made.heading_sd_deg = 60.0
+    made.motion.feeling.ball_held = True
+    skill = GrabDribble(Memory(), choose or asked(), plan)
+    skill.hold = Hold(made, made.time_s)
+    skill.enter(made, skill.settle)
+    return made, skill
+
+
+def run(made, skill, seconds):
+    commands = []
+    for _ in range(round(seconds / FRAME_S)):
+        made.time_s += FRAME_S
+        commands.append(skill.command(made))
+    return commands
+
+
+@pytest.mark.parametrize('plan', tree.WITH_GRAB)
+def test_every_leaf_with_a_grab_can_be_played_to_its_end(plan):
+    made, skill = holding(plan=plan)
+    motions = set()
+    for command in run(made, skill, 8.0):
+        motions.add(command.motion)
+    assert skill.done and motions == {kelpie.NO_MOTION, kelpie.HARD_FORWARD}
+
+
+def test_it_stands_until_the_ball_is_felt_and_gives_up_a_ball_that_is_not():
+    made, skill = holding()
+    for command in run(made, skill, SETTLE - 0.05):
+        assert command.walk.turn_deg == 0.0 and skill.state == skill.settle
+    run(made, skill, 0.1)
+    assert skill.state == skill.turn
+    made, skill = holding()
+    made.motion.feeling.ball_held = False
+    run(made, skill, FEEL - 0.05)
+    assert not skill.done
+    run(made, skill, 0.15)
+    assert skill.done and skill.lost_ball and skill.memory.hint is not None
+
+
+@pytest.mark.parametrize('heading', range(-175, 180, 10))
+def test_the_search_turn_goes_the_shorter_way_to_up_field(heading):
+    made, skill = holding(heading=float(heading))
+    command = run(made, skill, 0.4)[-1]
+    assert command.walk.turn_deg * wrap(90.0 - heading) > 0.0
+    assert command.walk.forward == command.walk.left == 0.0
+
+
+@pytest.mark.parametrize('y, speed', [(399.9, 50.0), (400.0, 40.0)])
+def test_the_search_turn_is_slower_in_front_of_the_goal(y, speed):
+    made, skill = holding(y=y, heading=-90.0)
+    command = run(made, skill, 0.4)[-1]
+    assert abs(command.walk.turn_deg) == pytest.approx(SEARCH_SHARE * speed)
+
+
+def test_the_search_turn_keeps_its_side_and_counts_its_frames():
+    made, skill = holding(heading=-100.0)
+    sides = set()
+    for command in run(made, skill, 1.5):
+        made.pose.heading_deg += 3.0 * math.copysign(1.0, command.walk.turn_deg)
+        if command.walk.turn_deg:
+            sides.add(command.walk.turn_deg > 0.0)
+    assert len(sides) == 1 and 30 < skill.searched < 45
+
+
+def test_out_of_time_it_stands_and_kicks_without_sight_of_the_goal():
+    made, skill = holding()
+    run(made, skill, TIME_OUT - 0.05)
+    assert skill.state == skill.turn
+    commands = run(made, skill, 0.3)
+    assert commands[-1].motion == kelpie.HARD_FORWARD
+    assert made.time_s - skill.hold.begun_s < kelpie.Rules().holding_time - 0.2
+
+
+def test_carried_far_enough_it_kicks_before_the_rule_is_broken():
+    made, skill = holding()
+    run(made, skill, 0.4)
+    made.odometry.forward = 2.0
+    while skill.state != skill.overdue:
+        run(made, skill, FRAME_S)
+        assert skill.hold.way < FARTHEST + 2.1
+    assert skill.hold.way < kelpie.Rules().holding_distance - 5.0
+
+
+@pytest.mark.parametrize('x, heading, leaves', [
+    (8.0 + EDGE - 1.0, 175.0, True), (8.0 + EDGE + 1.0, 175.0, False),
+    (EDGE - 1.0, 90.0, True), (EDGE - 1.0, 50.0, False)])
+def test_at_an_edge_and_not_looking_inwards_it_turns_inwards_on_the_spot(x, heading, leaves):
+    made, skill = holding(x=x, y=324.0, heading=heading)
+    command = run(made, skill, 0.4)[-1]
+    assert (skill.state == skill.off_edge) is leaves
+    if leaves:
+        assert command.walk.turn_deg < 0.0 and command.walk.forward == 0.0
+
+
+def test_a_ball_that_slips_out_leaves_a_hint_against_the_turn():
+    for side in (1.0, -1.0):
+        made, skill = holding(heading=90.0 + 170.0 * side)
+        run(made, skill, 0.4)
+        made.motion.feeling.ball_held = False
+        made.odometry.turn_deg = -3.0 * side
+        skill.memory.spin_side = -side
+        run(made, skill, 0.6)
+        assert skill.done and skill.memory.hint[1] == pytest.approx(120.0 * side)
+
+
+@pytest.mark.parametrize('pixels, away, wanted', [
+    (dodge.PIXELS - 1, 50.0, False), (dodge.PIXELS, 50.0, True), (0, 19.9, True),
+    (0, 20.0, False)])
+def test_dark_pixels_or_infrared_say_that_somebody_is_ahead(pixels, away, wanted):
+    made = world()
+    made.percepts.obstacles_ahead, made.sensors.head_near_distance = pixels, away
+    assert dodge.in_the_way(made) is wanted
