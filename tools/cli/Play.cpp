@@ -11,9 +11,9 @@
 #include "tools/cli/Logs.h"
 #include "tools/cli/Process.h"
 #include "tools/cli/Progress.h"
-#include "tools/session/Session.h"
 #include "tools/cli/StagingOptions.h"
 #include "tools/cli/WholeFile.h"
+#include "tools/session/Session.h"
 
 namespace kelpie::cli {
 namespace {
