@@ -60,7 +60,7 @@ bool readNumbers(PyObject* tuple, TraceStep& step, std::string& why) {
   for (std::size_t i = 0; i < step.numbers.size(); ++i) {
     PyObject* const object = PyTuple_GET_ITEM(tuple, kTexts + static_cast<Py_ssize_t>(i));
     if (readNumber(object, step.numbers[i], why)) continue;
-    why = ".numbers[" + std::to_string(i) + "]" + why;
+    why.insert(0, ".numbers[" + std::to_string(i) + "]");
     return false;
   }
   return true;
@@ -89,7 +89,7 @@ bool readTrace(PyObject* object, Trace& trace, std::string& why) {
   trace.resize(static_cast<std::size_t>(PyList_GET_SIZE(object)));
   for (std::size_t i = 0; i < trace.size(); ++i) {
     if (readStep(PyList_GET_ITEM(object, static_cast<Py_ssize_t>(i)), trace[i], why)) continue;
-    why = "[" + std::to_string(i) + "]" + why;
+    why.insert(0, "[" + std::to_string(i) + "]");
     return false;
   }
   return true;
