@@ -40,7 +40,9 @@ void printCounts(const LeafCounter& counter, const DecisionTree& tree) {
   std::stable_sort(leaves.begin(), leaves.end(),
                    [](const auto& a, const auto& b) { return a.second.frames > b.second.frames; });
   fmt::print("{:>8} {:>6} {:>6}  leaf, of {} frames\n", "frames", "%", "times", counter.frames());
-  for (const auto& [name, count] : leaves) {
+  for (const auto& leaf : leaves) {
+    const std::string& name = leaf.first;
+    const LeafCount& count = leaf.second;
     const bool known = std::any_of(tree.nodes.begin(), tree.nodes.end(), [&](const TreeNode& n) {
       return n.leaf && decltype(TraceStep::branch)(n.text).view() == name;
     });
