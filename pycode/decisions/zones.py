@@ -5,7 +5,6 @@
 from lib.geom import Point
 
 DEFENSIVE, MIDDLE, OFFENSIVE = range(3)
-ZONE_NAMES = ('defensive', 'middle', 'offensive')
 DEFENSIVE_END = 0.4   # share of the field's length
 MIDDLE_END = 0.6
 EDGE = 50.0           # cm from a side line

@@ -7,13 +7,14 @@
 import math
 
 import kelpie
+from lib import hints
 from lib.aim import Aim
 from lib.geom import clamp, wrap
 from lib.goal import UP_FIELD_DEG
 from lib.machine import Machine
 from skills.dodge import Dodge, in_the_way
 from skills.grab import Grab
-from skills.hold import FORWARD_SPEED, SIDE_SPEED, TURN_SPEED, Hold, carry
+from skills.hold import FORWARD_SPEED, TURN_SPEED, Hold, carry
 from skills.kick import Kick
 from skills.release import Release
 
@@ -33,10 +34,7 @@ CARRY_FROM = 230.0      # and beyond which a kick does not reach the goal anyway
 SEARCH_Y = 400.0        # cm; from here on the goal is turned for more slowly (G39)
 SEARCH_TURN, SEARCH_TURN_FRONT = 50.0, 40.0   # deg/s as the thesis has it,
 SEARCH_SHARE = 2.0                            # and how much faster this body turns with the ball
-OVER_TURN_Y = 200.0     # cm; behind it the pose turns, then some frames more (section 6.4.3)
-OVER_TURN_FRAMES = 6
 EDGE = 22.0             # cm from a line: move away from it before anything else
-HINT = 35.0, 120.0      # cm, deg: table 6.1
 
 
 def turn_towards(world, degrees) -> float:
@@ -61,7 +59,6 @@ class GrabDribble(Machine):
         self.hold = None
         self.searched = 0         # frames of the search turn
         self.search_side = 1.0
-        self.over_turned = 0
         self.lost_ball = False
 
     @property
@@ -106,8 +103,8 @@ class GrabDribble(Machine):
 
     def end(self, world, why, *numbers):
         self.lost_ball = True
-        side = 1.0 if self.memory.spin_side < 0.0 else -1.0
-        self.memory.set_hint(HINT[0], side * HINT[1] if abs(self.hold.turned) > 20.0 else 0.0)
+        distance, aside = hints.of_dribble(-1.0 if self.memory.spin_side < 0.0 else 1.0)
+        self.memory.set_hint(distance, aside if abs(self.hold.turned) > 20.0 else 0.0)
         return self.enter(world, self.ended, None, why, *numbers)
 
     # States

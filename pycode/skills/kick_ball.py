@@ -3,8 +3,6 @@
 # (leaves UPenn_Kick and Head_Kick of thesis 2006 section 5.4). Keeps the state and the motion. The
 # ball's place is predicted for the moment the motion begins; a ball that the chin hides is where
 # gps believes it. It does not turn to the goal: the decision tree chose the kick for how it stands.
-import math
-
 import kelpie
 from lib import hints, intercept
 from lib.geom import clamp, heading
@@ -91,9 +89,3 @@ class KickBall(Machine):
 
     def ended(self, world):
         return kelpie.Command(head=self.track.head(world))
-
-
-def offset(which, x, y) -> float:
-    """cm of a ball at (x, y) from where that kick strikes it."""
-    ahead, left = PLACES[which]
-    return math.hypot(y - ahead, -x - left)
