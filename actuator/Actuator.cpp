@@ -134,6 +134,7 @@ void tick(const Command& command, const ActuatorParams& params, ActuatorState& s
   CommandedTick now = commandedNow(params, state);
   now.told = movedBy(before, state.target);
   record(now, state.odometry);
+  state.legGain = std::fmax(state.legGain, legGain(params.motions, state.motion));
   if (running(state.motion)) moveOn(params, state);
 }
 
@@ -187,6 +188,9 @@ MotionOutput step(const MotionInput& in, const ActuatorParams& params, ActuatorS
       feel(in, state.walk, walking(params, state), params.feeling, state.feeling);
   if (walking(params, state)) recordLoad(feeling.load, state.odometry);
   const bool held = stepHeldBall(in, state.target, params.feeling.heldBall, state.heldBall);
+  // Told with the message that is sent as the one before it begins to be played.
+  const double gain = state.legGain;
+  state.legGain = 0.0;
   for (JointFrame& frame : out.joints) {
     tick(in.command, params, state);
     frame = {state.target, in.command.leds, earsNow(in.command.ears, params, state)};
@@ -195,6 +199,7 @@ MotionOutput step(const MotionInput& in, const ActuatorParams& params, ActuatorS
   for (std::size_t i = 0; i < kTicksPerMessage; ++i)
     out.stances[i] = stanceAt(i, in, params, state);
   out.status = status(params, state);
+  out.status.legGain = gain;
   out.status.feeling = feeling;
   out.status.feeling.ballHeld = held;
   return out;

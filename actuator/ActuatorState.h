@@ -30,6 +30,7 @@ struct ActuatorState {
   Stance stance;       // as last sensed
   WalkState walk;
   MotionState motion;
+  double legGain = 1.0;  // the greatest share that the ticks sent last want of the legs' gain
   EffortState effort;
   GainState gain;
   FeelingState feeling;

@@ -33,7 +33,7 @@ struct FallParams {
 struct HeldBallParams {
   Angle neckBelow = Angle::deg(-45.0);   // a commanded neck lower than that,
   Angle mouthBelow = Angle::deg(-40.0);  // and jaw further open, hold
-  std::uint32_t ticks = 27;              // of the window: 0.22 s
+  std::uint32_t ticks = 20;              // of the window: 0.16 s
   Angle sag = Angle::deg(3.2);           // of the empty neck, mean over the window, at least
   double chest = 13.0;  // cm: a ball closer than the chest sensor can tell reads this or more
                         // (facts-2005 section 6.4); empty it reads 10

@@ -28,6 +28,7 @@ struct KeyFrame {
   bool movesMouth = false;      // else so
   Angle mouth;
   KeyLegs legs = KeyLegs::stay;
+  double gain = 1.0;  // share of the leg joints' standard proportional gain while it is played
   std::array<Angle, kLegJoints> angles{};  // in the order of Joint
   WalkRequest walk;                        // of `walk`; its kind of `stance`
 
@@ -37,6 +38,7 @@ struct KeyFrame {
                      field("movesHead", &P::movesHead), field("head", &P::head, "rad", -88, 88),
                      field("movesMouth", &P::movesMouth), field("mouth", &P::mouth, "rad", -55, -3),
                      field("legs", &P::legs, "", 0, kKeyLegsCount - 1),
+                     field("gain", &P::gain, "", 0.2, 1),
                      field("angles", &P::angles, "rad", -130, 130), field("walk", &P::walk));
   }
 };

@@ -37,6 +37,10 @@ const KeyFrame& keyFrame(const Motions& motions, const MotionState& state) {
   return motions[state.kind].frames[state.frame];
 }
 
+double legGain(const Motions& motions, const MotionState& state) {
+  return running(state) ? keyFrame(motions, state).gain : 1.0;
+}
+
 JointAngles played(const Motions& motions, const JointAngles& asked, const MotionState& state) {
   const KeyFrame& key = keyFrame(motions, state);
   const double share = key.interpolate ? (state.frameTick + 1.0) / key.ticks : 1.0;

@@ -24,6 +24,9 @@ void begin(MotionKind kind, const JointAngles& now, MotionState& state);
 const KeyFrame& keyFrame(const Motions& motions, const MotionState& state);
 JointAngles played(const Motions& motions, const JointAngles& asked, const MotionState& state);
 
+// Share of the legs' standard gain that it wants: 1 between motions.
+double legGain(const Motions& motions, const MotionState& state);
+
 // One tick on; false when it has ended. `now`: the targets that were commanded.
 bool advance(const Motions& motions, const JointAngles& now, MotionState& state);
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gps/PoseSteps.h"
 
+#include <algorithm>
+
 #include "gps/Refusal.h"
 #include "gps/lines/LineMap.h"
 #include "gps/lines/LinePoseSearch.h"
@@ -107,7 +109,9 @@ Measurements measurements(const GpsIn& in, const GpsParams& params, GpsCounts& c
   Measurements all;
   if (!landmarksCount(in.input)) return all;
   const LandmarkMap map = body::landmarksFor(params.field, in.input.game.team);
-  const double late = maths::square(panRate(in.input)) * in.input.imageLag.variance;
+  // A heading that may be half a turn off says nothing, whatever rate the head claims to have.
+  const double late = std::min(maths::square(panRate(in.input)) * in.input.imageLag.variance,
+                               maths::square(maths::kPi));
   for (const LandmarkPercept& percept : in.percepts.landmarks)
     if (auto m = measurement(percept, map, params.field, params.gates, counts)) {
       m->headingVariance += late;

@@ -16,8 +16,8 @@ MOTIONS = ("none stand sit kick_forward hard_forward wedge head_swipe_left head_
 MOUTH_SHUT = -3
 LEGS = ["left_front", "left_hind", "right_front", "right_hind"]
 MOTION_KEYS = {"about", "slew", "at_once", "return_ticks", "way", "kick", "frame"}
-FRAME_KEYS = {"ticks", "interpolate", "head", "mouth", "legs", "walk", "forward", "left", "turn",
-              "front", "hind", *LEGS}
+FRAME_KEYS = {"ticks", "interpolate", "gain", "head", "mouth", "legs", "walk", "forward", "left",
+              "turn", "front", "hind", *LEGS}
 
 
 class Wrong(Exception):
@@ -57,6 +57,15 @@ def array_of(values, count, what):
     return "{" + ", ".join(degrees(v) for v in values) + "}"
 
 
+def gain(value):
+    """A share of the standard gain of the legs."""
+    if isinstance(value, bool) or not isinstance(value, (int, float)):
+        raise Wrong("gain: is a number")
+    if not 0.2 <= value <= 1:
+        raise Wrong(f"gain: {value} is outside 0.2..1")
+    return float(value)
+
+
 def leg_angles(frame):
     angles = []
     for leg in LEGS:
@@ -85,6 +94,7 @@ def key_frame(frame):
     yield "{ KeyFrame key;"
     yield f"key.ticks = {int(frame['ticks'])};"
     yield f"key.interpolate = {str(frame.get('interpolate', False)).lower()};"
+    yield f"key.gain = {gain(frame.get('gain', 1))};"
     if "head" in frame:
         yield f"key.movesHead = true; key.head = {{{array_of(frame['head'], 3, 'head')}}};"
     yield f"key.mouth = {degrees(frame.get('mouth', MOUTH_SHUT))};"

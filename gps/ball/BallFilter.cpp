@@ -38,14 +38,30 @@ bool cut(const BallPercept& p) {
          p.centre.y > kImageHeight - p.radius;
 }
 
-BallSighting sighting(const BallPercept& p, const BallFilterParams& params) {
+// Errors of a sighting, as standard deviations: along the sight and across it.
+struct SightingSd {
+  double along = 0.0;   // of the distance
+  double across = 0.0;  // rad
+};
+
+SightingSd errorOf(const BallPercept& p, double headSpeed, const BallFilterParams& params) {
+  const double told = maths::square(1.0 / p.distance) * p.distanceVariance;
+  const double share =
+      maths::clamp(told, maths::square(params.leastShare), maths::square(params.mostShare)) +
+      maths::square(params.sharePerHeadSpeed * headSpeed);
+  const double heading = p.headingVariance + maths::square(params.headingSd.rad()) +
+                         maths::square(params.headingLate * headSpeed);
+  return {std::sqrt(share), std::sqrt(heading)};
+}
+
+BallSighting sighting(const BallPercept& p, double headSpeed, const BallFilterParams& params) {
   const Point2<Robot> at = robotPolar(p.distance, p.heading);
   const Vector2 along(at.x / p.distance, at.y / p.distance);
   const Vector2 across(-along(1), along(0));
-  const double least = maths::square(cut(p) ? kCutSd : params.minSd);
-  const double most = maths::square(params.maxShare * p.distance);
-  const double radial = std::max(std::min(p.distanceVariance, most), least);
-  const double sideways = std::max(maths::square(p.distance) * p.headingVariance, least);
+  const double least = cut(p) ? kCutSd : params.minSd;
+  const SightingSd sd = errorOf(p, headSpeed, params);
+  const double radial = maths::square(std::max(sd.along * p.distance, least));
+  const double sideways = maths::square(std::max(sd.across * p.distance, least));
   return {Vector2(at.x, at.y),
           radial * along * along.transpose() + sideways * across * across.transpose()};
 }
@@ -110,7 +126,7 @@ void supposeJump(const BallSighting& z, double elapsed, const BallFilterParams& 
 }
 
 void see(const BallIn& in, const BallFilterParams& params, BallState& state, GpsCounts& counts) {
-  const BallSighting z = sighting(in.percept, params);
+  const BallSighting z = sighting(in.percept, body::headSpeed(in.input.headRate), params);
   const double elapsed = elapsedOf(in.input);
   BallTrack& ball = state.track;
   const BallTrack before = ball;

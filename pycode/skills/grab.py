@@ -17,9 +17,11 @@ from skills.track_ball import TrackBall
 TURN_GAIN = 0.9          # Alg of section 6.3.3: the heading less 10 %, against over-turning
 TURN_SPEED = 120.0       # deg/s while it walks ahead,
 SPIN_SPEED = 200.0       # and on the spot with the turning walk,
-SPIN_FROM = 50.0         # deg: for a ball farther aside
+SPIN_FROM = 50.0         # deg: for a ball farther aside,
+SPIN_UNTIL = 30.0        # until it is no farther than this
 FAST_FROM = 33.0         # cm: from there on the fast walk, if the ball is ahead
-FAST_WITHIN = 20.0       # deg
+FAST_WITHIN = 20.0       # deg,
+FAST_UNTIL = 30.0        # until it is farther
 CLOSING = 31.0           # cm/s at least, ball ahead: slower, and the jaw meets the ball
 SPEED = 36.0             # cm/s
 
@@ -39,21 +41,29 @@ START_S = 0.5            # for the motion to begin
 LONGEST_S = 2.0
 
 
-def approach(ball) -> kelpie.WalkRequest:
+def walk_kind(away, aside, last):
+    """The walk for a point that far away and aside, when `last` is walked. Each is left later than
+    it is begun: two walks that took turns every frame cost the odometry 15 deg in a second."""
+    if abs(aside) > (SPIN_UNTIL if last == kelpie.WALK_TURNING else SPIN_FROM):
+        return kelpie.WALK_TURNING
+    fast = last == kelpie.WALK_FAST
+    if away > FAST_FROM and abs(aside) < (FAST_UNTIL if fast else FAST_WITHIN):
+        return kelpie.WALK_FAST
+    return kelpie.WALK
+
+
+def approach(point, last=kelpie.WALK) -> kelpie.WalkRequest:
     """Straight at a point of the robot frame: walk(d cos h, 0, 0.9 h), section 6.3.3."""
-    away, aside = math.hypot(*ball), heading(*ball)
+    away, aside = math.hypot(*point), heading(*point)
     ahead = math.cos(math.radians(aside))
-    kind = kelpie.WALK
-    if away > FAST_FROM and abs(aside) < FAST_WITHIN:
-        kind = kelpie.WALK_FAST
-    return kelpie.WalkRequest(forward=max(0.0, away * ahead), left=0.0,
-                              turn_deg=TURN_GAIN * aside, kind=kind)
+    return kelpie.WalkRequest(forward=max(0.0, away * ahead), left=0.0, turn_deg=TURN_GAIN * aside,
+                              kind=walk_kind(away, aside, last))
 
 
 def limited(request, aside, can=SPEED) -> kelpie.WalkRequest:
     """What the legs can do of it, no slower ahead than a grab needs, and turned to twice as fast
     as the thesis has it: 0.9 /s would curve past a ball 30 deg aside."""
-    if abs(aside) > SPIN_FROM:
+    if request.kind == kelpie.WALK_TURNING:
         speed = clamp(3.0 * aside, -SPIN_SPEED, SPIN_SPEED)
         return kelpie.WalkRequest(turn_deg=speed, kind=kelpie.WALK_TURNING)
     if abs(aside) < 60.0:
@@ -62,6 +72,11 @@ def limited(request, aside, can=SPEED) -> kelpie.WalkRequest:
         request.forward = min(request.forward, can * max(0.2, math.cos(math.radians(aside))))
     request.turn_deg = clamp(2.0 * request.turn_deg, -TURN_SPEED, TURN_SPEED)
     return request
+
+
+def walk_at(world, point) -> kelpie.WalkRequest:
+    """The walk to a point of the robot frame, by what is walked already."""
+    return limited(approach(point, world.last_command.walk.kind), heading(*point))
 
 
 def can_grab(ball, velocity, turn_lost) -> bool:
@@ -114,8 +129,7 @@ class Grab(Machine):
         if world.ball.distance < HINT_WITHIN:
             self.memory.set_hint(*hints.GRAB)
         place = intercept.target(world)
-        walk = limited(approach(place), heading(*place))
-        return kelpie.Command(walk=walk, head=self.track.head(world))
+        return kelpie.Command(walk=walk_at(world, place), head=self.track.head(world))
 
     def grab(self, world):
         """Asks until the motion runs, then waits for its end."""

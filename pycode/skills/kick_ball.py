@@ -5,9 +5,9 @@
 # gps believes it. It does not turn to the goal: the decision tree chose the kick for how it stands.
 import kelpie
 from lib import hints, intercept
-from lib.geom import clamp, heading
+from lib.geom import clamp
 from lib.machine import Machine
-from skills.grab import approach, limited
+from skills.grab import walk_at
 from skills.kick import Kick
 from skills.track_ball import TrackBall
 
@@ -60,7 +60,7 @@ class KickBall(Machine):
         if world.ball.distance > CLOSE:
             place = intercept.target(world)
             place = place[0] + left, place[1]
-            return kelpie.Command(walk=limited(approach(place), heading(*place)), head=head)
+            return kelpie.Command(walk=walk_at(world, place), head=head)
         return kelpie.Command(walk=self.steps(y - ahead, -x - left), head=head)
 
     def off(self, world, x, y):

@@ -2,9 +2,13 @@
 # Backs off when a front paw pushes at something in its swing (thesis 2006 section 4.3.3): straight
 # back from both paws, back and to the other side from one, for a certain time. A robot that walks
 # ahead and is felt to be held counts as both: on the physical body two heads meet before any paw
-# does; of 5 walks at a standing robot 4 get past it within 16 s, by paws alone none. Keeps until
-# when, to which side, and when it last backed straight. Feels nothing while it stands. A paw that a
-# near ball presses is the contested ball's matter.
+# does; of 5 walks at a standing robot 4 get past it within 16 s, by paws alone none. What backs
+# into something else goes on with its play instead and heeds no paw for a while: a robot in a goal
+# once backed into its corner for 100 s. Keeps until when, to which side, and when it last backed
+# straight. Feels nothing while it stands. A paw that a near ball presses is the contested ball's
+# matter.
+import math
+
 import kelpie
 from lib.machine import Machine
 
@@ -14,6 +18,8 @@ SIDE_SPEED = 18.0
 # Whoever was met head on so recently is passed on the right, as it does the same. Of 51 meetings of
 # two discs (tests/py/test_paw_stuck.py) all end within 45 s; 36 do when both back straight again.
 AGAIN_S = 4.0
+DEAF_S = 0.5          # between two times of backing: whoever always backs never gets away
+HELD_DEAF_S = 2.5     # after backing was of no use: a turn by 180 deg and a step
 BALL_AT_PAWS = 30.0   # cm
 WALKS_AHEAD = 8.0     # cm/s
 
@@ -35,18 +41,26 @@ class PawStuck(Machine):
     def __init__(self):
         super().__init__(self.free)
         self.straight_s = None  # when it last backed straight
+        self.deaf_until_s = -math.inf
 
     def needed(self, world) -> bool:
         """Whether it backs in this frame; may be asked more than once."""
-        if self.entered_s is not None and self.state != self.free:
-            if not self.timed_out(world, BACK_S):
-                return True
+        if self.state != self.free and not self.ended(world):
+            return True
         left, right = blocked(world)
-        if left or right:
-            self.begin(world, left, right)
-        else:
-            self.enter(world, self.free, None, 'no paw is blocked')
-        return left or right
+        if not (left or right) or world.time_s < self.deaf_until_s:
+            return False
+        self.begin(world, left, right)
+        return True
+
+    def ended(self, world) -> bool:
+        held = world.motion.feeling.stuck and world.last_command.walk.forward < 0.0
+        if not held and not self.timed_out(world, BACK_S):
+            return False
+        self.deaf_until_s = (world.time_s + HELD_DEAF_S if held else
+                             self.entered_s + BACK_S + DEAF_S)
+        self.enter(world, self.free, None, 'something is behind' if held else 'has backed off')
+        return True
 
     def begin(self, world, left, right):
         again = self.straight_s is not None and world.time_s - self.straight_s < AGAIN_S

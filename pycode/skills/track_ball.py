@@ -10,9 +10,11 @@ import kelpie
 from lib.geom import Point, moved, polar
 from lib.intercept import relative_velocity, rolls
 from lib.projection import ground_through
-from lib.steer import aim_at
+from lib.shared_gaze import beside
+from lib.steer import BALL_TOP, aim_at
 
 CLOSE = 30.0      # cm (facts-2005 section 7.2)
+NEAR = 28.0       # cm; a ball nearer than this is needed in the middle of the image
 # From an image to the head's answer to it on the physical body. With it balls that roll at 20 to 90
 # cm/s are in the middle third of the image, across and down, in 0.90 of the frames, else in 0.80.
 LATE_FRAMES = 4
@@ -30,8 +32,15 @@ class TrackBall:
         point = by_projection(world.percepts.ball, world)
         self.projected = point is not None
         if self.projected:
-            return aim_at(*led(world, point), 0.0)
-        return aim_at(*led(world, by_trigonometry(world)))
+            return gaze(world, led(world, point), 0.0)
+        return gaze(world, led(world, by_trigonometry(world)), BALL_TOP)
+
+
+def gaze(world, point, height) -> kelpie.HeadRequest:
+    """At the ball; beside it, to see a landmark too, while it lies still and is not near."""
+    if world.ball.distance < NEAR or rolls(world.ball):
+        return aim_at(*point, height)
+    return beside(world, point, height)
 
 
 def note_close(world, memory) -> None:

@@ -6,7 +6,6 @@
 #include <OPENR/OSyslog.h>
 
 #include "entry.h"
-#include "robot/body/Ers7.h"
 // After entry.h, which its macros need.
 #include <OPENR/core_macro.h>
 
@@ -117,25 +116,25 @@ OStatus Agent::enableGains() {
     const OStatus status = OPENR::EnableJointGain(joint);
     if (status != oSUCCESS) return status;
   }
-  return setGains(false);
+  return setGains({});
 }
 
-OStatus Agent::setGains(bool low) {
+OStatus Agent::setGains(body::LegGain legs) {
   const body::JointGain shift = body::kGainShift;
   for (std::size_t i = 0; i < kJointCount; ++i) {
-    const body::JointGain gain = body::gainOf(static_cast<Joint>(i), low);
+    const body::JointGain gain = body::gainOf(static_cast<Joint>(i), legs);
     const OStatus status =
         OPENR::SetJointGain(ids_.joints[i], gain.p, gain.i, gain.d, shift.p, shift.i, shift.d);
     if (status != oSUCCESS) return status;
   }
-  lowGain_ = low;
+  legGain_ = legs;
   return oSUCCESS;
 }
 
-// Weak legs and back, when the motion loop says so.
-void Agent::spareLegs(bool low) {
-  if (low == lowGain_) return;
-  const OStatus status = setGains(low);
+// Weak or soft legs and back, when the motion loop says so.
+void Agent::changeGains(body::LegGain legs) {
+  if (legs == legGain_) return;
+  const OStatus status = setGains(legs);
   if (status != oSUCCESS) OSYSLOG1((osyslogERROR, "joint gains refused: %u", unsigned(status)));
 }
 
@@ -168,7 +167,7 @@ void Agent::NotifySensor(const ONotifyEvent& event) {
     const MotionOutput& output = loops_.motion(motionInput_);
     // At the start, or when the joints ran dry: a second vector ahead.
     if (inFlight() == 0) sendHeld();
-    spareLegs(output.status.lowGain);
+    changeGains({output.status.lowGain, output.status.legGain});
     send(output.joints);
   }
   observer[event.ObsIndex()]->AssertReady();

@@ -13,6 +13,7 @@
 #include "def.h"
 #include "robot/agent/AgentIo.h"
 #include "robot/agent/Loops.h"
+#include "robot/body/Ers7.h"
 
 namespace kelpie::agent {
 
@@ -45,8 +46,8 @@ class Agent : public OObject {
   OStatus openPrimitives();
   OStatus newVectors();
   OStatus enableGains();
-  OStatus setGains(bool low);
-  void spareLegs(bool low);
+  OStatus setGains(body::LegGain legs);
+  void changeGains(body::LegGain legs);
   static double batteryCurrent();
   OStatus readPose();
   void setCamera();
@@ -63,7 +64,7 @@ class Agent : public OObject {
   MotionInput motionInput_;
   std::array<JointFrame, kTicksPerMessage> held_{};  // the last targets, at first the sensed pose
   Image image_;
-  bool lowGain_ = false;  // what the legs were told last
+  body::LegGain legGain_;  // what the legs were told last
   bool clockKnown_ = false;
   TimeUs tickZero_;  // system time of sensor tick 0
 };

@@ -53,6 +53,12 @@ double lowestAt(const Steps& steps, double rotator) {
   return steps.back().lowest;
 }
 
+// Whole numbers, and never none: a joint without gain is not held at all.
+JointGain withShare(JointGain gain, double share) {
+  const double p = maths::clamp(share * gain.p + 0.5, 1.0, 255.0);
+  return {static_cast<std::uint8_t>(p), gain.i, gain.d};
+}
+
 }  // namespace
 
 double lowestShoulder(LegId leg, double rotator) {
@@ -62,7 +68,7 @@ double lowestShoulder(LegId leg, double rotator) {
   return rotator >= 0 ? lowestAt(kHindAhead, rotator) : lowestAt(kHindBehind, -rotator);
 }
 
-JointGain gainOf(Joint joint, bool low) {
+JointGain gainOf(Joint joint, LegGain legs) {
   switch (joint) {
     case Joint::neckTilt: return kNeckTiltGain;
     case Joint::headPan: return kHeadPanGain;
@@ -73,16 +79,16 @@ JointGain gainOf(Joint joint, bool low) {
     default: break;
   }
   const bool shoulder = (index(joint) - index(Joint::leftFrontRotator)) % 3 == 1;
-  if (shoulder) return low ? kWeakShoulderGain : kShoulderGain;
-  return low ? kWeakLegGain : kLegGain;
+  if (legs.low) return shoulder ? kWeakShoulderGain : kWeakLegGain;
+  return withShare(shoulder ? kShoulderGain : kLegGain, legs.share);
 }
 
-double weakLegGain() {
+double meanOf(LegGain legs) {
   double sum = 0.0;
   for (std::size_t j = index(Joint::leftFrontRotator); j <= index(Joint::rightHindKnee); ++j) {
     const auto joint = static_cast<Joint>(j);
-    const double weak = gainOf(joint, true).p;
-    sum += weak / gainOf(joint, false).p;
+    const double told = gainOf(joint, legs).p;
+    sum += told / gainOf(joint, {}).p;
   }
   return sum / (3 * kLegCount);
 }

@@ -78,9 +78,19 @@ constexpr JointGain kWeakShoulderGain = {0x0A, 0x04, 0x01};
 constexpr JointGain kTailGain = {0x0A, 0x04, 0x04};
 constexpr JointGain kGainShift = {0x0E, 0x02, 0x0F};  // shift exponents of all joints
 
-// The standard gain of a joint, or for legs the weak one.
-JointGain gainOf(Joint joint, bool low);
-// Mean of the leg joints' weak proportional gain over the standard one: 0.55.
-double weakLegGain();
+// How strongly the leg joints are held: weakly, to spare the battery, or else with a share of their
+// standard proportional gain.
+struct LegGain {
+  bool low = false;
+  double share = 1.0;
+
+  bool operator==(const LegGain& other) const { return low == other.low && share == other.share; }
+  bool operator!=(const LegGain& other) const { return !(*this == other); }
+};
+
+// What a joint is told; but for legs its standard gain.
+JointGain gainOf(Joint joint, LegGain legs);
+// Mean of the leg joints' proportional gain over the standard one: 0.55 where it is low.
+double meanOf(LegGain legs);
 
 }  // namespace kelpie::body

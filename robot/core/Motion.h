@@ -135,14 +135,18 @@ struct MotionStatus {
   double effort = 0.0;   // mean over the last step of the hardest working leg joint's duty, 0..1;
                          // 0 while not walking (thesis 2004 section 2.2.4)
   bool lowGain = false;  // the leg joints are held weakly, to spare the battery
+  double legGain = 1.0;  // else this share of their standard gain, as the motion wants it for the
+                         // ticks that are played next
   Feeling feeling;
 
   static constexpr auto fields() {
-    return fieldList(
-        field("running", &MotionStatus::running, "", 0, kMotionKindCount - 1),
-        field("secondsLeft", &MotionStatus::secondsLeft, "s", 0, 10),
-        field("ready", &MotionStatus::ready), field("effort", &MotionStatus::effort, "", 0, 1),
-        field("lowGain", &MotionStatus::lowGain), field("feeling", &MotionStatus::feeling));
+    return fieldList(field("running", &MotionStatus::running, "", 0, kMotionKindCount - 1),
+                     field("secondsLeft", &MotionStatus::secondsLeft, "s", 0, 10),
+                     field("ready", &MotionStatus::ready),
+                     field("effort", &MotionStatus::effort, "", 0, 1),
+                     field("lowGain", &MotionStatus::lowGain),
+                     field("legGain", &MotionStatus::legGain, "", 0.2, 1),
+                     field("feeling", &MotionStatus::feeling));
   }
 };
 

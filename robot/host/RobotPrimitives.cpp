@@ -230,7 +230,7 @@ double RobotPrimitives::legGain() const {
   double sum = 0.0;
   double count = 0.0;
   for (std::size_t j = index(Joint::leftFrontRotator); j <= index(Joint::rightHindKnee); ++j) {
-    const double standard = body::gainOf(static_cast<Joint>(j), false).p;
+    const double standard = body::gainOf(static_cast<Joint>(j), {}).p;
     sum += gains_[j].p == 0 ? 1.0 : gains_[j].p / standard;
     count += 1.0;
   }

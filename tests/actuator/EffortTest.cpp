@@ -123,5 +123,44 @@ TEST(Gain, AKickHasAllTheStrength) {
   EXPECT_FALSE(walker.out.status.lowGain);
 }
 
+// What each message of a kick tells, in the order in which they are sent.
+std::vector<double> gainsTold(const std::vector<KeyFrame>& frames) {
+  Walker walker;
+  MotionData& motion = walker.params.motions[MotionKind::kickForward];
+  motion.frames.clear();
+  for (const KeyFrame& key : frames) motion.frames.push_back(key);
+  walker.standUp();
+  Command kick;
+  kick.motion = MotionKind::kickForward;
+  std::vector<double> told;
+  for (int i = 0; i < 8; ++i) {
+    walker.run(kick, 1);
+    told.push_back(walker.out.status.legGain);
+  }
+  return told;
+}
+
+KeyFrame staysFor(std::uint32_t ticks, double gain) {
+  KeyFrame key;
+  key.ticks = ticks;
+  key.gain = gain;
+  return key;
+}
+
+TEST(MotionGain, IsToldAsTheTicksThatWantItBeginToBePlayed) {
+  const std::vector<double> told{1.0, 0.4, 0.4, 0.7, 1.0, 1.0, 1.0, 1.0};
+  EXPECT_EQ(gainsTold({staysFor(8, 0.4), staysFor(4, 0.7)}), told);
+}
+
+TEST(MotionGain, OfAMessageIsTheGreatestThatItsTicksWant) {
+  const std::vector<double> told{1.0, 0.4, 1.0, 1.0, 0.3, 1.0, 1.0, 1.0};
+  EXPECT_EQ(gainsTold({staysFor(6, 0.4), staysFor(6, 1.0), staysFor(4, 0.3)}), told);
+}
+
+TEST(MotionGain, IsAllThereIsUnlessAFileSaysOtherwise) {
+  for (const MotionData& motion : standardMotions().of)
+    for (const KeyFrame& key : motion.frames) EXPECT_EQ(key.gain, 1.0);
+}
+
 }  // namespace
 }  // namespace kelpie::actuator

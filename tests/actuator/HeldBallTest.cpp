@@ -37,12 +37,12 @@ class Holds : public ::testing::Test {
 
 TEST_F(Holds, AnEmptyHeadSagsAndHoldsNothing) { EXPECT_FALSE(run(20)); }
 
-TEST_F(Holds, OneTouchOfTheChinCountsForAQuarterOfASecond) {
+TEST_F(Holds, OneTouchOfTheChinCountsForASixthOfASecond) {
   run(10);
   feel(4.4, 10.0, true);
   EXPECT_TRUE(run(1));
   feel(4.4, 10.0, false);
-  EXPECT_TRUE(run(6));
+  EXPECT_TRUE(run(4));
   EXPECT_FALSE(run(1));
 }
 
@@ -70,7 +70,7 @@ TEST_F(Holds, AHeadThatIsUpOrAShutJawHoldsNothing) {
 
 TEST_F(Holds, SaysNoUntilTheWindowIsFull) {
   feel(0.0, 25.0, true);
-  EXPECT_FALSE(run(6));
+  EXPECT_FALSE(run(4));
   EXPECT_TRUE(run(1));
 }
 

@@ -150,8 +150,9 @@ TEST(Jump, OfALyingBallSeenOnceAndThenNothingIsNotBelieved) {
   for (const double aside : {10.0, 12.0, 20.0, -15.0}) {
     Watcher watcher(180, 200);
     const WorldModel world = seenOnceAside(0.0, aside, watcher);
-    EXPECT_NEAR(world.ball.position.x, 120.0, 1.0) << aside;
-    EXPECT_NEAR(world.ball.position.y, 330.0, 1.0) << aside;
+    // At 143 cm one sighting is off by 3 cm: it moves what 60 said by a fifth of itself at most.
+    EXPECT_NEAR(world.ball.position.x, 120.0, 2.0) << aside;
+    EXPECT_NEAR(world.ball.position.y, 330.0, 2.0) << aside;
   }
 }
 

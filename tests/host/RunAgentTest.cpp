@@ -264,5 +264,32 @@ TEST(AgentTest, WeakensTheLegsAloneWhenTheLoopsSaySo) {
   EXPECT_NEAR(source.replies.back().legGain, (8 * 16.0 / 28 + 4 * 10.0 / 20) / 12, 1e-12);
 }
 
+// Wants soft legs in its first messages.
+class LoopsThatSoften : public FakeLoops {
+ public:
+  explicit LoopsThatSoften(std::size_t messages) : messages_(messages) {}
+  const MotionOutput& motion(const MotionInput& input) override {
+    output.status.legGain = inputs.size() < messages_ ? 0.4 : 1.0;
+    return FakeLoops::motion(input);
+  }
+
+ private:
+  std::size_t messages_;
+};
+
+double legGainTold(LoopsThatSoften& loops) {
+  FakeSource source;
+  source.addSensors(5);
+  EXPECT_TRUE(runAgent(source, loops, quiet(), {}));
+  return source.replies.back().legGain;
+}
+
+TEST(AgentTest, SoftensTheLegsForAMotionAndGivesThemAllTheirGainBack) {
+  LoopsThatSoften soft(5);
+  EXPECT_NEAR(legGainTold(soft), (8 * 11.0 / 28 + 4 * 8.0 / 20) / 12, 1e-12);
+  LoopsThatSoften softUntilTheThird(3);
+  EXPECT_EQ(legGainTold(softUntilTheThird), 1.0);
+}
+
 }  // namespace
 }  // namespace kelpie::host

@@ -92,6 +92,27 @@ TEST(MotionFile, WhatIsWrongIsToldByLineOrName) {
   EXPECT_NE(readMotion("/tmp").error().find("is a directory"), std::string::npos);
 }
 
+TEST(MotionFile, GainOfAFrameIsAShareOfTheStandardOne) {
+  const auto motion = readText(kFrame + "gain = 0.45\n" + kFrame);
+  ASSERT_TRUE(motion.ok()) << motion.error();
+  EXPECT_EQ(motion->frames[0].gain, 0.45);
+  EXPECT_EQ(motion->frames[1].gain, 1.0);
+  const auto again = readText(motionText(*motion, "written"));
+  ASSERT_TRUE(again.ok()) << again.error();
+  EXPECT_EQ(again->frames[0].gain, 0.45);
+}
+
+TEST(MotionFile, GainThatIsNoShareIsToldInOneLine) {
+  for (const char* value : {"0.1", "1.5", "-1", "nan", "inf"}) {
+    const std::string text = complaint(kFrame + "gain = " + value + "\n");
+    EXPECT_NE(text.find("frames[0].gain: "), std::string::npos) << text;
+    EXPECT_EQ(text.find('\n'), std::string::npos) << text;
+  }
+  for (const char* value : {"\"soft\"", "true", "[0.4, 1]"})
+    EXPECT_NE(complaint(kFrame + "gain = " + value + "\n").find(":5: gain: is a number"),
+              std::string::npos);
+}
+
 TEST(MotionFile, ThirteenFramesAreTooMany) {
   std::string text;
   for (int i = 0; i < 13; ++i) text += kFrame;

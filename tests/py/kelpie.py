@@ -267,6 +267,7 @@ class MotionStatus(Fields):
         'ready',
         'effort',
         'low_gain',
+        'leg_gain',
         'feeling',
     )
 
@@ -276,6 +277,7 @@ class MotionStatus(Fields):
         self.ready = False
         self.effort = 0.0
         self.low_gain = False
+        self.leg_gain = 1.0
         self.feeling = Feeling()
         self._take(given)
 

@@ -11,7 +11,8 @@ from lib.memory import Memory
 from situations import world
 from skills import dodge
 from skills.dodge import Dodge
-from skills.grab import DRAG, PREDICTED, Grab, approach, can_grab
+from skills.grab import (DRAG, FAST_UNTIL, FAST_WITHIN, PREDICTED, SPIN_FROM, SPIN_UNTIL, Grab,
+                         approach, can_grab, walk_kind)
 from skills.hold import Hold
 
 FIELD = kelpie.FIELDS['2006']
@@ -26,6 +27,19 @@ def at(distance, degrees):
 def test_the_approach_has_no_side_steps_and_turns_10_percent_less():
     walk = approach(at(100.0, 60.0))
     assert (walk.forward, walk.left, walk.turn_deg) == pytest.approx((50.0, 0.0, 54.0))
+
+
+@pytest.mark.parametrize('aside, last, kind', [
+    (SPIN_FROM + 1.0, kelpie.WALK, kelpie.WALK_TURNING),
+    (SPIN_FROM - 1.0, kelpie.WALK, kelpie.WALK),
+    (-SPIN_UNTIL - 1.0, kelpie.WALK_TURNING, kelpie.WALK_TURNING),
+    (-SPIN_UNTIL + 1.0, kelpie.WALK_TURNING, kelpie.WALK),
+    (FAST_WITHIN - 1.0, kelpie.WALK, kelpie.WALK_FAST),
+    (FAST_WITHIN + 1.0, kelpie.WALK, kelpie.WALK),
+    (FAST_UNTIL - 1.0, kelpie.WALK_FAST, kelpie.WALK_FAST),
+    (FAST_UNTIL + 1.0, kelpie.WALK_FAST, kelpie.WALK)])
+def test_a_walk_is_left_later_than_it_is_begun(aside, last, kind):
+    assert walk_kind(100.0, aside, last) == kind
 
 
 @pytest.mark.parametrize('ball, velocity, turn_lost, wanted', [

@@ -4,7 +4,7 @@ import random
 
 import kelpie
 import pytest
-from skills.paw_stuck import BACK_S, PawStuck
+from skills.paw_stuck import BACK_S, DEAF_S, HELD_DEAF_S, PawStuck
 
 FRAME_S = 1.0 / 30.0
 
@@ -64,6 +64,27 @@ def test_met_head_on_again_it_goes_to_the_right():
     assert skill.needed(world) and skill.walk(world).left < 0.0
     world = world_with(True, True, 10.0)
     assert skill.needed(world) and skill.walk(world).left == 0.0
+
+
+def test_a_robot_that_backs_into_something_stops_that_and_heeds_no_paw_for_a_while():
+    skill, held = PawStuck(), world_with(True, False, 0.3)
+    skill.needed(world_with(True, False))
+    held.motion.feeling.stuck, held.last_command.walk.forward = True, -24.0
+    assert not skill.needed(held)
+    assert not skill.needed(world_with(True, True, 0.29 + HELD_DEAF_S))
+    assert skill.needed(world_with(True, True, 0.31 + HELD_DEAF_S))
+
+
+def test_what_holds_it_from_ahead_does_not_end_the_backing():
+    skill, held = PawStuck(), world_with(False, False)
+    held.motion.feeling.stuck, held.last_command.walk.forward = True, 20.0
+    assert skill.needed(held) and skill.needed(held)
+
+
+def test_a_paw_that_stays_blocked_lets_it_play_between_two_times_of_backing():
+    skill = PawStuck()
+    backs = [skill.needed(world_with(True, False, frame * FRAME_S)) for frame in range(300)]
+    assert backs[0] and backs.count(False) >= 6 * DEAF_S / FRAME_S
 
 
 class Walker:

@@ -91,6 +91,17 @@ const char* wordFor(Joint joint) {
   return kWords[index(joint)];
 }
 
+// How strongly the legs are held; nothing where it is as usual all the time.
+std::string gainText(const actuator::MotionData& motion) {
+  bool usual = true;
+  std::string text;
+  for (const actuator::KeyFrame& key : motion.frames) {
+    usual = usual && key.gain == 1.0;
+    text += fmt::format("{}{}", text.empty() ? "" : ", ", key.gain);
+  }
+  return usual ? "" : "gain of the legs by key frame, share of the standard one: " + text + "\n";
+}
+
 // What a block covers; nothing for other motions.
 std::string coverText(const learn::MotionStage& stage) {
   if (!stage.rolling) return "";
@@ -153,6 +164,7 @@ void tell(const Chosen& chosen, const MotionOptions& options, const learn::Motio
   fmt::print("{}: {} key frames in {:.0f} camera frames ({:.2f} s), on {}, seed {}\n", chosen.name,
              chosen.motion.frames.size(), std::ceil(ticks * kTickSeconds * 30.0),
              ticks * kTickSeconds, model, options.seed);
+  fmt::print("{}", gainText(chosen.motion));
   fmt::print("{}{}\n{}\n", legsText(stage, course), wayText(stage, course),
              ballText(stage, course));
   fmt::print("fastest joint: {}, {:.0f} deg/s\n", wordFor(course.fastest), course.rate);

@@ -126,13 +126,14 @@ class Reader {
   void addFrame(const toml::node& node, MotionData& motion) {
     const toml::table* frame = node.as_table();
     if (frame == nullptr) return complain(node, "frame: is not a table");
-    known(*frame, {"ticks", "interpolate", "head", "mouth", "legs", "walk", "forward", "left",
-                   "turn", "front", "hind", kLegs[0], kLegs[1], kLegs[2], kLegs[3]});
+    known(*frame, {"ticks", "interpolate", "gain", "head", "mouth", "legs", "walk", "forward",
+                   "left", "turn", "front", "hind", kLegs[0], kLegs[1], kLegs[2], kLegs[3]});
     KeyFrame key;
     key.mouth = kMouthShut;
     if (!frame->contains("ticks")) complain(node, "ticks: is missing");
     number(*frame, "ticks", key.ticks);
     number(*frame, "interpolate", key.interpolate);
+    number(*frame, "gain", key.gain);
     key.movesHead = angles(*frame, "head", key.head.data());
     key.movesMouth = frame->contains("mouth");
     number(*frame, "mouth", key.mouth);
@@ -187,6 +188,7 @@ std::string three(const Angle* angles) {
 std::string frameText(const KeyFrame& key) {
   std::string out = fmt::format("\n[[frame]]\nticks = {}\n", key.ticks);
   if (key.interpolate) out += "interpolate = true\n";
+  if (key.gain != 1.0) out += fmt::format("gain = {}\n", key.gain);
   if (key.movesHead) out += fmt::format("head = {}\n", three(key.head.data()));
   if (key.movesMouth) out += fmt::format("mouth = {:.1f}\n", key.mouth.deg());
   if (key.legs == KeyLegs::angles) {

@@ -100,7 +100,7 @@ void PhysicalWalker::send(std::size_t robot) {
   host::AgentReply reply;
   reply.motorPower = true;
   reply.gains = (1U << kJointCount) - 1;
-  if (output.status.lowGain) reply.legGain = body::weakLegGain();
+  reply.legGain = body::meanOf({output.status.lowGain, output.status.legGain});
   host::EffectorVector vector;
   vector.ticks = kTicksPerMessage;
   vector.joints = reply.gains;

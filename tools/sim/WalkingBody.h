@@ -73,7 +73,7 @@ class WalkingBody {
     host::AgentReply reply;
     reply.motorPower = true;
     reply.gains = (1U << kJointCount) - 1;
-    if (output.status.lowGain) reply.legGain = body::weakLegGain();
+    reply.legGain = body::meanOf({output.status.lowGain, output.status.legGain});
     host::EffectorVector vector;
     vector.ticks = kTicksPerMessage;
     vector.joints = reply.gains;

@@ -73,18 +73,20 @@ void LocaliseMatch::sense() {
   motion_.sensors = world_->sensors(0);
   motion_.batteryCurrent = world_->batteryCurrent(0);
   const MotionOutput& output = loops_->motion(motion_);
+  const body::LegGain legs{output.status.lowGain, output.status.legGain};
   // At the start a second vector ahead, as the OPEN-R object sends.
   if (world_->bodies().vectorsWaiting(0) == 0) {
     std::array<JointFrame, kTicksPerMessage> held;
     held.fill(output.joints[0]);
-    send(held, output.status.lowGain);
+    send(held, legs);
   }
-  send(output.joints, output.status.lowGain);
+  send(output.joints, legs);
 }
 
-void LocaliseMatch::send(const std::array<JointFrame, kTicksPerMessage>& joints, bool lowGain) {
+void LocaliseMatch::send(const std::array<JointFrame, kTicksPerMessage>& joints,
+                         body::LegGain legs) {
   host::AgentReply reply;
-  if (lowGain) reply.legGain = body::weakLegGain();
+  reply.legGain = body::meanOf(legs);
   reply.motorPower = true;
   reply.gains = (1U << kJointCount) - 1;
   host::EffectorVector vector;

@@ -12,6 +12,7 @@
 #include <string>
 
 #include "robot/agent/AgentLoops.h"
+#include "robot/body/Ers7.h"
 #include "robot/core/Random.h"
 #include "tools/experiments/harness/Experiment.h"
 #include "tools/sim/World.h"
@@ -50,7 +51,7 @@ class LocaliseMatch : private agent::LogSink {
   void sense();
   void see(TimeUs now);
   void replaceBall();
-  void send(const std::array<JointFrame, kTicksPerMessage>& joints, bool lowGain);
+  void send(const std::array<JointFrame, kTicksPerMessage>& joints, body::LegGain legs);
 
   body::FieldDescription field_;
   std::unique_ptr<sim::World> world_;

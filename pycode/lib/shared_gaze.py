@@ -1,0 +1,56 @@
+# SPDX-License-Identifier: Apache-2.0
+# A gaze that keeps the ball in the image but not in its middle: turned aside and up, as far as the
+# ball stays whole, so that a landmark comes into the image as well. Whoever only looks at the ball
+# sees what happens to be behind it. Keeps nothing. A wrong pose turns it to where no landmark is,
+# which costs nothing: the ball is still seen.
+import math
+
+import kelpie
+from lib.geom import Point, clamp, from_field, heading, wrap
+from lib.landmarks import FARTHEST, NEAREST
+
+IMAGE_ASIDE = 28.4    # deg from the middle of the image to its side,
+IMAGE_UP = 22.6       # and to its upper edge
+INSIDE = 6.0          # of a landmark's middle from that side: a third of a beacon's height
+ASIDE = 14.0          # the ball is moved at most; at 1 m it is 5 deg wide
+HORIZON_IN = 5.0      # deg of the image above the horizon that are wanted
+EYES = 17.0           # cm that the camera is above the top of the ball
+BALL = 8.6            # cm
+MARGIN = 4.0          # deg between the ball and the lower edge
+
+
+def aside_for(world, ball_pan) -> float:
+    """How far (deg to the left) the view turns from the ball so that the landmark nearest to it
+    comes into the image; 0 when one is in it already, or none can be."""
+    best = None
+    for mark in world.field.landmarks:
+        x, y = from_field(world.pose, mark.position.x, mark.position.y)
+        if not NEAREST <= math.hypot(x, y) <= FARTHEST:
+            continue
+        off = wrap(heading(x, y) - ball_pan)
+        if best is None or abs(off) < abs(best):
+            best = off
+    if best is None:
+        return 0.0
+    needed = abs(best) - (IMAGE_ASIDE - INSIDE)
+    return math.copysign(needed, best) if 0.0 < needed <= ASIDE else 0.0
+
+
+def up_for(distance) -> float:
+    """How far (deg) the view is raised above a ball at that distance (cm) for the horizon to be in
+    the image, at most until the ball touches the lower edge."""
+    down = math.degrees(math.atan2(EYES, distance))
+    wide = math.degrees(BALL / max(distance, BALL))
+    wanted = down - (IMAGE_UP - HORIZON_IN)
+    return clamp(wanted, 0.0, max(0.0, IMAGE_UP - MARGIN - wide))
+
+
+def beside(world, point: Point, height) -> kelpie.HeadRequest:
+    """The view that keeps a ball at that point of the robot frame (cm) and that height, and shows
+    what else it can."""
+    distance, pan = math.hypot(*point), heading(*point)
+    pan = pan + aside_for(world, pan)
+    angle = math.radians(pan)
+    up = distance * math.tan(math.radians(up_for(world.ball.distance)))
+    return kelpie.HeadRequest(aim=kelpie.AIM_POINT, target=kelpie.Point3(
+        x=-distance * math.sin(angle), y=distance * math.cos(angle), z=height + up))

@@ -1,0 +1,60 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The gaze that shows a landmark beside the ball."""
+import copy
+import math
+
+import kelpie
+import pytest
+from lib.geom import from_field, heading, polar, wrap
+from lib.shared_gaze import (ASIDE, BALL, HORIZON_IN, IMAGE_ASIDE, IMAGE_UP, INSIDE, aside_for,
+                             beside, up_for)
+
+
+def world_at(x, y, degrees):
+    world = kelpie.WorldFrame(field=kelpie.FIELDS['2006'])
+    world.pose.position.x, world.pose.position.y, world.pose.heading_deg = x, y, degrees
+    world.stance.body_tilt_deg = 14.25
+    return world
+
+
+def nearest_off(world, pan):
+    return min((abs(wrap(heading(*from_field(world.pose, m.position.x, m.position.y)) - pan))
+                for m in world.field.landmarks
+                if 70 <= math.hypot(*from_field(world.pose, m.position.x, m.position.y)) <= 550))
+
+
+def test_it_turns_aside_just_so_far_that_the_nearest_landmark_is_in_the_image():
+    world, turned = world_at(180.0, 270.0, 90.0), 0
+    for pan in range(-90, 91, 5):
+        aside = aside_for(world, pan)
+        before, after = nearest_off(world, pan), nearest_off(world, pan + aside)
+        assert abs(aside) <= ASIDE
+        if aside:
+            turned += 1
+            assert after == pytest.approx(IMAGE_ASIDE - INSIDE) and before > after
+        else:
+            inside = IMAGE_ASIDE - INSIDE
+            assert before <= inside or before > inside + ASIDE
+    assert turned
+
+
+@pytest.mark.parametrize('distance', range(20, 300, 5))
+def test_the_ball_stays_whole_in_the_image_and_a_far_one_in_its_middle(distance):
+    up = up_for(distance)
+    assert 0.0 <= up <= max(0.0, IMAGE_UP - math.degrees(BALL / distance))
+    assert distance < 53 or up == 0.0
+
+
+def test_at_45_cm_the_horizon_comes_into_the_image():
+    down = math.degrees(math.atan2(17.0, 45.0))
+    assert IMAGE_UP - (down - up_for(45.0)) == pytest.approx(HORIZON_IN)
+
+
+def test_without_a_landmark_near_the_view_it_looks_at_the_ball():
+    world = world_at(180.0, 270.0, 90.0)
+    world.field = copy.copy(world.field)
+    world.field.landmarks = []
+    world.ball.distance = 100.0
+    point = polar(100.0, 20.0)
+    target = beside(world, point, 8.4).target
+    assert (target.x, target.y, target.z) == pytest.approx((*point, 8.4))
