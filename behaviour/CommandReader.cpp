@@ -30,26 +30,43 @@ bool readNumber(PyObject* object, double& value, std::string& why) {
   return true;
 }
 
-template <class T>
-bool read(PyObject* object, T& value, const Limits& limits, std::string& why);
+// The fallback is for the host to set, not for the script.
+template <class Member>
+constexpr bool kOfScript = !std::is_same_v<Member, Fallback>;
 
 template <class T>
-bool readStruct(PyObject* object, T& value, std::string& why) {
+void addNames(const T& sample, std::vector<PythonRef>& names) {
+  forEachField(sample, [&](const auto& f, const auto& member) {
+    using Member = std::decay_t<decltype(member)>;
+    if (!kOfScript<Member>) return;
+    const std::string name = pythonName<Member>(f.name, f.unit);
+    names.emplace_back(PyUnicode_InternFromString(name.c_str()));
+    if constexpr (HasFields<Member>::value) addNames(member, names);
+  });
+}
+
+// Goes through the names in the order in which addNames() made them; the first failure ends it.
+using NextName = std::vector<PythonRef>::const_iterator;
+
+template <class T>
+bool read(PyObject* object, T& value, const Limits& limits, NextName& next, std::string& why);
+
+template <class T>
+bool readStruct(PyObject* object, T& value, NextName& next, std::string& why) {
   bool good = true;
   forEachField(value, [&](const auto& f, auto& member) {
     using Member = std::decay_t<decltype(member)>;
-    // The fallback is for the host to set, not for the script.
-    if (!good || std::is_same_v<Member, Fallback>) return;
-    const std::string name = pythonName<Member>(f.name, f.unit);
-    const PythonRef attribute(PyObject_GetAttrString(object, name.c_str()));
+    if (!good || !kOfScript<Member>) return;
+    PyObject* const name = (next++)->get();
+    const PythonRef attribute(PyObject_GetAttr(object, name));
     if (attribute) {
-      good = read(attribute.get(), member, Limits{f.unit, f.min, f.max}, why);
+      good = read(attribute.get(), member, Limits{f.unit, f.min, f.max}, next, why);
     } else {
       PyErr_Clear();
       good = false;
       why = " is missing";
     }
-    if (!good) why = "." + name + why;
+    if (!good) why = "." + pythonName<Member>(f.name, f.unit) + why;
   });
   return good;
 }
@@ -69,11 +86,11 @@ bool readInteger(PyObject* object, T& value, const Limits& limits, std::string& 
 }
 
 template <class T>
-bool read(PyObject* object, T& value, const Limits& limits, std::string& why) {
+bool read(PyObject* object, T& value, const Limits& limits, NextName& next, std::string& why) {
   if constexpr (std::is_same_v<T, Trace>) {
     return readTrace(object, value, why);
   } else if constexpr (HasFields<T>::value) {
-    return readStruct(object, value, why);
+    return readStruct(object, value, next, why);
   } else if constexpr (std::is_same_v<T, bool>) {
     const int truth = PyBool_Check(object) ? PyObject_IsTrue(object) : -1;
     if (truth < 0) why = std::string(" is a ") + Py_TYPE(object)->tp_name + ", not a bool";
@@ -95,8 +112,11 @@ bool read(PyObject* object, T& value, const Limits& limits, std::string& why) {
 
 }  // namespace
 
-bool readCommand(PyObject* object, Command& command, std::string& why) {
-  if (readStruct(object, command, why)) return true;
+CommandReader::CommandReader() { addNames(Command{}, names_); }
+
+bool CommandReader::read(PyObject* object, Command& command, std::string& why) const {
+  NextName next = names_.begin();
+  if (readStruct(object, command, next, why)) return true;
   why = "Command" + why;
   return false;
 }

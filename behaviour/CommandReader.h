@@ -4,13 +4,24 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "behaviour/PythonRef.h"
 #include "robot/core/Command.h"
 
 namespace kelpie::behaviour {
 
-// On failure `why` names the member and what is wrong; `command` is then half filled.
-bool readCommand(PyObject* object, Command& command, std::string& why);
+// Keeps the names of all members in Python, made once: spelling them in every frame cost more than
+// the reading.
+class CommandReader {
+ public:
+  CommandReader();  // needs an interpreter
+
+  // On failure `why` names the member and what is wrong; `command` is then half filled.
+  bool read(PyObject* object, Command& command, std::string& why) const;
+
+ private:
+  std::vector<PythonRef> names_;  // in the order of the field lists, a struct's before its members'
+};
 
 }  // namespace kelpie::behaviour

@@ -40,7 +40,9 @@ constexpr const char* kEnums =
     "LED_FACE = tuple(1 << i for i in range(6, 20))\n"
     "LED_BACK_FRONT_COLOUR, LED_BACK_FRONT_WHITE, LED_BACK_MIDDLE_COLOUR, \\\n"
     "    LED_BACK_MIDDLE_WHITE, LED_BACK_REAR_COLOUR, LED_BACK_REAR_WHITE = \\\n"
-    "    (1 << i for i in range(20, 26))\n";
+    "    (1 << i for i in range(20, 26))\n"
+    // Stands for an object that was not given. None would hide a function that forgot to answer.
+    "ANEW = object()\n";
 static_assert(kLandmarkKindCount == 6 && kMotionKindCount == 22 && kPinkUseCount == 3 &&
                   kPlayerKindCount == 5 && kTraceLayerCount == 4 && kKickChoiceCount == 2 &&
                   kAimingCount == 2 && kBallSearchCount == 2 && kWalkKindCount == 7 &&
@@ -58,6 +60,10 @@ std::string className() {
   const std::string name = schemaName<T>();
   return name.substr(name.find('/') + 1);
 }
+
+// Whether each call needs an object of its own; a default's is shared by all of them.
+template <class T>
+constexpr bool kMadeAnew = HasFields<T>::value || kIsSequence<T>;
 
 template <class T>
 std::string defaultText(const T& value, const char* unit) {
@@ -108,24 +114,29 @@ std::string fieldsText() {
   return text + "}\n";
 }
 
+// Every member is a parameter of its own: a wrong name raises an error at once, otherwise nobody
+// would notice that the request is lost, and a call costs half of one that takes names in a dict.
 class ClassWriter {
  public:
   template <class T>
   void write() {
     if (!done_.insert(className<T>()).second) return;
     writeParts<T>();
-    std::string names, defaults;
+    std::string names, parameters, setters;
     const T sample{};
     forEachField(sample, [&](const auto& f, const auto& member) {
       using Member = std::decay_t<decltype(member)>;
       if (std::is_same_v<Member, Fallback>) return;
       const std::string name = pythonName<Member>(f.name, f.unit);
       names += "        '" + name + "',\n";
-      defaults += "        self." + name + " = " + defaultText(member, f.unit) + "\n";
+      const std::string made = defaultText(member, f.unit);
+      parameters += ",\n                 " + name + "=" + (kMadeAnew<Member> ? "ANEW" : made);
+      setters += "        self." + name + " = " +
+                 (kMadeAnew<Member> ? made + " if " + name + " is ANEW else " : "") + name + "\n";
     });
-    text_ << "\n\nclass " << className<T>() << "(Fields):\n    __slots__ = (\n"
-          << names << "    )\n\n    def __init__(self, **given):\n"
-          << defaults << "        self._take(given)\n";
+    text_ << "\n\nclass " << className<T>() << ":\n    __slots__ = (\n"
+          << names << "    )\n\n    def __init__(self, *" << parameters << "):\n"
+          << setters;
   }
 
   std::string text() const { return text_.str(); }
@@ -145,20 +156,12 @@ class ClassWriter {
   std::set<std::string> done_;
 };
 
-// A wrong name raises an error at once; otherwise nobody would notice that the request is lost.
-constexpr const char* kFields =
-    "\n\nclass Fields:\n"
-    "    __slots__ = ()\n\n"
-    "    def _take(self, given):\n"
-    "        for name, value in given.items():\n"
-    "            setattr(self, name, value)\n";
-
 }  // namespace
 
 std::string kelpieModuleText() {
   ClassWriter writer;
   writer.write<Command>();
-  return std::string(kEnums) + kFields + writer.text();
+  return std::string(kEnums) + writer.text();
 }
 
 std::string kelpieStandInText() {
@@ -170,7 +173,7 @@ std::string kelpieStandInText() {
              "# Stands in for the host's module `kelpie` under a plain python3. Written "
              "from the field lists:\n"
              "# behaviour_names > tests/py/kelpie.py; a test compares.\n") +
-         kEnums + kFields + writer.text() + fieldsText();
+         kEnums + writer.text() + fieldsText();
 }
 
 }  // namespace kelpie::behaviour

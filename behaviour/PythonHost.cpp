@@ -4,7 +4,6 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "behaviour/CommandReader.h"
 #include "behaviour/Guard.h"
 #include "behaviour/KelpieModule.h"
 #include "behaviour/Watchdog.h"
@@ -82,6 +81,7 @@ void PythonHost::prepare() {
   commandType_ = PythonRef(PyObject_GetAttrString(kelpie_.get(), "Command"));
   const PythonRef watched(PyObject_CallMethod(guard_.get(), "watch", nullptr));
   types_ = std::make_unique<ViewTypes>();
+  reader_ = std::make_unique<CommandReader>();
   PythonRef world = types_->view(*frame_);
   if (watched && commandType_ && types_->good()) world_ = std::move(world);
 }
@@ -152,7 +152,7 @@ Fallback PythonHost::read(PyObject* answer, Command& command) {
   if (isCommand != 1) {
     PyErr_Clear();
     why = std::string("decide returned a ") + Py_TYPE(answer)->tp_name + ", not a kelpie.Command";
-  } else if (readCommand(answer, command, why)) {
+  } else if (reader_->read(answer, command, why)) {
     if (!broken_) lastError_.clear();
     return Fallback::none;
   }

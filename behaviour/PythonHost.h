@@ -9,6 +9,7 @@
 
 #include "behaviour/BehaviourIn.h"
 #include "behaviour/BehaviourParams.h"
+#include "behaviour/CommandReader.h"
 #include "behaviour/Interpreter.h"
 #include "behaviour/Rows.h"
 #include "behaviour/Sources.h"
@@ -55,6 +56,7 @@ class PythonHost {
 
   Interpreter interpreter_;  // before everything that holds references
   std::unique_ptr<ViewTypes> types_;
+  std::unique_ptr<CommandReader> reader_;
   std::unique_ptr<WorldFrame> frame_;
   PythonRef guard_;
   PythonRef kelpie_;

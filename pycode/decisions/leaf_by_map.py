@@ -45,7 +45,7 @@ class LeafByMap:
         if free > grab:
             return kick, 'worth {} at once, {} with a grab', free, grab
         if leaf not in tree.WITH_GRAB:
-            leaf = tree.decide(situation, tree.with_grab(situation.zone))[0]
+            leaf = tree.grab_leaf(situation)
         return leaf, 'worth {} with a grab, {} at once', grab, free
 
     def update(self, world, situation):

@@ -129,37 +129,48 @@ def with_grab(region):
                 ('at an edge, looking out', ''))
 
 
+GRABS = {region: with_grab(region)
+         for region in (zones.DEFENSIVE, zones.MIDDLE, zones.OFFENSIVE)}
 TREE = Node('y < 0.4 length?', lambda s: s.zone == zones.DEFENSIVE,
-            defensive(with_grab(zones.DEFENSIVE)),
+            defensive(GRABS[zones.DEFENSIVE]),
             Node('y < 0.6 length?', lambda s: s.zone == zones.MIDDLE,
-                 middle(with_grab(zones.MIDDLE)), offensive(with_grab(zones.OFFENSIVE)),
+                 middle(GRABS[zones.MIDDLE]), offensive(GRABS[zones.OFFENSIVE]),
                  ('middle', 'offensive')), ('defensive', ''))
 
 
 def decide(situation, node=TREE) -> tuple:
     """(leaf, place, reason, *numbers): the leaf's name, its id in rows(), and why, as
     Command.trace tells it."""
-    path = []
+    place, said = '0', []
     while isinstance(node, Node):
-        yes = node.test(situation)
-        path.append((node, yes))
-        node = node.yes if yes else node.no
-    place = '0' + ''.join('y' if yes else 'n' for _, yes in path)
-    return (node, place, *_why(path, situation))
+        if node.test(situation):
+            place, text, after = place + 'y', node.says[0], node.yes
+        else:
+            place, text, after = place + 'n', node.says[1], node.no
+        if text:
+            said.append((text, node.of))
+        node = after
+    said = _fitting(said)
+    numbers = [getattr(situation, of) for text, of in said if '{}' in text]
+    return (node, place, '; '.join([text for text, _ in said]), *numbers[:3])
 
 
-def _why(path, situation):
-    """What was said on the way, the newest of it where not all fits, and its numbers."""
-    said, numbers, size = [], [], 0
-    for node, yes in reversed(path):
-        text = node.says[0 if yes else 1]
-        if not text or size + len(text) > MOST_REASON - 2:
-            continue
-        size += len(text) + 2
-        said.insert(0, text)
-        if '{}' in text:
-            numbers.insert(0, getattr(situation, node.of))
-    return ('; '.join(said), *numbers[:3])
+def grab_leaf(situation) -> str:
+    """The leaf with a grab for where the ball lies, whatever the tree says of a grab."""
+    node = GRABS[situation.zone]
+    while isinstance(node, Node):
+        node = node.yes if node.test(situation) else node.no
+    return node
+
+
+def _fitting(said) -> list:
+    """The newest of what was said on the way, where a reason has no place for all of it."""
+    kept, size = [], 0
+    for text, of in reversed(said):
+        if size + len(text) <= MOST_REASON - 2:
+            size += len(text) + 2
+            kept.insert(0, (text, of))
+    return kept
 
 
 def rows(node=TREE, name='0', above='', edge='') -> list:

@@ -5,7 +5,7 @@
 # obstacles and no bounce.
 import math
 
-from lib.geom import Point, from_field, heading
+from lib.geom import Point, frame_of, heading, in_frame
 
 DRAG = 0.76             # 1/s
 FRICTION = 6.0          # cm/s2
@@ -21,8 +21,16 @@ REACH = 9.0             # cm: the ball need not come to the neck
 
 def rolled(speed, seconds) -> float:
     """cm that a ball of that speed (cm/s) rolls within a time: v' = -(DRAG v + FRICTION)."""
-    stop = math.log(1.0 + DRAG * speed / FRICTION) / DRAG
-    t = min(seconds, stop)
+    return rolled_until(speed, min(seconds, stops_after(speed)))
+
+
+def stops_after(speed) -> float:
+    """Seconds until it rests."""
+    return math.log(1.0 + DRAG * speed / FRICTION) / DRAG
+
+
+def rolled_until(speed, t) -> float:
+    """The same as rolled(), for a time at which it still rolls."""
     asymptote = speed + FRICTION / DRAG
     return asymptote * (1.0 - math.exp(-DRAG * t)) / DRAG - FRICTION * t / DRAG
 
@@ -33,28 +41,57 @@ def rolls(ball) -> bool:
             math.hypot(ball.velocity.x, ball.velocity.y) > SLOW)
 
 
+class Rolling:
+    """A ball on its way to the stopping point that gps foretells. Keeps what does not depend on
+    the time: meeting() asks for up to 39 places of it in a frame."""
+
+    def __init__(self, ball):
+        self.x, self.y = ball.position.x, ball.position.y
+        self.dx, self.dy = ball.stopping_point.x - self.x, ball.stopping_point.y - self.y
+        self.speed = math.hypot(ball.velocity.x, ball.velocity.y)
+        self.stop_s = stops_after(self.speed)
+        self.whole = max(rolled(self.speed, FOREVER), 1e-6)
+
+    def at(self, seconds) -> Point:
+        """Where it will be on the field."""
+        share = rolled_until(self.speed, min(seconds, self.stop_s)) / self.whole
+        return self.x + share * self.dx, self.y + share * self.dy
+
+    def soonest(self, away) -> float:
+        """Seconds before which a robot that far away does not reach it, even if both go straight at
+        each other and the ball stays as fast as it is."""
+        fastest = self.speed * math.hypot(self.dx, self.dy) / self.whole
+        return (away - REACH) / (WALK_SPEED + fastest)
+
+
 def ahead_of(world, seconds) -> Point:
-    """Where the ball will be on the field: on its way to the stopping point that gps foretells."""
-    ball = world.ball
-    speed = math.hypot(ball.velocity.x, ball.velocity.y)
-    share = rolled(speed, seconds) / max(rolled(speed, FOREVER), 1e-6)
-    return (ball.position.x + share * (ball.stopping_point.x - ball.position.x),
-            ball.position.y + share * (ball.stopping_point.y - ball.position.y))
+    """Where the ball will be on the field."""
+    return Rolling(world.ball).at(seconds)
 
 
 def needed(x, y) -> float:
     """Seconds until the robot is at a point of its frame: it turns, then walks."""
-    return abs(heading(x, y)) / TURN_SPEED + max(0.0, math.hypot(x, y) - REACH) / WALK_SPEED
+    return abs(heading(x, y)) / TURN_SPEED + walk_s(x, y)
+
+
+def walk_s(x, y) -> float:
+    return max(0.0, math.hypot(x, y) - REACH) / WALK_SPEED
 
 
 def meeting(world) -> Point:
     """The point of the robot frame to walk to, the last one looked at when none is early enough."""
     if not rolls(world.ball):
         return world.ball.relative.x, world.ball.relative.y
+    rolling, frame = Rolling(world.ball), frame_of(world.pose)
+    soonest = min(rolling.soonest(math.hypot(*in_frame(frame, rolling.x, rolling.y))), LONGEST_S)
     seconds = STEP_S
+    while seconds + STEP_S < soonest:
+        seconds += STEP_S
     while seconds < LONGEST_S:
-        x, y = from_field(world.pose, *ahead_of(world, seconds))
-        if needed(x, y) <= seconds:
+        x, y = in_frame(frame, *rolling.at(seconds))
+        if seconds >= rolling.stop_s:  # later it lies there, too
+            break
+        if walk_s(x, y) <= seconds and needed(x, y) <= seconds:
             break
         seconds += STEP_S
     return x, y

@@ -34,9 +34,12 @@ class Memory:
 
     def update(self, world) -> None:
         self.frame += 1
-        for name in ('spin_lost', 'turn_lost', 'close_lost', 'approach_lost', 'grab_lost',
-                     'localised_lost'):
-            setattr(self, name, getattr(self, name) + 1)
+        self.spin_lost += 1
+        self.turn_lost += 1
+        self.close_lost += 1
+        self.approach_lost += 1
+        self.grab_lost += 1
+        self.localised_lost += 1
         self._see(world)
         self.chest += IR_SHARE * (world.sensors.chest_distance - self.chest)
         self.ir += IR_SHARE * (world.sensors.head_near_distance - self.ir)

@@ -67,9 +67,7 @@ def led(world, point) -> Point:
         farther = math.hypot(x, y) / max(world.ball.distance, 1.0)
         x += farther * vx * LATE_FRAMES / FRAMES_PER_S
         y += farther * vy * LATE_FRAMES / FRAMES_PER_S
-    for _ in range(LATE_FRAMES):
-        x, y = moved(x, y, world.odometry)
-    return x, y
+    return moved(x, y, world.odometry, LATE_FRAMES)
 
 
 def by_trigonometry(world):

@@ -26,17 +26,10 @@ LED_FACE = tuple(1 << i for i in range(6, 20))
 LED_BACK_FRONT_COLOUR, LED_BACK_FRONT_WHITE, LED_BACK_MIDDLE_COLOUR, \
     LED_BACK_MIDDLE_WHITE, LED_BACK_REAR_COLOUR, LED_BACK_REAR_WHITE = \
     (1 << i for i in range(20, 26))
+ANEW = object()
 
 
-class Fields:
-    __slots__ = ()
-
-    def _take(self, given):
-        for name, value in given.items():
-            setattr(self, name, value)
-
-
-class WalkRequest(Fields):
+class WalkRequest:
     __slots__ = (
         'forward',
         'left',
@@ -45,30 +38,36 @@ class WalkRequest(Fields):
         'kind',
     )
 
-    def __init__(self, **given):
-        self.forward = 0.0
-        self.left = 0.0
-        self.turn_deg = 0.0
-        self.pivot = 0.0
-        self.kind = 0
-        self._take(given)
+    def __init__(self, *,
+                 forward=0.0,
+                 left=0.0,
+                 turn_deg=0.0,
+                 pivot=0.0,
+                 kind=0):
+        self.forward = forward
+        self.left = left
+        self.turn_deg = turn_deg
+        self.pivot = pivot
+        self.kind = kind
 
 
-class Point3(Fields):
+class Point3:
     __slots__ = (
         'x',
         'y',
         'z',
     )
 
-    def __init__(self, **given):
-        self.x = 0.0
-        self.y = 0.0
-        self.z = 0.0
-        self._take(given)
+    def __init__(self, *,
+                 x=0.0,
+                 y=0.0,
+                 z=0.0):
+        self.x = x
+        self.y = y
+        self.z = z
 
 
-class HeadRequest(Fields):
+class HeadRequest:
     __slots__ = (
         'neck_tilt_deg',
         'head_pan_deg',
@@ -80,43 +79,52 @@ class HeadRequest(Fields):
         'target',
     )
 
-    def __init__(self, **given):
-        self.neck_tilt_deg = 0.0
-        self.head_pan_deg = 0.0
-        self.head_nod_deg = 0.0
-        self.speed_deg = 0.0
-        self.aim = 0
-        self.direction_deg = 0.0
-        self.elevation_deg = 0.0
-        self.target = Point3()
-        self._take(given)
+    def __init__(self, *,
+                 neck_tilt_deg=0.0,
+                 head_pan_deg=0.0,
+                 head_nod_deg=0.0,
+                 speed_deg=0.0,
+                 aim=0,
+                 direction_deg=0.0,
+                 elevation_deg=0.0,
+                 target=ANEW):
+        self.neck_tilt_deg = neck_tilt_deg
+        self.head_pan_deg = head_pan_deg
+        self.head_nod_deg = head_nod_deg
+        self.speed_deg = speed_deg
+        self.aim = aim
+        self.direction_deg = direction_deg
+        self.elevation_deg = elevation_deg
+        self.target = Point3() if target is ANEW else target
 
 
-class TailRequest(Fields):
+class TailRequest:
     __slots__ = (
         'tilt_deg',
         'pan_deg',
     )
 
-    def __init__(self, **given):
-        self.tilt_deg = 29.999999999999996
-        self.pan_deg = 0.0
-        self._take(given)
+    def __init__(self, *,
+                 tilt_deg=29.999999999999996,
+                 pan_deg=0.0):
+        self.tilt_deg = tilt_deg
+        self.pan_deg = pan_deg
 
 
-class EarRequest(Fields):
+class EarRequest:
     __slots__ = (
         'left_up',
         'right_up',
     )
 
-    def __init__(self, **given):
-        self.left_up = False
-        self.right_up = False
-        self._take(given)
+    def __init__(self, *,
+                 left_up=False,
+                 right_up=False):
+        self.left_up = left_up
+        self.right_up = right_up
 
 
-class Command(Fields):
+class Command:
     __slots__ = (
         'walk',
         'head',
@@ -130,45 +138,56 @@ class Command(Fields):
         'trace',
     )
 
-    def __init__(self, **given):
-        self.walk = WalkRequest()
-        self.head = HeadRequest()
-        self.mouth_open = False
-        self.tail = TailRequest()
-        self.ears = EarRequest()
-        self.motion = 0
-        self.leds = 0
-        self.localise = False
-        self.pinks = 0
-        self.trace = []
-        self._take(given)
+    def __init__(self, *,
+                 walk=ANEW,
+                 head=ANEW,
+                 mouth_open=False,
+                 tail=ANEW,
+                 ears=ANEW,
+                 motion=0,
+                 leds=0,
+                 localise=False,
+                 pinks=0,
+                 trace=ANEW):
+        self.walk = WalkRequest() if walk is ANEW else walk
+        self.head = HeadRequest() if head is ANEW else head
+        self.mouth_open = mouth_open
+        self.tail = TailRequest() if tail is ANEW else tail
+        self.ears = EarRequest() if ears is ANEW else ears
+        self.motion = motion
+        self.leds = leds
+        self.localise = localise
+        self.pinks = pinks
+        self.trace = [] if trace is ANEW else trace
 
 
-class HeadAngles(Fields):
+class HeadAngles:
     __slots__ = (
         'neck_tilt_deg',
         'head_pan_deg',
         'head_nod_deg',
     )
 
-    def __init__(self, **given):
-        self.neck_tilt_deg = 0.0
-        self.head_pan_deg = 0.0
-        self.head_nod_deg = 0.0
-        self._take(given)
+    def __init__(self, *,
+                 neck_tilt_deg=0.0,
+                 head_pan_deg=0.0,
+                 head_nod_deg=0.0):
+        self.neck_tilt_deg = neck_tilt_deg
+        self.head_pan_deg = head_pan_deg
+        self.head_nod_deg = head_nod_deg
 
 
-class JointAngles(Fields):
+class JointAngles:
     __slots__ = (
         'angle_deg',
     )
 
-    def __init__(self, **given):
-        self.angle_deg = [0.0] * 18
-        self._take(given)
+    def __init__(self, *,
+                 angle_deg=ANEW):
+        self.angle_deg = [0.0] * 18 if angle_deg is ANEW else angle_deg
 
 
-class SensorFrame(Fields):
+class SensorFrame:
     __slots__ = (
         'joints',
         'duty',
@@ -182,49 +201,62 @@ class SensorFrame(Fields):
         'back',
     )
 
-    def __init__(self, **given):
-        self.joints = JointAngles()
-        self.duty = [0.0] * 18
-        self.head_near_distance = 50.0
-        self.head_far_distance = 150.0
-        self.chest_distance = 90.0
-        self.acceleration = [0.0] * 3
-        self.paw = [False] * 4
-        self.chin = False
-        self.head_touch = 0.0
-        self.back = [False] * 3
-        self._take(given)
+    def __init__(self, *,
+                 joints=ANEW,
+                 duty=ANEW,
+                 head_near_distance=50.0,
+                 head_far_distance=150.0,
+                 chest_distance=90.0,
+                 acceleration=ANEW,
+                 paw=ANEW,
+                 chin=False,
+                 head_touch=0.0,
+                 back=ANEW):
+        self.joints = JointAngles() if joints is ANEW else joints
+        self.duty = [0.0] * 18 if duty is ANEW else duty
+        self.head_near_distance = head_near_distance
+        self.head_far_distance = head_far_distance
+        self.chest_distance = chest_distance
+        self.acceleration = [0.0] * 3 if acceleration is ANEW else acceleration
+        self.paw = [False] * 4 if paw is ANEW else paw
+        self.chin = chin
+        self.head_touch = head_touch
+        self.back = [False] * 3 if back is ANEW else back
 
 
-class Stance(Fields):
+class Stance:
     __slots__ = (
         'shoulder_height',
         'body_tilt_deg',
         'body_roll_deg',
     )
 
-    def __init__(self, **given):
-        self.shoulder_height = 10.0
-        self.body_tilt_deg = 0.0
-        self.body_roll_deg = 0.0
-        self._take(given)
+    def __init__(self, *,
+                 shoulder_height=10.0,
+                 body_tilt_deg=0.0,
+                 body_roll_deg=0.0):
+        self.shoulder_height = shoulder_height
+        self.body_tilt_deg = body_tilt_deg
+        self.body_roll_deg = body_roll_deg
 
 
-class OdometryVariance(Fields):
+class OdometryVariance:
     __slots__ = (
         'forward',
         'left',
         'turn_deg2',
     )
 
-    def __init__(self, **given):
-        self.forward = 0.0
-        self.left = 0.0
-        self.turn_deg2 = 0.0
-        self._take(given)
+    def __init__(self, *,
+                 forward=0.0,
+                 left=0.0,
+                 turn_deg2=0.0):
+        self.forward = forward
+        self.left = left
+        self.turn_deg2 = turn_deg2
 
 
-class Odometry(Fields):
+class Odometry:
     __slots__ = (
         'forward',
         'left',
@@ -232,15 +264,18 @@ class Odometry(Fields):
         'variance',
     )
 
-    def __init__(self, **given):
-        self.forward = 0.0
-        self.left = 0.0
-        self.turn_deg = 0.0
-        self.variance = OdometryVariance()
-        self._take(given)
+    def __init__(self, *,
+                 forward=0.0,
+                 left=0.0,
+                 turn_deg=0.0,
+                 variance=ANEW):
+        self.forward = forward
+        self.left = left
+        self.turn_deg = turn_deg
+        self.variance = OdometryVariance() if variance is ANEW else variance
 
 
-class Feeling(Fields):
+class Feeling:
     __slots__ = (
         'current',
         'load',
@@ -250,17 +285,22 @@ class Feeling(Fields):
         'paw_blocked',
     )
 
-    def __init__(self, **given):
-        self.current = 0.0
-        self.load = 0.0
-        self.stuck = False
-        self.fallen = 0
-        self.ball_held = False
-        self.paw_blocked = [False] * 2
-        self._take(given)
+    def __init__(self, *,
+                 current=0.0,
+                 load=0.0,
+                 stuck=False,
+                 fallen=0,
+                 ball_held=False,
+                 paw_blocked=ANEW):
+        self.current = current
+        self.load = load
+        self.stuck = stuck
+        self.fallen = fallen
+        self.ball_held = ball_held
+        self.paw_blocked = [False] * 2 if paw_blocked is ANEW else paw_blocked
 
 
-class MotionStatus(Fields):
+class MotionStatus:
     __slots__ = (
         'running',
         'seconds_left',
@@ -271,18 +311,24 @@ class MotionStatus(Fields):
         'feeling',
     )
 
-    def __init__(self, **given):
-        self.running = 0
-        self.seconds_left = 0.0
-        self.ready = False
-        self.effort = 0.0
-        self.low_gain = False
-        self.leg_gain = 1.0
-        self.feeling = Feeling()
-        self._take(given)
+    def __init__(self, *,
+                 running=0,
+                 seconds_left=0.0,
+                 ready=False,
+                 effort=0.0,
+                 low_gain=False,
+                 leg_gain=1.0,
+                 feeling=ANEW):
+        self.running = running
+        self.seconds_left = seconds_left
+        self.ready = ready
+        self.effort = effort
+        self.low_gain = low_gain
+        self.leg_gain = leg_gain
+        self.feeling = Feeling() if feeling is ANEW else feeling
 
 
-class GameState(Fields):
+class GameState:
     __slots__ = (
         'state',
         'team',
@@ -292,41 +338,48 @@ class GameState(Fields):
         'opponent_score',
     )
 
-    def __init__(self, **given):
-        self.state = 3
-        self.team = 0
-        self.player = 1
-        self.penalised = False
-        self.own_score = 0
-        self.opponent_score = 0
-        self._take(given)
+    def __init__(self, *,
+                 state=3,
+                 team=0,
+                 player=1,
+                 penalised=False,
+                 own_score=0,
+                 opponent_score=0):
+        self.state = state
+        self.team = team
+        self.player = player
+        self.penalised = penalised
+        self.own_score = own_score
+        self.opponent_score = opponent_score
 
 
-class ElevationError(Fields):
+class ElevationError:
     __slots__ = (
         'value_deg',
         'variance_deg2',
     )
 
-    def __init__(self, **given):
-        self.value_deg = 0.0
-        self.variance_deg2 = 0.0
-        self._take(given)
+    def __init__(self, *,
+                 value_deg=0.0,
+                 variance_deg2=0.0):
+        self.value_deg = value_deg
+        self.variance_deg2 = variance_deg2
 
 
-class PixelPoint(Fields):
+class PixelPoint:
     __slots__ = (
         'x',
         'y',
     )
 
-    def __init__(self, **given):
-        self.x = 0.0
-        self.y = 0.0
-        self._take(given)
+    def __init__(self, *,
+                 x=0.0,
+                 y=0.0):
+        self.x = x
+        self.y = y
 
 
-class BallPercept(Fields):
+class BallPercept:
     __slots__ = (
         'present',
         'distance',
@@ -339,20 +392,28 @@ class BallPercept(Fields):
         'radius',
     )
 
-    def __init__(self, **given):
-        self.present = False
-        self.distance = 0.0
-        self.heading_deg = 0.0
-        self.elevation_deg = 0.0
-        self.distance_variance = 0.0
-        self.heading_variance_deg2 = 0.0
-        self.elevation_error = ElevationError()
-        self.centre = PixelPoint()
-        self.radius = 0.0
-        self._take(given)
+    def __init__(self, *,
+                 present=False,
+                 distance=0.0,
+                 heading_deg=0.0,
+                 elevation_deg=0.0,
+                 distance_variance=0.0,
+                 heading_variance_deg2=0.0,
+                 elevation_error=ANEW,
+                 centre=ANEW,
+                 radius=0.0):
+        self.present = present
+        self.distance = distance
+        self.heading_deg = heading_deg
+        self.elevation_deg = elevation_deg
+        self.distance_variance = distance_variance
+        self.heading_variance_deg2 = heading_variance_deg2
+        self.elevation_error = ElevationError() if elevation_error is ANEW else elevation_error
+        self.centre = PixelPoint() if centre is ANEW else centre
+        self.radius = radius
 
 
-class PixelBox(Fields):
+class PixelBox:
     __slots__ = (
         'left',
         'top',
@@ -360,15 +421,18 @@ class PixelBox(Fields):
         'bottom',
     )
 
-    def __init__(self, **given):
-        self.left = 0.0
-        self.top = 0.0
-        self.right = 0.0
-        self.bottom = 0.0
-        self._take(given)
+    def __init__(self, *,
+                 left=0.0,
+                 top=0.0,
+                 right=0.0,
+                 bottom=0.0):
+        self.left = left
+        self.top = top
+        self.right = right
+        self.bottom = bottom
 
 
-class LandmarkPercept(Fields):
+class LandmarkPercept:
     __slots__ = (
         'kind',
         'distance',
@@ -384,23 +448,34 @@ class LandmarkPercept(Fields):
         'box',
     )
 
-    def __init__(self, **given):
-        self.kind = 0
-        self.distance = 0.0
-        self.heading_deg = 0.0
-        self.elevation_deg = 0.0
-        self.distance_variance = 0.0
-        self.heading_variance_deg2 = 0.0
-        self.elevation_error = ElevationError()
-        self.left_edge_deg = 0.0
-        self.right_edge_deg = 0.0
-        self.left_edge_cut = False
-        self.right_edge_cut = False
-        self.box = PixelBox()
-        self._take(given)
+    def __init__(self, *,
+                 kind=0,
+                 distance=0.0,
+                 heading_deg=0.0,
+                 elevation_deg=0.0,
+                 distance_variance=0.0,
+                 heading_variance_deg2=0.0,
+                 elevation_error=ANEW,
+                 left_edge_deg=0.0,
+                 right_edge_deg=0.0,
+                 left_edge_cut=False,
+                 right_edge_cut=False,
+                 box=ANEW):
+        self.kind = kind
+        self.distance = distance
+        self.heading_deg = heading_deg
+        self.elevation_deg = elevation_deg
+        self.distance_variance = distance_variance
+        self.heading_variance_deg2 = heading_variance_deg2
+        self.elevation_error = ElevationError() if elevation_error is ANEW else elevation_error
+        self.left_edge_deg = left_edge_deg
+        self.right_edge_deg = right_edge_deg
+        self.left_edge_cut = left_edge_cut
+        self.right_edge_cut = right_edge_cut
+        self.box = PixelBox() if box is ANEW else box
 
 
-class GoalGap(Fields):
+class GoalGap:
     __slots__ = (
         'goal',
         'left_deg',
@@ -410,17 +485,22 @@ class GoalGap(Fields):
         'box',
     )
 
-    def __init__(self, **given):
-        self.goal = 0
-        self.left_deg = 0.0
-        self.right_deg = 0.0
-        self.left_cut = False
-        self.right_cut = False
-        self.box = PixelBox()
-        self._take(given)
+    def __init__(self, *,
+                 goal=0,
+                 left_deg=0.0,
+                 right_deg=0.0,
+                 left_cut=False,
+                 right_cut=False,
+                 box=ANEW):
+        self.goal = goal
+        self.left_deg = left_deg
+        self.right_deg = right_deg
+        self.left_cut = left_cut
+        self.right_cut = right_cut
+        self.box = PixelBox() if box is ANEW else box
 
 
-class RobotPercept(Fields):
+class RobotPercept:
     __slots__ = (
         'team',
         'distance',
@@ -431,18 +511,24 @@ class RobotPercept(Fields):
         'box',
     )
 
-    def __init__(self, **given):
-        self.team = 0
-        self.distance = 0.0
-        self.heading_deg = 0.0
-        self.elevation_deg = 0.0
-        self.distance_variance = 0.0
-        self.heading_variance_deg2 = 0.0
-        self.box = PixelBox()
-        self._take(given)
+    def __init__(self, *,
+                 team=0,
+                 distance=0.0,
+                 heading_deg=0.0,
+                 elevation_deg=0.0,
+                 distance_variance=0.0,
+                 heading_variance_deg2=0.0,
+                 box=ANEW):
+        self.team = team
+        self.distance = distance
+        self.heading_deg = heading_deg
+        self.elevation_deg = elevation_deg
+        self.distance_variance = distance_variance
+        self.heading_variance_deg2 = heading_variance_deg2
+        self.box = PixelBox() if box is ANEW else box
 
 
-class PinkPercept(Fields):
+class PinkPercept:
     __slots__ = (
         'distance',
         'heading_deg',
@@ -452,41 +538,48 @@ class PinkPercept(Fields):
         'box',
     )
 
-    def __init__(self, **given):
-        self.distance = 0.0
-        self.heading_deg = 0.0
-        self.elevation_deg = 0.0
-        self.distance_variance = 0.0
-        self.heading_variance_deg2 = 0.0
-        self.box = PixelBox()
-        self._take(given)
+    def __init__(self, *,
+                 distance=0.0,
+                 heading_deg=0.0,
+                 elevation_deg=0.0,
+                 distance_variance=0.0,
+                 heading_variance_deg2=0.0,
+                 box=ANEW):
+        self.distance = distance
+        self.heading_deg = heading_deg
+        self.elevation_deg = elevation_deg
+        self.distance_variance = distance_variance
+        self.heading_variance_deg2 = heading_variance_deg2
+        self.box = PixelBox() if box is ANEW else box
 
 
-class Point2(Fields):
+class Point2:
     __slots__ = (
         'x',
         'y',
     )
 
-    def __init__(self, **given):
-        self.x = 0.0
-        self.y = 0.0
-        self._take(given)
+    def __init__(self, *,
+                 x=0.0,
+                 y=0.0):
+        self.x = x
+        self.y = y
 
 
-class ObstaclePoint(Fields):
+class ObstaclePoint:
     __slots__ = (
         'position',
         'pixel',
     )
 
-    def __init__(self, **given):
-        self.position = Point2()
-        self.pixel = PixelPoint()
-        self._take(given)
+    def __init__(self, *,
+                 position=ANEW,
+                 pixel=ANEW):
+        self.position = Point2() if position is ANEW else position
+        self.pixel = PixelPoint() if pixel is ANEW else pixel
 
 
-class FieldEdgePercept(Fields):
+class FieldEdgePercept:
     __slots__ = (
         'at_left',
         'at_right',
@@ -494,15 +587,18 @@ class FieldEdgePercept(Fields):
         'rms',
     )
 
-    def __init__(self, **given):
-        self.at_left = 0.0
-        self.at_right = 0.0
-        self.support = 0.0
-        self.rms = 0.0
-        self._take(given)
+    def __init__(self, *,
+                 at_left=0.0,
+                 at_right=0.0,
+                 support=0.0,
+                 rms=0.0):
+        self.at_left = at_left
+        self.at_right = at_right
+        self.support = support
+        self.rms = rms
 
 
-class LinePoint(Fields):
+class LinePoint:
     __slots__ = (
         'kind',
         'position',
@@ -510,15 +606,18 @@ class LinePoint(Fields):
         'pixel',
     )
 
-    def __init__(self, **given):
-        self.kind = 0
-        self.position = Point2()
-        self.weight = 0.0
-        self.pixel = PixelPoint()
-        self._take(given)
+    def __init__(self, *,
+                 kind=0,
+                 position=ANEW,
+                 weight=0.0,
+                 pixel=ANEW):
+        self.kind = kind
+        self.position = Point2() if position is ANEW else position
+        self.weight = weight
+        self.pixel = PixelPoint() if pixel is ANEW else pixel
 
 
-class VisionCounts(Fields):
+class VisionCounts:
     __slots__ = (
         'sampled_pixels',
         'runs',
@@ -526,15 +625,18 @@ class VisionCounts(Fields):
         'refused',
     )
 
-    def __init__(self, **given):
-        self.sampled_pixels = 0
-        self.runs = 0
-        self.blobs = 0
-        self.refused = [0] * 96
-        self._take(given)
+    def __init__(self, *,
+                 sampled_pixels=0,
+                 runs=0,
+                 blobs=0,
+                 refused=ANEW):
+        self.sampled_pixels = sampled_pixels
+        self.runs = runs
+        self.blobs = blobs
+        self.refused = [0] * 96 if refused is ANEW else refused
 
 
-class Percepts(Fields):
+class Percepts:
     __slots__ = (
         'ball',
         'landmarks',
@@ -548,33 +650,43 @@ class Percepts(Fields):
         'counts',
     )
 
-    def __init__(self, **given):
-        self.ball = BallPercept()
-        self.landmarks = []
-        self.gaps = []
-        self.robots = []
-        self.pink_patches = []
-        self.obstacles = []
-        self.obstacles_ahead = 0
-        self.field_edges = []
-        self.line_points = []
-        self.counts = VisionCounts()
-        self._take(given)
+    def __init__(self, *,
+                 ball=ANEW,
+                 landmarks=ANEW,
+                 gaps=ANEW,
+                 robots=ANEW,
+                 pink_patches=ANEW,
+                 obstacles=ANEW,
+                 obstacles_ahead=0,
+                 field_edges=ANEW,
+                 line_points=ANEW,
+                 counts=ANEW):
+        self.ball = BallPercept() if ball is ANEW else ball
+        self.landmarks = [] if landmarks is ANEW else landmarks
+        self.gaps = [] if gaps is ANEW else gaps
+        self.robots = [] if robots is ANEW else robots
+        self.pink_patches = [] if pink_patches is ANEW else pink_patches
+        self.obstacles = [] if obstacles is ANEW else obstacles
+        self.obstacles_ahead = obstacles_ahead
+        self.field_edges = [] if field_edges is ANEW else field_edges
+        self.line_points = [] if line_points is ANEW else line_points
+        self.counts = VisionCounts() if counts is ANEW else counts
 
 
-class Pose2(Fields):
+class Pose2:
     __slots__ = (
         'position',
         'heading_deg',
     )
 
-    def __init__(self, **given):
-        self.position = Point2()
-        self.heading_deg = 0.0
-        self._take(given)
+    def __init__(self, *,
+                 position=ANEW,
+                 heading_deg=0.0):
+        self.position = Point2() if position is ANEW else position
+        self.heading_deg = heading_deg
 
 
-class CameraTilt(Fields):
+class CameraTilt:
     __slots__ = (
         'tilt_deg',
         'roll_deg',
@@ -583,16 +695,20 @@ class CameraTilt(Fields):
         'covariance_deg2',
     )
 
-    def __init__(self, **given):
-        self.tilt_deg = 0.0
-        self.roll_deg = 0.0
-        self.tilt_variance_deg2 = 0.08863577145031709
-        self.roll_variance_deg2 = 0.08863577145031709
-        self.covariance_deg2 = 0.0
-        self._take(given)
+    def __init__(self, *,
+                 tilt_deg=0.0,
+                 roll_deg=0.0,
+                 tilt_variance_deg2=0.08863577145031709,
+                 roll_variance_deg2=0.08863577145031709,
+                 covariance_deg2=0.0):
+        self.tilt_deg = tilt_deg
+        self.roll_deg = roll_deg
+        self.tilt_variance_deg2 = tilt_variance_deg2
+        self.roll_variance_deg2 = roll_variance_deg2
+        self.covariance_deg2 = covariance_deg2
 
 
-class PoseMode(Fields):
+class PoseMode:
     __slots__ = (
         'weight',
         'pose',
@@ -601,28 +717,33 @@ class PoseMode(Fields):
         'cross',
     )
 
-    def __init__(self, **given):
-        self.weight = 0.0
-        self.pose = Pose2()
-        self.covariance = [0.0] * 9
-        self.tilt = CameraTilt()
-        self.cross = [0.0] * 6
-        self._take(given)
+    def __init__(self, *,
+                 weight=0.0,
+                 pose=ANEW,
+                 covariance=ANEW,
+                 tilt=ANEW,
+                 cross=ANEW):
+        self.weight = weight
+        self.pose = Pose2() if pose is ANEW else pose
+        self.covariance = [0.0] * 9 if covariance is ANEW else covariance
+        self.tilt = CameraTilt() if tilt is ANEW else tilt
+        self.cross = [0.0] * 6 if cross is ANEW else cross
 
 
-class SecondHypothesis(Fields):
+class SecondHypothesis:
     __slots__ = (
         'present',
         'mode',
     )
 
-    def __init__(self, **given):
-        self.present = False
-        self.mode = PoseMode()
-        self._take(given)
+    def __init__(self, *,
+                 present=False,
+                 mode=ANEW):
+        self.present = present
+        self.mode = PoseMode() if mode is ANEW else mode
 
 
-class BallEstimate(Fields):
+class BallEstimate:
     __slots__ = (
         'present',
         'position',
@@ -636,21 +757,30 @@ class BallEstimate(Fields):
         'stopping_point',
     )
 
-    def __init__(self, **given):
-        self.present = False
-        self.position = Point2()
-        self.velocity = Point2()
-        self.covariance = [0.0] * 4
-        self.relative = Point2()
-        self.distance = 0.0
-        self.heading_deg = 0.0
-        self.seconds_since_seen = 0.0
-        self.field_covariance = [0.0] * 4
-        self.stopping_point = Point2()
-        self._take(given)
+    def __init__(self, *,
+                 present=False,
+                 position=ANEW,
+                 velocity=ANEW,
+                 covariance=ANEW,
+                 relative=ANEW,
+                 distance=0.0,
+                 heading_deg=0.0,
+                 seconds_since_seen=0.0,
+                 field_covariance=ANEW,
+                 stopping_point=ANEW):
+        self.present = present
+        self.position = Point2() if position is ANEW else position
+        self.velocity = Point2() if velocity is ANEW else velocity
+        self.covariance = [0.0] * 4 if covariance is ANEW else covariance
+        self.relative = Point2() if relative is ANEW else relative
+        self.distance = distance
+        self.heading_deg = heading_deg
+        self.seconds_since_seen = seconds_since_seen
+        self.field_covariance = [0.0] * 4 if field_covariance is ANEW else field_covariance
+        self.stopping_point = Point2() if stopping_point is ANEW else stopping_point
 
 
-class TeamBall(Fields):
+class TeamBall:
     __slots__ = (
         'present',
         'position',
@@ -661,32 +791,40 @@ class TeamBall(Fields):
         'seconds_since_seen',
     )
 
-    def __init__(self, **given):
-        self.present = False
-        self.position = Point2()
-        self.velocity = Point2()
-        self.covariance = [0.0] * 4
-        self.witnesses = 0
-        self.outvoted = 0
-        self.seconds_since_seen = 0.0
-        self._take(given)
+    def __init__(self, *,
+                 present=False,
+                 position=ANEW,
+                 velocity=ANEW,
+                 covariance=ANEW,
+                 witnesses=0,
+                 outvoted=0,
+                 seconds_since_seen=0.0):
+        self.present = present
+        self.position = Point2() if position is ANEW else position
+        self.velocity = Point2() if velocity is ANEW else velocity
+        self.covariance = [0.0] * 4 if covariance is ANEW else covariance
+        self.witnesses = witnesses
+        self.outvoted = outvoted
+        self.seconds_since_seen = seconds_since_seen
 
 
-class OpponentEstimate(Fields):
+class OpponentEstimate:
     __slots__ = (
         'position',
         'covariance',
         'seconds_since_seen',
     )
 
-    def __init__(self, **given):
-        self.position = Point2()
-        self.covariance = [0.0] * 4
-        self.seconds_since_seen = 0.0
-        self._take(given)
+    def __init__(self, *,
+                 position=ANEW,
+                 covariance=ANEW,
+                 seconds_since_seen=0.0):
+        self.position = Point2() if position is ANEW else position
+        self.covariance = [0.0] * 4 if covariance is ANEW else covariance
+        self.seconds_since_seen = seconds_since_seen
 
 
-class TeammateEstimate(Fields):
+class TeammateEstimate:
     __slots__ = (
         'player',
         'role',
@@ -696,43 +834,51 @@ class TeammateEstimate(Fields):
         'seconds_since_heard',
     )
 
-    def __init__(self, **given):
-        self.player = 1
-        self.role = 0
-        self.pose = Pose2()
-        self.position_sd = 0.0
-        self.heading_sd_deg = 0.0
-        self.seconds_since_heard = 0.0
-        self._take(given)
+    def __init__(self, *,
+                 player=1,
+                 role=0,
+                 pose=ANEW,
+                 position_sd=0.0,
+                 heading_sd_deg=0.0,
+                 seconds_since_heard=0.0):
+        self.player = player
+        self.role = role
+        self.pose = Pose2() if pose is ANEW else pose
+        self.position_sd = position_sd
+        self.heading_sd_deg = heading_sd_deg
+        self.seconds_since_heard = seconds_since_heard
 
 
-class ObstacleCell(Fields):
+class ObstacleCell:
     __slots__ = (
         'position',
         'own',
         'heard',
     )
 
-    def __init__(self, **given):
-        self.position = Point2()
-        self.own = 0.0
-        self.heard = 0.0
-        self._take(given)
+    def __init__(self, *,
+                 position=ANEW,
+                 own=0.0,
+                 heard=0.0):
+        self.position = Point2() if position is ANEW else position
+        self.own = own
+        self.heard = heard
 
 
-class PinkLandmark(Fields):
+class PinkLandmark:
     __slots__ = (
         'position',
         'weight',
     )
 
-    def __init__(self, **given):
-        self.position = Point2()
-        self.weight = 0.0
-        self._take(given)
+    def __init__(self, *,
+                 position=ANEW,
+                 weight=0.0):
+        self.position = Point2() if position is ANEW else position
+        self.weight = weight
 
 
-class Task(Fields):
+class Task:
     __slots__ = (
         'player',
         'points',
@@ -745,20 +891,28 @@ class Task(Fields):
         'skill',
     )
 
-    def __init__(self, **given):
-        self.player = 0
-        self.points = [0.0] * 10
-        self.grab = True
-        self.kicks = 1
-        self.aiming = 0
-        self.search = 0
-        self.dodge = True
-        self.intercept = True
-        self.skill = 0
-        self._take(given)
+    def __init__(self, *,
+                 player=0,
+                 points=ANEW,
+                 grab=True,
+                 kicks=1,
+                 aiming=0,
+                 search=0,
+                 dodge=True,
+                 intercept=True,
+                 skill=0):
+        self.player = player
+        self.points = [0.0] * 10 if points is ANEW else points
+        self.grab = grab
+        self.kicks = kicks
+        self.aiming = aiming
+        self.search = search
+        self.dodge = dodge
+        self.intercept = intercept
+        self.skill = skill
 
 
-class Rules(Fields):
+class Rules:
     __slots__ = (
         'robots_a_side',
         'half_time',
@@ -770,43 +924,52 @@ class Rules(Fields):
         'throw_in_from_end',
     )
 
-    def __init__(self, **given):
-        self.robots_a_side = 4
-        self.half_time = 600.0
-        self.ready_time = 45.0
-        self.penalty_time = 30.0
-        self.holding_time = 3.0
-        self.holding_distance = 50.0
-        self.throw_in_from_side = 40.0
-        self.throw_in_from_end = 100.0
-        self._take(given)
+    def __init__(self, *,
+                 robots_a_side=4,
+                 half_time=600.0,
+                 ready_time=45.0,
+                 penalty_time=30.0,
+                 holding_time=3.0,
+                 holding_distance=50.0,
+                 throw_in_from_side=40.0,
+                 throw_in_from_end=100.0):
+        self.robots_a_side = robots_a_side
+        self.half_time = half_time
+        self.ready_time = ready_time
+        self.penalty_time = penalty_time
+        self.holding_time = holding_time
+        self.holding_distance = holding_distance
+        self.throw_in_from_side = throw_in_from_side
+        self.throw_in_from_end = throw_in_from_end
 
 
-class FieldLine(Fields):
+class FieldLine:
     __slots__ = (
         'start',
         'end',
     )
 
-    def __init__(self, **given):
-        self.start = Point2()
-        self.end = Point2()
-        self._take(given)
+    def __init__(self, *,
+                 start=ANEW,
+                 end=ANEW):
+        self.start = Point2() if start is ANEW else start
+        self.end = Point2() if end is ANEW else end
 
 
-class Landmark(Fields):
+class Landmark:
     __slots__ = (
         'kind',
         'position',
     )
 
-    def __init__(self, **given):
-        self.kind = 0
-        self.position = Point2()
-        self._take(given)
+    def __init__(self, *,
+                 kind=0,
+                 position=ANEW):
+        self.kind = kind
+        self.position = Point2() if position is ANEW else position
 
 
-class FieldDescription(Fields):
+class FieldDescription:
     __slots__ = (
         'width',
         'length',
@@ -828,29 +991,46 @@ class FieldDescription(Fields):
         'landmarks',
     )
 
-    def __init__(self, **given):
-        self.width = 360.0
-        self.length = 540.0
-        self.goal_width = 80.0
-        self.goal_depth = 30.0
-        self.goal_height = 30.0
-        self.box_width = 130.0
-        self.box_depth = 65.0
-        self.circle_diameter = 36.0
-        self.line_width = 2.5
-        self.side_fringe = 20.0
-        self.end_fringe = 30.0
-        self.border_width = 0.0
-        self.border_corner = 0.0
-        self.beacon_radius = 5.0
-        self.beacon_height = 40.0
-        self.rules = Rules()
-        self.lines = []
-        self.landmarks = []
-        self._take(given)
+    def __init__(self, *,
+                 width=360.0,
+                 length=540.0,
+                 goal_width=80.0,
+                 goal_depth=30.0,
+                 goal_height=30.0,
+                 box_width=130.0,
+                 box_depth=65.0,
+                 circle_diameter=36.0,
+                 line_width=2.5,
+                 side_fringe=20.0,
+                 end_fringe=30.0,
+                 border_width=0.0,
+                 border_corner=0.0,
+                 beacon_radius=5.0,
+                 beacon_height=40.0,
+                 rules=ANEW,
+                 lines=ANEW,
+                 landmarks=ANEW):
+        self.width = width
+        self.length = length
+        self.goal_width = goal_width
+        self.goal_depth = goal_depth
+        self.goal_height = goal_height
+        self.box_width = box_width
+        self.box_depth = box_depth
+        self.circle_diameter = circle_diameter
+        self.line_width = line_width
+        self.side_fringe = side_fringe
+        self.end_fringe = end_fringe
+        self.border_width = border_width
+        self.border_corner = border_corner
+        self.beacon_radius = beacon_radius
+        self.beacon_height = beacon_height
+        self.rules = Rules() if rules is ANEW else rules
+        self.lines = [] if lines is ANEW else lines
+        self.landmarks = [] if landmarks is ANEW else landmarks
 
 
-class WorldFrame(Fields):
+class WorldFrame:
     __slots__ = (
         'time_s',
         'frame',
@@ -882,36 +1062,63 @@ class WorldFrame(Fields):
         'field',
     )
 
-    def __init__(self, **given):
-        self.time_s = 0.0
-        self.frame = 0
-        self.elapsed_s = 0.0
-        self.head = HeadAngles()
-        self.sensors = SensorFrame()
-        self.stance = Stance()
-        self.odometry = Odometry()
-        self.motion = MotionStatus()
-        self.game = GameState()
-        self.last_command = Command()
-        self.percepts = Percepts()
-        self.pose = Pose2()
-        self.position_sd = 0.0
-        self.heading_sd_deg = 0.0
-        self.seconds_since_landmark = 0.0
-        self.seconds_since_lines = 0.0
-        self.stuck = 0.0
-        self.covariance = [0.0] * 9
-        self.modes = []
-        self.second = SecondHypothesis()
-        self.ball = BallEstimate()
-        self.team_ball = TeamBall()
-        self.opponents = []
-        self.teammates = []
-        self.obstacles = []
-        self.pink_map = []
-        self.task = Task()
-        self.field = FieldDescription()
-        self._take(given)
+    def __init__(self, *,
+                 time_s=0.0,
+                 frame=0,
+                 elapsed_s=0.0,
+                 head=ANEW,
+                 sensors=ANEW,
+                 stance=ANEW,
+                 odometry=ANEW,
+                 motion=ANEW,
+                 game=ANEW,
+                 last_command=ANEW,
+                 percepts=ANEW,
+                 pose=ANEW,
+                 position_sd=0.0,
+                 heading_sd_deg=0.0,
+                 seconds_since_landmark=0.0,
+                 seconds_since_lines=0.0,
+                 stuck=0.0,
+                 covariance=ANEW,
+                 modes=ANEW,
+                 second=ANEW,
+                 ball=ANEW,
+                 team_ball=ANEW,
+                 opponents=ANEW,
+                 teammates=ANEW,
+                 obstacles=ANEW,
+                 pink_map=ANEW,
+                 task=ANEW,
+                 field=ANEW):
+        self.time_s = time_s
+        self.frame = frame
+        self.elapsed_s = elapsed_s
+        self.head = HeadAngles() if head is ANEW else head
+        self.sensors = SensorFrame() if sensors is ANEW else sensors
+        self.stance = Stance() if stance is ANEW else stance
+        self.odometry = Odometry() if odometry is ANEW else odometry
+        self.motion = MotionStatus() if motion is ANEW else motion
+        self.game = GameState() if game is ANEW else game
+        self.last_command = Command() if last_command is ANEW else last_command
+        self.percepts = Percepts() if percepts is ANEW else percepts
+        self.pose = Pose2() if pose is ANEW else pose
+        self.position_sd = position_sd
+        self.heading_sd_deg = heading_sd_deg
+        self.seconds_since_landmark = seconds_since_landmark
+        self.seconds_since_lines = seconds_since_lines
+        self.stuck = stuck
+        self.covariance = [0.0] * 9 if covariance is ANEW else covariance
+        self.modes = [] if modes is ANEW else modes
+        self.second = SecondHypothesis() if second is ANEW else second
+        self.ball = BallEstimate() if ball is ANEW else ball
+        self.team_ball = TeamBall() if team_ball is ANEW else team_ball
+        self.opponents = [] if opponents is ANEW else opponents
+        self.teammates = [] if teammates is ANEW else teammates
+        self.obstacles = [] if obstacles is ANEW else obstacles
+        self.pink_map = [] if pink_map is ANEW else pink_map
+        self.task = Task() if task is ANEW else task
+        self.field = FieldDescription() if field is ANEW else field
 
 
 FIELDS = {
