@@ -55,7 +55,9 @@ def robot_at(world) -> bool:
 
 
 def on_map(world) -> bool:
-    ball = world.ball.position
-    points = obstacles.points_of(world, landmarks=False)
-    return sum(count for x, y, count in points
-               if math.hypot(x - ball.x, y - ball.y) < AROUND) >= MAP_COUNT
+    x, y = world.ball.position.x, world.ball.position.y
+    total = 0.0
+    for at_x, at_y, count in obstacles.points_of(world, landmarks=False):
+        if math.hypot(at_x - x, at_y - y) < AROUND:
+            total += count
+    return total >= MAP_COUNT

@@ -16,15 +16,14 @@ NEAR_CENTRE = 60.0     # cm from the middle of the width
 FACING_GOAL = 15.0     # deg
 
 
-def bearing(pose, x, y) -> float:
-    """Degrees left of straight ahead to a point of the field."""
-    way = math.degrees(math.atan2(y - pose.position.y, x - pose.position.x))
-    return wrap(way - pose.heading_deg)
+def direction(x0, y0, x1, y1) -> float:
+    """From one point of the field to another, in deg on the field."""
+    return math.degrees(math.atan2(y1 - y0, x1 - x0))
 
 
 def up_field(x0, y0, x1, y1) -> float:
     """Direction from one point of the field to another, degrees left of up-field."""
-    return wrap(math.degrees(math.atan2(y1 - y0, x1 - x0)) - UP_FIELD_DEG)
+    return wrap(direction(x0, y0, x1, y1) - UP_FIELD_DEG)
 
 
 class Situation:
@@ -33,24 +32,26 @@ class Situation:
     difference that Alg 5.4 tests (checklist G30)."""
 
     def __init__(self, world, contested: bool, about_to_grab: bool):
-        field, ball = world.field, world.ball.position
+        field, relative = world.field, world.ball.relative
+        place, looks = world.pose.position, world.pose.heading_deg
+        robot_x, robot_y = place.x, place.y
+        x, y = self.ball = world.ball.position.x, world.ball.position.y
         goal_x, goal_y = 0.5 * field.width, field.length
         self.contested, self.about_to_grab = contested, about_to_grab
-        self.ball = (ball.x, ball.y)
-        self.zone = zones.zone(field, ball.y)
-        self.edge = zones.edge(field, ball.x)
+        self.zone = zones.zone(field, y)
+        self.edge = zones.edge(field, x)
         self.corner = zones.corner(field, self.ball)
-        self.facing = wrap(world.pose.heading_deg - UP_FIELD_DEG)
-        self.ball_bearing = heading(world.ball.relative.x, world.ball.relative.y)
-        self.up = bearing(world.pose, ball.x, ball.y + CENTRE_OFFSET)
-        self.to_goal = bearing(world.pose, goal_x, goal_y)
-        self.ball_to_goal = up_field(ball.x, ball.y, goal_x, goal_y)
-        self.crossing = wrap(self.facing + self.ball_bearing -
-                             up_field(ball.x, ball.y, goal_x, goal_y - GOAL_CROSSING))
-        self.off_goal = wrap(self.facing + self.ball_bearing - self.ball_to_goal)
-        self.goal_distance = math.hypot(ball.x - goal_x, ball.y - goal_y)
-        self.line_distance = field.length - ball.y
-        self.near_centre = abs(ball.x - goal_x) < NEAR_CENTRE
+        self.facing = wrap(looks - UP_FIELD_DEG)
+        self.ball_bearing = heading(relative.x, relative.y)
+        self.up = wrap(direction(robot_x, robot_y, x, y + CENTRE_OFFSET) - looks)
+        self.to_goal = wrap(direction(robot_x, robot_y, goal_x, goal_y) - looks)
+        self.ball_to_goal = up_field(x, y, goal_x, goal_y)
+        way = self.facing + self.ball_bearing
+        self.crossing = wrap(way - up_field(x, y, goal_x, goal_y - GOAL_CROSSING))
+        self.off_goal = wrap(way - self.ball_to_goal)
+        self.goal_distance = math.hypot(x - goal_x, y - goal_y)
+        self.line_distance = goal_y - y
+        self.near_centre = abs(x - goal_x) < NEAR_CENTRE
 
     @property
     def own_goal_ahead(self) -> bool:

@@ -150,9 +150,7 @@ def decide(situation, node=TREE) -> tuple:
         if text:
             said.append((text, node.of))
         node = after
-    said = _fitting(said)
-    numbers = [getattr(situation, of) for text, of in said if '{}' in text]
-    return (node, place, '; '.join([text for text, _ in said]), *numbers[:3])
+    return (node, place, *_why(said, situation))
 
 
 def grab_leaf(situation) -> str:
@@ -163,8 +161,18 @@ def grab_leaf(situation) -> str:
     return node
 
 
+def _why(said, situation):
+    """What was said on the way, (text, whose number it tells), the newest of it where not all fits,
+    and its numbers."""
+    reason = '; '.join([text for text, _ in said])
+    if len(reason) > MOST_REASON - 2:
+        said = _fitting(said)
+        reason = '; '.join([text for text, _ in said])
+    numbers = [getattr(situation, of) for text, of in said if '{}' in text]
+    return (reason, *numbers[:3])
+
+
 def _fitting(said) -> list:
-    """The newest of what was said on the way, where a reason has no place for all of it."""
     kept, size = [], 0
     for text, of in reversed(said):
         if size + len(text) <= MOST_REASON - 2:

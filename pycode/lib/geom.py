@@ -13,6 +13,8 @@ def clamp(value, low, high) -> float:
 
 def wrap(degrees) -> float:
     """The same direction in (-180, 180]."""
+    if -180.0 < degrees <= 180.0:
+        return degrees
     turned = math.fmod(degrees, TURN)
     if turned > 180.0:
         return turned - TURN

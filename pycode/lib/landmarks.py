@@ -6,7 +6,7 @@
 import math
 
 import kelpie
-from lib.geom import from_field, heading, wrap
+from lib.geom import frame_of, from_field, heading, in_frame, wrap
 
 ATTACKER_PAN = 70.0   # deg to either side
 GOALIE_PAN = 80.0
@@ -38,8 +38,10 @@ def off_axis(direction, axis) -> float:
 def in_reach(world, pan_limit):
     """Yields each landmark that the head can look at, its place in the robot frame and its
     heading."""
+    frame = frame_of(world.pose)
     for mark in world.field.landmarks:
-        x, y = from_field(world.pose, mark.position.x, mark.position.y)
+        place = mark.position
+        x, y = in_frame(frame, place.x, place.y)
         pan = heading(x, y)
         if abs(pan) <= pan_limit and NEAREST <= math.hypot(x, y) <= FARTHEST:
             yield mark, (x, y), pan

@@ -41,24 +41,24 @@ class Situation:
     __slots__ = ('frame', 'lost', 'force_until', 'hint_frame', 'ir', 'close_lost', 'blocking',
                  'believed', 'distance', 'left', 'backed', 'scanned', 'reach', 'turned', 'unseen')
 
-    def __init__(self, **given):
-        self.frame = 0
-        self.lost = BELIEF_FRAMES  # frames since vision saw the ball
-        self.force_until = -1      # the last frame of a forced look
-        self.hint_frame = None     # when the hint was given
-        self.ir = math.inf         # filtered near distance of the head
-        self.close_lost = 10000    # frames since the ball was close
-        self.blocking = False      # a block runs
-        self.believed = False      # gps has an estimate of the ball that no image refuted
-        self.distance = math.inf   # to it
-        self.left = False          # a skill told that it went away
-        self.backed = 0            # frames that it stepped back
-        self.scanned = 0           # frames that it scanned
-        self.reach = MOST_SCAN     # deg of the pan that a scan would cover
-        self.turned = 0.0          # deg that it spun
-        self.unseen = 36           # sectors around it that no image showed
-        for name, value in given.items():
-            setattr(self, name, value)
+    def __init__(self, frame=0, lost=BELIEF_FRAMES, force_until=-1, hint_frame=None, ir=math.inf,
+                 close_lost=10000, blocking=False, believed=False, distance=math.inf, left=False,
+                 backed=0, scanned=0, reach=MOST_SCAN, turned=0.0, unseen=36):
+        self.frame = frame
+        self.lost = lost                # frames since vision saw the ball
+        self.force_until = force_until  # the last frame of a forced look
+        self.hint_frame = hint_frame    # when the hint was given
+        self.ir = ir                    # filtered near distance of the head
+        self.close_lost = close_lost    # frames since the ball was close
+        self.blocking = blocking        # a block runs
+        self.believed = believed        # gps has an estimate of the ball that no image refuted
+        self.distance = distance        # to it
+        self.left = left                # a skill told that it went away
+        self.backed = backed            # frames that it stepped back
+        self.scanned = scanned          # frames that it scanned
+        self.reach = reach              # deg of the pan that a scan would cover
+        self.turned = turned            # deg that it spun
+        self.unseen = unseen            # sectors around it that no image showed
 
 
 def sent_away(hint, frame) -> bool:

@@ -14,40 +14,42 @@ FACE = 8.1          # cm, nod axis to the camera
 FARTHEST = 1000.0   # cm; beyond it an error of the tilt decides everything
 
 
-def raised(vector, degrees):
-    """A vector (right, ahead, up) turned up about the axis to the right."""
-    x, y, z = vector
+def sine_and_cosine(degrees) -> tuple[float, float]:
     angle = math.radians(degrees)
-    return (x, y * math.cos(angle) - z * math.sin(angle), y * math.sin(angle) + z * math.cos(angle))
+    return math.sin(angle), math.cos(angle)
 
 
-def panned(vector, degrees):
-    """And turned to the left."""
-    x, y, z = vector
-    angle = math.radians(degrees)
-    return (x * math.cos(angle) - y * math.sin(angle), x * math.sin(angle) + y * math.cos(angle), z)
+class Camera:
+    """Where it is in one frame and how it is turned, by three joint angles whose sines are worked
+    out once. `place`: in the robot frame, cm: x, y and above the carpet."""
 
+    def __init__(self, world):
+        head, stance = world.head, world.stance
+        self.nod = sine_and_cosine(head.head_nod_deg)
+        self.pan = sine_and_cosine(head.head_pan_deg)
+        self.lean = sine, cosine = sine_and_cosine(head.neck_tilt_deg - stance.body_tilt_deg)
+        x, y, z = self.turned((0.0, FACE, -CAMERA_BELOW))
+        base = stance.shoulder_height + NECK_ABOVE_SHOULDER
+        self.place = x, -NECK * sine + y, base + NECK * cosine + z
 
-def from_face(world, vector):
-    """A vector of the camera's frame (right, ahead, up) in the robot frame."""
-    head = world.head
-    vector = panned(raised(vector, head.head_nod_deg), head.head_pan_deg)
-    return raised(vector, head.neck_tilt_deg - world.stance.body_tilt_deg)
-
-
-def camera(world):
-    """Place of the camera in the robot frame, cm: x, y and above the carpet."""
-    neck = raised((0.0, 0.0, NECK), world.head.neck_tilt_deg - world.stance.body_tilt_deg)
-    face = from_face(world, (0.0, FACE, -CAMERA_BELOW))
-    base = world.stance.shoulder_height + NECK_ABOVE_SHOULDER
-    return face[0], neck[1] + face[1], base + neck[2] + face[2]
+    def turned(self, vector):
+        """A vector of the camera's frame (right, ahead, up) in the robot frame: raised by the nod,
+        turned to the left by the pan, raised by neck and body."""
+        x, y, z = vector
+        sine, cosine = self.nod
+        y, z = y * cosine - z * sine, y * sine + z * cosine
+        sine, cosine = self.pan
+        x, y = x * cosine - y * sine, x * sine + y * cosine
+        sine, cosine = self.lean
+        return x, y * cosine - z * sine, y * sine + z * cosine
 
 
 def ground_through(world, pixel_x, pixel_y) -> Point | None:
     """The point of the carpet (robot frame, cm) behind a pixel, x from the left and y from the top
     of the image; None when the sight does not meet it within FARTHEST."""
-    sight = from_face(world, (pixel_x - 0.5 * WIDTH, FOCAL, 0.5 * HEIGHT - pixel_y))
-    x, y, above = camera(world)
+    camera = Camera(world)
+    sight = camera.turned((pixel_x - 0.5 * WIDTH, FOCAL, 0.5 * HEIGHT - pixel_y))
+    x, y, above = camera.place
     if sight[2] >= 0.0:
         return None
     share = -above / sight[2]
@@ -57,7 +59,8 @@ def ground_through(world, pixel_x, pixel_y) -> Point | None:
 
 def off_axis(world, place) -> float:
     """Degrees between the camera's axis and the sight to a point of the robot frame (x, y, z)."""
-    axis = from_face(world, (0.0, 1.0, 0.0))
-    sight = [a - b for a, b in zip(place, camera(world))]
+    camera = Camera(world)
+    axis = camera.turned((0.0, 1.0, 0.0))
+    sight = [a - b for a, b in zip(place, camera.place)]
     along = sum(a * b for a, b in zip(axis, sight))
     return math.degrees(math.acos(max(-1.0, min(1.0, along / max(math.hypot(*sight), 1e-9)))))

@@ -6,7 +6,7 @@
 import math
 
 import kelpie
-from lib.geom import Point, clamp, from_field, heading, wrap
+from lib.geom import Point, clamp, frame_of, heading, in_frame, wrap
 from lib.landmarks import FARTHEST, NEAREST
 
 IMAGE_ASIDE = 28.4    # deg from the middle of the image to its side,
@@ -22,9 +22,10 @@ MARGIN = 4.0          # deg between the ball and the lower edge
 def aside_for(world, ball_pan) -> float:
     """How far (deg to the left) the view turns from the ball so that the landmark nearest to it
     comes into the image; 0 when one is in it already, or none can be."""
-    best = None
+    best, frame = None, frame_of(world.pose)
     for mark in world.field.landmarks:
-        x, y = from_field(world.pose, mark.position.x, mark.position.y)
+        place = mark.position
+        x, y = in_frame(frame, place.x, place.y)
         if not NEAREST <= math.hypot(x, y) <= FARTHEST:
             continue
         off = wrap(heading(x, y) - ball_pan)

@@ -85,7 +85,7 @@ def can_grab(ball, velocity, turn_lost) -> bool:
     x, y = ball
     vx, vy = velocity
     most = AHEAD if turn_lost > TURNED else AHEAD * AFTER_TURN
-    for _ in range(PREDICTED):
+    for _ in range(PREDICTED if vx or vy else 1):
         if abs(x) < SIDE and 0.0 < y and math.hypot(x, y) < most:
             return True
         x, y, vx, vy = x + vx, y + vy, DRAG * vx, DRAG * vy

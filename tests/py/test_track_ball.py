@@ -6,7 +6,7 @@ import kelpie
 import pytest
 from ideal_world import IdealWorld
 from lib.memory import Memory
-from lib.projection import FOCAL, camera, from_face, ground_through
+from lib.projection import FOCAL, Camera, ground_through
 from skills.track_ball import TrackBall
 
 RADIUS = 4.2  # cm
@@ -22,8 +22,8 @@ def world_looking(pan, neck, nod):
 def show(world, x, y):
     """Puts a ball's image into the percepts: its centre by the camera's axes, one by one, so that
     this is not the inverse of ground_through() by its own formula."""
-    eye = camera(world)
-    axes = [from_face(world, axis) for axis in ((1, 0, 0), (0, 1, 0), (0, 0, 1))]
+    eye = Camera(world).place
+    axes = [Camera(world).turned(axis) for axis in ((1, 0, 0), (0, 1, 0), (0, 0, 1))]
     away = (x - eye[0], y - eye[1], RADIUS - eye[2])
     right, ahead, up = (sum(a * b for a, b in zip(away, axis)) for axis in axes)
     ball = world.percepts.ball
@@ -36,7 +36,7 @@ def show(world, x, y):
 def test_a_camera_looking_ahead_is_where_the_lengths_say():
     world = world_looking(0.0, 0.0, 14.25)
     lean = math.radians(14.25)
-    x, y, z = camera(world)
+    x, y, z = Camera(world).place
     assert (x, y) == pytest.approx((0.0, 8.0 * math.sin(lean) + 8.1))
     assert z == pytest.approx(11.95 + 8.0 * math.cos(lean) - 1.46)
 
@@ -44,8 +44,8 @@ def test_a_camera_looking_ahead_is_where_the_lengths_say():
 @pytest.mark.parametrize('pan', [-60.0, 0.0, 60.0])
 def test_a_pixel_of_the_axis_meets_the_carpet_on_the_axis(pan):
     world = world_looking(pan, -20.0, -5.0)
-    x, y, above = camera(world)
-    ahead = from_face(world, (0.0, 1.0, 0.0))
+    x, y, above = Camera(world).place
+    ahead = Camera(world).turned((0.0, 1.0, 0.0))
     point = ground_through(world, 104.0, 80.0)
     share = above / -ahead[2]
     assert point == pytest.approx((x + share * ahead[0], y + share * ahead[1]))
@@ -57,7 +57,7 @@ def test_the_projected_point_lies_behind_the_top_of_the_ball(place):
     show(world, *place)
     ball = world.percepts.ball
     point = ground_through(world, ball.centre.x, ball.centre.y - ball.radius)
-    x, y, above = camera(world)
+    x, y, above = Camera(world).place
     away = math.hypot(place[0] - x, place[1] - y)
     behind = math.hypot(point[0] - x, point[1] - y)
     # By similar triangles the sight falls from the camera to the carpet over `behind`, and passes
@@ -131,7 +131,7 @@ def test_a_turning_robot_aims_at_where_the_ball_will_be_in_its_frame():
 
 def turned_towards(world, request):
     """One frame of a head that goes 12 deg a frame at most, aimed by the camera's own place."""
-    x, y, above = camera(world)
+    x, y, above = Camera(world).place
     target = request.target
     pan = math.degrees(math.atan2(-target.x, target.y))
     pitch = math.degrees(math.atan2(target.z - above, math.hypot(target.x - x, target.y - y)))
