@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "behaviour/ViewTypes.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <cstring>
 
@@ -10,6 +11,7 @@ namespace {
 struct View {
   PyObject_HEAD;
   const char* data;
+  const Members* members;
 };
 
 struct Sequence {
@@ -27,14 +29,16 @@ T read(const char* at) {
 
 PyObject* make(const Item& item, const char* at);
 
-PyObject* makeView(PyTypeObject* type, const char* data) {
-  auto* view = reinterpret_cast<View*>(PyType_GenericAlloc(type, 0));
-  if (view != nullptr) view->data = data;
+PyObject* makeView(const Item& item, const char* data) {
+  auto* view = PyObject_New(View, item.viewType);
+  if (view == nullptr) return nullptr;
+  view->data = data;
+  view->members = item.members;
   return reinterpret_cast<PyObject*>(view);
 }
 
 PyObject* makeSequence(const Item& item, const char* data) {
-  auto* sequence = reinterpret_cast<Sequence*>(PyType_GenericAlloc(item.sequenceType, 0));
+  auto* sequence = PyObject_New(Sequence, item.sequenceType);
   if (sequence == nullptr) return nullptr;
   sequence->data = data;
   sequence->item = &item;
@@ -52,7 +56,7 @@ PyObject* make(const Item& item, const char* at) {
       return PyFloat_FromDouble(item.factor * static_cast<double>(read<std::int64_t>(at)));
     case ItemKind::text:
       return PyUnicode_DecodeUTF8(at, static_cast<Py_ssize_t>(item.size(at)), "replace");
-    case ItemKind::view: return makeView(item.viewType, at);
+    case ItemKind::view: return makeView(item, at);
     case ItemKind::sequence: return makeSequence(item, at);
   }
   Py_RETURN_NONE;
@@ -61,6 +65,14 @@ PyObject* make(const Item& item, const char* at) {
 PyObject* getMember(PyObject* self, void* closure) {
   const Item& item = *static_cast<const Item*>(closure);
   return make(item, reinterpret_cast<View*>(self)->data + item.offset);
+}
+
+// Names that are no member's, or not interned, go the usual way.
+PyObject* getAttribute(PyObject* self, PyObject* name) {
+  const auto* view = reinterpret_cast<View*>(self);
+  const Item* item = view->members->find(name);
+  if (item == nullptr) return PyObject_GenericGetAttr(self, name);
+  return make(*item, view->data + item->offset);
 }
 
 Py_ssize_t sequenceLength(PyObject* self) {
@@ -95,6 +107,31 @@ constexpr unsigned kTypeFlags =
 
 }  // namespace
 
+std::size_t Members::home(PyObject* name) const {
+  return (reinterpret_cast<std::uintptr_t>(name) >> 3U) & (slots_.size() - 1);
+}
+
+void Members::add(PythonRef name, const Item& item) {
+  if (2 * (used_ + 1) > slots_.size()) {
+    std::vector<Slot> before(std::max<std::size_t>(4, 2 * slots_.size()));
+    std::swap(before, slots_);
+    used_ = 0;
+    for (Slot& slot : before)
+      if (slot.name) add(std::move(slot.name), *slot.item);
+  }
+  std::size_t at = home(name.get());
+  while (slots_[at].name) at = (at + 1) & (slots_.size() - 1);
+  slots_[at] = {std::move(name), &item};
+  ++used_;
+}
+
+const Item* Members::find(PyObject* name) const {
+  if (slots_.empty()) return nullptr;
+  for (std::size_t at = home(name); slots_[at].name; at = (at + 1) & (slots_.size() - 1))
+    if (slots_[at].name.get() == name) return slots_[at].item;
+  return nullptr;
+}
+
 ViewTypes::ViewTypes() {
   PyType_Slot slots[] = {{Py_tp_dealloc, slot(dealloc)},
                          {Py_sq_length, slot(sequenceLength)},
@@ -104,24 +141,27 @@ ViewTypes::ViewTypes() {
   sequence_ = PythonRef(PyType_FromSpec(&spec));
 }
 
-PythonRef ViewTypes::newView(PyTypeObject* type, const char* data) {
-  return PythonRef(type == nullptr ? nullptr : makeView(type, data));
+PythonRef ViewTypes::newView(const Item& item, const char* data) {
+  return PythonRef(item.viewType == nullptr ? nullptr : makeView(item, data));
 }
 
-PyTypeObject* ViewTypes::finish(ViewType& type) {
+void ViewTypes::finish(ViewType& type) {
   for (std::size_t i = 0; i < type.items.size(); ++i) {
     type.getters.push_back({type.names[i].c_str(), getMember, nullptr, nullptr, &type.items[i]});
+    PythonRef name(PyUnicode_InternFromString(type.names[i].c_str()));
+    if (name) type.members.add(std::move(name), type.items[i]);
   }
   type.getters.push_back({nullptr, nullptr, nullptr, nullptr, nullptr});
   for (char& c : type.name) {
     if (c == '/') c = '.';
   }
-  PyType_Slot slots[] = {
-      {Py_tp_dealloc, slot(dealloc)}, {Py_tp_getset, type.getters.data()}, {0, nullptr}};
+  PyType_Slot slots[] = {{Py_tp_dealloc, slot(dealloc)},
+                         {Py_tp_getattro, slot(getAttribute)},
+                         {Py_tp_getset, type.getters.data()},
+                         {0, nullptr}};
   PyType_Spec spec{type.name.c_str(), static_cast<int>(sizeof(View)), 0, kTypeFlags, slots};
   type.type = PythonRef(PyType_FromSpec(&spec));
   if (!type.type) failed_ = true;
-  return reinterpret_cast<PyTypeObject*>(type.type.get());
 }
 
 }  // namespace kelpie::behaviour
