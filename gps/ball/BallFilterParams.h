@@ -36,13 +36,13 @@ struct BallFilterParams {
   double stopRate = 3.0;        // 1/s, how often one slower than stopSpeed lies
   double stopSpeed = 10.0;      // cm/s
   double minSd = 1.5;           // cm, least error of one sighting
-  // What one is wrong by in matches: 4 % of its distance and 1 deg while the head moves by less
-  // than 2.5 deg a frame, 10 % and 2 deg at 17. Believed to 3 %, what a look aside and back showed
-  // of a lying ball made it roll at 1 m/s: in 24 matches in a third of the frames.
-  double leastShare = 0.025;  // of its distance: least and most error of one,
-  double mostShare = 0.07;
+  // What one is wrong by in matches: 2 to 4 % of its distance and 1 deg while the head moves by
+  // less than 2.5 deg a frame, 10 % and 2 deg at 17. Believed to 3 %, what a look aside and back
+  // showed of a lying ball made it roll at 1 m/s: in 24 matches in a third of the frames.
+  double leastShare = 0.02;  // of its distance: least and most error of one,
+  double mostShare = 0.04;
   double sharePerHeadSpeed = 0.35;  // and more per rad a frame of the head's speed
-  Angle headingSd = Angle::deg(1.0);
+  Angle headingSd = Angle::deg(0.7);
   double headingLate = 0.12;       // frames; of the head's speed, its heading is wrong by more
   double startSpeedSd = 60.0;      // cm/s, of a ball just found
   double kickSpeedSd = 200.0;      // cm/s, of a near ball while we kick

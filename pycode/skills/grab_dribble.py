@@ -34,6 +34,8 @@ CARRY_FROM = 230.0      # and beyond which a kick does not reach the goal anyway
 SEARCH_Y = 400.0        # cm; from here on the goal is turned for more slowly (G39)
 SEARCH_TURN, SEARCH_TURN_FRONT = 50.0, 40.0   # deg/s as the thesis has it,
 SEARCH_SHARE = 2.0                            # and how much faster this body turns with the ball
+OVER_TURN_Y = 200.0     # cm; up to here a goal that the pose faces and nobody sees is turned on for
+OVER_TURN = 8           # frames (at most 50 in facts-2005 section 7.2): 13 deg, a pose's error
 EDGE = 22.0             # cm from a line: move away from it before anything else
 
 
@@ -59,6 +61,7 @@ class GrabDribble(Machine):
         self.hold = None
         self.searched = 0         # frames of the search turn
         self.search_side = 1.0
+        self.over_turned = 0      # frames beyond what the pose says
         self.lost_ball = False
 
     @property
@@ -128,6 +131,9 @@ class GrabDribble(Machine):
 
     def turn(self, world):
         """To the gap or the goal; without either, round until it comes into view."""
+        if self.over_turns(world):
+            self.over_turned += 1
+            return carry(turn=math.copysign(SEARCH_TURN, self.memory.spin_side))
         choice = self.choose(world, self, False)
         if choice is not None:
             return self.enter(world, self.steady, None, choice[1], *choice[2:])
@@ -146,6 +152,12 @@ class GrabDribble(Machine):
         turn = turn_towards(world, self.aim.middle)
         self.memory.spin_side = 1.0 if turn >= 0.0 else -1.0
         return carry(turn=turn)
+
+    def over_turns(self, world) -> bool:
+        """Far from the goal, and it is not where the pose says (section 6.4.3): some frames more."""
+        return (world.task.aiming == kelpie.AIMING_BY_SIGHT and self.aim.aimed and
+                not self.aim.by_sight and self.over_turned < OVER_TURN and
+                world.pose.position.y < OVER_TURN_Y)
 
     def steady(self, world):
         """Stands still for a moment, then kicks if that is still right."""

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "tools/learn/GrabTrial.h"
+#include "tools/learn/HeldBall.h"
 #include "tools/learn/KickLearner.h"
 #include "tools/learn/MotionFile.h"
 #include "tools/learn/WalkLearner.h"
@@ -36,6 +37,17 @@ TEST(Kick, SendsAHeldBallAheadWithoutAFall) {
   EXPECT_GT(spread.distance, 80.0);
   EXPECT_NEAR(spread.direction.deg(), 0.0, 10.0);
   EXPECT_EQ(spread.falls, 0);
+}
+
+TEST(Kick, AfterATurnBeginsWithTheBallHeldAndTheRobotTurned) {
+  const KickAim aim = aimOf(MotionKind::hardForward);
+  const auto models = variedModels(31, 2, kStep);
+  for (std::uint64_t seed = 31; seed < 35; ++seed) {
+    KickStart rests = beforeKick(aim, models[seed % 2], seed);
+    KickStart turned = beforeKick(aim, models[seed % 2], seed, BeforeKick::turned);
+    EXPECT_TRUE(holdsBall(*turned.walker));
+    EXPECT_GT(std::fabs((turned.pose.heading - rests.pose.heading).deg()), 10.0);
+  }
 }
 
 TEST(Kick, ToTheOtherSideSendsTheBallToTheOtherSide) {

@@ -9,8 +9,8 @@ from lib.geom import wrap
 from lib.memory import Memory
 from situations import world
 from skills import dodge
-from skills.grab_dribble import (EDGE, FARTHEST, FEEL, SEARCH_SHARE, SETTLE, TIME_OUT,
-                                 GrabDribble)
+from skills.grab_dribble import (EDGE, FARTHEST, FEEL, OVER_TURN, OVER_TURN_Y, SEARCH_SHARE,
+                                 SEARCH_TURN, SETTLE, TIME_OUT, GrabDribble)
 from skills.hold import Hold
 
 FRAME_S = 1.0 / 30.0
@@ -86,6 +86,43 @@ def test_the_search_turn_keeps_its_side_and_counts_its_frames():
         if command.walk.turn_deg:
             sides.add(command.walk.turn_deg > 0.0)
     assert len(sides) == 1 and 30 < skill.searched < 45
+
+
+def turned_by(made, degrees):
+    made.odometry.turn_deg = degrees
+    made.pose.heading_deg = wrap(made.pose.heading_deg + degrees)
+
+
+def over_turning(y, off, sees):
+    """Degrees that a robot whose pose is `off` deg wrong turns past what the pose says is the goal,
+    and whether it saw the goal; `sees`: the goal is in the image within so many degrees."""
+    made, skill = holding(y=y, heading=60.0, choose=lambda world, skill, overdue: None)
+    made.heading_sd_deg = 3.0
+    farthest = -180.0
+    for _ in range(round(2.0 / FRAME_S)):
+        made.time_s += FRAME_S
+        command = skill.command(made)
+        turned_by(made, command.walk.turn_deg * FRAME_S)
+        truth = wrap(made.pose.heading_deg + off - 90.0)
+        farthest = max(farthest, made.pose.heading_deg - 90.0)
+        made.percepts.gaps = []
+        if abs(truth) < sees:
+            made.percepts.gaps = [kelpie.GoalGap(goal=kelpie.GOAL_BLUE, left_deg=-truth + 6.0,
+                                                 right_deg=-truth - 6.0)]
+    return farthest, skill.aim.by_sight
+
+
+def test_a_goal_that_the_pose_misses_by_10_deg_is_found_by_turning_on():
+    farthest, seen = over_turning(OVER_TURN_Y - 1.0, -12.0, 5.0)
+    assert seen and farthest > 7.0
+
+
+@pytest.mark.parametrize('y, turns_on', [(OVER_TURN_Y - 1.0, True), (OVER_TURN_Y, False)])
+def test_without_a_goal_in_sight_it_turns_on_in_the_own_half_only_and_not_for_ever(y, turns_on):
+    farthest, seen = over_turning(y, 0.0, 0.0)
+    assert not seen
+    most = OVER_TURN * SEARCH_TURN * FRAME_S
+    assert (0.5 * most < farthest < most + 5.0) if turns_on else farthest < 4.0
 
 
 def test_out_of_time_it_stands_and_kicks_without_sight_of_the_goal():

@@ -45,6 +45,7 @@ struct MotionOptions {
   std::string start;
   std::string picture;
   bool onlyFit = false;
+  bool turned = false;
   int models = 4;
   int places = 3;
   double reach = 40.0;
@@ -60,10 +61,11 @@ struct Judge {
 
 Judge judgeOfKick(const learn::KickAim& aim, const MotionOptions& options) {
   const std::uint64_t seed = 1000 + 100 * std::uint64_t{options.plan.seed};
+  const auto before = options.turned ? learn::BeforeKick::turned : learn::BeforeKick::rests;
   const auto starts = std::make_shared<std::vector<learn::KickStart>>(learn::beforeKicks(
-      aim, learn::variedModels(seed, options.models, kStep), options.places, seed));
+      aim, learn::variedModels(seed, options.models, kStep), options.places, seed, before));
   const auto unseen = std::make_shared<std::vector<learn::KickStart>>(learn::beforeKicks(
-      aim, learn::variedModels(kJudgesFrom, kJudges, kStep), kJudgedPlaces, kJudgesFrom));
+      aim, learn::variedModels(kJudgesFrom, kJudges, kStep), kJudgedPlaces, kJudgesFrom, before));
   return {[starts, aim](const actuator::MotionData& motion) {
             return learn::gainOf(learn::tryFromAll(motion, aim, *starts), aim, motion);
           },
@@ -195,6 +197,8 @@ void addCalibrateMotion(CLI::App& command, int& code) {
       ->capture_default_str();
   motion->add_option("--journal", options->plan.journal,
                      "file of the trials; goes on where it ends");
+  motion->add_flag("--turned", options->turned,
+                   "kicks of a held ball begin after a turn with it, as in matches");
   motion->add_flag("--fit", options->onlyFit,
                    "judges the motion as it is, without a search, and writes what it does");
   motion->add_option("--picture", options->picture, "PNG of the gain");

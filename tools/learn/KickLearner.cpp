@@ -23,10 +23,10 @@ double off(Angle direction, const KickAim& aim) {
 
 std::vector<KickStart> beforeKicks(const KickAim& aim,
                                    const std::vector<sim::PhysicsParams>& models, int places,
-                                   std::uint64_t seed, bool pushed) {
+                                   std::uint64_t seed, BeforeKick before) {
   std::vector<KickStart> starts(models.size() * static_cast<std::size_t>(places));
   host::onCores(starts.size(), [&](std::size_t i) {
-    starts[i] = beforeKick(aim, models[i % models.size()], seed + i, pushed);
+    starts[i] = beforeKick(aim, models[i % models.size()], seed + i, before);
   });
   return starts;
 }

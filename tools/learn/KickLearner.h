@@ -12,7 +12,7 @@ namespace kelpie::learn {
 // `places` on each model.
 std::vector<KickStart> beforeKicks(const KickAim& aim,
                                    const std::vector<sim::PhysicsParams>& models, int places,
-                                   std::uint64_t seed, bool pushed = false);
+                                   std::uint64_t seed, BeforeKick before = BeforeKick::rests);
 std::vector<Kicked> tryFromAll(const actuator::MotionData& motion, const KickAim& aim,
                                const std::vector<KickStart>& starts);
 

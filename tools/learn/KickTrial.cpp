@@ -13,6 +13,8 @@ namespace {
 constexpr int kStandMessages = 20;  // before a free ball is put down
 constexpr int kRestMessages = 4;    // and until the kick
 constexpr int kAfterMessages = 18;  // 0.58 s, back to the stance
+constexpr int kTurnMessages = 20;   // 0.64 s with a held ball
+constexpr int kStopMessages = 9;    // 0.29 s until the kick
 constexpr double kKept = 3.0;       // cm, a ball that has gone no further has not left
 
 Point2<Robot> scattered(const KickAim& aim, Random& random) {
@@ -43,6 +45,16 @@ std::optional<Opponent> pusher(bool held) {
   opponent.ahead = held ? 36.0 : 33.0;  // a held ball is given first
   opponent.command.walk.forward = 12.0;
   return opponent;
+}
+
+// As a player aims: the ball then lies up to 1 cm aside, and the legs are not as they stood.
+void turnWithBall(PhysicalWalker& walker, Random& random) {
+  Command command = holdingCommand();
+  const double speed = random.uniform(0.5, 2.3);  // rad/s; 130 deg/s is the fastest in matches
+  command.walk.turn = random.chance(0.5) ? speed : -speed;
+  stepOn(kTurnMessages, command, walker);
+  command.walk.turn = 0.0;
+  stepOn(kStopMessages, command, walker);
 }
 
 void readBall(KickStart& start) {
@@ -113,7 +125,8 @@ Point2<Field> restingPlace(const sim::Ball& ball, const sim::PhysicalBallParams&
 }
 
 KickStart beforeKick(const KickAim& aim, const sim::PhysicsParams& model, std::uint64_t seed,
-                     bool pushed) {
+                     BeforeKick before) {
+  const bool pushed = before == BeforeKick::pushed;
   Random random(seed ^ 0x61c4ULL);
   KickStart start;
   start.params = std::make_unique<actuator::ActuatorParams>();
@@ -122,6 +135,7 @@ KickStart beforeKick(const KickAim& aim, const sim::PhysicsParams& model, std::u
   PhysicalWalker& walker = *start.walker;
   const Point2<Robot> place = scattered(aim, random);
   if (aim.held) giveBall(place, walker);
+  if (aim.held && before == BeforeKick::turned) turnWithBall(walker, random);
   if (!aim.held) {
     stepOn(kStandMessages, lookingDown(), walker);
     putBallDown(place, walker);

@@ -41,10 +41,14 @@ struct KickStart {
   Pose2 pose;
   sim::PhysicalBallParams roll;
 };
+// What happens to the robot before it kicks: nothing; another robot comes from the front and
+// pushes, from half a second before; it turns with a held ball, as players do, and has just
+// stopped.
+enum class BeforeKick : std::uint8_t { rests, pushed, turned };
+
 // The ball lies up to the scatter beside its place, as the seed has it.
-// `pushed`: another robot comes from the front and pushes, from half a second before.
 KickStart beforeKick(const KickAim& aim, const sim::PhysicsParams& model, std::uint64_t seed,
-                     bool pushed = false);
+                     BeforeKick before = BeforeKick::rests);
 
 // Stands, its ball nowhere near; then the same instant with a ball that lies there at rest, or as
 // near as the robot's body lets it.

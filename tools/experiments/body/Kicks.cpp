@@ -21,12 +21,18 @@ std::string keyOf(MotionKind kind) {
 void addKick(const learn::KickAim& aim, const Request& request, Json& json) {
   const actuator::MotionData& motion = actuator::standardMotions()[aim.motion];
   const std::string key = keyOf(aim.motion);
-  for (const bool pushed : {false, true}) {
+  constexpr std::pair<learn::BeforeKick, const char*> kBefore[] = {
+      {learn::BeforeKick::rests, ""},
+      {learn::BeforeKick::pushed, "_pushed"},
+      {learn::BeforeKick::turned, "_turned"},
+  };
+  for (const auto& [before, suffix] : kBefore) {
+    if (before == learn::BeforeKick::turned && !aim.held) continue;
     const auto starts =
         learn::beforeKicks(aim, learn::variedModels(request.seed, request.trials, kStep), kPlaces,
-                           request.seed, pushed);
+                           request.seed, before);
     const auto spread = learn::spreadOf(learn::tryFromAll(motion, aim, starts));
-    const std::string name = key + (pushed ? "_pushed" : "");
+    const std::string name = key + suffix;
     json[name + "_cm"] = spread.distance;
     json[name + "_sd_cm"] = spread.distanceSd;
     json[name + "_deg"] = spread.direction.deg();
