@@ -54,9 +54,8 @@ void fill(WorldFrame& frame, const BehaviourIn& in) {
   frame.motion = input.motion;
   frame.game = input.game;
   frame.lastCommand = input.lastCommand;
-  forEachFieldOf<Percepts>([&](const auto& f) {
-    copyUsed(frame.percepts.*(f.member), in.percepts.*(f.member));
-  });
+  forEachFieldOf<Percepts>(
+      [&](const auto& f) { copyUsed(frame.percepts.*(f.member), in.percepts.*(f.member)); });
   frame.pose = world.pose;
   frame.positionSd = world.positionSd;
   frame.headingSd = world.headingSd;

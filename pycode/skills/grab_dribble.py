@@ -154,7 +154,7 @@ class GrabDribble(Machine):
         return carry(turn=turn)
 
     def over_turns(self, world) -> bool:
-        """Far from the goal, and it is not where the pose says (section 6.4.3): some frames more."""
+        """Far from the goal, which is not where the pose says (section 6.4.3): some frames more."""
         return (world.task.aiming == kelpie.AIMING_BY_SIGHT and self.aim.aimed and
                 not self.aim.by_sight and self.over_turned < OVER_TURN and
                 world.pose.position.y < OVER_TURN_Y)
