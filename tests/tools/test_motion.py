@@ -99,3 +99,10 @@ def test_a_film_ends_with_an_error_that_names_it(tmp_path):
     result = kelpie("motion", "sit", "--film", tmp_path / "sit.nothing")
     assert result.returncode == 2 and "sit.nothing" in result.stderr
     assert not list(tmp_path.iterdir())
+
+
+def test_only_a_kick_of_a_held_ball_is_searched_for_after_a_turn(tmp_path):
+    result = kelpie("calibrate", "motion", "upenn_left", "--turned", "--out", tmp_path / "u.toml")
+    assert result.returncode == 2
+    assert "--turned: upenn_left is no kick of a held ball" in complaint(result)
+    assert not (tmp_path / "u.toml").exists()

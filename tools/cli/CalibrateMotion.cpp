@@ -112,8 +112,10 @@ Judge judgeOfBlock(MotionKind kind, const actuator::MotionData& start,
 
 Expected<Judge> judgeOf(MotionKind kind, const actuator::MotionData& start,
                         const MotionOptions& options) {
-  if (const auto* aim = learn::findKick(kind))
-    return judgeOfKick(learn::aimOf(*aim, start), options);
+  const auto* aim = learn::findKick(kind);
+  if (options.turned && (aim == nullptr || !aim->held))
+    return Error{"--turned: " + options.name + " is no kick of a held ball"};
+  if (aim != nullptr) return judgeOfKick(learn::aimOf(*aim, start), options);
   for (const FallSide side : {FallSide::front, FallSide::back, FallSide::left, FallSide::right})
     if (learn::getUpMotion(side) == kind) return judgeOfGettingUp(side, options);
   if (learn::isBlock(kind)) return judgeOfBlock(kind, start, options);
@@ -129,8 +131,8 @@ Expected<actuator::MotionData> learnt(const MotionOptions& options, const Judge&
   };
   Progress progress("motion " + options.name, "trials");
   learn::SearchPlan plan = options.plan;
-  plan.trial =
-      fmt::format("motion {} models {} places {}", options.name, options.models, options.places);
+  plan.trial = fmt::format("motion {} models {} places {}{}", options.name, options.models,
+                           options.places, options.turned ? " turned" : "");
   const auto all = static_cast<std::size_t>(plan.trials);
   const auto found =
       learn::search(learn::motionSpace(start, Angle::deg(options.reach)), plan, gain,
@@ -162,9 +164,9 @@ int calibrateMotion(const MotionOptions& options) {
   if (!motion) return fail(motion.error(), kExitBadInput);
   const std::string verdict = judge->verdict(*motion);
   fmt::print("after: {}\n", verdict);
-  const std::string about =
-      fmt::format("kelpie calibrate motion {} --trials {} --seed {}\n{}", options.name,
-                  options.plan.trials, options.plan.seed, verdict);
+  const std::string about = fmt::format("kelpie calibrate motion {} --trials {} --seed {}{}\n{}",
+                                        options.name, options.plan.trials, options.plan.seed,
+                                        options.turned ? " --turned" : "", verdict);
   if (!writeWhole(options.out, learn::motionText(*motion, about)))
     return fail(options.out + ": cannot be written", kExitBadInput);
   return kExitDone;
