@@ -6,8 +6,9 @@
 import math
 
 import kelpie
-from lib.geom import Point, clamp, frame_of, heading, in_frame, wrap
-from lib.landmarks import FARTHEST, NEAREST
+from lib.geom import Point, clamp, heading, polar, wrap
+from lib.landmarks import in_reach
+from lib.steer import aim_at
 
 IMAGE_ASIDE = 28.4    # deg from the middle of the image to its side,
 IMAGE_UP = 22.6       # and to its upper edge
@@ -16,23 +17,17 @@ ASIDE = 14.0          # the ball is moved at most; at 1 m it is 5 deg wide
 HORIZON_IN = 5.0      # deg of the image above the horizon that are wanted
 EYES = 17.0           # cm that the camera is above the top of the ball
 BALL = 8.6            # cm
+ALL_ROUND = 180.0     # deg
 MARGIN = 4.0          # deg between the ball and the lower edge
 
 
 def aside_for(world, ball_pan) -> float:
     """How far (deg to the left) the view turns from the ball so that the landmark nearest to it
     comes into the image; 0 when one is in it already, or none can be."""
-    best, frame = None, frame_of(world.pose)
-    for mark in world.field.landmarks:
-        place = mark.position
-        x, y = in_frame(frame, place.x, place.y)
-        if not NEAREST <= math.hypot(x, y) <= FARTHEST:
-            continue
-        off = wrap(heading(x, y) - ball_pan)
-        if best is None or abs(off) < abs(best):
-            best = off
-    if best is None:
+    offs = [wrap(pan - ball_pan) for _, _, pan in in_reach(world, ALL_ROUND)]
+    if not offs:
         return 0.0
+    best = min(offs, key=abs)
     needed = abs(best) - (IMAGE_ASIDE - INSIDE)
     return math.copysign(needed, best) if 0.0 < needed <= ASIDE else 0.0
 
@@ -50,8 +45,5 @@ def beside(world, point: Point, height) -> kelpie.HeadRequest:
     """The view that keeps a ball at that point of the robot frame (cm) and that height, and shows
     what else it can."""
     distance, pan = math.hypot(*point), heading(*point)
-    pan = pan + aside_for(world, pan)
-    angle = math.radians(pan)
     up = distance * math.tan(math.radians(up_for(world.ball.distance)))
-    return kelpie.HeadRequest(aim=kelpie.AIM_POINT, target=kelpie.Point3(
-        x=-distance * math.sin(angle), y=distance * math.cos(angle), z=height + up))
+    return aim_at(*polar(distance, pan + aside_for(world, pan)), height + up)

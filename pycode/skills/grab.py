@@ -60,7 +60,7 @@ def approach(point, last=kelpie.WALK) -> kelpie.WalkRequest:
                               kind=walk_kind(away, aside, last))
 
 
-def limited(request, aside, can=SPEED) -> kelpie.WalkRequest:
+def limited(request, aside) -> kelpie.WalkRequest:
     """What the legs can do of it, no slower ahead than a grab needs, and turned to twice as fast
     as the thesis has it: 0.9 /s would curve past a ball 30 deg aside."""
     if request.kind == kelpie.WALK_TURNING:
@@ -69,7 +69,7 @@ def limited(request, aside, can=SPEED) -> kelpie.WalkRequest:
     if abs(aside) < 60.0:
         request.forward = max(request.forward, CLOSING * math.cos(math.radians(aside)))
     if request.kind == kelpie.WALK:
-        request.forward = min(request.forward, can * max(0.2, math.cos(math.radians(aside))))
+        request.forward = min(request.forward, SPEED * max(0.2, math.cos(math.radians(aside))))
     request.turn_deg = clamp(2.0 * request.turn_deg, -TURN_SPEED, TURN_SPEED)
     return request
 
