@@ -3,7 +3,8 @@
 # its box, sure of its pose to a centimetre, cannot be 190 cm off in the next frame; but the
 # localiser believes that, for 0.2 to 2 s, when somebody hides half of the only beacon in view, or
 # after a block: 1.5 % of a goalie's frames. Keeps the pose carried by odometry and since when the
-# other one is doubted. A jump that lasts is believed in the end, right or wrong.
+# other one is doubted. A jump that lasts is believed in the end, right or wrong. Says also when the
+# pose is lost: who is pushed about beside a ball goes astray by 40 to 130 cm and stays sure to 5 cm.
 import math
 
 from lib.geom import wrap
@@ -13,6 +14,8 @@ BACK_CM, BACK_DEG = 20.0, 20.0   # so near to the carried pose it is right again
 SURE_CM, SURE_DEG = 8.0, 6.0     # sd; from a pose less sure than that a jump may be the truth
 LONGEST = 2.5                    # s
 SETTLES = 0.7                    # s
+BLIND = 2.0                      # s without a landmark
+LIKELY = 0.6                     # weight of a mode that needs no second opinion
 
 
 class PoseWatch:
@@ -22,11 +25,14 @@ class PoseWatch:
         self.gave_in = False    # in this frame, to a jump that lasted
         self.ended_s = -math.inf  # the last doubt
         self.since_s = None     # when the doubt began; None without one
+        self.landmark_s = None  # when a landmark was last seen
 
     def update(self, world):
         """To be called in every frame."""
         if self.carried is None:
             self.carried = told(world)
+        if self.landmark_s is None or world.percepts.landmarks:
+            self.landmark_s = world.time_s
         self.carried = moved(self.carried, world.odometry)
         away, aside = apart(self.carried, told(world))
         if self.since_s is None and self.sure and (away > JUMP_CM or aside > JUMP_DEG):
@@ -43,6 +49,10 @@ class PoseWatch:
     @property
     def doubtful(self) -> bool:
         return self.since_s is not None
+
+    def lost(self, world) -> bool:
+        """Whether to look at landmarks before anything else that depends on the pose."""
+        return world.time_s - self.landmark_s > BLIND or torn(world)
 
     def settled(self, world) -> bool:
         """Whether the pose is good enough to walk by: one jump is often followed by others."""
@@ -92,6 +102,16 @@ class CarriedWorld:
 
     def __getattr__(self, name):
         return getattr(self.world, name)
+
+
+def torn(world) -> bool:
+    """Whether two modes that are far from each other are both likely."""
+    if len(world.modes) < 2 or world.modes[0].weight > LIKELY:
+        return False
+    one, other = ((mode.pose.position.x, mode.pose.position.y, mode.pose.heading_deg)
+                  for mode in world.modes[:2])
+    away, aside = apart(one, other)
+    return away > BACK_CM or aside > BACK_DEG
 
 
 def told(world) -> tuple[float, float, float]:

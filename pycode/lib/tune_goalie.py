@@ -119,6 +119,7 @@ class Look:
     SURE_SD, SURE_HEADING_SD = 6.0, 4.0
     TIME = 0.3
     SURVEY, SURVEY_TIME, SURVEY_DOWN = (75.0, 25.0, -25.0, -75.0), 0.26, 6.0  # pan, s, deg down
+    AGAIN = 2.0              # s between two surveys of a lost pose
     STEADY = 0.7             # s of tracking before a glance
     FAR = 60.0               # cm to the ball; nearer it is not left alone,
     FAR_SURE = 120.0         # nor here while the pose is sure: from 100 cm the attacker shoots

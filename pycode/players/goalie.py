@@ -44,6 +44,7 @@ class Goalie(Machine):
         self.memory.update(world)
         self.pose.update(world)
         self.eyes.asked = self.eyes.asked or self.pose.gave_in
+        self.eyes.lost = self.pose.lost(world)
         world = self.pose.believed(world)
         self.shots.update(world)
         self.facing.update(world)
@@ -133,7 +134,7 @@ class Goalie(Machine):
         away = beyond_box(world.field, (ball.position.x, ball.position.y))
         limit = Attack.LEAVE if self.state == self.attack else Attack.NEAR
         if (not seen(world, Attack.UNSEEN) or not self.seen_since_motion(world) or away > limit or
-                speed(ball) > Attack.SPEED or world.time_s < self.rest_s):
+                speed(ball) > Attack.SPEED or world.time_s < self.rest_s or self.eyes.lost):
             return False
         skill = self.skill if self.state == self.attack else AttackBall()
         if not skill.can(world):
@@ -211,12 +212,13 @@ class Goalie(Machine):
     def place(self, world):
         """Where to guard: by the ball; nowhere else while it is looked for at first; then in the
         middle, and at last so near to the line that no ball can lie behind the robot unseen."""
-        lost = self.lost_for(world) if self.pose.settled(world) else 0.0
+        sure = self.pose.settled(world) and not self.eyes.lost
+        lost = self.lost_for(world) if sure else 0.0
         if lost > Guard.LOST:
             return central_place(world.field, LEAST_Y)
         if lost > Guard.UNSEEN:
             return central_place(world.field)
-        if (not seen(world, Guard.FRESH) or not self.pose.settled(world) or
+        if (not seen(world, Guard.FRESH) or not self.pose.settled(world) or self.eyes.lost or
                 self.eyes.state == self.eyes.survey):
             return None
         return self.rule(world.field, (world.ball.position.x, world.ball.position.y))

@@ -63,6 +63,7 @@ class Attacker(Machine):
         """The frame's answer while playing."""
         self.goal.update(world)
         self.contested.update(world, self.memory)
+        self.stuck.update(world)
         if not self.committed and self.stuck.needed(world):
             if self.state != self.back_off:
                 self.enter(world, self.back_off, self.stuck, 'a front paw pushes at something')

@@ -29,6 +29,8 @@ class GoalieHead(Machine):
         self.memory = memory
         self.free = False
         self.asked = False    # for a survey, as soon as the ball can be left alone
+        self.lost = False     # the pose: a survey now, unless a ball comes
+        self.surveyed_s = 0.0
         self.tracked = 0.0    # cm to the ball when it was last tracked
         self.glances = 0
         self.marked = False   # the landmark was seen in this glance
@@ -50,8 +52,9 @@ class GoalieHead(Machine):
         self.tracked = world.ball.distance
         if not seen(world, Look.LOST):
             return self.regain_ball(world)
-        if self.asked and self.calm(world):
-            return self.enter(world, self.survey, None, 'the pose has jumped')
+        if self.asked and self.calm(world) or self.must_survey(world):
+            return self.enter(world, self.survey, None, 'the pose is lost' if self.lost else
+                              'the pose has jumped')
         mark = self.landmark(world)
         if mark is not None:
             self.glances += 1
@@ -74,6 +77,11 @@ class GoalieHead(Machine):
         far = self.FAR_SURE if sure and not self.asked else self.FAR
         return (self.free and world.ball.distance > far and
                 world.ball.velocity.y > -Look.STILL and self.since(world) > Look.STEADY)
+
+    def must_survey(self, world) -> bool:
+        """Of a lost pose even with the ball at the feet, now and then."""
+        return (self.lost and self.free and world.ball.velocity.y > -Look.STILL and
+                world.time_s - self.surveyed_s > Look.AGAIN)
 
     def landmark(self, world):
         """The one to glance at now, or None."""
@@ -102,7 +110,8 @@ class GoalieHead(Machine):
 
     def survey(self, world):
         """Once from left to right, at rest in four directions: what is seen mends the pose."""
-        self.glanced_s, self.asked = world.time_s, False
+        self.glanced_s = self.surveyed_s = world.time_s
+        self.asked = False
         look = int(self.since(world) / Look.SURVEY_TIME)
         if not self.free or look >= len(Look.SURVEY):
             return self.after_glance(world)
@@ -141,6 +150,8 @@ class GoalieHead(Machine):
         if seen(world, Look.LOST):
             return self.enter(world, self.track, None, 'the ball is {} cm away',
                               world.ball.distance)
+        if self.must_survey(world):
+            return self.enter(world, self.survey, None, 'the pose is lost')
         if self.skill is None:
             self.skill = self.scan(world)
         return self.skill.head(world)

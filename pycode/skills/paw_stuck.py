@@ -2,14 +2,15 @@
 # Backs off when a front paw pushes at something in its swing (thesis 2006 section 4.3.3): straight
 # back from both paws, back and to the other side from one, for a certain time. A robot that walks
 # ahead and is felt to be held counts as both: on the physical body two heads meet before any paw
-# does; of 5 walks at a standing robot 4 get past it within 16 s, by paws alone none. What backs
-# into something else goes on with its play instead and heeds no paw for a while: a robot in a goal
-# once backed into its corner for 100 s. Keeps until when, to which side, and when it last backed
-# straight. Feels nothing while it stands. A paw that a near ball presses is the contested ball's
-# matter.
+# does; of 5 walks at a standing robot 4 get past it within 16 s, by paws alone none. So does one
+# that comes no nearer to a ball in view (lib/headway.py). What backs into something else goes on
+# with its play instead and heeds no paw for a while: a robot in a goal once backed into its corner
+# for 100 s. Keeps until when, to which side, and when it last backed straight. Feels nothing while
+# it stands. A paw that a near ball presses is the contested ball's matter.
 import math
 
 import kelpie
+from lib.headway import Headway
 from lib.machine import Machine
 
 BACK_S = 0.8          # ours; the body feels a paw for 0.4 s after it was pressed
@@ -18,6 +19,7 @@ SIDE_SPEED = 18.0
 # Whoever was met head on so recently is passed on the right, as it does the same. Of 51 meetings of
 # two discs (tests/py/test_paw_stuck.py) all end within 45 s; 36 do when both back straight again.
 AGAIN_S = 4.0
+FELT_S = 0.5          # what is felt in the first of it is still what held it from ahead
 DEAF_S = 0.5          # between two times of backing: whoever always backs never gets away
 HELD_DEAF_S = 2.5     # after backing was of no use: a turn by 180 deg and a step
 BALL_AT_PAWS = 30.0   # cm
@@ -42,19 +44,25 @@ class PawStuck(Machine):
         super().__init__(self.free)
         self.straight_s = None  # when it last backed straight
         self.deaf_until_s = -math.inf
+        self.headway = Headway()
+
+    def update(self, world) -> None:
+        """To be called once in every frame."""
+        self.headway.update(world)
 
     def needed(self, world) -> bool:
         """Whether it backs in this frame; may be asked more than once."""
         if self.state != self.free and not self.ended(world):
             return True
         left, right = blocked(world)
-        if not (left or right) or world.time_s < self.deaf_until_s:
+        held = self.headway.none
+        if not (left or right or held) or world.time_s < self.deaf_until_s:
             return False
-        self.begin(world, left, right)
+        self.begin(world, left or held, right or held)
         return True
 
     def ended(self, world) -> bool:
-        held = world.motion.feeling.stuck and world.last_command.walk.forward < 0.0
+        held = world.motion.feeling.stuck and self.timed_out(world, FELT_S)
         if not held and not self.timed_out(world, BACK_S):
             return False
         self.deaf_until_s = (world.time_s + HELD_DEAF_S if held else
@@ -63,6 +71,7 @@ class PawStuck(Machine):
         return True
 
     def begin(self, world, left, right):
+        self.headway.begin_at(math.inf)
         again = self.straight_s is not None and world.time_s - self.straight_s < AGAIN_S
         if left and right and not again:
             self.straight_s = world.time_s

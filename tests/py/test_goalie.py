@@ -6,6 +6,7 @@ import kelpie
 import pytest
 from goalie_world import GoalieWorld, anywhere, run, scene, shot
 from lib import goalie_places as places
+from lib.pose_watch import BLIND
 from lib.tune_goalie import Block, Clear, Guard
 from players.goalie import Goalie
 from skills.guard_goal import GuardGoal
@@ -166,6 +167,7 @@ def scramble(world, chance):
     world.game.state = chance.choice([kelpie.PLAYING] * 20 + [kelpie.SET])
     world.motion.feeling.fallen = chance.choice([kelpie.NOT_FALLEN] * 50 + [kelpie.ON_BACK])
     world.motion.running = chance.choice([kelpie.NO_MOTION] * 5 + [kelpie.BLOCK, kelpie.UPENN_LEFT])
+    world.percepts.landmarks = [kelpie.LandmarkPercept()] * (world.frame % 100 == 0)
     if chance.random() < 0.9:
         return
     world.pose = kelpie.Pose2(heading_deg=chance.choice([90.0, chance.uniform(-180, 180)]))
@@ -179,6 +181,18 @@ def scramble(world, chance):
     if chance.random() < 0.3:
         ball.velocity = kelpie.Point2()
     ball.stopping_point = kelpie.Point2(x=180.0, y=chance.uniform(-100, 200))
+
+
+def test_a_goalie_whose_pose_is_lost_does_not_walk_by_it():
+    world, player = scene(at=150 + 40j), Goalie()
+    world.ball = 250 + 150j
+    for frame in range(30 * 4):
+        world.see()
+        command = player.command(world.world)
+        walks = math.hypot(command.walk.forward, command.walk.left) > 1.0
+        if 5 < frame < 30:
+            assert walks
+        assert not walks or world.world.time_s - player.pose.landmark_s <= BLIND
 
 
 def test_a_turn_that_does_not_help_comes_to_an_end():

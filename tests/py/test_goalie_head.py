@@ -166,6 +166,22 @@ def test_a_glance_that_finds_no_landmark_is_followed_by_a_survey():
     assert pans == list(Look.SURVEY)
 
 
+@pytest.mark.parametrize('lost, coming, surveys', [(True, 0.0, True), (False, 0.0, False),
+                                                  (True, -Look.STILL - 1.0, False)])
+def test_a_lost_pose_is_worth_a_survey_even_beside_the_ball(lost, coming, surveys):
+    world, head = seeing(world_at()), GoalieHead(Memory())
+    world.ball.distance, world.ball.velocity.y, head.lost = 15.0, coming, lost
+    states = heads(head, world, 5.0)
+    assert ('survey' in states) is surveys
+    assert states.count('survey') <= 5.0 / Look.AGAIN
+
+
+def test_a_lost_pose_is_mended_before_a_lost_ball_is_looked_for():
+    world, head = seeing(world_at(), seen=False), GoalieHead(Memory())
+    world.ball.present, head.lost = False, True
+    assert 'survey' in heads(head, world, 3.0)
+
+
 def test_a_glance_that_finds_it_is_not():
     world = seeing(world_at())
     assert 'survey' not in heads(GoalieHead(Memory()), world, 12.0)

@@ -4,7 +4,7 @@ import random
 
 import kelpie
 import pytest
-from skills.paw_stuck import BACK_S, DEAF_S, HELD_DEAF_S, PawStuck
+from skills.paw_stuck import BACK_S, DEAF_S, FELT_S, HELD_DEAF_S, PawStuck
 
 FRAME_S = 1.0 / 30.0
 
@@ -67,12 +67,21 @@ def test_met_head_on_again_it_goes_to_the_right():
 
 
 def test_a_robot_that_backs_into_something_stops_that_and_heeds_no_paw_for_a_while():
-    skill, held = PawStuck(), world_with(True, False, 0.3)
+    skill, felt_s = PawStuck(), FELT_S + 0.01
     skill.needed(world_with(True, False))
+    held = world_with(True, False, felt_s)
     held.motion.feeling.stuck, held.last_command.walk.forward = True, -24.0
     assert not skill.needed(held)
-    assert not skill.needed(world_with(True, True, 0.29 + HELD_DEAF_S))
-    assert skill.needed(world_with(True, True, 0.31 + HELD_DEAF_S))
+    assert not skill.needed(world_with(True, True, felt_s + HELD_DEAF_S - 0.01))
+    assert skill.needed(world_with(True, True, felt_s + HELD_DEAF_S + 0.01))
+
+
+def test_what_held_it_from_ahead_is_still_felt_when_the_backing_begins():
+    skill, held = PawStuck(), world_with(False, False)
+    held.motion.feeling.stuck, held.last_command.walk.forward = True, 20.0
+    assert skill.needed(held)
+    held.time_s, held.last_command.walk.forward = FELT_S - 0.01, -24.0
+    assert skill.needed(held)
 
 
 def test_what_holds_it_from_ahead_does_not_end_the_backing():

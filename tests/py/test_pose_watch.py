@@ -4,7 +4,7 @@ import math
 import kelpie
 import pytest
 from lib import geom
-from lib.pose_watch import LONGEST, PoseWatch, moved
+from lib.pose_watch import BACK_CM, BACK_DEG, BLIND, LIKELY, LONGEST, PoseWatch, moved, torn
 
 
 class Walk:
@@ -95,3 +95,33 @@ def test_world_of_the_carried_pose_has_the_ball_where_the_robot_sees_it():
     end = geom.from_field(walk.world.pose, 140.0, -20.0)
     assert geom.from_field(carried.pose, carried.ball.stopping_point.x,
                            carried.ball.stopping_point.y) == pytest.approx(end)
+
+
+def test_a_pose_without_a_landmark_for_two_seconds_is_lost():
+    walk = Walk()
+    walk.world.percepts.landmarks = [kelpie.LandmarkPercept()]
+    for _ in range(90):
+        walk.step()
+    assert not walk.watch.lost(walk.world)
+    walk.world.percepts.landmarks = []
+    lost = []
+    for _ in range(90):
+        walk.step()
+        lost.append(walk.watch.lost(walk.world))
+    assert lost == sorted(lost) and sum(lost) == pytest.approx(90 - 30 * BLIND, abs=1)
+
+
+@pytest.mark.parametrize('weight, away, aside, is_torn', [
+    (LIKELY - 0.01, BACK_CM + 1, 0.0, True), (LIKELY - 0.01, 0.0, BACK_DEG + 1, True),
+    (LIKELY + 0.01, 100.0, 90.0, False), (0.4, BACK_CM - 1, BACK_DEG - 1, False)])
+def test_two_likely_modes_far_from_each_other_tear_the_pose(weight, away, aside, is_torn):
+    def mode(weight, x, heading):
+        pose = kelpie.Pose2(position=kelpie.Point2(x=x, y=20.0), heading_deg=heading)
+        return kelpie.PoseMode(weight=weight, pose=pose)
+    world = kelpie.WorldFrame()
+    world.modes = [mode(weight, 180.0, 170.0), mode(1.0 - weight, 180.0 + away, 170.0 + aside)]
+    assert torn(world) is is_torn
+
+
+def test_one_mode_alone_is_not_torn():
+    assert not torn(kelpie.WorldFrame())
