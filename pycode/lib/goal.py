@@ -21,7 +21,7 @@ class OpponentGoal:
 
     def update(self, world):
         """Takes one frame's odometry and percepts; to be called in every frame."""
-        if self.point is not None:
+        if self.seen(world):
             self.point = moved(*self.point, world.odometry)
         target = kelpie.GOAL_BLUE if world.game.team == kelpie.RED else kelpie.GOAL_YELLOW
         for mark in world.percepts.landmarks:

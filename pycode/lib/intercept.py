@@ -12,7 +12,8 @@ FRICTION = 6.0          # cm/s2
 SLOW = 9.0              # cm/s: slower ones stop within 6 cm
 SEEN_S = 0.35           # an older velocity tells nothing
 STEP_S = 0.1
-LONGEST_S = 4.0
+LAST_STEP = 39
+LONGEST_S = 4.0         # just beyond it
 FOREVER = 60.0          # s
 TURN_SPEED = 150.0      # deg/s of the robot
 WALK_SPEED = 33.0       # cm/s
@@ -43,7 +44,7 @@ def rolls(ball) -> bool:
 
 class Rolling:
     """A ball on its way to the stopping point that gps foretells. Keeps what does not depend on
-    the time: meeting() asks for up to 39 places of it in a frame."""
+    the time: meeting() asks for several places of it in a frame."""
 
     def __init__(self, ball):
         self.x, self.y = ball.position.x, ball.position.y
@@ -51,17 +52,12 @@ class Rolling:
         self.speed = math.hypot(ball.velocity.x, ball.velocity.y)
         self.stop_s = stops_after(self.speed)
         self.whole = max(rolled(self.speed, FOREVER), 1e-6)
+        self.fastest = self.speed * math.hypot(self.dx, self.dy) / self.whole
 
     def at(self, seconds) -> Point:
         """Where it will be on the field."""
         share = rolled_until(self.speed, min(seconds, self.stop_s)) / self.whole
         return self.x + share * self.dx, self.y + share * self.dy
-
-    def soonest(self, away) -> float:
-        """Seconds before which a robot that far away does not reach it, even if both go straight at
-        each other and the ball stays as fast as it is."""
-        fastest = self.speed * math.hypot(self.dx, self.dy) / self.whole
-        return (away - REACH) / (WALK_SPEED + fastest)
 
 
 def ahead_of(world, seconds) -> Point:
@@ -83,18 +79,18 @@ def meeting(world) -> Point:
     if not rolls(world.ball):
         return world.ball.relative.x, world.ball.relative.y
     rolling, frame = Rolling(world.ball), frame_of(world.pose)
-    soonest = min(rolling.soonest(math.hypot(*in_frame(frame, rolling.x, rolling.y))), LONGEST_S)
-    seconds = STEP_S
-    while seconds + STEP_S < soonest:
-        seconds += STEP_S
-    while seconds < LONGEST_S:
+    closing = 1.0 + rolling.fastest / WALK_SPEED
+    step = 1
+    while True:
+        seconds = step * STEP_S
         x, y = in_frame(frame, *rolling.at(seconds))
-        if seconds >= rolling.stop_s:  # later it lies there, too
-            break
-        if walk_s(x, y) <= seconds and needed(x, y) <= seconds:
-            break
-        seconds += STEP_S
-    return x, y
+        if step == LAST_STEP or seconds >= rolling.stop_s:  # later it lies there, too
+            return x, y
+        late = walk_s(x, y) - seconds
+        if late <= 0.0 and needed(x, y) <= seconds:
+            return x, y
+        # Not earlier than that, even if both go straight at each other.
+        step = min(LAST_STEP, step + max(1, int(late / closing / STEP_S)))
 
 
 def target(world) -> Point:

@@ -108,14 +108,14 @@ def torn(world) -> bool:
     """Whether two modes that are far from each other are both likely."""
     if len(world.modes) < 2 or world.modes[0].weight > LIKELY:
         return False
-    one, other = ((mode.pose.position.x, mode.pose.position.y, mode.pose.heading_deg)
-                  for mode in world.modes[:2])
-    away, aside = apart(one, other)
+    away, aside = apart(told(world.modes[0]), told(world.modes[1]))
     return away > BACK_CM or aside > BACK_DEG
 
 
 def told(world) -> tuple[float, float, float]:
-    return world.pose.position.x, world.pose.position.y, world.pose.heading_deg
+    """The pose of a world, or of a mode."""
+    pose = world.pose
+    return pose.position.x, pose.position.y, pose.heading_deg
 
 
 def moved(pose, odometry) -> tuple[float, float, float]:

@@ -7,7 +7,7 @@ import math
 
 import kelpie
 from lib.geom import Point, clamp, heading, polar, wrap
-from lib.landmarks import in_reach
+from lib.landmarks import FARTHEST, NEAREST
 from lib.steer import aim_at
 
 IMAGE_ASIDE = 28.4    # deg from the middle of the image to its side,
@@ -24,10 +24,13 @@ MARGIN = 4.0          # deg between the ball and the lower edge
 def aside_for(world, ball_pan) -> float:
     """How far (deg to the left) the view turns from the ball so that the landmark nearest to it
     comes into the image; 0 when one is in it already, or none can be."""
-    offs = [wrap(pan - ball_pan) for _, _, pan in in_reach(world, ALL_ROUND)]
-    if not offs:
-        return 0.0
-    best = min(offs, key=abs)
+    place, view = world.pose.position, world.pose.heading_deg + ball_pan
+    x, y, best = place.x, place.y, ALL_ROUND
+    for mark in world.field.landmarks:
+        dx, dy = mark.position.x - x, mark.position.y - y
+        if NEAREST <= math.hypot(dx, dy) <= FARTHEST:
+            off = wrap(math.degrees(math.atan2(dy, dx)) - view)
+            best = off if abs(off) < abs(best) else best
     needed = abs(best) - (IMAGE_ASIDE - INSIDE)
     return math.copysign(needed, best) if 0.0 < needed <= ASIDE else 0.0
 
