@@ -27,7 +27,7 @@ LINE = 35.0            # cm before the goal line, between the posts: the ball is
 
 class LeafByMap:
     """Keeps what each way to play the ball was worth when it was last worked out: one of them in
-    every second frame, for all of them are a third of what the robot can spend on its behaviours."""
+    every second frame, as all of them are a third of what the robot can spend on behaviours."""
 
     def __init__(self):
         self.worths = {}

@@ -4,7 +4,7 @@
 # localiser believes that, for 0.2 to 2 s, when somebody hides half of the only beacon in view, or
 # after a block: 1.5 % of a goalie's frames. Keeps the pose carried by odometry and since when the
 # other one is doubted. A jump that lasts is believed in the end, right or wrong. Says also when the
-# pose is lost: who is pushed about beside a ball goes astray by 40 to 130 cm and stays sure to 5 cm.
+# pose is lost: who is pushed about beside a ball goes astray by 130 cm and stays sure to 5 cm.
 import math
 
 from lib.geom import wrap
