@@ -28,6 +28,11 @@ constexpr std::uint8_t kAimingCount = 2;
 enum class BallSearch : std::uint8_t { chain, spin };
 constexpr std::uint8_t kBallSearchCount = 2;
 
+// Where who does not play the ball goes: by the trees of thesis 2006 (algorithms 4.7 to 4.9), or by
+// locally weighted regression over examples (section 4.5.3).
+enum class Positioning : std::uint8_t { tree, regression };
+constexpr std::uint8_t kPositioningCount = 2;
+
 // The part of `world` that is fixed before the match.
 struct Task {
   PlayerKind player = PlayerKind::forward;
@@ -36,9 +41,14 @@ struct Task {
   KickChoice kicks = KickChoice::map;
   Aiming aiming = Aiming::sight;
   BallSearch search = BallSearch::chain;
-  bool dodge = true;       // with the ball, around who stands in the way
-  bool intercept = true;   // a rolling ball is met where it will be
-  std::uint8_t skill = 0;  // of PlayerKind::skill: its number in main.SKILLS
+  bool dodge = true;      // with the ball, around who stands in the way
+  bool intercept = true;  // a rolling ball is met where it will be
+  Positioning positions = Positioning::tree;
+  bool passing = false;         // the ball is played to mates, and positions value a pass
+  bool distributedFind = true;  // a ball that the team lost is looked for by all of it
+  bool birdOfPrey = true;       // who is far from home goes there on a curve round others
+  bool scoreAware = false;      // the goalie goes forward when its team is far behind
+  std::uint8_t skill = 0;       // of PlayerKind::skill: its number in main.SKILLS
 
   static constexpr auto fields() {
     return fieldList(field("player", &Task::player, "", 0, kPlayerKindCount - 1),
@@ -47,6 +57,10 @@ struct Task {
                      field("aiming", &Task::aiming, "", 0, kAimingCount - 1),
                      field("search", &Task::search, "", 0, kBallSearchCount - 1),
                      field("dodge", &Task::dodge), field("intercept", &Task::intercept),
+                     field("positions", &Task::positions, "", 0, kPositioningCount - 1),
+                     field("passing", &Task::passing),
+                     field("distributedFind", &Task::distributedFind),
+                     field("birdOfPrey", &Task::birdOfPrey), field("scoreAware", &Task::scoreAware),
                      field("skill", &Task::skill, "", 0, 99));
   }
 };

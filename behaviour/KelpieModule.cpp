@@ -22,6 +22,9 @@ constexpr const char* kEnums =
     "KICKS_BY_RULES, KICKS_BY_MAP = range(2)\n"
     "AIMING_BY_SIGHT, AIMING_BY_POSE = range(2)\n"
     "SEARCH_BY_CHAIN, SEARCH_BY_SPIN = range(2)\n"
+    "POSITIONS_BY_TREE, POSITIONS_BY_REGRESSION = range(2)\n"
+    "NO_ROLE, ATTACKER, SUPPORTER, STRIKER, DEFENDER, KEEPER = range(6)\n"
+    "GRABS_NOT, GRABS_SOON, HOLDS = range(3)\n"
     "LAYER_PLAYER, LAYER_ROLE, LAYER_DECISION, LAYER_SKILL = range(4)\n"
     "NO_MOTION, STAND, SIT, KICK_FORWARD, HARD_FORWARD, WEDGE, HEAD_SWIPE_LEFT, \\\n"
     "    HEAD_SWIPE_RIGHT, UPENN_LEFT, UPENN_RIGHT, BLOCK, BLOCK_LEFT, BLOCK_RIGHT, GRAB, \\\n"
@@ -45,7 +48,8 @@ constexpr const char* kEnums =
     "ANEW = object()\n";
 static_assert(kLandmarkKindCount == 6 && kMotionKindCount == 22 && kPinkUseCount == 3 &&
                   kPlayerKindCount == 5 && kTraceLayerCount == 4 && kKickChoiceCount == 2 &&
-                  kAimingCount == 2 && kBallSearchCount == 2 && kWalkKindCount == 7 &&
+                  kAimingCount == 2 && kPositioningCount == 2 && kRoleCount == 6 &&
+                  kGrabsCount == 3 && kBallSearchCount == 2 && kWalkKindCount == 7 &&
                   kHeadAimCount == 3 && kFallSideCount == 5,
               "kEnums must follow its enums");
 

@@ -33,6 +33,16 @@ bool soundPose(const TeamMessage& m) {
          heading < kMaxHeadingVariance;
 }
 
+bool soundNote(const TeamNote& note, const body::FieldDescription& field, double margin) {
+  return note.timeToBall >= 0.0 && note.timeToBall <= kNoTime && near(note.wanted, field, margin);
+}
+
+// What a script wants beyond the carpet would have mates refuse all of the message.
+TeamNote told(TeamNote note, const body::FieldDescription& field) {
+  note.wanted = body::carpetOf(field).nearest(note.wanted);
+  return note;
+}
+
 bool soundBall(const SharedBall& b) {
   return std::fabs(b.velocity.x) < kMaxSpeed && std::fabs(b.velocity.y) < kMaxSpeed &&
          b.secondsSinceSeen >= 0.0 && std::isfinite(b.secondsSinceSeen) &&
@@ -61,6 +71,7 @@ bool believable(const TeamMessage& message, const body::FieldDescription& field,
   if (message.player < 1 || message.player > kTeammates + 1 || message.number == 0) return false;
   if (!(message.age >= 0.0 && message.age <= params.maxAge)) return false;
   if (!nearField(message.pose.position) || !soundPose(message)) return false;
+  if (!soundNote(message.note, field, params.offField)) return false;
   if (ball.present && !(nearField(ball.position) && soundBall(ball))) return false;
   return std::all_of(message.opponents.begin(), message.opponents.end(),
                      [&](const SharedOpponent& o) {
@@ -104,8 +115,9 @@ FixedVector<TeammateEstimate, kTeammates> extractMates(const TeamParams& params,
     if (!mate.present) continue;
     const TeamMessage& m = mate.last;
     const double headingSd = std::min(std::sqrt(std::max(0.0, m.covariance[8])), maths::kPi);
-    list.push_back({m.player, m.role, m.pose, largerRoot(m.covariance, params.walkNoise * m.age),
-                    Angle::rad(headingSd), m.age});
+    list.push_back({m.player, m.note, m.pose, largerRoot(m.covariance, params.walkNoise * m.age),
+                    Angle::rad(headingSd), m.age,
+                    m.ball.present ? m.ball.secondsSinceSeen + m.age : kNoTime});
   }
   return list;
 }
@@ -122,6 +134,7 @@ void speak(const FrameInput& input, const WorldModel& world, const PlayersContex
   m.player = input.game.player;
   m.pose = world.pose;
   m.covariance = world.covariance;
+  m.note = told(input.lastCommand.team, context.field);
   const BallEstimate& ball = world.ball;
   m.ball = SharedBall{};
   if (ball.present) {

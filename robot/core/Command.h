@@ -8,6 +8,7 @@
 #include "robot/core/Fields.h"
 #include "robot/core/FixedVector.h"
 #include "robot/core/Geometry.h"
+#include "robot/core/TeamNote.h"
 #include "robot/core/Text.h"
 
 namespace kelpie {
@@ -153,6 +154,7 @@ struct Command {
   std::uint32_t leds = 0;
   bool localise = false;  // while standing: find the pose by the field lines alone
   PinkUse pinks = PinkUse::off;
+  TeamNote team;  // for the next message to the team
   Fallback fallback = Fallback::none;
   Trace trace;  // why all this; empty in what is told again (FrameInput, MotionInput)
 
@@ -163,7 +165,7 @@ struct Command {
                      field("motion", &Command::motion, "", 0, kMotionKindCount - 1),
                      field("leds", &Command::leds), field("localise", &Command::localise),
                      field("pinks", &Command::pinks, "", 0, kPinkUseCount - 1),
-                     field("fallback", &Command::fallback, "", 0, 4),
+                     field("team", &Command::team), field("fallback", &Command::fallback, "", 0, 4),
                      field("trace", &Command::trace));
   }
 };

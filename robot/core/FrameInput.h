@@ -26,12 +26,17 @@ struct GameState {
   bool penalised = false;
   std::uint8_t ownScore = 0;
   std::uint8_t opponentScore = 0;
+  bool kickOff = false;  // of the own team, in ready and set
+  bool firstHalf = true;
+  double secondsLeft = 0.0;  // of the half, or of the ready state
 
   static constexpr auto fields() {
     return fieldList(
         field("state", &GameState::state, "", 0, 4), field("team", &GameState::team, "", 0, 1),
         field("player", &GameState::player, "", 1, 4), field("penalised", &GameState::penalised),
-        field("ownScore", &GameState::ownScore), field("opponentScore", &GameState::opponentScore));
+        field("ownScore", &GameState::ownScore), field("opponentScore", &GameState::opponentScore),
+        field("kickOff", &GameState::kickOff), field("firstHalf", &GameState::firstHalf),
+        field("secondsLeft", &GameState::secondsLeft, "s", 0, 1e5));
   }
 };
 

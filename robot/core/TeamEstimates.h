@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "robot/core/Geometry.h"
+#include "robot/core/TeamNote.h"
 
 namespace kelpie {
 
@@ -45,18 +46,20 @@ struct OpponentEstimate {
 // What a team mate last said of itself.
 struct TeammateEstimate {
   std::uint8_t player = 1;
-  std::uint8_t role = 0;
+  TeamNote note;
   Pose2 pose;
   double positionSd = 0.0;  // cm, grown since it was said
   Angle headingSd;
   double secondsSinceHeard = 0.0;
+  double secondsSinceBall = 0.0;  // since it saw the ball itself; 1000 when it knows of none
 
   static constexpr auto fields() {
     using M = TeammateEstimate;
-    return fieldList(field("player", &M::player, "", 1, 4), field("role", &M::role),
+    return fieldList(field("player", &M::player, "", 1, 4), field("note", &M::note),
                      field("pose", &M::pose), field("positionSd", &M::positionSd, "cm", 0, 1e4),
                      field("headingSd", &M::headingSd, "rad", 0, 180),
-                     field("secondsSinceHeard", &M::secondsSinceHeard, "s", 0, 1e6));
+                     field("secondsSinceHeard", &M::secondsSinceHeard, "s", 0, 1e6),
+                     field("secondsSinceBall", &M::secondsSinceBall, "s", 0, 1e6));
   }
 };
 

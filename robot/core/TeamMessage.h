@@ -9,6 +9,7 @@
 
 #include "robot/core/FixedVector.h"
 #include "robot/core/Geometry.h"
+#include "robot/core/TeamNote.h"
 
 namespace kelpie {
 
@@ -58,22 +59,22 @@ struct SharedObstacle {
 
 struct TeamMessage {
   std::uint8_t player = 1;   // of the sender
-  std::uint8_t role = 0;     // as the behaviours number them
   std::uint16_t number = 0;  // counts a sender's messages, from 1; 0: not ready to be sent
   double age = 0.0;          // s from its making to the frame that reads it
   Pose2 pose;
   std::array<double, 9> covariance{};  // of (x, y, heading)
+  TeamNote note;                       // of the behaviours, in the frame before
   SharedBall ball;
   FixedVector<SharedOpponent, kOpponents> opponents;
   FixedVector<SharedObstacle, kSharedObstacles> obstacles;  // the fullest of the sender's own
 
   static constexpr auto fields() {
     using M = TeamMessage;
-    return fieldList(
-        field("player", &M::player, "", 1, 4), field("role", &M::role), field("number", &M::number),
-        field("age", &M::age, "s", 0, 1e6), field("pose", &M::pose),
-        field("covariance", &M::covariance, "cm2, cm rad, rad2"), field("ball", &M::ball),
-        field("opponents", &M::opponents), field("obstacles", &M::obstacles));
+    return fieldList(field("player", &M::player, "", 1, 4), field("number", &M::number),
+                     field("age", &M::age, "s", 0, 1e6), field("pose", &M::pose),
+                     field("covariance", &M::covariance, "cm2, cm rad, rad2"),
+                     field("note", &M::note), field("ball", &M::ball),
+                     field("opponents", &M::opponents), field("obstacles", &M::obstacles));
   }
 };
 
