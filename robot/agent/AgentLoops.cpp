@@ -4,6 +4,7 @@
 #include "gps/pose/Focal.h"
 #include "gps/pose/Lag.h"
 #include "gps/pose/Tilt.h"
+#include "robot/net/TeamPacket.h"
 
 namespace kelpie::agent {
 namespace {
@@ -73,9 +74,23 @@ void AgentLoops::camera(const Image& image, TimeUs exposureMiddle, std::uint32_t
   input_.game = game_;
   input_.lastCommand = askedIn(frame_);
   input_.drive = drive_;
+  input_.radio = radio_.counts;
   input_.image = image;
   frame_ = &frameLoop_.step(input_, silent_);
   log_.frame(input_, *frame_);
+  input_.team.clear();
+}
+
+void AgentLoops::hear(const RadioPacket& packet, TimeUs now) {
+  net::hear(packet, now, game_.team, game_.player, radio_, input_.team);
+}
+
+bool AgentLoops::takePacket(RadioPacket& packet) {
+  if (frame_ == nullptr) return false;
+  const TeamMessage& message = frame_->world.message;
+  if (message.number == 0 || message.number == sent_) return false;
+  sent_ = message.number;
+  return net::encode({game_.team, input_.time, message}, packet);
 }
 
 }  // namespace kelpie::agent

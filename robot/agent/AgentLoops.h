@@ -13,6 +13,7 @@
 #include "robot/agent/Loops.h"
 #include "robot/agent/MotionLoop.h"
 #include "robot/agent/OdometryTrack.h"
+#include "robot/net/TeamRadio.h"
 
 namespace kelpie::agent {
 
@@ -25,6 +26,10 @@ class AgentLoops : public Loops {
 
   void setGame(const GameState& game) { game_ = game; }
   void setDrive(const Drive& drive) { drive_ = drive; }
+  // A packet of the radio, as it arrives.
+  void hear(const RadioPacket& packet, TimeUs now);
+  // The packet that the last frame made for the team, if it made one; each is given away once.
+  bool takePacket(RadioPacket& packet);
   const std::string& scriptError() const { return frameLoop_.scriptError(); }
 
  private:
@@ -45,6 +50,8 @@ class AgentLoops : public Loops {
   std::uint32_t cameraNumber_ = 0;  // of the last image
   JointTrack joints_;
   OdometryTrack odometry_;
+  net::RadioState radio_;
+  std::uint16_t sent_ = 0;  // number of the message that was given away last
 };
 
 }  // namespace kelpie::agent

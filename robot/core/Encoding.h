@@ -164,12 +164,18 @@ class WireReader {
 
 }  // namespace detail
 
+// Writes the encoded value where encodedSize(value) bytes are free.
+template <class T>
+void encodeTo(const T& value, std::uint8_t* at) {
+  detail::WireWriter(at).put(value);
+}
+
 // Appends the encoded value.
 template <class T>
 void encode(const T& value, std::vector<std::uint8_t>& out) {
   const std::size_t before = out.size();
   out.resize(before + encodedSize(value));
-  detail::WireWriter(out.data() + before).put(value);
+  encodeTo(value, out.data() + before);
 }
 
 // False when the bytes are not exactly one T; `out` then holds nothing of use.

@@ -11,6 +11,7 @@
 #include "robot/core/Command.h"
 #include "robot/core/Image.h"
 #include "robot/core/Motion.h"
+#include "robot/core/Radio.h"
 #include "robot/core/TeamMessage.h"
 #include "robot/core/Time.h"
 
@@ -81,6 +82,7 @@ struct FrameInput {
   Command lastCommand;
   Drive drive;
   FixedVector<TeamMessage, kTeammates> team;  // heard since the previous frame
+  RadioCounts radio;                          // since the start
   Image image;
 
   static constexpr auto fields() {
@@ -93,7 +95,8 @@ struct FrameInput {
         field("imageLag", &FrameInput::imageLag), field("odometry", &FrameInput::odometry),
         field("motion", &FrameInput::motion), field("game", &FrameInput::game),
         field("lastCommand", &FrameInput::lastCommand), field("drive", &FrameInput::drive),
-        field("team", &FrameInput::team), field("image", &FrameInput::image));
+        field("team", &FrameInput::team), field("radio", &FrameInput::radio),
+        field("image", &FrameInput::image));
   }
 };
 

@@ -50,13 +50,15 @@ HostSystem::~HostSystem() {
   for (Envelope& envelope : queue_) releaseRegions(envelope.message);
 }
 
-Expected<RunSummary> HostSystem::run(const openr::ObjectStub& object, const GameHandler& onGame) {
+Expected<RunSummary> HostSystem::run(const openr::ObjectStub& object, const Network& network) {
   const openr::SystemScope scope(*this);
   const auto event = std::make_unique<WorldEvent>();
   Expected<bool> more = source_.next(*event);
   while (more && *more) {
-    if (onGame) onGame(event->step.game);
-    const Status done = handle(*event, object);
+    if (network.game) network.game(event->step.game);
+    if (network.heard)
+      for (const RadioPacket& packet : event->step.packets) network.heard(packet, event->step.time);
+    const Status done = handle(*event, object, network);
     more = done ? source_.next(*event) : Expected<bool>(Error{done.error()});
   }
   const Status stopped = shutDown();
@@ -65,7 +67,8 @@ Expected<RunSummary> HostSystem::run(const openr::ObjectStub& object, const Game
   return summary_;
 }
 
-Status HostSystem::handle(const WorldEvent& event, const openr::ObjectStub& object) {
+Status HostSystem::handle(const WorldEvent& event, const openr::ObjectStub& object,
+                          const Network& network) {
   time_ = event.step.time;
   summary_.end = time_;
   if (event.step.sensorsPresent) setLatest(event.step.sensors.back());
@@ -79,8 +82,10 @@ Status HostSystem::handle(const WorldEvent& event, const openr::ObjectStub& obje
     const Status delivered = deliver(event);
     if (!delivered) return delivered;
   }
-  const Expected<AgentReply> reply = comm_.takeReply();
-  return reply ? source_.reply(*reply) : Status(Error{reply.error()});
+  Expected<AgentReply> reply = comm_.takeReply();
+  if (!reply) return Error{reply.error()};
+  if (network.sends && !network.sends(reply->packet)) reply->packet.bytes.clear();
+  return source_.reply(*reply);
 }
 
 Status HostSystem::boot(const openr::ObjectStub& object) {

@@ -29,6 +29,14 @@ struct HostParams {
   std::FILE* printTo = stderr;    // what the object prints; nullptr: nowhere
 };
 
+// What comes and goes by the network, not through OPEN-R's sensors and effectors; each may be
+// empty.
+struct Network {
+  std::function<void(const GameState&)> game;  // of each step, ahead of its sensors and image
+  std::function<void(const RadioPacket&, TimeUs now)> heard;  // so
+  std::function<bool(RadioPacket&)> sends;  // after each step: whether there is a packet
+};
+
 struct RunSummary {
   std::uint32_t sensorMessages = 0;
   std::uint32_t images = 0;         // delivered
@@ -38,15 +46,13 @@ struct RunSummary {
 
 class HostSystem : public RobotPrimitives {
  public:
-  using GameHandler = std::function<void(const GameState&)>;
-
   HostSystem(Source& source, const HostParams& params);
   ~HostSystem() override;
   HostSystem(const HostSystem&) = delete;
   HostSystem& operator=(const HostSystem&) = delete;
 
   // From DoInit to DoDestroy; once per HostSystem.
-  Expected<RunSummary> run(const openr::ObjectStub& object, const GameHandler& onGame);
+  Expected<RunSummary> run(const openr::ObjectStub& object, const Network& network);
 
   void post(const OServiceEntry& to, const openr::Message& message) override;
   OStatus registerService(const OServiceEntry& entry, const char* name) override;
@@ -68,7 +74,7 @@ class HostSystem : public RobotPrimitives {
 
   static OID oidOf(std::size_t place) { return OID(static_cast<longword>(place + 1)); }
 
-  Status handle(const WorldEvent& event, const openr::ObjectStub& object);
+  Status handle(const WorldEvent& event, const openr::ObjectStub& object, const Network& network);
   Status boot(const openr::ObjectStub& object);
   Status shutDown();
   Status lifeCycle(LifeCycle method, OReason reason, const char* name);

@@ -9,10 +9,10 @@
 namespace kelpie::host {
 
 Expected<RunSummary> runAgent(Source& source, agent::Loops& loops, const HostParams& params,
-                              const std::function<void(const GameState&)>& onGame) {
+                              const Network& network) {
   const auto agent = std::make_unique<agent::Agent>(loops);  // holds an image: not on the stack
   HostSystem system(source, params);
-  return system.run(agentStub(*agent), onGame);
+  return system.run(agentStub(*agent), network);
 }
 
 }  // namespace kelpie::host

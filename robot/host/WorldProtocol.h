@@ -12,6 +12,7 @@
 #include "robot/core/FixedVector.h"
 #include "robot/core/FrameInput.h"
 #include "robot/core/Motion.h"
+#include "robot/core/Radio.h"
 
 namespace kelpie::host {
 
@@ -48,6 +49,7 @@ struct WorldStep {
   bool imagePresent = false;      // an image message follows; its exposure ended at `time`
   GameState game;
   double batteryCurrent = 0.0;  // mA
+  RadioPackets packets;         // heard since the last step
 
   static constexpr auto fields() {
     return fieldList(
@@ -55,7 +57,8 @@ struct WorldStep {
         field("firstTick", &WorldStep::firstTick), field("sensors", &WorldStep::sensors),
         field("vectorsDone", &WorldStep::vectorsDone),
         field("imagePresent", &WorldStep::imagePresent), field("game", &WorldStep::game),
-        field("batteryCurrent", &WorldStep::batteryCurrent, "mA", 0, 2e4));
+        field("batteryCurrent", &WorldStep::batteryCurrent, "mA", 0, 2e4),
+        field("packets", &WorldStep::packets));
   }
 };
 
@@ -83,12 +86,13 @@ struct AgentReply {
   std::uint32_t gains = 0;  // bit i: the gain of joint i is enabled
   double legGain = 1.0;     // proportional gain of the leg joints over the standard one, their mean
   FixedVector<EffectorVector, 4> vectors;
+  RadioPacket packet;  // sent meanwhile; empty: none
 
   static constexpr auto fields() {
     return fieldList(field("motorPower", &AgentReply::motorPower),
                      field("gains", &AgentReply::gains),
                      field("legGain", &AgentReply::legGain, "", 0.05, 10),
-                     field("vectors", &AgentReply::vectors));
+                     field("vectors", &AgentReply::vectors), field("packet", &AgentReply::packet));
   }
 };
 

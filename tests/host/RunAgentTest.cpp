@@ -200,10 +200,12 @@ TEST(RunAgentTest, GameStateComesBeforeTheSensorsOfItsStep) {
   FakeLoops loops;
   std::vector<std::size_t> inputsBefore;
   int score = -1;
-  ASSERT_TRUE(runAgent(source, loops, quiet(), [&](const GameState& game) {
+  Network network;
+  network.game = [&](const GameState& game) {
     inputsBefore.push_back(loops.inputs.size());
     score = game.ownScore;
-  }));
+  };
+  ASSERT_TRUE(runAgent(source, loops, quiet(), network));
   EXPECT_EQ((std::vector<std::size_t>{0, 1}), inputsBefore);
   EXPECT_EQ(3, score);
 }

@@ -8,6 +8,9 @@ FORWARD, GOALIE, GOALIE_2004, CHALLENGER, ONE_SKILL = range(5)
 KICKS_BY_RULES, KICKS_BY_MAP = range(2)
 AIMING_BY_SIGHT, AIMING_BY_POSE = range(2)
 SEARCH_BY_CHAIN, SEARCH_BY_SPIN = range(2)
+POSITIONS_BY_TREE, POSITIONS_BY_REGRESSION = range(2)
+NO_ROLE, ATTACKER, SUPPORTER, STRIKER, DEFENDER, KEEPER = range(6)
+GRABS_NOT, GRABS_SOON, HOLDS = range(3)
 LAYER_PLAYER, LAYER_ROLE, LAYER_DECISION, LAYER_SKILL = range(4)
 NO_MOTION, STAND, SIT, KICK_FORWARD, HARD_FORWARD, WEDGE, HEAD_SWIPE_LEFT, \
     HEAD_SWIPE_RIGHT, UPENN_LEFT, UPENN_RIGHT, BLOCK, BLOCK_LEFT, BLOCK_RIGHT, GRAB, \
@@ -124,6 +127,44 @@ class EarRequest:
         self.right_up = right_up
 
 
+class Point2:
+    __slots__ = (
+        'x',
+        'y',
+    )
+
+    def __init__(self, *,
+                 x=0.0,
+                 y=0.0):
+        self.x = x
+        self.y = y
+
+
+class TeamNote:
+    __slots__ = (
+        'role',
+        'time_to_ball',
+        'grabs',
+        'wants',
+        'wanted',
+        'pass_to',
+    )
+
+    def __init__(self, *,
+                 role=0,
+                 time_to_ball=1000.0,
+                 grabs=0,
+                 wants=False,
+                 wanted=ANEW,
+                 pass_to=0):
+        self.role = role
+        self.time_to_ball = time_to_ball
+        self.grabs = grabs
+        self.wants = wants
+        self.wanted = Point2() if wanted is ANEW else wanted
+        self.pass_to = pass_to
+
+
 class Command:
     __slots__ = (
         'walk',
@@ -135,6 +176,7 @@ class Command:
         'leds',
         'localise',
         'pinks',
+        'team',
         'trace',
     )
 
@@ -148,6 +190,7 @@ class Command:
                  leds=0,
                  localise=False,
                  pinks=0,
+                 team=ANEW,
                  trace=ANEW):
         self.walk = WalkRequest() if walk is ANEW else walk
         self.head = HeadRequest() if head is ANEW else head
@@ -158,6 +201,7 @@ class Command:
         self.leds = leds
         self.localise = localise
         self.pinks = pinks
+        self.team = TeamNote() if team is ANEW else team
         self.trace = [] if trace is ANEW else trace
 
 
@@ -336,6 +380,9 @@ class GameState:
         'penalised',
         'own_score',
         'opponent_score',
+        'kick_off',
+        'first_half',
+        'seconds_left',
     )
 
     def __init__(self, *,
@@ -344,13 +391,19 @@ class GameState:
                  player=1,
                  penalised=False,
                  own_score=0,
-                 opponent_score=0):
+                 opponent_score=0,
+                 kick_off=False,
+                 first_half=True,
+                 seconds_left=0.0):
         self.state = state
         self.team = team
         self.player = player
         self.penalised = penalised
         self.own_score = own_score
         self.opponent_score = opponent_score
+        self.kick_off = kick_off
+        self.first_half = first_half
+        self.seconds_left = seconds_left
 
 
 class ElevationError:
@@ -551,19 +604,6 @@ class PinkPercept:
         self.distance_variance = distance_variance
         self.heading_variance_deg2 = heading_variance_deg2
         self.box = PixelBox() if box is ANEW else box
-
-
-class Point2:
-    __slots__ = (
-        'x',
-        'y',
-    )
-
-    def __init__(self, *,
-                 x=0.0,
-                 y=0.0):
-        self.x = x
-        self.y = y
 
 
 class ObstaclePoint:
@@ -827,26 +867,29 @@ class OpponentEstimate:
 class TeammateEstimate:
     __slots__ = (
         'player',
-        'role',
+        'note',
         'pose',
         'position_sd',
         'heading_sd_deg',
         'seconds_since_heard',
+        'seconds_since_ball',
     )
 
     def __init__(self, *,
                  player=1,
-                 role=0,
+                 note=ANEW,
                  pose=ANEW,
                  position_sd=0.0,
                  heading_sd_deg=0.0,
-                 seconds_since_heard=0.0):
+                 seconds_since_heard=0.0,
+                 seconds_since_ball=0.0):
         self.player = player
-        self.role = role
+        self.note = TeamNote() if note is ANEW else note
         self.pose = Pose2() if pose is ANEW else pose
         self.position_sd = position_sd
         self.heading_sd_deg = heading_sd_deg
         self.seconds_since_heard = seconds_since_heard
+        self.seconds_since_ball = seconds_since_ball
 
 
 class ObstacleCell:
@@ -888,6 +931,11 @@ class Task:
         'search',
         'dodge',
         'intercept',
+        'positions',
+        'passing',
+        'distributed_find',
+        'bird_of_prey',
+        'score_aware',
         'skill',
     )
 
@@ -900,6 +948,11 @@ class Task:
                  search=0,
                  dodge=True,
                  intercept=True,
+                 positions=0,
+                 passing=False,
+                 distributed_find=True,
+                 bird_of_prey=True,
+                 score_aware=False,
                  skill=0):
         self.player = player
         self.points = [0.0] * 10 if points is ANEW else points
@@ -909,6 +962,11 @@ class Task:
         self.search = search
         self.dodge = dodge
         self.intercept = intercept
+        self.positions = positions
+        self.passing = passing
+        self.distributed_find = distributed_find
+        self.bird_of_prey = bird_of_prey
+        self.score_aware = score_aware
         self.skill = skill
 
 

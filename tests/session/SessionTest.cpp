@@ -30,8 +30,7 @@ SessionOptions withOpponent() {
   options.physical = false;
   options.params = {"own.toml"};
   options.set = {"behaviour.task.grab=false"};
-  options.opponents = {
-      {"blue", 2, "scripts", {"a.toml", "b.toml"}, {"behaviour.task.player=1"}, 9}};
+  options.others = {{"blue", 2, "scripts", {"a.toml", "b.toml"}, {"behaviour.task.player=1"}, 9}};
   return options;
 }
 
@@ -45,7 +44,7 @@ TEST(Session, AnOpponentIsItsOwnAgentOnTheMatchsFieldWithoutLogOrStatus) {
   const Workshop workshop;
   SessionOptions options = withOpponent();
   options.log = "match.mcap";
-  const Words argv = opponentCommand(options, options.opponents[0], workshop);
+  const Words argv = otherCommand(options, options.others[0], workshop);
   EXPECT_EQ(valuesOf(argv, "--team"), Words{"blue"});
   EXPECT_EQ(valuesOf(argv, "--player"), Words{"2"});
   EXPECT_EQ(valuesOf(argv, "--pycode"), Words{"scripts"});

@@ -14,6 +14,7 @@
 #include "tools/cli/StagingOptions.h"
 #include "tools/cli/WholeFile.h"
 #include "tools/session/Session.h"
+#include "tools/session/Teams.h"
 
 namespace kelpie::cli {
 namespace {
@@ -28,7 +29,10 @@ struct PlayOptions {
   std::string out = "out";
   std::string images = "some";
   std::string opponent = "none";
+  std::string robots;     // "4v4"; empty: the one robot, and its opponent
+  std::string red, blue;  // folders of the teams
   sim::StagingWords staging;
+  double minutes = 10.0;
   bool noFilm = false;
 
   std::string file(const char* name) const { return out + "/" + name; }
@@ -39,6 +43,12 @@ std::string listOf(const std::vector<double>& seconds) {
   std::string text;
   for (const double t : seconds) text += fmt::format("{}{:.1f}", text.empty() ? "" : ", ", t);
   return text;
+}
+
+std::string score(const PlayOptions& options, const SessionResult& result) {
+  const bool red = options.session.team == "red";
+  const std::size_t own = result.goals.size(), other = result.ownGoals.size();
+  return fmt::format("red {} : {} blue", red ? own : other, red ? other : own);
 }
 
 std::string outcome(const SessionResult& result) {
@@ -105,12 +115,25 @@ void addOpponent(PlayOptions& options) {
   if (options.opponent == "none") return;
   const PlayerKind kind =
       options.opponent == "goalie" ? PlayerKind::goalie : PlayerKind::goalie2004;
-  Opponent keeper;
+  OtherRobot keeper;
   keeper.team = options.session.team == "red" ? "blue" : "red";
   keeper.pycode = options.session.pycode;
   keeper.set = {fmt::format("behaviour.task.player={}", static_cast<int>(kind))};
   keeper.seed = options.session.seed;
-  options.session.opponents = {keeper};
+  options.session.others = {keeper};
+}
+
+Status addTeams(PlayOptions& options) {
+  if (options.robots.empty() && options.red.empty() && options.blue.empty()) return Done{};
+  auto plan = teamPlan(options.robots.empty() ? "4v4" : options.robots);
+  if (!plan) return Error{plan.error()};
+  plan->redFolder = options.red;
+  plan->blueFolder = options.blue;
+  return useTeams(*plan, options.session);
+}
+
+host::AgentHello helloOf(const std::string& team, int player) {
+  return {team == "red" ? TeamColour::red : TeamColour::blue, static_cast<std::uint8_t>(player)};
 }
 
 // The world would refuse the same, but only after the start.
@@ -119,10 +142,9 @@ Status stage(PlayOptions& options) {
   const auto staging = sim::stagingFrom(options.staging);
   if (!staging) return Error{staging.error()};
   session.staging = *staging;
-  const bool both = !session.opponents.empty();
-  std::vector<host::AgentHello> robots;
-  if (both || session.team == "red") robots.push_back({TeamColour::red, 1});
-  if (both || session.team == "blue") robots.push_back({TeamColour::blue, 1});
+  std::vector<host::AgentHello> robots = {helloOf(session.team, session.player)};
+  for (const OtherRobot& other : session.others)
+    robots.push_back(helloOf(other.team, other.player));
   const auto setup = sim::stagedScenario(session.scenario, *body::fieldDescription(session.field),
                                          robots, session.seed, session.staging);
   return setup ? Status(Done{}) : Status(Error{setup.error()});
@@ -169,13 +191,16 @@ void removeParts(const PlayOptions& options) {
 int exitCode(const PlayOptions& options, const SessionResult& result) {
   if (result.interrupted && options.session.realTime) return kExitDone;
   if (result.interrupted) return fail("interrupted", kExitCheckFailed);
-  return result.goals.empty() ? kExitCheckFailed : kExitDone;
+  const bool match = options.session.rules;  // which is over when it is over
+  return result.goals.empty() && !match ? kExitCheckFailed : kExitDone;
 }
 
 int play(PlayOptions& options) {
   const Status checked = checkConfig(options.session);
   if (!checked) return fail(checked.error(), kExitBadInput);
   addOpponent(options);
+  const Status teams = addTeams(options);
+  if (!teams) return fail(teams.error(), kExitBadInput);
   const Status staged = stage(options);
   if (!staged) return fail(staged.error(), kExitBadInput);
   catchInterrupts();
@@ -197,8 +222,9 @@ int play(PlayOptions& options) {
   const int pictures = makePictures(options);
   if (pictures != kExitDone) return pictures;
   nameFiles(options, result.seconds);
-  fmt::print("{} (seed {}, {:.1f} simulated seconds in {:.1f} s)\n", outcome(result),
-             options.session.seed, result.seconds, took.count());
+  fmt::print("{} (seed {}, {:.1f} simulated seconds in {:.1f} s)\n",
+             options.session.rules ? score(options, result) : outcome(result), options.session.seed,
+             result.seconds, took.count());
   return exitCode(options, result);
 }
 
@@ -266,10 +292,21 @@ void addPlay(CLI::App& app, int& code) {
   command->add_flag("--real-time", session.realTime,
                     "No faster than a clock, and until Ctrl-C unless --seconds or --goals say "
                     "otherwise: for editing pycode/ while it plays");
+  auto* teams = command->add_option("--robots", options->robots,
+                                    "Teams that play by the rules from a kick-off, as 4v4");
+  command->add_option("--red", options->red, "The red team's folder: main.py, team.toml or both")
+      ->check(CLI::ExistingPath);
+  command->add_option("--blue", options->blue, "The blue team's folder")->check(CLI::ExistingPath);
+  auto* minutes = command->add_option("--minutes", options->minutes, "The same as 60 --seconds")
+                      ->check(inRange(0.1, kLongestMatch / 60.0))
+                      ->excludes(seconds);
   command->add_flag("--no-film", options->noFilm, "Leave out match.mp4");
   command->callback([=, &code] {
     if (options->session.realTime && seconds->count() == 0)
       options->session.seconds = kLongestMatch;
+    const bool match = teams->count() + command->count("--red") + command->count("--blue") > 0;
+    if (minutes->count() > 0) options->session.seconds = 60.0 * options->minutes;
+    if (match && goals->count() == 0) options->session.goals = kMaxGoals;
     if (options->opponent != "none" && scenario->count() == 0) options->session.scenario = "attack";
     if (options->session.realTime && goals->count() == 0) options->session.goals = kMaxGoals;
     code = play(*options);

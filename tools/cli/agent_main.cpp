@@ -83,10 +83,14 @@ Status runFrom(host::Source& source, const AgentOptions& options, const host::Dr
   host::HostParams params;
   params.dropRate = options.dropRate;
   params.seed = options.seed;
-  const auto summary = host::runAgent(source, loops, params, [&](const GameState& game) {
+  host::Network network;
+  network.game = [&](const GameState& game) {
     loops.setGame(game);
     if (driver != nullptr) loops.setDrive(driver->drive());
-  });
+  };
+  network.heard = [&](const RadioPacket& packet, TimeUs now) { loops.hear(packet, now); };
+  network.sends = [&](RadioPacket& packet) { return loops.takePacket(packet); };
+  const auto summary = host::runAgent(source, loops, params, network);
   if (!summary) return Error{summary.error()};
   return Done{};
 }

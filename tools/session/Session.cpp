@@ -16,7 +16,7 @@
 #include "tools/cli/Logs.h"
 #include "tools/cli/Process.h"
 #include "tools/cli/Workshop.h"
-#include "tools/session/Opponents.h"
+#include "tools/session/Others.h"
 #include "tools/session/SessionCommands.h"
 
 namespace kelpie::cli {
@@ -97,14 +97,14 @@ struct Ends {
   int world = 0;
   bool worldAlive = true;  // when the agent had ended
   bool stuck = false;      // the agent had to be killed
-  bool opponent = false;   // one of them ended in trouble of its own
+  bool other = false;      // another robot ended in trouble of its own
 };
 
 // The processes of a match, and what they said.
 struct Crew {
   Process& world;
   Process& agent;
-  Opponents& opponents;
+  Others& others;
   WorldTalk worldSaid;
   AgentTalk agentSaid;
 };
@@ -138,15 +138,15 @@ void hearAll(int milliseconds, const SessionTalk& talk, Crew& crew) {
   std::string line;
   if (crew.agent.readLine(line, milliseconds)) crew.agentSaid.hear(line, talk);
   while (crew.world.readLine(line, 0)) crew.worldSaid.hear(line, talk);
-  crew.opponents.hear([&](const std::string& said) { tell(said, talk); });
+  crew.others.hear([&](const std::string& said) { tell(said, talk); });
 }
 
-// An opponent that ends in trouble takes the match with it: the world may still wait for it. One
+// Another robot that ends in trouble takes the match with it: the world may still wait for it. One
 // that gives up while the world ends has lost that world only.
-void watchOpponents(Crew& crew, Ends& ends) {
-  if (ends.opponent || !crew.opponents.failed()) return;
-  if (crew.opponents.gaveUp() && endsSoon(crew.world)) return;
-  ends.opponent = true;
+void watchOthers(Crew& crew, Ends& ends) {
+  if (ends.other || !crew.others.failed()) return;
+  if (crew.others.gaveUp() && endsSoon(crew.world)) return;
+  ends.other = true;
   crew.world.terminate();
 }
 
@@ -158,7 +158,7 @@ Ends waitForAll(const SessionTalk& talk, Crew& crew) {
   Patience patience;
   while (!crew.agent.ended()) {
     hearAll(50, talk, crew);
-    watchOpponents(crew, ends);
+    watchOthers(crew, ends);
     if (!asked && (interrupted() || (talk.over && talk.over()))) {
       asked = true;
       crew.world.terminate();  // it ends the match, and with it the agents
@@ -166,11 +166,11 @@ Ends waitForAll(const SessionTalk& talk, Crew& crew) {
     if ((asked || crew.world.ended()) && !ends.stuck && patience.ended()) {
       ends.stuck = true;
       crew.agent.kill();
-      crew.opponents.kill();
+      crew.others.kill();
     }
   }
   ends.agent = crew.agent.wait();
-  if (ends.agent == 1) watchOpponents(crew, ends);
+  if (ends.agent == 1) watchOthers(crew, ends);
   ends.worldAlive = ends.agent == 1 ? !endsSoon(crew.world) : !crew.world.ended();
   if (ends.worldAlive && ends.agent != 0) crew.world.terminate();
   ends.world = crew.world.wait();
@@ -185,7 +185,7 @@ std::string troubleOf(const Ends& ends, const Crew& crew) {
   const std::string when = "; last: " + crew.agentSaid.when();
   if (!ends.worldAlive && ends.world >= 128)
     return fmt::format("the world died (signal {})", ends.world - 128) + when;
-  if (ends.opponent) return crew.opponents.trouble() + when;
+  if (ends.other) return crew.others.trouble() + when;
   if (ends.stuck)
     return "the agent did not answer and was killed (a script in a long call?)" + when;
   if (ends.agent >= 128) return fmt::format("the agent died (signal {})", ends.agent - 128) + when;
@@ -203,7 +203,7 @@ void watch(const SessionTalk& talk, Crew& crew, SessionResult& result) {
   result.interrupted = interrupted();
   if (result.interrupted && !result.trouble.empty())
     result.trouble = "interrupted; last: " + crew.agentSaid.when();
-  result.badInput = ends.agent == 2 || (ends.opponent && crew.opponents.badInput());
+  result.badInput = ends.agent == 2 || (ends.other && crew.others.badInput());
 }
 
 void keepLog(const SessionOptions& options, const Workshop& workshop, SessionResult& result) {
@@ -220,13 +220,13 @@ void play(const SessionOptions& options, const SessionTalk& talk, const Workshop
           SessionResult& result) {
   auto world = Process::start(worldCommand(options, workshop), true);
   auto agent = Process::start(agentCommand(options, workshop), true);
-  auto opponents = Opponents::start(options, workshop);
-  if (!world || !agent || !opponents) {
-    result.trouble = !world ? world.error() : !agent ? agent.error() : opponents.error();
+  auto others = Others::start(options, workshop);
+  if (!world || !agent || !others) {
+    result.trouble = !world ? world.error() : !agent ? agent.error() : others.error();
     return;
   }
   const bool blue = options.team == "blue";
-  Crew crew{*world, *agent, *opponents, {blue, {}}, {}};
+  Crew crew{*world, *agent, *others, {blue, {}}, {}};
   watch(talk, crew, result);
   keepLog(options, workshop, result);
   if (!result.trouble.empty()) return;

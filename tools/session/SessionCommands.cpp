@@ -52,7 +52,7 @@ Words worldCommand(const SessionOptions& options, const Workshop& workshop) {
                 "--socket",
                 workshop.path("world"),
                 "--robots",
-                std::to_string(1 + options.opponents.size()),
+                std::to_string(1 + options.others.size()),
                 "--seed",
                 std::to_string(options.seed),
                 "--field",
@@ -67,6 +67,7 @@ Words worldCommand(const SessionOptions& options, const Workshop& workshop) {
                 workshop.path("result.json"),
                 "--tell-goals",
                 options.physical ? "--physical" : "--fast"};
+  if (options.rules) argv.push_back("--rules");
   if (options.realTime) argv.push_back("--real-time");
   if (options.keepsLog()) argv.insert(argv.end(), {"--truth", workshop.path("world.mcap")});
   for (const auto& artefact : options.artefactsOff) argv.push_back("--no-" + artefact);
@@ -77,7 +78,7 @@ Words worldCommand(const SessionOptions& options, const Workshop& workshop) {
 
 Words agentCommand(const SessionOptions& options, const Workshop& workshop) {
   Words argv = anyAgent(options, options.team, options.seed, workshop);
-  argv.push_back("--status");
+  argv.insert(argv.end(), {"--player", std::to_string(options.player), "--status"});
   // Plain: it is compressed when it is joined with the world's.
   if (options.keepsLog())
     argv.insert(argv.end(), {"--plain-log", "--log", workshop.path("agent.mcap")});
@@ -90,13 +91,14 @@ Words agentCommand(const SessionOptions& options, const Workshop& workshop) {
   return argv;
 }
 
-Words opponentCommand(const SessionOptions& options, const Opponent& opponent,
-                      const Workshop& workshop) {
-  Words argv = anyAgent(options, opponent.team, opponent.seed, workshop);
-  argv.insert(argv.end(), {"--player", std::to_string(opponent.player)});
-  addUnlessEmpty("--pycode", opponent.pycode, argv);
-  addEach("--params", opponent.params, argv);
-  addEach("--set", opponent.set, argv);
+Words otherCommand(const SessionOptions& options, const OtherRobot& robot,
+                   const Workshop& workshop) {
+  Words argv = anyAgent(options, robot.team, robot.seed, workshop);
+  argv.insert(argv.end(), {"--player", std::to_string(robot.player)});
+  if (!robot.log.empty()) argv.insert(argv.end(), {"--no-images", "--log", robot.log});
+  addUnlessEmpty("--pycode", robot.pycode, argv);
+  addEach("--params", robot.params, argv);
+  addEach("--set", robot.set, argv);
   return argv;
 }
 

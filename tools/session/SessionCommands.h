@@ -10,7 +10,7 @@ namespace kelpie::cli {
 std::vector<std::string> worldCommand(const SessionOptions& options, const Workshop& workshop);
 // Of the robot that is watched.
 std::vector<std::string> agentCommand(const SessionOptions& options, const Workshop& workshop);
-std::vector<std::string> opponentCommand(const SessionOptions& options, const Opponent& opponent,
-                                         const Workshop& workshop);
+std::vector<std::string> otherCommand(const SessionOptions& options, const OtherRobot& robot,
+                                      const Workshop& workshop);
 
 }  // namespace kelpie::cli

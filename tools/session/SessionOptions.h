@@ -12,15 +12,16 @@
 
 namespace kelpie::cli {
 
-// Another robot of the match; nobody hears what it believes. Field, body and the way of its images
-// are the match's.
-struct Opponent {
+// Another robot of the match, mate or opponent; nobody hears what it believes. Field, body and the
+// way of its images are the match's.
+struct OtherRobot {
   std::string team = "blue";
   int player = 1;
   std::string pycode;               // as in SessionOptions
   std::vector<std::string> params;  // so
   std::vector<std::string> set;     // so
   std::uint64_t seed = 1;           // of its losses
+  std::string log;                  // where its log goes, without images; empty: none is kept
 };
 
 struct SessionOptions {
@@ -28,7 +29,9 @@ struct SessionOptions {
   double seconds = 60.0;
   int goals = 1;
   std::string field = "2006";
-  std::string team = "red";
+  std::string team = "red";  // of the robot that is watched,
+  int player = 1;            // its number
+  bool rules = false;        // a referee who knows more than goals and balls out
   std::string scenario = "empty-goal";
   double dropRate = 0.0;
   std::string pycode;               // folder or zip; empty: the one of the source tree
@@ -43,7 +46,7 @@ struct SessionOptions {
   bool allImages = false;  // the log keeps every image (Logs.h)
   bool realTime = false;   // no faster than a clock
   std::string driver;      // socket of who drives the robot; empty: the behaviours play
-  std::vector<Opponent> opponents;
+  std::vector<OtherRobot> others;
   sim::Staging staging;     // places and throws beside the scenario's
   bool keepFrames = false;  // without `log`: SessionTalk::frames is told of frames without images
 

@@ -15,6 +15,15 @@ constexpr std::int64_t kMessageUs = kTickUs * kTicksPerMessage;
 
 std::string titleOf(const host::AgentHello& hello) { return "agent " + nameOf(hello); }
 
+// Its number, or agents.size().
+std::size_t placeOf(const host::AgentHello& hello, const std::vector<Agent>& agents) {
+  const auto same = [&](const Agent& a) {
+    return a.hello.team == hello.team && a.hello.player == hello.player;
+  };
+  return static_cast<std::size_t>(std::find_if(agents.begin(), agents.end(), same) -
+                                  agents.begin());
+}
+
 bool before(const Agent& a, const Agent& b) {
   return a.hello.team != b.hello.team ? a.hello.team < b.hello.team
                                       : a.hello.player < b.hello.player;
@@ -22,28 +31,30 @@ bool before(const Agent& a, const Agent& b) {
 
 }  // namespace
 
+Expected<Agent> nextAgent(host::Listener& listener, double seconds) {
+  host::ConnectionParams params;
+  params.peer = "the agent";
+  auto connection = listener.accept(seconds, params);
+  if (!connection) return Error{connection.error()};
+  std::vector<std::uint8_t> body;
+  const Status got = connection->receive(host::MessageType::hello, body);
+  if (!got) return Error{got.error()};
+  host::AgentHello hello;
+  std::string why;
+  if (!decode(body.data(), body.size(), hello) || !verify(hello, &why))
+    return Error{"an agent's hello does not say a team and a player 1 to 4"};
+  return Agent{std::move(*connection), hello};
+}
+
 Expected<std::vector<Agent>> gatherAgents(host::Listener& listener, std::size_t count,
                                           double seconds) {
   std::vector<Agent> agents;
-  std::vector<std::uint8_t> body;
-  host::ConnectionParams params;
-  params.peer = "the agent";
   while (agents.size() < count) {
-    auto connection = listener.accept(seconds, params);
-    if (!connection) return Error{connection.error()};
-    const Status got = connection->receive(host::MessageType::hello, body);
-    if (!got) return Error{got.error()};
-    host::AgentHello hello;
-    std::string why;
-    if (!decode(body.data(), body.size(), hello) || !verify(hello, &why)) {
-      return Error{"an agent's hello does not say a team and a player 1 to 4"};
-    }
-    for (const Agent& other : agents) {
-      if (other.hello.team == hello.team && other.hello.player == hello.player) {
-        return Error{titleOf(hello) + " is there twice"};
-      }
-    }
-    agents.push_back({std::move(*connection), hello});
+    auto agent = nextAgent(listener, seconds);
+    if (!agent) return Error{agent.error()};
+    if (placeOf(agent->hello, agents) < agents.size())
+      return Error{titleOf(agent->hello) + " is there twice"};
+    agents.push_back(std::move(*agent));
   }
   std::sort(agents.begin(), agents.end(), before);
   return agents;
@@ -85,6 +96,7 @@ void Server::prepare(Step step) {
       out.vectorsDone = world_.bodies().takeVectorsDone(i);
     }
     out.game = world_.gameFor(i);
+    out.packets = world_.takePackets(i);
     encode(out, step.messages.emplace_back());
   }
   if (step.image) exposed_ = world_.past();
@@ -111,6 +123,7 @@ Status Server::moveAhead() {
 }
 
 Status Server::sendTo(std::size_t robot, const Step& step) {
+  if (!agents_[robot].present) return Done{};
   host::Connection& connection = agents_[robot].connection;
   const Status sent = connection.send(host::MessageType::step, step.messages[robot]);
   if (!sent || !step.image) return sent;
@@ -135,16 +148,38 @@ Status Server::takeReply(std::size_t robot) {
   std::string why;
   if (!verify(reply, &why)) return Error{"its reply is refused: " + why};
   world_.bodies().command(robot, reply);
+  if (!reply.packet.bytes.empty()) world_.send(robot, reply.packet);
   return Done{};
 }
 
 Status Server::takeReplies() {
   for (std::size_t i = 0; i < agents_.size(); ++i) {
+    if (!agents_[i].present) continue;
     const Status& sent = outboxes_[i]->sent;
     const Status got = sent ? takeReply(i) : sent;
-    if (!got) return Error{nameOf(i) + ": " + got.error()};
+    const Status borne = got ? got : lose(i, got.error());
+    if (!borne) return borne;
   }
   return Done{};
+}
+
+Status Server::lose(std::size_t robot, const std::string& why) {
+  const std::string line = nameOf(robot) + ": " + why;
+  if (!hooks_.arrival) return Error{line};
+  agents_[robot].present = false;
+  if (hooks_.tell) hooks_.tell(line);
+  return Done{};
+}
+
+// Whoever comes takes the place of one who is gone; anybody else is sent away.
+void Server::welcome() {
+  while (auto agent = hooks_.arrival()) {
+    const std::size_t robot = placeOf(agent->hello, agents_);
+    if (robot == agents_.size() || agents_[robot].present) continue;
+    agents_[robot] = std::move(*agent);
+    world_.bodies().takeVectorsDone(robot);  // those of the agent before
+    if (hooks_.tell) hooks_.tell(nameOf(robot) + " is there again");
+  }
 }
 
 void Server::writeTruth(TimeUs now, bool image) {
@@ -166,6 +201,7 @@ void Server::sayGoodbye(std::uint8_t reason) {
 Status Server::playOn() {
   over_ = world_.finished();
   while (!over_ && !(hooks_.stopped && hooks_.stopped())) {
+    if (hooks_.arrival) welcome();
     const Status moved = moveTo(nextStep().now);
     if (!moved) return moved;
     prepare(nextStep());

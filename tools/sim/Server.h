@@ -22,7 +22,11 @@ namespace kelpie::sim {
 struct Agent {
   host::Connection connection;
   host::AgentHello hello;
+  bool present = true;
 };
+
+// The next agent that comes to an open socket within that time.
+Expected<Agent> nextAgent(host::Listener& listener, double seconds);
 
 // Waits for `count` agents at an open socket and sorts them by team and number.
 Expected<std::vector<Agent>> gatherAgents(host::Listener& listener, std::size_t count,
@@ -33,6 +37,10 @@ struct ServerHooks {
   std::function<void(const MatchEvent&)> onEvent;
   std::function<void(TimeUs now)> beforeStep;  // may wait
   std::function<bool()> stopped;               // ends the match before its time
+  // Who has come since the last call, if somebody has. With it an agent that dies does not end the
+  // match: its robot stands until an agent of that name is there again.
+  std::function<std::optional<Agent>()> arrival;
+  std::function<void(const std::string&)> tell;  // of who is gone, or is there again
 };
 
 class Server {
@@ -40,7 +48,8 @@ class Server {
   // `log` may be null. World and log must outlive the server.
   Server(World& world, std::vector<Agent>& agents, LogWriter* log, ServerHooks hooks = {});
 
-  // Plays to the end. An agent that dies or talks nonsense ends the match with one line.
+  // Plays to the end. An agent that dies or talks nonsense ends the match with one line, unless
+  // there is a hook for arrivals.
   Status run();
 
  private:
@@ -59,6 +68,8 @@ class Server {
   Status sendTo(std::size_t robot, const Step& step);
   Status takeReplies();
   Status takeReply(std::size_t robot);
+  Status lose(std::size_t robot, const std::string& why);
+  void welcome();
   Status playOn();
   void writeTruth(TimeUs now, bool image);
   void sayGoodbye(std::uint8_t reason);

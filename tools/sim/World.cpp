@@ -29,7 +29,8 @@ World::World(const WorldParams& params, const body::FieldDescription& field, con
       obstacles_(obstaclesOf(field)),
       players_(setup.players),
       throws_(setup.throws),
-      referee_(params.referee, field) {
+      referee_(params.referee, field),
+      radio_(params.radio, setup.players.size(), partSeed(seed, 3)) {
   const std::uint64_t crowd = params.spectators ? partSeed(seed, 1) | 1U : 0;
   const Scene scene = fieldScene(field, crowd, unlike_.venue);
   const SharedTables tables = makeRandomTables();
@@ -209,6 +210,12 @@ void World::render(std::size_t robot, const Past& past, TimeUs end, Image& image
   setRobots(eye.scene, others, params_.shine);
   if (params_.ownLegs) eye.scene.own = frontLegs(past.place(robot, middle));
   eye.camera.render(eye.scene, cameras(robot, past, end), eye.random, image);
+}
+
+void World::send(std::size_t robot, const RadioPacket& packet) {
+  std::vector<Point2<Field>> places;
+  for (std::size_t i = 0; i < robotCount(); ++i) places.push_back(bodies_->place(i).pose.position);
+  radio_.send(robot, packet, time(), places);
 }
 
 GameState World::gameFor(std::size_t robot) const {

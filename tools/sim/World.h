@@ -18,6 +18,7 @@
 #include "tools/sim/Camera.h"
 #include "tools/sim/OuterWall.h"
 #include "tools/sim/Past.h"
+#include "tools/sim/Radio.h"
 #include "tools/sim/Referee.h"
 #include "tools/sim/RobotModel.h"
 #include "tools/sim/Sensors.h"
@@ -37,6 +38,7 @@ struct WorldParams {
   BallParams ball;
   SensorParams sensors;
   RefereeParams referee;
+  RadioParams radio;
   ShineParams shine;
   UnlikeParams unlike;     // no field of the list below: its truth has a topic of its own
   bool rolling = true;     // each image column is exposed at its own time
@@ -45,12 +47,12 @@ struct WorldParams {
 
   static constexpr auto fields() {
     using P = WorldParams;
-    return fieldList(field("camera", &P::camera), field("fast", &P::fast),
-                     field("robot", &P::robot), field("physics", &P::physics),
-                     field("physicalSensors", &P::physicalSensors), field("ball", &P::ball),
-                     field("sensors", &P::sensors), field("referee", &P::referee),
-                     field("shine", &P::shine), field("rolling", &P::rolling),
-                     field("spectators", &P::spectators), field("ownLegs", &P::ownLegs));
+    return fieldList(
+        field("camera", &P::camera), field("fast", &P::fast), field("robot", &P::robot),
+        field("physics", &P::physics), field("physicalSensors", &P::physicalSensors),
+        field("ball", &P::ball), field("sensors", &P::sensors), field("referee", &P::referee),
+        field("radio", &P::radio), field("shine", &P::shine), field("rolling", &P::rolling),
+        field("spectators", &P::spectators), field("ownLegs", &P::ownLegs));
   }
 };
 
@@ -103,6 +105,10 @@ class World {
   const Past& past() const { return past_; }
   void render(std::size_t robot, const Past& past, TimeUs end, Image& image);
 
+  // A robot sends a packet to all others; those that have reached it by now.
+  void send(std::size_t robot, const RadioPacket& packet);
+  RadioPackets takePackets(std::size_t robot) { return radio_.take(robot, time()); }
+
   GameState gameFor(std::size_t robot) const;
   TruthFrame truth(TimeUs time) const;
   // What was drawn of it when it is unlike; for logs.
@@ -138,6 +144,7 @@ class World {
   std::vector<Random> sensorRandom_;
   std::vector<std::unique_ptr<Eye>> eyes_;
   Referee referee_;
+  Radio radio_;
   Past past_;
   std::uint32_t ticks_ = 0;
   std::string fault_;

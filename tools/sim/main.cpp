@@ -29,6 +29,8 @@ struct Options {
   std::string result;
   bool tellGoals = false;
   bool realTime = false;
+  bool rules = false;
+  bool respawn = false;
   double wait = 60.0;  // s for the agents to come
   bool noRing = false, noNoise = false, noShift = false, noRolling = false;
   bool noBlur = false, noSlip = false, noSpectators = false;
@@ -81,8 +83,22 @@ void tell(const MatchEvent& event) {
   std::fflush(stdout);
 }
 
-ServerHooks hooks(const Options& options) {
+void tellLine(const std::string& line) {
+  fmt::print("{}\n", line);
+  std::fflush(stdout);
+}
+
+// An agent that comes late and says no hello holds the match up for as long as a dead one does.
+std::optional<Agent> arrival(host::Listener& listener) {
+  auto agent = nextAgent(listener, 0.0);
+  if (!agent) return std::nullopt;
+  return std::move(*agent);
+}
+
+ServerHooks hooks(const Options& options, host::Listener& listener) {
   ServerHooks hooks;
+  if (options.respawn) hooks.arrival = [&listener] { return arrival(listener); };
+  hooks.tell = tellLine;
   if (options.tellGoals) hooks.onEvent = tell;
   hooks.stopped = cli::interrupted;
   if (options.realTime)
@@ -116,7 +132,8 @@ Status play(const Options& options) {
   const auto setup = stagedScenario(options.scenario, *field, hellos, options.seed, *staging);
   if (!setup) return Error{setup.error()};
   World world(worldParams(options), *field, *setup, options.seed);
-  const Status played = Server(world, *agents, log ? &*log : nullptr, hooks(options)).run();
+  const Status played =
+      Server(world, *agents, log ? &*log : nullptr, hooks(options, *listener)).run();
   if (!played) return played;
   if (log) {
     const Status closed = log->close();
@@ -142,6 +159,16 @@ void describe(CLI::App& app, Options& options) {
   app.add_option("--truth", options.truth, "log of what really happened (MCAP)");
   app.add_option("--result", options.result, "result file (JSON)");
   app.add_flag("--tell-goals", options.tellGoals, "each goal as a line on standard output");
+  app.add_flag("--rules", options.rules,
+               "a referee who knows more than goals, balls out and the end");
+  app.add_flag("--respawn", options.respawn,
+               "an agent that dies may come back; until then its robot stands");
+  app.add_option("--radio-loss", options.world.radio.loss, "share of packets that are lost")
+      ->check(cli::inRange(0.0, 1.0));
+  app.add_option("--radio-delay", options.world.radio.delay, "s under way at least")
+      ->check(cli::inRange(0.0, 10.0));
+  app.add_option("--radio-range", options.world.radio.range, "cm that a packet reaches")
+      ->check(cli::inRange(0.0, 1e5));
   app.add_flag("--real-time", options.realTime, "no faster than a clock");
   app.add_option("--wait", options.wait, "seconds until the agents must be there")
       ->check(cli::inRange(0.0, 1e5));

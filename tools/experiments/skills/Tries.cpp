@@ -27,17 +27,17 @@ Status playTries(const Request& request, const Tries& tries) {
 sim::RobotPlace placed(TeamColour team, const Pose2& pose) { return {{team, 1}, pose}; }
 
 void addKeeper(behaviour::PlayerKind player, cli::SessionOptions& session) {
-  cli::Opponent keeper;
+  cli::OtherRobot keeper;
   keeper.seed = session.seed;
   keeper.set = {"behaviour.task.player=" + std::to_string(static_cast<int>(player))};
-  session.opponents.push_back(keeper);
+  session.others.push_back(keeper);
 }
 
 void addStanding(const Pose2& pose, cli::SessionOptions& session) {
-  cli::Opponent standing;
+  cli::OtherRobot standing;
   standing.seed = session.seed;
   standing.pycode = KELPIE_SOURCE_DIR "/tools/experiments/skills/standing";
-  session.opponents.push_back(standing);
+  session.others.push_back(standing);
   session.staging.places.push_back(placed(TeamColour::blue, pose));
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tools/session/Opponents.h"
+#include "tools/session/Others.h"
 
 #include <fmt/core.h>
 
@@ -8,18 +8,20 @@
 
 namespace kelpie::cli {
 
-Expected<Opponents> Opponents::start(const SessionOptions& options, const Workshop& workshop) {
-  Opponents opponents;
-  for (const Opponent& one : options.opponents) {
-    auto process = Process::start(opponentCommand(options, one, workshop), true);
+Expected<Others> Others::start(const SessionOptions& options, const Workshop& workshop) {
+  Others others;
+  for (const OtherRobot& one : options.others) {
+    auto process = Process::start(otherCommand(options, one, workshop), true);
     if (!process) return Error{process.error()};
-    opponents.all_.push_back(
-        {fmt::format("the opponent {} {}", one.team, one.player), std::move(*process), ""});
+    others.all_.push_back(
+        {fmt::format("the {} {} {}", one.team == options.team ? "mate" : "opponent", one.team,
+                     one.player),
+         std::move(*process), ""});
   }
-  return opponents;
+  return others;
 }
 
-void Opponents::hearOne(One& one, const std::function<void(const std::string&)>& tell) {
+void Others::hearOne(One& one, const std::function<void(const std::string&)>& tell) {
   std::string line;
   while (one.process.readLine(line, 0)) {
     if (line.compare(0, kComplaintMark.size(), kComplaintMark) == 0)
@@ -29,11 +31,11 @@ void Opponents::hearOne(One& one, const std::function<void(const std::string&)>&
   }
 }
 
-void Opponents::hear(const std::function<void(const std::string&)>& tell) {
+void Others::hear(const std::function<void(const std::string&)>& tell) {
   for (One& one : all_) hearOne(one, tell);
 }
 
-bool Opponents::failed() {
+bool Others::failed() {
   for (One& one : all_) {
     if (!trouble_.empty()) break;
     if (!one.process.ended()) continue;
@@ -48,7 +50,7 @@ bool Opponents::failed() {
   return !trouble_.empty();
 }
 
-void Opponents::kill() {
+void Others::kill() {
   for (One& one : all_) one.process.kill();
 }
 

@@ -12,10 +12,10 @@
 
 namespace kelpie::cli {
 
-class Opponents {
+class Others {
  public:
   // Starts them all, or none.
-  static Expected<Opponents> start(const SessionOptions& options, const Workshop& workshop);
+  static Expected<Others> start(const SessionOptions& options, const Workshop& workshop);
 
   // Takes what they have printed; a script's error goes to the user with the robot's name.
   void hear(const std::function<void(const std::string&)>& tell);
