@@ -11,19 +11,20 @@ namespace kelpie::cli {
 Expected<Others> Others::start(const SessionOptions& options, const Workshop& workshop) {
   Others others;
   for (const OtherRobot& one : options.others) {
-    auto process = Process::start(otherCommand(options, one, workshop), true);
+    const auto command = otherCommand(options, one, workshop);
+    auto process = Process::start(command, true);
     if (!process) return Error{process.error()};
     others.all_.push_back(
         {fmt::format("the {} {} {}", one.team == options.team ? "mate" : "opponent", one.team,
                      one.player),
-         std::move(*process), ""});
+         command, std::move(*process), ""});
   }
   return others;
 }
 
 void Others::hearOne(One& one, const std::function<void(const std::string&)>& tell) {
   std::string line;
-  while (one.process.readLine(line, 0)) {
+  while (one.process->readLine(line, 0)) {
     if (line.compare(0, kComplaintMark.size(), kComplaintMark) == 0)
       one.complaint = line.substr(kComplaintMark.size());
     else
@@ -38,10 +39,11 @@ void Others::hear(const std::function<void(const std::string&)>& tell) {
 bool Others::failed() {
   for (One& one : all_) {
     if (!trouble_.empty()) break;
-    if (!one.process.ended()) continue;
+    if (!one.process->ended()) continue;
     hearOne(one, [](const std::string&) {});
-    code_ = one.process.wait();
+    code_ = one.process->wait();
     if (code_ == 0) continue;
+    failed_ = &one;
     if (code_ >= 128)
       trouble_ = fmt::format("{} died (signal {})", one.name, code_ - 128);
     else
@@ -51,7 +53,18 @@ bool Others::failed() {
 }
 
 void Others::kill() {
-  for (One& one : all_) one.process.kill();
+  for (One& one : all_) one.process->kill();
+}
+
+bool Others::revive() {
+  if (failed_ == nullptr || --failed_->lives <= 0) return false;
+  auto process = Process::start(failed_->command, true);
+  if (!process) return false;
+  failed_->process.emplace(std::move(*process));
+  failed_->complaint.clear();
+  failed_ = nullptr;
+  trouble_.clear();
+  return true;
 }
 
 }  // namespace kelpie::cli

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,9 @@
 #include "tools/session/SessionOptions.h"
 
 namespace kelpie::cli {
+
+// An agent that dies at once, again and again, is not started for ever.
+constexpr int kMostLives = 20;
 
 class Others {
  public:
@@ -26,16 +30,21 @@ class Others {
   bool badInput() const { return code_ == 2; }
   bool gaveUp() const { return code_ == 1; }  // as it does when the world is gone
   void kill();
+  // Starts the one in trouble again; false when it cannot be, or has died too often.
+  bool revive();
 
  private:
   struct One {
     std::string name;
-    Process process;
+    std::vector<std::string> command;
+    std::optional<Process> process;
     std::string complaint;
+    int lives = kMostLives;
   };
   void hearOne(One& one, const std::function<void(const std::string&)>& tell);
 
   std::vector<One> all_;
+  One* failed_ = nullptr;  // whose trouble it is
   std::string trouble_;
   int code_ = 0;  // of the one in trouble
 };

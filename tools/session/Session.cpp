@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <sstream>
 #include <string_view>
 #include <thread>
@@ -102,9 +103,12 @@ struct Ends {
 
 // The processes of a match, and what they said.
 struct Crew {
+  const SessionOptions& options;
+  const Workshop& workshop;
   Process& world;
-  Process& agent;
+  std::optional<Process>& agent;
   Others& others;
+  int life = 0;  // of the agent
   WorldTalk worldSaid;
   AgentTalk agentSaid;
 };
@@ -136,18 +140,35 @@ bool endsSoon(Process& world) {
 
 void hearAll(int milliseconds, const SessionTalk& talk, Crew& crew) {
   std::string line;
-  if (crew.agent.readLine(line, milliseconds)) crew.agentSaid.hear(line, talk);
+  if (crew.agent->readLine(line, milliseconds)) crew.agentSaid.hear(line, talk);
   while (crew.world.readLine(line, 0)) crew.worldSaid.hear(line, talk);
   crew.others.hear([&](const std::string& said) { tell(said, talk); });
 }
 
 // Another robot that ends in trouble takes the match with it: the world may still wait for it. One
 // that gives up while the world ends has lost that world only.
-void watchOthers(Crew& crew, Ends& ends) {
+void watchOthers(const SessionTalk& talk, Crew& crew, Ends& ends) {
   if (ends.other || !crew.others.failed()) return;
   if (crew.others.gaveUp() && endsSoon(crew.world)) return;
+  const std::string trouble = crew.others.trouble();
+  const bool again = crew.options.respawn && !crew.others.badInput() && !crew.world.ended();
+  if (again && crew.others.revive()) return tell(trouble + "; it is started again", talk);
   ends.other = true;
   crew.world.terminate();
+}
+
+// Starts the watched agent again if it died while the match goes on.
+bool reviveAgent(const SessionTalk& talk, Crew& crew) {
+  if (!crew.options.respawn || crew.life + 1 >= kMostLives || interrupted()) return false;
+  const int code = crew.agent->wait();
+  if (code == 0 || code == 2 || endsSoon(crew.world)) return false;
+  const auto command = agentCommand(crew.options, crew.workshop, crew.life + 1);
+  auto process = Process::start(command, true);
+  if (!process) return false;
+  ++crew.life;
+  crew.agent.emplace(std::move(*process));
+  tell(fmt::format("the agent ended with code {}; it is started again", code), talk);
+  return true;
 }
 
 // Runs until agent and world have ended. The world's death ends the agents (their sockets close);
@@ -156,26 +177,26 @@ Ends waitForAll(const SessionTalk& talk, Crew& crew) {
   Ends ends;
   bool asked = false;
   Patience patience;
-  while (!crew.agent.ended()) {
+  while (!crew.agent->ended() || reviveAgent(talk, crew)) {
     hearAll(50, talk, crew);
-    watchOthers(crew, ends);
+    watchOthers(talk, crew, ends);
     if (!asked && (interrupted() || (talk.over && talk.over()))) {
       asked = true;
       crew.world.terminate();  // it ends the match, and with it the agents
     }
     if ((asked || crew.world.ended()) && !ends.stuck && patience.ended()) {
       ends.stuck = true;
-      crew.agent.kill();
+      crew.agent->kill();
       crew.others.kill();
     }
   }
-  ends.agent = crew.agent.wait();
-  if (ends.agent == 1) watchOthers(crew, ends);
+  ends.agent = crew.agent->wait();
+  if (ends.agent == 1) watchOthers(talk, crew, ends);
   ends.worldAlive = ends.agent == 1 ? !endsSoon(crew.world) : !crew.world.ended();
   if (ends.worldAlive && ends.agent != 0) crew.world.terminate();
   ends.world = crew.world.wait();
   std::string line;
-  while (crew.agent.readLine(line, 0)) crew.agentSaid.hear(line, talk);
+  while (crew.agent->readLine(line, 0)) crew.agentSaid.hear(line, talk);
   hearAll(0, talk, crew);
   return ends;
 }
@@ -209,8 +230,9 @@ void watch(const SessionTalk& talk, Crew& crew, SessionResult& result) {
 void keepLog(const SessionOptions& options, const Workshop& workshop, SessionResult& result) {
   if (options.log.empty() || !fs::exists(workshop.path("agent.mcap")) || result.badInput) return;
   std::vector<std::string> halves;
-  for (const char* half : {"agent.mcap", "world.mcap"})
-    if (fs::exists(workshop.path(half))) halves.push_back(workshop.path(half));
+  for (int life = 0; fs::exists(agentLog(workshop, life)); ++life)
+    halves.push_back(agentLog(workshop, life));
+  if (fs::exists(workshop.path("world.mcap"))) halves.push_back(workshop.path("world.mcap"));
   const Status merged = mergeLogs(halves, options.log);
   if (!merged) result.trouble = merged.error();
   result.logged = merged.ok();
@@ -226,7 +248,8 @@ void play(const SessionOptions& options, const SessionTalk& talk, const Workshop
     return;
   }
   const bool blue = options.team == "blue";
-  Crew crew{*world, *agent, *others, {blue, {}}, {}};
+  std::optional<Process> watched(std::move(*agent));
+  Crew crew{options, workshop, *world, watched, *others, 0, {blue, {}}, {}};
   watch(talk, crew, result);
   keepLog(options, workshop, result);
   if (!result.trouble.empty()) return;

@@ -68,6 +68,7 @@ Words worldCommand(const SessionOptions& options, const Workshop& workshop) {
                 "--tell-goals",
                 options.physical ? "--physical" : "--fast"};
   if (options.rules) argv.push_back("--rules");
+  if (options.respawn) argv.push_back("--respawn");
   if (options.realTime) argv.push_back("--real-time");
   if (options.keepsLog()) argv.insert(argv.end(), {"--truth", workshop.path("world.mcap")});
   for (const auto& artefact : options.artefactsOff) argv.push_back("--no-" + artefact);
@@ -76,12 +77,16 @@ Words worldCommand(const SessionOptions& options, const Workshop& workshop) {
   return argv;
 }
 
-Words agentCommand(const SessionOptions& options, const Workshop& workshop) {
+std::string agentLog(const Workshop& workshop, int life) {
+  return workshop.path(life == 0 ? "agent.mcap" : "agent-" + std::to_string(life) + ".mcap");
+}
+
+Words agentCommand(const SessionOptions& options, const Workshop& workshop, int life) {
   Words argv = anyAgent(options, options.team, options.seed, workshop);
   argv.insert(argv.end(), {"--player", std::to_string(options.player), "--status"});
   // Plain: it is compressed when it is joined with the world's.
   if (options.keepsLog())
-    argv.insert(argv.end(), {"--plain-log", "--log", workshop.path("agent.mcap")});
+    argv.insert(argv.end(), {"--plain-log", "--log", agentLog(workshop, life)});
   if (options.log.empty() && options.keepsLog()) argv.push_back("--no-images");
   if (options.allImages) argv.push_back("--all-images");
   addUnlessEmpty("--pycode", options.pycode, argv);

@@ -9,7 +9,10 @@ namespace kelpie::cli {
 
 std::vector<std::string> worldCommand(const SessionOptions& options, const Workshop& workshop);
 // Of the robot that is watched.
-std::vector<std::string> agentCommand(const SessionOptions& options, const Workshop& workshop);
+std::vector<std::string> agentCommand(const SessionOptions& options, const Workshop& workshop,
+                                      int life = 0);
+// Each of its lives, of which respawned agents have several, has a log of its own.
+std::string agentLog(const Workshop& workshop, int life);
 std::vector<std::string> otherCommand(const SessionOptions& options, const OtherRobot& robot,
                                       const Workshop& workshop);
 

@@ -32,6 +32,7 @@ struct SessionOptions {
   std::string team = "red";  // of the robot that is watched,
   int player = 1;            // its number
   bool rules = false;        // a referee who knows more than goals and balls out
+  bool respawn = false;      // an agent that dies is started again, and plays on
   std::string scenario = "empty-goal";
   double dropRate = 0.0;
   std::string pycode;               // folder or zip; empty: the one of the source tree
