@@ -1,26 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/sim/Referee.h"
 
-#include <cmath>
 #include <utility>
 
 namespace kelpie::sim {
 
-std::optional<TeamColour> goalFor(const body::FieldDescription& field, Point2<Field> ball) {
-  if (std::fabs(ball.x - field.width / 2.0) > field.goalWidth / 2.0) return std::nullopt;
-  if (ball.y < -body::kBallRadius) return TeamColour::blue;
-  if (ball.y > field.length + body::kBallRadius) return TeamColour::red;
-  return std::nullopt;
-}
-
-bool ballOut(const body::FieldDescription& field, Point2<Field> ball) {
-  if (goalFor(field, ball)) return false;
-  const double r = body::kBallRadius;
-  return ball.x < -r || ball.x > field.width + r || ball.y < -r || ball.y > field.length + r;
-}
-
 Referee::Referee(const RefereeParams& params, const body::FieldDescription& field)
-    : params_(params), field_(field) {}
+    : params_(params), field_(field) {
+  if (params.rules) ruled_.emplace(field, params.kickOff);
+}
+
+Verdict Referee::judge(const MatchScene& scene) {
+  Verdict verdict;
+  if (ruled_) {
+    verdict = ruled_->step(scene, score_);
+    finished_ = ruled_->finished();
+    return verdict;
+  }
+  Ball ball = scene.ball;
+  if (tick(scene.time, ball)) verdict.ball = ball;
+  return verdict;
+}
 
 void Referee::record(TimeUs now, EventKind kind, TeamColour team, Point2<Field> ball) {
   MatchEvent event;
@@ -53,6 +53,8 @@ bool Referee::tick(TimeUs now, Ball& ball) {
   return distance(was.position, ball.position) > 0.0;
 }
 
-std::vector<MatchEvent> Referee::takeEvents() { return std::exchange(events_, {}); }
+std::vector<MatchEvent> Referee::takeEvents() {
+  return ruled_ ? ruled_->takeEvents() : std::exchange(events_, {});
+}
 
 }  // namespace kelpie::sim

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Goals, balls out and the end of the match. A ball that leaves the field is put back at the
-// throw-in place of the field's rules; after a goal it lies in the middle. Robots are not moved. No
-// fouls.
+// Who calls in a match. Without `rules`: goals, balls out and the end of the match; a ball that
+// leaves the field is put back at the throw-in place of the field's rules, after a goal it lies in
+// the middle, robots are not moved, and there are no fouls. With them a whole match by the rules of
+// the field description (rules/RuledMatch.h).
 #pragma once
 
 #include <optional>
@@ -10,44 +11,36 @@
 #include "robot/body/FieldDescription.h"
 #include "tools/sim/Ball.h"
 #include "tools/sim/Truth.h"
+#include "tools/sim/rules/RuledMatch.h"
+#include "tools/sim/rules/ThrowIn.h"
 
 namespace kelpie::sim {
 
 struct RefereeParams {
-  double seconds = 60.0;  // length of the match
-  int goals = 1;          // of either team that end it; 0 = never
+  double seconds = 60.0;  // length of the match; with rules it is two of body::Rules::halfTime
+  int goals = 1;          // of either team that end it; 0 = never; with rules they do not
+  bool rules = false;
+  TeamColour kickOff = TeamColour::red;  // of the first half; with rules only
 
   static constexpr auto fields() {
     using P = RefereeParams;
     return fieldList(field("seconds", &P::seconds, "s", 0, 1e5),
-                     field("goals", &P::goals, "", 0, 100));
+                     field("goals", &P::goals, "", 0, 100), field("rules", &P::rules),
+                     field("kickOff", &P::kickOff, "", 0, 1));
   }
 };
-
-struct Goal {
-  TeamColour team = TeamColour::red;  // that scored
-  double time = 0.0;                  // s
-};
-
-struct Score {
-  int red = 0;   // balls in the blue goal, y = length
-  int blue = 0;  // balls in the yellow goal, y = 0
-  int outs = 0;
-  std::vector<Goal> goals;  // in their order
-};
-
-// The whole ball is behind a goal line and between the posts: which team scores.
-std::optional<TeamColour> goalFor(const body::FieldDescription& field, Point2<Field> ball);
-// The whole ball is beyond a line and not in a goal.
-bool ballOut(const body::FieldDescription& field, Point2<Field> ball);
 
 class Referee {
  public:
   Referee(const RefereeParams& params, const body::FieldDescription& field);
 
-  // Whether it put the ball elsewhere.
+  // What hands are to do after a tick of the world, by the rules or without.
+  Verdict judge(const MatchScene& scene);
+  // Without rules: whether it put the ball elsewhere.
   bool tick(TimeUs now, Ball& ball);
   bool finished() const { return finished_; }
+  // The match by the rules; nothing without them.
+  const RuledMatch* ruled() const { return ruled_ ? &*ruled_ : nullptr; }
   const Score& score() const { return score_; }
   std::vector<MatchEvent> takeEvents();
 
@@ -56,6 +49,7 @@ class Referee {
 
   RefereeParams params_;
   body::FieldDescription field_;
+  std::optional<RuledMatch> ruled_;
   Score score_;
   bool started_ = false;
   bool finished_ = false;

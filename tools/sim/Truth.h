@@ -7,6 +7,7 @@
 #include "robot/core/FrameInput.h"
 #include "robot/core/Geometry.h"
 #include "robot/core/Motion.h"
+#include "robot/core/Text.h"
 
 namespace kelpie::sim {
 
@@ -44,18 +45,38 @@ struct TruthFrame {
   }
 };
 
-enum class EventKind : std::uint8_t { start, goal, out, end };
+// In recorded logs by number: append, never reorder. Those from `ready` on come of the rules only
+// (RefereeParams::rules).
+enum class EventKind : std::uint8_t {
+  start,
+  goal,
+  out,
+  end,
+  ready,    // for the team's kick-off
+  set,      // all stand where they may
+  play,     // the whistle
+  half,     // the first half is over
+  penalty,  // a robot is taken off
+  back,     // it comes back
+  stuck,    // the ball went nowhere and is put elsewhere
+  placed,   // a robot is put by hand where it may stand for the kick-off
+};
 
 struct MatchEvent {
   TimeUs time;
   EventKind kind = EventKind::start;
-  TeamColour team = TeamColour::red;  // that scored
+  TeamColour team = TeamColour::red;  // that scored, that kicks off, or the robot's
   Point2<Field> ball;                 // where it was
+  std::uint8_t player = 0;            // the robot's; of a goal, its who touched last; 0 = none
+  Text<40> reason;                    // in words
+  Point2<Field> place;                // where the robot was, or where the ball is put
 
   static constexpr auto fields() {
     return fieldList(field("time", &MatchEvent::time, "us"),
-                     field("kind", &MatchEvent::kind, "", 0, 3),
-                     field("team", &MatchEvent::team, "", 0, 1), field("ball", &MatchEvent::ball));
+                     field("kind", &MatchEvent::kind, "", 0, 11),
+                     field("team", &MatchEvent::team, "", 0, 1), field("ball", &MatchEvent::ball),
+                     field("player", &MatchEvent::player, "", 0, 4),
+                     field("reason", &MatchEvent::reason), field("place", &MatchEvent::place));
   }
 };
 

@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kTickUs = 8000.0;
 constexpr double kExposureUs = 1e6 / 30.0;
+constexpr double kUpright = 0.51;      // of gravity down through the body (robot/body/README.md)
 constexpr double kHighestLift = 15.0;  // cm; a stance's shoulders are 30 cm up at most
 
 // Seeds of parts that must not share a stream.
@@ -104,6 +105,19 @@ void World::throwBalls() {
   }
 }
 
+MatchScene World::matchScene() const {
+  MatchScene scene;
+  scene.time = time();
+  scene.ball = bodies_->ball();
+  for (std::size_t i = 0; i < robotCount(); ++i) {
+    const BodyPlace place = bodies_->place(i);
+    const Angle tilt = place.stance.bodyTilt + place.lean.tilt;
+    const bool upright = tilt.cos() * place.lean.roll.cos() > kUpright;
+    scene.players.push_back({players_[i].team, players_[i].number, place.pose, upright, true});
+  }
+  return scene;
+}
+
 Status World::tick() {
   if (!fault_.empty()) return Error{fault_};
   const Status moved = bodies_->tick();
@@ -113,9 +127,12 @@ Status World::tick() {
   }
   ++ticks_;
   throwBalls();
-  Ball ball = bodies_->ball();
-  if (referee_.tick(time(), ball)) bodies_->putBall(ball);
+  const Verdict verdict = referee_.judge(matchScene());
+  if (verdict.ball) bodies_->putBall(*verdict.ball);
+  for (const Carry& one : verdict.carries) bodies_->carry(one.robot, one.place);
   past_.remember(ticks_, *bodies_);
+  // No image shows the way.
+  for (const Carry& one : verdict.carries) past_.carry(one.robot, one.place);
   senseAll();
   return Done{};
 }
@@ -219,15 +236,22 @@ void World::send(std::size_t robot, const RadioPacket& packet) {
 }
 
 GameState World::gameFor(std::size_t robot) const {
+  if (referee_.ruled() != nullptr && ticks_ > 0) return referee_.ruled()->gameFor(robot, score());
   const Score& now = score();
   const bool red = players_[robot].team == TeamColour::red;
   GameState game;
   game.state = finished() ? PlayState::finished : PlayState::playing;
+  if (referee_.ruled() != nullptr) game.state = PlayState::initial;  // before the first tick
   game.team = players_[robot].team;
   game.player = players_[robot].number;
   game.ownScore = static_cast<std::uint8_t>(std::min(255, red ? now.red : now.blue));
   game.opponentScore = static_cast<std::uint8_t>(std::min(255, red ? now.blue : now.red));
   return game;
+}
+
+std::optional<net::GameControlData> World::control() const {
+  if (referee_.ruled() == nullptr) return std::nullopt;
+  return referee_.ruled()->control(score());
 }
 
 TruthFrame World::truth(TimeUs time) const {

@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -110,6 +111,8 @@ class World {
   RadioPackets takePackets(std::size_t robot) { return radio_.take(robot, time()); }
 
   GameState gameFor(std::size_t robot) const;
+  // What the game controller broadcasts; nothing without RefereeParams::rules.
+  std::optional<net::GameControlData> control() const;
   TruthFrame truth(TimeUs time) const;
   // What was drawn of it when it is unlike; for logs.
   const UnlikeWorld& unlike() const { return unlike_; }
@@ -128,6 +131,7 @@ class World {
   ColumnCameras cameras(std::size_t robot, const Past& past, TimeUs end) const;
   double ticksAt(std::size_t robot, TimeUs end, double share) const;
   void buildBodies(std::uint64_t seed);
+  MatchScene matchScene() const;
   void senseAll();
   void throwBalls();
 

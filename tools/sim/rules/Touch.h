@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+// Who touched the ball last. There are no contacts to be seen, so: when the ball's velocity changes
+// by more than rolling and the carpet do, or a robot holds it, the robot nearest to it touched it,
+// if it is near enough. A ball that jumps off a post beside a robot is laid at its door too.
+#pragma once
+
+#include <optional>
+
+#include "tools/sim/rules/MatchScene.h"
+
+namespace kelpie::sim {
+
+struct TouchState {
+  std::optional<Point2<Field>> velocity;  // the ball's, of the step before
+  std::optional<std::size_t> last;
+};
+
+std::optional<std::size_t> step(const MatchScene& scene, TouchState& state);
+
+}  // namespace kelpie::sim
