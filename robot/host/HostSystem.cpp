@@ -56,6 +56,7 @@ Expected<RunSummary> HostSystem::run(const openr::ObjectStub& object, const Netw
   Expected<bool> more = source_.next(*event);
   while (more && *more) {
     if (network.game) network.game(event->step.game);
+    if (network.tick) network.tick(event->step.time);
     if (network.heard)
       for (const RadioPacket& packet : event->step.packets) network.heard(packet, event->step.time);
     const Status done = handle(*event, object, network);

@@ -33,6 +33,7 @@ struct HostParams {
 // empty.
 struct Network {
   std::function<void(const GameState&)> game;  // of each step, ahead of its sensors and image
+  std::function<void(TimeUs now)> tick;        // so
   std::function<void(const RadioPacket&, TimeUs now)> heard;  // so
   std::function<bool(RadioPacket&)> sends;  // after each step: whether there is a packet
 };

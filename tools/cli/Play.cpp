@@ -300,6 +300,12 @@ void addPlay(CLI::App& app, int& code) {
   auto* minutes = command->add_option("--minutes", options->minutes, "The same as 60 --seconds")
                       ->check(inRange(0.1, kLongestMatch / 60.0))
                       ->excludes(seconds);
+  command
+      ->add_option("--radio", session.radio,
+                   "How teams are heard: through the world, or udp of this machine (such a "
+                   "match does not replay)")
+      ->check(CLI::IsMember({"world", "udp"}))
+      ->capture_default_str();
   command->add_flag("--respawn", session.respawn,
                     "An agent that dies is started again and plays on");
   command->add_flag("--no-film", options->noFilm, "Leave out match.mp4");

@@ -13,6 +13,7 @@
 #include "robot/host/DriverLink.h"
 #include "robot/host/RecordingSource.h"
 #include "robot/host/RunAgent.h"
+#include "robot/host/UdpRadio.h"
 #include "robot/host/WorldSource.h"
 #include "tools/cli/AgentTalk.h"
 #include "tools/cli/Config.h"
@@ -38,6 +39,7 @@ struct AgentOptions {
   bool noImages = false;
   bool plainLog = false;
   std::string driver;
+  std::string radio = "world";
   ConfigOptions config;
   bool physical = true;
 };
@@ -77,9 +79,21 @@ int fail(const std::string& message, int code) {
   return code;
 }
 
+// Packets go by the machine's own network, not through the world.
+void useRadio(host::UdpRadio& radio, agent::AgentLoops& loops, host::Network& network) {
+  network.tick = [&](TimeUs now) {
+    RadioPacket packet;
+    while (radio.receive(packet)) loops.hear(packet, now);
+  };
+  network.sends = [&](RadioPacket& packet) {
+    if (loops.takePacket(packet)) radio.send(packet);
+    return false;
+  };
+}
+
 // Game state and driver are heard at each step, ahead of its image.
 Status runFrom(host::Source& source, const AgentOptions& options, const host::DriverLink* driver,
-               agent::AgentLoops& loops) {
+               host::UdpRadio* radio, agent::AgentLoops& loops) {
   host::HostParams params;
   params.dropRate = options.dropRate;
   params.seed = options.seed;
@@ -88,8 +102,11 @@ Status runFrom(host::Source& source, const AgentOptions& options, const host::Dr
     loops.setGame(game);
     if (driver != nullptr) loops.setDrive(driver->drive());
   };
-  network.heard = [&](const RadioPacket& packet, TimeUs now) { loops.hear(packet, now); };
+  network.heard = [&](const RadioPacket& packet, TimeUs now) {
+    if (radio == nullptr) loops.hear(packet, now);
+  };
   network.sends = [&](RadioPacket& packet) { return loops.takePacket(packet); };
+  if (radio != nullptr) useRadio(*radio, loops, network);
   const auto summary = host::runAgent(source, loops, params, network);
   if (!summary) return Error{summary.error()};
   return Done{};
@@ -145,10 +162,17 @@ int run(const AgentOptions& options) {
   std::optional<host::DriverLink> driver;
   const Status driven = openDriver(options, driver);
   if (!driven) return fail(driven.error(), 1);
+  std::optional<host::UdpRadio> radio;
+  if (options.radio == "udp") {
+    auto opened = host::UdpRadio::open({config->team, config->player});
+    if (!opened) return fail(opened.error(), 1);
+    radio.emplace(std::move(*opened));
+  }
   AgentSink sink(log ? &*log : nullptr, driver ? &*driver : nullptr, options.status);
   agent::AgentLoops loops(*config, options.pycode, sink);
   if (!loops.scriptError().empty()) return fail(loops.scriptError(), 2);
-  const Status played = runFrom(**source, options, driver ? &*driver : nullptr, loops);
+  const Status played =
+      runFrom(**source, options, driver ? &*driver : nullptr, radio ? &*radio : nullptr, loops);
   const Status closed = log ? log->close() : Status(Done{});
   if (!played) return fail(played.error(), 1);
   return closed ? 0 : fail(closed.error(), 1);
@@ -186,6 +210,9 @@ int main(int argc, char** argv) {
   app.add_option("--driver", options.driver,
                  "Socket of a driver, who is told what the robot sees and whose commands the body "
                  "gets; the behaviours are not asked");
+  app.add_option("--radio", options.radio,
+                 "How the team is heard: through the world, or udp of this machine")
+      ->check(CLI::IsMember({"world", "udp"}));
   app.add_flag("--status", options.status, "Says twice a second what the robot believes");
   addConfigOptions(app, options.config);
   bool done = false;

@@ -256,6 +256,10 @@ void play(const SessionOptions& options, const SessionTalk& talk, const Workshop
   readResult(workshop.path("result.json"), blue, result);
   if (talk.frames && options.keepFrames)
     talk.frames(workshop.path("agent.mcap"), workshop.path("world.mcap"));
+  if (!talk.all || !options.keepAll) return;
+  std::vector<std::string> logs = {workshop.path("agent.mcap")};
+  for (const OtherRobot& robot : options.others) logs.push_back(otherLog(workshop, robot));
+  talk.all(logs, workshop.path("world.mcap"));
 }
 
 }  // namespace

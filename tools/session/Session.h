@@ -34,6 +34,8 @@ struct SessionTalk {
   std::function<void(bool own, double seconds)> goal;
   std::function<bool()> over;
   std::function<void(const std::string& agentLog, const std::string& worldLog)> frames;
+  // So with keepAll: the logs of all robots.
+  std::function<void(const std::vector<std::string>& logs, const std::string& worldLog)> all;
 };
 
 // After trouble the log is still there up to the last whole frame.

@@ -40,6 +40,8 @@ Words anyAgent(const SessionOptions& options, const std::string& team, std::uint
                 std::to_string(options.dropRate),
                 "--seed",
                 std::to_string(seed),
+                "--radio",
+                options.radio,
                 options.physical ? "--physical" : "--fast"};
   addUnlessEmpty("--colour-table", options.colourTable, argv);
   return argv;
@@ -78,7 +80,13 @@ Words worldCommand(const SessionOptions& options, const Workshop& workshop) {
 }
 
 std::string agentLog(const Workshop& workshop, int life) {
-  return workshop.path(life == 0 ? "agent.mcap" : "agent-" + std::to_string(life) + ".mcap");
+  const std::string name = life == 0 ? "agent" : "agent-" + std::to_string(life);
+  return workshop.path((name + ".mcap").c_str());
+}
+
+std::string otherLog(const Workshop& workshop, const OtherRobot& robot) {
+  const std::string name = robot.team + "-" + std::to_string(robot.player) + ".mcap";
+  return workshop.path(name.c_str());
 }
 
 Words agentCommand(const SessionOptions& options, const Workshop& workshop, int life) {
@@ -100,7 +108,7 @@ Words otherCommand(const SessionOptions& options, const OtherRobot& robot,
                    const Workshop& workshop) {
   Words argv = anyAgent(options, robot.team, robot.seed, workshop);
   argv.insert(argv.end(), {"--player", std::to_string(robot.player)});
-  if (!robot.log.empty()) argv.insert(argv.end(), {"--no-images", "--log", robot.log});
+  if (options.keepAll) argv.insert(argv.end(), {"--no-images", "--log", otherLog(workshop, robot)});
   addUnlessEmpty("--pycode", robot.pycode, argv);
   addEach("--params", robot.params, argv);
   addEach("--set", robot.set, argv);

@@ -13,6 +13,8 @@ std::vector<std::string> agentCommand(const SessionOptions& options, const Works
                                       int life = 0);
 // Each of its lives, of which respawned agents have several, has a log of its own.
 std::string agentLog(const Workshop& workshop, int life);
+// That of another robot, with keepAll.
+std::string otherLog(const Workshop& workshop, const OtherRobot& robot);
 std::vector<std::string> otherCommand(const SessionOptions& options, const OtherRobot& robot,
                                       const Workshop& workshop);
 

@@ -21,7 +21,6 @@ struct OtherRobot {
   std::vector<std::string> params;  // so
   std::vector<std::string> set;     // so
   std::uint64_t seed = 1;           // of its losses
-  std::string log;                  // where its log goes, without images; empty: none is kept
 };
 
 struct SessionOptions {
@@ -32,6 +31,7 @@ struct SessionOptions {
   std::string team = "red";  // of the robot that is watched,
   int player = 1;            // its number
   bool rules = false;        // a referee who knows more than goals and balls out
+  std::string radio = "world";  // or udp, of this machine
   bool respawn = false;      // an agent that dies is started again, and plays on
   std::string scenario = "empty-goal";
   double dropRate = 0.0;
@@ -50,6 +50,7 @@ struct SessionOptions {
   std::vector<OtherRobot> others;
   sim::Staging staging;     // places and throws beside the scenario's
   bool keepFrames = false;  // without `log`: SessionTalk::frames is told of frames without images
+  bool keepAll = false;     // and of those of all other robots
 
   bool keepsLog() const { return !log.empty() || keepFrames; }
 };

@@ -26,7 +26,7 @@ Status readFolder(const std::string& folder, OtherRobot& robot) {
 Status addTeam(const std::string& team, int count, const std::string& folder,
                const SessionOptions& all, std::vector<OtherRobot>& robots) {
   for (int player = 1; player <= count; ++player) {
-    OtherRobot robot{team, player, all.pycode, all.params, all.set, all.seed, ""};
+    OtherRobot robot{team, player, all.pycode, all.params, all.set, all.seed};
     robot.seed += static_cast<std::uint64_t>(player) + (team == "red" ? 0U : 4U);
     const Status read = readFolder(folder, robot);
     if (!read) return read;

@@ -29,7 +29,6 @@ struct Options {
   std::string result;
   bool tellGoals = false;
   bool realTime = false;
-  bool rules = false;
   bool respawn = false;
   double wait = 60.0;  // s for the agents to come
   bool noRing = false, noNoise = false, noShift = false, noRolling = false;
@@ -113,8 +112,9 @@ ServerHooks hooks(const Options& options, host::Listener& listener) {
 }
 
 Status play(const Options& options) {
-  const auto field = body::fieldDescription(options.field);
+  auto field = body::fieldDescription(options.field);
   if (!field) return Error{field.error()};
+  if (options.world.referee.rules) field->rules.halfTime = 0.5 * options.world.referee.seconds;
   const auto staging = stagingFrom(options.staging);
   if (!staging) return Error{staging.error()};
   std::optional<LogWriter> log;
@@ -152,14 +152,15 @@ void describe(CLI::App& app, Options& options) {
   app.add_option("--scenario", options.scenario, "attack, empty-goal or kickoff")
       ->check(CLI::IsMember({"attack", "empty-goal", "kickoff"}));
   cli::addStagingOptions(app, options.staging);
-  app.add_option("--seconds", options.world.referee.seconds, "length of the match")
+  app.add_option("--seconds", options.world.referee.seconds,
+                 "length of the match; with --rules of play, half of it in each half")
       ->check(cli::inRange(0.0, 1e5));
   app.add_option("--goals", options.world.referee.goals, "of one team end the match; 0 = never")
       ->check(CLI::Range(0, 100));
   app.add_option("--truth", options.truth, "log of what really happened (MCAP)");
   app.add_option("--result", options.result, "result file (JSON)");
   app.add_flag("--tell-goals", options.tellGoals, "each goal as a line on standard output");
-  app.add_flag("--rules", options.rules,
+  app.add_flag("--rules", options.world.referee.rules,
                "a referee who knows more than goals, balls out and the end");
   app.add_flag("--respawn", options.respawn,
                "an agent that dies may come back; until then its robot stands");

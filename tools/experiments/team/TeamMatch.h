@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+// A match of two teams as experiments judge it: the true places at each image, the referee's calls,
+// and what each robot believed, told its team and did. Truth is never told to an agent; here it is
+// only read back.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "robot/core/TeamNote.h"
+#include "tools/experiments/match/Matches.h"
+#include "tools/session/Teams.h"
+#include "tools/sim/Truth.h"
+
+namespace kelpie::experiments {
+
+// One frame of one robot, in its own team's field frame.
+struct TeamFrame {
+  double seconds = 0.0;
+  PlayState state = PlayState::initial;
+  bool penalised = false;
+  TeamNote note;  // for the team
+  Pose2 pose;
+  bool ball = false;  // of its own sightings
+  Point2<Field> ballAt;
+  bool teamBall = false;  // of all who agree
+  Point2<Field> teamBallAt;
+
+  bool plays() const { return state == PlayState::playing && !penalised; }
+};
+
+struct TeamRobot {
+  TeamColour team = TeamColour::red;
+  std::uint8_t player = 1;
+  std::vector<TeamFrame> frames;
+
+  bool is(const sim::RobotTruth& truth) const {
+    return truth.team == team && truth.player == player;
+  }
+};
+
+struct TeamMatch {
+  std::vector<sim::TruthFrame> truth;
+  std::vector<sim::MatchEvent> events;
+  std::vector<TeamRobot> robots;
+
+  // The world at that time: the last one not later; the first before the first.
+  const sim::TruthFrame& at(double seconds) const;
+};
+
+// From red's field to that team's, and back.
+Point2<Field> turnedFor(TeamColour team, const body::FieldDescription& field, Point2<Field> p);
+
+// What is played: the sessions of the matches by their numbers, and who judges each as it ends.
+struct TeamMatches {
+  int count = 0;
+  std::function<cli::SessionOptions(int number)> session;
+  std::function<void(int number, const cli::SessionResult& result, const TeamMatch& match)> judge;
+};
+
+// A match of those teams, as "4v4", from a kick-off, so many seconds of play long.
+Expected<cli::SessionOptions> teamSession(const Request& request, const Trial& trial,
+                                          const std::string& robots, double seconds);
+
+// One after the other: a match of eight robots takes all cores.
+Status playTeams(const Request& request, const TeamMatches& matches);
+
+}  // namespace kelpie::experiments
