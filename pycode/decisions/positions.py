@@ -1,0 +1,78 @@
+# SPDX-License-Identifier: Apache-2.0
+# Where who does not play the ball stands, by the trees of thesis 2006 section 4.5.2 (algorithms 4.7
+# to 4.9, misprints mended as the checklist says: G20, G22). Plain functions from a ball on the
+# field to a place on it, in cm. A Ball on a string keeps the ball that they are asked for: the
+# places jump by 80 to 220 cm where zones meet, and a ball that lies there is seen 5 cm to either
+# side. They know no other robot.
+import math
+
+import kelpie
+
+STRIKER_SIDE = 60.0      # cm from the side line (G21)
+BEHIND_BALL = 80.0       # algorithms 4.7 and 4.8: yOffset
+LESS_BEHIND = 0.65       # of it, in the middle zone
+FRONT = 2.0 / 3.0        # of the length; the text has 0.6 (G19)
+SUPPORTER_SIDE = 70.0
+SUPPORTER_LEAST_Y = 120.0
+DEFENDER_BEHIND = 120.0
+BEFORE_BOX = 20.0
+DEFENDER_REACH = 60.0    # cm from the middle, at most
+DROP_IN_Y = 300.0        # beyond it the defender stands behind the drop-in points,
+DROP_IN_SIDE = 0.35      # for a ball in those shares of the width
+DROP_IN_X = 50.0
+STRING = 10.0            # cm; facts-2005 section 7.2 has 20 to either side as hysteresis
+
+
+def striker(field, ball):
+    """Algorithm 4.7: on the other side than the ball, and not too far back."""
+    x, y = ball
+    place_x = STRIKER_SIDE if x > 0.5 * field.width else field.width - STRIKER_SIDE
+    half = 0.5 * field.length
+    if y < half:
+        return place_x, half + BEHIND_BALL
+    if y < FRONT * field.length:
+        return place_x, max(y - LESS_BEHIND * BEHIND_BALL, half)
+    return place_x, min(y - BEHIND_BALL, field.length - BEHIND_BALL)
+
+
+def supporter(field, ball):
+    """Algorithm 4.8: behind the attacker."""
+    x, y = ball
+    return (min(max(x, SUPPORTER_SIDE), field.width - SUPPORTER_SIDE),
+            max(y - BEHIND_BALL, SUPPORTER_LEAST_Y))
+
+
+def defender(field, ball):
+    """Algorithm 4.9: between the ball and the own goal, nearer to the middle than the ball."""
+    x, y = ball
+    middle = 0.5 * field.width
+    place_y = max(field.box_depth + BEFORE_BOX, y - DEFENDER_BEHIND)
+    if y <= DROP_IN_Y:
+        return middle + DEFENDER_REACH * (x - middle) / middle, place_y
+    if x < DROP_IN_SIDE * field.width:
+        return DROP_IN_X, place_y
+    if x > (1.0 - DROP_IN_SIDE) * field.width:
+        return field.width - DROP_IN_X, place_y
+    return middle + 0.5 * (x - middle), place_y
+
+
+PLACES = {kelpie.STRIKER: striker, kelpie.SUPPORTER: supporter, kelpie.DEFENDER: defender}
+
+
+class BallOnString:
+    """Follows a ball at most STRING cm behind."""
+
+    def __init__(self):
+        self.at = None
+
+    def update(self, ball):
+        """The place of the followed ball; `ball` None leaves it."""
+        if ball is None or self.at is None:
+            self.at = ball if self.at is None else self.at
+            return self.at
+        dx, dy = ball[0] - self.at[0], ball[1] - self.at[1]
+        away = math.hypot(dx, dy)
+        if away > STRING:
+            share = (away - STRING) / away
+            self.at = self.at[0] + share * dx, self.at[1] + share * dy
+        return self.at

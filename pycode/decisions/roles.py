@@ -1,0 +1,139 @@
+# SPDX-License-Identifier: Apache-2.0
+# Which role a forward plays (thesis 2006 section 4.4, algorithms 4.5 and 4.6): attacker, else
+# defender, else striker, from its own time to the ball and what its mates told. Every forward
+# decides for itself; goalies take no part, and who was silent for 1.5 s is out. RoleChoice keeps
+# the role, why, and until when it leaves the ball to whom it gave it up. It fails where messages
+# do: two attackers, or none, last as long as a message is late.
+import math
+
+import kelpie
+from lib import time_to
+
+SILENT_S = 1.5       # facts-2005 section 8.2: a mate's pose expires after 45 frames
+SEES_S = 0.5         # s; facts-2005 section 7.1: "lost" for a ball that vision sees no more
+TIE_S = 0.06         # s; times that alike are a tie (symmetry break of facts-2005 section 7.1)
+HAND_OVER_S = 0.5    # s: who gave the ball up does not take it again until the mate has told
+HOME_S = 1.0         # bonus of the defender of the last frame (facts-2005 section 7.1)
+EVERY_FRAMES = 3     # a tenth of a second: the team is told at 6 Hz
+NAMES = ('none', 'attacker', 'supporter', 'striker', 'defender', 'goalie')
+
+Answer = tuple       # whether, the reason, its numbers
+
+
+def forwards(world) -> list:
+    """The mates that count: heard, and no goalies."""
+    return [mate for mate in world.teammates
+            if mate.seconds_since_heard < SILENT_S and mate.note.role != kelpie.KEEPER]
+
+
+def should_attack(own, mates) -> Answer:
+    """Algorithm 4.6, its tests in their order. Line 5 as the text has it: no attacker sees the ball
+    (checklist G17); as listed, the closest and who grabs would both be attackers."""
+    attackers = [mate for mate in mates if mate.note.role == kelpie.ATTACKER]
+    if not attackers and not own.attacked:
+        return True, 'there is no attacker'
+    blind = attackers and not any(sees(mate) for mate in attackers)
+    if blind and own.sees and all(own.distance < mate_distance(own, mate) for mate in mates):
+        return True, 'the attacker does not see the ball, {} cm away', own.distance
+    if own.grabs != kelpie.GRABS_NOT:
+        return True, 'it grabs the ball or holds it'
+    if not mates:
+        return True, 'there is no other'
+    quickest = min(mates, key=lambda mate: (mate.note.time_to_ball, mate.player))
+    theirs = quickest.note.time_to_ball
+    if own.seconds > theirs + TIE_S:
+        return False, 'player {} needs {} s, itself {} s', quickest.player, theirs, own.seconds
+    for mate in mates:
+        if mate.note.time_to_ball < own.seconds + TIE_S and mate.player < own.player:
+            return False, 'a tie, and player {} is the first', mate.player
+    return True, 'needs {} s, the next {} s', own.seconds, theirs
+
+
+def should_defend(own, mates, home) -> Answer:
+    """Section 4.4.2: of those who do not attack, who is sooner at the defender's home."""
+    others = [mate for mate in mates if mate.note.role != kelpie.ATTACKER]
+    if len(mates) >= 2 and len(others) == len(mates):  # the new attacker has not told yet
+        others.remove(min(others, key=lambda mate: (mate.note.time_to_ball, mate.player)))
+    mine = time_to.of_pose(own.pose, home) - (HOME_S if own.defended else 0.0)
+    for mate in others:
+        theirs = time_to.of_pose(mate.pose, home)
+        theirs -= HOME_S if mate.note.role == kelpie.DEFENDER else 0.0
+        if theirs < mine - TIE_S or (theirs < mine + TIE_S and mate.player < own.player):
+            return False, 'player {} is home in {} s, itself in {} s', mate.player, theirs, mine
+    return True, 'is home in {} s', mine
+
+
+def sees(mate) -> bool:
+    """Whether it sees the ball; one that holds it has it under its chin."""
+    return mate.seconds_since_ball < SEES_S or mate.note.grabs == kelpie.HOLDS
+
+
+def mate_distance(own, mate) -> float:
+    """cm from a mate to the ball."""
+    place = mate.pose.position
+    return math.hypot(place.x - own.ball[0], place.y - own.ball[1])
+
+
+class Own:
+    """What algorithm 4.6 asks of oneself. `ball`: on the field, or None; `last`: its last role."""
+
+    def __init__(self, world, memory, last):
+        self.player, self.pose = world.game.player, world.pose
+        self.attacked, self.defended = last == kelpie.ATTACKER, last == kelpie.DEFENDER
+        self.grabs = time_to.grabs_now(world, memory)
+        self.ball = time_to.ball_of(world, memory.ball_lost)
+        self.seconds = time_to.to_ball(world, memory.ball_lost, self.attacked,
+                                       self.grabs != kelpie.GRABS_NOT)
+        self.sees = memory.ball_lost <= time_to.SURE_FRAMES and world.ball.present
+        self.distance = world.ball.distance
+
+
+class RoleChoice:
+    def __init__(self):
+        self.role = kelpie.ATTACKER   # whoever is alone attacks
+        self.why = ('there is no attacker',)
+        self.seconds = time_to.NEVER_S  # to the ball, as the team is told
+        self.frames = 0               # since the last choice
+        self.waits_until_s = None     # for the mate that it gave the ball to
+
+    def update(self, world, memory, defender_home, bound=False) -> int:
+        """The role, chosen every third frame. `defender_home`: from a ball to where the defender
+        stands; `bound`: it attacks and may not be interrupted."""
+        self.frames -= 1
+        if self.frames > 0:
+            return self.role
+        self.frames = EVERY_FRAMES
+        own = Own(world, memory, self.role)
+        self.seconds = own.seconds
+        mates = forwards(world) if len(world.teammates) > 0 else ()
+        if not mates or bound:
+            self.take(world, kelpie.ATTACKER, ('there is no other',) if not mates else
+                      ('what it does may not be interrupted',))
+            return self.role
+        yes, *why = should_attack(own, mates)
+        if yes and not self.leaves_it(world, own):
+            self.take(world, kelpie.ATTACKER, why)
+        else:
+            self.take(world, *self.other(world, own, mates, defender_home, why))
+        return self.role
+
+    def leaves_it(self, world, own) -> bool:
+        """It has just given the ball up, and the mate who took it has not told so yet."""
+        return (self.waits_until_s is not None and world.time_s < self.waits_until_s and
+                own.grabs == kelpie.GRABS_NOT)
+
+    def other(self, world, own, mates, defender_home, why):
+        """The rest of algorithm 4.5. Without a ball to go by it stays what it is."""
+        if own.ball is None:
+            last = self.role if self.role != kelpie.ATTACKER else kelpie.STRIKER
+            return last, why
+        if len(mates) == 1 and own.ball[1] > 0.5 * world.field.length:
+            # Ours: two forwards that attack need one behind the ball, not one far back.
+            return kelpie.SUPPORTER, ('the only other, the ball in their half',)
+        yes, *home = should_defend(own, mates, defender_home(own.ball))
+        return (kelpie.DEFENDER if yes else kelpie.STRIKER), home
+
+    def take(self, world, role, why):
+        if self.role == kelpie.ATTACKER and role != kelpie.ATTACKER:
+            self.waits_until_s = world.time_s + HAND_OVER_S
+        self.role, self.why = role, tuple(why)
