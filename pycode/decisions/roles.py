@@ -7,6 +7,7 @@
 import math
 
 import kelpie
+from decisions import positions
 from lib import time_to
 
 SILENT_S = 1.5       # facts-2005 section 8.2: a mate's pose expires after 45 frames
@@ -96,9 +97,8 @@ class RoleChoice:
         self.frames = 0               # since the last choice
         self.waits_until_s = None     # for the mate that it gave the ball to
 
-    def update(self, world, memory, defender_home, bound=False) -> int:
-        """The role, chosen every third frame. `defender_home`: from a ball to where the defender
-        stands; `bound`: it attacks and may not be interrupted."""
+    def update(self, world, memory, bound=False) -> int:
+        """The role, chosen every third frame. `bound`: it attacks and may not be interrupted."""
         self.frames -= 1
         if self.frames > 0:
             return self.role
@@ -114,7 +114,7 @@ class RoleChoice:
         if yes and not self.leaves_it(world, own):
             self.take(world, kelpie.ATTACKER, why)
         else:
-            self.take(world, *self.other(world, own, mates, defender_home, why))
+            self.take(world, *self.other(world, own, mates, why))
         return self.role
 
     def leaves_it(self, world, own) -> bool:
@@ -122,7 +122,7 @@ class RoleChoice:
         return (self.waits_until_s is not None and world.time_s < self.waits_until_s and
                 own.grabs == kelpie.GRABS_NOT)
 
-    def other(self, world, own, mates, defender_home, why):
+    def other(self, world, own, mates, why):
         """The rest of algorithm 4.5. Without a ball to go by it stays what it is."""
         if own.ball is None:
             last = self.role if self.role != kelpie.ATTACKER else kelpie.STRIKER
@@ -130,7 +130,7 @@ class RoleChoice:
         if len(mates) == 1 and own.ball[1] > 0.5 * world.field.length:
             # Ours: two forwards that attack need one behind the ball, not one far back.
             return kelpie.SUPPORTER, ('the only other, the ball in their half',)
-        yes, *home = should_defend(own, mates, defender_home(own.ball))
+        yes, *home = should_defend(own, mates, positions.defender(world.field, own.ball))
         return (kelpie.DEFENDER if yes else kelpie.STRIKER), home
 
     def take(self, world, role, why):

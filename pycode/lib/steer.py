@@ -26,6 +26,14 @@ def towards(point: Point, near=0.0, speed=SPEED) -> kelpie.WalkRequest:
                               turn_deg=clamp(TURN_GAIN * aside, -TURN_SPEED, TURN_SPEED))
 
 
+def facing(point: Point, aside, near=0.0, speed=SPEED) -> kelpie.WalkRequest:
+    """Walks to a point in any direction while turning by `aside` deg; stops `near` cm before."""
+    away = math.hypot(*point)
+    pace = min(speed, SLOW_DOWN * max(0.0, away - near)) / max(away, 1e-6)
+    return kelpie.WalkRequest(forward=pace * point[1], left=-pace * point[0],
+                              turn_deg=clamp(TURN_GAIN * aside, -TURN_SPEED, TURN_SPEED))
+
+
 def aim_at(x, y, height=BALL_TOP) -> kelpie.HeadRequest:
     """The camera's axis through a point of the robot frame, `height` cm above the carpet."""
     return kelpie.HeadRequest(aim=kelpie.AIM_POINT, target=kelpie.Point3(x=x, y=y, z=height))

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-# How long a robot needs to a point or to the ball (thesis 2006 section 4.4.1): straight there, first
-# a turn, then more for what stands on the way and for a robot that is stuck. To the time to the
-# ball bonuses are counted as seconds that are not added, so that it is never negative: a sure ball,
-# the attacker of the last frame, a grab. Each term more is never less time. Keeps nothing. It fails
-# to see that others move out of the way, and as pose and ball do.
+# How long a robot needs to a point or to the ball (thesis 2006 section 4.4.1): straight there and
+# the turn before, more for what stands on the way and for a robot that is stuck. Bonuses of the
+# time to the ball (a sure ball, the attacker of the last frame, a grab) are seconds that are not
+# added, so that it is never negative. Each term more is never less time. Keeps nothing. It fails to
+# see that others move out of the way, and as pose and ball do.
 import math
 
 import kelpie
@@ -22,7 +22,7 @@ ATTACKER_S = 0.7         # bonuses of U04
 GRAB_S = 2.0
 NEVER_S = 1000.0         # of who knows no ball (robot/core/TeamNote.h)
 FRESH_S = 1.0            # s; an older ball of the team is not gone for
-FRAMES_PER_S = 30.0
+APPROACH = 40.0          # cm, of a grab that is told
 
 
 def seconds(distance, aside=0.0, obstacles=0.0, stuck=False) -> float:
@@ -102,6 +102,3 @@ def grabs_now(world, memory) -> int:
         return kelpie.HOLDS if world.motion.feeling.ball_held else kelpie.GRABS_SOON
     near = memory.approach_lost <= 1 and world.ball.distance < APPROACH
     return kelpie.GRABS_SOON if near else kelpie.GRABS_NOT
-
-
-APPROACH = 40.0          # cm

@@ -17,6 +17,7 @@ from skills.active_localise import ActiveLocalise
 from skills.avoid_own_box import AvoidOwnBox
 from skills.dribble import Dribble
 from skills.find_ball import FindBall
+from skills.find_together import FindTogether
 from skills.glance import Glance
 from skills.grab_dribble import GrabDribble
 from skills.kick_ball import KickBall
@@ -53,6 +54,7 @@ class Attacker(Machine):
         self.held = HeldChoice(memory, self.contested)
         self.localise_skill = ActiveLocalise(memory)
         self.stuck = PawStuck()
+        self.team_search = FindTogether(memory, True)
         self.glance = Glance(memory)
         self.box_frames = 0     # for which it waited for a ball in the own box
         self.leaf, self.leaf_why = None, ()
@@ -87,7 +89,13 @@ class Attacker(Machine):
         # gps has a felt ball as seen: vision must say so, too, or play() would send it back here.
         if not self.lost(world) and world.ball.seconds_since_seen < SEEN_S:
             return self.enter(world, self.play, None, 'the ball is {} cm away', world.ball.distance)
-        return self.skill.command(world)
+        helped = self.team_search.answer(world) if len(world.teammates) > 0 else None
+        return helped if helped is not None else self.skill.command(world)
+
+    def wanted(self, world):
+        """Where it goes on the field: to the ball."""
+        ball = world.ball
+        return (ball.position.x, ball.position.y) if ball.present else None
 
     def back_off(self, world):
         if not self.stuck.needed(world):
@@ -194,6 +202,8 @@ class Attacker(Machine):
                 trace.append((kelpie.LAYER_DECISION, 'leaf_by_map', self.leaf, *self.leaf_why))
         if self.glance.looking:
             self.glance.explain(trace)
+        if self.state == self.find and self.team_search.active:
+            return self.team_search.explain(trace)
         below = getattr(self.skill, 'explain', None)
         if below is not None:
             below(trace)

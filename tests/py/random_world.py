@@ -2,7 +2,8 @@
 # Worlds that no field ever shows, to attack the behaviours with: all that a frame tells changes at
 # random, most of it seldom, so that skills get into all of their states. Every number is finite but
 # parts contradict one another: a ball in the arms that gps has on the other side, a motion that
-# nobody asked for, a clock that stands still or jumps. What a Command may be is at the end.
+# nobody asked for, a clock that stands still or jumps. Mates come and go, all alone is one world in
+# three. What a Command may be is at the end.
 import math
 import random
 
@@ -30,6 +31,14 @@ class RandomWorld:
         self.world.modes = [kelpie.PoseMode(weight=1.0)]
         self.place_robot()
         self.place_ball()
+        self.team_chance = random.Random(seed + 7919)
+        self.chance, kept = self.team_chance, self.chance
+        self.mates = self.pick((0.0, 0.3, 1.0))
+        self.world.game.player = self.pick((1, 2, 3, 4))
+        task = self.world.task
+        task.positions, task.passing = self.pick((0, 1)), self.often(0.5)
+        task.distributed_find, task.bird_of_prey = self.often(0.7), self.often(0.7)
+        self.chance = kept
 
     def pick(self, values):
         return values[int(len(values) * self.chance.random())]
@@ -54,6 +63,7 @@ class RandomWorld:
         for change, share in self.changes:
             if self.chance.random() < share:
                 change(self)
+        self.team()
         return world
 
     def move(self):
@@ -157,6 +167,42 @@ class RandomWorld:
             kelpie.ObstacleCell(position=self.point(), own=self.between(0.0, 30.0))
             for _ in range(self.pick((0, 0, 6)))]
 
+    # Mates come and go and say what they like; chances of their own, so that the rest of a world
+    # does not depend on them.
+
+    def team(self):
+        self.chance, kept = self.team_chance, self.chance
+        if self.often(0.03):
+            self.see_mates()
+        if self.often(0.002):
+            self.kick_off()
+        self.chance = kept
+
+    def see_mates(self):
+        self.world.teammates = [
+            kelpie.TeammateEstimate(
+                player=number, note=self.note(), position_sd=self.between(0.0, 60.0),
+                pose=kelpie.Pose2(position=self.point(), heading_deg=self.between(-180, 180)),
+                seconds_since_heard=self.pick((0.0, 0.3, 1.4, 3.0)),
+                seconds_since_ball=self.pick((0.0, 0.4, 3.0, 1000.0)))
+            for number in range(1, 5)
+            if self.often(self.mates) and number != self.world.game.player]
+        ball = self.world.team_ball
+        ball.present, ball.position = self.often(0.5), self.point()
+        ball.seconds_since_seen = self.pick((0.0, 0.5, 5.0))
+
+    def note(self):
+        return kelpie.TeamNote(role=self.pick(range(6)), grabs=self.pick((0, 0, 0, 1, 2)),
+                               time_to_ball=self.pick((0.0, 3.0, 1000.0, self.between(0, 10))),
+                               wants=self.often(0.5), wanted=self.point(),
+                               pass_to=self.pick(range(5)))
+
+    def kick_off(self):
+        game = self.world.game
+        game.state = self.pick((kelpie.READY, kelpie.SET, kelpie.INITIAL, kelpie.PLAYING))
+        game.kick_off = self.often(0.5)
+        game.own_score, game.opponent_score = self.pick((0, 1)), self.pick((0, 0, 6))
+
     def point(self):
         field = self.world.field
         return kelpie.Point2(x=self.between(0.0, field.width), y=self.between(0.0, field.length))
@@ -215,7 +261,14 @@ def check(command):
     check_numbers([getattr(head, name) for name in HEAD])
     check_numbers([head.target.x, head.target.y, head.target.z])
     assert walk.kind in range(7) and head.aim in range(3) and command.motion in range(22)
+    check_note(command.team)
     check_trace(command.trace)
+
+
+def check_note(note):
+    assert note.role in range(6) and note.grabs in range(3) and note.pass_to in range(5)
+    assert 0.0 <= note.time_to_ball <= 1000.0 and type(note.wants) is bool
+    check_numbers([note.time_to_ball, note.wanted.x, note.wanted.y])
 
 
 def check_numbers(numbers):

@@ -35,11 +35,14 @@ FRAMES = 2500   # of a world
 # Players: how many worlds each, and the states (module and branch of the trace) that it must have
 # been in, so that the attack reaches what it attacks.
 PLAYERS = {
-    'forward': (Forward, 13, {
+    'forward': (Forward, 15, {
         'attacker': {'find', 'play', 'back_off', 'avoid_box', 'watch'},
         'grab_dribble': {'grab', 'settle', 'turn', 'steady', 'kick', 'overdue'},
         'kick_ball': {'walk_up', 'kick'}, 'dribble': {'run'}, 'line_up_kick': {'approach'},
-        'forward': {'plays', 'waits', 'gets_up'}}),
+        'forward': {'plays', 'waits', 'gets_up', 'takes_place', 'attacker', 'striker', 'defender'},
+        'striker': {'bird_of_prey', 'go_home', 'find_ball', 'get_out_of_way', 'avoid_ball',
+                    'avoid_attacker'}, 'find_together': {'follow', 'go'},
+        'take_place': {'walk_there', 'set'}}),
     'goalie': (Goalie, 6, {'goalie': {'turn', 'clear', 'attack', 'guard', 'adjust'}}),
     'goalie_2004': (EllipseGoalie, 3, {'ellipse_goalie': {'guard', 'attack', 'clear'}}),
     'goalie_2004_paw': (lambda: EllipseGoalie(True), 1, {'ellipse_goalie': {'guard', 'attack'}}),
@@ -171,7 +174,7 @@ def test_no_world_stops_a_skill_without_an_end(name):
 
 
 def test_no_world_stops_what_takes_head_or_legs_for_a_moment():
-    random, memory, stuck = RandomWorld(5), Memory(), PawStuck()
+    random, memory, stuck = RandomWorld(6), Memory(), PawStuck()
     looks, roam, command = ActiveLocalise(memory), Roam(random.world), kelpie.Command()
     looked = backed = 0
     for _ in range(FRAMES):

@@ -112,7 +112,7 @@ def test_a_ball_that_vanishes_while_it_is_played_is_searched_for(task, met):
     assert met <= left
 
 
-@pytest.mark.parametrize('state', [kelpie.INITIAL, kelpie.READY, kelpie.SET, kelpie.FINISHED])
+@pytest.mark.parametrize('state', [kelpie.INITIAL, kelpie.SET, kelpie.FINISHED])
 def test_nobody_walks_before_the_game_is_on(state):
     ideal, player = game(4)
     ideal.world.game.state = state

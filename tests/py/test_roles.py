@@ -150,7 +150,7 @@ def choice_in(made, frames=1, choice=None, memory=None):
     for _ in range(frames):
         made.time_s += 1.0 / 30.0
         memory.update(made)
-        choice.update(made, memory, lambda ball: positions.defender(made.field, ball))
+        choice.update(made, memory)
     return choice
 
 
@@ -204,7 +204,7 @@ class Team:
         for made, choice, memory in zip(self.worlds, self.choices, self.memories):
             made.time_s = frame / 30.0
             memory.update(made)
-            choice.update(made, memory, lambda ball: positions.defender(made.field, ball))
+            choice.update(made, memory)
         for number, made in enumerate(self.worlds):
             if (frame + number) % 5 == 0:
                 place = made.pose.position
