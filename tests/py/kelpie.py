@@ -980,6 +980,16 @@ class Rules:
         'holding_distance',
         'throw_in_from_side',
         'throw_in_from_end',
+        'initial_time',
+        'ready_still',
+        'set_time',
+        'own_box_time',
+        'leaving_time',
+        'pushing_time',
+        'fallen_time',
+        'stuck_time',
+        'stuck_distance',
+        'stuck_reach',
     )
 
     def __init__(self, *,
@@ -990,7 +1000,17 @@ class Rules:
                  holding_time=3.0,
                  holding_distance=50.0,
                  throw_in_from_side=40.0,
-                 throw_in_from_end=100.0):
+                 throw_in_from_end=100.0,
+                 initial_time=5.0,
+                 ready_still=2.0,
+                 set_time=3.0,
+                 own_box_time=1.0,
+                 leaving_time=1.0,
+                 pushing_time=3.0,
+                 fallen_time=20.0,
+                 stuck_time=25.0,
+                 stuck_distance=10.0,
+                 stuck_reach=50.0):
         self.robots_a_side = robots_a_side
         self.half_time = half_time
         self.ready_time = ready_time
@@ -999,6 +1019,16 @@ class Rules:
         self.holding_distance = holding_distance
         self.throw_in_from_side = throw_in_from_side
         self.throw_in_from_end = throw_in_from_end
+        self.initial_time = initial_time
+        self.ready_still = ready_still
+        self.set_time = set_time
+        self.own_box_time = own_box_time
+        self.leaving_time = leaving_time
+        self.pushing_time = pushing_time
+        self.fallen_time = fallen_time
+        self.stuck_time = stuck_time
+        self.stuck_distance = stuck_distance
+        self.stuck_reach = stuck_reach
 
 
 class FieldLine:
@@ -1180,7 +1210,7 @@ class WorldFrame:
 
 
 FIELDS = {
-    '2006': FieldDescription(width=360.0, length=540.0, goal_width=80.0, goal_depth=30.0, goal_height=30.0, box_width=130.0, box_depth=65.0, circle_diameter=36.0, line_width=2.5, side_fringe=20.0, end_fringe=30.0, border_width=0.0, border_corner=0.0, beacon_radius=5.0, beacon_height=40.0, rules=Rules(robots_a_side=4, half_time=600.0, ready_time=45.0, penalty_time=30.0, holding_time=3.0, holding_distance=50.0, throw_in_from_side=40.0, throw_in_from_end=100.0), lines=[FieldLine(start=Point2(x=1.25, y=1.25), end=Point2(x=358.75, y=1.25)), FieldLine(start=Point2(x=358.75, y=538.75), end=Point2(x=1.25, y=538.75)), FieldLine(start=Point2(x=358.75, y=1.25), end=Point2(x=358.75, y=538.75)), FieldLine(start=Point2(x=1.25, y=538.75), end=Point2(x=1.25, y=1.25)), FieldLine(start=Point2(x=1.25, y=270.0), end=Point2(x=358.75, y=270.0)), FieldLine(start=Point2(x=116.25, y=1.25), end=Point2(x=116.25, y=63.75)), FieldLine(start=Point2(x=116.25, y=63.75), end=Point2(x=243.75, y=63.75)), FieldLine(start=Point2(x=243.75, y=63.75), end=Point2(x=243.75, y=1.25)), FieldLine(start=Point2(x=116.25, y=538.75), end=Point2(x=116.25, y=476.25)), FieldLine(start=Point2(x=116.25, y=476.25), end=Point2(x=243.75, y=476.25)), FieldLine(start=Point2(x=243.75, y=476.25), end=Point2(x=243.75, y=538.75))], landmarks=[Landmark(kind=0, position=Point2(x=180.0, y=540.0)), Landmark(kind=1, position=Point2(x=180.0, y=0.0)), Landmark(kind=2, position=Point2(x=-15.0, y=405.0)), Landmark(kind=3, position=Point2(x=375.0, y=405.0)), Landmark(kind=4, position=Point2(x=-15.0, y=135.0)), Landmark(kind=5, position=Point2(x=375.0, y=135.0))]),
-    'osaka2005': FieldDescription(width=363.0, length=542.0, goal_width=80.0, goal_depth=30.0, goal_height=30.0, box_width=128.0, box_depth=65.0, circle_diameter=36.0, line_width=2.4, side_fringe=19.0, end_fringe=29.0, border_width=0.0, border_corner=0.0, beacon_radius=5.0, beacon_height=40.0, rules=Rules(robots_a_side=4, half_time=600.0, ready_time=45.0, penalty_time=30.0, holding_time=3.0, holding_distance=50.0, throw_in_from_side=40.0, throw_in_from_end=100.0), lines=[FieldLine(start=Point2(x=1.2, y=1.2), end=Point2(x=361.8, y=1.2)), FieldLine(start=Point2(x=361.8, y=540.8), end=Point2(x=1.2, y=540.8)), FieldLine(start=Point2(x=361.8, y=1.2), end=Point2(x=361.8, y=540.8)), FieldLine(start=Point2(x=1.2, y=540.8), end=Point2(x=1.2, y=1.2)), FieldLine(start=Point2(x=1.2, y=271.0), end=Point2(x=361.8, y=271.0)), FieldLine(start=Point2(x=118.7, y=1.2), end=Point2(x=118.7, y=63.8)), FieldLine(start=Point2(x=118.7, y=63.8), end=Point2(x=244.3, y=63.8)), FieldLine(start=Point2(x=244.3, y=63.8), end=Point2(x=244.3, y=1.2)), FieldLine(start=Point2(x=118.7, y=540.8), end=Point2(x=118.7, y=478.2)), FieldLine(start=Point2(x=118.7, y=478.2), end=Point2(x=244.3, y=478.2)), FieldLine(start=Point2(x=244.3, y=478.2), end=Point2(x=244.3, y=540.8))], landmarks=[Landmark(kind=0, position=Point2(x=181.5, y=542.0)), Landmark(kind=1, position=Point2(x=181.5, y=0.0)), Landmark(kind=2, position=Point2(x=-13.0, y=406.0)), Landmark(kind=3, position=Point2(x=376.0, y=406.0)), Landmark(kind=4, position=Point2(x=-13.0, y=136.0)), Landmark(kind=5, position=Point2(x=376.0, y=136.0))]),
-    '2004': FieldDescription(width=290.0, length=440.0, goal_width=60.0, goal_depth=30.0, goal_height=30.0, box_width=100.0, box_depth=50.0, circle_diameter=30.0, line_width=2.4, side_fringe=0.0, end_fringe=0.0, border_width=10.0, border_corner=50.0, beacon_radius=5.0, beacon_height=40.0, rules=Rules(robots_a_side=4, half_time=600.0, ready_time=45.0, penalty_time=30.0, holding_time=3.0, holding_distance=50.0, throw_in_from_side=40.0, throw_in_from_end=100.0), lines=[FieldLine(start=Point2(x=115.0, y=11.2), end=Point2(x=175.0, y=11.2)), FieldLine(start=Point2(x=175.0, y=428.8), end=Point2(x=115.0, y=428.8)), FieldLine(start=Point2(x=10.0, y=220.0), end=Point2(x=280.0, y=220.0)), FieldLine(start=Point2(x=96.2, y=11.2), end=Point2(x=96.2, y=58.8)), FieldLine(start=Point2(x=96.2, y=58.8), end=Point2(x=193.8, y=58.8)), FieldLine(start=Point2(x=193.8, y=58.8), end=Point2(x=193.8, y=11.2)), FieldLine(start=Point2(x=96.2, y=428.8), end=Point2(x=96.2, y=381.2)), FieldLine(start=Point2(x=96.2, y=381.2), end=Point2(x=193.8, y=381.2)), FieldLine(start=Point2(x=193.8, y=381.2), end=Point2(x=193.8, y=428.8))], landmarks=[Landmark(kind=0, position=Point2(x=145.0, y=440.0)), Landmark(kind=1, position=Point2(x=145.0, y=0.0)), Landmark(kind=2, position=Point2(x=-5.0, y=445.0)), Landmark(kind=3, position=Point2(x=295.0, y=445.0)), Landmark(kind=4, position=Point2(x=-5.0, y=-5.0)), Landmark(kind=5, position=Point2(x=295.0, y=-5.0))]),
+    '2006': FieldDescription(width=360.0, length=540.0, goal_width=80.0, goal_depth=30.0, goal_height=30.0, box_width=130.0, box_depth=65.0, circle_diameter=36.0, line_width=2.5, side_fringe=20.0, end_fringe=30.0, border_width=0.0, border_corner=0.0, beacon_radius=5.0, beacon_height=40.0, rules=Rules(robots_a_side=4, half_time=600.0, ready_time=45.0, penalty_time=30.0, holding_time=3.0, holding_distance=50.0, throw_in_from_side=40.0, throw_in_from_end=100.0, initial_time=5.0, ready_still=2.0, set_time=3.0, own_box_time=1.0, leaving_time=1.0, pushing_time=3.0, fallen_time=20.0, stuck_time=25.0, stuck_distance=10.0, stuck_reach=50.0), lines=[FieldLine(start=Point2(x=1.25, y=1.25), end=Point2(x=358.75, y=1.25)), FieldLine(start=Point2(x=358.75, y=538.75), end=Point2(x=1.25, y=538.75)), FieldLine(start=Point2(x=358.75, y=1.25), end=Point2(x=358.75, y=538.75)), FieldLine(start=Point2(x=1.25, y=538.75), end=Point2(x=1.25, y=1.25)), FieldLine(start=Point2(x=1.25, y=270.0), end=Point2(x=358.75, y=270.0)), FieldLine(start=Point2(x=116.25, y=1.25), end=Point2(x=116.25, y=63.75)), FieldLine(start=Point2(x=116.25, y=63.75), end=Point2(x=243.75, y=63.75)), FieldLine(start=Point2(x=243.75, y=63.75), end=Point2(x=243.75, y=1.25)), FieldLine(start=Point2(x=116.25, y=538.75), end=Point2(x=116.25, y=476.25)), FieldLine(start=Point2(x=116.25, y=476.25), end=Point2(x=243.75, y=476.25)), FieldLine(start=Point2(x=243.75, y=476.25), end=Point2(x=243.75, y=538.75))], landmarks=[Landmark(kind=0, position=Point2(x=180.0, y=540.0)), Landmark(kind=1, position=Point2(x=180.0, y=0.0)), Landmark(kind=2, position=Point2(x=-15.0, y=405.0)), Landmark(kind=3, position=Point2(x=375.0, y=405.0)), Landmark(kind=4, position=Point2(x=-15.0, y=135.0)), Landmark(kind=5, position=Point2(x=375.0, y=135.0))]),
+    'osaka2005': FieldDescription(width=363.0, length=542.0, goal_width=80.0, goal_depth=30.0, goal_height=30.0, box_width=128.0, box_depth=65.0, circle_diameter=36.0, line_width=2.4, side_fringe=19.0, end_fringe=29.0, border_width=0.0, border_corner=0.0, beacon_radius=5.0, beacon_height=40.0, rules=Rules(robots_a_side=4, half_time=600.0, ready_time=45.0, penalty_time=30.0, holding_time=3.0, holding_distance=50.0, throw_in_from_side=40.0, throw_in_from_end=100.0, initial_time=5.0, ready_still=2.0, set_time=3.0, own_box_time=1.0, leaving_time=1.0, pushing_time=3.0, fallen_time=20.0, stuck_time=25.0, stuck_distance=10.0, stuck_reach=50.0), lines=[FieldLine(start=Point2(x=1.2, y=1.2), end=Point2(x=361.8, y=1.2)), FieldLine(start=Point2(x=361.8, y=540.8), end=Point2(x=1.2, y=540.8)), FieldLine(start=Point2(x=361.8, y=1.2), end=Point2(x=361.8, y=540.8)), FieldLine(start=Point2(x=1.2, y=540.8), end=Point2(x=1.2, y=1.2)), FieldLine(start=Point2(x=1.2, y=271.0), end=Point2(x=361.8, y=271.0)), FieldLine(start=Point2(x=118.7, y=1.2), end=Point2(x=118.7, y=63.8)), FieldLine(start=Point2(x=118.7, y=63.8), end=Point2(x=244.3, y=63.8)), FieldLine(start=Point2(x=244.3, y=63.8), end=Point2(x=244.3, y=1.2)), FieldLine(start=Point2(x=118.7, y=540.8), end=Point2(x=118.7, y=478.2)), FieldLine(start=Point2(x=118.7, y=478.2), end=Point2(x=244.3, y=478.2)), FieldLine(start=Point2(x=244.3, y=478.2), end=Point2(x=244.3, y=540.8))], landmarks=[Landmark(kind=0, position=Point2(x=181.5, y=542.0)), Landmark(kind=1, position=Point2(x=181.5, y=0.0)), Landmark(kind=2, position=Point2(x=-13.0, y=406.0)), Landmark(kind=3, position=Point2(x=376.0, y=406.0)), Landmark(kind=4, position=Point2(x=-13.0, y=136.0)), Landmark(kind=5, position=Point2(x=376.0, y=136.0))]),
+    '2004': FieldDescription(width=290.0, length=440.0, goal_width=60.0, goal_depth=30.0, goal_height=30.0, box_width=100.0, box_depth=50.0, circle_diameter=30.0, line_width=2.4, side_fringe=0.0, end_fringe=0.0, border_width=10.0, border_corner=50.0, beacon_radius=5.0, beacon_height=40.0, rules=Rules(robots_a_side=4, half_time=600.0, ready_time=45.0, penalty_time=30.0, holding_time=3.0, holding_distance=50.0, throw_in_from_side=40.0, throw_in_from_end=100.0, initial_time=5.0, ready_still=2.0, set_time=3.0, own_box_time=1.0, leaving_time=1.0, pushing_time=3.0, fallen_time=20.0, stuck_time=25.0, stuck_distance=10.0, stuck_reach=50.0), lines=[FieldLine(start=Point2(x=115.0, y=11.2), end=Point2(x=175.0, y=11.2)), FieldLine(start=Point2(x=175.0, y=428.8), end=Point2(x=115.0, y=428.8)), FieldLine(start=Point2(x=10.0, y=220.0), end=Point2(x=280.0, y=220.0)), FieldLine(start=Point2(x=96.2, y=11.2), end=Point2(x=96.2, y=58.8)), FieldLine(start=Point2(x=96.2, y=58.8), end=Point2(x=193.8, y=58.8)), FieldLine(start=Point2(x=193.8, y=58.8), end=Point2(x=193.8, y=11.2)), FieldLine(start=Point2(x=96.2, y=428.8), end=Point2(x=96.2, y=381.2)), FieldLine(start=Point2(x=96.2, y=381.2), end=Point2(x=193.8, y=381.2)), FieldLine(start=Point2(x=193.8, y=381.2), end=Point2(x=193.8, y=428.8))], landmarks=[Landmark(kind=0, position=Point2(x=145.0, y=440.0)), Landmark(kind=1, position=Point2(x=145.0, y=0.0)), Landmark(kind=2, position=Point2(x=-5.0, y=445.0)), Landmark(kind=3, position=Point2(x=295.0, y=445.0)), Landmark(kind=4, position=Point2(x=-5.0, y=-5.0)), Landmark(kind=5, position=Point2(x=295.0, y=-5.0))]),
 }

@@ -28,6 +28,10 @@ class FastKicks {
 
   // One tick of one robot. True: what it does with the ball is settled, no part of it touches it.
   bool tick(std::size_t robot, const RobotModel& body, Ball& ball);
+  // A hand takes the ball, or the robot.
+  void drop(std::size_t robot) {
+    if (robot < grips_.size()) grips_[robot].holds = false;
+  }
   bool holds(std::size_t robot) const { return robot < grips_.size() && grips_[robot].holds; }
 
  private:

@@ -47,8 +47,14 @@ class KinematicBodies : public Bodies {
     return robots_[robot].onGround();
   }
   Ball ball() const override { return ball_; }
-  void putBall(const Ball& ball) override { ball_ = ball; }
-  void carry(std::size_t robot, const Pose2& pose) override { robots_[robot].carry(pose); }
+  void putBall(const Ball& ball) override {
+    for (std::size_t i = 0; i < robots_.size(); ++i) kicks_.drop(i);
+    ball_ = ball;
+  }
+  void carry(std::size_t robot, const Pose2& pose) override {
+    kicks_.drop(robot);
+    robots_[robot].carry(pose);
+  }
   void hold(std::size_t robot, double share) override { robots_[robot].hold(share); }
   void shove(std::size_t robot, Point2<Field> way, Angle turn) override {
     robots_[robot].push(way);
