@@ -22,6 +22,7 @@ void addVectors(CLI::App& app, int& code);
 void addEvaluate(CLI::App& app, int& code);
 void addFilm(CLI::App& app, int& code);
 void addBench(CLI::App& app, int& code);
+void addLeague(CLI::App& app, int& code);
 void addCalibrate(CLI::App& app, int& code);
 void addMotion(CLI::App& app, int& code);
 

@@ -30,6 +30,7 @@ int main(int argc, char** argv) {
   kelpie::cli::addEvaluate(app, code);
   kelpie::cli::addFilm(app, code);
   kelpie::cli::addBench(app, code);
+  kelpie::cli::addLeague(app, code);
   kelpie::cli::addCalibrate(app, code);
   kelpie::cli::addMotion(app, code);
   try {

@@ -33,9 +33,12 @@ void readResult(const std::string& path, bool blue, SessionResult& result) {
     return;
   }
   const std::string own = blue ? "blue" : "red";
-  for (const auto& goal : json.value("goals", nlohmann::json::array()))
+  for (const auto& goal : json.value("goals", nlohmann::json::array())) {
     (goal.value("team", "") == own ? result.goals : result.ownGoals)
         .push_back(goal.value("t_s", 0.0));
+    if (goal.value("own", false))
+      ++(goal.value("team", "") == "red" ? result.blueOwnGoals : result.redOwnGoals);
+  }
   result.outs = json.value("outs", 0);
   result.seconds = json.value("seconds", 0.0);
 }

@@ -65,8 +65,8 @@ Status writeResult(const Options& options, const World& world) {
   const Score& score = world.score();
   std::string goals;
   for (const Goal& goal : score.goals)
-    goals += fmt::format("{}{{\"team\":\"{}\",\"t_s\":{:.3f}}}", goals.empty() ? "" : ",",
-                         nameOf(goal.team), goal.time);
+    goals += fmt::format("{}{{\"team\":\"{}\",\"t_s\":{:.3f},\"own\":{}}}",
+                         goals.empty() ? "" : ",", nameOf(goal.team), goal.time, goal.own);
   std::ofstream file(options.result);
   file << fmt::format("{{\"goals\":[{}],\"seconds\":{:.3f},\"outs\":{},\"seed\":{}}}\n", goals,
                       world.time().seconds(), score.outs, options.seed);
