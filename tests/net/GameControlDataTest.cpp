@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+#include "robot/core/FieldCheck.h"
+#include "robot/core/Random.h"
+#include "robot/net/GameControlData.h"
+
+namespace kelpie::net {
+namespace {
+
+using Bytes = std::vector<std::uint8_t>;
+
+GameControlData drawn(Random& random) {
+  GameControlData data;
+  data.state = static_cast<PlayState>(random.index(5));
+  data.firstHalf = random.chance(0.5);
+  data.kickOff = static_cast<TeamColour>(random.index(2));
+  data.secondsLeft = random.index(86401);
+  data.dropInTeam = static_cast<TeamColour>(random.index(2));
+  data.dropInSeconds = random.chance(0.3) ? kNoDropIn : random.index(86401);
+  data.teams[0].colour = static_cast<TeamColour>(random.index(2));
+  data.teams[1].colour =
+      data.teams[0].colour == TeamColour::red ? TeamColour::blue : TeamColour::red;
+  for (ControlTeam& team : data.teams) {
+    team.number = static_cast<std::uint32_t>(random.next());
+    team.score = random.index(256);
+    for (ControlPlayer& player : team.players)
+      player = {static_cast<ControlPenalty>(random.index(10)), random.index(3601)};
+  }
+  return data;
+}
+
+// A match at which nothing is 0 that need not be.
+GameControlData example() {
+  GameControlData data;
+  data.state = PlayState::set;
+  data.kickOff = TeamColour::red;
+  data.secondsLeft = 0x123;
+  data.dropInTeam = TeamColour::red;
+  data.dropInSeconds = 7;
+  data.teams[0] = {5, TeamColour::blue, 2, {}};
+  data.teams[1] = {6, TeamColour::red, 3, {}};
+  data.teams[1].players[2] = {ControlPenalty::illegalDefender, 29};
+  return data;
+}
+
+std::uint32_t wordAt(const Bytes& bytes, std::size_t place) {
+  return bytes[place] | (bytes[place + 1] << 8U) | (bytes[place + 2] << 16U) |
+         (static_cast<std::uint32_t>(bytes[place + 3]) << 24U);
+}
+void putWord(Bytes& bytes, std::size_t place, std::uint32_t word) {
+  for (std::size_t i = 0; i < 4; ++i)
+    bytes[place + i] = static_cast<std::uint8_t>((word >> (8 * i)) & 0xffU);
+}
+
+TEST(GameControlData, TheBytesAreThoseOfVersionFour) {
+  const Bytes bytes = encodeControl(example());
+  ASSERT_EQ(bytes.size(), 120U);
+  EXPECT_EQ(std::string(bytes.begin(), bytes.begin() + 4), "RGme");
+  const std::pair<std::size_t, std::uint32_t> words[] = {
+      {4, 4},  {8, 2},  {12, 1}, {16, 1}, {20, 0x123}, {24, 1},  {28, 7},  {32, 5},
+      {36, 0}, {40, 2}, {76, 6}, {80, 1}, {84, 3},     {104, 4}, {108, 29}};
+  for (const auto& [place, word] : words) EXPECT_EQ(wordAt(bytes, place), word) << place;
+}
+
+TEST(GameControlData, WhatIsEncodedIsDecoded) {
+  Random random(11);
+  for (int i = 0; i < 1000; ++i) {
+    const GameControlData data = drawn(random);
+    const Bytes bytes = encodeControl(data);
+    GameControlData back;
+    ASSERT_FALSE(decodeControl(bytes.data(), bytes.size(), back)) << i;
+    std::string path;
+    EXPECT_FALSE(firstDifference(data, back, &path)) << path;
+  }
+}
+
+struct Wrong {
+  ControlRefusal reason;
+  std::size_t place;
+  std::uint32_t word;
+};
+
+TEST(GameControlData, EveryValueThatCannotBeIsRefusedByItsReason) {
+  const Wrong table[] = {{ControlRefusal::header, 0, 0x656d4752 + 1},
+                         {ControlRefusal::version, 4, 5},
+                         {ControlRefusal::state, 8, 5},
+                         {ControlRefusal::state, 8, 0x102},
+                         {ControlRefusal::half, 12, 2},
+                         {ControlRefusal::kickOffTeam, 16, 2},
+                         {ControlRefusal::secondsLeft, 20, 0xffffffff},
+                         {ControlRefusal::dropInTeam, 24, 2},
+                         {ControlRefusal::dropInTime, 28, 0xfffffffe},
+                         {ControlRefusal::teamColour, 36, 2},
+                         {ControlRefusal::teamColour, 36, 1},  // both red
+                         {ControlRefusal::score, 40, 256},
+                         {ControlRefusal::penalty, 44, 10},
+                         {ControlRefusal::penaltyTime, 48, 3601}};
+  for (const Wrong& wrong : table) {
+    Bytes bytes = encodeControl(example());
+    putWord(bytes, wrong.place, wrong.word);
+    GameControlData data;
+    ControlCounts counts;
+    EXPECT_FALSE(receiveControl(bytes.data(), bytes.size(), data, counts));
+    EXPECT_EQ(counts.refused[static_cast<std::size_t>(wrong.reason)], 1U)
+        << kControlRefusalNames[static_cast<std::size_t>(wrong.reason)].name;
+    EXPECT_FALSE(firstDifference(data, GameControlData{}, nullptr)) << "was changed";
+  }
+}
+
+TEST(GameControlData, APacketOfAnotherLengthIsRefused) {
+  Bytes bytes = encodeControl(example());
+  bytes.push_back(0);
+  GameControlData data;
+  for (std::size_t size = 0; size <= bytes.size(); ++size)
+    EXPECT_EQ(decodeControl(bytes.data(), size, data) == ControlRefusal::size, size != 120);
+}
+
+TEST(GameControlData, WhateverBytesComeAreTakenOrCounted) {
+  Random random(12);
+  GameControlData data;
+  ControlCounts counts;
+  constexpr std::uint32_t kPackets = 100000;
+  for (std::uint32_t i = 0; i < kPackets; ++i) {
+    Bytes bytes = encodeControl(drawn(random));
+    const std::uint32_t how = random.index(3);
+    if (how == 0)
+      for (auto& byte : bytes) byte = static_cast<std::uint8_t>(random.index(256));
+    if (how == 1) bytes.resize(random.index(121));
+    if (how == 2)
+      for (std::uint32_t flips = random.index(4); flips > 0; --flips)
+        bytes[random.index(120)] ^= static_cast<std::uint8_t>(1U << random.index(8));
+    const bool taken = receiveControl(bytes.data(), bytes.size(), data, counts);
+    std::string why;
+    ASSERT_TRUE(!taken || verify(data, &why)) << why;
+  }
+  const auto& refused = counts.refused;
+  EXPECT_EQ(std::accumulate(refused.begin(), refused.end(), counts.taken), kPackets);
+  EXPECT_GT(counts.taken, 0U);
+  for (std::size_t i = 0; i < kControlRefusals; ++i)
+    EXPECT_GT(refused[i], 0U) << kControlRefusalNames[i].name;
+}
+
+TEST(GameControlData, ARobotKnowsItsOwnMatch) {
+  GameControlData data = example();
+  const GameState red = gameStateFrom(data, TeamColour::red, 3);
+  EXPECT_EQ(red.state, PlayState::set);
+  EXPECT_TRUE(red.penalised && red.kickOff && red.firstHalf);
+  EXPECT_EQ(red.ownScore, 3);
+  EXPECT_EQ(red.opponentScore, 2);
+  EXPECT_EQ(red.secondsLeft, 0x123);
+  EXPECT_FALSE(gameStateFrom(data, TeamColour::red, 2).penalised);
+  const GameState blue = gameStateFrom(data, TeamColour::blue, 3);
+  EXPECT_FALSE(blue.penalised || blue.kickOff);
+  EXPECT_EQ(blue.ownScore, 2);
+  std::swap(data.teams[0], data.teams[1]);
+  EXPECT_EQ(gameStateFrom(data, TeamColour::red, 3).ownScore, 3) << "teams come in any order";
+  data.state = PlayState::playing;
+  EXPECT_FALSE(gameStateFrom(data, TeamColour::red, 3).kickOff);
+  EXPECT_FALSE(gameStateFrom(data, TeamColour::red, 0).penalised);
+}
+
+}  // namespace
+}  // namespace kelpie::net
