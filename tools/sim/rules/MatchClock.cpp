@@ -15,20 +15,21 @@ std::optional<EventKind> enter(PlayState state, EventKind kind, ClockState& cloc
 std::optional<EventKind> endHalf(ClockState& clock) {
   if (!clock.firstHalf) return enter(PlayState::finished, EventKind::end, clock);
   clock.firstHalf = false;
-  clock.played = 0.0;
+  clock.played = {};
   clock.kickOff = otherTeam(clock.firstKickOff);
   return enter(PlayState::initial, EventKind::half, clock);
 }
 
-std::optional<EventKind> play(const ClockIn& in, double seconds, const body::Rules& rules,
+std::optional<EventKind> play(const ClockIn& in, TimeUs gone, const body::Rules& rules,
                               ClockState& clock) {
-  clock.played += seconds;
+  clock.played = clock.played + gone;
+  const bool over = clock.played.seconds() >= rules.halfTime;
   if (in.goalFor) {
     clock.kickOff = otherTeam(*in.goalFor);
     // A goal of the half's last tick has no kick-off any more.
-    if (clock.played < rules.halfTime) return enter(PlayState::ready, EventKind::ready, clock);
+    if (!over) return enter(PlayState::ready, EventKind::ready, clock);
   }
-  if (clock.played >= rules.halfTime) return endHalf(clock);
+  if (over) return endHalf(clock);
   return std::nullopt;
 }
 
@@ -37,7 +38,7 @@ std::optional<EventKind> play(const ClockIn& in, double seconds, const body::Rul
 double ClockState::secondsLeft(const body::Rules& rules) const {
   if (state == PlayState::finished) return 0.0;
   const double left =
-      state == PlayState::ready ? rules.readyTime - inState() : rules.halfTime - played;
+      state == PlayState::ready ? rules.readyTime - inState() : rules.halfTime - played.seconds();
   return std::max(0.0, left);
 }
 
@@ -49,7 +50,7 @@ ClockState clockFor(TeamColour firstKickOff) {
 }
 
 std::optional<EventKind> step(const ClockIn& in, const body::Rules& rules, ClockState& clock) {
-  const double seconds = (in.time - clock.last).seconds();
+  const TimeUs gone = in.time - clock.last;
   clock.last = in.time;
   switch (clock.state) {
     case PlayState::initial:
@@ -61,7 +62,7 @@ std::optional<EventKind> step(const ClockIn& in, const body::Rules& rules, Clock
     case PlayState::set:
       if (clock.inState() < rules.setTime) return std::nullopt;
       return enter(PlayState::playing, EventKind::play, clock);
-    case PlayState::playing: return play(in, seconds, rules, clock);
+    case PlayState::playing: return play(in, gone, rules, clock);
     case PlayState::finished: break;
   }
   return std::nullopt;

@@ -26,7 +26,7 @@ struct ClockState {
   TeamColour kickOff = TeamColour::red;  // whose the last or the next one is
   TimeUs began;                          // the state
   TimeUs last;                           // step
-  double played = 0.0;                   // s of the half
+  TimeUs played;                         // of the half
 
   double inState() const { return (last - began).seconds(); }
   // Of the half; in ready, of that state.

@@ -15,7 +15,8 @@ constexpr double kBallStays = 1.0;  // cm that the ball may move before the whis
 std::size_t numberOf(TeamColour team) { return team == TeamColour::red ? 0 : 1; }
 std::uint8_t clipped(int score) { return static_cast<std::uint8_t>(std::clamp(score, 0, 255)); }
 
-net::ControlPenalty controlPenalty(const ScenePlayer& player, Offence offence) {
+// Whether it was a goalie that was pushed is not told apart.
+net::ControlPenalty controlPenalty(Offence offence) {
   switch (offence) {
     case Offence::ownBox: return net::ControlPenalty::illegalDefender;
     case Offence::leftField: return net::ControlPenalty::leavingTheField;
@@ -24,8 +25,7 @@ net::ControlPenalty controlPenalty(const ScenePlayer& player, Offence offence) {
     case Offence::carriedTooFar: return net::ControlPenalty::ballHolding;
     case Offence::pushing: break;
   }
-  return player.number == kGoalie ? net::ControlPenalty::goaliePushing
-                                  : net::ControlPenalty::playerPushing;
+  return net::ControlPenalty::playerPushing;
 }
 
 }  // namespace
@@ -211,7 +211,7 @@ net::GameControlData RuledMatch::control(const Score& score) const {
   data.state = clock_.state;
   data.firstHalf = clock_.firstHalf;
   data.kickOff = clock_.kickOff;
-  data.secondsLeft = seconds(finished() ? 0.0 : field_.rules.halfTime - clock_.played);
+  data.secondsLeft = seconds(finished() ? 0.0 : field_.rules.halfTime - clock_.played.seconds());
   data.dropInTeam = dropInTeam_;
   if (droppedIn_)
     data.dropInSeconds = static_cast<std::uint32_t>((scene_.time - *droppedIn_).seconds());
@@ -223,7 +223,7 @@ net::GameControlData RuledMatch::control(const Score& score) const {
     for (std::size_t i = 0; i < scene_.players.size(); ++i) {
       const ScenePlayer& who = scene_.players[i];
       if (who.team != team || !penalised(i) || who.number > net::kControlPlayers) continue;
-      out.players[who.number - 1U] = {controlPenalty(who, penalties_.of[i].offence),
+      out.players[who.number - 1U] = {controlPenalty(penalties_.of[i].offence),
                                       seconds(penalties_.secondsLeft(i, scene_.time))};
     }
   }
