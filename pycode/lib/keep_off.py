@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-# Which ways of the play a non-attacker leaves free (thesis 2006 section 4.3.3, figures 4.4 and 4.5):
-# plain geometry of field points in cm. A Lane is a segment and how far to keep off it. Keeps
+# Which ways of the play a non-attacker leaves free (thesis 2006 section 4.3.3, figures 4.4 and
+# 4.5): plain geometry of field points in cm. A Lane is a segment and how far to keep off it. Keeps
 # nothing. Takes the attacker's way to be straight, and its shot to go to the goal's middle.
 import math
 

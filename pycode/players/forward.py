@@ -2,8 +2,8 @@
 # A player of the field (pForward, thesis 2006 figure 4.1 and section 4.4): gets up when it has
 # fallen, walks to its place before a kick-off, waits while play is halted, and plays the role that
 # it chooses; alone it is the attacker. Keeps the memory, the role with its choice, and the way to
-# its place. Tells the team of each frame what it is about to do. The trace of each Command says why,
-# from here down to the skill.
+# its place. Tells the team in each frame what it is about to do. The trace of each Command says
+# why, from here down to the skill.
 import kelpie
 from decisions.roles import NAMES, RoleChoice
 from lib import lights, time_to

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-# Keeps off the attacker's ways (thesis 2006 section 4.3.3): plan A, the line from ball to goal, when
-# it has the ball; plan B, its way to the ball, when it has not yet. Which lanes those are is
+# Keeps off the attacker's ways (thesis 2006 section 4.3.3): plan A, the line from ball to goal,
+# when it has the ball; plan B, its way to the ball, when it has not yet. Which lanes those are is
 # lib/keep_off.py's; a lane that the robot stands in is left by the shorter way, walking in any
 # direction with the ball in view. Keeps the lane's kind and gap. Moves as fast as it can, 35 cm/s:
 # an attacker that comes with 40 from behind is not outrun.
