@@ -9,8 +9,8 @@ import math
 import kelpie
 from decisions import positions
 from lib import time_to
+from lib.ways import SILENT_S
 
-SILENT_S = 1.5       # facts-2005 section 8.2: a mate's pose expires after 45 frames
 SEES_S = 0.5         # s; facts-2005 section 7.1: "lost" for a ball that vision sees no more
 TIE_S = 0.06         # s; times that alike are a tie (symmetry break of facts-2005 section 7.1)
 HAND_OVER_S = 0.5    # s: who gave the ball up does not take it again until the mate has told
@@ -22,9 +22,10 @@ Answer = tuple       # whether, the reason, its numbers
 
 
 def forwards(world) -> list:
-    """The mates that count: heard, and no goalies."""
+    """The mates that count: heard, and neither goalies nor without a role, as the penalised."""
     return [mate for mate in world.teammates
-            if mate.seconds_since_heard < SILENT_S and mate.note.role != kelpie.KEEPER]
+            if mate.seconds_since_heard < SILENT_S and
+            mate.note.role not in (kelpie.KEEPER, kelpie.NO_ROLE)]
 
 
 def should_attack(own, mates) -> Answer:

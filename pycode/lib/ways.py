@@ -16,6 +16,7 @@ EDGE = 15.0         # cm
 FULL = 10.0         # count of an obstacle cell, as in lib/obstacles.py
 SEEN_S = 2.0        # s; of opponents
 OWN_BODY = 14.0     # cm; what is nearer is the robot itself
+SILENT_S = 1.5      # a mate's pose expires after 45 frames (facts-2005 section 8.2)
 
 
 def others(world) -> list:
@@ -103,5 +104,6 @@ def point_of(what) -> tuple:
 
 def attacker_of(world):
     """The mate that attacks, the first to be at the ball if there are two; None without."""
-    return min((mate for mate in world.teammates if mate.note.role == kelpie.ATTACKER),
+    return min((mate for mate in world.teammates
+                if mate.note.role == kelpie.ATTACKER and mate.seconds_since_heard < SILENT_S),
                key=lambda mate: mate.note.time_to_ball, default=None)

@@ -18,6 +18,7 @@ from skills.goalie_head import seen
 from skills.guard_goal import GuardGoal
 from skills.kick import Kick
 from skills.paw_kick import PawKick
+from skills.take_place import TakePlace
 from skills.watch import Scan
 
 
@@ -57,6 +58,7 @@ class EllipseGoalie(Machine):
         self.memory = Memory()
         self.eyes = EllipseHead(self.memory)
         self.get_up = GetUp()
+        self.place_taken = None   # the way to its place before a kick-off
 
     def command(self, world) -> kelpie.Command:
         self.memory.update(world)
@@ -64,6 +66,7 @@ class EllipseGoalie(Machine):
         forward, left = off_rear_wall(world.field, world.pose, command.walk.forward,
                                       command.walk.left)
         command.walk.forward, command.walk.left = forward, left
+        command.team.role = kelpie.NO_ROLE if world.game.penalised else kelpie.KEEPER
         self.explain(command.trace)
         return command
 
@@ -71,16 +74,27 @@ class EllipseGoalie(Machine):
         if world.game.state != kelpie.PLAYING or world.game.penalised:
             self.reset(world, 'play is halted', self.guard, GuardGoal(GuardEllipse))
             return self.idle(world)
+        self.place_taken = None
         if self.get_up.needed(world):
             self.reset(world, 'has fallen', self.guard, GuardGoal(GuardEllipse))
             return kelpie.Command(motion=self.get_up.motion(world))
         return self.step(world)
 
     def idle(self, world) -> kelpie.Command:
-        return kelpie.Command(head=Scan().head(world, world.time_s))
+        """Stands; before a kick-off it walks to its place, and gets up for that."""
+        if world.game.penalised or world.game.state not in (kelpie.READY, kelpie.SET):
+            self.place_taken = None
+            return kelpie.Command(head=Scan().head(world, world.time_s))
+        if self.get_up.needed(world):
+            return kelpie.Command(motion=self.get_up.motion(world))
+        if self.place_taken is None:
+            self.place_taken = TakePlace(self.memory, goalie=True)
+        return self.place_taken.command(world)
 
     def explain(self, trace) -> None:
         super().explain(trace)
+        if self.place_taken is not None:
+            self.place_taken.explain(trace)
         self.eyes.explain(trace)
 
     # States

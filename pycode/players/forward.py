@@ -55,9 +55,11 @@ class Forward:
         if world.game.state == kelpie.READY and self.get_up.needed(world):
             return self.gets_up(world)
         command = self.place.command(world)
-        branch, why = (('takes_place', 'the team gets ready') if world.game.state == kelpie.READY
-                       else ('waits', 'all are set'))
-        told = [(kelpie.LAYER_PLAYER, 'forward', branch, why)]
+        told = [(kelpie.LAYER_PLAYER, 'forward', 'takes_place', 'the team gets ready')]
+        if world.game.state == kelpie.SET:  # who attacks is agreed before the whistle
+            self.choice.update(world, self.memory)
+            self.tell(world, command.team)
+            told = [(kelpie.LAYER_PLAYER, 'forward', 'waits', 'all are set')]
         self.place.explain(told)
         return command, told
 
@@ -81,7 +83,7 @@ class Forward:
         note.role = self.choice.role
         note.time_to_ball = self.choice.seconds
         note.grabs = time_to.grabs_now(world, self.memory)
-        wanted = self.role.wanted(world)
+        wanted = self.role.wanted(world) if world.game.state == kelpie.PLAYING else None
         if wanted is not None:
             note.wants, note.wanted.x, note.wanted.y = True, wanted[0], wanted[1]
 

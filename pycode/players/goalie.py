@@ -19,6 +19,7 @@ from skills.get_up import GetUp
 from skills.goalie_head import GoalieHead, seen
 from skills.guard_goal import GuardGoal, in_box
 from skills.kick import Kick
+from skills.take_place import TakePlace
 from skills.watch import Scan
 
 
@@ -35,6 +36,7 @@ class Goalie(Machine):
         self.facing = FaceUpField()
         self.pose = PoseWatch()
         self.get_up = GetUp()
+        self.place_taken = None   # the way to its place before a kick-off
         self.cleared_to = None  # the point of the field that the last clearance was to pass
         self.shot_aside = 0.0  # cm, of the last shot that was blocked
         self.moved_s = 0.0  # when the last motion ended
@@ -49,6 +51,7 @@ class Goalie(Machine):
         self.shots.update(world)
         self.facing.update(world)
         command = self.decide(world)
+        command.team.role = kelpie.NO_ROLE if world.game.penalised else kelpie.KEEPER
         self.explain(command.trace)
         return command
 
@@ -56,6 +59,7 @@ class Goalie(Machine):
         if world.game.state != kelpie.PLAYING or world.game.penalised:
             self.start_over(world, 'play is halted')
             return self.idle(world)
+        self.place_taken = None
         if self.get_up.needed(world):
             self.start_over(world, 'has fallen')
             return kelpie.Command(motion=self.get_up.motion(world))
@@ -64,7 +68,15 @@ class Goalie(Machine):
         return self.step(world)
 
     def idle(self, world) -> kelpie.Command:
-        return kelpie.Command(head=Scan().head(world, world.time_s))
+        """Stands; before a kick-off it walks to its place, and gets up for that."""
+        if world.game.penalised or world.game.state not in (kelpie.READY, kelpie.SET):
+            self.place_taken = None
+            return kelpie.Command(head=Scan().head(world, world.time_s))
+        if self.get_up.needed(world):
+            return kelpie.Command(motion=self.get_up.motion(world))
+        if self.place_taken is None:
+            self.place_taken = TakePlace(self.memory, goalie=True)
+        return self.place_taken.command(world)
 
     def start_over(self, world, why):
         self.facing.end()
@@ -72,6 +84,8 @@ class Goalie(Machine):
 
     def explain(self, trace) -> None:
         super().explain(trace)
+        if self.place_taken is not None:
+            self.place_taken.explain(trace)
         if self.pose.doubtful:
             trace.append((kelpie.LAYER_SKILL, 'pose_watch', 'carried', 'the pose has jumped'))
         self.eyes.explain(trace)

@@ -11,6 +11,7 @@ from lib import search_places
 from lib.geom import from_field
 from lib.machine import Machine
 from lib.steer import aim_at, towards
+from lib.ways import SILENT_S
 from skills.bird_of_prey import BirdOfPrey
 from skills.spin_for_ball import SpinForBall
 from skills.watch import Scan
@@ -21,7 +22,6 @@ LOST_FRAMES = 66      # after which the team is asked (facts-2005 section 7.2),
 LOST_ATTACKER = 166   # by an attacker
 NEAR = 60.0           # cm; a nearer ball is the own search's, which looks under the chin
 ARRIVED, LEFT = 20.0, 50.0
-SILENT_S = 1.5
 AGAIN_S = 1.0         # between two looks at who is where
 SPIN_TIMES = 2.0      # of algorithm 6.2's speed, as skills/find_ball.py
 

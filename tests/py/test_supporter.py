@@ -6,10 +6,13 @@ import math
 
 import kelpie
 import pytest
+from decisions.score import goes_forward
 from lib import keep_off, kick_off_places, search_places, ways
 from lib.geom import wrap
 from lib.memory import Memory
+from players.ellipse_goalie import EllipseGoalie
 from players.forward import Forward
+from players.goalie import Goalie
 from roles.supporter import Supporter
 from situations import put_ball, world
 from skills.bird_of_prey import BirdOfPrey
@@ -379,3 +382,38 @@ def test_the_role_and_why_are_in_the_trace():
     made, forward = scene(), Forward()
     layer, module, branch, why, *_ = forward.command(made).trace[0]
     assert (layer, module) == (kelpie.LAYER_PLAYER, 'forward') and branch != 'plays' and why
+
+
+# The goalie's part
+
+@pytest.mark.parametrize('make', [Goalie, EllipseGoalie])
+def test_a_goalie_takes_its_place_and_tells_that_it_is_one(make):
+    made, goalie = ready_world((300.0, 200.0), 1), make()
+    for _ in range(600):
+        command = goalie.command(made)
+        walk_in(made, command)
+    assert math.hypot(made.pose.position.x - 180.0, made.pose.position.y - 20.0) < 12.0
+    assert command.team.role == kelpie.KEEPER
+    assert [step[1] for step in command.trace].count('take_place') == 1
+    made.game.penalised = True
+    assert goalie.command(made).team.role == kelpie.NO_ROLE
+
+
+@pytest.mark.parametrize('aware, kind, own, theirs, goes', [
+    (True, kelpie.GOALIE, 0, 4, True), (True, kelpie.GOALIE, 0, 3, False),
+    (True, kelpie.GOALIE, 2, 5, False), (True, kelpie.GOALIE_2004, 1, 6, True),
+    (False, kelpie.GOALIE, 0, 9, False), (True, kelpie.CHALLENGER, 0, 9, False)])
+def test_a_goalie_goes_forward_when_its_team_is_behind_by_more_than_three(aware, kind, own, theirs,
+                                                                         goes):
+    made = world()
+    made.task.score_aware, made.task.player = aware, kind
+    made.game.own_score, made.game.opponent_score = own, theirs
+    assert goes_forward(made) == goes
+
+
+def test_who_attacks_is_agreed_before_the_whistle():
+    made, forward = ready_world((180.0, 225.0), 2), Forward()
+    made.game.state = kelpie.SET
+    made.teammates = [mate(3, S, 9.0), mate(4, S, 8.0)]
+    note = forward.command(made).team
+    assert note.role == kelpie.ATTACKER and note.time_to_ball < 9.0
