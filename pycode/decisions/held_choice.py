@@ -1,11 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
 # The kick of a robot that holds the ball, asked in every frame of skills/grab_dribble.py: by the
 # rules of the thesis (decisions/kick_choice.py) once it has aimed, or by the map of where kicks go
-# (decisions/kick_map_choice.py). Keeps the contest's latch of the attacker and the memory. Answers
-# None while the robot should turn or carry on.
+# (decisions/kick_map_choice.py); or a pass that is worth more (decisions/passing.py). Keeps the
+# contest's latch of the attacker, the memory, and the mate of the pass. Answers None while the
+# robot should turn or carry on.
 import kelpie
-from decisions import kick_choice, kick_map_choice
+from decisions import kick_choice, kick_map_choice, passing
 from decisions.kick_choice import Hold
+from lib.aim import mouth
+from lib.geom import wrap
 
 UPENN_PLANS = {'grab_upenn_left': kelpie.UPENN_LEFT, 'grab_upenn_right': kelpie.UPENN_RIGHT}
 PASSES = {kick_choice.PASS_LEFT: kelpie.UPENN_LEFT, kick_choice.PASS_RIGHT: kelpie.UPENN_RIGHT}
@@ -16,10 +19,35 @@ class HeldChoice:
     def __init__(self, memory, contested):
         self.memory = memory
         self.contested = contested
+        self.pass_to = 0     # the mate's number; 0: the last choice was no pass
 
     def choose(self, world, dribble, overdue) -> tuple | None:
         """(kick or kick_choice.RELEASE, reason, numbers...) or None. `dribble`: the GrabDribble;
         `overdue`: the rules leave no more time."""
+        if world.task.passing and len(world.teammates) > 0:
+            passed = self.pass_on(world, dribble)
+            if passed is not None:
+                return passed
+        self.pass_to = 0
+        return self.alone(world, dribble, overdue)
+
+    def pass_on(self, world, dribble):
+        """To a mate for whom the ball is worth more than the own kick, once aimed; by a margin to
+        begin with, since the stop for it is lost otherwise."""
+        best = passing.best(world, kick_map_choice.held_ball(world))
+        if best is None:
+            return None
+        gap = dribble.aim.gap or mouth(world)
+        middle = wrap(0.5 * (gap[0] + gap[1])) if gap is not None else 0.0
+        own = max(kick_map_choice.worth_of(world, kick, gap, middle)
+                  for kick in kick_map_choice.AHEAD)
+        worth, kick, player = best
+        if worth < own + (0.0 if self.pass_to == player else passing.LEAST_GAIN):
+            return None
+        self.pass_to = player
+        return kick, 'pass to player {}: worth {}, own kick {}', player, worth, own
+
+    def alone(self, world, dribble, overdue):
         if world.task.kicks == kelpie.KICKS_BY_MAP:
             return kick_map_choice.choose(world, dribble, overdue)
         strike = UPENN_PLANS.get(dribble.plan)

@@ -6,7 +6,7 @@
 import math
 
 import kelpie
-from decisions import positions
+from decisions import positions, positions_passing
 from decisions.positions_regression import PLACE, RegressedPositions, attacker_angle, attacks
 from lib import keep_off
 from lib.ways import aside_of, attacker_of, point_of
@@ -22,6 +22,7 @@ class Home:
         self.string = positions.BallOnString()
         self.regressed = None
         self.frames = 0
+        self.passing = None    # the place where a pass may be had
         self.raw = None        # (x, y, heading or None) before the attacker's ways are left free
 
     def update(self, world, role, ball, lanes) -> tuple:
@@ -37,7 +38,13 @@ class Home:
                 self.raw = self.by_examples(world, role, at)
         else:
             self.raw = (*positions.PLACES[role](world.field, at), None)
-        return keep_off.cleared(world.field, (self.raw[0], self.raw[1]), lanes)
+        place = self.raw[0], self.raw[1]
+        if world.task.passing and at is not None:
+            if self.frames <= 0 or self.passing is None:
+                self.frames = EVERY_FRAMES
+                self.passing = positions_passing.moved(world, role, place, at, self.passing)
+            place = self.passing
+        return keep_off.cleared(world.field, place, lanes)
 
     def by_examples(self, world, role, ball):
         if self.regressed is None:

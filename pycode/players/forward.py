@@ -83,6 +83,7 @@ class Forward:
         note.role = self.choice.role
         note.time_to_ball = self.choice.seconds
         note.grabs = time_to.grabs_now(world, self.memory)
+        note.pass_to = self.role.pass_to
         wanted = self.role.wanted(world) if world.game.state == kelpie.PLAYING else None
         if wanted is not None:
             note.wants, note.wanted.x, note.wanted.y = True, wanted[0], wanted[1]

@@ -33,7 +33,7 @@ LOOK_AFTER = 100.0, 0.0     # cm, deg: where a kicked ball is looked for
 SEEN_S = 0.1            # s: a sighting that gps refused is none
 WATCH = 0.4             # s after a kick
 AHEAD, FOLLOW = 15.0, 40.0  # deg, cm/s: a ball that went ahead is followed meanwhile
-BOX_WAIT_FRAMES = 90    # who is alone waits so long for its ball to leave the own box
+BOX_WAIT_FRAMES = 90    # who has no goalie waits so long for its ball to leave the own box
 BOX_LEFT_Y = 130.0      # cm; a ball beyond has left it for certain
 KICKS = {tree.UPENN_LEFT: kelpie.UPENN_LEFT, tree.UPENN_RIGHT: kelpie.UPENN_RIGHT,
          tree.KICK_AHEAD: kelpie.KICK_FORWARD,
@@ -97,13 +97,19 @@ class Attacker(Machine):
         ball = world.ball
         return (ball.position.x, ball.position.y) if ball.present else None
 
+    @property
+    def pass_to(self) -> int:
+        """Number of the mate that the ball is played to, from the stop for the kick until it has
+        rolled; 0: nobody."""
+        return self.held.pass_to if self.state == self.watch or self.committed else 0
+
     def back_off(self, world):
         if not self.stuck.needed(world):
             return self.enter(world, self.find, None, 'the paws are free')
         return self.stuck.command(world)
 
     def avoid_box(self, world):
-        """Without team mates there is no goalie who clears the ball: it fetches it in the end."""
+        """Where no goalie is heard who clears the ball, it fetches it in the end."""
         self.box_frames += 1
         if self.lost(world) or not self.box_in_the_way(world):
             return self.enter(world, self.find, None, 'the own box is no longer in the way')
@@ -157,7 +163,7 @@ class Attacker(Machine):
     def box_in_the_way(self, world) -> bool:
         if world.ball.present and world.ball.position.y > BOX_LEFT_Y:
             self.box_frames = 0
-        if not world.teammates and self.box_frames > BOX_WAIT_FRAMES:
+        if self.box_frames > BOX_WAIT_FRAMES and not has_goalie(world):
             return False
         return AvoidOwnBox.needed(world, self.memory.grab_lost < 2)
 
@@ -185,6 +191,7 @@ class Attacker(Machine):
             return Dribble(self.memory, self.goal_heading)
         if leaf == LINE_UP:
             return LineUpKick(self.memory, self.goal)
+        self.held.pass_to = 0
         return GrabDribble(self.memory, self.held.choose, leaf)
 
     def goal_heading(self, world) -> float:
@@ -207,3 +214,7 @@ class Attacker(Machine):
         below = getattr(self.skill, 'explain', None)
         if below is not None:
             below(trace)
+
+
+def has_goalie(world) -> bool:
+    return any(mate.note.role == kelpie.KEEPER for mate in world.teammates)

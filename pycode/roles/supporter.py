@@ -12,6 +12,7 @@ from lib import keep_off, time_to
 from lib.geom import from_field
 from lib.machine import Machine
 from lib.steer import facing
+from lib.ways import aside_of
 from skills.avoid_attacker import AvoidAttacker
 from skills.bird_of_prey import BirdOfPrey
 from skills.find_ball import FindBall
@@ -30,6 +31,7 @@ TURN_FROM, TURN_UNTIL = 25.0, 8.0   # deg from the ball, who stands
 class Supporter(Machine):
     LAYER = kelpie.LAYER_ROLE
     committed = False
+    pass_to = 0
 
     def __init__(self, memory, role):
         super().__init__(self.go_home)
@@ -63,8 +65,8 @@ class Supporter(Machine):
     def choose(self, world, lanes):
         if self.stuck.needed(world):
             return self.take(world, self.back_off, self.stuck, 'a front paw pushes at something')
-        for rule in (self.mate_holds, self.mate_has_ball, self.bird_flies, self.mate_comes,
-                     self.is_far, self.has_lost):
+        for rule in (self.mate_passes, self.mate_holds, self.mate_has_ball, self.bird_flies,
+                     self.mate_comes, self.is_far, self.has_lost):
             if rule(world, lanes):
                 return None
         return self.take(world, self.go_home, None, 'home is {} cm away', self.away)
@@ -73,6 +75,12 @@ class Supporter(Machine):
         if self.state != state:
             self.enter(world, state, skill, why, *numbers)
         return True
+
+    def mate_passes(self, world, lanes) -> bool:
+        """Who is to get the ball waits for it: it is in the way on purpose."""
+        player = world.game.player
+        return (any(mate.note.pass_to == player for mate in world.teammates) and
+                self.take(world, self.receive, None, 'a mate plays the ball to it'))
 
     def mate_holds(self, world, lanes) -> bool:
         lane = self.out_of_way.lane_of(world, lanes, self.state == self.get_out_of_way)
@@ -113,6 +121,9 @@ class Supporter(Machine):
 
     def back_off(self, world) -> kelpie.Command:
         return self.stuck.command(world)
+
+    def receive(self, world) -> kelpie.Command:
+        return self.walking(world, facing((0.0, 0.0), aside_of(world, self.ball)))
 
     def get_out_of_way(self, world) -> kelpie.Command:
         return self.walking(world, self.out_of_way.walk(world, self.lane, self.ball))

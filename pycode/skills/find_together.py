@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 # Looks for a lost ball with the team. A mate that sees it ends the search: who must play it walks
-# to where the team has it. When the whole team has lost it each forward goes to its own place of the
-# field and spins there (distributed find ball, thesis 2006 section 6.2.2, figure 6.1). Keeps the
-# place and the way there. It has nothing to say (None) in the first seconds, when the own search
-# finds most balls, and without mates.
+# to where the team has it. When the whole team has lost it each forward goes to its own place of
+# the field and spins there (distributed find ball, thesis 2006 section 6.2.2, figure 6.1). Keeps
+# the place and the way there. It has nothing to say (None) in the first seconds, when the own
+# search finds most balls, and without mates.
 import math
 
 import kelpie

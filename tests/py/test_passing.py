@@ -1,0 +1,136 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Passes of a held ball, who waits for one, and places that value one."""
+import math
+
+import kelpie
+import pytest
+from decisions import passing, positions_passing
+from decisions.contested import Contested
+from decisions.held_choice import HeldChoice
+from lib import kick_table
+from lib.memory import Memory
+from roles.supporter import Supporter
+from situations import world
+from skills.grab_dribble import GrabDribble
+from skills.hold import Hold
+from test_roles import A, S, mate
+
+BALL = (100.0, 208.0)
+
+
+def holder(at=(100.0, 200.0), heading=90.0, opponents=()):
+    made = world(*at, heading, (at[0], at[1] + 8.0))
+    made.task.passing = True
+    made.opponents = [kelpie.OpponentEstimate(position=kelpie.Point2(x=x, y=y))
+                      for x, y in opponents]
+    return made
+
+
+def where(made, kick):
+    """Where the ball of a held kick comes to rest."""
+    _, direction, _, distance, _ = kick_table.held_outcome(kick)
+    angle = math.radians(made.pose.heading_deg + direction)
+    return BALL[0] + distance * math.cos(angle), BALL[1] + distance * math.sin(angle)
+
+
+def test_a_mate_where_a_kick_sends_the_ball_can_be_passed_to():
+    made = holder()
+    made.teammates = [mate(3, S, at=where(made, kelpie.HARD_FORWARD))]
+    worth, kick, player = passing.best(made, BALL)
+    assert kick == kelpie.HARD_FORWARD and player == 3 and worth > 0.0
+
+
+@pytest.mark.parametrize('other', [
+    mate(3, S, at=(300.0, 60.0)), mate(3, kelpie.KEEPER, at=(100.0, 370.0)),
+    mate(3, S, at=(100.0, 370.0), heard_s=2.0), mate(3, kelpie.NO_ROLE, at=(100.0, 370.0)),
+    mate(3, S, at=(100.0, 230.0))])
+def test_nobody_passes_to_who_is_out_of_the_way_a_goalie_silent_penalised_or_too_near(other):
+    made = holder()
+    made.teammates = [other]
+    assert passing.best(made, BALL) is None
+
+
+def test_an_opponent_on_the_way_stops_a_pass():
+    made = holder(opponents=[(100.0, 300.0)])
+    made.teammates = [mate(3, S, at=(100.0, 375.0))]
+    assert passing.best(made, BALL) is None
+
+
+def test_a_ball_is_worth_more_nearer_to_the_goal_and_with_the_goal_open():
+    made = holder()
+    assert passing.worth_at(made, (180.0, 450.0)) > passing.worth_at(made, (180.0, 250.0))
+    before = passing.worth_at(made, (180.0, 450.0))
+    made.opponents = [kelpie.OpponentEstimate(position=kelpie.Point2(x=180.0, y=500.0))]
+    assert passing.worth_at(made, (180.0, 450.0)) < before
+
+
+def choosing(made):
+    memory = Memory()
+    choice = HeldChoice(memory, Contested())
+    skill = GrabDribble(memory, choice.choose, 'grab_turn_shoot')
+    skill.hold = Hold(made, made.time_s)
+    return choice, choice.choose(made, skill, False)
+
+
+def facing_away():
+    """It looks across the field, and a mate stands where its kick goes, before the goal."""
+    made = holder((345.0, 500.0), 180.0)
+    made.heading_sd_deg, made.seconds_since_landmark = 1.0, 0.0
+    made.teammates = [mate(4, S, at=(190.0, 470.0))]
+    return made
+
+
+def test_who_holds_the_ball_passes_to_a_mate_that_is_better_placed_and_says_to_whom():
+    choice, (kick, reason, *told) = choosing(facing_away())
+    assert choice.pass_to == 4 == told[0] and reason.startswith('pass')
+    assert isinstance(kick, int)
+
+
+@pytest.mark.parametrize('change', [
+    lambda made: setattr(made.task, 'passing', False),
+    lambda made: setattr(made, 'teammates', []),
+    lambda made: setattr(made.teammates[0].pose.position, 'x', 310.0)])
+def test_without_the_switch_mates_or_a_better_place_nobody_passes(change):
+    made = facing_away()
+    change(made)
+    assert choosing(made)[0].pass_to == 0
+
+
+def test_who_is_to_get_the_ball_waits_and_does_not_get_out_of_the_way():
+    made = world(180.0, 400.0, -90.0, (180.0, 260.0))
+    made.game.player = 4
+    holding = mate(2, A, 0.5, at=(180.0, 250.0), grabs=kelpie.HOLDS)
+    made.teammates = [holding]
+    memory = Memory()
+    memory.update(made)
+    skill = Supporter(memory, S)
+    skill.command(made)
+    assert skill.state == skill.get_out_of_way
+    holding.note.pass_to = 4
+    command = skill.command(made)
+    assert skill.state == skill.receive
+    assert command.walk.forward == command.walk.left == 0.0
+
+
+# Places
+
+def test_a_striker_leaves_a_place_that_no_ball_reaches_for_a_free_one():
+    made = holder(opponents=[(200.0, 275.0)])
+    place = (300.0, 350.0)
+    assert not passing.clear(made, BALL, place)
+    better = positions_passing.moved(made, S, place, BALL, None)
+    assert passing.clear(made, BALL, better) and better != place
+
+
+def test_with_nobody_in_the_way_the_place_is_near_that_of_the_tree_and_stays():
+    made = holder()
+    place = (250.0, 290.0)
+    one = positions_passing.moved(made, S, place, BALL, None)
+    assert positions_passing.apart(one, place) < 60.0
+    assert positions_passing.moved(made, S, place, BALL, one) == one
+
+
+@pytest.mark.parametrize('ball', [(60.0, 300.0), (180.0, 300.0), (330.0, 200.0)])
+def test_a_defender_stands_on_the_line_from_ball_to_own_goal(ball):
+    x, y = positions_passing.covering(holder().field, (180.0, 120.0), ball)
+    assert y == 120.0 and (x - 180.0) / 120.0 == pytest.approx((ball[0] - 180.0) / ball[1])
