@@ -111,7 +111,7 @@ bool writeWhole(int file, const std::string& text) {
     if (wrote <= 0) return false;
     done += static_cast<std::size_t>(wrote);
   }
-  return ::fdatasync(file) == 0;
+  return true;
 }
 
 }  // namespace

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // A league's memory: FOLDER/league.jsonl. Its first line holds the plan and the plan's hash, each
-// further one a finished match, appended in one write and synchronised. Whenever its process is
-// killed, at most an unfinished last line is lost. A lock on FOLDER/league.lock keeps other
-// processes out as long as the object lives; the file itself stays.
+// further one a finished match, appended in one write. Whenever its process is killed, at most an
+// unfinished last line is lost; a power cut may take the last half minute. A lock on
+// FOLDER/league.lock keeps other processes out as long as the object lives; that file stays.
 #pragma once
 
 #include <string>

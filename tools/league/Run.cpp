@@ -16,9 +16,13 @@ bool isPossible(const MatchResult& result) {
          std::isfinite(result.seconds) && result.seconds >= 0.0;
 }
 
+constexpr std::size_t kLongestTrouble = 500;  // characters
+
+// One line that every table can show, whatever a dying program printed.
 MatchResult inTrouble(const std::string& trouble) {
   MatchResult result;
-  result.trouble = trouble.empty() ? "unknown" : trouble;
+  result.trouble = trouble.empty() ? "unknown" : trouble.substr(0, kLongestTrouble);
+  for (char& c : result.trouble) c = c >= ' ' && c <= '~' ? c : '?';
   return result;
 }
 

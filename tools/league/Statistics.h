@@ -59,7 +59,9 @@ SignFlip signFlip(const Differences& differences, const Resampling& params);
 
 // Bootstrap percentile interval of the mean (Efron 1979). Plain percentiles are too narrow for few
 // differences (of ten they hold the true mean in 90 % of cases instead of 95 %): they are moved
-// outwards by what Student's t asks for (Hesterberg 2015, expanded percentile interval).
+// outwards by what Student's t asks for (Hesterberg 2015, expanded percentile interval). Of drawn
+// matches with 1.5 goals a side it then holds the true mean in 94 to 95 % of leagues from eight
+// seeds on, in 92 % with five and 85 % with three.
 Interval bootstrap(const Differences& differences, const Resampling& params);
 
 struct PairedStatistics {

@@ -89,7 +89,7 @@ Table sideTable(const Standings& standings) {
 Table pairTable(const Standings& standings) {
   Table table{"Pairs",
               {"side", "against", "seeds", "won", "drawn", "lost", "goals", "goals a match",
-               "95 % interval", "S", "t", "p of t", "p of signs", "better: p of signs"},
+               "95 % interval", "S", "t", "p of t", "p", "p one-sided"},
               2,
               {}};
   for (const PairStanding& pair : standings.pairs) {
@@ -126,13 +126,14 @@ std::vector<std::string> notesOf(const Standings& standings) {
   std::vector<std::string> notes{
       "Goals a match: the difference; the two matches of a seed, colours exchanged, are one "
       "observation.",
-      "Interval: bootstrap percentiles. p: two-sided sign-flip test, of a difference as large by "
-      "luck alone."};
-  if (standings.pairs.size() > 1)
+      "Interval: bootstrap percentiles. p: sign-flip test, of a difference as large by luck alone; "
+      "one-sided: of the first being so much better."};
+  const std::size_t pairs = standings.pairs.size();
+  if (pairs > 1)
     notes.push_back(
-        fmt::format("Each p stands alone: of {} pairs without any difference one has "
-                    "p < {:.4f} in one league of twenty.",
-                    standings.pairs.size(), 0.05 / static_cast<double>(standings.pairs.size())));
+        fmt::format("Each p stands alone: of {} pairs without any difference some pair "
+                    "has p < {:.4f} in one league of twenty.",
+                    pairs, 0.05 / static_cast<double>(pairs)));
   return notes;
 }
 

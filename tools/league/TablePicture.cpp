@@ -15,6 +15,7 @@ constexpr int kMargin = 18;     // px
 constexpr int kGap = 22;        // px between columns
 constexpr int kBar = 220;       // px of the drawn intervals
 constexpr int kMostRows = 400;  // of a table: more make no picture to look at
+constexpr std::size_t kMostLines = 12;
 constexpr double kSize = 0.45;
 constexpr int kFont = cv::FONT_HERSHEY_SIMPLEX;
 const cv::Scalar kPaper(255, 255, 255);
@@ -32,6 +33,14 @@ std::vector<int> widthsOf(const Table& table) {
     widths.push_back(width);
   }
   return widths;
+}
+
+// A league may have any number of void matches.
+std::vector<std::string> firstOf(std::vector<std::string> lines) {
+  if (lines.size() <= kMostLines) return lines;
+  lines.resize(kMostLines);
+  lines.back() = "... more in table.txt";
+  return lines;
 }
 
 class TableDrawing {
@@ -100,8 +109,7 @@ class TableDrawing {
 Status drawTables(const Standings& standings, const std::string& pngPath) {
   const TableDrawing sides(sideTable(standings));
   const TableDrawing pairs(pairTable(standings));
-  auto summary = summaryOf(standings);
-  if (summary.size() > kMostRows) summary.resize(kMostRows);
+  const auto summary = firstOf(summaryOf(standings));
   const auto notes = notesOf(standings);
   const auto lines = static_cast<int>(summary.size() + notes.size());
   const int wide = std::max({sides.width(), pairs.width(), 900});
