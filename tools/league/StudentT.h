@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Student's t distribution. Its degrees of freedom are whole numbers here, for which the
 // probability is a finite series: no incomplete beta function is needed, and no library for it
-// (Debian's smallest, libboost-math-dev, is 150 MB of headers with what it depends on).
+// (libboost-math-dev is 140 MB with what it depends on).
 #pragma once
 
 namespace kelpie::league {
