@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 # Where who does not play the ball stands, by the trees of thesis 2006 section 4.5.2 (algorithms 4.7
-# to 4.9, misprints mended as the checklist says: G20, G22). Plain functions from a ball on the
-# field to a place on it, in cm. A Ball on a string keeps the ball that they are asked for: the
-# places jump by 80 to 220 cm where zones meet, and a ball that lies there is seen 5 cm to either
-# side. They know no other robot.
+# to 4.9; misprints: checklist G20, G22). Plain functions from a ball on the field to a place on it,
+# in cm. BallOnString keeps the ball that they are asked for: the places jump by 80 to 220 cm where
+# zones meet, and a ball that lies there is seen 5 cm to either side. They know no other robot.
 import math
 
 import kelpie
