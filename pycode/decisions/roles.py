@@ -37,7 +37,7 @@ def should_attack(own, mates) -> Answer:
     blind = attackers and not any(sees(mate) for mate in attackers)
     if blind and own.sees and all(own.distance < mate_distance(own, mate) for mate in mates):
         return True, 'the attacker does not see the ball, {} cm away', own.distance
-    if own.grabs != kelpie.GRABS_NOT:
+    if own.started:
         return True, 'it grabs the ball or holds it'
     if not mates:
         return True, 'there is no other'
@@ -82,10 +82,11 @@ class Own:
     def __init__(self, world, memory, last):
         self.player, self.pose = world.game.player, world.pose
         self.attacked, self.defended = last == kelpie.ATTACKER, last == kelpie.DEFENDER
-        self.grabs = time_to.grabs_now(world, memory)
+        grabs = time_to.grabs_now(world, memory)
+        self.started = memory.grab_lost <= 1   # an approach has its bonus, and may be given up
         self.ball = time_to.ball_of(world, memory.ball_lost)
         self.seconds = time_to.to_ball(world, memory.ball_lost, self.attacked,
-                                       self.grabs != kelpie.GRABS_NOT)
+                                       grabs != kelpie.GRABS_NOT)
         self.sees = memory.ball_lost <= time_to.SURE_FRAMES and world.ball.present
         self.distance = world.ball.distance
 
@@ -121,7 +122,7 @@ class RoleChoice:
     def leaves_it(self, world, own) -> bool:
         """It has just given the ball up, and the mate who took it has not told so yet."""
         return (self.waits_until_s is not None and world.time_s < self.waits_until_s and
-                own.grabs == kelpie.GRABS_NOT)
+                not own.started)
 
     def other(self, world, own, mates, why):
         """The rest of algorithm 4.5. Without a ball to go by it stays what it is."""

@@ -17,10 +17,10 @@ HOME = (180.0, 85.0)
 class Me:
     """What algorithm 4.6 asks of oneself, for tables."""
 
-    def __init__(self, seconds=4.0, player=3, attacked=False, sees=True, grabs=kelpie.GRABS_NOT,
+    def __init__(self, seconds=4.0, player=3, attacked=False, sees=True, started=False,
                  distance=100.0, at=(180.0, 200.0), defended=False):
         self.seconds, self.player, self.attacked, self.sees = seconds, player, attacked, sees
-        self.grabs, self.distance, self.defended = grabs, distance, defended
+        self.started, self.distance, self.defended = started, distance, defended
         self.ball = (at[0], at[1] + distance)
         self.pose = kelpie.Pose2(position=kelpie.Point2(x=at[0], y=at[1]), heading_deg=90.0)
 
@@ -48,8 +48,8 @@ BRANCHES = [
      [mate(2, A, 1.0)], False),
     ('an attacker that holds the ball need not see it', Me(seconds=9.0),
      [mate(2, A, 1.0, ball_s=2.0, grabs=kelpie.HOLDS)], False),
-    ('I hold the ball', Me(seconds=9.0, grabs=kelpie.HOLDS), [mate(2, A, 1.0)], True),
-    ('I have started to grab', Me(seconds=9.0, grabs=kelpie.GRABS_SOON), [mate(2, A, 1.0)], True),
+    ('I hold the ball or have started to grab', Me(seconds=9.0, started=True), [mate(2, A, 1.0)],
+     True),
     ('another needs less', Me(seconds=4.0), [mate(2, A, 5.0), mate(4, S, 3.0)], False),
     ('I need least', Me(seconds=4.0), [mate(2, A, 5.0), mate(4, S, 6.0)], True),
     ('a tie with a larger number', Me(seconds=4.0, player=3), [mate(4, A, 4.0)], True),
