@@ -110,8 +110,8 @@ struct Push {
 constexpr Push kPushes[] = {
     {"4.1 s of pushing", 10, 10, 30, 4.1, 0},
     {"2.9 s", 10, 10, 30, 2.9, std::nullopt},
-    {"who does not give way is not pushed", 10, 0, 30, 1.0, std::nullopt},
-    {"who stands pushes nobody", 0, 10, 30, 10.0, std::nullopt},
+    {"who does not give way is not pushed", 3, 0, 30, 4.1, std::nullopt},
+    {"who stands pushes nobody", 0, 3, 19, 4.1, std::nullopt},
     {"nobody is touched at 45 cm", 10, 10, 45, 10.0, std::nullopt},
     {"of two the one that gives way is pushed", -10, -10, 30, 4.1, 1},
 };

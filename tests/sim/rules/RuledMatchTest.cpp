@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 
 #include "robot/core/FieldCheck.h"
 #include "robot/core/Random.h"
@@ -143,6 +144,7 @@ TEST(RuledMatch, APenalisedRobotWaitsBesideTheFieldAndComesBackAtTheHalfWayLine)
   EXPECT_TRUE(match.match.gameFor(3, match.score).penalised);
   EXPECT_FALSE(match.match.gameFor(2, match.score).penalised);
   EXPECT_GT(body::carpetDistance(match.field, match.scene.players[3].pose.position), 20.0);
+  match.scene.ball.position.x = 100;
   match.goOn(29.8);
   EXPECT_TRUE(match.match.penalised(3));
   match.goOn(0.3);
@@ -150,7 +152,7 @@ TEST(RuledMatch, APenalisedRobotWaitsBesideTheFieldAndComesBackAtTheHalfWayLine)
   ASSERT_NE(match.last(EventKind::back), nullptr);
   const Pose2& pose = match.scene.players[3].pose;
   EXPECT_EQ(pose.position.y, 270.0);
-  EXPECT_EQ(pose.position.x, 345.0) << "the ball is not nearer to the other side line";
+  EXPECT_EQ(pose.position.x, 345.0) << "the end that is farther from the ball";
   EXPECT_NEAR(std::fabs(pose.heading.deg()), 180.0, 1e-9);
 }
 
@@ -272,16 +274,50 @@ TEST(RuledMatch, TwoHalvesThenItIsFinishedAndNothingIsCalledAnyMore) {
     ASSERT_TRUE(match.until(PlayState::playing));
     EXPECT_EQ(match.match.clock().kickOff, half == 0 ? kRed : kBlue);
     EXPECT_EQ(match.match.gameFor(0, match.score).firstHalf, half == 0);
+    match.scene.players[3].pose.position = {180, 30};  // its penalty outlasts the half
     match.goOn(20.1);
   }
   EXPECT_TRUE(match.match.finished());
   EXPECT_NEAR(match.scene.time.seconds(), 2.0 * (5.0 + 2.0 + 3.0 + 20.0), 0.3);
   const std::size_t events = match.events.size();
   match.scene.ball.position = {180, 545};
-  match.goOn(1.0);
+  match.goOn(40.0);
   EXPECT_EQ(match.events.size(), events);
   EXPECT_EQ(match.events.front().kind, EventKind::start);
   EXPECT_EQ(match.events.back().kind, EventKind::end);
+}
+
+TEST(RuledMatch, WhatWasBeforeTheWhistleIsNoFoul) {
+  Match match;
+  ASSERT_TRUE(match.until(PlayState::playing));
+  match.scene.players[2].upright = false;
+  match.goOn(15.0);
+  match.scene.ball.position = {180, 545};
+  match.tick();
+  ASSERT_TRUE(match.until(PlayState::playing));
+  match.goOn(19.0);
+  EXPECT_EQ(match.last(EventKind::penalty), nullptr);
+  match.goOn(1.1);
+  ASSERT_NE(match.last(EventKind::penalty), nullptr);
+  EXPECT_EQ(match.last(EventKind::penalty)->reason.view(), "fallen");
+}
+
+// The box since one second and the ball since three, called in the same tick.
+TEST(RuledMatch, TwoFoulsAtOnceAreOnePenalty) {
+  Match match;
+  ASSERT_TRUE(match.until(PlayState::playing));
+  Pose2& pose = match.scene.players[1].pose;
+  const auto holds = [&](double y, int ticks) {
+    pose = {{180, y}, Angle::deg(90.0)};
+    for (int i = 0; i < ticks; ++i) {
+      match.scene.ball = {{180, y + 8.0}, {}};
+      match.tick();
+    }
+  };
+  holds(70, 250);
+  holds(60, 127);
+  const auto& counts = match.score.penalties[0];
+  EXPECT_EQ(std::accumulate(counts.begin(), counts.end(), 0), 1);
 }
 
 // Whatever robots and ball do.

@@ -22,7 +22,7 @@ TEST(Touch, NobodyTouchedABallThatLies) {
 
 TEST(Touch, TheNearestRobotTouchedTheBallThatWasJolted) {
   for (const bool redNearer : {true, false}) {
-    MadeScene scene = duel(redNearer ? 30 : 15);
+    MadeScene scene = duel(redNearer ? 25 : 15);
     TouchState state;
     step(scene, state);
     scene.ball.velocity = {0, 50};

@@ -127,8 +127,7 @@ void RuledMatch::judgeGoal(TeamColour team, Score& score) {
 void RuledMatch::judgeFouls(const Fouls& fouls, Score& score) {
   for (const Foul& foul : fouls) {
     ScenePlayer& who = scene_.players[foul.player];
-    if (!who.playing) continue;  // for another foul in this step
-    who.playing = false;
+    who.playing = false;  // and commits no other foul in this step
     const auto left = TimeUs::fromSeconds(field_.rules.penaltyTime);
     penalties_.of[foul.player] = {true, scene_.time + left, foul.offence};
     ++score.penalties[numberOf(who.team)][static_cast<std::size_t>(foul.offence)];
