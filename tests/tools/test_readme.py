@@ -42,6 +42,10 @@ def words_of(command):
     words = [{"DIR": folder, "LOG": "out/stand/match.mcap"}.get(word, word) for word in words]
     if "--seconds" in words:
         words[words.index("--seconds") + 1] = "1"
+    elif "--minutes" in words:
+        words[words.index("--minutes") + 1] = "0.1"
+    elif words[1] == "league":
+        words += ["--minutes", "0.1", "--matches", "2", "--robots", "1v1"]
     elif words[1] == "teleop":  # nobody is there to drive
         words += ["--keys", "keys.txt"]
     elif "--real-time" in words:  # would go on until it is stopped
@@ -60,7 +64,8 @@ def place_of_a_reader(match, tmp_path_factory):
     """A folder like the root of the source tree after tools/run; all of the commands run in it."""
     place = tmp_path_factory.mktemp("readme")
     (place / "out").mkdir()
-    (place / "pycode").symlink_to(ROOT / "pycode")
+    for folder in ("pycode", "teams"):
+        (place / folder).symlink_to(ROOT / folder)
     shutil.copy(match, place / "out/match.mcap")
     (place / "keys.txt").write_text("0.2 w\n1 x\n")
     make_recording(place / "recording", [bytes([90]) * PLANE + bytes([128]) * (2 * PLANE)] * 3)
@@ -102,7 +107,7 @@ def test_what_the_commands_write_is_there_and_git_does_not_see_it(place, results
     assert len(wanted) >= 5 and all((place / name).is_file() for name in wanted)
     if not in_git():
         pytest.skip("no repository: nothing to be ignored")
-    fixtures = {"recording", "sheets", "pycode", "keys.txt"}
+    fixtures = {"recording", "sheets", "pycode", "teams", "keys.txt"}
     left = [name for name in os.listdir(place) if name not in fixtures]
     assert "out" in left
     for name in left:

@@ -30,7 +30,7 @@ namespace fs = std::filesystem;
 
 struct LeagueOptions {
   std::vector<std::string> folders;
-  std::string out = "league";
+  std::string out = "out/league";
   std::string robots = "4v4";
   league::LeaguePlan plan;
   int workers = 0;  // 0: one for two cores

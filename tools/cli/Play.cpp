@@ -302,9 +302,10 @@ void addPlay(CLI::App& app, int& code) {
                       ->excludes(seconds);
   command
       ->add_option("--radio", session.radio,
-                   "How teams are heard: through the world, or udp of this machine (such a "
+                   "How teams are heard: through the world, not at all (none), or udp of this "
+                   "machine (such a "
                    "match does not replay)")
-      ->check(CLI::IsMember({"world", "udp"}))
+      ->check(CLI::IsMember({"world", "udp", "none"}))
       ->capture_default_str();
   command->add_flag("--respawn", session.respawn,
                     "An agent that dies is started again and plays on");

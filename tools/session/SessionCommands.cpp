@@ -41,7 +41,7 @@ Words anyAgent(const SessionOptions& options, const std::string& team, std::uint
                 "--seed",
                 std::to_string(seed),
                 "--radio",
-                options.radio,
+                options.radio == "udp" ? "udp" : "world",
                 options.physical ? "--physical" : "--fast"};
   addUnlessEmpty("--colour-table", options.colourTable, argv);
   return argv;
@@ -69,6 +69,7 @@ Words worldCommand(const SessionOptions& options, const Workshop& workshop) {
                 workshop.path("result.json"),
                 "--tell-goals",
                 options.physical ? "--physical" : "--fast"};
+  if (options.radio == "none") argv.insert(argv.end(), {"--radio-loss", "1"});
   if (options.rules) argv.push_back("--rules");
   if (options.respawn) argv.push_back("--respawn");
   if (options.realTime) argv.push_back("--real-time");

@@ -31,7 +31,7 @@ struct SessionOptions {
   std::string team = "red";  // of the robot that is watched,
   int player = 1;            // its number
   bool rules = false;        // a referee who knows more than goals and balls out
-  std::string radio = "world";  // or udp, of this machine
+  std::string radio = "world";  // or udp, of this machine; none: all packets are lost
   bool respawn = false;      // an agent that dies is started again, and plays on
   std::string scenario = "empty-goal";
   double dropRate = 0.0;
