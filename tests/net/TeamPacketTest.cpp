@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include "robot/core/FieldCheck.h"
 #include "robot/core/Random.h"
 #include "robot/net/TeamPacket.h"
 
