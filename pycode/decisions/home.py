@@ -11,7 +11,7 @@ from decisions.positions_regression import PLACE, RegressedPositions, attacker_a
 from lib import keep_off
 from lib.ways import aside_of, attacker_of, point_of
 
-EVERY_FRAMES = 10     # of a regression: about 9000 operations of the interpreter
+EVERY_FRAMES = 10     # of a regression: 14000 operations of the interpreter
 # Shares of width and length.
 WITHOUT_BALL = {kelpie.STRIKER: (0.7, 0.65), kelpie.SUPPORTER: (0.5, 0.4),
                 kelpie.DEFENDER: (0.5, 0.22)}
@@ -54,8 +54,8 @@ class Home:
         holds = mate is not None and mate.note.grabs == kelpie.HOLDS
         near = [one for one in world.opponents if one.seconds_since_seen < 2.0]
         bit = attacks(ball, attacker, holds, near, world.field)
-        return self.regressed.answer(world.field, ball, attacker_angle(attacker, ball),
-                                     bit)[PLACE[role]]
+        return self.regressed.place(world.field, ball, attacker_angle(attacker, ball), bit,
+                                    PLACE[role])
 
     def aside(self, world, ball) -> float:
         """deg to turn to look where who stands there looks: at the ball, but for examples."""

@@ -45,15 +45,19 @@ class RegressedPositions:
     def __init__(self, examples=EXAMPLES):
         self.regression = Regression(both_halves(examples), SCALES, BANDWIDTH)
 
-    def answer(self, field, ball, angle, attacks) -> tuple:
-        """(x, y, heading) of the defender and of the last robot, on any field."""
+    def place(self, field, ball, angle, attacks, which) -> tuple:
+        """(x, y, heading) of the defender (0) or of the last robot (1), on any field."""
         wide, long = field.width / WIDTH, field.length / LENGTH
-        out = self.regression.answer((ball[0] / wide, ball[1] / long, angle,
-                                      1.0 if attacks else 0.0))
-        return tuple([(clamp(wide * x, MARGIN, field.width - MARGIN),
-                       clamp(long * y, field.box_depth + MARGIN, field.length - MARGIN),
-                       math.degrees(math.atan2(sine, cosine)))
-                      for x, y, cosine, sine in (out[:4], out[4:])])
+        x, y, cosine, sine = self.regression.answer(
+            (ball[0] / wide, ball[1] / long, angle, 1.0 if attacks else 0.0), 4 * which,
+            4 * which + 4)
+        return (clamp(wide * x, MARGIN, field.width - MARGIN),
+                clamp(long * y, field.box_depth + MARGIN, field.length - MARGIN),
+                math.degrees(math.atan2(sine, cosine)))
+
+    def answer(self, field, ball, angle, attacks) -> tuple:
+        """Of both."""
+        return tuple([self.place(field, ball, angle, attacks, which) for which in (0, 1)])
 
 
 def attacker_angle(attacker, ball) -> float:

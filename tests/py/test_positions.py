@@ -123,7 +123,7 @@ def test_a_linear_function_comes_out_exactly_and_its_mean_does_not():
 def test_where_the_neighbours_settle_no_slope_their_mean_is_the_answer():
     model = regression.Regression([((0.0, 0.0), (10.0,)), ((0.0, 0.0), (20.0,))], (1, 1), 1.0)
     assert model.answer((0.1, 0.0)) == pytest.approx([15.0], abs=1e-3)
-    assert model.answer((50.0, 0.0)) == pytest.approx([10.0])
+    assert model.answer((50.0, 0.0)) == pytest.approx([15.0], abs=1e-2)
 
 
 def test_the_weighted_mean_has_the_least_weighted_error():
