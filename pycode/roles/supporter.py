@@ -14,6 +14,7 @@ from lib.machine import Machine
 from lib.steer import facing
 from lib.ways import aside_of
 from skills.avoid_attacker import AvoidAttacker
+from skills.avoid_own_box import clear_of, held_off
 from skills.bird_of_prey import BirdOfPrey
 from skills.find_ball import FindBall
 from skills.find_together import FindTogether, heard_of
@@ -26,6 +27,8 @@ FAR = 100.0                # cm from home: Bird of Prey, which ends within
 BIRD_END = 30.0            # (facts-2005 section 7.2)
 ARRIVED, LEFT = 15.0, 30.0     # cm; circles of the same section
 TURN_FROM, TURN_UNTIL = 25.0, 8.0   # deg from the ball, who stands
+BOX_MARGIN = 10.0          # cm that the neck base stays away from the own box,
+BOX_NEAR = 45.0            # minded from so near, what the fast walk goes in a second
 
 
 class Supporter(Machine):
@@ -54,7 +57,10 @@ class Supporter(Machine):
         self.home = self.home_of.update(world, self.role, self.ball, lanes)
         self.away = math.hypot(*from_field(world.pose, *self.home))
         self.choose(world, lanes)
-        return self.step(world)
+        command = self.step(world)
+        if self.state != self.back_off:
+            kept_out_of_box(world, command.walk)
+        return command
 
     def wanted(self, world):
         """Where it goes on the field: home."""
@@ -161,3 +167,19 @@ class Supporter(Machine):
             self.skill.explain(trace)
         if self.state not in (self.find_ball, self.back_off):
             self.watch.explain(trace)
+
+
+def kept_out_of_box(world, walk) -> None:
+    """Takes from a walk what would lead into the own box within a second: only one may defend
+    there, the goalie. Who is inside already walks on as it is."""
+    place = world.pose.position
+    left, right, top = clear_of(world.field, BOX_MARGIN)
+    inside = left < place.x < right and place.y < top
+    if place.y > top + BOX_NEAR or inside:
+        return
+    angle = math.radians(world.pose.heading_deg)
+    sine, cosine = math.sin(angle), math.cos(angle)
+    vx = walk.forward * cosine - walk.left * sine
+    vy = walk.forward * sine + walk.left * cosine
+    vx, vy = held_off(left, right, top, place.x, place.y, vx, vy)
+    walk.forward, walk.left = vx * cosine + vy * sine, vy * cosine - vx * sine

@@ -116,6 +116,23 @@ def test_every_role_has_a_home_on_the_field_with_and_without_a_ball(role, positi
         assert 0.0 < home[0] < 360.0 and FIELD.box_depth < home[1] < 540.0
 
 
+@pytest.mark.parametrize('at, ball', [((180.0, 130.0), (180.0, 30.0)),
+                                      ((60.0, 50.0), (160.0, 30.0)),
+                                      ((300.0, 110.0), (200.0, 20.0))])
+def test_nobody_but_the_goalie_walks_into_the_own_box(at, ball):
+    made = world(*at, -90.0, ball)
+    made.teammates = [mate(2, A, 5.0, at=(100.0, 500.0)), mate(1, kelpie.KEEPER, at=(180.0, 20.0))]
+    memory = Memory()
+    skill = Supporter(memory, kelpie.DEFENDER)
+    for frame in range(300):
+        made.percepts.ball.present = frame < 30
+        made.ball.seconds_since_seen = max(0.0, (frame - 30) * FRAME_S)
+        memory.update(made)
+        walk_in(made, skill.command(made))
+        x, y = ways.point_of(made.pose)
+        assert not (y < FIELD.box_depth and abs(x - 180.0) < 0.5 * FIELD.box_width)
+
+
 # The attacker's ways
 
 def test_a_place_in_a_lane_is_moved_out_of_it_to_the_nearer_side():
