@@ -180,6 +180,13 @@ void removeOldPictures(const PlayOptions& options) {
   for (const char* name : {"match.png", "match.mp4"}) fs::remove(options.file(name), ignored);
 }
 
+// Those of another match, in which agents were started again.
+void removeOldLives(const PlayOptions& options) {
+  std::error_code ignored;
+  for (int life = 2; fs::remove(options.file(fmt::format("match-{}.mcap", life).c_str()), ignored);)
+    ++life;
+}
+
 // What a match that was killed left beside its log.
 void removeParts(const PlayOptions& options) {
   std::error_code ignored;
@@ -211,6 +218,7 @@ int play(PlayOptions& options) {
   if (!canWrite(options.session.log))
     return fail(options.out + ": cannot be written", kExitBadInput);
   removeParts(options);
+  removeOldLives(options);
   options.session.allImages = options.images == "all";
 
   const auto start = std::chrono::steady_clock::now();

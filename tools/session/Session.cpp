@@ -230,15 +230,22 @@ void watch(const SessionTalk& talk, Crew& crew, SessionResult& result) {
   result.badInput = ends.agent == 2 || (ends.other && crew.others.badInput());
 }
 
+// match.mcap, match-2.mcap, ...: a log replays one life.
+std::string logOfLife(const std::string& log, int life) {
+  const fs::path path(log);
+  const std::string number = life == 0 ? "" : "-" + std::to_string(life + 1);
+  return (path.parent_path() / (path.stem().string() + number + path.extension().string()));
+}
+
 void keepLog(const SessionOptions& options, const Workshop& workshop, SessionResult& result) {
   if (options.log.empty() || !fs::exists(workshop.path("agent.mcap")) || result.badInput) return;
-  std::vector<std::string> halves;
-  for (int life = 0; fs::exists(agentLog(workshop, life)); ++life)
-    halves.push_back(agentLog(workshop, life));
-  if (fs::exists(workshop.path("world.mcap"))) halves.push_back(workshop.path("world.mcap"));
-  const Status merged = mergeLogs(halves, options.log);
-  if (!merged) result.trouble = merged.error();
-  result.logged = merged.ok();
+  for (int life = 0; fs::exists(agentLog(workshop, life)); ++life) {
+    std::vector<std::string> halves = {agentLog(workshop, life)};
+    if (fs::exists(workshop.path("world.mcap"))) halves.push_back(workshop.path("world.mcap"));
+    const Status merged = mergeLogs(halves, logOfLife(options.log, life));
+    if (!merged) result.trouble = merged.error();
+    result.logged = life == 0 ? merged.ok() : result.logged;
+  }
 }
 
 void play(const SessionOptions& options, const SessionTalk& talk, const Workshop& workshop,
