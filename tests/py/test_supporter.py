@@ -357,6 +357,17 @@ def test_at_its_place_it_spins():
     assert skill.answer(made).walk.turn_deg != 0.0 and skill.state == skill.spin
 
 
+def test_a_place_that_shows_no_ball_is_left_to_the_own_search_for_a_while():
+    made = lost_world()
+    made.pose.position.y = 162.0
+    skill, _ = searching(made)
+    answers = []
+    for frame in range(900):
+        made.time_s = frame * FRAME_S
+        answers.append(skill.answer(made) is not None)
+    assert answers[0] and not answers[300] and answers[600] and 300 < answers.count(True) < 600
+
+
 def test_a_mate_that_sees_the_ball_ends_the_search_and_is_believed():
     made = lost_world()
     made.team_ball = kelpie.TeamBall(present=True, position=kelpie.Point2(x=180.0, y=400.0))
