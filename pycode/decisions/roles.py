@@ -2,8 +2,8 @@
 # Which role a forward plays (thesis 2006 section 4.4, algorithms 4.5 and 4.6): attacker, else
 # defender, else striker, from its own time to the ball and what its mates told. Every forward
 # decides for itself; goalies take no part, and who was silent for 1.5 s is out. RoleChoice keeps
-# the role, why, and until when it leaves the ball to whom it gave it up. It fails where messages
-# do: two attackers, or none, last as long as a message is late.
+# the role, why, and when it last knew of an attacker. It fails where messages do: two attackers, or
+# none, last as long as a message is late.
 import math
 
 import kelpie
@@ -13,7 +13,9 @@ from lib.ways import SILENT_S
 
 SEES_S = 0.5         # s; facts-2005 section 7.1: "lost" for a ball that vision sees no more
 TIE_S = 0.06         # s; times that alike are a tie (symmetry break of facts-2005 section 7.1)
-HAND_OVER_S = 0.5    # s: who gave the ball up does not take it again until the mate has told
+# s without an attacker in which the quickest alone takes the ball: who gave it up, and a third who
+# saw that, wait until it has told. Else a far robot attacks for 0.1 s at each change.
+HAND_OVER_S = 0.5
 HOME_S = 1.0         # bonus of the defender of the last frame (facts-2005 section 7.1)
 EVERY_FRAMES = 3     # a tenth of a second: the team is told at 6 Hz
 NAMES = ('none', 'attacker', 'supporter', 'striker', 'defender', 'goalie')
@@ -52,10 +54,11 @@ def should_attack(own, mates) -> Answer:
 
 
 def should_defend(own, mates, home) -> Answer:
-    """Section 4.4.2: of those who do not attack, who is sooner at the defender's home."""
-    others = [mate for mate in mates if mate.note.role != kelpie.ATTACKER]
-    if len(mates) >= 2 and len(others) == len(mates):  # the new attacker has not told yet
-        others.remove(min(others, key=lambda mate: (mate.note.time_to_ball, mate.player)))
+    """Section 4.4.2: of those who do not attack, who is sooner at the defender's home. One mate
+    attacks: while two say so, or none, as the ball is handed over, the quicker one."""
+    attackers = [mate for mate in mates if mate.note.role == kelpie.ATTACKER]
+    one = min(attackers or mates, key=lambda mate: (mate.note.time_to_ball, mate.player))
+    others = [mate for mate in mates if mate.player != one.player]
     mine = time_to.of_pose(own.pose, home) - (HOME_S if own.defended else 0.0)
     for mate in others:
         theirs = time_to.of_pose(mate.pose, home)
@@ -97,7 +100,7 @@ class RoleChoice:
         self.why = ('there is no attacker',)
         self.seconds = time_to.NEVER_S  # to the ball, as the team is told
         self.frames = 0               # since the last choice
-        self.waits_until_s = None     # for the mate that it gave the ball to
+        self.attacker_s = -math.inf   # when somebody attacked last
 
     def update(self, world, memory, bound=False) -> int:
         """The role, chosen every third frame. `bound`: it attacks and may not be interrupted."""
@@ -109,20 +112,24 @@ class RoleChoice:
         self.seconds = own.seconds
         mates = forwards(world) if len(world.teammates) > 0 else ()
         if not mates or bound:
-            self.take(world, kelpie.ATTACKER, ('there is no other',) if not mates else
+            self.take(kelpie.ATTACKER, ('there is no other',) if not mates else
                       ('what it does may not be interrupted',))
             return self.role
         yes, *why = should_attack(own, mates)
-        if yes and not self.leaves_it(world, own):
-            self.take(world, kelpie.ATTACKER, why)
+        if own.attacked or any(mate.note.role == kelpie.ATTACKER for mate in mates):
+            self.attacker_s = world.time_s
+        elif yes and self.leaves_it(world, own, mates):
+            yes, why = False, ['a quicker mate takes the ball']
+        if yes:
+            self.take(kelpie.ATTACKER, why)
         else:
-            self.take(world, *self.other(world, own, mates, why))
+            self.take(*self.other(world, own, mates, why))
         return self.role
 
-    def leaves_it(self, world, own) -> bool:
-        """It has just given the ball up, and the mate who took it has not told so yet."""
-        return (self.waits_until_s is not None and world.time_s < self.waits_until_s and
-                not own.started)
+    def leaves_it(self, world, own, mates) -> bool:
+        """Nobody attacks, but somebody did just now, and a mate is quicker."""
+        return (world.time_s - self.attacker_s < HAND_OVER_S and not own.started and
+                any(mate.note.time_to_ball < own.seconds - TIE_S for mate in mates))
 
     def other(self, world, own, mates, why):
         """The rest of algorithm 4.5. Without a ball to go by it stays what it is."""
@@ -135,7 +142,5 @@ class RoleChoice:
         yes, *home = should_defend(own, mates, positions.defender(world.field, own.ball))
         return (kelpie.DEFENDER if yes else kelpie.STRIKER), home
 
-    def take(self, world, role, why):
-        if self.role == kelpie.ATTACKER and role != kelpie.ATTACKER:
-            self.waits_until_s = world.time_s + HAND_OVER_S
+    def take(self, role, why):
         self.role, self.why = role, tuple(why)

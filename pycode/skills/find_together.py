@@ -65,7 +65,8 @@ class FindTogether(Machine):
     def together(self, world) -> bool:
         team = world.team_ball
         return (world.task.distributed_find and self.memory.ball_lost > self.lost_frames and
-                world.time_s > self.rest_until_s and not (team.present and team.seconds_since_seen < FRESH_S))
+                world.time_s > self.rest_until_s and
+                not (team.present and team.seconds_since_seen < FRESH_S))
 
     def choose(self, world):
         """Again every second: the mates' places change, and all must come to the same answer."""

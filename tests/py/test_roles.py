@@ -73,7 +73,8 @@ def test_an_attacker_is_chosen_by_algorithm_4_6(me, mates, yes):
     ([mate(2, A), mate(4, S, at=(180.0, 120.0))], False),
     ([mate(2, A, at=(180.0, 120.0)), mate(4, S, at=(180.0, 400.0))], True),
     ([mate(2, A)], True),
-    ([mate(2, S, 1.0, at=(180.0, 90.0)), mate(4, S, at=(180.0, 400.0))], True)])
+    ([mate(2, S, 1.0, at=(180.0, 90.0)), mate(4, S, at=(180.0, 400.0))], True),
+    ([mate(2, A, 1.0, at=(180.0, 400.0)), mate(4, A, at=(180.0, 90.0))], False)])
 def test_the_sooner_home_defends_of_those_who_do_not_attack(mates, defends):
     assert should_defend(Me(at=(180.0, 200.0)), mates, HOME)[0] == defends
 
@@ -187,6 +188,15 @@ def test_who_gave_the_ball_up_leaves_it_until_the_mate_has_told():
     for _ in range(20):
         attacks.append(choice_in(made, 1, choice, memory).role == kelpie.ATTACKER)
     assert attacks.index(True) >= 30.0 * HAND_OVER_S - 1.0
+
+
+def test_a_far_robot_does_not_attack_while_a_mate_hands_the_ball_to_another():
+    made = world(180.0, 60.0, ball=(180.0, 450.0))
+    made.teammates = [mate(2, A, 3.0, at=(180, 380)), mate(4, S, 2.0, at=(200, 400))]
+    choice, memory = choice_in(made), Memory()
+    made.teammates[0].note.role = S
+    for _ in range(round(25 * HAND_OVER_S)):
+        assert choice_in(made, 1, choice, memory).role != kelpie.ATTACKER
 
 
 class Team:
