@@ -5,14 +5,14 @@ namespace kelpie::net {
 namespace {
 
 struct Press {
-  bool ended = false;  // with no effect yet
-  double held = 0.0;   // s
+  bool ended = false;
+  double held = 0.0;  // s
 };
 
 Press follow(bool down, TimeUs now, ButtonState::Button& button) {
-  if (down && !button.down) button = {true, false, now};
+  if (down && !button.down) button = {true, now};
   const double held = button.down ? (now - button.since).seconds() : 0.0;
-  const bool ended = button.down && !down && !button.used;
+  const bool ended = button.down && !down;
   button.down = down;
   return {ended, held};
 }
@@ -31,12 +31,10 @@ void advance(ButtonState& state) {
 }
 
 void penalise(ButtonState& state) {
-  state.back.used = true;
   if (state.play != PlayState::initial) state.penalised = true;
 }
 
 void reset(ButtonState& state) {
-  state.head.used = true;
   state.play = PlayState::initial;
   state.penalised = false;
 }
@@ -51,8 +49,8 @@ ButtonGame step(const ButtonIn& in, const ButtonParams& params, ButtonState& sta
   const auto& switches = in.sensors.back;
   const Press head = follow(in.sensors.headTouch >= params.headThreshold, in.time, state.head);
   const Press back = follow(switches[0] || switches[1] || switches[2], in.time, state.back);
-  if (state.head.down && !state.head.used && head.held >= params.resetHold) reset(state);
-  if (state.back.down && !state.back.used && back.held >= params.penaltyHold) penalise(state);
+  if (state.head.down && head.held >= params.resetHold) reset(state);
+  if (state.back.down && back.held >= params.penaltyHold) penalise(state);
   if (isPress(head, params.resetHold, params) ||
       (params.backAdvances && isPress(back, params.penaltyHold, params)))
     advance(state);

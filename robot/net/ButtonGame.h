@@ -41,7 +41,6 @@ struct ButtonIn {
 struct ButtonState {
   struct Button {
     bool down = false;
-    bool used = false;  // this press has had its effect
     TimeUs since;
   };
   PlayState play = PlayState::initial;
