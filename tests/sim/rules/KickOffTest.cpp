@@ -19,6 +19,7 @@ struct Stand {
 constexpr Stand kStands[] = {
     {"in its own half", kRed, 2, {180, 200}, 90, true},
     {"beyond the half-way line", kRed, 2, {60, 275}, 90, false},
+    {"on the half-way line", kRed, 2, {60, 271.5}, 90, true},
     {"who kicks off may be in the circle", kRed, 2, {180, 250}, 90, true},
     {"who does not may not", kBlue, 2, {180, 290}, -90, false},
     {"not even with the head only", kBlue, 2, {180, 295}, -90, false},

@@ -59,7 +59,9 @@ bool inOwnGoalBox(const body::FieldDescription& field, TeamColour team, Point2<F
 bool standsLegally(const body::FieldDescription& field, const ScenePlayer& player,
                    TeamColour kickOff) {
   const Point2<Field> own = ownView(field, player.team, player.pose.position);
-  if (!player.upright || !onField(field, own) || own.y > 0.5 * field.length) return false;
+  // Who came back from a penalty stands on the half-way line, and sways.
+  const bool ahead = own.y > 0.5 * field.length + kStillWithin;
+  if (!player.upright || !onField(field, own) || ahead) return false;
   if (player.number != kGoalie && inOwnGoalBox(field, player.team, player.pose.position))
     return false;
   const Point2<Field> centre{0.5 * field.width, 0.5 * field.length};
