@@ -19,7 +19,7 @@ DEFENDER_REACH = 60.0    # cm from the middle, at most
 DROP_IN_Y = 300.0        # beyond it the defender stands behind the drop-in points,
 DROP_IN_SIDE = 0.35      # for a ball in those shares of the width
 DROP_IN_X = 50.0
-STRING = 10.0            # cm; facts-2005 section 7.2 has 20 to either side as hysteresis
+STRING = 20.0            # cm to either side (facts-2005 section 7.2, side hysteresis)
 
 
 def striker(field, ball):
