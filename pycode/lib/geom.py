@@ -36,16 +36,15 @@ def moved(x, y, odometry, times=1) -> Point:
     """Where a resting point of the robot frame is after the robot moved by one frame's odometry,
     or by as much several times.
 
-    The step is taken along half the turn: the chord of an arc, 0.07 % short at 218 deg/s."""
-    forward, left, turn_deg = odometry.forward, odometry.left, odometry.turn_deg
-    half, turn = math.radians(0.5 * turn_deg), math.radians(turn_deg)
-    sine, cosine = math.sin(half), math.cos(half)
-    right, ahead = left * cosine + forward * sine, forward * cosine - left * sine
+    The step is taken along half the turn: the chord of an arc, at 218 deg/s 0.07 % short of one
+    frame's and 1 % of four frames' arc."""
+    forward, left = times * odometry.forward, times * odometry.left
+    turn = math.radians(times * odometry.turn_deg)
+    sine, cosine = math.sin(0.5 * turn), math.cos(0.5 * turn)
+    x += left * cosine + forward * sine
+    y -= forward * cosine - left * sine
     sine, cosine = math.sin(turn), math.cos(turn)
-    for _ in range(times):
-        x, y = x + right, y - ahead
-        x, y = x * cosine + y * sine, y * cosine - x * sine
-    return x, y
+    return x * cosine + y * sine, y * cosine - x * sine
 
 
 def frame_of(pose) -> tuple[float, float, float, float]:

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # A gaze that keeps the ball in the image but not in its middle: turned aside and up, as far as the
 # ball stays whole, so that a landmark comes into the image as well. Whoever only looks at the ball
-# sees what happens to be behind it. Keeps nothing. A wrong pose turns it to where no landmark is,
+# sees what happens to be behind it. A wrong pose turns it to where no landmark is,
 # which costs nothing: the ball is still seen.
 import math
 
@@ -19,6 +19,7 @@ EYES = 17.0           # cm that the camera is above the top of the ball
 BALL = 8.6            # cm
 ALL_ROUND = 180.0     # deg
 MARGIN = 4.0          # deg between the ball and the lower edge
+EVERY = 3             # frames
 
 
 def aside_for(world, ball_pan) -> float:
@@ -44,9 +45,19 @@ def up_for(distance) -> float:
     return clamp(wanted, 0.0, max(0.0, IMAGE_UP - MARGIN - wide))
 
 
-def beside(world, point: Point, height) -> kelpie.HeadRequest:
-    """The view that keeps a ball at that point of the robot frame (cm) and that height, and shows
-    what else it can."""
-    distance, pan = math.hypot(*point), heading(*point)
-    up = distance * math.tan(math.radians(up_for(world.ball.distance)))
-    return aim_at(*polar(distance, pan + aside_for(world, pan)), height + up)
+class SharedGaze:
+    """Keeps how far it turns aside, worked out in every third frame: six landmarks are a twelfth of
+    what an attacker may spend, and in a tenth of a second they hardly move."""
+
+    def __init__(self):
+        self.aside, self.frames = 0.0, 0
+
+    def beside(self, world, point: Point, height) -> kelpie.HeadRequest:
+        """The view that keeps a ball at that point of the robot frame (cm) and that height, and
+        shows what else it can."""
+        distance, pan = math.hypot(*point), heading(*point)
+        if self.frames <= 0:
+            self.aside, self.frames = aside_for(world, pan), EVERY
+        self.frames -= 1
+        up = distance * math.tan(math.radians(up_for(world.ball.distance)))
+        return aim_at(*polar(distance, pan + self.aside), height + up)

@@ -10,7 +10,7 @@ import kelpie
 from lib.geom import Point, moved, polar
 from lib.intercept import relative_velocity, rolls
 from lib.projection import ground_through
-from lib.shared_gaze import beside
+from lib.shared_gaze import SharedGaze
 from lib.steer import BALL_TOP, aim_at
 
 CLOSE = 30.0      # cm (facts-2005 section 7.2)
@@ -24,6 +24,7 @@ FRAMES_PER_S = 30.0
 class TrackBall:
     def __init__(self, memory=None):
         self.memory = memory
+        self.shared = SharedGaze()
         self.projected = False  # the last look was by projection
 
     def head(self, world) -> kelpie.HeadRequest:
@@ -32,15 +33,14 @@ class TrackBall:
         point = by_projection(world.percepts.ball, world)
         self.projected = point is not None
         if self.projected:
-            return gaze(world, led(world, point), 0.0)
-        return gaze(world, led(world, by_trigonometry(world)), BALL_TOP)
+            return self.gaze(world, led(world, point), 0.0)
+        return self.gaze(world, led(world, by_trigonometry(world)), BALL_TOP)
 
-
-def gaze(world, point, height) -> kelpie.HeadRequest:
-    """At the ball; beside it, to see a landmark too, while it lies still and is not near."""
-    if world.ball.distance < NEAR or rolls(world.ball):
-        return aim_at(*point, height)
-    return beside(world, point, height)
+    def gaze(self, world, point, height) -> kelpie.HeadRequest:
+        """At the ball; beside it, to see a landmark too, while it lies still and is not near."""
+        if world.ball.distance < NEAR or rolls(world.ball):
+            return aim_at(*point, height)
+        return self.shared.beside(world, point, height)
 
 
 def note_close(world, memory) -> None:

@@ -6,8 +6,8 @@ import math
 import kelpie
 import pytest
 from lib.geom import from_field, heading, polar, wrap
-from lib.shared_gaze import (ASIDE, BALL, HORIZON_IN, IMAGE_ASIDE, IMAGE_UP, INSIDE, aside_for,
-                             beside, up_for)
+from lib.shared_gaze import (ASIDE, BALL, EVERY, HORIZON_IN, IMAGE_ASIDE, IMAGE_UP, INSIDE,
+                             SharedGaze, aside_for, up_for)
 
 
 def world_at(x, y, degrees):
@@ -56,5 +56,17 @@ def test_without_a_landmark_near_the_view_it_looks_at_the_ball():
     world.field.landmarks = []
     world.ball.distance = 100.0
     point = polar(100.0, 20.0)
-    target = beside(world, point, 8.4).target
+    target = SharedGaze().beside(world, point, 8.4).target
     assert (target.x, target.y, target.z) == pytest.approx((*point, 8.4))
+
+
+def test_how_far_aside_is_worked_out_anew_in_every_third_frame():
+    world, gaze, asides = world_at(180.0, 270.0, 90.0), SharedGaze(), []
+    world.ball.distance = 100.0
+    for frame in range(3 * EVERY):
+        pan = 5.0 * frame
+        aim = gaze.beside(world, polar(100.0, pan), 8.4).target
+        asides.append(round(wrap(heading(aim.x, aim.y) - pan), 6))
+    for start in range(0, 3 * EVERY, EVERY):
+        assert asides[start] == pytest.approx(aside_for(world, 5.0 * start), abs=1e-5)
+        assert len(set(asides[start:start + EVERY])) == 1

@@ -236,11 +236,43 @@ int play(PlayOptions& options) {
   return exitCode(options, result);
 }
 
+void addTeamOptions(CLI::App& command, PlayOptions& options) {
+  SessionOptions& session = options.session;
+  command.add_option("--robots", options.robots,
+                     "Teams that play by the rules from a kick-off, as 4v4");
+  command.add_option("--red", options.red, "The red team's folder: main.py, team.toml or both")
+      ->check(CLI::ExistingPath);
+  command.add_option("--blue", options.blue, "The blue team's folder")->check(CLI::ExistingPath);
+  command.add_option("--minutes", options.minutes, "The same as 60 --seconds")
+      ->check(inRange(0.1, kLongestMatch / 60.0))
+      ->excludes("--seconds");
+  command
+      .add_option("--radio", session.radio,
+                  "How teams are heard: through the world, not at all (none), or udp of this "
+                  "machine (such a match does not replay)")
+      ->check(CLI::IsMember({"world", "udp", "none"}))
+      ->capture_default_str();
+  command.add_flag("--respawn", session.respawn,
+                   "An agent that dies is started again and plays on");
+}
+
+// What was not said follows from what was.
+void settle(const CLI::App& command, PlayOptions& options) {
+  SessionOptions& session = options.session;
+  const auto said = [&](const char* option) { return command.count(option) > 0; };
+  const bool teams = said("--robots") || said("--red") || said("--blue");
+  if (session.realTime && !said("--seconds")) session.seconds = kLongestMatch;
+  if (said("--minutes")) session.seconds = 60.0 * options.minutes;
+  if ((teams || session.realTime) && !said("--goals")) session.goals = kMaxGoals;
+  if (options.opponent != "none" && !said("--scenario")) session.scenario = "attack";
+}
+
 }  // namespace
 
 void addPlay(CLI::App& app, int& code) {
   auto* command = app.add_subcommand(
-      "play", "One robot plays in the simulated world; exit code 0 when it scores");
+      "play",
+      "One robot plays in the simulated world (exit code 0 when it scores), or two teams do");
   auto options = std::make_shared<PlayOptions>();
   auto& session = options->session;
   command->add_option("--out", options->out, "Folder for match.mcap, match.mp4 and match.png")
@@ -248,18 +280,18 @@ void addPlay(CLI::App& app, int& code) {
   command->add_option("--seed", session.seed, "Start pose, ball, noise and slip")
       ->check(inRange(0.0, kLargestSeed))
       ->capture_default_str();
-  auto* seconds = command->add_option("--seconds", session.seconds, "Simulated time at most")
-                      ->check(inRange(1.0, kLongestMatch))
-                      ->capture_default_str();
-  auto* goals = command->add_option("--goals", session.goals, "Ends after so many goals")
-                    ->check(CLI::Range(1, kMaxGoals))
-                    ->capture_default_str();
-  auto* scenario = command
-                       ->add_option("--scenario", session.scenario,
-                                    "Who is where at the start: attack (far from the goal; what an "
-                                    "opponent keeps to), empty-goal or kickoff")
-                       ->check(CLI::IsMember({"attack", "empty-goal", "kickoff"}))
-                       ->capture_default_str();
+  command->add_option("--seconds", session.seconds, "Simulated time at most")
+      ->check(inRange(1.0, kLongestMatch))
+      ->capture_default_str();
+  command->add_option("--goals", session.goals, "Ends after so many goals")
+      ->check(CLI::Range(1, kMaxGoals))
+      ->capture_default_str();
+  command
+      ->add_option("--scenario", session.scenario,
+                   "Who is where at the start: attack (far from the goal; what an "
+                   "opponent keeps to), empty-goal or kickoff")
+      ->check(CLI::IsMember({"attack", "empty-goal", "kickoff"}))
+      ->capture_default_str();
   command
       ->add_option("--opponent", options->opponent,
                    "Who keeps the other goal: none, goalie (of 2006) or goalie-2004")
@@ -300,32 +332,10 @@ void addPlay(CLI::App& app, int& code) {
   command->add_flag("--real-time", session.realTime,
                     "No faster than a clock, and until Ctrl-C unless --seconds or --goals say "
                     "otherwise: for editing pycode/ while it plays");
-  auto* teams = command->add_option("--robots", options->robots,
-                                    "Teams that play by the rules from a kick-off, as 4v4");
-  command->add_option("--red", options->red, "The red team's folder: main.py, team.toml or both")
-      ->check(CLI::ExistingPath);
-  command->add_option("--blue", options->blue, "The blue team's folder")->check(CLI::ExistingPath);
-  auto* minutes = command->add_option("--minutes", options->minutes, "The same as 60 --seconds")
-                      ->check(inRange(0.1, kLongestMatch / 60.0))
-                      ->excludes(seconds);
-  command
-      ->add_option("--radio", session.radio,
-                   "How teams are heard: through the world, not at all (none), or udp of this "
-                   "machine (such a "
-                   "match does not replay)")
-      ->check(CLI::IsMember({"world", "udp", "none"}))
-      ->capture_default_str();
-  command->add_flag("--respawn", session.respawn,
-                    "An agent that dies is started again and plays on");
+  addTeamOptions(*command, *options);
   command->add_flag("--no-film", options->noFilm, "Leave out match.mp4");
   command->callback([=, &code] {
-    if (options->session.realTime && seconds->count() == 0)
-      options->session.seconds = kLongestMatch;
-    const bool match = teams->count() + command->count("--red") + command->count("--blue") > 0;
-    if (minutes->count() > 0) options->session.seconds = 60.0 * options->minutes;
-    if (match && goals->count() == 0) options->session.goals = kMaxGoals;
-    if (options->opponent != "none" && scenario->count() == 0) options->session.scenario = "attack";
-    if (options->session.realTime && goals->count() == 0) options->session.goals = kMaxGoals;
+    settle(*command, *options);
     code = play(*options);
   });
 }

@@ -118,15 +118,33 @@ void drawRobot(cv::Mat& picture, const body::FieldDescription& field, double sca
   cv::polylines(picture, corners, true, colour, 2, cv::LINE_AA);
 }
 
-// The log's own robot is white, like its path; the others have their team's colour and, beside
-// them, their number.
+std::string wordFor(Role role) {
+  constexpr const char* kWords[] = {"",         " attacker", " supporter",
+                                    " striker", " defender", " goalie"};
+  static_assert(std::size(kWords) == kRoleCount);
+  return kWords[static_cast<std::size_t>(role)];
+}
+
+// What the log's own robot does, or what it heard that a mate does; nothing of opponents.
+std::string roleOf(const TrueRobot& robot, const Moment& moment) {
+  if (robot.own) return wordFor(moment.output.command.team.role);
+  if (robot.team != moment.input.game.team) return "";
+  for (const TeammateEstimate& mate : moment.output.world.teammates)
+    if (mate.player == robot.player) return wordFor(mate.note.role);
+  return "";
+}
+
+// The log's own robot is white, like its path; the others have their team's colour. Beside each
+// stand its number and its role.
 void drawTrueRobot(cv::Mat& picture, const body::FieldDescription& field, double scale,
-                   const TrueRobot& robot) {
+                   const TrueRobot& robot, const Moment& moment) {
   drawRobot(picture, field, scale, robot.pose, robot.own ? kWhite : inkFor(robot.team));
   const Point2<Field> middle = fieldFromRobot(robot.pose, Point2<Robot>{0.0, -10.0});
   const cv::Point beside(static_cast<int>(14 * scale), 5);
-  if (!robot.own)
-    label(picture, std::to_string(robot.player), onPicture(field, scale, middle) + beside, kWhite);
+  const std::string role = roleOf(robot, moment);
+  if (!robot.own || !role.empty())
+    label(picture, std::to_string(robot.player) + role, onPicture(field, scale, middle) + beside,
+          kWhite);
 }
 
 void drawBelief(cv::Mat& picture, const body::FieldDescription& field, double scale,
@@ -256,7 +274,8 @@ void drawPlaces(cv::Mat& picture, const body::FieldDescription& field, double sc
                 const Moment& moment) {
   drawBelief(picture, field, scale, moment.output.world);
   if (!moment.truth.present) return;
-  for (const TrueRobot& robot : moment.truth.robots) drawTrueRobot(picture, field, scale, robot);
+  for (const TrueRobot& robot : moment.truth.robots)
+    drawTrueRobot(picture, field, scale, robot, moment);
   cv::circle(picture, onPicture(field, scale, moment.truth.ball),
              std::max(3, static_cast<int>(body::kBallRadius * scale)), kOrange, cv::FILLED,
              cv::LINE_AA);
