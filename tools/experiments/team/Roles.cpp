@@ -40,14 +40,18 @@ void countThird(const body::FieldDescription& field, double y, Role role, Found&
     found.thirds[static_cast<std::size_t>(role)][i].count(i == third);
 }
 
-void judgeRobot(const TeamMatch& match, const TeamRobot& robot, std::map<long, Line>& lines,
+// The camera's frames of all robots are exposed together; the middle of one is half a frame after
+// its beginning.
+int frameOf(double seconds) { return static_cast<int>(seconds * kFramesASecond); }
+
+void judgeRobot(const TeamMatch& match, const TeamRobot& robot, std::map<int, Line>& lines,
                 Found& found) {
   static const body::FieldDescription field;
   const TeamFrame* last = nullptr;
   for (const TeamFrame& frame : robot.frames) {
     const bool plays = frame.plays();
     if (plays) {
-      Line& line = lines[std::lround(frame.seconds * kFramesASecond)];
+      Line& line = lines[frameOf(frame.seconds)];
       ++line.playing;
       line.attackers += frame.note.role == Role::attacker ? 1 : 0;
       found.seconds += 1.0 / kFramesASecond;
@@ -64,7 +68,7 @@ void judgeRobot(const TeamMatch& match, const TeamRobot& robot, std::map<long, L
 }
 
 void judgeTeam(const TeamMatch& match, TeamColour team, Found& found) {
-  std::map<long, Line> lines;
+  std::map<int, Line> lines;
   for (const TeamRobot& robot : match.robots)
     if (robot.team == team && robot.player != 1) judgeRobot(match, robot, lines, found);
   for (const auto& [frame, line] : lines) {
