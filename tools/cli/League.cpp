@@ -75,12 +75,18 @@ Status readSides(LeagueOptions& options, Folders& folders) {
   return Done{};
 }
 
+league::MatchResult voided(const std::string& trouble) {
+  league::MatchResult result;
+  result.trouble = trouble;
+  return result;
+}
+
 // The pure function of a league: processes of its own, nothing kept.
 league::MatchResult playMatch(const league::LeagueMatch& match, const std::string& robots,
                               const Folders& folders) {
   league::MatchResult result;
   auto plan = teamPlan(robots);
-  if (!plan) return {0, 0, 0, 0, 0, 0.0, plan.error()};
+  if (!plan) return voided(plan.error());
   plan->redFolder = folders.at(match.red);
   plan->blueFolder = folders.at(match.blue);
   SessionOptions session;
@@ -88,7 +94,7 @@ league::MatchResult playMatch(const league::LeagueMatch& match, const std::strin
   session.seconds = 60.0 * match.minutes;
   session.physical = !match.fast;
   const Status used = useTeams(*plan, session);
-  if (!used) return {0, 0, 0, 0, 0, 0.0, used.error()};
+  if (!used) return voided(used.error());
   SessionTalk talk;
   talk.line = [](const std::string&) {};
   const SessionResult played = runSession(session, talk);
