@@ -47,7 +47,10 @@ class TakePlace(Machine):
                 self.enter(world, self.back_off, self.stuck, 'a front paw pushes at something')
         elif self.state in (self.back_off, self.set):
             self.enter(world, self.walk_there, self.bird, 'the paws are free')
-        return self.step(world)
+        command = self.step(world)
+        note = command.team
+        note.wants, (note.wanted.x, note.wanted.y) = True, self.place(world)
+        return command
 
     # States
 

@@ -290,6 +290,12 @@ def test_when_all_are_set_it_stands_and_looks_at_the_ball():
     assert command.head.aim == kelpie.AIM_POINT
 
 
+def test_the_team_hears_to_which_place_it_walks():
+    made, skill = ready_world((20.0, 500.0)), TakePlace(Memory())
+    note = skill.command(made).team
+    assert note.wants and (note.wanted.x, note.wanted.y) == skill.place(made)
+
+
 @pytest.mark.parametrize('paws, left', [((True, True), 0.0), ((True, False), -1.0),
                                         ((False, True), 1.0)])
 def test_a_paw_that_meets_somebody_on_the_way_to_the_place_makes_it_back_off(paws, left):

@@ -55,7 +55,7 @@ void judge(const TeamMatch& match, Found& found) {
   for (const TeamRobot& robot : match.robots) {
     const TeamFrame* last = nullptr;
     for (const TeamFrame& frame : robot.frames)
-      if (frame.seconds < set && frame.note.wants) last = &frame;
+      if (frame.state == PlayState::ready && frame.seconds < set && frame.note.wants) last = &frame;
     for (const sim::RobotTruth& one : truth.robots) {
       if (!robot.is(one)) continue;
       const Point2<Field> p = turnedFor(robot.team, field, one.pose.position);
