@@ -18,7 +18,7 @@ struct SessionResult {
   bool logged = false;        // the log is in its place, of a whole match or of one cut short
   bool interrupted = false;   // by the user; the rest tells what was played until then
   std::vector<double> goals;  // s
-  std::vector<double> ownGoals;  // s
+  std::vector<double> ownGoals;           // s
   int redOwnGoals = 0, blueOwnGoals = 0;  // of all those what a team shot into its own goal
   int outs = 0;
   double seconds = 0.0;  // simulated
