@@ -15,6 +15,7 @@ KEYS = {
     "grab-dribble": ["success", "violations_3s", "violations_50cm", "grab_frames"],
     "intercept": ["intercept/reached_rate", "walk_at/median_s"],
     "kick-choice": ["rules/goals_rate", "map/goals_rate"],
+    "ready": ["all_at_place_share", "robots_at_place_share", "median_s"],
     "score-empty-goal": ["goals_rate", "median_s", "goals_rate_no_grab", "median_no_grab_s"],
 }
 
