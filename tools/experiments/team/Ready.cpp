@@ -12,7 +12,7 @@ namespace kelpie::experiments {
 namespace {
 
 constexpr double kSeconds = 2.0;   // of play: the ready state comes first
-constexpr double kApart = 45.0;    // cm between two starts
+constexpr double kApart = 65.0;    // cm between two starts, more than two bodies in line
 constexpr double kMargin = 30.0;   // cm from the lines
 constexpr double kAtPlace = 30.0;  // cm
 
