@@ -157,6 +157,8 @@ def test_an_interrupted_match_leaves_log_and_nothing_else_behind(team, tmp_path)
     (["--red", "docs"], "'docs': holds neither main.py nor team.toml"),
     (["--robots", "4v4", "--minutes", "0"], "minutes"),
     (["--robots", "4v4", "--radio", "morse"], "morse"),
+    (["--robots", "4v4", "--opponent", "goalie"], "--opponent"),
+    (["--robots", "2v2", "--place", "red:3:1,2,3"], "no red 3 is there"),
 ])
 def test_what_is_no_match_is_refused_in_one_line(words, told, tmp_path):
     result = kelpie("play", *words, "--out", tmp_path / "out")
@@ -192,6 +194,10 @@ def test_a_league_with_other_behaviours_is_another_league(team, tmp_path):
     assert result.returncode == 2 and complaint(result)
 
 
-def test_a_league_of_one_team_is_refused(team, tmp_path):
-    result = kelpie("league", team, "--out", tmp_path / "league")
-    assert result.returncode == 2 and "two teams" in complaint(result)
+@pytest.mark.parametrize("words, told", [
+    ([], "two teams"), (["docs"], "'docs': holds neither main.py nor team.toml"),
+    (["teams/thesis", "--robots", "9v9"], "'9v9': teams are written as 4v4")])
+def test_what_is_no_league_is_refused_before_anything_is_written(words, told, team, tmp_path):
+    result = kelpie("league", team, *words, "--out", tmp_path / "league")
+    assert result.returncode == 2 and told in complaint(result)
+    assert not (tmp_path / "league").exists()

@@ -65,9 +65,15 @@ std::string hashOf(const std::string& folder) {
 }
 
 Status readSides(LeagueOptions& options, Folders& folders) {
+  const auto robots = teamPlan(options.robots);
+  if (!robots) return Error{robots.error()};
   options.plan.about = versionLine() + ", " + options.robots;
   for (const std::string& folder : options.folders) {
     const std::string name = nameOf(folder);
+    TeamPlan alone{1, 0, folder, ""};
+    SessionOptions tried;
+    const Status usable = useTeams(alone, tried);
+    if (!usable) return usable;
     if (!folders.emplace(name, folder).second) return Error{"two sides are called '" + name + "'"};
     options.plan.sides.push_back(name);
     options.plan.about += ", " + name + " " + hashOf(folder);

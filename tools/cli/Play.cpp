@@ -238,8 +238,11 @@ int play(PlayOptions& options) {
 
 void addTeamOptions(CLI::App& command, PlayOptions& options) {
   SessionOptions& session = options.session;
-  command.add_option("--robots", options.robots,
-                     "Teams that play by the rules from a kick-off, as 4v4");
+  command
+      .add_option("--robots", options.robots,
+                  "Teams that play by the rules from a kick-off, as 4v4")
+      ->excludes("--opponent")
+      ->excludes("--scenario");
   command.add_option("--red", options.red, "The red team's folder: main.py, team.toml or both")
       ->check(CLI::ExistingPath);
   command.add_option("--blue", options.blue, "The blue team's folder")->check(CLI::ExistingPath);
