@@ -62,17 +62,12 @@ void judgeTime(const TeamMatch& match, Found& found) {
 
 Expected<Json> matchCalls(const Request& request) {
   Found found;
-  TeamMatches matches;
-  matches.count = request.trials;
-  matches.session = [&](int number) {
-    return *teamSession(request, trialOf(request, number), "4v4", kSeconds);
-  };
-  matches.judge = [&](int, const cli::SessionResult& result, const TeamMatch& match) {
+  const auto judge = [&](const cli::SessionResult& result, const TeamMatch& match) {
     judgeCalls(match, found);
     judgeTime(match, found);
     found.goalsOfMatch.push_back(static_cast<double>(result.goals.size() + result.ownGoals.size()));
   };
-  const Status played = playTeams(request, matches);
+  const Status played = playFours(request, kSeconds, judge);
   if (!played) return Error{played.error()};
   Json calls = Json::object();
   for (const auto& [reason, count] : found.calls) calls[reason] = ratio(count, request.trials);

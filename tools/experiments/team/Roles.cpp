@@ -90,16 +90,11 @@ Json thirdsOf(const Found& found) {
 
 Expected<Json> roles(const Request& request) {
   Found found;
-  TeamMatches matches;
-  matches.count = request.trials;
-  matches.session = [&](int number) {
-    return *teamSession(request, trialOf(request, number), "4v4", kSeconds);
-  };
-  matches.judge = [&](int, const cli::SessionResult&, const TeamMatch& match) {
+  const auto judge = [&](const cli::SessionResult&, const TeamMatch& match) {
     judgeTeam(match, TeamColour::red, found);
     judgeTeam(match, TeamColour::blue, found);
   };
-  const Status played = playTeams(request, matches);
+  const Status played = playFours(request, kSeconds, judge);
   if (!played) return Error{played.error()};
   return Json{{"one_attacker_share", found.oneAttacker.value()},
               {"no_attacker_share", found.none.value()},

@@ -35,17 +35,12 @@ void judgeFrame(const TeamRobot& robot, const TeamFrame& frame, const sim::Truth
 
 Expected<Json> teamLocalise(const Request& request) {
   Found found;
-  TeamMatches matches;
-  matches.count = request.trials;
-  matches.session = [&](int number) {
-    return *teamSession(request, trialOf(request, number), "4v4", kSeconds);
-  };
-  matches.judge = [&](int, const cli::SessionResult&, const TeamMatch& match) {
+  const auto judge = [&](const cli::SessionResult&, const TeamMatch& match) {
     for (const TeamRobot& robot : match.robots)
       for (const TeamFrame& frame : robot.frames)
         if (frame.plays()) judgeFrame(robot, frame, match.at(frame.seconds), found);
   };
-  const Status played = playTeams(request, matches);
+  const Status played = playFours(request, kSeconds, judge);
   if (!played) return Error{played.error()};
   return Json{{"pose_error_mean_cm", mean(found.pose)},
               {"pose_error_p95_cm", percentile(found.pose, 0.95)},

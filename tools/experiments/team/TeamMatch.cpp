@@ -115,4 +115,16 @@ Status playTeams(const Request& request, const TeamMatches& matches) {
   return Done{};
 }
 
+Status playFours(const Request& request, double seconds, const JudgeMatch& judge) {
+  TeamMatches matches;
+  matches.count = request.trials;
+  matches.session = [&](int number) {
+    return *teamSession(request, trialOf(request, number), "4v4", seconds);
+  };
+  matches.judge = [&](int, const cli::SessionResult& result, const TeamMatch& match) {
+    judge(result, match);
+  };
+  return playTeams(request, matches);
+}
+
 }  // namespace kelpie::experiments

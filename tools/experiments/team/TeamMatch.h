@@ -66,4 +66,8 @@ Expected<cli::SessionOptions> teamSession(const Request& request, const Trial& t
 // One after the other: a match of eight robots takes all cores.
 Status playTeams(const Request& request, const TeamMatches& matches);
 
+// Matches of four against four, so many seconds of play long, one a trial.
+using JudgeMatch = std::function<void(const cli::SessionResult& result, const TeamMatch& match)>;
+Status playFours(const Request& request, double seconds, const JudgeMatch& judge);
+
 }  // namespace kelpie::experiments
