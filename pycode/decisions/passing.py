@@ -5,11 +5,12 @@
 # is; what it believes of its own place adds to where the ball may be missed.
 import math
 
-import kelpie
+from decisions.kick_map_choice import FALL_OFF, NEARNESS
+from decisions.roles import forwards
 from lib import kick_table
 from lib.geom import clamp, wrap
 from lib.keep_off import Lane
-from lib.ways import SILENT_S, goal_of, point_of
+from lib.ways import goal_of, point_of
 
 REACH = 60.0         # cm from the mate to where the ball comes to rest: 2 s of walking
 ON_WAY = 35.0        # cm from the ball's way: it is stopped by who stands there
@@ -18,8 +19,6 @@ MARKED = 50.0        # cm from an opponent to a mate
 SEEN_S = 2.0         # s; of opponents
 SHOT_FROM = 230.0    # cm from which a ball reaches the goal (skills/grab_dribble.py)
 SHOT = 0.5           # worth of a shot at the goal from the line
-NEARNESS = 0.6       # as decisions/kick_map_choice.py has it, for a ball anywhere
-FALL_OFF = 650.0
 LOST = 0.25          # share of a worth that is lost in taking the ball
 LEAST_GAIN = 0.08    # by which a pass must be worth more than the own kick, to be begun
 
@@ -45,8 +44,7 @@ def best(world, ball) -> tuple | None:
     """(worth, kick, player) of the best pass of a ball held at a place of the field, for how the
     robot stands; None when none arrives."""
     found = None
-    mates = [mate for mate in world.teammates if mate.seconds_since_heard < SILENT_S and
-             mate.note.role not in (kelpie.KEEPER, kelpie.NO_ROLE)]
+    mates = forwards(world)
     for kick in kick_table.kicks(True) if mates else ():
         chance, direction, _, distance, _ = kick_table.held_outcome(kick)
         angle = math.radians(wrap(world.pose.heading_deg + direction))

@@ -10,6 +10,7 @@ from lib.goalie_places import beyond_box, central_place, ellipse_place, off_rear
 from lib.machine import Machine
 from lib.memory import Memory
 from lib.tune_goalie import Attack, GuardEllipse, Paw
+from players.halted import Halted
 from skills.attack_ball import AttackBall
 from skills.clear_ball import clearing_kick
 from skills.ellipse_head import EllipseHead
@@ -18,8 +19,6 @@ from skills.goalie_head import seen
 from skills.guard_goal import GuardGoal
 from skills.kick import Kick
 from skills.paw_kick import PawKick
-from skills.take_place import TakePlace
-from skills.watch import Scan
 
 
 def attack_due(world) -> bool:
@@ -58,7 +57,7 @@ class EllipseGoalie(Machine):
         self.memory = Memory()
         self.eyes = EllipseHead(self.memory)
         self.get_up = GetUp()
-        self.place_taken = None   # the way to its place before a kick-off
+        self.halted = Halted(self.memory, self.get_up)
 
     def command(self, world) -> kelpie.Command:
         self.memory.update(world)
@@ -74,27 +73,18 @@ class EllipseGoalie(Machine):
         if world.game.state != kelpie.PLAYING or world.game.penalised:
             self.reset(world, 'play is halted', self.guard, GuardGoal(GuardEllipse))
             return self.idle(world)
-        self.place_taken = None
+        self.halted.end()
         if self.get_up.needed(world):
             self.reset(world, 'has fallen', self.guard, GuardGoal(GuardEllipse))
             return kelpie.Command(motion=self.get_up.motion(world))
         return self.step(world)
 
     def idle(self, world) -> kelpie.Command:
-        """Stands; before a kick-off it walks to its place, and gets up for that."""
-        if world.game.penalised or world.game.state not in (kelpie.READY, kelpie.SET):
-            self.place_taken = None
-            return kelpie.Command(head=Scan().head(world, world.time_s))
-        if self.get_up.needed(world):
-            return kelpie.Command(motion=self.get_up.motion(world))
-        if self.place_taken is None:
-            self.place_taken = TakePlace(self.memory, goalie=True)
-        return self.place_taken.command(world)
+        return self.halted.command(world)
 
     def explain(self, trace) -> None:
         super().explain(trace)
-        if self.place_taken is not None:
-            self.place_taken.explain(trace)
+        self.halted.explain(trace)
         self.eyes.explain(trace)
 
     # States

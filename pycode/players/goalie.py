@@ -11,6 +11,7 @@ from lib.memory import Memory
 from lib.pose_watch import PoseWatch
 from lib.shot import coming, speed
 from lib.tune_goalie import Attack, Clear, Coming, Guard
+from players.halted import Halted
 from skills.attack_ball import AttackBall
 from skills.block import NAMES, ShotWatch
 from skills.clear_ball import clearing_kick
@@ -19,8 +20,6 @@ from skills.get_up import GetUp
 from skills.goalie_head import GoalieHead, seen
 from skills.guard_goal import GuardGoal, in_box
 from skills.kick import Kick
-from skills.take_place import TakePlace
-from skills.watch import Scan
 
 
 class Goalie(Machine):
@@ -36,7 +35,7 @@ class Goalie(Machine):
         self.facing = FaceUpField()
         self.pose = PoseWatch()
         self.get_up = GetUp()
-        self.place_taken = None   # the way to its place before a kick-off
+        self.halted = Halted(self.memory, self.get_up)
         self.cleared_to = None  # the point of the field that the last clearance was to pass
         self.shot_aside = 0.0  # cm, of the last shot that was blocked
         self.moved_s = 0.0  # when the last motion ended
@@ -59,7 +58,7 @@ class Goalie(Machine):
         if world.game.state != kelpie.PLAYING or world.game.penalised:
             self.start_over(world, 'play is halted')
             return self.idle(world)
-        self.place_taken = None
+        self.halted.end()
         if self.get_up.needed(world):
             self.start_over(world, 'has fallen')
             return kelpie.Command(motion=self.get_up.motion(world))
@@ -68,15 +67,7 @@ class Goalie(Machine):
         return self.step(world)
 
     def idle(self, world) -> kelpie.Command:
-        """Stands; before a kick-off it walks to its place, and gets up for that."""
-        if world.game.penalised or world.game.state not in (kelpie.READY, kelpie.SET):
-            self.place_taken = None
-            return kelpie.Command(head=Scan().head(world, world.time_s))
-        if self.get_up.needed(world):
-            return kelpie.Command(motion=self.get_up.motion(world))
-        if self.place_taken is None:
-            self.place_taken = TakePlace(self.memory, goalie=True)
-        return self.place_taken.command(world)
+        return self.halted.command(world)
 
     def start_over(self, world, why):
         self.facing.end()
@@ -84,8 +75,7 @@ class Goalie(Machine):
 
     def explain(self, trace) -> None:
         super().explain(trace)
-        if self.place_taken is not None:
-            self.place_taken.explain(trace)
+        self.halted.explain(trace)
         if self.pose.doubtful:
             trace.append((kelpie.LAYER_SKILL, 'pose_watch', 'carried', 'the pose has jumped'))
         self.eyes.explain(trace)

@@ -1,0 +1,30 @@
+# SPDX-License-Identifier: Apache-2.0
+# What a goalie of either kind does while play is halted: stands and looks round, or before a
+# kick-off gets up and walks to its place. Keeps the way to that place.
+import kelpie
+from skills.take_place import TakePlace
+from skills.watch import Scan
+
+
+class Halted:
+    def __init__(self, memory, get_up):
+        self.memory, self.get_up = memory, get_up
+        self.place = None
+
+    def command(self, world) -> kelpie.Command:
+        if world.game.penalised or world.game.state not in (kelpie.READY, kelpie.SET):
+            self.place = None
+            return kelpie.Command(head=Scan().head(world, world.time_s))
+        if self.get_up.needed(world):
+            return kelpie.Command(motion=self.get_up.motion(world))
+        if self.place is None:
+            self.place = TakePlace(self.memory, goalie=True)
+        return self.place.command(world)
+
+    def end(self):
+        """Play goes on."""
+        self.place = None
+
+    def explain(self, trace) -> None:
+        if self.place is not None:
+            self.place.explain(trace)
