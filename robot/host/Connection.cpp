@@ -5,8 +5,10 @@
 
 #include <sys/socket.h>
 #include <sys/time.h>
+#include <sys/uio.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cmath>
 #include <cstdio>
@@ -47,6 +49,18 @@ void setTimeout(int descriptor, double seconds) {
   limit.tv_usec = static_cast<decltype(limit.tv_usec)>((seconds - whole) * 1e6);
   setsockopt(descriptor, SOL_SOCKET, SO_RCVTIMEO, &limit, sizeof limit);
   setsockopt(descriptor, SOL_SOCKET, SO_SNDTIMEO, &limit, sizeof limit);
+}
+
+// As many bytes as the socket takes of all parts, in one call.
+template <class Part>
+ssize_t writeParts(int descriptor, const Part* parts, std::size_t count) {
+  std::array<iovec, 4> pieces{};
+  msghdr message{};
+  message.msg_iov = pieces.data();
+  message.msg_iovlen = std::min(count, pieces.size());
+  for (std::size_t i = 0; i < message.msg_iovlen; ++i)
+    pieces[i] = {const_cast<std::uint8_t*>(parts[i].bytes), parts[i].size};
+  return sendmsg(descriptor, &message, MSG_NOSIGNAL);
 }
 
 Error silence(const ConnectionParams& params) {
@@ -106,17 +120,36 @@ Connection& Connection::operator=(Connection&& other) noexcept {
   return *this;
 }
 
-Status Connection::send(MessageType type, const std::uint8_t* body, std::size_t size) {
+Expected<Connection::Header> Connection::headerOf(MessageType type, std::size_t size) const {
   if (size > params_.maxBody) {
     return Error{std::string(messageName(type)) + " message of " + std::to_string(size) +
                  " bytes is above the limit of " + std::to_string(params_.maxBody)};
   }
-  std::uint8_t header[kHeaderBytes];
-  put32(header, kWorldMagic);
-  put32(header + 4, static_cast<std::uint32_t>(type));
-  put32(header + 8, static_cast<std::uint32_t>(size));
-  const Status status = writeAll(header, sizeof header);
-  return status ? writeAll(body, size) : status;
+  Header header;
+  put32(header.data(), kWorldMagic);
+  put32(header.data() + 4, static_cast<std::uint32_t>(type));
+  put32(header.data() + 8, static_cast<std::uint32_t>(size));
+  return header;
+}
+
+Status Connection::send(MessageType type, const std::vector<std::uint8_t>& body) {
+  const auto header = headerOf(type, body.size());
+  if (!header) return Error{header.error()};
+  std::array<Part, 2> parts{{{header->data(), header->size()}, {body.data(), body.size()}}};
+  return writeAll(parts.data(), parts.size());
+}
+
+Status Connection::send(MessageType first, const std::vector<std::uint8_t>& firstBody,
+                        MessageType second, const std::vector<std::uint8_t>& secondBody) {
+  const auto one = headerOf(first, firstBody.size());
+  if (!one) return Error{one.error()};
+  const auto two = headerOf(second, secondBody.size());
+  if (!two) return Error{two.error()};
+  std::array<Part, 4> parts{{{one->data(), one->size()},
+                             {firstBody.data(), firstBody.size()},
+                             {two->data(), two->size()},
+                             {secondBody.data(), secondBody.size()}}};
+  return writeAll(parts.data(), parts.size());
 }
 
 Expected<MessageType> Connection::receive(std::vector<std::uint8_t>& body) {
@@ -164,12 +197,21 @@ Status Connection::readAll(std::uint8_t* bytes, std::size_t size, bool midMessag
   return Done{};
 }
 
-Status Connection::writeAll(const std::uint8_t* bytes, std::size_t size) {
-  std::size_t done = 0;
-  while (done < size) {
-    const ssize_t put = ::send(descriptor_, bytes + done, size - done, MSG_NOSIGNAL);
+Status Connection::writeAll(Part* parts, std::size_t count) {
+  while (count > 0) {
+    if (parts->size == 0) {
+      ++parts;
+      --count;
+      continue;
+    }
+    const ssize_t put = writeParts(descriptor_, parts, count);
     if (put >= 0) {
-      done += static_cast<std::size_t>(put);
+      auto written = static_cast<std::size_t>(put);
+      for (std::size_t i = 0; i < count; ++i) {
+        const std::size_t here = std::min(written, parts[i].size);
+        parts[i] = {parts[i].bytes + here, parts[i].size - here};
+        written -= here;
+      }
     } else if (errno == EAGAIN || errno == EWOULDBLOCK) {
       return silence(params_);
     } else if (errno == EPIPE || errno == ECONNRESET) {

@@ -5,6 +5,7 @@
 // of no use.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -36,10 +37,10 @@ class Connection {
   Connection(const Connection&) = delete;
   Connection& operator=(const Connection&) = delete;
 
-  Status send(MessageType type, const std::uint8_t* body, std::size_t size);
-  Status send(MessageType type, const std::vector<std::uint8_t>& body) {
-    return send(type, body.data(), body.size());
-  }
+  Status send(MessageType type, const std::vector<std::uint8_t>& body);
+  // Two in one system call: each call wakes the peer, which costs both more than the bytes do.
+  Status send(MessageType first, const std::vector<std::uint8_t>& firstBody, MessageType second,
+              const std::vector<std::uint8_t>& secondBody);
   // Waits for the next message; the body replaces what the vector held.
   Expected<MessageType> receive(std::vector<std::uint8_t>& body);
   // The same, and an error when the message has another type.
@@ -50,7 +51,15 @@ class Connection {
 
  private:
   Status readAll(std::uint8_t* bytes, std::size_t size, bool midMessage);
-  Status writeAll(const std::uint8_t* bytes, std::size_t size);
+  // Bytes somewhere, which a call writes from there.
+  struct Part {
+    const std::uint8_t* bytes;
+    std::size_t size;
+  };
+  using Header = std::array<std::uint8_t, kHeaderBytes>;
+  Expected<Header> headerOf(MessageType type, std::size_t size) const;
+  // What is written is taken off the parts.
+  Status writeAll(Part* parts, std::size_t count);
 
   int descriptor_ = -1;
   ConnectionParams params_;

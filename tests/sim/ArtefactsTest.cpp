@@ -19,14 +19,22 @@ ArtefactParams only(bool ring, bool noise) {
   return params;
 }
 
-std::unique_ptr<Image> sheet(const ArtefactParams& params, std::array<float, 3> colour,
-                             const ColourShift& shift = {}) {
-  auto raw = std::make_unique<RawImage>();
-  for (std::size_t c = 0; c < 3; ++c) raw->plane[c].fill(colour[c]);
+std::unique_ptr<Image> sheetOf(const ArtefactParams& params, const RobotCamera& robot,
+                               std::array<float, 3> colour = {200, 128, 128}) {
+  RawColumn raw;
+  raw.y.fill(colour[0]);
+  raw.cr.fill(colour[1]);
+  raw.cb.fill(colour[2]);
   auto image = std::make_unique<Image>();
   Random random(5);
-  Artefacts(params, {shift, kMiddleCentres}).apply(*raw, random, *image);
+  Artefacts artefacts(params, robot);
+  for (std::size_t x = 0; x < kImageWidth; ++x) artefacts.add(x, raw, random, *image);
   return image;
+}
+
+std::unique_ptr<Image> sheet(const ArtefactParams& params, std::array<float, 3> colour,
+                             const ColourShift& shift = {}) {
+  return sheetOf(params, {shift, kMiddleCentres}, colour);
 }
 
 // Checklist E3: white (200, 128, 128) becomes (113, 121, 150) in the corner, d = 131.
@@ -66,16 +74,6 @@ RobotCamera offCentre() {
   RobotCamera robot;
   robot.centres = {PixelPoint{116.0, 70.0}, {104.0, 92.0}, {95.0, 80.0}};
   return robot;
-}
-
-std::unique_ptr<Image> sheetOf(const ArtefactParams& params, const RobotCamera& robot) {
-  auto raw = std::make_unique<RawImage>();
-  raw->plane[0].fill(200.0F);
-  for (std::size_t c = 1; c < 3; ++c) raw->plane[c].fill(128.0F);
-  auto image = std::make_unique<Image>();
-  Random random(5);
-  Artefacts(params, robot).apply(*raw, random, *image);
-  return image;
 }
 
 TEST(Artefacts, EachChannelHasItsRingAboutItsOwnCentre) {

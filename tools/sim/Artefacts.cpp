@@ -13,6 +13,9 @@ namespace {
 constexpr std::size_t kRows = kImageHeight;
 constexpr std::size_t kColumns = kImageWidth;
 
+constexpr std::array<RawColumn::Channel RawColumn::*, 3> kChannels{&RawColumn::y, &RawColumn::cr,
+                                                                   &RawColumn::cb};
+
 struct Polynomial {
   double a1, b1, a2, b2, a3, b3;
 };
@@ -63,7 +66,7 @@ double ringValue(std::size_t channel, double value, double distance) {
 }
 
 Artefacts::Artefacts(const ArtefactParams& params, const RobotCamera& robot, SharedTables tables)
-    : params_(params), robot_(robot), tables_(std::move(tables)), previous_(2 * kRows) {
+    : params_(params), robot_(robot), tables_(std::move(tables)) {
   prepareGains();
   prepareTone();
 }
@@ -105,51 +108,54 @@ void Artefacts::prepareTone() {
 }
 
 // Each pixel gives `blurShare` to its four neighbours; the border keeps what would leave.
-void Artefacts::blur(RawImage::Plane& plane) {
+RawColumn::Channel Artefacts::blurred(std::size_t channel, const RawColumn& left,
+                                      const RawColumn& right) const {
   const auto share = static_cast<float>(params_.blurShare);
-  float* before = previous_.data();
-  float* current = previous_.data() + kRows;
-  std::copy_n(plane.data(), kRows, before);
-  for (std::size_t x = 0; x < kColumns; ++x) {
-    float* column = plane.data() + x * kRows;
-    const float* after = x + 1 < kColumns ? column + kRows : column;
-    std::copy_n(column, kRows, current);
-    for (std::size_t y = 1; y + 1 < kRows; ++y) {
-      const float sum = before[y] + after[y] + current[y - 1] + current[y + 1];
-      column[y] = current[y] + share * (sum - 4.0F * current[y]);
-    }
-    std::swap(before, current);
+  const RawColumn::Channel& own = current_.*kChannels[channel];
+  const RawColumn::Channel& before = left.*kChannels[channel];
+  const RawColumn::Channel& after = right.*kChannels[channel];
+  RawColumn::Channel out;
+  out.front() = own.front();
+  out.back() = own.back();
+  for (std::size_t y = 1; y + 1 < kRows; ++y) {
+    const float sum = before[y] + after[y] + own[y - 1] + own[y + 1];
+    out[y] = own[y] + share * (sum - 4.0F * own[y]);
   }
+  return out;
 }
 
-void Artefacts::finish(const RawImage::Plane& plane, std::size_t channel, Random& random,
-                       Image::Plane& out) const {
+void Artefacts::bytes(std::size_t x, std::size_t channel, const RawColumn::Channel& value,
+                      Random& random, Image::Plane& out) const {
   const auto sd = static_cast<float>(channel == 0 ? params_.noiseSdY : params_.noiseSdChroma);
   const float amount = params_.noise ? sd : 0.0F;
-  for (std::size_t x = 0; x < kColumns; ++x) {
-    const std::size_t first = x * kRows;
-    const float* value = plane.data() + first;
-    const float* gain = gain_[channel].data() + first;
-    const float* offset = offset_[channel].data() + first;
-    // A random stretch of the table for each column: as good as fresh numbers and 20 times faster.
-    const float* noise = tables_->noise.data() + random.index(kNoises);
-    std::array<std::uint8_t, kRows> bytes;
-    for (std::size_t y = 0; y < kRows; ++y) {
-      const float v = gain[y] * value[y] + offset[y] + amount * noise[y] + 0.5F;
-      bytes[y] = static_cast<std::uint8_t>(static_cast<int>(std::min(std::max(v, 0.0F), 255.0F)));
-    }
-    if (!tone_[channel].empty())
-      for (std::uint8_t& byte : bytes) byte = tone_[channel][byte];
-    for (std::size_t y = 0; y < kRows; ++y) out[y * kColumns + x] = bytes[y];
+  const float* gain = gain_[channel].data() + x * kRows;
+  const float* offset = offset_[channel].data() + x * kRows;
+  // A random stretch of the table for each column: as good as fresh numbers and 20 times faster.
+  const float* noise = tables_->noise.data() + random.index(kNoises);
+  std::array<std::uint8_t, kRows> bytes;
+  for (std::size_t y = 0; y < kRows; ++y) {
+    const float v = gain[y] * value[y] + offset[y] + amount * noise[y] + 0.5F;
+    // Whole numbers are clamped eight at a time, floats are not: a NaN could be among them.
+    bytes[y] = static_cast<std::uint8_t>(std::min(std::max(static_cast<int>(v), 0), 255));
   }
+  if (!tone_[channel].empty())
+    for (std::uint8_t& byte : bytes) byte = tone_[channel][byte];
+  for (std::size_t y = 0; y < kRows; ++y) out[y * kColumns + x] = bytes[y];
 }
 
-void Artefacts::apply(RawImage& raw, Random& random, Image& image) {
+// The last column, between its neighbours.
+void Artefacts::finish(std::size_t x, const RawColumn& left, const RawColumn& right, Random& random,
+                       Image& image) const {
   const std::array<Image::Plane*, 3> out{&image.y, &image.cr, &image.cb};
-  for (std::size_t c = 0; c < 3; ++c) {
-    if (params_.blur) blur(raw.plane[c]);
-    finish(raw.plane[c], c, random, *out[c]);
-  }
+  for (std::size_t c = 0; c < 3; ++c)
+    bytes(x, c, params_.blur ? blurred(c, left, right) : current_.*kChannels[c], random, *out[c]);
+}
+
+void Artefacts::add(std::size_t x, const RawColumn& column, Random& random, Image& image) {
+  if (x > 0) finish(x - 1, x > 1 ? left_ : current_, column, random, image);
+  left_ = current_;
+  current_ = column;
+  if (x + 1 == kColumns) finish(x, left_, current_, random, image);
 }
 
 }  // namespace kelpie::sim

@@ -16,10 +16,10 @@
 
 namespace kelpie::sim {
 
-// The image before it becomes bytes: three planes column by column (plane[160 * x + y]).
-struct RawImage {
-  using Plane = std::array<float, kImagePixels>;
-  std::array<Plane, 3> plane{};
+// A column of the image before it becomes bytes: Y, Cr, Cb from above down.
+struct RawColumn {
+  using Channel = std::array<float, kImageHeight>;
+  Channel y{}, cr{}, cb{};
 };
 
 // A robot's own colours: out = gain * in + offset for Y, Cr, Cb.
@@ -89,15 +89,20 @@ class Artefacts {
   Artefacts(const ArtefactParams& params, const RobotCamera& robot,
             SharedTables tables = makeRandomTables());
 
-  // Makes bytes of the raw image, which is used up.
-  void apply(RawImage& raw, Random& random, Image& image);
+  // Takes an image's columns from left to right, x = 0 first, and makes bytes of each when its
+  // right neighbour is known; the image is whole after its last column. One at a time, so that
+  // nothing leaves the cache between: what an image needs does not fit it.
+  void add(std::size_t x, const RawColumn& column, Random& random, Image& image);
 
  private:
   void prepareGains();
   void prepareTone();
-  void blur(RawImage::Plane& plane);
-  void finish(const RawImage::Plane& plane, std::size_t channel, Random& random,
-              Image::Plane& out) const;
+  void finish(std::size_t x, const RawColumn& left, const RawColumn& right, Random& random,
+              Image& image) const;
+  RawColumn::Channel blurred(std::size_t channel, const RawColumn& left,
+                             const RawColumn& right) const;
+  void bytes(std::size_t x, std::size_t channel, const RawColumn::Channel& value, Random& random,
+             Image::Plane& out) const;
 
   ArtefactParams params_;
   RobotCamera robot_;
@@ -106,7 +111,8 @@ class Artefacts {
   std::array<std::vector<float>, 3> offset_;
   std::array<std::vector<std::uint8_t>, 3> tone_;  // by value; empty: linear
   SharedTables tables_;
-  std::vector<float> previous_;  // two columns, for the blur
+  RawColumn left_;     // of the last one
+  RawColumn current_;  // the last one
 };
 
 }  // namespace kelpie::sim

@@ -9,21 +9,20 @@ namespace {
 
 constexpr std::size_t kRows = kImageHeight;
 constexpr double kRowsDouble = kImageHeight;
-constexpr double kFineTexels = 1.0 / 0.8;     // per cm; tufts of the carpet
-constexpr double kCoarseTexels = 1.0 / 11.0;  // per cm; wear and uneven light
-constexpr double kShadow = 0.35;              // share of the light that a ball takes from below it
+constexpr float kFineTexels = 1.0F / 0.8F;     // per cm; tufts of the carpet
+constexpr float kCoarseTexels = 1.0F / 11.0F;  // per cm; wear and uneven light
+constexpr double kShadow = 0.35;               // share of the light that a ball takes from below it
 
 // std::floor is a call where the processor is not known to have it.
-std::int64_t floorOf(double v) {
-  const auto whole = static_cast<std::int64_t>(v);
-  return whole - (v < static_cast<double>(whole) ? 1 : 0);
+std::int32_t floorOf(float v) {
+  const auto whole = static_cast<std::int32_t>(v);
+  return whole - (v < static_cast<float>(whole) ? 1 : 0);
 }
 
-std::size_t texel(double x, double y, double perCm) {
-  const std::int64_t i = floorOf(x * perCm);
-  const std::int64_t j = floorOf(y * perCm);
-  const auto mask = static_cast<std::int64_t>(kTexels - 1);
-  return static_cast<std::size_t>((j & mask) * static_cast<std::int64_t>(kTexels) + (i & mask));
+std::int32_t texel(float x, float y, float perCm) {
+  constexpr auto kMask = static_cast<std::int32_t>(kTexels - 1);
+  constexpr auto kRow = static_cast<std::int32_t>(kTexels);
+  return (floorOf(y * perCm) & kMask) * kRow + (floorOf(x * perCm) & kMask);
 }
 
 void blend(float& under, float over, float cover) { under += cover * (over - under); }
@@ -57,14 +56,26 @@ struct Columns {
   std::size_t last;  // below `first`: none
 };
 
+// How far, px, a corner may be off the columns where three cameras see it. A head that turns round
+// between two columns is 0.9 deg off the even way, 3 px; one that hardly turns cannot be.
+double unevenness(const ColumnCameras& cameras) {
+  constexpr std::size_t kApart = 16;
+  constexpr double kMost = 8.0;
+  double turned = 0.0;
+  for (std::size_t x = kApart; x < kImageWidth; x += kApart) {
+    const FieldPoint3 d = cameras[x].forward - cameras[0].forward;
+    turned = std::max({turned, std::fabs(d.x), std::fabs(d.y), std::fabs(d.z)});
+  }
+  return std::min(kMost, 1.5 + cameras[0].lens.focal * turned);
+}
+
 // The columns that may show a quad: those of its corners as the three cameras see them, and some
-// beside them. A head that turns round between two columns is 0.9 deg off the even way, 3 px.
-Columns columnsOf(const Quad& quad, const Asked& asked) {
-  constexpr double kBeside = 8.0;  // px
-  constexpr double kAhead = 5.0;   // cm
+// beside them.
+Columns columnsOf(const Quad& quad, const Asked& asked, double beside) {
+  constexpr double kAhead = 5.0;  // cm
   constexpr auto kLast = static_cast<double>(kImageWidth - 1);
-  double low = kLast + kBeside;
-  double high = -kBeside;
+  double low = kLast + beside;
+  double high = -beside;
   bool away = true;
   bool behind = true;
   bool ahead = true;
@@ -81,12 +92,17 @@ Columns columnsOf(const Quad& quad, const Asked& asked) {
   }
   if (away || behind) return {1, 0};
   if (!ahead) return {0, kImageWidth - 1};
-  if (high + kBeside < 0.0 || low - kBeside > kLast) return {1, 0};
-  return {static_cast<std::size_t>(std::max(low - kBeside, 0.0)),
-          static_cast<std::size_t>(std::min(high + kBeside, kLast))};
+  if (high + beside < 0.0 || low - beside > kLast) return {1, 0};
+  return {static_cast<std::size_t>(std::max(low - beside, 0.0)),
+          static_cast<std::size_t>(std::min(high + beside, kLast))};
 }
 
 }  // namespace
+
+bool mayShow(const ColumnCameras& cameras, const Sphere& sphere) {
+  return nearView(cameras.front(), sphere) || nearView(cameras[kImageWidth / 2], sphere) ||
+         nearView(cameras.back(), sphere);
+}
 
 CameraParams idealCamera() {
   CameraParams params;
@@ -102,8 +118,9 @@ Camera::Camera(const CameraParams& params, const RobotCamera& robot, const Share
 
 void Camera::selectQuads(const Scene& scene, const ColumnCameras& cameras) {
   const Asked asked{&cameras.front(), &cameras[kImageWidth / 2], &cameras.back()};
-  const auto keep = [&asked](const Quad& quad, std::vector<InView>& kept) {
-    const auto [first, last] = columnsOf(quad, asked);
+  const double beside = unevenness(cameras);
+  const auto keep = [&](const Quad& quad, std::vector<InView>& kept) {
+    const auto [first, last] = columnsOf(quad, asked, beside);
     if (first <= last) kept.push_back({&quad, first, last});
   };
   view_.clear();
@@ -111,10 +128,7 @@ void Camera::selectQuads(const Scene& scene, const ColumnCameras& cameras) {
   for (const Quad& line : scene.lines) keep(line, lineView_);
   for (const std::vector<Solid>* group : {&scene.fixtures, &scene.robots}) {
     for (const Solid& solid : *group) {
-      const Sphere around{solid.centre, solid.radius, {}};
-      if (!std::any_of(asked.begin(), asked.end(),
-                       [&around](const FieldCamera* camera) { return nearView(*camera, around); }))
-        continue;
+      if (!mayShow(cameras, {solid.centre, solid.radius, {}})) continue;
       for (const Quad& quad : solid.quads) keep(quad, view_);
     }
   }
@@ -124,12 +138,8 @@ void Camera::selectQuads(const Scene& scene, const ColumnCameras& cameras) {
 void Camera::selectOwn(const Scene& scene, const ColumnCameras& cameras) {
   own_.clear();
   for (const Limb& limb : scene.own) {
-    const auto sees = [&limb](const FieldCamera& camera) {
-      return std::any_of(limb.part.begin(), limb.part.end(),
-                         [&camera](const Sphere& part) { return nearView(camera, part); });
-    };
-    if (sees(cameras.front()) || sees(cameras[kImageWidth / 2]) || sees(cameras.back()))
-      own_.push_back(&limb);
+    const auto shows = [&](const Sphere& part) { return mayShow(cameras, part); };
+    if (std::any_of(limb.part.begin(), limb.part.end(), shows)) own_.push_back(&limb);
   }
 }
 
@@ -140,8 +150,8 @@ void Camera::selectShapes(const Scene& scene, const FieldCamera& camera, double 
   quads_.clear();
   beacons_.clear();
   lines_.clear();
-  const auto keep = [&](const SeenQuad& seen, std::vector<SeenQuad>& kept) {
-    if (slice.mayMeet(seen, margin)) kept.push_back(seen);
+  const auto keep = [](const SeenQuad& seen, std::vector<SeenQuad>& kept) {
+    if (!seen.turnedAway) kept.push_back(seen);
   };
   const auto x = static_cast<std::size_t>(middle);
   for (const InView& quad : view_)
@@ -224,44 +234,42 @@ void Camera::renderSlice(const Scene& scene, const Slice& slice) {
   for (const Span* span : order_) paint(*span);
 }
 
+// Rows that a span covers wholly are written; only its two ends blend with what is below.
 void Camera::paint(const Span& span) {
   const double top = std::max(span.top, 0.0);
   const double bottom = std::min(span.bottom, kRowsDouble);
   if (top >= bottom) return;
   const auto first = static_cast<std::size_t>(top);
   const auto last = std::min(static_cast<std::size_t>(std::ceil(bottom)), kRows);
-  std::array<float, kRows> cover;
-  std::fill(cover.begin() + first, cover.begin() + last, 1.0F);
-  for (const std::size_t row : {first, last - 1}) {
+  const auto coverOf = [&](std::size_t row) {
     const auto edge = static_cast<double>(row);
-    cover[row] = static_cast<float>(std::min(bottom, edge + 1.0) - std::max(top, edge));
-  }
+    return static_cast<float>(std::min(bottom, edge + 1.0) - std::max(top, edge));
+  };
   if (span.darkens > 0.0) {
     const auto darkens = static_cast<float>(span.darkens);
-    for (std::size_t row = first; row < last; ++row) slice_.y[row] *= 1.0F - cover[row] * darkens;
+    for (std::size_t row = first; row < last; ++row) slice_.y[row] *= 1.0F - coverOf(row) * darkens;
     return;
   }
   const double length = span.bottom - span.top;
   const double perRow = length > 0.0 ? (span.litBottom - span.litTop) / length : 0.0;
-  // Values of their own, which the rows that are written cannot change.
-  const double litTop = span.litTop;
-  const double spanTop = span.top;
-  const Colour colour = span.colour;
-  const float carpet = span.carpet;
-  if (perRow == 0.0) {
-    const float y = static_cast<float>(litTop) * colour.y;
-    for (std::size_t row = first; row < last; ++row) blend(slice_.y[row], y, cover[row]);
-  } else {
-    for (std::size_t row = first; row < last; ++row) {
-      const double lit = litTop + perRow * (kRowMiddles[row] - spanTop);
-      blend(slice_.y[row], static_cast<float>(lit) * colour.y, cover[row]);
-    }
-  }
-  for (std::size_t row = first; row < last; ++row) {
-    blend(slice_.cr[row], colour.cr, cover[row]);
-    blend(slice_.cb[row], colour.cb, cover[row]);
-    blend(slice_.carpet[row], carpet, cover[row]);
-  }
+  const auto blendRow = [&](std::size_t row) {
+    const float cover = coverOf(row);
+    const double lit = span.litTop + perRow * (static_cast<double>(row) + 0.5 - span.top);
+    blend(slice_.y[row], static_cast<float>(lit) * span.colour.y, cover);
+    blend(slice_.cr[row], span.colour.cr, cover);
+    blend(slice_.cb[row], span.colour.cb, cover);
+    blend(slice_.carpet[row], span.carpet, cover);
+  };
+  blendRow(first);
+  if (last == first + 1) return;
+  blendRow(last - 1);
+  const float lit = static_cast<float>(span.litTop - perRow * span.top) * span.colour.y;
+  const float litPerRow = static_cast<float>(perRow) * span.colour.y;
+  for (std::size_t row = first + 1; row + 1 < last; ++row)
+    slice_.y[row] = lit + litPerRow * kRowMiddles[row];
+  std::fill(slice_.cr.begin() + first + 1, slice_.cr.begin() + last - 1, span.colour.cr);
+  std::fill(slice_.cb.begin() + first + 1, slice_.cb.begin() + last - 1, span.colour.cb);
+  std::fill(slice_.carpet.begin() + first + 1, slice_.carpet.begin() + last - 1, span.carpet);
 }
 
 // What lies on the ground, row by row: painted lines have the carpet's share of the texture, 0.3.
@@ -269,7 +277,7 @@ void Camera::lightGround(const Scene& scene, const Slice& middle) {
   constexpr float kPaint = 0.3F;
   for (std::size_t row = 0; row < kRows; ++row) {
     if (column_.carpet[row] <= 0.0F) continue;
-    const auto hit = middle.groundAt(kRowMiddles[row]);
+    const auto hit = middle.groundAt(static_cast<double>(row) + 0.5);
     if (!hit) continue;
     const float ground = std::min(1.0F, column_.carpet[row] / kPaint);
     const float green = std::max(0.0F, (column_.carpet[row] - kPaint) / (1.0F - kPaint));
@@ -293,31 +301,33 @@ void Camera::addSlice(float share) {
   }
 }
 
-// Tufts fade where a pixel covers many of them; the coarse pattern stays.
+// Tufts fade where a pixel covers many of them; the coarse pattern stays. In loops of one thing
+// each, which the compiler turns into vectors: nothing but the look-up goes row by row.
 void Camera::addTexture(const Slice& middle) {
+  std::size_t first = 0;
+  while (first < kRows && column_.carpet[first] <= 0.0F) ++first;
+  if (first == kRows) return;
   const Slice::GroundRows ground = middle.groundRows();
-  const std::vector<float>& texture = tables_->texture;
-  const auto most = static_cast<float>(params_.textureAmount);
-  for (std::size_t row = 0; row < kRows; ++row) {
-    if (column_.carpet[row] <= 0.0F || ground.depth[row] <= 0.0) continue;
-    const double x = ground.x[row];
-    const double y = ground.y[row];
-    const auto fade = static_cast<float>(std::min(1.0, 60.0 / ground.depth[row]));
-    const float fine = texture[texel(x, y, kFineTexels)];
-    const float coarse = texture[texel(x + 40.0, y + 90.0, kCoarseTexels)];
-    const float amount = most * column_.carpet[row];
-    column_.y[row] += amount * (0.7F * fade * fine + 0.3F * std::max(fade, 0.3F) * coarse);
-    column_.cb[row] += 0.15F * amount * fade * fine;
+  std::array<std::int32_t, kRows> fineAt, coarseAt;
+  for (std::size_t row = first; row < kRows; ++row) {
+    fineAt[row] = texel(ground.x[row], ground.y[row], kFineTexels);
+    coarseAt[row] = texel(ground.x[row] + 40.0F, ground.y[row] + 90.0F, kCoarseTexels);
   }
-}
-
-void Camera::keepColumn(std::size_t x) {
-  std::copy(column_.y.begin(), column_.y.end(),
-            raw_.plane[0].begin() + static_cast<int>(x * kRows));
-  std::copy(column_.cr.begin(), column_.cr.end(),
-            raw_.plane[1].begin() + static_cast<int>(x * kRows));
-  std::copy(column_.cb.begin(), column_.cb.end(),
-            raw_.plane[2].begin() + static_cast<int>(x * kRows));
+  const float* texture = tables_->texture.data();
+  std::array<float, kRows> fine, coarse;
+  for (std::size_t row = first; row < kRows; ++row) {
+    fine[row] = texture[fineAt[row]];
+    coarse[row] = texture[coarseAt[row]];
+  }
+  const auto most = static_cast<float>(params_.textureAmount);
+  for (std::size_t row = first; row < kRows; ++row) {
+    const float depth = ground.depth[row];
+    const float amount = depth > 0.0F ? most * column_.carpet[row] : 0.0F;
+    const float fade = std::min(1.0F, 60.0F / std::max(depth, 1.0F));
+    column_.y[row] +=
+        amount * (0.7F * fade * fine[row] + 0.3F * std::max(fade, 0.3F) * coarse[row]);
+    column_.cb[row] += 0.15F * amount * fade * fine[row];
+  }
 }
 
 void Camera::render(const Scene& scene, const ColumnCameras& cameras, Random& random,
@@ -337,9 +347,8 @@ void Camera::render(const Scene& scene, const ColumnCameras& cameras, Random& ra
     const Slice middle(cameras[x], left + 0.5);
     if (params_.light && (scene.light.on() || scene.stripes.on())) lightGround(scene, middle);
     if (params_.texture) addTexture(middle);
-    keepColumn(x);
+    artefacts_.add(x, column_, random, image);
   }
-  artefacts_.apply(raw_, random, image);
 }
 
 }  // namespace kelpie::sim

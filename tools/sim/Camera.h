@@ -33,6 +33,9 @@ struct CameraParams {
 // No artefacts, no texture, one light, 8 cuts: for measuring geometry.
 CameraParams idealCamera();
 
+// Whether an image of those cameras may show something inside a sphere.
+bool mayShow(const ColumnCameras& cameras, const Sphere& sphere);
+
 class Camera {
  public:
   Camera(const CameraParams& params, const RobotCamera& robot,
@@ -41,8 +44,8 @@ class Camera {
   void render(const Scene& scene, const ColumnCameras& cameras, Random& random, Image& image);
 
  private:
-  struct Column {
-    std::array<float, kImageHeight> y, cr, cb, carpet;
+  struct Column : RawColumn {
+    Channel carpet{};
   };
   void selectQuads(const Scene& scene, const ColumnCameras& cameras);
   void selectOwn(const Scene& scene, const ColumnCameras& cameras);
@@ -54,11 +57,9 @@ class Camera {
   void addTexture(const Slice& middle);
   void lightGround(const Scene& scene, const Slice& middle);
   void addSlice(float share);
-  void keepColumn(std::size_t x);
 
   CameraParams params_;
   Artefacts artefacts_;
-  RawImage raw_;
   SharedTables tables_;
   Column slice_;
   Column column_;

@@ -125,13 +125,13 @@ Status Server::moveAhead() {
 Status Server::sendTo(std::size_t robot, const Step& step) {
   if (!agents_[robot].present) return Done{};
   host::Connection& connection = agents_[robot].connection;
-  const Status sent = connection.send(host::MessageType::step, step.messages[robot]);
-  if (!sent || !step.image) return sent;
+  const std::vector<std::uint8_t>& message = step.messages[robot];
+  if (!step.image) return connection.send(host::MessageType::step, message);
   Outbox& out = *outboxes_[robot];
   world_.render(robot, exposed_, step.now, out.image);
   out.buffer.clear();
   encode(out.image, out.buffer);
-  return connection.send(host::MessageType::image, out.buffer);
+  return connection.send(host::MessageType::step, message, host::MessageType::image, out.buffer);
 }
 
 void Server::send(const Step& step) {

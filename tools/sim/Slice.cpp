@@ -20,13 +20,14 @@ double dot(FieldPoint3 a, FieldPoint3 b) { return a.x * b.x + a.y * b.y + a.z * 
 SeenQuad seenBy(const FieldCamera& camera, const Quad& shape) {
   SeenQuad seen;
   seen.shape = &shape;
+  seen.turnedAway = shape.oneSided && dot(shape.normal, camera.position - shape.corner[0]) <= 0.0;
+  if (seen.turnedAway) return seen;
   for (std::size_t i = 0; i < 4; ++i) {
     const FieldPoint3 d = shape.corner[i] - camera.position;
     seen.right[i] = dot(camera.right, d);
     seen.down[i] = dot(camera.down, d);
     seen.depth[i] = dot(camera.forward, d);
   }
-  seen.turnedAway = shape.oneSided && dot(shape.normal, camera.position - shape.corner[0]) <= 0.0;
   return seen;
 }
 
@@ -95,6 +96,8 @@ std::optional<Span> Slice::quad(const SeenQuad& seen) const {
   const Quad& shape = *seen.shape;
   std::array<double, 4> side;
   for (std::size_t i = 0; i < 4; ++i) side[i] = seen.right[i] - u_ * seen.depth[i];
+  const int left = (side[0] < 0.0) + (side[1] < 0.0) + (side[2] < 0.0) + (side[3] < 0.0);
+  if (left == 0 || left == 4) return std::nullopt;
   std::array<Seen, 2> ends{};
   std::size_t found = 0;
   for (std::size_t i = 0; i < 4 && found < 2; ++i) {
@@ -246,20 +249,31 @@ std::optional<Slice::GroundHit> Slice::groundAt(double row) const {
   return GroundHit{camera_.position.x + t * x, camera_.position.y + t * y, t};
 }
 
+// In single precision, 1e-4 cm on the field: it is only asked which tuft of the carpet lies there.
 Slice::GroundRows Slice::groundRows() const {
+  constexpr float kFar = 1e6F;  // cm
+  const auto at = [u = u_](double forward, double right) {
+    return static_cast<float>(forward + u * right);
+  };
+  const FieldCamera& camera = camera_;
+  const float ahead = at(camera.forward.x, camera.right.x);
+  const float aside = at(camera.forward.y, camera.right.y);
+  const float up = at(camera.forward.z, camera.right.z);
+  const FieldPoint3& down = camera.down;
+  const auto downX = static_cast<float>(down.x), downY = static_cast<float>(down.y);
+  const auto downZ = static_cast<float>(down.z), height = static_cast<float>(camera.position.z);
+  const auto x = static_cast<float>(camera.position.x), y = static_cast<float>(camera.position.y);
+  const auto principal = static_cast<float>(camera.lens.principalY);
+  const auto perPixel = static_cast<float>(1.0 / camera.lens.focal);
   GroundRows rows;
-  const FieldPoint3 at = camera_.position;
-  const FieldPoint3 down = camera_.down;
-  const double ahead = camera_.forward.x + u_ * camera_.right.x;
-  const double aside = camera_.forward.y + u_ * camera_.right.y;
-  const double up = camera_.forward.z + u_ * camera_.right.z;
   for (std::size_t row = 0; row < kImageHeight; ++row) {
-    const double v = (kRowMiddles[row] - camera_.lens.principalY) / camera_.lens.focal;
-    const double z = up + v * down.z;
-    const double depth = z > -kFlat ? 0.0 : -at.z / z;
+    const float v = (kRowMiddles[row] - principal) * perPixel;
+    const float fall = -(up + v * downZ);
+    const float below = std::min(height / std::max(fall, 1e-9F), kFar);
+    const float depth = fall > 0.0F ? below : 0.0F;
     rows.depth[row] = depth;
-    rows.x[row] = at.x + depth * (ahead + v * down.x);
-    rows.y[row] = at.y + depth * (aside + v * down.y);
+    rows.x[row] = x + depth * (ahead + v * downX);
+    rows.y[row] = y + depth * (aside + v * downY);
   }
   return rows;
 }

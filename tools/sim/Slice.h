@@ -33,12 +33,12 @@ struct SeenQuad {
 };
 SeenQuad seenBy(const FieldCamera& camera, const Quad& shape);
 
-constexpr std::array<double, kImageHeight> rowMiddles() {
-  std::array<double, kImageHeight> middle{};
-  for (std::size_t row = 0; row < kImageHeight; ++row) middle[row] = static_cast<double>(row) + 0.5;
+constexpr std::array<float, kImageHeight> rowMiddles() {
+  std::array<float, kImageHeight> middle{};
+  for (std::size_t row = 0; row < kImageHeight; ++row) middle[row] = static_cast<float>(row) + 0.5F;
   return middle;
 }
-constexpr std::array<double, kImageHeight> kRowMiddles = rowMiddles();
+constexpr std::array<float, kImageHeight> kRowMiddles = rowMiddles();
 
 class Slice {
  public:
@@ -66,11 +66,11 @@ class Slice {
     double depth;
   };
   std::optional<GroundHit> groundAt(double row) const;
-  // The same for the middles of all rows; depth 0 above the horizon.
+  // The same for the middles of all rows, to 10 km; depth 0 above the horizon.
   struct GroundRows {
-    std::array<double, kImageHeight> x;
-    std::array<double, kImageHeight> y;
-    std::array<double, kImageHeight> depth;
+    std::array<float, kImageHeight> x;
+    std::array<float, kImageHeight> y;
+    std::array<float, kImageHeight> depth;
   };
   GroundRows groundRows() const;
 

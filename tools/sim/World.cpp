@@ -14,6 +14,8 @@ constexpr double kTickUs = 8000.0;
 constexpr double kExposureUs = 1e6 / 30.0;
 constexpr double kUpright = 0.51;      // of gravity down through the body (robot/body/README.md)
 constexpr double kHighestLift = 15.0;  // cm; a stance's shoulders are 30 cm up at most
+constexpr double kRobotReach =
+    45.0;  // cm from the ground under it to the top of one that is held up
 
 // Seeds of parts that must not share a stream.
 std::uint64_t partSeed(std::uint64_t seed, std::uint64_t part) {
@@ -217,16 +219,19 @@ void World::render(std::size_t robot, const Past& past, TimeUs end, Image& image
   const double middle = ticksAt(robot, end, 0.5);
   Eye& eye = *eyes_[robot];
   setBall(eye.scene, past.ball(middle));
+  const ColumnCameras columns = cameras(robot, past, end);
   std::vector<RobotLook> others;
   for (std::size_t i = 0; i < robotCount(); ++i) {
     if (i == robot) continue;
     const BodyPlace place = past.place(i, middle);
+    const Point2<Field> at = place.pose.position;
+    if (!mayShow(columns, {{at.x, at.y, 0.0}, kRobotReach, {}})) continue;
     others.push_back({place.pose, place.stance.shoulderHeight, players_[i].team, shine_[i],
                       unlike_.robots[i].uniform});
   }
   setRobots(eye.scene, others, params_.shine);
   if (params_.ownLegs) eye.scene.own = frontLegs(past.place(robot, middle));
-  eye.camera.render(eye.scene, cameras(robot, past, end), eye.random, image);
+  eye.camera.render(eye.scene, columns, eye.random, image);
 }
 
 void World::send(std::size_t robot, const RadioPacket& packet) {
