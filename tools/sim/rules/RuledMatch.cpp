@@ -55,6 +55,7 @@ void RuledMatch::putBall(Point2<Field> place) {
   scene_.ball = {place, {}};
   verdict_.ball = scene_.ball;
   touch_.velocity.reset();
+  touch_.scorer.reset();
   stuck_.since.reset();
 }
 
@@ -88,7 +89,7 @@ Verdict RuledMatch::step(const MatchScene& scene, Score& score) {
 }
 
 void RuledMatch::judgePlay(Score& score) {
-  scene_.lastToucher = sim::step(scene_, touch_);
+  scene_.lastToucher = sim::step(scene_, field_, touch_);
   if (const auto team = goalFor(field_, scene_.ball.position)) return judgeGoal(*team, score);
   if (ballOut(field_, scene_.ball.position)) {
     const auto by = scene_.lastToucher;
@@ -114,8 +115,8 @@ void RuledMatch::judgeGoal(TeamColour team, Score& score) {
   goal_ = team;
   ++(team == TeamColour::red ? score.red : score.blue);
   Goal goal{team, scene_.time.seconds()};
-  if (scene_.lastToucher) {
-    const ScenePlayer& by = scene_.players[*scene_.lastToucher];
+  if (touch_.scorer) {
+    const ScenePlayer& by = scene_.players[*touch_.scorer];
     goal.own = by.team != team;
     goal.player = by.number;
   }

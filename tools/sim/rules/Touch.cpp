@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/sim/rules/Touch.h"
 
+#include <cmath>
+
 #include "tools/sim/HoldWatch.h"
 
 namespace kelpie::sim {
@@ -10,6 +12,8 @@ namespace {
 constexpr double kJolt = 3.0;  // cm/s
 // From the stripe's line: a kicking leg or a head is 16 cm off, and the ball 4.2.
 constexpr double kReach = 20.0;  // cm
+// A ball loses 0.75 of its speed in a second, so that it rolls as far as this times its speed.
+constexpr double kRoll = 1.33;  // s
 
 std::optional<std::size_t> nearest(const MatchScene& scene) {
   std::optional<std::size_t> best;
@@ -30,13 +34,31 @@ bool isHeld(const MatchScene& scene) {
   return false;
 }
 
+// Whether a ball of that velocity would have come into that team's goal.
+bool goesIn(const body::FieldDescription& field, TeamColour team, Point2<Field> ball,
+            Point2<Field> velocity) {
+  const Point2<Field> at = ownView(field, team, ball);
+  const Point2<Field> way = ownView(field, team, ball + velocity) - at;
+  if (way.y >= 0.0 || at.y > -way.y * kRoll) return false;
+  const double x = at.x - way.x * at.y / way.y;
+  return std::fabs(x - 0.5 * field.width) < 0.5 * field.goalWidth;
+}
+
 }  // namespace
 
-std::optional<std::size_t> step(const MatchScene& scene, TouchState& state) {
-  const bool jolted = state.velocity && distance(*state.velocity, scene.ball.velocity) > kJolt;
+std::optional<std::size_t> step(const MatchScene& scene, const body::FieldDescription& field,
+                                TouchState& state) {
+  const std::optional<Point2<Field>> before = state.velocity;
   state.velocity = scene.ball.velocity;
-  if (jolted || isHeld(scene))
-    if (const auto robot = nearest(scene)) state.last = robot;
+  const bool jolted = before && distance(*before, scene.ball.velocity) > kJolt;
+  if (!jolted && !isHeld(scene)) return state.last;
+  const auto robot = nearest(scene);
+  if (!robot) return state.last;
+  state.last = robot;
+  const TeamColour team = scene.players[*robot].team;
+  const bool deflects = before && state.scorer && scene.players[*state.scorer].team != team &&
+                        goesIn(field, team, scene.ball.position, *before);
+  if (!deflects) state.scorer = robot;
   return state.last;
 }
 
