@@ -14,6 +14,7 @@
 #include "tools/cli/Logs.h"
 #include "tools/cli/Process.h"
 #include "tools/cli/Progress.h"
+#include "tools/cli/ThinLog.h"
 #include "tools/cli/WholeFile.h"
 #include "vision/pixels/PlaneImage.h"
 
@@ -120,6 +121,8 @@ int compress(const CompressOptions& options) {
   if (isDevice(options.out)) return fail(options.out + ": not a plain file", kExitBadInput);
   if (sameFile(options.log, options.out))
     return fail(options.out + ": is the log itself", kExitBadInput);
+  if (isThinned(options.log))
+    return fail(options.log + ": keeps class planes already", kExitBadInput);
   const Status scripts = checkScripts(options.pycode);
   if (!scripts) return fail(scripts.error(), kExitBadInput);
   const std::string part = options.out + ".part";

@@ -71,11 +71,15 @@ std::size_t megabytesRead(const std::vector<Source>& sources) {
   return static_cast<std::size_t>(bytes / 1000000);
 }
 
-Status joinInto(std::vector<Source>& sources, std::size_t megabytes, LogWriter& out) {
+Status joinInto(std::vector<Source>& sources, std::size_t megabytes, bool thinTruth,
+                LogWriter& out) {
   Progress progress("log", "MB");
+  ThinTruth thin;
   for (auto& source : sources) source.advance();
   for (Source* next = oldest(sources); next != nullptr; next = oldest(sources)) {
-    const Status copied = copyMessage(next->message, out);
+    const bool thinned = thinTruth && next->message.topic() == sim::kTruthTopic;
+    const Status copied =
+        thinned ? thin.write(next->message, out) : copyMessage(next->message, out);
     if (!copied) return copied;
     next->advance();
     progress(megabytesRead(sources), megabytes);
@@ -103,12 +107,23 @@ Expected<LogFile> LogFile::create(const std::string& path, const agent::AgentCon
   if (!writer) return Error{writer.error()};
   writer->metadata("version", versionNotes());
   writer->metadata("parameters", parameterNotes);
-  writer->write(kConfigTopic, TimeUs{}, config);
-  return LogFile(std::move(*writer), images);
+  writeConfig(config, images, *writer);
+  LogFile file(std::move(*writer), images);
+  if (images == ImagesKept::planes) file.thin_ = std::make_unique<ThinFrames>(config.calibration);
+  return Expected<LogFile>(std::move(file));
+}
+
+// The images that are made of planes again are of other colours than the robot's own.
+void LogFile::writeConfig(const agent::AgentConfig& config, ImagesKept images, LogWriter& out) {
+  if (images != ImagesKept::planes) return out.write(kConfigTopic, TimeUs{}, config);
+  const auto nominal = std::make_unique<agent::AgentConfig>(config);
+  if (const auto colours = vision::loadCalibration("nominal", "none"))
+    nominal->calibration = *colours;
+  out.write(kConfigTopic, TimeUs{}, *nominal);
 }
 
 void LogFile::motion(const MotionInput& input, const MotionOutput& output) {
-  if (images_ == ImagesKept::none) return;
+  if (images_ <= ImagesKept::planes) return;
   writer_.write(kMotionInputTopic, input.time, input);
   writer_.write(kMotionOutputTopic, input.time, output);
 }
@@ -129,6 +144,7 @@ void LogFile::drawPicture(const Image& image) {
 }
 
 void LogFile::frame(const FrameInput& input, const FrameOutput& output) {
+  if (thin_) return thin_->write(input, output, writer_);
   if (keepsImage(input)) {
     writer_.write(kFrameInputTopic, input.time, input);
   } else {
@@ -144,6 +160,7 @@ Status decodeForPeople(const LogMessage& message, FrameInput& input) {
   const auto frame = std::make_unique<PictureFrame>();
   const Status read = decodeAs(message, *frame);
   if (!read) return read;
+  frame->image = input.image;
   if (frame->jpeg.size() > 0 &&
       !picture::imageOfJpeg(frame->jpeg.begin(), frame->jpeg.size(), frame->image))
     return Error{"topic " + message.topic() + ", byte " + std::to_string(message.offset) +
@@ -156,7 +173,7 @@ void tellNotes(const LogReader& reader) {
   for (const auto& note : reader.notes()) fmt::print(stderr, "kelpie: {}\n", note);
 }
 
-Status mergeLogs(const std::vector<std::string>& logs, const std::string& out) {
+Status mergeLogs(const std::vector<std::string>& logs, const std::string& out, bool thinTruth) {
   std::vector<Source> sources;
   std::uint64_t bytes = 0;
   for (const auto& path : logs) {
@@ -169,8 +186,8 @@ Status mergeLogs(const std::vector<std::string>& logs, const std::string& out) {
   const std::string part = out + ".part";
   auto writer = LogWriter::open(part);
   if (!writer) return putInPlace(Error{writer.error()}, part, out);
-  return putInPlace(joinInto(sources, static_cast<std::size_t>(bytes / 1000000), *writer), part,
-                    out);
+  const auto megabytes = static_cast<std::size_t>(bytes / 1000000);
+  return putInPlace(joinInto(sources, megabytes, thinTruth, *writer), part, out);
 }
 
 }  // namespace kelpie::cli

@@ -12,14 +12,16 @@
 #include "robot/agent/LoggedTypes.h"
 #include "robot/core/LogReader.h"
 #include "robot/core/LogWriter.h"
+#include "tools/cli/ThinLog.h"
 
 namespace kelpie::cli {
 
 // Which camera images a log keeps; the others become JPEG pictures of 2.5 KB (an image, full of
 // noise, compresses to no less than 70 KB). With `some` a match of ten minutes takes 160 MB. With
 // `none` there are neither images nor pictures nor the motion loop's messages: what the robot knew,
-// decided and did in each frame, for experiments.
-enum class ImagesKept : std::uint8_t { none, some, all };
+// decided and did in each frame, for experiments. With `planes` there are class planes, and what
+// ThinLog.h says: ten minutes take 15 to 19 MB.
+enum class ImagesKept : std::uint8_t { none, planes, some, all };
 constexpr double kAllImagesSeconds = 20.0;  // of the beginning, with `some`
 constexpr double kOneImageSeconds = 5.0;    // afterwards one in so many
 
@@ -36,6 +38,7 @@ class LogFile : public agent::LogSink {
 
  private:
   LogFile(LogWriter writer, ImagesKept images) : writer_(std::move(writer)), images_(images) {}
+  static void writeConfig(const agent::AgentConfig& config, ImagesKept images, LogWriter& out);
   bool keepsImage(const FrameInput& input);
   void drawPicture(const Image& image);
 
@@ -43,20 +46,22 @@ class LogFile : public agent::LogSink {
   ImagesKept images_;
   double nextImage_ = kAllImagesSeconds + kOneImageSeconds;  // s
   std::unique_ptr<PictureFrame> picture_ = std::make_unique<PictureFrame>();
+  std::unique_ptr<ThinFrames> thin_;  // with `planes`
 };
 
 // Copies a message of a topic that we know, leaves out any other.
 Status copyMessage(const LogMessage& message, LogWriter& out);
 
-// As agent::decodeFrameInput, with the picture as the image where the image was not kept
-// (a black one where there is no picture either).
+// As agent::decodeFrameInput, with the picture as the image where the image was not kept. Where
+// there is no picture either the image is left as it was.
 Status decodeForPeople(const LogMessage& message, FrameInput& input);
 
 // Tells the user which messages were read by translation from other field lists.
 void tellNotes(const LogReader& reader);
 
 // Joins logs by time, with their metadata, into `out`, written whole or not at all; what a cut-off
-// log still holds is taken.
-Status mergeLogs(const std::vector<std::string>& logs, const std::string& out);
+// log still holds is taken. Beside frames of `planes` the truth is thinned alike.
+Status mergeLogs(const std::vector<std::string>& logs, const std::string& out,
+                 bool thinTruth = false);
 
 }  // namespace kelpie::cli

@@ -13,7 +13,10 @@
 #include "tools/cli/Progress.h"
 #include "tools/cli/StagingOptions.h"
 #include "tools/cli/WholeFile.h"
+#include "tools/session/MatchLine.h"
+#include "tools/session/Others.h"
 #include "tools/session/Session.h"
+#include "tools/session/SessionCommands.h"
 #include "tools/session/Teams.h"
 
 namespace kelpie::cli {
@@ -28,6 +31,7 @@ struct PlayOptions {
   SessionOptions session;
   std::string out = "out";
   std::string images = "some";
+  std::string logs = "watched";
   std::string opponent = "none";
   std::string robots;     // "4v4"; empty: the one robot, and its opponent
   std::string red, blue;  // folders of the teams
@@ -73,14 +77,28 @@ int makePictures(const PlayOptions& options) {
 std::string describeLog(const PlayOptions& options, double seconds) {
   std::error_code error;
   const double megabytes = 1e-6 * static_cast<double>(fs::file_size(options.session.log, error));
-  const std::string images =
-      options.session.allImages || seconds <= kAllImagesSeconds
-          ? "every image"
-          : fmt::format(
-                "every image of the first {:.0f} s, later one in {:.0f} s and pictures "
-                "(--images all keeps all)",
-                kAllImagesSeconds, kOneImageSeconds);
-  return fmt::format("log, {:.0f} MB: {}", megabytes, images);
+  const auto log = [&](const std::string& images) {
+    return fmt::format("log, {:.0f} MB: {}", megabytes, images);
+  };
+  if (options.session.images == ImagesKept::planes)
+    return log(fmt::format("a class plane in {} frames", kPlaneEvery));
+  if (options.session.images == ImagesKept::all || seconds <= kAllImagesSeconds)
+    return log("every image");
+  return log(
+      fmt::format("every image of the first {:.0f} s, later one in {:.0f} s and pictures "
+                  "(--images all keeps all)",
+                  kAllImagesSeconds, kOneImageSeconds));
+}
+
+void nameLogs(const PlayOptions& options, const std::vector<std::string>& logs) {
+  double bytes = 0.0;
+  std::string names;
+  std::error_code error;
+  for (const std::string& log : logs) {
+    bytes += static_cast<double>(fs::file_size(log, error));
+    if (log != options.session.log) names += " " + fs::path(log).filename().string();
+  }
+  fmt::print("{}:{}: the other robots' logs; {:.0f} MB in all\n", options.out, names, 1e-6 * bytes);
 }
 
 void nameFiles(const PlayOptions& options, double seconds) {
@@ -150,7 +168,25 @@ Status stage(PlayOptions& options) {
   return setup ? Status(Done{}) : Status(Error{setup.error()});
 }
 
-SessionResult runShown(const PlayOptions& options) {
+// A match of two teams tells how far it is, the match of one robot what that believes.
+SessionResult runTeams(const PlayOptions& options) {
+  MatchProgress progress(options.session.seconds);
+  SessionTalk talk;
+  talk.time = [&](const MatchTime& now) { progress(now); };
+  talk.line = [&](const std::string& line) {
+    progress.clear();
+    fmt::print(stderr, "{}\n", line);
+  };
+  talk.goal = [&](bool own, double seconds) {
+    const bool red = own == (options.session.team == "red");
+    talk.line(fmt::format("GOAL of {} after {:.1f} s", red ? "red" : "blue", seconds));
+  };
+  SessionResult result = runSession(options.session, talk);
+  progress.finish();
+  return result;
+}
+
+SessionResult runAlone(const PlayOptions& options) {
   LiveLine live;
   int goals = 0;
   int ownGoals = 0;
@@ -166,12 +202,16 @@ SessionResult runShown(const PlayOptions& options) {
     ++(own ? goals : ownGoals);
     talk.line(fmt::format("{} after {:.1f} s", own ? "GOAL" : "own goal", seconds));
   };
-  if (!onTerminal())
-    fmt::print(stderr, "playing: seed {}, {:.0f} simulated seconds at most\n", options.session.seed,
-               options.session.seconds);
   SessionResult result = runSession(options.session, talk);
   live.finish();
   return result;
+}
+
+SessionResult runShown(const PlayOptions& options) {
+  if (!onTerminal())
+    fmt::print(stderr, "playing: seed {}, {:.0f} simulated seconds at most\n", options.session.seed,
+               options.session.seconds);
+  return options.session.rules ? runTeams(options) : runAlone(options);
 }
 
 // An earlier match stays until there is another; then its pictures would be of the wrong one.
@@ -187,11 +227,25 @@ void removeOldLives(const PlayOptions& options) {
     ++life;
 }
 
+// Those of the other robots in another match, in all their lives.
+void removeOldLogs(const PlayOptions& options) {
+  std::error_code ignored;
+  for (const char* team : {"red", "blue"})
+    for (int player = 1; player <= 4; ++player)
+      for (int life = 1; life <= kMostLives; ++life)
+        fs::remove(options.file(logName(team, player, life - 1).c_str()), ignored);
+}
+
 // What a match that was killed left beside its log.
 void removeParts(const PlayOptions& options) {
   std::error_code ignored;
   for (const char* name : {"match.mcap.part", "match.png.part", "match.part.mp4"})
     fs::remove(options.file(name), ignored);
+}
+
+ImagesKept imagesKept(const std::string& word) {
+  if (word == "all") return ImagesKept::all;
+  return word == "planes" ? ImagesKept::planes : ImagesKept::some;
 }
 
 // A match in real time ends by an interrupt; any other is cut short by it.
@@ -219,7 +273,9 @@ int play(PlayOptions& options) {
     return fail(options.out + ": cannot be written", kExitBadInput);
   removeParts(options);
   removeOldLives(options);
-  options.session.allImages = options.images == "all";
+  removeOldLogs(options);
+  options.session.images = imagesKept(options.images);
+  options.session.allLogs = options.logs == "all";
 
   const auto start = std::chrono::steady_clock::now();
   const SessionResult result = runShown(options);
@@ -230,6 +286,7 @@ int play(PlayOptions& options) {
   const int pictures = makePictures(options);
   if (pictures != kExitDone) return pictures;
   nameFiles(options, result.seconds);
+  if (options.session.allLogs) nameLogs(options, result.logs);
   fmt::print("{} (seed {}, {:.1f} simulated seconds in {:.1f} s)\n",
              options.session.rules ? score(options, result) : outcome(result), options.session.seed,
              result.seconds, took.count());
@@ -255,6 +312,13 @@ void addTeamOptions(CLI::App& command, PlayOptions& options) {
                   "machine (such a match does not replay)")
       ->check(CLI::IsMember({"world", "udp", "none"}))
       ->capture_default_str();
+  command
+      .add_option("--logs", options.logs,
+                  "Whose logs are kept: watched (match.mcap), or all, of every other robot too "
+                  "(red-1.mcap, ...), with --images planes unless that says otherwise of "
+                  "match.mcap; at most 150 MB for ten minutes of 4v4")
+      ->check(CLI::IsMember({"watched", "all"}))
+      ->capture_default_str();
   command.add_flag("--respawn", session.respawn,
                    "An agent that dies is started again and plays on");
 }
@@ -268,6 +332,7 @@ void settle(const CLI::App& command, PlayOptions& options) {
   if (said("--minutes")) session.seconds = 60.0 * options.minutes;
   if ((teams || session.realTime) && !said("--goals")) session.goals = kMaxGoals;
   if (options.opponent != "none" && !said("--scenario")) session.scenario = "attack";
+  if (options.logs == "all" && !said("--images")) options.images = "planes";
 }
 
 }  // namespace
@@ -329,8 +394,10 @@ void addPlay(CLI::App& app, int& code) {
   command
       ->add_option("--images", options->images,
                    "Which images the log keeps: some (all of the first 20 s, then one in 5 s; the "
-                   "others as JPEG pictures; a match of ten minutes takes 160 MB) or all (1.3 GB)")
-      ->check(CLI::IsMember({"some", "all"}))
+                   "others as JPEG pictures; a match of ten minutes takes 160 MB), all (1.3 GB) or "
+                   "planes (none, but one frame in six as the colour classes that vision makes of "
+                   "it; 17 MB; does not replay)")
+      ->check(CLI::IsMember({"some", "all", "planes"}))
       ->capture_default_str();
   command->add_flag("--real-time", session.realTime,
                     "No faster than a clock, and until Ctrl-C unless --seconds or --goals say "

@@ -8,7 +8,9 @@
 #include "tools/cli/Commands.h"
 #include "tools/cli/Config.h"
 #include "tools/cli/Jsonl.h"
+#include "tools/cli/ThinLog.h"
 #include "tools/cli/WholeFile.h"
+#include "tools/match/Match.h"
 
 namespace kelpie::cli {
 namespace {
@@ -43,11 +45,31 @@ int report(const ReplayCommand& command, const agent::ReplayResult& result) {
   return command.check && result.differing > 0 ? kExitCheckFailed : kExitDone;
 }
 
+// What a log holds that does not replay.
+int tellRecorded(const ReplayCommand& command) {
+  if (command.check || command.jsonl.empty())
+    return fail(command.log +
+                    ": keeps class planes and shortened numbers, which do not replay; --jsonl and "
+                    "show tell what was recorded",
+                kExitBadInput);
+  const auto match = match::Match::open(command.log);
+  if (!match) return fail(match.error(), kExitBadInput);
+  std::string objects;
+  match->forEachMoment([&](const match::Moment& moment) {
+    objects += frameObject(moment.input, moment.output).dump() + "\n";
+    return true;
+  });
+  if (!writeWhole(command.jsonl, objects))
+    return fail(command.jsonl + ": cannot be written", kExitBadInput);
+  return match->truncated() ? fail(match->cutOff(), kExitBadInput) : kExitDone;
+}
+
 int replayLog(const ReplayCommand& command) {
   if (sameFile(command.log, command.jsonl))
     return fail(command.jsonl + ": is the log itself", kExitBadInput);
   if (!command.jsonl.empty() && !canWrite(command.jsonl))
     return fail(command.jsonl + ": cannot be written", kExitBadInput);
+  if (isThinned(command.log)) return tellRecorded(command);
   std::string objects;
   agent::ReplayOptions options;
   options.scripts = command.pycode;

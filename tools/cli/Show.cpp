@@ -13,6 +13,7 @@
 #include "tools/cli/Logs.h"
 #include "tools/cli/Recording.h"
 #include "tools/cli/Sheet.h"
+#include "tools/cli/ThinLog.h"
 #include "tools/cli/WholeFile.h"
 #include "tools/match/TraceWords.h"
 #include "tools/picture/PngFile.h"
@@ -67,7 +68,14 @@ Status takeMessage(const LogMessage& message, const ShowOptions& options, Shot& 
   return decodeForPeople(message, *shot.input);
 }
 
+Error noImageOf(const ShowOptions& options) {
+  const std::uint32_t before = options.frame / kPlaneEvery * kPlaneEvery;
+  return {fmt::format("{}: keeps no image of frame {}; it does of {} and {}", options.source,
+                      options.frame, before, before + kPlaneEvery)};
+}
+
 Expected<Shot> fromLog(const ShowOptions& options) {
+  if (options.frame % kPlaneEvery != 0 && isThinned(options.source)) return noImageOf(options);
   auto reader = LogReader::open(options.source);
   if (!reader) return Error{reader.error()};
   Shot shot;

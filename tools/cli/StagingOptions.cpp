@@ -10,6 +10,13 @@ void addStagingOptions(CLI::App& command, sim::StagingWords& staging) {
   command.add_option("--throw", staging.throws,
                      "A ball put down later: T:X,Y,VX,VY, or with :TEAM:PLAYER behind it to that "
                      "robot's right and ahead of it");
+  command.add_option(
+      "--take-ball", staging.takes,
+      "Somebody takes the ball away at T s and brings it back: T, T:SECONDS (else 5) "
+      "or T:SECONDS:X,Y (else to the middle)");
+  command.add_option("--carry", staging.carries,
+                     "Somebody carries a robot elsewhere at T s: T:TEAM:PLAYER:X,Y,DEG; as soon as "
+                     "that place is free");
 }
 
 }  // namespace kelpie::cli

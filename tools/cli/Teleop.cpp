@@ -128,7 +128,7 @@ int runTeleop(TeleopOptions& options) {
   session.realTime = options.keys.empty();
   session.seconds = kLongestDrive;
   session.goals = kMaxGoals;
-  session.allImages = options.images == "all";
+  session.images = options.images == "all" ? ImagesKept::all : ImagesKept::some;
   session.log = options.out + "/teleop.mcap";
   if (!options.keys.empty()) {
     auto read = keysOf(options.keys);

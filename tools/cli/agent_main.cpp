@@ -37,6 +37,7 @@ struct AgentOptions {
   bool status = false;
   bool allImages = false;
   bool noImages = false;
+  bool planes = false;
   bool plainLog = false;
   std::string driver;
   std::string radio = "world";
@@ -135,6 +136,7 @@ Status openDriver(const AgentOptions& options, std::optional<host::DriverLink>& 
 
 ImagesKept imagesKept(const AgentOptions& options) {
   if (options.noImages) return ImagesKept::none;
+  if (options.planes) return ImagesKept::planes;
   return options.allImages ? ImagesKept::all : ImagesKept::some;
 }
 
@@ -196,6 +198,9 @@ int main(int argc, char** argv) {
   app.add_flag("--no-images", options.noImages,
                "The log keeps no images and no motion messages, only what the robot knew, decided "
                "and did in each frame")
+      ->excludes(all);
+  app.add_flag("--planes", options.planes,
+               "The log keeps class planes in place of images, and less of what is between them")
       ->excludes(all);
   app.add_flag("--plain-log", options.plainLog,
                "The log's records go out one by one, uncompressed");

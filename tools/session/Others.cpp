@@ -11,8 +11,10 @@ namespace kelpie::cli {
 Expected<Others> Others::start(const SessionOptions& options, const Workshop& workshop) {
   Others others;
   for (const OtherRobot& one : options.others) {
-    const auto command = otherCommand(options, one, workshop);
-    auto process = Process::start(command, true);
+    const auto command = [&options, &workshop, one](int life) {
+      return otherCommand(options, one, workshop, life);
+    };
+    auto process = Process::start(command(0), true);
     if (!process) return Error{process.error()};
     others.all_.push_back(
         {fmt::format("the {} {} {}", one.team == options.team ? "mate" : "opponent", one.team,
@@ -58,7 +60,7 @@ void Others::kill() {
 
 bool Others::revive() {
   if (failed_ == nullptr || --failed_->lives <= 0) return false;
-  auto process = Process::start(failed_->command, true);
+  auto process = Process::start(failed_->command(kMostLives - failed_->lives), true);
   if (!process) return false;
   failed_->process.emplace(std::move(*process));
   failed_->complaint.clear();

@@ -36,7 +36,7 @@ class Others {
  private:
   struct One {
     std::string name;
-    std::vector<std::string> command;
+    std::function<std::vector<std::string>(int life)> command;  // each life has a log of its own
     std::optional<Process> process;
     std::string complaint;
     int lives = kMostLives;

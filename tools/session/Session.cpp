@@ -50,7 +50,21 @@ void tell(const std::string& line, const SessionTalk& talk) {
     fmt::print(stderr, "{}\n", line);
 }
 
-// What the world prints: goals for the caller, its complaint for the end.
+// "time 12.5 playing 1 290 0 1": simulated seconds, state, half, seconds of it left, score.
+bool hearTime(const std::string& line, const SessionTalk& talk) {
+  std::istringstream words(line);
+  std::string word;
+  MatchTime now;
+  int half = 1;
+  if (!(words >> word >> now.seconds >> now.state >> half >> now.left >> now.red >> now.blue) ||
+      word != "time")
+    return false;
+  now.firstHalf = half == 1;
+  if (talk.time) talk.time(now);
+  return true;
+}
+
+// What the world prints: goals and the time for the caller, its complaint for the end.
 struct WorldTalk {
   bool blue = false;  // the team that is watched
   std::string complaint;
@@ -61,6 +75,7 @@ struct WorldTalk {
     std::string word;
     std::string team;
     double seconds = 0.0;
+    if (hearTime(line, talk)) return;
     if (line.compare(0, kMark.size(), kMark) == 0)
       complaint = line.substr(kMark.size());
     else if (!(words >> word >> team >> seconds) || word != "goal")
@@ -237,15 +252,35 @@ std::string logOfLife(const std::string& log, int life) {
   return (path.parent_path() / (path.stem().string() + number + path.extension().string()));
 }
 
+// An agent's log joined with the world's.
+bool keepHalf(const std::string& log, const Workshop& workshop, bool thin, const std::string& to,
+              SessionResult& result) {
+  std::vector<std::string> halves = {log};
+  if (fs::exists(workshop.path("world.mcap"))) halves.push_back(workshop.path("world.mcap"));
+  const Status merged = mergeLogs(halves, to, thin);
+  if (!merged) result.trouble = merged.error();
+  if (merged) result.logs.push_back(to);
+  return merged.ok();
+}
+
+void keepOtherLogs(const SessionOptions& options, const Workshop& workshop, SessionResult& result) {
+  for (const OtherRobot& robot : options.others)
+    for (int life = 0; fs::exists(otherLog(workshop, robot, life)); ++life) {
+      const std::string log = otherLog(workshop, robot, life);
+      const fs::path to = fs::path(options.log).parent_path() / fs::path(log).filename();
+      keepHalf(log, workshop, true, to.string(), result);
+    }
+}
+
 void keepLog(const SessionOptions& options, const Workshop& workshop, SessionResult& result) {
   if (options.log.empty() || !fs::exists(workshop.path("agent.mcap")) || result.badInput) return;
+  const bool thin = options.images == ImagesKept::planes;
   for (int life = 0; fs::exists(agentLog(workshop, life)); ++life) {
-    std::vector<std::string> halves = {agentLog(workshop, life)};
-    if (fs::exists(workshop.path("world.mcap"))) halves.push_back(workshop.path("world.mcap"));
-    const Status merged = mergeLogs(halves, logOfLife(options.log, life));
-    if (!merged) result.trouble = merged.error();
-    result.logged = life == 0 ? merged.ok() : result.logged;
+    const bool kept =
+        keepHalf(agentLog(workshop, life), workshop, thin, logOfLife(options.log, life), result);
+    result.logged = life == 0 ? kept : result.logged;
   }
+  if (options.allLogs) keepOtherLogs(options, workshop, result);
 }
 
 void play(const SessionOptions& options, const SessionTalk& talk, const Workshop& workshop,

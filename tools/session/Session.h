@@ -13,26 +13,38 @@
 namespace kelpie::cli {
 
 struct SessionResult {
-  std::string trouble;        // one line: what died and when; empty when the match was played out
-  bool badInput = false;      // the trouble is what was asked for
-  bool logged = false;        // the log is in its place, of a whole match or of one cut short
-  bool interrupted = false;   // by the user; the rest tells what was played until then
-  std::vector<double> goals;  // s
+  std::string trouble;    // one line: what died and when; empty when the match was played out
+  bool badInput = false;  // the trouble is what was asked for
+  bool logged = false;    // the log is in its place, of a whole match or of one cut short
+  std::vector<std::string> logs;          // all that are in their place
+  bool interrupted = false;               // by the user; the rest tells what was played until then
+  std::vector<double> goals;              // s
   std::vector<double> ownGoals;           // s
   int redOwnGoals = 0, blueOwnGoals = 0;  // of all those what a team shot into its own goal
   int outs = 0;
   double seconds = 0.0;  // simulated
 };
 
+// How far a match by the rules is.
+struct MatchTime {
+  double seconds = 0.0;  // simulated
+  std::string state;     // initial, ready, set, playing, finished
+  bool firstHalf = true;
+  double left = 0.0;  // s of play in this half
+  int red = 0, blue = 0;
+};
+
 // Called with each status line of the agent (what the robot believes, in words), with each goal as
 // it falls, and with any other line for the user (an error in a script), which goes to standard
-// error without it. `over` is asked again and again: true ends the match. `frames` is called once
-// after a match with keepFrames: the agent's log without images and the world's, both gone
-// afterwards. Each may be empty.
+// error without it. `time` is called twice a simulated second of a match by the rules. `over` is
+// asked again and again: true ends the match. `frames` is called once after a match with
+// keepFrames: the agent's log without images and the world's, both gone afterwards. Each may be
+// empty.
 struct SessionTalk {
   std::function<void(const std::string&)> status;
   std::function<void(const std::string&)> line;
   std::function<void(bool own, double seconds)> goal;
+  std::function<void(const MatchTime&)> time;
   std::function<bool()> over;
   std::function<void(const std::string& agentLog, const std::string& worldLog)> frames;
   // So with keepAll: the logs of all robots.

@@ -22,6 +22,10 @@ void addStaging(const sim::Staging& staging, Words& argv) {
   if (staging.ball) argv.insert(argv.end(), {"--ball", sim::wordsFor(*staging.ball)});
   for (const auto& thrown : staging.throws)
     argv.insert(argv.end(), {"--throw", sim::wordsFor(thrown)});
+  for (const auto& take : staging.takes)
+    argv.insert(argv.end(), {"--take-ball", sim::wordsFor(take)});
+  for (const auto& carry : staging.carries)
+    argv.insert(argv.end(), {"--carry", sim::wordsFor(carry)});
 }
 
 // What every agent of a match has in common.
@@ -70,7 +74,7 @@ Words worldCommand(const SessionOptions& options, const Workshop& workshop) {
                 "--tell-goals",
                 options.physical ? "--physical" : "--fast"};
   if (options.radio == "none") argv.insert(argv.end(), {"--radio-loss", "1"});
-  if (options.rules) argv.push_back("--rules");
+  if (options.rules) argv.insert(argv.end(), {"--rules", "--tell-time"});
   if (options.respawn) argv.push_back("--respawn");
   if (options.realTime) argv.push_back("--real-time");
   if (options.keepsLog()) argv.insert(argv.end(), {"--truth", workshop.path("world.mcap")});
@@ -85,9 +89,13 @@ std::string agentLog(const Workshop& workshop, int life) {
   return workshop.path((name + ".mcap").c_str());
 }
 
-std::string otherLog(const Workshop& workshop, const OtherRobot& robot) {
-  const std::string name = robot.team + "-" + std::to_string(robot.player) + ".mcap";
-  return workshop.path(name.c_str());
+std::string logName(const std::string& team, int player, int life) {
+  const std::string number = life == 0 ? "" : "-" + std::to_string(life + 1);
+  return team + "-" + std::to_string(player) + number + ".mcap";
+}
+
+std::string otherLog(const Workshop& workshop, const OtherRobot& robot, int life) {
+  return workshop.path(logName(robot.team, robot.player, life).c_str());
 }
 
 Words agentCommand(const SessionOptions& options, const Workshop& workshop, int life) {
@@ -96,8 +104,12 @@ Words agentCommand(const SessionOptions& options, const Workshop& workshop, int 
   // Plain: it is compressed when it is joined with the world's.
   if (options.keepsLog())
     argv.insert(argv.end(), {"--plain-log", "--log", agentLog(workshop, life)});
-  if (options.log.empty() && options.keepsLog()) argv.push_back("--no-images");
-  if (options.allImages) argv.push_back("--all-images");
+  if (options.log.empty() && options.keepsLog())
+    argv.push_back("--no-images");
+  else if (options.images == ImagesKept::planes)
+    argv.push_back("--planes");
+  else if (options.images == ImagesKept::all)
+    argv.push_back("--all-images");
   addUnlessEmpty("--pycode", options.pycode, argv);
   addEach("--params", options.params, argv);
   addEach("--set", options.set, argv);
@@ -105,11 +117,13 @@ Words agentCommand(const SessionOptions& options, const Workshop& workshop, int 
   return argv;
 }
 
-Words otherCommand(const SessionOptions& options, const OtherRobot& robot,
-                   const Workshop& workshop) {
+Words otherCommand(const SessionOptions& options, const OtherRobot& robot, const Workshop& workshop,
+                   int life) {
   Words argv = anyAgent(options, robot.team, robot.seed, workshop);
   argv.insert(argv.end(), {"--player", std::to_string(robot.player)});
-  if (options.keepAll) argv.insert(argv.end(), {"--no-images", "--log", otherLog(workshop, robot)});
+  if (options.keepAll || options.allLogs)
+    argv.insert(argv.end(), {options.keepAll ? "--no-images" : "--planes", "--log",
+                             otherLog(workshop, robot, life)});
   addUnlessEmpty("--pycode", robot.pycode, argv);
   addEach("--params", robot.params, argv);
   addEach("--set", robot.set, argv);

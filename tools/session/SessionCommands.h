@@ -13,9 +13,11 @@ std::vector<std::string> agentCommand(const SessionOptions& options, const Works
                                       int life = 0);
 // Each of its lives, of which respawned agents have several, has a log of its own.
 std::string agentLog(const Workshop& workshop, int life);
-// That of another robot, with keepAll.
-std::string otherLog(const Workshop& workshop, const OtherRobot& robot);
+// "red-1.mcap", "red-1-2.mcap" of its second life.
+std::string logName(const std::string& team, int player, int life);
+// That of another robot, with keepAll or allLogs; so.
+std::string otherLog(const Workshop& workshop, const OtherRobot& robot, int life = 0);
 std::vector<std::string> otherCommand(const SessionOptions& options, const OtherRobot& robot,
-                                      const Workshop& workshop);
+                                      const Workshop& workshop, int life = 0);
 
 }  // namespace kelpie::cli

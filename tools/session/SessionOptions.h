@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "tools/cli/Logs.h"
 #include "tools/cli/UnlikeOptions.h"
 #include "tools/sim/Staging.h"
 
@@ -42,11 +43,12 @@ struct SessionOptions {
   std::string ring = "nominal";
   std::vector<std::string> artefactsOff;  // of kelpie-world's --no-...
   UnlikeOptions unlike;
-  bool physical = true;    // bodies with masses and servos; otherwise kinematic ones
-  std::string log;         // where the merged log goes; empty: none is kept
-  bool allImages = false;  // the log keeps every image (Logs.h)
-  bool realTime = false;   // no faster than a clock
-  std::string driver;      // socket of who drives the robot; empty: the behaviours play
+  bool physical = true;                  // bodies with masses and servos; otherwise kinematic ones
+  std::string log;                       // where the merged log goes; empty: none is kept
+  ImagesKept images = ImagesKept::some;  // of that log
+  bool allLogs = false;   // beside it those of all other robots, with class planes: red-1.mcap
+  bool realTime = false;  // no faster than a clock
+  std::string driver;     // socket of who drives the robot; empty: the behaviours play
   std::vector<OtherRobot> others;
   sim::Staging staging;     // places and throws beside the scenario's
   bool keepFrames = false;  // without `log`: SessionTalk::frames is told of frames without images

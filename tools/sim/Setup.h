@@ -33,11 +33,27 @@ struct BallThrow {
   std::optional<host::AgentHello> by;
 };
 
+// A hand takes the ball away and puts it back later.
+struct BallTake {
+  double time = 0.0;                  // s
+  double seconds = 5.0;               // until it is back
+  std::optional<Point2<Field>> back;  // where; else in the middle
+};
+
+// Hands carry a robot elsewhere.
+struct RobotCarry {
+  double time = 0.0;  // s
+  host::AgentHello robot;
+  Pose2 pose;
+};
+
 struct Setup {
   std::vector<Player> players;
   Point2<Field> ball;
   Point2<Field> ballVelocity;     // cm/s
   std::vector<BallThrow> throws;  // in the order of time
+  std::vector<BallTake> takes;    // so; none begins before the one ahead has ended
+  std::vector<RobotCarry> carries;
 };
 
 // "empty-goal": one robot and the ball anywhere. "attack": one robot in the three fifths of the

@@ -46,6 +46,10 @@ std::vector<double> numbersOf(const std::string& text) {
   }
 }
 
+bool isInMatch(double seconds) { return seconds >= 0.0 && seconds <= kLatest; }
+
+Error notInMatch(const std::string& words) { return {"'" + words + "': that is not in a match"}; }
+
 std::optional<host::AgentHello> robotOf(const std::string& team, const std::string& player) {
   if ((team != "red" && team != "blue") || player.size() != 1 || player[0] < '1' || player[0] > '4')
     return std::nullopt;
@@ -87,6 +91,12 @@ bool standsIn(const Obstacle& obstacle, const Pose2& pose) {
   });
 }
 
+bool standsInSomething(const body::FieldDescription& field, const Pose2& pose) {
+  const std::vector<Obstacle> obstacles = obstaclesOf(field);
+  return std::any_of(obstacles.begin(), obstacles.end(),
+                     [&](const Obstacle& obstacle) { return standsIn(obstacle, pose); });
+}
+
 Status checkBall(const body::FieldDescription& field, const Ball& ball) {
   if (!onField(field, ball.position))
     return Error{"the ball at " + placeWords(ball.position) + " is off the field"};
@@ -95,12 +105,10 @@ Status checkBall(const body::FieldDescription& field, const Ball& ball) {
 
 // Nobody stands in anything. Robots that the scenario placed are checked too.
 Status checkRoom(const body::FieldDescription& field, const Setup& setup) {
-  const std::vector<Obstacle> obstacles = obstaclesOf(field);
   for (std::size_t i = 0; i < setup.players.size(); ++i) {
     const Player& one = setup.players[i];
     const std::string name = nameOf({one.team, one.number});
-    const auto inIt = [&](const Obstacle& obstacle) { return standsIn(obstacle, one.start); };
-    if (std::any_of(obstacles.begin(), obstacles.end(), inIt))
+    if (standsInSomething(field, one.start))
       return Error{name + " would stand in a goal or beacon"};
     if (bodyDistance(one.start, setup.ball) < kBallToBody)
       return Error{name + " would stand on the ball"};
@@ -116,6 +124,37 @@ bool isAmong(const std::vector<host::AgentHello>& agents, const host::AgentHello
   return std::any_of(agents.begin(), agents.end(), [&](const host::AgentHello& agent) {
     return agent.team == robot.team && agent.player == robot.player;
   });
+}
+
+// Of balls that are taken, in the order of time, and of those that are thrown.
+Status checkTakes(const body::FieldDescription& field, const Setup& setup) {
+  double back = -1.0;
+  for (const BallTake& take : setup.takes) {
+    if (take.time < back)
+      return Error{
+          fmt::format("the ball is taken at {:g} s, but away until {:g} s", take.time, back)};
+    back = take.time + take.seconds;
+    for (const BallThrow& thrown : setup.throws)
+      if (thrown.time >= take.time && thrown.time <= back)
+        return Error{fmt::format("the ball is thrown at {:g} s, but away from {:g} to {:g} s",
+                                 thrown.time, take.time, back)};
+    const Status place = take.back ? checkBall(field, {*take.back, {}}) : Status(Done{});
+    if (!place) return place;
+  }
+  return Done{};
+}
+
+Status checkCarries(const body::FieldDescription& field,
+                    const std::vector<host::AgentHello>& agents, const Staging& staging) {
+  for (const RobotCarry& carry : staging.carries) {
+    const std::string name = nameOf(carry.robot);
+    if (!isAmong(agents, carry.robot)) return Error{"no " + name + " is there to be carried"};
+    if (!onField(field, carry.pose.position))
+      return Error{name + " at " + placeWords(carry.pose.position) + " is off the field"};
+    if (standsInSomething(field, carry.pose))
+      return Error{name + " would stand in a goal or beacon"};
+  }
+  return Done{};
 }
 
 Status checkStaging(const body::FieldDescription& field,
@@ -135,6 +174,8 @@ Status checkStaging(const body::FieldDescription& field,
     const Status ball = thrown.by ? Status(Done{}) : checkBall(field, thrown.ball);
     if (!ball) return ball;
   }
+  const Status carries = checkCarries(field, agents, staging);
+  if (!carries) return carries;
   return staging.ball ? checkBall(field, *staging.ball) : Status(Done{});
 }
 
@@ -181,7 +222,7 @@ Expected<BallThrow> throwFrom(const std::string& words) {
   if (parts.size() != 2 && parts.size() != 4) return form;
   const std::vector<double> time = numbersOf(parts[0]);
   if (time.size() != 1 || numbersOf(parts[1]).size() != 4) return form;
-  if (time[0] < 0.0 || time[0] > kLatest) return Error{"'" + words + "': that is not in a match"};
+  if (!isInMatch(time[0])) return notInMatch(words);
   const auto ball = ballFrom(parts[1]);
   if (!ball) return Error{ball.error()};
   BallThrow thrown{time[0], *ball, std::nullopt};
@@ -189,6 +230,37 @@ Expected<BallThrow> throwFrom(const std::string& words) {
   thrown.by = robotOf(parts[2], parts[3]);
   if (!thrown.by) return form;
   return thrown;
+}
+
+Expected<BallTake> takeFrom(const std::string& words) {
+  const std::vector<std::string> parts = partsOf(words);
+  const Error form{
+      "'" + words +
+      "': the ball is taken away at T, T:SECONDS or T:SECONDS:X,Y, as in 30:5:100,200"};
+  if (parts.size() > 3) return form;
+  const std::vector<double> time = numbersOf(parts[0]);
+  const std::vector<double> away =
+      parts.size() > 1 ? numbersOf(parts[1]) : std::vector<double>{BallTake().seconds};
+  if (time.size() != 1 || away.size() != 1) return form;
+  if (!isInMatch(time[0]) || !isInMatch(away[0])) return notInMatch(words);
+  BallTake take{time[0], away[0], std::nullopt};
+  if (parts.size() < 3) return take;
+  const std::vector<double> place = numbersOf(parts[2]);
+  if (place.size() != 2) return form;
+  take.back = Point2<Field>{place[0], place[1]};
+  return take;
+}
+
+Expected<RobotCarry> carryFrom(const std::string& words) {
+  const Error form{"'" + words +
+                   "': a robot is carried at T:TEAM:PLAYER:X,Y,DEG, as in 30:red:2:100,200,90"};
+  const std::size_t end = words.find(':');
+  if (end == std::string::npos) return form;
+  const std::vector<double> time = numbersOf(words.substr(0, end));
+  const auto place = placeFrom(words.substr(end + 1));
+  if (time.size() != 1 || !place) return form;
+  if (!isInMatch(time[0])) return notInMatch(words);
+  return RobotCarry{time[0], place->robot, place->pose};
 }
 
 Expected<Staging> stagingFrom(const StagingWords& words) {
@@ -208,6 +280,16 @@ Expected<Staging> stagingFrom(const StagingWords& words) {
     if (!thrown) return Error{thrown.error()};
     staging.throws.push_back(*thrown);
   }
+  for (const std::string& one : words.takes) {
+    const auto take = takeFrom(one);
+    if (!take) return Error{take.error()};
+    staging.takes.push_back(*take);
+  }
+  for (const std::string& one : words.carries) {
+    const auto carry = carryFrom(one);
+    if (!carry) return Error{carry.error()};
+    staging.carries.push_back(*carry);
+  }
   return staging;
 }
 
@@ -224,6 +306,15 @@ std::string wordsFor(const Ball& ball) {
 std::string wordsFor(const BallThrow& thrown) {
   return fmt::format("{}:{}{}", thrown.time, wordsFor(thrown.ball),
                      thrown.by ? ":" + wordFor(*thrown.by) : "");
+}
+
+std::string wordsFor(const BallTake& take) {
+  const std::string words = fmt::format("{}:{}", take.time, take.seconds);
+  return take.back ? fmt::format("{}:{},{}", words, take.back->x, take.back->y) : words;
+}
+
+std::string wordsFor(const RobotCarry& carry) {
+  return fmt::format("{}:{}", carry.time, wordsFor(RobotPlace{carry.robot, carry.pose}));
 }
 
 Expected<Setup> stagedScenario(const std::string& name, const body::FieldDescription& field,
@@ -245,6 +336,12 @@ Expected<Setup> stagedScenario(const std::string& name, const body::FieldDescrip
   setup->throws = staging.throws;
   std::stable_sort(setup->throws.begin(), setup->throws.end(),
                    [](const BallThrow& a, const BallThrow& b) { return a.time < b.time; });
+  setup->takes = staging.takes;
+  std::stable_sort(setup->takes.begin(), setup->takes.end(),
+                   [](const BallTake& a, const BallTake& b) { return a.time < b.time; });
+  setup->carries = staging.carries;
+  const Status takes = checkTakes(field, *setup);
+  if (!takes) return Error{takes.error()};
   const Status room = checkRoom(field, *setup);
   if (!room) return Error{room.error()};
   return setup;

@@ -45,8 +45,8 @@ struct TruthFrame {
   }
 };
 
-// In recorded logs by number: append, never reorder. Those from `ready` on come of the rules only
-// (RefereeParams::rules).
+// In recorded logs by number: append, never reorder. Those from `ready` to `placed` come of the
+// rules only (RefereeParams::rules).
 enum class EventKind : std::uint8_t {
   start,
   goal,
@@ -60,6 +60,10 @@ enum class EventKind : std::uint8_t {
   back,     // it comes back
   stuck,    // the ball went nowhere and is put elsewhere
   placed,   // a robot is put by hand where it may stand for the kick-off
+  // Of the user's hands (Hands.h):
+  taken,     // the ball is taken away
+  returned,  // it lies at `place` again
+  carried,   // the robot is put down at `place`
 };
 
 struct MatchEvent {
@@ -73,7 +77,7 @@ struct MatchEvent {
 
   static constexpr auto fields() {
     return fieldList(field("time", &MatchEvent::time, "us"),
-                     field("kind", &MatchEvent::kind, "", 0, 11),
+                     field("kind", &MatchEvent::kind, "", 0, 14),
                      field("team", &MatchEvent::team, "", 0, 1), field("ball", &MatchEvent::ball),
                      field("player", &MatchEvent::player, "", 0, 4),
                      field("reason", &MatchEvent::reason), field("place", &MatchEvent::place));

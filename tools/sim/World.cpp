@@ -33,6 +33,7 @@ World::World(const WorldParams& params, const body::FieldDescription& field, con
       players_(setup.players),
       throws_(setup.throws),
       referee_(params.referee, field),
+      hands_(setup, field),
       radio_(params.radio, setup.players.size(), partSeed(seed, 3)) {
   const std::uint64_t crowd = params.spectators ? partSeed(seed, 1) | 1U : 0;
   const Scene scene = fieldScene(field, crowd, unlike_.venue);
@@ -120,6 +121,34 @@ MatchScene World::matchScene() const {
   return scene;
 }
 
+void World::obey(const Verdict& verdict) {
+  if (verdict.ball) bodies_->putBall(*verdict.ball);
+  for (const Carry& one : verdict.carries) bodies_->carry(one.robot, one.place);
+}
+
+// The referee has no ball to put anywhere while somebody else has it.
+std::array<Verdict, 2> World::judge() {
+  MatchScene scene = matchScene();
+  const Verdict hands = hands_.step(scene);
+  obey(hands);
+  if (hands.ball || !hands.carries.empty()) scene = matchScene();
+  scene.ballAway = hands_.ballAway();
+  if (scene.ballAway) scene.ball = {hands_.takenFrom(), {}};
+  Verdict calls = referee_.judge(scene);
+  if (scene.ballAway) calls.ball.reset();
+  obey(calls);
+  return {hands, calls};
+}
+
+std::vector<MatchEvent> World::takeEvents() {
+  std::vector<MatchEvent> events = hands_.takeEvents();
+  const std::vector<MatchEvent> calls = referee_.takeEvents();
+  events.insert(events.end(), calls.begin(), calls.end());
+  std::stable_sort(events.begin(), events.end(),
+                   [](const MatchEvent& a, const MatchEvent& b) { return a.time < b.time; });
+  return events;
+}
+
 Status World::tick() {
   if (!fault_.empty()) return Error{fault_};
   const Status moved = bodies_->tick();
@@ -129,12 +158,11 @@ Status World::tick() {
   }
   ++ticks_;
   throwBalls();
-  const Verdict verdict = referee_.judge(matchScene());
-  if (verdict.ball) bodies_->putBall(*verdict.ball);
-  for (const Carry& one : verdict.carries) bodies_->carry(one.robot, one.place);
+  const std::array<Verdict, 2> verdicts = judge();
   past_.remember(ticks_, *bodies_);
   // No image shows the way.
-  for (const Carry& one : verdict.carries) past_.carry(one.robot, one.place);
+  for (const Verdict& verdict : verdicts)
+    for (const Carry& one : verdict.carries) past_.carry(one.robot, one.place);
   senseAll();
   return Done{};
 }

@@ -17,6 +17,7 @@
 #include "tools/sim/Ball.h"
 #include "tools/sim/Bodies.h"
 #include "tools/sim/Camera.h"
+#include "tools/sim/Hands.h"
 #include "tools/sim/OuterWall.h"
 #include "tools/sim/Past.h"
 #include "tools/sim/Radio.h"
@@ -120,7 +121,8 @@ class World {
   Ball ball() const { return bodies_->ball(); }
   void putBall(const Ball& ball) { bodies_->putBall(ball); }
   const Score& score() const { return referee_.score(); }
-  std::vector<MatchEvent> takeEvents() { return referee_.takeEvents(); }
+  // Of referee and hands, in the order of time.
+  std::vector<MatchEvent> takeEvents();
 
  private:
   struct Eye {
@@ -134,6 +136,9 @@ class World {
   MatchScene matchScene() const;
   void senseAll();
   void throwBalls();
+  void obey(const Verdict& verdict);
+  // Of hands and referee, obeyed.
+  std::array<Verdict, 2> judge();
 
   WorldParams params_;
   body::FieldDescription field_;
@@ -148,6 +153,7 @@ class World {
   std::vector<Random> sensorRandom_;
   std::vector<std::unique_ptr<Eye>> eyes_;
   Referee referee_;
+  Hands hands_;
   Radio radio_;
   Past past_;
   std::uint32_t ticks_ = 0;

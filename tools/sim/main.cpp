@@ -4,9 +4,11 @@
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
+#include <array>
 #include <chrono>
 #include <cstdio>
 #include <fstream>
+#include <optional>
 #include <thread>
 
 #include "tools/cli/Process.h"
@@ -28,6 +30,7 @@ struct Options {
   std::string truth;
   std::string result;
   bool tellGoals = false;
+  bool tellTime = false;
   bool realTime = false;
   bool respawn = false;
   double wait = 60.0;  // s for the agents to come
@@ -75,17 +78,64 @@ Status writeResult(const Options& options, const World& world) {
   return Done{};
 }
 
-// Goals are told as they fall: "goal red 19.633".
-void tell(const MatchEvent& event) {
-  if (event.kind != EventKind::goal) return;
-  fmt::print("goal {} {:.3f}\n", nameOf(event.team), event.time.seconds());
-  std::fflush(stdout);
-}
-
 void tellLine(const std::string& line) {
   fmt::print("{}\n", line);
   std::fflush(stdout);
 }
+
+// Goals are told as they fall: "goal red 19.633"; what hands do is told to the user.
+void tell(const MatchEvent& event) {
+  const double now = event.time.seconds();
+  if (event.kind == EventKind::goal)
+    tellLine(fmt::format("goal {} {:.3f}", nameOf(event.team), now));
+  if (event.kind == EventKind::taken)
+    tellLine(fmt::format("{:.1f} s: the ball is taken away", now));
+  if (event.kind == EventKind::returned)
+    tellLine(fmt::format("{:.1f} s: the ball is back at ({:.0f}, {:.0f})", now, event.place.x,
+                         event.place.y));
+  if (event.kind == EventKind::carried)
+    tellLine(fmt::format("{:.1f} s: {} {} is carried to ({:.0f}, {:.0f})", now, nameOf(event.team),
+                         event.player, event.place.x, event.place.y));
+}
+
+const char* nameOf(PlayState state) {
+  constexpr std::array<const char*, 5> kNames = {"initial", "ready", "set", "playing", "finished"};
+  return kNames[static_cast<std::size_t>(state)];
+}
+
+// Twice a simulated second: "time 12.5 playing 1 290 0 1" (tools/session reads it).
+class TimeTeller {
+ public:
+  explicit TimeTeller(const World& world) : world_(&world) {}
+
+  void operator()(TimeUs now) {
+    const auto control = world_->control();
+    if (!control || now.us < next_.us) return;
+    next_ = {now.us + 500000};
+    tellLine(fmt::format("time {:.3f} {} {} {} {} {}", now.seconds(), nameOf(control->state),
+                         control->firstHalf ? 1 : 2, control->secondsLeft, world_->score().red,
+                         world_->score().blue));
+  }
+
+ private:
+  const World* world_;
+  TimeUs next_;
+};
+
+// Keeps a match no faster than a clock.
+class Pace {
+ public:
+  void operator()(TimeUs now) {
+    const auto due = start_ + std::chrono::microseconds(now.us);
+    const auto late = std::chrono::steady_clock::now() - due;
+    // After a stall (a script that hung) time goes on from there; it does not catch up.
+    if (late > std::chrono::milliseconds(200)) start_ += late;
+    std::this_thread::sleep_until(due);
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
 
 // An agent that comes late and says no hello holds the match up for as long as a dead one does.
 std::optional<Agent> arrival(host::Listener& listener) {
@@ -94,20 +144,20 @@ std::optional<Agent> arrival(host::Listener& listener) {
   return std::move(*agent);
 }
 
-ServerHooks hooks(const Options& options, host::Listener& listener) {
+ServerHooks hooks(const Options& options, host::Listener& listener, const World& world) {
   ServerHooks hooks;
   if (options.respawn) hooks.arrival = [&listener] { return arrival(listener); };
   hooks.tell = tellLine;
   if (options.tellGoals) hooks.onEvent = tell;
   hooks.stopped = cli::interrupted;
-  if (options.realTime)
-    hooks.beforeStep = [start = std::chrono::steady_clock::now()](TimeUs now) mutable {
-      const auto due = start + std::chrono::microseconds(now.us);
-      const auto late = std::chrono::steady_clock::now() - due;
-      // After a stall (a script that hung) time goes on from there; it does not catch up.
-      if (late > std::chrono::milliseconds(200)) start += late;
-      std::this_thread::sleep_until(due);
-    };
+  std::optional<TimeTeller> teller;
+  if (options.tellTime) teller.emplace(world);
+  std::optional<Pace> pace;
+  if (options.realTime) pace.emplace();
+  hooks.beforeStep = [teller, pace](TimeUs now) mutable {
+    if (teller) (*teller)(now);
+    if (pace) (*pace)(now);
+  };
   return hooks;
 }
 
@@ -133,7 +183,7 @@ Status play(const Options& options) {
   if (!setup) return Error{setup.error()};
   World world(worldParams(options), *field, *setup, options.seed);
   const Status played =
-      Server(world, *agents, log ? &*log : nullptr, hooks(options, *listener)).run();
+      Server(world, *agents, log ? &*log : nullptr, hooks(options, *listener, world)).run();
   if (!played) return played;
   if (log) {
     const Status closed = log->close();
@@ -160,6 +210,8 @@ void describe(CLI::App& app, Options& options) {
   app.add_option("--truth", options.truth, "log of what really happened (MCAP)");
   app.add_option("--result", options.result, "result file (JSON)");
   app.add_flag("--tell-goals", options.tellGoals, "each goal as a line on standard output");
+  app.add_flag("--tell-time", options.tellTime,
+               "with --rules: time, state and score twice a simulated second, so");
   app.add_flag("--rules", options.world.referee.rules,
                "a referee who knows more than goals, balls out and the end");
   app.add_flag("--respawn", options.respawn,

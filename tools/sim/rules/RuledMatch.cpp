@@ -82,7 +82,8 @@ Verdict RuledMatch::step(const MatchScene& scene, Score& score) {
   }
   started_ = true;
   if (finished()) return verdict_;
-  if (clock_.state == PlayState::playing) judgePlay(score);
+  if (scene.ballAway) goOn();
+  if (clock_.state == PlayState::playing && !scene.ballAway) judgePlay(score);
   judgePenalties();
   runClock();
   return verdict_;
@@ -175,7 +176,7 @@ void RuledMatch::takePlaces() {
   }
 }
 
-// What was before the whistle is no foul.
+// What was before the whistle, or while the ball was away, is no foul.
 void RuledMatch::goOn() {
   touch_ = {};
   fouls_ = {};
