@@ -75,6 +75,17 @@ TEST(Staging, WordsMeanTheSameAgain) {
     EXPECT_EQ(wordsFor(*thrown), words);
   }
   EXPECT_EQ(wordsFor(*ballFrom("1,2")), "1,2,0,0");
+  for (const char* words : {"30:5", "30:2.5:100,200"}) EXPECT_EQ(wordsFor(*takeFrom(words)), words);
+  EXPECT_EQ(wordsFor(*takeFrom("30")), "30:5");
+  EXPECT_EQ(wordsFor(*carryFrom("30:blue:2:100,200,90")), "30:blue:2:100,200,90");
+}
+
+TEST(Staging, WhatIsNoTakingOrCarryingIsRefusedWithItsWords) {
+  for (const char* words : {"", "x", "-1", "1:2:3", "1:x", "1:-2", "1:2:3,4:5", "1,2", "1:2:3,4,5"})
+    EXPECT_NE(takeFrom(words).error().find(words), std::string::npos) << words;
+  for (const char* words : {"", "30", "red:1:1,2,3", "30:red:1:1,2", "30:red:5:1,2,3",
+                            "-1:red:1:1,2,3", "30:red:1:1,2,nan"})
+    EXPECT_NE(carryFrom(words).error().find(words), std::string::npos) << words;
 }
 
 TEST(Staging, WhatIsNoPlaceBallOrThrowIsRefusedWithItsWords) {
@@ -116,6 +127,23 @@ TEST(Staging, WhatCannotBeIsRefusedInOneLine) {
   EXPECT_EQ(refused({{}, "", {"1:0,10,0,0:red:1"}}), "");
 }
 
+TEST(Staging, HandsThatCannotBeAreRefusedInOneLine) {
+  const auto refused = [](const std::vector<std::string>& takes,
+                          const std::vector<std::string>& carries,
+                          const std::vector<std::string>& throws = {}) {
+    const auto setup = staged({kRed1, kBlue1}, {{}, "", throws, takes, carries});
+    return setup ? std::string() : setup.error();
+  };
+  EXPECT_EQ(refused({"1:2:-5,10"}, {}), "the ball at (-5, 10) is off the field");
+  EXPECT_EQ(refused({"5", "1:6"}, {}), "the ball is taken at 5 s, but away until 7 s");
+  EXPECT_EQ(refused({"5"}, {}, {"6:100,100,0,0"}),
+            "the ball is thrown at 6 s, but away from 5 to 10 s");
+  EXPECT_EQ(refused({}, {"1:red:2:100,100,0"}), "no red 2 is there to be carried");
+  EXPECT_EQ(refused({}, {"1:red:1:100,600,0"}), "red 1 at (100, 600) is off the field");
+  EXPECT_EQ(refused({}, {"1:blue:1:138,535,-90"}), "blue 1 would stand in a goal or beacon");
+  EXPECT_EQ(refused({"6", "1"}, {"1:red:1:100,100,0"}), "");
+}
+
 // Where the ball is at those times, in a world of kinematic bodies.
 std::vector<Ball> ballsAt(const Setup& setup, const std::vector<double>& seconds) {
   World world({}, field(), setup, 3);
@@ -152,6 +180,44 @@ TEST(Staging, AThrowOfARobotGoesByWhereItStandsThen) {
   EXPECT_NEAR(ball.position.x, 150.0, 0.5);
   EXPECT_NEAR(ball.position.y, 120.0, 0.5);
   EXPECT_NEAR(ball.velocity.x, -60.0, 0.5);
+}
+
+TEST(Staging, ABallThatIsTakenIsAwayForItsTimeAndNoBallIsOutMeanwhile) {
+  const auto setup = staged({kRed1}, {{"red:1:60,60,90"}, "180,270", {}, {"0.4:0.4:100,200"}});
+  ASSERT_TRUE(setup);
+  World world({}, field(), *setup, 3);
+  std::vector<MatchEvent> events;
+  while (world.time().seconds() < 1.2) {
+    world.tick();
+    for (const MatchEvent& event : world.takeEvents()) events.push_back(event);
+    const double now = world.time().seconds();
+    const bool away = now >= 0.4 && now < 0.8;
+    EXPECT_EQ(world.ball().position.x, away ? kAwayBall.x : now < 0.4 ? 180.0 : 100.0) << now;
+  }
+  ASSERT_EQ(events.size(), 3U);
+  EXPECT_EQ(events[0].kind, EventKind::start);
+  EXPECT_EQ(events[1].kind, EventKind::taken);
+  EXPECT_EQ(events[1].ball.x, 180.0);
+  EXPECT_EQ(events[2].kind, EventKind::returned);
+  EXPECT_EQ(events[2].place.y, 200.0);
+  EXPECT_EQ(world.score().outs, 0);
+}
+
+TEST(Staging, ARobotIsCarriedWhenItsPlaceIsFree) {
+  const auto setup = staged(
+      {kRed1}, {{"red:1:60,60,90"}, "180,270", {"0.8:300,400,0,0"}, {}, {"0.4:red:1:180,270,0"}});
+  ASSERT_TRUE(setup);
+  World world({}, field(), *setup, 3);
+  std::vector<MatchEvent> events;
+  while (world.time().seconds() < 1.2) {
+    world.tick();
+    for (const MatchEvent& event : world.takeEvents()) events.push_back(event);
+    const double x = world.truth(world.time()).robots[0].pose.position.x;
+    EXPECT_NEAR(x, world.time().seconds() < 0.8 ? 60.0 : 180.0, 3.0);  // the ball lay there
+  }
+  ASSERT_EQ(events.size(), 2U);
+  EXPECT_EQ(events[1].kind, EventKind::carried);
+  EXPECT_EQ(events[1].player, 1);
 }
 
 TEST(Staging, AThrowBeyondTheLinesStaysOnTheField) {

@@ -43,7 +43,7 @@ void follow(Paths& paths, const Moment& moment) {
   paths.belief.push_back(moment.output.world.pose.position);
   if (!moment.truth.present) return;
   if (const TrueRobot* own = moment.truth.own()) paths.robot.push_back(own->pose.position);
-  paths.ball.push_back(moment.truth.ball);
+  if (moment.truth.ballThere) paths.ball.push_back(moment.truth.ball);
 }
 
 // Drops all but the last of each path: a film that drew whole paths took longer with every frame,

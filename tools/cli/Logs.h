@@ -20,7 +20,7 @@ namespace kelpie::cli {
 // noise, compresses to no less than 70 KB). With `some` a match of ten minutes takes 160 MB. With
 // `none` there are neither images nor pictures nor the motion loop's messages: what the robot knew,
 // decided and did in each frame, for experiments. With `planes` there are class planes, and what
-// ThinLog.h says: ten minutes take 15 to 19 MB.
+// ThinLog.h says: ten minutes of play take 16 MB.
 enum class ImagesKept : std::uint8_t { none, planes, some, all };
 constexpr double kAllImagesSeconds = 20.0;  // of the beginning, with `some`
 constexpr double kOneImageSeconds = 5.0;    // afterwards one in so many

@@ -392,11 +392,12 @@ void addPlay(CLI::App& app, int& code) {
   addUnlikeOptions(*command, session.unlike);
   addLeanOptions(*command, session.unlike);
   command
-      ->add_option("--images", options->images,
-                   "Which images the log keeps: some (all of the first 20 s, then one in 5 s; the "
-                   "others as JPEG pictures; a match of ten minutes takes 160 MB), all (1.3 GB) or "
-                   "planes (none, but one frame in six as the colour classes that vision makes of "
-                   "it; 17 MB; does not replay)")
+      ->add_option(
+          "--images", options->images,
+          "Which images the log keeps: some (all of the first 20 s, then one in 5 s; the "
+          "others as JPEG pictures; a match of ten minutes takes 160 MB), all (1.3 GB) or "
+          "planes (none, but one frame in fifteen as the colour classes that vision makes of "
+          "it; 16 MB; does not replay)")
       ->check(CLI::IsMember({"some", "all", "planes"}))
       ->capture_default_str();
   command->add_flag("--real-time", session.realTime,

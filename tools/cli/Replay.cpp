@@ -56,7 +56,12 @@ int tellRecorded(const ReplayCommand& command) {
   if (!match) return fail(match.error(), kExitBadInput);
   std::string objects;
   match->forEachMoment([&](const match::Moment& moment) {
-    objects += frameObject(moment.input, moment.output).dump() + "\n";
+    auto object = frameObject(moment.input, moment.output);
+    if (const match::TrueRobot* own = moment.truth.own())
+      object["truth"] = {{"x_cm", own->pose.position.x},
+                         {"y_cm", own->pose.position.y},
+                         {"heading_deg", own->pose.heading.deg()}};
+    objects += object.dump() + "\n";
     return true;
   });
   if (!writeWhole(command.jsonl, objects))

@@ -43,7 +43,7 @@ void shorten(T& value) {
   forEachField(value, [](const auto& f, auto& member) { shorten(member, f.min, f.max); });
 }
 
-// What stands in every sixth frame only.
+// What stands in whole frames only.
 void leaveOut(FrameOutput& output) {
   const BallPercept ball = output.percepts.ball;
   output.percepts = {};
@@ -97,7 +97,7 @@ void ThinFrames::write(const FrameInput& input, const FrameOutput& output, LogWr
 }
 
 Status ThinTruth::write(const LogMessage& message, LogWriter& out) {
-  if (seen_++ % kPlaneEvery != 0) return Done{};
+  if (seen_++ % kTruthEvery != 0) return Done{};
   sim::TruthFrame truth;
   const Status read = decodeAs(message, truth);
   if (!read) return read;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a log keeps of a frame when the logs of all robots of a match are kept: 0.75 KB of the 110
-// that a whole frame has. One frame in six is whole but for its image, of which there is the class
-// plane (robot/core/PlaneFrame.h). Of the others there is what leads from frame to frame: odometry,
-// game, pose, ball, other robots, and the Command with its reasons; not what vision saw, the other
-// hypotheses, the obstacle cells, sensors and messages. All numbers keep 12 binary digits of their
-// fraction (a place on the field is 0.1 cm off at most). Such a log can be read, shown and filmed;
-// it does not replay.
+// What a log keeps of a frame when the logs of all robots of a match are kept: 0.65 KB of the 110
+// that a whole frame has. One frame in fifteen is whole but for its image, of which there is the
+// class plane (robot/core/PlaneFrame.h). Of the others there is what leads from frame to frame:
+// odometry, game, pose, ball, other robots, and the Command with its reasons; not what vision saw,
+// the other hypotheses, the obstacle cells, sensors and messages. All numbers keep 12 binary digits
+// of their fraction (a place on the field is 0.1 cm off at most). Such a log can be read, shown and
+// filmed; it does not replay.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +21,8 @@
 
 namespace kelpie::cli {
 
-constexpr std::uint32_t kPlaneEvery = 6;  // frames
+constexpr std::uint32_t kPlaneEvery = 15;  // frames
+constexpr std::uint32_t kTruthEvery = 5;   // of the world's
 
 class ThinFrames {
  public:
@@ -39,7 +40,7 @@ class ThinFrames {
   std::unique_ptr<FrameOutput> output_ = std::make_unique<FrameOutput>();
 };
 
-// The world's truth beside such frames: one in six, its numbers as short.
+// The world's truth beside such frames: one in five, its numbers as short.
 class ThinTruth {
  public:
   Status write(const LogMessage& message, LogWriter& out);

@@ -276,6 +276,7 @@ void drawPlaces(cv::Mat& picture, const body::FieldDescription& field, double sc
   if (!moment.truth.present) return;
   for (const TrueRobot& robot : moment.truth.robots)
     drawTrueRobot(picture, field, scale, robot, moment);
+  if (!moment.truth.ballThere) return;
   cv::circle(picture, onPicture(field, scale, moment.truth.ball),
              std::max(3, static_cast<int>(body::kBallRadius * scale)), kOrange, cv::FILLED,
              cv::LINE_AA);

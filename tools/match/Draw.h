@@ -25,6 +25,7 @@ struct TruePlaces {
   bool present = false;
   std::vector<TrueRobot> robots;
   Point2<Field> ball;
+  bool ballThere = true;  // nobody has taken it away
 
   const TrueRobot* own() const;  // null where the log's robot is not among them
 };

@@ -32,6 +32,7 @@ TruePlaces placesOf(const sim::TruthFrame& truth, const Match& match) {
   TruePlaces places;
   places.present = !truth.robots.empty();
   places.ball = inTeamFrame(truth.ball, match.field(), match.team());
+  places.ballThere = distance(truth.ball, sim::kAwayBall) > 1.0;
   for (const sim::RobotTruth& robot : truth.robots) places.robots.push_back(placeOf(robot, match));
   return places;
 }

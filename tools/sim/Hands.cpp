@@ -45,7 +45,7 @@ void Hands::moveBall(const MatchScene& scene, Verdict& verdict) {
   record(scene, EventKind::taken);
   takenFrom_ = scene.ball.position;
   away_ = true;
-  verdict.ball = Ball{kAwayPlace, {}};
+  verdict.ball = Ball{kAwayBall, {}};
 }
 
 void Hands::carryRobots(const MatchScene& scene, Verdict& verdict) {

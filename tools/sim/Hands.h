@@ -12,9 +12,6 @@
 
 namespace kelpie::sim {
 
-// Far outside every room, in its physics at rest.
-constexpr Point2<Field> kAwayPlace{-10000.0, -10000.0};
-
 class Hands {
  public:
   Hands(const Setup& setup, const body::FieldDescription& field);

@@ -28,6 +28,9 @@ struct RobotTruth {
   }
 };
 
+// Where the ball is while somebody has taken it away: far outside every room, seen by nobody.
+constexpr Point2<Field> kAwayBall{-10000.0, -10000.0};
+
 // At the end of an image's exposure.
 struct TruthFrame {
   TimeUs time;
