@@ -19,7 +19,7 @@ MAY_INCLUDE = {
     "actuator": BOTTOM | {"actuator"},
     "behaviour": BOTTOM | {"behaviour"},
     "robot/openr": BOTTOM | {"robot/openr"},
-    "robot/host": BOTTOM | {"robot/openr", "robot/host", "robot/agent"},
+    "robot/host": BOTTOM | {"robot/openr", "robot/host", "robot/agent", "robot/net"},
     "robot/net": BOTTOM | {"robot/net"},
     "robot/agent": BOTTOM | {"vision", "gps", "actuator", "behaviour", "robot/openr",
                              "robot/agent", "robot/net"},

@@ -10,6 +10,7 @@
 #include "robot/body/Camera.h"
 #include "robot/body/FieldDescription.h"
 #include "robot/core/FrameInput.h"
+#include "robot/net/GameListener.h"
 #include "vision/VisionParams.h"
 #include "vision/pixels/VisionCalibration.h"
 
@@ -25,16 +26,18 @@ struct AgentConfig {
   gps::GpsParams gps;
   behaviour::BehaviourParams behaviour;
   actuator::ActuatorParams actuator;
+  net::ListenerParams game;
   vision::VisionCalibration calibration;
 
   static constexpr auto fields() {
     using kelpie::field;
-    return fieldList(
-        field("team", &AgentConfig::team, "", 0, 1),
-        field("player", &AgentConfig::player, "", 1, 4), field("field", &AgentConfig::field),
-        field("body", &AgentConfig::body), field("vision", &AgentConfig::vision),
-        field("gps", &AgentConfig::gps), field("behaviour", &AgentConfig::behaviour),
-        field("actuator", &AgentConfig::actuator), field("calibration", &AgentConfig::calibration));
+    return fieldList(field("team", &AgentConfig::team, "", 0, 1),
+                     field("player", &AgentConfig::player, "", 1, 4),
+                     field("field", &AgentConfig::field), field("body", &AgentConfig::body),
+                     field("vision", &AgentConfig::vision), field("gps", &AgentConfig::gps),
+                     field("behaviour", &AgentConfig::behaviour),
+                     field("actuator", &AgentConfig::actuator), field("game", &AgentConfig::game),
+                     field("calibration", &AgentConfig::calibration));
   }
 };
 

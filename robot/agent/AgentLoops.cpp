@@ -34,10 +34,9 @@ AgentLoops::AgentLoops(const AgentConfig& config, const std::string& scripts, Lo
       log_(log),
       startingTilt_(gps::startingTilt(config.gps.tilt)),
       startingFocal_(gps::startingFocal(config.gps.focal)),
-      startingLag_(gps::startingLag(config.gps.lag)) {
-  game_.team = config.team;
-  game_.player = config.player;
-}
+      startingLag_(gps::startingLag(config.gps.lag)),
+      listens_(config.game),
+      game_(net::listenerFor(config.team, config.player)) {}
 
 const MotionOutput& AgentLoops::motion(const MotionInput& withoutCommand) {
   motionInput_.time = withoutCommand.time;
@@ -47,8 +46,9 @@ const MotionOutput& AgentLoops::motion(const MotionInput& withoutCommand) {
   motionOutput_ = &motionLoop_.step(motionInput_, silent_);
   for (std::size_t tick = 0; tick < motionInput_.sensors.size(); ++tick) {
     const auto back = static_cast<std::int64_t>(motionInput_.sensors.size() - 1 - tick) * kTickUs;
-    joints_.add({motionInput_.time.us - back}, motionInput_.sensors[tick],
-                motionOutput_->stances[tick]);
+    const TimeUs then{motionInput_.time.us - back};
+    joints_.add(then, motionInput_.sensors[tick], motionOutput_->stances[tick]);
+    net::feel({then, motionInput_.sensors[tick]}, listens_, game_);
   }
   odometry_.add(motionInput_.time, motionOutput_->odometry);
   log_.motion(motionInput_, *motionOutput_);
@@ -71,18 +71,23 @@ void AgentLoops::camera(const Image& image, TimeUs exposureMiddle, std::uint32_t
   input_.focalScale = frame_ != nullptr ? frame_->world.focalScale : startingFocal_;
   input_.odometry = odometry_.until(exposed);
   input_.motion = motionOutput_->status;
-  input_.game = game_;
+  input_.game = game_.game;
   input_.lastCommand = askedIn(frame_);
   input_.drive = drive_;
   input_.radio = radio_.counts;
+  input_.control = game_.counts;
   input_.image = image;
   frame_ = &frameLoop_.step(input_, silent_);
   log_.frame(input_, *frame_);
   input_.team.clear();
 }
 
+void AgentLoops::hear(const ControlPacket& packet, TimeUs now) {
+  net::hear(packet, now, listens_, game_);
+}
+
 void AgentLoops::hear(const RadioPacket& packet, TimeUs now) {
-  net::hear(packet, now, game_.team, game_.player, radio_, input_.team);
+  net::hear(packet, now, game_.game.team, game_.game.player, radio_, input_.team);
 }
 
 bool AgentLoops::takePacket(RadioPacket& packet) {
@@ -90,7 +95,7 @@ bool AgentLoops::takePacket(RadioPacket& packet) {
   const TeamMessage& message = frame_->world.message;
   if (message.number == 0 || message.number == sent_) return false;
   sent_ = message.number;
-  return net::encode({game_.team, input_.time, message}, packet);
+  return net::encode({game_.game.team, input_.time, message}, packet);
 }
 
 }  // namespace kelpie::agent

@@ -13,6 +13,7 @@
 #include "robot/agent/Loops.h"
 #include "robot/agent/MotionLoop.h"
 #include "robot/agent/OdometryTrack.h"
+#include "robot/net/GameListener.h"
 #include "robot/net/TeamRadio.h"
 
 namespace kelpie::agent {
@@ -24,9 +25,9 @@ class AgentLoops : public Loops {
   const MotionOutput& motion(const MotionInput& withoutCommand) override;
   void camera(const Image& image, TimeUs exposureMiddle, std::uint32_t number) override;
 
-  void setGame(const GameState& game) { game_ = game; }
   void setDrive(const Drive& drive) { drive_ = drive; }
-  // A packet of the radio, as it arrives.
+  // A packet of the game controller or of the radio, as it arrives.
+  void hear(const ControlPacket& packet, TimeUs now);
   void hear(const RadioPacket& packet, TimeUs now);
   // The packet that the last frame made for the team, if it made one; each is given away once.
   bool takePacket(RadioPacket& packet);
@@ -40,7 +41,8 @@ class AgentLoops : public Loops {
   FocalScale startingFocal_;
   ImageLag startingLag_;
   StageObserver silent_;
-  GameState game_;
+  net::ListenerParams listens_;
+  net::ListenerState game_;
   Drive drive_;
   MotionInput motionInput_;
   const MotionOutput* motionOutput_ = nullptr;

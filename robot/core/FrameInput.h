@@ -9,6 +9,7 @@
 
 #include "robot/core/CameraModel.h"
 #include "robot/core/Command.h"
+#include "robot/core/ControlPacket.h"
 #include "robot/core/Image.h"
 #include "robot/core/Motion.h"
 #include "robot/core/Radio.h"
@@ -29,7 +30,7 @@ struct GameState {
   std::uint8_t opponentScore = 0;
   bool kickOff = false;  // of the own team, in ready and set
   bool firstHalf = true;
-  double secondsLeft = 0.0;  // of the half, or of the ready state
+  double secondsLeft = 0.0;  // of the half
 
   static constexpr auto fields() {
     return fieldList(
@@ -83,6 +84,7 @@ struct FrameInput {
   Drive drive;
   FixedVector<TeamMessage, kTeammates> team;  // heard since the previous frame
   RadioCounts radio;                          // since the start
+  ControlCounts control;                      // so, of the game controller
   Image image;
 
   static constexpr auto fields() {
@@ -96,7 +98,7 @@ struct FrameInput {
         field("motion", &FrameInput::motion), field("game", &FrameInput::game),
         field("lastCommand", &FrameInput::lastCommand), field("drive", &FrameInput::drive),
         field("team", &FrameInput::team), field("radio", &FrameInput::radio),
-        field("image", &FrameInput::image));
+        field("control", &FrameInput::control), field("image", &FrameInput::image));
   }
 };
 

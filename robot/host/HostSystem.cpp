@@ -33,6 +33,13 @@ void releaseRegions(openr::Message& message) {
   notify->count = 0;
 }
 
+void hearAll(const WorldStep& step, const Network& network) {
+  if (network.tick) network.tick(step.time);
+  if (network.control && !step.control.bytes.empty()) network.control(step.control, step.time);
+  if (!network.heard) return;
+  for (const RadioPacket& packet : step.packets) network.heard(packet, step.time);
+}
+
 template <std::size_t N>
 void copyName(char (&to)[N], const std::string& name) {
   std::snprintf(to, N, "%s", name.c_str());
@@ -55,10 +62,7 @@ Expected<RunSummary> HostSystem::run(const openr::ObjectStub& object, const Netw
   const auto event = std::make_unique<WorldEvent>();
   Expected<bool> more = source_.next(*event);
   while (more && *more) {
-    if (network.game) network.game(event->step.game);
-    if (network.tick) network.tick(event->step.time);
-    if (network.heard)
-      for (const RadioPacket& packet : event->step.packets) network.heard(packet, event->step.time);
+    hearAll(event->step, network);
     const Status done = handle(*event, object, network);
     more = done ? source_.next(*event) : Expected<bool>(Error{done.error()});
   }

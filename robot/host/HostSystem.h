@@ -32,9 +32,9 @@ struct HostParams {
 // What comes and goes by the network, not through OPEN-R's sensors and effectors; each may be
 // empty.
 struct Network {
-  std::function<void(const GameState&)> game;  // of each step, ahead of its sensors and image
-  std::function<void(TimeUs now)> tick;        // so
-  std::function<void(const RadioPacket&, TimeUs now)> heard;  // so
+  std::function<void(TimeUs now)> tick;  // of each step, ahead of its sensors and image
+  std::function<void(const ControlPacket&, TimeUs now)> control;  // so, if one has come
+  std::function<void(const RadioPacket&, TimeUs now)> heard;      // so
   std::function<bool(RadioPacket&)> sends;  // after each step: whether there is a packet
 };
 

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "robot/core/LogTopics.h"
+#include "robot/net/GameControlData.h"
 
 namespace kelpie::host {
 
@@ -30,7 +31,7 @@ Expected<bool> RecordingSource::next(WorldEvent& event) {
     if (!sensors && message.topic() != kFrameInputTopic) continue;
     const Status taken = sensors ? takeSensors(message, event) : takeImage(message, event);
     if (!taken) return Error{log_ + ": " + taken.error()};
-    event.step.game = game_;
+    event.step.control = control_;
     return true;
   }
   if (!reader_.status()) return Error{reader_.status().error()};
@@ -67,7 +68,7 @@ Status RecordingSource::takeImage(const LogMessage& message, WorldEvent& event) 
   event.step.time = {frame_->time.us + kExposureUs / 2};
   event.step.imagePresent = true;
   event.image = frame_->image;
-  game_ = frame_->game;
+  control_ = net::packetOf(net::controlFrom(frame_->game));
   return Done{};
 }
 

@@ -30,7 +30,7 @@ class RecordingSource : public Source {
   LogReader reader_;
   std::unique_ptr<FrameInput> frame_;  // of the image read last; on the heap because of its size
   MotionInput motion_;
-  GameState game_;
+  ControlPacket control_;      // that tells what the robot knew of the match
   std::uint32_t waiting_ = 0;  // vectors sent and not yet ended
   bool sensorsSeen_ = false;
 };

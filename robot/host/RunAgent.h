@@ -3,7 +3,7 @@
 // needs no more than
 //   auto world = WorldSource::connect(socket, hello, {});
 //   Network network;
-//   network.game = [&](const GameState& game) { loops.setGame(game); };
+//   network.control = [&](const ControlPacket& packet, TimeUs now) { loops.hear(packet, now); };
 //   const auto summary = runAgent(*world, loops, {}, network);
 #pragma once
 

@@ -9,6 +9,7 @@
 
 #include "robot/core/Expected.h"
 #include "robot/core/Radio.h"
+#include "robot/host/UdpSocket.h"
 #include "robot/host/WorldProtocol.h"
 
 namespace kelpie::host {
@@ -19,11 +20,6 @@ class UdpRadio {
  public:
   // An error names the port when another agent has it.
   static Expected<UdpRadio> open(const AgentHello& self, std::uint16_t basePort = kTeamPort);
-  ~UdpRadio();
-  UdpRadio(UdpRadio&& other) noexcept;
-  UdpRadio& operator=(UdpRadio&&) = delete;
-  UdpRadio(const UdpRadio&) = delete;
-  UdpRadio& operator=(const UdpRadio&) = delete;
 
   // To all others; who is not there misses it.
   void send(const RadioPacket& packet);
@@ -32,9 +28,9 @@ class UdpRadio {
   bool receive(RadioPacket& packet);
 
  private:
-  UdpRadio(int descriptor, std::uint16_t ownPort, std::uint16_t basePort);
+  UdpRadio(UdpSocket socket, std::uint16_t ownPort, std::uint16_t basePort);
 
-  int descriptor_ = -1;
+  UdpSocket socket_;
   std::uint16_t ownPort_ = 0;
   std::uint16_t basePort_ = 0;
 };

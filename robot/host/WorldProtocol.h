@@ -9,6 +9,7 @@
 #include <array>
 #include <cstdint>
 
+#include "robot/core/ControlPacket.h"
 #include "robot/core/FixedVector.h"
 #include "robot/core/FrameInput.h"
 #include "robot/core/Motion.h"
@@ -47,16 +48,16 @@ struct WorldStep {
   std::array<SensorFrame, kTicksPerMessage> sensors{};
   std::uint32_t vectorsDone = 0;  // command vectors whose output has ended since the last step
   bool imagePresent = false;      // an image message follows; its exposure ended at `time`
-  GameState game;
-  double batteryCurrent = 0.0;  // mA
-  RadioPackets packets;         // heard since the last step
+  ControlPacket control;          // of the game controller; empty: none has come
+  double batteryCurrent = 0.0;    // mA
+  RadioPackets packets;           // heard since the last step
 
   static constexpr auto fields() {
     return fieldList(
         field("time", &WorldStep::time, "us"), field("sensorsPresent", &WorldStep::sensorsPresent),
         field("firstTick", &WorldStep::firstTick), field("sensors", &WorldStep::sensors),
         field("vectorsDone", &WorldStep::vectorsDone),
-        field("imagePresent", &WorldStep::imagePresent), field("game", &WorldStep::game),
+        field("imagePresent", &WorldStep::imagePresent), field("control", &WorldStep::control),
         field("batteryCurrent", &WorldStep::batteryCurrent, "mA", 0, 2e4),
         field("packets", &WorldStep::packets));
   }

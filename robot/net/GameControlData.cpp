@@ -36,6 +36,10 @@ class Writer {
   std::vector<std::uint8_t> bytes_{kHeader, kHeader + 4};
 };
 
+TeamColour otherThan(TeamColour team) {
+  return team == TeamColour::red ? TeamColour::blue : TeamColour::red;
+}
+
 // Keeps the first thing that cannot be. There are as many bytes as the words asked for.
 class Reader {
  public:
@@ -92,6 +96,12 @@ std::vector<std::uint8_t> encodeControl(const GameControlData& control) {
   return out.bytes_;
 }
 
+ControlPacket packetOf(const GameControlData& control) {
+  ControlPacket packet;
+  for (const std::uint8_t byte : encodeControl(control)) packet.bytes.push_back(byte);
+  return packet;
+}
+
 std::optional<ControlRefusal> decodeControl(const std::uint8_t* bytes, std::size_t size,
                                             GameControlData& control) {
   if (size != kGameControlSize) return ControlRefusal::size;
@@ -113,17 +123,9 @@ std::optional<ControlRefusal> decodeControl(const std::uint8_t* bytes, std::size
   return in.refusal_;
 }
 
-bool receiveControl(const std::uint8_t* bytes, std::size_t size, GameControlData& control,
-                    ControlCounts& counts) {
-  const auto refusal = decodeControl(bytes, size, control);
-  ++(refusal ? counts.refused[static_cast<std::size_t>(*refusal)] : counts.taken);
-  return !refusal;
-}
-
 GameState gameStateFrom(const GameControlData& control, TeamColour team, std::uint8_t player) {
   const ControlTeam& own = teamOf(control, team);
-  const ControlTeam& other =
-      teamOf(control, team == TeamColour::red ? TeamColour::blue : TeamColour::red);
+  const ControlTeam& other = teamOf(control, otherThan(team));
   GameState game;
   game.state = control.state;
   game.team = team;
@@ -137,6 +139,24 @@ GameState gameStateFrom(const GameControlData& control, TeamColour team, std::ui
   game.firstHalf = control.firstHalf;
   game.secondsLeft = control.secondsLeft;
   return game;
+}
+
+GameControlData controlFrom(const GameState& game) {
+  GameControlData control;
+  control.state = game.state;
+  control.firstHalf = game.firstHalf;
+  control.kickOff = game.kickOff ? game.team : otherThan(game.team);
+  control.secondsLeft = static_cast<std::uint32_t>(game.secondsLeft + 0.5);
+  ControlTeam& own = control.teams[0];
+  ControlTeam& other = control.teams[1];
+  own.colour = game.team;
+  own.score = game.ownScore;
+  other.colour = otherThan(game.team);
+  other.score = game.opponentScore;
+  // Which penalty it was is not recorded.
+  if (game.penalised && game.player >= 1 && game.player <= kControlPlayers)
+    own.players[game.player - 1U].penalty = ControlPenalty::requestForPickUp;
+  return control;
 }
 
 }  // namespace kelpie::net

@@ -19,8 +19,8 @@
 #include <optional>
 #include <vector>
 
+#include "robot/core/ControlPacket.h"
 #include "robot/core/FrameInput.h"
-#include "robot/core/RefusalNames.h"
 
 namespace kelpie::net {
 
@@ -87,56 +87,17 @@ struct GameControlData {
   }
 };
 
-// Why a packet is not used. The number is a place in counts: append, never reorder.
-enum class ControlRefusal : std::uint8_t {
-  size,
-  header,
-  version,
-  state,
-  half,
-  kickOffTeam,
-  secondsLeft,  // more than a day; a half that is over must count 0
-  dropInTeam,
-  dropInTime,
-  teamColour,  // none, or both teams have the same
-  score,
-  penalty,
-  penaltyTime,
-};
-constexpr std::size_t kControlRefusals = 13;
-inline constexpr RefusalName<ControlRefusal> kControlRefusalNames[] = {
-    {ControlRefusal::size, "size"},
-    {ControlRefusal::header, "header"},
-    {ControlRefusal::version, "version"},
-    {ControlRefusal::state, "state"},
-    {ControlRefusal::half, "half"},
-    {ControlRefusal::kickOffTeam, "kickOffTeam"},
-    {ControlRefusal::secondsLeft, "secondsLeft"},
-    {ControlRefusal::dropInTeam, "dropInTeam"},
-    {ControlRefusal::dropInTime, "dropInTime"},
-    {ControlRefusal::teamColour, "teamColour"},
-    {ControlRefusal::score, "score"},
-    {ControlRefusal::penalty, "penalty"},
-    {ControlRefusal::penaltyTime, "penaltyTime"},
-};
-static_assert(areInOrder(kControlRefusalNames));
-
-struct ControlCounts {
-  std::uint32_t taken = 0;
-  std::array<std::uint32_t, kControlRefusals> refused{};
-};
-
 std::vector<std::uint8_t> encodeControl(const GameControlData& control);
+ControlPacket packetOf(const GameControlData& control);
 
 // Nothing and `control` is what the bytes say, or the first reason why not and `control` is left.
 std::optional<ControlRefusal> decodeControl(const std::uint8_t* bytes, std::size_t size,
                                             GameControlData& control);
-// The same, counted; whether it was taken.
-bool receiveControl(const std::uint8_t* bytes, std::size_t size, GameControlData& control,
-                    ControlCounts& counts);
 
 // The match as one robot's behaviours know it. `secondsLeft` is the half's in every state: the
 // controller does not tell how long the ready state still is.
 GameState gameStateFrom(const GameControlData& control, TeamColour team, std::uint8_t player);
+// A match of which that robot would know so much: the way back, for what is recorded.
+GameControlData controlFrom(const GameState& game);
 
 }  // namespace kelpie::net

@@ -193,21 +193,22 @@ TEST(RunAgentTest, EventsBeforeTheFirstSensorsAreAnsweredWithoutPower) {
   EXPECT_TRUE(source.replies[1].motorPower);
 }
 
-TEST(RunAgentTest, GameStateComesBeforeTheSensorsOfItsStep) {
+TEST(RunAgentTest, APacketOfTheGameControllerComesBeforeTheSensorsOfItsStep) {
   FakeSource source;
-  source.addSensors(2);
-  source.steps[1].game.ownScore = 3;
+  source.addSensors(3);
+  source.steps[1].control.bytes.push_back(3);
   FakeLoops loops;
   std::vector<std::size_t> inputsBefore;
-  int score = -1;
+  std::vector<int> bytes;
   Network network;
-  network.game = [&](const GameState& game) {
+  network.control = [&](const ControlPacket& packet, TimeUs now) {
     inputsBefore.push_back(loops.inputs.size());
-    score = game.ownScore;
+    bytes.push_back(packet.bytes[0]);
+    EXPECT_EQ(64000, now.us);
   };
   ASSERT_TRUE(runAgent(source, loops, quiet(), network));
-  EXPECT_EQ((std::vector<std::size_t>{0, 1}), inputsBefore);
-  EXPECT_EQ(3, score);
+  EXPECT_EQ(std::vector<std::size_t>{1}, inputsBefore) << "none came with the other steps";
+  EXPECT_EQ(std::vector<int>{3}, bytes);
 }
 
 TEST(RunAgentTest, BrokenSourceIsReportedAfterTheObjectWasStopped) {

@@ -39,6 +39,7 @@ void addSections(ParameterSet& set, agent::AgentConfig& config) {
   set.add("gps", config.gps);
   set.add("behaviour", config.behaviour);
   set.add("actuator", config.actuator);
+  set.add("game", config.game);
 }
 
 // KEY=NUMBER, or true or false.

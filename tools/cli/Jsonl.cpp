@@ -16,6 +16,9 @@ inline constexpr std::array<const char*, kLandmarkKindCount> kEnumNames<Landmark
 template <>
 inline constexpr std::array<const char*, 2> kEnumNames<TeamColour> = {"red", "blue"};
 template <>
+inline constexpr std::array<const char*, 5> kEnumNames<PlayState> = {"initial", "ready", "set",
+                                                                     "playing", "finished"};
+template <>
 inline constexpr std::array<const char*, 3> kEnumNames<LinePointKind> = {"line", "border", "field"};
 template <>
 inline constexpr std::array<const char*, kTraceLayerCount> kEnumNames<TraceLayer> = {
@@ -91,6 +94,8 @@ nlohmann::ordered_json frameObject(const FrameInput& input, const FrameOutput& o
   return {{"frame", input.frame},
           {"t_s", input.time.seconds()},
           {"dropped_frames", input.droppedFrames},
+          {"game", fieldJson(input.game)},
+          {"control_refused", refusals(input.control, kControlRefusalNames)},
           {"percepts", percepts(seen)},
           {"gaps", fieldJson(seen.gaps)},
           {"field_edge", fieldJson(seen.fieldEdges)},

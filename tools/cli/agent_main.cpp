@@ -13,6 +13,7 @@
 #include "robot/host/DriverLink.h"
 #include "robot/host/RecordingSource.h"
 #include "robot/host/RunAgent.h"
+#include "robot/host/UdpControl.h"
 #include "robot/host/UdpRadio.h"
 #include "robot/host/WorldSource.h"
 #include "tools/cli/AgentTalk.h"
@@ -41,6 +42,7 @@ struct AgentOptions {
   bool plainLog = false;
   std::string driver;
   std::string radio = "world";
+  std::uint16_t controller = 0;  // UDP port; 0: heard through the world
   ConfigOptions config;
   bool physical = true;
 };
@@ -80,34 +82,42 @@ int fail(const std::string& message, int code) {
   return code;
 }
 
-// Packets go by the machine's own network, not through the world.
-void useRadio(host::UdpRadio& radio, agent::AgentLoops& loops, host::Network& network) {
-  network.tick = [&](TimeUs now) {
-    RadioPacket packet;
-    while (radio.receive(packet)) loops.hear(packet, now);
-  };
-  network.sends = [&](RadioPacket& packet) {
-    if (loops.takePacket(packet)) radio.send(packet);
-    return false;
-  };
-}
+// What goes by the machine's own network goes not through the world.
+struct Links {
+  std::optional<host::DriverLink> driver;
+  std::optional<host::UdpRadio> radio;
+  std::optional<host::UdpControl> controller;
 
-// Game state and driver are heard at each step, ahead of its image.
-Status runFrom(host::Source& source, const AgentOptions& options, const host::DriverLink* driver,
-               host::UdpRadio* radio, agent::AgentLoops& loops) {
+  void hear(TimeUs now, agent::AgentLoops& loops) {
+    if (driver) loops.setDrive(driver->drive());
+    RadioPacket packet;
+    while (radio && radio->receive(packet)) loops.hear(packet, now);
+    ControlPacket control;
+    while (controller && controller->receive(control)) loops.hear(control, now);
+  }
+  bool sends(RadioPacket& packet, agent::AgentLoops& loops) {
+    const bool made = loops.takePacket(packet);
+    if (!radio) return made;
+    if (made) radio->send(packet);
+    return false;
+  }
+};
+
+// Game controller, team and driver are heard at each step, ahead of its image.
+Status runFrom(host::Source& source, const AgentOptions& options, Links& links,
+               agent::AgentLoops& loops) {
   host::HostParams params;
   params.dropRate = options.dropRate;
   params.seed = options.seed;
   host::Network network;
-  network.game = [&](const GameState& game) {
-    loops.setGame(game);
-    if (driver != nullptr) loops.setDrive(driver->drive());
+  network.tick = [&](TimeUs now) { links.hear(now, loops); };
+  network.control = [&](const ControlPacket& packet, TimeUs now) {
+    if (!links.controller) loops.hear(packet, now);
   };
   network.heard = [&](const RadioPacket& packet, TimeUs now) {
-    if (radio == nullptr) loops.hear(packet, now);
+    if (!links.radio) loops.hear(packet, now);
   };
-  network.sends = [&](RadioPacket& packet) { return loops.takePacket(packet); };
-  if (radio != nullptr) useRadio(*radio, loops, network);
+  network.sends = [&](RadioPacket& packet) { return links.sends(packet, loops); };
   const auto summary = host::runAgent(source, loops, params, network);
   if (!summary) return Error{summary.error()};
   return Done{};
@@ -126,12 +136,22 @@ Expected<SourcePtr> openSource(const AgentOptions& options, const agent::AgentCo
   return SourcePtr(std::make_unique<host::WorldSource>(std::move(*world)));
 }
 
-Status openDriver(const AgentOptions& options, std::optional<host::DriverLink>& driver) {
-  if (options.driver.empty()) return Done{};
-  auto link = host::DriverLink::connect(options.driver);
-  if (!link) return Error{link.error()};
-  driver.emplace(std::move(*link));
+// Puts what was opened into its place.
+template <class Link>
+Status keep(Expected<Link> opened, std::optional<Link>& place) {
+  if (!opened) return Error{opened.error()};
+  place.emplace(std::move(*opened));
   return Done{};
+}
+
+Status openLinks(const AgentOptions& options, const host::AgentHello& self, Links& links) {
+  Status opened = Done{};
+  if (!options.driver.empty())
+    opened = keep(host::DriverLink::connect(options.driver), links.driver);
+  if (opened && options.radio == "udp") opened = keep(host::UdpRadio::open(self), links.radio);
+  if (opened && options.controller != 0)
+    opened = keep(host::UdpControl::open(options.controller, true), links.controller);
+  return opened;
 }
 
 ImagesKept imagesKept(const AgentOptions& options) {
@@ -161,20 +181,13 @@ int run(const AgentOptions& options) {
     if (!created) return fail(created.error(), 2);
     log.emplace(std::move(*created));
   }
-  std::optional<host::DriverLink> driver;
-  const Status driven = openDriver(options, driver);
-  if (!driven) return fail(driven.error(), 1);
-  std::optional<host::UdpRadio> radio;
-  if (options.radio == "udp") {
-    auto opened = host::UdpRadio::open({config->team, config->player});
-    if (!opened) return fail(opened.error(), 1);
-    radio.emplace(std::move(*opened));
-  }
-  AgentSink sink(log ? &*log : nullptr, driver ? &*driver : nullptr, options.status);
+  Links links;
+  const Status linked = openLinks(options, {config->team, config->player}, links);
+  if (!linked) return fail(linked.error(), 1);
+  AgentSink sink(log ? &*log : nullptr, links.driver ? &*links.driver : nullptr, options.status);
   agent::AgentLoops loops(*config, options.pycode, sink);
   if (!loops.scriptError().empty()) return fail(loops.scriptError(), 2);
-  const Status played =
-      runFrom(**source, options, driver ? &*driver : nullptr, radio ? &*radio : nullptr, loops);
+  const Status played = runFrom(**source, options, links, loops);
   const Status closed = log ? log->close() : Status(Done{});
   if (!played) return fail(played.error(), 1);
   return closed ? 0 : fail(closed.error(), 1);
@@ -218,6 +231,10 @@ int main(int argc, char** argv) {
   app.add_option("--radio", options.radio,
                  "How the team is heard: through the world, or udp of this machine")
       ->check(CLI::IsMember({"world", "udp"}));
+  app.add_option("--game-controller", options.controller,
+                 "UDP port where a game controller is heard (3838 is the league's); without it "
+                 "through the world")
+      ->check(CLI::Range(1, 65535));
   app.add_flag("--status", options.status, "Says twice a second what the robot believes");
   addConfigOptions(app, options.config);
   bool done = false;

@@ -1,17 +1,42 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/sim/Referee.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace kelpie::sim {
 
 Referee::Referee(const RefereeParams& params, const body::FieldDescription& field)
     : params_(params), field_(field) {
-  if (params.rules) ruled_.emplace(field, params.kickOff);
+  if (params.controlled)
+    controlled_.emplace(field);
+  else if (params.rules)
+    ruled_.emplace(field, params.kickOff);
+}
+
+void Referee::hear(const net::GameControlData& control) {
+  if (controlled_) controlled_->hear(control);
+}
+
+// Without rules the ball is in play from the first tick to the end.
+net::GameControlData Referee::control() const {
+  if (controlled_) return controlled_->control();
+  if (ruled_) return ruled_->control(score_);
+  const auto clipped = [](int score) { return static_cast<std::uint32_t>(std::min(255, score)); };
+  net::GameControlData data;
+  data.state = finished_ ? PlayState::finished : PlayState::playing;
+  data.teams[0] = {0, TeamColour::blue, clipped(score_.blue), {}};
+  data.teams[1] = {1, TeamColour::red, clipped(score_.red), {}};
+  return data;
 }
 
 Verdict Referee::judge(const MatchScene& scene) {
   Verdict verdict;
+  if (controlled_) {
+    verdict = controlled_->step(scene, score_);
+    finished_ = controlled_->finished() || scene.time.seconds() >= params_.seconds;
+    return verdict;
+  }
   if (ruled_) {
     verdict = ruled_->step(scene, score_);
     finished_ = ruled_->finished();
@@ -54,6 +79,7 @@ bool Referee::tick(TimeUs now, Ball& ball) {
 }
 
 std::vector<MatchEvent> Referee::takeEvents() {
+  if (controlled_) return controlled_->takeEvents();
   return ruled_ ? ruled_->takeEvents() : std::exchange(events_, {});
 }
 

@@ -2,7 +2,8 @@
 // Who calls in a match. Without `rules`: goals, balls out and the end of the match; a ball that
 // leaves the field is put back at the throw-in place of the field's rules, after a goal it lies in
 // the middle, robots are not moved, and there are no fouls. With them a whole match by the rules of
-// the field description (rules/RuledMatch.h).
+// the field description (rules/RuledMatch.h); `controlled`, by what a game controller outside says
+// (ControlledMatch.h).
 #pragma once
 
 #include <optional>
@@ -10,6 +11,7 @@
 
 #include "robot/body/FieldDescription.h"
 #include "tools/sim/Ball.h"
+#include "tools/sim/ControlledMatch.h"
 #include "tools/sim/Truth.h"
 #include "tools/sim/rules/RuledMatch.h"
 #include "tools/sim/rules/ThrowIn.h"
@@ -20,13 +22,14 @@ struct RefereeParams {
   double seconds = 60.0;  // length of the match; with rules it is two of body::Rules::halfTime
   int goals = 1;          // of either team that end it; 0 = never; with rules they do not
   bool rules = false;
+  bool controlled = false;               // from outside; `rules` are not asked then
   TeamColour kickOff = TeamColour::red;  // of the first half; with rules only
 
   static constexpr auto fields() {
     using P = RefereeParams;
     return fieldList(field("seconds", &P::seconds, "s", 0, 1e5),
                      field("goals", &P::goals, "", 0, 100), field("rules", &P::rules),
-                     field("kickOff", &P::kickOff, "", 0, 1));
+                     field("controlled", &P::controlled), field("kickOff", &P::kickOff, "", 0, 1));
   }
 };
 
@@ -38,9 +41,11 @@ class Referee {
   Verdict judge(const MatchScene& scene);
   // Without rules: whether it put the ball elsewhere.
   bool tick(TimeUs now, Ball& ball);
+  // What a game controller outside says; nothing comes of it unless it rules.
+  void hear(const net::GameControlData& control);
   bool finished() const { return finished_; }
-  // The match by the rules; nothing without them.
-  const RuledMatch* ruled() const { return ruled_ ? &*ruled_ : nullptr; }
+  // What is broadcast of the match, whoever rules it.
+  net::GameControlData control() const;
   const Score& score() const { return score_; }
   std::vector<MatchEvent> takeEvents();
 
@@ -50,6 +55,7 @@ class Referee {
   RefereeParams params_;
   body::FieldDescription field_;
   std::optional<RuledMatch> ruled_;
+  std::optional<ControlledMatch> controlled_;
   Score score_;
   bool started_ = false;
   bool finished_ = false;

@@ -88,6 +88,7 @@ void Server::prepare(Step step) {
   out.time = step.now;
   out.sensorsPresent = step.sensors;
   out.imagePresent = step.image;
+  out.control = net::packetOf(world_.control());
   for (std::size_t i = 0; i < agents_.size(); ++i) {
     if (step.sensors) {
       out.firstTick = static_cast<std::uint32_t>(step.now.us / kTickUs) - kTicksPerMessage;
@@ -95,7 +96,6 @@ void Server::prepare(Step step) {
       out.batteryCurrent = world_.batteryCurrent(i);
       out.vectorsDone = world_.bodies().takeVectorsDone(i);
     }
-    out.game = world_.gameFor(i);
     out.packets = world_.takePackets(i);
     encode(out, step.messages.emplace_back());
   }
@@ -202,6 +202,7 @@ Status Server::playOn() {
   over_ = world_.finished();
   while (!over_ && !(hooks_.stopped && hooks_.stopped())) {
     if (hooks_.arrival) welcome();
+    if (hooks_.hear) hooks_.hear();
     const Status moved = moveTo(nextStep().now);
     if (!moved) return moved;
     prepare(nextStep());

@@ -37,6 +37,7 @@ struct ServerHooks {
   std::function<void(const MatchEvent&)> onEvent;
   std::function<void(TimeUs now)> beforeStep;  // may wait
   std::function<bool()> stopped;               // ends the match before its time
+  std::function<void()> hear;                  // between steps: what has come for the world
   // Who has come since the last call, if somebody has. With it an agent that dies does not end the
   // match: its robot stands until an agent of that name is there again.
   std::function<std::optional<Agent>()> arrival;

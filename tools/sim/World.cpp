@@ -269,22 +269,7 @@ void World::send(std::size_t robot, const RadioPacket& packet) {
 }
 
 GameState World::gameFor(std::size_t robot) const {
-  if (referee_.ruled() != nullptr && ticks_ > 0) return referee_.ruled()->gameFor(robot, score());
-  const Score& now = score();
-  const bool red = players_[robot].team == TeamColour::red;
-  GameState game;
-  game.state = finished() ? PlayState::finished : PlayState::playing;
-  if (referee_.ruled() != nullptr) game.state = PlayState::initial;  // before the first tick
-  game.team = players_[robot].team;
-  game.player = players_[robot].number;
-  game.ownScore = static_cast<std::uint8_t>(std::min(255, red ? now.red : now.blue));
-  game.opponentScore = static_cast<std::uint8_t>(std::min(255, red ? now.blue : now.red));
-  return game;
-}
-
-std::optional<net::GameControlData> World::control() const {
-  if (referee_.ruled() == nullptr) return std::nullopt;
-  return referee_.ruled()->control(score());
+  return net::gameStateFrom(control(), players_[robot].team, players_[robot].number);
 }
 
 TruthFrame World::truth(TimeUs time) const {

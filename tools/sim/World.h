@@ -111,9 +111,11 @@ class World {
   void send(std::size_t robot, const RadioPacket& packet);
   RadioPackets takePackets(std::size_t robot) { return radio_.take(robot, time()); }
 
+  // What the game controller broadcasts, and what that robot makes of it.
+  net::GameControlData control() const { return referee_.control(); }
   GameState gameFor(std::size_t robot) const;
-  // What the game controller broadcasts; nothing without RefereeParams::rules.
-  std::optional<net::GameControlData> control() const;
+  // A game controller outside has sent this; it rules with RefereeParams::controlled.
+  void hear(const net::GameControlData& control) { referee_.hear(control); }
   TruthFrame truth(TimeUs time) const;
   // What was drawn of it when it is unlike; for logs.
   const UnlikeWorld& unlike() const { return unlike_; }

@@ -10,7 +10,9 @@
 #include <fstream>
 #include <optional>
 #include <thread>
+#include <utility>
 
+#include "robot/host/UdpControl.h"
 #include "tools/cli/Process.h"
 #include "tools/cli/StagingOptions.h"
 #include "tools/cli/UnlikeOptions.h"
@@ -33,7 +35,8 @@ struct Options {
   bool tellTime = false;
   bool realTime = false;
   bool respawn = false;
-  double wait = 60.0;  // s for the agents to come
+  std::uint16_t controller = 0;  // UDP port where a game controller is heard; 0: the world rules
+  double wait = 60.0;            // s for the agents to come
   bool noRing = false, noNoise = false, noShift = false, noRolling = false;
   bool noBlur = false, noSlip = false, noSpectators = false;
   bool physical = true;
@@ -57,6 +60,7 @@ WorldParams worldParams(const Options& options) {
   params.rolling = !options.noRolling;
   params.spectators = !options.noSpectators;
   params.unlike = cli::paramsOf(options.unlike);
+  params.referee.controlled = options.controller != 0;
   if (options.noSlip) params.robot.slipMean = params.robot.slipSd = params.robot.driftSd = 0.0;
   return params;
 }
@@ -83,11 +87,14 @@ void tellLine(const std::string& line) {
   std::fflush(stdout);
 }
 
-// Goals are told as they fall: "goal red 19.633"; what hands do is told to the user.
+// Goals are told as they fall: "goal red 19.633"; what hands do is told to the user, and who rules
+// from outside hears of a ball that is in one.
 void tell(const MatchEvent& event) {
   const double now = event.time.seconds();
   if (event.kind == EventKind::goal)
     tellLine(fmt::format("goal {} {:.3f}", nameOf(event.team), now));
+  if (event.kind == EventKind::out && event.reason.view() == kInGoal)
+    tellLine(fmt::format("the ball is in the {} goal", nameOf(otherTeam(event.team))));
   if (event.kind == EventKind::taken)
     tellLine(fmt::format("{:.1f} s: the ball is taken away", now));
   if (event.kind == EventKind::returned)
@@ -137,6 +144,41 @@ class Pace {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
+// Hears a game controller for the world. What is not used is told once for each reason.
+class ControlDesk {
+ public:
+  ControlDesk(host::UdpControl socket, std::uint16_t port)
+      : socket_(std::move(socket)), port_(port) {}
+
+  void hear(World& world) {
+    ControlPacket packet;
+    while (socket_.receive(packet)) take(packet, world);
+  }
+
+ private:
+  void take(const ControlPacket& packet, World& world) {
+    net::GameControlData control;
+    const auto refusal = net::decodeControl(packet.bytes.begin(), packet.bytes.size(), control);
+    if (!refusal) {
+      if (!heard_) tellLine(fmt::format("a game controller is heard at port {}", port_));
+      heard_ = true;
+      return world.hear(control);
+    }
+    const auto reason = static_cast<std::size_t>(*refusal);
+    if (!std::exchange(told_[reason], true))
+      tellLine(
+          fmt::format("a packet at port {} is not used: its {}; wanted are the {} bytes of "
+                      "RGme version {}",
+                      port_, kControlRefusalNames[reason].name, net::kGameControlSize,
+                      net::kGameControlVersion));
+  }
+
+  host::UdpControl socket_;
+  std::uint16_t port_;
+  bool heard_ = false;
+  std::array<bool, kControlRefusals> told_{};
+};
+
 // An agent that comes late and says no hello holds the match up for as long as a dead one does.
 std::optional<Agent> arrival(host::Listener& listener) {
   auto agent = nextAgent(listener, 0.0);
@@ -175,6 +217,12 @@ Status play(const Options& options) {
   }
   auto listener = host::Listener::open(options.socket);
   if (!listener) return Error{listener.error()};
+  std::optional<ControlDesk> desk;
+  if (options.controller != 0) {
+    auto socket = host::UdpControl::open(options.controller, false);
+    if (!socket) return Error{socket.error()};
+    desk.emplace(std::move(*socket), options.controller);
+  }
   auto agents = gatherAgents(*listener, options.robots, options.wait);
   if (!agents) return Error{agents.error()};
   std::vector<host::AgentHello> hellos;
@@ -182,8 +230,9 @@ Status play(const Options& options) {
   const auto setup = stagedScenario(options.scenario, *field, hellos, options.seed, *staging);
   if (!setup) return Error{setup.error()};
   World world(worldParams(options), *field, *setup, options.seed);
-  const Status played =
-      Server(world, *agents, log ? &*log : nullptr, hooks(options, *listener, world)).run();
+  ServerHooks heard = hooks(options, *listener, world);
+  if (desk) heard.hear = [&] { desk->hear(world); };
+  const Status played = Server(world, *agents, log ? &*log : nullptr, heard).run();
   if (!played) return played;
   if (log) {
     const Status closed = log->close();
@@ -214,6 +263,9 @@ void describe(CLI::App& app, Options& options) {
                "with --rules: time, state and score twice a simulated second, so");
   app.add_flag("--rules", options.world.referee.rules,
                "a referee who knows more than goals, balls out and the end");
+  app.add_option("--game-controller", options.controller,
+                 "a game controller at this UDP port rules in place of the world's referee")
+      ->check(CLI::Range(1, 65535));
   app.add_flag("--respawn", options.respawn,
                "an agent that dies may come back; until then its robot stands");
   app.add_option("--radio-loss", options.world.radio.loss, "share of packets that are lost")

@@ -38,7 +38,7 @@ struct Played {
 TEST(RuledWorld, WithoutRulesTheBallIsInPlayFromTheFirstTickAndNobodyIsMoved) {
   Played match(false);
   EXPECT_EQ(match.world.gameFor(0).state, PlayState::playing);
-  EXPECT_FALSE(match.world.control());
+  EXPECT_EQ(match.world.control().state, PlayState::playing);
   match.world.carry(0, {{-40.0, 200.0}, Angle()});
   match.goOn(2.0);
   EXPECT_FALSE(match.world.gameFor(0).penalised);
@@ -54,8 +54,7 @@ TEST(RuledWorld, TheStatesBeginWithInitialAndComeToPlay) {
   EXPECT_FALSE(match.world.gameFor(1).kickOff);
   ASSERT_TRUE(match.until(PlayState::playing));
   EXPECT_NEAR(match.world.gameFor(0).secondsLeft, 600.0, 0.1);
-  ASSERT_TRUE(match.world.control());
-  EXPECT_EQ(match.world.control()->state, PlayState::playing);
+  EXPECT_EQ(match.world.control().state, PlayState::playing);
 }
 
 TEST(RuledWorld, ARobotThatLeavesIsCarriedOffAndBack) {
@@ -82,7 +81,7 @@ TEST(RuledWorld, AGoalIsToldToBothTeamsAndTheBallLiesInTheMiddle) {
   EXPECT_EQ(match.world.gameFor(1).opponentScore, 1);
   EXPECT_TRUE(match.world.gameFor(1).kickOff);
   EXPECT_EQ(match.world.ball().position.y, 270.0);
-  EXPECT_EQ(match.world.control()->teams[1].score, 1U);
+  EXPECT_EQ(match.world.control().teams[1].score, 1U);
 }
 
 }  // namespace

@@ -99,9 +99,9 @@ void LocaliseMatch::send(const std::array<JointFrame, kTicksPerMessage>& joints,
 
 void LocaliseMatch::see(TimeUs now) {
   world_->render(0, now, *image_);
-  GameState game = world_->gameFor(0);
-  if (halted_) game.state = PlayState::set;
-  loops_->setGame(game);
+  net::GameControlData control = world_->control();
+  if (halted_) control.state = PlayState::set;
+  loops_->hear(net::packetOf(control), now);
   frameBegan_ = std::chrono::steady_clock::now();
   loops_->camera(*image_, {now.us - kExposureUs / 2}, images_++);
   replaceBall();
