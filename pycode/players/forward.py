@@ -6,7 +6,7 @@
 # why, from here down to the skill.
 import kelpie
 from decisions.roles import NAMES, RoleChoice
-from lib import lights, time_to
+from lib import time_to
 from lib.memory import Memory
 from roles.attacker import Attacker
 from roles.supporter import Supporter
@@ -74,7 +74,6 @@ class Forward:
         alone = len(world.teammates) == 0
         told = [(kelpie.LAYER_PLAYER, 'forward', 'plays', 'play is on')] if alone else [
             (kelpie.LAYER_PLAYER, 'forward', NAMES[role], *self.choice.why)]
-        command.leds = 0 if alone else lights.of_role(role)
         self.role.explain(told)
         return command, told
 

@@ -2,6 +2,7 @@
 #include "robot/agent/FrameLoop.h"
 
 #include "robot/body/Camera.h"
+#include "robot/body/Lights.h"
 
 namespace kelpie::agent {
 
@@ -27,6 +28,8 @@ void FrameLoop::decide(const FrameInput& input, StageObserver& observer) {
   observer.begin(Stage::behaviour);
   output_.command = behaviour::step({input, output_.percepts, output_.world, config_.field},
                                     config_.behaviour, behaviour_);
+  Command& command = output_.command;
+  command.leds = body::lights(input.game, command.team.role, command.leds);
   observer.end(Stage::behaviour);
 }
 

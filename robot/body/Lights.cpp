@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "robot/body/Lights.h"
+
+namespace kelpie::body {
+namespace {
+
+constexpr std::uint32_t kStates = kLightRed | kLightGreen | kLightBlue;
+constexpr std::uint32_t kTeams = kLightBackFront | kLightBackRear;
+constexpr std::uint32_t kPair = 3;
+constexpr std::uint32_t kRoles = ((1U << (2U * (kRoleCount - 1U))) - 1U) << kFirstFaceLight;
+
+}  // namespace
+
+std::uint32_t lightsOf(PlayState state, bool penalised) {
+  if (penalised) return kLightRed;
+  switch (state) {
+    case PlayState::initial: return 0;
+    case PlayState::ready: return kLightBlue;
+    case PlayState::set: return kLightRed | kLightGreen;
+    case PlayState::playing: return kLightGreen;
+    case PlayState::finished: break;
+  }
+  return kStates;
+}
+
+std::uint32_t lightsOf(TeamColour team) {
+  return team == TeamColour::red ? kLightBackRear : kLightBackFront;
+}
+
+std::uint32_t lightsOf(Role role) {
+  if (role == Role::none) return 0;
+  return kPair << (kFirstFaceLight + 2U * (static_cast<std::uint32_t>(role) - 1U));
+}
+
+std::uint32_t lights(const GameState& game, Role role, std::uint32_t asked) {
+  return (asked & ~(kStates | kTeams | kRoles)) | lightsOf(game.state, game.penalised) |
+         lightsOf(game.team) | lightsOf(role);
+}
+
+}  // namespace kelpie::body

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a robot's lights say to whoever watches a match. The one table:
+//
+//   above the ears  the game's state: initial none, ready blue, set red and green (yellow),
+//                   playing green, finished red, green and blue (white); penalised red
+//   the back        the team: red the rear, blue the front
+//   the face        the role, one pair for each: attacker 1 and 2, supporter 3 and 4, striker 5
+//                   and 6, defender 7 and 8, goalie 9 and 10
+//
+// The other lights are the behaviours' to use. Which light has which colour is told by Tekkotsu's
+// ERS7Info.h. Ready to penalised have the colours that the league's rules came to have; that
+// initial shows none and finished white is chosen, so that no two are alike.
+#pragma once
+
+#include "robot/core/FrameInput.h"
+
+namespace kelpie::body {
+
+// Bits of every `leds` word, in the order of robot/openr/Ers7Primitives.h.
+constexpr std::uint32_t kLightRed = 1U << 2U;    // above both ears
+constexpr std::uint32_t kLightGreen = 1U << 3U;  // so
+constexpr std::uint32_t kLightBlue = 1U << 4U;   // so
+constexpr std::uint32_t kLightBackFront = 1U << 20U;
+constexpr std::uint32_t kLightBackRear = 1U << 24U;
+constexpr std::uint32_t kFirstFaceLight = 6;
+
+std::uint32_t lightsOf(PlayState state, bool penalised);
+std::uint32_t lightsOf(TeamColour team);
+std::uint32_t lightsOf(Role role);
+
+// All of them together, and of what else was asked for the lights that the table does not use.
+std::uint32_t lights(const GameState& game, Role role, std::uint32_t asked);
+
+}  // namespace kelpie::body
