@@ -10,6 +10,7 @@
 namespace kelpie::cli {
 
 void addPlay(CLI::App& app, int& code);
+void addGameController(CLI::App& app, int& code);
 void addTeleop(CLI::App& app, int& code);
 void addReplay(CLI::App& app, int& code);
 void addInfo(CLI::App& app, int& code);

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <charconv>
 #include <chrono>
 #include <filesystem>
 #include <memory>
 
+#include "robot/host/UdpControl.h"
+#include "robot/net/GameControlData.h"
 #include "tools/cli/Commands.h"
 #include "tools/cli/Config.h"
 #include "tools/cli/Film.h"
@@ -33,8 +37,9 @@ struct PlayOptions {
   std::string images = "some";
   std::string logs = "watched";
   std::string opponent = "none";
-  std::string robots;     // "4v4"; empty: the one robot, and its opponent
-  std::string red, blue;  // folders of the teams
+  std::string robots;      // "4v4"; empty: the one robot, and its opponent
+  std::string red, blue;   // folders of the teams
+  std::string controller;  // "udp" or "udp:PORT"; empty: the world's referee rules
   sim::StagingWords staging;
   double minutes = 10.0;
   bool noFilm = false;
@@ -150,6 +155,27 @@ Status addTeams(PlayOptions& options) {
   return useTeams(*plan, options.session);
 }
 
+// A controller is a person, whose minute is a minute.
+Status addController(PlayOptions& options) {
+  if (options.controller.empty()) return Done{};
+  const std::string port =
+      options.controller.substr(std::min<std::size_t>(3, options.controller.size()));
+  int number = net::kGameControlPort;
+  if (!port.empty()) {
+    const char* const end = port.data() + port.size();
+    const auto [rest, error] = std::from_chars(port.data() + 1, end, number);
+    if (port[0] != ':' || error != std::errc() || rest != end) number = 0;
+  }
+  if (options.controller.compare(0, 3, "udp") != 0 || number < 1 || number > 65535)
+    return Error{"--game-controller " + options.controller + ": expected udp or udp:PORT"};
+  options.session.controller = static_cast<std::uint16_t>(number);
+  // The world would find out too late: its agents would wait for it.
+  const auto free = host::UdpControl::open(options.session.controller, false);
+  if (!free) return Error{free.error()};
+  options.session.rules = true;
+  return Done{};
+}
+
 host::AgentHello helloOf(const std::string& team, int player) {
   return {team == "red" ? TeamColour::red : TeamColour::blue, static_cast<std::uint8_t>(player)};
 }
@@ -202,6 +228,9 @@ SessionResult runAlone(const PlayOptions& options) {
     ++(own ? goals : ownGoals);
     talk.line(fmt::format("{} after {:.1f} s", own ? "GOAL" : "own goal", seconds));
   };
+  if (options.session.controller != 0)
+    fmt::print(stderr, "waiting in the initial state for a game controller at UDP port {}\n",
+               options.session.controller);
   SessionResult result = runSession(options.session, talk);
   live.finish();
   return result;
@@ -262,6 +291,8 @@ int play(PlayOptions& options) {
   addOpponent(options);
   const Status teams = addTeams(options);
   if (!teams) return fail(teams.error(), kExitBadInput);
+  const Status controlled = addController(options);
+  if (!controlled) return fail(controlled.error(), kExitBadInput);
   const Status staged = stage(options);
   if (!staged) return fail(staged.error(), kExitBadInput);
   catchInterrupts();
@@ -319,6 +350,9 @@ void addTeamOptions(CLI::App& command, PlayOptions& options) {
                   "match.mcap; at most 150 MB for ten minutes of 4v4")
       ->check(CLI::IsMember({"watched", "all"}))
       ->capture_default_str();
+  command.add_option("--game-controller", options.controller,
+                     "udp or udp:PORT: a game controller rules, in real time, in place of the "
+                     "world's referee; port 3838 if none is given (kelpie gamecontroller is one)");
   command.add_flag("--respawn", session.respawn,
                    "An agent that dies is started again and plays on");
 }
@@ -327,6 +361,7 @@ void addTeamOptions(CLI::App& command, PlayOptions& options) {
 void settle(const CLI::App& command, PlayOptions& options) {
   SessionOptions& session = options.session;
   const auto said = [&](const char* option) { return command.count(option) > 0; };
+  session.realTime = session.realTime || said("--game-controller");
   const bool teams = said("--robots") || said("--red") || said("--blue");
   if (session.realTime && !said("--seconds")) session.seconds = kLongestMatch;
   if (said("--minutes")) session.seconds = 60.0 * options.minutes;

@@ -18,6 +18,7 @@ int main(int argc, char** argv) {
   app.footer("Exit codes: 0 done, 1 the check failed, 2 usage or bad input.");
   int code = kelpie::cli::kExitDone;
   kelpie::cli::addPlay(app, code);
+  kelpie::cli::addGameController(app, code);
   kelpie::cli::addTeleop(app, code);
   kelpie::cli::addReplay(app, code);
   kelpie::cli::addInfo(app, code);

@@ -75,6 +75,8 @@ Words worldCommand(const SessionOptions& options, const Workshop& workshop) {
                 options.physical ? "--physical" : "--fast"};
   if (options.radio == "none") argv.insert(argv.end(), {"--radio-loss", "1"});
   if (options.rules) argv.insert(argv.end(), {"--rules", "--tell-time"});
+  if (options.controller != 0)
+    argv.insert(argv.end(), {"--game-controller", std::to_string(options.controller)});
   if (options.respawn) argv.push_back("--respawn");
   if (options.realTime) argv.push_back("--real-time");
   if (options.keepsLog()) argv.insert(argv.end(), {"--truth", workshop.path("world.mcap")});

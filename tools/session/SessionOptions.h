@@ -29,11 +29,12 @@ struct SessionOptions {
   double seconds = 60.0;
   int goals = 1;
   std::string field = "2006";
-  std::string team = "red";     // of the robot that is watched,
-  int player = 1;               // its number
-  bool rules = false;           // a referee who knows more than goals and balls out
-  std::string radio = "world";  // or udp, of this machine; none: all packets are lost
-  bool respawn = false;         // an agent that dies is started again, and plays on
+  std::string team = "red";      // of the robot that is watched,
+  int player = 1;                // its number
+  bool rules = false;            // a referee who knows more than goals and balls out
+  std::string radio = "world";   // or udp, of this machine; none: all packets are lost
+  std::uint16_t controller = 0;  // UDP port of a game controller that rules the match; 0: none
+  bool respawn = false;          // an agent that dies is started again, and plays on
   std::string scenario = "empty-goal";
   double dropRate = 0.0;
   std::string pycode;               // folder or zip; empty: the one of the source tree
