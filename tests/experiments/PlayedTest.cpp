@@ -79,6 +79,22 @@ TEST(Played, ABallIsOutAtTheFirstOutOrGoalFromThenOn) {
   EXPECT_FALSE(played.outAfter(3.5));
 }
 
+TEST(Played, ABallIsRightlySeenWithinTenDegreesAndAThirdOfItsDistance) {
+  const Pose2 robot{{180.0, 270.0}, Angle::deg(90.0)};
+  const Point2<Field> ball{180.0, 420.0};
+  BallPercept seen;
+  EXPECT_FALSE(isBall(seen, robot, ball));
+  seen.present = true;
+  seen.distance = 130.0;
+  seen.heading = Angle::deg(9.0);
+  EXPECT_TRUE(isBall(seen, robot, ball));
+  seen.heading = Angle::deg(11.0);
+  EXPECT_FALSE(isBall(seen, robot, ball));
+  seen.heading = {};
+  seen.distance = 90.0;
+  EXPECT_FALSE(isBall(seen, robot, ball));
+}
+
 TEST(Tries, AShotCrossesTheGoalLineWhereItsDirectionSays) {
   Shot shot;
   shot.from = {100.0, 500.0};

@@ -8,6 +8,8 @@ from conftest import complaint, kelpie
 
 # Each with keys of its figures, "/" between those of a part.
 KEYS = {
+    "bird-of-prey": ["bird_of_prey/median_s", "straight/median_s", "straight/contacts_per_try"],
+    "distributed-find": ["together/median_s", "alone/found_rate"],
     "aim": ["sight/spread_deg", "pose/on_target_rate"],
     "dodge": ["dodge/passed_rate", "no_dodge/shots_passed_rate"],
     "find-ball": ["chain_over_spin", "hidden/chain_median_s", "under_chin/spin_median_s"],

@@ -8,8 +8,9 @@
 namespace kelpie::experiments {
 namespace {
 
-constexpr std::array<const char*, 8> kOptionNames = {
-    "--trials", "--seed", "--unlike", "--params", "--field", "--traces", "--pictures", "--fast"};
+constexpr std::array<const char*, 9> kOptionNames = {"--trials",   "--seed",  "--unlike",
+                                                     "--params",   "--field", "--traces",
+                                                     "--pictures", "--fast",  "--minutes"};
 
 std::string_view name(const Experiment& experiment) { return experiment.name; }
 

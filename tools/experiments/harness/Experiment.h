@@ -23,10 +23,20 @@ namespace kelpie::experiments {
 using cli::Json;
 
 // What a user may ask for beside the experiment's name and --json.
-enum class Option : std::uint8_t { trials, seed, unlike, params, field, traces, pictures, fast };
+enum class Option : std::uint8_t {
+  trials,
+  seed,
+  unlike,
+  params,
+  field,
+  traces,
+  pictures,
+  fast,
+  minutes
+};
 constexpr std::initializer_list<Option> kAllOptions = {
-    Option::trials, Option::seed,   Option::unlike,   Option::params,
-    Option::field,  Option::traces, Option::pictures, Option::fast};
+    Option::trials, Option::seed,     Option::unlike, Option::params, Option::field,
+    Option::traces, Option::pictures, Option::fast,   Option::minutes};
 const char* nameOf(Option option);  // "--trials"
 
 class Options {
@@ -53,6 +63,7 @@ struct Request {
   std::string traces;               // folder for tables (Trace.h); empty: none
   std::string pictures;             // folder for pictures of what went wrong; empty: none
   bool fast = false;                // kinematic bodies in place of those with masses
+  double minutes = 0.0;             // of play in each match; 0: the experiment's own
   std::function<void(int done, int all)> progress;
 
   // Where the table of that name goes; empty without --traces.

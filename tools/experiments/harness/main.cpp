@@ -66,6 +66,9 @@ void addOptions(CLI::App& app, EvaluateOptions& options) {
       ->check(CLI::ExistingDirectory);
   app.add_flag(nameOf(Option::fast), request.fast,
                "Kinematic bodies in place of those with masses and servos");
+  app.add_option(nameOf(Option::minutes), request.minutes,
+                 "Minutes of play in each match (default: the experiment's own)")
+      ->check(cli::inRange(0.1, 60.0));
   app.add_option("--json", options.json, "File for the figures, - for standard output");
   app.add_flag("--list", options.list, "Each experiment with the options that it uses");
 }

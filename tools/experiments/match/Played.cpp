@@ -2,6 +2,7 @@
 #include "tools/experiments/match/Played.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <memory>
 
@@ -17,6 +18,10 @@ constexpr std::int64_t kSameImageUs = 8000;  // an image's stamps in two logs di
 constexpr double kShotSpeed = 60.0;          // cm/s
 constexpr double kNear = 40.0;               // cm from the neck base, the longest reach of a kick
 constexpr std::size_t kDirectionFrames = 8;  // 0.27 s, in which the direction is taken
+
+constexpr double kRightDeg = 10.0;   // a percept that is off by less is the ball
+constexpr double kRightShare = 0.3;  // of the distance
+constexpr double kClose = 40.0;      // cm; nearer, where a few cm are many degrees, more may be off
 
 Status readWorld(const std::string& path, Played& played) {
   auto reader = LogReader::open(path);
@@ -85,6 +90,15 @@ Expected<Played> readPlayed(const std::string& agentLog, const std::string& worl
   if (read) read = readAgent(agentLog, played);
   if (!read) return Error{read.error()};
   return played;
+}
+
+bool isBall(const BallPercept& seen, const Pose2& robot, Point2<Field> ball) {
+  if (!seen.present) return false;
+  const Point2<Robot> place = robotFromField(robot, ball);
+  const double off = std::fabs((seen.heading - bearing(place)).deg());
+  const double close = std::fmin(1.0, place.norm() / kClose);
+  return off * close < kRightDeg &&
+         std::fabs(seen.distance - place.norm()) < 5.0 + kRightShare * place.norm();
 }
 
 std::vector<sim::Hold> holdsOf(const Played& played, TeamColour team) {

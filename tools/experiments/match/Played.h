@@ -39,6 +39,9 @@ struct Played {
 
 Expected<Played> readPlayed(const std::string& agentLog, const std::string& worldLog);
 
+// Whether what a robot at that true pose took for the ball in one image is the ball.
+bool isBall(const BallPercept& seen, const Pose2& robot, Point2<Field> ball);
+
 // How often and how long the first robot of that team held the ball.
 std::vector<sim::Hold> holdsOf(const Played& played, TeamColour team);
 

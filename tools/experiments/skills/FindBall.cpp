@@ -15,8 +15,6 @@ constexpr double kThrown = 4.0;        // s: the robot has got up and gone for 2
 constexpr double kWatched = 2.5;       // s before, in which it must have seen the ball
 constexpr double kWatchedShare = 0.5;  // the head looks at landmarks too
 constexpr double kLimit = 12.0;        // s after the throw
-constexpr double kRightDeg = 10.0;     // a percept that is off by less is the ball
-constexpr double kRightShare = 0.3;    // of the distance
 constexpr double kWalked = 85.0;  // cm that it has come by then, for where a robot hides the ball
 constexpr double kBehind = 32.0;  // cm behind the middle of a robot the ball cannot be seen
 
@@ -71,23 +69,14 @@ void setUp(const Try& one, Situation situation, cli::SessionOptions& session) {
         {kThrown, thrownAway(situation, random), host::AgentHello{TeamColour::red, 1}}};
 }
 
-bool right(const PlayedMoment& moment) {
-  if (!moment.seen || !moment.ball.present) return false;
-  const Point2<Robot> ball = robotFromField(moment.robot(TeamColour::red), moment.truth.ball);
-  const double off = std::fabs((moment.ball.heading - bearing(ball)).deg());
-  // Near the chest a few centimetres are many degrees.
-  const double near = std::fmin(1.0, ball.norm() / 40.0);
-  return off * near < kRightDeg &&
-         std::fabs(moment.ball.distance - ball.norm()) < 5.0 + kRightShare * ball.norm();
-}
-
 Found foundIn(const Played& played) {
   Found found;
   Share before;
   bool last = false;
   for (const PlayedMoment& moment : played.moments) {
     const double since = moment.seconds() - kThrown;
-    const bool has = right(moment);
+    const bool has =
+        moment.seen && isBall(moment.ball, moment.robot(TeamColour::red), moment.truth.ball);
     if (since >= -kWatched && since < 0.0) before.count(has);
     // The first image of which all was exposed after the throw; two in a row are no accident.
     if (since >= 2.0 * kFrameSeconds && has && last) {

@@ -24,7 +24,9 @@ Status playTries(const Request& request, const Tries& tries) {
   return playMatches(request, matches);
 }
 
-sim::RobotPlace placed(TeamColour team, const Pose2& pose) { return {{team, 1}, pose}; }
+sim::RobotPlace placed(TeamColour team, const Pose2& pose, std::uint8_t player) {
+  return {{team, player}, pose};
+}
 
 void addKeeper(behaviour::PlayerKind player, cli::SessionOptions& session) {
   cli::OtherRobot keeper;
@@ -33,12 +35,13 @@ void addKeeper(behaviour::PlayerKind player, cli::SessionOptions& session) {
   session.others.push_back(keeper);
 }
 
-void addStanding(const Pose2& pose, cli::SessionOptions& session) {
+void addStanding(const Pose2& pose, cli::SessionOptions& session, std::uint8_t player) {
   cli::OtherRobot standing;
+  standing.player = player;
   standing.seed = session.seed;
   standing.pycode = KELPIE_SOURCE_DIR "/tools/experiments/skills/standing";
   session.others.push_back(standing);
-  session.staging.places.push_back(placed(TeamColour::blue, pose));
+  session.staging.places.push_back(placed(TeamColour::blue, pose, player));
 }
 
 Angle headingTo(Point2<Field> from, Point2<Field> to) {

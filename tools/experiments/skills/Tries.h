@@ -37,11 +37,11 @@ Status playTries(const Request& request, const Tries& tries);
 // What a try draws is the same in every way.
 inline Random drawsOf(const Try& one) { return Random(one.trial.seed ^ 0x7219e55ULL); }
 
-sim::RobotPlace placed(TeamColour team, const Pose2& pose);
+sim::RobotPlace placed(TeamColour team, const Pose2& pose, std::uint8_t player = 1);
 // Blue 1 as that player; the scenario attack has it in front of its goal.
 void addKeeper(behaviour::PlayerKind player, cli::SessionOptions& session);
-// Blue 1, who stands there.
-void addStanding(const Pose2& pose, cli::SessionOptions& session);
+// A blue one, who stands there.
+void addStanding(const Pose2& pose, cli::SessionOptions& session, std::uint8_t player = 1);
 
 Angle headingTo(Point2<Field> from, Point2<Field> to);
 // Where a ball would cross the line of the blue goal, across the field; nothing when it rolls away.

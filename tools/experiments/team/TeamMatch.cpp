@@ -18,6 +18,7 @@ TeamFrame frameOf(const FrameInput& input, const FrameOutput& output) {
   frame.penalised = input.game.penalised;
   frame.note = output.command.team;
   frame.pose = output.world.pose;
+  frame.seen = output.percepts.ball;
   frame.ball = output.world.ball.present;
   frame.ballAt = output.world.ball.position;
   frame.teamBall = output.world.teamBall.present;

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "robot/core/Percepts.h"
 #include "robot/core/TeamNote.h"
 #include "tools/experiments/match/Matches.h"
 #include "tools/session/Teams.h"
@@ -22,6 +23,7 @@ struct TeamFrame {
   bool penalised = false;
   TeamNote note;  // for the team
   Pose2 pose;
+  BallPercept seen;   // in this image
   bool ball = false;  // of its own sightings
   Point2<Field> ballAt;
   bool teamBall = false;  // of all who agree
