@@ -13,7 +13,7 @@ namespace {
 constexpr double kLimit = 40.0;  // s of a try; the way is 300 to 350 cm
 constexpr std::uint8_t kHomer = 2;
 constexpr std::uint8_t kMate = 3;
-constexpr double kBeside = 60.0;  // cm from the ball to the mate: no way to the goal is kept free
+constexpr double kBeside = 45.0;  // cm from the ball to the mate: no way to the goal is kept free
 
 enum : std::size_t { kCurved, kStraight, kWays };
 
@@ -34,8 +34,9 @@ Point2<Field> homeFor(Point2<Field> ball) { return {180.0 + (ball.x - 180.0) / 3
 void setUp(const Try& one, cli::SessionOptions& session) {
   Random random = drawsOf(one);
   const double side = random.chance(0.5) ? 1.0 : -1.0;
-  const Point2<Field> ball{180.0 + side * random.uniform(95.0, 125.0),
-                           random.uniform(150.0, 190.0)};
+  // In its own corner, off any way home: a ball that it passes nearer than the mate stands is its
+  // own to play.
+  const Point2<Field> ball{180.0 + side * random.uniform(130.0, 145.0), random.uniform(60.0, 90.0)};
   const Pose2 start{{180.0 + side * random.uniform(-50.0, 50.0), random.uniform(410.0, 450.0)},
                     Angle::deg(random.uniform(-150.0, -30.0))};
   session.team = "red";

@@ -1,13 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
 # A mate of `kelpie evaluate bird-of-prey`: stands before the ball and tells its team that it
-# attacks, so that the other one defends. Looks from side to side, at the ball and at landmarks.
+# attacks, so that the other one defends. Its head moves, for landmarks, but never off the ball: an
+# attacker that does not see it is relieved.
 import math
 
 import kelpie
 
-PAN = 70.0           # deg to either side
+PAN = 22.0           # deg to either side
 PERIOD = 3.0         # s
-DOWN = (16.0, 4.0)   # deg below the horizontal, in turn: the ball 60 cm ahead, and landmarks
+DOWN = (20.0, 10.0)  # deg below the horizontal, in turn; the ball is 45 cm ahead
 
 
 def decide(world):
