@@ -27,7 +27,7 @@ struct MatchScene {
   TimeUs time;
   FixedVector<ScenePlayer, kMaxRobots> players;
   Ball ball;
-  bool ballAway = false;  // somebody has taken it, and `ball` is where it was
+  bool ballAway = false;                   // somebody has taken it, and `ball` is where it was
   std::optional<std::size_t> lastToucher;  // of the players
 };
 
