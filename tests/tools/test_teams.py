@@ -139,7 +139,7 @@ def match_of_ours(out, *words):
 
 
 def test_a_robot_that_is_carried_off_knows_where_it_is_within_20_s(tmp_path):
-    result = kelpie("play", "--robots", "1v1", "--fast", "--seconds", "24", "--no-film", "--seed",
+    result = kelpie("play", "--robots", "1v1", "--fast", "--seconds", "14", "--no-film", "--seed",
                     "11", "--images", "planes", "--carry", "26:red:1:300,90,90", "--out",
                     tmp_path / "out")
     assert result.returncode == 0, result.stderr
@@ -152,9 +152,7 @@ def test_a_robot_that_is_carried_off_knows_where_it_is_within_20_s(tmp_path):
                            for key in ("pose", "truth")])
 
     told = frames(tmp_path / "out/match.mcap")
-    lost = [frame["t_s"] for frame in told
-            if at + 0.3 < frame["t_s"] < at + 20 and error(frame) > 50]
-    assert lost and lost[0] < at + 1, "nobody noticed the carrying"
+    assert any(error(frame) > 200 for frame in told if at < frame["t_s"] < at + 1)
     found = [error(frame) for frame in told if at + 19 < frame["t_s"] < at + 20]
     assert found and min(found) < 50
 
