@@ -164,7 +164,7 @@ void ControlledMatch::takePlaces() {
 }
 
 void ControlledMatch::watchBall(Score& score) {
-  scene_.lastToucher = sim::step(scene_, touch_);
+  scene_.lastToucher = sim::step(scene_, field_, touch_);
   const auto team = goalFor(field_, scene_.ball.position);
   if (team && !inGoal_) {
     record(EventKind::out, *team, kInGoal);
