@@ -35,7 +35,7 @@ FRAMES = 2500   # of a world
 # Players: how many worlds each, and the states (module and branch of the trace) that it must have
 # been in, so that the attack reaches what it attacks.
 PLAYERS = {
-    'forward': (Forward, 15, {
+    'forward': (Forward, 20, {
         'attacker': {'find', 'play', 'back_off', 'avoid_box', 'watch'},
         'grab_dribble': {'grab', 'settle', 'turn', 'steady', 'kick', 'overdue'},
         'kick_ball': {'walk_up', 'kick'}, 'dribble': {'run'}, 'line_up_kick': {'approach'},
