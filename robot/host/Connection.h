@@ -83,6 +83,8 @@ class Listener {
   Listener(const Listener&) = delete;
   Listener& operator=(const Listener&) = delete;
 
+  // Whether somebody is there to be accepted, within that time.
+  bool isCalled(double seconds) const;
   // Waits at most `seconds` for the next agent. `params` are those of the new connection.
   Expected<Connection> accept(double seconds, const ConnectionParams& params);
   const std::string& path() const { return path_; }

@@ -119,6 +119,11 @@ Listener& Listener::operator=(Listener&& other) noexcept {
   return *this;
 }
 
+bool Listener::isCalled(double seconds) const {
+  pollfd waiting{descriptor_, POLLIN, 0};
+  return poll(&waiting, 1, static_cast<int>(seconds * 1000.0)) > 0;
+}
+
 Expected<Connection> Listener::accept(double seconds, const ConnectionParams& params) {
   pollfd waiting{descriptor_, POLLIN, 0};
   const int ready = poll(&waiting, 1, static_cast<int>(seconds * 1000.0));

@@ -159,8 +159,12 @@ void addGameController(CLI::App& app, int& code) {
       ->capture_default_str();
   command->add_option("--address", options->address, "Where to; 255.255.255.255 is everybody")
       ->capture_default_str();
-  command->add_option("--red", options->red, "Number of the red team")->capture_default_str();
-  command->add_option("--blue", options->blue, "Number of the blue team")->capture_default_str();
+  command->add_option("--red", options->red, "Number of the red team")
+      ->check(CLI::Range(0, 255))
+      ->capture_default_str();
+  command->add_option("--blue", options->blue, "Number of the blue team")
+      ->check(CLI::Range(0, 255))
+      ->capture_default_str();
   command->add_option("--half", options->halfMinutes, "Minutes of a half")
       ->check(inRange(0.1, 60.0))
       ->capture_default_str();

@@ -329,11 +329,13 @@ void addTeamOptions(CLI::App& command, PlayOptions& options) {
   command
       .add_option("--robots", options.robots,
                   "Teams that play by the rules from a kick-off, as 4v4")
+      ->check(notEmpty())
       ->excludes("--opponent")
       ->excludes("--scenario");
   command.add_option("--red", options.red, "The red team's folder: main.py, team.toml or both")
-      ->check(CLI::ExistingPath);
-  command.add_option("--blue", options.blue, "The blue team's folder")->check(CLI::ExistingPath);
+      ->check(CLI::ExistingDirectory);
+  command.add_option("--blue", options.blue, "The blue team's folder")
+      ->check(CLI::ExistingDirectory);
   command.add_option("--minutes", options.minutes, "The same as 60 --seconds")
       ->check(inRange(0.1, kLongestMatch / 60.0))
       ->excludes("--seconds");
@@ -350,9 +352,11 @@ void addTeamOptions(CLI::App& command, PlayOptions& options) {
                   "match.mcap; at most 150 MB for ten minutes of 4v4")
       ->check(CLI::IsMember({"watched", "all"}))
       ->capture_default_str();
-  command.add_option("--game-controller", options.controller,
-                     "udp or udp:PORT: a game controller rules, in real time, in place of the "
-                     "world's referee; port 3838 if none is given (kelpie gamecontroller is one)");
+  command
+      .add_option("--game-controller", options.controller,
+                  "udp or udp:PORT: a game controller rules, in real time, in place of the "
+                  "world's referee; port 3838 if none is given (kelpie gamecontroller is one)")
+      ->check(notEmpty());
   command.add_flag("--respawn", session.respawn,
                    "An agent that dies is started again and plays on");
 }
@@ -383,7 +387,9 @@ void addPlay(CLI::App& app, int& code) {
   command->add_option("--seed", session.seed, "Start pose, ball, noise and slip")
       ->check(inRange(0.0, kLargestSeed))
       ->capture_default_str();
-  command->add_option("--seconds", session.seconds, "Simulated time at most")
+  command
+      ->add_option("--seconds", session.seconds,
+                   "Simulated time at most; with --robots, time of play")
       ->check(inRange(1.0, kLongestMatch))
       ->capture_default_str();
   command->add_option("--goals", session.goals, "Ends after so many goals")

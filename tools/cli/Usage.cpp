@@ -28,6 +28,11 @@ std::string whatIsWrong(const CLI::App& app, const CLI::Error& error) {
 
 }  // namespace
 
+CLI::Validator notEmpty() {
+  return CLI::Validator(
+      [](std::string& text) -> std::string { return text.empty() ? "an empty word" : ""; }, "");
+}
+
 CLI::Validator inRange(double min, double max) {
   const std::string range = fmt::format("[{:g} - {:g}]", min, max);
   return CLI::Validator(

@@ -10,6 +10,8 @@ namespace kelpie::cli {
 
 // A number in [min, max]; unlike CLI::Range it refuses what is not a number, "nan" included.
 CLI::Validator inRange(double min, double max);
+// A word that says something.
+CLI::Validator notEmpty();
 constexpr double kLargestSeed = 9e15;  // every whole number up to here is a double
 
 // Adds --version and parses; whatever is wrong becomes "NAME: what; `NAME --help` tells more" on

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // kelpie: play, replay, look at, measure.
+#include <fcntl.h>
+
 #include <CLI/CLI.hpp>
 #include <exception>
 
@@ -7,7 +9,19 @@
 #include "tools/cli/Process.h"
 #include "tools/cli/Usage.h"
 
+namespace {
+
+// Whoever starts us with a closed standard input, output or error would have our sockets take its
+// number, and words be written into them.
+void openStandardFiles() {
+  for (int file = 0; file <= 2; ++file)
+    if (fcntl(file, F_GETFD) < 0) (void)open("/dev/null", O_RDWR);
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
+  openStandardFiles();
   kelpie::cli::useTargetMaths(argv);
   CLI::App app{
       "Kelpie makes the AIBO ERS-7 play soccer. Start with `kelpie play`: one robot in the\n"

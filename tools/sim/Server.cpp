@@ -47,10 +47,14 @@ Expected<Agent> nextAgent(host::Listener& listener, double seconds) {
 }
 
 Expected<std::vector<Agent>> gatherAgents(host::Listener& listener, std::size_t count,
-                                          double seconds) {
+                                          double seconds, const std::function<bool()>& stopped) {
+  constexpr double kPatience = 0.1;  // s
   std::vector<Agent> agents;
   while (agents.size() < count) {
-    auto agent = nextAgent(listener, seconds);
+    double left = seconds;
+    for (; left > kPatience && !listener.isCalled(kPatience); left -= kPatience)
+      if (stopped && stopped()) return Error{"stopped before all agents were there"};
+    auto agent = nextAgent(listener, left);
     if (!agent) return Error{agent.error()};
     if (placeOf(agent->hello, agents) < agents.size())
       return Error{titleOf(agent->hello) + " is there twice"};

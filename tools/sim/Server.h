@@ -28,9 +28,11 @@ struct Agent {
 // The next agent that comes to an open socket within that time.
 Expected<Agent> nextAgent(host::Listener& listener, double seconds);
 
-// Waits for `count` agents at an open socket and sorts them by team and number.
+// Waits for `count` agents at an open socket and sorts them by team and number; gives up within a
+// tenth of a second when `stopped` says so.
 Expected<std::vector<Agent>> gatherAgents(host::Listener& listener, std::size_t count,
-                                          double seconds);
+                                          double seconds,
+                                          const std::function<bool()>& stopped = {});
 
 // What else hears of a match while it is played; each may be empty.
 struct ServerHooks {

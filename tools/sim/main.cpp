@@ -223,7 +223,7 @@ Status play(const Options& options) {
     if (!socket) return Error{socket.error()};
     desk.emplace(std::move(*socket), options.controller);
   }
-  auto agents = gatherAgents(*listener, options.robots, options.wait);
+  auto agents = gatherAgents(*listener, options.robots, options.wait, cli::interrupted);
   if (!agents) return Error{agents.error()};
   std::vector<host::AgentHello> hellos;
   for (const Agent& agent : *agents) hellos.push_back(agent.hello);
