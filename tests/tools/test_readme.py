@@ -48,7 +48,7 @@ def words_of(command):
         words += ["--minutes", "0.1", "--matches", "2", "--robots", "1v1"]
     elif words[1] == "teleop":  # nobody is there to drive
         words += ["--keys", "keys.txt"]
-    elif "--real-time" in words:  # would go on until it is stopped
+    elif "--real-time" in words or "--game-controller" in words:  # would go on until it is stopped
         words += ["--seconds", "1"]
     return words
 
