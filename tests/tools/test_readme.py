@@ -48,8 +48,10 @@ def words_of(command):
         words += ["--minutes", "0.1", "--matches", "2", "--robots", "1v1"]
     elif words[1] == "teleop":  # nobody is there to drive
         words += ["--keys", "keys.txt"]
-    elif "--real-time" in words or "--game-controller" in words:  # would go on until it is stopped
+    elif "--real-time" in words:  # would go on until it is stopped
         words += ["--seconds", "1"]
+    elif "--game-controller" in words:  # would, too; the commands after it ask for 2 s
+        words += ["--seconds", "4"]
     return words
 
 
