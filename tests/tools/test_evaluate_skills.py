@@ -48,8 +48,10 @@ def test_a_grab_takes_twelve_frames_or_six_and_a_robot_that_may_not_grab_does_no
     words = ("evaluate", "grab-dribble", "--fast", "--trials", "4", "--seed", "77")
     figures = json.loads(kelpie(*words).stdout)
     assert figures["grabs"] > 0 and figures["kept_rate"] > 0
-    # The motion lasts 0.4 s, which images, not in step with the legs, show as 12 or 13 of them.
-    assert figures["grab_frames"] in (0, 12, 12.5) and figures["grab_frames_quick"] in (0, 6, 6.5)
+    # The motion lasts 0.4 s, which images, not in step with the legs, show as 11 to 13 of them; the
+    # quick one half as long.
+    assert figures["grab_frames"] == 0 or 11 <= figures["grab_frames"] <= 13
+    assert figures["grab_frames_quick"] == 0 or 5 <= figures["grab_frames_quick"] <= 7
     params = tmp_path / "p.toml"
     params.write_text("[behaviour.task]\ngrab = false\n")
     assert json.loads(kelpie(*words, "--params", params).stdout)["grabs"] == 0

@@ -264,6 +264,8 @@ def agents_of(play):
     for line in listing:
         words = line.split()
         option = {a: b for a, b in zip(words, words[1:]) if a in ("--team", "--player")}
+        if len(option) < 2:  # just killed: it has no words any more
+            continue
         agents[option["--team"], int(option["--player"])] = int(words[0])
     return agents
 
