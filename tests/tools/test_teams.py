@@ -226,7 +226,7 @@ def test_on_a_terminal_one_line_tells_how_far_the_match_is(team, tmp_path):
     leader, follower = pty.openpty()
     began = time.monotonic()
     play = subprocess.Popen([BIN / "kelpie", "play", "--robots", "1v1", "--fast", "--red", team,
-                             "--blue", team, "--seconds", "4", "--no-film", "--out",
+                             "--blue", team, "--seconds", "20", "--no-film", "--out",
                              tmp_path / "out"], stderr=follower, stdout=subprocess.DEVNULL)
     os.close(follower)
     seen = b""
@@ -237,9 +237,9 @@ def test_on_a_terminal_one_line_tells_how_far_the_match_is(team, tmp_path):
             break
     os.close(leader)
     assert play.wait(timeout=30) == 0
-    lines = re.findall(rb"\r\x1b\[K(\d:\d\d) of 0:04  (first|second) half, (\w+)  red 0 : 0 blue  "
+    lines = re.findall(rb"\r\x1b\[K(\d:\d\d) of 0:20  (first|second) half, (\w+)  red 0 : 0 blue  "
                        rb"[\d.]+ x real time", seen)
-    assert lines and (lines[0][1], lines[-1][1]) == (b"first", b"second")
+    assert lines and lines[-1][1] == b"second"  # a quick machine may be through the first unseen
     assert len(lines) <= 2 * (time.monotonic() - began) + 1
 
 
