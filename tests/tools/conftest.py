@@ -2,6 +2,8 @@
 """Runs the built programs as a user would. KELPIE_BIN: their folder, default build/host/bin."""
 
 import os
+import pty
+import select
 import subprocess
 from pathlib import Path
 
@@ -49,3 +51,19 @@ def match(tmp_path_factory):
     result = kelpie("play", "--seconds", "3", "--seed", "4", "--out", out, "--no-film")
     assert (out / "match.mcap").exists(), result.stderr
     return out / "match.mcap"
+
+
+def on_a_terminal(*words):
+    """What a command draws on standard error when that is a terminal, and its exit code."""
+    leader, follower = pty.openpty()
+    command = subprocess.Popen([BIN / "kelpie", *words], stderr=follower,
+                               stdout=subprocess.DEVNULL)
+    os.close(follower)
+    seen = b""
+    while select.select([leader], [], [], 30)[0]:
+        try:
+            seen += os.read(leader, 4096)
+        except OSError:  # the command has closed its end
+            break
+    os.close(leader)
+    return seen, command.wait(timeout=30)

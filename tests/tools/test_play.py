@@ -4,15 +4,13 @@ interrupted, and logs whose images were not all kept."""
 
 import json
 import os
-import pty
 import re
-import select
 import signal
 import subprocess
 import time
 
 import pytest
-from conftest import BIN, ROOT, agent, complaint, kelpie
+from conftest import BIN, ROOT, agent, complaint, kelpie, on_a_terminal
 
 
 @pytest.fixture(scope="session")
@@ -224,30 +222,13 @@ def test_a_folder_that_cannot_be_written_is_told_before_the_match(tmp_path):
     assert "cannot be written" in complaint(result) and "playing" not in result.stderr
 
 
-def on_a_terminal(*words):
-    """What a command draws on standard error when that is a terminal."""
-    leader, follower = pty.openpty()
-    command = subprocess.Popen([BIN / "kelpie", *words], stderr=follower,
-                               stdout=subprocess.DEVNULL)
-    os.close(follower)
-    seen = b""
-    while select.select([leader], [], [], 30)[0]:
-        try:
-            seen += os.read(leader, 4096)
-        except OSError:  # the command has closed its end
-            break
-    os.close(leader)
-    command.wait(timeout=30)
-    return seen
-
-
 def test_on_a_terminal_the_line_is_alive(tmp_path):
-    seen = on_a_terminal("play", "--seconds", "3", "--no-film", "--out", tmp_path)
+    seen, _ = on_a_terminal("play", "--seconds", "3", "--no-film", "--out", tmp_path)
     assert seen.count(b"\r\x1b[K0:0  ") >= 4  # score and belief, twice a simulated second
 
 
 def test_on_a_terminal_a_film_tells_how_long_it_will_take(long_match, tmp_path):
-    seen = on_a_terminal("film", long_match, tmp_path / "f.mp4")
+    seen, _ = on_a_terminal("film", long_match, tmp_path / "f.mp4")
     assert re.search(rb"\r\x1b\[Kfilm: \d+ of 660 frames, \d+ s left", seen)
     assert re.search(rb"\r\x1b\[Kfilm: 660 of 660 frames in \d+ s\r\n$", seen)
 

@@ -47,21 +47,6 @@ bool Slice::mayMeet(FieldPoint3 centre, double radius, double margin) const {
   return off <= radius + margin * (depth + radius);
 }
 
-bool Slice::mayMeet(const SeenQuad& shape, double margin) const {
-  if (shape.turnedAway) return false;
-  bool ahead = false;
-  bool left = true;
-  bool right = true;
-  for (std::size_t i = 0; i < 4; ++i) {
-    const double side = shape.right[i] - u_ * shape.depth[i];
-    const double room = margin * std::fabs(shape.depth[i]);
-    ahead = ahead || shape.depth[i] >= kNear;
-    left = left && side < -room;
-    right = right && side > room;
-  }
-  return ahead && !left && !right;
-}
-
 double Slice::rowOf(double down, double depth) const {
   return camera_.lens.principalY + camera_.lens.focal * (down / depth);
 }

@@ -47,9 +47,6 @@ class Slice {
 
   // Whether a sphere can touch the plane within `margin` (share of its depth) to both sides.
   bool mayMeet(FieldPoint3 centre, double radius, double margin) const;
-  // Whether a quad can touch what lies between the planes that go `margin` (share of the depth) to
-  // both sides of this one.
-  bool mayMeet(const SeenQuad& shape, double margin) const;
 
   std::optional<Span> quad(const SeenQuad& shape) const;
   std::optional<Span> quad(const Quad& shape) const { return quad(seenBy(camera_, shape)); }

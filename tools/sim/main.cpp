@@ -116,8 +116,8 @@ class TimeTeller {
   explicit TimeTeller(const World& world) : world_(&world) {}
 
   void operator()(TimeUs now) {
-    const net::GameControlData control = world_->control();
     if (now.us < next_.us) return;
+    const net::GameControlData control = world_->control();
     next_ = {now.us + 500000};
     tellLine(fmt::format("time {:.3f} {} {} {} {} {}", now.seconds(), nameOf(control.state),
                          control.firstHalf ? 1 : 2, control.secondsLeft, world_->score().red,
