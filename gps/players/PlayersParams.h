@@ -55,16 +55,19 @@ struct OpponentParams {
 };
 
 struct TeamParams {
-  double interval = 1.0 / 6.0;  // s between own messages: every fifth frame
-  double keep = 1.5;            // s until a silent mate is forgotten (45 frames)
-  double walkNoise = 400.0;     // cm2/s, how mates walk on since their message
-  double maxAge = 2.0;          // s; older messages are refused
-  double offField = 60.0;       // cm beyond the lines; what is farther is refused
+  double interval = 1.0 / 6.0;  // s between own messages: every fifth frame,
+  double shortest =
+      1.0 / 15.0;            // or so few once it has become attacker, is none any more, or grabs
+  double keep = 1.5;         // s until a silent mate is forgotten (45 frames)
+  double walkNoise = 400.0;  // cm2/s, how mates walk on since their message
+  double maxAge = 2.0;       // s; older messages are refused
+  double offField = 60.0;    // cm beyond the lines; what is farther is refused
 
   static constexpr auto fields() {
     using P = TeamParams;
     return fieldList(
-        field("interval", &P::interval, "s", 0.01, 10), field("keep", &P::keep, "s", 0.1, 100),
+        field("interval", &P::interval, "s", 0.01, 10),
+        field("shortest", &P::shortest, "s", 0.01, 10), field("keep", &P::keep, "s", 0.1, 100),
         field("walkNoise", &P::walkNoise, "cm2/s", 0, 1e5),
         field("maxAge", &P::maxAge, "s", 0.01, 100), field("offField", &P::offField, "cm", 0, 500));
   }

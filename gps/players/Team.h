@@ -20,7 +20,7 @@ FixedVector<TeamMessage, kTeammates> hear(const FrameInput& input, const Players
 FixedVector<TeammateEstimate, kTeammates> extractMates(const TeamParams& params,
                                                        const Teammates& mates);
 
-// Makes a new message when the last one is old enough.
+// Makes a new message when the last one is old enough, sooner when its note has news for the mates.
 void speak(const FrameInput& input, const WorldModel& world, const PlayersContext& context,
            PlayersState& players);
 

@@ -122,6 +122,29 @@ TEST(Message, TellsOnlyWhatTheOwnCameraSaw) {
   EXPECT_EQ(robot.step().message.player, robot.input.game.player);
 }
 
+// Frames from one message to the next while the note of the second frame is another.
+int framesToTell(const TeamNote& news) {
+  sim::LocalisingRobot robot = robotAt(180, 100);
+  robot.input.lastCommand.team.role = Role::striker;
+  const std::uint16_t first = robot.step().message.number;
+  robot.input.lastCommand.team = news;
+  int frames = 1;
+  while (robot.step().message.number == first) ++frames;
+  return frames;
+}
+
+TEST(Message, NewsOfTheBallIsToldAtOnceAndOtherNewsEveryFifthFrame) {
+  TeamNote note;
+  note.role = Role::defender;
+  EXPECT_EQ(framesToTell(note), 5);
+  note.role = Role::attacker;
+  EXPECT_EQ(framesToTell(note), 2);
+  note = {};
+  note.role = Role::striker;
+  note.grabs = Grabs::soon;
+  EXPECT_EQ(framesToTell(note), 2);
+}
+
 TEST(Message, TellsTheInformationOfAllSightingsSinceTheLast) {
   sim::LocalisingRobot robot = robotAt(180, 100);
   robot.percepts.robots.push_back(opponentAt(robot, 200, 220));

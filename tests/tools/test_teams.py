@@ -5,13 +5,16 @@ import json
 import math
 import os
 import re
+import select
 import shutil
 import signal
+import socket
 import subprocess
+import threading
 import time
 
 import pytest
-from conftest import BIN, ROOT, complaint, kelpie, on_a_terminal
+from conftest import BIN, PLANE, ROOT, agent, complaint, kelpie, on_a_terminal
 
 SPEAKS = """import kelpie
 
@@ -352,3 +355,46 @@ def test_what_is_no_league_is_refused_before_anything_is_written(words, told, te
     result = kelpie("league", team, *words, "--out", tmp_path / "league")
     assert result.returncode == 2 and told in complaint(result)
     assert not (tmp_path / "league").exists()
+
+
+def relay(near, far, bytes_to_carry):
+    """Carries a connection of an agent to the world until so many bytes have come from the world,
+    then cuts it on both sides."""
+    listener = socket.socket(socket.AF_UNIX)
+    listener.bind(str(near))
+    listener.listen(1)
+
+    def carry():
+        agent, _ = listener.accept()
+        world = socket.socket(socket.AF_UNIX)
+        world.connect(str(far))
+        carried = 0
+        while carried < bytes_to_carry:
+            for one in select.select([agent, world], [], [], 30)[0]:
+                data = one.recv(1 << 16)
+                (world if one is agent else agent).sendall(data)
+                carried += len(data) if one is world else 0
+        for end in (agent, world, listener):
+            end.close()
+
+    thread = threading.Thread(target=carry, daemon=True)
+    thread.start()
+    return thread
+
+
+def test_a_world_and_an_agent_whose_socket_is_cut_end_with_one_line_each_and_whole_logs(tmp_path):
+    world = subprocess.Popen([BIN / "kelpie-world", "--socket", tmp_path / "world", "--seconds", "60",
+                              "--truth", tmp_path / "truth.mcap"], stderr=subprocess.PIPE, text=True)
+    deadline = time.monotonic() + 20
+    while not (tmp_path / "world").exists() and time.monotonic() < deadline:
+        time.sleep(0.02)
+    thread = relay(tmp_path / "relay", tmp_path / "world", 60 * 3 * PLANE)
+    player = agent("--socket", tmp_path / "relay", "--log", tmp_path / "agent.mcap")
+    thread.join(timeout=30)
+    _, said = world.communicate(timeout=30)
+    assert world.returncode != 0 and player.returncode != 0
+    for errors in (said, player.stderr):
+        assert len(errors.strip().splitlines()) == 1, errors
+    for log in ("truth.mcap", "agent.mcap"):
+        assert kelpie("info", tmp_path / log).returncode == 0
+    assert len(frames(tmp_path / "agent.mcap")) > 30

@@ -99,6 +99,7 @@ league::MatchResult playMatch(const league::LeagueMatch& match, const std::strin
   session.seed = match.seed;
   session.seconds = 60.0 * match.minutes;
   session.physical = !match.fast;
+  session.set = {kNoReload};
   const Status used = useTeams(*plan, session);
   if (!used) return voided(used.error());
   SessionTalk talk;

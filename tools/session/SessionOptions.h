@@ -24,6 +24,9 @@ struct OtherRobot {
   std::uint64_t seed = 1;           // of its losses
 };
 
+// For `set`: of a match that nobody watches, which is judged by the behaviours it began with.
+constexpr const char* kNoReload = "behaviour.reload=false";
+
 struct SessionOptions {
   std::uint64_t seed = 1;
   double seconds = 60.0;

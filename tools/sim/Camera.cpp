@@ -9,8 +9,10 @@ namespace {
 
 constexpr std::size_t kRows = kImageHeight;
 constexpr double kRowsDouble = kImageHeight;
+constexpr std::size_t kBlock = 16;             // columns
 constexpr float kFineTexels = 1.0F / 0.8F;     // per cm; tufts of the carpet
 constexpr float kCoarseTexels = 1.0F / 11.0F;  // per cm; wear and uneven light
+constexpr float kPaint = 0.3F;                 // a painted line's share of the carpet's texture
 constexpr double kShadow = 0.35;               // share of the light that a ball takes from below it
 
 // std::floor is a call where the processor is not known to have it.
@@ -97,6 +99,22 @@ Columns columnsOf(const Quad& quad, const Asked& asked, double beside) {
           static_cast<std::size_t>(std::min(high + beside, kLast))};
 }
 
+// Whether two cuts show the same things, none of whose ends is more than `rows` off.
+bool alike(const std::vector<Span>& a, const std::vector<Span>& b, double rows) {
+  constexpr float kLevels = 2.0F;  // of a second light, from column to column
+  const auto apart = [](double p, double q) {
+    return std::fabs(std::clamp(p, 0.0, kRowsDouble) - std::clamp(q, 0.0, kRowsDouble));
+  };
+  const auto same = [&](const Span& p, const Span& q) {
+    return p.carpet == q.carpet && p.darkens == q.darkens &&
+           std::fabs(p.colour.y - q.colour.y) <= kLevels &&
+           std::fabs(p.colour.cr - q.colour.cr) <= kLevels &&
+           std::fabs(p.colour.cb - q.colour.cb) <= kLevels && apart(p.top, q.top) < rows &&
+           apart(p.bottom, q.bottom) < rows;
+  };
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), same);
+}
+
 }  // namespace
 
 bool mayShow(const ColumnCameras& cameras, const Sphere& sphere) {
@@ -109,19 +127,23 @@ CameraParams idealCamera() {
   params.artefacts.ring = params.artefacts.noise = false;
   params.artefacts.blur = params.artefacts.shift = false;
   params.texture = params.light = false;
-  params.slices = 8;
+  params.splits = 3;
+  params.mostSlope = 0.0;
   return params;
 }
 
 Camera::Camera(const CameraParams& params, const RobotCamera& robot, const SharedTables& tables)
-    : params_(params), artefacts_(params.artefacts, robot, tables), tables_(tables) {}
+    : params_(params),
+      artefacts_(params.artefacts, robot, tables),
+      tables_(tables),
+      middles_(static_cast<std::size_t>(params.splits)) {}
 
 void Camera::selectQuads(const Scene& scene, const ColumnCameras& cameras) {
   const Asked asked{&cameras.front(), &cameras[kImageWidth / 2], &cameras.back()};
   const double beside = unevenness(cameras);
   const auto keep = [&](const Quad& quad, std::vector<InView>& kept) {
     const auto [first, last] = columnsOf(quad, asked, beside);
-    if (first <= last) kept.push_back({&quad, first, last});
+    if (first <= last) kept.push_back({&quad, cornersOf(quad), first, last});
   };
   view_.clear();
   lineView_.clear();
@@ -143,6 +165,14 @@ void Camera::selectOwn(const Scene& scene, const ColumnCameras& cameras) {
   }
 }
 
+// Those that one of the block's columns may show, so that each column asks few.
+void Camera::selectBlock(const std::vector<InView>& all, std::size_t first,
+                         std::vector<const InView*>& kept) {
+  kept.clear();
+  for (const InView& quad : all)
+    if (quad.first < first + kBlock && quad.last >= first) kept.push_back(&quad);
+}
+
 void Camera::selectShapes(const Scene& scene, const FieldCamera& camera, double middle) {
   const Slice slice(camera, middle);
   // Half a column to each side, measured across the plane, with room for wide angles.
@@ -154,10 +184,14 @@ void Camera::selectShapes(const Scene& scene, const FieldCamera& camera, double 
     if (!seen.turnedAway) kept.push_back(seen);
   };
   const auto x = static_cast<std::size_t>(middle);
-  for (const InView& quad : view_)
-    if (x >= quad.first && x <= quad.last) keep(seenBy(camera, *quad.shape), quads_);
-  for (const InView& line : lineView_)
-    if (x >= line.first && x <= line.last) keep(seenBy(camera, *line.shape), lines_);
+  if (x % kBlock == 0) {
+    selectBlock(view_, x, blockView_);
+    selectBlock(lineView_, x, blockLines_);
+  }
+  for (const InView* quad : blockView_)
+    if (quad->shows(x)) keep(seenBy(camera, *quad->shape, quad->corners), quads_);
+  for (const InView* line : blockLines_)
+    if (line->shows(x)) keep(seenBy(camera, *line->shape, line->corners), lines_);
   carpet_ = seenBy(camera, ground_);
   for (const Cylinder& beacon : scene.beacons) {
     const double half = 0.5 * beacon.height[4];
@@ -166,47 +200,36 @@ void Camera::selectShapes(const Scene& scene, const FieldCamera& camera, double 
   }
 }
 
-void Camera::paintGround(const Scene& scene, const Slice& slice) {
-  auto carpet = slice.quad(carpet_);
-  if (auto floor = slice.ground(scene.floor)) {
-    if (carpet && carpet->bottom >= kRowsDouble) floor->bottom = std::ceil(carpet->top);
-    paint(*floor);
-  }
-  if (carpet) {
-    carpet->carpet = 1.0F;
-    paint(*carpet);
-  }
-  for (const Disc& disc : scene.circle) {
-    auto span = slice.disc(disc);
-    if (!span) continue;
-    span->carpet = disc.colour.y == scene.green.y ? 1.0F : 0.3F;
-    paint(*span);
-  }
-  for (const SeenQuad& line : lines_) {
-    auto span = slice.quad(line);
-    if (!span) continue;
-    span->carpet = 0.3F;
-    paint(*span);
-  }
-  for (const Disc& marker : scene.markers) {
-    if (const auto span = slice.disc(marker)) paint(*span);
-  }
+void Camera::collectGround(const Scene& scene, const Slice& slice, std::vector<Span>& shown) {
+  const auto keep = [&shown](const std::optional<Span>& span, float carpet) {
+    if (!span || span->bottom <= 0.0 || span->top >= kRowsDouble) return;
+    shown.push_back(*span);
+    shown.back().carpet = carpet;
+  };
+  const auto carpet = slice.quad(carpet_);
+  auto floor = slice.ground(scene.floor);
+  if (floor && carpet && carpet->bottom >= kRowsDouble) floor->bottom = std::ceil(carpet->top);
+  keep(floor, 0.0F);
+  keep(carpet, 1.0F);
+  for (const Disc& disc : scene.circle)
+    keep(slice.disc(disc), disc.colour.y == scene.green.y ? 1.0F : kPaint);
+  for (const SeenQuad& line : lines_) keep(slice.quad(line), kPaint);
+  for (const Disc& marker : scene.markers) keep(slice.disc(marker), 0.0F);
   for (const Sphere& ball : scene.balls) {
     const Disc shadow{{ball.centre.x, ball.centre.y}, 0.75 * ball.radius, {}, kShadow};
-    if (const auto span = slice.disc(shadow)) paint(*span);
+    keep(slice.disc(shadow), 0.0F);
   }
 }
 
-void Camera::collectSolids(const Scene& scene, const Slice& slice) {
-  spans_.clear();
+void Camera::collectSolids(const Scene& scene, const Slice& slice, std::vector<Span>& shown) {
   const bool secondLight = params_.light && scene.light.on();
   // A span of a shape between these two points.
   const auto keep = [&](const std::optional<Span>& span, const FieldPoint3& a,
                         const FieldPoint3& b) {
     if (!span || span->bottom <= 0.0 || span->top >= kRowsDouble) return;
-    spans_.push_back(*span);
+    shown.push_back(*span);
     if (!secondLight) return;
-    Colour& colour = spans_.back().colour;
+    Colour& colour = shown.back().colour;
     colour = lit(scene, colour, {0.5 * (a.x + b.x), 0.5 * (a.y + b.y)});
   };
   for (const SeenQuad& quad : quads_)
@@ -219,23 +242,29 @@ void Camera::collectSolids(const Scene& scene, const Slice& slice) {
   for (const Limb* limb : own_) keep(slice.limb(*limb), limb->part[0].centre, limb->part[0].centre);
 }
 
-void Camera::renderSlice(const Scene& scene, const Slice& slice) {
-  slice_.y.fill(scene.ceiling.y);
-  slice_.cr.fill(scene.ceiling.cr);
-  slice_.cb.fill(scene.ceiling.cb);
-  slice_.carpet.fill(0.0F);
-  paintGround(scene, slice);
-  collectSolids(scene, slice);
-  order_.clear();
-  for (const Span& span : spans_) order_.push_back(&span);
-  std::sort(order_.begin(), order_.end(), [](const Span* a, const Span* b) {
-    return a->depth != b->depth ? a->depth > b->depth : a < b;
-  });
-  for (const Span* span : order_) paint(*span);
+// What a cut shows, in the order of painting: the ground as it lies, solids from far to near.
+void Camera::look(const Scene& scene, const Slice& slice, Cut& cut) {
+  cut.shown.clear();
+  cut.isPainted = false;
+  collectGround(scene, slice, cut.shown);
+  const auto ground = static_cast<std::ptrdiff_t>(cut.shown.size());
+  collectSolids(scene, slice, cut.shown);
+  std::stable_sort(cut.shown.begin() + ground, cut.shown.end(),
+                   [](const Span& a, const Span& b) { return a.depth > b.depth; });
+}
+
+void Camera::paint(const Scene& scene, Cut& cut) {
+  if (cut.isPainted) return;
+  cut.isPainted = true;
+  cut.painted.y.fill(scene.ceiling.y);
+  cut.painted.cr.fill(scene.ceiling.cr);
+  cut.painted.cb.fill(scene.ceiling.cb);
+  cut.painted.carpet.fill(0.0F);
+  for (const Span& span : cut.shown) paint(span, cut.painted);
 }
 
 // Rows that a span covers wholly are written; only its two ends blend with what is below.
-void Camera::paint(const Span& span) {
+void Camera::paint(const Span& span, Column& column) {
   const double top = std::max(span.top, 0.0);
   const double bottom = std::min(span.bottom, kRowsDouble);
   if (top >= bottom) return;
@@ -247,7 +276,7 @@ void Camera::paint(const Span& span) {
   };
   if (span.darkens > 0.0) {
     const auto darkens = static_cast<float>(span.darkens);
-    for (std::size_t row = first; row < last; ++row) slice_.y[row] *= 1.0F - coverOf(row) * darkens;
+    for (std::size_t row = first; row < last; ++row) column.y[row] *= 1.0F - coverOf(row) * darkens;
     return;
   }
   const double length = span.bottom - span.top;
@@ -255,10 +284,10 @@ void Camera::paint(const Span& span) {
   const auto blendRow = [&](std::size_t row) {
     const float cover = coverOf(row);
     const double lit = span.litTop + perRow * (static_cast<double>(row) + 0.5 - span.top);
-    blend(slice_.y[row], static_cast<float>(lit) * span.colour.y, cover);
-    blend(slice_.cr[row], span.colour.cr, cover);
-    blend(slice_.cb[row], span.colour.cb, cover);
-    blend(slice_.carpet[row], span.carpet, cover);
+    blend(column.y[row], static_cast<float>(lit) * span.colour.y, cover);
+    blend(column.cr[row], span.colour.cr, cover);
+    blend(column.cb[row], span.colour.cb, cover);
+    blend(column.carpet[row], span.carpet, cover);
   };
   blendRow(first);
   if (last == first + 1) return;
@@ -266,15 +295,14 @@ void Camera::paint(const Span& span) {
   const float lit = static_cast<float>(span.litTop - perRow * span.top) * span.colour.y;
   const float litPerRow = static_cast<float>(perRow) * span.colour.y;
   for (std::size_t row = first + 1; row + 1 < last; ++row)
-    slice_.y[row] = lit + litPerRow * kRowMiddles[row];
-  std::fill(slice_.cr.begin() + first + 1, slice_.cr.begin() + last - 1, span.colour.cr);
-  std::fill(slice_.cb.begin() + first + 1, slice_.cb.begin() + last - 1, span.colour.cb);
-  std::fill(slice_.carpet.begin() + first + 1, slice_.carpet.begin() + last - 1, span.carpet);
+    column.y[row] = lit + litPerRow * kRowMiddles[row];
+  std::fill(column.cr.begin() + first + 1, column.cr.begin() + last - 1, span.colour.cr);
+  std::fill(column.cb.begin() + first + 1, column.cb.begin() + last - 1, span.colour.cb);
+  std::fill(column.carpet.begin() + first + 1, column.carpet.begin() + last - 1, span.carpet);
 }
 
-// What lies on the ground, row by row: painted lines have the carpet's share of the texture, 0.3.
+// What lies on the ground, row by row.
 void Camera::lightGround(const Scene& scene, const Slice& middle) {
-  constexpr float kPaint = 0.3F;
   for (std::size_t row = 0; row < kRows; ++row) {
     if (column_.carpet[row] <= 0.0F) continue;
     const auto hit = middle.groundAt(static_cast<double>(row) + 0.5);
@@ -292,13 +320,31 @@ void Camera::lightGround(const Scene& scene, const Slice& middle) {
   }
 }
 
-void Camera::addSlice(float share) {
+void Camera::add(const Column& left, const Column& right, float share) {
   for (std::size_t row = 0; row < kRows; ++row) {
-    column_.y[row] += share * slice_.y[row];
-    column_.cr[row] += share * slice_.cr[row];
-    column_.cb[row] += share * slice_.cb[row];
-    column_.carpet[row] += share * slice_.carpet[row];
+    column_.y[row] += share * (left.y[row] + right.y[row]);
+    column_.cr[row] += share * (left.cr[row] + right.cr[row]);
+    column_.cb[row] += share * (left.cb[row] + right.cb[row]);
+    column_.carpet[row] += share * (left.carpet[row] + right.carpet[row]);
   }
+}
+
+// What lies between two cuts: their mean where both show the same, which is exact for straight
+// edges; else it is halved, `splits` times at most.
+void Camera::mix(const Scene& scene, const FieldCamera& camera, Stretch between, int splits) {
+  const double width = between.to - between.from;
+  Cut& left = *between.left;
+  Cut& right = *between.right;
+  if (splits == 0 || alike(left.shown, right.shown, params_.mostSlope)) {
+    paint(scene, left);
+    paint(scene, right);
+    return add(left.painted, right.painted, static_cast<float>(0.5 * width));
+  }
+  Cut& middle = middles_[static_cast<std::size_t>(splits - 1)];
+  const double at = between.from + 0.5 * width;
+  look(scene, Slice(camera, at), middle);
+  mix(scene, camera, {&left, &middle, between.from, at}, splits - 1);
+  mix(scene, camera, {&middle, &right, at, between.to}, splits - 1);
 }
 
 // Tufts fade where a pixel covers many of them; the coarse pattern stays. In loops of one thing
@@ -332,18 +378,18 @@ void Camera::addTexture(const Slice& middle) {
 
 void Camera::render(const Scene& scene, const ColumnCameras& cameras, Random& random,
                     Image& image) {
-  const double step = 1.0 / params_.slices;
   selectOwn(scene, cameras);
   selectQuads(scene, cameras);
   ground_ = groundQuad(scene.carpet[0], scene.carpet[1], scene.green);
   for (std::size_t x = 0; x < kImageWidth; ++x) {
     const auto left = static_cast<double>(x);
     selectShapes(scene, cameras[x], left + 0.5);
+    Cut& before = borders_[x % 2];
+    Cut& after = borders_[(x + 1) % 2];
+    if (x == 0) look(scene, Slice(cameras[x], left), before);
+    look(scene, Slice(cameras[x], left + 1.0), after);
     column_ = Column{};
-    for (int i = 0; i < params_.slices; ++i) {
-      renderSlice(scene, Slice(cameras[x], left + (i + 0.5) * step));
-      addSlice(static_cast<float>(step));
-    }
+    mix(scene, cameras[x], {&before, &after, left, left + 1.0}, params_.splits);
     const Slice middle(cameras[x], left + 0.5);
     if (params_.light && (scene.light.on() || scene.stripes.on())) lightGround(scene, middle);
     if (params_.texture) addTexture(middle);

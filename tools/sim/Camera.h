@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The ERS-7's camera: renders a Scene into an Image, column by column, each column from its own
 // camera pose (the sensor exposes columns left to right over the frame time, facts-2005 section
-// 2.1). Edges are anti-aliased: exact along a column, by `slices` cuts across it. The same scene,
-// poses and random state give the same bytes on every machine.
+// 2.1). Edges are anti-aliased: exact along a column; across it by cuts on its borders, each of
+// which two columns share, and where these show different things by halving the column. The same
+// scene, poses and random state give the same bytes on every machine.
 #pragma once
 
 #include <array>
@@ -16,21 +17,23 @@ namespace kelpie::sim {
 
 struct CameraParams {
   ArtefactParams artefacts;
-  int slices = 3;              // cuts for each column
-  bool texture = true;         // of the carpet
+  int splits = 2;          // how often a column is halved at most, and
+  double mostSlope = 1.0;  // rows that an edge may run from cut to cut without; 0: always halved
+  bool texture = true;     // of the carpet
   double textureAmount = 5.0;  // grey levels, sd about a third of it
   bool light = true;           // the scene's second light, and stripes of the carpet
 
   static constexpr auto fields() {
     return fieldList(field("artefacts", &CameraParams::artefacts),
-                     field("slices", &CameraParams::slices, "", 1, 16),
+                     field("splits", &CameraParams::splits, "", 0, 4),
+                     field("mostSlope", &CameraParams::mostSlope, "rows", 0, 160),
                      field("texture", &CameraParams::texture),
                      field("textureAmount", &CameraParams::textureAmount, "levels", 0, 30),
                      field("light", &CameraParams::light));
   }
 };
 
-// No artefacts, no texture, one light, 8 cuts: for measuring geometry.
+// No artefacts, no texture, one light, each column in eight parts: for measuring geometry.
 CameraParams idealCamera();
 
 // Whether an image of those cameras may show something inside a sphere.
@@ -47,37 +50,55 @@ class Camera {
   struct Column : RawColumn {
     Channel carpet{};
   };
+  struct InView {
+    const Quad* shape;
+    Corners corners;
+    std::size_t first;  // column, and the last, that may show it
+    std::size_t last;
+    bool shows(std::size_t x) const { return x >= first && x <= last; }
+  };
   void selectQuads(const Scene& scene, const ColumnCameras& cameras);
   void selectOwn(const Scene& scene, const ColumnCameras& cameras);
+  static void selectBlock(const std::vector<InView>& all, std::size_t first,
+                          std::vector<const InView*>& kept);
   void selectShapes(const Scene& scene, const FieldCamera& camera, double middle);
-  void renderSlice(const Scene& scene, const Slice& slice);
-  void collectSolids(const Scene& scene, const Slice& slice);
-  void paintGround(const Scene& scene, const Slice& slice);
-  void paint(const Span& span);
+  struct Cut {
+    std::vector<Span> shown;  // in the order of painting
+    bool isPainted = false;
+    Column painted;
+  };
+  void collectSolids(const Scene& scene, const Slice& slice, std::vector<Span>& shown);
+  void collectGround(const Scene& scene, const Slice& slice, std::vector<Span>& shown);
+  void look(const Scene& scene, const Slice& slice, Cut& cut);
+  static void paint(const Scene& scene, Cut& cut);
+  static void paint(const Span& span, Column& column);
+  struct Stretch {
+    Cut* left;
+    Cut* right;
+    double from;  // columns
+    double to;
+  };
+  void mix(const Scene& scene, const FieldCamera& camera, Stretch between, int splits);
   void addTexture(const Slice& middle);
   void lightGround(const Scene& scene, const Slice& middle);
-  void addSlice(float share);
+  void add(const Column& left, const Column& right, float share);
 
   CameraParams params_;
   Artefacts artefacts_;
   SharedTables tables_;
-  Column slice_;
+  std::array<Cut, 2> borders_;  // of the column; the left one of even columns first
+  std::vector<Cut> middles_;    // one for each split
   Column column_;
-  struct InView {
-    const Quad* shape;
-    std::size_t first;  // column, and the last, that may show it
-    std::size_t last;
-  };
   std::vector<InView> view_;     // of solids, that the image may show
   std::vector<SeenQuad> quads_;  // of those, that may meet the column
   std::vector<const Cylinder*> beacons_;
   std::vector<InView> lineView_;
+  std::vector<const InView*> blockView_;  // of those, that some columns beside each other may show
+  std::vector<const InView*> blockLines_;
   std::vector<SeenQuad> lines_;
   Quad ground_;
   SeenQuad carpet_;
   std::vector<const Limb*> own_;  // that the image may show
-  std::vector<Span> spans_;
-  std::vector<const Span*> order_;  // far to near
 };
 
 }  // namespace kelpie::sim

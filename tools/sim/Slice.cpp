@@ -17,13 +17,23 @@ double dot(FieldPoint3 a, FieldPoint3 b) { return a.x * b.x + a.y * b.y + a.z * 
 
 }  // namespace
 
-SeenQuad seenBy(const FieldCamera& camera, const Quad& shape) {
+Corners cornersOf(const Quad& shape) {
+  Corners corners{};
+  for (std::size_t i = 0; i < 4; ++i) {
+    corners.x[i] = shape.corner[i].x;
+    corners.y[i] = shape.corner[i].y;
+    corners.z[i] = shape.corner[i].z;
+  }
+  return corners;
+}
+
+SeenQuad seenBy(const FieldCamera& camera, const Quad& shape, const Corners& corners) {
   SeenQuad seen;
   seen.shape = &shape;
   seen.turnedAway = shape.oneSided && dot(shape.normal, camera.position - shape.corner[0]) <= 0.0;
   if (seen.turnedAway) return seen;
   for (std::size_t i = 0; i < 4; ++i) {
-    const FieldPoint3 d = shape.corner[i] - camera.position;
+    const FieldPoint3 d = FieldPoint3{corners.x[i], corners.y[i], corners.z[i]} - camera.position;
     seen.right[i] = dot(camera.right, d);
     seen.down[i] = dot(camera.down, d);
     seen.depth[i] = dot(camera.forward, d);

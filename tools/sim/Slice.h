@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "tools/sim/FieldCamera.h"
+#include "tools/sim/Scene.h"
 
 namespace kelpie::sim {
 
@@ -31,7 +32,17 @@ struct SeenQuad {
   std::array<double, 4> depth{};
   bool turnedAway = false;
 };
-SeenQuad seenBy(const FieldCamera& camera, const Quad& shape);
+// A quad's corners by coordinate, four at a time.
+struct Corners {
+  std::array<double, 4> x;
+  std::array<double, 4> y;
+  std::array<double, 4> z;
+};
+Corners cornersOf(const Quad& shape);
+SeenQuad seenBy(const FieldCamera& camera, const Quad& shape, const Corners& corners);
+inline SeenQuad seenBy(const FieldCamera& camera, const Quad& shape) {
+  return seenBy(camera, shape, cornersOf(shape));
+}
 
 constexpr std::array<float, kImageHeight> rowMiddles() {
   std::array<float, kImageHeight> middle{};

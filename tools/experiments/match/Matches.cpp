@@ -38,6 +38,7 @@ cli::SessionOptions sessionOf(const Request& request, const Trial& trial) {
   session.unlike = request.unlike;
   session.physical = !request.fast;
   session.params = request.params;
+  session.set = {cli::kNoReload};
   if (!request.field.empty()) session.field = request.field;
   return session;
 }

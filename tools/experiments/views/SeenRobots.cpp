@@ -82,7 +82,7 @@ sim::FieldCamera lookingAt(const sim::FieldCamera& from, sim::FieldPoint3 target
 Count rendered(const sim::Scene& scene, const sim::ColumnCameras& columns, std::size_t robot,
                Image& image) {
   sim::CameraParams params = sim::idealCamera();
-  params.slices = 2;
+  params.splits = 1;
   sim::Camera camera(params, {});
   Random random(1);
   camera.render(scene, columns, random, image);

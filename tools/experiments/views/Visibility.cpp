@@ -14,7 +14,7 @@ constexpr int kHalf = 60;
 
 sim::CameraParams plainCamera() {
   sim::CameraParams params = sim::idealCamera();
-  params.slices = 3;
+  params.splits = 1;
   return params;
 }
 
