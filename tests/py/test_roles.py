@@ -7,7 +7,7 @@ import random
 import kelpie
 import pytest
 from decisions import positions
-from decisions.roles import HAND_OVER_S, RoleChoice, forwards, should_attack, should_defend
+from decisions.roles import CHALLENGE_S, HAND_OVER_S, RoleChoice, forwards, should_attack, should_defend
 from lib import time_to
 from lib.memory import Memory
 from situations import put_ball, world
@@ -179,14 +179,33 @@ def test_the_only_other_supports_in_their_half_and_defends_in_the_own():
     assert choice_in(made).role == kelpie.DEFENDER
 
 
-def test_who_gave_the_ball_up_leaves_it_until_the_mate_has_told():
+def test_who_attacks_goes_on_until_a_quicker_mate_has_said_that_it_does():
     made = world(180.0, 200.0, ball=(180.0, 400.0))
     made.teammates = [mate(2, S, 1.0, at=(180, 380))]
-    choice = choice_in(made)
+    choice, memory = choice_in(made, 20), Memory()
+    assert choice.role == kelpie.ATTACKER and 'no quicker mate' in choice.why[0]
+    made.teammates[0].note.role = A
+    assert choice_in(made, 1, choice, memory).role != kelpie.ATTACKER
+
+
+def test_a_mate_takes_the_ball_over_when_it_has_been_quicker_for_a_while():
+    made = world(180.0, 380.0, ball=(180.0, 400.0))
+    made.teammates = [mate(2, A, 1.0, at=(180, 390))]
+    choice, memory = choice_in(made, 3), Memory()
     assert choice.role != kelpie.ATTACKER
-    memory, attacks = Memory(), []
-    for _ in range(20):
-        attacks.append(choice_in(made, 1, choice, memory).role == kelpie.ATTACKER)
+    made.teammates[0].note.time_to_ball = 9.0
+    attacks = [choice_in(made, 1, choice, memory).role == kelpie.ATTACKER for _ in range(15)]
+    assert attacks.index(True) >= 30.0 * CHALLENGE_S
+    made.teammates[0].note.time_to_ball = 1.0
+    assert choice_in(made, 3, choice, memory).role != kelpie.ATTACKER
+
+
+def test_who_attacked_last_leaves_the_ball_to_a_quicker_mate_that_has_not_said_so_yet():
+    made = world(180.0, 200.0, ball=(180.0, 400.0))
+    made.teammates = [mate(2, A, 1.0, at=(180, 380))]
+    choice, memory = choice_in(made), Memory()
+    made.teammates[0].note.role = S
+    attacks = [choice_in(made, 1, choice, memory).role == kelpie.ATTACKER for _ in range(20)]
     assert attacks.index(True) >= 30.0 * HAND_OVER_S - 1.0
 
 
