@@ -73,6 +73,13 @@ TEST(RefereeWords, TheHalfsClockRunsInPlayOnlyAndBeginsAnewInTheSecond) {
   EXPECT_EQ(desk.red().players[0].penalty, net::ControlPenalty::none);
 }
 
+TEST(RefereeWords, TheSecondHalfBeginsOnce) {
+  Desk desk;
+  desk.hear("half");
+  EXPECT_FALSE(say("half", desk.desk));
+  EXPECT_EQ(desk.desk.control.kickOff, TeamColour::blue);
+}
+
 TEST(RefereeWords, AnOutIsADropInWhoseTimeRuns) {
   Desk desk;
   EXPECT_EQ(desk.desk.control.dropInSeconds, net::kNoDropIn);

@@ -172,6 +172,9 @@ int playLeague(LeagueOptions& options) {
     return fail(
         fmt::format("stopped; {} matches are left, the same command goes on", summary->left),
         kExitCheckFailed);
+  if (summary->voids > 0)
+    return fail(fmt::format("{} of {} matches are void", summary->voids, summary->played),
+                kExitCheckFailed);
   return shown;
 }
 

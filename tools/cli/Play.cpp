@@ -306,7 +306,7 @@ int play(PlayOptions& options) {
   removeOldLives(options);
   removeOldLogs(options);
   options.session.images = imagesKept(options.images);
-  options.session.allLogs = options.logs == "all";
+  options.session.allLogs = options.logs == "all" && !options.session.others.empty();
 
   const auto start = std::chrono::steady_clock::now();
   const SessionResult result = runShown(options);

@@ -69,12 +69,14 @@ void endPenalties(RefereeDesk& desk) {
   for (net::ControlTeam& team : desk.control.teams) team.players = {};
 }
 
-void secondHalf(RefereeDesk& desk) {
+Status secondHalf(RefereeDesk& desk) {
+  if (!desk.control.firstHalf) return Error{"'half': the second half has begun already"};
   desk.control.kickOff = otherThan(desk.control.kickOff);
   desk.control.firstHalf = false;
   desk.control.state = PlayState::initial;
   desk.left = desk.halfTime;
   endPenalties(desk);
+  return Done{};
 }
 
 Status ofTeam(const Words& words, RefereeDesk& desk) {
@@ -119,7 +121,7 @@ Status ofOneWord(const std::string& word, RefereeDesk& desk) {
   if (found != std::end(kStates))
     desk.control.state = found->state;
   else if (word == "half")
-    secondHalf(desk);
+    return secondHalf(desk);
   else if (word == "quit")
     desk.quits = true;
   else
