@@ -23,6 +23,7 @@ MAY_INCLUDE = {
     "robot/net": BOTTOM | {"robot/net"},
     "robot/agent": BOTTOM | {"vision", "gps", "actuator", "behaviour", "robot/openr",
                              "robot/agent", "robot/net"},
+    "robot/stick": BOTTOM | {"robot/agent", "robot/stick"},
 }
 # The rooms of a stage in their order: a room includes those before it and itself, never its
 # neighbours of the same row. What several rooms share stands at the stage's root.

@@ -7,6 +7,7 @@ namespace {
 constexpr std::uint32_t kStates = kLightRed | kLightGreen | kLightBlue;
 constexpr std::uint32_t kTeams = kLightBackFront | kLightBackRear;
 constexpr std::uint32_t kPair = 3;
+constexpr std::int64_t kFaultHalfPeriodUs = 250000;
 constexpr std::uint32_t kRoles = ((1U << (2U * (kRoleCount - 1U))) - 1U) << kFirstFaceLight;
 
 }  // namespace
@@ -30,6 +31,12 @@ std::uint32_t lightsOf(TeamColour team) {
 std::uint32_t lightsOf(Role role) {
   if (role == Role::none) return 0;
   return kPair << (kFirstFaceLight + 2U * (static_cast<std::uint32_t>(role) - 1U));
+}
+
+std::uint32_t faultLights(std::uint32_t number, TimeUs time) {
+  const std::uint32_t shown = number < kFaceLights ? number : kFaceLights;
+  const std::uint32_t face = ((1U << shown) - 1U) << kFirstFaceLight;
+  return face | (time.us / kFaultHalfPeriodUs % 2 == 0 ? kLightRed : 0U);
 }
 
 std::uint32_t lights(const GameState& game, Role role, std::uint32_t asked) {

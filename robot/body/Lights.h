@@ -6,6 +6,8 @@
 //   the back        the team: red the rear, blue the front
 //   the face        the role, one pair for each: attacker 1 and 2, supporter 3 and 4, striker 5
 //                   and 6, defender 7 and 8, goalie 9 and 10
+//   a fault         red above the ears goes on and off twice a second, which no state of the game
+//                   does; as many lights of the face are lit as the fault's number, from the first
 //
 // The other lights are the behaviours' to use. Which light has which colour is told by Tekkotsu's
 // ERS7Info.h. Ready to penalised have the colours that the league's rules came to have; that
@@ -23,10 +25,14 @@ constexpr std::uint32_t kLightBlue = 1U << 4U;   // so
 constexpr std::uint32_t kLightBackFront = 1U << 20U;
 constexpr std::uint32_t kLightBackRear = 1U << 24U;
 constexpr std::uint32_t kFirstFaceLight = 6;
+constexpr std::uint32_t kFaceLights = 14;
 
 std::uint32_t lightsOf(PlayState state, bool penalised);
 std::uint32_t lightsOf(TeamColour team);
 std::uint32_t lightsOf(Role role);
+
+// What a robot shows that will not walk because of a fault; more than 14 show 14.
+std::uint32_t faultLights(std::uint32_t number, TimeUs time);
 
 // All of them together, and of what else was asked for the lights that the table does not use.
 std::uint32_t lights(const GameState& game, Role role, std::uint32_t asked);

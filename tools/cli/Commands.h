@@ -26,5 +26,7 @@ void addBench(CLI::App& app, int& code);
 void addLeague(CLI::App& app, int& code);
 void addCalibrate(CLI::App& app, int& code);
 void addMotion(CLI::App& app, int& code);
+void addStick(CLI::App& app, int& code);
+void addEmon(CLI::App& app, int& code);
 
 }  // namespace kelpie::cli

@@ -48,6 +48,8 @@ int main(int argc, char** argv) {
   kelpie::cli::addLeague(app, code);
   kelpie::cli::addCalibrate(app, code);
   kelpie::cli::addMotion(app, code);
+  kelpie::cli::addStick(app, code);
+  kelpie::cli::addEmon(app, code);
   try {
     bool done = false;  // after help, or a mistake in the options
     const int usage = kelpie::cli::parseOptions(app, argc, argv, done);

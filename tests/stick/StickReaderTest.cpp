@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "robot/body/Lights.h"
+#include "robot/core/FieldCheck.h"
+#include "robot/core/Random.h"
+#include "robot/stick/FieldListHash.h"
+#include "robot/stick/StickReader.h"
+#include "tests/AllocationCount.h"
+#include "tests/core/RandomValue.h"
+#include "tests/stick/Sticks.h"
+#include "tools/stick/StickWriter.h"
+
+namespace kelpie::stick {
+namespace {
+
+TreeFile& fileOf(StickTree& tree, const std::string& path) {
+  for (auto& file : tree)
+    if (file.path == path) return file;
+  ADD_FAILURE() << path;
+  return tree.front();
+}
+
+StickVerdict loaded(const StickTree& tree, agent::AgentConfig& config) {
+  TreeFiles files(tree);
+  return std::make_unique<StickReader>(files)->load(config);
+}
+
+StickVerdict verdictOf(const StickTree& tree) {
+  return loaded(tree, *std::make_unique<agent::AgentConfig>());
+}
+
+TEST(StickReader, GivesTheConfigurationBackBitForBit) {
+  const auto written = sampleConfig();
+  agent::AgentConfig& read = *std::make_unique<agent::AgentConfig>().release();
+  const std::unique_ptr<agent::AgentConfig> owner(&read);
+  EXPECT_TRUE(loaded(sampleTree(), read).good());
+  std::string where;
+  EXPECT_FALSE(firstDifference(read, *written, &where)) << where;
+  EXPECT_DOUBLE_EQ(read.gps.field.length, written->field.length);
+}
+
+// Values that no configuration file would have, in every field at once.
+TEST(StickReader, GivesAnyConfigurationInRangeBack) {
+  Random random(5);
+  for (int i = 0; i < 20; ++i) {
+    const auto written = std::make_unique<agent::AgentConfig>();
+    randomise(*written, random);
+    const StickTree tree = {{kStickPath, stickBinary(*written, {})}};
+    const auto read = std::make_unique<agent::AgentConfig>();
+    const StickVerdict verdict = loaded(tree, *read);
+    ASSERT_TRUE(verdict.good()) << lineOf(verdict).view();
+    std::string where;
+    ASSERT_FALSE(firstDifference(*read, *written, &where)) << where;
+  }
+}
+
+TEST(StickReader, TakesNoHeap) {
+  const StickTree tree = sampleTree();
+  TreeFiles files(tree);
+  const auto reader = std::make_unique<StickReader>(files);
+  const auto config = std::make_unique<agent::AgentConfig>();
+  // Path comparisons of the test's own files make strings; a path longer than 15 bytes is one.
+  startCountingAllocations();
+  for (const auto& file : tree) files.open(file.path.c_str());
+  const int ofTheFiles = stopCountingAllocations();
+  startCountingAllocations();
+  const StickVerdict verdict = reader->load(*config);
+  const int ofLoading = stopCountingAllocations();
+  EXPECT_TRUE(verdict.good());
+  // The binary is opened three times: to check it, for its list, for the configuration.
+  EXPECT_LE(ofLoading, ofTheFiles + 2) << "the files alone: " << ofTheFiles;
+}
+
+TEST(StickReader, RefusesEveryFlippedBitWithANamedReasonAndRedLights) {
+  const StickTree tree = sampleTree();
+  Random random(20060901);
+  std::set<StickFault> reasons;
+  const auto before = sampleConfig();
+  const auto config = std::make_unique<agent::AgentConfig>(*before);
+  for (int i = 0; i < 1000; ++i) {
+    StickTree damaged = tree;
+    std::string& bytes = damaged[static_cast<std::size_t>(i) % damaged.size()].bytes;
+    const auto bit = random.index(static_cast<std::uint32_t>(bytes.size() * 8));
+    bytes[bit / 8] = static_cast<char>(bytes[bit / 8] ^ (1 << bit % 8));
+    const StickVerdict verdict = loaded(damaged, *config);
+    ASSERT_FALSE(verdict.good()) << "flip " << i << " of bit " << bit;
+    EXPECT_EQ(verdict.file.view(), damaged[static_cast<std::size_t>(i) % damaged.size()].path);
+    const auto number = static_cast<std::uint32_t>(verdict.fault);
+    EXPECT_NE(body::faultLights(number, {0}) & body::kLightRed, 0U);
+    reasons.insert(verdict.fault);
+  }
+  EXPECT_GE(reasons.size(), 2U);
+  std::string where;
+  EXPECT_FALSE(firstDifference(*config, *before, &where)) << "was changed: " << where;
+}
+
+TEST(StickReader, RefusesEveryFlippedBitOfTheHeader) {
+  const StickTree tree = sampleTree();
+  std::set<StickFault> reasons;
+  for (std::size_t bit = 0; bit < std::size_t{kHeaderBytes} * 8; ++bit) {
+    StickTree damaged = tree;
+    std::string& bytes = fileOf(damaged, kStickPath).bytes;
+    bytes[bit / 8] = static_cast<char>(bytes[bit / 8] ^ (1 << bit % 8));
+    const StickVerdict verdict = verdictOf(damaged);
+    ASSERT_FALSE(verdict.good()) << "bit " << bit;
+    reasons.insert(verdict.fault);
+  }
+  const std::set<StickFault> expected = {StickFault::wrongMagic, StickFault::otherVersion,
+                                         StickFault::otherFieldLists, StickFault::damagedHeader,
+                                         StickFault::damagedPart};
+  EXPECT_EQ(reasons, expected);
+}
+
+TEST(StickReader, NamesAFileThatIsMissingShortOrLong) {
+  for (const auto* path : {kObjectListPath, kScriptsPath, kObjectPath, kStickPath}) {
+    StickTree tree = sampleTree();
+    std::string& bytes = fileOf(tree, path).bytes;
+    bytes.push_back('x');
+    EXPECT_EQ(verdictOf(tree).fault, StickFault::tooLong) << path;
+    bytes.resize(bytes.size() - 2);
+    EXPECT_EQ(verdictOf(tree).fault, StickFault::cutShort) << path;
+    fileOf(tree, path).path = "GONE";
+    const StickVerdict gone = verdictOf(tree);
+    EXPECT_EQ(gone.fault, StickFault::missing);
+    EXPECT_EQ(gone.file.view(), path);
+  }
+}
+
+// As if the medium was read well, but written by a program with a fault of its own.
+TEST(StickReader, RefusesANumberBeyondItsRange) {
+  const auto config = sampleConfig();
+  config->field.length = 5000.0;
+  const StickTree tree = {{kStickPath, stickBinary(*config, {})}};
+  EXPECT_EQ(verdictOf(tree).fault, StickFault::outOfRange);
+}
+
+TEST(StickReader, RefusesAnEnumThatIsNone) {
+  const auto config = sampleConfig();
+  config->team = static_cast<TeamColour>(7);
+  const StickTree tree = {{kStickPath, stickBinary(*config, {})}};
+  EXPECT_EQ(verdictOf(tree).fault, StickFault::undecodable);
+}
+
+// Reads the binary well `good` times, then with one bit turned over.
+class ForgetfulFiles : public TreeFiles {
+ public:
+  ForgetfulFiles(const StickTree& tree, int good) : TreeFiles(tree), good_(good) {}
+  bool open(const char* path) override { return --good_, TreeFiles::open(path); }
+  std::int32_t read(std::uint8_t* to, std::size_t count) override {
+    const std::int32_t got = TreeFiles::read(to, count);
+    if (good_ < 0 && got > 200) to[200] ^= 1U;
+    return got;
+  }
+
+ private:
+  int good_;
+};
+
+TEST(StickReader, ChecksTheSecondReadingToo) {
+  const StickTree tree = {{kStickPath, stickBinary(*sampleConfig(), {})}};
+  ForgetfulFiles files(tree, 2);
+  const StickVerdict verdict =
+      std::make_unique<StickReader>(files)->load(*std::make_unique<agent::AgentConfig>());
+  EXPECT_FALSE(verdict.good());
+}
+
+class BrokenFiles : public TreeFiles {
+ public:
+  using TreeFiles::TreeFiles;
+  std::int32_t read(std::uint8_t* /*to*/, std::size_t /*count*/) override { return -1; }
+};
+
+TEST(StickReader, NamesAMediumThatCannotBeRead) {
+  const StickTree tree = sampleTree();
+  BrokenFiles files(tree);
+  EXPECT_EQ(std::make_unique<StickReader>(files)->check().fault, StickFault::unreadable);
+}
+
+TEST(StickFault, EveryReasonHasItsOwnLineAndLights) {
+  std::set<std::string_view> texts;
+  std::set<std::uint32_t> lights;
+  for (std::uint8_t i = 1; i <= kStickFaultCount; ++i) {
+    texts.insert(textOf(static_cast<StickFault>(i)));
+    lights.insert(body::faultLights(i, {0}));
+  }
+  EXPECT_EQ(texts.size(), kStickFaultCount);
+  EXPECT_EQ(lights.size(), kStickFaultCount);
+  StickVerdict verdict{StickFault::damagedPart, StickPath(std::string_view(kStickPath))};
+  EXPECT_EQ(lineOf(verdict).view(),
+            "OPEN-R/MW/DATA/P/STICK.BIN: the CRC-32 of a part is wrong (fault 7)");
+}
+
+struct Small {
+  double number = 0.0;
+  static constexpr auto fields() { return fieldList(field("number", &Small::number, "cm", 0, 1)); }
+};
+struct OtherUnit {
+  double number = 0.0;
+  static constexpr auto fields() {
+    return fieldList(field("number", &OtherUnit::number, "mm", 0, 1));
+  }
+};
+struct OtherRange {
+  double number = 0.0;
+  static constexpr auto fields() {
+    return fieldList(field("number", &OtherRange::number, "cm", 0, 2));
+  }
+};
+struct OtherName {
+  double other = 0.0;
+  static constexpr auto fields() {
+    return fieldList(field("other", &OtherName::other, "cm", 0, 1));
+  }
+};
+struct OtherType {
+  float number = 0.0F;
+  static constexpr auto fields() {
+    return fieldList(field("number", &OtherType::number, "cm", 0, 1));
+  }
+};
+
+TEST(FieldListHash, ChangesWithNameUnitRangeAndType) {
+  const std::set<std::uint64_t> hashes = {fieldListHash<Small>(), fieldListHash<OtherUnit>(),
+                                          fieldListHash<OtherRange>(), fieldListHash<OtherName>(),
+                                          fieldListHash<OtherType>()};
+  EXPECT_EQ(hashes.size(), 5U);
+}
+
+// Of "123456789", as every description of the two gives them.
+TEST(Checksum, GivesThePublishedValues) {
+  const auto* text = reinterpret_cast<const std::uint8_t*>("123456789");
+  Crc32 crc;
+  crc.add(text, 9);
+  EXPECT_EQ(crc.value(), 0xCBF43926U);
+  Fnv1a hash;
+  hash.add(text, 9);
+  EXPECT_EQ(hash.value(), 0x06d5573923c6cdfcULL);
+}
+
+}  // namespace
+}  // namespace kelpie::stick

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: Apache-2.0
+// A robot's memory stick: as a folder, as an image, or on the stick itself.
+#include <fmt/core.h>
+
+#include <filesystem>
+#include <memory>
+
+#include "robot/stick/StdioFiles.h"
+#include "robot/stick/StickFormat.h"
+#include "tools/cli/Commands.h"
+#include "tools/cli/Config.h"
+#include "tools/cli/Process.h"
+#include "tools/cli/WholeFile.h"
+#include "tools/stick/Behaviours.h"
+#include "tools/stick/MakeStick.h"
+#include "tools/stick/Programs.h"
+#include "tools/stick/StickDifference.h"
+#include "tools/stick/StickFolder.h"
+#include "tools/stick/StickImage.h"
+#include "tools/stick/WlanFile.h"
+
+namespace kelpie::cli {
+namespace {
+
+struct StickOptions {
+  ConfigOptions config;
+  std::string pycode = defaultScripts();
+  std::string object;
+  std::string wlan;
+  std::string out;
+  std::string diff;
+  std::string install;
+};
+
+// What a robot of flesh plays with: a body with masses, and scripts that nobody edits meanwhile.
+Expected<agent::AgentConfig> robotConfig(const StickOptions& options) {
+  ConfigOptions request = options.config;
+  request.body = Body::physical;
+  auto config = makeConfig(request);
+  if (config) config->behaviour.reload = false;
+  return config;
+}
+
+// An ELF file for MIPS, or one that gzip has made smaller: the robot takes both.
+Expected<std::string> readObject(const std::string& file) {
+  auto bytes = stick::readWhole(file);
+  if (!bytes) return bytes;
+  const bool gzip = bytes->rfind("\x1f\x8b", 0) == 0;
+  const bool elf = bytes->rfind(
+                       "\x7f"
+                       "ELF\x01\x01",
+                       0) == 0 &&
+                   bytes->substr(18, 1) == "\x08";
+  if (gzip || elf) return bytes;
+  return Error{file + ": is neither a MIPS program nor gzip of one"};
+}
+
+Expected<stick::StickContents> readContents(const StickOptions& options) {
+  const Status scripts = checkScripts(options.pycode);
+  if (!scripts) return Error{scripts.error()};
+  stick::StickContents contents;
+  Status status = Done{};
+  const auto take = [&](const Expected<std::string>& bytes, std::string& place) {
+    if (status && bytes) place = *bytes;
+    if (status && !bytes) status = Error{bytes.error()};
+  };
+  if (!options.object.empty()) take(readObject(options.object), contents.object);
+  if (!options.wlan.empty()) take(stick::readWlanFile(options.wlan), contents.wlan);
+  if (status) take(stick::zipBehaviours(options.pycode), contents.behaviours);
+  if (!status) return Error{status.error()};
+  return contents;
+}
+
+bool isImage(const std::string& out) {
+  return std::filesystem::path(out).extension() == ".img" || std::filesystem::is_regular_file(out);
+}
+
+Status verifyFolder(const std::string& root, const agent::AgentConfig& config) {
+  stick::StdioFiles files(root.c_str());
+  return stick::verifyStick(files, config);
+}
+
+Status writeOut(const StickOptions& options, const agent::AgentConfig& config,
+                const stick::StickTree& tree) {
+  if (isImage(options.out)) return stick::writeImage(tree, options.out);
+  Status status = stick::checkFolder(tree, options.out);
+  if (status) status = stick::writeFiles(tree, options.out, [](const std::string&) {});
+  return status ? verifyFolder(options.out, config) : status;
+}
+
+Status install(const StickOptions& options, const agent::AgentConfig& config,
+               const stick::StickTree& tree) {
+  if (stick::findFile(tree, stick::kObjectPath) == nullptr)
+    return Error{std::string("--install needs --object FILE, or the stick lacks ") +
+                 stick::kObjectPath + " and does not play"};
+  Status status = stick::checkMount(tree, options.install);
+  const auto tell = [](const std::string& step) { fmt::print("{}\n", step); };
+  if (status) status = stick::writeFiles(tree, options.install, tell);
+  return status ? verifyFolder(options.install, config) : status;
+}
+
+Status showDifference(const StickOptions& options, const agent::AgentConfig& config,
+                      const stick::StickTree& tree) {
+  const Status mount = stick::checkMount(tree, options.diff);
+  if (!mount) return mount;
+  for (const auto& line : stick::differenceLines(tree, config, options.diff))
+    fmt::print("{}\n", line);
+  return Done{};
+}
+
+void tellSizes(const std::string& where, const stick::StickTree& tree) {
+  for (const auto& file : tree) fmt::print("{:>8} {}\n", file.bytes.size(), file.path);
+  fmt::print("{}: {} files, {} bytes; the robot's reader takes them\n", where, tree.size(),
+             stick::bytesOf(tree));
+  if (stick::findFile(tree, stick::kObjectPath) == nullptr)
+    fmt::print("without --object FILE it lacks {}: a robot does not play with it\n",
+               stick::kObjectPath);
+}
+
+Status writeStick(const StickOptions& options) {
+  const auto config = robotConfig(options);
+  if (!config) return Error{config.error()};
+  const auto contents = readContents(options);
+  if (!contents) return Error{contents.error()};
+  const auto tree = stick::makeTree(*config, *contents);
+  if (!tree) return Error{tree.error()};
+  Status status = Done{};
+  if (!options.diff.empty()) status = showDifference(options, *config, *tree);
+  if (status && !options.out.empty()) status = writeOut(options, *config, *tree);
+  if (status && !options.install.empty()) status = install(options, *config, *tree);
+  if (!status) return status;
+  if (!options.out.empty()) tellSizes(options.out, *tree);
+  if (!options.install.empty()) tellSizes(options.install, *tree);
+  return Done{};
+}
+
+int run(const StickOptions& options) {
+  if (options.out.empty() && options.diff.empty() && options.install.empty())
+    return fail("nothing to do: give --out, --diff or --install", kExitBadInput);
+  const Status written = writeStick(options);
+  return written ? kExitDone : fail(written.error(), kExitBadInput);
+}
+
+}  // namespace
+
+void addStick(CLI::App& app, int& code) {
+  auto* command = app.add_subcommand("stick",
+                                     "A robot's memory stick: configuration, behaviours, "
+                                     "program (docs/flash.md)");
+  auto options = std::make_shared<StickOptions>();
+  command->add_option("--robot", options->config.player, "The player's number, 1 to 4")
+      ->required()
+      ->check(CLI::Range(1, 4));
+  addConfigOptions(*command, options->config);
+  command->add_option("--pycode", options->pycode, "Folder of the behaviours")
+      ->capture_default_str();
+  command->add_option("--object", options->object, "The program, AGENT.BIN, linked with the SDK");
+  command->add_option("--wlan", options->wlan,
+                      "The radio's settings, KEY=VALUE a line, outside the repository");
+  command->add_option("--out", options->out, "Folder, or image when it ends in .img")
+      ->check(notEmpty());
+  command->add_option("--diff", options->diff, "Say what would change on the mounted stick")
+      ->check(notEmpty());
+  command->add_option("--install", options->install, "Write to the mounted stick")
+      ->check(notEmpty());
+  command->callback([options, &code] { code = run(*options); });
+}
+
+}  // namespace kelpie::cli

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/stick/Behaviours.h"
+
+#include "tools/stick/Programs.h"
+
+namespace kelpie::stick {
+
+Expected<std::string> zipBehaviours(const std::string& folder) {
+  const auto scratch = ScratchFolder::make();
+  if (!scratch) return Error{scratch.error()};
+  const std::string zip = scratch->path() + "/PYCODE.ZIP";
+  const auto made = runProgram(
+      {"/usr/bin/python3", KELPIE_SOURCE_DIR "/toolchain/make-pyzip", zip, "--pycode", folder});
+  if (!made) return Error{made.error()};
+  return readWhole(zip);
+}
+
+}  // namespace kelpie::stick

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is needed of a MIPS ELF file to make sense of a crash: where its code is, what it was linked
+// for, and whether an instruction calls. 32 bits, little-endian. Offsets that lead out of the file
+// are refused.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "robot/core/Expected.h"
+
+namespace kelpie::stick {
+
+class ElfObject {
+ public:
+  static Expected<ElfObject> parse(std::string bytes, const std::string& file);
+
+  // The address of the symbol _gp.
+  std::uint32_t globalPointer() const { return globalPointer_; }
+  bool isCode(std::uint32_t address) const;
+  // Whether a return to this address comes from a call: jalr, jal or bal two instructions before.
+  bool followsCall(std::uint32_t address) const;
+
+ private:
+  struct Code {
+    std::uint32_t address = 0;
+    std::uint32_t offset = 0;
+    std::uint32_t size = 0;
+  };
+  explicit ElfObject(std::string bytes) : bytes_(std::move(bytes)) {}
+  bool fits(std::uint64_t offset, std::uint64_t size) const;
+  std::uint32_t word(std::uint32_t offset) const;
+  std::uint32_t half(std::uint32_t offset) const;
+  bool readCode();
+  bool readGlobalPointer();
+  bool findSymbol(std::uint32_t symbols, std::uint32_t names);
+  std::optional<std::uint32_t> instruction(std::uint32_t address) const;
+
+  std::string bytes_;
+  std::string_view nameAt(std::uint32_t names, std::uint32_t offset) const;
+  Code code_;
+  std::uint32_t globalPointer_ = 0;
+};
+
+}  // namespace kelpie::stick

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
+// The three files that tell OPEN-R of the agent: which objects to start, which of their services to
+// join, and where data lie (spec openr.md section 6).
+#pragma once
+
+#include "tools/stick/StickTree.h"
+
+namespace kelpie::stick {
+
+StickTree systemFiles();
+
+}  // namespace kelpie::stick

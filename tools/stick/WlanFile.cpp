@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/stick/WlanFile.h"
+
+#include <fmt/core.h>
+
+#include <array>
+#include <filesystem>
+#include <map>
+#include <sstream>
+
+#include "tools/stick/Programs.h"
+
+namespace kelpie::stick {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array<const char*, 12> kKeys = {
+    "HOSTNAME", "ETHER_IP", "ETHER_NETMASK", "IP_GATEWAY",   "ESSID",        "WEPENABLE",
+    "WEPKEY",   "APMODE",   "CHANNEL",       "DNS_SERVER_1", "DNS_DEFDNAME", "USE_DHCP"};
+
+bool isKnown(const std::string& key) {
+  for (const auto* known : kKeys)
+    if (key == known) return true;
+  return false;
+}
+
+std::string trimmed(const std::string& line) {
+  const auto first = line.find_first_not_of(" \t\r");
+  if (first == std::string::npos) return "";
+  return line.substr(first, line.find_last_not_of(" \t\r") - first + 1);
+}
+
+bool isNumber(const std::string& text, int low, int high) {
+  if (text.empty() || text.size() > 3) return false;
+  if (text.find_first_not_of("0123456789") != std::string::npos) return false;
+  const int number = std::stoi(text);
+  return number >= low && number <= high;
+}
+
+bool isAddress(const std::string& text) {
+  std::istringstream parts(text + ".");
+  std::string part;
+  int count = 0;
+  while (std::getline(parts, part, '.')) {
+    if (!isNumber(part, 0, 255)) return false;
+    ++count;
+  }
+  return count == 4;
+}
+
+// 5 or 13 characters, or 0x and 10 or 26 hexadecimal digits.
+bool isWepKey(const std::string& text) {
+  if (text.rfind("0x", 0) != 0) return text.size() == 5 || text.size() == 13;
+  const bool hexadecimal = text.find_first_not_of("0123456789abcdefABCDEF", 2) == std::string::npos;
+  return hexadecimal && (text.size() == 12 || text.size() == 28);
+}
+
+bool isGood(const std::string& key, const std::string& value) {
+  if (key == "WEPENABLE" || key == "USE_DHCP") return isNumber(value, 0, 1);
+  if (key == "APMODE") return isNumber(value, 0, 2);
+  if (key == "CHANNEL") return isNumber(value, 1, 11);
+  if (key == "WEPKEY") return isWepKey(value);
+  if (key == "ESSID") return !value.empty() && value.size() <= 32;
+  if (key == "HOSTNAME" || key == "DNS_DEFDNAME") return !value.empty();
+  return isAddress(value);
+}
+
+Status needs(const std::map<std::string, std::string>& values, const std::string& file) {
+  const auto is = [&](const char* key, const char* value) {
+    const auto found = values.find(key);
+    return found != values.end() && found->second == value;
+  };
+  if (values.count("ESSID") == 0) return Error{file + ": has no ESSID, the network's name"};
+  if (is("WEPENABLE", "1") && values.count("WEPKEY") == 0)
+    return Error{file + ": has no WEPKEY, which WEPENABLE=1 needs"};
+  if (!is("USE_DHCP", "1") && values.count("ETHER_IP") == 0)
+    return Error{file + ": has no ETHER_IP, which a robot without USE_DHCP=1 needs"};
+  return Done{};
+}
+
+bool isInside(const fs::path& file, const fs::path& folder) {
+  std::error_code error;
+  const fs::path relative = fs::relative(file, folder, error);
+  return !error && !relative.empty() && *relative.begin() != "..";
+}
+
+}  // namespace
+
+Expected<std::string> wlanText(const std::string& text, const std::string& file) {
+  std::istringstream lines(text);
+  std::string line;
+  std::string out;
+  std::map<std::string, std::string> values;
+  for (int number = 1; std::getline(lines, line); ++number) {
+    line = trimmed(line);
+    if (line.empty() || line[0] == '#') continue;
+    const auto equals = line.find('=');
+    const std::string key = trimmed(line.substr(0, equals));
+    if (equals == std::string::npos || !isKnown(key))
+      return Error{fmt::format("{}:{}: not KEY=VALUE with a key of WLANCONF.TXT", file, number)};
+    const std::string value = trimmed(line.substr(equals + 1));
+    if (!isGood(key, value))
+      return Error{fmt::format("{}:{}: {}'s value", file, number, key) +
+                   " is not one that the robot takes (docs/flash.md)"};
+    if (!values.emplace(key, value).second)
+      return Error{fmt::format("{}:{}: {} is there twice", file, number, key)};
+    out += key + "=" + value + "\n";
+  }
+  const Status complete = needs(values, file);
+  if (!complete) return Error{complete.error()};
+  return out;
+}
+
+Expected<std::string> readWlanFile(const std::string& file) {
+  if (isInside(file, KELPIE_SOURCE_DIR))
+    return Error{file + ": lies in the source tree, where keys do not belong"};
+  const auto text = readWhole(file);
+  if (!text) return Error{text.error()};
+  return wlanText(*text, file);
+}
+
+}  // namespace kelpie::stick
