@@ -75,5 +75,16 @@ TEST(Lights, WhatBehavioursAskForNeitherHidesNorFakesTheTable) {
   EXPECT_EQ(lights(game, Role::striker, 1U << 19U), table | 1U << 19U) << "a free light is theirs";
 }
 
+TEST(Lights, AFaultGoesOnAndOffAndCountsOnTheFace) {
+  const std::uint32_t on = faultLights(3, {0});
+  const std::uint32_t off = faultLights(3, {250000});
+  EXPECT_EQ(named(on),
+            "/r1/c1/c2/c3/l3-LED2:l3 /r1/c1/c2/c3/la-LED3:la /r1/c1/c2/c3/lb-LED3:lb "
+            "/r1/c1/c2/c3/lc-LED3:lc ");
+  EXPECT_EQ(on & ~kLightRed, off);
+  EXPECT_EQ(faultLights(3, {500000}), on);
+  EXPECT_EQ(faultLights(200, {0}), faultLights(kFaceLights, {0}));
+}
+
 }  // namespace
 }  // namespace kelpie::body

@@ -72,7 +72,7 @@ Expected<stick::StickContents> readContents(const StickOptions& options) {
 }
 
 bool isImage(const std::string& out) {
-  return std::filesystem::path(out).extension() == ".img" || std::filesystem::is_regular_file(out);
+  return std::filesystem::path(out).extension() == ".img";
 }
 
 Status verifyFolder(const std::string& root, const agent::AgentConfig& config) {

@@ -148,6 +148,7 @@ Status checkFolder(const StickTree& tree, const std::string& root) {
 }
 
 Status writeFiles(const StickTree& tree, const std::string& root, const StepObserver& step) {
+  removeStaged(tree, root);  // what a stop in the middle left
   const StickTree changed = differing(tree, root);
   const Status staged = stageAll(changed, root, step);
   if (!staged) {

@@ -1,0 +1,193 @@
+# SPDX-License-Identifier: Apache-2.0
+"""`kelpie stick` and `kelpie emon` as a user runs them: good sticks, and what they refuse."""
+
+import os
+import shutil
+import subprocess
+import zipfile
+
+import pytest
+from conftest import ROOT, complaint, kelpie
+
+OBJECT = b"\x1f\x8b" + bytes(range(256)) * 40  # gzip, as a robot takes it
+SECRET = "0xC0FFEE1234"
+WLAN = f"ESSID=fourlegged\nWEPENABLE=1\nWEPKEY={SECRET}\nETHER_IP=10.0.1.3\n"
+
+
+def files_in(folder):
+    return {path.relative_to(folder).as_posix(): path.read_bytes()
+            for path in sorted(folder.rglob("*")) if path.is_file()}
+
+
+def stick(*words):
+    return kelpie("stick", "--robot", "2", *words)
+
+
+@pytest.fixture(name="parts")
+def parts_of_a_stick(tmp_path):
+    (tmp_path / "AGENT.BIN").write_bytes(OBJECT)
+    (tmp_path / "field.wlan").write_text(WLAN)
+    mount = tmp_path / "mount"
+    for name in ("APERIOS.GZ", "APERINIT.GZ", "BOOTPARA", "SYSTEM/OBJS/A.BIN",
+                 "SYSTEM/CONF/CARDDRV.CFG"):
+        (mount / "OPEN-R" / name).parent.mkdir(parents=True, exist_ok=True)
+        (mount / "OPEN-R" / name).write_text("Sony's")
+    return tmp_path
+
+
+def all_options(parts):
+    return ["--object", parts / "AGENT.BIN", "--wlan", parts / "field.wlan"]
+
+
+def test_a_stick_written_twice_is_identical_in_8_3_and_small(tmp_path):
+    for name in ("a", "b"):
+        result = stick("--team", "blue", "--out", tmp_path / name)
+        assert result.returncode == 0, result.stderr
+        assert "lacks OPEN-R/MW/OBJS/AGENT.BIN" in result.stdout
+    first = files_in(tmp_path / "a")
+    assert first == files_in(tmp_path / "b")
+    assert sum(map(len, first.values())) < 8e6
+    assert sorted(first) == ["OPEN-R/MW/CONF/CONNECT.CFG", "OPEN-R/MW/CONF/DESIGNDB.CFG",
+                             "OPEN-R/MW/CONF/OBJECT.CFG", "OPEN-R/MW/DATA/P/PYCODE.ZIP",
+                             "OPEN-R/MW/DATA/P/STICK.BIN"]
+
+
+def test_options_change_the_stick(tmp_path):
+    for name, words in (("red", ["--team", "red"]), ("blue", ["--team", "blue"]),
+                        ("old", ["--field", "2004"]), ("set", ["--set", "gps.ball.gate=4"])):
+        assert stick(*words, "--out", tmp_path / name).returncode == 0
+    binaries = {(tmp_path / name / "OPEN-R/MW/DATA/P/STICK.BIN").read_bytes()
+                for name in ("red", "blue", "old", "set")}
+    assert len(binaries) == 4
+
+
+def test_the_behaviours_are_one_stored_zip(tmp_path):
+    assert stick("--out", tmp_path / "s").returncode == 0
+    with zipfile.ZipFile(tmp_path / "s/OPEN-R/MW/DATA/P/PYCODE.ZIP") as archive:
+        assert "main.pyc" in archive.namelist()
+        assert {info.compress_type for info in archive.infolist()} == {zipfile.ZIP_STORED}
+
+
+@pytest.mark.skipif(shutil.which("mformat") is None, reason="mtools is not installed")
+def test_an_image_holds_the_same_files_as_a_folder(parts):
+    assert stick(*all_options(parts), "--out", parts / "s").returncode == 0
+    result = stick(*all_options(parts), "--out", parts / "s.img")
+    assert result.returncode == 0, result.stderr
+    (parts / "back").mkdir()
+    subprocess.run(["mcopy", "-s", "-n", "-i", parts / "s.img", "::OPEN-R", parts / "back"],
+                   check=True, env=os.environ | {"MTOOLS_SKIP_CHECK": "1"})
+    assert files_in(parts / "back") == files_in(parts / "s")
+
+
+def test_an_image_without_mtools_is_one_line(tmp_path):
+    result = kelpie("stick", "--robot", "1", "--out", tmp_path / "s.img",
+                    env=os.environ | {"PATH": "/nowhere"})
+    assert result.returncode == 2 and "mtools" in complaint(result)
+    assert not list(tmp_path.glob("s.img*"))
+
+
+def test_install_writes_a_stick_that_then_differs_in_nothing(parts):
+    sony = files_in(parts / "mount")
+    before = stick(*all_options(parts), "--diff", parts / "mount")
+    assert before.returncode == 0 and "new      OPEN-R/MW/OBJS/AGENT.BIN" in before.stdout
+    assert files_in(parts / "mount") == sony
+    result = stick(*all_options(parts), "--install", parts / "mount")
+    assert result.returncode == 0, result.stderr
+    after = files_in(parts / "mount")
+    assert all(after[name] == content for name, content in sony.items())
+    assert after["OPEN-R/MW/OBJS/AGENT.BIN"] == OBJECT
+    assert len(after) == len(sony) + 7
+    same = stick(*all_options(parts), "--diff", parts / "mount")
+    assert "changed" not in same.stdout and "new " not in same.stdout
+    assert "the configuration is the same" in same.stdout
+
+
+def test_diff_says_which_file_of_a_stick_is_damaged(parts):
+    assert stick(*all_options(parts), "--install", parts / "mount").returncode == 0
+    path = parts / "mount/OPEN-R/MW/CONF/CONNECT.CFG"
+    path.write_text(path.read_text().replace("Sensor", "Censor", 1))
+    result = stick(*all_options(parts), "--diff", parts / "mount")
+    assert "CONNECT.CFG: is not the file that the stick was written with" in result.stdout
+
+
+def test_the_radios_keys_are_never_told(parts):
+    for words in (["--diff", parts / "mount"], ["--install", parts / "mount"],
+                  ["--out", parts / "s"]):
+        result = stick(*all_options(parts), *words)
+        assert result.returncode == 0
+        assert SECRET not in result.stdout + result.stderr
+    (parts / "field.wlan").write_text(WLAN.replace(SECRET, SECRET + "5"))
+    result = stick(*all_options(parts), "--out", parts / "s")
+    assert "field.wlan:3: WEPKEY" in complaint(result) and SECRET not in result.stderr
+
+
+@pytest.mark.parametrize("words, told", [
+    (["--out", "x", "--wlan", "/no/such.wlan"], "does not exist"),
+    (["--out", "x", "--wlan", str(ROOT / "README.md")], "source tree"),
+    (["--out", "x", "--object", "/no/such.bin"], "does not exist"),
+    (["--out", "x", "--object", "/etc/passwd"], "neither a MIPS program nor gzip"),
+    (["--out", "x", "--pycode", "/no/such"], "does not exist"),
+    (["--out", "x", "--field", "1999"], "1999"),
+    (["--out", "x", "--set", "gps.love=1"], "gps.love"),
+    (["--out", "/proc/x"], "/proc/x"),
+    (["--install", "/"], "--object"),
+    (["--diff", "/"], "APERIOS.GZ"),
+    ([], "--out, --diff or --install"),
+])
+def test_what_cannot_be_is_one_line(words, told, tmp_path):
+    words = [str(tmp_path / "x") if word == "x" else word for word in words]
+    result = stick(*words)
+    assert result.returncode == 2
+    assert told in complaint(result)
+    assert not (tmp_path / "x").exists()
+
+
+def test_a_file_that_is_no_image_is_not_overwritten(tmp_path):
+    (tmp_path / "notes.txt").write_text("mine")
+    result = stick("--out", tmp_path / "notes.txt")
+    assert result.returncode == 2 and "is not a folder" in complaint(result)
+    assert (tmp_path / "notes.txt").read_text() == "mine"
+
+
+def test_a_robot_needs_a_number():
+    assert kelpie("stick", "--out", "x").returncode == 2
+    assert kelpie("stick", "--robot", "5", "--out", "x").returncode == 2
+
+
+def test_install_refuses_a_mount_that_is_no_programming_stick(parts):
+    (parts / "camera/DCIM").mkdir(parents=True)
+    result = stick(*all_options(parts), "--install", parts / "camera")
+    assert result.returncode == 2 and "APERIOS.GZ" in complaint(result)
+    assert not (parts / "camera/OPEN-R").exists()
+
+
+def test_emon_refuses_what_is_no_log_and_no_program(tmp_path):
+    (tmp_path / "EMON.LOG").write_text("hello\n")
+    result = kelpie("emon", tmp_path / "EMON.LOG", "--object", tmp_path / "none.elf")
+    assert result.returncode == 2 and "epc" in complaint(result)
+    (tmp_path / "EMON.LOG").write_text("badvaddr: $8: 0x1, epc:$14: 0x22400000\n")
+    result = kelpie("emon", tmp_path / "EMON.LOG", "--object", "/bin/true")
+    assert result.returncode == 2 and "not a MIPS ELF file" in complaint(result)
+    result = kelpie("emon", tmp_path / "EMON.LOG", "--object", "/bin/true", "--loaded-at", "here")
+    assert result.returncode == 2 and "--loaded-at" in complaint(result)
+
+
+@pytest.mark.skipif(shutil.which("mipsel-linux-gnu-gcc") is None,
+                    reason="mipsel-linux-gnu-gcc is not installed")
+def test_emon_names_the_function_and_line_of_a_crash(tmp_path):
+    (tmp_path / "p.c").write_text("int broken(volatile int *p) {\n  return *p;\n}\n"
+                                  "int __start(void) { return broken(0); }\n")
+    elf = tmp_path / "p.elf"
+    subprocess.run(["mipsel-linux-gnu-gcc", "-g", "-O1", "-fno-inline", "-nostdlib", "-static",
+                    "-o", elf, tmp_path / "p.c"], check=True)
+    symbols = subprocess.run(["mipsel-linux-gnu-nm", elf], check=True, capture_output=True,
+                             text=True).stdout
+    address = {line.split()[2]: int(line.split()[0], 16) for line in symbols.splitlines()}
+    moved = 0x22000000
+    (tmp_path / "EMON.LOG").write_text(
+        f"cause:$13: 0x00000008\nbadvaddr: $8: 0x00000000, "
+        f"epc:$14: {address['broken'] + moved:#010x}\n gp:r28: {address['_gp'] + moved:#010x}\n")
+    result = kelpie("emon", tmp_path / "EMON.LOG", "--object", elf)
+    assert result.returncode == 0, result.stderr
+    assert "2: no page at a load or a fetch" in result.stdout
+    assert "broken (" in result.stdout and "p.c:" in result.stdout
