@@ -9,8 +9,8 @@ Expected<std::string> zipBehaviours(const std::string& folder) {
   const auto scratch = ScratchFolder::make();
   if (!scratch) return Error{scratch.error()};
   const std::string zip = scratch->path() + "/PYCODE.ZIP";
-  const auto made = runProgram(
-      {"/usr/bin/python3", KELPIE_SOURCE_DIR "/toolchain/make-pyzip", zip, "--pycode", folder});
+  const std::string maker = KELPIE_SOURCE_DIR "/toolchain/make-pyzip";
+  const auto made = runProgram({"/usr/bin/python3", maker, zip, "--pycode", folder});
   if (!made) return Error{made.error()};
   return readWhole(zip);
 }

@@ -126,7 +126,7 @@ Expected<std::vector<std::string>> linesOf(const std::vector<CrashPlace>& places
   std::string function;
   std::string at;
   while (std::getline(pairs, function) && std::getline(pairs, at))
-    lines.push_back(function + " (" + at + ")");
+    lines.push_back(fmt::format("{} ({})", function, at));
   if (lines.size() == places.size()) return lines;
   return Error{program + ": cannot read " + object};
 }

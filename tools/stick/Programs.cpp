@@ -52,7 +52,7 @@ std::string findProgram(const std::vector<std::string>& names) {
     std::istringstream folders(search == nullptr ? "" : search);
     std::string folder;
     while (std::getline(folders, folder, ':')) {
-      const std::string path = folder + "/" + name;
+      const std::string path = (fs::path(folder) / name).string();
       if (access(path.c_str(), X_OK) == 0) return path;
     }
   }

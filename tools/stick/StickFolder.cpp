@@ -2,6 +2,7 @@
 #include "tools/stick/StickFolder.h"
 
 #include <fcntl.h>
+#include <fmt/core.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -111,6 +112,13 @@ Status renameAll(const StickTree& files, const fs::path& root, const StepObserve
   return Done{};
 }
 
+Error lacks(const std::string& root, const char* what) {
+  return Error{
+      fmt::format("{}: lacks {}; a programming stick with Sony's system on it is needed "
+                  "(docs/flash.md)",
+                  root, what)};
+}
+
 void removeStaged(const StickTree& files, const fs::path& root) {
   std::error_code ignored;
   for (const auto& file : files) fs::remove(stagedName((root / file.path).string()), ignored);
@@ -120,15 +128,11 @@ void removeStaged(const StickTree& files, const fs::path& root) {
 
 Status checkMount(const StickTree& tree, const std::string& root) {
   std::error_code error;
-  const std::string end =
-      "; a programming stick with Sony's system on it is needed (docs/flash.md)";
   if (!fs::is_directory(root, error)) return Error{root + ": is not a folder"};
   for (const auto* file : kSystemFiles)
-    if (!fs::is_regular_file(fs::path(root) / file, error))
-      return Error{root + ": lacks " + file + end};
+    if (!fs::is_regular_file(fs::path(root) / file, error)) return lacks(root, file);
   for (const auto* folder : kSystemFolders)
-    if (!fs::is_directory(fs::path(root) / folder, error))
-      return Error{root + ": lacks " + folder + end};
+    if (!fs::is_directory(fs::path(root) / folder, error)) return lacks(root, folder);
   if (findFile(tree, kWlanPath) != nullptr && !fs::exists(fs::path(root) / kRadioDrivers, error))
     return Error{root + ": its system is one without a radio (no " + kRadioDrivers + ")"};
   return Done{};

@@ -105,7 +105,7 @@ Expected<std::string> wlanText(const std::string& text, const std::string& file)
                    " is not one that the robot takes (docs/flash.md)"};
     if (!values.emplace(key, value).second)
       return Error{fmt::format("{}:{}: {} is there twice", file, number, key)};
-    out += key + "=" + value + "\n";
+    out += fmt::format("{}={}\n", key, value);
   }
   const Status complete = needs(values, file);
   if (!complete) return Error{complete.error()};
