@@ -91,6 +91,7 @@ TEST(EmonLog, NamesFunctionsAndLinesOfACrash) {
   EXPECT_NE((*lines)[1].find("middle"), std::string::npos) << (*lines)[1];
   EXPECT_NE((*lines)[1].find("program.cpp:6"), std::string::npos) << (*lines)[1];
   EXPECT_NE((*lines)[2].find("__start"), std::string::npos) << (*lines)[2];
+  EXPECT_EQ((*places)[1].address, program.afterMiddlesCall - 8);  // the call itself
   EXPECT_EQ((*places)[2].where, "0x220a13f4");
 }
 

@@ -158,6 +158,17 @@ TEST(StickReader, RefusesEveryFlippedBitOfTheHeader) {
   EXPECT_EQ(reasons, expected);
 }
 
+TEST(StickReader, RefusesEveryFlippedBitOfTheHash) {
+  const std::string whole = stickBinary(*sampleConfig(), {});
+  for (std::size_t bit = 0; bit < std::size_t{kHashBytes} * 8; ++bit) {
+    StickTree damaged = {{kStickPath, whole}};
+    std::string& bytes = damaged.front().bytes;
+    char& byte = bytes[bytes.size() - kHashBytes + bit / 8];
+    byte = static_cast<char>(byte ^ (1 << bit % 8));
+    EXPECT_EQ(verdictOf(damaged).fault, StickFault::damagedWhole) << "bit " << bit;
+  }
+}
+
 TEST(StickReader, NamesAFileThatIsMissingShortOrLong) {
   for (const auto* path : {kObjectListPath, kScriptsPath, kObjectPath, kStickPath}) {
     StickTree tree = sampleTree();

@@ -14,6 +14,7 @@ ROOT = Path(__file__).resolve().parents[2]
 TOOLCHAIN = ROOT / "toolchain"
 BIN = ROOT / "build/mipsel/bin"
 KELPIE = os.environ.get("KELPIE", str(ROOT / "build/host/bin/kelpie"))
+STICK_HASH = os.environ.get("STICK_HASH", str(ROOT / "build/host/bin/stick-hash"))
 MATHS_HASH = os.environ.get("MATHS_HASH", str(ROOT / "build/host/bin/maths-hash"))
 
 
@@ -44,6 +45,21 @@ def test_maths_has_the_same_bits_on_both():
     here, there = run(MATHS_HASH), emulated("maths-hash")
     assert len(here.stdout.strip()) == 16
     assert here.stdout == there.stdout
+
+
+def test_the_target_reads_a_stick_as_the_pc_does(tmp_path):
+    stick = tmp_path / "stick"
+    made = run(KELPIE, "stick", "--robot", "3", "--team", "blue", "--out", stick)
+    assert made.returncode == 0, made.stderr
+    here, there = run(STICK_HASH, stick), emulated("stick-hash", stick)
+    assert here.returncode == 0 and "STICK.BIN: is good" in here.stdout
+    assert here.stdout == there.stdout
+    binary = stick / "OPEN-R/MW/DATA/P/STICK.BIN"
+    content = bytearray(binary.read_bytes())
+    content[len(content) // 2] ^= 1
+    binary.write_bytes(content)
+    there = emulated("stick-hash", stick)
+    assert there.returncode == 1 and "the CRC-32 of a part is wrong (fault 7)" in there.stdout
 
 
 def test_replay_on_the_target_gives_the_recorded_bits(log, behaviours):

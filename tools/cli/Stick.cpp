@@ -71,9 +71,7 @@ Expected<stick::StickContents> readContents(const StickOptions& options) {
   return contents;
 }
 
-bool isImage(const std::string& out) {
-  return std::filesystem::path(out).extension() == ".img";
-}
+bool isImage(const std::string& out) { return std::filesystem::path(out).extension() == ".img"; }
 
 Status verifyFolder(const std::string& root, const agent::AgentConfig& config) {
   stick::StdioFiles files(root.c_str());

@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kWaitMs = 60000;  // for the next line of a program that writes a few MB
+constexpr int kUntilItEnds = -1;  // as poll takes it
 
 }  // namespace
 
@@ -65,7 +65,7 @@ Expected<std::string> runProgram(const std::vector<std::string>& argv) {
   std::string output;
   std::string line;
   std::string last;
-  while (process->readLine(line, kWaitMs)) {
+  while (process->readLine(line, kUntilItEnds)) {
     output += line + "\n";
     last = line;
   }
