@@ -2,7 +2,6 @@
 #include "tools/stick/ElfObject.h"
 
 #include <cstring>
-#include <string_view>
 
 namespace kelpie::stick {
 namespace {

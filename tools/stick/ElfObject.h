@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "robot/core/Expected.h"
 
@@ -36,9 +37,9 @@ class ElfObject {
   bool readGlobalPointer();
   bool findSymbol(std::uint32_t symbols, std::uint32_t names);
   std::optional<std::uint32_t> instruction(std::uint32_t address) const;
+  std::string_view nameAt(std::uint32_t names, std::uint32_t offset) const;
 
   std::string bytes_;
-  std::string_view nameAt(std::uint32_t names, std::uint32_t offset) const;
   Code code_;
   std::uint32_t globalPointer_ = 0;
 };
