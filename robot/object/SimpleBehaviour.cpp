@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// behaviour/Behaviour.h without Python: a program that links this in place of behaviour/ plays with
+// the SimplePlayer. There are no scripts, so none can fail; `scripts` is not looked at.
+#include "behaviour/Behaviour.h"
+#include "robot/object/SimplePlayer.h"
+
+namespace kelpie::behaviour {
+
+// The interface's name for what decides.
+class PythonHost {
+ public:
+  object::SimpleState player;
+  std::string error;  // stays empty
+};
+
+BehaviourState::BehaviourState(const std::string& /*scripts*/)
+    : host_(std::make_unique<PythonHost>()) {}
+
+BehaviourState::~BehaviourState() = default;
+
+const std::string& BehaviourState::lastError() const { return host_->error; }
+
+Expected<Rows> BehaviourState::ask(const std::string& function) {
+  return Error{function + ": the simple player has no scripts to ask"};
+}
+
+// Not the driver's words: no driver reaches a robot yet, and the check of what comes by network
+// makes its refusals' texts with std::to_chars(double), which the SDK's library has not.
+Command step(const BehaviourIn& in, const BehaviourParams& /*params*/, BehaviourState& state) {
+  return object::step(in, state.host().player);
+}
+
+}  // namespace kelpie::behaviour

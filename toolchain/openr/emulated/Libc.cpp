@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+// The few functions of the C library and of libgcc that the object wants of the SDK, for the
+// emulator alone: the robot's come from the SDK. Memory is taken from one block and never given
+// back; how much was taken can be read.
+#include <cstddef>
+#include <cstdint>
+
+namespace {
+
+// 24 MB, the memory that the whole object may use.
+constexpr std::size_t kHeapBytes = 24U << 20U;
+alignas(8) std::uint8_t heap[kHeapBytes];
+std::size_t taken = 0;
+
+}  // namespace
+
+extern "C" {
+
+void* malloc(std::size_t size) {
+  const std::size_t whole = (size + 7U) & ~std::size_t{7};
+  if (whole < size || whole > kHeapBytes - taken) return nullptr;
+  void* const memory = heap + taken;
+  taken += whole;
+  return memory;
+}
+
+void free(void* /*memory*/) {}
+
+std::uint32_t kelpieHeapTaken() { return taken; }
+
+void* memcpy(void* to, const void* from, std::size_t count) {
+  auto* out = static_cast<std::uint8_t*>(to);
+  const auto* in = static_cast<const std::uint8_t*>(from);
+  const bool aligned =
+      ((reinterpret_cast<std::uintptr_t>(out) | reinterpret_cast<std::uintptr_t>(in)) & 3U) == 0;
+  if (aligned) {
+    for (; count >= 4; count -= 4, out += 4, in += 4)
+      *reinterpret_cast<std::uint32_t*>(out) = *reinterpret_cast<const std::uint32_t*>(in);
+  }
+  while (count-- > 0) *out++ = *in++;
+  return to;
+}
+
+void* memmove(void* to, const void* from, std::size_t count) {
+  auto* out = static_cast<std::uint8_t*>(to);
+  const auto* in = static_cast<const std::uint8_t*>(from);
+  if (out <= in || out >= in + count) return memcpy(to, from, count);
+  while (count-- > 0) out[count] = in[count];
+  return to;
+}
+
+void* memset(void* to, int value, std::size_t count) {
+  auto* out = static_cast<std::uint8_t*>(to);
+  while (count-- > 0) *out++ = static_cast<std::uint8_t>(value);
+  return to;
+}
+
+int memcmp(const void* a, const void* b, std::size_t count) {
+  const auto* left = static_cast<const std::uint8_t*>(a);
+  const auto* right = static_cast<const std::uint8_t*>(b);
+  for (; count-- > 0; ++left, ++right)
+    if (*left != *right) return *left < *right ? -1 : 1;
+  return 0;
+}
+
+const void* memchr(const void* from, int value, std::size_t count) {
+  const auto* in = static_cast<const std::uint8_t*>(from);
+  for (; count-- > 0; ++in)
+    if (*in == static_cast<std::uint8_t>(value)) return in;
+  return nullptr;
+}
+
+std::size_t strlen(const char* text) {
+  std::size_t length = 0;
+  while (text[length] != '\0') ++length;
+  return length;
+}
+
+// From 64-bit integers to doubles and back, by parts that a double holds exactly: 32 bits each.
+double __floatdidf(std::int64_t value) {
+  const auto high = static_cast<double>(static_cast<std::int32_t>(value >> 32));
+  const auto low = static_cast<double>(static_cast<std::uint32_t>(value));
+  return high * 4294967296.0 + low;  // the product is exact, the sum rounded once
+}
+
+std::uint64_t __fixunsdfdi(double value) {
+  const auto high = static_cast<std::uint32_t>(value / 4294967296.0);
+  const auto low = static_cast<std::uint32_t>(value - static_cast<double>(high) * 4294967296.0);
+  return (static_cast<std::uint64_t>(high) << 32) | low;
+}
+
+std::int64_t __fixdfdi(double value) {
+  return value < 0.0 ? -static_cast<std::int64_t>(__fixunsdfdi(-value))
+                     : static_cast<std::int64_t>(__fixunsdfdi(value));
+}
+
+double sqrt(double x) { return __builtin_sqrt(x); }  // the instruction: -fno-math-errno
+double fmin(double x, double y) { return x != x ? y : y != y || x < y ? x : y; }
+double fmax(double x, double y) { return x != x ? y : y != y || x > y ? x : y; }
+}
