@@ -7,7 +7,7 @@
 
 namespace {
 
-// 24 MB, the memory that the whole object may use.
+// The whole object may use 24 MB.
 constexpr std::size_t kHeapBytes = 24U << 20U;
 alignas(8) std::uint8_t heap[kHeapBytes];
 std::size_t taken = 0;

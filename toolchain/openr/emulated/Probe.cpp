@@ -27,7 +27,7 @@ struct Emulated {
   kelpie::agent::StageObserver silent;
 };
 
-std::uint8_t buffer[kBufferBytes];
+alignas(8) std::uint8_t buffer[kBufferBytes];
 Emulated* emulated = nullptr;
 
 template <class T>

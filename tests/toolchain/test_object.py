@@ -1,0 +1,410 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The robot's object: each gate of check-object refuses the fault that it is for, planted in a tiny
+object; the emulated image gives the PC's bits and notices other ones; our own parts of the C library
+do as the PC's. Run by ctest, which builds the object and names the PC's programs."""
+
+import math
+import os
+import random
+import re
+import struct
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+TOOLCHAIN = ROOT / "toolchain"
+OBJECT = ROOT / "build/openr/agent.o"
+IMAGE = ROOT / "build/openr/emulated"
+sys.path.insert(0, str(TOOLCHAIN))
+FLAGS = ("-O2 -EL -march=mips2 -mabi=32 -mfp32 -mabicalls -mshared -fPIC -G0 -mno-plt "
+         "-mno-relax-pic-calls -fno-jump-tables -fno-exceptions -fno-rtti "
+         "-fno-asynchronous-unwind-tables -fno-use-cxa-atexit -fno-stack-protector "
+         "-ffunction-sections -fno-builtin").split()
+
+
+def run(*command, **options):
+    return subprocess.run([str(part) for part in command], capture_output=True, text=True,
+                          timeout=200, **options)
+
+
+def must(*command):
+    done = run(*command)
+    assert done.returncode == 0, done.stderr
+    return done.stdout
+
+
+def compiled(folder, source, *flags, suffix="cpp"):
+    """A partial link of one source as the preset makes it."""
+    (folder / f"own.{suffix}").write_text(source)
+    must("mipsel-linux-gnu-g++", *FLAGS, *flags, "-c", "-o", folder / "own.o",
+         folder / f"own.{suffix}")
+    return linked(folder, TOOLCHAIN / "openr/object.ld")
+
+
+def linked(folder, script):
+    must("mipsel-linux-gnu-ld", "-EL", "-m", "elf32ltsmip", "-r", "--gc-sections",
+         "--undefined=root", "-T", script, "-o", folder / "tiny.o", folder / "own.o")
+    return folder / "tiny.o"
+
+
+def refusal(path):
+    """{gate: its lines}; the object must be refused."""
+    done = run(TOOLCHAIN / "check-object", path)
+    assert done.returncode == 1, done.stdout + done.stderr
+    faults = re.findall(r"^check-object: (\w+): (.*)$", done.stderr, re.M)
+    return {gate: [line for other, line in faults if other == gate] for gate, _ in faults}
+
+
+def test_robots_object_passes_every_gate():
+    done = run(TOOLCHAIN / "check-object", OBJECT)
+    assert done.returncode == 0, done.stderr
+    assert "10 gates, no fault" in done.stdout
+
+
+def test_object_without_a_fault_passes(tmp_path):
+    path = compiled(tmp_path, 'extern "C" void* memset(void*, int, unsigned); extern "C" int root('
+                    'int* p) { memset(p, 1, 9); return *p; }')
+    done = run(TOOLCHAIN / "check-object", path)
+    assert done.returncode == 0, done.stderr
+
+
+@pytest.mark.parametrize("flags, word", [
+    (["-march=mips32r2"], "clz %0, %0"), (["-march=mips4"], "movz %0, %0, %0"),
+    (["-march=mips32r2"], "seb %0, %0"), (["-march=mips32r2"], "mul %0, %0, %0"),
+    (["-march=mips3"], "dadd %0, %0, %0")])
+def test_instruction_beyond_mips_ii_is_refused(tmp_path, flags, word):
+    source = f'extern "C" int root(int x) {{ asm(".set {flags[0][7:]}\\n{word}" : "+r"(x)); return x; }}'
+    found = refusal(compiled(tmp_path, source))
+    assert found == {"instruction_set": ["root has 1 instructions beyond MIPS II"]}
+
+
+def test_object_marked_as_of_a_later_instruction_set_is_refused(tmp_path):
+    found = refusal(compiled(tmp_path, 'extern "C" int root(int x) { return x; }', "-march=mips4"))
+    assert "is marked as of a later instruction set" in found["instruction_set"][0]
+
+
+def test_relocation_that_gensnap_does_not_know_is_refused(tmp_path):
+    source = '.text\n.globl root\n.ent root\nroot: jal root\nnop\n.end root\n'
+    found = refusal(compiled(tmp_path, source, "-mno-abicalls", "-fno-pic", "-mno-shared",
+                             suffix="s"))
+    assert "R_MIPS_26" in found["relocation_types"][0]
+
+
+def test_jump_table_without_reginfo_is_refused(tmp_path):
+    table = "".join(f"case {i}: return {i * i * 7 % 11}({i});" for i in range(12))
+    table = re.sub(r"(\d+)\((\d+)\)", r"x * \1 + root(\2)", table)
+    path = compiled(tmp_path, 'extern "C" int root(int x) { switch (x) {' + table +
+                    '} return 0; }', "-fjump-tables")
+    assert "relocation_types" not in refusal(path)
+    script = tmp_path / "lost.ld"
+    text = (TOOLCHAIN / "openr/object.ld").read_text()
+    script.write_text(text.replace(".reginfo 0 : { KEEP(*(.reginfo)) }", "")
+                      .replace("*(.MIPS.abiflags", "*(.reginfo .MIPS.abiflags"))
+    found = refusal(linked(tmp_path, script))
+    assert "R_MIPS_GPREL32 and no .reginfo" in found["relocation_types"][0]
+
+
+def test_absolute_address_is_refused(tmp_path):
+    found = refusal(compiled(tmp_path, 'int there = 3; extern "C" int root() { return there; }',
+                             "-mno-abicalls", "-fno-pic", "-mno-shared"))
+    assert "of there, which no loader corrects" in found["absolute_addresses"][0]
+
+
+def test_name_that_nobody_has_is_refused(tmp_path):
+    found = refusal(compiled(tmp_path, 'extern "C" void printf(const char*); extern "C" void '
+                             'root() { printf("x"); }'))
+    assert found == {"undefined_names": ["wants printf, which is not in openr/undefined.txt"]}
+
+
+@pytest.mark.parametrize("name", ["lround", "floor", "sin"])
+def test_maths_function_that_was_not_compared_is_refused(tmp_path, name):
+    found = refusal(compiled(tmp_path, f'extern "C" double {name}(double); extern "C" double '
+                             f'root(double x) {{ return {name}(x) + 1.0; }}'))
+    assert found["maths_functions"] == [
+        f"wants {name} of the C library, which nobody has compared on the robot"]
+
+
+def test_call_by_a_pointer_that_no_list_names_is_refused(tmp_path):
+    found = refusal(compiled(tmp_path, 'extern "C" int root(int (*f)(int)) { return f(3) + 1; }'))
+    assert found == {"indirect_calls": [
+        "root calls by a pointer and is not in openr/calls.txt"]}
+
+
+def test_call_in_place_of_a_return_by_a_pointer_is_seen_too(tmp_path):
+    found = refusal(compiled(tmp_path, 'extern "C" int root(int (*f)(int)) { return f(3); }'))
+    assert "indirect_calls" in found
+
+
+def test_pointer_that_is_only_sometimes_a_known_function_is_seen(tmp_path):
+    found = refusal(compiled(tmp_path, """
+__attribute__((noinline)) static int known(int x) { return x * 3; }
+extern "C" int root(int (**f)(int), int x) { return (x > 3 ? known : f[x])(x) + known(x); }"""))
+    assert "root calls by a pointer" in found["indirect_calls"][0]
+
+
+TAKES = 'extern "C" void* memset(void*, int, unsigned);\n'
+
+
+@pytest.mark.parametrize("size", [21 * 1024, 70 * 1024])
+def test_large_frame_is_refused(tmp_path, size):
+    found = refusal(compiled(tmp_path, TAKES + f'extern "C" int root() {{ char x[{size}]; '
+                             'memset(x, 1, sizeof x); return x[7]; }'))
+    taken = re.match(r"root takes (\d+) bytes of stack, at most 20480", found["stack_frames"][0])
+    assert size <= int(taken[1]) < size + 64
+
+
+def test_frame_of_unknown_size_is_refused(tmp_path):
+    found = refusal(compiled(tmp_path, TAKES + 'extern "C" int root(int n) { char x[n]; '
+                             'memset(x, 1, n); return x[7]; }'))
+    assert "root takes a stack of a size that is not known" in found["stack_frames"]
+
+
+def test_deep_path_of_small_frames_is_refused(tmp_path):
+    steps = "".join(
+        f'__attribute__((noinline)) static int f{i}(char* c) {{ char x[19000]; memset(x, *c, '
+        f'sizeof x); return x[3] + f{i - 1}(x); }}\n' if i else
+        '__attribute__((noinline)) static int f0(char* c) { return c[5] * 3; }\n' for i in range(5))
+    found = refusal(compiled(tmp_path, TAKES + steps + 'extern "C" int root() { char c = 3; '
+                             'return f4(&c) + 1; }'))
+    assert list(found) == ["deepest_path"]
+    assert re.match(r"a path takes 7\d{4} bytes of stack, at most 61440: root -> ",
+                    found["deepest_path"][0])
+
+
+def test_function_that_calls_itself_is_refused(tmp_path):
+    found = refusal(compiled(tmp_path, 'extern "C" int root(int x) { return x < 2 ? x : '
+                             'root(x - 1) * root(x / 2); }'))
+    assert found == {"deepest_path": ["root calls itself and is not in openr/calls.txt"]}
+
+
+def test_functions_that_call_each_other_without_end_are_refused(tmp_path):
+    found = refusal(compiled(tmp_path, """
+extern "C" int root(int x);
+__attribute__((noinline)) int other(int x) { return root(x - 1) * 3; }
+extern "C" int root(int x) { return x < 2 ? x : other(x) + 1; }"""))
+    assert found["deepest_path"][0].startswith("functions call each other without end: ")
+
+
+def test_got_that_is_too_large_is_refused(tmp_path):
+    loads = "".join(f"lw $2, %got(g{i})($28)\n" for i in range(15400))
+    data = "".join(f".globl g{i}\ng{i}: .word {i}\n" for i in range(15400))
+    found = refusal(compiled(tmp_path, f".text\n.globl root\n.ent root\nroot: .set noreorder\n"
+                             f"{loads} jr $31\nnop\n.end root\n.data\n{data}", suffix="s"))
+    assert re.match(r"wants 154\d\d words of the GOT, at most 15360", found["got_size"][0])
+
+
+def test_static_constructor_that_allocates_is_refused(tmp_path):
+    found = refusal(compiled(tmp_path, """
+extern "C" void* malloc(unsigned);
+struct Holder { void* memory; Holder() : memory(malloc(3)) {} };
+Holder holder;
+extern "C" void* root() { return holder.memory; }"""))
+    assert list(found) == ["constructors"]
+    assert "allocates (malloc)" in found["constructors"][0]
+
+
+def test_file_that_is_no_object_ends_with_2_and_a_line(tmp_path):
+    (tmp_path / "text").write_text("no object")
+    done = run(TOOLCHAIN / "check-object", tmp_path / "text")
+    assert done.returncode == 2 and "no 32-bit little-endian MIPS ELF file" in done.stderr
+    whole = OBJECT.read_bytes()
+    (tmp_path / "cut").write_bytes(whole[:len(whole) // 2])
+    done = run(TOOLCHAIN / "check-object", tmp_path / "cut")
+    assert done.returncode == 2 and done.stderr.count("\n") == 1
+
+
+def test_struct_of_another_size_does_not_compile_for_the_robot(tmp_path):
+    """Every assertion of robot/openr's headers is compiled for 32 bits (openr/Layout.cpp)."""
+    include = tmp_path / "include"
+    (include / "OPENR").mkdir(parents=True)
+    for header in (ROOT / "robot/openr/include").rglob("*.h"):
+        text = header.read_text()
+        if header.name == "ODataFormats.h":
+            text = re.sub(r"(struct OSensorValue \{)", r"\1 int planted;", text)
+        (include / header.relative_to(ROOT / "robot/openr/include")).write_text(text)
+    command = ["mipsel-linux-gnu-g++", *FLAGS, "-std=c++17", "-fsyntax-only", "-I", ROOT,
+               TOOLCHAIN / "openr/Layout.cpp", "-I"]
+    assert run(*command, ROOT / "robot/openr/include").returncode == 0
+    planted = run(*command, include)
+    assert planted.returncode != 0 and "static assertion failed" in planted.stderr
+
+
+@pytest.fixture(scope="session")
+def tape(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("tape")
+    log = must(TOOLCHAIN / "record", folder, os.environ.get(
+        "KELPIE", ROOT / "build/host/bin/kelpie"), 10).strip()
+    said = must(os.environ.get("OBJECT_TAPE", ROOT / "build/host/bin/object-tape"), log,
+                folder / "tape")
+    assert re.match(r"300 frames, 3\d\d motion steps, 0 differ from the recording", said)
+    return folder / "tape"
+
+
+def short(tape, to, records, change=None):
+    """The first records of a tape; `change` may alter (index, kind, input, output)."""
+    data, at, out = tape.read_bytes(), 0, bytearray()
+    for index in range(records):
+        kind, size, made = struct.unpack_from("<cII", data, at)
+        fed, answer = data[at + 9:at + 9 + size], data[at + 9 + size:at + 9 + size + made]
+        at += 9 + size + made
+        if change:
+            fed, answer = change(index, kind, fed, answer)
+        out += struct.pack("<cII", kind, len(fed), len(answer)) + fed + answer
+    to.write_bytes(out)
+    return to
+
+
+def test_object_gives_the_bits_of_the_pc_at_two_addresses(tape):
+    done = run(TOOLCHAIN / "emulate", "--tape", tape)
+    assert done.returncode == 0, done.stderr
+    assert re.findall(r"^(0x\w+): 0 of 300 frames differ, 0 of 3\d\d motion steps", done.stdout,
+                      re.M) == ["0x10000000", "0x12345000"]
+    for stack in re.findall(r"stack (\d+) bytes", done.stdout):
+        assert 20000 < int(stack) < 60 * 1024
+
+
+def flipped(data, at):
+    return data[:at] + bytes([data[at] ^ 1]) + data[at + 1:]
+
+
+def test_one_other_bit_in_an_output_is_noticed(tape, tmp_path):
+    changed = {"m": 2, "f": 6}
+
+    def change(index, kind, fed, answer):
+        if changed[kind.decode()] == index if kind != b"c" else False:
+            answer = flipped(answer, 40)
+        return fed, answer
+
+    kinds = []
+    short(tape, tmp_path / "look", 12, lambda i, k, a, b: (kinds.append(k), (a, b))[1])
+    changed = {"m": kinds.index(b"m", 2), "f": kinds.index(b"f", 4)}
+    done = run(TOOLCHAIN / "emulate", "--at", "0x10000000", "--tape",
+               short(tape, tmp_path / "other", 12, change))
+    assert done.returncode == 1
+    assert re.search(r"1 of \d+ frames differ, 1 of \d+ motion steps differ", done.stdout)
+    assert re.search(r"frame \d+: byte 40 of \d+", done.stderr)
+
+
+def test_word_that_was_not_corrected_is_noticed(tape, tmp_path):
+    """An image whose relocations are gone is as it was linked: it dies, or gives other bits."""
+    from openr.elf import Elf, SHT_REL
+    data = bytearray(IMAGE.read_bytes())
+    elf = Elf(IMAGE)
+    lost = 0
+    for section in elf.sections:
+        if section.type == SHT_REL and elf.sections[section.info].name == ".rodata":
+            for at in range(section.offset, section.offset + section.size, 8):
+                data[at + 4] = 0  # R_MIPS_NONE
+                lost += 1
+    for section in elf.sections:
+        if section.type == SHT_REL and elf.sections[section.info].name == ".data":
+            for at in range(section.offset, section.offset + section.size, 8):
+                data[at + 4] = 0
+                lost += 1
+    assert lost > 0
+    (tmp_path / "image").write_bytes(data)
+    done = run(TOOLCHAIN / "emulate", "--at", "0x10000000", "--image", tmp_path / "image",
+               "--tape", short(tape, tmp_path / "tape", 12))
+    assert done.returncode in (1, 2) and done.stderr != ""
+
+
+def test_input_that_cannot_be_read_is_noticed(tape, tmp_path):
+    cut = short(tape, tmp_path / "cut", 8, lambda i, kind, fed, answer: (
+        fed[:-1] if kind == b"f" else fed, answer))
+    done = run(TOOLCHAIN / "emulate", "--at", "0x10000000", "--tape", cut)
+    assert done.returncode == 1 and "the image could not read the input" in done.stderr
+
+
+@pytest.mark.parametrize("arguments, line", [
+    (["none.mcap"], "none.mcap"),
+    (["--tape", "none"], "none"),
+    (["--image", "none"], "no image none; build it with toolchain/build-object"),
+])
+def test_bad_arguments_end_with_2_and_one_line(arguments, line):
+    done = run(TOOLCHAIN / "emulate", *arguments)
+    assert done.returncode == 2
+    assert line in done.stderr and done.stderr.count("\n") == 1
+
+
+@pytest.fixture(scope="module")
+def machine():
+    import importlib.machinery
+    import importlib.util
+    loader = importlib.machinery.SourceFileLoader("emulate", str(TOOLCHAIN / "emulate"))
+    emulate = importlib.util.module_from_spec(importlib.util.spec_from_loader("emulate", loader))
+    loader.exec_module(emulate)
+    return emulate.Machine(emulate.Elf(IMAGE), 0x12345000)
+
+
+def bits(value):
+    return struct.unpack("<Q", struct.pack("<d", value))[0]
+
+
+def edge_values():
+    rest = random.Random(1)
+    wholes = [0.0, 0.5, 1.0, 1.5, 2.5, 0.49999999999999994, 2.0 ** 20, 2.0 ** 20 + 0.5,
+              2.0 ** 20 + 0.25, 2.0 ** 21 - 0.5, 2.0 ** 21, 2.0 ** 30 + 0.5, 1e-310, 1048577.5,
+              2147483646.5]
+    near = [math.nextafter(x, d) for x in wholes for d in (-1e300, 1e300)]
+    between = [rest.uniform(2.0 ** 20, 2.0 ** 21) for _ in range(200)]
+    small = [rest.uniform(-3.0, 3.0) for _ in range(100)]
+    values = wholes + near + between + small
+    return values + [-value for value in values]
+
+
+def maths(machine, x, y=0.0, whole=0):
+    """What the functions in the image make of them (openr/emulated/Maths.cpp)."""
+    data = machine.give("kelpieMaths", struct.pack("<ddq", x, y, whole))
+    names = ("floor", "ceil", "fmin", "fmax", "from_whole", "to_whole", "lround")
+    return dict(zip(names, struct.unpack("<QQQQQqq", data)))
+
+
+def rounded(value):
+    size = math.floor(abs(value))
+    return int(math.copysign(size + (abs(value) - size >= 0.5), value))
+
+
+def test_rounding_on_the_robots_cpu_is_that_of_the_pc(machine):
+    for value in edge_values():
+        made = maths(machine, value)
+        assert made["floor"] == bits(math.copysign(math.floor(value), value)), value
+        assert made["ceil"] == bits(math.copysign(math.ceil(value), value)), value
+        assert made["lround"] == rounded(value), value
+
+
+def test_floor_and_ceil_leave_what_has_no_fraction(machine):
+    for value in (2.0 ** 52, -2.0 ** 53, 1e300, math.inf, -math.inf):
+        made = maths(machine, value)
+        assert made["floor"] == made["ceil"] == bits(value)
+
+
+def test_64_bit_integers_are_those_of_the_pc(machine):
+    rest = random.Random(2)
+    for value in edge_values() + [rest.uniform(-9e18, 9e18) for _ in range(100)]:
+        assert maths(machine, value)["to_whole"] == int(value), value
+    for value in [0, 1, -1, 2 ** 62 + 1, -2 ** 63, 2 ** 53 + 1, 2 ** 53 + 3] + [
+            rest.randrange(-2 ** 63, 2 ** 63) for _ in range(100)]:
+        assert maths(machine, 0.0, 0.0, value)["from_whole"] == bits(float(value)), value
+
+
+def test_fmin_and_fmax_pass_over_what_is_no_number(machine):
+    for x, y, least, most in ((1.0, 2.0, 1.0, 2.0), (math.nan, 2.0, 2.0, 2.0),
+                              (-3.0, math.nan, -3.0, -3.0), (-1.0, -2.0, -2.0, -1.0)):
+        made = maths(machine, x, y)
+        assert (made["fmin"], made["fmax"]) == (bits(least), bits(most))
+
+
+@pytest.mark.parametrize("program, package", [
+    ("mipsel-linux-gnu-g++", "g++-mipsel-linux-gnu"), ("ninja", "ninja-build")])
+def test_what_is_not_installed_is_named(tmp_path, program, package):
+    import shutil
+    for tool in ("bash", "dirname", "cmake", "ninja", "mipsel-linux-gnu-g++",
+                 "mipsel-linux-gnu-ld"):
+        if tool != program:
+            (tmp_path / tool).symlink_to(shutil.which(tool))
+    done = run("/bin/bash", TOOLCHAIN / "build-object", env={"PATH": str(tmp_path)})
+    assert done.returncode == 2
+    assert f"needs {program}; install the Debian package {package}" in done.stderr
