@@ -1,34 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robot/object/Robot.h"
 
-#include "robot/agent/AgentLoops.h"
+#include <new>
 
 namespace kelpie::object {
-namespace {
-
-// The loops with what they write to: on a robot nobody listens.
-class RobotLoops : public agent::Loops {
- public:
-  explicit RobotLoops(const agent::AgentConfig& config) : loops_(config, {}, silent_) {}
-
-  const MotionOutput& motion(const MotionInput& withoutCommand) override {
-    return loops_.motion(withoutCommand);
-  }
-  void camera(const Image& image, TimeUs exposureMiddle, std::uint32_t number) override {
-    loops_.camera(image, exposureMiddle, number);
-  }
-
- private:
-  agent::LogSink silent_;
-  agent::AgentLoops loops_;
-};
-
-}  // namespace
 
 std::unique_ptr<agent::AgentConfig> makeConfig() { return std::make_unique<agent::AgentConfig>(); }
 
-std::unique_ptr<agent::Loops> makeLoops(const agent::AgentConfig& config) {
-  return std::make_unique<RobotLoops>(config);
+LateLoops::~LateLoops() {
+  if (made_) room_.loops.~RobotLoops();
+}
+
+void LateLoops::make(const agent::AgentConfig& config) {
+  if (made_) return;
+  new (&room_.loops) RobotLoops(config);
+  made_ = true;
 }
 
 }  // namespace kelpie::object

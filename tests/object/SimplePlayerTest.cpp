@@ -6,7 +6,6 @@
 
 #include "behaviour/Behaviour.h"
 #include "robot/core/FieldCheck.h"
-#include "robot/object/Robot.h"
 #include "robot/object/SimplePlayer.h"
 
 namespace kelpie::object {
@@ -107,20 +106,6 @@ TEST_F(SimplePlayer, StandsBehindTheInterfaceOfTheBehaviours) {
   EXPECT_EQ(behaviours.lastError(), "");
   EXPECT_GT(behaviour::step({*input, *percepts, world, field}, {}, behaviours).walk.forward, 20.0);
   EXPECT_FALSE(behaviours.ask("tree"));
-}
-
-TEST(Robot, TakesSensorsAndImagesWithTheStandardConfiguration) {
-  const auto config = makeConfig();
-  const auto loops = makeLoops(*config);
-  const auto input = std::make_unique<MotionInput>();
-  const auto image = std::make_unique<Image>();
-  for (int message = 1; message <= 40; ++message) {
-    input->time = TimeUs{32000 * message};
-    const MotionOutput& out = loops->motion(*input);
-    std::string why;
-    EXPECT_TRUE(verify(out, &why)) << why;
-    loops->camera(*image, TimeUs{32000 * message - 20000}, static_cast<std::uint32_t>(message));
-  }
 }
 
 }  // namespace

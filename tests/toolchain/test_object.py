@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The robot's object: each gate of check-object refuses the fault that it is for, planted in a tiny
-object; the emulated image gives the PC's bits and notices other ones; our own parts of the C library
-do as the PC's. Run by ctest, which builds the object and names the PC's programs."""
+object; the emulated image gives the PC's bits, and other ones are noticed; our own parts of the C
+library do as the PC's. Run by ctest, which builds the object and names the PC's programs."""
 
 import math
 import os
@@ -76,7 +76,8 @@ def test_object_without_a_fault_passes(tmp_path):
     (["-march=mips32r2"], "seb %0, %0"), (["-march=mips32r2"], "mul %0, %0, %0"),
     (["-march=mips3"], "dadd %0, %0, %0")])
 def test_instruction_beyond_mips_ii_is_refused(tmp_path, flags, word):
-    source = f'extern "C" int root(int x) {{ asm(".set {flags[0][7:]}\\n{word}" : "+r"(x)); return x; }}'
+    source = (f'extern "C" int root(int x) {{ asm(".set {flags[0][7:]}\\n{word}" : "+r"(x)); '
+              'return x; }')
     found = refusal(compiled(tmp_path, source))
     assert found == {"instruction_set": ["root has 1 instructions beyond MIPS II"]}
 
@@ -217,7 +218,7 @@ def test_file_that_is_no_object_ends_with_2_and_a_line(tmp_path):
 
 
 def test_struct_of_another_size_does_not_compile_for_the_robot(tmp_path):
-    """Every assertion of robot/openr's headers is compiled for 32 bits (openr/Layout.cpp)."""
+    """Every assertion of robot/openr's headers is compiled for 32 bits (robot/object/OpenrLayout.cpp)."""
     include = tmp_path / "include"
     (include / "OPENR").mkdir(parents=True)
     for header in (ROOT / "robot/openr/include").rglob("*.h"):
@@ -226,7 +227,7 @@ def test_struct_of_another_size_does_not_compile_for_the_robot(tmp_path):
             text = re.sub(r"(struct OSensorValue \{)", r"\1 int planted;", text)
         (include / header.relative_to(ROOT / "robot/openr/include")).write_text(text)
     command = ["mipsel-linux-gnu-g++", *FLAGS, "-std=c++17", "-fsyntax-only", "-I", ROOT,
-               TOOLCHAIN / "openr/Layout.cpp", "-I"]
+               ROOT / "robot/object/OpenrLayout.cpp", "-I"]
     assert run(*command, ROOT / "robot/openr/include").returncode == 0
     planted = run(*command, include)
     assert planted.returncode != 0 and "static assertion failed" in planted.stderr

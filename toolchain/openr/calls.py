@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Who calls whom in a partially linked MIPS object, and how much stack each function takes, read from
-its instructions and relocations. PIC code finds every function by the GOT, so that each mention of a
-function (CALL16 or GOT16) counts as a call: that is sometimes too many and never too few. A call by
-a pointer out of memory mentions nobody; its caller is in `indirect`, and who is called must be told
-by a list."""
+"""Who calls whom in a partially linked MIPS object, and how much stack each function takes, read
+from its instructions and relocations. PIC code finds every function by the GOT, so that each
+mention of a function (CALL16 or GOT16) counts as a call: that is sometimes too many and never too
+few. A call by a pointer out of memory mentions nobody; its caller is in `indirect`, and who is
+called must be told by a list."""
 
 import bisect
 import struct
@@ -69,7 +69,7 @@ class Instruction:
 
 
 class Body:
-    """A function's instructions and what may come before each; branches act one instruction late."""
+    """A function's instructions and what may come before each; a branch acts one of them late."""
 
     def __init__(self, words):
         self.words = words
@@ -141,8 +141,8 @@ class Calls:
         return {at: name for at, name in found.items() if name}
 
     def pair(self, found, uppers, lower):
-        """A local address stands in two halves: the upper in the GOT16 words before this LO16, which
-        may share them with another."""
+        """A local address stands in two halves: the upper in the GOT16 words before this LO16,
+        which may share them with another."""
         for at in uppers:
             addend = ((self.word(at) & 0xffff) << 16) + signed(self.word(lower.offset) & 0xffff)
             name = self.name_of(lower.symbol, lower.symbol.value + addend & 0xffffffff)
