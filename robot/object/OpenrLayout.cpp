@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The headers of robot/openr compiled for the robot: what they assert of sizes and places must hold
-// with its 32-bit pointers too, and the class that the SDK's stub wants can be made. Nothing of
-// this file is linked.
+// with its 32-bit pointers too. Nothing of this file is linked.
 #include <OPENR/ODataFormats.h>
 #include <OPENR/OFbkImage.h>
 #include <OPENR/OObject.h>
@@ -9,9 +8,3 @@
 #include <OPENR/OPENRAPI.h>
 #include <OPENR/OSubject.h>
 #include <OPENR/RCRegion.h>
-
-#include <type_traits>
-
-#include "robot/object/sdk/Agent.h"
-
-static_assert(std::is_default_constructible_v<Agent>);
