@@ -17,6 +17,7 @@ void* allocate(std::size_t size) {
 
 }  // namespace
 
+// NOLINTBEGIN(bugprone-reserved-identifier,readability-identifier-naming): the library's names
 namespace std {
 
 const nothrow_t nothrow{};
@@ -44,3 +45,4 @@ void operator delete(void* memory, std::size_t /*size*/) noexcept { std::free(me
 void operator delete[](void* memory, std::size_t /*size*/) noexcept { std::free(memory); }
 
 extern "C" void __cxa_pure_virtual() { stop(); }
+// NOLINTEND(bugprone-reserved-identifier,readability-identifier-naming)

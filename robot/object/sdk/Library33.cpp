@@ -38,5 +38,7 @@ void kelpieDeallocate(void* memory, unsigned size) __asm__(
     "_ZNSt24__default_alloc_templateILb1ELi0EE10deallocateEPvj");
 void kelpieDeallocate(void* memory, unsigned /*size*/) { std::free(memory); }
 
-void __gxx_personality_v0() { __builtin_trap(); }  // no exception is ever thrown
+// No exception is ever thrown.
+// NOLINTNEXTLINE(bugprone-reserved-identifier,readability-identifier-naming): libgcc's name
+void __gxx_personality_v0() { __builtin_trap(); }
 }

@@ -26,7 +26,7 @@ void* malloc(std::size_t size) {
 
 void free(void* /*memory*/) {}
 
-std::uint32_t kelpieHeapTaken() { return taken; }
+std::uint32_t kelpieHeapTaken() { return static_cast<std::uint32_t>(taken); }
 
 void* memcpy(void* to, const void* from, std::size_t count) {
   auto* out = static_cast<std::uint8_t*>(to);
@@ -76,6 +76,7 @@ std::size_t strlen(const char* text) {
   return length;
 }
 
+// NOLINTBEGIN(bugprone-reserved-identifier,readability-identifier-naming): libgcc's names
 // From 64-bit integers to doubles and back, by parts that a double holds exactly: 32 bits each.
 double __floatdidf(std::int64_t value) {
   const auto high = static_cast<double>(static_cast<std::int32_t>(value >> 32));
@@ -93,6 +94,8 @@ std::int64_t __fixdfdi(double value) {
   return value < 0.0 ? -static_cast<std::int64_t>(__fixunsdfdi(-value))
                      : static_cast<std::int64_t>(__fixunsdfdi(value));
 }
+
+// NOLINTEND(bugprone-reserved-identifier,readability-identifier-naming)
 
 double sqrt(double x) { return __builtin_sqrt(x); }  // the instruction: -fno-math-errno
 double fmin(double x, double y) { return x != x ? y : y != y || x < y ? x : y; }
