@@ -28,7 +28,7 @@ FLAGS = ("-O2 -EL -march=mips2 -mabi=32 -mfp32 -mabicalls -mshared -fPIC -G0 -mn
 
 def run(*command, **options):
     return subprocess.run([str(part) for part in command], capture_output=True, text=True,
-                          timeout=200, **options)
+                          timeout=500, **options)
 
 
 def must(*command):
@@ -331,6 +331,14 @@ def test_bad_arguments_end_with_2_and_one_line(arguments, line):
     assert line in done.stderr and done.stderr.count("\n") == 1
 
 
+def test_emulator_that_is_not_installed_is_named(tape, tmp_path):
+    (tmp_path / "unicorn.py").write_text("raise ImportError('none')\n")
+    done = run(TOOLCHAIN / "emulate", "--tape", tape,
+               env={**os.environ, "PYTHONPATH": str(tmp_path)})
+    assert done.returncode == 2
+    assert done.stderr == "emulate: needs unicorn; install the Debian package python3-unicorn\n"
+
+
 @pytest.fixture(scope="module")
 def machine():
     import importlib.machinery
@@ -397,6 +405,15 @@ def test_fmin_and_fmax_pass_over_what_is_no_number(machine):
                               (-3.0, math.nan, -3.0, -3.0), (-1.0, -2.0, -2.0, -1.0)):
         made = maths(machine, x, y)
         assert (made["fmin"], made["fmax"]) == (bits(least), bits(most))
+
+
+@pytest.mark.parametrize("given", ["xyz", "a text that is longer than sixteen bytes", "q" * 3000])
+def test_strings_on_the_robots_cpu_are_those_of_the_pc(machine, given):
+    made = "a" + 20 * given
+    made = made[:3] + given + made[10:]
+    made = made[:1] + "-" + made[31:] + "!"
+    made = made[2:102] + made
+    assert machine.give("kelpieTexts", given.encode()).decode() == made
 
 
 @pytest.mark.parametrize("program, package", [
