@@ -324,6 +324,7 @@ def test_input_that_cannot_be_read_is_noticed(tape, tmp_path):
     (["none.mcap"], "none.mcap"),
     (["--tape", "none"], "none"),
     (["--image", "none"], "no image none; build it with toolchain/build-object"),
+    (["--image", OBJECT, "--tape", OBJECT], "so it is no image of toolchain/build-object"),
 ])
 def test_bad_arguments_end_with_2_and_one_line(arguments, line):
     done = run(TOOLCHAIN / "emulate", *arguments)
