@@ -15,7 +15,14 @@ namespace {
 TimeUs now() {
   SystemTime time;
   GetSystemTime(&time);
-  return {static_cast<std::int64_t>(time.seconds) * 1000000 + time.useconds};
+  return {static_cast<std::int64_t>(time.seconds) * 1000000 +
+          static_cast<std::int64_t>(time.useconds)};
+}
+
+// OPEN-R gives what was notified as const, but its vectors have no accessors for that.
+template <class Vector>
+Vector& vectorOf(const ONotifyEvent& event) {
+  return *static_cast<Vector*>(const_cast<void*>(event.Data(0)));
 }
 
 template <std::size_t N>
@@ -32,6 +39,12 @@ OStatus openAll(const std::array<const char*, N>& locators, std::array<OPrimitiv
 
 }  // namespace
 
+// The macros of OPEN-R delete nothing, since an object lives as long as its robot.
+Agent::~Agent() {
+  for (OSubject* one : subject) delete one;
+  for (OObserver* one : observer) delete one;
+}
+
 OStatus Agent::DoInit(const OSystemEvent&) {
   NEW_ALL_SUBJECT_AND_OBSERVER;
   REGISTER_ALL_ENTRY;
@@ -46,6 +59,7 @@ OStatus Agent::DoStart(const OSystemEvent&) {
   OStatus status = OPENR::SetMotorPower(opowerON);
   if (status == oSUCCESS) status = enableGains();
   if (status == oSUCCESS) status = readPose();
+  if (status == oSUCCESS) status = watchPower();
   if (status != oSUCCESS) return status;
   ENABLE_ALL_SUBJECT;
   ASSERT_READY_TO_ALL_OBSERVER;
@@ -87,10 +101,9 @@ OStatus Agent::openPrimitives() {
 void Agent::setCamera() {
   const OPrimitiveRequest requests[] = {oprmreqCAM_SET_WHITE_BALANCE, oprmreqCAM_SET_GAIN,
                                         oprmreqCAM_SET_SHUTTER_SPEED};
-  OPrimitiveControl_CameraParam values[] = {
-      OPrimitiveControl_CameraParam(ocamparamWB_FL_MODE),
-      OPrimitiveControl_CameraParam(ocamparamGAIN_HIGH),
-      OPrimitiveControl_CameraParam(ocamparamSHUTTER_SPEED_FAST)};
+  OPrimitiveControl_CameraParam values[] = {OPrimitiveControl_CameraParam(ocamparamWB_FL_MODE),
+                                            OPrimitiveControl_CameraParam(ocamparamGAIN_HIGH),
+                                            OPrimitiveControl_CameraParam(ocamparamSHUTTER_FAST)};
   for (std::size_t i = 0; i < std::size(values); ++i) {
     const OStatus status =
         OPENR::ControlPrimitive(ids_.camera, requests[i], &values[i], sizeof values[i], nullptr, 0);
@@ -105,7 +118,8 @@ OStatus Agent::newVectors() {
     const OStatus status = OPENR::NewCommandVectorData(kCommandCount, &vector.memory, &vector.data);
     if (status != oSUCCESS) return status;
     const ODataVectorInfo& info = vector.data->vectorInfo;
-    vector.region = new RCRegion(info.memRegionID, info.offset, vector.data, info.totalSize);
+    const auto offset = static_cast<offset_t>(info.offset);
+    vector.region = new RCRegion(info.memRegionID, offset, vector.data, info.totalSize);
     prepareCommands(*vector.data, ids_);
   }
   return oSUCCESS;
@@ -138,12 +152,28 @@ void Agent::changeGains(body::LegGain legs) {
   if (status != oSUCCESS) OSYSLOG1((osyslogERROR, "joint gains refused: %u", unsigned(status)));
 }
 
-// What cannot be read counts as nothing drawn: the joints keep their standard gain.
-double Agent::batteryCurrent() {
-  OPowerStatus power{};
-  if (OPENR::GetPowerStatus(&power) != oSUCCESS) return 0.0;
-  const double current = power.current;
-  return current < 0.0 ? -current : current;
+// One question at the start, which waits for another object's answer; from then on the system tells
+// of each change of a bit, of the capacity and of the temperature (openr-measured.md 2).
+OStatus Agent::watchPower() {
+  OPowerStatus power;
+  if (OPENR::GetPowerStatus(&power) == oSUCCESS) takePower(power);
+  power.Set(orsbALL, obsbALL, opsoREMAINING_CAPACITY_NOTIFY_EVERY_CHANGE,
+            opsoTEMPERATURE_NOTIFY_EVERY_CHANGE, opsoTIME_DIF_NOT_NOTIFY, opsoVOLUME_NOT_NOTIFY);
+  const OServiceEntry entry(myOID_, Extra_Entry[entryPowerChanged]);
+  const OStatus status = OPENR::ObservePowerStatus(power, entry);
+  if (status != oSUCCESS)
+    OSYSLOG1((osyslogERROR, "the battery cannot be watched: %u", unsigned(status)));
+  return status;
+}
+
+void Agent::PowerChanged(void* message) {
+  takePower(static_cast<const OPowerStatusMessage*>(message)->powerStatus);
+}
+
+void Agent::takePower(const OPowerStatus& status) {
+  const PowerReport report = reportOf(status);
+  motionInput_.batteryCurrent = report.current;
+  loops_.power(report);
 }
 
 // The joints are held where they are until the loops order something else.
@@ -160,10 +190,9 @@ OStatus Agent::readPose() {
 }
 
 void Agent::NotifySensor(const ONotifyEvent& event) {
-  const auto& vector = *static_cast<const OSensorFrameVectorData*>(event.Data(0));
+  auto& vector = vectorOf<OSensorFrameVectorData>(event);
   if (readSensors(vector)) {
     motionInput_.time = lastTick(vector);
-    motionInput_.batteryCurrent = batteryCurrent();
     const MotionOutput& output = loops_.motion(motionInput_);
     // At the start, or when the joints ran dry: a second vector ahead.
     if (inFlight() == 0) sendHeld();
@@ -173,7 +202,7 @@ void Agent::NotifySensor(const ONotifyEvent& event) {
   observer[event.ObsIndex()]->AssertReady();
 }
 
-bool Agent::readSensors(const OSensorFrameVectorData& vector) {
+bool Agent::readSensors(OSensorFrameVectorData& vector) {
   if (!sensorReader_.matched()) {
     const std::size_t lacking = sensorReader_.match(vector, ids_);
     if (lacking > 0) OSYSLOG1((osyslogERROR, "%u sensors do not report", unsigned(lacking)));
@@ -184,8 +213,9 @@ bool Agent::readSensors(const OSensorFrameVectorData& vector) {
 }
 
 // Sensor ticks are regular, their messages may be late: the least late one tells when tick 0 was.
-TimeUs Agent::lastTick(const OSensorFrameVectorData& vector) {
-  const std::int64_t last = vector.GetInfo(0)->frameNumber + kTicksPerMessage - 1;
+TimeUs Agent::lastTick(OSensorFrameVectorData& vector) {
+  const auto first = static_cast<std::int64_t>(vector.GetInfo(0)->frameNumber);
+  const std::int64_t last = first + static_cast<std::int64_t>(kTicksPerMessage) - 1;
   const TimeUs zero = {now().us - last * kTickUs};
   if (!clockKnown_ || zero < tickZero_) tickZero_ = zero;
   clockKnown_ = true;
@@ -218,10 +248,10 @@ std::size_t Agent::inFlight() const {
 }
 
 void Agent::NotifyImage(const ONotifyEvent& event) {
-  const auto& vector = *static_cast<const OFbkImageVectorData*>(event.Data(0));
+  auto& vector = vectorOf<OFbkImageVectorData>(event);
   if (readImage(vector, image_)) {
     loops_.camera(image_, {now().us - kExposureUs / 2},
-                  vector.GetInfo(ofbkimageLAYER_H)->frameNumber);
+                  static_cast<std::uint32_t>(vector.GetInfo(ofbkimageLAYER_H)->frameNumber));
   } else {
     OSYSLOG1((osyslogERROR, "an image of another type or size is left out"));
   }

@@ -20,6 +20,9 @@ namespace kelpie::agent {
 class Agent : public OObject {
  public:
   explicit Agent(Loops& loops) : loops_(loops) {}
+  ~Agent() override;
+  Agent(const Agent&) = delete;
+  Agent& operator=(const Agent&) = delete;
 
   OSubject* subject[numOfSubject] = {};
   OObserver* observer[numOfObserver] = {};
@@ -32,6 +35,8 @@ class Agent : public OObject {
   void ReadyEffector(const OReadyEvent&) {}  // targets are sent when sensors arrive
   void NotifySensor(const ONotifyEvent& event);
   void NotifyImage(const ONotifyEvent& event);
+  // An OPowerStatusMessage: the state of the battery or of the pause switch has changed.
+  void PowerChanged(void* message);
 
  private:
   // Two in flight and one to fill.
@@ -48,11 +53,12 @@ class Agent : public OObject {
   OStatus enableGains();
   OStatus setGains(body::LegGain legs);
   void changeGains(body::LegGain legs);
-  static double batteryCurrent();
+  OStatus watchPower();
+  void takePower(const OPowerStatus& status);
   OStatus readPose();
   void setCamera();
-  bool readSensors(const OSensorFrameVectorData& vector);
-  TimeUs lastTick(const OSensorFrameVectorData& vector);
+  bool readSensors(OSensorFrameVectorData& vector);
+  TimeUs lastTick(OSensorFrameVectorData& vector);
   void sendHeld();
   void send(const std::array<JointFrame, kTicksPerMessage>& frames);
   std::size_t inFlight() const;

@@ -13,8 +13,8 @@ using openr::Sensor;
 
 constexpr std::size_t kTicks = kTicksPerMessage;
 
-std::size_t placeOf(OPrimitiveID id, const OSensorFrameVectorData& vector) {
-  for (std::size_t i = 0; i < vector.vectorInfo.numData; ++i) {
+int placeOf(OPrimitiveID id, OSensorFrameVectorData& vector) {
+  for (int i = 0; i < static_cast<int>(vector.vectorInfo.numData); ++i) {
     const OSensorFrameInfo& info = *vector.GetInfo(i);
     if (info.primitiveID == id && info.numFrames >= kTicks) return i;
   }
@@ -22,8 +22,8 @@ std::size_t placeOf(OPrimitiveID id, const OSensorFrameVectorData& vector) {
 }
 
 template <std::size_t N>
-std::size_t findAll(const OSensorFrameVectorData& vector, const std::array<OPrimitiveID, N>& ids,
-                    std::array<std::size_t, N>& places) {
+std::size_t findAll(OSensorFrameVectorData& vector, const std::array<OPrimitiveID, N>& ids,
+                    std::array<int, N>& places) {
   std::size_t lacking = 0;
   for (std::size_t i = 0; i < N; ++i) {
     places[i] = placeOf(ids[i], vector);
@@ -33,7 +33,17 @@ std::size_t findAll(const OSensorFrameVectorData& vector, const std::array<OPrim
 }
 
 void setLength(const OSensorValue* raw, double& length) {
-  if (raw != nullptr) length = raw->value * openr::kMicrometre;
+  if (raw != nullptr) length = static_cast<double>(raw->value) * openr::kMicrometre;
+}
+
+// Part of a joint's value, which has the same bytes as a sensor's but is a type of its own with
+// constructors: it may not be copied into as a whole.
+template <class T>
+T partOf(const OSensorValue& value, std::size_t offset) {
+  static_assert(sizeof(OJointValue) == sizeof(OSensorValue), "one frame of any sensor");
+  T part;
+  std::memcpy(&part, reinterpret_cast<const byte*>(&value) + offset, sizeof part);
+  return part;
 }
 
 slongword toMicroradians(Angle angle) {
@@ -60,6 +70,13 @@ OCommandValue earCommand(bool up) {
   return value;
 }
 
+OCommandInfo& infoAt(OCommandVectorData& vector, std::size_t i) {
+  return *vector.GetInfo(static_cast<int>(i));
+}
+OCommandData& dataAt(OCommandVectorData& vector, std::size_t i) {
+  return *vector.GetData(static_cast<int>(i));
+}
+
 void copyBand(const OFbkImage& band, Image::Plane& plane) {
   constexpr std::size_t kWidth = kImageWidth;
   const std::size_t stride = kWidth + static_cast<std::size_t>(band.Skip());
@@ -71,33 +88,32 @@ void copyBand(const OFbkImage& band, Image::Plane& plane) {
 
 }  // namespace
 
-std::size_t SensorReader::match(const OSensorFrameVectorData& vector, const PrimitiveIds& ids) {
+std::size_t SensorReader::match(OSensorFrameVectorData& vector, const PrimitiveIds& ids) {
   matched_ = true;
   count_ = vector.vectorInfo.numData;
   return findAll(vector, ids.joints, joints_) + findAll(vector, ids.sensors, sensors_);
 }
 
-bool SensorReader::read(const OSensorFrameVectorData& vector,
+bool SensorReader::read(OSensorFrameVectorData& vector,
                         std::array<SensorFrame, kTicksPerMessage>& frames) {
   if (!matched_ || vector.vectorInfo.numData != count_) return false;
   for (std::size_t tick = 0; tick < kTicks; ++tick) readTick(vector, tick, frames[tick]);
   return true;
 }
 
-const OSensorValue* SensorReader::value(const OSensorFrameVectorData& vector, Sensor sensor,
+const OSensorValue* SensorReader::value(OSensorFrameVectorData& vector, Sensor sensor,
                                         std::size_t tick) const {
-  const std::size_t place = sensors_[openr::index(sensor)];
+  const int place = sensors_[openr::index(sensor)];
   return place == kAbsent ? nullptr : &vector.GetData(place)->frame[tick];
 }
 
-void SensorReader::readTick(const OSensorFrameVectorData& vector, std::size_t tick,
-                            SensorFrame& frame) {
+void SensorReader::readTick(OSensorFrameVectorData& vector, std::size_t tick, SensorFrame& frame) {
   for (std::size_t i = 0; i < kJointCount; ++i) {
     if (joints_[i] == kAbsent) continue;
-    OJointValue raw;
-    std::memcpy(&raw, &vector.GetData(joints_[i])->frame[tick], sizeof raw);
-    frame.joints.angle[i] = Angle::rad(raw.value * openr::kMicroradian);
-    frame.duty[i] = raw.pwmDuty / openr::kFullDuty;
+    const OSensorValue& raw = vector.GetData(joints_[i])->frame[tick];
+    const auto angle = partOf<slongword>(raw, offsetof(OJointValue, value));
+    frame.joints.angle[i] = Angle::rad(static_cast<double>(angle) * openr::kMicroradian);
+    frame.duty[i] = partOf<sword>(raw, offsetof(OJointValue, pwmDuty)) / openr::kFullDuty;
   }
   setLength(value(vector, Sensor::headNear, tick), frame.headNearDistance);
   setLength(value(vector, Sensor::headFar, tick), frame.headFarDistance);
@@ -109,8 +125,7 @@ void SensorReader::readTick(const OSensorFrameVectorData& vector, std::size_t ti
   readTouch(vector, tick, frame);
 }
 
-void SensorReader::readTouch(const OSensorFrameVectorData& vector, std::size_t tick,
-                             SensorFrame& frame) {
+void SensorReader::readTouch(OSensorFrameVectorData& vector, std::size_t tick, SensorFrame& frame) {
   const auto pressed = [&](Sensor sensor) {
     const OSensorValue* raw = value(vector, sensor, tick);
     return raw != nullptr && raw->value != 0;
@@ -120,7 +135,7 @@ void SensorReader::readTouch(const OSensorFrameVectorData& vector, std::size_t t
   for (std::size_t i = 0; i < kLegCount; ++i) frame.paw[i] = pressed(kPaws[i]);
   frame.chin = pressed(Sensor::chin);
   const OSensorValue* head = value(vector, Sensor::headTouch, tick);
-  if (head != nullptr) frame.headTouch = head->value;
+  if (head != nullptr) frame.headTouch = static_cast<double>(head->value);
   const auto touch = [&](Sensor sensor, const openr::TouchThresholds& limits, bool before) {
     const OSensorValue* raw = value(vector, sensor, tick);
     return raw != nullptr && raw->value >= (before ? limits.off : limits.on);
@@ -134,15 +149,15 @@ void SensorReader::readTouch(const OSensorFrameVectorData& vector, std::size_t t
 void prepareCommands(OCommandVectorData& vector, const PrimitiveIds& ids) {
   vector.SetNumData(kCommandCount);
   for (std::size_t i = 0; i < kJointCount; ++i) {
-    vector.GetInfo(i)->Set(odataJOINT_COMMAND2, ids.joints[i], kTicks);
+    infoAt(vector, i).Set(odataJOINT_COMMAND2, ids.joints[i], kTicks);
   }
   for (std::size_t i = 0; i < openr::kLedCount; ++i) {
     const bool switched = i < openr::kSwitchedLeds;
-    vector.GetInfo(kFirstLed + i)
-        ->Set(switched ? odataLED_COMMAND2 : odataLED_COMMAND3, ids.leds[i], kTicks);
+    infoAt(vector, kFirstLed + i)
+        .Set(switched ? odataLED_COMMAND2 : odataLED_COMMAND3, ids.leds[i], kTicks);
   }
   for (std::size_t i = 0; i < openr::kEarCount; ++i) {
-    vector.GetInfo(kFirstEar + i)->Set(odataJOINT_COMMAND4, ids.ears[i], kTicks);
+    infoAt(vector, kFirstEar + i).Set(odataJOINT_COMMAND4, ids.ears[i], kTicks);
   }
 }
 
@@ -151,20 +166,31 @@ void writeCommands(const std::array<JointFrame, kTicksPerMessage>& frames,
   for (std::size_t tick = 0; tick < kTicks; ++tick) {
     for (std::size_t i = 0; i < kJointCount; ++i) {
       const OJointCommandValue2 order = {toMicroradians(frames[tick].target.angle[i]), 0};
-      std::memcpy(&vector.GetData(i)->value[tick], &order, sizeof order);
+      std::memcpy(&dataAt(vector, i).value[tick], &order, sizeof order);
     }
     for (std::size_t i = 0; i < openr::kLedCount; ++i) {
       const bool on = (frames[tick].leds >> i & 1U) != 0;
-      vector.GetData(kFirstLed + i)->value[tick] = ledCommand(i, on);
+      dataAt(vector, kFirstLed + i).value[tick] = ledCommand(i, on);
     }
     const EarRequest& ears = frames[tick].ears;
-    vector.GetData(kFirstEar)->value[tick] = earCommand(ears.leftUp);
-    vector.GetData(kFirstEar + 1)->value[tick] = earCommand(ears.rightUp);
+    dataAt(vector, kFirstEar).value[tick] = earCommand(ears.leftUp);
+    dataAt(vector, kFirstEar + 1).value[tick] = earCommand(ears.rightUp);
   }
 }
 
-bool readImage(const OFbkImageVectorData& vector, Image& image) {
-  if (vector.vectorInfo.numData <= ofbkimageLAYER_H) return false;
+PowerReport reportOf(const OPowerStatus& status) {
+  const auto has = [&](longword bit) { return (status.robotStatus & bit) != 0; };
+  PowerReport report;
+  report.paused = has(orsbPAUSE);
+  report.batteryLow = has(orsbBATTERY_CAPACITY_LOW) ||
+                      (status.batteryStatus & obsbTERMINATED_DISCHARGING_ALARM) != 0;
+  report.motorPower = has(orsbMOTOR_POWER);
+  report.current = status.current < 0 ? -status.current : status.current;
+  return report;
+}
+
+bool readImage(OFbkImageVectorData& vector, Image& image) {
+  if (vector.vectorInfo.numData == 0) return false;
   OFbkImageInfo* info = vector.GetInfo(ofbkimageLAYER_H);
   byte* data = vector.GetData(ofbkimageLAYER_H);
   if (info->width != kImageWidth || info->height != kImageHeight) return false;

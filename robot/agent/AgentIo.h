@@ -5,9 +5,11 @@
 #pragma once
 
 #include <OPENR/ODataFormats.h>
+#include <OPENR/OPower.h>
 
 #include <array>
 
+#include "robot/agent/PowerReport.h"
 #include "robot/core/Image.h"
 #include "robot/core/Motion.h"
 #include "robot/openr/Ers7Primitives.h"
@@ -26,26 +28,26 @@ struct PrimitiveIds {
 // Finds the primitives in a sensor vector, whose order is not specified: once, because it stays.
 class SensorReader {
  public:
-  static constexpr std::size_t kAbsent = ~std::size_t{0};
+  static constexpr int kAbsent = -1;
 
-  // The number of primitives that the vector lacks; their values keep their defaults.
-  std::size_t match(const OSensorFrameVectorData& vector, const PrimitiveIds& ids);
+  // The number of primitives that the vector lacks; their values keep their defaults. A vector is
+  // not const anywhere here, because OPEN-R's accessors are not.
+  std::size_t match(OSensorFrameVectorData& vector, const PrimitiveIds& ids);
   bool matched() const { return matched_; }
 
   // False: the vector is not like the one that was matched.
-  bool read(const OSensorFrameVectorData& vector,
-            std::array<SensorFrame, kTicksPerMessage>& frames);
+  bool read(OSensorFrameVectorData& vector, std::array<SensorFrame, kTicksPerMessage>& frames);
 
  private:
-  void readTick(const OSensorFrameVectorData& vector, std::size_t tick, SensorFrame& frame);
-  void readTouch(const OSensorFrameVectorData& vector, std::size_t tick, SensorFrame& frame);
-  const OSensorValue* value(const OSensorFrameVectorData& vector, openr::Sensor sensor,
+  void readTick(OSensorFrameVectorData& vector, std::size_t tick, SensorFrame& frame);
+  void readTouch(OSensorFrameVectorData& vector, std::size_t tick, SensorFrame& frame);
+  const OSensorValue* value(OSensorFrameVectorData& vector, openr::Sensor sensor,
                             std::size_t tick) const;
 
   bool matched_ = false;
   std::size_t count_ = 0;
-  std::array<std::size_t, kJointCount> joints_{};
-  std::array<std::size_t, openr::kSensorCount> sensors_{};
+  std::array<int, kJointCount> joints_{};
+  std::array<int, openr::kSensorCount> sensors_{};
   std::array<bool, 3> back_{};  // pressed or not: their thresholds have a memory
 };
 
@@ -58,8 +60,10 @@ void prepareCommands(OCommandVectorData& vector, const PrimitiveIds& ids);
 void writeCommands(const std::array<JointFrame, kTicksPerMessage>& frames,
                    OCommandVectorData& vector);
 
+PowerReport reportOf(const OPowerStatus& status);
+
 // Layer H with rows Y Cr Cb, or Y Cr Cb and three of high-pass. The last line carries a tag in
 // place of pixels and becomes a copy of the line above. False: another type or size.
-bool readImage(const OFbkImageVectorData& vector, Image& image);
+bool readImage(OFbkImageVectorData& vector, Image& image);
 
 }  // namespace kelpie::agent

@@ -23,6 +23,7 @@ class AgentLoops : public Loops {
   AgentLoops(const AgentConfig& config, const std::string& scripts, LogSink& log);
 
   const MotionOutput& motion(const MotionInput& withoutCommand) override;
+  void power(const PowerReport& report) override { power_ = report; }
   void camera(const Image& image, TimeUs exposureMiddle, std::uint32_t number) override;
 
   void setDrive(const Drive& drive) { drive_ = drive; }
@@ -44,6 +45,7 @@ class AgentLoops : public Loops {
   net::ListenerParams listens_;
   net::ListenerState game_;
   Drive drive_;
+  PowerReport power_;
   MotionInput motionInput_;
   const MotionOutput* motionOutput_ = nullptr;
   FrameInput input_;  // a member because of its size

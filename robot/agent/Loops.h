@@ -3,6 +3,7 @@
 // Kelpie's units, and gets joint targets back.
 #pragma once
 
+#include "robot/agent/PowerReport.h"
 #include "robot/core/Image.h"
 #include "robot/core/Motion.h"
 
@@ -15,6 +16,9 @@ class Loops {
   // Every 32 ms. Time is that of the last of the four ticks; the command is left for the loops to
   // fill in. The result is valid until the next call.
   virtual const MotionOutput& motion(const MotionInput& withoutCommand) = 0;
+
+  // At the start, and when something of it has changed.
+  virtual void power(const PowerReport& report) = 0;
 
   // Every image that arrives, with the camera's own number of it, which tells how many did not. The
   // image is valid during the call only.

@@ -17,7 +17,7 @@ void control(OObject& self, const openr::Message& message) {
 void ready(OObject& self, const openr::Message& message) {
   const auto& content = std::get<OReadyMessage>(message);
   agentOf(self).subject[sbjEffector]->ReadyHandler(content);
-  agentOf(self).ReadyEffector(OReadyEvent(sbjEffector, content));
+  agentOf(self).ReadyEffector(OReadyEvent(sbjEffector, content.observerID, content.command));
 }
 
 template <int index>
@@ -28,17 +28,26 @@ void connect(OObject& self, const openr::Message& message) {
 template <int index, void (agent::Agent::*method)(const ONotifyEvent&)>
 void notify(OObject& self, const openr::Message& message) {
   const auto& content = std::get<ONotifyMessage>(message);
-  agentOf(self).observer[index]->NotifyHandler(content);
-  (agentOf(self).*method)(ONotifyEvent(index, content));
+  ONotifyEvent event;
+  agentOf(self).observer[index]->NotifyHandler(content, &event);
+  event.SetIndex(index);
+  (agentOf(self).*method)(event);
+}
+
+// A method of an Extra entry gets the message itself, by address.
+void powerChanged(OObject& self, const openr::Message& message) {
+  OPowerStatusMessage content = std::get<OPowerStatusMessage>(message);
+  agentOf(self).PowerChanged(&content);
 }
 
 constexpr openr::ObjectEntry kEntries[] = {
-    {Control_Entry[sbjEffector], control},
-    {Ready_Entry[sbjEffector], ready},
-    {Connect_Entry[obsSensor], connect<obsSensor>},
-    {Connect_Entry[obsFbkImageSensor], connect<obsFbkImageSensor>},
-    {Notify_Entry[obsSensor], notify<obsSensor, &agent::Agent::NotifySensor>},
-    {Notify_Entry[obsFbkImageSensor], notify<obsFbkImageSensor, &agent::Agent::NotifyImage>},
+    {Entry_Control[sbjEffector], control},
+    {Entry_Ready[sbjEffector], ready},
+    {Entry_Connect[obsSensor], connect<obsSensor>},
+    {Entry_Connect[obsFbkImageSensor], connect<obsFbkImageSensor>},
+    {Entry_Notify[obsSensor], notify<obsSensor, &agent::Agent::NotifySensor>},
+    {Entry_Notify[obsFbkImageSensor], notify<obsFbkImageSensor, &agent::Agent::NotifyImage>},
+    {Extra_Entry[entryPowerChanged], powerChanged},
 };
 
 }  // namespace

@@ -105,11 +105,11 @@ RCRegion* newSensorRegion(std::uint64_t orderSeed) {
   auto* region =
       new RCRegion(vectorBytes<OSensorFrameInfo>(kSensedCount, sizeof(OSensorFrameData)));
   auto& vector = vectorIn<OSensorFrameVectorData>(*region);
-  layOut(vector, odataSENSOR_VECTOR, kSensedCount, sizeof(OSensorFrameData));
+  layOut(vector, odataSENSOR_FRAME_VECTOR, kSensedCount, sizeof(OSensorFrameData));
   vector.SetNumData(kSensedCount);
   const auto ids = sensedPrimitives(orderSeed);
   for (std::size_t i = 0; i < kSensedCount; ++i) {
-    OSensorFrameInfo& info = *vector.GetInfo(i);
+    OSensorFrameInfo& info = *vector.GetInfo(static_cast<int>(i));
     info.primitiveID = ids[i];
     info.numFrames = kTicksPerMessage;
     info.frameSize = sizeof(OSensorValue);
@@ -120,7 +120,7 @@ RCRegion* newSensorRegion(std::uint64_t orderSeed) {
 void fillSensors(RCRegion& region, std::uint32_t firstTick,
                  const std::array<SensorFrame, kTicksPerMessage>& frames) {
   auto& vector = vectorIn<OSensorFrameVectorData>(region);
-  for (std::size_t i = 0; i < vector.vectorInfo.numData; ++i) {
+  for (int i = 0; i < static_cast<int>(vector.vectorInfo.numData); ++i) {
     OSensorFrameInfo& info = *vector.GetInfo(i);
     info.frameNumber = firstTick % oframeMAX_NUMBER;
     for (std::size_t tick = 0; tick < frames.size(); ++tick) {
@@ -134,7 +134,7 @@ RCRegion* newImageRegion(bool highPass) {
   auto* region = new RCRegion(vectorBytes<OFbkImageInfo>(1, bytes));
   auto& vector = vectorIn<OFbkImageVectorData>(*region);
   layOut(vector, odataFBKIMAGE_VECTOR, 1, bytes);
-  vector.SetNumData(1);
+  vector.vectorInfo.numData = 1;
   OFbkImageInfo& info = *vector.GetInfo(ofbkimageLAYER_H);
   info.type = highPass ? odataFBK_YCrCb_HPF : odataFBK_YCrCb;
   info.primitiveID = identifier({PrimitiveKind::camera, 0});
@@ -164,19 +164,20 @@ void fillImage(RCRegion& region, const Image& image, std::uint32_t fieldCounter)
 std::string readCommands(const RCRegion& region, const RobotPrimitives& primitives,
                          EffectorVector& out) {
   out = EffectorVector{};
-  const auto& vector = vectorIn<OCommandVectorData>(region);
+  auto& vector = vectorIn<OCommandVectorData>(region);
   const ODataVectorInfo& header = vector.vectorInfo;
   if (header.type != odataCOMMAND_VECTOR) return "data that are no command vector";
   if (header.numData > header.maxNumData) return "more commands than the vector has room for";
   std::string complaint;
   CommandReader reader(out);
   for (std::size_t i = 0; i < header.numData; ++i) {
-    const OCommandInfo& info = *vector.GetInfo(i);
+    const auto place = static_cast<int>(i);
+    const OCommandInfo& info = *vector.GetInfo(place);
     const auto primitive = primitives.find(info.primitiveID);
     const bool sound = primitive && info.numFrames >= 1 && info.numFrames <= kMaxVectorTicks &&
                        fits(info, region.Size());
-    if (sound && reader.read(info, *vector.GetData(i), *primitive)) {
-      out.ticks = std::max<std::uint32_t>(out.ticks, info.numFrames);
+    if (sound && reader.read(info, *vector.GetData(place), *primitive)) {
+      out.ticks = std::max(out.ticks, static_cast<std::uint32_t>(info.numFrames));
     } else if (complaint.empty()) {
       complaint = "command " + std::to_string(i) + " for primitive " +
                   std::to_string(info.primitiveID) + " of type " + std::to_string(info.type) +

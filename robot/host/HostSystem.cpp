@@ -29,8 +29,8 @@ const char* levelName(int level) {
 void releaseRegions(openr::Message& message) {
   auto* notify = std::get_if<ONotifyMessage>(&message);
   if (notify == nullptr) return;
-  for (longword i = 0; i < notify->count; ++i) notify->regions[i]->RemoveReference();
-  notify->count = 0;
+  for (int i = 0; i < notify->NumberOfData(); ++i) notify->data[i].srcRCR->RemoveReference();
+  notify->Clear();
 }
 
 void hearAll(const WorldStep& step, const Network& network) {
@@ -84,6 +84,7 @@ Status HostSystem::handle(const WorldEvent& event, const openr::ObjectStub& obje
     if (!booted) return booted;
   }
   if (!objects_.empty()) {
+    tellPower();
     const Status delivered = deliver(event);
     if (!delivered) return delivered;
   }
@@ -117,7 +118,7 @@ Status HostSystem::lifeCycle(LifeCycle method, OReason reason, const char* name)
   for (std::size_t i = 0; i < objects_.size(); ++i) {
     running_ = oidOf(i);
     status_ = oUNDEF;
-    (objects_[i].object->*method)(OSystemEvent(reason));
+    (objects_[i].object->*method)(OSystemEvent(reason, nullptr, 0));
     if (status_ != oSUCCESS && result) {
       result = Error{std::string(objects_[i].name) + "." + name + " failed with status " +
                      std::to_string(status_)};
@@ -143,13 +144,14 @@ void HostSystem::connect(const Service& subject, const Service& observer) {
   const openr::ObjectStub& to = *stubOf(observer.entry.oid);
   OControlMessage control;
   const Selector observerIndex = observer.entry.selector - to.connect(0);
-  control.observer = {observer.entry.oid, to.notify(observerIndex)};
-  copyName(control.name, observer.name);
+  control.command = objcommCMD_ADDOBSERVER;
+  control.observerID.Set(observer.entry.oid, to.notify(observerIndex));
+  copyName(control.subName, observer.name);
   post(subject.entry, control);
   OConnectMessage connected;
   const Selector subjectIndex = subject.entry.selector - from.control(0);
-  connected.subject = {subject.entry.oid, from.ready(subjectIndex)};
-  copyName(connected.name, subject.name);
+  connected.entry.Set(subject.entry.oid, from.ready(subjectIndex));
+  copyName(connected.subName, subject.name);
   post(observer.entry, connected);
 }
 

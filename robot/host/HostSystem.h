@@ -73,7 +73,8 @@ class HostSystem : public RobotPrimitives {
   };
   using LifeCycle = void (OObject::*)(const OSystemEvent&);
 
-  static OID oidOf(std::size_t place) { return OID(static_cast<longword>(place + 1)); }
+  // An object's name is its address.
+  OID oidOf(std::size_t place) const { return OID(objects_[place].object); }
 
   Status handle(const WorldEvent& event, const openr::ObjectStub& object, const Network& network);
   Status boot(const openr::ObjectStub& object);

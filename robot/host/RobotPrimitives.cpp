@@ -141,14 +141,15 @@ OStatus RobotPrimitives::newCommandVector(std::size_t count, MemoryRegionID* mem
                                           OCommandVectorData** data) {
   if (count > kMaxCommands) return oSIZE_TOO_LARGE;
   const std::size_t bytes = vectorBytes<OCommandInfo>(count, sizeof(OCommandData));
-  auto memory = std::make_unique<longword[]>(bytes / sizeof(longword));
+  auto memory = std::make_unique<std::max_align_t[]>(bytes / sizeof(std::max_align_t) + 1);
   auto* vector = reinterpret_cast<OCommandVectorData*>(memory.get());
   *memID = ++lastRegion_;
   layOut(*vector, odataCOMMAND_VECTOR, count, sizeof(OCommandData));
   vector->vectorInfo.memRegionID = *memID;
   for (std::size_t i = 0; i < count; ++i) {
-    vector->GetInfo(i)->frameSize = sizeof(OCommandValue);
-    vector->GetInfo(i)->primitiveID = oprimitiveID_UNDEF;
+    OCommandInfo& info = *vector->GetInfo(static_cast<int>(i));
+    info.frameSize = sizeof(OCommandValue);
+    info.primitiveID = oprimitiveID_UNDEF;
   }
   *data = vector;
   vectors_[*memID] = std::move(memory);
@@ -215,10 +216,36 @@ OStatus RobotPrimitives::setMotorPower(OPower power) {
 }
 
 OStatus RobotPrimitives::powerStatus(OPowerStatus* status) {
-  *status = {};
-  status->remainingCapacity = 100;  // no battery runs down here
-  status->current = batteryCurrent_;
+  *status = power();
   return oSUCCESS;
+}
+
+OPowerStatus RobotPrimitives::power() const {
+  OPowerStatus status;
+  status.robotStatus = robotStatus_ | (power_ ? orsbMOTOR_POWER : 0);
+  status.remainingCapacity = 100;  // no battery runs down here
+  status.current = batteryCurrent_;
+  return status;
+}
+
+OStatus RobotPrimitives::observePower(const OPowerStatus&, const OServiceEntry& entry) {
+  powerEntry_ = entry;
+  toldPower_ = power();
+  return oSUCCESS;
+}
+
+OStatus RobotPrimitives::unobservePower(const OServiceEntry& entry) {
+  if (powerEntry_ != entry) return oNOT_FOUND;
+  powerEntry_ = OServiceEntry();
+  return oSUCCESS;
+}
+
+void RobotPrimitives::tellPower() {
+  const OPowerStatus now = power();
+  const bool same = now.robotStatus == toldPower_.robotStatus && now.current == toldPower_.current;
+  if (same || !powerEntry_.IsValid()) return;
+  toldPower_ = now;
+  post(powerEntry_, OPowerStatusMessage(now));
 }
 
 void RobotPrimitives::setBatteryCurrent(double current) {

@@ -4,6 +4,7 @@
 // and identifiers are refused with the documented status.
 #pragma once
 
+#include <cstddef>
 #include <map>
 #include <memory>
 #include <optional>
@@ -32,7 +33,7 @@ OJointValue rawJoint(std::size_t joint, const SensorFrame& frame);
 struct CameraSettings {
   longword whiteBalance = ocamparamWB_FL_MODE;  // the robot's defaults
   longword gain = ocamparamGAIN_MID;
-  longword shutter = ocamparamSHUTTER_SPEED_MID;
+  longword shutter = ocamparamSHUTTER_MID;
 };
 
 class RobotPrimitives : public openr::System {
@@ -46,8 +47,10 @@ class RobotPrimitives : public openr::System {
 
   // The latest sensor values, for GetJointValue and GetSensorValue.
   void setLatest(const SensorFrame& frame) { latest_ = frame; }
-  // Drawn from the battery, mA, for GetPowerStatus.
+  // Drawn from the battery, mA.
   void setBatteryCurrent(double current);
+  // Bits of OPowerStatus::robotStatus but for the motors', such as orsbPAUSE.
+  void setRobotStatus(longword bits) { robotStatus_ = bits; }
   // Proportional gain of the leg joints over the standard one, their mean; 1 before any was set.
   double legGain() const;
 
@@ -64,8 +67,17 @@ class RobotPrimitives : public openr::System {
   OStatus sensorValue(OPrimitiveID id, OSensorValue* value) override;
   OStatus setMotorPower(OPower power) override;
   OStatus powerStatus(OPowerStatus* status) override;
+  OStatus observePower(const OPowerStatus& watched, const OServiceEntry& entry) override;
+  OStatus unobservePower(const OServiceEntry& entry) override;
+
+ protected:
+  // A message to whoever observes the power when it differs from what was told last. The current
+  // counts as well, and comes with every step: more often than on the robot, which tells it with
+  // what was asked for (openr-measured.md 2).
+  void tellPower();
 
  private:
+  OPowerStatus power() const;
   std::uint32_t jointsNamed(OPrimitiveID id) const;  // bits; UNDEF names all opened joints
 
   std::vector<OPrimitiveID> opened_;
@@ -75,7 +87,10 @@ class RobotPrimitives : public openr::System {
   CameraSettings camera_;
   std::optional<SensorFrame> latest_;
   sword batteryCurrent_ = 0;  // mA
-  std::map<MemoryRegionID, std::unique_ptr<longword[]>> vectors_;
+  longword robotStatus_ = orsbBATTERY_CONNECTED;
+  OServiceEntry powerEntry_;  // whoever observes the power
+  OPowerStatus toldPower_;
+  std::map<MemoryRegionID, std::unique_ptr<std::max_align_t[]>> vectors_;
   MemoryRegionID lastRegion_ = 0;
 };
 

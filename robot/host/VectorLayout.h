@@ -6,28 +6,35 @@
 #include <OPENR/ODataFormats.h>
 
 #include <cstddef>
+#include <type_traits>
 
 namespace kelpie::host {
 
+// A multiple of the alignment of all that a block may hold.
+template <class Info>
+std::size_t dataStart(std::size_t count) {
+  return sizeof(ODataVectorInfo) + count * sizeof(Info);
+}
+
 template <class Info>
 std::size_t vectorBytes(std::size_t count, std::size_t dataBytes) {
-  return sizeof(ODataVectorInfo) + count * (sizeof(Info) + dataBytes);
+  return dataStart<Info>(count) + count * dataBytes;
 }
 
 // Fills the header, and where the data of each info are. The memory is zero before.
-template <class Info, class Data>
-void layOut(ODataVector<Info, Data>& vector, ODataType type, std::size_t count,
-            std::size_t dataBytes) {
+template <class Vector>
+void layOut(Vector& vector, ODataType type, std::size_t count, std::size_t dataBytes) {
+  using Info = std::remove_reference_t<decltype(*vector.info)>;
   ODataVectorInfo& header = vector.vectorInfo;
   header.type = type;
-  header.totalSize = static_cast<longword>(vectorBytes<Info>(count, dataBytes));
-  header.infoOffset = sizeof(ODataVectorInfo);
+  header.totalSize = vectorBytes<Info>(count, dataBytes);
+  header.infoOffset = offsetof(Vector, info);
   header.infoSize = sizeof(Info);
-  header.maxNumData = static_cast<longword>(count);
-  const std::size_t dataStart = sizeof(ODataVectorInfo) + count * sizeof(Info);
+  header.maxNumData = count;
   for (std::size_t i = 0; i < count; ++i) {
-    vector.GetInfo(i)->dataOffset = static_cast<longword>(dataStart + i * dataBytes);
-    vector.GetInfo(i)->dataSize = static_cast<longword>(dataBytes);
+    Info& info = *vector.GetInfo(static_cast<int>(i));
+    info.dataOffset = dataStart<Info>(count) + i * dataBytes;
+    info.dataSize = dataBytes;
   }
 }
 

@@ -46,6 +46,11 @@ constexpr const char* kObserverNames[] = {
     "OVirtualRobotAudioComm.Speaker.OSoundVectorData.O",
 };
 
+// So that of three regions one is always free to be filled.
+constexpr std::size_t kBuffered = 1;
+
+void complain(const char* what) { osyslog(osyslogERROR, "%s", what); }
+
 template <std::size_t N>
 RCRegion* freeRegion(const std::array<RCRegion*, N>& regions) {
   for (RCRegion* region : regions) {
@@ -77,6 +82,7 @@ OStatus VirtualRobotComm::DoInit(const OSystemEvent&) {
   const openr::ObjectStub places = stub();
   for (Selector i = 0; i < kSubjects; ++i) {
     subjects_[i].SetReadyEntry({myOID_, places.ready(i)});
+    subjects_[i].SetBufferSize(kBuffered);
     RegisterServiceEntry({myOID_, places.control(i)}, kSubjectNames[i]);
   }
   for (Selector i = 0; i < kObservers; ++i) {
@@ -94,7 +100,7 @@ OStatus VirtualRobotComm::DoStart(const OSystemEvent&) {
 void VirtualRobotComm::sendSensors(std::uint32_t firstTick,
                                    const std::array<SensorFrame, kTicksPerMessage>& frames) {
   RCRegion* region = freeRegion(sensorRegions_);
-  if (region == nullptr) return OSyslogLevel(osyslogERROR, "all sensor vectors are in use");
+  if (region == nullptr) return complain("all sensor vectors are in use");
   fillSensors(*region, firstTick, frames);
   subjects_[kSensor].SetData(region);
   subjects_[kSensor].NotifyObservers();
@@ -103,7 +109,7 @@ void VirtualRobotComm::sendSensors(std::uint32_t firstTick,
 void VirtualRobotComm::sendImage(const Image& image, std::uint32_t fieldCounter) {
   if (!primitives_.cameraOpen()) return;  // the robot sends images only after that
   RCRegion* region = freeRegion(imageRegions_);
-  if (region == nullptr) return OSyslogLevel(osyslogERROR, "all image vectors are in use");
+  if (region == nullptr) return complain("all image vectors are in use");
   fillImage(*region, image, fieldCounter);
   subjects_[kImage].SetData(region);
   subjects_[kImage].NotifyObservers();
@@ -149,11 +155,11 @@ void VirtualRobotComm::connectObserver(Selector index, const OConnectMessage& me
 
 void VirtualRobotComm::notifyEffector(const ONotifyMessage& message) {
   effectorReady_ = false;
-  for (longword i = 0; i < message.count; ++i) {
-    RCRegion* region = message.regions[i];
+  for (int i = 0; i < message.NumberOfData(); ++i) {
+    RCRegion* region = message.data[i].srcRCR;
     EffectorVector vector;
     const std::string complaint = readCommands(*region, primitives_, vector);
-    if (!complaint.empty()) OSyslogLevel(osyslogERROR, "effector: %s", complaint.c_str());
+    if (!complaint.empty()) osyslog(osyslogERROR, "effector: %s", complaint.c_str());
     if (vector.ticks == 0) continue;
     region->AddReference();
     playing_.push_back(region);

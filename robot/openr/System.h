@@ -9,13 +9,14 @@
 
 #include <MCOOP.h>
 #include <OPENR/OPENRAPI.h>
-#include <OPENR/ObjcommTypes.h>
+#include <OPENR/ObjcommMessages.h>
 
 #include <variant>
 
 namespace kelpie::openr {
 
-using Message = std::variant<OControlMessage, OReadyMessage, OConnectMessage, ONotifyMessage>;
+using Message = std::variant<OControlMessage, OReadyMessage, OConnectMessage, ONotifyMessage,
+                             OPowerStatusMessage>;
 
 struct GainSettings {
   word p, i, d, pShift, iShift, dShift;
@@ -47,6 +48,8 @@ class System {
   virtual OStatus sensorValue(OPrimitiveID id, OSensorValue* value) = 0;
   virtual OStatus setMotorPower(OPower power) = 0;
   virtual OStatus powerStatus(OPowerStatus* status) = 0;
+  virtual OStatus observePower(const OPowerStatus& watched, const OServiceEntry& entry) = 0;
+  virtual OStatus unobservePower(const OServiceEntry& entry) = 0;
 };
 
 // The system behind the calls made now. Ends the program when there is none: an OPEN-R call outside

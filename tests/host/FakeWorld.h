@@ -71,6 +71,7 @@ class FakeLoops : public agent::Loops {
     }
     return output;
   }
+  void power(const agent::PowerReport& report) override { reports.push_back(report); }
   void camera(const Image& image, TimeUs exposureMiddle, std::uint32_t number) override {
     lastImage = image;
     exposures.push_back(exposureMiddle);
@@ -78,6 +79,7 @@ class FakeLoops : public agent::Loops {
   }
 
   std::vector<MotionInput> inputs;
+  std::vector<agent::PowerReport> reports;
   std::vector<TimeUs> exposures;
   std::vector<std::uint32_t> cameraNumbers;
   Image lastImage;

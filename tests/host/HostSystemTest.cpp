@@ -57,7 +57,8 @@ void connect(OObject& self, const openr::Message& message) {
 void notify(OObject& self, const openr::Message& message) {
   auto& recorder = static_cast<Recorder&>(self);
   const auto& content = std::get<ONotifyMessage>(message);
-  recorder.calls.push_back("sensors " + std::to_string(content.regions[0]->NumberOfReference()));
+  recorder.calls.push_back("sensors " +
+                           std::to_string(content.data[0].srcRCR->NumberOfReference()));
   if (recorder.assertsAgain) recorder.observer.AssertReady();
 }
 

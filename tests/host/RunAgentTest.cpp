@@ -228,7 +228,7 @@ TEST(AgentTest, UsesTheCameraAndTheStandardGainsOf2005) {
   ASSERT_TRUE(system.run(agentStub(*object), {}));
   EXPECT_EQ(ocamparamWB_FL_MODE, system.camera().whiteBalance);
   EXPECT_EQ(ocamparamGAIN_HIGH, system.camera().gain);
-  EXPECT_EQ(ocamparamSHUTTER_SPEED_FAST, system.camera().shutter);
+  EXPECT_EQ(ocamparamSHUTTER_FAST, system.camera().shutter);
   openr::GainSettings gain{};
   const auto knee = index(Joint::rightHindKnee);
   ASSERT_EQ(oSUCCESS, system.getGain(identifier({PrimitiveKind::joint, knee}), &gain));

@@ -114,7 +114,9 @@ TEST(SensorOrderTest, SeedsShuffleTheVector) {
   RCRegion* plain = host::newSensorRegion(0);
   RCRegion* shuffled = host::newSensorRegion(77);
   const auto idAt = [](RCRegion* region, std::size_t i) {
-    return reinterpret_cast<OSensorFrameVectorData*>(region->Base())->GetInfo(i)->primitiveID;
+    return reinterpret_cast<OSensorFrameVectorData*>(region->Base())
+        ->GetInfo(static_cast<int>(i))
+        ->primitiveID;
   };
   int moved = 0;
   for (std::size_t i = 0; i < 33; ++i) moved += idAt(plain, i) != idAt(shuffled, i) ? 1 : 0;
@@ -138,7 +140,7 @@ TEST(BackTouchTest, ReleaseNeedsLessThanPress) {
   RCRegion* region = host::newSensorRegion(0);
   auto& vector = *reinterpret_cast<OSensorFrameVectorData*>(region->Base());
   const slongword pressure[] = {13, 14, 10, 9};  // on at 14, off below 10
-  const std::size_t place = kJointCount + openr::index(openr::Sensor::backMiddle);
+  const auto place = static_cast<int>(kJointCount + openr::index(openr::Sensor::backMiddle));
   for (std::size_t tick = 0; tick < 4; ++tick) {
     vector.GetData(place)->frame[tick].value = pressure[tick];
   }
@@ -192,7 +194,7 @@ TEST_P(ImageTest, OtherTypesAndSizesAreRefused) {
   vector().GetInfo(0)->type = odataFBK_YCrCb;
   vector().GetInfo(0)->width = 104;
   EXPECT_FALSE(readImage(vector(), image_));
-  vector().SetNumData(0);
+  vector().vectorInfo.numData = 0;
   EXPECT_FALSE(readImage(vector(), image_));
 }
 
@@ -219,7 +221,7 @@ class CommandTest : public testing::Test {
     void post(const OServiceEntry&, const openr::Message&) override {}
     OStatus registerService(const OServiceEntry&, const char*) override { return oSUCCESS; }
     void reportStatus(OStatus) override {}
-    OID self() const override { return OID(1); }
+    OID self() const override { return {}; }
     SystemTime time() const override { return {}; }
     void print(int, const char*) override {}
   } robot_;

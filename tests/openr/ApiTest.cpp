@@ -27,17 +27,6 @@ class ApiTest : public testing::Test {
   SystemScope scope_{system_};
 };
 
-TEST(LayoutTest, OffsetsAreThoseOfTheDocuments) {
-  EXPECT_EQ(20U, offsetof(ODataVectorInfo, infoOffset));
-  EXPECT_EQ(32U, offsetof(ODataVectorInfo, numData));
-  EXPECT_EQ(64U, offsetof(ODataVectorInfo, optional));
-  EXPECT_EQ(20U, offsetof(OSensorFrameInfo, dataOffset));
-  EXPECT_EQ(20U, offsetof(OCommandInfo, dataOffset));
-  EXPECT_EQ(12U, offsetof(OFbkImageInfo, dataOffset));
-  EXPECT_EQ(6U, offsetof(OJointValue, pwmDuty));
-  EXPECT_EQ(8U, offsetof(OJointValue, refValue));
-}
-
 TEST_F(ApiTest, EveryLocatorOfTheTablesOpensOnItsOwn) {
   std::vector<OPrimitiveID> ids;
   ids.reserve(kJointLocators.size() + kSensorLocators.size() + kLedLocators.size() +
@@ -111,17 +100,38 @@ TEST_F(ApiTest, PowerStatusTellsTheBatterysCurrent) {
   EXPECT_EQ(1800, status.current);
 }
 
+TEST_F(ApiTest, WhoObservesThePowerIsToldOfEachChange) {
+  const OServiceEntry entry(objectOf(7), 10);
+  EXPECT_EQ(oINVALID_ARG, OPENR::ObservePowerStatus(OPowerStatus(), OServiceEntry()));
+  ASSERT_EQ(oSUCCESS, OPENR::ObservePowerStatus(OPowerStatus(), entry));
+  system_.tellPower();
+  EXPECT_TRUE(system_.posted.empty());
+  system_.setRobotStatus(orsbPAUSE);
+  system_.tellPower();
+  system_.tellPower();
+  ASSERT_EQ(1U, system_.posted.size());
+  EXPECT_TRUE(system_.posted[0].to == entry);
+  const auto& told = std::get<OPowerStatusMessage>(system_.posted[0].message);
+  EXPECT_EQ(omsgPOWER_STATUS, told.msgType);
+  EXPECT_EQ(orsbPAUSE, told.powerStatus.robotStatus);
+  ASSERT_EQ(oSUCCESS, OPENR::UnobservePowerStatus(entry));
+  EXPECT_EQ(oNOT_FOUND, OPENR::UnobservePowerStatus(entry));
+  system_.setRobotStatus(0);
+  system_.tellPower();
+  EXPECT_EQ(1U, system_.posted.size());
+}
+
 TEST_F(ApiTest, CameraTakesOnlyItsOwnSettings) {
   const OPrimitiveID camera = open(kCameraLocator);
-  OPrimitiveControl_CameraParam fast(ocamparamSHUTTER_SPEED_FAST);
+  OPrimitiveControl_CameraParam fast(ocamparamSHUTTER_FAST);
   const auto set = [&](OPrimitiveID id, OPrimitiveRequest request) {
     return OPENR::ControlPrimitive(id, request, &fast, sizeof fast, nullptr, 0);
   };
   EXPECT_EQ(oSUCCESS, set(camera, oprmreqCAM_SET_SHUTTER_SPEED));
-  EXPECT_EQ(ocamparamSHUTTER_SPEED_FAST, system_.camera().shutter);
+  EXPECT_EQ(ocamparamSHUTTER_FAST, system_.camera().shutter);
   EXPECT_EQ(oINVALID_REQUEST, set(camera, oprmreqSPEAKER_MUTE_ON));
   EXPECT_EQ(oINVALID_REQUEST, set(open(kJointLocators[0]), oprmreqCAM_SET_GAIN));
-  fast.param = 4;
+  fast.camparam = 4;
   EXPECT_EQ(oINVALID_ARG, set(camera, oprmreqCAM_SET_GAIN));
 }
 
@@ -130,10 +140,10 @@ TEST_F(ApiTest, CommandVectorHasRoomForItsDataBehindTheInfos) {
   OCommandVectorData* vector = nullptr;
   ASSERT_EQ(oSUCCESS, OPENR::NewCommandVectorData(3, &id, &vector));
   EXPECT_EQ(0U, vector->vectorInfo.numData);
-  EXPECT_EQ(192U + 3 * (32 + 128), vector->vectorInfo.totalSize);
-  EXPECT_EQ(192U + 3 * 32 + 2 * 128, vector->GetInfo(2)->dataOffset);
-  EXPECT_EQ(reinterpret_cast<byte*>(vector) + 192 + 2 * 32,
-            reinterpret_cast<byte*>(vector->GetInfo(2)));
+  const std::size_t infos = sizeof(ODataVectorInfo) + 3 * sizeof(OCommandInfo);
+  EXPECT_EQ(infos + 3 * 128, vector->vectorInfo.totalSize);
+  EXPECT_EQ(infos + 2 * 128, vector->GetInfo(2)->dataOffset);
+  EXPECT_EQ(vector->info + 2, vector->GetInfo(2));
   EXPECT_EQ(oSUCCESS, OPENR::DeleteCommandVectorData(id));
   EXPECT_EQ(oINVALID_DATA_VECTOR_ID, OPENR::DeleteCommandVectorData(id));
 }
@@ -145,12 +155,12 @@ TEST_F(ApiTest, TimeAndIdentityComeFromTheSystem) {
   EXPECT_EQ(345678U, time.useconds);
   OID self;
   WhoAmI(&self);
-  EXPECT_TRUE(self == OID(7));
+  EXPECT_TRUE(self == objectOf(7));
 }
 
 TEST_F(ApiTest, LogLinesEndAt243Characters) {
   OSYSLOG1((osyslogWARNING, "%s", std::string(500, 'x').c_str()));
-  OSYSPRINT(("%d", 5));
+  EXPECT_EQ(oSUCCESS, OSYSPRINT(("%d", 5)));
   ASSERT_EQ(2U, system_.lines.size());
   EXPECT_EQ(osyslogWARNING, system_.lines[0].first);
   EXPECT_EQ(243U, system_.lines[0].second.size());
@@ -160,10 +170,10 @@ TEST_F(ApiTest, LogLinesEndAt243Characters) {
 TEST_F(ApiTest, LifeCycleCallsTheDoMethodAndReportsItsStatus) {
   class Refuses : public OObject {
    public:
-    OStatus DoInit(const OSystemEvent&) override { return myOID_ == OID(7) ? oBUSY : oFAIL; }
+    OStatus DoInit(const OSystemEvent&) override { return myOID_ == objectOf(7) ? oBUSY : oFAIL; }
   } object;
-  object.Init(OSystemEvent(oreasonBOOT));
-  object.Start(OSystemEvent(oreasonBOOT));
+  object.Init(OSystemEvent(oreasonBOOT, nullptr, 0));
+  object.Start(OSystemEvent(oreasonBOOT, nullptr, 0));
   EXPECT_EQ((std::vector<OStatus>{oBUSY, oSUCCESS}), system_.statuses);
 }
 
@@ -196,7 +206,7 @@ OFbkImageInfo small(ODataType type) {
 
 TEST(FbkImageTest, BandsAreRowsOfEachLine) {
   auto data = rows(3);
-  const OFbkImageInfo info = small(odataFBK_YCrCb);
+  OFbkImageInfo info = small(odataFBK_YCrCb);
   const OFbkImage cb(&info, data.data(), ofbkimageBAND_Cb);
   ASSERT_TRUE(cb.IsValid());
   EXPECT_EQ(8, cb.Skip());
@@ -206,7 +216,7 @@ TEST(FbkImageTest, BandsAreRowsOfEachLine) {
 
 TEST(FbkImageTest, HighPassRowsFollowTheChroma) {
   auto data = rows(6);
-  const OFbkImageInfo info = small(odataFBK_YCrCb_HPF);
+  OFbkImageInfo info = small(odataFBK_YCrCb_HPF);
   const std::pair<OFbkImageBand, int> places[] = {{ofbkimageBAND_Y, 0},    {ofbkimageBAND_Cr, 1},
                                                   {ofbkimageBAND_Cb, 2},   {ofbkimageBAND_Y_LH, 3},
                                                   {ofbkimageBAND_Y_HL, 4}, {ofbkimageBAND_Y_HH, 5}};
@@ -226,8 +236,10 @@ TEST(FbkImageTest, TagIsReadFromTheLastLine) {
   std::iota(data.begin(), data.end(), byte{0});
   const OFbkImage image(&info, data.data(), ofbkimageBAND_CDT);
   EXPECT_EQ(12 + 256 * 13, image.FieldCounter());
-  EXPECT_EQ(12 + 8, image.ColorFrequency(0));
-  EXPECT_EQ(12 + 4, image.ColorFrequency(4));
+  EXPECT_EQ(12 + 8, image.ColorFrequency(ocdtCHANNEL0));
+  EXPECT_EQ(12 + 4, image.ColorFrequency(ocdtCHANNEL4));
+  EXPECT_EQ(12 + 7, image.ColorFrequency(ocdtCHANNEL7));
+  EXPECT_EQ(0, image.ColorFrequency(ocdtCHANNEL_UNDEF));
 }
 
 }  // namespace

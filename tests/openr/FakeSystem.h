@@ -8,6 +8,12 @@
 
 namespace kelpie::openr {
 
+// Names of objects that exist only as names.
+inline OID objectOf(int number) {
+  static char places[32];
+  return OID(places + number);
+}
+
 class FakeSystem : public host::RobotPrimitives {
  public:
   void post(const OServiceEntry& to, const Message& message) override {
@@ -18,9 +24,11 @@ class FakeSystem : public host::RobotPrimitives {
     return oSUCCESS;
   }
   void reportStatus(OStatus status) override { statuses.push_back(status); }
-  OID self() const override { return OID(7); }
+  OID self() const override { return objectOf(7); }
   SystemTime time() const override { return {12, 345678}; }
   void print(int level, const char* line) override { lines.emplace_back(level, line); }
+
+  using RobotPrimitives::tellPower;
 
   struct Posted {
     OServiceEntry to;

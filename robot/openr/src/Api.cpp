@@ -42,25 +42,29 @@ OStatus OObject::RegisterServiceEntry(const OServiceEntry& entry, const char* na
 }
 
 namespace {
+constexpr int kLongestLine = 243;  // letters (openr.md 3.4)
+
 void printLine(int level, const char* format, std::va_list arguments) {
-  char line[osyslogMAX_LENGTH + 1];
+  char line[kLongestLine + 1];
   std::vsnprintf(line, sizeof line, format, arguments);
   currentSystem().print(level, line);
 }
 }  // namespace
 
-void OSyslogPrint(const char* format, ...) {
+OStatus osysprint(const char* format, ...) {
   std::va_list arguments;
   va_start(arguments, format);
   printLine(0, format, arguments);
   va_end(arguments);
+  return oSUCCESS;
 }
 
-void OSyslogLevel(int level, const char* format, ...) {
+OStatus osyslog(OSyslogPriority level, const char* format, ...) {
   std::va_list arguments;
   va_start(arguments, format);
   printLine(level, format, arguments);
   va_end(arguments);
+  return oSUCCESS;
 }
 
 namespace OPENR {
@@ -115,6 +119,12 @@ OStatus SetMotorPower(OPower power) { return currentSystem().setMotorPower(power
 
 OStatus GetPowerStatus(OPowerStatus* status) {
   return status == nullptr ? oINVALID_ARG : currentSystem().powerStatus(status);
+}
+OStatus ObservePowerStatus(const OPowerStatus& watched, const OServiceEntry& entry) {
+  return entry.IsValid() ? currentSystem().observePower(watched, entry) : oINVALID_ARG;
+}
+OStatus UnobservePowerStatus(const OServiceEntry& entry) {
+  return currentSystem().unobservePower(entry);
 }
 
 OStatus GetRobotDesign(char* design) {

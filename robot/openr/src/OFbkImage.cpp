@@ -25,7 +25,7 @@ Rows rowsOf(ODataType type, OFbkImageBand band) {
 
 }  // namespace
 
-OFbkImage::OFbkImage(const OFbkImageInfo* info, byte* data, OFbkImageBand band) {
+OFbkImage::OFbkImage(OFbkImageInfo* info, byte* data, OFbkImageBand band) {
   const Rows rows = rowsOf(info->type, band);
   if (rows.place < 0) return;
   width_ = static_cast<int>(info->width);
@@ -37,6 +37,9 @@ OFbkImage::OFbkImage(const OFbkImageInfo* info, byte* data, OFbkImageBand band) 
 word OFbkImage::FieldCounter() const { return static_cast<word>(tag()[0] | (tag()[1] << 8)); }
 
 // Channels 4-7 come before channels 0-3 in the tag.
-byte OFbkImage::ColorFrequency(int channel) const {
-  return tag()[channel < 4 ? 8 + channel : channel];
+byte OFbkImage::ColorFrequency(OCdtChannel channel) const {
+  for (int i = 0; i < 8; ++i) {
+    if (channel == OCdtChannel{1} << i) return tag()[i < 4 ? 8 + i : i];
+  }
+  return 0;
 }

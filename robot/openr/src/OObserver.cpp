@@ -5,25 +5,44 @@
 
 #include "robot/openr/System.h"
 
-void OObserver::ConnectHandler(const OConnectMessage& message, OStatus status) {
-  const auto known = std::find(subjects_.begin(), subjects_.end(), message.subject);
-  if (message.connect && status == oSUCCESS && known == subjects_.end()) {
-    subjects_.push_back(message.subject);
-  } else if (!message.connect && known != subjects_.end()) {
-    subjects_.erase(known);
-  }
-}
-
-OStatus OObserver::sayToAll(bool ready) {
-  for (const SubjectID& subject : subjects_) say(subject, ready);
+OStatus OObserver::SetNotifyEntry(const OServiceEntry& entry) {
+  id_ = entry;
   return oSUCCESS;
 }
 
-OStatus OObserver::say(const SubjectID& subject, bool ready) {
+OStatus OObserver::ConnectHandler(const OConnectMessage& message, OStatus status) {
+  if (status != oSUCCESS) return status;
+  const auto known = std::find(subjects_.begin(), subjects_.end(), message.entry);
+  const bool connects = message.command == oconnectcmdCONNECT;
+  if (connects == (known != subjects_.end())) return connects ? oALREADY_EXIST : oNOT_FOUND;
+  if (connects) {
+    subjects_.emplace_back(message.entry, objcommVERSION22);
+  } else {
+    subjects_.erase(known);
+  }
+  return oSUCCESS;
+}
+
+OStatus OObserver::NotifyHandler(const ONotifyMessage& message, ONotifyEvent* event) {
+  const auto known = std::find(subjects_.begin(), subjects_.end(), message.subjectID);
+  if (known == subjects_.end()) return oNOT_FOUND;
+  event->SetSubjectInfo(*known);
+  event->SetNumOfData(message.numOfData);
+  event->SetNumOfNotify(message.numOfNotify);
+  for (int i = 0; i < message.numOfData; ++i) event->SetData(i, message.data[i].srcRCR);
+  return oSUCCESS;
+}
+
+OStatus OObserver::sayToAll(ObjcommCommand command) {
+  for (const OSubjectInfo& subject : subjects_) say(command, subject);
+  return oSUCCESS;
+}
+
+OStatus OObserver::say(ObjcommCommand command, const SubjectID& subject) {
   if (std::find(subjects_.begin(), subjects_.end(), subject) == subjects_.end()) return oNOT_FOUND;
   OReadyMessage message;
-  message.sender = id_;
-  message.isAssert = ready;
+  message.command = command;
+  message.observerID = id_;
   kelpie::openr::currentSystem().post(subject, message);
   return oSUCCESS;
 }

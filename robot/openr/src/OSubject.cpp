@@ -3,10 +3,20 @@
 
 #include <algorithm>
 #include <cstring>
+#include <deque>
+#include <vector>
 
 #include "robot/openr/System.h"
 
 namespace {
+
+// Transmissions that wait in the queue of an observer when nothing else was asked for: measured in
+// the queue that the robot's library makes (openr-measured.md 2).
+constexpr std::size_t kDefaultQueue = 14;
+
+constexpr int kAsserted = 1;
+constexpr int kWaiting = 0;  // for the first assert, or for the one after a notification
+constexpr int kDeasserted = -1;
 
 template <class Regions>
 void release(Regions& regions) {
@@ -22,17 +32,52 @@ RCRegion* copied(const void* data, std::size_t size) {
 
 }  // namespace
 
-OSubject::~OSubject() { ClearBuffer(); }
+struct OObserverInfo::Kept {
+  ObserverID id;
+  std::size_t queueSize;
+  int ready = kWaiting;
+  std::vector<RCRegion*> set = {};      // by SetData, not yet notified
+  std::deque<RCRegion*> buffered = {};  // notified, not yet sent
 
-void OSubject::SetNotifyUnitSize(std::size_t count) {
-  unit_ = std::clamp<std::size_t>(count, 1, MAX_NUM_DATA);
+  void clear() {
+    release(set);
+    release(buffered);
+  }
+};
+
+const ObserverID& OObserverInfo::GetObserverID() const { return kept_->id; }
+
+OSubject::~OSubject() {
+  for (const OObserverInfo& observer : observers_) {
+    observer.kept_->clear();
+    delete observer.kept_;
+  }
+}
+
+OStatus OSubject::SetReadyEntry(const OServiceEntry& entry) {
+  id_ = entry;
+  return oSUCCESS;
+}
+
+OStatus OSubject::SetBufferSize(std::size_t count) {
+  bufferSize_ = count;
+  return oSUCCESS;
+}
+
+OStatus OSubject::SetNotifyUnitSize(std::size_t count) {
+  if (count < 1 || count > MAX_NUM_DATA) return oINVALID_ARG;
+  unit_ = count;
+  return oSUCCESS;
 }
 
 OStatus OSubject::SetData(RCRegion* region) {
-  for (OObserverInfo& observer : observers_) {
-    region->AddReference();
-    observer.set_.push_back(region);
-  }
+  for (const OObserverInfo& observer : observers_) SetData(observer, region);
+  return oSUCCESS;
+}
+
+OStatus OSubject::SetData(const OObserverInfo& observer, RCRegion* region) {
+  region->AddReference();
+  observer.kept_->set.push_back(region);
   return oSUCCESS;
 }
 
@@ -44,11 +89,8 @@ OStatus OSubject::SetData(const void* data, std::size_t size) {
 }
 
 OStatus OSubject::SetData(const ObserverID& observer, RCRegion* region) {
-  OObserverInfo* found = FindObserver(observer);
-  if (found == nullptr) return oNOT_FOUND;
-  region->AddReference();
-  found->set_.push_back(region);
-  return oSUCCESS;
+  const auto found = FindObserver(observer);
+  return found == end() ? oNOT_FOUND : SetData(*found, region);
 }
 
 OStatus OSubject::SetData(const ObserverID& observer, const void* data, std::size_t size) {
@@ -59,97 +101,137 @@ OStatus OSubject::SetData(const ObserverID& observer, const void* data, std::siz
 }
 
 OStatus OSubject::NotifyObservers() {
-  for (OObserverInfo& observer : observers_) notify(observer);
+  for (const OObserverInfo& observer : observers_) notify(*observer.kept_);
   return oSUCCESS;
 }
 
 OStatus OSubject::NotifyObserver(const ObserverID& observer) {
-  OObserverInfo* found = FindObserver(observer);
-  if (found == nullptr) return oNOT_FOUND;
-  notify(*found);
+  const auto found = FindObserver(observer);
+  return found == end() ? oNOT_FOUND : NotifyObserver(*found);
+}
+
+OStatus OSubject::NotifyObserver(const OObserverInfo& observer) {
+  notify(*observer.kept_);
   return oSUCCESS;
 }
 
-void OSubject::notify(OObserverInfo& observer) {
-  if (observer.ready_ == oreadyDEASSERT) return release(observer.set_);
-  observer.buffered_.insert(observer.buffered_.end(), observer.set_.begin(), observer.set_.end());
-  observer.set_.clear();
+void OSubject::notify(Kept& observer) {
+  if (observer.ready == kDeasserted) return release(observer.set);
+  observer.buffered.insert(observer.buffered.end(), observer.set.begin(), observer.set.end());
+  observer.set.clear();
   send(observer);
-  while (observer.buffered_.size() > bufferSize_ * unit_) {
-    observer.buffered_.front()->RemoveReference();
-    observer.buffered_.pop_front();
+  while (observer.buffered.size() > observer.queueSize * unit_) {
+    observer.buffered.front()->RemoveReference();
+    observer.buffered.pop_front();
   }
 }
 
 // The references of the regions go over to the message.
-void OSubject::send(OObserverInfo& observer) {
-  if (observer.ready_ != oreadyASSERT || observer.buffered_.size() < unit_) return;
+void OSubject::send(Kept& observer) {
+  if (observer.ready != kAsserted || observer.buffered.size() < unit_) return;
   ONotifyMessage message;
-  message.sender = id_;
+  message.subjectID = id_;
+  message.numOfNotify = 1;
   for (std::size_t i = 0; i < unit_; ++i) {
-    message.regions[message.count++] = observer.buffered_.front();
-    observer.buffered_.pop_front();
+    message.Write(observer.buffered.front());
+    observer.buffered.pop_front();
   }
-  observer.ready_ = oreadyWAITING;
-  kelpie::openr::currentSystem().post(observer.id_, message);
+  observer.ready = kWaiting;
+  kelpie::openr::currentSystem().post(observer.id, message);
 }
 
 std::size_t OSubject::RemainBuffer() const {
   std::size_t most = 0;
-  for (const OObserverInfo& observer : observers_) {
-    most = std::max(most, observer.buffered_.size());
-  }
+  for (const OObserverInfo& observer : observers_)
+    most = std::max(most, observer.kept_->buffered.size());
   return most;
 }
 
-void OSubject::ClearBuffer() {
-  for (OObserverInfo& observer : observers_) {
-    release(observer.set_);
-    release(observer.buffered_);
-  }
+std::size_t OSubject::RemainBuffer(const ObserverID& observer) const {
+  const Kept* found = find(observer);
+  return found == nullptr ? 0 : found->buffered.size();
 }
 
-OObserverInfo* OSubject::FindObserver(const ObserverID& observer) {
-  const auto found =
-      std::find_if(begin(), end(), [&](const OObserverInfo& info) { return info.id_ == observer; });
-  return found == end() ? nullptr : &*found;
+OStatus OSubject::ClearBuffer() {
+  for (const OObserverInfo& observer : observers_) observer.kept_->clear();
+  return oSUCCESS;
 }
 
-int OSubject::ReadyStatus(const ObserverID& observer) {
-  const OObserverInfo* found = FindObserver(observer);
-  return found == nullptr ? oreadyDEASSERT : found->ready_;
+OStatus OSubject::ClearBuffer(const ObserverID& observer) {
+  Kept* found = find(observer);
+  if (found == nullptr) return oNOT_FOUND;
+  found->clear();
+  return oSUCCESS;
 }
+
+OStatus OSubject::ClearBuffer(const OObserverInfo& observer) {
+  observer.kept_->clear();
+  return oSUCCESS;
+}
+
+ObserverConstIterator OSubject::FindObserver(const ObserverID& observer) const {
+  return std::find_if(begin(), end(),
+                      [&](const OObserverInfo& info) { return info.GetObserverID() == observer; });
+}
+
+OSubject::Kept* OSubject::find(const ObserverID& observer) const {
+  const auto found = FindObserver(observer);
+  return found == end() ? nullptr : found->kept_;
+}
+
+int OSubject::ReadyStatus(const ObserverID& observer) const {
+  const Kept* found = find(observer);
+  return found == nullptr ? kDeasserted : found->ready;
+}
+
+int OSubject::ReadyStatus(const OObserverInfo& observer) const { return observer.kept_->ready; }
 
 int OSubject::IsAllReady() const {
-  const bool noneWaits =
-      std::none_of(observers_.begin(), observers_.end(),
-                   [](const OObserverInfo& info) { return info.ready_ == oreadyWAITING; });
+  const bool noneWaits = std::none_of(begin(), end(), [](const OObserverInfo& observer) {
+    return observer.kept_->ready == kWaiting;
+  });
   return noneWaits ? IsAnyReady() : 0;
 }
 
 int OSubject::IsAnyReady() const {
-  return std::any_of(observers_.begin(), observers_.end(),
-                     [](const OObserverInfo& info) { return info.ready_ == oreadyASSERT; })
-             ? 1
-             : 0;
+  const bool any = std::any_of(begin(), end(), [](const OObserverInfo& observer) {
+    return observer.kept_->ready == kAsserted;
+  });
+  return any ? 1 : 0;
 }
 
-void OSubject::ControlHandler(const OControlMessage& message, OStatus status) {
-  OObserverInfo* known = FindObserver(message.observer);
-  if (status == oSUCCESS && message.add && known == nullptr) {
-    observers_.emplace_back(message.observer);
-  } else if (!message.add && known != nullptr) {
-    release(known->set_);
-    release(known->buffered_);
-    observers_.erase(begin() + (known - observers_.data()));
+OStatus OSubject::ControlHandler(const OControlMessage& message, OStatus status) {
+  if (status != oSUCCESS) return status;
+  if (message.command == objcommCMD_ADDOBSERVER) return add(message.observerID);
+  if (message.command == objcommCMD_REMOVEOBSERVER) return remove(message.observerID);
+  return oWRONG_MESSAGE;
+}
+
+OStatus OSubject::add(const ObserverID& observer) {
+  if (find(observer) != nullptr) return oALREADY_EXIST;
+  const std::size_t queue = bufferSize_ == 0 ? kDefaultQueue : bufferSize_;
+  observers_.push_back(OObserverInfo(new Kept{observer, queue}));
+  return oSUCCESS;
+}
+
+OStatus OSubject::remove(const ObserverID& observer) {
+  const auto found = FindObserver(observer);
+  if (found == end()) return oNOT_FOUND;
+  found->kept_->clear();
+  delete found->kept_;
+  observers_.erase(found);
+  return oSUCCESS;
+}
+
+OStatus OSubject::ReadyHandler(const OReadyMessage& message) {
+  Kept* observer = find(message.observerID);
+  if (observer == nullptr) return oNOT_FOUND;
+  const bool asserted = message.command == objcommCMD_ASSERT_READY;
+  observer->ready = asserted ? kAsserted : kDeasserted;
+  if (asserted) {
+    send(*observer);
+  } else {
+    observer->clear();
   }
-}
-
-void OSubject::ReadyHandler(const OReadyMessage& message) {
-  OObserverInfo* observer = FindObserver(message.sender);
-  if (observer == nullptr) return;
-  observer->ready_ = message.isAssert ? oreadyASSERT : oreadyDEASSERT;
-  if (message.isAssert) return send(*observer);
-  release(observer->set_);
-  release(observer->buffered_);
+  return oSUCCESS;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the SDK's stub generator writes from stub.cfg, by hand for the host: names and numbers of
-// the agent's services.
+// What the SDK's stub generator writes from stub.cfg, by hand for the host, with its names
+// (openr-measured.md 1): the agent's services.
 #pragma once
 
 constexpr const char* objectName = "Agent";
@@ -11,8 +11,8 @@ constexpr int sbjEffector = 0;
 constexpr int obsSensor = 0;
 constexpr int obsFbkImageSensor = 1;
 
-constexpr const char* subjectServiceName[numOfSubject] = {"Agent.Effector.OCommandVectorData.S"};
-constexpr const char* observerServiceName[numOfObserver] = {
+constexpr const char* subjectService[numOfSubject] = {"Agent.Effector.OCommandVectorData.S"};
+constexpr const char* observerService[numOfObserver] = {
     "Agent.Sensor.OSensorFrameVectorData.O",
     "Agent.FbkImageSensor.OFbkImageVectorData.O",
 };

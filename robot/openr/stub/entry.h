@@ -1,13 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
-// Selector numbers of the agent's entries, as the stub generator counts them: four of the life
-// cycle, Control and Ready of each subject, Connect and Notify of each observer.
+// Selector numbers of the agent's entries, as the SDK's stub generator counts and names them
+// (openr.md section 1, openr-measured.md 1): four of the life cycle, Control and Ready of each
+// subject, Connect and Notify of each observer, then the Extra entries of stub.cfg.
 #pragma once
 
 #include <Types.h>
 
 #include "def.h"
 
-constexpr Selector Control_Entry[numOfSubject] = {4};
-constexpr Selector Ready_Entry[numOfSubject] = {5};
-constexpr Selector Connect_Entry[numOfObserver] = {6, 7};
-constexpr Selector Notify_Entry[numOfObserver] = {8, 9};
+constexpr int numOfBasicEntries = 4;
+constexpr int numOfHook = 0;  // and so no Entry_Hook
+
+constexpr Selector Entry_Control[numOfSubject] = {4};
+constexpr Selector Entry_Ready[numOfSubject] = {5};
+constexpr Selector Entry_Connect[numOfObserver] = {6, 7};
+constexpr Selector Entry_Notify[numOfObserver] = {8, 9};
+
+// Places in Extra_Entry.
+constexpr int entryPowerChanged = 0;
+
+constexpr Selector Extra_Entry[] = {10};

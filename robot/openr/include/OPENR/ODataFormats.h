@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Layout of everything that travels between an object and the robot's hardware (openr.md 5.3). A
 // vector is ODataVectorInfo, then one info per primitive, then the data blocks that the infos point
-// to. Sizes are those measured with the real headers (openr.md 3.4).
+// to; the first info is a part of the struct. Offsets and sizes are std::size_t, as on the robot,
+// so that a vector with them is longer on a PC: the robot's sizes (openr.md 3.4, openr-measured.md
+// 2) are asserted where pointers have 32 bits. The methods of a vector are not const there.
 #pragma once
 
+#include "OPENR/OCdtChannel.h"
 #include "OPENR/OPENR.h"
+#include "OPENR/OUnits.h"
 
 using ODataType = longword;
 constexpr ODataType odataFBK_YCrCb = 19;
@@ -16,7 +20,7 @@ constexpr ODataType odataJOINT_COMMAND3 = 261;
 constexpr ODataType odataJOINT_COMMAND4 = 262;
 constexpr ODataType odataLED_COMMAND3 = 263;
 constexpr ODataType odataCOMMAND_VECTOR = 1024;
-constexpr ODataType odataSENSOR_VECTOR = 1025;
+constexpr ODataType odataSENSOR_FRAME_VECTOR = 1025;
 constexpr ODataType odataSOUND_VECTOR = 1026;
 constexpr ODataType odataFBKIMAGE_VECTOR = 1027;
 constexpr ODataType odataCDT_VECTOR = 1028;
@@ -25,57 +29,51 @@ constexpr std::size_t ocommandMAX_FRAMES = 16;  // 128 ms
 constexpr std::size_t osensorframeMAX_FRAMES = 16;
 constexpr longword oframeMAX_NUMBER = 0x0ffffff0;
 
-using OFbkImageLayer = longword;
+using OFbkImageLayer = int;
 constexpr OFbkImageLayer ofbkimageLAYER_H = 0;
 constexpr OFbkImageLayer ofbkimageLAYER_M = 1;
 constexpr OFbkImageLayer ofbkimageLAYER_L = 2;
 constexpr OFbkImageLayer ofbkimageLAYER_C = 3;
 
+// True on the robot and in a 32-bit build: there the sizes must be the robot's.
+constexpr bool odataROBOTS_POINTERS = sizeof(void*) == 4;
+
 struct ODataVectorInfo {
   MemoryRegionID memRegionID;
-  longword physAddr;
-  longword offset;
-  longword totalSize;
+  void* physAddr;
+  std::size_t offset;
+  std::size_t totalSize;
   ODataType type;
-  longword infoOffset;
-  longword infoSize;
-  longword maxNumData;
-  longword numData;
+  std::size_t infoOffset;
+  std::size_t infoSize;
+  std::size_t maxNumData;
+  std::size_t numData;
   longword syncKey;
   longword wait;  // 8 ms frames until the start
-  longword optOffset;
-  longword optSize;
+  std::size_t optOffset;
+  std::size_t optSize;
   longword padding[3];
   byte optional[128];
 };
-static_assert(sizeof(ODataVectorInfo) == 192, "openr.md 3.4");
-
-// The methods that all vectors have. T is the info, Data what its dataOffset points to.
-template <class T, class Data>
-struct ODataVector {
-  ODataVectorInfo vectorInfo;
-
-  void SetNumData(std::size_t count) { vectorInfo.numData = static_cast<longword>(count); }
-  T* GetInfo(std::size_t i) const { return reinterpret_cast<T*>(at(vectorInfo.infoOffset)) + i; }
-  Data* GetData(std::size_t i) const { return reinterpret_cast<Data*>(at(GetInfo(i)->dataOffset)); }
-
- private:
-  byte* at(longword offset) const {
-    return const_cast<byte*>(reinterpret_cast<const byte*>(this)) + offset;
-  }
-};
+static_assert(!odataROBOTS_POINTERS || sizeof(ODataVectorInfo) == 192, "openr.md 3.4");
 
 struct OSensorFrameInfo {
   ODataType type;
   OPrimitiveID primitiveID;
   longword frameNumber;  // of the first frame, in 8 ms
-  longword numFrames;
-  longword frameSize;
-  longword dataOffset;
-  longword dataSize;
-  longword padding;
+  std::size_t numFrames;
+  std::size_t frameSize;
+  std::size_t dataOffset;
+  std::size_t dataSize;
+  longword padding[1];
+
+  void Set(ODataType dataType, OPrimitiveID id, std::size_t frames) {
+    type = dataType;
+    primitiveID = id;
+    numFrames = frames;
+  }
 };
-static_assert(sizeof(OSensorFrameInfo) == 32, "openr.md 3.4");
+static_assert(!odataROBOTS_POINTERS || sizeof(OSensorFrameInfo) == 32, "openr.md 3.4");
 
 struct OSensorValue {
   slongword value;
@@ -84,47 +82,82 @@ struct OSensorValue {
 };
 static_assert(sizeof(OSensorValue) == 16, "openr.md 3.4");
 
+// With constructors: memory may not be copied into it (openr-measured.md 1).
 struct OJointValue {
   slongword value;  // microradians
   word signal;
   sword pwmDuty;
   slongword refValue;
   word refSignal;
-  word padding;
+  word padding[1];
+
+  OJointValue() {}  // NOLINT(modernize-use-equals-default): the robot's leaves all as it is
+  OJointValue(slongword angle, word raw, sword duty, slongword wished, word rawWished)
+      : value(angle), signal(raw), pwmDuty(duty), refValue(wished), refSignal(rawWished) {}
 };
 static_assert(sizeof(OJointValue) == 16, "openr.md 3.4");
 
-using OAcceleration = OSensorValue;  // value in um/s^2
-using OLength = OSensorValue;        // value in um
-using OSwitchStatus = OSensorValue;  // value 0 or 1
+// Types of their own, with the fields of an OSensorValue.
+struct OAcceleration {
+  slongword value;  // um/s^2
+  word signal;
+  word padding[5];
+};
+struct OLength {
+  slongword value;  // um
+  word signal;
+  word padding[5];
+};
+using OSwitchValue = longword;
+constexpr OSwitchValue oswitchOFF = 0;
+constexpr OSwitchValue oswitchON = 1;
+struct OSwitchStatus {
+  OSwitchValue value;
+  word signal;
+  word padding[5];
+};
+static_assert(sizeof(OAcceleration) == 16 && sizeof(OLength) == 16 && sizeof(OSwitchStatus) == 16,
+              "openr-measured.md 2");
 
 struct OSensorFrameData {
   OSensorValue frame[osensorframeMAX_FRAMES];
 };
 static_assert(sizeof(OSensorFrameData) == 256, "openr.md 3.4");
 
-using OSensorFrameVectorData = ODataVector<OSensorFrameInfo, OSensorFrameData>;
+struct OSensorFrameVectorData {
+  ODataVectorInfo vectorInfo;
+  OSensorFrameInfo info[1];
+
+  void SetNumData(std::size_t count) { vectorInfo.numData = count; }
+  OSensorFrameInfo* GetInfo(int i) { return info + i; }
+  OSensorFrameData* GetData(int i) {
+    byte* start = reinterpret_cast<byte*>(this);
+    return reinterpret_cast<OSensorFrameData*>(start + GetInfo(i)->dataOffset);
+  }
+};
+static_assert(!odataROBOTS_POINTERS || sizeof(OSensorFrameVectorData) == 224,
+              "openr-measured.md 2");
 
 struct OCommandInfo {
   ODataType type;
   OPrimitiveID primitiveID;
   longword frameNumber;
-  longword numFrames;
-  longword frameSize;
-  longword dataOffset;
-  longword dataSize;
-  longword padding;
+  std::size_t numFrames;
+  std::size_t frameSize;
+  std::size_t dataOffset;
+  std::size_t dataSize;
+  longword padding[1];
 
   void Set(ODataType dataType, OPrimitiveID id, std::size_t frames) {
     type = dataType;
     primitiveID = id;
-    numFrames = static_cast<longword>(frames);
+    numFrames = frames;
   }
 };
-static_assert(sizeof(OCommandInfo) == 32, "openr.md 3.4");
+static_assert(!odataROBOTS_POINTERS || sizeof(OCommandInfo) == 32, "openr.md 3.4");
 
 struct OCommandValue {
-  longword words[2];
+  slongword value[2];
 };
 
 struct OJointCommandValue2 {
@@ -132,7 +165,7 @@ struct OJointCommandValue2 {
   slongword padding;
 };
 
-using OLEDValue = slongword;
+using OLEDValue = longword;
 constexpr OLEDValue oledOFF = 0;
 constexpr OLEDValue oledON = 1;
 
@@ -152,7 +185,7 @@ struct OLEDCommandValue3 {
   word period;  // in 8 ms
   word reserved;
 };
-using OJointValue4 = slongword;
+using OJointValue4 = longword;
 constexpr OJointValue4 ojoint4_STATE0 = 0;
 constexpr OJointValue4 ojoint4_STATE1 = 1;
 
@@ -171,29 +204,41 @@ struct OCommandData {
 };
 static_assert(sizeof(OCommandData) == 128, "openr.md 3.4");
 
-using OCommandVectorData = ODataVector<OCommandInfo, OCommandData>;
+struct OCommandVectorData {
+  ODataVectorInfo vectorInfo;
+  OCommandInfo info[1];
+
+  void SetNumData(std::size_t count) { vectorInfo.numData = count; }
+  OCommandInfo* GetInfo(int i) { return info + i; }
+  OCommandData* GetData(int i) {
+    byte* start = reinterpret_cast<byte*>(this);
+    return reinterpret_cast<OCommandData*>(start + GetInfo(i)->dataOffset);
+  }
+};
+static_assert(!odataROBOTS_POINTERS || sizeof(OCommandVectorData) == 224, "openr-measured.md 2");
 
 struct OFbkImageInfo {
   ODataType type;
   OPrimitiveID primitiveID;
   longword frameNumber;
-  longword dataOffset;
-  longword dataSize;
-  longword width;
-  longword height;
-  longword padding;
+  std::size_t dataOffset;
+  std::size_t dataSize;
+  std::size_t width;
+  std::size_t height;
+  std::size_t padding[1];
 };
-static_assert(sizeof(OFbkImageInfo) == 32, "openr.md 3.4");
+static_assert(!odataROBOTS_POINTERS || sizeof(OFbkImageInfo) == 32, "openr.md 3.4");
 
-using OFbkImageVectorData = ODataVector<OFbkImageInfo, byte>;
+// Has no SetNumData: only the system makes one.
+struct OFbkImageVectorData {
+  ODataVectorInfo vectorInfo;
+  OFbkImageInfo info[1];
 
-struct OPowerStatus {
-  longword robotStatus;
-  longword batteryStatus;
-  word remainingCapacity;  // percent
-  word temperature;
-  word voltage;
-  sword current;
-  longword reserved;
+  // Of all its layers.
+  void SetPrimitiveID(OPrimitiveID id) {
+    for (std::size_t i = 0; i < vectorInfo.numData; ++i) info[i].primitiveID = id;
+  }
+  OFbkImageInfo* GetInfo(int i) { return info + i; }
+  byte* GetData(int i) { return reinterpret_cast<byte*>(this) + GetInfo(i)->dataOffset; }
 };
-static_assert(sizeof(OPowerStatus) == 20, "openr.md 3.4");
+static_assert(!odataROBOTS_POINTERS || sizeof(OFbkImageVectorData) == 224, "openr-measured.md 2");

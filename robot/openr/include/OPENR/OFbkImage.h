@@ -17,7 +17,8 @@ constexpr OFbkImageBand ofbkimageBAND_Y_HH = 6;
 // 16 bytes with the robot's 32-bit pointers.
 class OFbkImage {
  public:
-  OFbkImage(const OFbkImageInfo* info, byte* data, OFbkImageBand band);
+  OFbkImage(OFbkImageInfo* info, byte* data, OFbkImageBand band);
+  ~OFbkImage() {}  // NOLINT(modernize-use-equals-default): the robot's is not trivial
 
   bool IsValid() const { return pointer_ != nullptr; }
   byte* Pointer() const { return pointer_; }
@@ -28,7 +29,8 @@ class OFbkImage {
   // The field counter of the tag that replaces the last line, for band Y and CDT, which start at
   // the row's start.
   word FieldCounter() const;
-  byte ColorFrequency(int channel) const;
+  // Of one channel, named by its bit; 0 for none or several.
+  byte ColorFrequency(OCdtChannel channel) const;
 
  private:
   const byte* tag() const { return pointer_ + (width_ + skip_) * (height_ - 1); }

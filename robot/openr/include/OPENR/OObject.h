@@ -4,7 +4,7 @@
 // begins DoStart, and DoStop before any begins DoDestroy.
 #pragma once
 
-#include "OPENR/OPENR.h"
+#include "OPENR/OPENREvent.h"
 
 class OObject {
  public:

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // The receiving end of a service: tells its subjects when it can take the next data (openr.md 5.2).
 // SetBufCtrlParam (subsampling and batching by the system) is not offered on the host. On the robot
-// the class has 364 bytes because of its std::list member.
+// the class has 364 bytes; nobody may depend on that here.
 #pragma once
 
-#include <vector>
+#include <list>
 
 #include "OPENR/ObjcommEvent.h"
+
+using SubjectConstIterator = std::list<OSubjectInfo>::const_iterator;
 
 class OObserver {
  public:
@@ -15,24 +17,32 @@ class OObserver {
   OObserver(const OObserver&) = delete;
   OObserver& operator=(const OObserver&) = delete;
 
-  void SetNotifyEntry(const OServiceEntry& entry) { id_ = entry; }
-  ObserverID GetID() const { return id_; }
+  OStatus SetNotifyEntry(const OServiceEntry& entry);
+  const ObserverID& GetID() const { return id_; }
 
-  OStatus AssertReady() { return sayToAll(true); }
-  OStatus AssertReady(const SubjectID& subject) { return say(subject, true); }
-  OStatus DeassertReady() { return sayToAll(false); }
-  OStatus DeassertReady(const SubjectID& subject) { return say(subject, false); }
+  OStatus AssertReady() { return sayToAll(objcommCMD_ASSERT_READY); }
+  OStatus AssertReady(const SubjectID& subject) { return say(objcommCMD_ASSERT_READY, subject); }
+  OStatus AssertReady(const OSubjectInfo& subject) { return say(objcommCMD_ASSERT_READY, subject); }
+  OStatus DeassertReady() { return sayToAll(objcommCMD_DEASSERT_READY); }
+  OStatus DeassertReady(const SubjectID& subject) {
+    return say(objcommCMD_DEASSERT_READY, subject);
+  }
+  OStatus DeassertReady(const OSubjectInfo& subject) {
+    return say(objcommCMD_DEASSERT_READY, subject);
+  }
 
   int NumberOfSubjects() const { return static_cast<int>(subjects_.size()); }
+  SubjectConstIterator begin() const { return subjects_.begin(); }
+  SubjectConstIterator end() const { return subjects_.end(); }
 
-  // For the stub.
-  void ConnectHandler(const OConnectMessage& message, OStatus status);
-  void NotifyHandler(const ONotifyMessage&) {}
+  // For the stub. The event is filled but for its index.
+  OStatus ConnectHandler(const OConnectMessage& message, OStatus status = oSUCCESS);
+  OStatus NotifyHandler(const ONotifyMessage& message, ONotifyEvent* event);
 
  private:
-  OStatus sayToAll(bool ready);
-  OStatus say(const SubjectID& subject, bool ready);
+  OStatus sayToAll(ObjcommCommand command);
+  OStatus say(ObjcommCommand command, const SubjectID& subject);
 
   ObserverID id_;
-  std::vector<SubjectID> subjects_;
+  std::list<OSubjectInfo> subjects_;
 };

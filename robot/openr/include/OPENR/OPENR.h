@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Status codes, identifiers and small structures that all of OPEN-R shares (openr.md 5.1, 5.5).
+// Status codes, identifiers and small structures that all of OPEN-R shares (openr.md 5.1, 5.5;
+// openr-measured.md 2).
 #pragma once
 
 #include "Types.h"
@@ -31,51 +32,51 @@ constexpr OStatus oUNDERFLOW = 26;
 constexpr OStatus oFATAL = 28;
 constexpr OStatus oBUSY = 33;
 
-constexpr OStatus oAPI_STATUS_BASE = 4096;
-constexpr OStatus oINVALID_PRIMITIVE_ID = oAPI_STATUS_BASE + 0;
-constexpr OStatus oINVALID_DATA_VECTOR_ID = oAPI_STATUS_BASE + 1;
-constexpr OStatus oINVALID_DATA_TYPE = oAPI_STATUS_BASE + 2;
-constexpr OStatus oINVALID_DATA = oAPI_STATUS_BASE + 3;
-constexpr OStatus oINVALID_REQUEST = oAPI_STATUS_BASE + 4;
-constexpr OStatus oNO_SYNC_KEY = oAPI_STATUS_BASE + 10;
-constexpr OStatus oINVALID_SYNC_KEY = oAPI_STATUS_BASE + 11;
-constexpr OStatus oGAIN_DISABLED = oAPI_STATUS_BASE + 12;
+constexpr OStatus OStatusAPISpecificBase = 4096;
+constexpr OStatus oINVALID_PRIMITIVE_ID = OStatusAPISpecificBase + 0;
+constexpr OStatus oINVALID_DATA_VECTOR_ID = OStatusAPISpecificBase + 1;
+constexpr OStatus oINVALID_DATA_TYPE = OStatusAPISpecificBase + 2;
+constexpr OStatus oINVALID_DATA = OStatusAPISpecificBase + 3;
+constexpr OStatus oINVALID_REQUEST = OStatusAPISpecificBase + 4;
+constexpr OStatus oNO_SYNC_KEY = OStatusAPISpecificBase + 10;
+constexpr OStatus oINVALID_SYNC_KEY = OStatusAPISpecificBase + 11;
+constexpr OStatus oGAIN_DISABLED = OStatusAPISpecificBase + 12;
 constexpr OStatus oALERT_JOINT_UNCONTROLLABLE = 8192;
 
 using OPrimitiveID = longword;
 constexpr OPrimitiveID oprimitiveID_UNDEF = 0xffffffff;  // in gain calls: all opened joints
 
-using OPower = bool;
-constexpr OPower opowerON = true;
-constexpr OPower opowerOFF = false;
+// Where a message goes: an object and the number of the method in its entry table. Not an
+// aggregate, and not to be copied byte by byte (openr-measured.md 2).
+class OServiceEntry {
+ public:
+  OServiceEntry() = default;
+  OServiceEntry(const OID& object, Selector method) : oid(object), selector(method) {}
+  // NOLINTNEXTLINE(modernize-use-equals-default): the robot's is no trivial copy
+  OServiceEntry(const OServiceEntry& other) : oid(other.oid), selector(other.selector) {}
+  OServiceEntry& operator=(const OServiceEntry&) = default;
+  ~OServiceEntry() = default;
 
-// Where a message goes: an object and the number of the method in its entry table.
-struct OServiceEntry {
+  void Set(const OID& object, Selector method) { *this = OServiceEntry(object, method); }
+  bool IsValid() const { return oid.IsValid() && selector != UNDEF; }
+
+  friend bool operator==(const OServiceEntry& one, const OServiceEntry& other) {
+    return one.oid == other.oid && one.selector == other.selector;
+  }
+  friend bool operator!=(const OServiceEntry& one, const OServiceEntry& other) {
+    return !(one == other);
+  }
+  friend bool operator<(const OServiceEntry& one, const OServiceEntry& other) {
+    return one.oid == other.oid ? one.selector < other.selector : one.oid < other.oid;
+  }
+
   OID oid;
   Selector selector = UNDEF;
-
-  bool operator==(const OServiceEntry& other) const {
-    return oid == other.oid && selector == other.selector;
-  }
 };
-static_assert(sizeof(OServiceEntry) == 8, "openr.md 3.4");
 
 using OReason = longword;
 constexpr OReason oreasonBOOT = 0;
 constexpr OReason oreasonSHUTDOWN = 1;
 constexpr OReason oreasonUNDEF = 0xffffffff;
 
-// Why a life-cycle method is called. 12 bytes with the robot's 32-bit pointers.
-class OSystemEvent {
- public:
-  explicit OSystemEvent(OReason reason, void* param = nullptr, longword paramSize = 0)
-      : reason_(reason), paramSize_(paramSize), param_(param) {}
-  OReason Reason() const { return reason_; }
-  void* Param() const { return param_; }
-  longword ParamSize() const { return paramSize_; }
-
- private:
-  OReason reason_;
-  longword paramSize_;
-  void* param_;
-};
+constexpr std::size_t oserviceNAME_MAX = 127;  // letters of a service's name

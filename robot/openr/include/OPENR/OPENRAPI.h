@@ -5,6 +5,8 @@
 
 #include "OPENR/ODataFormats.h"
 #include "OPENR/OPENR.h"
+#include "OPENR/OPENRMessages.h"
+#include "OPENR/OPower.h"
 
 using OPrimitiveRequest = longword;
 constexpr OPrimitiveRequest oprmreqSPEAKER_MUTE_ON = 128;
@@ -19,19 +21,22 @@ constexpr OPrimitiveRequest oprmreqCAM_AE_OFF = 389;
 constexpr OPrimitiveRequest oprmreqCAM_AWB_ON = 390;
 constexpr OPrimitiveRequest oprmreqCAM_AWB_OFF = 391;
 
-constexpr longword ocamparamWB_INDOOR_MODE = 1;      // 2856 K
-constexpr longword ocamparamWB_OUTDOOR_MODE = 2;     // 6500 K
-constexpr longword ocamparamWB_FL_MODE = 3;          // 5000 K
-constexpr longword ocamparamGAIN_LOW = 1;            // -6 dB
-constexpr longword ocamparamGAIN_MID = 2;            // 0 dB
-constexpr longword ocamparamGAIN_HIGH = 3;           // +6 dB
-constexpr longword ocamparamSHUTTER_SPEED_SLOW = 1;  // 1/50 s
-constexpr longword ocamparamSHUTTER_SPEED_MID = 2;   // 1/100 s
-constexpr longword ocamparamSHUTTER_SPEED_FAST = 3;  // 1/200 s
+constexpr longword ocamparamWB_INDOOR_MODE = 1;   // 2856 K
+constexpr longword ocamparamWB_OUTDOOR_MODE = 2;  // 6500 K
+constexpr longword ocamparamWB_FL_MODE = 3;       // 5000 K
+constexpr longword ocamparamGAIN_LOW = 1;         // -6 dB
+constexpr longword ocamparamGAIN_MID = 2;         // 0 dB
+constexpr longword ocamparamGAIN_HIGH = 3;        // +6 dB
+constexpr longword ocamparamSHUTTER_SLOW = 1;     // 1/50 s
+constexpr longword ocamparamSHUTTER_MID = 2;      // 1/100 s
+constexpr longword ocamparamSHUTTER_FAST = 3;     // 1/200 s
 
 struct OPrimitiveControl_CameraParam {
-  explicit OPrimitiveControl_CameraParam(longword value) : param(value) {}
-  longword param;
+  longword camparam;
+
+  OPrimitiveControl_CameraParam() : camparam(0) {}
+  // NOLINTNEXTLINE(google-explicit-constructor,hicpp-explicit-conversions): so on the robot
+  OPrimitiveControl_CameraParam(longword value) : camparam(value) {}
 };
 static_assert(sizeof(OPrimitiveControl_CameraParam) == 4, "openr.md 5.5");
 
@@ -55,7 +60,12 @@ OStatus GetJointValue(OPrimitiveID id, OJointValue* value);
 OStatus GetSensorValue(OPrimitiveID id, OSensorValue* value);
 
 OStatus SetMotorPower(OPower power);
+// Waits for another object's answer (openr-measured.md 2): not for a loop.
 OStatus GetPowerStatus(OPowerStatus* status);
+// From now on an OPowerStatusMessage comes to the entry when a bit that `watched` has set changes,
+// or a value that it does not exclude.
+OStatus ObservePowerStatus(const OPowerStatus& watched, const OServiceEntry& entry);
+OStatus UnobservePowerStatus(const OServiceEntry& entry);
 OStatus GetRobotDesign(char* design);  // "ERS-7"; room for 32 characters
 
 }  // namespace OPENR

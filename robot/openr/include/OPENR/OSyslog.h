@@ -3,14 +3,18 @@
 // most 243 characters, the rest is cut (openr.md 3.4 and 5.5).
 #pragma once
 
-constexpr int osyslogERROR = 1;
-constexpr int osyslogWARNING = 2;
-constexpr int osyslogINFO = 3;
-constexpr int osyslogMAX_LENGTH = 243;
+#include "OPENR/OPENR.h"
 
-void OSyslogPrint(const char* format, ...) __attribute__((format(printf, 1, 2)));
-void OSyslogLevel(int level, const char* format, ...) __attribute__((format(printf, 2, 3)));
+using OSyslogPriority = int;
+constexpr OSyslogPriority osyslogERROR = 1;
+constexpr OSyslogPriority osyslogWARNING = 2;
+constexpr OSyslogPriority osyslogINFO = 3;
 
-#define OSYSPRINT(arguments) OSyslogPrint arguments
-#define OSYSLOG1(arguments) OSyslogLevel arguments
+// The robot's compiler does not check the format; here it is, which can only find more.
+OStatus osysprint(const char* format, ...) __attribute__((format(printf, 1, 2)));
+OStatus osyslog(OSyslogPriority priority, const char* format, ...)
+    __attribute__((format(printf, 2, 3)));
+
+#define OSYSPRINT(arguments) osysprint arguments
+#define OSYSLOG1(arguments) osyslog arguments
 #define OSYSDEBUG(arguments) static_cast<void>(0)

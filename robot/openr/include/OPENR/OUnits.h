@@ -4,9 +4,7 @@
 
 #include "Types.h"
 
-constexpr double oUNITS_PI = 3.14159265358979323846;
-
-constexpr slongword micro(double value) { return static_cast<slongword>(value * 1e6); }
-constexpr double radians(double inDegrees) { return inDegrees * (oUNITS_PI / 180.0); }
-constexpr double degrees(double inRadians) { return inRadians * (180.0 / oUNITS_PI); }
-constexpr slongword oradians(double inDegrees) { return micro(radians(inDegrees)); }
+inline slongword micro(double value) { return static_cast<slongword>(value * 1e6); }
+inline double radians(double inDegrees) { return inDegrees * (3.14159265358979323846 / 180.0); }
+inline double degrees(double inRadians) { return inRadians * (180.0 / 3.14159265358979323846); }
+inline slongword oradians(double inDegrees) { return micro(radians(inDegrees)); }

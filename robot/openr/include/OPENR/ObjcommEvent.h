@@ -1,63 +1,80 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the service methods of an object receive (openr.md 5.2).
+// What the service methods of an object receive (openr.md 5.2): 20 (control), 12 (connect), 16
+// (ready) and 76 bytes (notify) with the robot's 32-bit pointers (openr-measured.md 2).
 #pragma once
 
-#include "OPENR/ObjcommTypes.h"
-#include "OPENR/RCRegion.h"
+#include "OPENR/OSubjectInfo.h"
+#include "OPENR/ObjcommMessages.h"
 
 class OControlEvent {
  public:
-  OControlEvent(int index, const OControlMessage& message) : index_(index), message_(message) {}
+  OControlEvent(int index, const ObserverID& observer, char* name, ObjcommCommand command)
+      : index_(index), observer_(observer), name_(name), command_(command) {}
   int SbjIndex() const { return index_; }
-  ObserverID SenderID() const { return message_.observer; }
-  const char* SubName() const { return message_.name; }
-  bool IsAddObserver() const { return message_.add; }
-  bool IsRemoveObserver() const { return !message_.add; }
+  const ObserverID& SenderID() const { return observer_; }
+  const char* SubName() const { return name_; }
+  bool IsAddObserver() const { return command_ == objcommCMD_ADDOBSERVER; }
+  bool IsRemoveObserver() const { return command_ == objcommCMD_REMOVEOBSERVER; }
 
  private:
   int index_;
-  const OControlMessage& message_;
+  ObserverID observer_;
+  char* name_;
+  ObjcommCommand command_;
 };
 
+// Does not tell whose subject it is.
 class OConnectEvent {
  public:
-  OConnectEvent(int index, const OConnectMessage& message) : index_(index), message_(message) {}
+  OConnectEvent(int index, char* name, OConnectCmd command)
+      : index_(index), name_(name), command_(command) {}
   int ObsIndex() const { return index_; }
-  SubjectID SenderID() const { return message_.subject; }
-  const char* SubName() const { return message_.name; }
-  bool IsConnect() const { return message_.connect; }
-  bool IsDisconnect() const { return !message_.connect; }
+  const char* SubName() const { return name_; }
+  bool IsConnect() const { return command_ == oconnectcmdCONNECT; }
+  bool IsDisconnect() const { return command_ == oconnectcmdDISCONNECT; }
 
  private:
   int index_;
-  const OConnectMessage& message_;
+  char* name_;
+  OConnectCmd command_;
 };
 
 class OReadyEvent {
  public:
-  OReadyEvent(int index, const OReadyMessage& message) : index_(index), message_(message) {}
+  OReadyEvent(int index, const ObserverID& observer, ObjcommCommand command)
+      : index_(index), observer_(observer), command_(command) {}
   int SbjIndex() const { return index_; }
-  ObserverID SenderID() const { return message_.sender; }
-  bool IsAssert() const { return message_.isAssert; }
-  bool IsDeassert() const { return !message_.isAssert; }
+  const ObserverID& SenderID() const { return observer_; }
+  bool IsAssert() const { return command_ == objcommCMD_ASSERT_READY; }
+  bool IsDeassert() const { return command_ == objcommCMD_DEASSERT_READY; }
 
  private:
   int index_;
-  const OReadyMessage& message_;
+  ObserverID observer_;
+  ObjcommCommand command_;
 };
 
+// Empty at first; OObserver::NotifyHandler fills it.
 class ONotifyEvent {
  public:
-  ONotifyEvent(int index, const ONotifyMessage& message) : index_(index), message_(message) {}
+  void SetIndex(int index) { index_ = index; }
+  void SetSubjectInfo(const OSubjectInfo& subject) { subject_ = subject; }
+  void SetNumOfData(int count) { dataCount_ = count; }
+  void SetNumOfNotify(int count) { notifyCount_ = count; }
+  void SetData(int i, RCRegion* region) { regions_[i] = region; }
+
   int ObsIndex() const { return index_; }
-  int NumOfData() const { return static_cast<int>(message_.count); }
-  int NumOfNotify() const { return 1; }  // batching of notifications is not offered here
-  void* Data(int i) const { return message_.regions[i]->Base(); }
+  const OSubjectInfo& SenderID() const { return subject_; }
+  int NumOfData() const { return dataCount_; }
+  int NumOfNotify() const { return notifyCount_; }
+  const void* Data(int i) const { return regions_[i]->Base(); }
   // Add a reference to keep the data beyond the method.
-  RCRegion* RCData(int i) const { return message_.regions[i]; }
-  SubjectID SenderID() const { return message_.sender; }
+  RCRegion* RCData(int i) const { return regions_[i]; }
 
  private:
-  int index_;
-  const ONotifyMessage& message_;
+  int index_ = 0;
+  OSubjectInfo subject_;
+  int dataCount_ = 0;
+  int notifyCount_ = 0;
+  RCRegion* regions_[MAX_NUM_DATA] = {};
 };

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the battery and the switches last said, in Kelpie's words (OPENR/OPower.h has the bits).
+#pragma once
+
+namespace kelpie::agent {
+
+struct PowerReport {
+  bool paused = false;      // the pause switch was pressed
+  bool batteryLow = false;  // too little is left, or the battery wants to end
+  bool motorPower = true;   // the motors are powered; false as well when the robot cut it for a jam
+  double current = 0.0;     // drawn from the battery, mA
+};
+
+}  // namespace kelpie::agent
