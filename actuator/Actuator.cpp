@@ -6,6 +6,7 @@
 #include "actuator/Gaze.h"
 #include "actuator/Head.h"
 #include "actuator/JointLimits.h"
+#include "actuator/Lie.h"
 #include "robot/body/Legs.h"
 
 namespace kelpie::actuator {
@@ -32,7 +33,7 @@ bool canStart(MotionKind kind, const ActuatorParams& params, const ActuatorState
 
 // A motion starts when it is newly requested. A blend that is under way gives way to it.
 void startMotion(const Command& command, const ActuatorParams& params, ActuatorState& state) {
-  const bool asked = command.motion != MotionKind::none;
+  const bool asked = command.motion != MotionKind::none && !state.lies;
   if (!asked) state.motion.answered = false;
   if (!asked || state.motion.answered || running(state.motion)) return;
   if (canStart(command.motion, params, state)) begin(command.motion, state.target, state.motion);
@@ -42,7 +43,7 @@ void startMotion(const Command& command, const ActuatorParams& params, ActuatorS
 WalkRequest walkWanted(const Command& command, const ActuatorParams& params,
                        const ActuatorState& state) {
   WalkRequest request = command.walk;
-  if (!state.ready) request = {};
+  if (!state.ready || state.lies) request = {};
   if (running(state.motion)) {
     const KeyFrame& key = keyFrame(params.motions, state.motion);
     request = key.walk;
@@ -59,6 +60,7 @@ JointAngles asked(const Command& command, const ActuatorParams& params, Actuator
   target[Joint::mouth] = Angle::deg(command.mouthOpen ? kMouthOpen : kMouthClosed);
   target[Joint::tailTilt] = command.tail.tilt;
   target[Joint::tailPan] = command.tail.pan;
+  if (state.lies) lieDown(target);
   return target;
 }
 
@@ -180,6 +182,7 @@ MotionStatus status(const ActuatorParams& params, const ActuatorState& state) {
 
 MotionOutput step(const MotionInput& in, const ActuatorParams& params, ActuatorState& state) {
   if (!state.started) begin(in, params, state);
+  stepLie(in.rest, params, state);
   state.stance = body::stanceFromLegs(in.sensors.back().joints);
   MotionOutput out;
   stepGain(in.batteryCurrent, params.gain, state.gain);

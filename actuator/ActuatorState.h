@@ -25,6 +25,7 @@ struct BlendState {
 struct ActuatorState {
   bool started = false;
   bool ready = false;  // the start ramp has ended
+  bool lies = false;   // it rests, or is on its way down
   BlendState blend;
   JointAngles target;  // last commanded
   Stance stance;       // as last sensed

@@ -57,6 +57,7 @@ OStatus Agent::DoInit(const OSystemEvent&) {
 
 OStatus Agent::DoStart(const OSystemEvent&) {
   OStatus status = OPENR::SetMotorPower(opowerON);
+  motorPower_ = status == oSUCCESS;
   if (status == oSUCCESS) status = enableGains();
   if (status == oSUCCESS) status = readPose();
   if (status == oSUCCESS) status = watchPower();
@@ -173,6 +174,10 @@ void Agent::PowerChanged(void* message) {
 void Agent::takePower(const OPowerStatus& status) {
   const PowerReport report = reportOf(status);
   motionInput_.batteryCurrent = report.current;
+  // The robot cuts the power for a jam; the gains do not outlive that for sure.
+  if (report.motorPower && !motorPower_ && enableGains() != oSUCCESS)
+    OSYSLOG1((osyslogERROR, "the gains cannot be enabled again"));
+  motorPower_ = report.motorPower;
   loops_.power(report);
 }
 

@@ -70,7 +70,8 @@ class Agent : public OObject {
   MotionInput motionInput_;
   std::array<JointFrame, kTicksPerMessage> held_{};  // the last targets, at first the sensed pose
   Image image_;
-  body::LegGain legGain_;  // what the legs were told last
+  body::LegGain legGain_;    // what the legs were told last
+  bool motorPower_ = false;  // as the system said last
   bool clockKnown_ = false;
   TimeUs tickZero_;  // system time of sensor tick 0
 };

@@ -4,6 +4,7 @@
 #include "gps/pose/Focal.h"
 #include "gps/pose/Lag.h"
 #include "gps/pose/Tilt.h"
+#include "robot/agent/RestCommand.h"
 #include "robot/net/TeamPacket.h"
 
 namespace kelpie::agent {
@@ -38,11 +39,25 @@ AgentLoops::AgentLoops(const AgentConfig& config, const std::string& scripts, Lo
       listens_(config.game),
       game_(net::listenerFor(config.team, config.player)) {}
 
+Rest AgentLoops::restAt(TimeUs time) {
+  const Rest power = step(PowerWatchInput{time, power_}, PowerWatchParams{}, powerWatch_);
+  const bool blind = step(WatchdogInput{time, imageCame_}, WatchdogParams{}, watchdog_);
+  imageCame_ = false;
+  if (power != Rest::none) return power;
+  return blind ? Rest::blind : Rest::none;
+}
+
+Command AgentLoops::forTheBody() const {
+  const Command asked = askedIn(frame_);
+  return rest_ == Rest::none ? asked : restCommand(asked, game_.game, rest_);
+}
+
 const MotionOutput& AgentLoops::motion(const MotionInput& withoutCommand) {
   motionInput_.time = withoutCommand.time;
   motionInput_.sensors = withoutCommand.sensors;
   motionInput_.batteryCurrent = withoutCommand.batteryCurrent;
-  motionInput_.command = askedIn(frame_);
+  motionInput_.rest = rest_ = restAt(withoutCommand.time);
+  motionInput_.command = forTheBody();
   motionOutput_ = &motionLoop_.step(motionInput_, silent_);
   for (std::size_t tick = 0; tick < motionInput_.sensors.size(); ++tick) {
     const auto back = static_cast<std::int64_t>(motionInput_.sensors.size() - 1 - tick) * kTickUs;
@@ -56,6 +71,7 @@ const MotionOutput& AgentLoops::motion(const MotionInput& withoutCommand) {
 }
 
 void AgentLoops::camera(const Image& image, TimeUs exposureMiddle, std::uint32_t number) {
+  imageCame_ = true;
   if (motionOutput_ == nullptr) return;  // no joints known yet: the image cannot be used
   input_.elapsed = frameCount_ == 0 ? 0.0 : (exposureMiddle - input_.time).seconds();
   if (frameCount_ > 0) input_.droppedFrames += droppedBetween(cameraNumber_, number);
@@ -72,7 +88,7 @@ void AgentLoops::camera(const Image& image, TimeUs exposureMiddle, std::uint32_t
   input_.odometry = odometry_.until(exposed);
   input_.motion = motionOutput_->status;
   input_.game = game_.game;
-  input_.lastCommand = askedIn(frame_);
+  input_.lastCommand = forTheBody();
   input_.drive = drive_;
   input_.radio = radio_.counts;
   input_.control = game_.counts;

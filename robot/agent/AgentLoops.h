@@ -13,6 +13,8 @@
 #include "robot/agent/Loops.h"
 #include "robot/agent/MotionLoop.h"
 #include "robot/agent/OdometryTrack.h"
+#include "robot/agent/PowerWatch.h"
+#include "robot/agent/Watchdog.h"
 #include "robot/net/GameListener.h"
 #include "robot/net/TeamRadio.h"
 
@@ -35,6 +37,9 @@ class AgentLoops : public Loops {
   const std::string& scriptError() const { return frameLoop_.scriptError(); }
 
  private:
+  Rest restAt(TimeUs time);
+  Command forTheBody() const;
+
   FrameLoop frameLoop_;
   MotionLoop motionLoop_;
   LogSink& log_;
@@ -46,6 +51,10 @@ class AgentLoops : public Loops {
   net::ListenerState game_;
   Drive drive_;
   PowerReport power_;
+  PowerWatchState powerWatch_;
+  WatchdogState watchdog_;
+  bool imageCame_ = false;  // since the last motion message
+  Rest rest_ = Rest::none;
   MotionInput motionInput_;
   const MotionOutput* motionOutput_ = nullptr;
   FrameInput input_;  // a member because of its size

@@ -39,6 +39,22 @@ std::uint32_t faultLights(std::uint32_t number, TimeUs time) {
   return face | (time.us / kFaultHalfPeriodUs % 2 == 0 ? kLightRed : 0U);
 }
 
+std::uint32_t lightsOf(Rest rest) {
+  constexpr std::uint32_t k11 = 1U << (kFirstFaceLight + 10U);
+  switch (rest) {
+    case Rest::none: return 0;
+    case Rest::paused: return k11 | k11 << 1U;
+    case Rest::batteryLow: return k11 << 2U;
+    case Rest::powerless: return k11 << 2U | k11 << 3U;
+    case Rest::blind: break;
+  }
+  return k11 << 3U;
+}
+
+std::uint32_t lights(const GameState& game, Rest rest) {
+  return lights(game, Role::none, 0) | lightsOf(rest);
+}
+
 std::uint32_t lights(const GameState& game, Role role, std::uint32_t asked) {
   return (asked & ~(kStates | kTeams | kRoles)) | lightsOf(game.state, game.penalised) |
          lightsOf(game.team) | lightsOf(role);

@@ -9,12 +9,16 @@
 //   a fault         red above the ears goes on and off twice a second, which no state of the game
 //                   does; as many lights of the face are lit as the fault's number, from the first
 //
+//   the face, low   why it lies down in place of playing: paused 11 and 12, battery low 13, motors
+//                   without power 13 and 14, no image 14; none of it while it plays
+//
 // The other lights are the behaviours' to use. Which light has which colour is told by Tekkotsu's
 // ERS7Info.h. Ready to penalised have the colours that the league's rules came to have; that
 // initial shows none and finished white is chosen, so that no two are alike.
 #pragma once
 
 #include "robot/core/FrameInput.h"
+#include "robot/core/Motion.h"
 
 namespace kelpie::body {
 
@@ -30,11 +34,14 @@ constexpr std::uint32_t kFaceLights = 14;
 std::uint32_t lightsOf(PlayState state, bool penalised);
 std::uint32_t lightsOf(TeamColour team);
 std::uint32_t lightsOf(Role role);
+std::uint32_t lightsOf(Rest rest);
 
 // What a robot shows that will not walk because of a fault; more than 14 show 14.
 std::uint32_t faultLights(std::uint32_t number, TimeUs time);
 
 // All of them together, and of what else was asked for the lights that the table does not use.
 std::uint32_t lights(const GameState& game, Role role, std::uint32_t asked);
+// Those of a robot that rests: game, team and why.
+std::uint32_t lights(const GameState& game, Rest rest);
 
 }  // namespace kelpie::body

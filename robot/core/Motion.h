@@ -79,17 +79,24 @@ struct Odometry {
   }
 };
 
+// Why a robot lies down in place of playing: the pause switch, a battery that is nearly empty,
+// motors without power (the robot cuts it when a joint is jammed), or no image for a while.
+enum class Rest : std::uint8_t { none, paused, batteryLow, powerless, blind };
+constexpr std::uint8_t kRestCount = 5;
+
 struct MotionInput {
   TimeUs time;  // of the last tick in the message
   std::array<SensorFrame, kTicksPerMessage> sensors{};
   double batteryCurrent = 0.0;  // drawn, mA
   Command command;
+  Rest rest = Rest::none;  // not none: lie, whatever the command asks of the legs
 
   static constexpr auto fields() {
     return fieldList(field("time", &MotionInput::time, "us"),
                      field("sensors", &MotionInput::sensors),
                      field("batteryCurrent", &MotionInput::batteryCurrent, "mA", 0, 2e4),
-                     field("command", &MotionInput::command));
+                     field("command", &MotionInput::command),
+                     field("rest", &MotionInput::rest, "", 0, kRestCount - 1));
   }
 };
 

@@ -65,6 +65,20 @@ TEST(Lights, EachRoleHasAPairOfTheFaceOfItsOwn) {
   EXPECT_EQ(lightsOf(Role::none), 0U);
 }
 
+TEST(Lights, EachReasonToRestShowsADifferentPatternBesideGameAndTeam) {
+  std::set<std::uint32_t> patterns;
+  for (std::uint8_t i = 0; i < kRestCount; ++i) {
+    const std::uint32_t shown = lights(gameIn(PlayState::playing), static_cast<Rest>(i));
+    EXPECT_EQ(shown & lightsOf(PlayState::playing, false), lightsOf(PlayState::playing, false));
+    EXPECT_EQ(shown & lightsOf(TeamColour::red), lightsOf(TeamColour::red));
+    patterns.insert(shown);
+  }
+  EXPECT_EQ(patterns.size(), kRestCount);
+  EXPECT_EQ(named(lightsOf(Rest::batteryLow)), "/r1/c1/c2/c3/lm-LED3:lm ");
+  for (std::uint8_t i = 1; i < kRoleCount; ++i)
+    EXPECT_EQ(lightsOf(static_cast<Role>(i)) & lightsOf(Rest::paused), 0U);
+}
+
 TEST(Lights, WhatBehavioursAskForNeitherHidesNorFakesTheTable) {
   const GameState game = gameIn(PlayState::set);
   const std::uint32_t table = lights(game, Role::striker, 0);

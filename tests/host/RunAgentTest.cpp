@@ -249,6 +249,50 @@ TEST(AgentTest, TellsTheLoopsTheBatterysCurrentInWholeMilliamperes) {
   EXPECT_EQ(loops.inputs.at(1).batteryCurrent, 32767.0);
 }
 
+TEST(AgentTest, TellsTheLoopsOfAPauseAndOfItsEndBeforeTheSensorsOfThatStep) {
+  FakeSource source;
+  source.addSensors(4);
+  FakeLoops loops;
+  const auto object = std::make_unique<agent::Agent>(loops);
+  HostSystem system(source, quiet());
+  std::size_t told[4] = {};
+  Network network;
+  int step = 0;
+  network.tick = [&](TimeUs) { system.setRobotStatus(step++ == 1 ? orsbPAUSE : 0); };
+  network.sends = [&](RadioPacket&) {
+    told[step - 1] = loops.reports.size();
+    return false;
+  };
+  ASSERT_TRUE(system.run(agentStub(*object), network));
+  EXPECT_EQ(1U, told[0]) << "at the start it asks";
+  ASSERT_EQ(3U, loops.reports.size());
+  EXPECT_FALSE(loops.reports[0].paused);
+  EXPECT_TRUE(loops.reports[0].motorPower);
+  EXPECT_TRUE(loops.reports[1].paused);
+  EXPECT_FALSE(loops.reports[2].paused);
+  EXPECT_EQ(2U, told[1]);
+  EXPECT_EQ(3U, told[3]);
+}
+
+TEST(AgentTest, EnablesTheGainsAgainWhenThePowerComesBackAfterAJam) {
+  FakeSource source;
+  source.addSensors(4);
+  FakeLoops loops;
+  const auto object = std::make_unique<agent::Agent>(loops);
+  HostSystem system(source, quiet());
+  Network network;
+  int step = 0;
+  network.tick = [&](TimeUs) {
+    if (++step == 2) system.setMotorPower(opowerOFF);
+    if (step == 2) system.enableGain(oprimitiveID_UNDEF, false);
+    if (step == 4) system.setMotorPower(opowerON);
+  };
+  ASSERT_TRUE(system.run(agentStub(*object), network));
+  EXPECT_FALSE(loops.reports.at(1).motorPower);
+  EXPECT_EQ(0U, source.replies.at(2).gains);
+  EXPECT_EQ((1U << kJointCount) - 1, source.replies.at(3).gains);
+}
+
 TEST(AgentTest, WeakensTheLegsAloneWhenTheLoopsSaySo) {
   FakeSource source;
   source.addSensors(3);

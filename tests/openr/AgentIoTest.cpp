@@ -153,6 +153,22 @@ TEST(BackTouchTest, ReleaseNeedsLessThanPress) {
   region->RemoveReference();
 }
 
+TEST(PowerTest, BitsBecomeWords) {
+  OPowerStatus status;
+  EXPECT_FALSE(reportOf(status).motorPower);
+  status.robotStatus = orsbPAUSE | orsbMOTOR_POWER;
+  status.current = -1200;
+  EXPECT_TRUE(reportOf(status).paused);
+  EXPECT_TRUE(reportOf(status).motorPower);
+  EXPECT_FALSE(reportOf(status).batteryLow);
+  EXPECT_EQ(1200.0, reportOf(status).current) << "whatever its sense";
+  status.robotStatus = orsbBATTERY_CAPACITY_LOW;
+  EXPECT_TRUE(reportOf(status).batteryLow);
+  status.robotStatus = 0;
+  status.batteryStatus = obsbTERMINATED_DISCHARGING_ALARM;
+  EXPECT_TRUE(reportOf(status).batteryLow);
+}
+
 class ImageTest : public testing::TestWithParam<bool> {
  protected:
   ~ImageTest() override { region_->RemoveReference(); }

@@ -56,7 +56,8 @@ PhysicalWalker::PhysicalWalker(const PhysicalWalker& other, const actuator::Actu
       opponent_(other.opponent_),
       random_(other.random_),
       failed_(other.failed_),
-      worn_(other.worn_) {}
+      worn_(other.worn_),
+      rest_(other.rest_) {}
 
 const MotionOutput& PhysicalWalker::step(const Command& command) {
   for (std::size_t tick = 0; tick < kTicksPerMessage; ++tick) {
@@ -89,6 +90,7 @@ void PhysicalWalker::act(std::size_t robot, const Command& command) {
   drive.input.time.us += kTicksPerMessage * kTickUs;
   drive.input.batteryCurrent = worn_ ? kWornCurrent : 0.0;
   drive.input.command = command;
+  drive.input.rest = robot == 0 ? rest_ : Rest::none;
   drive.output = actuator::step(drive.input, *params_, drive.state);
   send(robot);
   if (!drive.sent) send(robot);

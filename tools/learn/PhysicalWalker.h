@@ -39,6 +39,7 @@ class PhysicalWalker {
   // Called after every tick of 8 ms, by this walker and by none of its copies.
   void watch(std::function<void()> tick) { watcher_ = std::move(tick); }
   void spareLegs() { worn_ = true; }  // the battery gives so much that the actuator takes weak legs
+  void rest(Rest why) { rest_ = why; }
   sim::PhysicalBodies& bodies() { return *bodies_; }
   const actuator::ActuatorState& state() const { return drives_[0].state; }
 
@@ -62,6 +63,7 @@ class PhysicalWalker {
   std::vector<sim::Obstacle> obstacles_;  // none
   bool failed_ = false;
   bool worn_ = false;
+  Rest rest_ = Rest::none;  // of the robot, not of its opponent
   std::function<void()> watcher_;
 };
 
