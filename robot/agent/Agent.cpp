@@ -62,6 +62,7 @@ OStatus Agent::DoStart(const OSystemEvent&) {
   if (status == oSUCCESS) status = readPose();
   if (status == oSUCCESS) status = watchPower();
   if (status != oSUCCESS) return status;
+  radio_.begin(myOID_);
   ENABLE_ALL_SUBJECT;
   ASSERT_READY_TO_ALL_OBSERVER;
   return oSUCCESS;
@@ -181,6 +182,9 @@ void Agent::takePower(const OPowerStatus& status) {
   loops_.power(report);
 }
 
+void Agent::ControlHeard(void* message) { radio_.controlHeard(message, now(), loops_); }
+void Agent::TeamHeard(void* message) { radio_.teamHeard(message, now(), loops_); }
+
 // The joints are held where they are until the loops order something else.
 OStatus Agent::readPose() {
   JointFrame pose;
@@ -204,6 +208,7 @@ void Agent::NotifySensor(const ONotifyEvent& event) {
     changeGains({output.status.lowGain, output.status.legGain});
     send(output.joints);
   }
+  radio_.tick(now());
   observer[event.ObsIndex()]->AssertReady();
 }
 
@@ -260,6 +265,7 @@ void Agent::NotifyImage(const ONotifyEvent& event) {
   } else {
     OSYSLOG1((osyslogERROR, "an image of another type or size is left out"));
   }
+  radio_.send(loops_);
   observer[event.ObsIndex()]->AssertReady();
 }
 

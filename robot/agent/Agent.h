@@ -12,6 +12,7 @@
 
 #include "def.h"
 #include "robot/agent/AgentIo.h"
+#include "robot/agent/AntRadio.h"
 #include "robot/agent/Loops.h"
 #include "robot/body/Ers7.h"
 
@@ -19,7 +20,8 @@ namespace kelpie::agent {
 
 class Agent : public OObject {
  public:
-  explicit Agent(Loops& loops) : loops_(loops) {}
+  // Without ports there is no radio: on the host packets come and go beside the object.
+  explicit Agent(Loops& loops, const RadioPorts& ports = {}) : loops_(loops), radio_(ports) {}
   ~Agent() override;
   Agent(const Agent&) = delete;
   Agent& operator=(const Agent&) = delete;
@@ -37,6 +39,10 @@ class Agent : public OObject {
   void NotifyImage(const ONotifyEvent& event);
   // An OPowerStatusMessage: the state of the battery or of the pause switch has changed.
   void PowerChanged(void* message);
+  // Answers of the network.
+  void ControlHeard(void* message);
+  void TeamHeard(void* message);
+  void TeamSent(void* message) { radio_.teamSent(message); }
 
  private:
   // Two in flight and one to fill.
@@ -64,6 +70,7 @@ class Agent : public OObject {
   std::size_t inFlight() const;
 
   Loops& loops_;
+  AntRadio radio_;
   PrimitiveIds ids_{};
   std::array<CommandVector, kVectors> vectors_;
   SensorReader sensorReader_;

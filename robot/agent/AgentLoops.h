@@ -29,11 +29,9 @@ class AgentLoops : public Loops {
   void camera(const Image& image, TimeUs exposureMiddle, std::uint32_t number) override;
 
   void setDrive(const Drive& drive) { drive_ = drive; }
-  // A packet of the game controller or of the radio, as it arrives.
-  void hear(const ControlPacket& packet, TimeUs now);
-  void hear(const RadioPacket& packet, TimeUs now);
-  // The packet that the last frame made for the team, if it made one; each is given away once.
-  bool takePacket(RadioPacket& packet);
+  void hear(const ControlPacket& packet, TimeUs now) override;
+  void hear(const RadioPacket& packet, TimeUs now) override;
+  bool takePacket(RadioPacket& packet) override;
   const std::string& scriptError() const { return frameLoop_.scriptError(); }
 
  private:

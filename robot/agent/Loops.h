@@ -4,8 +4,10 @@
 #pragma once
 
 #include "robot/agent/PowerReport.h"
+#include "robot/core/ControlPacket.h"
 #include "robot/core/Image.h"
 #include "robot/core/Motion.h"
+#include "robot/core/Radio.h"
 
 namespace kelpie::agent {
 
@@ -23,6 +25,12 @@ class Loops {
   // Every image that arrives, with the camera's own number of it, which tells how many did not. The
   // image is valid during the call only.
   virtual void camera(const Image& image, TimeUs exposureMiddle, std::uint32_t number) = 0;
+
+  // A packet of the game controller or of the radio, as it arrives.
+  virtual void hear(const ControlPacket& packet, TimeUs now) = 0;
+  virtual void hear(const RadioPacket& packet, TimeUs now) = 0;
+  // The packet that the last frame made for the team, if it made one; each is given away once.
+  virtual bool takePacket(RadioPacket& packet) = 0;
 };
 
 }  // namespace kelpie::agent

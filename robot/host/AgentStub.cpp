@@ -40,6 +40,12 @@ void powerChanged(OObject& self, const openr::Message& message) {
   agentOf(self).PowerChanged(&content);
 }
 
+template <void (agent::Agent::*method)(void*)>
+void answered(OObject& self, const openr::Message& message) {
+  openr::AntReply content = std::get<openr::AntReply>(message);
+  (agentOf(self).*method)(content.bytes.data());
+}
+
 constexpr openr::ObjectEntry kEntries[] = {
     {Entry_Control[sbjEffector], control},
     {Entry_Ready[sbjEffector], ready},
@@ -48,6 +54,9 @@ constexpr openr::ObjectEntry kEntries[] = {
     {Entry_Notify[obsSensor], notify<obsSensor, &agent::Agent::NotifySensor>},
     {Entry_Notify[obsFbkImageSensor], notify<obsFbkImageSensor, &agent::Agent::NotifyImage>},
     {Extra_Entry[entryPowerChanged], powerChanged},
+    {Extra_Entry[entryControlHeard], answered<&agent::Agent::ControlHeard>},
+    {Extra_Entry[entryTeamHeard], answered<&agent::Agent::TeamHeard>},
+    {Extra_Entry[entryTeamSent], answered<&agent::Agent::TeamSent>},
 };
 
 }  // namespace

@@ -10,13 +10,21 @@
 #include <MCOOP.h>
 #include <OPENR/OPENRAPI.h>
 #include <OPENR/ObjcommMessages.h>
+#include <antEnvMsg.h>
 
+#include <cstddef>
 #include <variant>
+#include <vector>
 
 namespace kelpie::openr {
 
+// A message of the network's with its answer, byte by byte, aligned for all that may be in it.
+struct AntReply {
+  std::vector<std::max_align_t> bytes;
+};
+
 using Message = std::variant<OControlMessage, OReadyMessage, OConnectMessage, ONotifyMessage,
-                             OPowerStatusMessage>;
+                             OPowerStatusMessage, AntReply>;
 
 struct GainSettings {
   word p, i, d, pShift, iShift, dShift;
@@ -50,6 +58,11 @@ class System {
   virtual OStatus powerStatus(OPowerStatus* status) = 0;
   virtual OStatus observePower(const OPowerStatus& watched, const OServiceEntry& entry) = 0;
   virtual OStatus unobservePower(const OServiceEntry& entry) = 0;
+
+  // The network, of which most systems have none. A message that is sent has msgSize bytes and is
+  // to be answered at contInfo.
+  virtual antError antCall(antEnvMsg&) { return ANT_FAIL; }
+  virtual antError antSend(const antEnvMsg&) { return ANT_FAIL; }
 };
 
 // The system behind the calls made now. Ends the program when there is none: an OPEN-R call outside

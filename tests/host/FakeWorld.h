@@ -77,9 +77,19 @@ class FakeLoops : public agent::Loops {
     exposures.push_back(exposureMiddle);
     cameraNumbers.push_back(number);
   }
+  void hear(const ControlPacket& packet, TimeUs) override { controls.push_back(packet); }
+  void hear(const RadioPacket& packet, TimeUs) override { packets.push_back(packet); }
+  bool takePacket(RadioPacket& packet) override {
+    packet = says;
+    says.bytes.clear();
+    return packet.bytes.size() > 0;
+  }
 
   std::vector<MotionInput> inputs;
   std::vector<agent::PowerReport> reports;
+  std::vector<ControlPacket> controls;
+  std::vector<RadioPacket> packets;
+  RadioPacket says;  // once
   std::vector<TimeUs> exposures;
   std::vector<std::uint32_t> cameraNumbers;
   Image lastImage;

@@ -53,6 +53,8 @@ TEST_F(Cross, TheStandInHasTheSizesOfTheRobot) { EXPECT_EQ("", saidOf(kShape)); 
 TEST_F(Cross, TheAgentCompilesForTheRobotWithoutAWarning) {
   EXPECT_EQ("", saidOf("robot/agent/Agent.cpp"));
   EXPECT_EQ("", saidOf("robot/agent/AgentIo.cpp"));
+  EXPECT_EQ("", saidOf("robot/agent/AntEndpoint.cpp"));
+  EXPECT_EQ("", saidOf("robot/agent/AntRadio.cpp"));
 }
 
 // So that an empty answer means something.

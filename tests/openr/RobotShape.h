@@ -10,6 +10,7 @@
 #include <OPENR/OObserver.h>
 #include <OPENR/OPENRAPI.h>
 #include <OPENR/OSubject.h>
+#include <UDPEndpointMsg.h>
 
 #include <cstddef>
 
@@ -34,3 +35,6 @@ static_assert(sizeof(OCommandInfo) == 32 && offsetof(OCommandInfo, dataOffset) =
 static_assert(sizeof(OFbkImageInfo) == 32 && offsetof(OFbkImageInfo, dataOffset) == 12);
 static_assert(offsetof(OFbkImageInfo, width) == 20 && offsetof(OFbkImageInfo, height) == 24);
 static_assert(offsetof(OJointValue, pwmDuty) == 6 && offsetof(OJointValue, refValue) == 8);
+
+static_assert(sizeof(UDPEndpointSendMsg) == 60 && sizeof(UDPEndpointReceiveMsg) == 60);
+static_assert(sizeof(antModuleRef) == 8 && sizeof(antSharedBuffer) == 16);

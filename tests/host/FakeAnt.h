@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: Apache-2.0
+// A network of the robot for tests: it can refuse, answers a Send or a Receive only when the test
+// says so, and can lose its endpoints.
+#pragma once
+
+#include <UDPEndpointMsg.h>
+
+#include <algorithm>
+#include <cstring>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "robot/openr/System.h"
+
+namespace kelpie::host {
+
+using Bytes = std::vector<std::uint8_t>;
+
+class FakeAnt {
+ public:
+  bool refusesMemory = false;
+  bool refusesEndpoints = false;
+  bool refusesPorts = false;
+  bool refusesMessages = false;
+  int opened = 0;  // endpoints, ever
+  std::vector<Bytes> broadcasts;
+  Port lastPort = 0;  // that was sent to
+
+  antError call(antEnvMsg& message) {
+    switch (message.dstOperation) {
+      case antEnv_Operation_CreateSharedBuffer:
+        return share(as<antEnvCreateSharedBufferMsg>(message));
+      case antEnv_Operation_CreateEndpoint: return create(as<antEnvCreateEndpointMsg>(message));
+      case UDPEndpoint_Operation_Bind: return bind(as<UDPEndpointBindMsg>(message));
+      case UDPEndpoint_Operation_Close: return close(message);
+      default: return ANT_FAIL;
+    }
+  }
+
+  antError send(const antEnvMsg& message) {
+    if (refusesMessages) return ANT_FAIL;
+    openr::AntReply copy;
+    const auto bytes = static_cast<std::size_t>(message.msgSize);
+    copy.bytes.resize(bytes / sizeof(std::max_align_t) + 1);
+    std::memcpy(copy.bytes.data(), &message, bytes);
+    waiting_.push_back(copy);
+    return ANT_SUCCESS;
+  }
+
+  // A datagram comes in; false when nobody receives at the port.
+  bool comes(Port port, const Bytes& datagram, UDPEndpointError error = UDP_SUCCESS) {
+    const auto place = std::find_if(waiting_.begin(), waiting_.end(), [&](openr::AntReply& one) {
+      return head(one).dstOperation == UDPEndpoint_Operation_Receive && portOf(head(one)) == port;
+    });
+    if (place == waiting_.end()) return false;
+    auto& message = static_cast<UDPEndpointReceiveMsg&>(head(*place));
+    const std::size_t size = std::min(datagram.size(), static_cast<std::size_t>(message.size));
+    std::memcpy(message.buffer, datagram.data(), size);
+    message.size = static_cast<int>(size);
+    answer(place, error);
+    return true;
+  }
+
+  // Every Send that waits gets its answer, and so counts as heard by the others.
+  int answerSends(UDPEndpointError error = UDP_SUCCESS) {
+    int count = 0;
+    for (;; ++count) {
+      const auto place = std::find_if(waiting_.begin(), waiting_.end(), [&](openr::AntReply& one) {
+        return head(one).dstOperation == UDPEndpoint_Operation_Send;
+      });
+      if (place == waiting_.end()) return count;
+      const auto& message = static_cast<UDPEndpointSendMsg&>(head(*place));
+      lastPort = message.port;
+      if (error == UDP_SUCCESS)
+        broadcasts.emplace_back(message.buffer, message.buffer + message.size);
+      answer(place, error);
+    }
+  }
+
+  // The network goes away: all that waits is answered so.
+  void lose() {
+    while (!waiting_.empty()) answer(waiting_.begin(), UDP_CONNECTION_CLOSED);
+  }
+
+  struct Answer {
+    OServiceEntry to;
+    openr::AntReply reply;
+  };
+  std::deque<Answer> answers;
+  std::size_t waiting() const { return waiting_.size(); }
+
+ private:
+  struct Endpoint {
+    antModuleRef module;
+    Port port = 0;
+  };
+  using Waiting = std::deque<openr::AntReply>;
+
+  template <class Message>
+  static Message& as(antEnvMsg& message) {
+    return static_cast<Message&>(message);
+  }
+  static UDPEndpointBaseMsg& head(openr::AntReply& one) {
+    return *static_cast<UDPEndpointBaseMsg*>(antEnvMsg::Receive(one.bytes.data()));
+  }
+
+  antError share(antEnvCreateSharedBufferMsg& message) {
+    if (refusesMemory) return ANT_FAIL;
+    memory_.push_back(std::make_unique<std::uint8_t[]>(message.size));
+    message.buffer = antSharedBuffer(memory_.back().get(), message.size);
+    return message.error = ANT_SUCCESS;
+  }
+  antError create(antEnvCreateEndpointMsg& message) {
+    if (refusesEndpoints) return ANT_FAIL;
+    message.moduleRef = antModuleRef(this, static_cast<uint32>(++opened));
+    endpoints_.push_back({message.moduleRef, 0});
+    return message.error = ANT_SUCCESS;
+  }
+  antError bind(UDPEndpointBindMsg& message) {
+    message.error = refusesPorts ? UDP_ADDRESSINUSE : UDP_SUCCESS;
+    for (Endpoint& one : endpoints_)
+      if (one.module == message.dstModule) one.port = message.port;
+    return ANT_SUCCESS;
+  }
+  antError close(antEnvMsg& message) {
+    for (Endpoint& one : endpoints_)
+      if (one.module == message.dstModule) one.port = 0;
+    return ANT_SUCCESS;
+  }
+  Port portOf(const antEnvMsg& message) const {
+    for (const Endpoint& one : endpoints_)
+      if (one.module == message.dstModule) return one.port;
+    return 0;
+  }
+  void answer(Waiting::iterator place, UDPEndpointError error) {
+    head(*place).error = error;
+    antEnvMsgContInfo to = head(*place).contInfo;
+    answers.push_back({{to.GetOID(), to.GetSelector()}, *place});
+    waiting_.erase(place);
+  }
+
+  std::vector<std::unique_ptr<std::uint8_t[]>> memory_;
+  std::vector<Endpoint> endpoints_;
+  Waiting waiting_;
+};
+
+}  // namespace kelpie::host

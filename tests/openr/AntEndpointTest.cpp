@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: Apache-2.0
+// One endpoint against a network that refuses, is late, and goes away.
+#include <gtest/gtest.h>
+
+#include "FakeSystem.h"
+#include "robot/agent/AntEndpoint.h"
+#include "tests/host/FakeAnt.h"
+
+namespace kelpie::agent {
+namespace {
+
+constexpr Port kPort = 3838;
+constexpr Selector kHeardEntry = 11;
+constexpr Selector kSentEntry = 13;
+using host::Bytes;
+
+class AntSystem : public openr::FakeSystem {
+ public:
+  antError antCall(antEnvMsg& message) override { return ant.call(message); }
+  antError antSend(const antEnvMsg& message) override { return ant.send(message); }
+  host::FakeAnt ant;
+};
+
+class AntEndpointTest : public testing::Test {
+ protected:
+  AntEndpointTest() {
+    char name[] = "IPStack";
+    endpoint_.begin({openr::objectOf(1), antStackRef(name), kHeardEntry, kSentEntry});
+  }
+  void at(double seconds) { endpoint_.tick(TimeUs::fromSeconds(seconds)); }
+  // The next answer of the network goes to the endpoint; what it heard is told.
+  Bytes take() {
+    host::FakeAnt::Answer answer = ant().answers.front();
+    ant().answers.pop_front();
+    EXPECT_TRUE(answer.to.oid == openr::objectOf(1));
+    if (answer.to.selector == kSentEntry) {
+      endpoint_.sent(answer.reply.bytes.data());
+      return {};
+    }
+    const Heard heard = endpoint_.heard(answer.reply.bytes.data());
+    Bytes bytes(heard.bytes, heard.bytes + heard.size);
+    if (heard.size > 0) endpoint_.listen();
+    return bytes;
+  }
+  void takeAll() {
+    while (!ant().answers.empty()) take();
+  }
+  bool broadcast(const Bytes& bytes) { return endpoint_.broadcast(bytes.data(), bytes.size()); }
+  host::FakeAnt& ant() { return system_.ant; }
+
+  AntSystem system_;
+  openr::SystemScope scope_{system_};
+  AntEndpoint endpoint_{{kPort, 64}};
+};
+
+TEST_F(AntEndpointTest, HearsDatagramAfterDatagram) {
+  at(1.0);
+  ASSERT_TRUE(endpoint_.open());
+  for (std::uint8_t i = 1; i < 5; ++i) {
+    ASSERT_TRUE(ant().comes(kPort, {i, 7}));
+    EXPECT_EQ((Bytes{i, 7}), take());
+  }
+  EXPECT_FALSE(ant().comes(kPort + 1, {9}));
+}
+
+TEST_F(AntEndpointTest, BroadcastsToItsPortOneAtATime) {
+  at(1.0);
+  EXPECT_TRUE(broadcast({1, 2, 3}));
+  EXPECT_FALSE(broadcast({4})) << "the first is under way";
+  EXPECT_EQ(1, ant().answerSends());
+  EXPECT_EQ(kPort, ant().lastPort);
+  take();
+  EXPECT_TRUE(broadcast({5}));
+  ant().answerSends();
+  EXPECT_EQ((std::vector<Bytes>{{1, 2, 3}, {5}}), ant().broadcasts);
+}
+
+TEST_F(AntEndpointTest, WhatIsTooLongIsNotSent) {
+  at(1.0);
+  EXPECT_FALSE(broadcast(Bytes(65)));
+  EXPECT_TRUE(broadcast(Bytes(64)));
+}
+
+TEST_F(AntEndpointTest, ARefusalIsToldOnceAndTriedAgainAfterTwoSeconds) {
+  bool* const refusals[] = {&ant().refusesMemory, &ant().refusesEndpoints, &ant().refusesPorts,
+                            &ant().refusesMessages};
+  for (bool* refusal : refusals) *refusal = true;
+  double now = 1.0;
+  for (bool* refusal : refusals) {
+    for (int i = 0; i < 3; ++i, now += 2.1) at(now);
+    EXPECT_FALSE(endpoint_.open());
+    *refusal = false;
+  }
+  EXPECT_EQ(1U, system_.lines.size());
+  at(now - 1.0);
+  EXPECT_FALSE(endpoint_.open()) << "not before its time";
+  at(now);
+  EXPECT_TRUE(endpoint_.open());
+  EXPECT_EQ(2U, system_.lines.size()) << "that it is open again";
+  EXPECT_TRUE(ant().comes(kPort, {1}));
+}
+
+TEST_F(AntEndpointTest, WhatIsBusyOrTooLongLeavesItOpen) {
+  at(1.0);
+  for (const UDPEndpointError error : {UDP_MESSAGE_TOO_LONG, UDP_WOULDBLOCK, UDP_CONNECTION_BUSY}) {
+    ASSERT_TRUE(ant().comes(kPort, {1}, error));
+    EXPECT_TRUE(take().empty());
+    EXPECT_TRUE(broadcast({1}));
+    ant().answerSends(error);
+    take();
+  }
+  EXPECT_TRUE(endpoint_.open());
+  EXPECT_EQ(1, ant().opened);
+  EXPECT_TRUE(ant().comes(kPort, {2}));
+  EXPECT_EQ(Bytes{2}, take());
+}
+
+TEST_F(AntEndpointTest, OpensAgainAfterTheNetworkWasLost) {
+  at(1.0);
+  broadcast({1});
+  ant().lose();
+  takeAll();
+  EXPECT_FALSE(endpoint_.open());
+  EXPECT_FALSE(broadcast({2}));
+  at(2.9);
+  EXPECT_FALSE(endpoint_.open());
+  at(3.1);
+  EXPECT_TRUE(endpoint_.open());
+  EXPECT_EQ(2, ant().opened);
+  EXPECT_TRUE(broadcast({3}));
+  EXPECT_TRUE(ant().comes(kPort, {4}));
+  EXPECT_EQ(Bytes{4}, take());
+}
+
+TEST_F(AntEndpointTest, ALateAnswerIsLate) {
+  at(1.0);
+  broadcast({1});
+  at(2.2);  // more than a second without an answer
+  EXPECT_FALSE(endpoint_.open());
+  at(4.3);
+  ASSERT_TRUE(endpoint_.open());
+  EXPECT_TRUE(broadcast({2}));
+  ant().answerSends();
+  take();
+  EXPECT_FALSE(broadcast({3})) << "the answer was to the first";
+  take();
+  EXPECT_TRUE(broadcast({3}));
+}
+
+TEST_F(AntEndpointTest, ALateDatagramOfAClosedEndpointIsNotHeard) {
+  at(1.0);
+  ant().comes(kPort, {1});  // answered, not yet delivered
+  broadcast({1});
+  at(2.2);
+  at(4.3);
+  ASSERT_TRUE(endpoint_.open());
+  EXPECT_TRUE(take().empty());
+  EXPECT_TRUE(ant().comes(kPort, {2}));
+}
+
+TEST_F(AntEndpointTest, WithoutANetworkItIsSilent) {
+  openr::FakeSystem none;
+  const openr::SystemScope scope(none);
+  for (double now = 1.0; now < 20.0; now += 0.5) at(now);
+  EXPECT_FALSE(endpoint_.open());
+  EXPECT_EQ(1U, none.lines.size());
+}
+
+}  // namespace
+}  // namespace kelpie::agent
