@@ -161,14 +161,14 @@ OStatus Agent::watchPower() {
   if (OPENR::GetPowerStatus(&power) == oSUCCESS) takePower(power);
   power.Set(orsbALL, obsbALL, opsoREMAINING_CAPACITY_NOTIFY_EVERY_CHANGE,
             opsoTEMPERATURE_NOTIFY_EVERY_CHANGE, opsoTIME_DIF_NOT_NOTIFY, opsoVOLUME_NOT_NOTIFY);
-  const OServiceEntry entry(myOID_, Extra_Entry[entryPowerChanged]);
+  const OServiceEntry entry(myOID_, Extra_Entry[entryNotifyPower]);
   const OStatus status = OPENR::ObservePowerStatus(power, entry);
   if (status != oSUCCESS)
     OSYSLOG1((osyslogERROR, "the battery cannot be watched: %u", unsigned(status)));
   return status;
 }
 
-void Agent::PowerChanged(void* message) {
+void Agent::NotifyPower(void* message) {
   takePower(static_cast<const OPowerStatusMessage*>(message)->powerStatus);
 }
 
@@ -182,8 +182,8 @@ void Agent::takePower(const OPowerStatus& status) {
   loops_.power(report);
 }
 
-void Agent::ControlHeard(void* message) { radio_.controlHeard(message, now(), loops_); }
-void Agent::TeamHeard(void* message) { radio_.teamHeard(message, now(), loops_); }
+void Agent::NotifyControl(void* message) { radio_.controlHeard(message, now(), loops_); }
+void Agent::NotifyTeam(void* message) { radio_.teamHeard(message, now(), loops_); }
 
 // The joints are held where they are until the loops order something else.
 OStatus Agent::readPose() {

@@ -38,11 +38,11 @@ class Agent : public OObject {
   void NotifySensor(const ONotifyEvent& event);
   void NotifyImage(const ONotifyEvent& event);
   // An OPowerStatusMessage: the state of the battery or of the pause switch has changed.
-  void PowerChanged(void* message);
+  void NotifyPower(void* message);
   // Answers of the network.
-  void ControlHeard(void* message);
-  void TeamHeard(void* message);
-  void TeamSent(void* message) { radio_.teamSent(message); }
+  void NotifyControl(void* message);
+  void NotifyTeam(void* message);
+  void ReadyTeam(void* message) { radio_.teamSent(message); }
 
  private:
   // Two in flight and one to fill.

@@ -67,7 +67,7 @@ void AntEndpoint::close() {
   UDPEndpointCloseMsg message(module_);
   message.Call(owner_.stack, sizeof message);
   open_ = sending_ = false;
-  ++life_;
+  life_ = (life_ + 1) % lives_.size();
 }
 
 void AntEndpoint::fail(const char* what, int error) {
@@ -84,13 +84,12 @@ bool AntEndpoint::passes(UDPEndpointError error) {
 template <class Message>
 Message* AntEndpoint::mine(void* answer) {
   auto* message = static_cast<Message*>(antEnvMsg::Receive(answer));
-  const bool current = reinterpret_cast<std::uintptr_t>(message->continuation) == life_;
-  return open_ && current ? message : nullptr;
+  return open_ && message->continuation == life() ? message : nullptr;
 }
 
 template <class Message>
 void AntEndpoint::send(Message& message, Selector entry) {
-  message.continuation = reinterpret_cast<void*>(life_);
+  message.continuation = life();
   const antError error =
       message.Send(owner_.stack, owner_.object, static_cast<int32>(entry), sizeof message);
   if (error == ANT_SUCCESS) return;

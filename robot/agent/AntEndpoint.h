@@ -7,6 +7,7 @@
 
 #include <UDPEndpointMsg.h>
 
+#include <array>
 #include <cstddef>
 
 #include "robot/core/Time.h"
@@ -58,6 +59,7 @@ class AntEndpoint {
   void fail(const char* what, int error);
   // An error that leaves the endpoint as good as it was.
   static bool passes(UDPEndpointError error);
+  void* life() { return &lives_[life_]; }
   template <class Message>
   Message* mine(void* answer);
   template <class Message>
@@ -68,7 +70,10 @@ class AntEndpoint {
   antSharedBuffer in_;
   antSharedBuffer out_;
   antModuleRef module_;
-  std::uintptr_t life_ = 1;  // counts openings: an answer to an earlier one is not taken
+  // Travels with each message and back: an answer to an endpoint that was closed is not taken. One
+  // that comes 64 openings late, which is two minutes, would be.
+  std::array<char, 64> lives_{};
+  std::size_t life_ = 0;
   bool allocated_ = false;
   bool open_ = false;
   bool sending_ = false;

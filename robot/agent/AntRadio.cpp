@@ -28,8 +28,8 @@ AntRadio::AntRadio(const RadioPorts& ports)
 
 void AntRadio::begin(const OID& object) {
   if (!present()) return;
-  control_.begin(ownerOf(object, entryControlHeard, entryTeamSent));
-  team_.begin(ownerOf(object, entryTeamHeard, entryTeamSent));
+  control_.begin(ownerOf(object, entryNotifyControl, entryReadyTeam));
+  team_.begin(ownerOf(object, entryNotifyTeam, entryReadyTeam));
 }
 
 void AntRadio::tick(TimeUs now) {

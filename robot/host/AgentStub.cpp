@@ -35,9 +35,9 @@ void notify(OObject& self, const openr::Message& message) {
 }
 
 // A method of an Extra entry gets the message itself, by address.
-void powerChanged(OObject& self, const openr::Message& message) {
+void notifyPower(OObject& self, const openr::Message& message) {
   OPowerStatusMessage content = std::get<OPowerStatusMessage>(message);
-  agentOf(self).PowerChanged(&content);
+  agentOf(self).NotifyPower(&content);
 }
 
 template <void (agent::Agent::*method)(void*)>
@@ -53,10 +53,10 @@ constexpr openr::ObjectEntry kEntries[] = {
     {Entry_Connect[obsFbkImageSensor], connect<obsFbkImageSensor>},
     {Entry_Notify[obsSensor], notify<obsSensor, &agent::Agent::NotifySensor>},
     {Entry_Notify[obsFbkImageSensor], notify<obsFbkImageSensor, &agent::Agent::NotifyImage>},
-    {Extra_Entry[entryPowerChanged], powerChanged},
-    {Extra_Entry[entryControlHeard], answered<&agent::Agent::ControlHeard>},
-    {Extra_Entry[entryTeamHeard], answered<&agent::Agent::TeamHeard>},
-    {Extra_Entry[entryTeamSent], answered<&agent::Agent::TeamSent>},
+    {Extra_Entry[entryNotifyPower], notifyPower},
+    {Extra_Entry[entryNotifyControl], answered<&agent::Agent::NotifyControl>},
+    {Extra_Entry[entryNotifyTeam], answered<&agent::Agent::NotifyTeam>},
+    {Extra_Entry[entryReadyTeam], answered<&agent::Agent::ReadyTeam>},
 };
 
 }  // namespace

@@ -111,7 +111,6 @@ TEST(Shape, ARegionIsOfLettersAndFromAPool) {
   EXPECT_FALSE(std::is_destructible_v<RCRegion>);
   auto* region = new RCRegion();
   EXPECT_EQ(0, region->NumberOfReference());
-  EXPECT_EQ(RCRegion::UNDEF, region->GetType());
   region->AddReference();
   region->RemoveReference();
 }
@@ -140,7 +139,7 @@ TEST(Shape, EntriesFollowEachOther) {
   EXPECT_EQ(8U, Entry_Notify[obsSensor]);
   EXPECT_EQ(9U, Entry_Notify[obsFbkImageSensor]);
   const std::size_t services = 2 * numOfSubject + 2 * numOfObserver;
-  EXPECT_EQ(numOfBasicEntries + services, Extra_Entry[entryPowerChanged]);
+  EXPECT_EQ(numOfBasicEntries + services, Extra_Entry[entryNotifyPower]);
 }
 
 }  // namespace

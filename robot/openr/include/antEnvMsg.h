@@ -18,7 +18,7 @@ class antStackRef {
 
  private:
   OID oid_;
-  void* dispatcher_ = nullptr;
+  [[maybe_unused]] void* dispatcher_ = nullptr;
 };
 
 enum antEnvMsgInvocation { ANTENVMSG_SEND = 0, ANTENVMSG_CALL };

@@ -23,7 +23,7 @@ class antSharedBuffer {
   uint32 GetSize() { return size_; }
 
  private:
-  MemoryRegionID region_ = UNDEF;
+  [[maybe_unused]] MemoryRegionID region_ = UNDEF;
   void* base_ = nullptr;
   uint32 size_ = 0;
   void* cookie_ = nullptr;

@@ -4,12 +4,12 @@
 #include <new>
 
 RCRegion::RCRegion()
-    : references_(0), type_(UNDEF), memID_(::UNDEF), offset_(0), base_(nullptr), size_(0) {}
+    : references_(0), type_(REFERENCE_V20), memID_(UNDEF), offset_(0), base_(nullptr), size_(0) {}
 
 RCRegion::RCRegion(std::size_t size)
     : references_(1),
       type_(SELF_ALLOCATED),
-      memID_(::UNDEF),
+      memID_(UNDEF),
       offset_(0),
       base_(new char[size]()),
       size_(size) {}

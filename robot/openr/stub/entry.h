@@ -17,9 +17,9 @@ constexpr Selector Entry_Connect[numOfObserver] = {6, 7};
 constexpr Selector Entry_Notify[numOfObserver] = {8, 9};
 
 // Places in Extra_Entry.
-constexpr int entryPowerChanged = 0;
-constexpr int entryControlHeard = 1;
-constexpr int entryTeamHeard = 2;
-constexpr int entryTeamSent = 3;
+constexpr int entryNotifyPower = 0;
+constexpr int entryNotifyControl = 1;
+constexpr int entryNotifyTeam = 2;
+constexpr int entryReadyTeam = 3;
 
 constexpr Selector Extra_Entry[] = {10, 11, 12, 13};

@@ -11,7 +11,8 @@ using offset_t = unsigned int;
 
 class RCRegion {
  public:
-  enum RegionType { SELF_ALLOCATED, REFERENCE_V20, REFERENCE_V10, UNDEF };
+  // The robot has a fourth, UNDEF, for one of nothing, which would shadow the global name.
+  enum RegionType { SELF_ALLOCATED, REFERENCE_V20, REFERENCE_V10 };
 
   RCRegion();  // of nothing, with no reference
   explicit RCRegion(std::size_t size);
