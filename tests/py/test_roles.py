@@ -7,7 +7,8 @@ import random
 import kelpie
 import pytest
 from decisions import positions
-from decisions.roles import CHALLENGE_S, HAND_OVER_S, RoleChoice, forwards, should_attack, should_defend
+from decisions.roles import (CHALLENGE_S, HAND_OVER_S, RoleChoice, forwards, should_attack,
+                             should_defend)
 from lib import time_to
 from lib.memory import Memory
 from situations import put_ball, world

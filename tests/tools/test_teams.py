@@ -383,8 +383,9 @@ def relay(near, far, bytes_to_carry):
 
 
 def test_a_world_and_an_agent_whose_socket_is_cut_end_with_one_line_each_and_whole_logs(tmp_path):
-    world = subprocess.Popen([BIN / "kelpie-world", "--socket", tmp_path / "world", "--seconds", "60",
-                              "--truth", tmp_path / "truth.mcap"], stderr=subprocess.PIPE, text=True)
+    world = subprocess.Popen([BIN / "kelpie-world", "--socket", tmp_path / "world", "--seconds",
+                              "60", "--truth", tmp_path / "truth.mcap"],
+                             stderr=subprocess.PIPE, text=True)
     deadline = time.monotonic() + 20
     while not (tmp_path / "world").exists() and time.monotonic() < deadline:
         time.sleep(0.02)
