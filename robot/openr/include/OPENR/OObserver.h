@@ -20,16 +20,12 @@ class OObserver {
   OStatus SetNotifyEntry(const OServiceEntry& entry);
   const ObserverID& GetID() const { return id_; }
 
-  OStatus AssertReady() { return sayToAll(objcommCMD_ASSERT_READY); }
-  OStatus AssertReady(const SubjectID& subject) { return say(objcommCMD_ASSERT_READY, subject); }
-  OStatus AssertReady(const OSubjectInfo& subject) { return say(objcommCMD_ASSERT_READY, subject); }
-  OStatus DeassertReady() { return sayToAll(objcommCMD_DEASSERT_READY); }
-  OStatus DeassertReady(const SubjectID& subject) {
-    return say(objcommCMD_DEASSERT_READY, subject);
-  }
-  OStatus DeassertReady(const OSubjectInfo& subject) {
-    return say(objcommCMD_DEASSERT_READY, subject);
-  }
+  OStatus AssertReady();
+  OStatus AssertReady(const SubjectID& subject);
+  OStatus AssertReady(const OSubjectInfo& subject);
+  OStatus DeassertReady();
+  OStatus DeassertReady(const SubjectID& subject);
+  OStatus DeassertReady(const OSubjectInfo& subject);
 
   int NumberOfSubjects() const { return static_cast<int>(subjects_.size()); }
   SubjectConstIterator begin() const { return subjects_.begin(); }
