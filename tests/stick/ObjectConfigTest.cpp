@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What OPEN-R is told of the object, against what was measured of it (openr-measured.md section 3).
+// What OPEN-R is told of the object, against what was measured of it.
 #include <sstream>
 
 #include "tests/stick/Sticks.h"
@@ -7,7 +7,12 @@
 namespace kelpie::stick {
 namespace {
 
-constexpr double kMargin = 1.15;
+// What toolchain/check-object allows the deepest path of calls; beyond it the system's own
+// functions take what nobody knows.
+constexpr double kDeepestPath = 60 * 1024;
+// Taken at the start, with the loops that now lie in the object itself (openr-measured.md section
+// 3).
+constexpr double kHeapTaken = 889536;
 
 struct ObjectConfig {
   std::string word, name;
@@ -18,7 +23,7 @@ struct ObjectConfig {
 };
 
 ObjectConfig readObjectConfig() {
-  std::istringstream lines(*readWhole(KELPIE_SOURCE_DIR "/robot/openr/stub/agent.ocf"));
+  std::istringstream lines(*readWhole(KELPIE_SOURCE_DIR "/robot/object/agent.ocf"));
   std::string line;
   while (std::getline(lines, line) && line.rfind('#', 0) == 0) {
   }
@@ -32,8 +37,8 @@ TEST(ObjectConfig, GivesMoreStackAndHeapThanWereMeasured) {
   const ObjectConfig config = readObjectConfig();
   EXPECT_EQ(config.word, "object");
   EXPECT_EQ(config.name, "Agent");
-  EXPECT_GT(config.stack, 35520 * kMargin);
-  EXPECT_GT(config.heap, 889536 * kMargin);
+  EXPECT_GE(config.stack, 2 * kDeepestPath);
+  EXPECT_GT(config.heap, 1.15 * kHeapTaken);
   EXPECT_EQ(config.priority, 128);
   EXPECT_EQ(config.mode, "kernel");
 }
