@@ -24,7 +24,8 @@ MAY_INCLUDE = {
     "robot/agent": BOTTOM | {"vision", "gps", "actuator", "behaviour", "robot/openr",
                              "robot/agent", "robot/net"},
     "robot/stick": BOTTOM | {"robot/agent", "robot/stick"},
-    "robot/object": BOTTOM | {"behaviour", "robot/openr", "robot/agent", "robot/object"},
+    "robot/object": BOTTOM | {"behaviour", "robot/openr", "robot/agent", "robot/object",
+                              "robot/stick"},
 }
 # The rooms of a stage in their order: a room includes those before it and itself, never its
 # neighbours of the same row. What several rooms share stands at the stage's root.

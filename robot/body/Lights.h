@@ -3,7 +3,8 @@
 //
 //   above the ears  the game's state: initial none, ready blue, set red and green (yellow),
 //                   playing green, finished red, green and blue (white); penalised red
-//   the back        the team: red the rear, blue the front
+//   the back        the team: red the rear, blue the front; the middle while the simple player
+//                   plays, which a robot without Python has (robot/object)
 //   the face        the role, one pair for each: attacker 1 and 2, supporter 3 and 4, striker 5
 //                   and 6, defender 7 and 8, goalie 9 and 10
 //   a fault         red above the ears goes on and off twice a second, which no state of the game
@@ -27,6 +28,7 @@ constexpr std::uint32_t kLightRed = 1U << 2U;    // above both ears
 constexpr std::uint32_t kLightGreen = 1U << 3U;  // so
 constexpr std::uint32_t kLightBlue = 1U << 4U;   // so
 constexpr std::uint32_t kLightBackFront = 1U << 20U;
+constexpr std::uint32_t kLightBackMiddle = 1U << 22U;
 constexpr std::uint32_t kLightBackRear = 1U << 24U;
 constexpr std::uint32_t kFirstFaceLight = 6;
 constexpr std::uint32_t kFaceLights = 14;

@@ -8,13 +8,14 @@ namespace kelpie::object {
 std::unique_ptr<agent::AgentConfig> makeConfig() { return std::make_unique<agent::AgentConfig>(); }
 
 LateLoops::~LateLoops() {
-  if (made_) room_.loops.~RobotLoops();
+  if (made()) room_.loops.~RobotLoops();
 }
 
 void LateLoops::make(const agent::AgentConfig& config) {
-  if (made_) return;
-  new (&room_.loops) RobotLoops(config);
-  made_ = true;
+  if (made()) return;
+  at_ = new (&room_.loops) RobotLoops(config);
 }
+
+void LateLoops::refuse(std::uint8_t fault) { fault_.setFault(fault); }
 
 }  // namespace kelpie::object

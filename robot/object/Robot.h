@@ -8,6 +8,7 @@
 
 #include "robot/agent/AgentConfig.h"
 #include "robot/agent/AgentLoops.h"
+#include "robot/object/FaultLoops.h"
 
 namespace kelpie::object {
 
@@ -23,18 +24,28 @@ class RobotLoops : private SilentSink, public agent::AgentLoops {
   explicit RobotLoops(const agent::AgentConfig& config) : AgentLoops(config, {}, silent) {}
 };
 
-// Room for the loops, 0.7 MB, part of the object and not of the heap. Who is given loops() before
-// make() may keep the reference, and must not use it.
-class LateLoops {
+// Hands everything to the loops that play, for which there is room here: 0.7 MB, part of the object
+// and not of the heap. Until make() it is the fault's loops that answer.
+class LateLoops : public agent::Loops {
  public:
   LateLoops() = default;
   LateLoops(const LateLoops&) = delete;
   LateLoops& operator=(const LateLoops&) = delete;
-  ~LateLoops();
+  ~LateLoops() override;
 
-  agent::Loops& loops() { return room_.loops; }
-  // Once; later calls do nothing.
+  // Once; later calls do nothing, and so does refuse() from then on.
   void make(const agent::AgentConfig& config);
+  // The robot does not play and shows this number.
+  void refuse(std::uint8_t fault);
+
+  const MotionOutput& motion(const MotionInput& input) override { return at_->motion(input); }
+  void power(const agent::PowerReport& report) override { at_->power(report); }
+  void camera(const Image& image, TimeUs exposed, std::uint32_t number) override {
+    at_->camera(image, exposed, number);
+  }
+  void hear(const ControlPacket& packet, TimeUs now) override { at_->hear(packet, now); }
+  void hear(const RadioPacket& packet, TimeUs now) override { at_->hear(packet, now); }
+  bool takePacket(RadioPacket& packet) override { return at_->takePacket(packet); }
 
  private:
   union Room {
@@ -43,8 +54,11 @@ class LateLoops {
     RobotLoops loops;
   };
 
+  bool made() const { return at_ != &fault_; }
+
   Room room_;
-  bool made_ = false;
+  FaultLoops fault_;
+  agent::Loops* at_ = &fault_;
 };
 
 }  // namespace kelpie::object

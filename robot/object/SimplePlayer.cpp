@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "robot/body/Lights.h"
+
 namespace kelpie::object {
 namespace {
 
@@ -87,9 +89,7 @@ Command searches(bool left) {
   return command;
 }
 
-}  // namespace
-
-Command step(const behaviour::BehaviourIn& in, SimpleState& state) {
+Command decide(const behaviour::BehaviourIn& in, SimpleState& state) {
   const GameState& game = in.input.game;
   if (game.state != PlayState::playing || game.penalised) return waits(in.input.time);
   if (getsUp(in.input.motion)) return getUp(in.input.motion, state);
@@ -98,6 +98,14 @@ Command step(const behaviour::BehaviourIn& in, SimpleState& state) {
   if (!ball.present || ball.secondsSinceSeen > kForget) return searches(state.searchesLeft);
   state.searchesLeft = ball.heading.rad() >= 0.0;
   return goesTo(ball);
+}
+
+}  // namespace
+
+Command step(const behaviour::BehaviourIn& in, SimpleState& state) {
+  Command command = decide(in, state);
+  command.leds |= body::kLightBackMiddle;
+  return command;
 }
 
 }  // namespace kelpie::object

@@ -12,7 +12,7 @@ namespace {
 
 TEST(Robot, TakesSensorsAndImagesWithTheStandardConfiguration) {
   const auto late = std::make_unique<LateLoops>();
-  agent::Loops& loops = late->loops();  // kept before there are any
+  agent::Loops& loops = *late;  // kept before there are any
   late->make(*makeConfig());
   const auto input = std::make_unique<MotionInput>();
   const auto image = std::make_unique<Image>();
@@ -29,9 +29,9 @@ TEST(Robot, ASecondInitialisationLeavesTheLoopsThatPlay) {
   const auto late = std::make_unique<LateLoops>();
   const auto config = makeConfig();
   late->make(*config);
-  const MotionOutput* first = &late->loops().motion(*std::make_unique<MotionInput>());
+  const MotionOutput* first = &late->motion(*std::make_unique<MotionInput>());
   late->make(*config);
-  EXPECT_EQ(&late->loops().motion(*std::make_unique<MotionInput>()), first);
+  EXPECT_EQ(&late->motion(*std::make_unique<MotionInput>()), first);
 }
 
 TEST(Robot, LoopsThatWereNeverMadeAreNotEnded) { const auto late = std::make_unique<LateLoops>(); }

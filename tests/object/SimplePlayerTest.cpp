@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "behaviour/Behaviour.h"
+#include "robot/body/Lights.h"
 #include "robot/core/FieldCheck.h"
 #include "robot/object/SimplePlayer.h"
 
@@ -97,6 +98,15 @@ TEST_F(SimplePlayer, AsksNothingOutsideTheRangesAndSaysWhy) {
       ASSERT_EQ(command.trace.size(), 1U);
       EXPECT_EQ(command.trace[0].module.view(), "simple");
     }
+  }
+}
+
+TEST_F(SimplePlayer, ShowsAlwaysThatItIsNotTheOneInPython) {
+  for (const PlayState state : {PlayState::initial, PlayState::set, PlayState::playing}) {
+    input->game.state = state;
+    EXPECT_EQ(next().leds, body::kLightBackMiddle);
+    EXPECT_EQ(body::lights(input->game, Role::attacker, next().leds) & body::kLightBackMiddle,
+              body::kLightBackMiddle);
   }
 }
 

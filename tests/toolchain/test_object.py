@@ -65,6 +65,15 @@ def test_robots_object_passes_every_gate():
     assert "10 gates, no fault" in done.stdout
 
 
+@pytest.mark.parametrize("name", [
+    " Self", "kelpie::object::RobotAgent::DoInit", "kelpie::agent::Agent::NotifyImage",
+    "kelpie::agent::AntEndpoint::tick", "kelpie::stick::StickReader::load",
+    "kelpie::agent::AgentLoops::camera", "kelpie::object::FaultLoops::motion"])
+def test_robots_object_has_what_it_starts_and_plays_with(name):
+    defined = must("mipsel-linux-gnu-nm", "-C", "--defined-only", OBJECT)
+    assert name in defined
+
+
 def test_object_without_a_fault_passes(tmp_path):
     path = compiled(tmp_path, 'extern "C" void* memset(void*, int, unsigned); extern "C" int root('
                     'int* p) { memset(p, 1, 9); return *p; }')

@@ -28,6 +28,17 @@ void free(void* /*memory*/) {}
 
 std::uint32_t kelpieHeapTaken() { return static_cast<std::uint32_t>(taken); }
 
+// The emulator has no files.
+void* fopen(const char* /*path*/, const char* /*mode*/) { return nullptr; }
+std::size_t fread(void* /*to*/, std::size_t /*size*/, std::size_t /*count*/, void* /*file*/) {
+  return 0;
+}
+int ferror(void* /*file*/) { return 1; }
+int fclose(void* /*file*/) { return 0; }
+
+// In place of every function of OPEN-R.
+void kelpieNoOpenr() { __builtin_trap(); }
+
 void* memcpy(void* to, const void* from, std::size_t count) {
   auto* out = static_cast<std::uint8_t*>(to);
   const auto* in = static_cast<const std::uint8_t*>(from);

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// The loops of a robot whose memory stick was refused: it stays as it lies, its joints where they
+// were sensed first and its legs weak, so that it can be picked up, and its lights blink the
+// fault's number (body::faultLights). It sees, hears and says nothing.
+#pragma once
+
+#include "robot/agent/Loops.h"
+
+namespace kelpie::object {
+
+class FaultLoops : public agent::Loops {
+ public:
+  void setFault(std::uint8_t fault) { fault_ = fault; }
+
+  const MotionOutput& motion(const MotionInput& input) override;
+  void power(const agent::PowerReport& /*report*/) override {}
+  void camera(const Image& /*image*/, TimeUs /*exposed*/, std::uint32_t /*number*/) override {}
+  void hear(const ControlPacket& /*packet*/, TimeUs /*now*/) override {}
+  void hear(const RadioPacket& /*packet*/, TimeUs /*now*/) override {}
+  bool takePacket(RadioPacket& /*packet*/) override { return false; }
+
+ private:
+  std::uint8_t fault_ = 0;
+  bool held_ = false;
+  MotionOutput output_;
+};
+
+}  // namespace kelpie::object

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "robot/object/RobotAgent.h"
+
+#include <OPENR/OSyslog.h>
+
+#include <algorithm>
+#include <array>
+
+namespace kelpie::object {
+
+OStatus RobotAgent::DoInit(const OSystemEvent& event) {
+  readStick();
+  return agent::Agent::DoInit(event);
+}
+
+// The configuration is on the heap, because the stack has no room for its 185 KB; the loops keep
+// their own, and it is given back.
+void RobotAgent::readStick() {
+  const auto config = makeConfig();
+  const stick::StickVerdict verdict = reader.load(*config);
+  const auto line = stick::lineOf(verdict);
+  std::array<char, decltype(line)::kCapacity + 1> text{};
+  std::copy(line.begin(), line.end(), text.begin());
+  if (verdict.good()) {
+    loops.make(*config);
+    OSYSLOG1((osyslogINFO, "stick: %s; player %u", text.data(), unsigned(config->player)));
+  } else {
+    loops.refuse(static_cast<std::uint8_t>(verdict.fault));
+    OSYSLOG1((osyslogERROR, "stick: %s; the robot does not play", text.data()));
+  }
+}
+
+}  // namespace kelpie::object

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+// The OPEN-R object of a robot with all that it is made of. When it is initialised it reads its
+// memory stick. With a good one it plays as the stick says. A refused one does not end the object,
+// which could tell nobody why: it starts all the same, says the reason in one line of the system's
+// log, stays lying and blinks the reason's number (FaultLoops).
+#pragma once
+
+#include "robot/agent/Agent.h"
+#include "robot/object/Robot.h"
+#include "robot/stick/StdioFiles.h"
+#include "robot/stick/StickReader.h"
+
+namespace kelpie::object {
+
+// What must be there before the object that keeps a reference to it; the reader's 5 KB are here and
+// not on the stack.
+struct RobotParts {
+  explicit RobotParts(const char* stickRoot) : files(stickRoot), reader(files) {}
+
+  LateLoops loops;
+  stick::StdioFiles files;
+  stick::StickReader reader;
+};
+
+class RobotAgent : private RobotParts, public agent::Agent {
+ public:
+  // The root of the stick's files: "/MS" on the robot (openr.md section 6), else a folder.
+  explicit RobotAgent(const char* stickRoot, const agent::RadioPorts& ports = {})
+      : RobotParts(stickRoot), agent::Agent(loops, ports) {}
+
+  OStatus DoInit(const OSystemEvent& event) override;
+
+ private:
+  void readStick();
+};
+
+}  // namespace kelpie::object

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: Apache-2.0
+// The whole object of a robot over sticks in folders: it plays as a good one says, and over a bad
+// one it stays lying, tells why in one line and blinks the fault's number.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "robot/body/Lights.h"
+#include "robot/host/AgentStub.h"
+#include "robot/host/HostSystem.h"
+#include "robot/object/RobotAgent.h"
+#include "tests/host/FakeWorld.h"
+#include "tests/stick/Sticks.h"
+
+namespace kelpie::object {
+namespace {
+
+using stick::StickFault;
+using stick::StickTree;
+
+constexpr std::uint32_t kFaceLights = ((1U << body::kFaceLights) - 1U) << body::kFirstFaceLight;
+
+// What came of half a second with one object.
+struct Played {
+  std::vector<std::uint32_t> leds;
+  double firstPan = 0.0;
+  double lastPan = 0.0;
+  double lastKnee = 0.0;
+  double legGain = 1.0;
+  std::string log;
+};
+
+std::string textOf(std::FILE* file) {
+  std::rewind(file);
+  std::string text;
+  for (int c = std::fgetc(file); c != EOF; c = std::fgetc(file)) text += static_cast<char>(c);
+  std::fclose(file);
+  return text;
+}
+
+host::FakeSource halfASecond() {
+  host::FakeSource source;
+  for (int i = 0; i < 16; ++i) {
+    source.addSensors(1);
+    source.addImage(32000 * (i + 1) + 10000);
+  }
+  return source;
+}
+
+Played played(const std::string& root) {
+  host::FakeSource source = halfASecond();
+  host::HostParams params;
+  params.printTo = std::tmpfile();
+  const auto object = std::make_unique<RobotAgent>(root.c_str());
+  host::HostSystem system(source, params);
+  const auto summary = system.run(host::agentStub(*object), {});
+  EXPECT_TRUE(summary) << summary.error();
+  Played result;
+  for (const auto& reply : source.replies)
+    for (const auto& vector : reply.vectors) result.leds.push_back(vector.leds);
+  const auto& first = source.replies.at(0).vectors.at(0).targets[0];
+  const auto& last = source.replies.at(30).vectors.at(0).targets[3];
+  result.firstPan = first[Joint::headPan].deg();
+  result.lastPan = last[Joint::headPan].deg();
+  result.lastKnee = last[Joint::leftFrontKnee].deg();
+  result.legGain = source.replies.back().legGain;
+  result.log = textOf(params.printTo);
+  return result;
+}
+
+std::string folderOf(const StickTree& tree, const std::string& name) {
+  const stick::fs::path root = stick::fs::path(testing::TempDir()) / ("object_" + name);
+  stick::fs::remove_all(root);
+  for (const auto& file : tree) stick::put(root / file.path, file.bytes);
+  return root.string();
+}
+
+int lines(const std::string& text) {
+  return static_cast<int>(std::count(text.begin(), text.end(), '\n'));
+}
+
+TEST(RobotAgent, PlaysOverAGoodStickAsTheStickSays) {
+  const Played result = played(folderOf(stick::sampleTree(), "good"));
+  EXPECT_GT(std::fabs(result.lastKnee), 5.0) << "it stands up; the joints were sensed at 0";
+  EXPECT_EQ(result.leds.back() & body::kLightBackFront, body::kLightBackFront) << "blue";
+  EXPECT_EQ(result.leds.back() & body::kLightBackRear, 0U);
+  EXPECT_EQ(result.leds.back() & body::kLightBackMiddle, body::kLightBackMiddle) << "no Python";
+  EXPECT_EQ(result.leds.back() & body::kLightRed, 0U);
+  EXPECT_NE(result.log.find("STICK.BIN: is good; player 3"), std::string::npos) << result.log;
+}
+
+struct Damage {
+  const char* name;
+  StickFault fault;
+  const char* file;
+  void (*make)(StickTree& tree);
+};
+
+std::string& bytesOf(StickTree& tree, const std::string& path) {
+  for (auto& file : tree)
+    if (file.path == path) return file.bytes;
+  ADD_FAILURE() << path;
+  return tree.front().bytes;
+}
+
+void without(StickTree& tree, const std::string& path) {
+  tree.erase(
+      std::remove_if(tree.begin(), tree.end(), [&](const auto& file) { return file.path == path; }),
+      tree.end());
+}
+
+constexpr const char* kScripts = "OPEN-R/MW/DATA/P/PYCODE.ZIP";
+constexpr const char* kProgram = "OPEN-R/MW/OBJS/AGENT.BIN";
+
+const Damage kDamages[] = {
+    {"empty", StickFault::missing, stick::kStickPath, [](StickTree& tree) { tree.clear(); }},
+    {"no_program", StickFault::missing, kProgram, [](StickTree& tree) { without(tree, kProgram); }},
+    {"magic", StickFault::wrongMagic, stick::kStickPath,
+     [](StickTree& tree) { bytesOf(tree, stick::kStickPath)[0] ^= 1; }},
+    {"cut", StickFault::cutShort, stick::kStickPath,
+     [](StickTree& tree) {
+       std::string& bytes = bytesOf(tree, stick::kStickPath);
+       bytes.resize(bytes.size() / 2);
+     }},
+    {"part", StickFault::damagedPart, stick::kStickPath,
+     [](StickTree& tree) {
+       std::string& bytes = bytesOf(tree, stick::kStickPath);
+       bytes[bytes.size() / 2] ^= 16;
+     }},
+    {"long", StickFault::tooLong, stick::kStickPath,
+     [](StickTree& tree) { bytesOf(tree, stick::kStickPath) += '\0'; }},
+    {"scripts", StickFault::otherContent, kScripts,
+     [](StickTree& tree) { bytesOf(tree, kScripts)[7] ^= 1; }},
+};
+
+class RobotAgentOver : public testing::TestWithParam<Damage> {};
+
+TEST_P(RobotAgentOver, ADamagedStickStaysLyingAndBlinksTheFault) {
+  const Damage& damage = GetParam();
+  StickTree tree = stick::sampleTree();
+  damage.make(tree);
+  const Played result = played(folderOf(tree, damage.name));
+  const stick::StickVerdict verdict{damage.fault, stick::StickPath(std::string_view(damage.file))};
+  EXPECT_EQ(lines(result.log), 1);
+  EXPECT_NE(result.log.find(stick::lineOf(verdict).view()), std::string::npos) << result.log;
+  EXPECT_EQ(result.lastPan, result.firstPan) << "the first sensed pose";
+  EXPECT_EQ(result.lastKnee, 0.0);
+  EXPECT_LT(result.legGain, 1.0);
+  int changes = 0;
+  for (std::size_t i = 2; i < result.leds.size(); ++i) {
+    EXPECT_EQ(result.leds[i] & kFaceLights,
+              body::faultLights(static_cast<std::uint32_t>(damage.fault), {}) & kFaceLights);
+    EXPECT_EQ(result.leds[i] & ~(kFaceLights | body::kLightRed), 0U);
+    changes += ((result.leds[i] ^ result.leds[i - 1]) & body::kLightRed) != 0 ? 1 : 0;
+  }
+  EXPECT_GE(changes, 1) << "half a second has two halves of a blink";
+  EXPECT_LE(changes, 3);
+}
+
+INSTANTIATE_TEST_SUITE_P(Sticks, RobotAgentOver, testing::ValuesIn(kDamages),
+                         [](const auto& info) { return std::string(info.param.name); });
+
+}  // namespace
+}  // namespace kelpie::object
