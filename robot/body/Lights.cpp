@@ -7,7 +7,7 @@ namespace {
 constexpr std::uint32_t kStates = kLightRed | kLightGreen | kLightBlue;
 constexpr std::uint32_t kTeams = kLightBackFront | kLightBackRear;
 constexpr std::uint32_t kPair = 3;
-constexpr std::int64_t kFaultHalfPeriodUs = 250000;
+constexpr double kFaultHalfPeriods = 4.0;  // 1/s
 constexpr std::uint32_t kRoles = ((1U << (2U * (kRoleCount - 1U))) - 1U) << kFirstFaceLight;
 
 }  // namespace
@@ -36,7 +36,9 @@ std::uint32_t lightsOf(Role role) {
 std::uint32_t faultLights(std::uint32_t number, TimeUs time) {
   const std::uint32_t shown = number < kFaceLights ? number : kFaceLights;
   const std::uint32_t face = ((1U << shown) - 1U) << kFirstFaceLight;
-  return face | (time.us / kFaultHalfPeriodUs % 2 == 0 ? kLightRed : 0U);
+  // Not by a division of 64 bits, which the robot's object would want of the SDK.
+  const auto halves = static_cast<std::int32_t>(time.seconds() * kFaultHalfPeriods);
+  return face | (halves % 2 == 0 ? kLightRed : 0U);
 }
 
 std::uint32_t lightsOf(Rest rest) {
