@@ -3,6 +3,8 @@
 // one it stays lying, tells why in one line and blinks the fault's number.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 #include "robot/body/Lights.h"
@@ -38,17 +40,16 @@ std::string textOf(std::FILE* file) {
   return text;
 }
 
-host::FakeSource halfASecond() {
-  host::FakeSource source;
+void addHalfASecond(host::FakeSource& source) {
   for (int i = 0; i < 16; ++i) {
     source.addSensors(1);
     source.addImage(32000 * (i + 1) + 10000);
   }
-  return source;
 }
 
 Played played(const std::string& root) {
-  host::FakeSource source = halfASecond();
+  host::FakeSource source;
+  addHalfASecond(source);
   host::HostParams params;
   params.printTo = std::tmpfile();
   const auto object = std::make_unique<RobotAgent>(root.c_str());
@@ -58,8 +59,8 @@ Played played(const std::string& root) {
   Played result;
   for (const auto& reply : source.replies)
     for (const auto& vector : reply.vectors) result.leds.push_back(vector.leds);
-  const auto& first = source.replies.at(0).vectors.at(0).targets[0];
-  const auto& last = source.replies.at(30).vectors.at(0).targets[3];
+  const auto& first = source.replies.at(0).vectors[0].targets[0];
+  const auto& last = source.replies.at(30).vectors[0].targets[3];
   result.firstPan = first[Joint::headPan].deg();
   result.lastPan = last[Joint::headPan].deg();
   result.lastKnee = last[Joint::leftFrontKnee].deg();
@@ -158,7 +159,7 @@ TEST_P(RobotAgentOver, ADamagedStickStaysLyingAndBlinksTheFault) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Sticks, RobotAgentOver, testing::ValuesIn(kDamages),
-                         [](const auto& info) { return std::string(info.param.name); });
+                         [](const auto& damage) { return std::string(damage.param.name); });
 
 }  // namespace
 }  // namespace kelpie::object
