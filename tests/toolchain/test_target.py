@@ -6,6 +6,7 @@ import json
 import os
 import shutil
 import subprocess
+import tomllib
 from pathlib import Path
 
 import pytest
@@ -32,6 +33,14 @@ def log(tmp_path_factory):
     made = run(TOOLCHAIN / "record", tmp_path_factory.mktemp("recording"), KELPIE)
     assert made.returncode == 0, made.stderr
     return Path(made.stdout.strip())
+
+
+@pytest.fixture(scope="session")
+def cost(log, tmp_path_factory):
+    out = tmp_path_factory.mktemp("cost") / "cost.json"
+    made = run(TOOLCHAIN / "target-cost", log, "--json", out)
+    assert made.returncode == 0, made.stderr
+    return out
 
 
 @pytest.fixture(scope="session")
@@ -101,20 +110,117 @@ def test_bad_arguments_end_with_2_and_one_line(arguments, line):
     assert line in result.stderr and result.stderr.count("\n") == 1
 
 
-def test_cost_repeats_to_the_last_digit_and_is_within_the_budget(log, tmp_path):
+def test_cost_repeats_to_the_last_digit(log, cost, tmp_path):
     there = tmp_path / "a place with a longer name"
     there.mkdir()
     shutil.copy(log, there)
-    one, two = tmp_path / "one.json", there / "two.json"
-    assert run(TOOLCHAIN / "target-cost", log, "--json", one).returncode == 0
-    again = run(TOOLCHAIN / "target-cost", there / log.name, "--json", two, cwd="/",
-                env={**os.environ, "LONG": "x" * 5000, "TZ": "Asia/Tokyo"})
-    assert again.returncode == 0
-    assert one.read_text() == two.read_text()
-    cost = json.loads(one.read_text())
-    assert cost["frames"] == 180
-    assert 1e5 < cost["frame"]["cycles_mean"] < 8e6 and cost["frame"]["cycles_p99"] < 12e6
-    assert all(stage["cycles_mean"] > 1000 for stage in cost["stages"].values())
+    again = there / "again.json"
+    result = run(TOOLCHAIN / "target-cost", there / log.name, "--json", again, cwd="/",
+                 env={**os.environ, "LONG": "x" * 5000, "TZ": "Asia/Tokyo"})
+    assert result.returncode == 0
+    assert cost.read_text() == again.read_text()
+    figures = json.loads(cost.read_text())
+    assert figures["frames"] == 180 and figures["replay"] == {"frames": 180, "differing": 0}
+    assert all(stage["cycles_mean"] > 1000 for stage in figures["stages"].values())
+
+
+def budget(*arguments):
+    return run(TOOLCHAIN / "budget", *arguments)
+
+
+def test_every_stage_is_within_its_budget(cost):
+    result = budget("--table", "short", "--cost", cost)
+    assert result.returncode == 0, result.stderr
+    assert "none over its budget" in result.stdout
+
+
+def figures_of(table):
+    return tomllib.loads((TOOLCHAIN / "budget.toml").read_text())[table]
+
+
+def test_every_stage_the_frame_memory_image_and_start_have_a_budget():
+    names = {f"stages.{name}.cycles_mean"
+             for name in ("body", "vision", "gps", "behaviour", "actuator")}
+    names |= {"image.program_bytes", "image.scripts_bytes"}
+    assert names <= figures_of("match").keys() and names <= figures_of("short").keys()
+    assert figures_of("required") == {
+        "frame.cycles_mean": 5e6, "frame.cycles_p99": 9e6, "memory.all_bytes": 24e6,
+        "first_command.seconds": 3, "replay.differing": 0}
+
+
+def test_renewed_budgets_hold_for_the_figures_that_they_were_made_of(cost, tmp_path):
+    budgets = tmp_path / "budget.toml"
+    budgets.write_text(budget("--renew", "--table", "short", "--cost", cost).stdout)
+    table = tomllib.loads(budgets.read_text())["short"]
+    assert len(table) == 17 and "stages.gps.instructions_mean" in table
+    result = budget("--table", "short", "--cost", cost, "--budgets", budgets)
+    assert result.returncode == 0 and "17 figures over 180 frames" in result.stdout
+
+
+@pytest.mark.parametrize("name", sorted(figures_of("short")))
+def test_a_figure_over_its_budget_by_more_than_a_tenth_is_refused_by_name(cost, tmp_path, name):
+    figure = json.loads(cost.read_text())
+    for key in name.split("."):
+        figure = figure[key]
+    for over, verdict in ((1.09, 0), (1.12, 1)):
+        budgets = tmp_path / "budget.toml"
+        budgets.write_text(f'[short]\n"{name}" = {figure / over}\n')
+        result = budget("--table", "short", "--cost", cost, "--budgets", budgets)
+        assert result.returncode == verdict
+    assert result.stderr.count("\n") == 1 and f"budget: {name} is " in result.stderr
+    assert "12.0 % over its budget" in result.stderr
+
+
+def test_what_is_required_has_no_margin(cost, tmp_path):
+    mean = json.loads(cost.read_text())["frame"]["cycles_mean"]
+    budgets = tmp_path / "budget.toml"
+    budgets.write_text(f'[short]\n"frame.cycles_mean" = {mean}\n'
+                       f'[required]\n"frame.cycles_mean" = {mean - 1}\n')
+    result = budget("--table", "short", "--cost", cost, "--budgets", budgets)
+    assert result.returncode == 1 and "as required" in result.stderr
+
+
+@pytest.mark.parametrize("text, line", [
+    ('[short]\n"stages.eyes.cycles_mean" = 5\n', "stages.eyes.cycles_mean is no figure"),
+    ('[match]\n"frame.cycles_mean" = 5\n', "no budgets [short]"),
+    ("[short]\n= 5\n", "Invalid"),
+])
+def test_a_wrong_file_of_budgets_ends_with_2_and_one_line(cost, tmp_path, text, line):
+    budgets = tmp_path / "budget.toml"
+    budgets.write_text(text)
+    result = budget("--table", "short", "--cost", cost, "--budgets", budgets)
+    assert result.returncode == 2
+    assert line in result.stderr and result.stderr.count("\n") == 1
+
+
+def test_the_page_of_costs_has_the_figures(cost, tmp_path):
+    page = tmp_path / "budget.md"
+    budget("--table", "short", "--cost", cost, "--doc", page)
+    text, figures = page.read_text(), json.loads(cost.read_text())
+    for row in (*figures["stages"].values(), figures["frame"]):
+        cells = [f"{row[key]:,.0f}" for key in ("cycles_mean", "cycles_p99", "cycles_max")]
+        assert f"| {' | '.join(cells)} |" in text
+    assert "replayed 180, **0 differ**" in text
+    assert f"{figures['memory']['all_bytes'] / 1024:,.0f} KB" in text
+
+
+def test_memory_that_a_program_touches_is_counted_in_pages(tmp_path):
+    counted = {}
+    for pages in (0, 300):
+        source = tmp_path / "touch.c"
+        source.write_text(f"""#include <stdlib.h>
+int main(void) {{
+  volatile char* room = malloc(1000 * 4096);
+  for (int i = 0; i < {pages}; ++i) room[i * 4096] = 1;
+}}
+""")
+        run("mipsel-linux-gnu-gcc", "-static", "-O1", "-o", tmp_path / "touch", source)
+        run("qemu-mipsel", "-plugin", f"{ROOT}/build/mipsel/libicount.so,out={tmp_path}/counts",
+            tmp_path / "touch")
+        last = (tmp_path / "counts").read_text().splitlines()[-1].split()
+        assert last[0] == "pages"
+        counted[pages] = len(last) - 1
+    assert 299 <= counted[300] - counted[0] <= 301
 
 
 def test_counter_counts_a_known_loop(tmp_path):
