@@ -193,6 +193,12 @@ def test_a_wrong_file_of_budgets_ends_with_2_and_one_line(cost, tmp_path, text, 
     assert line in result.stderr and result.stderr.count("\n") == 1
 
 
+def test_a_log_that_is_not_there_ends_with_2_and_one_line():
+    result = budget("none.mcap")
+    assert result.returncode == 2
+    assert result.stderr == "target-cost: none.mcap: no such file\n"
+
+
 def test_the_page_of_costs_has_the_figures(cost, tmp_path):
     page = tmp_path / "budget.md"
     budget("--table", "short", "--cost", cost, "--doc", page)
