@@ -102,8 +102,8 @@ TEST_F(SimplePlayer, AsksNothingOutsideTheRangesAndSaysWhy) {
 }
 
 TEST_F(SimplePlayer, ShowsAlwaysThatItIsNotTheOneInPython) {
-  for (const PlayState state : {PlayState::initial, PlayState::set, PlayState::playing}) {
-    input->game.state = state;
+  for (const PlayState play : {PlayState::initial, PlayState::set, PlayState::playing}) {
+    input->game.state = play;
     EXPECT_EQ(next().leds, body::kLightBackMiddle);
     EXPECT_EQ(body::lights(input->game, Role::attacker, next().leds) & body::kLightBackMiddle,
               body::kLightBackMiddle);
