@@ -19,7 +19,7 @@ FOLDER = ROOT / "toolchain/python-openr"
 SYSROOT = Path(os.environ.get("KELPIE_SYSROOT") or
                Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") /
                "kelpie/sysroot-mipsel")
-FRAMES = 20
+FRAMES = 40
 
 pytest.importorskip("unicorn", reason="needs the Debian package python3-unicorn")
 if not shutil.which("mipsel-linux-gnu-gcc"):
@@ -81,7 +81,7 @@ def test_an_error_of_a_script_is_told_and_the_next_runs(machine):
 @pytest.fixture(scope="module")
 def played(emulate, image):
     play = program("play")
-    made = play.worlds(FRAMES, 3)
+    made = play.worlds(FRAMES, 4)
     return play, made, play.started(emulate, image, 0x10000000, False)
 
 

@@ -4,13 +4,12 @@
 // posix (files and processes, which the robot's Python does not have), and the fault handler.
 #include <Python.h>
 
+#include "frozen.h"
 #include "pycore_fileutils.h"
 #include "pycore_import.h"
 #include "pycore_initconfig.h"
 #include "pycore_pathconfig.h"
 #include "pycore_pylifecycle.h"
-
-#include "frozen.h"
 
 extern PyObject* PyInit__abc(void);
 extern PyObject* PyInit__ast(void);
@@ -29,14 +28,24 @@ extern PyObject* PyMarshal_Init(void);
 static PyObject* initPosix(void);
 
 struct _inittab _PyImport_Inittab[] = {
-    {"_abc", PyInit__abc},       {"_ast", PyInit__ast},       {"_codecs", PyInit__codecs},
-    {"_imp", PyInit__imp},       {"_io", PyInit__io},         {"_signal", PyInit__signal},
-    {"_string", PyInit__string}, {"_thread", PyInit__thread}, {"_tokenize", PyInit__tokenize},
+    {"_abc", PyInit__abc},
+    {"_ast", PyInit__ast},
+    {"_codecs", PyInit__codecs},
+    {"_imp", PyInit__imp},
+    {"_io", PyInit__io},
+    {"_signal", PyInit__signal},
+    {"_string", PyInit__string},
+    {"_thread", PyInit__thread},
+    {"_tokenize", PyInit__tokenize},
     {"_weakref", PyInit__weakref},
     {"_warnings", _PyWarnings_Init},
     {"builtins", NULL},  // made by the interpreter itself, as is sys
-    {"gc", PyInit_gc},           {"marshal", PyMarshal_Init}, {"math", PyInit_math},
-    {"posix", initPosix},        {"sys", NULL},               {NULL, NULL},
+    {"gc", PyInit_gc},
+    {"marshal", PyMarshal_Init},
+    {"math", PyInit_math},
+    {"posix", initPosix},
+    {"sys", NULL},
+    {NULL, NULL},
 };
 
 static const struct _frozen modules[] = {FROZEN_MODULES};
@@ -70,8 +79,8 @@ void _PyFaulthandler_Fini(void) {}
 
 // importlib wants the module's name, and of its functions only those that look for files.
 static PyObject* initPosix(void) {
-  static struct PyModuleDef definition = {PyModuleDef_HEAD_INIT, "posix", NULL, -1, NULL, NULL,
-                                          NULL, NULL, NULL};
+  static struct PyModuleDef definition = {
+      PyModuleDef_HEAD_INIT, "posix", NULL, -1, NULL, NULL, NULL, NULL, NULL};
   PyObject* const module = PyModule_Create(&definition);
   if (module == NULL) return NULL;
   PyObject* const environment = PyDict_New();
@@ -85,4 +94,3 @@ PyObject* PyOS_FSPath(PyObject* path) {
   return PyErr_Format(PyExc_TypeError, "a path is a str or bytes, not %.200s",
                       Py_TYPE(path)->tp_name);
 }
-

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The door through which the emulator drives the interpreter alone: start it, and run a text that is
-// given in a buffer. Answers stand in the same buffer.
+// The door through which the emulator drives the interpreter alone: start it, and run a text that
+// is given in a buffer. Answers stand in the same buffer.
 #include <Python.h>
 #include <stdint.h>
 

@@ -4,8 +4,7 @@
  * place of the file that CPython's configure makes. What is not defined here is not used.
  * Fails at compile time where a size differs.
  */
-#ifndef Py_PYCONFIG_H
-#define Py_PYCONFIG_H
+#pragma once
 
 #define SIZEOF__BOOL 1
 #define SIZEOF_SHORT 2
@@ -76,4 +75,3 @@
 #define PLATLIBDIR "lib"
 #define PLATFORM "aperios"
 
-#endif

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Only for the trial with Debian's libpython3.11-pic.a, which was compiled with glibc's threads,
-// 64-bit file functions and checking functions: one thread, locks that count, and the plain functions
-// under the other names. Our own build of CPython (pyconfig.h) asks for none of these.
+// 64-bit file functions and checking functions: one thread, locks that count, and the plain
+// functions under the other names. Our own build of CPython (pyconfig.h) asks for none of these.
 #include <errno.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -16,29 +16,31 @@ static int missing(void) {
 
 #define DOES_NOTHING(name) \
   int name(void) { return 0; }
-DOES_NOTHING(pthread_attr_init) DOES_NOTHING(pthread_attr_destroy)
-DOES_NOTHING(pthread_attr_setscope) DOES_NOTHING(pthread_attr_setstacksize)
-DOES_NOTHING(pthread_cond_init) DOES_NOTHING(pthread_cond_destroy)
-DOES_NOTHING(pthread_cond_signal) DOES_NOTHING(pthread_cond_wait)
-DOES_NOTHING(pthread_cond_timedwait) DOES_NOTHING(pthread_condattr_init)
-DOES_NOTHING(pthread_condattr_setclock) DOES_NOTHING(pthread_detach)
-DOES_NOTHING(pthread_mutex_init) DOES_NOTHING(pthread_mutex_destroy)
-DOES_NOTHING(pthread_mutex_lock) DOES_NOTHING(pthread_mutex_unlock)
-DOES_NOTHING(pthread_sigmask) DOES_NOTHING(sem_destroy)
-DOES_NOTHING(flockfile) DOES_NOTHING(funlockfile)
-DOES_NOTHING(sigemptyset) DOES_NOTHING(sigfillset) DOES_NOTHING(sigismember)
-DOES_NOTHING(sigaddset) DOES_NOTHING(sigaltstack)
-
+DOES_NOTHING(pthread_attr_init)
+DOES_NOTHING(pthread_attr_destroy) DOES_NOTHING(pthread_attr_setscope) DOES_NOTHING(
+    pthread_attr_setstacksize) DOES_NOTHING(pthread_cond_init) DOES_NOTHING(pthread_cond_destroy)
+    DOES_NOTHING(pthread_cond_signal) DOES_NOTHING(pthread_cond_wait)
+        DOES_NOTHING(pthread_cond_timedwait) DOES_NOTHING(pthread_condattr_init) DOES_NOTHING(
+            pthread_condattr_setclock) DOES_NOTHING(pthread_detach) DOES_NOTHING(pthread_mutex_init)
+            DOES_NOTHING(pthread_mutex_destroy) DOES_NOTHING(pthread_mutex_lock)
+                DOES_NOTHING(pthread_mutex_unlock) DOES_NOTHING(pthread_sigmask)
+                    DOES_NOTHING(sem_destroy) DOES_NOTHING(flockfile) DOES_NOTHING(funlockfile)
+                        DOES_NOTHING(sigemptyset) DOES_NOTHING(sigfillset) DOES_NOTHING(sigismember)
+                            DOES_NOTHING(sigaddset) DOES_NOTHING(sigaltstack)
 #define IS_MISSING(name) \
   int name(void) { return missing(); }
-IS_MISSING(pthread_create) IS_MISSING(pthread_kill) IS_MISSING(sigpending) IS_MISSING(sigwait)
-IS_MISSING(sigwaitinfo) IS_MISSING(sigtimedwait) IS_MISSING(alarm) IS_MISSING(pause)
-IS_MISSING(getitimer) IS_MISSING(setitimer) IS_MISSING(syscall) IS_MISSING(getrandom)
-IS_MISSING(close_range) IS_MISSING(confstr) IS_MISSING(ftruncate64) IS_MISSING(fcntl64)
-IS_MISSING(fstat64)
-IS_MISSING(__sysconf) IS_MISSING(__libc_current_sigrtmin) IS_MISSING(__libc_current_sigrtmax)
+                                IS_MISSING(pthread_create) IS_MISSING(pthread_kill) IS_MISSING(
+                                    sigpending) IS_MISSING(sigwait) IS_MISSING(sigwaitinfo)
+                                    IS_MISSING(sigtimedwait) IS_MISSING(alarm) IS_MISSING(pause)
+                                        IS_MISSING(getitimer) IS_MISSING(setitimer)
+                                            IS_MISSING(syscall) IS_MISSING(getrandom)
+                                                IS_MISSING(close_range) IS_MISSING(confstr)
+                                                    IS_MISSING(ftruncate64) IS_MISSING(fcntl64)
+                                                        IS_MISSING(fstat64) IS_MISSING(__sysconf)
+                                                            IS_MISSING(__libc_current_sigrtmin)
+                                                                IS_MISSING(__libc_current_sigrtmax)
 
-static int noFile(void) {
+                                                                    static int noFile(void) {
   errno = ENOENT;
   return -1;
 }
@@ -165,8 +167,20 @@ int _Py_Sigset_Converter(void) { return 0; }
 void* _PyLong_FromUid(void) { return NULL; }
 
 // Characters of the locale C. A table begins 128 before the character 0; glibc's bits (ctype.h).
-enum { blank = 1, cntrl = 2, punct = 4, alnum = 8, upper = 0x100, lower = 0x200, alpha = 0x400,
-       digit = 0x800, xdigit = 0x1000, space = 0x2000, print = 0x4000, graph = 0x8000 };
+enum {
+  blank = 1,
+  cntrl = 2,
+  punct = 4,
+  alnum = 8,
+  upper = 0x100,
+  lower = 0x200,
+  alpha = 0x400,
+  digit = 0x800,
+  xdigit = 0x1000,
+  space = 0x2000,
+  print = 0x4000,
+  graph = 0x8000
+};
 static uint16_t kinds[384];
 static int32_t lowers[384];
 static const uint16_t* kindsAt = kinds + 128;

@@ -21,7 +21,8 @@ double frexp(double x, int* exponent) {
   if (exponentOf(x) == 0) x *= 0x1p54, shift = -54;  // a denormal
   *exponent = exponentOf(x) - (kBias - 1) + shift;
   Bits part = {x};
-  part.bits = (part.bits & ~((uint64_t)kExponentBits << kPlaces)) | (uint64_t)(kBias - 1) << kPlaces;
+  part.bits = (part.bits & ~((uint64_t)kExponentBits << kPlaces)) | (uint64_t)(kBias - 1)
+                                                                        << kPlaces;
   return part.value;
 }
 
@@ -31,8 +32,8 @@ static double powerOfTwo(int exponent) {
   return power.value;
 }
 
-// Steps of 2^1023 and of 2^-969, which leaves 53 places above the smallest denormal, so that only the
-// last product rounds.
+// Steps of 2^1023 and of 2^-969, which leaves 53 places above the smallest denormal, so that only
+// the last product rounds.
 double ldexp(double x, int exponent) {
   if (exponent > 3000) exponent = 3000;
   if (exponent < -3000) exponent = -3000;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// malloc for the emulated Python: one block of 24 MB (what the whole object may use), cut into pieces
-// of 16 bytes times a power of two, each behind a head of 8 bytes; freed pieces wait in a list for
-// the next of their size. Wasteful, but a piece costs a few instructions and the most that was ever
-// taken can be read. Python asks it only for what its own allocator does not keep (over 512 bytes).
+// malloc for the emulated Python: one block of 24 MB (what the whole object may use), cut into
+// pieces of 16 bytes times a power of two, each behind a head of 8 bytes; freed pieces wait in a
+// list for the next of their size. Wasteful, but a piece costs a few instructions and the most that
+// was ever taken can be read. Python asks it only for what its own allocator does not keep (over
+// 512 bytes).
 #include <stddef.h>
 #include <stdint.h>
 #include <string.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What CPython wants of an operating system, where there is none: no file opens, no signal comes, the
-// clock stands still, the locale is C. What is written to standard output or error is kept for
+// What CPython wants of an operating system, where there is none: no file opens, no signal comes,
+// the clock stands still, the locale is C. What is written to standard output or error is kept for
 // whoever drives the emulator. Every refusal sets errno, as CPython expects.
 #include <errno.h>
 #include <fcntl.h>
@@ -131,7 +131,9 @@ ssize_t write(int file, const void* from, size_t size) {
   tell(from, size);
   return (ssize_t)size;
 }
-off_t lseek(int file, off_t to, int from) { return (void)file, (void)to, (void)from, refuse(ESPIPE); }
+off_t lseek(int file, off_t to, int from) {
+  return (void)file, (void)to, (void)from, refuse(ESPIPE);
+}
 int isatty(int file) { return (void)file, errno = ENOTTY, 0; }
 int stat(const char* path, struct stat* into) { return (void)path, (void)into, refuse(ENOENT); }
 int fstat(int file, struct stat* into) { return (void)file, (void)into, refuse(EBADF); }
@@ -149,7 +151,9 @@ int setenv(const char* name, const char* value, int anew) {
 }
 long sysconf(int name) { return (void)name, refuse(EINVAL); }
 static char localeName[] = "C";
-char* setlocale(int category, const char* wanted) { return (void)category, (void)wanted, localeName; }
+char* setlocale(int category, const char* wanted) {
+  return (void)category, (void)wanted, localeName;
+}
 struct lconv* localeconv(void) {
   static char empty[] = "", point[] = ".";
   static struct lconv c = {.decimal_point = point, .thousands_sep = empty, .grouping = empty};
@@ -183,8 +187,12 @@ int clock_getres(clockid_t clock, struct timespec* step) {
   return 0;
 }
 time_t time(time_t* now) { return now != NULL ? *now = 0 : 0; }
-struct tm* localtime_r(const time_t* when, struct tm* into) { return (void)when, (void)into, NULL; }
-struct tm* gmtime_r(const time_t* when, struct tm* into) { return (void)when, (void)into, NULL; }
+struct tm* localtime_r(const time_t* when, struct tm* into) {
+  return (void)when, (void)into, NULL;
+}
+struct tm* gmtime_r(const time_t* when, struct tm* into) {
+  return (void)when, (void)into, NULL;
+}
 
 // --- signals: none comes
 typedef void (*Handler)(int);

@@ -234,8 +234,10 @@ static void putNumber(Out* out, const Form* form, uint64_t value, bool negative,
   do text[--at] = digits[value % base];
   while ((value /= base) != 0);
   const int length = (int)sizeof text - at;
-  const char* const head = negative ? "-" : form->plus ? "+"
-                           : kind == 'p' || (form->alternate && base == 16) ? "0x" : "";
+  const char* const head = negative                                         ? "-"
+                           : form->plus                                     ? "+"
+                           : kind == 'p' || (form->alternate && base == 16) ? "0x"
+                                                                            : "";
   putPadded(out, form, head, text + at, length,
             form->precision > length ? form->precision - length : 0);
 }
@@ -243,11 +245,16 @@ static void putNumber(Out* out, const Form* form, uint64_t value, bool negative,
 static const char* readForm(const char* format, Form* form, va_list* arguments) {
   *form = (Form){.precision = -1};
   for (;; ++format) {
-    if (*format == '-') form->left = true;
-    else if (*format == '0') form->zero = true;
-    else if (*format == '+') form->plus = true;
-    else if (*format == '#') form->alternate = true;
-    else break;
+    if (*format == '-')
+      form->left = true;
+    else if (*format == '0')
+      form->zero = true;
+    else if (*format == '+')
+      form->plus = true;
+    else if (*format == '#')
+      form->alternate = true;
+    else
+      break;
   }
   if (*format == '*') form->width = va_arg(*arguments, int), ++format;
   while (*format >= '0' && *format <= '9') form->width = 10 * form->width + *format++ - '0';
@@ -294,8 +301,10 @@ int vsnprintf(char* to, size_t size, const char* format, va_list given) {
   va_copy(arguments, given);
   Out out = {to, size, 0};
   while (*format != '\0') {
-    if (*format != '%') put(&out, *format++);
-    else format = putOne(&out, format + 1, &arguments);
+    if (*format != '%')
+      put(&out, *format++);
+    else
+      format = putOne(&out, format + 1, &arguments);
   }
   if (size > 0) to[out.length < size ? out.length : size - 1] = '\0';
   va_end(arguments);
