@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Python on the small C library of toolchain/python-openr, in the emulator: it starts, its numbers are
-the PC's, no file opens, and decide() gives the PC's Commands, of which another one is noticed. The
-interpreter's code is Debian's (MIPS32), so this says nothing of the robot's CPU. Skipped without the
-emulator, the cross compiler or the sysroot (toolchain/make-sysroot)."""
+"""Python on the small C library of toolchain/python-openr, in the emulator: it starts, its numbers
+are the PC's, no file opens, and decide() gives the PC's Commands, of which another one is noticed.
+The interpreter's code is Debian's (MIPS32), so this says nothing of the robot's CPU. Skipped
+without the emulator, the cross compiler or the sysroot (toolchain/make-sysroot)."""
 
 import importlib.machinery
 import importlib.util

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Worlds and the Commands that the PC's Python makes of them, for `play`: the same guard and
-# behaviours as in the image, in tests/py's random worlds, each after the Command before. Worlds travel as
-# compiled expressions, numbers with all their bits. `SHOW` runs on both sides.
+# behaviours as in the image, in tests/py's random worlds, each after the Command before. Worlds
+# travel as compiled expressions, numbers with all their bits. `SHOW` runs on both sides.
 import marshal
 import sys
 from pathlib import Path
