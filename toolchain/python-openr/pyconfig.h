@@ -74,4 +74,3 @@
 #define RETSIGTYPE void
 #define PLATLIBDIR "lib"
 #define PLATFORM "aperios"
-

@@ -5,6 +5,11 @@
 
 #include "robot/openr/System.h"
 
+OObserver::OObserver() = default;
+OObserver::~OObserver() = default;
+
+int OObserver::NumberOfSubjects() const { return static_cast<int>(subjects_.size()); }
+
 OStatus OObserver::SetNotifyEntry(const OServiceEntry& entry) {
   id_ = entry;
   return oSUCCESS;

@@ -47,6 +47,8 @@ struct OObserverInfo::Kept {
 
 const ObserverID& OObserverInfo::GetObserverID() const { return kept_->id; }
 
+OSubject::OSubject() = default;
+
 OSubject::~OSubject() {
   for (const OObserverInfo& observer : observers_) {
     observer.kept_->clear();
@@ -173,6 +175,8 @@ ObserverConstIterator OSubject::FindObserver(const ObserverID& observer) const {
   return std::find_if(begin(), end(),
                       [&](const OObserverInfo& info) { return info.GetObserverID() == observer; });
 }
+
+int OSubject::NumberOfObservers() const { return static_cast<int>(observers_.size()); }
 
 OSubject::Kept* OSubject::find(const ObserverID& observer) const {
   const auto found = FindObserver(observer);

@@ -12,8 +12,8 @@ using SubjectConstIterator = std::list<OSubjectInfo>::const_iterator;
 
 class OObserver {
  public:
-  OObserver() = default;
-  virtual ~OObserver() = default;
+  OObserver();
+  virtual ~OObserver();
   OObserver(const OObserver&) = delete;
   OObserver& operator=(const OObserver&) = delete;
 
@@ -27,7 +27,7 @@ class OObserver {
   OStatus DeassertReady(const SubjectID& subject);
   OStatus DeassertReady(const OSubjectInfo& subject);
 
-  int NumberOfSubjects() const { return static_cast<int>(subjects_.size()); }
+  int NumberOfSubjects() const;
   SubjectConstIterator begin() const { return subjects_.begin(); }
   SubjectConstIterator end() const { return subjects_.end(); }
 

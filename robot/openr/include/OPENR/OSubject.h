@@ -15,7 +15,7 @@ using ObserverConstIterator = std::list<OObserverInfo>::const_iterator;
 
 class OSubject {
  public:
-  OSubject() = default;
+  OSubject();
   ~OSubject();
   OSubject(const OSubject&) = delete;
   OSubject& operator=(const OSubject&) = delete;
@@ -43,7 +43,7 @@ class OSubject {
   OStatus ClearBuffer(const ObserverID& observer);
   OStatus ClearBuffer(const OObserverInfo& observer);
 
-  int NumberOfObservers() const { return static_cast<int>(observers_.size()); }
+  int NumberOfObservers() const;
   ObserverConstIterator begin() const { return observers_.begin(); }
   ObserverConstIterator end() const { return observers_.end(); }
   ObserverConstIterator FindObserver(const ObserverID& observer) const;
