@@ -4,20 +4,14 @@
 #include <sys/stat.h>
 
 #include <filesystem>
-#include <string_view>
 #include <system_error>
+
+#include "robot/core/Checksum.h"
 
 namespace kelpie::behaviour {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::uint64_t mixed(std::uint64_t hash, std::string_view bytes) {
-  for (const char c : bytes) {
-    hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3ULL;  // FNV-1a
-  }
-  return hash;
-}
 
 constexpr std::size_t kMaxListed = 3;
 
@@ -26,12 +20,12 @@ constexpr std::size_t kMaxListed = 3;
 std::uint64_t fileStamp(const fs::path& path) {
   struct stat file {};
   if (stat(path.c_str(), &file) != 0) return 0;
-  std::uint64_t hash = 0xcbf29ce484222325ULL;
+  Fnv1a hash;
   for (const std::int64_t number :
        {std::int64_t{file.st_mtim.tv_sec}, std::int64_t{file.st_mtim.tv_nsec},
         std::int64_t{file.st_size}, std::int64_t{file.st_mode}})
-    hash = mixed(hash, std::to_string(number) + ' ');
-  return hash;
+    hash.add(&number, sizeof number);
+  return hash.value();
 }
 
 bool isSource(const fs::path& path) {

@@ -13,6 +13,8 @@
 #include <map>
 #include <utility>
 
+#include "robot/core/Checksum.h"
+
 namespace kelpie {
 namespace {
 
@@ -141,13 +143,6 @@ std::string place(const std::string& path, std::size_t line) {
   return path + ':' + std::to_string(line);
 }
 
-void hashBytes(const void* data, std::size_t size, std::uint64_t& hash) {
-  const auto* bytes = static_cast<const std::uint8_t*>(data);
-  for (std::size_t i = 0; i < size; ++i) {
-    hash = (hash ^ bytes[i]) * 0x100000001b3ULL;  // FNV-1a
-  }
-}
-
 }  // namespace
 
 Status ParameterSet::overlay(const std::string& path) {
@@ -198,15 +193,15 @@ std::vector<ParameterChange> ParameterSet::changes() const {
 }
 
 std::uint64_t ParameterSet::hash() const {
-  std::uint64_t hash = 0xcbf29ce484222325ULL;
+  Fnv1a hash;
   for (const Section& section : sections_) {
     std::vector<std::uint8_t> bytes;
     section.bytes(bytes);
-    hashBytes(section.name.data(), section.name.size() + 1, hash);
-    hashBytes(section.schema.data(), section.schema.size() + 1, hash);
-    hashBytes(bytes.data(), bytes.size(), hash);
+    hash.add(section.name.data(), section.name.size() + 1);
+    hash.add(section.schema.data(), section.schema.size() + 1);
+    hash.add(bytes.data(), bytes.size());
   }
-  return hash;
+  return hash.value();
 }
 
 }  // namespace kelpie

@@ -9,8 +9,8 @@
 #include <string_view>
 #include <tuple>
 
+#include "robot/core/Checksum.h"
 #include "robot/core/FieldTypes.h"
-#include "robot/stick/Checksum.h"
 
 namespace kelpie::stick {
 

@@ -9,8 +9,8 @@
 #include <cmath>
 #include <cstring>
 
+#include "robot/core/Checksum.h"
 #include "robot/core/Encoding.h"
-#include "robot/stick/Checksum.h"
 #include "robot/stick/StickFault.h"
 #include "robot/stick/StickFiles.h"
 

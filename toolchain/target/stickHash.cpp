@@ -14,7 +14,7 @@ namespace {
 std::uint64_t hashOf(const kelpie::agent::AgentConfig& config) {
   std::vector<std::uint8_t> bytes;
   kelpie::encode(config, bytes);
-  kelpie::stick::Fnv1a hash;
+  kelpie::Fnv1a hash;
   hash.add(bytes.data(), bytes.size());
   return hash.value();
 }

@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include "robot/agent/LoggedTypes.h"
+#include "robot/core/Checksum.h"
 #include "robot/core/LogTopics.h"
 #include "tools/cli/Commit.h"
 #include "tools/sim/Unlike.h"
@@ -17,9 +18,9 @@ std::string described(const char* topic) {
 }
 
 std::uint64_t fnv1a(const std::string& text) {
-  std::uint64_t hash = 0xcbf29ce484222325ULL;
-  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3ULL;
-  return hash;
+  Fnv1a hash;
+  hash.add(text.data(), text.size());
+  return hash.value();
 }
 
 }  // namespace

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// What tells damaged bytes: CRC-32 (the polynomial of Ethernet and zip, 0xEDB88320 reflected), and
-// the 64-bit hash FNV-1a. Both change with any single changed bit; two errors that one of them
-// misses the other still sees. Neither is proof against intent: whoever can write the stick can
-// write both.
+// What tells damaged bytes: CRC-32 (the polynomial of Ethernet, zip and MCAP, 0xEDB88320
+// reflected), and the 64-bit hash FNV-1a, which also gives things a number. Both change with any
+// single changed bit; two errors that one of them misses the other still sees. Neither is proof
+// against intent: whoever writes the bytes can write both.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 
-namespace kelpie::stick {
+namespace kelpie {
 
 class Crc32 {
  public:
@@ -21,7 +21,7 @@ class Crc32 {
 
 class Fnv1a {
  public:
-  void add(const std::uint8_t* bytes, std::size_t count);
+  void add(const void* bytes, std::size_t count);
   constexpr void add(std::uint8_t byte) { state_ = (state_ ^ byte) * 0x100000001b3ULL; }
   constexpr std::uint64_t value() const { return state_; }
 
@@ -29,4 +29,4 @@ class Fnv1a {
   std::uint64_t state_ = 0xcbf29ce484222325ULL;
 };
 
-}  // namespace kelpie::stick
+}  // namespace kelpie
