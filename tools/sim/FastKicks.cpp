@@ -32,10 +32,43 @@ bool canHold(Point2<Robot> ball) {
   return ball.y > kNearest && ball.y < kFurthest && std::fabs(ball.x) < kAside;
 }
 
+// Of a ball that is held as it begins, what a kick does that is meant for one that lies free: the
+// rows HELD of pycode/lib/kick_map.py, which `kelpie calibrate kicks` measured.
+struct HeldKick {
+  MotionKind kind;
+  double distance, distanceSd;    // cm
+  double direction, directionSd;  // deg to the left
+};
+constexpr std::array<HeldKick, 4> kHeldKicks{{
+    {MotionKind::headSwipeLeft, 128.0, 9.0, 73.0, 3.0},
+    {MotionKind::headSwipeRight, 128.0, 9.0, -73.0, 3.0},
+    {MotionKind::upennLeft, 103.0, 20.0, 76.0, 5.0},
+    {MotionKind::upennRight, 103.0, 20.0, -76.0, 5.0},
+}};
+
+actuator::KickEffect effectOf(MotionKind kind, bool held) {
+  actuator::KickEffect effect = actuator::standardMotions()[kind].kick;
+  if (!held) return effect;
+  for (const HeldKick& row : kHeldKicks) {
+    if (row.kind != kind) continue;
+    effect.distance = row.distance;
+    effect.distanceSd = row.distanceSd;
+    effect.direction = Angle::deg(row.direction);
+    effect.directionSd = Angle::deg(row.directionSd);
+  }
+  return effect;
+}
+
+// How much of a kick a ball gets that lies there, from where the motion began.
+double shareOf(const actuator::KickEffect& effect, Point2<Robot> ball) {
+  const double off = maths::hypot(ball.x + effect.left, ball.y - effect.ahead);
+  return maths::clamp((kOff - off) / (kOff - kSure), 0.0, 1.0);
+}
+
 // The legs of a kick's key frame as the actuator's clamp lets them be commanded.
 struct KickFrame {
   JointAngles joints;
-  const MotionData* motion = nullptr;
+  MotionKind motion = MotionKind::none;
   std::size_t left = 0;  // key frames still to come
 };
 
@@ -43,11 +76,12 @@ std::vector<KickFrame> kickFrames() {
   std::vector<KickFrame> frames;
   for (std::size_t k = 0; k < kMotionKindCount; ++k) {
     const MotionData& motion = actuator::standardMotions().of[k];
-    if (!isKick(static_cast<MotionKind>(k))) continue;
+    const auto kind = static_cast<MotionKind>(k);
+    if (!isKick(kind)) continue;
     for (std::size_t f = 0; f < motion.frames.size(); ++f) {
       const KeyFrame& key = motion.frames[f];
       if (key.legs != KeyLegs::angles) continue;
-      KickFrame frame{{}, &motion, motion.frames.size() - 1 - f};
+      KickFrame frame{{}, kind, motion.frames.size() - 1 - f};
       for (std::size_t j = 0; j < actuator::kLegJoints; ++j)
         frame.joints.angle[kFirstLegJoint + j] = key.angles[j];
       frame.joints = body::withinLimits(frame.joints);
@@ -111,19 +145,18 @@ bool FastKicks::hold(const RobotModel& body, Grip& grip, Ball& ball) const {
   return true;
 }
 
-void FastKicks::kick(const actuator::KickEffect& effect, const RobotModel& body, Grip& grip,
-                     Ball& ball) {
+void FastKicks::kick(MotionKind kind, Grip& grip, Ball& ball) {
   grip.kicked = true;
-  const Pose2& pose = body.place().pose;
-  const Point2<Robot> at = robotFromField(pose, ball.position);
-  const double off = maths::hypot(at.x + effect.left, at.y - effect.ahead);
-  const double share = maths::clamp((kOff - off) / (kOff - kSure), 0.0, 1.0);
+  const actuator::KickEffect effect = effectOf(kind, grip.holds);
+  const double share =
+      grip.holds ? 1.0 : shareOf(effect, robotFromField(grip.start, ball.position));
+  grip.holds = false;
   const double distance =
       share * std::fmax(0.0, random_.gaussian(effect.distance, effect.distanceSd));
   const double wide = 1.0 + 2.0 * (1.0 - share);
   const Angle way = effect.direction + effect.directionSd * (wide * random_.gaussian());
   if (distance <= 0.0) return;
-  const Angle heading = pose.heading + way;
+  const Angle heading = grip.start.heading + way;
   const double speed = speedToRoll(distance, ball_);
   ball.velocity = {speed * heading.cos(), speed * heading.sin()};
 }
@@ -137,17 +170,15 @@ bool FastKicks::tick(std::size_t robot, const RobotModel& body, Ball& ball) {
   const KickFrame* frame = played(target);
   if (frame == nullptr && !jumps) {
     grip.kicked = false;
+    grip.start = body.place().pose;
     grip.holds = holdingPose(target) && hold(body, grip, ball);
     // A head that comes down with its jaw shut passes in front of the ball.
-    const Point2<Robot> at = robotFromField(body.place().pose, ball.position);
+    const Point2<Robot> at = robotFromField(grip.start, ball.position);
     return grip.holds || (headDown(target) && canHold(at));
   }
-  // A held ball stays until the kick's last key frame.
-  if (grip.holds && !grip.kicked) hold(body, grip, ball);
-  if (frame != nullptr && frame->left == 0 && !grip.kicked) {
-    kick(frame->motion->kick, body, grip, ball);
-    grip.holds = false;
-  }
+  // A held ball stays where the motion began, until its last key frame.
+  if (grip.holds) ball.velocity = {};
+  if (frame != nullptr && frame->left == 0 && !grip.kicked) kick(frame->motion, grip, ball);
   return true;
 }
 

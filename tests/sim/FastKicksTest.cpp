@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+// Kicks of the kinematic world against what the physical one measured of them.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tools/sim/WalkingBody.h"
+
+namespace kelpie::sim {
+namespace {
+
+constexpr int kKicks = 24;
+constexpr int kRolls = 250;  // messages, 8 s
+constexpr Point2<Field> kMiddle{180.0, 200.0};
+
+struct Way {
+  double distance = 0.0;  // cm
+  double left = 0.0;      // deg, of where the robot looked as the kick began
+};
+
+Command holding() {
+  Command command;
+  command.walk.kind = WalkKind::dribble;
+  command.head.neckTilt = Angle::deg(-52.0);
+  command.head.headNod = Angle::deg(45.0);
+  command.mouthOpen = true;
+  return command;
+}
+
+// A ball ahead and to the left of a robot that stands, or that holds it before.
+Way kicked(WalkingBody& body, MotionKind kind, double ahead, double left, bool held) {
+  Command command = held ? holding() : Command{};
+  (void)body.world().carry(0, {kMiddle, Angle::deg(90.0)});
+  for (int i = 0; i < 20; ++i) body.step(command);
+  const Pose2 start = body.pose();
+  const Point2<Field> from = fieldFromRobot(start, {-left, ahead});
+  body.world().bodies().putBall({from, {}});
+  for (int i = 0; held && i < 20; ++i) body.step(command);
+  command.motion = kind;
+  body.step(command);
+  command = {};
+  for (int i = 0; i < kRolls; ++i) body.step(command);
+  const Point2<Field> way = body.world().bodies().ball().position - from;
+  const double looked = start.heading.rad();
+  const double toLeft = Angle::rad(std::atan2(way.y, way.x) - looked).deg();
+  return {way.norm(), std::remainder(toLeft, 360.0)};
+}
+
+Way meanOf(MotionKind kind, double ahead, double left, bool held) {
+  WalkingBody body(3);
+  Way sum;
+  for (int i = 0; i < kKicks; ++i) {
+    const Way one = kicked(body, kind, ahead, left, held);
+    sum.distance += one.distance / kKicks;
+    sum.left += one.left / kKicks;
+  }
+  return sum;
+}
+
+TEST(FastKick, OfAFreeBallGoesAsFarAndWhereItsFileSays) {
+  for (const MotionKind kind : {MotionKind::kickForward, MotionKind::headSwipeLeft,
+                                MotionKind::headSwipeRight, MotionKind::upennLeft}) {
+    const actuator::KickEffect& kick = actuator::standardMotions()[kind].kick;
+    const Way way = meanOf(kind, kick.ahead, kick.left, false);
+    EXPECT_NEAR(way.distance, kick.distance, 0.15 * kick.distance) << static_cast<int>(kind);
+    EXPECT_NEAR(way.left, kick.direction.deg(), 6.0) << static_cast<int>(kind);
+  }
+}
+
+TEST(FastKick, OfAHeldBallGoesAsThePhysicalOneDoes) {
+  struct Measured {
+    MotionKind kind;
+    double distance;
+    double left;
+  };
+  // Rows HELD of pycode/lib/kick_map.py, measured by `kelpie calibrate kicks`.
+  const std::array<Measured, 4> all{{{MotionKind::hardForward, 164.0, 1.0},
+                                     {MotionKind::wedge, 124.0, 1.0},
+                                     {MotionKind::headSwipeLeft, 128.0, 73.0},
+                                     {MotionKind::upennRight, 103.0, -76.0}}};
+  for (const Measured& is : all) {
+    const Way way = meanOf(is.kind, 8.0, 0.0, true);
+    EXPECT_NEAR(way.distance, is.distance, 0.2 * is.distance) << static_cast<int>(is.kind);
+    EXPECT_NEAR(way.left, is.left, 6.0) << static_cast<int>(is.kind);
+  }
+}
+
+}  // namespace
+}  // namespace kelpie::sim
