@@ -25,9 +25,18 @@ TEST(Touch, TheNearestRobotTouchedTheBallThatWasJolted) {
     MadeScene scene = duel(redNearer ? 25 : 15);
     TouchState state;
     step(scene, ruleField(), state);
-    scene.ball.velocity = {0, 50};
+    scene.ball.velocity = {50, 0};
     EXPECT_EQ(step(scene, ruleField(), state), std::optional<std::size_t>(redNearer ? 0 : 1));
   }
+}
+
+TEST(Touch, TheOneFartherOffFromWhichTheBallJumpsAwayTouchedIt) {
+  MadeScene scene = duel(22);
+  scene.players[0].pose.position.y = 245;  // its head 17 cm off, blue's 14
+  TouchState state;
+  step(scene, ruleField(), state);
+  scene.ball.velocity = {0, 50};
+  EXPECT_EQ(step(scene, ruleField(), state), std::optional<std::size_t>(0));
 }
 
 TEST(Touch, ARollingBallThatSlowsDownWasNotTouched) {

@@ -15,13 +15,25 @@ constexpr double kReach = 20.0;  // cm
 // A ball loses 0.75 of its speed in a second, so that it rolls as far as this times its speed.
 constexpr double kRoll = 1.33;  // s
 
-std::optional<std::size_t> nearest(const MatchScene& scene) {
+// Whether a ball that changes its velocity so may have been pushed by that robot: out of its body
+// or away from it.
+bool mayPush(const ScenePlayer& player, Point2<Field> ball, Point2<Field> change) {
+  const Point2<Field> away = ball - nearestOn(stripeOf(player.pose), ball);
+  return away.norm() < kStripeHalfWidth || away.x * change.x + away.y * change.y >= 0.0;
+}
+
+// The nearest robot of those that may have changed the ball's velocity so; if none may, of all.
+std::optional<std::size_t> nearest(const MatchScene& scene, Point2<Field> change) {
   std::optional<std::size_t> best;
+  bool bestPushes = false;
   double least = kReach;
   for (std::size_t i = 0; i < scene.players.size(); ++i) {
     const ScenePlayer& player = scene.players[i];
     const double away = stripeDistance(player.pose, scene.ball.position);
-    if (!player.playing || away > least) continue;
+    if (!player.playing || away > kReach) continue;
+    const bool pushes = mayPush(player, scene.ball.position, change);
+    if (pushes == bestPushes ? away > least : bestPushes) continue;
+    bestPushes = pushes;
     least = away;
     best = i;
   }
@@ -52,7 +64,8 @@ std::optional<std::size_t> step(const MatchScene& scene, const body::FieldDescri
   state.velocity = scene.ball.velocity;
   const bool jolted = before && distance(*before, scene.ball.velocity) > kJolt;
   if (!jolted && !isHeld(scene)) return state.last;
-  const auto robot = nearest(scene);
+  const Point2<Field> change = before ? scene.ball.velocity - *before : Point2<Field>{};
+  const auto robot = nearest(scene, change);
   if (!robot) return state.last;
   state.last = robot;
   const TeamColour team = scene.players[*robot].team;
