@@ -55,8 +55,8 @@ class Situation:
 
     @property
     def own_goal_ahead(self) -> bool:
-        """Whether the robot looks down its own half, so that a kick ahead may be an own goal."""
-        return abs(self.facing) > 90.0
+        """Whether the way to the ball leads down-field: so would the ball go that is driven on."""
+        return self.across > 180.0
 
     @property
     def across(self) -> float:

@@ -60,11 +60,14 @@ def contest(elsewhere, grab):
 
 
 def contested_own(grab):
-    """Rest of Alg 5.3."""
+    """Rest of Alg 5.3. Ours: who comes to the ball from up-field turns it with a grab, as Alg 5.5 has
+    it (G32); driven on, it went into the own goal (2 of 16 goals of 6 matches)."""
+    drive = Node('own goal ahead?', lambda s: s.own_goal_ahead, grab, DRIBBLE,
+                 ('own goal ahead', 'nothing better'))
     return Node('about to grab?', lambda s: s.about_to_grab, grab,
                 Node('at an edge, looking up-field?',
-                     lambda s: s.edge != 0 and abs(s.up) < ROUGHLY_UP, grab, DRIBBLE,
-                     ('at an edge, looking up-field', 'nothing better')),
+                     lambda s: s.edge != 0 and abs(s.up) < ROUGHLY_UP, grab, drive,
+                     ('at an edge, looking up-field', '')),
                 ('about to grab', ''))
 
 

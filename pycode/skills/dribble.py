@@ -17,6 +17,7 @@ ASIDE = 4.0          # cm at most beside the ball's middle
 ASIDE_GAIN = 0.1     # cm per deg that the goal is aside
 FACED = 50.0         # deg: turn to the ball first
 LONGEST = 4.0        # s
+BACK = 110.0         # deg: it is not driven on when the goal lies so far off its way
 
 
 class Dribble(Machine):
@@ -42,6 +43,8 @@ class Dribble(Machine):
             return self.enter(world, self.ended, None, 'ran {} s', LONGEST)
         ball = world.ball.relative
         wanted = wrap(self.where(world) - heading(ball.x, ball.y))
+        if abs(wanted) > BACK:
+            return self.enter(world, self.ended, None, 'the goal is {} deg off its way', wanted)
         # To send it left one hits its right side.
         aside = clamp(ASIDE_GAIN * wanted, -ASIDE, ASIDE)
         bearing = heading(ball.x + aside, ball.y)

@@ -60,6 +60,15 @@ def test_midfield_leaves_go_by_how_far_up_field_is_aside(degrees, wanted, side):
     assert sort(leaf(facing_up_point(side * degrees, (180, 270)))) == wanted
 
 
+@pytest.mark.parametrize('y', [60.0, 150.0, 210.0])
+@pytest.mark.parametrize('way', [-170, -100, -80, -30, 30, 80, 100, 170])
+def test_a_contested_ball_is_never_driven_on_towards_the_own_goal(y, way):
+    looks = math.radians(90.0 + way)
+    made = world(180.0 - 30.0 * math.cos(looks), y - 30.0 * math.sin(looks), 90.0 + way, (180.0, y))
+    found = leaf(made, contested_now=True)
+    assert found != tree.DRIBBLE or abs(way) < 90
+
+
 @pytest.mark.parametrize('y, elsewhere', [(150, 'dribble'), (270, 'grab')])
 @pytest.mark.parametrize('degrees, strikes', [(34.9, False), (35, True), (69.9, True), (70, False)])
 def test_a_contested_ball_is_struck_when_up_field_is_35_to_70_deg_aside(y, elsewhere, degrees,
