@@ -60,8 +60,8 @@ def contest(elsewhere, grab):
 
 
 def contested_own(grab):
-    """Rest of Alg 5.3. Ours: who comes to the ball from up-field turns it with a grab, as Alg 5.5 has
-    it (G32); driven on, it went into the own goal (2 of 16 goals of 6 matches)."""
+    """Rest of Alg 5.3. Ours: who comes to the ball from up-field turns it with a grab, as Alg 5.5
+    has it (G32); driven on, it went into the own goal (2 of 16 goals of 6 matches)."""
     drive = Node('own goal ahead?', lambda s: s.own_goal_ahead, grab, DRIBBLE,
                  ('own goal ahead', 'nothing better'))
     return Node('about to grab?', lambda s: s.about_to_grab, grab,
