@@ -75,7 +75,11 @@ Server::Step Server::nextStep() const {
   const TimeUs sensorsAt{messages_ * kMessageUs};
   const TimeUs imageAt{images_ * 1000000 / 30};
   const TimeUs now = std::min(sensorsAt, imageAt);
-  return {now, sensorsAt == now, imageAt == now, {}};
+  Step step;
+  step.now = now;
+  step.sensors = sensorsAt == now;
+  step.image = imageAt == now;
+  return step;
 }
 
 Status Server::moveTo(TimeUs now) {
@@ -126,8 +130,15 @@ Status Server::moveAhead() {
   return Done{};
 }
 
+// Who gets it: from here on whoever is lost or comes changes nothing of that.
+void Server::begin(Step& step) {
+  if (hooks_.beforeStep) hooks_.beforeStep(step.now);
+  for (const Agent& agent : agents_) step.lives.push_back(agent.present ? agent.life : kNobody);
+  step.sent.assign(agents_.size(), Done{});
+}
+
 Status Server::sendTo(std::size_t robot, const Step& step) {
-  if (!agents_[robot].present) return Done{};
+  if (step.lives[robot] == kNobody) return Done{};
   host::Connection& connection = agents_[robot].connection;
   const std::vector<std::uint8_t>& message = step.messages[robot];
   if (!step.image) return connection.send(host::MessageType::step, message);
@@ -138,8 +149,8 @@ Status Server::sendTo(std::size_t robot, const Step& step) {
   return connection.send(host::MessageType::step, message, host::MessageType::image, out.buffer);
 }
 
-void Server::send(const Step& step) {
-  const auto one = [&](std::size_t i) { outboxes_[i]->sent = sendTo(i, step); };
+void Server::send(Step& step) {
+  const auto one = [&](std::size_t i) { step.sent[i] = sendTo(i, step); };
   if (step.image) return host::onCores(agents_.size(), one);
   for (std::size_t i = 0; i < agents_.size(); ++i) one(i);
 }
@@ -156,11 +167,10 @@ Status Server::takeReply(std::size_t robot) {
   return Done{};
 }
 
-Status Server::takeReplies() {
+Status Server::takeReplies(const Step& step) {
   for (std::size_t i = 0; i < agents_.size(); ++i) {
-    if (!agents_[i].present) continue;
-    const Status& sent = outboxes_[i]->sent;
-    const Status got = sent ? takeReply(i) : sent;
+    if (!agents_[i].present || agents_[i].life != step.lives[i]) continue;
+    const Status got = step.sent[i] ? takeReply(i) : step.sent[i];
     const Status borne = got ? got : lose(i, got.error());
     if (!borne) return borne;
   }
@@ -180,7 +190,9 @@ void Server::welcome() {
   while (auto agent = hooks_.arrival()) {
     const std::size_t robot = placeOf(agent->hello, agents_);
     if (robot == agents_.size() || agents_[robot].present) continue;
+    const int life = agents_[robot].life + 1;
     agents_[robot] = std::move(*agent);
+    agents_[robot].life = life;
     world_.bodies().takeVectorsDone(robot);  // those of the agent before
     if (hooks_.tell) hooks_.tell(nameOf(robot) + " is there again");
   }
@@ -202,26 +214,46 @@ void Server::sayGoodbye(std::uint8_t reason) {
   for (Agent& agent : agents_) (void)agent.connection.send(host::MessageType::goodbye, buffer_);
 }
 
+bool Server::ends() const { return over_ || (hooks_.stopped && hooks_.stopped()); }
+
+bool Server::isThere(const Step& step) const {
+  return static_cast<std::int64_t>(world_.ticks()) * kTickUs >= step.now.us;
+}
+
+// Nothing is being sent: who comes may take a place.
+Status Server::startNext() {
+  if (hooks_.arrival) welcome();
+  if (hooks_.hear) hooks_.hear();
+  const Status moved = moveTo(nextStep().now);
+  if (!moved) return moved;
+  prepare(nextStep());
+  Step& step = open_.back();
+  begin(step);
+  sending_ = std::async(std::launch::async, [this, &step] { send(step); });
+  return Done{};
+}
+
+// While a step is rendered and sent, the bodies move to the next image. That one is begun before
+// the answers to the steps ahead of it are taken, at the same time of the world, so that no core
+// waits for the slowest agent: 13 % of two were idle in a fast match.
 Status Server::playOn() {
   over_ = world_.finished();
-  while (!over_ && !(hooks_.stopped && hooks_.stopped())) {
-    if (hooks_.arrival) welcome();
-    if (hooks_.hear) hooks_.hear();
-    const Status moved = moveTo(nextStep().now);
-    if (!moved) return moved;
-    prepare(nextStep());
-    if (hooks_.beforeStep) hooks_.beforeStep(open_.front().now);
-    auto sending = std::async(std::launch::async, [this, &step = open_.front()] { send(step); });
-    const Status ahead = moveAhead();
-    sending.get();
+  while (!ends() || !open_.empty()) {
+    const Status started = open_.empty() ? startNext() : Status{Done{}};
+    const Status ahead = started ? moveAhead() : started;
     if (!ahead) return ahead;
-    Status got = takeReplies();
-    for (open_.pop_front(); got && !open_.empty(); open_.pop_front()) {
-      if (hooks_.beforeStep) hooks_.beforeStep(open_.front().now);
-      send(open_.front());
-      got = takeReplies();
+    sending_.get();
+    for (std::size_t i = 1; i < open_.size(); ++i) {
+      begin(open_[i]);
+      send(open_[i]);
     }
-    if (!got) return got;
+    const std::size_t sent = open_.size();
+    const Status next = !ends() && isThere(nextStep()) ? startNext() : Status{Done{}};
+    if (!next) return next;
+    for (std::size_t i = 0; i < sent; ++i, open_.pop_front()) {
+      const Status got = takeReplies(open_.front());
+      if (!got) return got;
+    }
   }
   return Done{};
 }
@@ -229,6 +261,7 @@ Status Server::playOn() {
 Status Server::run() {
   if (log_ != nullptr && world_.isUnlike()) log_->write(kUnlikeTopic, TimeUs{}, world_.unlike());
   const Status played = playOn();
+  if (sending_.valid()) sending_.get();
   writeTruth(world_.time(), false);  // what happened after the last step
   sayGoodbye(played ? 0 : 1);
   return played;

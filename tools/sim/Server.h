@@ -2,13 +2,15 @@
 // A World for agent processes: sends each what its robot senses and sees, waits for what it sends
 // to the effectors, and lets time go on. Sensors every 32 ms, images every 1/30 s, in the order of
 // time; no agent can be late, and none can be early. Images take most of a match's time: they are
-// rendered on all cores, and while the bodies already move on to the next one. Of an agent's two
+// rendered on all cores, while the bodies already move on to the next one, and while agents still
+// think about the last one. Of an agent's two
 // command vectors in flight one lasts for these 32 ms, so that none comes too late; what an agent
 // sends without them, such as gains, waits until then.
 #pragma once
 
 #include <deque>
 #include <functional>
+#include <future>
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,6 +25,7 @@ struct Agent {
   host::Connection connection;
   host::AgentHello hello;
   bool present = true;
+  int life = 0;  // which of those that came by this name
 };
 
 // The next agent that comes to an open socket within that time.
@@ -62,14 +65,22 @@ class Server {
     bool sensors = false;
     bool image = false;
     std::vector<std::vector<std::uint8_t>> messages;
+    // Of each robot: the life of the agent that it is sent to, and what became of that.
+    std::vector<int> lives;
+    std::vector<Status> sent;
   };
+  static constexpr int kNobody = -1;
   Step nextStep() const;
   Status moveTo(TimeUs now);
   void prepare(Step step);
   Status moveAhead();
-  void send(const Step& step);
+  void begin(Step& step);
+  Status startNext();
+  void send(Step& step);
   Status sendTo(std::size_t robot, const Step& step);
-  Status takeReplies();
+  Status takeReplies(const Step& step);
+  bool isThere(const Step& step) const;
+  bool ends() const;
   Status takeReply(std::size_t robot);
   Status lose(std::size_t robot, const std::string& why);
   void welcome();
@@ -86,15 +97,15 @@ class Server {
   struct Outbox {
     std::vector<std::uint8_t> buffer;
     Image image;
-    Status sent = Done{};
   };
   std::vector<std::unique_ptr<Outbox>> outboxes_;
   std::vector<std::uint8_t> buffer_;
   Past exposed_;  // what the images show that are being rendered
   std::int64_t messages_ = 1;
   std::int64_t images_ = 1;
-  std::deque<Step> open_;  // steps whose answers have not been taken, the oldest first
-  bool over_ = false;      // the last of them ends the match
+  std::deque<Step> open_;      // steps whose answers have not been taken, the oldest first
+  bool over_ = false;          // the last of them ends the match
+  std::future<void> sending_;  // the last of them, when it begins
 };
 
 }  // namespace kelpie::sim
