@@ -1,13 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Python on the small C library of toolchain/python-openr, in the emulator: it starts, its numbers
-are the PC's, no file opens, and decide() gives the PC's Commands, of which another one is noticed.
-The interpreter's code is Debian's (MIPS32), so this says nothing of the robot's CPU. Skipped
-without the emulator, the cross compiler or the sysroot (toolchain/make-sysroot)."""
+"""The robot's Python (toolchain/python-openr) in the emulator: it is MIPS II, it starts, its numbers
+and its maths are the PC's to the last bit, no file opens, and decide() gives the PC's Commands, of
+which another one is noticed. Compiles the interpreter, a minute of CPU time where no ccache has it.
+Skipped without the emulator, the cross compiler or the sources (toolchain/python-openr/fetch)."""
 
 import importlib.machinery
 import importlib.util
 import math
 import os
+import re
 import shutil
 import subprocess
 from pathlib import Path
@@ -16,16 +17,16 @@ import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
 FOLDER = ROOT / "toolchain/python-openr"
-SYSROOT = Path(os.environ.get("KELPIE_SYSROOT") or
-               Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") /
-               "kelpie/sysroot-mipsel")
 FRAMES = 40
+# The plain variants of glibc's functions, as on the target (tools/cli/Process.h).
+PLAIN_MATHS = "glibc.cpu.hwcaps=-FMA,-AVX2,-FMA4"
 
 pytest.importorskip("unicorn", reason="needs the Debian package python3-unicorn")
 if not shutil.which("mipsel-linux-gnu-gcc"):
     pytest.skip("needs the Debian package g++-mipsel-linux-gnu", allow_module_level=True)
-if not SYSROOT.is_dir():
-    pytest.skip("needs the sysroot of toolchain/make-sysroot", allow_module_level=True)
+fetched = subprocess.run([FOLDER / "fetch"], capture_output=True, text=True)
+if fetched.returncode != 0:
+    pytest.skip("needs the sources: " + fetched.stderr.strip()[-200:], allow_module_level=True)
 
 
 def program(name):
@@ -37,7 +38,32 @@ def program(name):
 
 
 @pytest.fixture(scope="module")
-def image(tmp_path_factory):
+def built():
+    done = subprocess.run([FOLDER / "build"], capture_output=True, text=True)
+    assert done.returncode == 0, done.stdout + done.stderr
+    return done.stdout
+
+
+def test_it_is_mips2(built):
+    instructions, functions = map(int, re.findall(r"(\d+) [if]", built))
+    assert instructions > 500000 and functions == 0
+
+
+def test_an_instruction_beyond_mips2_is_refused(tmp_path):
+    source = "int root(int x) { return __builtin_clz(x); }\n"
+    subprocess.run(["mipsel-linux-gnu-gcc", "-march=mips32r2", "-O2", "-x", "c", "-", "-c", "-o",
+                    tmp_path / "own.o"], input=source, text=True, check=True)
+    instructions, faults = program("build").beyond_mips2(tmp_path / "own.o")
+    assert instructions and faults == ["own.o: root has 1 instructions beyond MIPS II"]
+
+
+def test_what_is_no_source_of_it_is_refused(tmp_path):
+    done = subprocess.run([FOLDER / "build", "--source", tmp_path], capture_output=True, text=True)
+    assert done.returncode == 2 and "is not what `fetch` makes" in done.stderr
+
+
+@pytest.fixture(scope="module")
+def image(built, tmp_path_factory):
     path = tmp_path_factory.mktemp("python") / "image"
     done = subprocess.run([FOLDER / "link", path], capture_output=True, text=True)
     assert done.returncode == 0, done.stderr
@@ -66,6 +92,45 @@ def machine(emulate, image):
 ])
 def test_its_python_answers_as_the_pcs(machine, text):
     assert machine.python(f"import math\nanswer = {text}\n") == repr(eval(text, {"math": math}))
+
+
+# Each function of maths that behaviours call, at arguments of all sizes that it takes.
+MATHS = """
+import math
+def numbers(least, most, count=240):
+    seed, found = 12345, [0.0, -0.0, 0.5, 1.0]
+    for _ in range(count):
+        seed = (seed * 1103515245 + 12345) % 2 ** 31
+        found.append(least + (most - least) * seed / 2 ** 31)
+        found.append(found[-1] / 2 ** (seed % 60))
+    return [x for x in found if least <= x <= most]
+def said():
+    wide, angles, ones = numbers(-1e6, 1e6), numbers(-30.0, 30.0), numbers(-1.0, 1.0)
+    yield from (f(x) for f in (math.sin, math.cos, math.tan) for x in wide + angles)
+    yield from (f(x) for f in (math.asin, math.acos) for x in ones)
+    yield from (f(x) for f in (math.exp, math.erf, math.erfc) for x in angles + ones)
+    yield from (math.log(abs(x)) for x in wide + ones if x)
+    yield from (math.sqrt(abs(x)) for x in wide)
+    for x, y in zip(wide, reversed(angles)):
+        yield from (math.atan2(x, y), math.atan2(y, x), math.atan(x), math.hypot(x, y))
+        yield from ((abs(x) + 0.01) ** y, abs(y) ** 0.5, y ** 2)
+        yield from (math.fmod(x, y or 1.0), x % (y or 1.0))
+        yield from map(float, (math.floor(x), math.ceil(y), round(y), math.copysign(x, y)))
+answer = [x.hex() for x in said()]
+"""
+
+
+def test_its_maths_have_the_pcs_bits(machine):
+    pc = subprocess.run(["/usr/bin/python3", "-c", MATHS + "print(answer)"], check=True, text=True,
+                        capture_output=True, env={**os.environ, "GLIBC_TUNABLES": PLAIN_MATHS})
+    wanted, got = eval(pc.stdout), eval(machine.python(MATHS))
+    assert len(set(wanted)) > 10000
+    assert got == wanted
+
+
+def test_maths_that_no_behaviour_calls_raise_an_error(machine):
+    said = machine.python("import math\nanswer = math.log10(3.0)\n")
+    assert said == "ValueError('math domain error')"
 
 
 def test_no_file_opens(machine):

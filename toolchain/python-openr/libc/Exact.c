@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The functions of the C library's maths that are exact, by the bits of a double: taking apart and
-// putting together. Those that round (sin, atan2 and so on) are not here: see
-// docs/python-on-robot.md.
+// The functions of the C library's maths and of libgcc that are exact, by the bits of a number:
+// taking apart, putting together, whole numbers, and the square root, which the CPU rounds exactly.
+// Those that round otherwise (sin, atan2 and so on) are glibc's: see `build`.
 #include <math.h>
 #include <stdint.h>
 
@@ -59,4 +59,45 @@ double modf(double x, double* whole) {
   part.bits &= places > kPlaces ? (uint64_t)1 << 63 : ~(((uint64_t)1 << places) - 1);
   *whole = part.value;
   return copysign(x - part.value, x);
+}
+
+double floor(double x) {
+  double whole;
+  return modf(x, &whole) < 0.0 ? whole - 1.0 : whole;
+}
+
+double ceil(double x) {
+  double whole;
+  return modf(x, &whole) > 0.0 ? whole + 1.0 : whole;
+}
+
+// Halves go away from zero.
+double round(double x) {
+  double whole;
+  return fabs(modf(x, &whole)) >= 0.5 ? whole + copysign(1.0, x) : whole;
+}
+
+double fabs(double x) { return __builtin_fabs(x); }
+double sqrt(double x) { return __builtin_sqrt(x); }  // the instruction: -fno-math-errno
+
+void sincos(double x, double* sine, double* cosine) {
+  *sine = sin(x);
+  *cosine = cos(x);
+}
+
+// --- bits of whole numbers, which the SDK's libgcc lacks
+int __popcountsi2(uint32_t word) {
+  int count = 0;
+  for (; word != 0; word &= word - 1) ++count;
+  return count;
+}
+
+uint32_t __bswapsi2(uint32_t word) {
+  return word << 24 | (word & 0xff00) << 8 | (word >> 8 & 0xff00) | word >> 24;
+}
+
+int __clzsi2(uint32_t word) {
+  int zeros = 0;
+  for (uint32_t bit = (uint32_t)1 << 31; bit != 0 && (word & bit) == 0; bit >>= 1) ++zeros;
+  return zeros;
 }

@@ -149,6 +149,7 @@ char* getenv(const char* name) { return (void)name, NULL; }
 int setenv(const char* name, const char* value, int anew) {
   return (void)name, (void)value, (void)anew, 0;
 }
+long syscall(long number, ...) { return (void)number, refuse(ENOSYS); }
 long sysconf(int name) { return (void)name, refuse(EINVAL); }
 static char localeName[] = "C";
 char* setlocale(int category, const char* wanted) {
@@ -204,4 +205,6 @@ int sigaction(int number, const struct sigaction* wanted, struct sigaction* befo
   return 0;
 }
 int siginterrupt(int number, int flag) { return (void)number, (void)flag, 0; }
+int __libc_current_sigrtmin(void) { return refuse(EINVAL); }
+int __libc_current_sigrtmax(void) { return refuse(EINVAL); }
 char* strsignal(int number) { return (void)number, localeName; }
