@@ -247,14 +247,10 @@ void Camera::look(const Scene& scene, const Slice& slice, Cut& cut) {
   cut.shown.clear();
   cut.isPainted = false;
   collectGround(scene, slice, cut.shown);
-  solids_.clear();
-  collectSolids(scene, slice, solids_);
-  farToNear_.clear();
-  for (const Span& span : solids_) farToNear_.push_back(&span);
-  std::sort(farToNear_.begin(), farToNear_.end(), [](const Span* a, const Span* b) {
-    return a->depth != b->depth ? a->depth > b->depth : a < b;
-  });
-  for (const Span* span : farToNear_) cut.shown.push_back(*span);
+  const auto ground = static_cast<std::ptrdiff_t>(cut.shown.size());
+  collectSolids(scene, slice, cut.shown);
+  std::stable_sort(cut.shown.begin() + ground, cut.shown.end(),
+                   [](const Span& a, const Span& b) { return a.depth > b.depth; });
 }
 
 void Camera::paint(const Scene& scene, Cut& cut) {

@@ -17,10 +17,8 @@ namespace kelpie::sim {
 
 struct CameraParams {
   ArtefactParams artefacts;
-  // How often a column is halved at most. Of images without noise once leaves 0.33 grey levels
-  // (root of the mean square) to eight even parts, twice 0.19, not at all 0.84; the noise has 2.5.
-  int splits = 1;
-  double mostSlope = 1.0;  // rows that an edge may run from cut to cut unhalved; 0: always halved
+  int splits = 2;          // how often a column is halved at most, and
+  double mostSlope = 1.0;  // rows that an edge may run from cut to cut without; 0: always halved
   bool texture = true;     // of the carpet
   double textureAmount = 5.0;  // grey levels, sd about a third of it
   bool light = true;           // the scene's second light, and stripes of the carpet
@@ -91,8 +89,6 @@ class Camera {
   std::array<Cut, 2> borders_;  // of the column; the left one of even columns first
   std::vector<Cut> middles_;    // one for each split
   Column column_;
-  std::vector<Span> solids_;  // of a cut, and
-  std::vector<const Span*> farToNear_;
   std::vector<InView> view_;     // of solids, that the image may show
   std::vector<SeenQuad> quads_;  // of those, that may meet the column
   std::vector<const Cylinder*> beacons_;
