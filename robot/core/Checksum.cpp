@@ -47,6 +47,12 @@ void Crc32::add(const std::uint8_t* bytes, std::size_t count) {
   state_ = crc;
 }
 
+std::uint32_t crc32(const std::uint8_t* bytes, std::size_t count) {
+  Crc32 crc;
+  crc.add(bytes, count);
+  return crc.value();
+}
+
 void Fnv1a::add(const void* bytes, std::size_t count) {
   const auto* from = static_cast<const std::uint8_t*>(bytes);
   for (std::size_t i = 0; i < count; ++i) add(from[i]);

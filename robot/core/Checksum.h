@@ -19,6 +19,8 @@ class Crc32 {
   std::uint32_t state_ = 0xFFFFFFFFU;
 };
 
+std::uint32_t crc32(const std::uint8_t* bytes, std::size_t count);
+
 class Fnv1a {
  public:
   void add(const void* bytes, std::size_t count);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "robot/core/Checksum.h"
 #include "robot/core/LogFormat.h"
 
 namespace kelpie {
@@ -24,7 +25,7 @@ void LogChunk::add(const std::vector<std::uint8_t>& records, std::size_t message
 
 void LogChunk::seal() {
   size_ = records_.size();
-  checksum_ = mcap::crc32(records_.data(), records_.size());
+  checksum_ = crc32(records_.data(), records_.size());
 }
 
 void LogChunk::write(const std::string& compression, std::uint64_t offset,

@@ -1,14 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robot/core/LogFormat.h"
 
-#include "robot/core/Checksum.h"
-
 namespace kelpie::mcap {
-std::uint32_t crc32(const std::uint8_t* data, std::size_t size) {
-  Crc32 crc;
-  crc.add(data, size);
-  return crc.value();
-}
 
 void RecordWriter::map(const LogMap& entries) {
   std::size_t size = 0;

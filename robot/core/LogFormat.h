@@ -42,8 +42,6 @@ enum class Op : std::uint8_t {
   dataEnd = 0x0f,
 };
 
-std::uint32_t crc32(const std::uint8_t* data, std::size_t size);
-
 // Appends records to a buffer.
 class RecordWriter {
  public:

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "robot/core/Checksum.h"
+
 namespace kelpie {
 namespace {
 
@@ -73,8 +75,7 @@ std::vector<std::uint8_t> readSummary(std::istream& file, std::uint64_t fileSize
   std::vector<std::uint8_t> summary(static_cast<std::size_t>(end - footer.summary) + kFooterRecord -
                                     sizeof footer.checksum);
   if (!readAt(file, footer.summary, summary.data(), summary.size())) return {};
-  if (footer.checksum != 0 && footer.checksum != mcap::crc32(summary.data(), summary.size()))
-    return {};
+  if (footer.checksum != 0 && footer.checksum != crc32(summary.data(), summary.size())) return {};
   summary.resize(static_cast<std::size_t>(end - footer.summary));
   return summary;
 }

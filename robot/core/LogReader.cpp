@@ -6,6 +6,8 @@
 #include <sstream>
 #include <utility>
 
+#include "robot/core/Checksum.h"
+
 namespace kelpie {
 
 using mcap::ContentReader;
@@ -200,7 +202,7 @@ void LogReader::takeChunk(ContentReader content) {
   if (!content.good()) return fail("damaged chunk");
   const Status unpacked = unpack(compression, stored, length, size);
   if (!unpacked) return fail(unpacked.error());
-  if (checksum != 0 && checksum != mcap::crc32(chunk_.data(), chunk_.size()))
+  if (checksum != 0 && checksum != crc32(chunk_.data(), chunk_.size()))
     return fail("damaged chunk: wrong checksum");
   chunkAt_ = 0;
   chunkCounts_.compression = compression;
@@ -238,7 +240,7 @@ void LogReader::takeAttachment(const Record& record) {
   const std::size_t covered = record.size - content.left();
   const auto checksum = content.number<std::uint32_t>();
   if (!content.good()) return fail("damaged attachment record");
-  if (checksum != 0 && checksum != mcap::crc32(record.data, covered)) {
+  if (checksum != 0 && checksum != crc32(record.data, covered)) {
     return fail("attachment " + attachment.name + ": wrong checksum");
   }
   if (met_.insert(recordOffset_).second) attachments_.push_back(std::move(attachment));

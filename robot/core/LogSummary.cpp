@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "robot/core/Checksum.h"
+
 namespace kelpie {
 namespace {
 
@@ -74,7 +76,7 @@ std::vector<std::uint8_t> LogSummary::end(std::uint64_t offset) const {
   record.end();
   // The checksum covers the summary and the head of the footer, up to this number.
   const std::size_t covered = out.size() - sizeof(std::uint32_t);
-  const std::uint32_t checksum = mcap::crc32(out.data() + start, covered - start);
+  const std::uint32_t checksum = crc32(out.data() + start, covered - start);
   std::memcpy(out.data() + covered, &checksum, sizeof checksum);
   record.bytes(mcap::kMagic.data(), mcap::kMagic.size());
   return out;

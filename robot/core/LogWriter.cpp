@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "robot/core/Checksum.h"
+
 namespace kelpie {
 namespace {
 
@@ -204,7 +206,7 @@ void LogWriter::attachment(const std::string& name, const std::string& mediaType
   record.number(static_cast<std::uint64_t>(data.size()));
   record.bytes(data.data(), data.size());
   const std::size_t start = record.contentStart();
-  record.number(mcap::crc32(buffer_.data() + start, buffer_.size() - start));
+  record.number(crc32(buffer_.data() + start, buffer_.size() - start));
   record.end();
   const std::uint64_t size = buffer_.size();
   output_.write(buffer_);

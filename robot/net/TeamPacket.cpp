@@ -5,8 +5,8 @@
 #include <array>
 #include <cstring>
 
+#include "robot/core/Checksum.h"
 #include "robot/core/Encoding.h"
-#include "robot/core/LogFormat.h"
 
 namespace kelpie::net {
 namespace {
@@ -29,7 +29,7 @@ T get(const RadioPacket& packet, std::size_t at) {
 // The check counts as zero while it is made.
 std::uint32_t checkOf(RadioPacket packet) {
   put(packet, kCheckAt, std::uint32_t{0});
-  return mcap::crc32(packet.bytes.begin(), packet.bytes.size());
+  return crc32(packet.bytes.begin(), packet.bytes.size());
 }
 
 }  // namespace

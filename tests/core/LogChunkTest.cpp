@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "robot/core/Checksum.h"
 #include "tests/core/LogFiles.h"
 #include "tests/core/SampleLog.h"
 
@@ -266,7 +267,7 @@ std::string zstd(const std::string& content) {
 TEST_F(LogChunks, OfOthersAreReadWithAndWithoutChecksum) {
   const std::string records = someRecords();
   const auto* data = reinterpret_cast<const std::uint8_t*>(records.data());
-  for (const std::uint32_t checksum : {0U, mcap::crc32(data, records.size())}) {
+  for (const std::uint32_t checksum : {0U, crc32(data, records.size())}) {
     EXPECT_EQ(readAll(ChunkFile{"", records, records.size(), checksum}.path()).messages, 30);
     EXPECT_EQ(readAll(ChunkFile{"zstd", zstd(records), records.size(), checksum}.path()).messages,
               30);

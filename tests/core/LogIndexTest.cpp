@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "robot/core/Checksum.h"
 #include "tests/core/LogFiles.h"
 #include "tests/core/SampleLog.h"
 
@@ -67,7 +68,7 @@ std::string contentOfChunk(const FileRecord& chunk) {
             ->decompress(packed.data(), packed.size(), static_cast<std::size_t>(size), records));
   }
   EXPECT_EQ(records.size(), size);
-  EXPECT_EQ(mcap::crc32(records.data(), records.size()), checksum);
+  EXPECT_EQ(crc32(records.data(), records.size()), checksum);
   return {records.begin(), records.end()};
 }
 
@@ -174,7 +175,7 @@ TEST_F(LogIndexes, SummaryIsFoundByTheFooterAndByItsOffsets) {
     EXPECT_EQ(dataEnd.offset + dataEnd.size, start);
     const auto* bytes = reinterpret_cast<const std::uint8_t*>(log.bytes.data());
     EXPECT_EQ(content.number<std::uint32_t>(),
-              mcap::crc32(bytes + start, footer.offset + 9 + 16 - start));
+              crc32(bytes + start, footer.offset + 9 + 16 - start));
     std::uint64_t at = start;
     for (const FileRecord* record : log.of(Op::summaryOffset)) {
       ContentReader group = readerOf(record->content);

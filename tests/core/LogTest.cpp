@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "robot/core/Checksum.h"
 #include "tests/core/LogFiles.h"
 #include "tests/core/SampleLog.h"
 
@@ -178,10 +179,9 @@ TEST_F(Log, TopicKeepsItsType) {
 
 TEST_F(Log, ChecksumIsThatOfZip) {
   const std::string text = "123456789";  // check value of CRC-32/ISO-HDLC
-  EXPECT_EQ(mcap::crc32(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()),
-            0xcbf43926U);
+  EXPECT_EQ(crc32(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()), 0xcbf43926U);
   const std::string pangram = "The quick brown fox jumps over the lazy dog";  // eight bytes a step
-  EXPECT_EQ(mcap::crc32(reinterpret_cast<const std::uint8_t*>(pangram.data()), pangram.size()),
+  EXPECT_EQ(crc32(reinterpret_cast<const std::uint8_t*>(pangram.data()), pangram.size()),
             0x414fa339U);
 }
 

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "tools/learn/HeldBall.h"
 #include "tools/sim/WalkingBody.h"
 
 namespace kelpie::sim {
@@ -18,18 +19,9 @@ struct Way {
   double left = 0.0;      // deg, of where the robot looked as the kick began
 };
 
-Command holding() {
-  Command command;
-  command.walk.kind = WalkKind::dribble;
-  command.head.neckTilt = Angle::deg(-52.0);
-  command.head.headNod = Angle::deg(45.0);
-  command.mouthOpen = true;
-  return command;
-}
-
 // A ball ahead and to the left of a robot that stands, or that holds it before.
 Way kicked(WalkingBody& body, MotionKind kind, double ahead, double left, bool held) {
-  Command command = held ? holding() : Command{};
+  Command command = held ? learn::holdingCommand() : Command{};
   (void)body.world().carry(0, {kMiddle, Angle::deg(90.0)});
   for (int i = 0; i < 20; ++i) body.step(command);
   const Pose2 start = body.pose();

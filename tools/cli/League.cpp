@@ -11,7 +11,7 @@
 #include <mutex>
 #include <thread>
 
-#include "robot/core/LogFormat.h"
+#include "robot/core/Checksum.h"
 #include "tools/cli/Commands.h"
 #include "tools/cli/Config.h"
 #include "tools/cli/Process.h"
@@ -61,7 +61,7 @@ std::string hashOf(const std::string& folder) {
   std::string all;
   for (const std::string& file : files) all += file + '\n' + contentOf(fs::path(folder) / file);
   const auto* bytes = reinterpret_cast<const std::uint8_t*>(all.data());
-  return fmt::format("{:08x}", mcap::crc32(bytes, all.size()));
+  return fmt::format("{:08x}", crc32(bytes, all.size()));
 }
 
 Status readSides(LeagueOptions& options, Folders& folders) {

@@ -3,9 +3,8 @@
 // to the effectors, and lets time go on. Sensors every 32 ms, images every 1/30 s, in the order of
 // time; no agent can be late, and none can be early. Images take most of a match's time: they are
 // rendered on all cores, while the bodies already move on to the next one, and while agents still
-// think about the last one. Of an agent's two
-// command vectors in flight one lasts for these 32 ms, so that none comes too late; what an agent
-// sends without them, such as gains, waits until then.
+// think about the last one. Of an agent's two command vectors in flight one lasts for these 32 ms,
+// so that none comes too late; what an agent sends without them, such as gains, waits until then.
 #pragma once
 
 #include <deque>

@@ -2,6 +2,7 @@
 #include "tools/sim/rules/Touch.h"
 
 #include <cmath>
+#include <utility>
 
 #include "tools/sim/HoldWatch.h"
 
@@ -25,16 +26,14 @@ bool mayPush(const ScenePlayer& player, Point2<Field> ball, Point2<Field> change
 // The nearest robot of those that may have changed the ball's velocity so; if none may, of all.
 std::optional<std::size_t> nearest(const MatchScene& scene, Point2<Field> change) {
   std::optional<std::size_t> best;
-  bool bestPushes = false;
-  double least = kReach;
+  std::pair<bool, double> least{true, kReach};  // cannot have pushed it; cm away
   for (std::size_t i = 0; i < scene.players.size(); ++i) {
     const ScenePlayer& player = scene.players[i];
     const double away = stripeDistance(player.pose, scene.ball.position);
     if (!player.playing || away > kReach) continue;
-    const bool pushes = mayPush(player, scene.ball.position, change);
-    if (pushes == bestPushes ? away > least : bestPushes) continue;
-    bestPushes = pushes;
-    least = away;
+    const std::pair rank{!mayPush(player, scene.ball.position, change), away};
+    if (rank > least) continue;
+    least = rank;
     best = i;
   }
   return best;
