@@ -2,7 +2,8 @@
 """The robot's Python (toolchain/python-openr) in the emulator: it is MIPS II, it starts, its
 numbers and its maths are the PC's to the last bit, no file opens, and decide() gives the PC's
 Commands, of which another one is noticed. Compiles the interpreter, a minute of CPU time where no
-ccache has it. Skipped without the emulator, the cross compiler or the sources (toolchain/python-openr/fetch)."""
+ccache has it. Skipped without the emulator, the cross compiler or the sources
+(toolchain/python-openr/fetch)."""
 
 import importlib.machinery
 import importlib.util
