@@ -139,7 +139,7 @@ def test_a_carried_robot_finds_its_place_again(tmp_path):
 
 
 def test_a_held_robot_believes_less_of_its_walk_and_doubts_more(tmp_path):
-    values = figures_of(tmp_path, "stuck", 1, 31)
+    values = figures_of(tmp_path, "stuck", 3, 31)
     free, held = values["walks"]["free"], values["walks"]["held"]
     assert free["distance_ratio"] == free["sd_ratio"] == 1.0
     assert held["distance_ratio"] < 0.774 and held["sd_ratio"] > 1.5  # thesis 2004 figure 2.10
@@ -148,7 +148,7 @@ def test_a_held_robot_believes_less_of_its_walk_and_doubts_more(tmp_path):
     assert abs(values["weak_legs"]["two_sets_drift_percent"]) < 5
     assert values["weak_legs"]["one_set_drift_percent"] > 40
     scrums = values["scrums"]
-    assert scrums["scrums"] == 8
+    assert scrums["scrums"] == 24
     assert scrums["aware"]["inside"]["mean_cm"] < scrums["unaware"]["inside"]["mean_cm"]
 
 
