@@ -11,6 +11,7 @@
 #include "gps/pose/LagParams.h"
 #include "gps/pose/NoiseScale.h"
 #include "gps/pose/PoseParams.h"
+#include "gps/pose/Shake.h"
 #include "gps/pose/StuckParams.h"
 #include "gps/pose/TiltParams.h"
 #include "robot/body/FieldDescription.h"
@@ -22,6 +23,7 @@ struct GpsParams {
   InitialPose initialPose;
   MotionNoise motion;
   StuckParams stuck;
+  ShakeParams shake;
   LandmarkGates gates;
   ModeParams modes;
   CrossingParams crossing;
@@ -38,8 +40,8 @@ struct GpsParams {
     using kelpie::field;
     return fieldList(field("initialPose", &GpsParams::initialPose),
                      field("motion", &GpsParams::motion), field("stuck", &GpsParams::stuck),
-                     field("gates", &GpsParams::gates), field("modes", &GpsParams::modes),
-                     field("crossing", &GpsParams::crossing),
+                     field("shake", &GpsParams::shake), field("gates", &GpsParams::gates),
+                     field("modes", &GpsParams::modes), field("crossing", &GpsParams::crossing),
                      field("noiseScale", &GpsParams::noiseScale), field("tilt", &GpsParams::tilt),
                      field("focal", &GpsParams::focal), field("lag", &GpsParams::lag),
                      field("lines", &GpsParams::lines), field("pinks", &GpsParams::pinks),

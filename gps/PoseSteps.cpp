@@ -16,6 +16,7 @@
 #include "gps/pose/Modes.h"
 #include "gps/pose/NoiseScale.h"
 #include "gps/pose/PoseUpdate.h"
+#include "gps/pose/Shake.h"
 #include "gps/pose/Stuck.h"
 #include "gps/pose/Tilt.h"
 
@@ -84,10 +85,14 @@ Step moveModes(const GpsIn& in, const GpsParams& params, GpsState& state) {
   if (!sound || elapsed != in.input.elapsed) count(Refusal::odometryNotFinite, state.counts);
   const double excess = excessEffort(in.input, params.stuck, pose.stuck, state.counts);
   stepStuck(excess, elapsed, params.stuck, pose.stuck);
+  const double shake = excessShake(in.input, params.shake, pose.shake);
+  const auto inContact = [&](const StepNoise& noise) {
+    return shaken(grown(noise, excess, elapsed, params.stuck), shake, elapsed, params.shake);
+  };
   const StepNoise noise = stepNoise(walked, elapsed, params.motion);
-  const Step step{shortened(walked, excess, params.stuck),
-                  grown(noise, excess, elapsed, params.stuck)};
-  const StepNoise scaled = grown(scaledBy(pose.noiseScale, noise), excess, elapsed, params.stuck);
+  const Odometry held = shortened(walked, excess, params.stuck);
+  const Step step{shortened(held, shake, params.shake), inContact(noise)};
+  const StepNoise scaled = inContact(scaledBy(pose.noiseScale, noise));
   for (PoseMode& mode : pose.modes) predict(mode, step.odometry, scaled);
   driftTilt(elapsed, params.tilt, pose.modes);
   moveCrossing(step.odometry, elapsed, pose.surprising);

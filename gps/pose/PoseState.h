@@ -23,6 +23,12 @@ struct StuckState {
   std::uint32_t confirmed = 0;  // landmarks that the best mode predicted since
 };
 
+// How much the body has been shaken recently.
+struct ShakeState {
+  double mean = 0.0;       // cm/s2 to the left
+  double deviation = 0.0;  // cm/s2 from it, a mean of absolute values
+};
+
 // A landmark that the best mode did not predict, where it would be seen now.
 struct SurprisingSighting {
   bool present = false;
@@ -45,6 +51,7 @@ struct PoseState {
   double secondsSinceLandmark = 0.0;
   double secondsSinceLines = 0.0;
   StuckState stuck;
+  ShakeState shake;
 };
 
 }  // namespace kelpie::gps
