@@ -52,14 +52,38 @@ double atanReduced(double x) {
   return x - x * z * p;
 }
 
+// The floor, without the library's call; of what fits 32 bits.
+std::int32_t floorOf(double value) {
+  const auto cut = static_cast<std::int32_t>(value);
+  return cut - (value < cut ? 1 : 0);
+}
+
+// Quarter turns as a whole number, and that number's lowest two bits.
+struct Quarters {
+  double count;
+  unsigned quadrant;
+};
+
+// A conversion to 64 bits is a call of a hundred instructions on a 32-bit machine; no angle of a
+// robot needs it.
+Quarters quartersOf(double radians) {
+  constexpr double kFew = 1e9;
+  const double quarters = radians * (2.0 / kPi) + 0.5;
+  if (std::fabs(quarters) < kFew) {
+    const std::int32_t count = floorOf(quarters);
+    return {static_cast<double>(count), static_cast<unsigned>(count) & 3U};
+  }
+  const double count = std::floor(quarters);
+  return {count, static_cast<unsigned>(static_cast<std::int64_t>(count) & 3)};
+}
+
 }  // namespace
 
 SinCos sinCos(double radians) {
-  const double k = std::floor(radians * (2.0 / kPi) + 0.5);
+  const auto [k, quadrant] = quartersOf(radians);
   const double x = ((radians - k * kHalfPiHigh) - k * kHalfPiMid) - k * kHalfPiLow;
   const double s = sinReduced(x);
   const double c = cosReduced(x);
-  const auto quadrant = static_cast<unsigned>(static_cast<std::int64_t>(k) & 3);
   switch (quadrant) {
     case 0: return {s, c};
     case 1: return {c, -s};
@@ -118,21 +142,38 @@ double acos(double x) {
 double exp(double x) {
   if (!(x > -700.0)) return 0.0;
   const double bounded = x > 700.0 ? 700.0 : x;
-  const double k = std::floor(bounded / 0.69314718055994530942 + 0.5);
+  const std::int32_t k = floorOf(bounded / 0.69314718055994530942 + 0.5);
   const double r = (bounded - k * kLn2High) - k * kLn2Low;
+  // Written out: to divide by 8, 4, 2 and 1 is to multiply, which is as exact.
   double p = 1.0;
-  for (int n = 14; n >= 1; --n) p = 1.0 + r * p / n;
-  const auto bits = static_cast<std::uint64_t>(static_cast<std::int64_t>(k) + 1023) << 52;
+  p = 1.0 + r * p / 14.0;
+  p = 1.0 + r * p / 13.0;
+  p = 1.0 + r * p / 12.0;
+  p = 1.0 + r * p / 11.0;
+  p = 1.0 + r * p / 10.0;
+  p = 1.0 + r * p / 9.0;
+  p = 1.0 + r * p / 8.0;
+  p = 1.0 + r * p / 7.0;
+  p = 1.0 + r * p / 6.0;
+  p = 1.0 + r * p / 5.0;
+  p = 1.0 + r * p / 4.0;
+  p = 1.0 + r * p / 3.0;
+  p = 1.0 + r * p / 2.0;
+  p = 1.0 + r * p;
+  const auto bits = static_cast<std::uint64_t>(k + 1023) << 52;
   double scale = 0.0;
   std::memcpy(&scale, &bits, sizeof scale);
   return p * scale;
 }
 
 double log(double x) {
+  // Written out, as those of the arc.
+  constexpr std::array<double, 10> kTerms{1.0 / 21, 1.0 / 19, 1.0 / 17, 1.0 / 15, 1.0 / 13,
+                                          1.0 / 11, 1.0 / 9,  1.0 / 7,  1.0 / 5,  1.0 / 3};
   if (!(x > 0.0)) return -745.0;
   std::uint64_t bits = 0;
   std::memcpy(&bits, &x, sizeof bits);
-  double exponent = static_cast<double>(static_cast<std::int64_t>(bits >> 52) - 1023);
+  double exponent = static_cast<std::int32_t>(bits >> 52) - 1023;
   bits = (bits & 0x000fffffffffffffULL) | 0x3ff0000000000000ULL;
   double m = 1.0;
   std::memcpy(&m, &bits, sizeof m);
@@ -143,7 +184,7 @@ double log(double x) {
   const double s = (m - 1.0) / (m + 1.0);
   const double z = s * s;
   double p = 1.0 / 23.0;
-  for (int k = 21; k >= 3; k -= 2) p = 1.0 / k + z * p;
+  for (const double term : kTerms) p = term + z * p;
   return exponent * kLn2High + (2.0 * s + (2.0 * s * z * p + exponent * kLn2Low));
 }
 
