@@ -53,9 +53,17 @@ WalkRequest walkWanted(const Command& command, const ActuatorParams& params,
   return request;
 }
 
-JointAngles asked(const Command& command, const ActuatorParams& params, ActuatorState& state) {
+// One message's Command. Where the head shall go follows from it and from the stance, which stay
+// the same for its four ticks.
+struct Asked {
+  const Command& command;
+  HeadRequest head;
+};
+
+JointAngles targetOf(const Asked& asked, const ActuatorParams& params, ActuatorState& state) {
+  const Command& command = asked.command;
   stepWalk(walkWanted(command, params, state), params, state.walk);
-  JointAngles target = headTarget(asJoints(command.head, state.stance), state.target, params);
+  JointAngles target = headTarget(asked.head, state.target, params);
   setLegs(state.walk.set, state.walk.feet, state.walk.phase, target);
   target[Joint::mouth] = Angle::deg(command.mouthOpen ? kMouthOpen : kMouthClosed);
   target[Joint::tailTilt] = command.tail.tilt;
@@ -119,10 +127,10 @@ void moveOn(const ActuatorParams& params, ActuatorState& state) {
   if (!advance(params.motions, state.target, state.motion)) endMotion(legsMoved, params, state);
 }
 
-void tick(const Command& command, const ActuatorParams& params, ActuatorState& state) {
+void tick(const Asked& asked, const ActuatorParams& params, ActuatorState& state) {
   if (state.blend.tick >= state.blend.ticks) state.ready = true;
-  if (state.ready) startMotion(command, params, state);
-  JointAngles target = asked(command, params, state);
+  if (state.ready) startMotion(asked.command, params, state);
+  JointAngles target = targetOf(asked, params, state);
   SlewLimits slew{params.headSlew, params.walkSlew};
   if (running(state.motion)) {
     const Angle wide = params.motions[state.motion.kind].slew;
@@ -158,9 +166,8 @@ bool walking(const ActuatorParams& params, const ActuatorState& state) {
 // A kick needs all the strength there is (facts-2005 section 2.5).
 bool lowGain(const ActuatorState& state) { return state.gain.low && !running(state.motion); }
 
-Stance stanceAt(std::size_t tick, const MotionInput& in, const ActuatorParams& params,
+Stance stanceAt(std::size_t tick, const Stance& legs, const ActuatorParams& params,
                 const ActuatorState& state) {
-  const Stance legs = body::stanceFromLegs(in.sensors[tick].joints);
   if (!params.physical) return legs;
   return swaying(legs, shown(tick, params.odometry, state.odometry).stride, state.walk.set);
 }
@@ -183,7 +190,9 @@ MotionStatus status(const ActuatorParams& params, const ActuatorState& state) {
 MotionOutput step(const MotionInput& in, const ActuatorParams& params, ActuatorState& state) {
   if (!state.started) begin(in, params, state);
   stepLie(in.rest, params, state);
-  state.stance = body::stanceFromLegs(in.sensors.back().joints);
+  SensedPoses poses;
+  for (std::size_t i = 0; i < kTicksPerMessage; ++i) poses[i] = poseOf(in.sensors[i]);
+  state.stance = poses.back().stance;
   MotionOutput out;
   stepGain(in.batteryCurrent, params.gain, state.gain);
   recordEffort(in, walking(params, state), state.effort);
@@ -194,13 +203,15 @@ MotionOutput step(const MotionInput& in, const ActuatorParams& params, ActuatorS
   // Told with the message that is sent as the one before it begins to be played.
   const double gain = state.legGain;
   state.legGain = 0.0;
+  state.walk.known = false;
+  const Asked asked{in.command, asJoints(in.command.head, state.stance)};
   for (JointFrame& frame : out.joints) {
-    tick(in.command, params, state);
+    tick(asked, params, state);
     frame = {state.target, in.command.leds, earsNow(in.command.ears, params, state)};
   }
-  out.odometry = odometry(in, params.odometry, state.odometry);
+  out.odometry = odometry(in, poses, params.odometry, state.odometry);
   for (std::size_t i = 0; i < kTicksPerMessage; ++i)
-    out.stances[i] = stanceAt(i, in, params, state);
+    out.stances[i] = stanceAt(i, poses[i].stance, params, state);
   out.status = status(params, state);
   out.status.legGain = gain;
   out.status.feeling = feeling;

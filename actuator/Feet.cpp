@@ -44,10 +44,10 @@ Point3<Robot> footPlace(LegId leg, const WalkSet& set, const Velocity& velocity,
 
 void setLegs(const WalkSet& set, const Velocity& velocity, const PhaseState& phase,
              JointAngles& joints) {
-  const Stance stance{set.stance.shoulderHeight, set.stance.bodyTilt, {}};
+  const body::Lean lean(Stance{set.stance.shoulderHeight, set.stance.bodyTilt, {}});
   for (std::size_t i = 0; i < kLegCount; ++i) {
     const auto leg = static_cast<LegId>(i);
-    const Point3<Torso> foot = body::torsoFromRobot(stance, footPlace(leg, set, velocity, phase));
+    const Point3<Torso> foot = body::torsoFromRobot(lean, footPlace(leg, set, velocity, phase));
     body::setLegAngles(joints, leg, body::reachFoot(leg, foot).angles);
   }
 }

@@ -9,15 +9,17 @@ namespace {
 constexpr double kLow = 0.4;      // cm above the ground: lower feet carry the body
 constexpr double kPressed = 0.8;  // cm, with the paw pressed
 
-SupportPlace placeOf(std::size_t i, const Stance& stance, const SensorFrame& sensors) {
+SupportPlace placeOf(std::size_t i, const body::Lean& lean, const body::AllTurns& turns,
+                     const SensorFrame& sensors) {
   const LegId leg = body::legOfSupport(i);
-  const body::Support paw = body::supportOf(index(leg), sensors.joints);
-  const body::Support support = body::supportOf(i, sensors.joints);
-  const Point3<Torso> tip = body::footPosition(leg, body::legAngles(sensors.joints, leg));
+  const body::LegTurns& ofLeg = turns[index(leg)];
+  const body::Support paw = body::supportOf(index(leg), ofLeg);
+  const body::Support support = body::supportOf(i, ofLeg);
+  const Point3<Torso> tip = body::footPosition(leg, ofLeg);
   const Point3<Robot> way =
-      body::robotFromTorso(stance, tip) - body::robotFromTorso(stance, paw.middle);
+      body::robotFromTorso(lean, tip) - body::robotFromTorso(lean, paw.middle);
   SupportPlace place;
-  place.middle = body::robotFromTorso(stance, support.middle);
+  place.middle = body::robotFromTorso(lean, support.middle);
   place.legWay = {way.x / paw.radius, way.y / paw.radius, way.z / paw.radius};
   place.radius = support.radius;
   place.down = place.middle.z - place.radius < (sensors.paw[index(leg)] ? kPressed : kLow);
@@ -42,18 +44,28 @@ bool finite(const JointAngles& joints) {
 
 }  // namespace
 
+SensedPose poseOf(const SensorFrame& sensors) {
+  const body::AllTurns turns = body::turnsOf(sensors.joints);
+  return {turns, body::stanceFromLegs(turns)};
+}
+
 body::PlanarMotion stepFootMotion(const SensorFrame& sensors, FootMotionState& state) {
+  return stepFootMotion(sensors, poseOf(sensors), state);
+}
+
+body::PlanarMotion stepFootMotion(const SensorFrame& sensors, const SensedPose& pose,
+                                  FootMotionState& state) {
   if (!finite(sensors.joints)) {
     state.known = false;
     return {};
   }
-  const Stance stance = body::stanceFromLegs(sensors.joints);
+  const body::Lean lean(pose.stance);
   std::array<Point2<Robot>, body::kSupportCount> before{};
   std::array<Point2<Robot>, body::kSupportCount> now{};
   std::size_t count = 0;
   for (std::size_t i = 0; i < body::kSupportCount; ++i) {
     SupportPlace& was = state.supports[i];
-    const SupportPlace is = placeOf(i, stance, sensors);
+    const SupportPlace is = placeOf(i, lean, pose.turns, sensors);
     if (state.known && is.down && was.down) {
       before[count] = {was.middle.x, was.middle.y};
       now[count++] = rolledFrom(was, is);

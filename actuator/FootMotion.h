@@ -26,7 +26,16 @@ struct FootMotionState {
   bool known = false;
 };
 
+// How the legs are in a tick, from which stance, odometry and log all take what they need.
+struct SensedPose {
+  body::AllTurns turns{};
+  Stance stance;
+};
+SensedPose poseOf(const SensorFrame& sensors);
+
 // Angles that are not finite give no motion.
+body::PlanarMotion stepFootMotion(const SensorFrame& sensors, const SensedPose& pose,
+                                  FootMotionState& state);
 body::PlanarMotion stepFootMotion(const SensorFrame& sensors, FootMotionState& state);
 
 }  // namespace kelpie::actuator

@@ -13,8 +13,9 @@ struct TickWay {
   double turn = 0.0;
 };
 
-CommandedTick commanded(std::uint32_t back, const OdometryState& state) {
-  if (state.count < back || back > state.ticks.size()) return {};
+// Before so many ticks were commanded the ring's end is still a default one.
+const CommandedTick& commanded(std::uint32_t back, const OdometryState& state) {
+  if (state.count < back) return state.ticks.back();
   return state.ticks[(state.count - back) % state.ticks.size()];
 }
 
@@ -43,14 +44,16 @@ void addVariance(const TickWay& way, const OdometryVariance& motion, const Odome
 }
 
 void compose(const TickWay& way, Odometry& sum) {
-  sum.forward += way.forward * sum.turn.cos() - way.left * sum.turn.sin();
-  sum.left += way.forward * sum.turn.sin() + way.left * sum.turn.cos();
+  const maths::SinCos turn = sum.turn.sinCos();
+  sum.forward += way.forward * turn.cos - way.left * turn.sin;
+  sum.left += way.forward * turn.sin + way.left * turn.cos;
   sum.turn = sum.turn + Angle::rad(way.turn);
 }
 
 }  // namespace
 
-CommandedTick shown(std::size_t tick, const OdometryParams& params, const OdometryState& state) {
+const CommandedTick& shown(std::size_t tick, const OdometryParams& params,
+                           const OdometryState& state) {
   return commanded(static_cast<std::uint32_t>(kTicksPerMessage - tick) + params.delayTicks, state);
 }
 
@@ -75,11 +78,12 @@ void record(const CommandedTick& tick, OdometryState& state) {
   state.ticks[state.count++ % state.ticks.size()] = tick;
 }
 
-Odometry odometry(const MotionInput& in, const OdometryParams& params, OdometryState& state) {
+Odometry odometry(const MotionInput& in, const SensedPoses& poses, const OdometryParams& params,
+                  OdometryState& state) {
   Odometry sum;
   for (std::uint32_t i = 0; i < kTicksPerMessage; ++i) {
-    const body::PlanarMotion feet = stepFootMotion(in.sensors[i], state.feet);
-    const CommandedTick tick = shown(i, params, state);
+    const body::PlanarMotion feet = stepFootMotion(in.sensors[i], poses[i], state.feet);
+    const CommandedTick& tick = shown(i, params, state);
     stepReach(tick.told, !standing(tick.stride.phase), in.sensors[i].joints, state.reach);
     const TickWay way = wayOf(tick, feet);
     addVariance(way, tick.motion, params, sum.variance);

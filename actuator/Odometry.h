@@ -45,9 +45,12 @@ Felt felt(const Velocity& feet, OdometryState& state);
 void record(const CommandedTick& tick, OdometryState& state);
 
 // What the body showed in one tick of the last message: what was commanded the delay before it.
-CommandedTick shown(std::size_t tick, const OdometryParams& params, const OdometryState& state);
+const CommandedTick& shown(std::size_t tick, const OdometryParams& params,
+                           const OdometryState& state);
 
 // Of the last four ticks.
-Odometry odometry(const MotionInput& in, const OdometryParams& params, OdometryState& state);
+using SensedPoses = std::array<SensedPose, kTicksPerMessage>;
+Odometry odometry(const MotionInput& in, const SensedPoses& poses, const OdometryParams& params,
+                  OdometryState& state);
 
 }  // namespace kelpie::actuator

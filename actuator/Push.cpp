@@ -27,15 +27,23 @@ Vector scaled(const Vector& a, double s) { return {s * a.x, s * a.y, s * a.z}; }
 
 Vector sum(const Vector& a, const Vector& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
 
-Vector footAt(LegId leg, const double* angle) {
-  return body::footPosition(leg,
-                            {Angle::rad(angle[0]), Angle::rad(angle[1]), Angle::rad(angle[2])});
+body::LegTurns turnsAt(LegId leg, const double* angle, double more) {
+  return body::turnsOf(
+      leg, {Angle::rad(angle[0] + more), Angle::rad(angle[1] + more), Angle::rad(angle[2] + more)});
 }
 
-// Where the foot goes for a radian of one joint.
-Vector wayOf(LegId leg, std::array<double, 3> angle, std::size_t joint, const Vector& foot) {
-  angle[joint] += kNudge;
-  return scaled(sum(footAt(leg, angle.data()), scaled(foot, -1.0)), 1.0 / kNudge);
+// Where the foot goes for a radian of a joint whose nudged turns these are.
+Vector wayOf(LegId leg, const body::LegTurns& nudged, const Vector& foot) {
+  return scaled(sum(body::footPosition(leg, nudged), scaled(foot, -1.0)), 1.0 / kNudge);
+}
+
+// Where the foot goes for a radian of each joint. Angles and nudged angles each have their sines
+// once: three times as many took a tenth of the motion step.
+std::array<Vector, 3> waysOf(LegId leg, const body::LegTurns& here, const body::LegTurns& nudged,
+                             const Vector& foot) {
+  return {wayOf(leg, {nudged.rotator, here.shoulder, here.knee}, foot),
+          wayOf(leg, {here.rotator, nudged.shoulder, here.knee}, foot),
+          wayOf(leg, {here.rotator, here.shoulder, nudged.knee}, foot)};
 }
 
 // The force whose work along each joint's way is that joint's torque.
@@ -82,11 +90,10 @@ Push pushOf(const LegCurrents& currents, const SensedLegs& legs) {
   for (std::size_t i = 0; i < kLegCount; ++i) {
     const auto leg = static_cast<LegId>(i);
     const double* angle = &legs.angle[3 * i];
-    const Vector foot = footAt(leg, angle);
-    std::array<Vector, 3> way{};
-    for (std::size_t k = 0; k < way.size(); ++k)
-      way[k] = wayOf(leg, {angle[0], angle[1], angle[2]}, k, foot);
-    const Vector force = forceOf(way, &currents[3 * i]);
+    const body::LegTurns here = turnsAt(leg, angle, 0.0);
+    const Vector foot = body::footPosition(leg, here);
+    const Vector force =
+        forceOf(waysOf(leg, here, turnsAt(leg, angle, kNudge), foot), &currents[3 * i]);
     push.forward += force.y;
     push.left -= force.x;
     push.turn += foot.x * force.y - (foot.y + 0.5 * body::kBodyLength) * force.x;

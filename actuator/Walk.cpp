@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "actuator/Walk.h"
 
+#include <array>
 #include <cmath>
+#include <cstring>
 
 namespace kelpie::actuator {
 namespace {
@@ -11,6 +13,7 @@ std::uint32_t mixTicks(const ActuatorParams& params) {
 }
 
 void choose(WalkKind kind, const ActuatorParams& params, WalkState& state) {
+  state.known = state.known && state.chosen && kind == state.kind;
   if (state.chosen && kind != state.kind) {
     state.from = state.set;
     state.mixTick = 0;
@@ -26,16 +29,30 @@ void mixSets(const ActuatorParams& params, WalkState& state) {
   const WalkSet& target = walkSet(params.walks, state.kind);
   if (state.mixTick < all) ++state.mixTick;
   const double share = all == 0 ? 1.0 : static_cast<double>(state.mixTick) / all;
-  state.set = mixed(state.from, target, share);
+  if (share < 1.0) {
+    state.set = mixed(state.from, target, share);
+  } else {
+    state.set = target;
+  }
+}
+
+// Bit by bit, as -0 is not 0 for what is made of it.
+bool same(const WalkRequest& a, const WalkRequest& b) {
+  const std::array<double, 4> one{a.forward, a.left, a.turn, a.pivot};
+  const std::array<double, 4> other{b.forward, b.left, b.turn, b.pivot};
+  return std::memcmp(one.data(), other.data(), sizeof one) == 0;
 }
 
 }  // namespace
 
 void stepWalk(const WalkRequest& request, const ActuatorParams& params, WalkState& state) {
   choose(request.kind, params, state);
-  mixSets(params, state);
-  const Velocity wanted = wantedSpeed(request, state.set);
-  state.feet = approached(state.feet, wanted, state.set.gait);
+  const bool setStays = state.known && state.mixTick >= mixTicks(params);
+  if (!setStays) mixSets(params, state);
+  if (!setStays || !same(request, state.request)) state.wanted = wantedSpeed(request, state.set);
+  state.request = request;
+  state.known = true;
+  state.feet = approached(state.feet, state.wanted, state.set.gait);
   // A robot that changes its stance steps, else it would drag its feet.
   const bool changes = state.mixTick < mixTicks(params);
   stepPhase(!still(state.feet) || changes, state.set.gait, state.phase);

@@ -17,6 +17,11 @@ struct WalkState {
   bool chosen = false;  // a set has been taken up
   Velocity feet;        // the speed at which the feet move now
   PhaseState phase;
+  // What was wanted for the last tick of this message, since a request beyond the feet takes half
+  // of the tick to find out. Known: and the set is that of its kind, unmixed or mixed once more.
+  WalkRequest request;
+  Velocity wanted;
+  bool known = false;
 };
 
 void stepWalk(const WalkRequest& request, const ActuatorParams& params, WalkState& state);

@@ -2,6 +2,7 @@
 #include "actuator/WalkSpeed.h"
 
 #include <cmath>
+#include <cstring>
 
 namespace kelpie::actuator {
 namespace {
@@ -80,9 +81,12 @@ Velocity feetSpeed(const Velocity& real, const WalkCalibration& c) {
   Velocity feet;
   for (int round = 0; round < kRounds; ++round) {
     const Velocity more = acrossOf(feet, c);
+    const Velocity last = feet;
     const double forward = real.forward - more.forward;
     feet = {against(forwardCurve(c, forward), forward), against(c.left, real.left - more.left),
             against(c.turn, real.turn - more.turn)};
+    // The rounds left would give the same bits: straight on it is the second.
+    if (std::memcmp(&feet, &last, sizeof feet) == 0) break;
   }
   return feet;
 }

@@ -37,17 +37,16 @@ struct PlaneFoot {
   double x;
   double y;
 };
-PlaneFoot planeFoot(double knee, double along, double ahead = 0.0) {
-  const maths::SinCos k = maths::sinCos(knee);
+PlaneFoot planeFoot(const maths::SinCos& k, double along, double ahead = 0.0) {
   return {kKneeForward + along * k.sin + ahead * k.cos, kUpperLeg + along * k.cos - ahead * k.sin};
 }
 
 // A point of the lower leg in its plane, turned as shoulder and rotator turn it.
-Point3<Torso> ofLowerLeg(LegId leg, const LegAngles& angles, const PlaneFoot& plane) {
-  const maths::SinCos out = maths::sinCos(angles.shoulder.rad());
+Point3<Torso> ofLowerLeg(LegId leg, const LegTurns& turns, const PlaneFoot& plane) {
+  const maths::SinCos& out = turns.shoulder;
+  const maths::SinCos& turn = turns.rotator;
   const double down = plane.y * out.cos - kKneeOut * out.sin;
   const double outwards = plane.y * out.sin + kKneeOut * out.cos;
-  const maths::SinCos turn = maths::sinCos(mirrorOf(leg) * angles.rotator.rad());
   return inTorso(
       leg, {plane.x * turn.cos + down * turn.sin, down * turn.cos - plane.x * turn.sin, outwards});
 }
@@ -62,9 +61,9 @@ constexpr std::size_t kFrontContacts = 5;
 constexpr std::size_t kContactCount = kFrontContacts + 3;
 using Contacts = std::array<Contact, kContactCount>;
 
-Contacts contacts(const JointAngles& joints) {
+Contacts contacts(const AllTurns& turns) {
   const auto support = [&](std::size_t i) {
-    const Support s = supportOf(i, joints);
+    const Support s = supportOf(i, turns[index(legOfSupport(i))]);
     return Contact{s.middle.y, s.middle.z - (s.radius - kPawRadius)};
   };
   constexpr double kEdge = kPawRadius - kChestDepth;
@@ -78,12 +77,38 @@ Contacts contacts(const JointAngles& joints) {
            support(index(LegId::rightHind))}};
 }
 
-// How far the lowest contact is below the line through a hind and a front one; 0 = none is.
-double deepestBelow(const Contacts& all, const Contact& hind, const Contact& front) {
+constexpr double kUnlimited = 1e9;  // cm
+
+// How far the lowest contact is below the line through a hind and a front one; 0 = none is. Any
+// number from `enough` on where it is as much as that.
+double deepestBelow(const Contacts& all, const Contact& hind, const Contact& front, double enough) {
   const double slope = (front.z - hind.z) / (front.y - hind.y);
   double deepest = 0.0;
-  for (const Contact& c : all) deepest = std::fmax(deepest, hind.z + slope * (c.y - hind.y) - c.z);
+  for (const Contact& c : all) {
+    const double below = hind.z + slope * (c.y - hind.y) - c.z;
+    if (below > deepest) deepest = below;
+    if (deepest >= enough) break;
+  }
   return deepest;
+}
+
+// A joint inside its range keeps its bits.
+Angle withinRange(const JointRange& range, Angle angle) {
+  const Angle limited = Angle::deg(maths::clamp(angle.deg(), range.min, range.max));
+  return limited.deg() == angle.deg() ? angle : limited;
+}
+
+// The bounds of a leg's own joints.
+LegAngles withinLimits(LegId leg, const LegAngles& angles) {
+  const std::size_t first = firstJoint(leg);
+  const auto bounded = [first](std::size_t j, Angle angle) {
+    return withinRange(kJointRanges[first + j], angle);
+  };
+  LegAngles limited{bounded(0, angles.rotator), bounded(1, angles.shoulder),
+                    bounded(2, angles.knee)};
+  const double lowest = lowestShoulder(leg, limited.rotator.deg());
+  if (limited.shoulder.deg() < lowest) limited.shoulder = Angle::deg(lowest);
+  return limited;
 }
 
 }  // namespace
@@ -100,8 +125,26 @@ void setLegAngles(JointAngles& joints, LegId leg, const LegAngles& angles) {
   joints.angle[first + 2] = angles.knee;
 }
 
+LegTurns turnsOf(LegId leg, const LegAngles& angles) {
+  return {maths::sinCos(mirrorOf(leg) * angles.rotator.rad()), maths::sinCos(angles.shoulder.rad()),
+          maths::sinCos(angles.knee.rad())};
+}
+
+AllTurns turnsOf(const JointAngles& joints) {
+  AllTurns turns;
+  for (std::size_t i = 0; i < kLegCount; ++i) {
+    const auto leg = static_cast<LegId>(i);
+    turns[i] = turnsOf(leg, legAngles(joints, leg));
+  }
+  return turns;
+}
+
+Point3<Torso> footPosition(LegId leg, const LegTurns& turns) {
+  return ofLowerLeg(leg, turns, planeFoot(turns.knee, lowerLength(leg)));
+}
+
 Point3<Torso> footPosition(LegId leg, const LegAngles& angles) {
-  return ofLowerLeg(leg, angles, planeFoot(angles.knee.rad(), lowerLength(leg)));
+  return footPosition(leg, turnsOf(leg, angles));
 }
 
 LegId legOfSupport(std::size_t i) {
@@ -109,14 +152,17 @@ LegId legOfSupport(std::size_t i) {
   return i == kLegCount ? LegId::leftFront : LegId::rightFront;
 }
 
+Support supportOf(std::size_t i, const LegTurns& turns) {
+  const LegId leg = legOfSupport(i);
+  const bool paw = i < kLegCount;
+  const PlaneFoot plane = paw ? planeFoot(turns.knee, lowerLength(leg) - kPawRadius)
+                              : planeFoot(turns.knee, kCowlEnds, -kCowlBehind);
+  return {ofLowerLeg(leg, turns, plane), paw ? kPawRadius : kCowlRadius};
+}
+
 Support supportOf(std::size_t i, const JointAngles& joints) {
   const LegId leg = legOfSupport(i);
-  const LegAngles angles = legAngles(joints, leg);
-  const double knee = angles.knee.rad();
-  const bool paw = i < kLegCount;
-  const PlaneFoot plane = paw ? planeFoot(knee, lowerLength(leg) - kPawRadius)
-                              : planeFoot(knee, kCowlEnds, -kCowlBehind);
-  return {ofLowerLeg(leg, angles, plane), paw ? kPawRadius : kCowlRadius};
+  return supportOf(i, turnsOf(leg, legAngles(joints, leg)));
 }
 
 LegSolution reachFoot(LegId leg, Point3<Torso> foot) {
@@ -127,7 +173,7 @@ LegSolution reachFoot(LegId leg, Point3<Torso> foot) {
                          maths::square(wanted.z) - maths::square(kKneeOut);
   const double bend = (inPlane - upper * upper - length * length) / (2.0 * upper * length);
   const double knee = maths::atan2(kKneeForward, kUpperLeg) + maths::acos(bend);
-  const PlaneFoot plane = planeFoot(knee, length);
+  const PlaneFoot plane = planeFoot(maths::sinCos(knee), length);
   const double reach = maths::hypot(plane.y, kKneeOut);
   const double lift = wanted.z / reach;
   const double shoulder = maths::asin(lift) - maths::atan2(kKneeOut, plane.y);
@@ -136,10 +182,7 @@ LegSolution reachFoot(LegId leg, Point3<Torso> foot) {
   const double rotator = maths::atan2(wanted.x, wanted.y) - maths::atan2(plane.x, down);
   LegSolution solution;
   solution.angles = {Angle::rad(mirrorOf(leg) * rotator), Angle::rad(shoulder), Angle::rad(knee)};
-  JointAngles joints;
-  setLegAngles(joints, leg, solution.angles);
-  setLegAngles(joints, leg, legAngles(withinLimits(joints), leg));
-  const LegAngles limited = legAngles(joints, leg);
+  const LegAngles limited = withinLimits(leg, solution.angles);
   solution.reached = std::fabs(bend) <= 1.0 && std::fabs(lift) <= 1.0 &&
                      limited.rotator == solution.angles.rotator &&
                      limited.shoulder == solution.angles.shoulder &&
@@ -148,16 +191,16 @@ LegSolution reachFoot(LegId leg, Point3<Torso> foot) {
   return solution;
 }
 
-Stance stanceFromLegs(const JointAngles& joints) {
+Stance stanceFromLegs(const AllTurns& turns) {
   constexpr double kShortestBase = 1.0;  // cm; contacts nearer than that carry no body
-  const Contacts all = contacts(joints);
+  const Contacts all = contacts(turns);
   Contact front = all[0];
   Contact hind = all[kFrontContacts];
-  double best = deepestBelow(all, hind, front);
+  double best = deepestBelow(all, hind, front, kUnlimited);
   for (std::size_t f = 0; f < kFrontContacts; ++f) {
     for (std::size_t h = kFrontContacts; h < kContactCount; ++h) {
       if (all[f].y - all[h].y < kShortestBase) continue;
-      const double below = deepestBelow(all, all[h], all[f]);
+      const double below = deepestBelow(all, all[h], all[f], best);
       if (below >= best) continue;
       best = below;
       front = all[f];
@@ -165,19 +208,22 @@ Stance stanceFromLegs(const JointAngles& joints) {
     }
   }
   const Angle tilt = Angle::rad(maths::atan2(front.z - hind.z, front.y - hind.y));
-  return {kPawRadius + front.y * tilt.sin() - front.z * tilt.cos(), tilt, {}};
+  const maths::SinCos lean = tilt.sinCos();
+  return {kPawRadius + front.y * lean.sin - front.z * lean.cos, tilt, {}};
 }
 
-Point3<Robot> robotFromTorso(const Stance& stance, const Point3<Torso>& p) {
-  const maths::SinCos lean = maths::sinCos(stance.bodyTilt.rad());
+Stance stanceFromLegs(const JointAngles& joints) { return stanceFromLegs(turnsOf(joints)); }
+
+Point3<Robot> robotFromTorso(const Lean& stance, const Point3<Torso>& p) {
+  const maths::SinCos& lean = stance.turn;
   const double y = p.y + kNeckBehindShoulder;
   const double z = p.z - kNeckAboveShoulder;
   const double up = p.z * lean.cos - p.y * lean.sin;
   return {p.x, y * lean.cos + z * lean.sin, stance.shoulderHeight + up};
 }
 
-Point3<Torso> torsoFromRobot(const Stance& stance, const Point3<Robot>& p) {
-  const maths::SinCos lean = maths::sinCos(stance.bodyTilt.rad());
+Point3<Torso> torsoFromRobot(const Lean& stance, const Point3<Robot>& p) {
+  const maths::SinCos& lean = stance.turn;
   const double forward = p.y - kNeckBehindShoulder * lean.cos + kNeckAboveShoulder * lean.sin;
   const double up = p.z - stance.shoulderHeight;
   return {p.x, forward * lean.cos - up * lean.sin, forward * lean.sin + up * lean.cos};
@@ -186,14 +232,12 @@ Point3<Torso> torsoFromRobot(const Stance& stance, const Point3<Robot>& p) {
 JointAngles withinLimits(const JointAngles& joints) {
   JointAngles limited = joints;
   for (std::size_t j = 0; j < kJointCount; ++j) {
-    const JointRange range = kJointRanges[j];
-    limited.angle[j] = Angle::deg(maths::clamp(joints.angle[j].deg(), range.min, range.max));
-    if (limited.angle[j].deg() == joints.angle[j].deg()) limited.angle[j] = joints.angle[j];
+    if (j >= firstJoint(LegId::leftFront) && j <= index(Joint::rightHindKnee)) continue;
+    limited.angle[j] = withinRange(kJointRanges[j], joints.angle[j]);
   }
-  for (std::size_t leg = 0; leg < kLegCount; ++leg) {
-    const std::size_t first = firstJoint(static_cast<LegId>(leg));
-    const double lowest = lowestShoulder(static_cast<LegId>(leg), limited.angle[first].deg());
-    if (limited.angle[first + 1].deg() < lowest) limited.angle[first + 1] = Angle::deg(lowest);
+  for (std::size_t i = 0; i < kLegCount; ++i) {
+    const auto leg = static_cast<LegId>(i);
+    setLegAngles(limited, leg, withinLimits(leg, legAngles(joints, leg)));
   }
   return limited;
 }

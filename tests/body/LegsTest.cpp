@@ -73,16 +73,16 @@ TEST(Legs, FootBeyondTheStretchedLegIsNotReachedAndTheLegIsStraight) {
 }
 
 TEST(Legs, HangingStraightDownTheFeetAreWhereTheDrawingHasThem) {
-  const Point3<Torso> front = footPosition(LegId::rightFront, {});
+  const Point3<Torso> front = footPosition(LegId::rightFront, LegAngles{});
   EXPECT_NEAR(apart(front, {6.72 + 0.47, 0.9, -(6.95 + 7.736)}), 0.0, 1e-12);
-  const Point3<Torso> hind = footPosition(LegId::leftHind, {});
+  const Point3<Torso> hind = footPosition(LegId::leftHind, LegAngles{});
   EXPECT_NEAR(apart(hind, {-6.72 - 0.47, -13.0 - 0.9, -(6.95 + 8.314)}), 0.0, 1e-12);
 }
 
 TEST(Legs, PositiveAnglesSwingForwardLiftOutwardsAndBendAwayFromTheBody) {
   for (const LegId leg : kLegs) {
     const bool front = leg == LegId::leftFront || leg == LegId::rightFront;
-    const Point3<Torso> rest = footPosition(leg, {});
+    const Point3<Torso> rest = footPosition(leg, LegAngles{});
     EXPECT_GT(footPosition(leg, {Angle::deg(10), {}, {}}).y, rest.y);
     EXPECT_GT(std::fabs(footPosition(leg, {{}, Angle::deg(10), {}}).x), std::fabs(rest.x));
     const double bent = footPosition(leg, {{}, {}, Angle::deg(30)}).y - rest.y;
