@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "robot/core/Checksum.h"
+#include "robot/core/ChunkRoom.h"
 
 namespace kelpie {
 
@@ -111,6 +112,7 @@ bool LogReader::readRecord(Record& record) {
   ContentReader content(head.data() + 1, head.size() - 1);
   const auto length = content.number<std::uint64_t>();
   if (length > fileSize_ - std::min(fileSize_, offset_ + head.size())) return cutOff();
+  makeRoom(record_, static_cast<std::size_t>(length));
   record_.resize(static_cast<std::size_t>(length));
   file_.read(reinterpret_cast<char*>(record_.data()), static_cast<std::streamsize>(length));
   if (!file_) return cutOff();
@@ -218,6 +220,7 @@ Status LogReader::unpack(const std::string& compression, const std::uint8_t* sto
   if (size > kMaxChunk) return Error{says};
   if (compression.empty()) {
     if (size != length) return Error{says + ", has " + std::to_string(length)};
+    makeRoom(chunk_, static_cast<std::size_t>(length));
     chunk_.assign(stored, stored + length);
     return Done{};
   }

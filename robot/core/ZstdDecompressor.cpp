@@ -3,6 +3,7 @@
 #include <zstd.h>
 
 #include "robot/core/ChunkCodec.h"
+#include "robot/core/ChunkRoom.h"
 
 namespace kelpie {
 namespace {
@@ -35,6 +36,7 @@ class ZstdDecompressor : public ChunkDecompressor {
       return Error{"zstd: its " + std::to_string(size) + " bytes do not hold the " +
                    std::to_string(count) + " that it says"};
     }
+    makeRoom(to, count);
     to.resize(count);
     const std::size_t got = ZSTD_decompressDCtx(context_, to.data(), count, from, size);
     const Status done = statusOf(got);
