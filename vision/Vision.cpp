@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "robot/core/Emptied.h"
 #include "vision/Refusal.h"
 #include "vision/Scene.h"
 #include "vision/ball/BallFinder.h"
@@ -36,17 +37,17 @@ bool poseIsInRange(const BodyState& body) {
 
 }  // namespace
 
-Percepts step(const VisionIn& in, const VisionParams& params, VisionState& state) {
-  Percepts out;
+void stepInto(Percepts& out, const VisionIn& in, const VisionParams& params, VisionState& state) {
+  makeEmpty(out);
   state.judgedBalls.clear();
   state.judgedBeacons.clear();
   state.judgedGoals.clear();
   state.judgedRobots.clear();
   if (!poseIsInRange(in.body)) {
     refuse(out.counts, Refusal::poseOutOfRange);
-    return out;
+    return;
   }
-  Sampler sampler(in.input.image, state.calibration, state.distances, state.classes);
+  Sampler sampler(in.input.image, state.tables, state.classes);
   sampler.reset();
   const HorizonFrame frame = horizonFrameOf(in.body.camera);
   const Horizon& horizon = in.body.horizon;
@@ -68,9 +69,14 @@ Percepts step(const VisionIn& in, const VisionParams& params, VisionState& state
   findRobots(scene, params.robot, out.counts, out.robots, state.judgedRobots);
   findPinkPatches(scene, out.landmarks, params.pink, out.counts, out.pinkPatches);
   const Obstacles obstacles = findObstacles(scene, params.obstacle, out.counts);
-  out.obstacles = obstacles.points;
+  copyUsed(out.obstacles, obstacles.points);
   out.obstaclesAhead = obstacles.ahead;
   findLinePoints(scene, params.line, out);
+}
+
+Percepts step(const VisionIn& in, const VisionParams& params, VisionState& state) {
+  Percepts out;
+  stepInto(out, in, params, state);
   return out;
 }
 

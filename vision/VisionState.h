@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Vision's memory: the calibration and work buffers that each step overwrites. Nothing of an
-// earlier image survives. 300 KB: keep it off the stack.
+// Vision's memory: the calibration as tables, and work buffers that each step overwrites. Nothing
+// of an earlier image is seen again. 300 KB: keep it off the stack.
 #pragma once
 
 #include "vision/ball/JudgedBall.h"
 #include "vision/beacon/JudgedBeacon.h"
 #include "vision/blobs/Blobs.h"
 #include "vision/goal/JudgedGoal.h"
-#include "vision/pixels/RingTable.h"
 #include "vision/pixels/Sampler.h"
 #include "vision/pixels/VisionCalibration.h"
 #include "vision/robot/JudgedRobot.h"
@@ -16,11 +15,10 @@ namespace kelpie::vision {
 
 struct VisionState {
   VisionState() : VisionState(nominalCalibration()) {}
-  explicit VisionState(const VisionCalibration& given) : calibration(given) {}
+  explicit VisionState(const VisionCalibration& calibration) : tables(calibration) {}
 
-  VisionCalibration calibration;
-  RingDistances distances;
-  ClassPlane classes{};
+  PixelTables tables;
+  ClassMemory classes;
   RunBuffer runs;
   BlobBuffer blobs;
   JudgedBalls judgedBalls;

@@ -51,7 +51,7 @@ struct Canvas {
     }
   }
   const BlobBuffer& blobs(const HorizonFrame& frame = HorizonFrame{}) {
-    const Sampler sampler(*image, state->calibration, state->distances, state->classes);
+    const Sampler sampler(*image, state->tables, state->classes);
     counts = findBlobs(sampler, Lattice(frame), state->runs, state->blobs);
     return state->blobs;
   }
@@ -67,7 +67,7 @@ TEST(Blobs, SamplesOfARowHaveTheClassesThatTheyHaveOneByOne) {
       image->set(px, py,
                  {static_cast<std::uint8_t>(7 * px + py), static_cast<std::uint8_t>(80 + px / 2),
                   static_cast<std::uint8_t>(60 + py / 2)});
-  Sampler sampler(*image, state->calibration, state->distances, state->classes);
+  Sampler sampler(*image, state->tables, state->classes);
   for (const double roll : {0.0, 3.0, -40.0}) {
     const Lattice lattice(rolled(roll));
     for (int r = 0; r < lattice.rows(); r += 5) {

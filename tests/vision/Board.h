@@ -13,7 +13,6 @@ namespace kelpie::vision {
 class Board {
  public:
   explicit Board(const CameraPose& camera = cameraAt(16, 0, -30)) : body(bodyOf(camera)) {
-    calibration_->ring = *loadRingTable("none");
     fill(0, 0, kImageWidth, kImageHeight, kGreenPaint);
     sampler.reset();
   }
@@ -39,15 +38,14 @@ class Board {
  private:
   Lattice lattice_{horizonFrameOf(body.camera)};
   std::unique_ptr<Image> image_ = std::make_unique<Image>();
-  std::unique_ptr<VisionCalibration> calibration_ =
-      std::make_unique<VisionCalibration>(nominalCalibration());
-  std::unique_ptr<RingDistances> distances_ = std::make_unique<RingDistances>();
-  std::unique_ptr<ClassPlane> classes_ = std::make_unique<ClassPlane>();
+  std::unique_ptr<PixelTables> tables_ =
+      std::make_unique<PixelTables>(*loadCalibration("nominal", "none"));
+  std::unique_ptr<ClassMemory> classes_ = std::make_unique<ClassMemory>();
   std::unique_ptr<BlobBuffer> blobs_ = std::make_unique<BlobBuffer>();
   std::unique_ptr<RunBuffer> runs_ = std::make_unique<RunBuffer>();
 
  public:
-  Sampler sampler{*image_, *calibration_, *distances_, *classes_};
+  Sampler sampler{*image_, *tables_, *classes_};
 };
 
 }  // namespace kelpie::vision

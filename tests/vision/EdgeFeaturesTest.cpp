@@ -20,17 +20,18 @@ struct Band {
 constexpr ColourClass kGreen = ColourClass::green;
 constexpr ColourClass kFloor = ColourClass::none;
 
-// Fills the class plane: what is not painted is green.
+// Fills the memory of classes: what is not painted is green.
 EdgeFeatures featuresOf(std::initializer_list<Band> bands, double up = -5.0) {
   const auto image = std::make_unique<Image>();
   const auto state = stateForPaintings();
-  state->classes.fill(static_cast<std::uint8_t>(kGreen));
+  for (std::size_t i = 0; i < kImagePixels; ++i)
+    state->classes.keep(i, static_cast<unsigned>(kGreen));
   int row = 0;
   for (const Band& band : bands)
     for (int i = 0; i < band.rows; ++i, ++row)
       for (int x = 0; x < kImageWidth; ++x)
-        state->classes[Image::at(x, row)] = static_cast<std::uint8_t>(band.colour);
-  const Sampler sampler(*image, state->calibration, state->distances, state->classes);
+        state->classes.keep(Image::at(x, row), static_cast<unsigned>(band.colour));
+  const Sampler sampler(*image, state->tables, state->classes);
   return edgeFeatures(sampler, horizonScan(horizonFrameOf(cameraAt(16, 0, up)), {}), {});
 }
 

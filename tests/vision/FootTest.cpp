@@ -22,7 +22,7 @@ struct Look {
   double behind(PixelPoint at) const { return carpetBehind(scene, at, 20); }
   std::unique_ptr<VisionState> state = stateForPaintings();
   std::unique_ptr<Image> image = std::make_unique<Image>();
-  Sampler sampler{*image, state->calibration, state->distances, state->classes};
+  Sampler sampler{*image, state->tables, state->classes};
   BodyState body;
   FixedVector<FieldEdgePercept, 3> edges;
   Lattice lattice{horizonFrameOf(body.camera)};

@@ -36,7 +36,7 @@ TEST(PlaneImage, VisionFindsTheSameThingsInIt) {
   const auto state = stateForPaintings();
   const Percepts seen = step({*input, bodyOf(camera)}, {}, *state);
   const auto plane = std::make_unique<ClassPlane>();
-  classifyWhole(input->image, state->calibration, *plane);
+  classifyWhole(input->image, state->tables, *plane);
   imageOf(*plane, input->image);
   const auto planeState = std::make_unique<VisionState>(*loadCalibration("nominal", "none"));
   const Percepts made = step({*input, bodyOf(camera)}, {}, *planeState);

@@ -13,7 +13,7 @@ namespace {
 struct EmptyScene {
   std::unique_ptr<VisionState> state = std::make_unique<VisionState>();
   std::unique_ptr<Image> image = std::make_unique<Image>();
-  Sampler sampler{*image, state->calibration, state->distances, state->classes};
+  Sampler sampler{*image, state->tables, state->classes};
   BodyState body = bodyOf(cameraAt(17, 0, -8));
   FixedVector<FieldEdgePercept, 3> edges;
   Lattice lattice{horizonFrameOf(body.camera)};

@@ -16,8 +16,7 @@ struct Edge {
   std::unique_ptr<Image> image = std::make_unique<Image>();
 
   explicit Edge(double x) {
-    state->calibration.ring = buildRingTable({});
-    state->classes.fill(kNotLookedAt);
+    state->tables.ring = RingByValue(buildRingTable({}));
     for (int py = 0; py < kImageHeight; ++py) {
       for (int px = 0; px < kImageWidth; ++px)
         image->set(px, py, mixed(maths::clamp(x - px, 0.0, 1.0)));
@@ -31,7 +30,7 @@ struct Edge {
             mix(kYellowPaint.cb, kGreenPaint.cb)};
   }
   EdgeHit walk(PixelPoint from, double dx, double dy) const {
-    const Sampler sampler(*image, state->calibration, state->distances, state->classes);
+    const Sampler sampler(*image, state->tables, state->classes);
     return walkToEdge(sampler, {from, {dx, dy}, ColourClass::yellow, 1});
   }
 };

@@ -5,7 +5,6 @@
 
 #include <filesystem>
 #include <memory>
-#include <optional>
 
 #include "robot/agent/FrameLoop.h"
 #include "robot/agent/FrameMessages.h"
@@ -48,7 +47,7 @@ class Compressor {
     const auto config = std::make_unique<agent::AgentConfig>();
     const Status read = decodeAs(message, *config);
     if (!read) return read;
-    calibration_ = config->calibration;
+    tables_ = std::make_unique<vision::PixelTables>(config->calibration);
     const auto nominal = vision::loadCalibration("nominal", "none");
     if (!nominal) return Error{nominal.error()};
     config->calibration = *nominal;
@@ -62,7 +61,7 @@ class Compressor {
     const Status read = decodeForPeople(message, *frame_);
     if (!read) return read;
     vision::ClassPlane plane{};
-    vision::classifyWhole(frame_->image, *calibration_, plane);
+    vision::classifyWhole(frame_->image, *tables_, plane);
     encodePlane(plane, frame_->plane);
     vision::imageOf(plane, frame_->image);
     out_.write(kPlaneFrameTopic, message.time, *frame_);
@@ -74,7 +73,7 @@ class Compressor {
 
   LogWriter& out_;
   std::string scripts_;
-  std::optional<vision::VisionCalibration> calibration_;  // of the recorded images
+  std::unique_ptr<vision::PixelTables> tables_;  // of the recorded images
   std::unique_ptr<agent::FrameLoop> loop_;
   std::unique_ptr<PlaneFrame> frame_ = std::make_unique<PlaneFrame>();
   agent::StageObserver silent_;

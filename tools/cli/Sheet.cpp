@@ -57,7 +57,7 @@ cv::Mat enlarged(const cv::Mat& picture) {
 
 cv::Mat classPanel(const SheetIn& in) {
   vision::ClassPlane plane{};
-  vision::classifyWhole(in.input.image, in.vision.calibration, plane);
+  vision::classifyWhole(in.input.image, in.vision.tables, plane);
   cv::Mat picture(kImageHeight, kImageWidth, CV_8UC3);
   for (std::size_t i = 0; i < plane.size(); ++i) picture.ptr<cv::Vec3b>()[i] = inkOf(plane[i]);
   return enlarged(picture);
@@ -82,7 +82,7 @@ cv::Mat lookedPanel(const SheetIn& in) {
   cv::Mat picture(kImageHeight, kImageWidth, CV_8UC3);
   for (std::size_t i = 0; i < kImagePixels; ++i) {
     const auto grey = static_cast<std::uint8_t>(in.input.image.y[i] / 4);
-    const std::uint8_t known = in.vision.classes[i];
+    const std::uint8_t known = in.vision.classes.looked(i);
     picture.ptr<cv::Vec3b>()[i] =
         known == vision::kNotLookedAt ? cv::Vec3b(grey, grey, grey) : inkOf(known);
   }

@@ -68,8 +68,9 @@ Lines frameLines(const SheetIn& in) {
   const auto& joints = in.input.sensors.joints;
   const auto& body = in.output.body;
   const auto& counts = in.output.percepts.counts;
-  const auto looked = std::count_if(in.vision.classes.begin(), in.vision.classes.end(),
-                                    [](auto c) { return c != vision::kNotLookedAt; });
+  std::size_t looked = 0;
+  for (std::size_t i = 0; i < kImagePixels; ++i)
+    looked += in.vision.classes.looked(i) != vision::kNotLookedAt ? 1U : 0U;
   return {fmt::format("head: tilt {:.1f}, pan {:.1f}, nod {:.1f} deg; turns {:.1f} deg a frame",
                       joints[Joint::neckTilt].deg(), joints[Joint::headPan].deg(),
                       joints[Joint::headNod].deg(), Angle::rad(body.headSpeed).deg()),

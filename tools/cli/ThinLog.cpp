@@ -66,12 +66,13 @@ void leaveOut(FrameInput& input) {
 
 }  // namespace
 
-ThinFrames::ThinFrames(const vision::VisionCalibration& calibration) : calibration_(calibration) {}
+ThinFrames::ThinFrames(const vision::VisionCalibration& calibration)
+    : tables_(std::make_unique<vision::PixelTables>(calibration)) {}
 
 void ThinFrames::writeWhole(const FrameInput& input, LogWriter& out) {
   static_cast<FrameInput&>(*plane_) = input;
   vision::ClassPlane plane{};
-  vision::classifyWhole(input.image, calibration_, plane);
+  vision::classifyWhole(input.image, *tables_, plane);
   encodePlane(plane, plane_->plane);
   shorten(*plane_);
   out.write(kPlaneFrameTopic, input.time, *plane_);

@@ -18,6 +18,7 @@
 #include "robot/core/LogWriter.h"
 #include "robot/core/PictureFrame.h"
 #include "robot/core/PlaneFrame.h"
+#include "vision/pixels/PixelTables.h"
 
 namespace kelpie::cli {
 
@@ -34,7 +35,7 @@ class ThinFrames {
   void writeWhole(const FrameInput& input, LogWriter& out);
   void writeRest(const FrameInput& input, LogWriter& out);
 
-  vision::VisionCalibration calibration_;
+  std::unique_ptr<vision::PixelTables> tables_;
   std::unique_ptr<PlaneFrame> plane_ = std::make_unique<PlaneFrame>();
   std::unique_ptr<PictureFrame> rest_ = std::make_unique<PictureFrame>();
   std::unique_ptr<FrameOutput> output_ = std::make_unique<FrameOutput>();

@@ -128,11 +128,11 @@ GridLine gridLineUp(int px, int highest) {
 
 GridLine gridLineRight(int py) { return {kUsableLeft, py, 1, 0, kUsableRight - kUsableLeft}; }
 
-BrightSegments brightSegments(const Sampler& sampler, const GridLine& gridLine,
-                              const LinePointParams& params) {
+void findBrightSegments(const Sampler& sampler, const GridLine& gridLine,
+                        const LinePointParams& params, BrightSegments& found) {
+  found.clear();
   const Profile y = profileOf(sampler, gridLine);
   const int minStep = static_cast<int>(params.minStep);
-  BrightSegments found;
   int first = -1;
   for (int i = nextStep(y, 1, minStep); i + kEdgeWidth + 1 < y.length;
        i = nextStep(y, i + 1, minStep)) {
@@ -148,6 +148,12 @@ BrightSegments brightSegments(const Sampler& sampler, const GridLine& gridLine,
       first = -1;
     }
   }
+}
+
+BrightSegments brightSegments(const Sampler& sampler, const GridLine& gridLine,
+                              const LinePointParams& params) {
+  BrightSegments found;
+  findBrightSegments(sampler, gridLine, params, found);
   return found;
 }
 

@@ -84,17 +84,18 @@ void checkLine(const Finder& f, const LineCandidate& c) {
   addPoint(f, LinePointKind::line, c.pixel);
 }
 
-void checkLines(const Finder& f, const GridLine& gridLine) {
-  for (const BrightSegment& s : brightSegments(f.scene.sampler, gridLine, f.params))
-    checkLine(f, {gridLine, s, gridLine.at(s.middle())});
+void checkLines(const Finder& f, const GridLine& gridLine, BrightSegments& segments) {
+  findBrightSegments(f.scene.sampler, gridLine, f.params, segments);
+  for (const BrightSegment& s : segments) checkLine(f, {gridLine, s, gridLine.at(s.middle())});
 }
 
 void findLines(const Finder& f) {
+  BrightSegments segments;
   for (int px = kGridLeft; px < kUsableRight; px += kGridSpacing)
-    checkLines(f, gridLineUp(px, highestRow(f.scene, px)));
+    checkLines(f, gridLineUp(px, highestRow(f.scene, px)), segments);
   for (int py = kGridTop; py < kUsableBottom; py += kGridSpacing) {
     if (py < highestRow(f.scene, 0) && py < highestRow(f.scene, kImageWidth)) continue;
-    checkLines(f, gridLineRight(py));
+    checkLines(f, gridLineRight(py), segments);
   }
 }
 

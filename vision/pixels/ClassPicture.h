@@ -13,6 +13,7 @@ namespace kelpie::vision {
 
 // Fills the plane with ColourClass numbers (draw them with kColourPalette); the number of pixels
 // that have a class other than none.
+std::size_t classifyWhole(const Image& image, const PixelTables& tables, ClassPlane& plane);
 std::size_t classifyWhole(const Image& image, const VisionCalibration& calibration,
                           ClassPlane& plane);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // One image as the finders read it: ring-corrected values and colour classes. A pixel is corrected
-// and classified at most once a frame; its class is kept in the plane of VisionState.
+// and classified at most once a frame; its class is kept in VisionState.
 #pragma once
 
 #include <algorithm>
@@ -10,13 +10,10 @@
 
 #include "robot/core/Geometry.h"
 #include "robot/core/Image.h"
-#include "vision/pixels/RingTable.h"
-#include "vision/pixels/VisionCalibration.h"
+#include "vision/pixels/ClassMemory.h"
+#include "vision/pixels/PixelTables.h"
 
 namespace kelpie::vision {
-
-using ClassPlane = std::array<std::uint8_t, kImagePixels>;
-constexpr std::uint8_t kNotLookedAt = 255;
 
 // The ERS-7's outermost three pixels are unusable (facts-2005 section 4.1).
 constexpr int kRim = 3;
@@ -27,13 +24,12 @@ constexpr int kUsableBottom = kImageHeight - kRim;
 
 class Sampler {
  public:
-  Sampler(const Image& image, const VisionCalibration& calibration, const RingDistances& distances,
-          ClassPlane& classes)
-      : image_(image), calibration_(calibration), classes_(classes) {
-    const auto& centre = calibration.ring.centre;
+  Sampler(const Image& image, const PixelTables& tables, ClassMemory& classes)
+      : image_(image), tables_(tables), classes_(classes) {
+    const auto& centre = tables.ring.centre;
     for (std::size_t channel = 0; channel < centre.size(); ++channel) {
       for (int py = 0; py < kImageHeight; ++py)
-        rows_[channel][static_cast<std::size_t>(py)] = distances.row(py, centre[channel]);
+        rows_[channel][static_cast<std::size_t>(py)] = tables.distances.row(py, centre[channel]);
     }
     oneCentre_ = rows_[0] == rows_[1] && rows_[0] == rows_[2];
   }
@@ -56,16 +52,14 @@ class Sampler {
   Yuv corrected(int px, int py) const {
     const auto row = static_cast<std::size_t>(py);
     const std::uint8_t toY = rows_[0][row][px];
-    if (oneCentre_) return calibration_.ring(image_.pixel(px, py), {toY, toY, toY});
-    return calibration_.ring(image_.pixel(px, py), {toY, rows_[1][row][px], rows_[2][row][px]});
+    if (oneCentre_) return tables_.ring(image_.pixel(px, py), {toY, toY, toY});
+    return tables_.ring(image_.pixel(px, py), {toY, rows_[1][row][px], rows_[2][row][px]});
   }
-  ColourClass classOf(Yuv corrected) const { return calibration_.colour(corrected); }
+  ColourClass classOf(Yuv corrected) const { return tables_.colour(corrected); }
   ColourClass classAt(int px, int py) const {
-    std::uint8_t& known = classes_[Image::at(px, py)];
-    if (known == kNotLookedAt) {
-      known = static_cast<std::uint8_t>(calibration_.colour(corrected(px, py)));
-    }
-    return static_cast<ColourClass>(known);
+    const std::size_t at = Image::at(px, py);
+    const unsigned known = classes_.at(at);
+    return ClassMemory::knows(known) ? static_cast<ColourClass>(known) : classified(px, py);
   }
   // Of a place in the image.
   ColourClass classAt(PixelPoint p) const {
@@ -94,14 +88,13 @@ class Sampler {
   std::uint8_t rawY(int px, int py) const { return image_.y[Image::at(px, py)]; }
   const Image::Plane& rawY() const { return image_.y; }
 
-  // Forgets the last image. By rows: a block of 33 KB is filled byte by byte where the library
-  // finds a string instruction worth while, at eight times the instructions.
-  void reset() {
-    for (std::size_t at = 0; at < kImagePixels; at += kImageWidth)
-      std::fill_n(classes_.data() + at, kImageWidth, kNotLookedAt);
-  }
+  // Forgets the last image.
+  void reset() { classes_.forget(); }
 
  private:
+  // Of a pixel that was not looked at. Apart, so that its callers, of whom nine in ten ask for a
+  // known class, hold no more than that.
+  ColourClass classified(int px, int py) const;
   // How many samples lie in the same row of pixels as the first.
   static int samplesInRow(std::int32_t y, std::int32_t step) {
     constexpr std::int32_t kLast = 0xFFFF;
@@ -118,8 +111,9 @@ class Sampler {
     const std::uint8_t* const toY = rows_[0][static_cast<std::size_t>(py)];
     const std::uint8_t* const toCr = rows_[1][static_cast<std::size_t>(py)];
     const std::uint8_t* const toCb = rows_[2][static_cast<std::size_t>(py)];
-    const VisionCalibration& calibration = calibration_;
-    std::uint8_t* const classes = classes_.data() + start;
+    const PixelTables& tables = tables_;
+    std::uint8_t* const classes = classes_.cells() + start;
+    const unsigned image = classes_.image();
     // As wide as an index, so that none is made wider for each sample; it wraps where steps are
     // negative.
     auto x = static_cast<std::size_t>(from);
@@ -127,16 +121,19 @@ class Sampler {
     for (const std::uint8_t* const end = out + count; out != end; ++out, x += stepX) {
       const std::size_t px = x >> 16;
       const Yuv raw{rawY[px], rawCr[px], rawCb[px]};
-      const Yuv corrected = calibration.ring(raw, {toY[px], toCr[px], toCb[px]});
-      *out = classes[px] = static_cast<std::uint8_t>(calibration.colour(corrected));
+      const Yuv corrected = tables.ring(raw, {toY[px], toCr[px], toCb[px]});
+      const auto colour = static_cast<unsigned>(tables.colour(corrected));
+      *out = static_cast<std::uint8_t>(colour);
+      classes[px] = static_cast<std::uint8_t>(colour ^ image);
     }
   }
 
   void classifyAcrossRows(std::int32_t x, std::int32_t y, std::int32_t stepX, std::int32_t stepY,
                           int count, std::uint8_t* out) const {
     const Image& image = image_;
-    const VisionCalibration& calibration = calibration_;
-    std::uint8_t* const classes = classes_.data();
+    const PixelTables& tables = tables_;
+    std::uint8_t* const classes = classes_.cells();
+    const unsigned number = classes_.image();
     std::array<const std::uint8_t*, 3> to{};
     std::size_t start = 0;
     int row = -1;
@@ -150,14 +147,16 @@ class Sampler {
       const auto px = static_cast<std::size_t>(x >> 16);
       const std::size_t at = start + px;
       const Yuv raw{image.y[at], image.cr[at], image.cb[at]};
-      const Yuv corrected = calibration.ring(raw, {to[0][px], to[1][px], to[2][px]});
-      *out = classes[at] = static_cast<std::uint8_t>(calibration.colour(corrected));
+      const Yuv corrected = tables.ring(raw, {to[0][px], to[1][px], to[2][px]});
+      const auto colour = static_cast<unsigned>(tables.colour(corrected));
+      *out = static_cast<std::uint8_t>(colour);
+      classes[at] = static_cast<std::uint8_t>(colour ^ number);
     }
   }
 
   const Image& image_;
-  const VisionCalibration& calibration_;
-  ClassPlane& classes_;
+  const PixelTables& tables_;
+  ClassMemory& classes_;
   // The distances of every row's pixels from each channel's centre: looking the row up for each
   // pixel cost 60 instructions of its 110.
   std::array<std::array<const std::uint8_t*, kImageHeight>, 3> rows_{};

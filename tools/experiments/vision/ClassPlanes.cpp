@@ -56,7 +56,7 @@ class Comparison {
     const BodyState body = body::step(input, {});
     const Percepts image = vision::step({input, body}, {}, *onImage_);
     vision::ClassPlane plane{};
-    vision::classifyWhole(input.image, onImage_->calibration, plane);
+    vision::classifyWhole(input.image, onImage_->tables, plane);
     encodePlane(plane, again_->plane);
     bytes_.push_back(static_cast<double>(again_->plane.size()));
     vision::imageOf(plane, again_->image);

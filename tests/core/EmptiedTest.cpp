@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <memory>
+
+#include "robot/core/Emptied.h"
+#include "robot/core/FieldCheck.h"
+#include "robot/core/Percepts.h"
+#include "robot/core/WorldModel.h"
+#include "tests/core/RandomValue.h"
+
+namespace kelpie {
+namespace {
+
+template <class S>
+void expectEmptied() {
+  Random random(3);
+  const auto used = std::make_unique<S>();
+  const auto fresh = std::make_unique<S>();
+  randomise(*used, random);
+  std::string path;
+  ASSERT_TRUE(firstDifference(*used, *fresh, &path));
+  makeEmpty(*used);
+  EXPECT_FALSE(firstDifference(*used, *fresh, &path)) << path;
+}
+
+TEST(Emptied, StructsOfAFrameAreAsNew) {
+  expectEmptied<Percepts>();
+  expectEmptied<WorldModel>();
+}
+
+TEST(Emptied, ListsHoldNothingBeyondWhatIsCopied) {
+  FixedVector<int, 8> to;
+  for (int i = 0; i < 8; ++i) to.push_back(7);
+  FixedVector<int, 8> from;
+  from.push_back(1);
+  copyUsed(to, from);
+  ASSERT_EQ(to.size(), 1U);
+  EXPECT_EQ(to[0], 1);
+  to.resize(8);
+  for (std::size_t i = 1; i < 8; ++i) EXPECT_EQ(to[i], 0);
+}
+
+}  // namespace
+}  // namespace kelpie

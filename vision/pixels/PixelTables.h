@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+// The calibration as a pixel is looked up in it: the colour table, the ring table turned over, and
+// the distances of all pixels from the ring's centres. Made once, at start-up.
+#pragma once
+
+#include "vision/pixels/RingTable.h"
+#include "vision/pixels/VisionCalibration.h"
+
+namespace kelpie::vision {
+
+// The ring table by value first, the three channels of a value side by side. The pixels of a row
+// have nearly the same values at a hundred distances: by distance first, each row of the image read
+// 450 cache lines of the table and put out what the next one would read, by value first it reads a
+// quarter of them.
+struct RingByValue {
+  static constexpr std::size_t kStride = 512;  // of a value; three channels have 447
+  static constexpr std::size_t kCr = kRingDistances;
+  static constexpr std::size_t kCb = 2 * kRingDistances;
+  static_assert(3 * kRingDistances <= kStride);
+
+  explicit RingByValue(const RingTable& table);
+
+  Yuv operator()(Yuv raw, RingPlace at) const {
+    return {cells[kStride * raw.y + at.y], cells[kStride * raw.cr + kCr + at.cr],
+            cells[kStride * raw.cb + kCb + at.cb]};
+  }
+
+  std::array<std::uint8_t, 256 * kStride> cells{};
+  std::array<RingCentre, 3> centre{};
+};
+
+struct PixelTables {
+  explicit PixelTables(const VisionCalibration& calibration)
+      : colour(calibration.colour), ring(calibration.ring) {}
+
+  ColourTable colour;
+  RingByValue ring;
+  RingDistances distances;
+};
+
+}  // namespace kelpie::vision
