@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "behaviour/Behaviour.h"
 
-#include <algorithm>
-
 #include "behaviour/PythonHost.h"
+#include "robot/core/Emptied.h"
 #include "robot/core/FieldCheck.h"
 
 namespace kelpie::behaviour {
@@ -24,18 +23,6 @@ Command driven(const BehaviourIn& in, const BehaviourParams& params) {
   const Command& command = in.input.drive.command;
   if (verify(command, nullptr)) return command;
   return standAndScan(in.input, params, Fallback::badCommand);
-}
-
-// Copies of a list what is in it: most are nearly empty, and a whole frame is 27 KB, a tenth of the
-// target's second-level cache.
-template <class T, std::size_t Capacity>
-void copyUsed(FixedVector<T, Capacity>& to, const FixedVector<T, Capacity>& from) {
-  to.resize(from.size());
-  std::copy(from.begin(), from.end(), to.begin());
-}
-template <class T>
-void copyUsed(T& to, const T& from) {
-  to = from;
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "gps/OnField.h"
 #include "gps/SamePose.h"
 #include "gps/ball/BallMotion.h"
+#include "robot/core/Emptied.h"
 
 namespace kelpie::gps {
 namespace {
@@ -63,8 +64,8 @@ SecondHypothesis secondOf(const Modes& modes) {
 
 }  // namespace
 
-WorldModel extract(const GpsState& state, const BallFilterParams& params) {
-  WorldModel world;
+void extractInto(WorldModel& world, const GpsState& state, const BallFilterParams& params) {
+  makeEmpty(world);
   for (const PoseMode& mode : state.pose.modes) world.modes.push_back(mode);
   world.pose = state.pose.modes[0].pose;
   world.covariance = state.pose.modes[0].covariance;
@@ -79,7 +80,12 @@ WorldModel extract(const GpsState& state, const BallFilterParams& params) {
   world.second = secondOf(state.pose.modes);
   world.stuck = state.pose.stuck.share;
   world.ball = extractBall(state.ball.track, state.pose.modes[0], params);
-  world.pinkMap = state.pinks.map;
+  copyUsed(world.pinkMap, state.pinks.map);
+}
+
+WorldModel extract(const GpsState& state, const BallFilterParams& params) {
+  WorldModel world;
+  extractInto(world, state, params);
   return world;
 }
 

@@ -8,6 +8,7 @@
 
 namespace kelpie::gps {
 
+void extractInto(WorldModel& world, const GpsState& state, const BallFilterParams& params);
 WorldModel extract(const GpsState& state, const BallFilterParams& params);
 
 }  // namespace kelpie::gps

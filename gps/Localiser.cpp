@@ -21,25 +21,44 @@ void prepare(const GpsParams& params, GpsState& state) {
   state.pose.lag = startingLag(params.lag);
 }
 
-WorldModel believe(const GpsIn& in, const Step& moved, const GpsParams& params, GpsState& state) {
+namespace {
+
+void believeInto(WorldModel& world, const GpsIn& in, const Step& moved, const GpsParams& params,
+                 GpsState& state) {
   stepBall({in.input, in.percepts.ball, moved}, params.ball, state.ball, state.counts);
   applyReferee(in.input.game, params.field, params.ball, state.pose, state.ball);
-  WorldModel world = extract(state, params.ball);
+  extractInto(world, state, params.ball);
   stepPlayers(in, {params.field, params.players, params.ball}, state.players, state.counts, world);
   world.counts = state.counts;
   bringForward(sinceExposure(in.input), world);
-  return world;
 }
 
-WorldModel stepWith(LandmarkUpdate update, const GpsIn& in, const GpsParams& params,
-                    GpsState& state) {
+// The pose's part of a step.
+Step stepPose(LandmarkUpdate update, const GpsIn& in, const GpsParams& params, GpsState& state) {
   prepare(params, state);
   const Step moved = moveModes(in, params, state);
   useElevations(in, params, state);
   useLandmarks(in, params, state, update);
   usePinkPatches(in, moved.odometry, params, state);
   useLines(in, params, state);
-  return believe(in, moved, params, state);
+  return moved;
+}
+
+}  // namespace
+
+WorldModel believe(const GpsIn& in, const Step& moved, const GpsParams& params, GpsState& state) {
+  WorldModel world;
+  believeInto(world, in, moved, params, state);
+  return world;
+}
+
+WorldModel stepWith(LandmarkUpdate update, const GpsIn& in, const GpsParams& params,
+                    GpsState& state) {
+  return believe(in, stepPose(update, in, params, state), params, state);
+}
+
+void stepInto(WorldModel& world, const GpsIn& in, const GpsParams& params, GpsState& state) {
+  believeInto(world, in, stepPose(updateAll, in, params, state), params, state);
 }
 
 WorldModel step(const GpsIn& in, const GpsParams& params, GpsState& state) {

@@ -15,6 +15,9 @@ namespace kelpie::gps {
 // A step does it for a state that was not prepared.
 void prepare(const GpsParams& params, GpsState& state);
 
+// Writes over what `world` held.
+void stepInto(WorldModel& world, const GpsIn& in, const GpsParams& params, GpsState& state);
+
 WorldModel step(const GpsIn& in, const GpsParams& params, GpsState& state);
 
 // A step whose landmarks correct the modes in a way of their own.

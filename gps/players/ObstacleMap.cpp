@@ -73,6 +73,21 @@ void clear(const ObstacleSightings& in, const Cells& seen, const body::FieldDesc
   }
 }
 
+// As many of these cells as the list takes, the fuller ones, in order.
+template <class Listed>
+FixedVector<std::uint16_t, kMapCells> fullestOf(const ObstacleMap& map, const Listed& listed) {
+  FixedVector<std::uint16_t, kMapCells> full;
+  for (const std::uint16_t cell : map.occupied)
+    if (listed(cell)) full.push_back(cell);
+  const auto fuller = [&map](std::uint16_t a, std::uint16_t b) {
+    return map.count(a) > map.count(b) || (map.count(a) == map.count(b) && a < b);
+  };
+  std::nth_element(full.begin(), full.begin() + kObstacleCells, full.end(), fuller);
+  full.resize(kObstacleCells);
+  std::sort(full.begin(), full.end());
+  return full;
+}
+
 float faded(float count, float share) { return count * share < kMinCount ? 0.0F : count * share; }
 
 }  // namespace
@@ -138,23 +153,26 @@ FixedVector<SharedObstacle, kSharedObstacles> fullest(const ObstacleMap& map,
   return list;
 }
 
-ObstacleCells listed(const ObstacleMap& map, const body::FieldDescription& field) {
+void list(const ObstacleMap& map, const body::FieldDescription& field, ObstacleCells& cells) {
   constexpr double kMinListed = 1.0;  // point
-  FixedVector<std::uint16_t, kMapCells> full;
-  for (const std::uint16_t cell : map.occupied)
-    if (map.count(cell) >= kMinListed) full.push_back(cell);
-  if (full.size() > kObstacleCells) {
-    const auto fuller = [&map](std::uint16_t a, std::uint16_t b) {
-      return map.count(a) > map.count(b) || (map.count(a) == map.count(b) && a < b);
-    };
-    std::nth_element(full.begin(), full.begin() + kObstacleCells, full.end(), fuller);
-    full.resize(kObstacleCells);
-    std::sort(full.begin(), full.end());
-  }
-  ObstacleCells cells;
-  for (const std::uint16_t cell : full)
+  cells.clear();
+  const auto listed = [&map](std::uint16_t cell) { return map.count(cell) >= kMinListed; };
+  const auto add = [&](std::uint16_t cell) {
     cells.push_back({middleOf(cell, field), static_cast<double>(map.own[cell]),
                      static_cast<double>(map.heard[cell])});
+  };
+  const auto count = std::count_if(map.occupied.begin(), map.occupied.end(), listed);
+  if (count > static_cast<std::ptrdiff_t>(kObstacleCells)) {
+    for (const std::uint16_t cell : fullestOf(map, listed)) add(cell);
+    return;
+  }
+  for (const std::uint16_t cell : map.occupied)
+    if (listed(cell)) add(cell);
+}
+
+ObstacleCells listed(const ObstacleMap& map, const body::FieldDescription& field) {
+  ObstacleCells cells;
+  list(map, field, cells);
   return cells;
 }
 

@@ -58,6 +58,7 @@ FixedVector<SharedObstacle, kSharedObstacles> fullest(const ObstacleMap& map,
                                                       const ObstacleMapParams& params);
 
 // For the behaviours: all cells that hold a point or more, of more than the list takes the fuller.
+void list(const ObstacleMap& map, const body::FieldDescription& field, ObstacleCells& cells);
 ObstacleCells listed(const ObstacleMap& map, const body::FieldDescription& field);
 
 }  // namespace kelpie::gps

@@ -11,13 +11,13 @@ namespace {
 
 using Heard = FixedVector<TeamMessage, kTeammates>;
 
-ObstacleCells stepObstacles(const GpsIn& in, const PlayersContext& context, const Heard& heard,
-                            const WorldModel& world, ObstacleMap& map) {
+void stepObstacles(const GpsIn& in, const PlayersContext& context, const Heard& heard,
+                   ObstacleMap& map, WorldModel& world) {
   const ObstacleMapParams& p = context.players.obstacles;
   forget(elapsedOf(in.input), p, map);
   see({in.percepts, world}, context.field, p, map);
   for (const TeamMessage& message : heard) hear(message, context.field, p, map);
-  return listed(map, context.field);
+  list(map, context.field, world.obstacles);
 }
 
 }  // namespace
@@ -27,7 +27,7 @@ void stepPlayers(const GpsIn& in, const PlayersContext& context, PlayersState& p
   stepOpponents(in, world.modes[0], context, players.opponents, counts);
   const Heard heard = hear(in.input, context, players.mates, counts);
   for (const TeamMessage& message : heard) hearOpponents(message, context, players.opponents);
-  world.obstacles = stepObstacles(in, context, heard, world, players.obstacles);
+  stepObstacles(in, context, heard, players.obstacles, world);
   world.opponents = extractOpponents(players.opponents);
   world.teammates = extractMates(context.players.team, players.mates);
   const Witnesses witnesses = witnessesOf(world.ball, players.mates, context);

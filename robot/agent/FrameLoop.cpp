@@ -22,7 +22,7 @@ void FrameLoop::sense(const FrameInput& input, StageObserver& observer) {
 
 void FrameLoop::decide(const FrameInput& input, StageObserver& observer) {
   observer.begin(Stage::gps);
-  output_.world = gps::step({input, output_.percepts, output_.body.camera}, config_.gps, gps_);
+  gps::stepInto(output_.world, {input, output_.percepts, output_.body.camera}, config_.gps, gps_);
   observer.end(Stage::gps);
 
   observer.begin(Stage::behaviour);
@@ -36,7 +36,7 @@ void FrameLoop::decide(const FrameInput& input, StageObserver& observer) {
 const FrameOutput& FrameLoop::step(const FrameInput& input, StageObserver& observer) {
   sense(input, observer);
   observer.begin(Stage::vision);
-  output_.percepts = vision::step({input, output_.body}, config_.vision, vision_);
+  vision::stepInto(output_.percepts, {input, output_.body}, config_.vision, vision_);
   observer.end(Stage::vision);
   decide(input, observer);
   return output_;
