@@ -73,8 +73,9 @@ struct Turned {
   double sin;
   double cos;
 
-  explicit Turned(const Trial& t)
-      : trial(t), sin(t.pose.heading.sin()), cos(t.pose.heading.cos()) {}
+  explicit Turned(const Trial& t) : Turned(t, t.pose.heading.sinCos()) {}
+  Turned(const Trial& t, const maths::SinCos& heading)
+      : trial(t), sin(heading.sin), cos(heading.cos) {}
   // Thesis 2004 equation 3.12 with heading 90 deg up the field.
   Point2<Field> placed(Point2<Robot> p) const {
     const Point2<Field>& at = trial.pose.position;
@@ -104,10 +105,11 @@ Relaid relaid(const Point3<Robot>& eye, Point2<Robot> place, const Vector2& tilt
   if (!(down > kFlattest * h)) return {false, {}, {}, {}};
   const double stretch = h / down;
   const Point2<Robot> way{(x - tilt(1) * h) * stretch, (y + tilt(0) * h) * stretch};
+  const double both = way.x * way.y / h;
   return {true,
           {eye.x + way.x, eye.y + way.y},
-          {way.x * way.y / h, h + way.y * way.y / h},
-          {-h - way.x * way.x / h, -way.x * way.y / h}};
+          {both, h + way.y * way.y / h},
+          {-h - way.x * way.x / h, -both}};
 }
 
 template <int N, typename Points, typename Distance>

@@ -37,14 +37,20 @@ std::optional<PixelPoint> lowestIn(const Scene& scene, const GoalCandidate& c, d
   return std::nullopt;
 }
 
+// Of the rays through a column's foot and top.
+struct Slopes {
+  double low;
+  double high;
+};
+
 // The image's top cuts it although a goal at the distance of its foot would end below that, or it
 // ends in the image, but far too high for where its foot stands.
-bool isTooTall(const Scene& scene, const GoalCandidate& c, const EdgeHit& top, double low) {
+bool isTooTall(const Scene& scene, const GoalCandidate& c, bool topCut, const Slopes& at) {
   const CameraPose& camera = scene.body.camera;
-  const double high = groundRayThrough(camera, top.point).slope;
+  const auto [low, high] = at;
   constexpr double kMinSlope = 0.01;  // a foot at the horizon: no goal fills the view
   const double d = camera.position.z / std::max(c.doubt.slack() - low, kMinSlope);
-  const double allowed = top.cut ? kMaxHeightRatio : 2.0 * kMaxHeightRatio;
+  const double allowed = topCut ? kMaxHeightRatio : 2.0 * kMaxHeightRatio;
   return (high - low) * d > allowed * scene.field.goalHeight;
 }
 
@@ -70,12 +76,11 @@ bool groundTells(const GoalCandidate& c, double distance, double above) {
 
 // By height when both ends are in the image, else by the foot on the ground.
 void measureDistance(const Scene& scene, const GoalFinderParams& p, const GoalCandidate& c,
-                     GoalColumn& column) {
+                     const Slopes& at, GoalColumn& column) {
   const CameraPose& camera = scene.body.camera;
-  const double low = groundRayThrough(camera, column.foot).slope;
+  const auto [low, high] = at;
   if (!column.topCut) {
-    const double d =
-        scene.field.goalHeight / std::max(groundRayThrough(camera, column.top).slope - low, 1e-3);
+    const double d = scene.field.goalHeight / std::max(high - low, 1e-3);
     column.distance = d;
     column.sd = sizeSd(camera, d, scene.field.goalHeight, p.edgeSd);
     column.footError = maths::atan(low) - maths::atan(-camera.position.z / d);
@@ -123,8 +128,10 @@ std::optional<GoalColumn> columnAt(const Scene& scene, const GoalFinderParams& p
   column.footCut = below == Below::outside;
   column.green = below != Below::other;
   if (column.footCut) return column;
-  column.tall = isTooTall(scene, c, top, groundRayThrough(scene.body.camera, foot.point).slope);
-  measureDistance(scene, p, c, column);
+  const Slopes at{groundRayThrough(scene.body.camera, foot.point).slope,
+                  groundRayThrough(scene.body.camera, top.point).slope};
+  column.tall = isTooTall(scene, c, top.cut, at);
+  measureDistance(scene, p, c, at, column);
   return column;
 }
 

@@ -120,6 +120,12 @@ struct Wall {
   }
 };
 
+// Where a ray ends.
+struct Met {
+  const Wall* wall;
+  double way;
+};
+
 struct Walls {
   Wall left;
   Wall back;
@@ -129,17 +135,12 @@ struct Walls {
       : left(c.leftPost, c.leftBack),
         back(c.leftBack, c.rightBack),
         right(c.rightBack, c.rightPost) {}
-  double nearest(Vec ray) const {
-    return std::min(std::min(left.hit(ray), back.hit(ray)), right.hit(ray));
-  }
-  // The slopes of the way to the nearest; none beyond `most`.
-  State slopes(Vec ray, double most, Vec middle) const {
-    State nearest{};
+  // The nearest, if one is nearer than `most`.
+  Met met(Vec ray, double most) const {
+    Met nearest{nullptr, most};
     for (const Wall* wall : {&left, &back, &right}) {
       const double way = wall->hit(ray);
-      if (way >= most) continue;
-      most = way;
-      nearest = wall->slopes(ray, way, middle);
+      if (!(way >= nearest.way)) nearest = {wall, way};
     }
     return nearest;
   }
@@ -192,11 +193,29 @@ double limited(double error) {
 
 std::size_t errorCount(const Measured& m) { return m.columns.size() + 3; }
 
+// A goal in one place: what errors and slopes both ask of it.
+struct Placed {
+  Placed(const Measured& m, const State& s, const body::FieldDescription& field)
+      : Placed(m, s, cornersOf(s, field)) {}
+  Placed(const Placed&) = delete;  // `met` points to `walls`
+  Placed& operator=(const Placed&) = delete;
+
+  Vec middle;
+  Walls walls;
+  Ends ends;
+  FixedVector<Met, kMaxColumns> met;  // of each column
+
+ private:
+  Placed(const Measured& m, const State& s, const Corners& c)
+      : middle{s[0], s[1]}, walls(c), ends(endsOf(c)) {
+    for (const Column& column : m.columns)
+      met.push_back(walls.met(column.way, 2.0 * column.distance));
+  }
+};
+
 // All errors in standard deviations; unused places are 0.
-Errors errorsOf(const Measured& m, const State& s, const body::FieldDescription& field) {
-  const Corners c = cornersOf(s, field);
-  const Walls walls(c);
-  const Ends ends = endsOf(c);
+Errors errorsOf(const Measured& m, const State& s, const Placed& goal) {
+  const Ends& ends = goal.ends;
   Errors e{};
   // An open end only says that the goal reaches at least so far.
   const double left = ends.low - m.left;
@@ -206,9 +225,8 @@ Errors errorsOf(const Measured& m, const State& s, const body::FieldDescription&
   e[2] = (s[2] + m.middle) / kTurnSd;
   for (std::size_t i = 0; i < m.columns.size(); ++i) {
     const Column& column = m.columns[i];
-    const double wall = std::min(walls.nearest(column.way), 2.0 * column.distance);
     const double sd = std::max(column.sd, kMinColumnSd * column.distance);
-    e[3 + i] = limited((wall - column.distance) / sd);
+    e[3 + i] = limited((goal.met[i].way - column.distance) / sd);
   }
   return e;
 }
@@ -272,35 +290,36 @@ State cornerSlopes(Vec corner, Vec middle) {
 
 // How the errors grow with each part of the state, from the geometry: three more looks at all
 // errors took half of the fit.
-Slopes slopesAt(const Measured& m, const State& state, const Errors& errors,
-                const body::FieldDescription& field) {
-  const Vec middle{state[0], state[1]};
-  const Corners c = cornersOf(state, field);
-  const Walls walls(c);
-  const Ends ends = endsOf(c);
+Slopes slopesAt(const Measured& m, const Placed& goal, const Errors& errors) {
+  const Ends& ends = goal.ends;
   Slopes slopes{};
   if (!m.leftOpen || errors[0] > 0.0)
-    setSlopes(cornerSlopes(ends.left, middle), kEndSd, 0, errors, slopes);
+    setSlopes(cornerSlopes(ends.left, goal.middle), kEndSd, 0, errors, slopes);
   if (!m.rightOpen || errors[1] < 0.0)
-    setSlopes(cornerSlopes(ends.right, middle), kEndSd, 1, errors, slopes);
+    setSlopes(cornerSlopes(ends.right, goal.middle), kEndSd, 1, errors, slopes);
   slopes[2][2] = 1.0 / kTurnSd;
   for (std::size_t i = 0; i < m.columns.size(); ++i) {
     const Column& column = m.columns[i];
     const double sd = std::max(column.sd, kMinColumnSd * column.distance);
-    setSlopes(walls.slopes(column.way, 2.0 * column.distance, middle), sd, 3 + i, errors, slopes);
+    const Met& at = goal.met[i];
+    const State by =
+        at.wall != nullptr ? at.wall->slopes(column.way, at.way, goal.middle) : State{};
+    setSlopes(by, sd, 3 + i, errors, slopes);
   }
   return slopes;
 }
 
 Fit improved(const Measured& m, State state, const body::FieldDescription& field) {
-  Errors errors = errorsOf(m, state, field);
-  Slopes slopes = slopesAt(m, state, errors, field);
+  const Placed start(m, state, field);
+  Errors errors = errorsOf(m, state, start);
+  Slopes slopes = slopesAt(m, start, errors);
   double cost = costOf(errors);
   double damping = 0.01;
   for (int round = 0; round < kRounds; ++round) {
     const State step = stepOf(slopes, errors, errorCount(m), damping);
     const State next{state[0] + step[0], state[1] + step[1], state[2] + step[2]};
-    const Errors nextErrors = errorsOf(m, next, field);
+    const Placed placed(m, next, field);
+    const Errors nextErrors = errorsOf(m, next, placed);
     const double nextCost = costOf(nextErrors);
     if (!(nextCost < cost)) {
       damping *= 10.0;
@@ -311,7 +330,7 @@ Fit improved(const Measured& m, State state, const body::FieldDescription& field
     cost = nextCost;
     if (done || round + 1 == kRounds) break;
     errors = nextErrors;
-    slopes = slopesAt(m, state, errors, field);
+    slopes = slopesAt(m, placed, errors);
     damping *= 0.3;
   }
   return {state, cost};
@@ -335,7 +354,7 @@ Point2<Robot> GoalShape::rightPost(const body::FieldDescription& field) const {
 
 std::optional<double> GoalShape::wallAlong(Point2<Robot> way,
                                            const body::FieldDescription& field) const {
-  const double t = Walls(cornersOf({middle.x, middle.y, turn}, field)).nearest(way);
+  const double t = Walls(cornersOf({middle.x, middle.y, turn}, field)).met(way, kNoWall).way;
   return t < kNoWall ? std::optional<double>(t) : std::nullopt;
 }
 
