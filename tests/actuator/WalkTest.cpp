@@ -250,5 +250,28 @@ TEST(Walk, AnotherSetIsTakenUpBitByBitWithSteps) {
   EXPECT_EQ(w.state.walk.phase.lift, 0.0);
 }
 
+// The search for the feet's speed is left out where set and request stay, and only there.
+TEST(Walk, WhatIsKnownOfTheLastTickChangesNoBit) {
+  ActuatorParams params = exactWalks();
+  params.walks.fast.stance.shoulderHeight = 9.0;
+  params.walks.fast.calibration.turn.scale = 0.8;
+  Random random(12);
+  WalkState known;
+  WalkState anew;
+  WalkRequest request{};
+  for (int tick = 0; tick < 2000; ++tick) {
+    if (random.chance(0.2))
+      request = {random.uniform(-80, 80), random.uniform(-60, 60), random.uniform(-9, 9)};
+    if (random.chance(0.02)) request.kind = random.chance(0.5) ? WalkKind::fast : WalkKind::normal;
+    anew.known = false;
+    stepWalk(request, params, known);
+    stepWalk(request, params, anew);
+    ASSERT_EQ(known.feet.forward, anew.feet.forward) << tick;
+    ASSERT_EQ(known.feet.left, anew.feet.left) << tick;
+    ASSERT_EQ(known.feet.turn, anew.feet.turn) << tick;
+    ASSERT_EQ(known.set.stance.shoulderHeight, anew.set.stance.shoulderHeight) << tick;
+  }
+}
+
 }  // namespace
 }  // namespace kelpie::actuator
