@@ -3,8 +3,6 @@
 
 #include <Python.h>
 
-#include <initializer_list>
-
 namespace kelpie::behaviour {
 namespace {
 
@@ -12,7 +10,7 @@ namespace {
 // for a Python on the machine (cross.md section 2).
 constexpr const char* kNowhere = "/aibo";
 
-PyStatus setPaths(PyConfig& config, const std::string& extraPath) {
+PyStatus setPaths(PyConfig& config, const std::vector<std::string>& searchPaths) {
   wchar_t** const places[] = {
       &config.program_name,     &config.executable,  &config.base_executable,
       &config.prefix,           &config.exec_prefix, &config.base_prefix,
@@ -22,8 +20,7 @@ PyStatus setPaths(PyConfig& config, const std::string& extraPath) {
     if (PyStatus_Exception(status)) return status;
   }
   config.module_search_paths_set = 1;
-  for (const std::string& path : {std::string(KELPIE_PYTHON_STDLIB), extraPath}) {
-    if (path.empty()) continue;
+  for (const std::string& path : searchPaths) {
     wchar_t* const wide = Py_DecodeLocale(path.c_str(), nullptr);
     if (wide == nullptr) return PyStatus_Error("a path cannot be decoded");
     const PyStatus status = PyWideStringList_Append(&config.module_search_paths, wide);
@@ -35,7 +32,7 @@ PyStatus setPaths(PyConfig& config, const std::string& extraPath) {
 
 }  // namespace
 
-Interpreter::Interpreter(const std::string& extraPath) {
+Interpreter::Interpreter(const std::vector<std::string>& searchPaths) {
   // Paths are UTF-8 whatever the locale says.
   PyPreConfig before;
   PyPreConfig_InitIsolatedConfig(&before);
@@ -50,7 +47,7 @@ Interpreter::Interpreter(const std::string& extraPath) {
   config.install_signal_handlers = 0;
   config.optimization_level = 2;
   config.pathconfig_warnings = 0;
-  PyStatus status = setPaths(config, extraPath);
+  PyStatus status = setPaths(config, searchPaths);
   if (!PyStatus_Exception(status)) status = Py_InitializeFromConfig(&config);
   PyConfig_Clear(&config);
   if (!PyStatus_Exception(status)) return;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "robot/core/Expected.h"
 
@@ -11,8 +12,8 @@ namespace kelpie::behaviour {
 
 class Interpreter {
  public:
-  // `extraPath` is searched for `encodings` besides the compiled-in place: the zip on the stick.
-  explicit Interpreter(const std::string& extraPath);
+  // `searchPaths`: where `encodings` is, if it is not frozen.
+  explicit Interpreter(const std::vector<std::string>& searchPaths);
   ~Interpreter();
   Interpreter(const Interpreter&) = delete;
   Interpreter& operator=(const Interpreter&) = delete;

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "behaviour/PythonHost.h"
 
-#include <cstdio>
-#include <filesystem>
+#include <algorithm>
 
-#include "behaviour/Guard.h"
-#include "behaviour/KelpieModule.h"
+#include "behaviour/Console.h"
 #include "behaviour/Watchdog.h"
 
 namespace kelpie::behaviour {
@@ -13,12 +11,6 @@ namespace {
 
 constexpr std::size_t kMaxReports = 64;  // different errors remembered as already reported
 constexpr double kLoadLimit = 3.0;       // CPU seconds; loading compiles every file
-
-std::string absolute(const std::string& path) {
-  std::error_code error;
-  const auto whole = std::filesystem::absolute(path, error).lexically_normal().string();
-  return error ? path : whole;
-}
 
 // The pending Python exception, taken over.
 PythonRef pendingError() {
@@ -54,8 +46,8 @@ Rows rowsOf(PyObject* list) {
 }  // namespace
 
 PythonHost::PythonHost(const std::string& scripts)
-    : scripts_(absolute(scripts)),
-      interpreter_(isZip(scripts_) ? scripts_ : std::string()),
+    : modules_(scripts),
+      interpreter_(modules_.searchPaths()),
       frame_(std::make_unique<WorldFrame>()) {
   if (!interpreter_.error().empty()) {
     report(interpreter_.error(), interpreter_.error());
@@ -63,20 +55,13 @@ PythonHost::PythonHost(const std::string& scripts)
   }
   prepare();
   if (!world_) fail(Fallback::notLoaded);
-  seen_ = sourceStamps(scripts_);
-  if (world_ && load()) loaded_ = seen_;
+  if (world_ && load()) modules_.keep();
 }
 
 void PythonHost::prepare() {
-  guard_ = PythonRef(PyModule_New("guard"));
-  PyObject* names = guard_ ? PyModule_GetDict(guard_.get()) : nullptr;
-  if (names == nullptr) return;
-  PyDict_SetItemString(names, "__builtins__", PyEval_GetBuiltins());
-  const PythonRef code(Py_CompileString(guardText(), "<guard>", Py_file_input));
-  const PythonRef ran(code ? PyEval_EvalCode(code.get(), names, names) : nullptr);
-  if (!ran) return;
-  kelpie_ =
-      PythonRef(PyObject_CallMethod(guard_.get(), "make_kelpie", "s", kelpieModuleText().c_str()));
+  guard_ = modules_.guard();
+  if (!guard_) return;
+  kelpie_ = modules_.kelpie(guard_.get());
   if (!kelpie_) return;
   commandType_ = PythonRef(PyObject_GetAttrString(kelpie_.get(), "Command"));
   const PythonRef watched(PyObject_CallMethod(guard_.get(), "watch", nullptr));
@@ -87,12 +72,10 @@ void PythonHost::prepare() {
 }
 
 bool PythonHost::load() {
-  PyObject* zip = isZip(scripts_) ? Py_True : Py_False;
   PythonRef version;
   {
     const Watchdog watchdog(kLoadLimit);
-    version = PythonRef(
-        PyObject_CallMethod(guard_.get(), "load", "sOO", scripts_.c_str(), zip, kelpie_.get()));
+    version = modules_.load(guard_.get(), kelpie_.get());
   }
   PythonRef decide(version ? PyObject_GetAttrString(version.get(), "decide") : nullptr);
   broken_ = !decide;
@@ -110,20 +93,9 @@ bool PythonHost::load() {
 void PythonHost::reloadIfEdited(const BehaviourParams& params) {
   if (!params.reload || framesToLook_-- > 0) return;
   framesToLook_ = params.reloadFrames - 1;
-  SourceStamps now = sourceStamps(scripts_);
-  if (now == seen_) return;
-  const SourceChanges changes = changesBetween(seen_, now);
-  seen_ = std::move(now);
-  if (!load()) return;
-  loaded_ = seen_;
-  tellLoaded(changes);
-}
-
-// Tells whoever edits during a match that the edit took effect.
-void PythonHost::tellLoaded(const SourceChanges& changes) {
-  const std::string gone = changes.gone.empty() ? "" : listed(changes.gone) + ": gone; ";
-  const std::string what = changes.edited.empty() ? "the rest" : listed(changes.edited);
-  std::fprintf(stderr, "behaviour: %s%s: loaded again\n", gone.c_str(), what.c_str());
+  if (!modules_.edited() || !load()) return;
+  modules_.keep();
+  tell(modules_.loadedLine());  // whoever edits during a match sees that the edit took effect
 }
 
 Fallback PythonHost::decide(const BehaviourIn& in, const BehaviourParams& params,
@@ -156,7 +128,8 @@ Fallback PythonHost::read(PyObject* answer, Command& command) {
     if (!broken_) lastError_.clear();
     return Fallback::none;
   }
-  report(scripts_ + ": " + why, scripts_ + ": " + why);
+  const std::string line = modules_.name() + ": " + why;
+  report(line, line);
   return Fallback::badCommand;
 }
 
@@ -187,10 +160,10 @@ Fallback PythonHost::fail(Fallback reason) {
 void PythonHost::failLoading() {
   std::string line, all;
   const PythonRef error = takeError(line, all);
-  const auto gone = changesBetween(loaded_, seen_).gone;
+  const std::string gone = modules_.goneLine();
   if (error && !gone.empty() &&
       PyErr_GivenExceptionMatches(error.get(), PyExc_ModuleNotFoundError) != 0)
-    line = all = listed(gone) + ": gone";
+    line = all = gone;
   if (decide_) all += "; the version before plays on";
   report(line, all);
 }
@@ -198,7 +171,7 @@ void PythonHost::failLoading() {
 PythonRef PythonHost::takeError(std::string& line, std::string& all) {
   PythonRef error = pendingError();
   const PythonRef calm(PyObject_CallMethod(guard_.get(), "calm", nullptr));
-  if (!error || !describe(error.get(), line, all)) line = all = scripts_ + ": unknown error";
+  if (!error || !describe(error.get(), line, all)) line = all = modules_.name() + ": unknown error";
   PyErr_Clear();
   return error;
 }
@@ -211,14 +184,17 @@ bool PythonHost::describe(PyObject* error, std::string& line, std::string& all) 
   return true;
 }
 
-// Each different error goes to stderr once per loaded version; the same place and kind of error
+// Each different error is told once per loaded version; the same place and kind of error
 // with another message ("main.py:3: ValueError: 17") is the same error.
 void PythonHost::report(const std::string& line, const std::string& all) {
   lastError_ = line;
   const std::size_t place = line.find(": ");
   const std::size_t kind = place == std::string::npos ? place : line.find(": ", place + 2);
-  if (reported_.size() >= kMaxReports || !reported_.insert(line.substr(0, kind)).second) return;
-  std::fprintf(stderr, "behaviour: %s\n", all.c_str());
+  const std::string start = line.substr(0, kind);
+  const bool known = std::find(reported_.begin(), reported_.end(), start) != reported_.end();
+  if (known || reported_.size() >= kMaxReports) return;
+  reported_.push_back(start);
+  tell(all);
 }
 
 }  // namespace kelpie::behaviour

@@ -4,15 +4,15 @@
 #pragma once
 
 #include <memory>
-#include <set>
 #include <string>
+#include <vector>
 
 #include "behaviour/BehaviourIn.h"
 #include "behaviour/BehaviourParams.h"
 #include "behaviour/CommandReader.h"
 #include "behaviour/Interpreter.h"
+#include "behaviour/Modules.h"
 #include "behaviour/Rows.h"
-#include "behaviour/Sources.h"
 #include "behaviour/ViewTypes.h"
 #include "behaviour/WorldFrame.h"
 #include "robot/core/Command.h"
@@ -42,15 +42,12 @@ class PythonHost {
   Fallback fail(Fallback reason);
   void failLoading();
   PythonRef takeError(std::string& line, std::string& all);
-  void tellLoaded(const SourceChanges& changes);
   void report(const std::string& line, const std::string& all);
   bool describe(PyObject* error, std::string& line, std::string& all);
 
-  std::string scripts_;
+  Modules modules_;
   std::string lastError_;
-  std::set<std::string> reported_;
-  SourceStamps seen_;    // at the last look
-  SourceStamps loaded_;  // of the version that plays
+  std::vector<std::string> reported_;  // places and kinds of errors that were told
   std::uint32_t framesToLook_ = 0;
   bool broken_ = false;  // an edit failed to load; an older version may still be running
 

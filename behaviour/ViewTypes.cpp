@@ -152,14 +152,13 @@ void ViewTypes::finish(ViewType& type) {
     if (name) type.members.add(std::move(name), type.items[i]);
   }
   type.getters.push_back({nullptr, nullptr, nullptr, nullptr, nullptr});
-  for (char& c : type.name) {
-    if (c == '/') c = '.';
-  }
+  type.pythonName = type.name;
+  std::replace(type.pythonName.begin(), type.pythonName.end(), '/', '.');
   PyType_Slot slots[] = {{Py_tp_dealloc, slot(dealloc)},
                          {Py_tp_getattro, slot(getAttribute)},
                          {Py_tp_getset, type.getters.data()},
                          {0, nullptr}};
-  PyType_Spec spec{type.name.c_str(), static_cast<int>(sizeof(View)), 0, kTypeFlags, slots};
+  PyType_Spec spec{type.pythonName.c_str(), static_cast<int>(sizeof(View)), 0, kTypeFlags, slots};
   type.type = PythonRef(PyType_FromSpec(&spec));
   if (!type.type) failed_ = true;
 }

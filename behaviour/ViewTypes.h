@@ -6,7 +6,6 @@
 #pragma once
 
 #include <deque>
-#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -30,7 +29,7 @@ struct Item {
   PyTypeObject* sequenceType = nullptr;
   std::size_t stride = 0;                      // sequence: bytes from one element to the next
   std::size_t (*size)(const char*) = nullptr;  // of a sequence or text
-  std::shared_ptr<Item> element;
+  const Item* element = nullptr;               // of a sequence
 };
 
 // A struct's members by their names in Python, interned strings that are told apart by address:
@@ -64,7 +63,8 @@ class ViewTypes {
 
  private:
   struct ViewType {
-    std::string name;
+    std::string name;               // of its schema
+    std::string pythonName;         // with dots
     std::deque<std::string> names;  // deques: the getters point into them
     std::deque<Item> items;
     std::vector<PyGetSetDef> getters;
@@ -80,7 +80,8 @@ class ViewTypes {
   void finish(ViewType& type);
 
   PythonRef sequence_;
-  std::map<std::string, std::unique_ptr<ViewType>> types_;
+  std::vector<std::unique_ptr<ViewType>> types_;
+  std::deque<Item> elements_;  // of sequences: a deque, since items point into it
   bool failed_ = false;
 };
 
@@ -112,7 +113,8 @@ Item ViewTypes::itemFor(const char* unit) {
     item.sequenceType = reinterpret_cast<PyTypeObject*>(sequence_.get());
     item.stride = sizeof(typename T::value_type);
     item.size = [](const char* at) { return reinterpret_cast<const T*>(at)->size(); };
-    item.element = std::make_shared<Item>(itemFor<typename T::value_type>(unit));
+    elements_.push_back(itemFor<typename T::value_type>(unit));
+    item.element = &elements_.back();
   } else {
     item.kind = ItemKind::view;
     const ViewType& type = typeFor<T>();
@@ -124,10 +126,12 @@ Item ViewTypes::itemFor(const char* unit) {
 
 template <class T>
 const ViewTypes::ViewType& ViewTypes::typeFor() {
-  auto& type = types_[schemaName<T>()];
-  if (type) return *type;
-  type = std::make_unique<ViewType>();
-  type->name = schemaName<T>();
+  const std::string name = schemaName<T>();
+  for (const auto& known : types_)
+    if (known->name == name) return *known;
+  types_.push_back(std::make_unique<ViewType>());
+  ViewType* const type = types_.back().get();
+  type->name = name;
   const auto sample = std::make_unique<T>();
   forEachField(*sample, [&](const auto& f, const auto& member) {
     using Member = std::decay_t<decltype(member)>;
