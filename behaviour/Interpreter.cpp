@@ -9,6 +9,9 @@ namespace {
 // An absolute place that does not exist. Where these are empty or relative, CPython's getpath looks
 // for a Python on the machine (cross.md section 2).
 constexpr const char* kNowhere = "/aibo";
+// Calls within each other. Loading the behaviours takes 26 and deciding 18; the robot's stack has
+// room for 80 of the dearest kind (toolchain/openr/calls.txt), and a PC shall play no deeper.
+constexpr int kDeepestCalls = 80;
 
 PyStatus setPaths(PyConfig& config, const std::vector<std::string>& searchPaths) {
   wchar_t** const places[] = {
@@ -50,7 +53,10 @@ Interpreter::Interpreter(const std::vector<std::string>& searchPaths) {
   PyStatus status = setPaths(config, searchPaths);
   if (!PyStatus_Exception(status)) status = Py_InitializeFromConfig(&config);
   PyConfig_Clear(&config);
-  if (!PyStatus_Exception(status)) return;
+  if (!PyStatus_Exception(status)) {
+    Py_SetRecursionLimit(kDeepestCalls);
+    return;
+  }
   error_ = "Python did not start: ";
   error_ += status.err_msg != nullptr ? status.err_msg : "no reason given";
 }

@@ -115,14 +115,17 @@ void Members::add(PythonRef name, const Item& item) {
   if (2 * (used_ + 1) > slots_.size()) {
     std::vector<Slot> before(std::max<std::size_t>(4, 2 * slots_.size()));
     std::swap(before, slots_);
-    used_ = 0;
     for (Slot& slot : before)
-      if (slot.name) add(std::move(slot.name), *slot.item);
+      if (slot.name) put(std::move(slot));
   }
-  std::size_t at = home(name.get());
-  while (slots_[at].name) at = (at + 1) & (slots_.size() - 1);
-  slots_[at] = {std::move(name), &item};
+  put({std::move(name), &item});
   ++used_;
+}
+
+void Members::put(Slot slot) {
+  std::size_t at = home(slot.name.get());
+  while (slots_[at].name) at = (at + 1) & (slots_.size() - 1);
+  slots_[at] = std::move(slot);
 }
 
 const Item* Members::find(PyObject* name) const {

@@ -45,6 +45,7 @@ class Members {
     const Item* item = nullptr;
   };
   std::size_t home(PyObject* name) const;
+  void put(Slot slot);  // where there is room
 
   std::vector<Slot> slots_;  // a power of two, at most half of them full
   std::size_t used_ = 0;

@@ -18,6 +18,7 @@ import pytest
 ROOT = Path(__file__).resolve().parents[2]
 TOOLCHAIN = ROOT / "toolchain"
 OBJECT = ROOT / "build/openr/agent.o"
+SIMPLE = ROOT / "build/openr/simple.o"
 IMAGE = ROOT / "build/openr/emulated"
 sys.path.insert(0, str(TOOLCHAIN))
 FLAGS = ("-O2 -EL -march=mips2 -mabi=32 -mfp32 -mabicalls -mshared -fPIC -G0 -mno-plt "
@@ -59,10 +60,21 @@ def refusal(path):
     return {gate: [line for other, line in faults if other == gate] for gate, _ in faults}
 
 
-def test_robots_object_passes_every_gate():
-    done = run(TOOLCHAIN / "check-object", OBJECT)
+@pytest.mark.parametrize("player", [OBJECT, SIMPLE])
+def test_robots_object_passes_every_gate(player):
+    done = run(TOOLCHAIN / "check-object", player)
     assert done.returncode == 0, done.stderr
     assert "10 gates, no fault" in done.stdout
+
+
+@pytest.mark.parametrize("player, has, has_not", [
+    (OBJECT, ["_PyEval_EvalFrameDefault", "kelpie::behaviour::PythonHost::decide"],
+     ["kelpie::object::SimpleState"]),
+    (SIMPLE, ["kelpie::object::SimpleState"], ["PyObject_Call", "kelpie::behaviour::PythonHost"])])
+def test_object_has_its_own_player_and_no_other(player, has, has_not):
+    defined = must("mipsel-linux-gnu-nm", "-C", "--defined-only", player)
+    assert [name for name in has if name not in defined] == []
+    assert [name for name in has_not if name in defined] == []
 
 
 @pytest.mark.parametrize("name", [
@@ -243,17 +255,6 @@ def test_struct_of_another_size_does_not_compile_for_the_robot(tmp_path):
     assert planted.returncode != 0 and "static assertion failed" in planted.stderr
 
 
-@pytest.fixture(scope="session")
-def tape(tmp_path_factory):
-    folder = tmp_path_factory.mktemp("tape")
-    log = must(TOOLCHAIN / "record", folder, os.environ.get(
-        "KELPIE", ROOT / "build/host/bin/kelpie"), 10).strip()
-    said = must(os.environ.get("OBJECT_TAPE", ROOT / "build/host/bin/object-tape"), log,
-                folder / "tape")
-    assert re.match(r"300 frames, 3\d\d motion steps, 0 differ from the recording", said)
-    return folder / "tape"
-
-
 def short(tape, to, records, change=None):
     """The first records of a tape; `change` may alter (index, kind, input, output)."""
     data, at, out = tape.read_bytes(), 0, bytearray()
@@ -269,12 +270,26 @@ def short(tape, to, records, change=None):
 
 
 def test_object_gives_the_bits_of_the_pc_at_two_addresses(tape):
+    """Those of the Commands of the behaviours too, which the PC made when the log was recorded."""
     done = run(TOOLCHAIN / "emulate", "--tape", tape)
     assert done.returncode == 0, done.stderr
     assert re.findall(r"^(0x\w+): 0 of 300 frames differ, 0 of 3\d\d motion steps", done.stdout,
                       re.M) == ["0x10000000", "0x12345000"]
     for stack in re.findall(r"stack (\d+) bytes", done.stdout):
         assert 20000 < int(stack) < 60 * 1024
+
+
+def test_object_with_the_simple_player_gives_the_bits_of_the_pc(simple_tape):
+    done = run(TOOLCHAIN / "emulate", "--simple", "--at", "0x12345000", "--tape", simple_tape)
+    assert done.returncode == 0, done.stderr
+    assert "0x12345000: 0 of 90 frames differ" in done.stdout
+
+
+def test_players_are_told_apart_by_their_commands(tape, simple_tape, tmp_path):
+    done = run(TOOLCHAIN / "emulate", "--at", "0x10000000", "--tape",
+               short(simple_tape, tmp_path / "other", 12))
+    assert done.returncode == 1 and "0 of" in done.stdout  # of the motion steps, which are the same
+    assert re.search(r"frame 0: ", done.stderr)
 
 
 def flipped(data, at):

@@ -3,6 +3,7 @@
 // library; the SDK's library is of 2003 and has another string. The linker keeps those that are
 // used.
 #include <charconv>
+#include <cstddef>
 #include <string>
 
 template class std::basic_string<char>;
@@ -13,4 +14,12 @@ std::to_chars_result std::to_chars(char* first, char* last, double /*number*/) n
   if (first == last) return {last, std::errc::value_too_large};
   *first = '?';
   return {first + 1, std::errc{}};
+}
+
+// std::string::find wants it; of the SDK's library it was not compared.
+extern "C" void* memchr(const void* from, int value, std::size_t count) {
+  const auto* in = static_cast<const unsigned char*>(from);
+  for (; count > 0; --count, ++in)
+    if (*in == static_cast<unsigned char>(value)) return const_cast<unsigned char*>(in);
+  return nullptr;
 }

@@ -3,7 +3,11 @@
 from its instructions and relocations. PIC code finds every function by the GOT, so that each
 mention of a function (CALL16 or GOT16) counts as a call: that is sometimes too many and never too
 few. A call by a pointer out of memory mentions nobody; its caller is in `indirect`, and who is
-called must be told by a list."""
+called must be told by a list.
+
+The code of Python's interpreter, which lies together (object.ld), calls itself by pointers and
+without end. Nobody is followed in it: all of it is one function, INTERPRETER, whose stack a list
+tells, and the largest frame in it is looked at all the same."""
 
 import bisect
 import struct
@@ -20,6 +24,7 @@ BRANCHES = (REGIMM, BEQ, 0x05, 0x06, 0x07, 0x14, 0x15, 0x16, 0x17)
 FOREIGN_STACK = 256
 # So many moves a function's address may make between registers and frame before its call.
 STEPS = 6
+INTERPRETER = "Python's interpreter"
 
 
 def signed(half):
@@ -109,13 +114,18 @@ class Calls:
         self.functions = sorted((f for f in elf.functions() if f.section == self.text.index),
                                 key=lambda f: f.value)
         self.starts = [f.value for f in self.functions]
+        self.interpreter = range(elf.symbols.get("kelpiePythonBegin", 0),
+                                 elf.symbols.get("kelpiePythonEnd", 0))
         self.mentioned = self.mentions()
         self.callees = defaultdict(set)
         self.stack, self.indirect, self.variable = {}, set(), set()
+        self.inside = {}  # frames of the interpreter's functions
         for function in self.functions:
             self.read(function)
 
     def name_at(self, address):
+        if address in self.interpreter:
+            return INTERPRETER
         i = bisect.bisect_right(self.starts, address) - 1
         if i >= 0 and address < self.functions[i].value + max(self.functions[i].size, 4):
             return self.functions[i].name
@@ -158,6 +168,9 @@ class Calls:
                      for at in range(function.value, function.value + function.size, 4)])
         words = body.words
         name = function.name
+        if function.value in self.interpreter:
+            self.inside[name] = max(self.inside.get(name, 0), self.frame(name, words))
+            return
         self.callees[name] |= {self.mentioned[i.at] for i in words if i.at in self.mentioned}
         self.stack[name] = max(self.stack.get(name, 0), self.frame(name, words))
         if any(i.is_call() and not self.goes_by_got(body, n) for n, i in enumerate(words)):
@@ -235,8 +248,8 @@ class Calls:
     def deepest(self):
         """(bytes, path of names); a Circle where functions call each other without end."""
         known = {}
-        for function in self.functions:
-            self.depth_of(function.name, known, [])
+        for name in sorted(self.stack):
+            self.depth_of(name, known, [])
         if not known:
             return 0, []
         return max(known.values(), key=lambda entry: entry[0])

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// object-tape LOG TAPE [FRAMES]   writes what toolchain/emulate plays to the emulated image: the
-// configuration, then each input of the log with the output that the stages make of it here, on the
-// PC, with the simple player that the object has in place of Python. Frames without their image end
-// the tape. Beforehand everything but the Command is compared with what the log says was made of
-// the input when it was recorded. Exit code 0: written, 1: this PC makes something else than was
-// recorded, 2: bad input.
+// object-tape LOG TAPE [FRAMES [PYCODE]]   writes what toolchain/emulate plays to the emulated
+// image: the configuration, then each input of the log with the output that the stages make of it
+// here, on the PC. Frames without their image end the tape. Beforehand every output is compared
+// with what the log says was made of the input when it was recorded. Without PYCODE, the folder of
+// the behaviours that played, no Commands are compared: so object-tape-simple is called, which has
+// the simple player in place of Python. Exit code 0: written, 1: this PC makes something else than
+// was recorded, 2: bad input.
 //
 // A tape: per record one byte of kind (c, f, m), length of input and of output as little-endian
 // 32-bit numbers, the input, the output.
@@ -14,6 +15,7 @@
 #include <fstream>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "robot/agent/FrameLoop.h"
@@ -81,7 +83,8 @@ class TapeWriter {
 
 class Tape {
  public:
-  Tape(TapeWriter& out, std::uint32_t frames) : out_(out), most_(frames) {}
+  Tape(TapeWriter& out, std::uint32_t frames, std::string scripts)
+      : out_(out), most_(frames), scripts_(std::move(scripts)) {}
 
   bool full() const { return imageless_ || (counts_.frames >= most_ && waitingFrame_ == nullptr); }
   const Counts& counts() const { return counts_; }
@@ -103,7 +106,7 @@ class Tape {
     const auto config = std::make_unique<agent::AgentConfig>();
     const Status read = decodeAs(message, *config);
     if (!read) return read;
-    frames_ = std::make_unique<agent::FrameLoop>(*config, std::string());
+    frames_ = std::make_unique<agent::FrameLoop>(*config, scripts_);
     motion_ = std::make_unique<agent::MotionLoop>(*config);
     out_.putConfig(*config);
     return Done{};
@@ -119,7 +122,7 @@ class Tape {
   Status frameOut(const LogMessage& message) {
     const Status read = decodeAs(message, recordedFrame_);
     if (!read || waitingFrame_ == nullptr) return read;
-    recordedFrame_.command = waitingFrame_->command;  // another player decided
+    if (scripts_.empty()) recordedFrame_.command = waitingFrame_->command;  // another player
     compare(recordedFrame_, *waitingFrame_);
     waitingFrame_ = nullptr;
     return Done{};
@@ -149,6 +152,7 @@ class Tape {
 
   TapeWriter& out_;
   std::uint32_t most_;
+  std::string scripts_;     // of the player that was recorded; empty: another one decides
   bool imageless_ = false;  // came to a frame whose image was not kept
   Counts counts_;
   agent::StageObserver silent_;
@@ -170,14 +174,15 @@ int complain(const std::string& line) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 3 && argc != 4) return complain("usage: object-tape LOG TAPE [FRAMES]");
+  if (argc < 3 || argc > 5) return complain("usage: object-tape LOG TAPE [FRAMES [PYCODE]]");
   const std::string log = argv[1];
-  const long wanted = argc == 4 ? std::strtol(argv[3], nullptr, 10) : long{kStandardFrames};
+  const long wanted = argc > 3 ? std::strtol(argv[3], nullptr, 10) : long{kStandardFrames};
   if (wanted < 1 || wanted > 100000) return complain("FRAMES is a number from 1 to 100000");
   auto reader = LogReader::open(log);
   if (!reader) return complain(reader.error());
   TapeWriter writer(argv[2]);
-  const auto tape = std::make_unique<Tape>(writer, static_cast<std::uint32_t>(wanted));
+  const auto tape = std::make_unique<Tape>(writer, static_cast<std::uint32_t>(wanted),
+                                           argc > 4 ? argv[4] : std::string());
   LogMessage message;
   while (!tape->full() && reader->next(message)) {
     const Status taken = tape->take(message);

@@ -1,32 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // The few functions of the C library and of libgcc that the object wants of the SDK, for the
-// emulator alone: the robot's come from the SDK. Memory is taken from one block and never given
-// back; how much was taken can be read.
+// emulator alone: the robot's come from the SDK. Memory is python-openr/libc/Memory.c's.
 #include <cstddef>
 #include <cstdint>
 
-namespace {
-
-// The whole object may use 24 MB.
-constexpr std::size_t kHeapBytes = 24U << 20U;
-alignas(8) std::uint8_t heap[kHeapBytes];
-std::size_t taken = 0;
-
-}  // namespace
-
 extern "C" {
-
-void* malloc(std::size_t size) {
-  const std::size_t whole = (size + 7U) & ~std::size_t{7};
-  if (whole < size || whole > kHeapBytes - taken) return nullptr;
-  void* const memory = heap + taken;
-  taken += whole;
-  return memory;
-}
-
-void free(void* /*memory*/) {}
-
-std::uint32_t kelpieHeapTaken() { return static_cast<std::uint32_t>(taken); }
 
 // The emulator has no files.
 void* fopen(const char* /*path*/, const char* /*mode*/) { return nullptr; }
@@ -72,13 +50,6 @@ int memcmp(const void* a, const void* b, std::size_t count) {
   for (; count-- > 0; ++left, ++right)
     if (*left != *right) return *left < *right ? -1 : 1;
   return 0;
-}
-
-const void* memchr(const void* from, int value, std::size_t count) {
-  const auto* in = static_cast<const std::uint8_t*>(from);
-  for (; count-- > 0; ++in)
-    if (*in == static_cast<std::uint8_t>(value)) return in;
-  return nullptr;
 }
 
 std::size_t strlen(const char* text) {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// malloc for the emulated Python: one block of 24 MB (what the whole object may use), cut into
-// pieces of 16 bytes times a power of two, each behind a head of 8 bytes; freed pieces wait in a
-// list for the next of their size. Wasteful, but a piece costs a few instructions and the most that
-// was ever taken can be read. Python asks it only for what its own allocator does not keep (over
-// 512 bytes).
+// malloc for the emulator: one block of 24 MB (what the whole object may use), cut into pieces of
+// 16 bytes times a power of two, each behind a head of 8 bytes; freed pieces wait in a list for the
+// next of their size. Wasteful, but a piece costs a few instructions. What is counted is what was
+// asked for, with 8 bytes for the head that every malloc needs. Python asks it only for what its
+// own allocator does not keep (over 512 bytes).
 #include <stddef.h>
 #include <stdint.h>
 #include <string.h>
@@ -12,7 +12,10 @@ enum { kHeapBytes = 24 << 20, kClasses = 22, kSmallest = 16 };
 
 typedef struct Piece {
   uint32_t class;
-  struct Piece* next;  // while it is free
+  union {
+    uint32_t asked;      // bytes, while it is in use
+    struct Piece* next;  // while it is free
+  } state;
 } Piece;
 
 static union {
@@ -20,11 +23,10 @@ static union {
   uint8_t bytes[kHeapBytes];
 } heap;
 static size_t cut;    // bytes ever cut off the block
-static size_t inUse;  // bytes asked for and not given back, rounded up to pieces
+static size_t inUse;  // bytes asked for and not given back, heads included
 static size_t mostInUse;
 static Piece* waiting[kClasses];
 
-uint32_t kelpieHeapTaken(void) { return cut; }
 uint32_t kelpieHeapMost(void) { return mostInUse; }
 
 static size_t sizeOf(uint32_t class) { return (size_t)kSmallest << class; }
@@ -35,7 +37,7 @@ void* malloc(size_t size) {
   if (class == kClasses) return NULL;
   Piece* piece = waiting[class];
   if (piece != NULL) {
-    waiting[class] = piece->next;
+    waiting[class] = piece->state.next;
   } else {
     const size_t whole = 8 + sizeOf(class);
     if (whole > kHeapBytes - cut) return NULL;
@@ -43,7 +45,8 @@ void* malloc(size_t size) {
     cut += whole;
   }
   piece->class = class;
-  inUse += sizeOf(class);
+  piece->state.asked = size + 8;
+  inUse += size + 8;
   if (inUse > mostInUse) mostInUse = inUse;
   return (uint8_t*)piece + 8;
 }
@@ -51,8 +54,8 @@ void* malloc(size_t size) {
 void free(void* memory) {
   if (memory == NULL) return;
   Piece* const piece = (Piece*)((uint8_t*)memory - 8);
-  inUse -= sizeOf(piece->class);
-  piece->next = waiting[piece->class];
+  inUse -= piece->state.asked;
+  piece->state.next = waiting[piece->class];
   waiting[piece->class] = piece;
 }
 
@@ -65,7 +68,7 @@ void* calloc(size_t count, size_t size) {
 
 void* realloc(void* memory, size_t size) {
   if (memory == NULL) return malloc(size);
-  const size_t has = sizeOf(((Piece*)((uint8_t*)memory - 8))->class);
+  const size_t has = ((Piece*)((uint8_t*)memory - 8))->state.asked - 8;
   if (size <= has) return memory;
   void* const larger = malloc(size);
   if (larger == NULL) return NULL;

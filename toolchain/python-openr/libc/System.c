@@ -28,6 +28,8 @@ static void tell(const char* text, size_t size) {
   written += size;
 }
 
+void kelpieTell(const char* text, size_t size) { tell(text, size); }
+
 static int lastError;
 int* __errno_location(void) { return &lastError; }
 

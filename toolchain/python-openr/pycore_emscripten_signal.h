@@ -1,0 +1,10 @@
+/* SPDX-License-Identifier: Apache-2.0
+ * Takes the place of CPython's header of this name, a hook of the interpreter's loop for systems
+ * that send no signals: the steps are counted there (behaviour/frozen/Steps.h).
+ */
+#pragma once
+
+extern void kelpieStep(void);
+
+#define _Py_CHECK_EMSCRIPTEN_SIGNALS()
+#define _Py_CHECK_EMSCRIPTEN_SIGNALS_PERIODICALLY() kelpieStep()
