@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "behaviour/Behaviour.h"
 
+#include <string_view>
+
+#include "behaviour/PlayerMark.h"
 #include "behaviour/PythonHost.h"
 #include "robot/core/Emptied.h"
 #include "robot/core/FieldCheck.h"
@@ -24,6 +27,10 @@ Command driven(const BehaviourIn& in, const BehaviourParams& params) {
   if (verify(command, nullptr)) return command;
   return standAndScan(in.input, params, Fallback::badCommand);
 }
+
+// With the mark in one piece, for tools/stick/Player.h.
+constexpr char kPlayer[] = "kelpie player: python";
+static_assert(std::string_view(kPlayer).rfind(kPlayerMark, 0) == 0);
 
 }  // namespace
 
@@ -76,5 +83,7 @@ Command step(const BehaviourIn& in, const BehaviourParams& params, BehaviourStat
   const Fallback reason = state.host().decide(in, params, command);
   return reason == Fallback::none ? command : standAndScan(in.input, params, reason);
 }
+
+const char* playerName() { return kPlayer + sizeof kPlayerMark - 1; }
 
 }  // namespace kelpie::behaviour

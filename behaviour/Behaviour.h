@@ -40,4 +40,7 @@ class BehaviourState {
 
 Command step(const BehaviourIn& in, const BehaviourParams& params, BehaviourState& state);
 
+// Who decides in a program that links this: "python", or "simple" (robot/object).
+const char* playerName();
+
 }  // namespace kelpie::behaviour

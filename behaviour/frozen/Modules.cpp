@@ -3,11 +3,15 @@
 // are no files, so nothing is ever edited or gone.
 #include "behaviour/Modules.h"
 
+extern "C" {
+#include "behaviour/frozen/Steps.h"
+}
+
 namespace kelpie::behaviour {
 
 struct Modules::Files {};
 
-Modules::Modules(const std::string& /*scripts*/) : name_("behaviours") {}
+Modules::Modules(const std::string& /*scripts*/) : name_(kelpieBehaviours()) {}
 
 Modules::~Modules() = default;
 

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <array>
 
+#include "behaviour/Behaviour.h"
+
 namespace kelpie::object {
 
 OStatus RobotAgent::DoInit(const OSystemEvent& event) {
@@ -23,7 +25,8 @@ void RobotAgent::readStick() {
   std::copy(line.begin(), line.end(), text.begin());
   if (verdict.good()) {
     loops.make(*config);
-    OSYSLOG1((osyslogINFO, "stick: %s; player %u", text.data(), unsigned(config->player)));
+    OSYSLOG1((osyslogINFO, "stick: %s; player %u, %s", text.data(), unsigned(config->player),
+              behaviour::playerName()));
   } else {
     loops.refuse(static_cast<std::uint8_t>(verdict.fault));
     OSYSLOG1((osyslogERROR, "stick: %s; the robot does not play", text.data()));

@@ -1,10 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 // behaviour/Behaviour.h without Python: a program that links this in place of behaviour/ plays with
 // the SimplePlayer. There are no scripts, so none can fail; `scripts` is not looked at.
+#include <string_view>
+
 #include "behaviour/Behaviour.h"
+#include "behaviour/PlayerMark.h"
 #include "robot/object/SimplePlayer.h"
 
 namespace kelpie::behaviour {
+namespace {
+
+// With the mark in one piece, for tools/stick/Player.h.
+constexpr char kPlayer[] = "kelpie player: simple";
+static_assert(std::string_view(kPlayer).rfind(kPlayerMark, 0) == 0);
+
+}  // namespace
 
 // The interface's name for what decides.
 class PythonHost {
@@ -29,5 +39,7 @@ Expected<Rows> BehaviourState::ask(const std::string& function) {
 Command step(const BehaviourIn& in, const BehaviourParams& /*params*/, BehaviourState& state) {
   return object::step(in, state.host().player);
 }
+
+const char* playerName() { return kPlayer + sizeof kPlayerMark - 1; }
 
 }  // namespace kelpie::behaviour

@@ -90,6 +90,19 @@ TEST(Host, SystemExitIsAScriptError) {
   EXPECT_EQ(run.step().fallback, Fallback::scriptError);
 }
 
+// The robot's stack has room for 80 calls (toolchain/openr/calls.txt); so deep goes a PC, no
+// deeper.
+TEST(Host, CallsDeeperThanTheRobotsStackAreAScriptErrorOnThePcToo) {
+  const std::string deep =
+      "f = lambda n: n and f(n - 1)\n    f(world.frame)\n    return kelpie.Command()";
+  const Scripts scripts(deep);
+  HostRun run(scripts);
+  run.input.frame = 74;
+  EXPECT_EQ(run.step().fallback, Fallback::none);
+  run.input.frame = 84;
+  EXPECT_EQ(run.step().fallback, Fallback::scriptError);
+}
+
 TEST(Host, EndlessRecursionIsAScriptErrorOfAFewLines) {
   const Scripts scripts("return decide(world)");
   HostRun run(scripts);

@@ -87,7 +87,8 @@ TEST(RobotAgent, PlaysOverAGoodStickAsTheStickSays) {
   EXPECT_EQ(result.leds.back() & body::kLightBackRear, 0U);
   EXPECT_EQ(result.leds.back() & body::kLightBackMiddle, body::kLightBackMiddle) << "no Python";
   EXPECT_EQ(result.leds.back() & body::kLightRed, 0U);
-  EXPECT_NE(result.log.find("STICK.BIN: is good; player 3"), std::string::npos) << result.log;
+  EXPECT_NE(result.log.find("STICK.BIN: is good; player 3, simple"), std::string::npos)
+      << result.log;
 }
 
 struct Damage {

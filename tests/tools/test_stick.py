@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """`kelpie stick` and `kelpie emon` as a user runs them: good sticks, and what they refuse."""
 
+import gzip
 import os
 import shutil
 import subprocess
@@ -37,6 +38,44 @@ def parts_of_a_stick(tmp_path):
 
 def all_options(parts):
     return ["--object", parts / "AGENT.BIN", "--wlan", parts / "field.wlan"]
+
+
+PROGRAM = b"\x7fELF\x01\x01" + bytes(12) + b"\x08" + bytes(3000) + b"\n%s\0" + bytes(99)
+
+
+def frozen(*words):
+    """The behaviours as toolchain/python-openr/freeze puts them into a program."""
+    freeze = ROOT / "toolchain/python-openr/freeze"
+    done = subprocess.run(["/usr/bin/python3", freeze, "/dev/stdout", *words], check=True,
+                          capture_output=True, text=True)
+    return done.stdout.splitlines()[0].split('"')[1].encode()
+
+
+def said_of(parts, text, pack=bytes):
+    (parts / "AGENT.BIN").write_bytes(pack(PROGRAM % text))
+    result = stick("--object", parts / "AGENT.BIN", "--out", parts / "out")
+    assert result.returncode == 0, result.stderr
+    return result.stdout.splitlines()[-1]
+
+
+@pytest.mark.parametrize("text, line", [
+    (b"kelpie player: simple",
+     "player: simple, without Python: it walks to the ball, and no more"),
+    (b"kelpie player: pythons", "player: the program does not say which"),
+    (b"", "player: the program does not say which")])
+@pytest.mark.parametrize("pack", [bytes, gzip.compress])
+def test_it_says_which_player_the_program_has(parts, text, line, pack):
+    assert said_of(parts, text, pack) == line
+
+
+def test_it_says_whether_the_programs_behaviours_are_those_of_the_folder(parts):
+    text = b"kelpie behaviours %s\0kelpie player: python"
+    assert said_of(parts, text % frozen(), gzip.compress).startswith(
+        "player: python, with the behaviours of ")
+    shutil.copytree(ROOT / "pycode", parts / "pycode")
+    with (parts / "pycode/main.py").open("a") as main:
+        main.write("# another\n")
+    assert "with OTHER behaviours" in said_of(parts, text % frozen("--pycode", parts / "pycode"))
 
 
 def test_a_stick_written_twice_is_identical_in_8_3_and_small(tmp_path):

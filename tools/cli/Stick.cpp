@@ -13,6 +13,7 @@
 #include "tools/cli/WholeFile.h"
 #include "tools/stick/Behaviours.h"
 #include "tools/stick/MakeStick.h"
+#include "tools/stick/Player.h"
 #include "tools/stick/Programs.h"
 #include "tools/stick/StickDifference.h"
 #include "tools/stick/StickFolder.h"
@@ -129,6 +130,8 @@ Status writeStick(const StickOptions& options) {
   if (!status) return status;
   if (!options.out.empty()) tellSizes(options.out, *tree);
   if (!options.install.empty()) tellSizes(options.install, *tree);
+  if (!options.object.empty())
+    fmt::print("{}\n", stick::playerLine(stick::playerOfFile(options.object), options.pycode));
   return Done{};
 }
 
