@@ -24,6 +24,19 @@ std::string wordAfter(const std::string& program, const std::string& mark) {
   return end == std::string::npos ? "" : program.substr(from, end - from);
 }
 
+// By gzip, in a folder of its own; nothing when it cannot.
+std::string unpacked(const std::string& file) {
+  const auto scratch = ScratchFolder::make();
+  const std::string gzip = findProgram({"gzip"});
+  if (!scratch || gzip.empty()) return "";
+  const std::string program = scratch->path() + "/program";
+  std::error_code error;
+  fs::copy_file(file, program + ".gz", error);
+  if (error || !runProgram({gzip, "-d", program + ".gz"})) return "";
+  const auto bytes = readWhole(program);
+  return bytes ? *bytes : "";
+}
+
 void addText(Crc32& sum, const std::string& text) {
   sum.add(reinterpret_cast<const std::uint8_t*>(text.c_str()), text.size() + 1);
 }
@@ -40,10 +53,7 @@ Player playerIn(const std::string& program) {
 Player playerOfFile(const std::string& file) {
   const auto bytes = readWhole(file);
   if (!bytes) return {};
-  if (bytes->rfind("\x1f\x8b", 0) != 0) return playerIn(*bytes);
-  const std::string gzip = findProgram({"gzip"});
-  const auto unpacked = runProgram({gzip.empty() ? "/bin/gzip" : gzip, "-dc", file});
-  return unpacked ? playerIn(*unpacked) : Player{};
+  return playerIn(bytes->rfind("\x1f\x8b", 0) == 0 ? unpacked(file) : *bytes);
 }
 
 std::string numberOfBehaviours(const std::string& folder) {
