@@ -47,10 +47,11 @@ class Runner {
   void note(const Percepts& seen) {
     unsigned refused = 0;
     for (const auto count : seen.counts.refused) refused += count;
-    const auto skipped = std::count(state_->classes.begin(), state_->classes.end(), kNotLookedAt);
+    std::size_t looked = 0;
+    for (std::size_t i = 0; i < kImagePixels; ++i)
+      looked += state_->classes.looked(i) != kNotLookedAt ? 1U : 0U;
     largest_ = {std::max(largest_.runs, seen.counts.runs),
-                std::max(largest_.blobs, seen.counts.blobs),
-                std::max(largest_.looked, kImagePixels - static_cast<std::size_t>(skipped)),
+                std::max(largest_.blobs, seen.counts.blobs), std::max(largest_.looked, looked),
                 std::max(largest_.refused, refused)};
   }
 
