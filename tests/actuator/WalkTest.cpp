@@ -251,10 +251,7 @@ TEST(Walk, AnotherSetIsTakenUpBitByBitWithSteps) {
 }
 
 // The search for the feet's speed is left out where set and request stay, and only there.
-TEST(Walk, WhatIsKnownOfTheLastTickChangesNoBit) {
-  ActuatorParams params = exactWalks();
-  params.walks.fast.stance.shoulderHeight = 9.0;
-  params.walks.fast.calibration.turn.scale = 0.8;
+void expectKnownChangesNothing(const ActuatorParams& params) {
   Random random(12);
   WalkState known;
   WalkState anew;
@@ -271,6 +268,15 @@ TEST(Walk, WhatIsKnownOfTheLastTickChangesNoBit) {
     ASSERT_EQ(known.feet.turn, anew.feet.turn) << tick;
     ASSERT_EQ(known.set.stance.shoulderHeight, anew.set.stance.shoulderHeight) << tick;
   }
+}
+
+TEST(Walk, WhatIsKnownOfTheLastTickChangesNoBit) {
+  ActuatorParams params = exactWalks();
+  params.walks.fast.stance.shoulderHeight = 9.0;
+  params.walks.fast.calibration.turn.scale = 0.8;
+  expectKnownChangesNothing(params);
+  params.mixSeconds = 0.0;
+  expectKnownChangesNothing(params);
 }
 
 }  // namespace
