@@ -13,7 +13,7 @@ namespace kelpie::behaviour {
 namespace {
 
 // A step takes some 1500 instructions in a small loop and 2600 in decide(), whose dearest frame
-// takes 668 steps (docs/python-on-robot.md); 576 million pass in a second where no cache misses.
+// takes 929 steps (docs/python-on-robot.md); 576 million pass in a second where no cache misses.
 constexpr double kStepsPerSecond = 3e5;
 constexpr std::uint32_t kAgain = 6000;  // as 0.02 s, if a script caught the first interrupt
 
