@@ -13,7 +13,7 @@ std::uint32_t mixTicks(const ActuatorParams& params) {
 }
 
 void choose(WalkKind kind, const ActuatorParams& params, WalkState& state) {
-  state.known = state.known;
+  state.known = state.known && state.chosen && kind == state.kind;
   if (state.chosen && kind != state.kind) {
     state.from = state.set;
     state.mixTick = 0;
