@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <utility>
 
 #include "robot/core/Maths.h"
@@ -26,6 +27,15 @@ constexpr std::array<Polynomial, 3> kRing{
 
 double ringGain(const Polynomial& p, double d) { return ((p.a1 * d + p.a2) * d + p.a3) * d + 1.0; }
 double ringOffset(const Polynomial& p, double d) { return ((p.b1 * d + p.b2) * d + p.b3) * d; }
+
+// One of each in turn. Sixteen at a time, since the two never overlap.
+void riffle(const std::uint8_t* a, const std::uint8_t* b, std::size_t length,
+            std::uint8_t* __restrict out) {
+  for (std::size_t i = 0; i < length; ++i) {
+    out[2 * i] = a[i];
+    out[2 * i + 1] = b[i];
+  }
+}
 
 }  // namespace
 
@@ -125,30 +135,46 @@ RawColumn::Channel Artefacts::blurred(std::size_t channel, const RawColumn& left
 }
 
 void Artefacts::bytes(std::size_t x, std::size_t channel, const RawColumn::Channel& value,
-                      Random& random, Image::Plane& out) const {
+                      Random& random) {
   const auto sd = static_cast<float>(channel == 0 ? params_.noiseSdY : params_.noiseSdChroma);
   const float amount = params_.noise ? sd : 0.0F;
   const float* gain = gain_[channel].data() + x * kRows;
   const float* offset = offset_[channel].data() + x * kRows;
   // A random stretch of the table for each column: as good as fresh numbers and 20 times faster.
   const float* noise = tables_->noise.data() + random.index(kNoises);
-  std::array<std::uint8_t, kRows> bytes;
+  std::uint8_t* bytes = strip_[channel].data() + x % kStrip * kRows;
   for (std::size_t y = 0; y < kRows; ++y) {
     const float v = gain[y] * value[y] + offset[y] + amount * noise[y] + 0.5F;
     // Whole numbers are clamped eight at a time, floats are not: a NaN could be among them.
     bytes[y] = static_cast<std::uint8_t>(std::min(std::max(static_cast<int>(v), 0), 255));
   }
-  if (!tone_[channel].empty())
-    for (std::uint8_t& byte : bytes) byte = tone_[channel][byte];
-  for (std::size_t y = 0; y < kRows; ++y) out[y * kColumns + x] = bytes[y];
+  if (tone_[channel].empty()) return;
+  for (std::size_t y = 0; y < kRows; ++y) bytes[y] = tone_[channel][bytes[y]];
+}
+
+// The strip lies column by column, the image row by row: riffled four times, like a pack of cards,
+// the sixteen columns lie so, too. Byte by byte every one would go to another line of the cache.
+void Artefacts::writeStrip(std::size_t first, std::size_t channel, Image::Plane& out) {
+  std::uint8_t* from = strip_[channel].data();
+  std::uint8_t* to = riffled_.data();
+  std::size_t length = kRows;
+  for (std::size_t half = kStrip / 2; half > 0; half /= 2, length *= 2) {
+    for (std::size_t i = 0; i < half; ++i)
+      riffle(from + i * length, from + (i + half) * length, length, to + i * 2 * length);
+    std::swap(from, to);
+  }
+  for (std::size_t y = 0; y < kRows; ++y)
+    std::memcpy(out.data() + y * kColumns + first, from + y * kStrip, kStrip);
 }
 
 // The last column, between its neighbours.
 void Artefacts::finish(std::size_t x, const RawColumn& left, const RawColumn& right, Random& random,
-                       Image& image) const {
-  const std::array<Image::Plane*, 3> out{&image.y, &image.cr, &image.cb};
+                       Image& image) {
   for (std::size_t c = 0; c < 3; ++c)
-    bytes(x, c, params_.blur ? blurred(c, left, right) : current_.*kChannels[c], random, *out[c]);
+    bytes(x, c, params_.blur ? blurred(c, left, right) : current_.*kChannels[c], random);
+  if (x % kStrip + 1 < kStrip) return;
+  const std::array<Image::Plane*, 3> out{&image.y, &image.cr, &image.cb};
+  for (std::size_t c = 0; c < 3; ++c) writeStrip(x + 1 - kStrip, c, *out[c]);
 }
 
 void Artefacts::add(std::size_t x, const RawColumn& column, Random& random, Image& image) {

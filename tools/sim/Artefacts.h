@@ -98,11 +98,15 @@ class Artefacts {
   void prepareGains();
   void prepareTone();
   void finish(std::size_t x, const RawColumn& left, const RawColumn& right, Random& random,
-              Image& image) const;
+              Image& image);
   RawColumn::Channel blurred(std::size_t channel, const RawColumn& left,
                              const RawColumn& right) const;
-  void bytes(std::size_t x, std::size_t channel, const RawColumn::Channel& value, Random& random,
-             Image::Plane& out) const;
+  void bytes(std::size_t x, std::size_t channel, const RawColumn::Channel& value, Random& random);
+  void writeStrip(std::size_t first, std::size_t channel, Image::Plane& out);
+
+  static constexpr std::size_t kStrip = 16;  // columns
+  static_assert(kImageWidth % kStrip == 0);
+  using Strip = std::array<std::uint8_t, kStrip * kImageHeight>;
 
   ArtefactParams params_;
   RobotCamera robot_;
@@ -113,6 +117,9 @@ class Artefacts {
   SharedTables tables_;
   RawColumn left_;     // of the last one
   RawColumn current_;  // the last one
+  // Columns that are bytes and not yet in the image, one after the other.
+  std::array<Strip, 3> strip_{};
+  Strip riffled_{};  // on their way
 };
 
 }  // namespace kelpie::sim
