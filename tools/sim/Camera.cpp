@@ -173,25 +173,29 @@ void Camera::selectBlock(const std::vector<InView>& all, std::size_t first,
     if (quad.first < first + kBlock && quad.last >= first) kept.push_back(&quad);
 }
 
+void Camera::see(const FieldCamera& camera, std::size_t column,
+                 const std::vector<const InView*>& all, Seen& seen) {
+  if (seen.place.size() < all.size()) seen.place.resize(all.size());
+  seen.count = 0;
+  for (const InView* quad : all) {
+    if (!quad->shows(column)) continue;
+    sim::see(camera, *quad->shape, quad->corners, seen.place[seen.count]);
+    if (!seen.place[seen.count].turnedAway) ++seen.count;
+  }
+}
+
 void Camera::selectShapes(const Scene& scene, const FieldCamera& camera, double middle) {
   const Slice slice(camera, middle);
   // Half a column to each side, measured across the plane, with room for wide angles.
   const double margin = 1.05 * (0.5 / camera.lens.focal);
-  quads_.clear();
   beacons_.clear();
-  lines_.clear();
-  const auto keep = [](const SeenQuad& seen, std::vector<SeenQuad>& kept) {
-    if (!seen.turnedAway) kept.push_back(seen);
-  };
   const auto x = static_cast<std::size_t>(middle);
   if (x % kBlock == 0) {
     selectBlock(view_, x, blockView_);
     selectBlock(lineView_, x, blockLines_);
   }
-  for (const InView* quad : blockView_)
-    if (quad->shows(x)) keep(seenBy(camera, *quad->shape, quad->corners), quads_);
-  for (const InView* line : blockLines_)
-    if (line->shows(x)) keep(seenBy(camera, *line->shape, line->corners), lines_);
+  see(camera, x, blockView_, quads_);
+  see(camera, x, blockLines_, lines_);
   carpet_ = seenBy(camera, ground_);
   for (const Cylinder& beacon : scene.beacons) {
     const double half = 0.5 * beacon.height[4];
@@ -213,7 +217,8 @@ void Camera::collectGround(const Scene& scene, const Slice& slice, std::vector<S
   keep(carpet, 1.0F);
   for (const Disc& disc : scene.circle)
     keep(slice.disc(disc), disc.colour.y == scene.green.y ? 1.0F : kPaint);
-  for (const SeenQuad& line : lines_) keep(slice.quad(line), kPaint);
+  for (const SeenQuad& line : lines_)
+    if (slice.meets(line)) keep(slice.quad(line), kPaint);
   for (const Disc& marker : scene.markers) keep(slice.disc(marker), 0.0F);
   for (const Sphere& ball : scene.balls) {
     const Disc shadow{{ball.centre.x, ball.centre.y}, 0.75 * ball.radius, {}, kShadow};
@@ -233,7 +238,7 @@ void Camera::collectSolids(const Scene& scene, const Slice& slice, std::vector<S
     colour = lit(scene, colour, {0.5 * (a.x + b.x), 0.5 * (a.y + b.y)});
   };
   for (const SeenQuad& quad : quads_)
-    keep(slice.quad(quad), quad.shape->corner[0], quad.shape->corner[2]);
+    if (slice.meets(quad)) keep(slice.quad(quad), quad.shape->corner[0], quad.shape->corner[2]);
   for (const Cylinder* beacon : beacons_) {
     const FieldPoint3 foot{beacon->centre.x, beacon->centre.y, 0.0};
     for (std::size_t i = 0; i < beacon->band.size(); ++i) keep(slice.band(*beacon, i), foot, foot);

@@ -61,6 +61,16 @@ class Camera {
   void selectOwn(const Scene& scene, const ColumnCameras& cameras);
   static void selectBlock(const std::vector<InView>& all, std::size_t first,
                           std::vector<const InView*>& kept);
+  // As a column's camera sees them: the first `count`, so that their places are used again.
+  struct Seen {
+    std::vector<SeenQuad> place;
+    std::size_t count = 0;
+
+    const SeenQuad* begin() const { return place.data(); }
+    const SeenQuad* end() const { return place.data() + count; }
+  };
+  static void see(const FieldCamera& camera, std::size_t column,
+                  const std::vector<const InView*>& all, Seen& seen);
   void selectShapes(const Scene& scene, const FieldCamera& camera, double middle);
   struct Cut {
     std::vector<Span> shown;  // in the order of painting
@@ -89,13 +99,13 @@ class Camera {
   std::array<Cut, 2> borders_;  // of the column; the left one of even columns first
   std::vector<Cut> middles_;    // one for each split
   Column column_;
-  std::vector<InView> view_;     // of solids, that the image may show
-  std::vector<SeenQuad> quads_;  // of those, that may meet the column
+  std::vector<InView> view_;  // of solids, that the image may show
+  Seen quads_;                // of those, that may meet the column
   std::vector<const Cylinder*> beacons_;
   std::vector<InView> lineView_;
   std::vector<const InView*> blockView_;  // of those, that some columns beside each other may show
   std::vector<const InView*> blockLines_;
-  std::vector<SeenQuad> lines_;
+  Seen lines_;
   Quad ground_;
   SeenQuad carpet_;
   std::vector<const Limb*> own_;  // that the image may show

@@ -27,18 +27,22 @@ Corners cornersOf(const Quad& shape) {
   return corners;
 }
 
-SeenQuad seenBy(const FieldCamera& camera, const Quad& shape, const Corners& corners) {
-  SeenQuad seen;
+void see(const FieldCamera& camera, const Quad& shape, const Corners& corners, SeenQuad& seen) {
   seen.shape = &shape;
   seen.turnedAway = shape.oneSided && dot(shape.normal, camera.position - shape.corner[0]) <= 0.0;
-  if (seen.turnedAway) return seen;
+  if (seen.turnedAway) return;
+  const FieldPoint3 at = camera.position, right = camera.right;
+  const FieldPoint3 down = camera.down, forward = camera.forward;
+  // What is written lies on top of nothing that is read: the four are seen at once.
+  double* __restrict seenRight = seen.right.data();
+  double* __restrict seenDown = seen.down.data();
+  double* __restrict seenDepth = seen.depth.data();
   for (std::size_t i = 0; i < 4; ++i) {
-    const FieldPoint3 d = FieldPoint3{corners.x[i], corners.y[i], corners.z[i]} - camera.position;
-    seen.right[i] = dot(camera.right, d);
-    seen.down[i] = dot(camera.down, d);
-    seen.depth[i] = dot(camera.forward, d);
+    const double x = corners.x[i] - at.x, y = corners.y[i] - at.y, z = corners.z[i] - at.z;
+    seenRight[i] = right.x * x + right.y * y + right.z * z;
+    seenDown[i] = down.x * x + down.y * y + down.z * z;
+    seenDepth[i] = forward.x * x + forward.y * y + forward.z * z;
   }
-  return seen;
 }
 
 Slice::Slice(const FieldCamera& camera, double x)
@@ -87,25 +91,25 @@ std::optional<Span> Slice::stretch(Seen a, Seen b) const {
 }
 
 std::optional<Span> Slice::quad(const SeenQuad& seen) const {
-  if (seen.turnedAway) return std::nullopt;
+  if (!meets(seen)) return std::nullopt;
   const Quad& shape = *seen.shape;
   std::array<double, 4> side;
   for (std::size_t i = 0; i < 4; ++i) side[i] = seen.right[i] - u_ * seen.depth[i];
-  const int left = (side[0] < 0.0) + (side[1] < 0.0) + (side[2] < 0.0) + (side[3] < 0.0);
-  if (left == 0 || left == 4) return std::nullopt;
-  std::array<Seen, 2> ends{};
-  std::size_t found = 0;
-  for (std::size_t i = 0; i < 4 && found < 2; ++i) {
+  const auto crossed = [&side](std::size_t i) {
+    return (side[i] < 0.0) != (side[(i + 1) & 3] < 0.0);
+  };
+  const auto crossing = [&](std::size_t i) {
     const std::size_t next = (i + 1) & 3;
-    if ((side[i] < 0.0) == (side[next] < 0.0)) continue;
     const double t = side[i] / (side[i] - side[next]);
     const auto between = [t](double a, double b) { return a + t * (b - a); };
-    ends[found++] = {between(seen.down[i], seen.down[next]),
-                     between(seen.depth[i], seen.depth[next]),
-                     between(shape.corner[i].z, shape.corner[next].z)};
-  }
-  if (found < 2) return std::nullopt;
-  std::optional<Span> span = stretch(ends[0], ends[1]);
+    return Seen{between(seen.down[i], seen.down[next]), between(seen.depth[i], seen.depth[next]),
+                between(shape.corner[i].z, shape.corner[next].z)};
+  };
+  std::size_t one = 0;
+  while (!crossed(one)) ++one;
+  std::size_t other = one + 1;
+  while (!crossed(other)) ++other;
+  std::optional<Span> span = stretch(crossing(one), crossing(other));
   if (!span) return span;
   const double low = std::min(shape.corner[0].z, shape.corner[2].z);
   const double height = std::fabs(shape.corner[2].z - shape.corner[0].z);

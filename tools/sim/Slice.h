@@ -39,9 +39,11 @@ struct Corners {
   std::array<double, 4> z;
 };
 Corners cornersOf(const Quad& shape);
-SeenQuad seenBy(const FieldCamera& camera, const Quad& shape, const Corners& corners);
+void see(const FieldCamera& camera, const Quad& shape, const Corners& corners, SeenQuad& seen);
 inline SeenQuad seenBy(const FieldCamera& camera, const Quad& shape) {
-  return seenBy(camera, shape, cornersOf(shape));
+  SeenQuad seen;
+  see(camera, shape, cornersOf(shape), seen);
+  return seen;
 }
 
 constexpr std::array<float, kImageHeight> rowMiddles() {
@@ -59,8 +61,18 @@ class Slice {
   // Whether a sphere can touch the plane within `margin` (share of its depth) to both sides.
   bool mayMeet(FieldPoint3 centre, double radius, double margin) const;
 
+  // Whether the plane parts the quad's corners. Here, since most that are asked it does not part.
+  bool meets(const SeenQuad& shape) const {
+    int left = 0;
+    for (std::size_t i = 0; i < 4; ++i) left += shape.right[i] - u_ * shape.depth[i] < 0.0 ? 1 : 0;
+    return left > 0 && left < 4;
+  }
+  // Of one that is not turned away.
   std::optional<Span> quad(const SeenQuad& shape) const;
-  std::optional<Span> quad(const Quad& shape) const { return quad(seenBy(camera_, shape)); }
+  std::optional<Span> quad(const Quad& shape) const {
+    const SeenQuad seen = seenBy(camera_, shape);
+    return seen.turnedAway ? std::nullopt : quad(seen);
+  }
   std::optional<Span> disc(const Disc& shape) const;
   std::optional<Span> sphere(const Sphere& shape) const;
   std::optional<Span> limb(const Limb& shape) const;
