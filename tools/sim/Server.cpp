@@ -2,11 +2,10 @@
 #include "tools/sim/Server.h"
 
 #include <algorithm>
-#include <future>
+#include <thread>
 #include <utility>
 
 #include "robot/core/Encoding.h"
-#include "robot/host/OnCores.h"
 
 namespace kelpie::sim {
 namespace {
@@ -23,6 +22,8 @@ std::size_t placeOf(const host::AgentHello& hello, const std::vector<Agent>& age
   return static_cast<std::size_t>(std::find_if(agents.begin(), agents.end(), same) -
                                   agents.begin());
 }
+
+std::size_t cores() { return std::max(1U, std::thread::hardware_concurrency()); }
 
 bool before(const Agent& a, const Agent& b) {
   return a.hello.team != b.hello.team ? a.hello.team < b.hello.team
@@ -65,7 +66,7 @@ Expected<std::vector<Agent>> gatherAgents(host::Listener& listener, std::size_t 
 }
 
 Server::Server(World& world, std::vector<Agent>& agents, LogWriter* log, ServerHooks hooks)
-    : world_(world), agents_(agents), log_(log), hooks_(std::move(hooks)) {
+    : world_(world), agents_(agents), log_(log), hooks_(std::move(hooks)), crew_(cores()) {
   for (std::size_t i = 0; i < agents_.size(); ++i) outboxes_.push_back(std::make_unique<Outbox>());
 }
 
@@ -149,9 +150,10 @@ Status Server::sendTo(std::size_t robot, const Step& step) {
   return connection.send(host::MessageType::step, message, host::MessageType::image, out.buffer);
 }
 
+// Images go on being rendered until the crew has finished; all else is said at once.
 void Server::send(Step& step) {
-  const auto one = [&](std::size_t i) { step.sent[i] = sendTo(i, step); };
-  if (step.image) return host::onCores(agents_.size(), one);
+  const auto one = [this, &step](std::size_t i) { step.sent[i] = sendTo(i, step); };
+  if (step.image) return crew_.begin(agents_.size(), one);
   for (std::size_t i = 0; i < agents_.size(); ++i) one(i);
 }
 
@@ -229,7 +231,7 @@ Status Server::startNext() {
   prepare(nextStep());
   Step& step = open_.back();
   begin(step);
-  sending_ = std::async(std::launch::async, [this, &step] { send(step); });
+  send(step);
   return Done{};
 }
 
@@ -242,8 +244,8 @@ Status Server::playOn() {
     const Status started = open_.empty() ? startNext() : Status{Done{}};
     const Status ahead = started ? moveAhead() : started;
     if (!ahead) return ahead;
-    sending_.get();
-    for (std::size_t i = 1; i < open_.size(); ++i) {
+    crew_.finish();
+    for (std::size_t i = 1; i < open_.size(); ++i) {  // no images
       begin(open_[i]);
       send(open_[i]);
     }
@@ -261,7 +263,7 @@ Status Server::playOn() {
 Status Server::run() {
   if (log_ != nullptr && world_.isUnlike()) log_->write(kUnlikeTopic, TimeUs{}, world_.unlike());
   const Status played = playOn();
-  if (sending_.valid()) sending_.get();
+  crew_.finish();
   writeTruth(world_.time(), false);  // what happened after the last step
   sayGoodbye(played ? 0 : 1);
   return played;

@@ -9,13 +9,13 @@
 
 #include <deque>
 #include <functional>
-#include <future>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "robot/core/LogWriter.h"
 #include "robot/host/Connection.h"
+#include "tools/sim/Crew.h"
 #include "tools/sim/World.h"
 
 namespace kelpie::sim {
@@ -102,9 +102,9 @@ class Server {
   Past exposed_;  // what the images show that are being rendered
   std::int64_t messages_ = 1;
   std::int64_t images_ = 1;
-  std::deque<Step> open_;      // steps whose answers have not been taken, the oldest first
-  bool over_ = false;          // the last of them ends the match
-  std::future<void> sending_;  // the last of them, when it begins
+  std::deque<Step> open_;  // steps whose answers have not been taken, the oldest first
+  bool over_ = false;      // the last of them ends the match
+  Crew crew_;              // renders and sends the images of the last of them
 };
 
 }  // namespace kelpie::sim
