@@ -60,7 +60,7 @@ Expected<bool> WorldSource::readStep(WorldEvent& event) {
   if (!std::isfinite(event.step.batteryCurrent))
     return error("the battery's current is not finite");
   if (!event.step.imagePresent) return true;
-  const Status image = receiveMessage(connection_, MessageType::image, event.image, body_);
+  const Status image = receiveMessage(connection_, MessageType::image, event.image, imageBody_);
   if (!image) return error(image.error());
   return true;
 }

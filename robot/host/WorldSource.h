@@ -29,7 +29,8 @@ class WorldSource : public Source {
   Error error(const std::string& what) const;
 
   Connection connection_;
-  std::vector<std::uint8_t> body_;  // of the message at hand; its memory is used again
+  std::vector<std::uint8_t> body_;       // of the message at hand; its memory is used again
+  std::vector<std::uint8_t> imageBody_;  // of images, so that it keeps their size
   TimeUs time_;
 };
 
