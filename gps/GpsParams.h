@@ -11,6 +11,7 @@
 #include "gps/pose/LagParams.h"
 #include "gps/pose/NoiseScale.h"
 #include "gps/pose/PoseParams.h"
+#include "gps/pose/Return.h"
 #include "gps/pose/Shake.h"
 #include "gps/pose/StuckParams.h"
 #include "gps/pose/TiltParams.h"
@@ -24,6 +25,7 @@ struct GpsParams {
   MotionNoise motion;
   StuckParams stuck;
   ShakeParams shake;
+  ReturnParams afterPenalty;
   LandmarkGates gates;
   ModeParams modes;
   CrossingParams crossing;
@@ -38,14 +40,15 @@ struct GpsParams {
 
   static constexpr auto fields() {
     using kelpie::field;
-    return fieldList(field("initialPose", &GpsParams::initialPose),
-                     field("motion", &GpsParams::motion), field("stuck", &GpsParams::stuck),
-                     field("shake", &GpsParams::shake), field("gates", &GpsParams::gates),
-                     field("modes", &GpsParams::modes), field("crossing", &GpsParams::crossing),
-                     field("noiseScale", &GpsParams::noiseScale), field("tilt", &GpsParams::tilt),
-                     field("focal", &GpsParams::focal), field("lag", &GpsParams::lag),
-                     field("lines", &GpsParams::lines), field("pinks", &GpsParams::pinks),
-                     field("ball", &GpsParams::ball), field("players", &GpsParams::players));
+    return fieldList(
+        field("initialPose", &GpsParams::initialPose), field("motion", &GpsParams::motion),
+        field("stuck", &GpsParams::stuck), field("shake", &GpsParams::shake),
+        field("afterPenalty", &GpsParams::afterPenalty), field("gates", &GpsParams::gates),
+        field("modes", &GpsParams::modes), field("crossing", &GpsParams::crossing),
+        field("noiseScale", &GpsParams::noiseScale), field("tilt", &GpsParams::tilt),
+        field("focal", &GpsParams::focal), field("lag", &GpsParams::lag),
+        field("lines", &GpsParams::lines), field("pinks", &GpsParams::pinks),
+        field("ball", &GpsParams::ball), field("players", &GpsParams::players));
   }
 };
 

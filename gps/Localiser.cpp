@@ -8,6 +8,7 @@
 #include "gps/players/Players.h"
 #include "gps/pose/Focal.h"
 #include "gps/pose/Lag.h"
+#include "gps/pose/Return.h"
 #include "gps/pose/Tilt.h"
 
 namespace kelpie::gps {
@@ -37,6 +38,7 @@ void believeInto(WorldModel& world, const GpsIn& in, const Step& moved, const Gp
 Step stepPose(LandmarkUpdate update, const GpsIn& in, const GpsParams& params, GpsState& state) {
   prepare(params, state);
   const Step moved = moveModes(in, params, state);
+  stepReturn(in.input.game, params.field, params.afterPenalty, state.pose);
   useElevations(in, params, state);
   useLandmarks(in, params, state, update);
   usePinkPatches(in, moved.odometry, params, state);

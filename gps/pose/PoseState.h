@@ -52,6 +52,7 @@ struct PoseState {
   double secondsSinceLines = 0.0;
   StuckState stuck;
   ShakeState shake;
+  bool penalised = false;  // in the last frame
 };
 
 }  // namespace kelpie::gps

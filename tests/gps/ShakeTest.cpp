@@ -43,6 +43,14 @@ TEST(Shake, WhoIsShakenDoubtsPlaceAndHeading) {
   EXPECT_GT(shaken.covariance[8], 2.0 * calm.covariance[8]);
 }
 
+TEST(Shake, WhoIsShakenGoesLessFarThanItsLegsWalk) {
+  ShakeParams full;
+  full.slowing = 0.0;
+  const double legs = afterShaking(500.0, full).pose.position.y;
+  EXPECT_NEAR(legs, afterShaking(0.0).pose.position.y, 1e-9);
+  EXPECT_LT(afterShaking(500.0).pose.position.y, legs - 10.0);
+}
+
 TEST(Shake, AsMuchAsAFreeWalkShakesChangesNoBit) {
   EXPECT_TRUE(sameCovariance(afterShaking(0.0), afterShaking(100.0)));
 }

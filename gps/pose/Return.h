@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// The end of a penalty: the robot has been carried beside the half-way line, near a side line, and
+// looks across the field (rules of 2006); to which side it is not told, since that goes by the
+// ball. It believes in both places, in place of searching for a pose as one that was carried
+// anywhere. Fails where the robot is put elsewhere: then the wide mode finds it, as ever.
+#pragma once
+
+#include "gps/pose/PoseState.h"
+#include "robot/body/FieldDescription.h"
+#include "robot/core/Fields.h"
+#include "robot/core/FrameInput.h"
+
+namespace kelpie::gps {
+
+struct ReturnParams {
+  bool use = true;
+  double inside = 15.0;      // cm from the side line
+  double positionSd = 25.0;  // cm, both ways: somebody may stand there already
+  Angle headingSd = Angle::deg(15.0);
+
+  static constexpr auto fields() {
+    using P = ReturnParams;
+    return fieldList(field("use", &P::use), field("inside", &P::inside, "cm", -100, 100),
+                     field("positionSd", &P::positionSd, "cm", 1, 500),
+                     field("headingSd", &P::headingSd, "deg", 1, 180));
+  }
+};
+
+// Once a frame; changes the modes in the one in which a penalty has ended. They keep their tilt.
+void stepReturn(const GameState& game, const body::FieldDescription& field,
+                const ReturnParams& params, PoseState& state);
+
+}  // namespace kelpie::gps
