@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The end of a penalty: the robot has been carried beside the half-way line, near a side line, and
-// looks across the field (rules of 2006); to which side it is not told, since that goes by the
-// ball. It believes in both places, in place of searching for a pose as one that was carried
-// anywhere. Fails where the robot is put elsewhere: then the wide mode finds it, as ever.
+// The end of a penalty: the robot has been put near a side line, on the half-way line, and looks
+// across the field; on which side it is not told, as that goes by the ball. It believes in both
+// places (so did the code of 2005: facts-2005 section 5.1) and does not search as one that was
+// carried anywhere. Fails where the robot is put elsewhere: then the wide mode finds it, as ever.
 #pragma once
 
 #include "gps/pose/PoseState.h"

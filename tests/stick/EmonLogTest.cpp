@@ -82,7 +82,10 @@ TEST(EmonLog, NamesFunctionsAndLinesOfACrash) {
   ASSERT_TRUE(log) << log.error();
   EXPECT_EQ(causeText(*log->cause), "4: address error at a load or a fetch");
   EXPECT_EQ(*log->badAddress, 0x73692067U);
-  const auto places = crashPlaces(*log, *program.object, std::nullopt);
+  const auto offset = loadOffset(*log, *program.object, std::nullopt);
+  ASSERT_TRUE(offset) << offset.error();
+  EXPECT_EQ(*offset, kMoved);
+  const auto places = crashPlaces(*log, *program.object, *offset);
   ASSERT_TRUE(places) << places.error();
   ASSERT_EQ(places->size(), 3U);  // the start of a function on the stack follows no call
   const auto lines = linesOf(*places, program.elf);
@@ -95,13 +98,22 @@ TEST(EmonLog, NamesFunctionsAndLinesOfACrash) {
   EXPECT_EQ((*places)[2].where, "0x220a13f4");
 }
 
+TEST(EmonLog, LinesOfAnyLengthAreReadAndThoseOfNonsenseTakeNoStack) {
+  const auto log = parseEmonLog("epc:$14: 0x00400710\n" + std::string(3000000, ' ') + "x\n" +
+                                    "gp:r28" + std::string(300000, ' ') + "\n",
+                                "EMON.LOG");
+  ASSERT_TRUE(log) << log.error();
+  EXPECT_EQ(*log->counter, 0x00400710U);
+}
+
 TEST(EmonLog, TellsWhereTheObjectWasByHandWhenTheLogDoesNot) {
   Program program;
   if (!makeProgram(program)) GTEST_SKIP() << "g++-mipsel-linux-gnu is not installed";
   EmonLog log;
   log.counter = program.innermost + kMoved;
-  EXPECT_NE(crashPlaces(log, *program.object, std::nullopt).error().find("--loaded-at"),
+  EXPECT_NE(loadOffset(log, *program.object, std::nullopt).error().find("--loaded-at"),
             std::string::npos);
+  EXPECT_EQ(*loadOffset(log, *program.object, kMoved), kMoved);
   const auto places = crashPlaces(log, *program.object, kMoved);
   ASSERT_TRUE(places) << places.error();
   EXPECT_EQ(places->front().address, program.innermost);

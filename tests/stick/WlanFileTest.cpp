@@ -35,6 +35,33 @@ TEST(WlanFile, NamesLineAndKeyOfAWrongValueButNeverTheValue) {
   }
 }
 
+TEST(WlanFile, RefusesWhatNoRobotCanUse) {
+  for (const auto* line :
+       {"WEPENABLE=01", "USE_DHCP=00", "APMODE=01", "CHANNEL=012", "ETHER_IP=0.0.0.0",
+        "ETHER_IP=255.255.255.255", "ETHER_IP=010.0.1.3", "ETHER_NETMASK=255.0.255.0",
+        "ETHER_NETMASK=0.0.0.0", "ESSID=four # legged", "ESSID=four\x1blegged", "ESSID=\"four\"",
+        "HOSTNAME=two words", "DNS_DEFDNAME=a;b"}) {
+    const std::string told = complaint(std::string("# first\n") + line + "\n");
+    EXPECT_NE(told.find("keys.txt:2: "), std::string::npos) << line << ": " << told;
+  }
+  EXPECT_NE(complaint(std::string(kGood) + "HOSTNAME=" + std::string(64, 'a')).find("HOSTNAME"),
+            std::string::npos);
+  EXPECT_NE(complaint(std::string(kGood) + "CHANNEL=5\n").find("APMODE=0"), std::string::npos);
+}
+
+TEST(WlanFile, TakesAChannelAdHocAndEveryNetmask) {
+  const std::string adHoc = "ESSID=a\nETHER_IP=10.0.1.3\nAPMODE=0\nCHANNEL=11\n";
+  for (const auto* mask : {"255.255.255.255", "255.255.254.0", "128.0.0.0"}) {
+    const auto text = wlanText(adHoc + "ETHER_NETMASK=" + mask, "keys.txt");
+    EXPECT_TRUE(text) << text.error();
+  }
+}
+
+TEST(WlanFile, LeavesTheByteOrderMarkOfAnEditorOut) {
+  EXPECT_EQ(*wlanText(std::string("\xEF\xBB\xBF") + kGood, "keys.txt"),
+            *wlanText(kGood, "keys.txt"));
+}
+
 TEST(WlanFile, RefusesAKeyThatIsThereTwice) {
   EXPECT_NE(complaint("ESSID=a\nESSID=b\n").find("keys.txt:2: ESSID is there twice"),
             std::string::npos);

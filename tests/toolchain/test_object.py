@@ -237,6 +237,11 @@ def test_file_that_is_no_object_ends_with_2_and_a_line(tmp_path):
     (tmp_path / "cut").write_bytes(whole[:len(whole) // 2])
     done = run(TOOLCHAIN / "check-object", tmp_path / "cut")
     assert done.returncode == 2 and done.stderr.count("\n") == 1
+    (tmp_path / "start.c").write_text("void __start(void) {}")
+    must("mipsel-linux-gnu-gcc", "-nostdlib", "-static", "-o", tmp_path / "linked",
+         tmp_path / "start.c")
+    done = run(TOOLCHAIN / "check-object", tmp_path / "linked")
+    assert done.returncode == 2 and done.stderr.count("\n") == 1 and "is linked" in done.stderr
 
 
 def test_struct_of_another_size_does_not_compile_for_the_robot(tmp_path):
@@ -342,6 +347,25 @@ def test_input_that_cannot_be_read_is_noticed(tape, tmp_path):
         fed[:-1] if kind == b"f" else fed, answer))
     done = run(TOOLCHAIN / "emulate", "--at", "0x10000000", "--tape", cut)
     assert done.returncode == 1 and "the image could not read the input" in done.stderr
+
+
+def test_tape_that_is_cut_or_none_is_named(tape, tmp_path):
+    whole = short(tape, tmp_path / "whole", 8).read_bytes()
+    for content, line in ((whole[:-1], "is cut off"), (whole[:-4] + b"f", "is cut off"),
+                          (whole + b"\xc5" * 9, "is not what object-tape writes"),
+                          (whole + b"f" + struct.pack("<II", 900_000, 0) + bytes(900_000),
+                           "an input of 900000 bytes is more than the image takes")):
+        (tmp_path / "tape").write_bytes(content)
+        done = run(TOOLCHAIN / "emulate", "--at", "0x10000000", "--tape", tmp_path / "tape")
+        assert done.returncode == 2 and line in done.stderr
+        assert done.stderr.count("\n") == 1
+
+
+def test_address_where_nothing_can_lie_is_refused(tape, tmp_path):
+    tape = short(tape, tmp_path / "tape", 8)
+    for at in ("--at=-1", "--at=0x7ffe0000", "--at=nowhere"):
+        done = run(TOOLCHAIN / "emulate", at, "--tape", tape)
+        assert done.returncode == 2 and "Traceback" not in done.stderr
 
 
 @pytest.mark.parametrize("arguments, line", [
@@ -492,6 +516,15 @@ def test_final_link_hands_the_whole_object_to_the_sdks_tools(tmp_path):
     names = must("mipsel-linux-gnu-nm", "-C", tmp_path / "packed")
     assert " Self\n" in names and "kelpie::agent::FrameLoop::step" in names
     assert "kelpie::agent::Agent::NotifySensor" in names
+    assert " Self\n" in must("mipsel-linux-gnu-nm", "-C", tmp_path / "AGENT.BIN.elf")
+
+
+@pytest.mark.parametrize("words", [[], ["--simple"], ["--help"], ["a.bin", "b.bin"],
+                                   ["a.bin", "--simple", "more"]])
+def test_final_link_says_in_one_line_how_it_is_used(words):
+    done = run(TOOLCHAIN / "link-object", *words)
+    assert done.returncode == 2
+    assert done.stderr == "link-object: usage: link-object BIN [--simple]\n"
 
 
 @pytest.mark.parametrize("missing, line", [

@@ -184,13 +184,26 @@ def test_what_is_required_has_no_margin(cost, tmp_path):
     ('[short]\n"stages.eyes.cycles_mean" = 5\n', "stages.eyes.cycles_mean is no figure"),
     ('[match]\n"frame.cycles_mean" = 5\n', "no budgets [short]"),
     ("[short]\n= 5\n", "Invalid"),
+    ('[short]\n"frame.cycles_mean" = "few"\n', "[short] holds what is not a number"),
+    ("short = 5\n", "[short] holds what is not a number"),
+    ("\xff\n", "budget.toml"),
 ])
 def test_a_wrong_file_of_budgets_ends_with_2_and_one_line(cost, tmp_path, text, line):
     budgets = tmp_path / "budget.toml"
-    budgets.write_text(text)
+    budgets.write_text(text, encoding="latin-1")
     result = budget("--table", "short", "--cost", cost, "--budgets", budgets)
     assert result.returncode == 2
     assert line in result.stderr and result.stderr.count("\n") == 1
+
+
+def test_figures_that_lack_what_the_page_tells_end_with_2_and_one_line(cost, tmp_path):
+    figures = json.loads(cost.read_text())
+    del figures["first_command"]["seconds"]
+    (tmp_path / "cost.json").write_text(json.dumps(figures))
+    result = budget("--table", "short", "--cost", tmp_path / "cost.json", "--doc",
+                    tmp_path / "page.md")
+    assert result.returncode == 2 and result.stderr.count("\n") == 1
+    assert not (tmp_path / "page.md").exists()
 
 
 def test_a_log_that_is_not_there_ends_with_2_and_one_line():

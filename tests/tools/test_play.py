@@ -186,15 +186,18 @@ def test_killed_match_is_cleaned_up_by_the_next_and_a_running_one_is_spared(tmp_
     assert len(folders_of_matches(tmp)) == 2
     (tmp_path / "next").mkdir()
     (tmp_path / "next" / "match.mcap.part").write_bytes(b"half a log")
+    own = tmp / "kelpie-play-mine"  # a user's folder
+    own.mkdir()
+    (own / "notes").write_text("of a match")
     for folder in folders_of_matches(tmp):
         os.utime(folder, (1e9, 1e9))  # as if it were old enough
     result = kelpie("play", "--seconds", "2", "--no-film", "--out", tmp_path / "next",
                     env=dict(os.environ, TMPDIR=str(tmp)))
     assert "no goal" in result.stdout, result.stderr
-    assert len(folders_of_matches(tmp)) == 1 and plays[1].poll() is None
+    assert len(folders_of_matches(tmp)) == 2 and plays[1].poll() is None
     plays[1].terminate()
     plays[1].communicate(timeout=60)
-    assert not folders_of_matches(tmp)
+    assert folders_of_matches(tmp) == [own] and (own / "notes").exists()
     assert not list((tmp_path / "next").glob("*.part*"))
 
 

@@ -4,13 +4,27 @@
 import gzip
 import os
 import shutil
+import signal
+import stat
+import struct
 import subprocess
+import time
 import zipfile
 
 import pytest
-from conftest import ROOT, complaint, kelpie
+from conftest import BIN, ROOT, complaint, kelpie
 
-OBJECT = b"\x1f\x8b" + bytes(range(256)) * 40  # gzip, as a robot takes it
+
+
+def linked(content, kind=2, address=0):
+    """A MIPS ELF file of one segment, as mkbin makes it: executable, for the address 0."""
+    header = b"\x7fELF\x01\x01\x01" + bytes(9) + struct.pack(
+        "<HHIIIIIHHHHHH", kind, 8, 1, address, 52, 0, 0x1007, 52, 32, 1, 40, 0, 0)
+    size = 84 + len(content)
+    return header + struct.pack("<8I", 1, 0, address, address, size, size, 7, 4096) + content
+
+
+OBJECT = gzip.compress(linked(bytes(range(256)) * 40), mtime=0)  # as a robot takes it
 SECRET = "0xC0FFEE1234"
 WLAN = f"ESSID=fourlegged\nWEPENABLE=1\nWEPKEY={SECRET}\nETHER_IP=10.0.1.3\n"
 
@@ -40,9 +54,6 @@ def all_options(parts):
     return ["--object", parts / "AGENT.BIN", "--wlan", parts / "field.wlan"]
 
 
-PROGRAM = b"\x7fELF\x01\x01" + bytes(12) + b"\x08" + bytes(3000) + b"\n%s\0" + bytes(99)
-
-
 def frozen(*words):
     """The behaviours as toolchain/python-openr/freeze puts them into a program."""
     freeze = ROOT / "toolchain/python-openr/freeze"
@@ -52,7 +63,8 @@ def frozen(*words):
 
 
 def said_of(parts, text, pack=bytes):
-    (parts / "AGENT.BIN").write_bytes(pack(PROGRAM % text))
+    program = linked(bytes(3000) + b"\n%s\0" % text + bytes(99))
+    (parts / "AGENT.BIN").write_bytes(pack(program))
     result = stick("--object", parts / "AGENT.BIN", "--out", parts / "out")
     assert result.returncode == 0, result.stderr
     return result.stdout.splitlines()[-1]
@@ -76,6 +88,55 @@ def test_it_says_whether_the_programs_behaviours_are_those_of_the_folder(parts):
     with (parts / "pycode/main.py").open("a") as main:
         main.write("# another\n")
     assert "with OTHER behaviours" in said_of(parts, text % frozen("--pycode", parts / "pycode"))
+
+
+@pytest.mark.parametrize("program, line", [
+    (linked(b"x" * 99, kind=1), "is not linked"),
+    (linked(b"x" * 99, address=0x400000), "another system"),
+    (linked(b"x" * 99)[:60], "is not linked"),
+    (b"\x7fELF\x01\x01", "neither a MIPS program nor gzip of one"),
+    (b"\x1f\x8b", "gzip cannot unpack it"),
+    (gzip.compress(linked(b"x" * 99))[:-20], "gzip cannot unpack it"),
+    (gzip.compress(b"hello"), "neither a MIPS program nor gzip of one")])
+def test_what_is_no_program_never_takes_the_place_of_one(parts, program, line):
+    assert stick(*all_options(parts), "--install", parts / "mount").returncode == 0
+    before = files_in(parts / "mount")
+    (parts / "AGENT.BIN").write_bytes(program)
+    result = stick(*all_options(parts), "--install", parts / "mount")
+    assert result.returncode == 2 and line in complaint(result)
+    assert files_in(parts / "mount") == before
+
+
+def test_what_holds_the_radios_key_is_its_owners_alone(parts):
+    assert stick(*all_options(parts), "--out", parts / "out").returncode == 0
+    path = parts / "out/OPEN-R/SYSTEM/CONF/WLANCONF.TXT"
+    assert stat.S_IMODE(path.stat().st_mode) & 0o077 == 0
+
+
+@pytest.mark.skipif(shutil.which("mformat") is None, reason="mtools is not installed")
+def test_a_stop_leaves_no_radios_key_behind(parts):
+    (parts / "bin").mkdir()
+    (parts / "bin/mcopy").write_text("#!/bin/sh\ntouch began\nsleep 1\n")
+    (parts / "bin/mcopy").chmod(0o755)
+    (parts / "tmp").mkdir()
+    words = ["stick", "--robot", "2", *all_options(parts), "--out", parts / "s.img"]
+    process = subprocess.Popen(
+        [BIN / "kelpie", *map(str, words)], cwd=parts, stderr=subprocess.PIPE, text=True,
+        start_new_session=True, env=os.environ | {"TMPDIR": str(parts / "tmp"),
+                                                  "PATH": f"{parts}/bin:{os.environ['PATH']}"})
+    while not (parts / "began").exists():
+        time.sleep(0.02)
+    os.killpg(process.pid, signal.SIGINT)
+    assert process.wait(20) == 2 and process.stderr.read().count("\n") == 1
+    assert not list((parts / "tmp").iterdir()) and not list(parts.glob("s.img*"))
+
+
+def test_a_folder_in_a_files_place_is_told_before_anything_is_written(parts):
+    (parts / "mount/OPEN-R/MW/DATA/P/STICK.BIN").mkdir(parents=True)
+    before = files_in(parts / "mount")
+    result = stick(*all_options(parts), "--install", parts / "mount")
+    assert result.returncode == 2 and "STICK.BIN: is a folder" in complaint(result)
+    assert files_in(parts / "mount") == before
 
 
 def test_a_stick_written_twice_is_identical_in_8_3_and_small(tmp_path):
@@ -171,6 +232,8 @@ def test_the_radios_keys_are_never_told(parts):
     (["--out", "/proc/x"], "/proc/x"),
     (["--install", "/"], "--object"),
     (["--diff", "/"], "APERIOS.GZ"),
+    (["--out", "x", "--wlan", ""], "--wlan"),
+    (["--out", "x", "--object", ""], "--object"),
     ([], "--out, --diff or --install"),
 ])
 def test_what_cannot_be_is_one_line(words, told, tmp_path):

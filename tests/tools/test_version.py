@@ -61,3 +61,11 @@ def test_a_tree_that_is_no_repository_is_unknown_also_inside_another(tmp_path):
     git(tmp_path, "init", "-q")
     (tmp_path / "kelpie").mkdir()
     assert commit_of(tmp_path / "kelpie", tmp_path / "Commit.cpp") == "unknown"
+
+
+def test_words_that_nobody_gets_are_no_success():
+    with open("/dev/full", "w", encoding="ascii") as full:
+        done = subprocess.run([BIN / "kelpie", "--version"], stdout=full, stderr=subprocess.PIPE,
+                              text=True, timeout=20)
+    assert done.returncode == 2
+    assert done.stderr == "kelpie: standard output cannot be written\n"

@@ -49,6 +49,11 @@ class Elf:
         self.symbols = {symbol.name: symbol.value for symbol in self.symbol_list
                         if symbol.section != SHN_UNDEF and symbol.kind != STT_SECTION}
 
+    @property
+    def is_partial(self):
+        """ET_REL: not yet linked for an address."""
+        return self.data[16:18] == b"\x01\x00"
+
     def read_sections(self):
         table, = struct.unpack_from("<I", self.data, 32)
         size, count, names = struct.unpack_from("<HHH", self.data, 46)

@@ -30,6 +30,13 @@ Expected<std::optional<std::uint32_t>> address(const std::string& text) {
   return std::optional<std::uint32_t>(value);
 }
 
+// An object is loaded at a whole page; by the gp of another build it seems not to be.
+void tellOffset(std::uint32_t offset) {
+  constexpr std::uint32_t kPage = 4096;
+  fmt::print("loaded 0x{:08x} above its linked address{}\n", offset,
+             offset % kPage == 0 ? "" : ", which is no page: is --object of ANOTHER BUILD?");
+}
+
 void tell(const stick::EmonLog& log, const std::vector<stick::CrashPlace>& places,
           const std::vector<std::string>& lines) {
   if (log.cause) fmt::print("exception {}\n", stick::causeText(*log.cause));
@@ -52,10 +59,13 @@ Status explain(const EmonOptions& options) {
   if (!bytes) return Error{bytes.error()};
   const auto object = stick::ElfObject::parse(std::move(*bytes), options.object);
   if (!object) return Error{object.error()};
-  const auto places = stick::crashPlaces(*log, *object, *loadedAt);
+  const auto offset = stick::loadOffset(*log, *object, *loadedAt);
+  if (!offset) return Error{options.log + ": " + offset.error()};
+  const auto places = stick::crashPlaces(*log, *object, *offset);
   if (!places) return Error{options.log + ": " + places.error()};
   const auto lines = stick::linesOf(*places, options.object);
   if (!lines) return Error{lines.error()};
+  tellOffset(*offset);
   tell(*log, *places, *lines);
   return Done{};
 }
@@ -72,7 +82,7 @@ void addEmon(CLI::App& app, int& code) {
       app.add_subcommand("emon", "Where a robot's program died: EMON.LOG as functions and lines");
   auto options = std::make_shared<EmonOptions>();
   command->add_option("FILE", options->log, "The stick's EMON.LOG")->required();
-  command->add_option("--object", options->object, "The ELF file that AGENT.BIN was made of")
+  command->add_option("--object", options->object, "The ELF file of the AGENT.BIN on that stick")
       ->required();
   command->add_option("--loaded-at", options->loadedAt,
                       "How far from its linked address it was, hexadecimal (else by gp)");

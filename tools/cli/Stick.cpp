@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A robot's memory stick: as a folder, as an image, or on the stick itself.
 #include <fmt/core.h>
+#include <sys/stat.h>
 
 #include <filesystem>
 #include <memory>
@@ -42,21 +43,7 @@ Expected<agent::AgentConfig> robotConfig(const StickOptions& options) {
   return config;
 }
 
-// An ELF file for MIPS, or one that gzip has made smaller: the robot takes both.
-Expected<std::string> readObject(const std::string& file) {
-  auto bytes = stick::readWhole(file);
-  if (!bytes) return bytes;
-  const bool gzip = bytes->rfind("\x1f\x8b", 0) == 0;
-  const bool elf = bytes->rfind(
-                       "\x7f"
-                       "ELF\x01\x01",
-                       0) == 0 &&
-                   bytes->substr(18, 1) == "\x08";
-  if (gzip || elf) return bytes;
-  return Error{file + ": is neither a MIPS program nor gzip of one"};
-}
-
-Expected<stick::StickContents> readContents(const StickOptions& options) {
+Expected<stick::StickContents> readContents(const StickOptions& options, stick::Player& player) {
   const Status scripts = checkScripts(options.pycode);
   if (!scripts) return Error{scripts.error()};
   stick::StickContents contents;
@@ -65,7 +52,12 @@ Expected<stick::StickContents> readContents(const StickOptions& options) {
     if (status && bytes) place = *bytes;
     if (status && !bytes) status = Error{bytes.error()};
   };
-  if (!options.object.empty()) take(readObject(options.object), contents.object);
+  if (!options.object.empty()) {
+    std::string program;
+    take(stick::programOfFile(options.object), program);
+    player = stick::playerIn(program);
+    if (status) take(stick::readWhole(options.object), contents.object);
+  }
   if (!options.wlan.empty()) take(stick::readWlanFile(options.wlan), contents.wlan);
   if (status) take(stick::zipBehaviours(options.pycode), contents.behaviours);
   if (!status) return Error{status.error()};
@@ -119,7 +111,8 @@ void tellSizes(const std::string& where, const stick::StickTree& tree) {
 Status writeStick(const StickOptions& options) {
   const auto config = robotConfig(options);
   if (!config) return Error{config.error()};
-  const auto contents = readContents(options);
+  stick::Player player;
+  const auto contents = readContents(options, player);
   if (!contents) return Error{contents.error()};
   const auto tree = stick::makeTree(*config, *contents);
   if (!tree) return Error{tree.error()};
@@ -130,14 +123,15 @@ Status writeStick(const StickOptions& options) {
   if (!status) return status;
   if (!options.out.empty()) tellSizes(options.out, *tree);
   if (!options.install.empty()) tellSizes(options.install, *tree);
-  if (!options.object.empty())
-    fmt::print("{}\n", stick::playerLine(stick::playerOfFile(options.object), options.pycode));
+  if (!options.object.empty()) fmt::print("{}\n", stick::playerLine(player, options.pycode));
   return Done{};
 }
 
 int run(const StickOptions& options) {
   if (options.out.empty() && options.diff.empty() && options.install.empty())
     return fail("nothing to do: give --out, --diff or --install", kExitBadInput);
+  catchInterrupts();  // so that no folder with a radio's key stays behind
+  if (!options.wlan.empty()) umask(S_IRWXG | S_IRWXO);  // nor can others read it
   const Status written = writeStick(options);
   return written ? kExitDone : fail(written.error(), kExitBadInput);
 }
@@ -155,9 +149,12 @@ void addStick(CLI::App& app, int& code) {
   addConfigOptions(*command, options->config);
   command->add_option("--pycode", options->pycode, "Folder of the behaviours")
       ->capture_default_str();
-  command->add_option("--object", options->object, "The program, AGENT.BIN, linked with the SDK");
-  command->add_option("--wlan", options->wlan,
-                      "The radio's settings, KEY=VALUE a line, outside the repository");
+  command->add_option("--object", options->object, "The program, AGENT.BIN, linked with the SDK")
+      ->check(notEmpty());
+  command
+      ->add_option("--wlan", options->wlan,
+                   "The radio's settings, KEY=VALUE a line, outside the repository")
+      ->check(notEmpty());
   command->add_option("--out", options->out, "Folder, or image when it ends in .img")
       ->check(notEmpty());
   command->add_option("--diff", options->diff, "Say what would change on the mounted stick")

@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <ctime>
 #include <filesystem>
+#include <fstream>
 
 namespace kelpie::cli {
 namespace {
@@ -16,6 +17,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kPrefix = "kelpie-play-";
+// In each folder of ours: one of a user's may have such a name, and is not to be removed.
+constexpr const char* kMark = ".running-match";
 // Between the making of a folder and its lock; a younger one may still be without.
 constexpr std::time_t kYoung = 10;  // s
 
@@ -41,6 +44,8 @@ void removeLeftBehind(const fs::path& where) {
        entry.increment(error)) {
     const std::string path = entry->path().string();
     if (entry->path().filename().string().rfind(kPrefix, 0) != 0) continue;
+    std::error_code unmarked;
+    if (!fs::is_regular_file(entry->path() / kMark, unmarked)) continue;
     const int folder = lockFolder(path);
     if (folder < 0) continue;
     std::error_code ignored;
@@ -60,6 +65,7 @@ Workshop::Workshop() {
   if (mkdtemp(pattern.data()) == nullptr) return;
   folder_ = pattern;
   lock_ = lockFolder(folder_);
+  std::ofstream mark(path(kMark));
 }
 
 Workshop::~Workshop() {

@@ -3,7 +3,9 @@
 #include <fcntl.h>
 
 #include <CLI/CLI.hpp>
+#include <cstdio>
 #include <exception>
+#include <iostream>
 
 #include "tools/cli/Commands.h"
 #include "tools/cli/Process.h"
@@ -16,6 +18,14 @@ namespace {
 void openStandardFiles() {
   for (int file = 0; file <= 2; ++file)
     if (fcntl(file, F_GETFD) < 0) (void)open("/dev/null", O_RDWR);
+}
+
+// What was said may be lost after all, on a full disk for one: then it has failed.
+int afterWords(int code) {
+  std::cout.flush();
+  const bool said = std::cout.good() && std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
+  if (said) return code;
+  return kelpie::cli::fail("standard output cannot be written", kelpie::cli::kExitBadInput);
 }
 
 }  // namespace
@@ -53,7 +63,7 @@ int main(int argc, char** argv) {
   try {
     bool done = false;  // after help, or a mistake in the options
     const int usage = kelpie::cli::parseOptions(app, argc, argv, done);
-    return done ? usage : code;
+    return afterWords(done ? usage : code);
   } catch (const std::exception& error) {
     return kelpie::cli::fail(error.what(), kelpie::cli::kExitBadInput);
   }

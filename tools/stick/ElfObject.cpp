@@ -12,6 +12,7 @@ constexpr std::uint32_t kProgramBytes = 32;
 constexpr std::uint32_t kSectionBytes = 40;
 constexpr std::uint32_t kSymbolBytes = 16;
 constexpr std::uint32_t kMips = 8;
+constexpr std::uint32_t kLinked = 2;  // ET_EXEC
 constexpr std::uint32_t kLoad = 1;
 constexpr std::uint32_t kExecutable = 1;
 constexpr std::uint32_t kSymbolTable = 2;
@@ -31,11 +32,23 @@ std::uint32_t ElfObject::word(std::uint32_t offset) const {
 
 std::uint32_t ElfObject::half(std::uint32_t offset) const { return word(offset) & 0xFFFFU; }
 
+bool ElfObject::isMips() const {
+  return fits(0, kHeaderBytes) && word(0) == 0x464C457FU && half(4) == 0x0101U && half(18) == kMips;
+}
+
+Status ElfObject::checkProgram(const std::string& bytes, const std::string& file) {
+  ElfObject object(bytes);
+  if (!object.isMips()) return Error{file + ": is neither a MIPS program nor gzip of one"};
+  if (object.half(16) != kLinked || !object.readCode())
+    return Error{file + ": is not linked; toolchain/link-object makes the program of it"};
+  if (object.code_.address != 0)
+    return Error{file + ": is a program of another system, not one that OPEN-R loads"};
+  return Done{};
+}
+
 Expected<ElfObject> ElfObject::parse(std::string bytes, const std::string& file) {
   ElfObject object(std::move(bytes));
-  const bool elf = object.fits(0, kHeaderBytes) && object.word(0) == 0x464C457FU &&
-                   object.half(4) == 0x0101U && object.half(18) == kMips;
-  if (!elf) return Error{file + ": is not a MIPS ELF file of 32 bits, little-endian"};
+  if (!object.isMips()) return Error{file + ": is not a MIPS ELF file of 32 bits, little-endian"};
   if (!object.readCode()) return Error{file + ": holds no code with addresses; is it linked?"};
   if (!object.readGlobalPointer())
     return Error{file + ": has no symbol _gp; take the ELF file before it was stripped"};

@@ -16,6 +16,8 @@ namespace kelpie::stick {
 class ElfObject {
  public:
   static Expected<ElfObject> parse(std::string bytes, const std::string& file);
+  // Whether it is what mkbin makes for a stick: linked, for the address 0 (openr.md section 2).
+  static Status checkProgram(const std::string& bytes, const std::string& file);
 
   // The address of the symbol _gp.
   std::uint32_t globalPointer() const { return globalPointer_; }
@@ -30,6 +32,7 @@ class ElfObject {
     std::uint32_t size = 0;
   };
   explicit ElfObject(std::string bytes) : bytes_(std::move(bytes)) {}
+  bool isMips() const;
   bool fits(std::uint64_t offset, std::uint64_t size) const;
   std::uint32_t word(std::uint32_t offset) const;
   std::uint32_t half(std::uint32_t offset) const;

@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <array>
 #include <regex>
 #include <sstream>
@@ -13,6 +14,8 @@ namespace kelpie::stick {
 namespace {
 
 using Address = std::optional<std::uint32_t>;
+
+constexpr std::size_t kLongestLine = 500;  // characters; the robot's have 80
 
 std::uint32_t hexadecimal(const std::string& text) {
   return static_cast<std::uint32_t>(std::stoul(text, nullptr, 16));
@@ -81,6 +84,7 @@ Expected<EmonLog> parseEmonLog(const std::string& text, const std::string& file)
   std::istringstream lines(text);
   std::string line;
   while (std::getline(lines, line)) {
+    line.resize(std::min(line.size(), kLongestLine));  // the search recurses with every blank
     readRegisters(line, log);
     readStack(line, log);
   }
@@ -88,17 +92,21 @@ Expected<EmonLog> parseEmonLog(const std::string& text, const std::string& file)
   return log;
 }
 
+Expected<std::uint32_t> loadOffset(const EmonLog& log, const ElfObject& object,
+                                   std::optional<std::uint32_t> given) {
+  if (given) return *given;
+  if (log.globalPointer) return *log.globalPointer - object.globalPointer();
+  return Error{"the log has no gp:r28, which tells where the object was; give --loaded-at"};
+}
+
 Expected<std::vector<CrashPlace>> crashPlaces(const EmonLog& log, const ElfObject& object,
-                                              std::optional<std::uint32_t> loadedAt) {
-  if (!loadedAt && log.globalPointer) loadedAt = *log.globalPointer - object.globalPointer();
-  if (!loadedAt)
-    return Error{"the log has no gp:r28, which tells where the object was; give --loaded-at"};
+                                              std::uint32_t offset) {
   std::vector<CrashPlace> places;
-  const std::uint32_t counter = *log.counter - *loadedAt;
+  const std::uint32_t counter = *log.counter - offset;
   if (object.isCode(counter)) places.push_back({"died in", counter});
-  if (log.returnAddress) addReturn("returns to", *log.returnAddress - *loadedAt, object, places);
+  if (log.returnAddress) addReturn("returns to", *log.returnAddress - offset, object, places);
   for (const auto& word : log.stack)
-    addReturn(fmt::format("0x{:08x}", word.at), word.value - *loadedAt, object, places);
+    addReturn(fmt::format("0x{:08x}", word.at), word.value - offset, object, places);
   if (!places.empty()) return places;
   return Error{
       fmt::format("0x{:08x}, where it died, is not in this object, nor is anything on the "

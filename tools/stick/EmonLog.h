@@ -43,11 +43,14 @@ struct CrashPlace {
   std::uint32_t address = 0;  // of the instruction itself, for a return the call's
 };
 
+// How far from its linked address the object was, by gp or as given. An error when nothing tells.
+Expected<std::uint32_t> loadOffset(const EmonLog& log, const ElfObject& object,
+                                   std::optional<std::uint32_t> given);
+
 // The places of the object's own code, the newest first. An error when it died outside of the
-// object and nothing of it is on the stack, or when nothing tells where the object was loaded.
-// `loadedAt`: how far from its linked address, in place of what gp says.
+// object and nothing of it is on the stack.
 Expected<std::vector<CrashPlace>> crashPlaces(const EmonLog& log, const ElfObject& object,
-                                              std::optional<std::uint32_t> loadedAt);
+                                              std::uint32_t offset);
 
 // "4: address error at a load or a fetch", by MIPS' exception code.
 std::string causeText(std::uint32_t cause);

@@ -8,6 +8,7 @@
 
 #include "behaviour/PlayerMark.h"
 #include "robot/core/Checksum.h"
+#include "tools/stick/ElfObject.h"
 #include "tools/stick/Programs.h"
 
 namespace kelpie::stick {
@@ -24,17 +25,18 @@ std::string wordAfter(const std::string& program, const std::string& mark) {
   return end == std::string::npos ? "" : program.substr(from, end - from);
 }
 
-// By gzip, in a folder of its own; nothing when it cannot.
-std::string unpacked(const std::string& file) {
+// By gzip, in a folder of its own.
+Expected<std::string> unpacked(const std::string& file) {
   const auto scratch = ScratchFolder::make();
+  if (!scratch) return Error{scratch.error()};
   const std::string gzip = findProgram({"gzip"});
-  if (!scratch || gzip.empty()) return "";
+  if (gzip.empty()) return Error{file + ": is packed, and gzip is missing"};
   const std::string program = scratch->path() + "/program";
   std::error_code error;
   fs::copy_file(file, program + ".gz", error);
-  if (error || !runProgram({gzip, "-d", program + ".gz"})) return "";
-  const auto bytes = readWhole(program);
-  return bytes ? *bytes : "";
+  if (error || !runProgram({gzip, "-d", program + ".gz"}))
+    return Error{file + ": gzip cannot unpack it"};
+  return readWhole(program);
 }
 
 void addText(Crc32& sum, const std::string& text) {
@@ -50,10 +52,12 @@ Player playerIn(const std::string& program) {
   return {};
 }
 
-Player playerOfFile(const std::string& file) {
-  const auto bytes = readWhole(file);
-  if (!bytes) return {};
-  return playerIn(bytes->rfind("\x1f\x8b", 0) == 0 ? unpacked(file) : *bytes);
+Expected<std::string> programOfFile(const std::string& file) {
+  auto bytes = readWhole(file);
+  if (bytes && bytes->rfind("\x1f\x8b", 0) == 0) bytes = unpacked(file);
+  if (!bytes) return bytes;
+  const Status program = ElfObject::checkProgram(*bytes, file);
+  return program ? bytes : Error{program.error()};
 }
 
 std::string numberOfBehaviours(const std::string& folder) {

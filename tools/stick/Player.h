@@ -4,6 +4,8 @@
 
 #include <string>
 
+#include "robot/core/Expected.h"
+
 namespace kelpie::stick {
 
 struct Player {
@@ -14,8 +16,9 @@ struct Player {
 // Of the bytes of an AGENT.BIN that is not packed.
 Player playerIn(const std::string& program);
 
-// The same of a file, which gzip may have packed.
-Player playerOfFile(const std::string& file);
+// The bytes of a program's file, unpacked where gzip has packed it. An error when it is no whole
+// gzip or none that OPEN-R loads.
+Expected<std::string> programOfFile(const std::string& file);
 
 // The number of a folder's behaviours, as toolchain/python-openr/freeze makes it: a CRC-32 of all
 // .py files, each its path and a zero, then its bytes and a zero, in the order of their paths.

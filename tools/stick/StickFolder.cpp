@@ -11,6 +11,7 @@
 #include <filesystem>
 
 #include "robot/stick/StickFormat.h"
+#include "tools/cli/Process.h"
 #include "tools/stick/Programs.h"
 
 namespace kelpie::stick {
@@ -94,6 +95,9 @@ Status stageAll(const StickTree& files, const fs::path& root, const StepObserver
   for (const auto& file : files) {
     const fs::path path = root / file.path;
     step("write " + file.path);
+    if (cli::interrupted()) return Error{"stopped; " + root.string() + " is as it was"};
+    std::error_code error;
+    if (fs::is_directory(path, error)) return Error{path.string() + ": is a folder, not a file"};
     Status staged = makeFolder(path.parent_path());
     if (staged) staged = stage(stagedName(path.string()), file.bytes);
     if (!staged) return staged;
@@ -106,7 +110,9 @@ Status renameAll(const StickTree& files, const fs::path& root, const StepObserve
     const fs::path path = root / file.path;
     step("rename " + file.path);
     if (std::rename(stagedName(path.string()).c_str(), path.c_str()) != 0)
-      return systemError(path.string());
+      return Error{systemError(path.string()).message +
+                   "; the files now are a mixture that no robot plays, until " +
+                   "the same command goes to its end"};
     syncFolder(path.parent_path());
   }
   return Done{};

@@ -9,6 +9,7 @@
 #include <set>
 #include <vector>
 
+#include "tools/cli/Process.h"
 #include "tools/stick/Programs.h"
 #include "tools/stick/StickFolder.h"
 
@@ -26,6 +27,7 @@ constexpr std::time_t kLongAgo = 946684800;  // 2000-01-01 UTC
 // One of mtools' programs at work on the image.
 Status mtools(const std::string& program, const std::string& image,
               const std::vector<std::string>& words) {
+  if (cli::interrupted()) return Error{"stopped; no image was made"};
   const std::string path = findProgram({program});
   if (path.empty())
     return Error{program + " is missing: an image needs the package mtools; a folder does not"};

@@ -3,9 +3,12 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <array>
+#include <cstdint>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <sstream>
 
 #include "tools/stick/Programs.h"
@@ -38,15 +41,45 @@ bool isNumber(const std::string& text, int low, int high) {
   return number >= low && number <= high;
 }
 
-bool isAddress(const std::string& text) {
+// Four numbers without leading zeros, which some read as octal.
+std::optional<std::uint32_t> addressIn(const std::string& text) {
   std::istringstream parts(text + ".");
   std::string part;
+  std::uint32_t address = 0;
   int count = 0;
   while (std::getline(parts, part, '.')) {
-    if (!isNumber(part, 0, 255)) return false;
+    if (!isNumber(part, 0, 255) || (part.size() > 1 && part[0] == '0')) return std::nullopt;
+    address = address << 8U | static_cast<std::uint32_t>(std::stoi(part));
     ++count;
   }
-  return count == 4;
+  return count == 4 ? std::optional(address) : std::nullopt;
+}
+
+bool isAddress(const std::string& text) {
+  const auto address = addressIn(text);
+  return address && *address != 0 && *address != 0xFFFFFFFFU;
+}
+
+// Ones from above, then zeros.
+bool isNetmask(const std::string& text) {
+  const auto mask = addressIn(text);
+  return mask && *mask != 0 && ((~*mask + 1) & ~*mask) == 0;
+}
+
+// Letters, digits, hyphens and dots, 63 characters at most.
+bool isName(const std::string& text) {
+  constexpr const char* kAllowed =
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-.";
+  return !text.empty() && text.size() <= 63 &&
+         text.find_first_not_of(kAllowed) == std::string::npos;
+}
+
+// No control character, and no comment, which the robot would take for a part of the value.
+bool isPlain(const std::string& text) {
+  const auto control = [](char c) {
+    return static_cast<unsigned char>(c) < 0x20 || c == 0x7F || c == '"';
+  };
+  return std::none_of(text.begin(), text.end(), control) && text.find(" #") == std::string::npos;
 }
 
 // 5 or 13 characters, or 0x and 10 or 26 hexadecimal digits.
@@ -57,12 +90,14 @@ bool isWepKey(const std::string& text) {
 }
 
 bool isGood(const std::string& key, const std::string& value) {
-  if (key == "WEPENABLE" || key == "USE_DHCP") return isNumber(value, 0, 1);
-  if (key == "APMODE") return isNumber(value, 0, 2);
-  if (key == "CHANNEL") return isNumber(value, 1, 11);
+  if (!isPlain(value)) return false;
+  if (key == "WEPENABLE" || key == "USE_DHCP") return value == "0" || value == "1";
+  if (key == "APMODE") return value == "0" || value == "1" || value == "2";
+  if (key == "CHANNEL") return isNumber(value, 1, 11) && value[0] != '0';
   if (key == "WEPKEY") return isWepKey(value);
   if (key == "ESSID") return !value.empty() && value.size() <= 32;
-  if (key == "HOSTNAME" || key == "DNS_DEFDNAME") return !value.empty();
+  if (key == "HOSTNAME" || key == "DNS_DEFDNAME") return isName(value);
+  if (key == "ETHER_NETMASK") return isNetmask(value);
   return isAddress(value);
 }
 
@@ -74,6 +109,8 @@ Status needs(const std::map<std::string, std::string>& values, const std::string
   if (values.count("ESSID") == 0) return Error{file + ": has no ESSID, the network's name"};
   if (is("WEPENABLE", "1") && values.count("WEPKEY") == 0)
     return Error{file + ": has no WEPKEY, which WEPENABLE=1 needs"};
+  if (values.count("CHANNEL") != 0 && !is("APMODE", "0"))
+    return Error{file + ": has a CHANNEL, which is for APMODE=0 only"};
   if (!is("USE_DHCP", "1") && values.count("ETHER_IP") == 0)
     return Error{file + ": has no ETHER_IP, which a robot without USE_DHCP=1 needs"};
   return Done{};
@@ -88,7 +125,8 @@ bool isInside(const fs::path& file, const fs::path& folder) {
 }  // namespace
 
 Expected<std::string> wlanText(const std::string& text, const std::string& file) {
-  std::istringstream lines(text);
+  constexpr const char* kByteOrderMark = "\xEF\xBB\xBF";  // as Notepad writes
+  std::istringstream lines(text.rfind(kByteOrderMark, 0) == 0 ? text.substr(3) : text);
   std::string line;
   std::string out;
   std::map<std::string, std::string> values;
