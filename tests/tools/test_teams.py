@@ -341,6 +341,20 @@ def test_a_league_plays_every_seed_in_both_colours_and_goes_on_where_it_was(team
     assert shown.returncode == 0 and "other" in shown.stdout
 
 
+def test_a_league_says_once_that_a_teams_behaviours_fail(team, tmp_path):
+    (team / "main.py").write_text(BREAKS)
+    result = league(tmp_path, team)
+    assert result.returncode == 0, result.stderr
+    assert result.stderr.count("a skill that fails") == 1 and "team - other" in result.stderr
+
+
+def test_a_league_with_void_matches_ends_with_1_each_time(team, tmp_path):
+    (team / "main.py").write_text("def decide(world)\n")
+    for _ in range(2):
+        result = league(tmp_path, team)
+        assert result.returncode == 1 and "2 of 2 matches are void" in result.stderr
+
+
 def test_a_league_with_other_behaviours_is_another_league(team, tmp_path):
     assert league(tmp_path, team).returncode == 0
     (team / "main.py").write_text(SPEAKS + "\n")

@@ -9,6 +9,8 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <set>
+#include <string>
 #include <thread>
 
 #include "robot/core/Checksum.h"
@@ -87,9 +89,26 @@ league::MatchResult voided(const std::string& trouble) {
   return result;
 }
 
+// What behaviours complain of, each thing once: a team whose every frame fails would else pass for
+// one that plays badly. Of all workers.
+class Complaints {
+ public:
+  void hear(const league::LeagueMatch& match, const std::string& line) {
+    const std::size_t at = line.find("behaviour: ");
+    if (at == std::string::npos) return;
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (!told_.insert(line.substr(at)).second) return;
+    fmt::print(stderr, "{} - {} (seed {}): {}\n", match.red, match.blue, match.seed, line);
+  }
+
+ private:
+  std::mutex mutex_;
+  std::set<std::string> told_;
+};
+
 // The pure function of a league: processes of its own, nothing kept.
 league::MatchResult playMatch(const league::LeagueMatch& match, const std::string& robots,
-                              const Folders& folders) {
+                              const Folders& folders, Complaints& complaints) {
   league::MatchResult result;
   auto plan = teamPlan(robots);
   if (!plan) return voided(plan.error());
@@ -103,7 +122,7 @@ league::MatchResult playMatch(const league::LeagueMatch& match, const std::strin
   const Status used = useTeams(*plan, session);
   if (!used) return voided(used.error());
   SessionTalk talk;
-  talk.line = [](const std::string&) {};
+  talk.line = [&](const std::string& line) { complaints.hear(match, line); };
   const SessionResult played = runSession(session, talk);
   result.trouble = played.interrupted ? "interrupted" : played.trouble;
   result.redGoals = static_cast<int>(played.goals.size());
@@ -162,8 +181,9 @@ int playLeague(LeagueOptions& options) {
     fmt::print(stderr, "once more: {}\n", trouble);
   };
   talk.stop = interrupted;
+  Complaints complaints;
   const league::Play play = [&](const league::LeagueMatch& match) {
-    return playMatch(match, options.robots, folders);
+    return playMatch(match, options.robots, folders, complaints);
   };
   const auto summary = league::runLeague(*journal, play, workersFor(options), talk);
   if (!summary) return fail(summary.error(), kExitCheckFailed);
