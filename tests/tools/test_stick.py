@@ -15,7 +15,6 @@ import pytest
 from conftest import BIN, ROOT, complaint, kelpie
 
 
-
 def linked(content, kind=2, address=0):
     """A MIPS ELF file of one segment, as mkbin makes it: executable, for the address 0."""
     header = b"\x7fELF\x01\x01\x01" + bytes(9) + struct.pack(

@@ -135,8 +135,7 @@ league::MatchResult playMatch(const league::LeagueMatch& match, const std::strin
   return result;
 }
 
-int show(const LeagueOptions& options, const league::LeagueRecord& record) {
-  const league::Standings standings = league::standingsOf(record);
+int show(const LeagueOptions& options, const league::Standings& standings) {
   fmt::print("{}", league::textOf(standings));
   const Status written = league::writeTables(standings, options.out);
   if (!written) return fail(written.error(), kExitCheckFailed);
@@ -146,7 +145,8 @@ int show(const LeagueOptions& options, const league::LeagueRecord& record) {
 
 int showOnly(const LeagueOptions& options) {
   const auto record = league::readLeague(options.out);
-  return record ? show(options, *record) : fail(record.error(), kExitBadInput);
+  if (!record) return fail(record.error(), kExitBadInput);
+  return show(options, league::standingsOf(*record));
 }
 
 int workersFor(const LeagueOptions& options) {
@@ -187,15 +187,14 @@ int playLeague(LeagueOptions& options) {
   };
   const auto summary = league::runLeague(*journal, play, workersFor(options), talk);
   if (!summary) return fail(summary.error(), kExitCheckFailed);
-  const int shown = show(options, {journal->plan(), journal->results()});
+  const league::Standings standings = league::standingsOf({journal->plan(), journal->results()});
+  const int shown = show(options, standings);
   if (summary->stopped)
     return fail(
         fmt::format("stopped; {} matches are left, the same command goes on", summary->left),
         kExitCheckFailed);
-  std::size_t voids = 0;  // those of earlier runs, too
-  for (const auto& result : journal->results()) voids += result && !result->trouble.empty() ? 1 : 0;
-  if (voids > 0)
-    return fail(fmt::format("{} of {} matches are void", voids, all), kExitCheckFailed);
+  if (standings.voids > 0)  // those of earlier runs, too
+    return fail(fmt::format("{} of {} matches are void", standings.voids, all), kExitCheckFailed);
   return shown;
 }
 

@@ -217,8 +217,7 @@ void Camera::collectGround(const Scene& scene, const Slice& slice, std::vector<S
   keep(carpet, 1.0F);
   for (const Disc& disc : scene.circle)
     keep(slice.disc(disc), disc.colour.y == scene.green.y ? 1.0F : kPaint);
-  for (const SeenQuad& line : lines_)
-    if (slice.meets(line)) keep(slice.quad(line), kPaint);
+  for (const SeenQuad& line : lines_) keep(slice.quad(line), kPaint);
   for (const Disc& marker : scene.markers) keep(slice.disc(marker), 0.0F);
   for (const Sphere& ball : scene.balls) {
     const Disc shadow{{ball.centre.x, ball.centre.y}, 0.75 * ball.radius, {}, kShadow};
@@ -238,7 +237,7 @@ void Camera::collectSolids(const Scene& scene, const Slice& slice, std::vector<S
     colour = lit(scene, colour, {0.5 * (a.x + b.x), 0.5 * (a.y + b.y)});
   };
   for (const SeenQuad& quad : quads_)
-    if (slice.meets(quad)) keep(slice.quad(quad), quad.shape->corner[0], quad.shape->corner[2]);
+    keep(slice.quad(quad), quad.shape->corner[0], quad.shape->corner[2]);
   for (const Cylinder* beacon : beacons_) {
     const FieldPoint3 foot{beacon->centre.x, beacon->centre.y, 0.0};
     for (std::size_t i = 0; i < beacon->band.size(); ++i) keep(slice.band(*beacon, i), foot, foot);

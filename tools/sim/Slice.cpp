@@ -90,8 +90,8 @@ std::optional<Span> Slice::stretch(Seen a, Seen b) const {
   return span;
 }
 
-std::optional<Span> Slice::quad(const SeenQuad& seen) const {
-  if (!meets(seen)) return std::nullopt;
+// What it shows of a quad whose corners it parts.
+std::optional<Span> Slice::met(const SeenQuad& seen) const {
   const Quad& shape = *seen.shape;
   std::array<double, 4> side;
   for (std::size_t i = 0; i < 4; ++i) side[i] = seen.right[i] - u_ * seen.depth[i];

@@ -61,14 +61,10 @@ class Slice {
   // Whether a sphere can touch the plane within `margin` (share of its depth) to both sides.
   bool mayMeet(FieldPoint3 centre, double radius, double margin) const;
 
-  // Whether the plane parts the quad's corners. Here, since most that are asked it does not part.
-  bool meets(const SeenQuad& shape) const {
-    int left = 0;
-    for (std::size_t i = 0; i < 4; ++i) left += shape.right[i] - u_ * shape.depth[i] < 0.0 ? 1 : 0;
-    return left > 0 && left < 4;
+  // Of one that is not turned away. Here, since most that are asked the plane does not meet.
+  std::optional<Span> quad(const SeenQuad& shape) const {
+    return meets(shape) ? met(shape) : std::nullopt;
   }
-  // Of one that is not turned away.
-  std::optional<Span> quad(const SeenQuad& shape) const;
   std::optional<Span> quad(const Quad& shape) const {
     const SeenQuad seen = seenBy(camera_, shape);
     return seen.turnedAway ? std::nullopt : quad(seen);
@@ -100,6 +96,13 @@ class Slice {
     double depth;
     double height;
   };
+  // Whether the plane parts the quad's corners.
+  bool meets(const SeenQuad& shape) const {
+    int left = 0;
+    for (std::size_t i = 0; i < 4; ++i) left += shape.right[i] - u_ * shape.depth[i] < 0.0 ? 1 : 0;
+    return left > 0 && left < 4;
+  }
+  std::optional<Span> met(const SeenQuad& shape) const;
   double rowOf(double down, double depth) const;
   Seen seen(FieldPoint3 p) const;
   std::optional<Span> stretch(Seen a, Seen b) const;
