@@ -57,6 +57,15 @@ TEST(Ball, PushedByTheChestItRunsAhead) {
   EXPECT_NEAR(ball.position.x, 180.0, 1e-6);
 }
 
+TEST(Ball, TheRobotThatPushedItIsTold) {
+  const RobotModel far(RobotParams{}, Pose2{{60, 200}, Angle::deg(90)}, 1);
+  const RobotModel near(RobotParams{}, Pose2{{180, 200}, Angle::deg(90)}, 2);
+  Ball ball{{180, 200 + kChestAhead + body::kBallRadius - 0.5}, {0, -50}};
+  EXPECT_EQ(tickBall(ball, {&far, &near}, {}, {}), std::optional<std::size_t>(1));
+  ball.position = {120, 300};
+  EXPECT_FALSE(tickBall(ball, {&far, &near}, {}, {}));
+}
+
 TEST(Ball, NeverRunsFasterThanTheLimit) {
   Ball ball{{180, 200}, {900, 0}};
   tickBall(ball, {}, {}, {});

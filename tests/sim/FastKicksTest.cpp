@@ -59,6 +59,20 @@ TEST(FastKick, OfAFreeBallGoesAsFarAndWhereItsFileSays) {
   }
 }
 
+// None of its parts touches such a ball.
+TEST(FastKick, WhoCarriesTheBallIsToldToTouchIt) {
+  WalkingBody body(3);
+  Command command = learn::holdingCommand();
+  command.walk.forward = 10.0;
+  (void)body.world().carry(0, {kMiddle, Angle::deg(90.0)});
+  for (int i = 0; i < 20; ++i) body.step({});
+  Bodies& bodies = body.world().bodies();
+  EXPECT_FALSE(bodies.ballToucher());
+  bodies.putBall({fieldFromRobot(body.pose(), {0.0, 8.0}), {}});
+  for (int i = 0; i < 30; ++i) body.step(command);
+  EXPECT_EQ(bodies.ballToucher(), std::optional<std::size_t>(0));
+}
+
 TEST(FastKick, OfAHeldBallGoesAsThePhysicalOneDoes) {
   struct Measured {
     MotionKind kind;

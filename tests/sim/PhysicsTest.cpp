@@ -206,6 +206,22 @@ TEST(PhysicalBall, RollsAsFarAsItsResistanceSays) {
   EXPECT_LT(physics.ball().velocity.norm(), 0.3);
 }
 
+TEST(PhysicalBall, WhoPushesItIsToldAndNobodyElse) {
+  auto built = Physics::build(field2006(), {PhysicsParams{}, PhysicsParams{}}, {});
+  Physics physics = std::move(*built);
+  physics.putRobot(0, {{60.0, 200.0}, Angle::deg(90.0)}, startingPose());
+  physics.putRobot(1, {{180.0, 200.0}, Angle::deg(90.0)}, startingPose());
+  physics.putBall({{187.0, 240.0}, {0.0, -100.0}});  // at a paw
+  ASSERT_TRUE(physics.tick());
+  EXPECT_FALSE(physics.ballToucher());
+  std::optional<std::size_t> toucher;
+  for (int tick = 0; tick < 100 && !toucher; ++tick) {
+    ASSERT_TRUE(physics.tick());
+    toucher = physics.ballToucher();
+  }
+  EXPECT_EQ(toucher, std::optional<std::size_t>(1));
+}
+
 TEST(PhysicalBall, StaysInTheGoal) {
   Physics physics = oneRobot();
   physics.putBall({{180.0, 500.0}, {0.0, 120.0}});

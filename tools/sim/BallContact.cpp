@@ -78,22 +78,35 @@ void touchTrunk(Ball& ball, const RobotModel& robot, double t, const BallParams&
   strike(ball, {n, depth, v.x * n.x + v.y * n.y}, params.restitution);
 }
 
+void touch(Ball& ball, const RobotModel& robot, double t, const BallParams& params) {
+  for (const BodySphere& sphere : robot.spheres()) touchSphere(ball, sphere, t, params);
+  touchTrunk(ball, robot, t, params);
+}
+
 }  // namespace
 
-void tickBall(Ball& ball, const std::vector<const RobotModel*>& robots,
-              const std::vector<Obstacle>& obstacles, const BallParams& params) {
+std::optional<std::size_t> tickBall(Ball& ball, const std::vector<const RobotModel*>& robots,
+                                    const std::vector<Obstacle>& obstacles,
+                                    const BallParams& params) {
   constexpr double kNearby = 40.0;  // no part of a robot is further from its neck base
+  std::optional<std::size_t> toucher;
+  double most = 0.0;
   for (int step = 1; step <= kSteps; ++step) {
     const double t = static_cast<double>(step) / kSteps;
     roll(ball, kTickSeconds / kSteps, params);
-    for (const RobotModel* robot : robots) {
-      if (distance(robot->place().pose.position, ball.position) > kNearby) continue;
-      for (const BodySphere& sphere : robot->spheres()) touchSphere(ball, sphere, t, params);
-      touchTrunk(ball, *robot, t, params);
+    for (std::size_t i = 0; i < robots.size(); ++i) {
+      if (distance(robots[i]->place().pose.position, ball.position) > kNearby) continue;
+      const Point2<Field> before = ball.velocity;
+      touch(ball, *robots[i], t, params);
+      const double change = distance(before, ball.velocity);
+      if (change <= most) continue;
+      most = change;
+      toucher = i;
     }
     bounce(ball, obstacles, params);
     limitSpeed(ball, params);
   }
+  return toucher;
 }
 
 }  // namespace kelpie::sim

@@ -2,6 +2,8 @@
 // The kinematic ball among kinematic robots: impulses from what it touches. Robots do not feel it.
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "tools/sim/Ball.h"
@@ -10,8 +12,10 @@
 namespace kelpie::sim {
 
 // One tick of a ball among the robots that may touch it: rolls and touches, in steps of 2 ms
-// because a foot moves 2 cm in a tick.
-void tickBall(Ball& ball, const std::vector<const RobotModel*>& robots,
-              const std::vector<Obstacle>& obstacles, const BallParams& params);
+// because a foot moves 2 cm in a tick. Of those robots the number of the one that changed the
+// ball's velocity the most.
+std::optional<std::size_t> tickBall(Ball& ball, const std::vector<const RobotModel*>& robots,
+                                    const std::vector<Obstacle>& obstacles,
+                                    const BallParams& params);
 
 }  // namespace kelpie::sim

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 
 #include "robot/core/Expected.h"
 #include "robot/host/WorldProtocol.h"
@@ -61,6 +62,9 @@ class Bodies {
   virtual BodyFeeling feel(std::size_t robot) = 0;
   virtual std::array<bool, kLegCount> onGround(std::size_t robot) const = 0;  // which paws
   virtual Ball ball() const = 0;
+  // Who moved the ball in the last tick, by walking into it, holding it or with a kick; of several
+  // the one who gave it the most.
+  virtual std::optional<std::size_t> ballToucher() const = 0;
   virtual void putBall(const Ball& ball) = 0;
 
   // Somebody's hands, as World has them; places and shares have been checked.

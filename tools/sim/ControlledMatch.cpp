@@ -62,7 +62,7 @@ void ControlledMatch::record(EventKind kind, std::size_t player, const char* rea
 void ControlledMatch::putBall(Point2<Field> place) {
   scene_.ball = {place, {}};
   verdict_.ball = scene_.ball;
-  touch_.velocity.reset();
+  touch_.velocity = {};
 }
 
 Verdict ControlledMatch::step(const MatchScene& scene, Score& score) {

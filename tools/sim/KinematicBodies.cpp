@@ -132,13 +132,24 @@ BodyFeeling KinematicBodies::feel(std::size_t i) {
   return feeling;
 }
 
+// Who kicks or holds the ball touches it more than who stands in its way in that tick.
+void KinematicBodies::tickBallAmongRobots() {
+  ballToucher_.reset();
+  std::vector<const RobotModel*> touching;
+  for (std::size_t i = 0; i < robots_.size(); ++i) {
+    const Ball before = ball_;
+    if (!kicks_.tick(i, robots_[i], ball_)) touching.push_back(&robots_[i]);
+    if (distance(before.velocity, ball_.velocity) > 0.0) ballToucher_ = i;
+  }
+  const auto pushed = tickBall(ball_, touching, obstacles_, ballParams_);
+  if (pushed && !ballToucher_)
+    ballToucher_ = static_cast<std::size_t>(touching[*pushed] - robots_.data());
+}
+
 Status KinematicBodies::tick() {
   for (RobotModel& robot : robots_) robot.tick();
   keepApart();
-  std::vector<const RobotModel*> touching;
-  for (std::size_t i = 0; i < robots_.size(); ++i)
-    if (!kicks_.tick(i, robots_[i], ball_)) touching.push_back(&robots_[i]);
-  tickBall(ball_, touching, obstacles_, ballParams_);
+  tickBallAmongRobots();
   return Done{};
 }
 

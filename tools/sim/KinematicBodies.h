@@ -47,6 +47,7 @@ class KinematicBodies : public Bodies {
     return robots_[robot].onGround();
   }
   Ball ball() const override { return ball_; }
+  std::optional<std::size_t> ballToucher() const override { return ballToucher_; }
   void putBall(const Ball& ball) override {
     for (std::size_t i = 0; i < robots_.size(); ++i) kicks_.drop(i);
     ball_ = ball;
@@ -68,6 +69,7 @@ class KinematicBodies : public Bodies {
   }
 
  private:
+  void tickBallAmongRobots();
   void keepApart();
   void separate(std::size_t one, std::size_t other);
   bool chinTouched(std::size_t robot, const BodySphere& head) const;
@@ -80,6 +82,7 @@ class KinematicBodies : public Bodies {
   std::vector<Obstacle> obstacles_;
   std::vector<RobotModel> robots_;
   Ball ball_;
+  std::optional<std::size_t> ballToucher_;
   FastKicks kicks_;
 };
 

@@ -112,6 +112,7 @@ MatchScene World::matchScene() const {
   MatchScene scene;
   scene.time = time();
   scene.ball = bodies_->ball();
+  scene.ballToucher = bodies_->ballToucher();
   for (std::size_t i = 0; i < robotCount(); ++i) {
     const BodyPlace place = bodies_->place(i);
     const Angle tilt = place.stance.bodyTilt + place.lean.tilt;

@@ -112,13 +112,9 @@ TEST(RuledMatch, AGoalIsTheTeamsWhoseGoalItIsNot) {
     Match match;
     ASSERT_TRUE(match.until(PlayState::playing));
     match.tick();
-    if (scored.toucher) {
-      Pose2& pose = match.scene.players[*scored.toucher].pose;
-      match.scene.ball.position = fieldFromRobot(pose, {0.0, 15.0});
-      match.tick();
-      match.scene.ball.velocity = {10, 10};
-      match.tick();
-    }
+    match.scene.ballToucher = scored.toucher;
+    match.tick();
+    match.scene.ballToucher.reset();
     match.scene.ball = {{180, scored.goalY}, {}};
     match.tick();
     ASSERT_EQ(match.score.goals.size(), 1U) << scored.fact;
@@ -199,8 +195,9 @@ TEST(RuledMatch, WaitingAndReturningRobotsDoNotStandInEachOther) {
 TEST(RuledMatch, ABallOutIsThrownInAndNamesTheTeamThatTouchedItLast) {
   Match match;
   ASSERT_TRUE(match.until(PlayState::playing));
-  match.scene.ball.position = fieldFromRobot(match.scene.players[6].pose, {0.0, 8.0});
+  match.scene.ballToucher = 6;
   match.tick();
+  match.scene.ballToucher.reset();
   match.scene.ball = {{-6, 300}, {-20, 0}};
   match.tick();
   const MatchEvent* out = match.last(EventKind::out);

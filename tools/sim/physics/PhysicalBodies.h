@@ -57,6 +57,7 @@ class PhysicalBodies : public Bodies {
   BodyFeeling feel(std::size_t robot) override;
   std::array<bool, kLegCount> onGround(std::size_t robot) const override;
   Ball ball() const override { return physics_.ball(); }
+  std::optional<std::size_t> ballToucher() const override { return physics_.ballToucher(); }
   void putBall(const Ball& ball) override { physics_.putBall(ball); }
   void carry(std::size_t robot, const Pose2& pose) override;
   void hold(std::size_t robot, double share) override;

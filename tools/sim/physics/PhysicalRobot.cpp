@@ -148,4 +148,16 @@ RawFeeling PhysicalRobot::feeling(const ServoParams& servo, const Engine& engine
   return feeling;
 }
 
+double PhysicalRobot::pushOnBall(const Engine& engine) const {
+  const mjData& data = engine.data();
+  double push = 0.0;
+  for (int c = 0; c < data.ncon; ++c) {
+    const int one = data.contact[c].geom1;
+    const int other = data.contact[c].geom2;
+    if ((one == ball_ && owns(other)) || (other == ball_ && owns(one)))
+      push += normalForce(engine, c);
+  }
+  return push;
+}
+
 }  // namespace kelpie::sim

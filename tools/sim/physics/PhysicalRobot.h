@@ -34,6 +34,7 @@ class PhysicalRobot {
   // The body as camera and drawings want it; the neck has no play here.
   BodyPlace bodyPlace(const Engine& engine) const;
   RawFeeling feeling(const ServoParams& servo, const Engine& engine) const;
+  double pushOnBall(const Engine& engine) const;  // N, of all its parts
 
   // Of the trunk, m/s and rad/s: three along the field's axes, three about the body's own.
   const mjtNum* velocity(const Engine& engine) const { return engine.data().qvel + freeDof_; }

@@ -4,6 +4,7 @@
 // one or two steps of 2 ms). The same commands give the same bits.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "tools/sim/Ball.h"
@@ -28,6 +29,8 @@ class Physics {
   // What stands on the field, all of it. Error: more than the model has room for.
   Status setObstacles(const std::vector<Obstacle>& obstacles);
   double ballHeight() const;  // cm, of its centre
+  // The robot that gave the ball the greatest push of the last tick.
+  std::optional<std::size_t> ballToucher() const;
 
   // One tick, or in one line what went wrong.
   Status tick();
@@ -37,12 +40,14 @@ class Physics {
           const PhysicsParams& world);
   bool ballNearRobot() const;
   void rollBall();
+  void feelPushes(double seconds);
 
   Engine engine_;
   body::FieldDescription field_;
   RobotsPhysics params_;
   PhysicsParams world_;
   std::vector<PhysicalRobot> robots_;
+  std::vector<double> pushes_;  // N s that the ball got of each robot in this tick
   int ballBody_ = 0;
   int ballQpos_ = 0;
   int ballDof_ = 0;

@@ -28,7 +28,8 @@ struct MatchScene {
   FixedVector<ScenePlayer, kMaxRobots> players;
   Ball ball;
   bool ballAway = false;                   // somebody has taken it, and `ball` is where it was
-  std::optional<std::size_t> lastToucher;  // of the players
+  std::optional<std::size_t> ballToucher;  // of the players, who moved it in this tick
+  std::optional<std::size_t> lastToucher;  // who was the last to do so
 };
 
 inline TeamColour otherTeam(TeamColour team) {

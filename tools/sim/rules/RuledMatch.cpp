@@ -54,7 +54,7 @@ void RuledMatch::record(Call call, std::size_t player) {
 void RuledMatch::putBall(Point2<Field> place) {
   scene_.ball = {place, {}};
   verdict_.ball = scene_.ball;
-  touch_.velocity.reset();
+  touch_.velocity = {};
   touch_.scorer.reset();
   stuck_.since.reset();
 }
