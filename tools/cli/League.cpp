@@ -173,6 +173,11 @@ int playLeague(LeagueOptions& options) {
   const std::size_t all = journal->schedule().size();
   std::size_t done = 0;
   for (const auto& result : journal->results()) done += result ? 1 : 0;
+  const int workers = workersFor(options);
+  if (done < all)
+    fmt::print(stderr,
+               "{} of {} matches to play, {} at a time; Ctrl-C stops, the same command goes on\n",
+               all - done, all, workers);
   league::RunTalk talk;
   talk.finished = [&](std::size_t match, const league::MatchResult& result) {
     fmt::print(stderr, "{}/{} {}\n", ++done, all, lineOf(journal->schedule()[match].match, result));
@@ -185,7 +190,7 @@ int playLeague(LeagueOptions& options) {
   const league::Play play = [&](const league::LeagueMatch& match) {
     return playMatch(match, options.robots, folders, complaints);
   };
-  const auto summary = league::runLeague(*journal, play, workersFor(options), talk);
+  const auto summary = league::runLeague(*journal, play, workers, talk);
   if (!summary) return fail(summary.error(), kExitCheckFailed);
   const league::Standings standings = league::standingsOf({journal->plan(), journal->results()});
   const int shown = show(options, standings);
