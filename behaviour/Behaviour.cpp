@@ -75,6 +75,8 @@ BehaviourState::~BehaviourState() = default;
 
 const std::string& BehaviourState::lastError() const { return host_->lastError(); }
 
+const Complaint& BehaviourState::complaint() const { return host_->complaint(); }
+
 Expected<Rows> BehaviourState::ask(const std::string& function) { return host_->ask(function); }
 
 Command step(const BehaviourIn& in, const BehaviourParams& params, BehaviourState& state) {

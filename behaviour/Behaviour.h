@@ -4,6 +4,7 @@
 // While somebody drives the robot the Command is the driver's, and the script is not called.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string>
 
@@ -16,6 +17,12 @@
 namespace kelpie::behaviour {
 
 class PythonHost;  // the only owner of Python objects
+
+// What was told last of a script that went wrong: each different error once (README.md).
+struct Complaint {
+  std::uint32_t number = 0;  // of those told so far
+  std::string line;
+};
 
 // Holds the interpreter and the loaded script. One per process: CPython allows no more.
 class BehaviourState {
@@ -30,6 +37,7 @@ class BehaviourState {
   PythonHost& host() { return *host_; }
   // First line of the last script error with file and line, empty if the last call went well.
   const std::string& lastError() const;
+  const Complaint& complaint() const;
   // For tools, not during play: what a function of main.py without parameters answers, a list of
   // texts or of tuples, each cell as text ("True" for a bool). An error has one line.
   Expected<Rows> ask(const std::string& function);

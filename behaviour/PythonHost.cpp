@@ -83,6 +83,7 @@ bool PythonHost::load() {
     failLoading();
     return false;
   }
+  lateInARow_ = framesToRest_ = 0;
   version_ = std::move(version);
   decide_ = std::move(decide);
   reported_.clear();
@@ -105,7 +106,21 @@ Fallback PythonHost::decide(const BehaviourIn& in, const BehaviourParams& params
   if (!decide_) return Fallback::notLoaded;
   fill(*frame_, in);
   frame_->task = params.task;
-  return call(params.timeLimit, command);
+  if (framesToRest_ > 0) {
+    --framesToRest_;
+    return Fallback::timeLimit;
+  }
+  const Fallback result = call(params.timeLimit, command);
+  restAfter(result);
+  return result;
+}
+
+// A script that does not end takes all its time of every frame, and a match waits for it: it is
+// called ever more seldom, from the third time in a row on.
+void PythonHost::restAfter(Fallback last) {
+  constexpr std::uint32_t kPatience = 2, kMost = 6;  // of 64 frames
+  lateInARow_ = last == Fallback::timeLimit ? std::min(lateInARow_ + 1, kPatience + kMost) : 0;
+  framesToRest_ = lateInARow_ > kPatience ? 1U << (lateInARow_ - kPatience) : 0;
 }
 
 Fallback PythonHost::call(double timeLimit, Command& command) {
@@ -194,6 +209,7 @@ void PythonHost::report(const std::string& line, const std::string& all) {
   const bool known = std::find(reported_.begin(), reported_.end(), start) != reported_.end();
   if (known || reported_.size() >= kMaxReports) return;
   reported_.push_back(start);
+  complaint_ = {complaint_.number + 1, line};
   tell(all);
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "behaviour/Behaviour.h"
 #include "behaviour/BehaviourIn.h"
 #include "behaviour/BehaviourParams.h"
 #include "behaviour/CommandReader.h"
@@ -32,12 +33,14 @@ class PythonHost {
   Expected<Rows> ask(const std::string& function);
 
   const std::string& lastError() const { return lastError_; }
+  const Complaint& complaint() const { return complaint_; }
 
  private:
   void prepare();
   bool load();
   void reloadIfEdited(const BehaviourParams& params);
   Fallback call(double timeLimit, Command& command);
+  void restAfter(Fallback last);
   Fallback read(PyObject* answer, Command& command);
   Fallback fail(Fallback reason);
   void failLoading();
@@ -47,9 +50,12 @@ class PythonHost {
 
   Modules modules_;
   std::string lastError_;
+  Complaint complaint_;
   std::vector<std::string> reported_;  // places and kinds of errors that were told
   std::uint32_t framesToLook_ = 0;
-  bool broken_ = false;  // an edit failed to load; an older version may still be running
+  std::uint32_t lateInARow_ = 0;    // calls that hit the time limit
+  std::uint32_t framesToRest_ = 0;  // before the next call
+  bool broken_ = false;             // an edit failed to load; an older version may still be running
 
   Interpreter interpreter_;  // before everything that holds references
   std::unique_ptr<ViewTypes> types_;

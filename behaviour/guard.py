@@ -141,12 +141,12 @@ def load(path, is_zip, kelpie):
 def on_time_limit(number, frame):
     # A bare `except:` would swallow one exception: the tracer raises again on the next line.
     def trace(frame, event, argument):
-        raise TimeLimit('the time limit of decide()')
+        raise TimeLimit('it takes more time than it is given')
     while frame is not None:
         frame.f_trace = trace
         frame = frame.f_back
     sys.settrace(trace)
-    raise TimeLimit('the time limit of decide()')
+    raise TimeLimit('it takes more time than it is given')
 
 
 def watch():

@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0
  * The interpreter's own clock where there is no other: it counts a step at each way back in a loop,
  * each call of a function of C and each return from one of Python, so that a script that does not
- * end is stopped at the same place in every run. Also the memory that stands for standard error,
- * and the name of the frozen behaviours. They are in toolchain/python-openr (Steps.c,
- * libc/System.c, Modules.c).
+ * end is stopped at the same place in every run. Also the memory that stands for standard error.
+ * They are in toolchain/python-openr (Steps.c, libc/System.c).
  */
 #pragma once
 
@@ -14,4 +13,3 @@
 void kelpieLimitSteps(uint32_t steps, uint32_t again);
 uint32_t kelpieStepsTaken(void); /* since the start, modulo 2^32 */
 void kelpieTell(const char* text, size_t size);
-const char* kelpieBehaviours(void); /* "behaviours 0a1b2c3d" */

@@ -266,6 +266,7 @@ void Agent::NotifyImage(const ONotifyEvent& event) {
     OSYSLOG1((osyslogERROR, "an image of another type or size is left out"));
   }
   radio_.send(loops_);
+  frameDone();
   observer[event.ObsIndex()]->AssertReady();
 }
 

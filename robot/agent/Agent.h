@@ -44,6 +44,9 @@ class Agent : public OObject {
   void NotifyTeam(void* message);
   void ReadyTeam(void* message) { radio_.teamSent(message); }
 
+ protected:
+  virtual void frameDone() {}  // after each image
+
  private:
   // Two in flight and one to fill.
   static constexpr std::size_t kVectors = 3;

@@ -32,6 +32,7 @@ class AgentLoops : public Loops {
   void hear(const ControlPacket& packet, TimeUs now) override;
   void hear(const RadioPacket& packet, TimeUs now) override;
   bool takePacket(RadioPacket& packet) override;
+  bool takeComplaint(std::string& line) override;
   const std::string& scriptError() const { return frameLoop_.scriptError(); }
 
  private:
@@ -63,6 +64,7 @@ class AgentLoops : public Loops {
   OdometryTrack odometry_;
   net::RadioState radio_;
   std::uint16_t sent_ = 0;  // number of the message that was given away last
+  std::uint32_t told_ = 0;  // of the complaint
 };
 
 }  // namespace kelpie::agent

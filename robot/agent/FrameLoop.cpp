@@ -29,7 +29,8 @@ void FrameLoop::decide(const FrameInput& input, StageObserver& observer) {
   output_.command = behaviour::step({input, output_.percepts, output_.world, config_.field},
                                     config_.behaviour, behaviour_);
   Command& command = output_.command;
-  command.leds = body::lights(input.game, command.team.role, command.leds);
+  command.leds =
+      body::lights(input.game, command.team.role, command.leds) | body::lightsOf(command.fallback);
   observer.end(Stage::behaviour);
 }
 

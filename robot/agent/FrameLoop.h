@@ -28,6 +28,7 @@ class FrameLoop {
                               StageObserver& observer);
 
   const std::string& scriptError() const { return behaviour_.lastError(); }
+  const behaviour::Complaint& complaint() const { return behaviour_.complaint(); }
 
  private:
   void sense(const FrameInput& input, StageObserver& observer);

@@ -6,6 +6,7 @@ namespace {
 
 constexpr std::uint32_t kStates = kLightRed | kLightGreen | kLightBlue;
 constexpr std::uint32_t kTeams = kLightBackFront | kLightBackRear;
+constexpr std::uint32_t kFailed = 1U << (kFirstFaceLight + 11U);
 constexpr std::uint32_t kPair = 3;
 constexpr double kFaultHalfPeriods = 4.0;  // 1/s
 constexpr std::uint32_t kRoles = ((1U << (2U * (kRoleCount - 1U))) - 1U) << kFirstFaceLight;
@@ -53,12 +54,14 @@ std::uint32_t lightsOf(Rest rest) {
   return k11 << 3U;
 }
 
+std::uint32_t lightsOf(Fallback fallback) { return fallback == Fallback::none ? 0U : kFailed; }
+
 std::uint32_t lights(const GameState& game, Rest rest) {
   return lights(game, Role::none, 0) | lightsOf(rest);
 }
 
 std::uint32_t lights(const GameState& game, Role role, std::uint32_t asked) {
-  return (asked & ~(kStates | kTeams | kRoles)) | lightsOf(game.state, game.penalised) |
+  return (asked & ~(kStates | kTeams | kRoles | kFailed)) | lightsOf(game.state, game.penalised) |
          lightsOf(game.team) | lightsOf(role);
 }
 

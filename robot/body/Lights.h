@@ -12,12 +12,14 @@
 //
 //   the face, low   why it lies down in place of playing: paused 11 and 12, battery low 13, motors
 //                   without power 13 and 14, no image 14; none of it while it plays
+//   the face, 12    the behaviours have failed in this frame: it stands and scans
 //
 // The other lights are the behaviours' to use. Which light has which colour is told by Tekkotsu's
 // ERS7Info.h. Ready to penalised have the colours that the league's rules came to have; that
 // initial shows none and finished white is chosen, so that no two are alike.
 #pragma once
 
+#include "robot/core/Command.h"
 #include "robot/core/FrameInput.h"
 #include "robot/core/Motion.h"
 
@@ -37,11 +39,12 @@ std::uint32_t lightsOf(PlayState state, bool penalised);
 std::uint32_t lightsOf(TeamColour team);
 std::uint32_t lightsOf(Role role);
 std::uint32_t lightsOf(Rest rest);
+std::uint32_t lightsOf(Fallback fallback);
 
 // What a robot shows that will not walk because of a fault; more than 14 show 14.
 std::uint32_t faultLights(std::uint32_t number, TimeUs time);
 
-// All of them together, and of what else was asked for the lights that the table does not use.
+// Game, team and role, and of what else was asked for the lights that the table does not use.
 std::uint32_t lights(const GameState& game, Role role, std::uint32_t asked);
 // Those of a robot that rests: game, team and why.
 std::uint32_t lights(const GameState& game, Rest rest);

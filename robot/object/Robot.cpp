@@ -11,9 +11,9 @@ LateLoops::~LateLoops() {
   if (made()) room_.loops.~RobotLoops();
 }
 
-void LateLoops::make(const agent::AgentConfig& config) {
+void LateLoops::make(const agent::AgentConfig& config, const std::string& scripts) {
   if (made()) return;
-  at_ = new (&room_.loops) RobotLoops(config);
+  at_ = new (&room_.loops) RobotLoops(config, scripts);
 }
 
 void LateLoops::refuse(std::uint8_t fault) { fault_.setFault(fault); }

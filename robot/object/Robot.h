@@ -5,6 +5,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 
 #include "robot/agent/AgentConfig.h"
 #include "robot/agent/AgentLoops.h"
@@ -21,7 +22,8 @@ struct SilentSink {
 };
 class RobotLoops : private SilentSink, public agent::AgentLoops {
  public:
-  explicit RobotLoops(const agent::AgentConfig& config) : AgentLoops(config, {}, silent) {}
+  RobotLoops(const agent::AgentConfig& config, const std::string& scripts)
+      : AgentLoops(config, scripts, silent) {}
 };
 
 // Hands everything to the loops that play, for which there is room here: 0.7 MB, part of the object
@@ -33,8 +35,9 @@ class LateLoops : public agent::Loops {
   LateLoops& operator=(const LateLoops&) = delete;
   ~LateLoops() override;
 
-  // Once; later calls do nothing, and so does refuse() from then on.
-  void make(const agent::AgentConfig& config);
+  // Once; later calls do nothing, and so does refuse() from then on. `scripts`: the zip of the
+  // behaviours; empty: those inside the program.
+  void make(const agent::AgentConfig& config, const std::string& scripts);
   // The robot does not play and shows this number.
   void refuse(std::uint8_t fault);
 
@@ -46,6 +49,7 @@ class LateLoops : public agent::Loops {
   void hear(const ControlPacket& packet, TimeUs now) override { at_->hear(packet, now); }
   void hear(const RadioPacket& packet, TimeUs now) override { at_->hear(packet, now); }
   bool takePacket(RadioPacket& packet) override { return at_->takePacket(packet); }
+  bool takeComplaint(std::string& line) override { return at_->takeComplaint(line); }
 
  private:
   union Room {

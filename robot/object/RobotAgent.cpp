@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
 
 #include "behaviour/Behaviour.h"
 
@@ -24,13 +25,18 @@ void RobotAgent::readStick() {
   std::array<char, decltype(line)::kCapacity + 1> text{};
   std::copy(line.begin(), line.end(), text.begin());
   if (verdict.good()) {
-    loops.make(*config);
+    loops.make(*config, std::string(root) + "/" + stick::kScriptsPath);
     OSYSLOG1((osyslogINFO, "stick: %s; player %u, %s", text.data(), unsigned(config->player),
               behaviour::playerName()));
   } else {
     loops.refuse(static_cast<std::uint8_t>(verdict.fault));
     OSYSLOG1((osyslogERROR, "stick: %s; the robot does not play", text.data()));
   }
+}
+
+void RobotAgent::frameDone() {
+  std::string line;
+  if (loops.takeComplaint(line)) OSYSLOG1((osyslogERROR, "behaviour: %s", line.c_str()));
 }
 
 }  // namespace kelpie::object

@@ -2,7 +2,8 @@
 // The OPEN-R object of a robot with all that it is made of. When it is initialised it reads its
 // memory stick. With a good one it plays as the stick says. A refused one does not end the object,
 // which could tell nobody why: it starts all the same, says the reason in one line of the system's
-// log, stays lying and blinks the reason's number (FaultLoops).
+// log, stays lying and blinks the reason's number (FaultLoops). What the behaviours complain of
+// goes to that log, too.
 #pragma once
 
 #include "robot/agent/Agent.h"
@@ -15,8 +16,9 @@ namespace kelpie::object {
 // What must be there before the object that keeps a reference to it; the reader's 5 KB are here and
 // not on the stack.
 struct RobotParts {
-  explicit RobotParts(const char* stickRoot) : files(stickRoot), reader(files) {}
+  explicit RobotParts(const char* stickRoot) : root(stickRoot), files(stickRoot), reader(files) {}
 
+  const char* root;
   LateLoops loops;
   stick::StdioFiles files;
   stick::StickReader reader;
@@ -32,6 +34,7 @@ class RobotAgent : private RobotParts, public agent::Agent {
 
  private:
   void readStick();
+  void frameDone() override;
 };
 
 }  // namespace kelpie::object

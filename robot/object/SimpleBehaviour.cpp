@@ -20,7 +20,8 @@ static_assert(std::string_view(kPlayer).rfind(kPlayerMark, 0) == 0);
 class PythonHost {
  public:
   object::SimpleState player;
-  std::string error;  // stays empty
+  std::string error;    // stays empty
+  Complaint complaint;  // so does this
 };
 
 BehaviourState::BehaviourState(const std::string& /*scripts*/)
@@ -29,6 +30,8 @@ BehaviourState::BehaviourState(const std::string& /*scripts*/)
 BehaviourState::~BehaviourState() = default;
 
 const std::string& BehaviourState::lastError() const { return host_->error; }
+
+const Complaint& BehaviourState::complaint() const { return host_->complaint; }
 
 Expected<Rows> BehaviourState::ask(const std::string& function) {
   return Error{function + ": the simple player has no scripts to ask"};

@@ -132,6 +132,17 @@ TEST(Host, EndlessLoopThatCatchesEverythingIsCutOffToo) {
   EXPECT_EQ(run.step().fallback, Fallback::timeLimit);
 }
 
+TEST(Host, EndlessLoopIsCalledEverMoreSeldom) {
+  const Scripts scripts;
+  scripts.write("main.py",
+                "calls = 0\n\n\ndef decide(world):\n    global calls\n    calls += 1\n"
+                "    while True: pass\n\n\ndef count():\n    return [str(calls)]\n");
+  HostRun run(scripts);
+  run.params.timeLimit = 0.02;
+  for (int frame = 0; frame < 20; ++frame) EXPECT_EQ(run.step().fallback, Fallback::timeLimit);
+  EXPECT_EQ(run.state.ask("count")->front().front(), "6") << "frames 0, 1, 2, 5, 10, 19";
+}
+
 TEST(Host, EndlessLoopWhileLoadingIsCutOff) {
   const Scripts scripts;
   scripts.write("main.py", "while True:\n    pass\n");

@@ -79,6 +79,16 @@ TEST(Lights, EachReasonToRestShowsADifferentPatternBesideGameAndTeam) {
     EXPECT_EQ(lightsOf(static_cast<Role>(i)) & lightsOf(Rest::paused), 0U);
 }
 
+TEST(Lights, BehavioursThatFailedAreALightThatNothingElseShows) {
+  const std::uint32_t failed = lightsOf(Fallback::scriptError);
+  EXPECT_EQ(lightsOf(Fallback::notLoaded), failed);
+  EXPECT_EQ(lightsOf(Fallback::none), 0U);
+  EXPECT_EQ(named(failed), "/r1/c1/c2/c3/ll-LED3:ll ");
+  for (std::uint8_t i = 0; i < kRestCount; ++i) EXPECT_NE(lightsOf(static_cast<Rest>(i)), failed);
+  for (std::uint8_t i = 0; i < kRoleCount; ++i)
+    EXPECT_EQ(lightsOf(static_cast<Role>(i)) & failed, 0U);
+}
+
 TEST(Lights, WhatBehavioursAskForNeitherHidesNorFakesTheTable) {
   const GameState game = gameIn(PlayState::set);
   const std::uint32_t table = lights(game, Role::striker, 0);
@@ -86,6 +96,7 @@ TEST(Lights, WhatBehavioursAskForNeitherHidesNorFakesTheTable) {
   EXPECT_EQ(asked & table, table);
   EXPECT_EQ(asked & lightsOf(PlayState::finished, false), lightsOf(PlayState::set, false));
   EXPECT_EQ(asked & lightsOf(Role::attacker), 0U);
+  EXPECT_EQ(asked & lightsOf(Fallback::scriptError), 0U);
   EXPECT_EQ(lights(game, Role::striker, 1U << 19U), table | 1U << 19U) << "a free light is theirs";
 }
 

@@ -5,14 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 
 #include "robot/body/Lights.h"
-#include "robot/host/AgentStub.h"
-#include "robot/host/HostSystem.h"
-#include "robot/object/RobotAgent.h"
-#include "tests/host/FakeWorld.h"
-#include "tests/stick/Sticks.h"
+#include "tests/object/PlayedStick.h"
 
 namespace kelpie::object {
 namespace {
@@ -21,60 +16,6 @@ using stick::StickFault;
 using stick::StickTree;
 
 constexpr std::uint32_t kFaceLights = ((1U << body::kFaceLights) - 1U) << body::kFirstFaceLight;
-
-// What came of half a second with one object.
-struct Played {
-  std::vector<std::uint32_t> leds;
-  double firstPan = 0.0;
-  double lastPan = 0.0;
-  double lastKnee = 0.0;
-  double legGain = 1.0;
-  std::string log;
-};
-
-std::string textOf(std::FILE* file) {
-  std::rewind(file);
-  std::string text;
-  for (int c = std::fgetc(file); c != EOF; c = std::fgetc(file)) text += static_cast<char>(c);
-  std::fclose(file);
-  return text;
-}
-
-void addHalfASecond(host::FakeSource& source) {
-  for (int i = 0; i < 16; ++i) {
-    source.addSensors(1);
-    source.addImage(32000 * (i + 1) + 10000);
-  }
-}
-
-Played played(const std::string& root) {
-  host::FakeSource source;
-  addHalfASecond(source);
-  host::HostParams params;
-  params.printTo = std::tmpfile();
-  const auto object = std::make_unique<RobotAgent>(root.c_str());
-  host::HostSystem system(source, params);
-  const auto summary = system.run(host::agentStub(*object), {});
-  EXPECT_TRUE(summary) << summary.error();
-  Played result;
-  for (const auto& reply : source.replies)
-    for (const auto& vector : reply.vectors) result.leds.push_back(vector.leds);
-  const auto& first = source.replies.at(0).vectors[0].targets[0];
-  const auto& last = source.replies.at(30).vectors[0].targets[3];
-  result.firstPan = first[Joint::headPan].deg();
-  result.lastPan = last[Joint::headPan].deg();
-  result.lastKnee = last[Joint::leftFrontKnee].deg();
-  result.legGain = source.replies.back().legGain;
-  result.log = textOf(params.printTo);
-  return result;
-}
-
-std::string folderOf(const StickTree& tree, const std::string& name) {
-  const stick::fs::path root = stick::fs::path(testing::TempDir()) / ("object_" + name);
-  stick::fs::remove_all(root);
-  for (const auto& file : tree) stick::put(root / file.path, file.bytes);
-  return root.string();
-}
 
 int lines(const std::string& text) {
   return static_cast<int>(std::count(text.begin(), text.end(), '\n'));

@@ -13,7 +13,7 @@ namespace {
 TEST(Robot, TakesSensorsAndImagesWithTheStandardConfiguration) {
   const auto late = std::make_unique<LateLoops>();
   agent::Loops& loops = *late;  // kept before there are any
-  late->make(*makeConfig());
+  late->make(*makeConfig(), "");
   const auto input = std::make_unique<MotionInput>();
   const auto image = std::make_unique<Image>();
   for (int message = 1; message <= 40; ++message) {
@@ -28,9 +28,9 @@ TEST(Robot, TakesSensorsAndImagesWithTheStandardConfiguration) {
 TEST(Robot, ASecondInitialisationLeavesTheLoopsThatPlay) {
   const auto late = std::make_unique<LateLoops>();
   const auto config = makeConfig();
-  late->make(*config);
+  late->make(*config, "");
   const MotionOutput* first = &late->motion(*std::make_unique<MotionInput>());
-  late->make(*config);
+  late->make(*config, "");
   EXPECT_EQ(&late->motion(*std::make_unique<MotionInput>()), first);
 }
 

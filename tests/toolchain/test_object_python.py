@@ -24,7 +24,7 @@ TOOLCHAIN = ROOT / "toolchain"
 sys.path.insert(0, str(TOOLCHAIN))
 pytest.importorskip("unicorn", reason="needs the Debian package python3-unicorn")
 # Of the list of robot/core/Command.h.
-NONE, SCRIPT_ERROR, TIME_LIMIT = 0, 2, 4
+NOT_LOADED, SCRIPT_ERROR, TIME_LIMIT = 1, 2, 4
 
 
 def emulator():
@@ -38,10 +38,13 @@ emulate = emulator()
 
 
 class Player:
-    """The image with Python, configured, with frames of the tape to play."""
+    """The image with Python, configured, with frames of the tape to play: by the behaviours of a zip,
+    or by those inside."""
 
-    def __init__(self, tape):
+    def __init__(self, tape, scripts=None):
         self.machine = emulate.Machine(emulate.Elf(ROOT / "build/openr/emulated"), 0x12345000)
+        if scripts is not None:
+            self.machine.put_file(scripts)
         records = emulate.records_of(tape)
         kind, config, _ = next(records)
         assert kind == b"c" and self.machine.give("kelpieConfigure", config)
@@ -57,6 +60,10 @@ class Player:
         _, got = self.frame()
         assert got[-4:] == bytes(4)
         return got[-5]
+
+    def console(self):
+        size = self.machine.call("kelpieConsoleSize")
+        return bytes(self.machine.cpu.mem_read(self.machine.call("kelpieConsole"), size)).decode()
 
     def run(self, text):
         code = marshal.dumps(compile(text, "test", "exec"))
@@ -86,6 +93,7 @@ def player(started):
     started.machine.forget_stack()
     yield started
     started.decide("kept")
+    started.frame()  # or too many of them hit the time limit in a row
 
 
 def test_another_version_of_the_behaviours_than_recorded_is_noticed(log, tmp_path):
@@ -97,6 +105,49 @@ def test_another_version_of_the_behaviours_than_recorded_is_noticed(log, tmp_pat
                           env={**os.environ, "GLIBC_TUNABLES": PLAIN_MATHS})
     assert done.returncode == 1
     assert re.search(r"frame 0: command\.", done.stderr)
+
+
+def zip_of(folder, **texts):
+    """A stick's PYCODE.ZIP of modules with these texts."""
+    for name, text in texts.items():
+        path = folder / "scripts" / (name.replace("__", "/") + ".py")
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text)
+    must(TOOLCHAIN / "make-pyzip", folder / "PYCODE.ZIP", "--pycode", folder / "scripts")
+    return (folder / "PYCODE.ZIP").read_bytes()
+
+
+MAIN = """import kelpie
+from lib import words
+
+
+def decide(world):
+    raise ValueError(words.SAID)
+"""
+
+
+def test_behaviours_of_the_stick_play_with_their_folders(tape, tmp_path):
+    player = Player(tape, zip_of(tmp_path, main=MAIN, lib__words="SAID = 'from the stick'\n"))
+    assert player.fallback() == SCRIPT_ERROR
+    assert player.console() == "behaviour: main.py:6: ValueError: from the stick\n"
+
+
+def packed(data):
+    at = data.index(b"PK\1\2") + 10
+    return data[:at] + b"\x08" + data[at + 1:]
+
+
+@pytest.mark.parametrize("damage, said", [
+    (lambda data: data[:-30], "this is no zip, or is cut off"),
+    (lambda data: b"", "this is no zip, or is cut off"),
+    (packed, "what the zip holds is packed"),
+    (lambda data: data.replace(importlib.util.MAGIC_NUMBER, b"\x00\x00\r\n"),
+     "main.pyc is of another Python")])
+def test_zip_that_cannot_be_played_is_told_and_plays_nothing(tape, tmp_path, damage, said):
+    data = damage(zip_of(tmp_path, main="def decide(world): pass\n"))
+    player = Player(tape, data)
+    assert player.fallback() == NOT_LOADED
+    assert player.console() == f"behaviour: ImportError: {said}\n"
 
 
 def test_script_that_does_not_end_costs_its_frame_at_the_same_step_in_every_run(tape):

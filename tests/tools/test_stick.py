@@ -53,14 +53,6 @@ def all_options(parts):
     return ["--object", parts / "AGENT.BIN", "--wlan", parts / "field.wlan"]
 
 
-def frozen(*words):
-    """The behaviours as toolchain/python-openr/freeze puts them into a program."""
-    freeze = ROOT / "toolchain/python-openr/freeze"
-    done = subprocess.run(["/usr/bin/python3", freeze, "/dev/stdout", *words], check=True,
-                          capture_output=True, text=True)
-    return done.stdout.splitlines()[0].split('"')[1].encode()
-
-
 def said_of(parts, text, pack=bytes):
     program = linked(bytes(3000) + b"\n%s\0" % text + bytes(99))
     (parts / "AGENT.BIN").write_bytes(pack(program))
@@ -72,21 +64,12 @@ def said_of(parts, text, pack=bytes):
 @pytest.mark.parametrize("text, line", [
     (b"kelpie player: simple",
      "player: simple, without Python: it walks to the ball, and no more"),
+    (b"kelpie player: python", f"player: python; it plays the behaviours of {ROOT / 'pycode'}"),
     (b"kelpie player: pythons", "player: the program does not say which"),
     (b"", "player: the program does not say which")])
 @pytest.mark.parametrize("pack", [bytes, gzip.compress])
 def test_it_says_which_player_the_program_has(parts, text, line, pack):
     assert said_of(parts, text, pack) == line
-
-
-def test_it_says_whether_the_programs_behaviours_are_those_of_the_folder(parts):
-    text = b"kelpie behaviours %s\0kelpie player: python"
-    assert said_of(parts, text % frozen(), gzip.compress).startswith(
-        "player: python, with the behaviours of ")
-    shutil.copytree(ROOT / "pycode", parts / "pycode")
-    with (parts / "pycode/main.py").open("a") as main:
-        main.write("# another\n")
-    assert "with OTHER behaviours" in said_of(parts, text % frozen("--pycode", parts / "pycode"))
 
 
 @pytest.mark.parametrize("program, line", [

@@ -62,10 +62,6 @@ const struct _frozen* _PyImport_FrozenTest = none;
 const struct _frozen* PyImport_FrozenModules = NULL;
 const struct _module_alias* _PyImport_FrozenAliases = aliases;
 
-// With the mark in one piece, for tools/stick/Player.h.
-static const char behaviours[] = "kelpie behaviours " FROZEN_BEHAVIOURS;
-const char* kelpieBehaviours(void) { return behaviours + 7; }
-
 int _Py_Deepfreeze_Init(void) { return 0; }
 void _Py_Deepfreeze_Fini(void) {}
 

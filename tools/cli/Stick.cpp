@@ -43,7 +43,7 @@ Expected<agent::AgentConfig> robotConfig(const StickOptions& options) {
   return config;
 }
 
-Expected<stick::StickContents> readContents(const StickOptions& options, stick::Player& player) {
+Expected<stick::StickContents> readContents(const StickOptions& options, std::string& player) {
   const Status scripts = checkScripts(options.pycode);
   if (!scripts) return Error{scripts.error()};
   stick::StickContents contents;
@@ -111,7 +111,7 @@ void tellSizes(const std::string& where, const stick::StickTree& tree) {
 Status writeStick(const StickOptions& options) {
   const auto config = robotConfig(options);
   if (!config) return Error{config.error()};
-  stick::Player player;
+  std::string player;
   const auto contents = readContents(options, player);
   if (!contents) return Error{contents.error()};
   const auto tree = stick::makeTree(*config, *contents);

@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/stick/Player.h"
 
-#include <fmt/core.h>
-
 #include <filesystem>
-#include <map>
 
 #include "behaviour/PlayerMark.h"
-#include "robot/core/Checksum.h"
 #include "tools/stick/ElfObject.h"
 #include "tools/stick/Programs.h"
 
@@ -39,17 +35,11 @@ Expected<std::string> unpacked(const std::string& file) {
   return readWhole(program);
 }
 
-void addText(Crc32& sum, const std::string& text) {
-  sum.add(reinterpret_cast<const std::uint8_t*>(text.c_str()), text.size() + 1);
-}
-
 }  // namespace
 
-Player playerIn(const std::string& program) {
+std::string playerIn(const std::string& program) {
   const std::string name = wordAfter(program, behaviour::kPlayerMark);
-  if (name == "simple") return {name, ""};
-  if (name == "python") return {name, wordAfter(program, behaviour::kBehavioursMark)};
-  return {};
+  return name == "simple" || name == "python" ? name : "";
 }
 
 Expected<std::string> programOfFile(const std::string& file) {
@@ -60,28 +50,11 @@ Expected<std::string> programOfFile(const std::string& file) {
   return program ? bytes : Error{program.error()};
 }
 
-std::string numberOfBehaviours(const std::string& folder) {
-  std::map<std::string, fs::path> files;
-  for (const auto& entry : fs::recursive_directory_iterator(folder))
-    if (entry.path().extension() == ".py")
-      files[entry.path().lexically_relative(folder).generic_string()] = entry.path();
-  Crc32 sum;
-  for (const auto& [name, path] : files) {
-    const auto text = readWhole(path.string());
-    addText(sum, name);
-    addText(sum, text ? *text : "");
-  }
-  return fmt::format("{:08x}", sum.value());
-}
-
-std::string playerLine(const Player& player, const std::string& folder) {
-  if (player.name == "simple")
+std::string playerLine(const std::string& player, const std::string& folder) {
+  if (player == "simple")
     return "player: simple, without Python: it walks to the ball, and no more";
-  if (player.name.empty()) return "player: the program does not say which";
-  if (player.behaviours == numberOfBehaviours(folder))
-    return "player: python, with the behaviours of " + folder;
-  return "player: python, with OTHER behaviours than those of " + folder +
-         "; toolchain/build-object makes the program anew";
+  if (player.empty()) return "player: the program does not say which";
+  return "player: python; it plays the behaviours of " + folder;
 }
 
 }  // namespace kelpie::stick

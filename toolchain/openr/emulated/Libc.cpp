@@ -6,12 +6,26 @@
 
 extern "C" {
 
-// The emulator has no files.
-void* fopen(const char* /*path*/, const char* /*mode*/) { return nullptr; }
-std::size_t fread(void* /*to*/, std::size_t /*size*/, std::size_t /*count*/, void* /*file*/) {
-  return 0;
+void* memcpy(void* to, const void* from, std::size_t count);
+
+// The one file that there is, by whatever name: its size, then its bytes.
+static const std::uint32_t* fileHead = nullptr;
+static std::size_t fileAt = 0;
+
+// From now on it lies there.
+void kelpieFile(const std::uint32_t* head) { fileHead = head; }
+void* fopen(const char* /*path*/, const char* /*mode*/) {
+  fileAt = 0;
+  return const_cast<std::uint32_t*>(fileHead);
 }
-int ferror(void* /*file*/) { return 1; }
+std::size_t fread(void* to, std::size_t size, std::size_t count, void* /*file*/) {
+  const std::size_t left = (*fileHead - fileAt) / size;
+  const std::size_t taken = count < left ? count : left;
+  memcpy(to, reinterpret_cast<const std::uint8_t*>(fileHead + 1) + fileAt, taken * size);
+  fileAt += taken * size;
+  return taken;
+}
+int ferror(void* /*file*/) { return 0; }
 int fclose(void* /*file*/) { return 0; }
 
 // In place of every function of OPEN-R.

@@ -4,6 +4,7 @@
 // function answers the size of what it wrote, 0 when it could not read what it was given.
 #include <cstddef>
 #include <cstdint>
+#include <cstdio>
 #include <new>
 
 #include "robot/agent/FrameLoop.h"
@@ -18,7 +19,8 @@ using kelpie::agent::AgentConfig;
 constexpr std::size_t kBufferBytes = 512U << 10U;
 
 struct Emulated {
-  explicit Emulated(const AgentConfig& config) : frames(config, {}), motion(config) {}
+  Emulated(const AgentConfig& config, const char* scripts)
+      : frames(config, scripts), motion(config) {}
 
   kelpie::agent::FrameLoop frames;
   kelpie::agent::MotionLoop motion;
@@ -45,10 +47,11 @@ extern "C" {
 // Where input is put and output is found.
 std::uint8_t* kelpieBuffer() { return buffer; }
 
+// The behaviours inside play, or those of the zip that lies where kelpieFile said.
 std::uint32_t kelpieConfigure(std::uint32_t size) {
   auto* const config = new AgentConfig;
   if (!kelpie::decode(buffer, size, *config)) return 0;
-  emulated = new Emulated(*config);
+  emulated = new Emulated(*config, std::fopen("", "rb") != nullptr ? "PYCODE.ZIP" : "");
   return 1;
 }
 
