@@ -38,8 +38,8 @@ emulate = emulator()
 
 
 class Player:
-    """The image with Python, configured, with frames of the tape to play: by the behaviours of a zip,
-    or by those inside."""
+    """The image with Python, configured, with frames of the tape to play: by the behaviours of a
+    zip, or by those inside."""
 
     def __init__(self, tape, scripts=None):
         self.machine = emulate.Machine(emulate.Elf(ROOT / "build/openr/emulated"), 0x12345000)
