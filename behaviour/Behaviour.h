@@ -4,12 +4,12 @@
 // While somebody drives the robot the Command is the driver's, and the script is not called.
 #pragma once
 
-#include <cstdint>
 #include <memory>
 #include <string>
 
 #include "behaviour/BehaviourIn.h"
 #include "behaviour/BehaviourParams.h"
+#include "behaviour/Complaint.h"
 #include "behaviour/Rows.h"
 #include "robot/core/Command.h"
 #include "robot/core/Expected.h"
@@ -17,12 +17,6 @@
 namespace kelpie::behaviour {
 
 class PythonHost;  // the only owner of Python objects
-
-// What was told last of a script that went wrong: each different error once (README.md).
-struct Complaint {
-  std::uint32_t number = 0;  // of those told so far
-  std::string line;
-};
 
 // Holds the interpreter and the loaded script. One per process: CPython allows no more.
 class BehaviourState {

@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "behaviour/Behaviour.h"
 #include "behaviour/BehaviourIn.h"
 #include "behaviour/BehaviourParams.h"
 #include "behaviour/CommandReader.h"
+#include "behaviour/Complaint.h"
 #include "behaviour/Interpreter.h"
 #include "behaviour/Modules.h"
 #include "behaviour/Rows.h"

@@ -15,8 +15,8 @@ constexpr int kMaxMixed = 1;   // samples between green and white that are neith
 constexpr int kMinOthers = 2;  // in a row that are another thing
 
 // Pixels of carpet behind a foot.
-constexpr double kMaxSearched = 16.0;
-constexpr double kMinAtBorder = 6.0;  // seen when the image ends there
+constexpr int kMaxSearched = 16;
+constexpr int kMinAtBorder = 6;       // seen when the image ends there
 constexpr double kMaxOneSided = 3.0;  // of one side alone, where another thing may stand
 constexpr double kFarShare = 1.6;     // of the second place beside a foot over the first
 constexpr int kMaxLineWidth = 4;      // px of white that the carpet goes on behind
@@ -85,14 +85,16 @@ bool isFarther(const Scene& scene, const Foot& coarse, double nearer) {
 // How far the carpet goes on above a level line through the foot, at one place beside it: negative
 // where it ends below, nothing where the image ends first. A white line does not end it.
 std::optional<double> carpetAbove(const Scene& scene, PixelPoint foot, double aside) {
+  const PixelWalk up(scene.frame.beside(foot, aside, 0.0), scene.frame.up());
   int gap = 0;
-  double last = -kMaxSearched;
-  for (double above = last; above <= kMaxSearched && gap <= kMaxLineWidth; above += 1.0) {
-    const PixelPoint at = scene.frame.beside(foot, aside, above);
-    if (!Sampler::usable(at)) {
+  int last = -kMaxSearched;
+  for (int above = last; above <= kMaxSearched && gap <= kMaxLineWidth; ++above) {
+    const int px = up.x(above);
+    const int py = up.y(above);
+    if (!Sampler::usable(px, py)) {
       return last >= kMinAtBorder ? std::optional<double>(last) : std::nullopt;
     }
-    const bool green = scene.sampler.classAt(at) == ColourClass::green;
+    const bool green = scene.sampler.classAt(px, py) == ColourClass::green;
     gap = green ? 0 : gap + 1;
     if (green) last = above;
   }

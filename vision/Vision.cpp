@@ -59,7 +59,7 @@ void stepInto(Percepts& out, const VisionIn& in, const VisionParams& params, Vis
   out.counts.blobs = static_cast<std::uint32_t>(state.blobs.size());
   for (std::uint32_t i = 0; i < found.lost && i < 1000; ++i)
     refuse(out.counts, Refusal::bufferFull);
-  out.fieldEdges = findFieldEdges(sampler, frame, params.scan, params.fieldEdge, out.counts);
+  out.fieldEdges = findFieldEdges(sampler, lattice, params.scan, params.fieldEdge, out.counts);
 
   const Scene scene{sampler, state.blobs, in.body,    out.fieldEdges,
                     frame,   lattice,     state.runs, params.field};

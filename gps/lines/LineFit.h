@@ -12,6 +12,7 @@
 #include "gps/lines/FieldFeatures.h"
 #include "gps/lines/LineUpdateParams.h"
 #include "robot/core/Percepts.h"
+#include "robot/core/ScratchVector.h"
 
 namespace kelpie::gps {
 
@@ -23,11 +24,11 @@ struct SeenPoint {
   bool border = false;  // at the foot of the white border, not on a painted line
 };
 struct SeenLines {
-  FixedVector<SeenPoint, kMaxLinePoints> lines;  // and the foot of the border
-  FixedVector<SeenPoint, 16> carpet;  // green; only says that the robot is near the field
-  double newEvidenceShare = 1.0;      // what no update has used before
-  double noiseScale = 1.0;            // of the variances
-  double headSpeed = 0.0;             // rad a frame, while they were seen
+  ScratchVector<SeenPoint, kMaxLinePoints> lines;  // and the foot of the border
+  ScratchVector<SeenPoint, 16> carpet;  // green; only says that the robot is near the field
+  double newEvidenceShare = 1.0;        // what no update has used before
+  double noiseScale = 1.0;              // of the variances
+  double headSpeed = 0.0;               // rad a frame, while they were seen
   // The camera, and the tilt with which the points were laid on the ground.
   Point3<Robot> eye{0.0, 8.0, 20.0};
   CameraTilt readWith;

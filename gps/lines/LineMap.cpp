@@ -91,6 +91,14 @@ void noteUnmatched(bool unmatched, LineMap& map) {
   map.unmatchedShare += kSmoothing * ((unmatched ? 1.0 : 0.0) - map.unmatchedShare);
 }
 
+// As a new one; of its 5 KB only what is used is written, since it is asked in each frame of a
+// walk.
+void clear(LineMap& map) {
+  map.points.clear();
+  map.age = map.sinceDecay = map.newCount = map.unmatchedShare = 0.0;
+  map.refused = 0;
+}
+
 bool isStale(const LineMap& map, const LineMapParams& params) {
   return map.refused > params.maxRefused || map.unmatchedShare > params.maxUnmatchedShare;
 }
@@ -154,7 +162,7 @@ bool add(const LinePoint& point, const LineMapParams& params, LineMap& map) {
 void stepMap(const FrameInput& input, const FixedVector<LinePoint, 256>& points,
              const LinesParams& params, LineMap& map) {
   const LineMapParams& p = params.map;
-  if (!p.use || !standing(input) || isStale(map, p)) map = LineMap{};
+  if (!p.use || !standing(input) || isStale(map, p)) clear(map);
   if (!p.use || !standing(input)) return;
   addKind(points, LinePointKind::line, params.update.maxPoints, p, map);
   addKind(points, LinePointKind::border, params.update.maxPoints, p, map);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "robot/core/Maths.h"
+#include "robot/core/ScratchVector.h"
 
 namespace kelpie::gps {
 namespace {
@@ -34,7 +35,7 @@ void enter(Point2<Field> p, double count, const body::FieldDescription& field, d
   set(&ObstacleMap::own, *cell, static_cast<float>(std::min(most, sum)), map);
 }
 
-using Cells = FixedVector<std::size_t, 64>;  // as many as there are points
+using Cells = ScratchVector<std::size_t, 64>;  // as many as there are points
 
 Cells enterPoints(const ObstacleSightings& in, const body::FieldDescription& field,
                   const ObstacleMapParams& params, ObstacleMap& map) {
@@ -75,8 +76,8 @@ void clear(const ObstacleSightings& in, const Cells& seen, const body::FieldDesc
 
 // As many of these cells as the list takes, the fuller ones, in order.
 template <class Listed>
-FixedVector<std::uint16_t, kMapCells> fullestOf(const ObstacleMap& map, const Listed& listed) {
-  FixedVector<std::uint16_t, kMapCells> full;
+ScratchVector<std::uint16_t, kMapCells> fullestOf(const ObstacleMap& map, const Listed& listed) {
+  ScratchVector<std::uint16_t, kMapCells> full;
   for (const std::uint16_t cell : map.occupied)
     if (listed(cell)) full.push_back(cell);
   const auto fuller = [&map](std::uint16_t a, std::uint16_t b) {

@@ -22,6 +22,7 @@ bool finite(const PoseMode& mode) {
 }
 
 void removeBroken(Modes& modes, GpsCounts& counts) {
+  if (std::all_of(modes.begin(), modes.end(), finite)) return;
   Modes kept;
   for (const PoseMode& mode : modes) {
     if (finite(mode)) {

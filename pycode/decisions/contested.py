@@ -55,9 +55,9 @@ def robot_at(world) -> bool:
 
 
 def on_map(world) -> bool:
-    x, y = world.ball.position.x, world.ball.position.y
+    ball = world.ball.position
     total = 0.0
-    for at_x, at_y, count in obstacles.points_of(world, landmarks=False):
-        if math.hypot(at_x - x, at_y - y) < AROUND:
+    for x, y, count in obstacles.points_near(world, ball, AROUND):
+        if math.hypot(x - ball.x, y - ball.y) < AROUND:
             total += count
     return total >= MAP_COUNT

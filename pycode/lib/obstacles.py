@@ -33,6 +33,19 @@ def points_of(world, own=True, heard=True, landmarks=True) -> list[Counted]:
     return points + standing(world.field) if landmarks else points
 
 
+def points_near(world, place, reach) -> list[Counted]:
+    """What points_of(world, landmarks=False) has within so many cm of a place, in x and in y: of a
+    map of a hundred cells the behaviours look at two or three."""
+    low_x, high_x = place.x - reach, place.x + reach
+    low_y, high_y = place.y - reach, place.y + reach
+    points = []
+    for cell in world.obstacles:
+        at = cell.position
+        if low_x < at.x < high_x and low_y < at.y < high_y:
+            points.append((at.x, at.y, cell.own + cell.heard))
+    return points
+
+
 def between(points, start, end, width=CORRIDOR) -> float:
     """The count within half a width (cm) of the straight way from one (x, y) to another."""
     _numbers(*start, *end, width)

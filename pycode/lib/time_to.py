@@ -48,12 +48,15 @@ def on_way(cells, start, end) -> float:
     if length < 2.0 * CORRIDOR:
         return 0.0
     dx, dy = dx / length, dy / length
-    most, total = length - CORRIDOR, 0.0
+    half, most, total = CORRIDOR / 2.0, length - CORRIDOR, 0.0
+    left, right = min(x0, end[0]) - half, max(x0, end[0]) + half
     for cell in cells:
         place = cell.position
-        x, y = place.x - x0, place.y - y0
-        if CORRIDOR / 2.0 < x * dx + y * dy < most and abs(x * dy - y * dx) < CORRIDOR / 2.0:
-            total += cell.own + cell.heard
+        x = place.x
+        if left < x < right:  # of a hundred cells most do not
+            x, y = x - x0, place.y - y0
+            if half < x * dx + y * dy < most and abs(x * dy - y * dx) < half:
+                total += cell.own + cell.heard
     return total
 
 

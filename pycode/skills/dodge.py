@@ -3,6 +3,8 @@
 # pixels ahead start a step to a side, which goes on until nothing is there for some frames. Keeps
 # the side and the frames that are still to be free. The side comes from where the robot is, before
 # the opponents' goal from the wider gap. It cannot see who stands beside it.
+import math
+
 import kelpie
 from lib import aim, obstacles
 from lib.infrared import DEFAULT, near
@@ -11,7 +13,7 @@ from skills.hold import SIDE_SPEED, carry
 
 PIXELS = 12            # obstacle points in the box of 50 x 100 cm ahead (U07)
 MAP_COUNT = 12.0       # of the obstacle map in the corridor ahead
-AHEAD = 45.0           # cm of that corridor
+AHEAD, ASIDE = 45.0, 15.0   # cm of that corridor: to its end, to each side
 GOALIE_BOX = 60.0      # cm before the goal line: there it is the goalie
 RELEASE_GOALIE, RELEASE_OTHER = 7, 30   # frames
 EDGE = 60.0            # cm from a side line
@@ -24,8 +26,8 @@ def in_the_way(world, threshold=DEFAULT) -> bool:
         return True
     if world.percepts.obstacles_ahead >= PIXELS:
         return True
-    points = obstacles.points_of(world, landmarks=False)
-    return obstacles.in_box(points, world.pose, -15.0, 15.0, 15.0, AHEAD) >= MAP_COUNT
+    points = obstacles.points_near(world, world.pose.position, math.hypot(ASIDE, AHEAD))
+    return obstacles.in_box(points, world.pose, -ASIDE, ASIDE, 15.0, AHEAD) >= MAP_COUNT
 
 
 def side_by_place(field, x, y) -> float:

@@ -58,7 +58,8 @@ double dot(const Point3<Robot>& a, const Point3<Robot>& b) {
 
 // How far the axes have turned when column x is exposed, as a small rotation vector.
 Point3<Robot> turnAt(const CameraPose& camera, double x) {
-  const double share = maths::clamp(x / kImageWidth, -0.5, 1.5) - 0.5;
+  constexpr double kPerWidth = 1.0 / kImageWidth;  // a product: each ray through a pixel asks
+  const double share = maths::clamp(x * kPerWidth, -0.5, 1.5) - 0.5;
   return {camera.turn[0] * share, camera.turn[1] * share, camera.turn[2] * share};
 }
 
@@ -172,11 +173,13 @@ Point3<Camera> pixelRay(const Lens& lens, PixelPoint pixel) {
 
 PixelPoint pixelOf(const Lens& lens, const Point3<Camera>& ray) {
   constexpr int kRounds = 6;  // each leaves a fifth of the error at an edge term of 0.3
-  const double x = lens.focalLength * ray.x / ray.z;
-  const double y = lens.focalLength * ray.y / ray.z;
+  const double scale = lens.focalLength / ray.z;
+  const double x = scale * ray.x;
+  const double y = scale * ray.y;
+  if (lens.edgeTerm == 0.0) return {lens.principalX + x, lens.principalY + y};
   double stretch = 1.0;
   const double square = (x * x + y * y) / (lens.focalLength * lens.focalLength);
-  for (int round = 0; round < kRounds && lens.edgeTerm != 0.0; ++round)
+  for (int round = 0; round < kRounds; ++round)
     stretch = 1.0 + lens.edgeTerm * square / (stretch * stretch);
   return {lens.principalX + x / stretch, lens.principalY + y / stretch};
 }
@@ -186,20 +189,24 @@ double elevationVariance(const CameraTilt& t, double right, double forward) {
          right * right * t.rollVariance;
 }
 
-Point3<Robot> rayThrough(const CameraPose& camera, PixelPoint pixel) {
+Point3<Robot> wayThrough(const CameraPose& camera, PixelPoint pixel) {
   const Point3<Camera> p = pixelRay(camera.lens, pixel);
   const auto& a = camera.axes;
   const Point3<Robot> still{a[0] * p.x + a[1] * p.y + a[2] * p.z,
                             a[3] * p.x + a[4] * p.y + a[5] * p.z,
                             a[6] * p.x + a[7] * p.y + a[8] * p.z};
-  const Point3<Robot> ray = still + cross(turnAt(camera, pixel.x), still);
+  return still + cross(turnAt(camera, pixel.x), still);
+}
+
+Point3<Robot> rayThrough(const CameraPose& camera, PixelPoint pixel) {
+  const Point3<Robot> ray = wayThrough(camera, pixel);
   const double length = std::sqrt(ray.x * ray.x + ray.y * ray.y + ray.z * ray.z);
   return {ray.x / length, ray.y / length, ray.z / length};
 }
 
 std::optional<Point2<Robot>> groundPoint(const CameraPose& camera, PixelPoint pixel,
                                          double height) {
-  const Point3<Robot> ray = rayThrough(camera, pixel);
+  const Point3<Robot> ray = wayThrough(camera, pixel);
   const double drop = height - camera.position.z;
   if (!(ray.z < 0.0 && drop < 0.0)) return std::nullopt;
   const double way = drop / ray.z;

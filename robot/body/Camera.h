@@ -60,7 +60,9 @@ double elevationVariance(const CameraTilt& tilt, double right, double forward);
 Point3<Camera> pixelRay(const Lens& lens, PixelPoint pixel);
 PixelPoint pixelOf(const Lens& lens, const Point3<Camera>& ray);
 
-// Unit vector, in the robot frame, of the ray through a pixel.
+// Direction, in the robot frame, of the ray through a pixel, of any length; and of length one,
+// which takes a root and three quotients more.
+Point3<Robot> wayThrough(const CameraPose& camera, PixelPoint pixel);
 Point3<Robot> rayThrough(const CameraPose& camera, PixelPoint pixel);
 
 // Where the ray through the pixel meets the plane z = height; nothing if it does not descend to it.

@@ -8,11 +8,17 @@
 
 #include "robot/core/Fields.h"
 #include "robot/core/FixedVector.h"
+#include "robot/core/ScratchVector.h"
 
 namespace kelpie {
 
 template <class T, std::size_t Capacity>
 void copyUsed(FixedVector<T, Capacity>& to, const FixedVector<T, Capacity>& from) {
+  to.resize(from.size());
+  std::copy(from.begin(), from.end(), to.begin());
+}
+template <class T, std::size_t Capacity>
+void copyUsed(FixedVector<T, Capacity>& to, const ScratchVector<T, Capacity>& from) {
   to.resize(from.size());
   std::copy(from.begin(), from.end(), to.begin());
 }

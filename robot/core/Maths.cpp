@@ -144,21 +144,21 @@ double exp(double x) {
   const double bounded = x > 700.0 ? 700.0 : x;
   const std::int32_t k = floorOf(bounded / 0.69314718055994530942 + 0.5);
   const double r = (bounded - k * kLn2High) - k * kLn2Low;
-  // Written out: to divide by 8, 4, 2 and 1 is to multiply, which is as exact.
+  // Products, not quotients, of which an exponential took thirteen.
   double p = 1.0;
-  p = 1.0 + r * p / 14.0;
-  p = 1.0 + r * p / 13.0;
-  p = 1.0 + r * p / 12.0;
-  p = 1.0 + r * p / 11.0;
-  p = 1.0 + r * p / 10.0;
-  p = 1.0 + r * p / 9.0;
-  p = 1.0 + r * p / 8.0;
-  p = 1.0 + r * p / 7.0;
-  p = 1.0 + r * p / 6.0;
-  p = 1.0 + r * p / 5.0;
-  p = 1.0 + r * p / 4.0;
-  p = 1.0 + r * p / 3.0;
-  p = 1.0 + r * p / 2.0;
+  p = 1.0 + r * p * (1.0 / 14.0);
+  p = 1.0 + r * p * (1.0 / 13.0);
+  p = 1.0 + r * p * (1.0 / 12.0);
+  p = 1.0 + r * p * (1.0 / 11.0);
+  p = 1.0 + r * p * (1.0 / 10.0);
+  p = 1.0 + r * p * (1.0 / 9.0);
+  p = 1.0 + r * p * (1.0 / 8.0);
+  p = 1.0 + r * p * (1.0 / 7.0);
+  p = 1.0 + r * p * (1.0 / 6.0);
+  p = 1.0 + r * p * (1.0 / 5.0);
+  p = 1.0 + r * p * (1.0 / 4.0);
+  p = 1.0 + r * p * (1.0 / 3.0);
+  p = 1.0 + r * p * (1.0 / 2.0);
   p = 1.0 + r * p;
   const auto bits = static_cast<std::uint64_t>(k + 1023) << 52;
   double scale = 0.0;
@@ -167,7 +167,7 @@ double exp(double x) {
 }
 
 double log(double x) {
-  // Written out, as those of the arc.
+  // Written out, so that no division is left for the run.
   constexpr std::array<double, 10> kTerms{1.0 / 21, 1.0 / 19, 1.0 / 17, 1.0 / 15, 1.0 / 13,
                                           1.0 / 11, 1.0 / 9,  1.0 / 7,  1.0 / 5,  1.0 / 3};
   if (!(x > 0.0)) return -745.0;

@@ -41,5 +41,20 @@ TEST(Emptied, ListsHoldNothingBeyondWhatIsCopied) {
   for (std::size_t i = 1; i < 8; ++i) EXPECT_EQ(to[i], 0);
 }
 
+TEST(Emptied, AListOfAStepIsCopiedAsFarAsItIsUsed) {
+  ScratchVector<int, 8> from;
+  for (int i = 0; i < 8; ++i) EXPECT_TRUE(from.push_back(i));
+  EXPECT_FALSE(from.push_back(8)) << "full";
+  from.resize(2);
+  FixedVector<int, 8> to;
+  copyUsed(to, from);
+  ASSERT_EQ(to.size(), 2U);
+  EXPECT_EQ(to[0] + 10 * to[1], 10);
+  from.resize(4);
+  EXPECT_EQ(from[2] + from[3], 0) << "grown with default values";
+  from.clear();
+  EXPECT_TRUE(from.empty());
+}
+
 }  // namespace
 }  // namespace kelpie

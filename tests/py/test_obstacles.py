@@ -57,6 +57,16 @@ def test_own_heard_and_landmarks_can_be_asked_for_alone():
     assert ask(world, own=False, heard=False) == obstacles.standing(world.field)
 
 
+def test_near_a_place_stands_what_of_the_map_lies_there():
+    random_cells = random.Random(5)
+    world = world_of(*((random_cells.uniform(0, 360), random_cells.uniform(0, 540),
+                        random_cells.uniform(0, 9), random_cells.uniform(0, 9)) for _ in range(90)))
+    near = [(x, y, count) for x, y, count in obstacles.points_of(world, landmarks=False)
+            if abs(x - 200) < 70 and abs(y - 300) < 70]
+    assert len(near) > 3
+    assert obstacles.points_near(world, kelpie.Point2(x=200.0, y=300.0), 70.0) == near
+
+
 def test_beacons_and_the_walls_of_goals_stand_and_a_goal_mouth_is_free():
     seen = obstacles.points_of(world_of())
     assert obstacles.between(seen, (150, 570), (210, 570)) >= 40      # the far goal's back wall

@@ -122,6 +122,17 @@ def test_what_stands_on_the_way_counts_and_what_stands_beside_or_at_the_ball_doe
                           *way) == 0.0
 
 
+@pytest.mark.parametrize('end', [(300.0, 300.0), (60.0, 220.0), (40.0, 60.0), (320.0, 180.0)])
+def test_a_way_in_any_direction_is_blocked_across_a_corridor_of_30_cm(end):
+    start = (180.0, 180.0)
+    dx, dy = end[0] - start[0], end[1] - start[1]
+    length = math.hypot(dx, dy)
+    for aside, counted in ((-16, 0), (-14, 20), (0, 20), (14, 20), (16, 0)):
+        there = cell(start[0] + 0.5 * dx + aside * dy / length,
+                     start[1] + 0.5 * dy - aside * dx / length)
+        assert time_to.on_way([there], start, end) == counted, aside
+
+
 def test_a_ball_unseen_for_longer_costs_more_and_never_more_than_a_little():
     costs = [time_to.unsure(frames) for frames in range(0, 300, 5)]
     assert costs == sorted(costs) and costs[3] == 0.0 and costs[-1] == time_to.LOST_MOST_S

@@ -32,7 +32,7 @@ EdgeFeatures featuresOf(std::initializer_list<Band> bands, double up = -5.0) {
       for (int x = 0; x < kImageWidth; ++x)
         state->classes.keep(Image::at(x, row), static_cast<unsigned>(band.colour));
   const Sampler sampler(*image, state->tables, state->classes);
-  return edgeFeatures(sampler, horizonScan(horizonFrameOf(cameraAt(16, 0, up)), {}), {});
+  return edgeFeatures(sampler, horizonScan(Lattice(horizonFrameOf(cameraAt(16, 0, up))), {}), {});
 }
 
 TEST(EdgeFeatures, OneOnEachScanLineWhereTheGreenEnds) {

@@ -11,7 +11,9 @@
 namespace kelpie::vision {
 namespace {
 
-ScanLines linesAt(const CameraPose& camera) { return horizonScan(horizonFrameOf(camera), {}); }
+ScanLines linesAt(const CameraPose& camera) {
+  return horizonScan(Lattice(horizonFrameOf(camera)), {});
+}
 
 TEST(HorizonScan, RunDownEveryFourthColumnOfALevelImage) {
   const ScanLines lines = linesAt(cameraAt(16, 0, -5));
@@ -62,6 +64,24 @@ TEST(HorizonScan, AnUprightHorizonGivesLevelLines) {
   const ScanLines lines = linesAt(cameraAt(16, 0, -5, 90));
   EXPECT_GT(lines.size(), 30U);
   for (const ScanLine& line : lines) EXPECT_NEAR(std::fabs(line.down.dx), 1.0, 1e-9);
+}
+
+double offGrid(double way) {
+  return std::fabs(way / kLatticeStep - std::round(way / kLatticeStep));
+}
+
+TEST(HorizonScan, EverySecondStepIsASampleOfTheLatticeHoweverTheImageIsRolled) {
+  for (const double roll : {-70.0, -33.0, -8.0, 0.0, 5.0, 41.0}) {
+    const Lattice lattice(horizonFrameOf(cameraAt(16, 10, -15, roll)));
+    const ScanLines lines = horizonScan(lattice, {});
+    ASSERT_GT(lines.size(), 20U);
+    for (const ScanLine& line : lines)
+      for (const int step : {0, 2, (line.steps - 1) & ~1}) {
+        const LevelPoint at = lattice.frame().fromImage(line.at(step));
+        EXPECT_LT(offGrid(at.u - lattice.u(0)), 1e-6) << roll;
+        EXPECT_LT(offGrid(at.v - lattice.v(0)), 1e-6) << roll;
+      }
+  }
 }
 
 // Peer-2005 section 1.3: integer overflow for upright horizons.

@@ -6,6 +6,7 @@
 
 #include "robot/body/FieldDescription.h"
 #include "robot/core/Maths.h"
+#include "robot/core/ScratchVector.h"
 #include "vision/ElevationDoubt.h"
 #include "vision/Refusal.h"
 
@@ -121,10 +122,10 @@ bool mayLieOnField(const Scene& scene, const Blob& blob, const BallFinderParams&
 }
 
 // The largest orange blobs that may be on the field, largest first.
-FixedVector<const Blob*, kMaxCandidates> largestOrange(const Scene& scene,
-                                                       const BallFinderParams& p,
-                                                       VisionCounts& counts) {
-  FixedVector<const Blob*, kMaxCandidates> found;
+ScratchVector<const Blob*, kMaxCandidates> largestOrange(const Scene& scene,
+                                                         const BallFinderParams& p,
+                                                         VisionCounts& counts) {
+  ScratchVector<const Blob*, kMaxCandidates> found;
   for (const Blob& blob : scene.blobs) {
     if (blob.colour != ColourClass::orange || !mayLieOnField(scene, blob, p, counts)) continue;
     const Blob* item = &blob;

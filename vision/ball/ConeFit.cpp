@@ -4,20 +4,30 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 
 #include "robot/body/Camera.h"
 #include "robot/core/Maths.h"
+#include "robot/core/ScratchVector.h"
 
 namespace kelpie::vision {
 namespace {
 
 using Ray = std::array<double, 3>;
-using Kept = std::array<bool, kMaxEdgePoints>;
+using Kept = std::uint32_t;  // a bit for each point
+static_assert(kMaxEdgePoints < 32);
 
 struct Outline {
-  FixedVector<Ray, kMaxEdgePoints> rays;
+  ScratchVector<Ray, kMaxEdgePoints> rays;
   const Lens& lens;
 };
+
+struct Fit {
+  Cone cone;  // without its rms
+  Kept kept = 0;
+};
+
+Kept bitOf(std::size_t point) { return Kept{1} << point; }
 
 Ray rayOf(const Lens& lens, PixelPoint p) {
   const Point3<Camera> ray = body::pixelRay(lens, p);
@@ -31,11 +41,11 @@ double det(const Ray& a, const Ray& b, const Ray& c) {
 }
 
 // Solves sum(u u^T) n = sum(u) by Cramer's rule; false when the points do not span a cone.
-bool solve(const Outline& outline, const Kept& kept, Ray& n) {
+bool solve(const Outline& outline, Kept kept, Ray& n) {
   std::array<Ray, 3> columns{};
   Ray right{};
   for (std::size_t i = 0; i < outline.rays.size(); ++i) {
-    if (!kept[i]) continue;
+    if ((kept & bitOf(i)) == 0) continue;
     const Ray& u = outline.rays[i];
     for (std::size_t c = 0; c < 3; ++c) {
       for (std::size_t r = 0; r <= c; ++r) columns[c][r] += u[r] * u[c];
@@ -70,53 +80,71 @@ double offCone(const Cone& cone, const Ray& u, double focalLength) {
   return focalLength * sine / cosine - cone.radius;
 }
 
-// Keeps the points near the cone and notes their rms; the number that changed sides.
-std::size_t trim(const Outline& outline, Cone& cone, Kept& kept) {
-  const double limit = std::max(0.8, 0.07 * cone.radius);
+double rmsOf(const Outline& outline, const Fit& fit) {
   double sum = 0.0;
-  std::size_t dropped = 0;
-  cone.kept = 0;
   for (std::size_t i = 0; i < outline.rays.size(); ++i) {
-    const double off = offCone(cone, outline.rays[i], outline.lens.focalLength);
-    const bool near = std::fabs(off) <= limit;
-    if (kept[i] != near) ++dropped;
-    kept[i] = near;
-    if (!near) continue;
+    if ((fit.kept & bitOf(i)) == 0) continue;
+    const double off = offCone(fit.cone, outline.rays[i], outline.lens.focalLength);
     sum += off * off;
-    ++cone.kept;
   }
-  cone.rms = cone.kept > 0 ? std::sqrt(sum / static_cast<double>(cone.kept)) : 0.0;
-  return dropped;
+  return fit.cone.kept > 0 ? std::sqrt(sum / static_cast<double>(fit.cone.kept)) : 0.0;
+}
+
+// The points that offCone() puts near the cone, told by bounds of the cosine's square: a root and a
+// quotient for each point of each round took a quarter of the ball's time.
+Kept nearTo(const Outline& outline, const Cone& cone) {
+  const double limit = std::max(0.8, 0.07 * cone.radius);
+  const double perFocalLength = 1.0 / outline.lens.focalLength;
+  const double outer = 1.0 + maths::square((cone.radius + limit) * perFocalLength);
+  const double inner = 1.0 + maths::square(std::max(0.0, cone.radius - limit) * perFocalLength);
+  Kept near = 0;
+  for (std::size_t i = 0; i < outline.rays.size(); ++i) {
+    const Ray& u = outline.rays[i];
+    const double cosine = u[0] * cone.axis.x + u[1] * cone.axis.y + u[2] * cone.axis.z;
+    const double square = cosine * cosine;
+    if (cosine > 0.0 && square * outer >= 1.0 && (inner == 1.0 || square * inner <= 1.0))
+      near |= bitOf(i);
+  }
+  return near;
+}
+
+std::size_t countOf(Kept kept) {
+  std::size_t count = 0;
+  for (; kept != 0; kept &= kept - 1) ++count;
+  return count;
 }
 
 // Fits the kept points, then whatever lies near that cone, until nothing changes. Nothing where
 // fewer than `least` lie near the first one.
-Cone refined(const Outline& outline, Kept kept, std::size_t least) {
-  Cone cone;
+Fit refined(const Outline& outline, Kept kept, std::size_t least) {
+  Fit fit;
   constexpr int kRounds = 4;
   for (int round = 0; round < kRounds; ++round) {
     Ray n{};
     if (!solve(outline, kept, n)) return {};
-    cone = coneOf(n, outline.lens);
-    if (!cone.valid || trim(outline, cone, kept) == 0) return cone;
-    if (round == 0 && cone.kept < least) return {};
+    fit.cone = coneOf(n, outline.lens);
+    if (!fit.cone.valid) return {};
+    fit.kept = nearTo(outline, fit.cone);
+    fit.cone.kept = countOf(fit.kept);
+    if (fit.kept == kept) return fit;
+    if (round == 0 && fit.cone.kept < least) return {};
+    kept = fit.kept;
   }
-  return cone;
+  return fit;
 }
 
 // The cone through three points with the most others near it: for an outline that something hides
 // in part, where the fit of all points lies between both outlines.
-Cone bestOfTriples(const Outline& outline) {
+Fit bestOfTriples(const Outline& outline) {
   constexpr std::size_t kLeast = 5;  // a triple with no two others near its cone is no outline
-  Cone best;
+  Fit best;
   const std::size_t n = outline.rays.size();
   for (const std::size_t gap : {2U, 3U, 5U}) {
     if (2 * gap >= n) break;
     for (std::size_t i = 0; i < n; ++i) {
-      Kept kept{};
-      kept[i] = kept[(i + gap) % n] = kept[(i + 2 * gap) % n] = true;
-      const Cone cone = refined(outline, kept, kLeast);
-      if (cone.valid && cone.kept > best.kept) best = cone;
+      const Kept triple = bitOf(i) | bitOf((i + gap) % n) | bitOf((i + 2 * gap) % n);
+      const Fit fit = refined(outline, triple, kLeast);
+      if (fit.cone.valid && fit.cone.kept > best.cone.kept) best = fit;
     }
   }
   return best;
@@ -127,12 +155,13 @@ Cone bestOfTriples(const Outline& outline) {
 Cone fitCone(const EdgePoints& points, const Lens& lens) {
   Outline outline{{}, lens};
   for (const PixelPoint p : points) outline.rays.push_back(rayOf(lens, p));
-  Kept all;
-  all.fill(true);
-  const Cone cone = refined(outline, all, 0);
-  if (cone.valid && cone.kept + 2 >= points.size()) return cone;
-  const Cone other = bestOfTriples(outline);
-  return other.kept > cone.kept ? other : cone;
+  Fit fit = refined(outline, bitOf(points.size()) - 1, 0);
+  if (!fit.cone.valid || fit.cone.kept + 2 < points.size()) {
+    const Fit other = bestOfTriples(outline);
+    if (other.cone.kept > fit.cone.kept) fit = other;
+  }
+  fit.cone.rms = rmsOf(outline, fit);
+  return fit.cone;
 }
 
 }  // namespace kelpie::vision

@@ -5,13 +5,13 @@
 #pragma once
 
 #include "robot/core/CameraModel.h"
-#include "robot/core/FixedVector.h"
 #include "robot/core/Geometry.h"
+#include "robot/core/ScratchVector.h"
 
 namespace kelpie::vision {
 
 constexpr std::size_t kMaxEdgePoints = 24;
-using EdgePoints = FixedVector<PixelPoint, kMaxEdgePoints>;
+using EdgePoints = ScratchVector<PixelPoint, kMaxEdgePoints>;
 
 struct Cone {
   bool valid = false;

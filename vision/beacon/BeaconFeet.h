@@ -4,7 +4,7 @@
 // are seen beside or above the bands. Nothing where something hides the white part.
 #pragma once
 
-#include "robot/core/FixedVector.h"
+#include "robot/core/ScratchVector.h"
 #include "vision/Scene.h"
 
 namespace kelpie::vision {
@@ -18,7 +18,7 @@ struct BeaconFoot {
   int samples = 0;
 };
 
-using BeaconFeet = FixedVector<BeaconFoot, 64>;
+using BeaconFeet = ScratchVector<BeaconFoot, 64>;
 BeaconFeet findBeaconFeet(const Scene& scene);
 
 }  // namespace kelpie::vision

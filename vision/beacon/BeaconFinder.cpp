@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "robot/core/ScratchVector.h"
 #include "vision/ElevationDoubt.h"
 #include "vision/Refusal.h"
 #include "vision/beacon/BeaconFeet.h"
@@ -35,7 +36,7 @@ std::optional<PixelPoint> pinkStart(const Scene& scene, const Blob& blob, ImageD
 }
 
 // More than 64 pink blobs are clothes: then each place is walked to as if pink were there.
-using PinkBoxes = FixedVector<LevelBox, 64>;
+using PinkBoxes = ScratchVector<LevelBox, 64>;
 
 PinkBoxes pinkBoxesOf(const BlobBuffer& blobs) {
   PinkBoxes boxes;

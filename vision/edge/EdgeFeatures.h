@@ -4,6 +4,7 @@
 // that, so the walk here is downwards. Fails where something green stands beyond the carpet.
 #pragma once
 
+#include "robot/core/ScratchVector.h"
 #include "vision/edge/HorizonScan.h"
 #include "vision/pixels/Sampler.h"
 
@@ -17,7 +18,7 @@ struct EdgeFeature {
   double weight = 1.0;  // less where it may be the foot of a goal, a beacon or a robot
   bool atGoal = false;  // below a goal's colour: back wall and side walls have feet like edges
 };
-using EdgeFeatures = FixedVector<EdgeFeature, kMaxScanLines>;
+using EdgeFeatures = ScratchVector<EdgeFeature, kMaxScanLines>;
 
 // At most one for each scan line, in their order.
 EdgeFeatures edgeFeatures(const Sampler& sampler, const ScanLines& lines,

@@ -9,6 +9,7 @@
 
 #include "robot/core/Maths.h"
 #include "robot/core/Random.h"
+#include "robot/core/ScratchVector.h"
 #include "vision/Refusal.h"
 
 namespace kelpie::vision {
@@ -129,13 +130,20 @@ constexpr double kBendHint = 0.5;   // of the ratio, before outliers nearby are 
 constexpr double kBendBand = 2.0;   // tolerances to both sides in which a bend is looked for
 constexpr std::size_t kMinArm = 3;  // features on each arm
 
-using Indices = FixedVector<std::uint8_t, kMaxScanLines>;
+using Indices = ScratchVector<std::uint8_t, kMaxScanLines>;
 
 struct Bend {
   std::size_t at = 0;     // number of features on the first arm
   double squares = 0.0;   // px^2, of both arms
   double straight = 0.0;  // px^2, of one line instead
 };
+
+// px^2, of one line through all of them.
+double straightSquares(const EdgeFeatures& features, const Indices& near) {
+  EdgeMoments all;
+  for (const std::uint8_t k : near) all.add(features[k].at, features[k].weight);
+  return all.leastSquares();
+}
 
 // Where two lines through the features before and after it fit best.
 Bend bestBend(const EdgeFeatures& features, const Indices& near) {
@@ -169,12 +177,13 @@ Outline bent(const EdgeEvidence& evidence, const EdgeLines& known, std::size_t w
       near.push_back(static_cast<std::uint8_t>(i));
   }
   if (near.size() < 2 * kMinArm) return outline;
+  // A straight line, as most are: not worth a refit, nor even a look for where it might bend.
+  const auto count = static_cast<double>(near.size());
+  const double hint = kBendHint * evidence.params.minBendRatio;
+  if (straightSquares(evidence.features, near) < hint * kMinNoise) return outline;
   const Bend bend = bestBend(evidence.features, near);
-  // A straight line, as most are: not worth a refit.
-  const double noise = std::fmax(bend.squares, kMinNoise * static_cast<double>(near.size()));
-  if ((bend.straight - bend.squares) * static_cast<double>(near.size()) <
-      kBendHint * evidence.params.minBendRatio * noise)
-    return outline;
+  const double noise = std::fmax(bend.squares, kMinNoise * count);
+  if ((bend.straight - bend.squares) * count < hint * noise) return outline;
   std::array<EdgeMoments, 2> arms;
   for (std::size_t k = 0; k < near.size(); ++k)
     arms[k < bend.at ? 0 : 1].add(evidence.features[near[k]].at, evidence.features[near[k]].weight);

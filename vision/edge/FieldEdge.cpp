@@ -16,11 +16,11 @@ double rowAt(const EdgeLine& line, double x) {
 
 }  // namespace
 
-FieldEdges findFieldEdges(const Sampler& sampler, const HorizonFrame& frame,
+FieldEdges findFieldEdges(const Sampler& sampler, const Lattice& lattice,
                           const HorizonScanParams& scan, const FieldEdgeParams& params,
                           VisionCounts& counts) {
-  const EdgeFeatures features = edgeFeatures(sampler, horizonScan(frame, scan), params);
-  return edgeRows(fitEdgeLines(features, frame, params, counts));
+  const EdgeFeatures features = edgeFeatures(sampler, horizonScan(lattice, scan), params);
+  return edgeRows(fitEdgeLines(features, lattice.frame(), params, counts));
 }
 
 FieldEdges edgeRows(const EdgeLines& lines) {

@@ -11,7 +11,7 @@ namespace kelpie::vision {
 
 using FieldEdges = FixedVector<FieldEdgePercept, 3>;
 
-FieldEdges findFieldEdges(const Sampler& sampler, const HorizonFrame& frame,
+FieldEdges findFieldEdges(const Sampler& sampler, const Lattice& lattice,
                           const HorizonScanParams& scan, const FieldEdgeParams& params,
                           VisionCounts& counts);
 

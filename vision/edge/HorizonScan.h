@@ -1,20 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 // Scan lines: straight walks through the image square to the horizon, every 4 px along it, from
 // just above the horizon down to the end of the usable image. The head tilts and pans, so the image
-// is rolled and the lines lean with it. No lines when the field cannot be seen: the whole
-// image is above the horizon.
+// is rolled and the lines lean with it. They are columns of the lattice, whose classes are known.
+// No lines when the field cannot be seen: the whole image is above the horizon.
 #pragma once
 
-#include "robot/core/FixedVector.h"
 #include "robot/core/Percepts.h"
+#include "robot/core/ScratchVector.h"
 #include "vision/edge/FieldEdgeParams.h"
 #include "vision/pixels/HorizonFrame.h"
+#include "vision/pixels/Lattice.h"
+#include "vision/pixels/PixelWalk.h"
 #include "vision/pixels/Sampler.h"
 
 namespace kelpie::vision {
 
 struct ScanLine {
-  PixelPoint top;  // the end at the horizon; every step below is a usable pixel
+  PixelPoint top;  // the end at the horizon, on the lattice; every step below is a usable pixel
   ImageDirection down{0.0, 1.0};
   int steps = 0;        // of one pixel, 0..steps - 1
   bool cutTop = false;  // the image ends before the line has reached the horizon
@@ -25,22 +27,25 @@ struct ScanLine {
 constexpr int kHorizonScanSpacing = 4;  // px along the horizon
 // The image's diagonal is 262 px.
 constexpr std::size_t kMaxScanLines = 68;
-using ScanLines = FixedVector<ScanLine, kMaxScanLines>;
+using ScanLines = ScratchVector<ScanLine, kMaxScanLines>;
 
 // From left to right along the horizon.
-ScanLines horizonScan(const HorizonFrame& frame, const HorizonScanParams& params);
+ScanLines horizonScan(const Lattice& lattice, const HorizonScanParams& params);
 
-// Class at a step. A step is a usable pixel, so cutting off is rounding down.
-inline ColourClass classAt(const Sampler& sampler, const ScanLine& line, int step) {
-  const PixelPoint p = line.at(step);
-  return sampler.classAt(static_cast<int>(p.x), static_cast<int>(p.y));
-}
-// Class of the lattice sample next to it: nothing is classified again. Usable pixels round up to
-// 4..204 and 4..156, the lattice's own ends.
-inline ColourClass latticeClass(const Sampler& sampler, const ScanLine& line, int step) {
-  const PixelPoint p = line.at(step);
-  const auto even = [](double c) { return (static_cast<int>(c) + 1) & ~1; };
-  return sampler.classAt(even(p.x), even(p.y));
-}
+// A scan line's classes at whole steps: a thousand are asked for in an image.
+class LineClasses {
+ public:
+  LineClasses(const Sampler& sampler, const ScanLine& line)
+      : sampler_(sampler), walk_(line.top, line.down) {}
+
+  ColourClass at(int step) const { return sampler_.classAt(walk_.x(step), walk_.y(step)); }
+  // Of the step itself or the one after it that is a sample of the lattice: next to none is
+  // classified again.
+  ColourClass nextTo(int step) const { return at((step + 1) & ~1); }
+
+ private:
+  const Sampler& sampler_;
+  PixelWalk walk_;
+};
 
 }  // namespace kelpie::vision

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "robot/core/Percepts.h"
+#include "robot/core/ScratchVector.h"
 #include "vision/ElevationDoubt.h"
 #include "vision/Scene.h"
 #include "vision/goal/GoalFinderParams.h"
@@ -38,7 +39,7 @@ struct GoalCandidate {
   ColourClass colour = ColourClass::none;
   std::uint32_t samples = 0;
   LevelBox box;
-  FixedVector<GoalColumn, kGoalColumns> columns;
+  ScratchVector<GoalColumn, kGoalColumns> columns;
   GoalEnd left;
   GoalEnd right;
   bool topCut = false;

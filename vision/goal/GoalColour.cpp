@@ -44,9 +44,10 @@ double paintShare(const Scene& scene, const CarpetColour& carpet, ColourClass co
                   PixelPoint p) {
   if (!carpet.known || colour != ColourClass::blue) return 1.0;
   constexpr Chroma kPaint = kBlueOverCarpet;
+  constexpr double kPerSquare = 1.0 / (kPaint.cr * kPaint.cr + kPaint.cb * kPaint.cb);
   const Yuv here = scene.sampler.corrected(Sampler::pixelOf(p.x), Sampler::pixelOf(p.y));
   const double along = (here.cr - carpet.cr) * kPaint.cr + (here.cb - carpet.cb) * kPaint.cb;
-  return along / (maths::square(kPaint.cr) + maths::square(kPaint.cb));
+  return along * kPerSquare;
 }
 
 std::optional<double> paintedShare(const Scene& scene, const CarpetColour& carpet,

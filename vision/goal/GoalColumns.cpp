@@ -6,6 +6,7 @@
 #include <iterator>
 #include <optional>
 
+#include "robot/core/ScratchVector.h"
 #include "vision/pixels/Between.h"
 #include "vision/pixels/GroundRay.h"
 #include "vision/pixels/SpanWalk.h"
@@ -207,7 +208,7 @@ void dropLowEnds(const Scene& scene, double distance, GoalCandidate& c) {
 }
 
 double middleFoot(const Scene& scene, const GoalCandidate& c) {
-  FixedVector<double, kGoalColumns> feet;
+  ScratchVector<double, kGoalColumns> feet;
   for (const GoalColumn& column : c.columns) {
     if (column.chosen && !column.footCut) feet.push_back(scene.frame.fromImage(column.foot).v);
   }
@@ -221,12 +222,12 @@ double middleFoot(const Scene& scene, const GoalCandidate& c) {
 void dropPale(GoalCandidate& c) {
   constexpr double kMinPaint = 0.78;
   constexpr double kMinOfRest = 0.87;  // of the upper fifth
-  FixedVector<double, kGoalColumns> paints;
+  ScratchVector<double, kGoalColumns> paints;
   for (const GoalColumn& column : c.columns) paints.push_back(column.paint);
   if (paints.empty()) return;
   std::sort(paints.begin(), paints.end());
   const double least = std::max(kMinPaint, kMinOfRest * paints[paints.size() * 4 / 5]);
-  FixedVector<GoalColumn, kGoalColumns> kept;
+  ScratchVector<GoalColumn, kGoalColumns> kept;
   const std::size_t last = c.columns.size() - 1;
   for (std::size_t i = 0; i <= last; ++i) {
     // A single one at an end may be where paint and background mix.
@@ -257,7 +258,7 @@ void chooseColumns(const Scene& scene, const GoalFinderParams& p, GoalCandidate&
 }
 
 GoalColumn medianColumn(const GoalCandidate& c) {
-  FixedVector<GoalColumn, kGoalColumns> chosen;
+  ScratchVector<GoalColumn, kGoalColumns> chosen;
   for (const GoalColumn& column : c.columns) {
     if (column.chosen && column.distance > 0.0) chosen.push_back(column);
   }

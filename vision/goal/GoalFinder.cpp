@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "robot/core/ScratchVector.h"
 #include "vision/Refusal.h"
 #include "vision/goal/GoalColumns.h"
 #include "vision/goal/GoalCurves.h"
@@ -58,7 +59,7 @@ LevelBox hull(const LevelBox& a, const LevelBox& b) {
 }
 
 constexpr std::size_t kMaxSeeds = 4;
-using Seeds = FixedVector<const Blob*, kMaxSeeds>;
+using Seeds = ScratchVector<const Blob*, kMaxSeeds>;
 
 // The largest blobs of a colour, largest first.
 Seeds seedsOf(const Scene& scene, ColourClass colour, const Landmarks& beacons) {
@@ -108,7 +109,7 @@ bool areSame(const Region& a, const Region& b) {
 // Of the median of the columns whose feet and tops are seen.
 ElevationError elevationErrorOf(const Scene& scene, const GoalCandidate& c,
                                 const GoalFinderParams& p) {
-  FixedVector<double, kGoalColumns> errors;
+  ScratchVector<double, kGoalColumns> errors;
   for (const GoalColumn& column : c.columns)
     if (column.chosen && !column.topCut && column.distance > 0.0)
       errors.push_back(column.footError);
@@ -319,7 +320,7 @@ void findGoals(const Scene& scene, const GoalFinderParams& params, VisionCounts&
   Finder finder{scene, params, beacons, counts, judged, {}};
   Likeliest best;
   for (const ColourClass colour : {ColourClass::blue, ColourClass::yellow}) {
-    FixedVector<Region, kMaxSeeds> groups;
+    ScratchVector<Region, kMaxSeeds> groups;
     const Seeds seeds = seedsOf(scene, colour, beacons);
     if (colour == ColourClass::blue && !seeds.empty()) finder.carpet = carpetColour(scene);
     for (const Blob* seed : seeds) {

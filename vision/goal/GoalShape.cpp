@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "robot/core/ScratchVector.h"
 #include "vision/pixels/GroundRay.h"
 
 namespace kelpie::vision {
@@ -33,7 +34,7 @@ struct Column {
   double sd;
 };
 struct Measured {
-  FixedVector<Column, kMaxColumns> columns;
+  ScratchVector<Column, kMaxColumns> columns;
   double left = 0.0;  // rad, direction of the ends, right positive
   double right = 0.0;
   bool leftOpen = false;  // the true end may lie farther out
@@ -102,12 +103,15 @@ struct Wall {
   // The way along the ray to it.
   double hit(Vec ray) const {
     const double denominator = crossOf(ray, along);
-    if (std::fabs(denominator) < 1e-9) return kNoWall;
-    const double share = crossOf(from, ray) / denominator;
+    const double size = std::fabs(denominator);
+    if (size < 1e-9) return kNoWall;
+    // The share of the wall at which it is met, and the way, are over the denominator: only a wall
+    // that is met is worth a quotient.
+    const double sign = denominator < 0.0 ? -1.0 : 1.0;
+    const double share = sign * crossOf(from, ray);
     constexpr double kSlack = 0.03;  // a ray that just passes an end still meets the wall
-    if (!(share > -kSlack && share < 1.0 + kSlack)) return kNoWall;
-    const double t = cross / denominator;
-    return t > 0.0 ? t : kNoWall;
+    if (!(share > -kSlack * size && share < (1.0 + kSlack) * size)) return kNoWall;
+    return sign * cross > 0.0 ? cross / denominator : kNoWall;
   }
 
   // How the way to it grows with each part of the state of a goal with this middle.
@@ -116,7 +120,8 @@ struct Wall {
     const Vec turned = turning(along);
     const double byTurn =
         crossOf(turning(from - middle), along) + crossOf(from, turned) - way * crossOf(ray, turned);
-    return {along.y / denominator, -along.x / denominator, byTurn / denominator};
+    const double share = 1.0 / denominator;
+    return {along.y * share, -along.x * share, byTurn * share};
   }
 };
 
@@ -203,7 +208,7 @@ struct Placed {
   Vec middle;
   Walls walls;
   Ends ends;
-  FixedVector<Met, kMaxColumns> met;  // of each column
+  ScratchVector<Met, kMaxColumns> met;  // of each column
 
  private:
   Placed(const Measured& m, const State& s, const Corners& c)
@@ -283,9 +288,9 @@ void setSlopes(const State& by, double sd, std::size_t k, const Errors& errors, 
 
 // Of the direction of a corner that turns about the goal's middle.
 State cornerSlopes(Vec corner, Vec middle) {
-  const double square = corner.x * corner.x + corner.y * corner.y;
+  const double share = 1.0 / (corner.x * corner.x + corner.y * corner.y);
   const Vec turned = turning(corner - middle);
-  return {corner.y / square, -corner.x / square, -crossOf(corner, turned) / square};
+  return {corner.y * share, -corner.x * share, -crossOf(corner, turned) * share};
 }
 
 // How the errors grow with each part of the state, from the geometry: three more looks at all
@@ -309,7 +314,17 @@ Slopes slopesAt(const Measured& m, const Placed& goal, const Errors& errors) {
   return slopes;
 }
 
-Fit improved(const Measured& m, State state, const body::FieldDescription& field) {
+// So near that the same minimum would be found again.
+bool isNear(const State& a, const State& b) {
+  constexpr double kNear = 0.5;       // cm; two minima are tens apart,
+  constexpr double kNearTurn = 0.01;  // rad, and half a radian
+  return std::fabs(a[0] - b[0]) < kNear && std::fabs(a[1] - b[1]) < kNear &&
+         std::fabs(a[2] - b[2]) < kNearTurn;
+}
+
+// The best place near a state; `known` as soon as the way leads to that one.
+Fit improved(const Measured& m, State state, const Fit& known,
+             const body::FieldDescription& field) {
   const Placed start(m, state, field);
   Errors errors = errorsOf(m, state, start);
   Slopes slopes = slopesAt(m, start, errors);
@@ -328,6 +343,7 @@ Fit improved(const Measured& m, State state, const body::FieldDescription& field
     const bool done = cost - nextCost < 0.01;
     state = next;
     cost = nextCost;
+    if (isNear(state, known.state)) return known;
     if (done || round + 1 == kRounds) break;
     errors = nextErrors;
     slopes = slopesAt(m, placed, errors);
@@ -371,7 +387,7 @@ GoalShape fitGoal(const Scene& scene, const GoalCandidate& c) {
   Fit best{{}, 1e18};
   for (const double turn : {-0.6, 0.0, 0.6}) {
     const Fit fit =
-        improved(m, {mouth * ahead.sin, mouth * ahead.cos, turn - m.middle}, scene.field);
+        improved(m, {mouth * ahead.sin, mouth * ahead.cos, turn - m.middle}, best, scene.field);
     if (fit.cost < best.cost) best = fit;
   }
   return {true, {best.state[0], best.state[1]}, best.state[2], best.cost};

@@ -10,8 +10,8 @@
 #include <cstdint>
 #include <optional>
 
-#include "robot/core/FixedVector.h"
 #include "robot/core/Geometry.h"
+#include "robot/core/ScratchVector.h"
 #include "vision/line/LinePointParams.h"
 #include "vision/pixels/Sampler.h"
 
@@ -57,7 +57,7 @@ struct BrightSegment {
   double paint = 0.0;  // px covered by paint: brightness above the carpet over that of full paint
   double middle() const { return 0.5 * (from + to); }
 };
-using BrightSegments = FixedVector<BrightSegment, 32>;
+using BrightSegments = ScratchVector<BrightSegment, 32>;
 
 // In place of those that `found` held: a list of its own for each grid line was a fifth of what all
 // finders wrote.
@@ -73,7 +73,7 @@ struct RisingEdge {
   double foot = 0.0;   // where the brightness is half-way
   double level = 0.0;  // the brightness there
 };
-using RisingEdges = FixedVector<RisingEdge, 32>;
+using RisingEdges = ScratchVector<RisingEdge, 32>;
 RisingEdges risingEdges(const Sampler& sampler, const GridLine& gridLine,
                         const LinePointParams& params);
 

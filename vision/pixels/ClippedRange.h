@@ -11,18 +11,33 @@ namespace kelpie::vision {
 struct ClippedRange {
   double from = 0.0;
   double to = 0.0;
+};
+
+// The bounds of one coordinate, for all walks of one direction: 150 of them in each image would
+// divide by the same slope.
+class WalkBounds {
+ public:
+  WalkBounds() = default;
+  // `slope`: of the coordinate along the walk.
+  WalkBounds(double slope, double low, double high)
+      : low_(low), high_(high), perSlope_(std::fabs(slope) < 1e-9 ? 0.0 : 1.0 / slope) {}
 
   // Keeps the ways at which low <= start + way * slope < high.
-  void clip(double start, double slope, double low, double high) {
-    if (std::fabs(slope) < 1e-9) {
-      if (start < low || start >= high) to = from - 1.0;
+  void clip(double start, ClippedRange& range) const {
+    if (perSlope_ == 0.0) {
+      if (start < low_ || start >= high_) range.to = range.from - 1.0;
       return;
     }
-    const double a = (low - start) / slope;
-    const double b = (high - start) / slope;
-    from = std::max(from, std::min(a, b));
-    to = std::min(to, std::max(a, b));
+    const double a = (low_ - start) * perSlope_;
+    const double b = (high_ - start) * perSlope_;
+    range.from = std::max(range.from, std::min(a, b));
+    range.to = std::min(range.to, std::max(a, b));
   }
+
+ private:
+  double low_ = 0.0;
+  double high_ = 0.0;
+  double perSlope_ = 0.0;  // 0: the coordinate stays the same
 };
 
 }  // namespace kelpie::vision

@@ -17,14 +17,16 @@ struct GroundRay {
   double slope = 0.0;  // tangent of the elevation
 };
 
+// Of a ray of any length.
 inline GroundRay alongGround(const Point3<Robot>& ray) {
   const double along = std::sqrt(ray.x * ray.x + ray.y * ray.y);
   if (along < 1e-6) return {0.0, 1.0, ray.z > 0.0 ? 1e6 : -1e6};
-  return {ray.x / along, ray.y / along, ray.z / along};
+  const double perLength = 1.0 / along;
+  return {ray.x * perLength, ray.y * perLength, ray.z * perLength};
 }
 
 inline GroundRay groundRayThrough(const CameraPose& camera, PixelPoint pixel) {
-  return alongGround(body::rayThrough(camera, pixel));
+  return alongGround(body::wayThrough(camera, pixel));
 }
 
 // The ground point at a distance from the camera in the ray's direction.

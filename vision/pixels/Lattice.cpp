@@ -4,16 +4,17 @@
 #include <cmath>
 
 #include "robot/core/Maths.h"
-#include "vision/pixels/ClippedRange.h"
 
 namespace kelpie::vision {
 namespace {
 
 constexpr double kFixedPointOne = 65536.0;
-// A ball is 50 cm away and 30 px across where it is seen 64 px below the horizon; a beacon's top is
-// 80 px above it at 60 cm.
-constexpr double kFineBelow = 64.0;
-constexpr double kFineAbove = 80.0;
+// A ball is a metre away and 15 px across where it is seen 32 px below the horizon; where a
+// beacon's top is 44 px above it, at a metre, its pink band is 19 px high. Nothing there needs
+// every second row: 12000 rendered views (`kelpie evaluate objects`) gave the same figures to their
+// noise with 64 and 80 px, which took 2 % more of a frame.
+constexpr double kFineBelow = 32.0;
+constexpr double kFineAbove = 44.0;
 constexpr double kRimMargin = 0.01;  // px, so that rounding to 1/65536 stays inside
 
 // To the nearest, without the library's call: two for each row.
@@ -49,19 +50,23 @@ Lattice::Lattice(const HorizonFrame& frame, double horizon) : frame_(frame) {
   fineFrom_ =
       static_cast<int>(maths::clamp((horizon - kFineAbove - top_) / kLatticeStep, -1e6, 1e6));
   fineTo_ = static_cast<int>(maths::clamp((horizon + kFineBelow - top_) / kLatticeStep, -1e6, 1e6));
+  origin_ = frame.toImage({left_, top_});
+  across_ = {frame.cos, kUsableLeft + kRimMargin, kUsableRight - kRimMargin};
+  along_ = {frame.sin, kUsableTop + kRimMargin, kUsableBottom - kRimMargin};
   stepX_ = fixed(kLatticeStep * frame.cos);
   stepY_ = fixed(kLatticeStep * frame.sin);
 }
 
 LatticeRow Lattice::row(int index) const {
-  const PixelPoint from = frame_.toImage({left_, v(index)});
+  const PixelPoint from = moved(origin_, -frame_.up(), kLatticeStep * index);
   ClippedRange u{0.0, 1e4};
-  u.clip(from.x, frame_.cos, kUsableLeft + kRimMargin, kUsableRight - kRimMargin);
-  u.clip(from.y, frame_.sin, kUsableTop + kRimMargin, kUsableBottom - kRimMargin);
+  across_.clip(from.x, u);
+  along_.clip(from.y, u);
   LatticeRow row;
   if (u.from > u.to) return row;
-  row.first = roundedUp(u.from / kLatticeStep);
-  row.count = static_cast<int>(u.to / kLatticeStep) - row.first + 1;
+  constexpr double kPerStep = 1.0 / kLatticeStep;
+  row.first = roundedUp(u.from * kPerStep);
+  row.count = static_cast<int>(u.to * kPerStep) - row.first + 1;
   if (row.count < 0) row.count = 0;
   const double start = kLatticeStep * static_cast<double>(row.first);
   row.x = fixed(from.x + start * frame_.cos);

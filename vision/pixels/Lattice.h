@@ -7,6 +7,7 @@
 
 #include <cstdint>
 
+#include "vision/pixels/ClippedRange.h"
 #include "vision/pixels/HorizonFrame.h"
 #include "vision/pixels/Sampler.h"
 
@@ -44,6 +45,9 @@ class Lattice {
   HorizonFrame frame_;
   double left_ = 0.0;  // u of column 0
   double top_ = 0.0;   // v of row 0
+  PixelPoint origin_;  // of row 0 and column 0
+  WalkBounds across_;  // of a row's walk along x,
+  WalkBounds along_;   // and y
   int rows_ = 0;
   int fineFrom_ = 0;
   int fineTo_ = 0;

@@ -4,6 +4,7 @@
 #include "robot/core/Maths.h"
 #include "robot/core/Percepts.h"
 #include "vision/pixels/Between.h"
+#include "vision/pixels/PixelWalk.h"
 
 namespace kelpie::vision {
 namespace {
@@ -20,54 +21,58 @@ Halves operator+(const Halves& a, const Halves& b) { return {a.y + b.y, a.cr + b
 Halves operator-(const Halves& a, const Halves& b) { return {a.y - b.y, a.cr - b.cr, a.cb - b.cb}; }
 int dot(const Halves& a, const Halves& b) { return a.y * b.y + a.cr * b.cr + a.cb * b.cb; }
 
-PixelPoint along(const SpanWalk& walk, int step) { return moved(walk.from, walk.direction, step); }
+// A walk with its pixels, and the image that it goes through.
+struct Walk {
+  const Sampler& sampler;
+  const SpanWalk& span;
+  PixelWalk pixels;
 
-// Half of a pixel's colour.
-Halves colourAt(const Sampler& sampler, PixelPoint p) {
-  const Yuv c = sampler.corrected(static_cast<int>(p.x), static_cast<int>(p.y));
-  return {c.y, c.cr, c.cb};
-}
+  Walk(const Sampler& image, const SpanWalk& walk)
+      : sampler(image), span(walk), pixels(walk.from, walk.direction) {}
+  bool usable(int step) const { return Sampler::usable(pixels.x(step), pixels.y(step)); }
+  PixelPoint along(int step) const { return moved(span.from, span.direction, step); }
+  PixelPoint pixelCentre(int step) const { return {pixels.x(step) + 0.5, pixels.y(step) + 0.5}; }
+  bool inside(int step) const {
+    return usable(step) && sampler.classAt(pixels.x(step), pixels.y(step)) == span.colour;
+  }
+  // Half of a pixel's colour.
+  Halves colourAt(int step) const {
+    const Yuv c = sampler.corrected(pixels.x(step), pixels.y(step));
+    return {c.y, c.cr, c.cb};
+  }
+};
 
 // Mean of two neighbouring steps, or of one at the rim of the image.
-Halves colourNear(const Sampler& sampler, const SpanWalk& walk, int step, int next) {
-  const Halves a = colourAt(sampler, along(walk, step));
-  const PixelPoint other = along(walk, next);
-  return Sampler::usable(other) ? a + colourAt(sampler, other) : a + a;
+Halves colourNear(const Walk& walk, int step, int next) {
+  const Halves a = walk.colourAt(step);
+  return walk.usable(next) ? a + walk.colourAt(next) : a + a;
 }
 
-PixelPoint pixelCentre(PixelPoint p) {
-  return {Sampler::pixelOf(p.x) + 0.5, Sampler::pixelOf(p.y) + 0.5};
-}
-
-PixelPoint betweenCentres(PixelPoint a, PixelPoint b, double share) {
-  return between(pixelCentre(a), pixelCentre(b), share);
+PixelPoint betweenCentres(const Walk& walk, int step, double share) {
+  return between(walk.pixelCentre(step), walk.pixelCentre(step + 1), share);
 }
 
 // How much of the inside colour a pixel has: 1 inside, 0 outside.
 struct Blend {
   Halves outside;
   Halves difference;
-  int norm = 1;
+  double perNorm = 1.0;
 
-  double operator()(const Halves& c) const {
-    return static_cast<double>(dot(c - outside, difference)) / norm;
-  }
+  double operator()(const Halves& c) const { return dot(c - outside, difference) * perNorm; }
 };
 
 // Colours closer than this cannot be told apart above the noise (sd 3): take the class's edge.
 constexpr int kMinContrast = 36;  // half grey levels
 
 // Where the pixels of a blurred edge are half inside and half outside; `plain` without any.
-PixelPoint halfBlended(const Sampler& sampler, const SpanWalk& walk, const Blend& blend, int first,
-                       int end, PixelPoint plain) {
+PixelPoint halfBlended(const Walk& walk, const Blend& blend, int first, int end, PixelPoint plain) {
   double before = 1.0;
   for (int step = first; step < end; ++step) {
-    const Halves colour = colourAt(sampler, along(walk, step));
+    const Halves colour = walk.colourAt(step);
     const double now = blend(colour + colour);
     if (now < 0.5 && step > 0) {
       const double share = before > now ? (before - 0.5) / (before - now) : 0.5;
-      return betweenCentres(along(walk, step - 1), along(walk, step),
-                            maths::clamp(share, 0.0, 1.0));
+      return betweenCentres(walk, step - 1, maths::clamp(share, 0.0, 1.0));
     }
     before = now;
   }
@@ -75,32 +80,29 @@ PixelPoint halfBlended(const Sampler& sampler, const SpanWalk& walk, const Blend
 }
 
 // `last` is the last step inside; two steps on the mixed pixels of the edge are passed.
-PixelPoint halfWay(const Sampler& sampler, const SpanWalk& walk, int last) {
-  const PixelPoint plain = betweenCentres(along(walk, last), along(walk, last + 1), 0.5);
+PixelPoint halfWay(const Walk& walk, int last) {
+  const PixelPoint plain = betweenCentres(walk, last, 0.5);
   const int beyond = last + 3;
-  if (!Sampler::usable(along(walk, beyond))) return plain;
+  if (!walk.usable(beyond)) return plain;
   const int inner = last >= 2 ? last - 2 : 0;
-  const Halves inside = colourNear(sampler, walk, inner, inner > 0 ? inner - 1 : 0);
-  const Halves outside = colourNear(sampler, walk, beyond, beyond + 1);
+  const Halves inside = colourNear(walk, inner, inner > 0 ? inner - 1 : 0);
+  const Halves outside = colourNear(walk, beyond, beyond + 1);
   const Halves difference = inside - outside;
   const int norm = dot(difference, difference);
   if (norm < kMinContrast * kMinContrast) return plain;
-  return halfBlended(sampler, walk, {outside, difference, norm}, last >= 1 ? last - 1 : 0,
-                     beyond + 1, plain);
+  return halfBlended(walk, {outside, difference, 1.0 / norm}, last >= 1 ? last - 1 : 0, beyond + 1,
+                     plain);
 }
 
 // The last step of the walk's colour before more than its holes of others. From the farthest that
 // the holes allow backwards: where that is of the colour none between needs to be looked at.
-int lastInside(const Sampler& sampler, const SpanWalk& walk) {
+int lastInside(const Walk& walk) {
   int last = 0;
   int others = 0;  // steps after the last one up to this one are of other classes
   while (true) {
-    const int farthest = last + walk.holes + 1;
+    const int farthest = last + walk.span.holes + 1;
     int step = farthest;
-    for (; step > others; --step) {
-      const PixelPoint p = along(walk, step);
-      if (Sampler::usable(p) && sampler.classAt(p) == walk.colour) break;
-    }
+    while (step > others && !walk.inside(step)) --step;
     if (step == others) return last;
     last = step;
     others = farthest;
@@ -109,17 +111,18 @@ int lastInside(const Sampler& sampler, const SpanWalk& walk) {
 
 }  // namespace
 
-EdgeHit walkToEdge(const Sampler& sampler, const SpanWalk& walk) {
-  EdgeHit hit{walk.from, false, 0.0};
-  if (!Sampler::usable(walk.from)) {
+EdgeHit walkToEdge(const Sampler& sampler, const SpanWalk& span) {
+  EdgeHit hit{span.from, false, 0.0};
+  if (!Sampler::usable(span.from)) {
     hit.cut = true;
     return hit;
   }
-  const int last = lastInside(sampler, walk);
-  hit.cut = !Sampler::usable(along(walk, last + walk.holes + 1));
-  hit.point = hit.cut ? along(walk, last) : halfWay(sampler, walk, last);
-  hit.length = (hit.point.x - walk.from.x) * walk.direction.dx +
-               (hit.point.y - walk.from.y) * walk.direction.dy;
+  const Walk walk(sampler, span);
+  const int last = lastInside(walk);
+  hit.cut = !walk.usable(last + span.holes + 1);
+  hit.point = hit.cut ? walk.along(last) : halfWay(walk, last);
+  hit.length = (hit.point.x - span.from.x) * span.direction.dx +
+               (hit.point.y - span.from.y) * span.direction.dy;
   return hit;
 }
 

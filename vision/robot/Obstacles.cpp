@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "robot/body/Camera.h"
+#include "robot/core/ScratchVector.h"
 #include "vision/Refusal.h"
 
 namespace kelpie::vision {
@@ -25,7 +26,7 @@ struct SampledRow {
   LatticeRow row;
   int height = 1;  // lattice rows that it stands for
 };
-using SampledRows = FixedVector<SampledRow, kMostRows>;
+using SampledRows = ScratchVector<SampledRow, kMostRows>;
 
 struct CarpetColour {
   double y = 0.0;

@@ -6,12 +6,13 @@
 #pragma once
 
 #include "robot/core/Percepts.h"
+#include "robot/core/ScratchVector.h"
 #include "vision/Scene.h"
 #include "vision/robot/ObstacleParams.h"
 
 namespace kelpie::vision {
 
-using ObstaclePoints = FixedVector<ObstaclePoint, 64>;
+using ObstaclePoints = ScratchVector<ObstaclePoint, 64>;
 
 struct Obstacles {
   ObstaclePoints points;    // the lowest of each scan line

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "robot/core/Maths.h"
+#include "robot/core/ScratchVector.h"
 #include "vision/ElevationDoubt.h"
 #include "vision/Refusal.h"
 #include "vision/pixels/GroundRay.h"
@@ -14,8 +15,8 @@ namespace {
 
 constexpr std::size_t kMaxPatches = 16;
 constexpr double kSameDepth = 0.2;  // share of its distance by which a leg may seem off
-using Patches = FixedVector<RobotPatch, kMaxPatches>;
-using Groups = FixedVector<PatchGroup, kMaxPatches>;
+using Patches = ScratchVector<RobotPatch, kMaxPatches>;
+using Groups = ScratchVector<PatchGroup, kMaxPatches>;
 
 bool check(bool keep, Refusal reason, VisionCounts& counts) {
   if (!keep) refuse(counts, reason);
