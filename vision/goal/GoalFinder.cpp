@@ -36,9 +36,9 @@ bool isBandOf(const LandmarkPercept& beacon, ColourClass colour) {
 }
 
 bool isBeaconBand(const Blob& blob, const Landmarks& landmarks) {
-  return std::any_of(landmarks.begin(), landmarks.end(), [&blob](const LandmarkPercept& l) {
-    return isBandOf(l, blob.colour) && contains(l.box, blob.centre, 2.0);
-  });
+  for (const LandmarkPercept& l : landmarks)
+    if (isBandOf(l, blob.colour) && contains(l.box, blob.centre, 2.0)) return true;
+  return false;
 }
 
 double overlap(double a0, double a1, double b0, double b1) {
