@@ -35,7 +35,7 @@ def points_of(world, own=True, heard=True, landmarks=True) -> list[Counted]:
 
 def points_near(world, place, reach) -> list[Counted]:
     """What points_of(world, landmarks=False) has within so many cm of a place, in x and in y: of a
-    map of a hundred cells the behaviours look at two or three."""
+    map of a hundred cells the behaviours look at a small part."""
     low_x, high_x = place.x - reach, place.x + reach
     low_y, high_y = place.y - reach, place.y + reach
     points = []

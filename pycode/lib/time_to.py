@@ -53,7 +53,7 @@ def on_way(cells, start, end) -> float:
     for cell in cells:
         place = cell.position
         x = place.x
-        if left < x < right:  # of a hundred cells most do not
+        if left < x < right:  # half of the cells do not
             x, y = x - x0, place.y - y0
             if half < x * dx + y * dy < most and abs(x * dy - y * dx) < half:
                 total += cell.own + cell.heard

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "robot/core/Maths.h"
+#include "vision/pixels/FixedPoint.h"
 
 namespace kelpie::vision {
 namespace {
@@ -17,11 +18,7 @@ constexpr double kFineBelow = 32.0;
 constexpr double kFineAbove = 44.0;
 constexpr double kRimMargin = 0.01;  // px, so that rounding to 1/65536 stays inside
 
-// To the nearest, without the library's call: two for each row.
-std::int32_t fixed(double value) {
-  const double scaled = value * kFixedPointOne;
-  return static_cast<std::int32_t>(scaled < 0.0 ? scaled - 0.5 : scaled + 0.5);
-}
+std::int32_t fixed(double value) { return fixedPoint(value, kFixedPointOne); }
 
 // Of what is not negative.
 int roundedUp(double value) {

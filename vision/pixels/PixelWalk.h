@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "robot/core/Geometry.h"
+#include "vision/pixels/FixedPoint.h"
 #include "vision/pixels/HorizonFrame.h"
 
 namespace kelpie::vision {
@@ -25,10 +26,7 @@ class PixelWalk {
 
  private:
   static constexpr int kBits = 20;
-  static std::int32_t fixed(double value) {
-    const double scaled = value * (1 << kBits);
-    return static_cast<std::int32_t>(scaled < 0.0 ? scaled - 0.5 : scaled + 0.5);
-  }
+  static std::int32_t fixed(double value) { return fixedPoint(value, 1 << kBits); }
 
   std::int32_t x_ = 0;
   std::int32_t y_ = 0;
