@@ -3,8 +3,10 @@
 
 #include "gps/Ahead.h"
 #include "gps/Extract.h"
+#include "gps/PoseSteps.h"
 #include "gps/ball/BallFilter.h"
 #include "gps/ball/DropIn.h"
+#include "gps/players/BallLandmark.h"
 #include "gps/players/Players.h"
 #include "gps/pose/Focal.h"
 #include "gps/pose/Lag.h"
@@ -28,8 +30,11 @@ void believeInto(WorldModel& world, const GpsIn& in, const Step& moved, const Gp
                  GpsState& state) {
   stepBall({in.input, in.percepts.ball, moved}, params.ball, state.ball, state.counts);
   applyReferee(in.input.game, params.field, params.ball, state.pose, state.ball);
+  const PlayersContext players{params.field, params.players, params.ball};
+  if (!state.pose.lost && correctByBall(state.ball.track, players, state.players, state.pose.modes))
+    finishUpdate(params, state);
   extractInto(world, state, params.ball);
-  stepPlayers(in, {params.field, params.players, params.ball}, state.players, state.counts, world);
+  stepPlayers(in, players, state.players, state.counts, world);
   world.counts = state.counts;
   bringForward(sinceExposure(in.input), world);
 }

@@ -15,6 +15,7 @@
 #include "gps/pose/Lag.h"
 #include "gps/pose/Modes.h"
 #include "gps/pose/NoiseScale.h"
+#include "gps/pose/Outliers.h"
 #include "gps/pose/PoseUpdate.h"
 #include "gps/pose/Shake.h"
 #include "gps/pose/Stuck.h"
@@ -79,6 +80,7 @@ Step moveModes(const GpsIn& in, const GpsParams& params, GpsState& state) {
   const double elapsed = elapsedOf(in.input);
   pose.secondsSinceLandmark += elapsed;
   pose.secondsSinceLines += elapsed;
+  fade(elapsed, params.modes, pose.sightings);
   Odometry walked = in.input.odometry;
   const bool sound = plausible(walked);
   if (!sound) walked = Odometry{};

@@ -73,16 +73,42 @@ struct TeamParams {
   }
 };
 
+// Who corrects his pose by a mate's ball (gps/players/BallLandmark.h).
+struct BallLandmarkParams {
+  bool use = true;
+  double ownUnseen = 0.1;   // s since this robot saw the ball, at most
+  double mateUnseen = 0.5;  // s since the mate did
+  // The mate's variance v of the ball, at most, over the own one. A correction leaves
+  // v / (1 + surer) at least, which a mate does not take back while that is above surer v: up to
+  // 0.618 nobody hears his own ball again.
+  double surer = 0.6;
+  double noise = 5.0;           // cm2 more than the mate's covariance tells
+  double lateSd = 0.1;          // s of the ball's speed: when the two saw it
+  double outlierWeight = 1e-2;  // of the copy that is not corrected
+
+  static constexpr auto fields() {
+    using P = BallLandmarkParams;
+    return fieldList(
+        field("use", &P::use), field("ownUnseen", &P::ownUnseen, "s", 0, 10),
+        field("mateUnseen", &P::mateUnseen, "s", 0, 10), field("surer", &P::surer, "", 0, 0.618),
+        field("noise", &P::noise, "cm2", 0, 1e4), field("lateSd", &P::lateSd, "s", 0, 10),
+        field("outlierWeight", &P::outlierWeight, "", 0, 1));
+  }
+};
+
 struct PlayersParams {
   TeamBallParams teamBall;
+  BallLandmarkParams ballLandmark;
   OpponentParams opponents;
   TeamParams team;
   ObstacleMapParams obstacles;
 
   static constexpr auto fields() {
-    return fieldList(
-        field("teamBall", &PlayersParams::teamBall), field("opponents", &PlayersParams::opponents),
-        field("team", &PlayersParams::team), field("obstacles", &PlayersParams::obstacles));
+    return fieldList(field("teamBall", &PlayersParams::teamBall),
+                     field("ballLandmark", &PlayersParams::ballLandmark),
+                     field("opponents", &PlayersParams::opponents),
+                     field("team", &PlayersParams::team),
+                     field("obstacles", &PlayersParams::obstacles));
   }
 };
 

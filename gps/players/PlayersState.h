@@ -42,6 +42,8 @@ using Teammates = std::array<Teammate, kTeammates + 1>;
 struct PlayersState {
   Opponents opponents;
   Teammates mates{};
+  // Numbers of the mates' messages whose ball has been a landmark, or was found unfit.
+  std::array<std::uint16_t, kTeammates + 1> usedBalls{};
   TeamMessage message;
   double secondsSinceMessage = 1e9;
   ObstacleMap obstacles;

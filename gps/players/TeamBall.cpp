@@ -47,7 +47,8 @@ void addWitness(const Witness& witness, const TeamBallParams& params, Witnesses&
   list.back().place.covariance += params.witnessNoise * Matrix2::Identity();
 }
 
-// The ball of a message, rolled on since it was made.
+}  // namespace
+
 Witness witnessOf(const TeamMessage& message, const PlayersContext& context) {
   BallHypothesis ball;
   const SharedBall& said = message.ball;
@@ -59,8 +60,6 @@ Witness witnessOf(const TeamMessage& message, const PlayersContext& context) {
           {ball.mean[2], ball.mean[3]},
           said.secondsSinceSeen + message.age};
 }
-
-}  // namespace
 
 Witnesses witnessesOf(const BallEstimate& own, const Teammates& mates,
                       const PlayersContext& context) {

@@ -18,6 +18,9 @@ struct Witness {
 
 using Witnesses = FixedVector<Witness, kTeammates + 1>;
 
+// The ball of a message, rolled on since it was made.
+Witness witnessOf(const TeamMessage& message, const PlayersContext& context);
+
 // The balls that the team saw recently, the own included; those of mates have rolled on to now.
 Witnesses witnessesOf(const BallEstimate& own, const Teammates& mates,
                       const PlayersContext& context);

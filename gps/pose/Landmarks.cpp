@@ -55,6 +55,7 @@ std::optional<Measurement> measurement(const LandmarkPercept& percept, const Lan
   const bool goal = isGoal(percept.kind);
   const double farthest = goal ? gates.goalMaxDistance : gates.beaconMaxDistance;
   Measurement m;
+  m.kind = percept.kind;
   m.landmark = body::findLandmark(map, percept.kind)->position;
   m.minGoalLineDistance = goal ? gates.goalLineShare * field.length : 0.0;
   m.distance = percept.distance;

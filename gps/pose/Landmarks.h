@@ -26,6 +26,7 @@ struct Measurement {
   // judged for each mode by itself, so that a wrong best mode cannot veto its own correction.
   double minGoalLineDistance = 0.0;
   double grazingHeadingVariance = 0.0;  // rad2, of the heading seen from there
+  LandmarkKind kind = LandmarkKind::goalBlue;
 };
 
 inline bool atGrazingAngle(const PoseMode& mode, const Measurement& m) {

@@ -174,15 +174,17 @@ void updateAll(const Measurement& measurement, const body::FieldDescription& fie
   }
   const std::size_t before = modes.size();
   const Measurement withoutDistance = headingOnly(measurement);
+  const double outlierWeight = outlierWeightOf(measurement.kind, params, state.sightings);
   SplitWeights weights;
   for (std::size_t i = 0; i < before; ++i) {
     const bool oblique = atGrazingAngle(modes[i], measurement);
     if (oblique && i == 0) count(Refusal::goalTooOblique, counts);
-    modes.push_back(outlierCopy(modes[i], params.outlierWeight));
+    modes.push_back(outlierCopy(modes[i], outlierWeight));
     modes[i] = corrected(modes[i], oblique ? withoutDistance : measurement);
     weights.copies += modes.back().weight;
     weights.corrected += modes[i].weight;
   }
+  note(weights, state.sightings[static_cast<std::size_t>(measurement.kind)]);
   // The wide mode alone is not enough: near modes crowd it out, and it cannot be linearised well.
   countUnexplainedLandmarks(weights, params, 1, state);
 }

@@ -27,8 +27,9 @@ void seedAround(const Measurement& measurement, const body::FieldDescription& fi
                 const ModeParams& params, PoseState& state, GpsCounts& counts);
 
 // Noise method 3 of thesis 2004 section 2.2.3: adds the wide mode; then corrects each mode, keeping
-// a copy that is not corrected with its weight times 1e-2. When no mode has predicted many
-// landmarks in a row, the state is lost, and the next landmark gives new modes.
+// a copy that is not corrected with its weight times 1e-2, or more for a landmark that was just
+// false (outlierWeightOf). When no mode has predicted many landmarks in a row, the state is lost,
+// and the next landmark gives new modes.
 void updateAll(const Measurement& measurement, const body::FieldDescription& field,
                const ModeParams& params, PoseState& state, GpsCounts& counts);
 

@@ -10,6 +10,11 @@
 
 namespace kelpie::gps {
 
+// How false the next sighting of that landmark may be: what hides half of it does so in the next
+// frame, too. Two sightings of one landmark are no two witnesses.
+double outlierWeightOf(LandmarkKind kind, const ModeParams& params,
+                       const SightingRecords& sightings);
+
 PoseMode outlierCopy(const PoseMode& mode, double outlierWeight);
 
 // Of all modes after a sighting.
@@ -17,6 +22,9 @@ struct SplitWeights {
   double corrected = 0.0;
   double copies = 0.0;
 };
+
+void note(const SplitWeights& weights, SightingRecord& sightings);
+void fade(double elapsed, const ModeParams& params, SightingRecords& sightings);
 
 // Counts on, or from 0 again when modes of `explainedShare` of all weight predicted the sightings.
 void countUnexplained(const SplitWeights& weights, double explainedShare, std::size_t sightings,

@@ -80,6 +80,11 @@ struct LandmarkGates {
 // the wide mode it is method 2. Beginning again is ours.
 struct ModeParams {
   double outlierWeight = 1e-2;  // of the copy that is not updated: a false sighting's odds
+  // The same where the last sighting was false and other landmarks were not: a goal behind a robot
+  // looks aside in every frame, and after eight a mode elsewhere was the best. Where no landmark
+  // fits, the robot was carried.
+  double repeatedOutlierWeight = 0.3;
+  double sightingFade = 0.3;  // s in which a record of sightings falls to 1/e
   // Of the mode added at the centre before each update; 0: none. 1e-12 costs robots among others
   // 0.4 of 4.7 cm: half hidden beacons win by it (docs/team.md).
   double wideWeight = 1e-16;
@@ -93,6 +98,8 @@ struct ModeParams {
 
   static constexpr auto fields() {
     return fieldList(field("outlierWeight", &ModeParams::outlierWeight, "", 0, 1),
+                     field("repeatedOutlierWeight", &ModeParams::repeatedOutlierWeight, "", 0, 1),
+                     field("sightingFade", &ModeParams::sightingFade, "s", 0.01, 100),
                      field("wideWeight", &ModeParams::wideWeight, "", 0, 1),
                      field("widePositionSd", &ModeParams::widePositionSd, "cm", 10, 1e4),
                      field("wideHeadingSd", &ModeParams::wideHeadingSd, "rad", 10, 180),

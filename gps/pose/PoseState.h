@@ -3,9 +3,11 @@
 // data.
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include "robot/core/FixedVector.h"
+#include "robot/core/ObjectPercepts.h"
 #include "robot/core/WorldModel.h"
 
 namespace kelpie::gps {
@@ -39,6 +41,14 @@ struct SurprisingSighting {
   double headingVariance = 0.0;   // rad2
 };
 
+// How the last sightings of one landmark went: the weight of the modes that they corrected, and of
+// the copies for the case that they were false. Both fade.
+struct SightingRecord {
+  double believed = 0.0;
+  double falseShare = 0.0;
+};
+using SightingRecords = std::array<SightingRecord, kLandmarkKindCount>;
+
 struct PoseState {
   bool started = false;
   bool lost = true;  // no landmark has been used since the start or the last loss of all modes
@@ -47,6 +57,7 @@ struct PoseState {
   FocalScale focal;
   ImageLag lag;
   SurprisingSighting surprising;
+  SightingRecords sightings{};
   std::uint32_t unexplained = 0;  // landmarks in a row that no mode predicted
   double secondsSinceLandmark = 0.0;
   double secondsSinceLines = 0.0;

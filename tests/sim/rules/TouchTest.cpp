@@ -63,6 +63,16 @@ TEST(Touch, AShotThatWasKeptOutAndThenPushedInIsTheKeepersGoal) {
   EXPECT_EQ(shot.state.scorer, std::optional<std::size_t>(kKeeper));
 }
 
+// Two robots press at a slow ball before the goal line, by turns.
+TEST(Touch, ABallPressedInIsOfWhoPressesTowardsTheGoal) {
+  Shot shot;
+  shot.touched(kShooter, {{180, 20}, {0, -8}});
+  shot.touched(kKeeper, {{180, 19}, {3, -5}});  // holds it up
+  EXPECT_EQ(shot.state.scorer, std::optional<std::size_t>(kShooter));
+  shot.touched(kKeeper, {{180, 18}, {3, -7}});  // pushes it on
+  EXPECT_EQ(shot.state.scorer, std::optional<std::size_t>(kKeeper));
+}
+
 TEST(Touch, AShotTooSlowToComeInIsNoMoreTheShooters) {
   Shot shot;
   shot.touched(kShooter, {{180, 115}, {0, -60}});  // rolls 80 cm

@@ -19,12 +19,21 @@ bool goesIn(const body::FieldDescription& field, TeamColour team, Point2<Field> 
   return std::fabs(x - 0.5 * field.width) < 0.5 * field.goalWidth;
 }
 
-// Whether that player keeps out, or turns in, what another team has sent into its goal.
-bool deflects(const MatchScene& scene, const body::FieldDescription& field, std::size_t player,
-              const TouchState& state) {
+// Whether the ball is faster towards that team's goal than in the step before.
+bool sentToGoalOf(TeamColour team, const MatchScene& scene, const TouchState& state) {
+  const Point2<Field> gain = scene.ball.velocity - state.velocity;
+  return team == TeamColour::red ? gain.y < 0.0 : gain.y > 0.0;
+}
+
+// Whether that player keeps out, or turns in, what another team has sent into its goal; or presses
+// against a ball that would not come in.
+bool defends(const MatchScene& scene, const body::FieldDescription& field, std::size_t player,
+             const TouchState& state) {
   const TeamColour team = scene.players[player].team;
-  return state.scorer && scene.players[*state.scorer].team != team &&
-         goesIn(field, team, scene.ball.position, state.velocity);
+  if (!state.scorer || scene.players[*state.scorer].team == team) return false;
+  if (goesIn(field, team, scene.ball.position, state.velocity)) return true;
+  return !goesIn(field, team, scene.ball.position, scene.ball.velocity) &&
+         !sentToGoalOf(team, scene, state);
 }
 
 }  // namespace
@@ -33,7 +42,7 @@ std::optional<std::size_t> step(const MatchScene& scene, const body::FieldDescri
                                 TouchState& state) {
   const auto toucher = scene.ballToucher;
   if (toucher && scene.players[*toucher].playing) {
-    if (!deflects(scene, field, *toucher, state)) state.scorer = toucher;
+    if (!defends(scene, field, *toucher, state)) state.scorer = toucher;
     state.last = toucher;
   }
   state.velocity = scene.ball.velocity;

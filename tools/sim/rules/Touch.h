@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Who touched the ball last, and whose goal it would be. A shot that a robot turns into its own
-// goal stays the shooter's, as in football: an own goal is one of a ball that was not on its way
-// in.
+// Who touched the ball last, and whose goal it would be. An own goal is one of a robot that sends a
+// ball towards its own goal that was not on its way in, as in football: a shot that it turns in
+// stays the shooter's, and a ball that two press in is of who presses towards that goal.
 #pragma once
 
 #include <optional>
