@@ -110,9 +110,9 @@ class Attacker(Machine):
 
     def avoid_box(self, world):
         """Where no goalie is heard who clears the ball, it fetches it in the end."""
-        self.box_frames += 1
         if self.lost(world) or not self.box_in_the_way(world):
             return self.enter(world, self.find, None, 'the own box is no longer in the way')
+        self.box_frames += 1    # after the question: play() has asked it in this frame, too
         return self.looking_round(world, self.skill.command(world))
 
     def looking_round(self, world, command) -> kelpie.Command:
