@@ -5,6 +5,8 @@ import random
 
 import kelpie
 import pytest
+from lib.memory import Memory
+from roles.attacker import BOX_WAIT_FRAMES, Attacker
 from skills.avoid_own_box import (ASIDE, EDGE, AvoidOwnBox, clear_of, in_own_box, place_to_stand,
                                   triggered)
 
@@ -148,3 +150,19 @@ def test_far_from_the_ball_it_stands_and_says_so():
     skill.explain(trace)
     assert trace == [(kelpie.LAYER_SKILL, 'avoid_own_box', 'far',
                       'the ball in the own box is {} cm away: wait', 200.0)]
+
+
+def test_the_wait_for_a_goalie_may_end_in_the_frame_in_which_the_box_is_met():
+    memory = Memory()
+    memory.ball_lost = 0
+    attacker = Attacker(memory)
+    world = kelpie.WorldFrame(field=FIELD)
+    world.pose.position.x, world.pose.position.y, world.pose.heading_deg = 180.0, 250.0, -90.0
+    world.ball.present, world.ball.distance = True, 200.0
+    world.ball.position.x, world.ball.position.y, world.ball.relative.y = 180.0, 50.0, 200.0
+    world.ball.seconds_since_seen = 0.0
+    attacker.box_frames = BOX_WAIT_FRAMES
+    attacker.command(world)
+    assert attacker.state == attacker.avoid_box
+    attacker.command(world)
+    assert attacker.state != attacker.avoid_box
