@@ -73,6 +73,25 @@ TEST(Touch, ABallPressedInIsOfWhoPressesTowardsTheGoal) {
   EXPECT_EQ(shot.state.scorer, std::optional<std::size_t>(kKeeper));
 }
 
+TEST(Touch, WhoScoresAtTheOtherEndAfterTheirOwnSideTouchedTheBallScoresNoOwnGoal) {
+  for (const double speed : {0.0, 40.0}) {  // lying, and played up-field
+    Shot shot;
+    shot.touched(kKeeper, {{180, 100}, {0, 60}});
+    shot.rolls({{180, 115}, {0, speed}});
+    shot.touched(kShooter, {{180, 115}, {0, -150}});
+    EXPECT_EQ(shot.state.scorer, std::optional<std::size_t>(kShooter)) << speed;
+  }
+}
+
+TEST(Touch, AtTheOtherGoalTheSidesAreTurned) {
+  Shot shot;
+  shot.touched(kKeeper, {{180, 520}, {0, 8}});   // red presses at blue's goal
+  shot.touched(kShooter, {{180, 521}, {3, 5}});  // blue holds it up
+  EXPECT_EQ(shot.state.scorer, std::optional<std::size_t>(kKeeper));
+  shot.touched(kShooter, {{180, 522}, {3, 7}});  // and pushes it on
+  EXPECT_EQ(shot.state.scorer, std::optional<std::size_t>(kShooter));
+}
+
 TEST(Touch, AShotTooSlowToComeInIsNoMoreTheShooters) {
   Shot shot;
   shot.touched(kShooter, {{180, 115}, {0, -60}});  // rolls 80 cm

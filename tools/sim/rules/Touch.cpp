@@ -19,10 +19,11 @@ bool goesIn(const body::FieldDescription& field, TeamColour team, Point2<Field> 
   return std::fabs(x - 0.5 * field.width) < 0.5 * field.goalWidth;
 }
 
-// Whether the ball is faster towards that team's goal than in the step before.
-bool sentToGoalOf(TeamColour team, const MatchScene& scene, const TouchState& state) {
-  const Point2<Field> gain = scene.ball.velocity - state.velocity;
-  return team == TeamColour::red ? gain.y < 0.0 : gain.y > 0.0;
+// Whether the ball rolls towards that team's goal, and no faster than in the step before.
+bool heldUp(TeamColour team, const MatchScene& scene, const TouchState& state) {
+  const double towards = team == TeamColour::red ? -1.0 : 1.0;
+  const double now = towards * scene.ball.velocity.y;
+  return now > 0.0 && now <= towards * state.velocity.y;
 }
 
 // Whether that player keeps out, or turns in, what another team has sent into its goal; or presses
@@ -33,7 +34,7 @@ bool defends(const MatchScene& scene, const body::FieldDescription& field, std::
   if (!state.scorer || scene.players[*state.scorer].team == team) return false;
   if (goesIn(field, team, scene.ball.position, state.velocity)) return true;
   return !goesIn(field, team, scene.ball.position, scene.ball.velocity) &&
-         !sentToGoalOf(team, scene, state);
+         heldUp(team, scene, state);
 }
 
 }  // namespace
