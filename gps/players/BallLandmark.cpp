@@ -45,7 +45,8 @@ InformationSum informationOf(const PoseMode& mode, const SeenBall& seen, const P
 std::optional<Place> surerBall(const TeamMessage& message, const Place& own,
                                const PlayersContext& context) {
   const BallLandmarkParams& p = context.players.ballLandmark;
-  if (!message.ball.present) return std::nullopt;
+  // Who has no role is penalised, and may be carried: it is sure of where it no longer stands.
+  if (!message.ball.present || message.note.role == Role::none) return std::nullopt;
   const Witness witness = witnessOf(message, context);
   const Matrix2& told = witness.place.covariance;
   if (witness.secondsSinceSeen > p.mateUnseen || told.trace() > p.surer * own.covariance.trace())

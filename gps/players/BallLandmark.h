@@ -3,7 +3,7 @@
 // sees it, correct this robot's pose. In a scrum nobody sees a beacon, but nearly always the ball.
 // Fails where the two see different balls; each mode leaves a copy that is not corrected. What a
 // robot tells of the ball then holds some of what it heard, but only of who was so much surer that
-// it never comes back to him (BallLandmarkParams::surer).
+// it seldom comes back to him (BallLandmarkParams::surer).
 #pragma once
 
 #include "gps/ball/BallState.h"

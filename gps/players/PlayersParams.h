@@ -78,9 +78,9 @@ struct BallLandmarkParams {
   bool use = true;
   double ownUnseen = 0.1;   // s since this robot saw the ball, at most
   double mateUnseen = 0.5;  // s since the mate did
-  // The mate's variance v of the ball, at most, over the own one. A correction leaves
-  // v / (1 + surer) at least, which a mate does not take back while that is above surer v: up to
-  // 0.618 nobody hears his own ball again.
+  // The mate's variance v of the ball, at most, over the own one. A correction leaves round
+  // v / (1 + surer), which the mate does not take back while that is above surer v: up to 0.618 two
+  // robots do not hear their own ball again. By way of a third it comes back, with noise and age.
   double surer = 0.6;
   double noise = 5.0;           // cm2 more than the mate's covariance tells
   double lateSd = 0.1;          // s of the ball's speed: when the two saw it

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What robots of one team tell each other, as plain data; how it travels is not said here. All
-// points are in the team's own field frame. A sender tells only what its own camera saw, never what
-// it heard, so that a rumour cannot come back as a second witness.
+// points are in the team's own field frame. A sender tells only what its own camera saw, but
+// from a pose that may hold the ball of a surer mate (gps/players/BallLandmark.h).
 #pragma once
 
 #include <array>

@@ -32,6 +32,7 @@ struct Scrum {
     mate.present = true;
     mate.last.player = 2;
     mate.last.number = number;
+    mate.last.note.role = Role::defender;
     mate.last.ball = {true, at, {}, {variance, 0, 0, variance}, 0.0};
   }
   bool correct() { return correctByBall(ball, {field, params, ballParams}, players, modes); }
@@ -105,6 +106,13 @@ TEST(BallLandmark, FarFromWhereItCanBeLeavesTheRobotWhereItIs) {
   ASSERT_EQ(scrum.modes.size(), 2U);
   EXPECT_GT(scrum.modes[1].weight, scrum.modes[0].weight);
   EXPECT_EQ(scrum.modes[1].pose.position.x, 180.0);
+}
+
+TEST(BallLandmark, IsNoneOfAMateThatIsCarriedOff) {
+  Scrum scrum;
+  scrum.hear(1, {190, 130}, 16.0);
+  scrum.players.mates[1].last.note.role = Role::none;
+  EXPECT_FALSE(scrum.correct());
 }
 
 TEST(BallLandmark, CanBeSwitchedOff) {
