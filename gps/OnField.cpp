@@ -5,16 +5,21 @@
 
 namespace kelpie::gps {
 
-Place placeOnField(const PoseMode& pose, Point2<Robot> point, const Matrix2& covariance) {
-  const double s = pose.pose.heading.sin();
-  const double c = pose.pose.heading.cos();
+PlaceFromPose placeFrom(const Pose2& pose, Point2<Robot> point, const Matrix2& covariance) {
+  const double s = pose.heading.sin();
+  const double c = pose.heading.cos();
   Matrix2 turned;
   turned << s, c, -c, s;
   Eigen::Matrix<double, 2, 3> jacobian;
   jacobian << 1.0, 0.0, c * point.x - s * point.y, 0.0, 1.0, s * point.x + c * point.y;
-  return {vectorOf(fieldFromRobot(pose.pose, point)),
-          turned * covariance * turned.transpose() +
-              jacobian * covarianceOf(pose) * jacobian.transpose()};
+  return {{vectorOf(fieldFromRobot(pose, point)), turned * covariance * turned.transpose()},
+          jacobian};
+}
+
+Place placeOnField(const PoseMode& pose, Point2<Robot> point, const Matrix2& covariance) {
+  PlaceFromPose exact = placeFrom(pose.pose, point, covariance);
+  exact.place.covariance += exact.jacobian * covarianceOf(pose) * exact.jacobian.transpose();
+  return exact.place;
 }
 
 Matrix2 matrixOf(const std::array<double, 4>& rows) {

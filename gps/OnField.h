@@ -12,8 +12,15 @@ struct Place {
   Matrix2 covariance = Matrix2::Identity();
 };
 
-// A point in the robot's frame, of the given covariance there, on the field: R C R' + J P J' with
-// R = R(h - 90 deg) and J = [I | R(h) point], thesis 2004 equation 3.12.
+// A point in the robot's frame as it lies on the field if that pose is true: its covariance is
+// R C R' with R = R(h - 90 deg), and J = [I | R(h) point] tells how it moves with the pose.
+struct PlaceFromPose {
+  Place place;
+  Eigen::Matrix<double, 2, 3> jacobian;
+};
+PlaceFromPose placeFrom(const Pose2& pose, Point2<Robot> point, const Matrix2& covariance);
+
+// The same of a pose that is uncertain: R C R' + J P J', thesis 2004 equation 3.12.
 Place placeOnField(const PoseMode& pose, Point2<Robot> point, const Matrix2& covariance);
 
 // The covariance from row by row; symmetric part.

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "gps/OnField.h"
+#include "gps/ball/BallModels.h"
 #include "gps/players/TeamBall.h"
 #include "gps/pose/Outliers.h"
 #include "gps/pose/PoseUpdate.h"
@@ -11,32 +12,20 @@
 namespace kelpie::gps {
 namespace {
 
-// In the robot frame.
-struct SeenBall {
-  Point2<Robot> place;
-  Matrix2 covariance;
-};
-
-SeenBall seenBall(const BallTrack& own) {
-  const std::array<double, 4>& mean = own.both.mean;
-  const std::array<double, 16>& c = own.both.covariance;
-  return {{mean[0], mean[1]}, matrixOf({c[0], c[1], c[4], c[5]})};
+BallSighting sightingOf(const BallTrack& own) {
+  return {meanOf(own.both).head<2>(), covarianceOf(own.both).topLeftCorner<2, 2>()};
 }
 
-// The innovation is the ball's place less pose + R(heading) times the place in the robot frame,
-// which the heading moves along the tangent of a circle round the robot.
-InformationSum informationOf(const PoseMode& mode, const SeenBall& seen, const Place& ball) {
-  PoseMode exact = mode;
-  exact.covariance = {};
-  const Place expected = placeOnField(exact, seen.place, seen.covariance);
-  const Vector2 innovation = ball.mean - expected.mean;
-  const Vector2 arm = expected.mean - vectorOf(mode.pose.position);
-  Eigen::Matrix<double, 2, 3> jacobian;
-  jacobian << 1.0, 0.0, -arm(1), 0.0, 1.0, arm(0);
-  const Matrix2 inverse = (ball.covariance + expected.covariance).inverse();
+Point2<Robot> robotPoint(const BallSighting& seen) { return {seen.position(0), seen.position(1)}; }
+
+// The innovation is the ball's place less where the mode sees it.
+InformationSum informationOf(const PoseMode& mode, const BallSighting& seen, const Place& ball) {
+  const PlaceFromPose expected = placeFrom(mode.pose, robotPoint(seen), seen.covariance);
+  const Vector2 innovation = ball.mean - expected.place.mean;
+  const Matrix2 inverse = (ball.covariance + expected.place.covariance).inverse();
   InformationSum sum;
-  sum.matrix = jacobian.transpose() * inverse * jacobian;
-  sum.vector = jacobian.transpose() * inverse * innovation;
+  sum.matrix = expected.jacobian.transpose() * inverse * expected.jacobian;
+  sum.vector = expected.jacobian.transpose() * inverse * innovation;
   sum.chiSquared = innovation.dot(inverse * innovation);
   return sum;
 }
@@ -55,7 +44,7 @@ std::optional<Place> surerBall(const TeamMessage& message, const Place& own,
   return Place{witness.place.mean, told + (p.noise + maths::square(late)) * Matrix2::Identity()};
 }
 
-void correctAll(const SeenBall& seen, const Place& ball, double outlierWeight, Modes& modes) {
+void correctAll(const BallSighting& seen, const Place& ball, double outlierWeight, Modes& modes) {
   const std::size_t before = modes.size();
   for (std::size_t i = 0; i < before; ++i) {
     modes.push_back(outlierCopy(modes[i], outlierWeight));
@@ -76,8 +65,8 @@ bool correctByBall(const BallTrack& own, const PlayersContext& context, PlayersS
                    Modes& modes) {
   const BallLandmarkParams& p = context.players.ballLandmark;
   if (!p.use || !own.present || own.secondsSinceSeen > p.ownUnseen) return false;
-  const SeenBall seen = seenBall(own);
-  const Place here = placeOnField(modes[0], seen.place, seen.covariance);
+  const BallSighting seen = sightingOf(own);
+  const Place here = placeOnField(modes[0], robotPoint(seen), seen.covariance);
   for (std::size_t i = 0; i < players.mates.size(); ++i) {
     const Teammate& mate = players.mates[i];
     if (!isNew(mate, players.usedBalls[i])) continue;

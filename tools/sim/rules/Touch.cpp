@@ -9,21 +9,26 @@ namespace {
 // A ball loses 0.75 of its speed in a second, so that it rolls as far as this times its speed.
 constexpr double kRoll = 1.33;  // s
 
+// The velocity as that team sees it: y < 0 is towards its goal.
+Point2<Field> ownWay(const body::FieldDescription& field, TeamColour team, Point2<Field> velocity) {
+  return ownView(field, team, velocity) - ownView(field, team, Point2<Field>{});
+}
+
 // Whether a ball of that velocity would have come into that team's goal.
 bool goesIn(const body::FieldDescription& field, TeamColour team, Point2<Field> ball,
             Point2<Field> velocity) {
   const Point2<Field> at = ownView(field, team, ball);
-  const Point2<Field> way = ownView(field, team, ball + velocity) - at;
+  const Point2<Field> way = ownWay(field, team, velocity);
   if (way.y >= 0.0 || at.y > -way.y * kRoll) return false;
   const double x = at.x - way.x * at.y / way.y;
   return std::fabs(x - 0.5 * field.width) < 0.5 * field.goalWidth;
 }
 
 // Whether the ball rolls towards that team's goal, and no faster than in the step before.
-bool heldUp(TeamColour team, const MatchScene& scene, const TouchState& state) {
-  const double towards = team == TeamColour::red ? -1.0 : 1.0;
-  const double now = towards * scene.ball.velocity.y;
-  return now > 0.0 && now <= towards * state.velocity.y;
+bool heldUp(const MatchScene& scene, const body::FieldDescription& field, TeamColour team,
+            const TouchState& state) {
+  const double now = ownWay(field, team, scene.ball.velocity).y;
+  return now < 0.0 && now >= ownWay(field, team, state.velocity).y;
 }
 
 // Whether that player keeps out, or turns in, what another team has sent into its goal; or presses
@@ -34,7 +39,7 @@ bool defends(const MatchScene& scene, const body::FieldDescription& field, std::
   if (!state.scorer || scene.players[*state.scorer].team == team) return false;
   if (goesIn(field, team, scene.ball.position, state.velocity)) return true;
   return !goesIn(field, team, scene.ball.position, scene.ball.velocity) &&
-         heldUp(team, scene, state);
+         heldUp(scene, field, team, state);
 }
 
 }  // namespace
