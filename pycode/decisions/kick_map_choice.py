@@ -7,6 +7,7 @@
 import math
 
 import kelpie
+from decisions.kick_choice import RELEASE
 from lib import kick_table
 from lib.aim import mouth, size
 from lib.geom import wrap
@@ -27,19 +28,28 @@ HELD_AHEAD = 8.0       # cm from the neck to a held ball
 def choose(world, dribble, overdue) -> tuple | None:
     """As decisions/held_choice.py asks: (kick, reason, numbers...) or None."""
     gap = dribble.aim.gap or mouth(world)
-    if gap is None and not overdue:
+    if overdue:
+        return out_of_time(world, gap)
+    if gap is None:
         return None
-    middle = wrap(0.5 * (gap[0] + gap[1])) if gap is not None else 0.0
+    middle = wrap(0.5 * (gap[0] + gap[1]))
     worth, kick = best(world, gap, middle)
-    if worth <= 0.0 and not overdue:
+    if worth <= 0.0:
         return None
     aimed = max(worth_of(world, one, gap, middle) for one in AHEAD)
-    if overdue:
-        return kick, 'out of time; worth {} of {} aimed', worth, aimed
     nearly = STILL_GOOD if dribble.standing else NEARLY
     if worth < nearly * aimed or dribble.should_carry(world):
         return None
     return kick, 'worth {}, {} aimed; gap of {} deg', worth, aimed, size(gap)
+
+
+def out_of_time(world, gap) -> tuple:
+    """Of all kicks, wherever the goal is. The ball is let go where each would be sent to the own
+    end: who was held up in its turn looks at the own goal."""
+    worth, kick = max((worth_of(world, kick, gap, 0.0), kick) for kick in kick_table.kicks(True))
+    if worth <= 0.0:
+        return RELEASE, 'out of time; no kick is worth more than {}', worth
+    return kick, 'out of time; worth {}', worth
 
 
 def best(world, gap, middle) -> tuple:

@@ -1,0 +1,51 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The kick of a held ball by the map: when it waits, and what it does when time is out."""
+import math
+
+import pytest
+from decisions import kick_map_choice
+from decisions.kick_choice import RELEASE
+from lib import kick_table
+from lib.aim import Aim
+from lib.memory import Memory
+from situations import world
+from skills.grab_dribble import GrabDribble
+from skills.hold import Hold
+
+
+def chosen(made, overdue):
+    dribble = GrabDribble(Memory(), None)
+    dribble.hold, dribble.aim = Hold(made, made.time_s), Aim()
+    return kick_map_choice.choose(made, dribble, overdue)
+
+
+def test_without_goal_or_pose_it_waits_until_time_is_out():
+    made = world(180.0, 300.0, -90.0)
+    made.heading_sd_deg = 60.0
+    assert chosen(made, overdue=False) is None
+    assert chosen(made, overdue=True) is not None
+
+
+@pytest.mark.parametrize('heading', range(-150, -29, 10))
+def test_out_of_time_before_the_own_goal_it_is_not_kicked_at_it(heading):
+    made = world(180.0, 60.0, float(heading))
+    kick = chosen(made, overdue=True)[0]
+    if kick != RELEASE:
+        _, down_field = kick_map_choice.held_ball(made)
+        _, direction, _, distance, _ = kick_table.held_outcome(kick)
+        down_field += distance * math.sin(math.radians(heading + direction))
+        assert down_field > kick_map_choice.OWN_END
+
+
+def test_out_of_time_where_each_kick_goes_to_the_own_end_the_ball_is_let_go():
+    assert chosen(world(180.0, 25.0, -90.0), overdue=True)[0] == RELEASE
+
+
+@pytest.mark.parametrize('heading, side', [(10.0, 1.0), (170.0, -1.0)])
+def test_out_of_time_beside_the_goal_it_is_kicked_to_that_side(heading, side):
+    kick = chosen(world(180.0, 420.0, heading), overdue=True)[0]
+    assert side * kick_table.held_outcome(kick)[1] > 30.0
+
+
+def test_out_of_time_before_the_goal_it_is_kicked_at_it():
+    assert chosen(world(180.0, 450.0), overdue=True)[0] in kick_map_choice.AHEAD
