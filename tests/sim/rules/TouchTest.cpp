@@ -59,7 +59,29 @@ TEST(Touch, AShotThatWasKeptOutAndThenPushedInIsTheKeepersGoal) {
   shot.touched(kShooter, {{180, 115}, {0, -150}});
   shot.touched(kKeeper, {{180, 45}, {}});
   EXPECT_EQ(shot.state.scorer, std::optional<std::size_t>(kShooter));
+  shot.scene.time = TimeUs::fromSeconds(0.31);
   shot.touched(kKeeper, {{180, 44}, {0, -60}});
+  EXPECT_EQ(shot.state.scorer, std::optional<std::size_t>(kKeeper));
+}
+
+// As in a match: stopped by the chest, and turned in by a leg 0.07 s later.
+TEST(Touch, ASaveOfSeveralTouchesThatEndsInTheGoalStaysTheShooters) {
+  Shot shot;
+  shot.touched(kShooter, {{180, 115}, {0, -150}});
+  for (const double seconds : {0.0, 0.07, 0.2}) {
+    shot.scene.time = TimeUs::fromSeconds(seconds);
+    shot.touched(kKeeper, {{180, 45}, {20, -2}});
+    shot.rolls({{180, 44}, {20, -2}});
+    EXPECT_EQ(shot.state.scorer, std::optional<std::size_t>(kShooter)) << seconds;
+  }
+}
+
+TEST(Touch, ASaveDoesNotOutlastAnothersTouch) {
+  Shot shot;
+  shot.touched(kShooter, {{180, 115}, {0, -150}});
+  shot.touched(kKeeper, {{180, 45}, {100, 100}});
+  shot.touched(kShooter, {{190, 60}, {150, 0}});
+  shot.touched(kKeeper, {{195, 60}, {0, -60}});
   EXPECT_EQ(shot.state.scorer, std::optional<std::size_t>(kKeeper));
 }
 

@@ -8,6 +8,8 @@ namespace {
 
 // A ball loses 0.75 of its speed in a second, so that it rolls as far as this times its speed.
 constexpr double kRoll = 1.33;  // s
+// A shot that hits legs and chest bounces off them for about so long: the same save.
+constexpr TimeUs kSave{300000};
 
 // The velocity as that team sees it: y < 0 is towards its goal.
 Point2<Field> ownWay(const body::FieldDescription& field, TeamColour team, Point2<Field> velocity) {
@@ -31,15 +33,31 @@ bool heldUp(const MatchScene& scene, const body::FieldDescription& field, TeamCo
   return now < 0.0 && now >= ownWay(field, team, state.velocity).y;
 }
 
-// Whether that player keeps out, or turns in, what another team has sent into its goal; or presses
-// against a ball that would not come in.
-bool defends(const MatchScene& scene, const body::FieldDescription& field, std::size_t player,
+// Whether that player keeps out, or turns in, what another team has sent into its goal.
+bool saves(const MatchScene& scene, const body::FieldDescription& field, std::size_t player,
+           const TouchState& state) {
+  const bool still = state.saver == player && scene.time.us - state.saved.us < kSave.us;
+  return still || goesIn(field, scene.players[player].team, scene.ball.position, state.velocity);
+}
+
+// Whether it presses against a ball that would not come in.
+bool presses(const MatchScene& scene, const body::FieldDescription& field, std::size_t player,
              const TouchState& state) {
   const TeamColour team = scene.players[player].team;
-  if (!state.scorer || scene.players[*state.scorer].team == team) return false;
-  if (goesIn(field, team, scene.ball.position, state.velocity)) return true;
   return !goesIn(field, team, scene.ball.position, scene.ball.velocity) &&
          heldUp(scene, field, team, state);
+}
+
+void touch(const MatchScene& scene, const body::FieldDescription& field, std::size_t player,
+           TouchState& state) {
+  const bool others =
+      state.scorer && scene.players[*state.scorer].team != scene.players[player].team;
+  const bool saved = others && saves(scene, field, player, state);
+  const bool pressed = others && presses(scene, field, player, state);
+  if (!saved && !pressed) state.scorer = player;
+  if (state.saver != player) state.saved = scene.time;
+  state.saver = saved ? std::optional(player) : std::nullopt;
+  state.last = player;
 }
 
 }  // namespace
@@ -47,10 +65,7 @@ bool defends(const MatchScene& scene, const body::FieldDescription& field, std::
 std::optional<std::size_t> step(const MatchScene& scene, const body::FieldDescription& field,
                                 TouchState& state) {
   const auto toucher = scene.ballToucher;
-  if (toucher && scene.players[*toucher].playing) {
-    if (!defends(scene, field, *toucher, state)) state.scorer = toucher;
-    state.last = toucher;
-  }
+  if (toucher && scene.players[*toucher].playing) touch(scene, field, *toucher, state);
   state.velocity = scene.ball.velocity;
   return state.last;
 }
