@@ -198,23 +198,25 @@ class Goalie(Machine):
         return kelpie.Command(walk=walk, head=self.eyes.head(world, True))
 
     def look_about(self, world) -> kelpie.WalkRequest:
-        """A ball lost at the feet is under the chin: a step back shows it. One beside the body is
-        seen only when that turns."""
+        """A ball lost at the feet is under the chin: a step back shows it, except after a motion,
+        which took the robot past it. One beside the body is seen only when that turns."""
         side = self.eyes.turn_side(world)
         if side != 0.0:
             return kelpie.WalkRequest(turn_deg=side * Guard.SEARCH_TURN)
         ball = world.ball.relative
-        under = world.ball.present and 0.0 < ball.y < Guard.CHIN and abs(ball.x) < Guard.CHIN
+        under = (self.seen_since_motion(world) and world.ball.present and
+                 0.0 < ball.y < Guard.CHIN and abs(ball.x) < Guard.CHIN)
         return in_box(world, kelpie.WalkRequest(forward=Guard.BACK_OFF if under else 0.0))
 
     def lost_for(self, world) -> float:
-        """Seconds in which the head looked for the ball; a motion takes the head along."""
-        if not world.ball.present:
-            return world.time_s - self.moved_s
-        return min(world.ball.seconds_since_seen, world.time_s - self.moved_s)
+        """Seconds in which the head looked for the ball; a motion takes the head along, and a
+        survey looks elsewhere."""
+        looked = world.time_s - max(self.moved_s, self.eyes.surveyed_s)
+        return min(world.ball.seconds_since_seen, looked) if world.ball.present else looked
 
     def place(self, world):
-        """Where to guard: by the ball; nowhere else while it is looked for at first; then in the
+        """Where to guard: by the ball; nowhere else while it is looked for at first, since who
+        walks on after a kick that missed walks the ball into the own goal; then in the
         middle, and at last so near to the line that no ball can lie behind the robot unseen."""
         sure = self.pose.settled(world) and not self.eyes.lost
         lost = self.lost_for(world) if sure else 0.0
@@ -222,7 +224,8 @@ class Goalie(Machine):
             return central_place(world.field, LEAST_Y)
         if lost > Guard.UNSEEN:
             return central_place(world.field)
-        if (not seen(world, Guard.FRESH) or not self.pose.settled(world) or self.eyes.lost or
+        if (not seen(world, Guard.FRESH) or not self.seen_since_motion(world) or
+                not self.pose.settled(world) or self.eyes.lost or
                 self.eyes.state == self.eyes.survey):
             return None
         return self.rule(world.field, (world.ball.position.x, world.ball.position.y))

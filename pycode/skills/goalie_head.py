@@ -30,7 +30,7 @@ class GoalieHead(Machine):
         self.free = False
         self.asked = False    # for a survey, as soon as the ball can be left alone
         self.lost = False     # the pose: a survey now, unless a ball comes
-        self.surveyed_s = 0.0
+        self.surveyed_s = -Look.AGAIN   # the last frame of a survey
         self.tracked = 0.0    # cm to the ball when it was last tracked
         self.glances = 0
         self.marked = False   # the landmark was seen in this glance

@@ -6,7 +6,7 @@ import kelpie
 import pytest
 from goalie_world import GoalieWorld, anywhere, run, scene, shot
 from lib import goalie_places as places
-from lib.pose_watch import BLIND
+from lib.pose_watch import BLIND, SURE_CM
 from lib.tune_goalie import Block, Clear, Guard
 from players.goalie import Goalie
 from skills.guard_goal import GuardGoal
@@ -188,6 +188,7 @@ def test_a_goalie_whose_pose_is_lost_does_not_walk_by_it():
     world.ball = 250 + 150j
     for frame in range(30 * 4):
         world.see()
+        world.world.position_sd = SURE_CM
         command = player.command(world.world)
         walks = math.hypot(command.walk.forward, command.walk.left) > 1.0
         if 5 < frame < 30:
@@ -233,6 +234,29 @@ def test_where_the_ball_was_believed_before_a_block_is_not_where_it_is_guarded_a
     assert player.place(scenery.world) is None
     player.moved_s -= Guard.UNSEEN
     assert player.place(scenery.world) == places.central_place(scenery.world.field)
+
+
+def test_after_a_motion_the_goalie_stands_until_it_sees_the_ball():
+    """A kick that missed leaves the ball beside it, and who walks on takes it into the goal."""
+    scenery, player = scene(180 + 44j, at=150 + 20j), Goalie()
+    scenery.see()
+    scenery.world.ball.seconds_since_seen = 0.2
+    player.moved_s = scenery.world.time_s - 0.1
+    player.enter(scenery.world, player.guard, GuardGoal(Guard))
+    walk = player.guard(scenery.world).walk
+    assert (walk.forward, walk.left, walk.turn_deg) == (0.0, 0.0, 0.0)
+    scenery.world.ball.seconds_since_seen = 0.0
+    walk = player.guard(scenery.world).walk
+    assert abs(walk.forward) + abs(walk.left) > 5.0
+
+
+def test_the_time_of_a_survey_is_none_in_which_the_ball_was_looked_for():
+    scenery, player = scene(180 + 44j), Goalie()
+    scenery.world.time_s = 100.0
+    scenery.world.ball.seconds_since_seen = Guard.UNSEEN + 1.0
+    assert player.place(scenery.world) == places.central_place(scenery.world.field)
+    player.eyes.surveyed_s = 100.0 - Guard.UNSEEN + 0.1
+    assert player.place(scenery.world) is None
 
 
 @pytest.mark.parametrize('ahead, right, steps_back', [

@@ -4,7 +4,8 @@ import math
 import kelpie
 import pytest
 from lib import geom
-from lib.pose_watch import BACK_CM, BACK_DEG, BLIND, LIKELY, LONGEST, PoseWatch, moved, torn
+from lib.pose_watch import (BACK_CM, BACK_DEG, BLIND, BLIND_SURE, LIKELY, LONGEST, SURE_CM,
+                            PoseWatch, moved, torn)
 
 
 class Walk:
@@ -97,18 +98,20 @@ def test_world_of_the_carried_pose_has_the_ball_where_the_robot_sees_it():
                            carried.ball.stopping_point.y) == pytest.approx(end)
 
 
-def test_a_pose_without_a_landmark_for_two_seconds_is_lost():
+@pytest.mark.parametrize('sd, seconds', [(2.0, BLIND_SURE), (SURE_CM, BLIND)])
+def test_a_pose_without_a_landmark_is_lost_the_sooner_the_less_sure_it_is(sd, seconds):
     walk = Walk()
+    walk.world.position_sd = sd
     walk.world.percepts.landmarks = [kelpie.LandmarkPercept()]
     for _ in range(90):
         walk.step()
     assert not walk.watch.lost(walk.world)
     walk.world.percepts.landmarks = []
     lost = []
-    for _ in range(90):
+    for _ in range(180):
         walk.step()
         lost.append(walk.watch.lost(walk.world))
-    assert lost == sorted(lost) and sum(lost) == pytest.approx(90 - 30 * BLIND, abs=1)
+    assert lost == sorted(lost) and sum(lost) == pytest.approx(180 - 30 * seconds, abs=1)
 
 
 @pytest.mark.parametrize('weight, away, aside, is_torn', [
