@@ -17,9 +17,9 @@ PlaceFromPose placeFrom(const Pose2& pose, Point2<Robot> point, const Matrix2& c
 }
 
 Place placeOnField(const PoseMode& pose, Point2<Robot> point, const Matrix2& covariance) {
-  PlaceFromPose exact = placeFrom(pose.pose, point, covariance);
-  exact.place.covariance += exact.jacobian * covarianceOf(pose) * exact.jacobian.transpose();
-  return exact.place;
+  PlaceFromPose placed = placeFrom(pose.pose, point, covariance);
+  placed.place.covariance += placed.jacobian * covarianceOf(pose) * placed.jacobian.transpose();
+  return placed.place;
 }
 
 Matrix2 matrixOf(const std::array<double, 4>& rows) {

@@ -2,8 +2,9 @@
 # Which kick of a held ball, by the map of where kicks send the ball (lib/kick_map.py, learnt on
 # physical bodies), in place of the rules of the thesis: the one that is most likely a goal through
 # the free gap, and where none reaches, the one that brings the ball nearest. It kicks while turning
-# as soon as that is nearly as good as the aimed kick. Keeps nothing. As wrong as the pose, and as
-# the map where a robot's kicks differ from it.
+# as soon as that is nearly as good as the aimed kick. Out of time it takes the best of all kicks,
+# or lets the ball go. Keeps nothing. As wrong as the pose, and as the map where a robot's kicks
+# differ from it.
 import math
 
 import kelpie
@@ -20,6 +21,7 @@ FALL_OFF = 650.0       # cm away, about the field's diagonal
 OUT = 0.5              # share of that worth which a ball out of the field keeps
 OWN_END = 45.0         # cm from the own goal line: a ball that goes there is worth
 OWN_END_WORTH = -0.5   # so much, since it may be an own goal
+LET_GO = 0.7           # share of its place's worth that a ball let go keeps
 BESIDE = 30.0          # deg
 AHEAD = (kelpie.HARD_FORWARD, kelpie.WEDGE)
 HELD_AHEAD = 8.0       # cm from the neck to a held ball
@@ -44,12 +46,13 @@ def choose(world, dribble, overdue) -> tuple | None:
 
 
 def out_of_time(world, gap) -> tuple:
-    """Of all kicks, wherever the goal is. The ball is let go where each would be sent to the own
-    end: who was held up in its turn looks at the own goal."""
+    """Of all kicks, wherever the goal is. The ball is let go where each would make it worse: who
+    was held up in its turn looks at the own goal."""
     worth, kick = max((worth_of(world, kick, gap, 0.0), kick) for kick in kick_table.kicks(True))
-    if worth <= 0.0:
-        return RELEASE, 'out of time; no kick is worth more than {}', worth
-    return kick, 'out of time; worth {}', worth
+    let_go = LET_GO * nearness(world.field, *held_ball(world))
+    if worth <= let_go:
+        return RELEASE, 'out of time; worth {}, let go {}', worth, let_go
+    return kick, 'out of time; worth {}, let go {}', worth, let_go
 
 
 def best(world, gap, middle) -> tuple:
@@ -81,12 +84,16 @@ def worth_of_way(world, ball, way, outcome, gap=None) -> float:
                                      heading_sd=math.hypot(world.heading_sd_deg, AIM_SD))
     angle = math.radians(way + direction)
     x, y = ball[0] + distance * math.cos(angle), ball[1] + distance * math.sin(angle)
+    return goal + (1.0 - goal) * chance * nearness(field, x, y)
+
+
+def nearness(field, x, y) -> float:
+    """What a ball is worth that lies there."""
+    if y < OWN_END:
+        return OWN_END_WORTH
     inside = 0.0 < x < field.width and 0.0 < y < field.length
     left = math.hypot(x - 0.5 * field.width, min(y, field.length) - field.length)
-    near = NEARNESS * max(0.0, 1.0 - left / FALL_OFF) * (1.0 if inside else OUT)
-    if y < OWN_END:
-        near = OWN_END_WORTH
-    return goal + (1.0 - goal) * chance * near
+    return NEARNESS * max(0.0, 1.0 - left / FALL_OFF) * (1.0 if inside else OUT)
 
 
 def held_ball(world):

@@ -4,7 +4,8 @@
 # localiser believes that, for 0.2 to 2 s, when somebody hides half of the only beacon in view, or
 # after a block: 1.5 % of a goalie's frames. Keeps the pose carried by odometry and since when the
 # other one is doubted. A jump that lasts is believed in the end, right or wrong. Says also when the
-# pose is lost: who is pushed about beside a ball goes astray by 130 cm and stays sure to 5 cm.
+# pose is lost: who was pushed about beside a ball went astray by 130 cm and stayed sure to 5 cm,
+# before the filter felt the pushes.
 import math
 
 from lib.geom import wrap
@@ -45,7 +46,7 @@ class PoseWatch:
             self.ended_s = world.time_s
         if self.since_s is None:
             self.carried = told(world)
-            self.sure = sure(world)
+            self.sure = is_sure(world)
 
     @property
     def doubtful(self) -> bool:
@@ -53,7 +54,7 @@ class PoseWatch:
 
     def lost(self, world) -> bool:
         """Whether to look at landmarks before anything else that depends on the pose."""
-        most = BLIND_SURE if sure(world) else BLIND
+        most = BLIND_SURE if is_sure(world) else BLIND
         return world.time_s - self.landmark_s > most or torn(world)
 
     def settled(self, world) -> bool:
@@ -106,7 +107,7 @@ class CarriedWorld:
         return getattr(self.world, name)
 
 
-def sure(world) -> bool:
+def is_sure(world) -> bool:
     return world.position_sd < SURE_CM and world.heading_sd_deg < SURE_DEG
 
 

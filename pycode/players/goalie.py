@@ -38,7 +38,8 @@ class Goalie(Machine):
         self.halted = Halted(self.memory, self.get_up)
         self.cleared_to = None  # the point of the field that the last clearance was to pass
         self.shot_aside = 0.0  # cm, of the last shot that was blocked
-        self.moved_s = 0.0  # when the last motion ended
+        self.moved_s = 0.0  # when the last motion ended, or the last fall
+        self.kicked = False  # that motion was a kick
         self.rest_s = 0.0   # no attack before, after one that came to nothing
 
     def command(self, world) -> kelpie.Command:
@@ -61,6 +62,7 @@ class Goalie(Machine):
         self.halted.end()
         if self.get_up.needed(world):
             self.start_over(world, 'has fallen')
+            self.moved_s = world.time_s
             return kelpie.Command(motion=self.get_up.motion(world))
         if self.state not in (self.block, self.clear):  # a motion is let come to its end
             self.choose(world)
@@ -116,7 +118,8 @@ class Goalie(Machine):
                          shot.speed, shot.aside, shot.seconds)
 
     def ball_comes(self, world) -> bool:
-        shot = coming(world, Coming.BESIDE, Coming.SHORT, Coming.SPEED) if seen(world) else None
+        sees = seen(world) and self.seen_since_motion(world)
+        shot = coming(world, Coming.BESIDE, Coming.SHORT, Coming.SPEED) if sees else None
         if shot is None or shot.seconds > Coming.LATEST:
             return False
         return self.take(world, self.adjust, lambda: GuardGoal(Coming),
@@ -174,7 +177,7 @@ class Goalie(Machine):
     def perform(self, world):
         motion = self.skill.motion(world)
         if self.skill.done(world):
-            self.moved_s = world.time_s
+            self.moved_s, self.kicked = world.time_s, self.state == self.clear
             return self.enter(world, self.guard, GuardGoal(Guard), 'the motion has ended')
         return kelpie.Command(motion=motion, head=self.eyes.head(world, False))
 
@@ -198,31 +201,34 @@ class Goalie(Machine):
         return kelpie.Command(walk=walk, head=self.eyes.head(world, True))
 
     def look_about(self, world) -> kelpie.WalkRequest:
-        """A ball lost at the feet is under the chin: a step back shows it, except after a motion,
-        which took the robot past it. One beside the body is seen only when that turns."""
+        """A ball lost at the feet is under the chin: a step back shows it. One beside the body is
+        seen only when that turns. After a motion nobody knows where it lies: after a kick that
+        missed, who walks or turns takes it into the own goal."""
+        moved = not self.seen_since_motion(world)
         side = self.eyes.turn_side(world)
-        if side != 0.0:
+        if side != 0.0 and not (moved and self.kicked):
             return kelpie.WalkRequest(turn_deg=side * Guard.SEARCH_TURN)
+        if moved:
+            return kelpie.WalkRequest()
         ball = world.ball.relative
-        under = (self.seen_since_motion(world) and world.ball.present and
-                 0.0 < ball.y < Guard.CHIN and abs(ball.x) < Guard.CHIN)
+        under = world.ball.present and 0.0 < ball.y < Guard.CHIN and abs(ball.x) < Guard.CHIN
         return in_box(world, kelpie.WalkRequest(forward=Guard.BACK_OFF if under else 0.0))
 
     def lost_for(self, world) -> float:
-        """Seconds in which the head looked for the ball; a motion takes the head along, and a
-        survey looks elsewhere."""
-        looked = world.time_s - max(self.moved_s, self.eyes.surveyed_s)
-        return min(world.ball.seconds_since_seen, looked) if world.ball.present else looked
+        """Seconds without the ball; a motion takes the head along."""
+        if not world.ball.present:
+            return world.time_s - self.moved_s
+        return min(world.ball.seconds_since_seen, world.time_s - self.moved_s)
 
     def place(self, world):
-        """Where to guard: by the ball; nowhere else while it is looked for at first, since who
-        walks on after a kick that missed walks the ball into the own goal; then in the
-        middle, and at last so near to the line that no ball can lie behind the robot unseen."""
+        """Where to guard: by the ball; nowhere else while it is looked for at first; then in the
+        middle, and at last so near to the line that no ball can lie behind the robot unseen. A
+        survey looks elsewhere: its time is none of looking for the ball."""
         sure = self.pose.settled(world) and not self.eyes.lost
         lost = self.lost_for(world) if sure else 0.0
         if lost > Guard.LOST:
             return central_place(world.field, LEAST_Y)
-        if lost > Guard.UNSEEN:
+        if min(lost, world.time_s - self.eyes.surveyed_s) > Guard.UNSEEN:
             return central_place(world.field)
         if (not seen(world, Guard.FRESH) or not self.seen_since_motion(world) or
                 not self.pose.settled(world) or self.eyes.lost or

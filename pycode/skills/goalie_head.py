@@ -4,6 +4,8 @@
 # longest ago, and a survey of all when there is none. Keeps the state and when it last glanced. It
 # looks away only when it is told that it may and the ball is far and does not come, so a goalie in
 # a long scrum does not localise.
+import math
+
 import kelpie
 from lib.geom import from_field
 from lib.head import look_at, view
@@ -30,7 +32,7 @@ class GoalieHead(Machine):
         self.free = False
         self.asked = False    # for a survey, as soon as the ball can be left alone
         self.lost = False     # the pose: a survey now, unless a ball comes
-        self.surveyed_s = -Look.AGAIN   # the last frame of a survey
+        self.surveyed_s = -math.inf   # the last frame of a survey
         self.tracked = 0.0    # cm to the ball when it was last tracked
         self.glances = 0
         self.marked = False   # the landmark was seen in this glance

@@ -100,7 +100,8 @@ class GrabDribble(Machine):
             self.enter(world, self.overdue, None, 'carried {} cm', self.hold.way)
 
     def overdue(self, world):
-        """The rules leave no more time: it stands, then kicks whatever it sees of the goal."""
+        """The rules leave no more time: it stands, then kicks whatever it sees of the goal, or
+        lets the ball go."""
         if not self.still(world):
             return carry()
         return self.fire(world, self.choose(world, self, True))

@@ -10,6 +10,7 @@ from lib.pose_watch import BLIND, SURE_CM
 from lib.tune_goalie import Block, Clear, Guard
 from players.goalie import Goalie
 from skills.guard_goal import GuardGoal
+from skills.point_scan import PointScan
 
 
 def state(world, frames=Block.SEEN_FRAMES + Block.FRAMES):
@@ -236,18 +237,59 @@ def test_where_the_ball_was_believed_before_a_block_is_not_where_it_is_guarded_a
     assert player.place(scenery.world) == places.central_place(scenery.world.field)
 
 
-def test_after_a_motion_the_goalie_stands_until_it_sees_the_ball():
-    """A kick that missed leaves the ball beside it, and who walks on takes it into the goal."""
+def blind_after(scenery, player, kicked, seconds):
+    """The walk of a goalie that has not seen the ball since its motion ended so long ago."""
+    world = scenery.world
+    world.time_s = 100.0
+    world.ball.seconds_since_seen = seconds + 0.1
+    player.moved_s, player.kicked = world.time_s - seconds, kicked
+    player.enter(world, player.guard, GuardGoal(Guard))
+    player.eyes.enter(world, player.eyes.search, PointScan(world, 1.0))
+    player.eyes.skill.branch, player.eyes.skill.at = 'near', 3    # the look at which it turns
+    walk = player.guard(world).walk
+    return walk.forward, walk.left, walk.turn_deg
+
+
+@pytest.mark.parametrize('at', [150 + 20j, 180 + 63j, 270 + 20j])
+@pytest.mark.parametrize('seconds', [0.1, 0.5, Guard.UNSEEN - 0.1])
+def test_after_a_kick_the_goalie_stands_until_it_sees_the_ball(at, seconds):
+    """One that missed leaves the ball beside it, and who walks or turns takes it into the goal;
+    also beyond the box's margin, from where other walks lead back."""
+    assert blind_after(scene(180 + 44j, at=at), Goalie(), True, seconds) == (0.0, 0.0, 0.0)
+
+
+def test_after_a_block_it_turns_to_where_the_ball_was_lost_but_does_not_walk():
+    walk = blind_after(scene(180 + 44j, at=180 + 63j), Goalie(), False, 0.5)
+    assert walk == (0.0, 0.0, Guard.SEARCH_TURN)
+
+
+def test_a_ball_seen_after_the_kick_is_guarded_against():
     scenery, player = scene(180 + 44j, at=150 + 20j), Goalie()
     scenery.see()
-    scenery.world.ball.seconds_since_seen = 0.2
-    player.moved_s = scenery.world.time_s - 0.1
+    player.moved_s, player.kicked = scenery.world.time_s - 0.1, True
     player.enter(scenery.world, player.guard, GuardGoal(Guard))
     walk = player.guard(scenery.world).walk
-    assert (walk.forward, walk.left, walk.turn_deg) == (0.0, 0.0, 0.0)
-    scenery.world.ball.seconds_since_seen = 0.0
-    walk = player.guard(scenery.world).walk
     assert abs(walk.forward) + abs(walk.left) > 5.0
+
+
+def test_a_velocity_of_before_the_kick_is_no_ball_that_comes():
+    scenery, player = scene(180 + 60j, velocity=-80j), Goalie()
+    scenery.world.time_s += 100.0
+    scenery.world.ball.seconds_since_seen = 0.1
+    assert player.ball_comes(scenery.world)
+    player.moved_s = scenery.world.time_s
+    assert not player.ball_comes(scenery.world)
+
+
+def test_who_gets_up_has_not_seen_the_ball_since():
+    scenery, player = scene(180 + 44j), Goalie()
+    scenery.see()
+    scenery.world.motion.feeling.fallen = kelpie.ON_BACK
+    for _ in range(60):
+        scenery.world.time_s += 1.0 / 30.0
+        player.command(scenery.world)
+    scenery.world.ball.seconds_since_seen = 1.0
+    assert not player.seen_since_motion(scenery.world)
 
 
 def test_the_time_of_a_survey_is_none_in_which_the_ball_was_looked_for():
@@ -257,6 +299,8 @@ def test_the_time_of_a_survey_is_none_in_which_the_ball_was_looked_for():
     assert player.place(scenery.world) == places.central_place(scenery.world.field)
     player.eyes.surveyed_s = 100.0 - Guard.UNSEEN + 0.1
     assert player.place(scenery.world) is None
+    scenery.world.ball.seconds_since_seen = Guard.LOST + 1.0
+    assert player.place(scenery.world) == places.central_place(scenery.world.field, places.LEAST_Y)
 
 
 @pytest.mark.parametrize('ahead, right, steps_back', [

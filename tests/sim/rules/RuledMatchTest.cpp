@@ -128,6 +128,24 @@ TEST(RuledMatch, AGoalIsTheTeamsWhoseGoalItIsNot) {
   }
 }
 
+TEST(RuledMatch, WhoPlaysASavedShotIntoTheOtherGoalHasScored) {
+  Match match;
+  ASSERT_TRUE(match.until(PlayState::playing));
+  match.tick();
+  match.scene.ballToucher = 5;
+  match.scene.ball = {{180, 60}, {0, -100}};  // blue's shot at the red goal
+  match.tick();
+  match.scene.ballToucher = 0;
+  match.scene.ball = {{180, 58}, {0, 300}};
+  match.tick();
+  match.scene.ballToucher.reset();
+  match.scene.ball = {{180, 545}, {}};
+  match.tick();
+  ASSERT_EQ(match.score.goals.size(), 1U);
+  EXPECT_FALSE(match.score.goals[0].own);
+  EXPECT_EQ(match.score.goals[0].player, 1);
+}
+
 TEST(RuledMatch, APenalisedRobotWaitsBesideTheFieldAndComesBackAtTheHalfWayLine) {
   Match match;
   ASSERT_TRUE(match.until(PlayState::playing));

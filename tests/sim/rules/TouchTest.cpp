@@ -68,12 +68,11 @@ TEST(Touch, AShotThatWasKeptOutAndThenPushedInIsTheKeepersGoal) {
 TEST(Touch, ASaveOfSeveralTouchesThatEndsInTheGoalStaysTheShooters) {
   Shot shot;
   shot.touched(kShooter, {{180, 115}, {0, -150}});
-  for (const double seconds : {0.0, 0.07, 0.2}) {
-    shot.scene.time = TimeUs::fromSeconds(seconds);
-    shot.touched(kKeeper, {{180, 45}, {20, -2}});
-    shot.rolls({{180, 44}, {20, -2}});
-    EXPECT_EQ(shot.state.scorer, std::optional<std::size_t>(kShooter)) << seconds;
-  }
+  shot.touched(kKeeper, {{180, 45}, {20, -2}});
+  shot.rolls({{180, 44}, {20, -2}});
+  shot.scene.time = TimeUs::fromSeconds(0.07);
+  shot.touched(kKeeper, {{180, 44}, {0, -60}});
+  EXPECT_EQ(shot.state.scorer, std::optional<std::size_t>(kShooter));
 }
 
 TEST(Touch, ASaveDoesNotOutlastAnothersTouch) {

@@ -116,8 +116,10 @@ void RuledMatch::judgeGoal(TeamColour team, Score& score) {
   goal_ = team;
   ++(team == TeamColour::red ? score.red : score.blue);
   Goal goal{team, scene_.time.seconds()};
-  if (touch_.scorer) {
-    const ScenePlayer& by = scene_.players[*touch_.scorer];
+  // Who plays a shot that it saved into the other goal has scored.
+  const bool lasts = touch_.last && scene_.players[*touch_.last].team == team;
+  if (const auto scorer = lasts ? touch_.last : touch_.scorer) {
+    const ScenePlayer& by = scene_.players[*scorer];
     goal.own = by.team != team;
     goal.player = by.number;
   }

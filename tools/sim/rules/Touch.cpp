@@ -36,7 +36,7 @@ bool heldUp(const MatchScene& scene, const body::FieldDescription& field, TeamCo
 // Whether that player keeps out, or turns in, what another team has sent into its goal.
 bool saves(const MatchScene& scene, const body::FieldDescription& field, std::size_t player,
            const TouchState& state) {
-  const bool still = state.saver == player && scene.time.us - state.saved.us < kSave.us;
+  const bool still = state.saver == player && scene.time - state.saved < kSave;
   return still || goesIn(field, scene.players[player].team, scene.ball.position, state.velocity);
 }
 

@@ -16,7 +16,7 @@ struct TouchState {
   std::optional<std::size_t> last;
   std::optional<std::size_t> scorer;  // whose goal it would be now
   std::optional<std::size_t> saver;   // who touches a shot that was on its way in,
-  TimeUs saved;                       // and since when
+  TimeUs saved;                       // and when its first touch of this save was
 };
 
 std::optional<std::size_t> step(const MatchScene& scene, const body::FieldDescription& field,
