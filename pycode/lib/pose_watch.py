@@ -107,8 +107,9 @@ class CarriedWorld:
         return getattr(self.world, name)
 
 
-def is_sure(world) -> bool:
-    return world.position_sd < SURE_CM and world.heading_sd_deg < SURE_DEG
+def is_sure(world, position_sd=SURE_CM, heading_sd_deg=SURE_DEG) -> bool:
+    """Whether both standard deviations of the pose are below these."""
+    return world.position_sd < position_sd and world.heading_sd_deg < heading_sd_deg
 
 
 def torn(world) -> bool:

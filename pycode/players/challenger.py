@@ -7,6 +7,7 @@
 # the wrong places.
 import kelpie
 from lib.machine import Machine
+from lib.pose_watch import is_sure
 from lib.route import points_of, shortest
 from lib.tune import Challenge
 from skills.go_to_point import GoToPoint
@@ -112,6 +113,5 @@ class Challenger(Machine):
         return command
 
     def knows_place(self, world) -> bool:
-        return (world.position_sd < Challenge.SURE_SD and
-                world.heading_sd_deg < Challenge.SURE_HEADING_SD and
+        return (is_sure(world, Challenge.SURE_SD, Challenge.SURE_HEADING_SD) and
                 bool(world.modes) and world.modes[0].weight > Challenge.SURE_WEIGHT)

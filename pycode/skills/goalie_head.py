@@ -11,6 +11,7 @@ from lib.geom import from_field
 from lib.head import look_at, view
 from lib.landmarks import GOALIE_PAN, in_reach, look_at_landmark
 from lib.machine import Machine
+from lib.pose_watch import is_sure
 from lib.tune import Watch
 from lib.tune_goalie import Look
 from lib.tune_goalie import PointScan as ScanTune
@@ -74,8 +75,7 @@ class GoalieHead(Machine):
 
     def calm(self, world) -> bool:
         """Whether the ball can be left alone for a moment."""
-        sure = (world.position_sd < Look.SURE_SD and
-                world.heading_sd_deg < Look.SURE_HEADING_SD)
+        sure = is_sure(world, Look.SURE_SD, Look.SURE_HEADING_SD)
         far = self.FAR_SURE if sure and not self.asked else self.FAR
         return (self.free and world.ball.distance > far and
                 world.ball.velocity.y > -Look.STILL and self.since(world) > Look.STEADY)
@@ -87,8 +87,7 @@ class GoalieHead(Machine):
 
     def landmark(self, world):
         """The one to glance at now, or None."""
-        sure = (world.position_sd < Look.SURE_SD and
-                world.heading_sd_deg < Look.SURE_HEADING_SD)
+        sure = is_sure(world, Look.SURE_SD, Look.SURE_HEADING_SD)
         every = Look.EVERY_SURE if sure else Look.EVERY_LOST
         if world.time_s - self.glanced_s < every or not self.calm(world):
             return None
