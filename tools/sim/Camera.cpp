@@ -99,6 +99,32 @@ Columns columnsOf(const Quad& quad, const Asked& asked, double beside) {
           static_cast<std::size_t>(std::min(high + beside, kLast))};
 }
 
+// By insertion, in place: a cut shows about ten things.
+void sortFarToNear(std::vector<Span>::iterator first, std::vector<Span>::iterator last) {
+  const auto farther = [](const Span& a, const Span& b) { return a.depth > b.depth; };
+  for (auto span = first; span != last; ++span)
+    std::rotate(std::upper_bound(first, span, *span, farther), span, span + 1);
+}
+
+struct Rows {
+  std::size_t first;
+  std::size_t last;  // the first below them
+};
+
+// Rows of the ceiling that the first thing on the ground is written over; not those that it is
+// blended with.
+Rows hiddenBy(const std::vector<Span>& shown) {
+  if (shown.empty() || shown.front().darkens > 0.0) return {0, 0};
+  const auto top = static_cast<std::size_t>(std::max(shown.front().top, 0.0));
+  const double bottom = std::min(shown.front().bottom, kRowsDouble);
+  return {top + 1, std::max(top + 2, static_cast<std::size_t>(std::ceil(bottom))) - 1};
+}
+
+void fillAround(const Rows& hidden, float value, RawColumn::Channel& channel) {
+  std::fill(channel.begin(), channel.begin() + hidden.first, value);
+  std::fill(channel.begin() + hidden.last, channel.end(), value);
+}
+
 // Whether two cuts show the same things, none of whose ends is more than `rows` off.
 bool alike(const std::vector<Span>& a, const std::vector<Span>& b, double rows) {
   constexpr float kLevels = 2.0F;  // of a second light, from column to column
@@ -253,17 +279,17 @@ void Camera::look(const Scene& scene, const Slice& slice, Cut& cut) {
   collectGround(scene, slice, cut.shown);
   const auto ground = static_cast<std::ptrdiff_t>(cut.shown.size());
   collectSolids(scene, slice, cut.shown);
-  std::stable_sort(cut.shown.begin() + ground, cut.shown.end(),
-                   [](const Span& a, const Span& b) { return a.depth > b.depth; });
+  sortFarToNear(cut.shown.begin() + ground, cut.shown.end());
 }
 
 void Camera::paint(const Scene& scene, Cut& cut) {
   if (cut.isPainted) return;
   cut.isPainted = true;
-  cut.painted.y.fill(scene.ceiling.y);
-  cut.painted.cr.fill(scene.ceiling.cr);
-  cut.painted.cb.fill(scene.ceiling.cb);
-  cut.painted.carpet.fill(0.0F);
+  const Rows hidden = hiddenBy(cut.shown);
+  fillAround(hidden, scene.ceiling.y, cut.painted.y);
+  fillAround(hidden, scene.ceiling.cr, cut.painted.cr);
+  fillAround(hidden, scene.ceiling.cb, cut.painted.cb);
+  fillAround(hidden, 0.0F, cut.painted.carpet);
   for (const Span& span : cut.shown) paint(span, cut.painted);
 }
 
@@ -324,6 +350,15 @@ void Camera::lightGround(const Scene& scene, const Slice& middle) {
   }
 }
 
+void Camera::average(const Column& left, const Column& right) {
+  for (std::size_t row = 0; row < kRows; ++row) {
+    column_.y[row] = 0.5F * (left.y[row] + right.y[row]);
+    column_.cr[row] = 0.5F * (left.cr[row] + right.cr[row]);
+    column_.cb[row] = 0.5F * (left.cb[row] + right.cb[row]);
+    column_.carpet[row] = 0.5F * (left.carpet[row] + right.carpet[row]);
+  }
+}
+
 void Camera::add(const Column& left, const Column& right, float share) {
   for (std::size_t row = 0; row < kRows; ++row) {
     column_.y[row] += share * (left.y[row] + right.y[row]);
@@ -342,8 +377,10 @@ void Camera::mix(const Scene& scene, const FieldCamera& camera, Stretch between,
   if (splits == 0 || alike(left.shown, right.shown, params_.mostSlope)) {
     paint(scene, left);
     paint(scene, right);
+    if (width == 1.0) return average(left.painted, right.painted);
     return add(left.painted, right.painted, static_cast<float>(0.5 * width));
   }
+  if (width == 1.0) column_ = Column{};
   Cut& middle = middles_[static_cast<std::size_t>(splits - 1)];
   const double at = between.from + 0.5 * width;
   look(scene, Slice(camera, at), middle);
@@ -392,7 +429,6 @@ void Camera::render(const Scene& scene, const ColumnCameras& cameras, Random& ra
     Cut& after = borders_[(x + 1) % 2];
     if (x == 0) look(scene, Slice(cameras[x], left), before);
     look(scene, Slice(cameras[x], left + 1.0), after);
-    column_ = Column{};
     mix(scene, cameras[x], {&before, &after, left, left + 1.0}, params_.splits);
     const Slice middle(cameras[x], left + 0.5);
     if (params_.light && (scene.light.on() || scene.stripes.on())) lightGround(scene, middle);

@@ -17,8 +17,8 @@ namespace kelpie::sim {
 
 struct CameraParams {
   ArtefactParams artefacts;
-  int splits = 2;          // how often a column is halved at most, and
-  double mostSlope = 1.0;  // rows that an edge may run from cut to cut without; 0: always halved
+  int splits = 1;          // how often a column is halved at most, and
+  double mostSlope = 2.0;  // rows that an edge may run from cut to cut without; 0: always halved
   bool texture = true;     // of the carpet
   double textureAmount = 5.0;  // grey levels, sd about a third of it
   bool light = true;           // the scene's second light, and stripes of the carpet
@@ -91,6 +91,7 @@ class Camera {
   void mix(const Scene& scene, const FieldCamera& camera, Stretch between, int splits);
   void addTexture(const Slice& middle);
   void lightGround(const Scene& scene, const Slice& middle);
+  void average(const Column& left, const Column& right);  // of a whole column
   void add(const Column& left, const Column& right, float share);
 
   CameraParams params_;

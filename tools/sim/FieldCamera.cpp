@@ -31,6 +31,15 @@ FieldCamera fieldCamera(const Pose2& robot, const CameraPose& camera, const Lens
           lens};
 }
 
+FieldCamera mixed(const FieldCamera& a, const FieldCamera& b, double share) {
+  const auto between = [share](const FieldPoint3& p, const FieldPoint3& q) {
+    return FieldPoint3{p.x + share * (q.x - p.x), p.y + share * (q.y - p.y),
+                       p.z + share * (q.z - p.z)};
+  };
+  return {between(a.position, b.position), between(a.right, b.right), between(a.down, b.down),
+          between(a.forward, b.forward), a.lens};
+}
+
 std::optional<PixelPoint> pixelIn(const FieldCamera& camera, FieldPoint3 point) {
   const FieldPoint3 way = point - camera.position;
   const double depth = dot(camera.forward, way);

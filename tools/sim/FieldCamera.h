@@ -35,6 +35,10 @@ struct FieldCamera {
 
 FieldCamera fieldCamera(const Pose2& robot, const CameraPose& camera, const Lens& lens = {});
 
+// On the straight way between two that are turned by little: axes are not made longer again, which
+// is 1e-5 of them for half a degree. The lens is the first one's.
+FieldCamera mixed(const FieldCamera& a, const FieldCamera& b, double share);
+
 // A vector of the robot frame in the field frame.
 FieldPoint3 fieldVector(const Pose2& robot, Point3<Robot> v);
 

@@ -233,13 +233,27 @@ double World::ticksAt(std::size_t robot, TimeUs end, double share) const {
   return std::max(0.0, (static_cast<double>(end.us) - kExposureUs * late) / kTickUs);
 }
 
+// Bodies go evenly between two ticks: a camera between two places of a quarter of a tick is mixed of
+// theirs, 0.005 px off for a head of 400 deg/s, and most columns cost no joint's sine.
 ColumnCameras World::cameras(std::size_t robot, const Past& past, TimeUs end) const {
+  constexpr double kPerTick = 4.0;
   const UnlikeRobot& own = unlike_.robots[robot];
   const double readout = params_.rolling ? own.readout : 0.0;
+  const auto cameraAt = [&](double quarter) {
+    const BodyPlace place = past.place(robot, quarter / kPerTick);
+    return fieldCamera(place.pose, trueCamera(place), own.lens);
+  };
   ColumnCameras cameras;
+  double from = -1.0;
+  FieldCamera before, after;
   for (std::size_t x = 0; x < kImageWidth; ++x) {
-    const BodyPlace place = past.place(robot, ticksAt(robot, end, exposedAt(x, readout)));
-    cameras[x] = fieldCamera(place.pose, trueCamera(place), own.lens);
+    const double at = kPerTick * ticksAt(robot, end, exposedAt(x, readout));
+    if (std::floor(at) != from) {
+      before = std::floor(at) == from + 1.0 && x > 0 ? after : cameraAt(std::floor(at));
+      from = std::floor(at);
+      after = cameraAt(from + 1.0);
+    }
+    cameras[x] = mixed(before, after, at - from);
   }
   return cameras;
 }
