@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <memory>
 
 #include "robot/body/Camera.h"
@@ -154,6 +155,24 @@ TEST(Camera, PanDuringExposureMovesColumnsApart) {
     wide -= rest->pixel(x, 80).y > 120 ? 1 : 0;
   }
   EXPECT_GT(wide, 2);  // the head follows the marker, which smears it
+}
+
+// Where it shares columns and halves few: a noise of 2.5 levels lies over it.
+TEST(Camera, FewPixelsAreThreeLevelsOffThoseOfColumnsInManyParts) {
+  CameraParams few;
+  few.artefacts.noise = false;
+  CameraParams many = few;
+  many.splits = 4;
+  many.mostSlope = 0.0;
+  int off = 0;
+  for (const double pan : {-40.0, 0.0, 40.0}) {
+    const ColumnCameras columns = still(kPose, headAt(-10, pan, 5));
+    const auto a = rendered(match(), columns, few);
+    const auto b = rendered(match(), columns, many);
+    for (std::size_t i = 0; i < kImagePixels; ++i) off += std::abs(a->y[i] - b->y[i]) > 3 ? 1 : 0;
+  }
+  EXPECT_LT(off, static_cast<int>(3 * kImagePixels / 200));
+  EXPECT_GT(off, 0);  // else nothing was measured
 }
 
 }  // namespace

@@ -141,6 +141,20 @@ TEST(Unlike, ALateImageIsThatOfTheFrameBefore) {
   }
 }
 
+TEST(Unlike, AColumnsCameraIsThatOfItsOwnTime) {
+  constexpr double kHundredthOfAPixel = 0.01 / 192.0;
+  const World world = worldWith({});
+  const TimeUs end = world.time();
+  const auto columns = world.cameras(0, end);
+  for (std::size_t x = 0; x < kImageWidth; ++x) {
+    const double us = static_cast<double>(end.us) - kExposureUs * (1.0 - exposedAt(x, 1.0));
+    const BodyPlace place = world.past().place(0, us / kTickUs);
+    const FieldPoint3 is = columns[x].forward;
+    const FieldPoint3 off = fieldCamera(place.pose, trueCamera(place)).forward - is;
+    EXPECT_LT(std::fabs(off.x) + std::fabs(off.y) + std::fabs(off.z), kHundredthOfAPixel) << x;
+  }
+}
+
 TEST(Unlike, AGlobalShutterExposesAllColumnsInTheMiddle) {
   const World like = worldWith({});
   const World global = worldWith(certain("shutter"));

@@ -118,10 +118,10 @@ void Artefacts::prepareTone() {
 }
 
 // Each pixel gives `blurShare` to its four neighbours; the border keeps what would leave.
-RawColumn::Channel Artefacts::blurred(std::size_t channel, const RawColumn& left,
-                                      const RawColumn& right) const {
+RawColumn::Channel Artefacts::blurred(std::size_t channel, const RawColumn& of,
+                                      const RawColumn& left, const RawColumn& right) const {
   const auto share = static_cast<float>(params_.blurShare);
-  const RawColumn::Channel& own = current_.*kChannels[channel];
+  const RawColumn::Channel& own = of.*kChannels[channel];
   const RawColumn::Channel& before = left.*kChannels[channel];
   const RawColumn::Channel& after = right.*kChannels[channel];
   RawColumn::Channel out;
@@ -167,21 +167,21 @@ void Artefacts::writeStrip(std::size_t first, std::size_t channel, Image::Plane&
     std::memcpy(out.data() + y * kColumns + first, from + y * kStrip, kStrip);
 }
 
-// The last column, between its neighbours.
+// A column between its neighbours.
 void Artefacts::finish(std::size_t x, const RawColumn& left, const RawColumn& right, Random& random,
                        Image& image) {
+  const RawColumn& own = column(x);
   for (std::size_t c = 0; c < 3; ++c)
-    bytes(x, c, params_.blur ? blurred(c, left, right) : current_.*kChannels[c], random);
+    bytes(x, c, params_.blur ? blurred(c, own, left, right) : own.*kChannels[c], random);
   if (x % kStrip + 1 < kStrip) return;
   const std::array<Image::Plane*, 3> out{&image.y, &image.cr, &image.cb};
   for (std::size_t c = 0; c < 3; ++c) writeStrip(x + 1 - kStrip, c, *out[c]);
 }
 
-void Artefacts::add(std::size_t x, const RawColumn& column, Random& random, Image& image) {
-  if (x > 0) finish(x - 1, x > 1 ? left_ : current_, column, random, image);
-  left_ = current_;
-  current_ = column;
-  if (x + 1 == kColumns) finish(x, left_, current_, random, image);
+void Artefacts::add(std::size_t x, const RawColumn& added, Random& random, Image& image) {
+  column(x) = added;
+  if (x > 0) finish(x - 1, column(x > 1 ? x - 2 : 0), added, random, image);
+  if (x + 1 == kColumns) finish(x, column(x - 1), added, random, image);
 }
 
 }  // namespace kelpie::sim

@@ -99,7 +99,8 @@ class Artefacts {
   void prepareTone();
   void finish(std::size_t x, const RawColumn& left, const RawColumn& right, Random& random,
               Image& image);
-  RawColumn::Channel blurred(std::size_t channel, const RawColumn& left,
+  RawColumn& column(std::size_t x) { return columns_[x % columns_.size()]; }
+  RawColumn::Channel blurred(std::size_t channel, const RawColumn& of, const RawColumn& left,
                              const RawColumn& right) const;
   void bytes(std::size_t x, std::size_t channel, const RawColumn::Channel& value, Random& random);
   void writeStrip(std::size_t first, std::size_t channel, Image::Plane& out);
@@ -115,8 +116,7 @@ class Artefacts {
   std::array<std::vector<float>, 3> offset_;
   std::array<std::vector<std::uint8_t>, 3> tone_;  // by value; empty: linear
   SharedTables tables_;
-  RawColumn left_;     // of the last one
-  RawColumn current_;  // the last one
+  std::array<RawColumn, 3> columns_;  // the last ones
   // Columns that are bytes and not yet in the image, one after the other.
   std::array<Strip, 3> strip_{};
   Strip riffled_{};  // on their way

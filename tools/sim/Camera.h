@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The ERS-7's camera: renders a Scene into an Image, column by column, each column from its own
+// The ERS-7's camera: renders a Scene into an Image, column by column, every two from their own
 // camera pose (the sensor exposes columns left to right over the frame time, facts-2005 section
 // 2.1). Edges are anti-aliased: exact along a column; across it by cuts on its borders, each of
 // which two columns share, and where these show different things by halving the column. The same
@@ -55,7 +55,8 @@ class Camera {
     Corners corners;
     std::size_t first;  // column, and the last, that may show it
     std::size_t last;
-    bool shows(std::size_t x) const { return x >= first && x <= last; }
+    // Any of the columns from there on.
+    bool shows(std::size_t x, std::size_t count) const { return x + count > first && x <= last; }
   };
   void selectQuads(const Scene& scene, const ColumnCameras& cameras);
   void selectOwn(const Scene& scene, const ColumnCameras& cameras);
@@ -71,7 +72,7 @@ class Camera {
   };
   static void see(const FieldCamera& camera, std::size_t column,
                   const std::vector<const InView*>& all, Seen& seen);
-  void selectShapes(const Scene& scene, const FieldCamera& camera, double middle);
+  void selectShapes(const Scene& scene, const FieldCamera& camera, std::size_t x);
   struct Cut {
     std::vector<Span> shown;  // in the order of painting
     bool isPainted = false;
