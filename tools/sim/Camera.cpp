@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::size_t kRows = kImageHeight;
 constexpr double kRowsDouble = kImageHeight;
-constexpr std::size_t kBlock = 16;             // columns
+constexpr std::size_t kBlock = 16;  // columns
 // Columns that see with one camera, the one between them: a head of 400 deg/s is 0.1 px off so.
 constexpr std::size_t kTogether = 2;
 constexpr float kFineTexels = 1.0F / 0.8F;     // per cm; tufts of the carpet
@@ -75,7 +75,7 @@ double unevenness(const ColumnCameras& cameras) {
 
 // The columns that may show a quad: those of its corners as the three cameras see them, and some
 // beside them.
-Columns columnsOf(const Quad& quad, const Asked& asked, double beside) {
+Columns columnsOf(const Quad& quad, const Corners& corners, const Asked& asked, double beside) {
   constexpr double kAhead = 5.0;  // cm
   constexpr auto kLast = static_cast<double>(kImageWidth - 1);
   double low = kLast + beside;
@@ -83,9 +83,12 @@ Columns columnsOf(const Quad& quad, const Asked& asked, double beside) {
   bool away = true;
   bool behind = true;
   bool ahead = true;
+  SeenQuad seen;
   for (const FieldCamera* camera : asked) {
-    const SeenQuad seen = seenBy(*camera, quad);
+    see(*camera, quad, corners, seen);
     away = away && seen.turnedAway;
+    ahead = ahead && !seen.turnedAway;  // edge on: not known where
+    if (seen.turnedAway) continue;
     for (std::size_t i = 0; i < 4; ++i) {
       behind = behind && seen.depth[i] < -kAhead;
       ahead = ahead && seen.depth[i] > kAhead;
@@ -170,8 +173,9 @@ void Camera::selectQuads(const Scene& scene, const ColumnCameras& cameras) {
   const Asked asked{&cameras.front(), &cameras[kImageWidth / 2], &cameras.back()};
   const double beside = unevenness(cameras);
   const auto keep = [&](const Quad& quad, std::vector<InView>& kept) {
-    const auto [first, last] = columnsOf(quad, asked, beside);
-    if (first <= last) kept.push_back({&quad, cornersOf(quad), first, last});
+    const Corners corners = cornersOf(quad);
+    const auto [first, last] = columnsOf(quad, corners, asked, beside);
+    if (first <= last) kept.push_back({&quad, corners, first, last});
   };
   view_.clear();
   lineView_.clear();

@@ -233,8 +233,8 @@ double World::ticksAt(std::size_t robot, TimeUs end, double share) const {
   return std::max(0.0, (static_cast<double>(end.us) - kExposureUs * late) / kTickUs);
 }
 
-// Bodies go evenly between two ticks: a camera between two places of a quarter of a tick is mixed of
-// theirs, 0.005 px off for a head of 400 deg/s, and most columns cost no joint's sine.
+// Bodies go evenly between two ticks: a camera between two places of a quarter of a tick is mixed
+// of theirs, 0.005 px off for a head of 400 deg/s, and most columns cost no joint's sine.
 ColumnCameras World::cameras(std::size_t robot, const Past& past, TimeUs end) const {
   constexpr double kPerTick = 4.0;
   const UnlikeRobot& own = unlike_.robots[robot];
