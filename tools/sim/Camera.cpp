@@ -10,8 +10,10 @@ namespace {
 constexpr std::size_t kRows = kImageHeight;
 constexpr double kRowsDouble = kImageHeight;
 constexpr std::size_t kBlock = 16;  // columns
-// Columns that see with one camera, the one between them: a head of 400 deg/s is 0.1 px off so.
+// Columns that see with one camera, the one between them: of a head of 400 deg/s they are 0.1 px
+// off so, and the border to the two before, which was seen with their camera, 0.2.
 constexpr std::size_t kTogether = 2;
+static_assert(kBlock % kTogether == 0 && kImageWidth % kTogether == 0);
 constexpr float kFineTexels = 1.0F / 0.8F;     // per cm; tufts of the carpet
 constexpr float kCoarseTexels = 1.0F / 11.0F;  // per cm; wear and uneven light
 constexpr float kPaint = 0.3F;                 // a painted line's share of the carpet's texture

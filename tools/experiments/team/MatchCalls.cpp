@@ -67,7 +67,7 @@ Expected<Json> matchCalls(const Request& request) {
     judgeTime(match, found);
     found.goalsOfMatch.push_back(static_cast<double>(result.goals.size() + result.ownGoals.size()));
   };
-  const Status played = playFours(request, kSeconds, judge);
+  const Status played = playFours(request, kSeconds, Kept::world, judge);
   if (!played) return Error{played.error()};
   Json calls = Json::object();
   for (const auto& [reason, count] : found.calls) calls[reason] = ratio(count, request.trials);

@@ -94,7 +94,7 @@ Expected<Json> roles(const Request& request) {
     judgeTeam(match, TeamColour::red, found);
     judgeTeam(match, TeamColour::blue, found);
   };
-  const Status played = playFours(request, kSeconds, judge);
+  const Status played = playFours(request, kSeconds, Kept::robots, judge);
   if (!played) return Error{played.error()};
   return Json{{"one_attacker_share", found.oneAttacker.value()},
               {"no_attacker_share", found.none.value()},

@@ -40,7 +40,7 @@ Expected<Json> teamLocalise(const Request& request) {
       for (const TeamFrame& frame : robot.frames)
         if (frame.plays()) judgeFrame(robot, frame, match.at(frame.seconds), found);
   };
-  const Status played = playFours(request, kSeconds, judge);
+  const Status played = playFours(request, kSeconds, Kept::robots, judge);
   if (!played) return Error{played.error()};
   return Json{{"pose_error_mean_cm", mean(found.pose)},
               {"pose_error_p95_cm", percentile(found.pose, 0.95)},

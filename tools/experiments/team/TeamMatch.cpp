@@ -105,6 +105,10 @@ Status playTeams(const Request& request, const TeamMatches& matches) {
     talk.all = [&](const std::vector<std::string>& logs, const std::string& worldLog) {
       readBack = read(logs, worldLog, match);
     };
+    if (!session.keepAll)
+      talk.frames = [&](const std::string&, const std::string& worldLog) {
+        readBack = read({}, worldLog, match);
+      };
     const cli::SessionResult result = cli::runSession(session, talk);
     if (cli::interrupted()) return Error{"interrupted"};
     const std::string seed = "seed " + std::to_string(session.seed) + ": ";
@@ -116,11 +120,13 @@ Status playTeams(const Request& request, const TeamMatches& matches) {
   return Done{};
 }
 
-Status playFours(const Request& request, double seconds, const JudgeMatch& judge) {
+Status playFours(const Request& request, double seconds, Kept kept, const JudgeMatch& judge) {
   TeamMatches matches;
   matches.count = request.trials;
   matches.session = [&](int number) {
-    return *teamSession(request, trialOf(request, number), "4v4", seconds);
+    cli::SessionOptions session = *teamSession(request, trialOf(request, number), "4v4", seconds);
+    session.keepAll = kept == Kept::robots;
+    return session;
   };
   matches.judge = [&](int, const cli::SessionResult& result, const TeamMatch& match) {
     judge(result, match);

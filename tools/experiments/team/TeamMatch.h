@@ -68,8 +68,10 @@ Expected<cli::SessionOptions> teamSession(const Request& request, const Trial& t
 // One after the other: a match of eight robots takes all cores.
 Status playTeams(const Request& request, const TeamMatches& matches);
 
-// Matches of four against four, so many seconds of play long, one a trial.
+// Matches of four against four, so many seconds of play long, one a trial. What is kept of each for
+// its judge: the frames of all robots, and truth and events; or these alone, a tenth faster.
+enum class Kept { robots, world };
 using JudgeMatch = std::function<void(const cli::SessionResult& result, const TeamMatch& match)>;
-Status playFours(const Request& request, double seconds, const JudgeMatch& judge);
+Status playFours(const Request& request, double seconds, Kept kept, const JudgeMatch& judge);
 
 }  // namespace kelpie::experiments
