@@ -16,10 +16,6 @@ void limitSpeed(Ball& ball, const BallParams& params) {
   if (speed > params.maxSpeed) ball.velocity = ball.velocity * (params.maxSpeed / speed);
 }
 
-FieldPoint3 between(FieldPoint3 a, FieldPoint3 b, double t) {
-  return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), a.z + t * (b.z - a.z)};
-}
-
 void touchSphere(Ball& ball, const BodySphere& sphere, double t, const BallParams& params) {
   const FieldPoint3 centre = between(sphere.before, sphere.now, t);
   const double reach = body::kBallRadius + sphere.radius;

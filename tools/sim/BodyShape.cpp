@@ -18,10 +18,6 @@ FieldPoint3 onField(const Pose2& pose, Point3<Robot> p) {
   return {ground.x, ground.y, p.z};
 }
 
-Point3<Robot> between(Point3<Robot> a, Point3<Robot> b, double t) {
-  return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), a.z + t * (b.z - a.z)};
-}
-
 Point3<Robot> paw(Point3<Robot> foot) { return foot + Point3<Robot>{0.0, 0.0, kPawRadius}; }
 
 Point3<Robot> kneeOf(const BodyPlace& place, LegId leg) {

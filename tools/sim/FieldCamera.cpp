@@ -32,12 +32,8 @@ FieldCamera fieldCamera(const Pose2& robot, const CameraPose& camera, const Lens
 }
 
 FieldCamera mixed(const FieldCamera& a, const FieldCamera& b, double share) {
-  const auto between = [share](const FieldPoint3& p, const FieldPoint3& q) {
-    return FieldPoint3{p.x + share * (q.x - p.x), p.y + share * (q.y - p.y),
-                       p.z + share * (q.z - p.z)};
-  };
-  return {between(a.position, b.position), between(a.right, b.right), between(a.down, b.down),
-          between(a.forward, b.forward), a.lens};
+  return {between(a.position, b.position, share), between(a.right, b.right, share),
+          between(a.down, b.down, share), between(a.forward, b.forward, share), a.lens};
 }
 
 std::optional<PixelPoint> pixelIn(const FieldCamera& camera, FieldPoint3 point) {

@@ -17,6 +17,11 @@
 namespace kelpie::sim {
 
 using FieldPoint3 = Point3<Field>;
+// At that share of the straight way from one to the other.
+template <class Frame>
+Point3<Frame> between(const Point3<Frame>& a, const Point3<Frame>& b, double share) {
+  return {a.x + share * (b.x - a.x), a.y + share * (b.y - a.y), a.z + share * (b.z - a.z)};
+}
 
 // A convex four-cornered flat shape. `lit` is its brightness, `slope` the change of brightness from
 // its lowest to its highest corner.

@@ -244,14 +244,15 @@ ColumnCameras World::cameras(std::size_t robot, const Past& past, TimeUs end) co
     return fieldCamera(place.pose, trueCamera(place), own.lens);
   };
   ColumnCameras cameras;
-  double from = -1.0;
+  double from = -2.0;  // a place that is not beside any
   FieldCamera before, after;
   for (std::size_t x = 0; x < kImageWidth; ++x) {
     const double at = kPerTick * ticksAt(robot, end, exposedAt(x, readout));
-    if (std::floor(at) != from) {
-      before = std::floor(at) == from + 1.0 && x > 0 ? after : cameraAt(std::floor(at));
-      from = std::floor(at);
-      after = cameraAt(from + 1.0);
+    const double whole = std::floor(at);
+    if (whole != from) {
+      before = whole == from + 1.0 ? after : cameraAt(whole);
+      after = cameraAt(whole + 1.0);
+      from = whole;
     }
     cameras[x] = mixed(before, after, at - from);
   }
