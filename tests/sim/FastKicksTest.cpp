@@ -59,6 +59,29 @@ TEST(FastKick, OfAFreeBallGoesAsFarAndWhereItsFileSays) {
   }
 }
 
+// Rows of pycode/lib/kick_map.py for a robot that stands, measured by `kelpie calibrate kicks`.
+TEST(FastKick, OfAFreeBallAwayFromItsBestPlaceGoesAsThePhysicalOneDoes) {
+  struct Measured {
+    MotionKind kind;
+    double ahead, left;
+    double distance, direction;
+  };
+  const std::array<Measured, 4> all{{{MotionKind::upennLeft, 16.0, 0.0, 172.0, 59.0},
+                                     {MotionKind::upennRight, 16.0, 0.0, 172.0, -59.0},
+                                     {MotionKind::headSwipeLeft, 14.0, -6.0, 144.0, 12.0},
+                                     {MotionKind::kickForward, 16.0, 2.0, 118.0, 20.0}}};
+  for (const Measured& is : all) {
+    const Way way = meanOf(is.kind, is.ahead, is.left, false);
+    EXPECT_NEAR(way.distance, is.distance, 0.2 * is.distance) << static_cast<int>(is.kind);
+    EXPECT_NEAR(way.left, is.direction, 6.0) << static_cast<int>(is.kind);
+  }
+}
+
+TEST(FastKick, OfABallOutOfItsReachLeavesItThere) {
+  EXPECT_NEAR(meanOf(MotionKind::upennLeft, 20.5, -4.0, false).distance, 0.0, 0.1);
+  EXPECT_NEAR(meanOf(MotionKind::kickForward, 14.0, 10.0, false).distance, 0.0, 0.1);
+}
+
 // None of its parts touches such a ball.
 TEST(FastKick, WhoCarriesTheBallIsToldToTouchIt) {
   WalkingBody body(3);

@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "tools/sim/KickTable.h"
+
 namespace kelpie::sim {
 namespace {
 
@@ -19,6 +21,7 @@ constexpr double kDrawnIn = 0.1;  // share of the way there, a tick
 constexpr std::size_t kFirstLegJoint = index(Joint::leftFrontRotator);
 constexpr double kWalkSlew = 4.5;  // deg a tick: only motions command more
 constexpr double kSame = 0.3;      // deg by which commanded angles may differ from a key frame's
+constexpr double kStands = 2.5;    // cm/s: a slower robot stands, as the kick map has it
 constexpr double kSure = 1.2;      // cm from the kick's place at which its figures were measured,
 constexpr double kOff = 4.0;       // and at which nothing is left of it
 
@@ -32,37 +35,15 @@ bool canHold(Point2<Robot> ball) {
   return ball.y > kNearest && ball.y < kFurthest && std::fabs(ball.x) < kAside;
 }
 
-// Of a ball that is held as it begins, what a kick does that is meant for one that lies free: the
-// rows HELD of pycode/lib/kick_map.py, which `kelpie calibrate kicks` measured.
-struct HeldKick {
-  MotionKind kind;
-  double distance, distanceSd;    // cm
-  double direction, directionSd;  // deg to the left
-};
-constexpr std::array<HeldKick, 4> kHeldKicks{{
-    {MotionKind::headSwipeLeft, 128.0, 9.0, 73.0, 3.0},
-    {MotionKind::headSwipeRight, 128.0, 9.0, -73.0, 3.0},
-    {MotionKind::upennLeft, 103.0, 20.0, 76.0, 5.0},
-    {MotionKind::upennRight, 103.0, 20.0, -76.0, 5.0},
-}};
-
-actuator::KickEffect effectOf(MotionKind kind, bool held) {
-  actuator::KickEffect effect = actuator::standardMotions()[kind].kick;
-  if (!held) return effect;
-  for (const HeldKick& row : kHeldKicks) {
-    if (row.kind != kind) continue;
-    effect.distance = row.distance;
-    effect.distanceSd = row.distanceSd;
-    effect.direction = Angle::deg(row.direction);
-    effect.directionSd = Angle::deg(row.directionSd);
-  }
-  return effect;
-}
-
-// How much of a kick a ball gets that lies there, from where the motion began.
-double shareOf(const actuator::KickEffect& effect, Point2<Robot> ball) {
+// A hard forward or a wedge at a ball that lies free does what its file says, at the place where it
+// was searched; a ball further aside goes less far.
+KickCell ofItsFile(MotionKind kind, Point2<Robot> ball) {
+  const actuator::KickEffect& effect = actuator::standardMotions()[kind].kick;
   const double off = maths::hypot(ball.x + effect.left, ball.y - effect.ahead);
-  return maths::clamp((kOff - off) / (kOff - kSure), 0.0, 1.0);
+  const double share = maths::clamp((kOff - off) / (kOff - kSure), 0.0, 1.0);
+  const double wide = 1.0 + 2.0 * (1.0 - share);
+  return {share > 0.0 ? 100.0 : 0.0, effect.direction.deg(), wide * effect.directionSd.deg(),
+          share * effect.distance, share * effect.distanceSd};
 }
 
 // The legs of a kick's key frame as the actuator's clamp lets them be commanded.
@@ -147,16 +128,14 @@ bool FastKicks::hold(const RobotModel& body, Grip& grip, Ball& ball) const {
 
 void FastKicks::kick(MotionKind kind, Grip& grip, Ball& ball) {
   grip.kicked = true;
-  const actuator::KickEffect effect = effectOf(kind, grip.holds);
-  const double share =
-      grip.holds ? 1.0 : shareOf(effect, robotFromField(grip.start, ball.position));
+  const Point2<Robot> at = robotFromField(grip.start, ball.position);
+  const auto known = grip.holds ? heldKick(kind) : freeKick(kind, grip.walks, at);
   grip.holds = false;
-  const double distance =
-      share * std::fmax(0.0, random_.gaussian(effect.distance, effect.distanceSd));
-  const double wide = 1.0 + 2.0 * (1.0 - share);
-  const Angle way = effect.direction + effect.directionSd * (wide * random_.gaussian());
-  if (distance <= 0.0) return;
-  const Angle heading = grip.start.heading + way;
+  const KickCell cell = known ? *known : ofItsFile(kind, at);
+  if (cell.chance <= 0.0) return;
+  const double far = std::fmax(0.0, random_.gaussian(cell.distance, cell.reachSd));
+  const double distance = random_.chance(0.01 * cell.chance) ? far : random_.uniform(0.0, kGoes);
+  const Angle heading = grip.start.heading + Angle::deg(random_.gaussian(cell.direction, cell.sd));
   const double speed = speedToRoll(distance, ball_);
   ball.velocity = {speed * heading.cos(), speed * heading.sin()};
 }
@@ -171,6 +150,8 @@ bool FastKicks::tick(std::size_t robot, const RobotModel& body, Ball& ball) {
   if (frame == nullptr && !jumps) {
     grip.kicked = false;
     grip.start = body.place().pose;
+    const Point2<Field> was = body.placeBefore().pose.position;
+    grip.walks = distance(grip.start.position, was) > kStands * kTickSeconds;
     grip.holds = holdingPose(target) && hold(body, grip, ball);
     // A head that comes down with its jaw shut passes in front of the ball.
     const Point2<Robot> at = robotFromField(grip.start, ball.position);

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a kinematic world, which knows no blows, makes of grabs and kicks. A ball between the paws
 // of a robot whose head is in the pose that holds one goes where the robot goes. A robot whose legs
-// are commanded into the last key frame of a kick (actuator/data/motions) sends a ball that lies
-// where the kick wants it as far and as straight as the physical one did on the mean, and spread as
-// there (`kelpie calibrate motion` measures both), one that is held as `kelpie calibrate kicks` has
-// it. A ball further aside goes less far. All as seen from where the motion began: its legs carry a
-// kinematic body by up to 15 cm and 45 deg to and fro, which a ball knows nothing of.
+// are commanded into the last key frame of a kick (actuator/data/motions) sends the ball as the kick
+// map has it (KickTable), from where it lies or from the hold, by a robot that stands or walks. All
+// as seen from where the motion began: its legs carry a kinematic body by up to 15 cm and 45 deg to
+// and fro, which a ball knows nothing of.
 // Knows no other motions than those that are compiled in.
 #pragma once
 
@@ -40,6 +39,7 @@ class FastKicks {
   struct Grip {
     bool holds = false;
     bool kicked = false;  // by the motion that is played
+    bool walks = false;   // before that motion
     Pose2 start;          // of the robot, before that motion
     Point2<Robot> place;  // of a held ball
     JointAngles target;   // of the tick before
