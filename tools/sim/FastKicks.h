@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a kinematic world, which knows no blows, makes of grabs and kicks. A ball between the paws
 // of a robot whose head is in the pose that holds one goes where the robot goes. A robot whose legs
-// are commanded into the last key frame of a kick (actuator/data/motions) sends the ball as the kick
-// map has it (KickTable), from where it lies or from the hold, by a robot that stands or walks. All
-// as seen from where the motion began: its legs carry a kinematic body by up to 15 cm and 45 deg to
-// and fro, which a ball knows nothing of.
-// Knows no other motions than those that are compiled in.
+// are commanded into the last key frame of a kick (actuator/data/motions) sends the ball as the
+// kick map has it (KickTable), from where it lies or from the hold, by a robot that stands or
+// walks. All as seen from where the motion began: its legs carry a kinematic body by up to 15 cm
+// and 45 deg to and fro, which a ball knows nothing of. Knows no other motions than those that are
+// compiled in.
 #pragma once
 
 #include <vector>
