@@ -14,7 +14,7 @@ from lib.tune_goalie import Attack, Clear, Coming, Guard
 from players.halted import Halted
 from skills.attack_ball import AttackBall
 from skills.block import NAMES, ShotWatch
-from skills.clear_ball import clearing_kick
+from skills.clear_ball import clearing_kick, contested
 from skills.face_up_field import FaceUpField
 from skills.get_up import GetUp
 from skills.goalie_head import GoalieHead, seen
@@ -36,7 +36,7 @@ class Goalie(Machine):
         self.pose = PoseWatch()
         self.get_up = GetUp()
         self.halted = Halted(self.memory, self.get_up)
-        self.cleared_to = None  # the point of the field that the last clearance was to pass
+        self.look_for = None  # the point of the field where the ball of the last clearance should be
         self.shot_aside = 0.0  # cm, of the last shot that was blocked
         self.moved_s = 0.0  # when the last motion ended, or the last fall
         self.kicked = False  # that motion was a kick
@@ -131,7 +131,7 @@ class Goalie(Machine):
         if best is None:
             return False
         if self.state != self.clear:
-            self.cleared_to = best.after(Clear.LOOK)
+            self.look_for = best.ball if contested(world) else best.after(Clear.LOOK)
         return self.take(world, self.clear, lambda: Kick(world, best.kick),
                          'worth {}, to {} deg, {} deg off the own goal', best.worth,
                          best.direction, best.off_goal)
@@ -171,7 +171,7 @@ class Goalie(Machine):
     def clear(self, world):
         command = self.perform(world)
         if command is None:
-            self.eyes.expect(world, self.cleared_to)
+            self.eyes.expect(world, self.look_for)
         return command
 
     def perform(self, world):

@@ -60,10 +60,23 @@ def predicted(world, seconds) -> tuple[float, float]:
             ball.y - share * step.forward + seconds * vy)
 
 
-def in_window(kick, x, y) -> bool:
-    """Whether a ball lies in the kick's window of the map or a little beside it. A robot that walks
-    kicks worse than the standing one of the map: from its outer places half of the balls stayed."""
-    left, near, right, far = kick_table.window(kick)
+def contested(world) -> bool:
+    """Whether an opponent is at the ball: such a kick leaves it where it lay, or nearly."""
+    ball = world.ball.position
+    return any(math.hypot(other.position.x - ball.x, other.position.y - ball.y) < Clear.AT_BALL
+               for other in world.opponents)
+
+
+def walks(world) -> bool:
+    """Whether the kick begins from a walk, in which it does another thing than from standing."""
+    step = world.odometry
+    return math.hypot(step.forward, step.left) > Clear.WALKS * world.elapsed_s
+
+
+def in_window(kick, x, y, walking) -> bool:
+    """Whether a ball lies in the kick's window of the map or a little beside it: from its outer
+    places half of the balls stayed."""
+    left, near, right, far = kick_table.window(kick, walking)
     beside = Clear.BESIDE
     return (left - beside <= x <= right + beside and
             near - beside <= y <= min(far + beside, Clear.FARTHEST))
@@ -73,10 +86,11 @@ def clearance(world, kick) -> Clearance | None:
     """What a kick that is asked for now is worth at least, whether the motion begins at once or at
     the end of a step; None if it then reaches no ball or is not safe."""
     ball = (world.ball.position.x, world.ball.position.y)
-    worst = None
+    walking, worst = walks(world), None
     for seconds in Clear.LATENCY:
         place = predicted(world, seconds)
-        outcome = kick_table.outcome(kick, *place) if in_window(kick, *place) else None
+        outcome = (kick_table.outcome(kick, *place, walking)
+                   if in_window(kick, *place, walking) else None)
         if outcome is None:
             return None
         one = Clearance(world, kick, ball, outcome, world.pose.heading_deg)

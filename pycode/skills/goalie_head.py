@@ -136,16 +136,18 @@ class GoalieHead(Machine):
             self.enter(world, self.search, PointScan(world, side), 'a block has ended')
 
     def expect(self, world, point):
-        """The ball was kicked and should come by that point of the field."""
+        """The ball was kicked and should be near that point of the field."""
         self.enter(world, self.expected, point, 'kicked to ({}, {})', *point)
 
     def expected(self, world):
         if seen(world, Look.LOST) and world.ball.seconds_since_seen < self.since(world):
             return self.enter(world, self.track, None, 'the ball is {} cm away',
                               world.ball.distance)
+        x, y = from_field(world.pose, *self.skill)
         if self.timed_out(world, Look.BELIEVED):
-            return self.enter(world, self.search, PointScan(world, 1.0), 'not where it was kicked')
-        return look_at(*from_field(world.pose, *self.skill), Watch.BALL_HEIGHT, world.stance)
+            side = -1.0 if x > 0.0 else 1.0
+            return self.enter(world, self.search, PointScan(world, side), 'not where it was kicked')
+        return look_at(x, y, Watch.BALL_HEIGHT, world.stance)
 
     def search(self, world):
         if seen(world, Look.LOST):

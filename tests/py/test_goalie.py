@@ -7,7 +7,7 @@ import pytest
 from goalie_world import GoalieWorld, anywhere, run, scene, shot
 from lib import goalie_places as places
 from lib.pose_watch import BLIND, SURE_CM
-from lib.tune_goalie import Block, Clear, Guard
+from lib.tune_goalie import Block, Clear, Guard, Look
 from players.goalie import Goalie
 from skills.guard_goal import GuardGoal
 from skills.point_scan import PointScan
@@ -325,3 +325,27 @@ def test_no_kick_before_the_goalie_stands_after_a_motion():
         player.command(scenery.world)
         waited += 1
     assert waited == pytest.approx(30 * Clear.STANDS, abs=2)
+
+
+@pytest.mark.parametrize('away, at_ball', [(Clear.AT_BALL - 5.0, True),
+                                           (Clear.AT_BALL + 5.0, False)])
+def test_a_ball_kicked_against_an_opponent_is_looked_for_where_it_lay(away, at_ball):
+    scenery, player = scene(180 + 44j, at=180 + 30j), Goalie()
+    scenery.see()
+    player.moved_s = -10.0
+    scenery.world.opponents = [kelpie.OpponentEstimate(position=kelpie.Point2(
+        x=180.0 - away, y=44.0))]
+    assert player.may_clear(scenery.world)
+    lay = math.hypot(player.look_for[0] - 180.0, player.look_for[1] - 44.0)
+    assert lay == pytest.approx(0.0 if at_ball else Clear.LOOK)
+
+
+@pytest.mark.parametrize('right', [-30.0, 30.0])
+def test_a_ball_that_is_not_where_it_was_kicked_is_looked_for_on_that_side(right):
+    scenery, player = scene(180 + 150j, at=180 + 30j), Goalie()
+    world = scenery.world
+    world.ball.seconds_since_seen = 2.0
+    player.eyes.expect(world, (180.0 + right, 60.0))
+    world.time_s += Look.BELIEVED + 0.1
+    player.eyes.head(world, False)
+    assert player.eyes.skill.near[-1] == math.copysign(30.0, -right)

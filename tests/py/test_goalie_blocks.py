@@ -10,7 +10,7 @@ from lib import kick_table
 from lib.memory import Memory
 from lib.tune_goalie import Block
 from skills.block import ShotWatch, block_for
-from skills.clear_ball import Clearance, clearing_kick, predicted, side_of
+from skills.clear_ball import Clearance, clearance, clearing_kick, predicted, side_of, walks
 
 
 # Block choice (checklist A-4.3.1.4)
@@ -185,3 +185,15 @@ def test_what_is_kicked_is_the_ball_at_the_motions_beginning():
     assert predicted(world, 0.1) == pytest.approx((0.0, 28.0))
     world.odometry.forward, world.odometry.left = 1.0, 0.5
     assert predicted(world, 0.1) == pytest.approx((1.5, 25.0))
+
+
+def test_a_kick_from_a_walk_is_read_from_the_map_of_walking_robots():
+    """A ball 11.5 cm ahead and 7 to the right, in the window of a walking U-Penn kick alone."""
+    world = scene(187 + 41.5j, at=180 + 30j).world
+    world.elapsed_s = 1.0 / 30.0
+    assert not walks(world)
+    standing = clearance(world, kelpie.UPENN_LEFT)
+    world.odometry.left = 4.0 / 30.0
+    assert walks(world)
+    walking = clearance(world, kelpie.UPENN_LEFT)
+    assert standing.direction != walking.direction
