@@ -86,7 +86,7 @@ class Clear:
                              # to 8 cm off, and the kick misses
     NEAR = 25.0              # cm; no kick reaches farther
     WALKS = 3.0              # cm/s: a slower robot stands
-    AT_BALL = 30.0           # cm from the ball to an opponent's neck. Of 38 kicks with one within 25
+    AT_BALL = 30.0           # cm from the ball to an opponent's neck. Of 38 kicks with one in 25
                              # half left the ball within 20 cm for 0.4 s, of 53 alone a quarter
     BESIDE, FARTHEST = 2.0, 16.0  # cm about a kick's window, and ahead
     LATENCY = 0.05, 0.2      # s from asking to the motion's beginning, at least and at most

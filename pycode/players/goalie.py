@@ -36,7 +36,7 @@ class Goalie(Machine):
         self.pose = PoseWatch()
         self.get_up = GetUp()
         self.halted = Halted(self.memory, self.get_up)
-        self.look_for = None  # the point of the field where the ball of the last clearance should be
+        self.look_for = None  # the point of the field where the ball should be after a clearance
         self.shot_aside = 0.0  # cm, of the last shot that was blocked
         self.moved_s = 0.0  # when the last motion ended, or the last fall
         self.kicked = False  # that motion was a kick
