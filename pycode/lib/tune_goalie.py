@@ -88,6 +88,8 @@ class Clear:
     WALKS = 3.0              # cm/s: a slower robot stands
     AT_BALL = 30.0           # cm from the ball to an opponent's neck. Of 38 kicks with one in 25
                              # half left the ball within 20 cm for 0.4 s, of 53 alone a quarter
+    MATE = 30.0              # cm from the ball to a mate's neck that grabs it: both own goals of 20
+                             # matches were kicks of goalies against their own attacker's hold
     BESIDE, FARTHEST = 2.0, 16.0  # cm about a kick's window, and ahead
     LATENCY = 0.05, 0.2      # s from asking to the motion's beginning, at least and at most
     WORTH = 0.45             # of a kick that is done as the ball lies

@@ -14,7 +14,7 @@ from lib.tune_goalie import Attack, Clear, Coming, Guard
 from players.halted import Halted
 from skills.attack_ball import AttackBall
 from skills.block import NAMES, ShotWatch
-from skills.clear_ball import clearing_kick, contested
+from skills.clear_ball import clearing_kick, contested, mate_grabs
 from skills.face_up_field import FaceUpField
 from skills.get_up import GetUp
 from skills.goalie_head import GoalieHead, seen
@@ -127,7 +127,7 @@ class Goalie(Machine):
 
     def may_clear(self, world) -> bool:
         stands = world.time_s - self.moved_s > Clear.STANDS
-        best = clearing_kick(world) if stands else None
+        best = clearing_kick(world) if stands and not mate_grabs(world) else None
         if best is None:
             return False
         if self.state != self.clear:
@@ -141,7 +141,8 @@ class Goalie(Machine):
         away = beyond_box(world.field, (ball.position.x, ball.position.y))
         limit = Attack.LEAVE if self.state == self.attack else Attack.NEAR
         if (not seen(world, Attack.UNSEEN) or not self.seen_since_motion(world) or away > limit or
-                speed(ball) > Attack.SPEED or world.time_s < self.rest_s or self.eyes.lost):
+                speed(ball) > Attack.SPEED or world.time_s < self.rest_s or self.eyes.lost or
+                mate_grabs(world)):
             return False
         skill = self.skill if self.state == self.attack else AttackBall()
         if not skill.can(world):

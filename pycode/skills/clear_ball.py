@@ -5,6 +5,7 @@
 # for a ball that an opponent holds against the kick goes anywhere (docs/body.md, Kicks).
 import math
 
+import kelpie
 from lib import intercept, kick_table
 from lib.geom import wrap
 from lib.goalie_places import UP_FIELD, off_own_goal
@@ -65,6 +66,15 @@ def contested(world) -> bool:
     ball = world.ball.position
     return any(math.hypot(other.position.x - ball.x, other.position.y - ball.y) < Clear.AT_BALL
                for other in world.opponents)
+
+
+def mate_grabs(world) -> bool:
+    """Whether a mate at the ball says that it grabs or holds it: who kicks there, too, sends the
+    ball back past himself."""
+    ball = world.ball.position
+    return any(mate.note.grabs != kelpie.GRABS_NOT and
+               math.hypot(mate.pose.position.x - ball.x, mate.pose.position.y - ball.y) < Clear.MATE
+               for mate in world.teammates)
 
 
 def walks(world) -> bool:

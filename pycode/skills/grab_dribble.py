@@ -30,8 +30,8 @@ TURN_GAIN = 4.0         # deg/s per deg
 LEAST_TURN = 25.0       # deg/s: the dribble walk hardly turns slower
 DELAY = 0.13            # s from a command to the body's turn
 CARRY_UNTIL = 1.8       # s: later there is no time for a way that matters
-CARRY_TO = 65.0         # cm to the goal from which carrying on helps no more: of 52 kicks from within
-                        # 90 cm 9 were goals, of 44 from within 120 one (docs/team.md)
+CARRY_TO = 65.0         # cm to the goal from which carrying on helps no more: of 52 kicks from up
+                        # to 90 cm 9 were goals, of 44 from 90 to 120 one (docs/team.md)
 CARRY_FROM = 230.0      # and beyond which a kick does not reach the goal anyway
 SEARCH_Y = 400.0        # cm; from here on the goal is turned for more slowly (G39)
 SEARCH_TURN, SEARCH_TURN_FRONT = 50.0, 40.0   # deg/s as the thesis has it,

@@ -340,6 +340,22 @@ def test_a_ball_kicked_against_an_opponent_is_looked_for_where_it_lay(away, at_b
     assert lay == pytest.approx(0.0 if at_ball else Clear.LOOK)
 
 
+@pytest.mark.parametrize('grabs, away, kicks', [
+    (kelpie.HOLDS, 12.0, False), (kelpie.GRABS_SOON, 12.0, False), (kelpie.GRABS_NOT, 12.0, True),
+    (kelpie.HOLDS, Clear.MATE + 10.0, True)])
+def test_the_goalie_leaves_a_ball_to_the_mate_that_grabs_it(grabs, away, kicks):
+    scenery, player = scene(180 + 44j, at=180 + 30j), Goalie()
+    scenery.see()
+    player.moved_s = -10.0
+    mate = kelpie.TeammateEstimate(player=2)
+    mate.pose.position.x, mate.pose.position.y = 180.0 + away, 44.0
+    mate.note.grabs = grabs
+    scenery.world.teammates = [mate]
+    assert player.may_clear(scenery.world) == kicks
+    player.enter(scenery.world, player.guard, GuardGoal(Guard))
+    assert player.may_attack(scenery.world) == kicks
+
+
 @pytest.mark.parametrize('right', [-30.0, 30.0])
 def test_a_ball_that_is_not_where_it_was_kicked_is_looked_for_on_that_side(right):
     scenery, player = scene(180 + 150j, at=180 + 30j), Goalie()
