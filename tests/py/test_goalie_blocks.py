@@ -188,7 +188,6 @@ def test_what_is_kicked_is_the_ball_at_the_motions_beginning():
 
 
 def test_a_kick_from_a_walk_is_read_from_the_map_of_walking_robots():
-    """A ball 11.5 cm ahead and 7 to the right, in the window of a walking U-Penn kick alone."""
     world = scene(187 + 41.5j, at=180 + 30j).world
     world.elapsed_s = 1.0 / 30.0
     assert not walks(world)

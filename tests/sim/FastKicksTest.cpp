@@ -49,7 +49,7 @@ Way meanOf(MotionKind kind, double ahead, double left, bool held) {
   return sum;
 }
 
-TEST(FastKick, OfAFreeBallGoesAsFarAndWhereItsFileSays) {
+TEST(FastKick, OfAFreeBallFromItsBestPlaceGoesAsItsFileSaysToo) {
   for (const MotionKind kind : {MotionKind::kickForward, MotionKind::headSwipeLeft,
                                 MotionKind::headSwipeRight, MotionKind::upennLeft}) {
     const actuator::KickEffect& kick = actuator::standardMotions()[kind].kick;

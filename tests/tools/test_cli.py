@@ -79,7 +79,7 @@ def test_the_body_walks_as_its_odometry_says_and_kicks_straight(tmp_path):
     for way in ("forward", "back", "side", "turn"):
         assert 0.95 < values[f"{way}_ratio"] < 1.05
     assert values["kick_mean_cm"] > 80
-    assert values["kick_aside_deg"] < 20  # 5 from a cm aside, three standard deviations of the map
+    assert values["kick_aside_deg"] < 25  # of a ball 0.8 cm aside 6, and three sd of the map
 
 
 def test_the_playing_robot_knows_its_place(tmp_path):
