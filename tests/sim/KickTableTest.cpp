@@ -7,14 +7,19 @@
 namespace kelpie::sim {
 namespace {
 
+TEST(KickTable, OfTheMapThatIsCompiledInCanBeRead) {
+  const auto map = readKickMap(standardKickMapText());
+  ASSERT_TRUE(map.ok()) << map.error();
+}
+
 TEST(KickTable, AtAPlaceOfTheMapSaysWhatTheMapSays) {
   const auto cell = freeKick(MotionKind::upennLeft, false, {4.0, 14.0});
   ASSERT_TRUE(cell);
-  EXPECT_NEAR(cell->chance, 100.0, 1e-9);
-  EXPECT_NEAR(cell->direction, 43.0, 1e-9);
-  EXPECT_NEAR(cell->sd, 5.0, 1e-9);
+  EXPECT_NEAR(100.0 * cell->went, 100.0, 1e-9);
+  EXPECT_NEAR(cell->direction.deg(), 43.0, 1e-9);
+  EXPECT_NEAR(cell->directionSd.deg(), 5.0, 1e-9);
   EXPECT_NEAR(cell->distance, 224.0, 1e-9);
-  EXPECT_NEAR(cell->reachSd, 17.0, 1e-9);
+  EXPECT_NEAR(cell->distanceSd, 17.0, 1e-9);
 }
 
 TEST(KickTable, OfAWalkingRobotIsAnother) {
@@ -27,20 +32,20 @@ TEST(KickTable, OfTheOtherSideIsMirrored) {
   const auto left = freeKick(MotionKind::upennLeft, false, {3.0, 13.0});
   const auto right = freeKick(MotionKind::upennRight, false, {-3.0, 13.0});
   ASSERT_TRUE(left && right);
-  EXPECT_NEAR(left->direction, -right->direction, 1e-9);
+  EXPECT_NEAR(left->direction.deg(), -right->direction.deg(), 1e-9);
   EXPECT_NEAR(left->distance, right->distance, 1e-9);
   const auto ahead = freeKick(MotionKind::kickForward, false, {2.0, 14.0});
   const auto mirrored = freeKick(MotionKind::kickForward, false, {-2.0, 14.0});
   ASSERT_TRUE(ahead && mirrored);
-  EXPECT_NEAR(ahead->direction, -9.0, 1e-9);
-  EXPECT_NEAR(mirrored->direction, 9.0, 1e-9);
+  EXPECT_NEAR(ahead->direction.deg(), -9.0, 1e-9);
+  EXPECT_NEAR(mirrored->direction.deg(), 9.0, 1e-9);
 }
 
 // Half way between a place of 100 % and one of 33 %.
 TEST(KickTable, BetweenPlacesCountsEachByTheBallsThatWent) {
   const auto cell = freeKick(MotionKind::kickForward, false, {5.0, 14.0});
   ASSERT_TRUE(cell);
-  EXPECT_NEAR(cell->chance, 66.5, 1e-9);
+  EXPECT_NEAR(100.0 * cell->went, 66.5, 1e-9);
   EXPECT_NEAR(cell->distance, (100.0 * 107.0 + 33.0 * 47.0) / 133.0, 1e-9);
 }
 
@@ -48,14 +53,14 @@ TEST(KickTable, AStepBeyondTheMapNoBallGoes) {
   const auto half = freeKick(MotionKind::upennLeft, false, {0.0, 19.0});
   const auto none = freeKick(MotionKind::upennLeft, false, {0.0, 20.0});
   ASSERT_TRUE(half && none);
-  EXPECT_NEAR(half->chance, 48.0, 1e-9);
-  EXPECT_DOUBLE_EQ(none->chance, 0.0);
+  EXPECT_NEAR(100.0 * half->went, 48.0, 1e-9);
+  EXPECT_DOUBLE_EQ(none->went, 0.0);
 }
 
 TEST(KickTable, KnowsKicksFromTheHoldAndNoneThatIsNotOne) {
   const auto held = heldKick(MotionKind::headSwipeRight);
   ASSERT_TRUE(held);
-  EXPECT_NEAR(held->direction, -73.0, 1e-9);
+  EXPECT_NEAR(held->direction.deg(), -73.0, 1e-9);
   EXPECT_FALSE(heldKick(MotionKind::kickForward));
   EXPECT_FALSE(freeKick(MotionKind::hardForward, false, {0.0, 12.0}));
 }

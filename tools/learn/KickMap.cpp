@@ -18,8 +18,6 @@ constexpr double kPhysicsStep = 0.002;  // s, shorter by itself while a ball tou
 constexpr int kStarts = 4;              // held and walking robots of each model
 constexpr double kHeldScatter = 0.6;    // cm to each side, before it is held
 
-bool isItsOwnMirror(MotionKind motion) { return mirrored(motion) == motion; }
-
 // From a place in the middle such a kick does to the right what it does to the left.
 void addMirrorImages(std::vector<KickRun>& runs) {
   const std::size_t count = runs.size();

@@ -5,7 +5,6 @@
 
 #include <string>
 
-#include "robot/core/Expected.h"
 #include "tools/learn/KickMap.h"
 
 namespace kelpie::learn {
@@ -13,8 +12,6 @@ namespace kelpie::learn {
 // `about`: the command, a line or more.
 std::string kickMapText(const KickMap& map, const std::string& about);
 
-// Of a text that kickMapText() wrote; nothing else of Python is understood. Of the runs at a place
-// it only tells whether there were any.
-Expected<KickMap> readKickMap(const std::string& text);
+using sim::readKickMap;
 
 }  // namespace kelpie::learn

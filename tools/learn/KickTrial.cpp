@@ -84,16 +84,6 @@ const std::vector<KickAim>& kicks() {
   return all;
 }
 
-MotionKind mirrored(MotionKind motion) {
-  switch (motion) {
-    case MotionKind::headSwipeLeft: return MotionKind::headSwipeRight;
-    case MotionKind::headSwipeRight: return MotionKind::headSwipeLeft;
-    case MotionKind::upennLeft: return MotionKind::upennRight;
-    case MotionKind::upennRight: return MotionKind::upennLeft;
-    default: return motion;
-  }
-}
-
 KickAim mirrored(const KickAim& aim) {
   KickAim other = aim;
   other.motion = mirrored(aim.motion);

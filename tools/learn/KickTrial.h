@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "tools/learn/WalkTrial.h"
+#include "tools/sim/KickMap.h"
 
 namespace kelpie::learn {
 
@@ -27,7 +28,7 @@ struct KickAim {
 // The kicks of actuator/data/motions; the one to the right of a pair is the mirrored left one.
 const std::vector<KickAim>& kicks();
 const KickAim* findKick(MotionKind motion);
-MotionKind mirrored(MotionKind motion);
+using sim::mirrored;
 KickAim mirrored(const KickAim& aim);
 
 // The one of a motion as it is: a free ball lies where the motion wants it.

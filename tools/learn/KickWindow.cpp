@@ -2,7 +2,6 @@
 // The sums of a kick map: of the runs at one place, and of the places about the best one.
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "tools/learn/KickMap.h"
 
@@ -29,21 +28,6 @@ struct Sums {
   }
 };
 
-bool isItsOwnMirror(const KickGrid& grid) { return mirrored(grid.motion) == grid.motion; }
-
-// Where a number lies among rising ones: after which, and how far to the next.
-struct Between {
-  std::size_t index = 0;
-  double share = 0.0;
-};
-std::optional<Between> between(const std::vector<double>& places, double at) {
-  if (at < places.front() || at > places.back()) return std::nullopt;
-  std::size_t index = 0;
-  while (index + 2 < places.size() && places[index + 1] <= at) ++index;
-  if (places.size() == 1) return Between{};
-  return Between{index, (at - places[index]) / (places[index + 1] - places[index])};
-}
-
 double worthOf(const KickCell& cell) {
   const double straight = std::fmax(0.0, 1.0 - cell.directionSd.deg() / kWildSd);
   return cell.went * straight * std::fmin(1.0, cell.distance / kFar) - cell.fell;
@@ -58,9 +42,9 @@ double worthAbout(const KickGrid& grid, std::size_t row, std::size_t column) {
       if (r == 0 && c == 0) continue;
       weights += 0.5;
       // The places left out of a kick that is its own mirror image.
-      const auto otherColumn =
-          static_cast<std::size_t>(isItsOwnMirror(grid) ? std::abs(static_cast<int>(column) + c)
-                                                        : static_cast<int>(column) + c);
+      const auto otherColumn = static_cast<std::size_t>(isItsOwnMirror(grid.motion)
+                                                            ? std::abs(static_cast<int>(column) + c)
+                                                            : static_cast<int>(column) + c);
       const auto otherRow = row + static_cast<std::size_t>(r);
       if (otherRow < grid.ahead.size() && otherColumn < grid.aside.size())
         sum += 0.5 * worthOf(grid.cell(otherRow, otherColumn));
@@ -93,7 +77,8 @@ bool isSure(const KickGrid& grid, const Block& block, const KickCell& best) {
 
 // The places to the left, which a kick that is its own mirror image leaves out.
 bool hasMirrorImage(const KickGrid& grid, const Block& block) {
-  return isItsOwnMirror(grid) && grid.from != KickFrom::hold && grid.aside[block.column] == 0.0;
+  return isItsOwnMirror(grid.motion) && grid.from != KickFrom::hold &&
+         grid.aside[block.column] == 0.0;
 }
 
 std::size_t sizeOf(const KickGrid& grid, const Block& block) {
@@ -177,38 +162,6 @@ KickCell cellOf(const std::vector<KickRun>& runs) {
       off.add((run.kicked.direction - cell.direction).rad());
   cell.directionSd = Angle::rad(std::sqrt(off.variance() + maths::square(off.mean())));
   return cell;
-}
-
-KickCell cellAt(const KickGrid& grid, Point2<Robot> place) {
-  const bool swapped = isItsOwnMirror(grid) && place.x < 0.0;
-  const auto column = between(grid.aside, swapped ? -place.x : place.x);
-  const auto row = between(grid.ahead, place.y);
-  KickCell mean;
-  if (!column || !row) return mean;
-  double direction = 0.0;
-  double directionSd = 0.0;
-  for (const std::size_t r : {0U, 1U})
-    for (const std::size_t c : {0U, 1U}) {
-      const double weight =
-          (r == 0 ? 1.0 - row->share : row->share) * (c == 0 ? 1.0 - column->share : column->share);
-      if (weight <= 0.0) continue;
-      const KickCell& cell = grid.cell(row->index + r, column->index + c);
-      if (cell.runs == 0) return {};
-      const double goes = weight * cell.went;
-      mean.runs += cell.runs;
-      mean.went += goes;
-      mean.fell += weight * cell.fell;
-      direction += goes * cell.direction.rad();
-      directionSd += goes * cell.directionSd.rad();
-      mean.distance += goes * cell.distance;
-      mean.distanceSd += goes * cell.distanceSd;
-    }
-  if (mean.went <= 0.0) return mean;
-  mean.direction = Angle::rad((swapped ? -1.0 : 1.0) * direction / mean.went);
-  mean.directionSd = Angle::rad(directionSd / mean.went);
-  mean.distance /= mean.went;
-  mean.distanceSd /= mean.went;
-  return mean;
 }
 
 KickWindow windowOf(const KickGrid& grid) {

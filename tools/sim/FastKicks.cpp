@@ -41,9 +41,13 @@ KickCell ofItsFile(MotionKind kind, Point2<Robot> ball) {
   const actuator::KickEffect& effect = actuator::standardMotions()[kind].kick;
   const double off = maths::hypot(ball.x + effect.left, ball.y - effect.ahead);
   const double share = maths::clamp((kOff - off) / (kOff - kSure), 0.0, 1.0);
-  const double wide = 1.0 + 2.0 * (1.0 - share);
-  return {share > 0.0 ? 100.0 : 0.0, effect.direction.deg(), wide * effect.directionSd.deg(),
-          share * effect.distance, share * effect.distanceSd};
+  KickCell cell;
+  cell.went = share > 0.0 ? 1.0 : 0.0;
+  cell.direction = effect.direction;
+  cell.directionSd = effect.directionSd * (1.0 + 2.0 * (1.0 - share));
+  cell.distance = share * effect.distance;
+  cell.distanceSd = share * effect.distanceSd;
+  return cell;
 }
 
 // The legs of a kick's key frame as the actuator's clamp lets them be commanded.
@@ -132,10 +136,10 @@ void FastKicks::kick(MotionKind kind, Grip& grip, Ball& ball) {
   const auto known = grip.holds ? heldKick(kind) : freeKick(kind, grip.walks, at);
   grip.holds = false;
   const KickCell cell = known ? *known : ofItsFile(kind, at);
-  if (cell.chance <= 0.0) return;
-  const double far = std::fmax(0.0, random_.gaussian(cell.distance, cell.reachSd));
-  const double distance = random_.chance(0.01 * cell.chance) ? far : random_.uniform(0.0, kGoes);
-  const Angle heading = grip.start.heading + Angle::deg(random_.gaussian(cell.direction, cell.sd));
+  if (cell.went <= 0.0) return;
+  const double far = std::fmax(0.0, random_.gaussian(cell.distance, cell.distanceSd));
+  const double distance = random_.chance(cell.went) ? far : random_.uniform(0.0, kBallGoes);
+  const Angle heading = grip.start.heading + cell.direction + cell.directionSd * random_.gaussian();
   const double speed = speedToRoll(distance, ball_);
   ball.velocity = {speed * heading.cos(), speed * heading.sin()};
 }

@@ -3,9 +3,9 @@
 #include <cstdlib>
 #include <map>
 
-#include "tools/learn/KickMapFile.h"
+#include "tools/sim/KickMap.h"
 
-namespace kelpie::learn {
+namespace kelpie::sim {
 namespace {
 
 // What the module is made of: numbers, None, tuples, dictionaries.
@@ -189,4 +189,4 @@ Expected<KickMap> readKickMap(const std::string& text) {
   return map;
 }
 
-}  // namespace kelpie::learn
+}  // namespace kelpie::sim
