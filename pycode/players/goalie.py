@@ -14,7 +14,7 @@ from lib.tune_goalie import Attack, Clear, Coming, Guard
 from players.halted import Halted
 from skills.attack_ball import AttackBall
 from skills.block import NAMES, ShotWatch
-from skills.clear_ball import clearing_kick, contested, mate_grabs
+from skills.clear_ball import clearing_kick, mate_grabs, opponent_at_ball
 from skills.face_up_field import FaceUpField
 from skills.get_up import GetUp
 from skills.goalie_head import GoalieHead, seen
@@ -131,7 +131,7 @@ class Goalie(Machine):
         if best is None:
             return False
         if self.state != self.clear:
-            self.look_for = best.ball if contested(world) else best.after(Clear.LOOK)
+            self.look_for = best.ball if opponent_at_ball(world) else best.after(Clear.LOOK)
         return self.take(world, self.clear, lambda: Kick(world, best.kick),
                          'worth {}, to {} deg, {} deg off the own goal', best.worth,
                          best.direction, best.off_goal)

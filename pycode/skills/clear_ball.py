@@ -61,20 +61,22 @@ def predicted(world, seconds) -> tuple[float, float]:
             ball.y - share * step.forward + seconds * vy)
 
 
-def contested(world) -> bool:
-    """Whether an opponent is at the ball: such a kick leaves it where it lay, or nearly."""
+def at_ball(world, place, reach) -> bool:
+    """Whether a place of the field is so near (cm) to the ball."""
     ball = world.ball.position
-    return any(math.hypot(other.position.x - ball.x, other.position.y - ball.y) < Clear.AT_BALL
-               for other in world.opponents)
+    return math.hypot(place.x - ball.x, place.y - ball.y) < reach
+
+
+def opponent_at_ball(world) -> bool:
+    """Whether an opponent is at the ball: half of such kicks leave it where it lay, or nearly."""
+    return any(at_ball(world, other.position, Clear.AT_BALL) for other in world.opponents)
 
 
 def mate_grabs(world) -> bool:
     """Whether a mate at the ball says that it grabs or holds it: who kicks there, too, sends the
     ball back past himself."""
-    ball = world.ball.position
     return any(mate.note.grabs != kelpie.GRABS_NOT and
-               math.hypot(mate.pose.position.x - ball.x, mate.pose.position.y - ball.y) < Clear.MATE
-               for mate in world.teammates)
+               at_ball(world, mate.pose.position, Clear.MATE) for mate in world.teammates)
 
 
 def walks(world) -> bool:

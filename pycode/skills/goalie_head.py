@@ -137,7 +137,8 @@ class GoalieHead(Machine):
 
     def expect(self, world, point):
         """The ball was kicked and should be near that point of the field."""
-        self.enter(world, self.expected, point, 'kicked to ({}, {})', *point)
+        self.enter(world, self.expected, point, 'after a kick it should be near ({}, {})',
+                   *point)
 
     def expected(self, world):
         if seen(world, Look.LOST) and world.ball.seconds_since_seen < self.since(world):
