@@ -77,6 +77,26 @@ TEST(FastKick, OfAFreeBallAwayFromItsBestPlaceGoesAsThePhysicalOneDoes) {
   }
 }
 
+// The walk has ended when the kick begins; from standing it would go 224 cm, from a walk 171.
+TEST(FastKick, OfAWalkerIsAWalkersKick) {
+  double mean = 0.0;
+  WalkingBody body(3);
+  for (int i = 0; i < kKicks; ++i) {
+    (void)body.world().carry(0, {kMiddle, Angle::deg(90.0)});
+    Command command;
+    command.walk.forward = 10.0;
+    for (int k = 0; k < 30; ++k) body.step(command);
+    command = {};
+    command.motion = MotionKind::upennLeft;
+    body.world().bodies().putBall({fieldFromRobot(body.pose(), {4.0, 15.0}), {}});
+    const Point2<Field> from = body.world().bodies().ball().position;
+    for (int k = 0; k < 8; ++k) body.step(command);
+    for (int k = 0; k < kRolls; ++k) body.step({});
+    mean += distance(body.world().bodies().ball().position, from) / kKicks;
+  }
+  EXPECT_NEAR(mean, 171.0, 25.0);
+}
+
 TEST(FastKick, OfABallOutOfItsReachLeavesItThere) {
   EXPECT_NEAR(meanOf(MotionKind::upennLeft, 20.5, -4.0, false).distance, 0.0, 0.1);
   EXPECT_NEAR(meanOf(MotionKind::kickForward, 14.0, 10.0, false).distance, 0.0, 0.1);

@@ -17,9 +17,22 @@ TEST(KickTable, AtAPlaceOfTheMapSaysWhatTheMapSays) {
   ASSERT_TRUE(cell);
   EXPECT_NEAR(100.0 * cell->went, 100.0, 1e-9);
   EXPECT_NEAR(cell->direction.deg(), 43.0, 1e-9);
-  EXPECT_NEAR(cell->directionSd.deg(), 5.0, 1e-9);
   EXPECT_NEAR(cell->distance, 224.0, 1e-9);
-  EXPECT_NEAR(cell->distanceSd, 17.0, 1e-9);
+}
+
+// A centimetre to the left and right of there 188 and 217.5 cm, nearer and further 208.5 and 209:
+// balls anywhere between spread by 8.5 and 0.1 cm by that alone, of 26.
+TEST(KickTable, HasNoSpreadOfPlacesForABallWhosePlaceIsKnown) {
+  const auto cell = freeKick(MotionKind::upennLeft, false, {2.0, 14.0});
+  ASSERT_TRUE(cell);
+  EXPECT_NEAR(cell->distanceSd, 24.6, 0.1);
+}
+
+// There places alone spread the ball by 4.6 of the 5 deg.
+TEST(KickTable, LeavesHalfOfASpread) {
+  const auto cell = freeKick(MotionKind::upennLeft, false, {4.0, 14.0});
+  ASSERT_TRUE(cell);
+  EXPECT_NEAR(cell->directionSd.deg(), 2.5, 1e-9);
 }
 
 TEST(KickTable, OfAWalkingRobotIsAnother) {

@@ -22,6 +22,7 @@ constexpr std::size_t kFirstLegJoint = index(Joint::leftFrontRotator);
 constexpr double kWalkSlew = 4.5;  // deg a tick: only motions command more
 constexpr double kSame = 0.3;      // deg by which commanded angles may differ from a key frame's
 constexpr double kStands = 2.5;    // cm/s: a slower robot stands, as the kick map has it
+constexpr double kStops = 0.25;    // s: a walk ends before a kick, which the map knows as from a walk
 constexpr double kSure = 1.2;      // cm from the kick's place at which its figures were measured,
 constexpr double kOff = 4.0;       // and at which nothing is left of it
 
@@ -133,7 +134,8 @@ bool FastKicks::hold(const RobotModel& body, Grip& grip, Ball& ball) const {
 void FastKicks::kick(MotionKind kind, Grip& grip, Ball& ball) {
   grip.kicked = true;
   const Point2<Robot> at = robotFromField(grip.start, ball.position);
-  const auto known = grip.holds ? heldKick(kind) : freeKick(kind, grip.walks, at);
+  const bool walks = grip.stands < kStops;
+  const auto known = grip.holds ? heldKick(kind) : freeKick(kind, walks, at);
   grip.holds = false;
   const KickCell cell = known ? *known : ofItsFile(kind, at);
   if (cell.went <= 0.0) return;
@@ -148,14 +150,16 @@ bool FastKicks::tick(std::size_t robot, const RobotModel& body, Ball& ball) {
   if (robot >= grips_.size()) grips_.resize(robot + 1);
   Grip& grip = grips_[robot];
   const JointAngles& target = body.target();
-  const bool jumps = legsApart(target, grip.target) > kWalkSlew;
+  const double slew = legsApart(target, grip.target);
   grip.target = target;
   const KickFrame* frame = played(target);
-  if (frame == nullptr && !jumps) {
+  if (frame == nullptr && slew <= kWalkSlew) {
     grip.kicked = false;
     grip.start = body.place().pose;
+    // One that is pushed goes along without its legs.
     const Point2<Field> was = body.placeBefore().pose.position;
-    grip.walks = distance(grip.start.position, was) > kStands * kTickSeconds;
+    const bool goes = distance(grip.start.position, was) > kStands * kTickSeconds;
+    grip.stands = goes && slew > 0.0 ? 0.0 : grip.stands + kTickSeconds;
     grip.holds = holdingPose(target) && hold(body, grip, ball);
     // A head that comes down with its jaw shut passes in front of the ball.
     const Point2<Robot> at = robotFromField(grip.start, ball.position);

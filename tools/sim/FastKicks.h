@@ -39,7 +39,7 @@ class FastKicks {
   struct Grip {
     bool holds = false;
     bool kicked = false;  // by the motion that is played
-    bool walks = false;   // before that motion
+    double stands = 1.0;  // s, since it last walked before that motion
     Pose2 start;          // of the robot, before that motion
     Point2<Robot> place;  // of a held ball
     JointAngles target;   // of the tick before

@@ -13,8 +13,9 @@ namespace kelpie::sim {
 const char* standardKickMapText();
 const KickMap& standardKickMap();
 
-// Of a ball that lies there, in the frame of the robot as its kick begins, or of one that it holds;
-// nothing for a motion that the map does not have from there.
+// Of a ball that lies there, in the frame of the robot as its kick begins, or of one that it holds.
+// The spreads are those of a ball whose place is known, so less than the map's. Nothing for a
+// motion that the map does not have from there.
 std::optional<KickCell> freeKick(MotionKind kind, bool walks, Point2<Robot> ball);
 std::optional<KickCell> heldKick(MotionKind kind);
 
