@@ -14,7 +14,7 @@ from lib.tune_goalie import Attack, Clear, Coming, Guard
 from players.halted import Halted
 from skills.attack_ball import AttackBall
 from skills.block import NAMES, ShotWatch
-from skills.clear_ball import clearing_kick, mate_grabs, opponent_at_ball
+from skills.clear_ball import clearing_kick, mate_grabs, opponent_at_ball, opponent_has
 from skills.face_up_field import FaceUpField
 from skills.get_up import GetUp
 from skills.goalie_head import GoalieHead, seen
@@ -41,6 +41,7 @@ class Goalie(Machine):
         self.moved_s = 0.0  # when the last motion ended, or the last fall
         self.kicked = False  # that motion was a kick
         self.rest_s = 0.0   # no attack before, after one that came to nothing
+        self.held_s = 0.0   # for so long an opponent has had the ball
 
     def command(self, world) -> kelpie.Command:
         self.memory.update(world)
@@ -85,8 +86,8 @@ class Goalie(Machine):
     # Algorithm 4.1: each rule enters its state if it holds, and says so
 
     def choose(self, world):
-        for rule in (self.faces_wrong, self.shot_comes, self.ball_comes, self.may_clear,
-                     self.may_attack, self.may_guard):
+        for rule in (self.faces_wrong, self.shot_comes, self.ball_comes, self.leaves_ball,
+                     self.may_clear, self.may_attack, self.may_guard):
             if rule(world):
                 return
 
@@ -125,9 +126,19 @@ class Goalie(Machine):
         return self.take(world, self.adjust, lambda: GuardGoal(Coming),
                          'a ball comes at {} cm/s, to {} cm right', shot.speed, shot.aside)
 
+    def leaves_ball(self, world) -> bool:
+        """A held ball is nobody else's to kick: who tries it is beside the ball when it is shot,
+        not between it and the goal."""
+        if mate_grabs(world):
+            return self.take(world, self.guard, lambda: GuardGoal(Guard), 'a mate grabs the ball')
+        self.held_s = self.held_s + world.elapsed_s if opponent_has(world) else 0.0
+        if not 0.0 < self.held_s < Clear.HAS_LONGEST:
+            return False
+        return self.take(world, self.guard, lambda: GuardGoal(Guard), 'an opponent has the ball')
+
     def may_clear(self, world) -> bool:
         stands = world.time_s - self.moved_s > Clear.STANDS
-        best = clearing_kick(world) if stands and not mate_grabs(world) else None
+        best = clearing_kick(world) if stands else None
         if best is None:
             return False
         if self.state != self.clear:
@@ -141,8 +152,7 @@ class Goalie(Machine):
         away = beyond_box(world.field, (ball.position.x, ball.position.y))
         limit = Attack.LEAVE if self.state == self.attack else Attack.NEAR
         if (not seen(world, Attack.UNSEEN) or not self.seen_since_motion(world) or away > limit or
-                speed(ball) > Attack.SPEED or world.time_s < self.rest_s or self.eyes.lost or
-                mate_grabs(world)):
+                speed(ball) > Attack.SPEED or world.time_s < self.rest_s or self.eyes.lost):
             return False
         skill = self.skill if self.state == self.attack else AttackBall()
         if not skill.can(world):

@@ -340,10 +340,38 @@ def test_a_ball_kicked_against_an_opponent_is_looked_for_where_it_lay(away, at_b
     assert lay == pytest.approx(0.0 if at_ball else Clear.LOOK)
 
 
-@pytest.mark.parametrize('grabs, away, kicks', [
-    (kelpie.HOLDS, 12.0, False), (kelpie.GRABS_SOON, 12.0, False), (kelpie.GRABS_NOT, 12.0, True),
-    (kelpie.HOLDS, Clear.MATE + 10.0, True)])
-def test_the_goalie_leaves_a_ball_to_the_mate_that_grabs_it(grabs, away, kicks):
+def chosen_for(scenery, player, seconds) -> set:
+    """The names of the states of so long, with the ball in view where it lies."""
+    names = set()
+    for _ in range(round(30 * seconds)):
+        scenery.see()
+        player.command(scenery.world)
+        names.add(player.state.__name__)
+    return names
+
+
+@pytest.mark.parametrize('y', [44.0, 66.0])
+def test_a_ball_that_an_opponent_has_is_guarded_against_as_long_as_it_may_hold_it(y):
+    scenery, player = scene(complex(180, y), at=180 + 30j), Goalie()
+    scenery.world.time_s = 100.0
+    scenery.world.opponents = [kelpie.OpponentEstimate(position=kelpie.Point2(
+        x=180.0, y=y + Clear.HAS - 2.0))]
+    assert chosen_for(scenery, player, Clear.HAS_LONGEST - 0.1) == {'guard'}
+    assert chosen_for(scenery, player, 1.0) & {'clear', 'attack'}
+
+
+def test_a_ball_that_an_opponent_is_only_near_to_is_cleared():
+    scenery, player = scene(180 + 44j, at=180 + 30j), Goalie()
+    scenery.world.time_s = 100.0
+    scenery.world.opponents = [kelpie.OpponentEstimate(position=kelpie.Point2(
+        x=180.0, y=44.0 + Clear.HAS + 4.0))]
+    assert 'clear' in chosen_for(scenery, player, 1.0)
+
+
+@pytest.mark.parametrize('grabs, away, leaves', [
+    (kelpie.HOLDS, 12.0, True), (kelpie.GRABS_SOON, 12.0, True), (kelpie.GRABS_NOT, 12.0, False),
+    (kelpie.HOLDS, Clear.MATE + 10.0, False)])
+def test_the_goalie_leaves_a_ball_to_the_mate_that_grabs_it(grabs, away, leaves):
     scenery, player = scene(180 + 44j, at=180 + 30j), Goalie()
     scenery.see()
     player.moved_s = -10.0
@@ -351,9 +379,7 @@ def test_the_goalie_leaves_a_ball_to_the_mate_that_grabs_it(grabs, away, kicks):
     mate.pose.position.x, mate.pose.position.y = 180.0 + away, 44.0
     mate.note.grabs = grabs
     scenery.world.teammates = [mate]
-    assert player.may_clear(scenery.world) == kicks
-    player.enter(scenery.world, player.guard, GuardGoal(Guard))
-    assert player.may_attack(scenery.world) == kicks
+    assert (chosen_for(scenery, player, 1.0) == {'guard'}) == leaves
 
 
 @pytest.mark.parametrize('right', [-30.0, 30.0])

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 #include "tools/sim/Ball.h"
 #include "tools/sim/BallContact.h"
+#include "tools/sim/KinematicBodies.h"
 #include "tools/sim/Referee.h"
 
 namespace kelpie::sim {
@@ -64,6 +66,38 @@ TEST(Ball, TheRobotThatPushedItIsTold) {
   EXPECT_EQ(tickBall(ball, {&far, &near}, {}, {}), std::optional<std::size_t>(1));
   ball.position = {120, 300};
   EXPECT_FALSE(tickBall(ball, {&far, &near}, {}, {}));
+}
+
+// Two robots, each pushed towards it by 3 mm a tick from anywhere, turned anyhow. Without being held
+// up they come through the ball, which then leaps out behind one of them.
+TEST(Ball, BetweenTwoRobotsHoldsThemUp) {
+  const Point2<Field> at{180.0, 200.0};
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    Random random(seed);
+    KinematicBodies bodies({}, *body::fieldDescription("2006"));
+    std::array<Angle, 2> from;
+    for (Angle& side : from) {
+      side = Angle::deg(random.uniform(-180.0, 180.0));
+      const Pose2 pose{at + Point2<Field>{side.cos(), side.sin()} * 40.0,
+                       Angle::deg(random.uniform(-180.0, 180.0))};
+      bodies.add(RobotModel(RobotParams{}, pose, seed));
+    }
+    bodies.putBall({at, {}});
+    for (int i = 0; i < 150; ++i) {
+      const Point2<Field> was = bodies.ball().position;
+      for (std::size_t k = 0; k < 2; ++k) {
+        const Point2<Field> way = was - bodies.place(k).pose.position;
+        bodies.robot(k).push(way * (0.3 / way.norm()));
+      }
+      ASSERT_TRUE(bodies.tick().ok());
+      ASSERT_LT(distance(bodies.ball().position, was), 3.0) << "seed " << seed << " tick " << i;
+      for (std::size_t k = 0; k < 2; ++k) {
+        const Point2<Robot> p = robotFromField(bodies.place(k).pose, bodies.ball().position);
+        const bool inTrunk = std::fabs(p.x) < kTrunkHalfWidth && p.y < kChestAhead && p.y > kTrunkBack;
+        ASSERT_FALSE(inTrunk) << "seed " << seed << " tick " << i;
+      }
+    }
+  }
 }
 
 TEST(Ball, NeverRunsFasterThanTheLimit) {

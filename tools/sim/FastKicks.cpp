@@ -22,7 +22,7 @@ constexpr std::size_t kFirstLegJoint = index(Joint::leftFrontRotator);
 constexpr double kWalkSlew = 4.5;  // deg a tick: only motions command more
 constexpr double kSame = 0.3;      // deg by which commanded angles may differ from a key frame's
 constexpr double kStands = 2.5;    // cm/s: a slower robot stands, as the kick map has it
-constexpr double kStops = 0.25;    // s: a walk ends before a kick, which the map knows as from a walk
+constexpr double kStops = 0.25;    // s that a walk may end before a kick, which is then from a walk
 constexpr double kSure = 1.2;      // cm from the kick's place at which its figures were measured,
 constexpr double kOff = 4.0;       // and at which nothing is left of it
 

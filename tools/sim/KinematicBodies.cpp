@@ -10,6 +10,9 @@ namespace {
 // A robot seen from above: two discs, cm ahead of the neck base.
 constexpr std::array<double, 2> kBodyDiscs{-2.0, -11.0};
 constexpr double kBodyRadius = 7.0;
+// cm that a ball goes in a tick at most, struck by the fastest foot (2) or rolling (2.4). What goes
+// farther was squeezed out, to the other side of whoever squeezed it.
+constexpr double kSqueezedOut = 3.0;
 constexpr double kChinReach = 2.5;  // cm between ball and jaw that closes the chin switch
 constexpr double kPawGives = 0.2;   // cm that a paw is pushed in before its switch closes [chosen]
 constexpr double kRobotReach = 40.0;  // cm: no part of a robot is further from its neck base
@@ -132,6 +135,15 @@ BodyFeeling KinematicBodies::feel(std::size_t i) {
   return feeling;
 }
 
+// A ball that has nowhere to go stays and holds up who squeezes it.
+void KinematicBodies::holdUp(const Ball& before) {
+  if (distance(before.position, ball_.position) < kSqueezedOut) return;
+  ball_ = {before.position, {}};
+  for (RobotModel& robot : robots_)
+    for (const double disc : kBodyDiscs)
+      pushOff(robot, disc, ball_.position, kTrunkHalfWidth + body::kBallRadius);
+}
+
 // Who kicks or holds the ball touches it more than who stands in its way in that tick.
 void KinematicBodies::tickBallAmongRobots() {
   ballToucher_.reset();
@@ -141,7 +153,9 @@ void KinematicBodies::tickBallAmongRobots() {
     if (!kicks_.tick(i, robots_[i], ball_)) touching.push_back(&robots_[i]);
     if (distance(before.velocity, ball_.velocity) > 0.0) ballToucher_ = i;
   }
+  const Ball before = ball_;
   const auto pushed = tickBall(ball_, touching, obstacles_, ballParams_);
+  holdUp(before);
   if (pushed && !ballToucher_)
     ballToucher_ = static_cast<std::size_t>(touching[*pushed] - robots_.data());
 }
