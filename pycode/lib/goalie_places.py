@@ -20,6 +20,8 @@ ELLIPSE_ACROSS = 45.0  # cm, half axes; checklist U18
 ELLIPSE_OUT = 25.0
 CIRCLE_NEAR, CIRCLE_FAR = 10.0, 45.0   # cm, the circle's radius ...
 BALL_NEAR, BALL_FAR = 60.0, 250.0      # ... for a ball that near to the goal, and that far
+ROUND = 18.0          # cm; a straight way that comes nearer to the ball pushes it,
+ROUND_BY = 24.0       # and cm from the ball to the side by which it is gone round
 LEG_SIDE = 7.0        # cm; legs at the corners of a rectangle, the neck base at the middle of its
 LEG_BACK = 13.0       # front edge (thesis 2004 figure 4.8; sizes of the ERS-7)
 WALL_ZONE = 2.0       # cm out from the wall
@@ -89,6 +91,27 @@ def circle_place(field, ball) -> Place:
     share = clamp((away - BALL_NEAR) / (BALL_FAR - BALL_NEAR), 0.0, 1.0)
     radius = CIRCLE_NEAR + share * (CIRCLE_FAR - CIRCLE_NEAR)
     return facing((x0 + radius * dx / away, y0 + radius * dy / away), ball)
+
+
+def past_ball(start, end, ball) -> bool:
+    """Whether the straight way comes near the ball before its end."""
+    dx, dy = end[0] - start[0], end[1] - start[1]
+    length2 = dx * dx + dy * dy
+    if length2 < 1.0:
+        return False
+    along = ((ball[0] - start[0]) * dx + (ball[1] - start[1]) * dy) / length2
+    if not 0.0 < along < 0.9:
+        return False
+    return math.hypot(ball[0] - start[0] - along * dx, ball[1] - start[1] - along * dy) < ROUND
+
+
+def round_ball(start, place, ball) -> Place:
+    """The next place of a way that does not take the ball along: beside it first, on the nearer
+    side, when it lies between here and there."""
+    if not past_ball(start, place, ball):
+        return place
+    aside = ROUND_BY if start[0] >= ball[0] else -ROUND_BY
+    return ball[0] + aside, max(ball[1], LEAST_Y), place[2]
 
 
 def central_place(field, y=STAND_Y) -> Place:

@@ -18,6 +18,7 @@ class Guard:
     LAZY_TURN, ACCURATE_TURN = 14.0, 5.0
     FRESH = 0.4              # s; for a ball unseen for longer the goalie stands still,
     SEARCH_TURN = 110.0      # deg/s to the side where a near ball was lost,
+    KICKED_TURN = 70.0       # after a kick: a ball at the flank then rolls 20 cm and no farther,
     CHIN, BACK_OFF = 16.0, -15.0  # or back from one that was so near, at that speed,
     UNSEEN = 1.6             # then goes to the middle, when the head has looked low all round,
     LOST = 4.0               # then to the line: the head sees 26 deg past the sides

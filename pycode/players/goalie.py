@@ -5,7 +5,8 @@
 # what it counts of shots and of its facing. It never leaves its box (checklist K07); it fails as
 # the pose does, and against shots from so near that the ball is past before a block lies.
 import kelpie
-from lib.goalie_places import LEAST_Y, beside, beyond_box, bisector_place, central_place, facing
+from lib.goalie_places import (LEAST_Y, beside, beyond_box, bisector_place, central_place, facing,
+                               round_ball)
 from lib.machine import Machine
 from lib.memory import Memory
 from lib.pose_watch import PoseWatch
@@ -214,11 +215,12 @@ class Goalie(Machine):
     def look_about(self, world) -> kelpie.WalkRequest:
         """A ball lost at the feet is under the chin: a step back shows it. One beside the body is
         seen only when that turns. After a motion nobody knows where it lies: after a kick that
-        missed, who walks or turns takes it into the own goal."""
+        missed, who walks takes it into the own goal, or who turns fast."""
         moved = not self.seen_since_motion(world)
         side = self.eyes.turn_side(world)
-        if side != 0.0 and not (moved and self.kicked):
-            return kelpie.WalkRequest(turn_deg=side * Guard.SEARCH_TURN)
+        if side != 0.0:
+            rate = Guard.KICKED_TURN if moved and self.kicked else Guard.SEARCH_TURN
+            return kelpie.WalkRequest(turn_deg=side * rate)
         if moved:
             return kelpie.WalkRequest()
         ball = world.ball.relative
@@ -245,4 +247,6 @@ class Goalie(Machine):
                 not self.pose.settled(world) or self.eyes.lost or
                 self.eyes.state == self.eyes.survey):
             return None
-        return self.rule(world.field, (world.ball.position.x, world.ball.position.y))
+        ball = (world.ball.position.x, world.ball.position.y)
+        start = (world.pose.position.x, world.pose.position.y)
+        return round_ball(start, self.rule(world.field, ball), ball)

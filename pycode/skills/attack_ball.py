@@ -8,7 +8,7 @@ import math
 import kelpie
 from lib import kick_table
 from lib.geom import clamp, from_field, wrap
-from lib.goalie_places import UP_FIELD, beyond_box, direction, middle
+from lib.goalie_places import UP_FIELD, beyond_box, direction, middle, past_ball
 from lib.tune_goalie import Attack, Body
 from skills.clear_ball import Clearance
 from skills.guard_goal import in_box
@@ -18,7 +18,6 @@ PACE, PACE_TURN = 26.0, 120.0  # cm/s, deg/s: what a place costs in time
 ASTERN = 1.5        # s for a place beyond the ball: the way leads round it
 WORTH = 1.2         # s that a clearance of worth 1 may take longer than one of worth 0
 CHOSEN = 0.3        # s that the place of before may take longer
-ROUND = 18.0        # cm; a straight way that comes nearer to the ball pushes it
 
 
 class Stand:
@@ -117,15 +116,3 @@ def cost(world, ball, stand, chosen) -> float:
         seconds += ASTERN
     same = chosen is not None and chosen.kick == stand.kick and chosen.direction == stand.direction
     return seconds - (CHOSEN if same else 0.0)
-
-
-def past_ball(start, end, ball) -> bool:
-    """Whether the straight way comes near the ball before its end."""
-    dx, dy = end[0] - start[0], end[1] - start[1]
-    length2 = dx * dx + dy * dy
-    if length2 < 1.0:
-        return False
-    along = ((ball[0] - start[0]) * dx + (ball[1] - start[1]) * dy) / length2
-    if not 0.0 < along < 0.9:
-        return False
-    return math.hypot(ball[0] - start[0] - along * dx, ball[1] - start[1] - along * dy) < ROUND

@@ -252,10 +252,23 @@ def blind_after(scenery, player, kicked, seconds):
 
 @pytest.mark.parametrize('at', [150 + 20j, 180 + 63j, 270 + 20j])
 @pytest.mark.parametrize('seconds', [0.1, 0.5, Guard.UNSEEN - 0.1])
-def test_after_a_kick_the_goalie_stands_until_it_sees_the_ball(at, seconds):
-    """One that missed leaves the ball beside it, and who walks or turns takes it into the goal;
-    also beyond the box's margin, from where other walks lead back."""
-    assert blind_after(scene(180 + 44j, at=at), Goalie(), True, seconds) == (0.0, 0.0, 0.0)
+def test_after_a_kick_the_goalie_does_not_walk_until_it_sees_the_ball(at, seconds):
+    """One that missed leaves the ball beside it, and who walks takes it into the goal; also beyond
+    the box's margin, from where other walks lead back."""
+    walk = blind_after(scene(180 + 44j, at=at), Goalie(), True, seconds)
+    assert walk == (0.0, 0.0, Guard.KICKED_TURN)
+
+
+@pytest.mark.parametrize('right', [-6.0, 6.0])
+def test_a_goalie_goes_round_a_ball_that_lies_behind_it(right):
+    """Straight back to its place it would take the ball into the own goal."""
+    scenery, player = scene(complex(180 + right, 24), at=180 + 46j), Goalie()
+    scenery.see()
+    player.moved_s = -10.0
+    player.enter(scenery.world, player.guard, GuardGoal(Guard))
+    walk = player.guard(scenery.world).walk
+    assert walk.left * right > 0.0
+    assert abs(walk.left) > 0.5 * abs(walk.forward)
 
 
 def test_after_a_block_it_turns_to_where_the_ball_was_lost_but_does_not_walk():

@@ -68,8 +68,8 @@ TEST(Ball, TheRobotThatPushedItIsTold) {
   EXPECT_FALSE(tickBall(ball, {&far, &near}, {}, {}));
 }
 
-// Two robots, each pushed towards it by 3 mm a tick from anywhere, turned anyhow. Without being held
-// up they come through the ball, which then leaps out behind one of them.
+// Two robots, each pushed towards it by 3 mm a tick from anywhere, turned anyhow. Without being
+// held up they come through the ball, which then leaps out behind one of them.
 TEST(Ball, BetweenTwoRobotsHoldsThemUp) {
   const Point2<Field> at{180.0, 200.0};
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
@@ -93,7 +93,8 @@ TEST(Ball, BetweenTwoRobotsHoldsThemUp) {
       ASSERT_LT(distance(bodies.ball().position, was), 3.0) << "seed " << seed << " tick " << i;
       for (std::size_t k = 0; k < 2; ++k) {
         const Point2<Robot> p = robotFromField(bodies.place(k).pose, bodies.ball().position);
-        const bool inTrunk = std::fabs(p.x) < kTrunkHalfWidth && p.y < kChestAhead && p.y > kTrunkBack;
+        const bool inTrunk =
+            std::fabs(p.x) < kTrunkHalfWidth && p.y < kChestAhead && p.y > kTrunkBack;
         ASSERT_FALSE(inTrunk) << "seed " << seed << " tick " << i;
       }
     }
