@@ -63,12 +63,12 @@ TEST(Ball, TheRobotThatPushedItIsTold) {
   const RobotModel far(RobotParams{}, Pose2{{60, 200}, Angle::deg(90)}, 1);
   const RobotModel near(RobotParams{}, Pose2{{180, 200}, Angle::deg(90)}, 2);
   Ball ball{{180, 200 + kChestAhead + body::kBallRadius - 0.5}, {0, -50}};
-  EXPECT_EQ(tickBall(ball, {&far, &near}, {}, {}), std::optional<std::size_t>(1));
+  EXPECT_EQ(tickBall(ball, {&far, &near}, {}, {}).most, std::optional<std::size_t>(1));
   ball.position = {120, 300};
-  EXPECT_FALSE(tickBall(ball, {&far, &near}, {}, {}));
+  EXPECT_FALSE(tickBall(ball, {&far, &near}, {}, {}).most);
 }
 
-// Two robots, each pushed towards it by 3 mm a tick from anywhere, turned anyhow. Without being
+// Two robots, each pushed towards it by 6 mm a tick from anywhere, turned anyhow. Without being
 // held up they come through the ball, which then leaps out behind one of them.
 TEST(Ball, BetweenTwoRobotsHoldsThemUp) {
   const Point2<Field> at{180.0, 200.0};
@@ -87,7 +87,7 @@ TEST(Ball, BetweenTwoRobotsHoldsThemUp) {
       const Point2<Field> was = bodies.ball().position;
       for (std::size_t k = 0; k < 2; ++k) {
         const Point2<Field> way = was - bodies.place(k).pose.position;
-        bodies.robot(k).push(way * (0.3 / way.norm()));
+        bodies.robot(k).push(way * (0.6 / way.norm()));
       }
       ASSERT_TRUE(bodies.tick().ok());
       ASSERT_LT(distance(bodies.ball().position, was), 3.0) << "seed " << seed << " tick " << i;

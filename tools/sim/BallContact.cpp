@@ -81,28 +81,31 @@ void touch(Ball& ball, const RobotModel& robot, double t, const BallParams& para
 
 }  // namespace
 
-std::optional<std::size_t> tickBall(Ball& ball, const std::vector<const RobotModel*>& robots,
-                                    const std::vector<Obstacle>& obstacles,
-                                    const BallParams& params) {
+BallTouch tickBall(Ball& ball, const std::vector<const RobotModel*>& robots,
+                   const std::vector<Obstacle>& obstacles, const BallParams& params) {
   constexpr double kNearby = 40.0;  // no part of a robot is further from its neck base
-  std::optional<std::size_t> toucher;
+  BallTouch told;
+  std::optional<std::size_t> first;
   double most = 0.0;
   for (int step = 1; step <= kSteps; ++step) {
     const double t = static_cast<double>(step) / kSteps;
     roll(ball, kTickSeconds / kSteps, params);
     for (std::size_t i = 0; i < robots.size(); ++i) {
       if (distance(robots[i]->place().pose.position, ball.position) > kNearby) continue;
-      const Point2<Field> before = ball.velocity;
+      const Ball before = ball;
       touch(ball, *robots[i], t, params);
-      const double change = distance(before, ball.velocity);
+      if (distance(before.position, ball.position) <= 0.0) continue;
+      if (!first) first = i;
+      told.several = told.several || *first != i;
+      const double change = distance(before.velocity, ball.velocity);
       if (change <= most) continue;
       most = change;
-      toucher = i;
+      told.most = i;
     }
     bounce(ball, obstacles, params);
     limitSpeed(ball, params);
   }
-  return toucher;
+  return told;
 }
 
 }  // namespace kelpie::sim

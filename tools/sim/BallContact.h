@@ -11,11 +11,14 @@
 
 namespace kelpie::sim {
 
+struct BallTouch {
+  std::optional<std::size_t> most;  // who changed the ball's velocity the most
+  bool several = false;             // more than one robot touched it
+};
+
 // One tick of a ball among the robots that may touch it: rolls and touches, in steps of 2 ms
-// because a foot moves 2 cm in a tick. Of those robots the number of the one that changed the
-// ball's velocity the most.
-std::optional<std::size_t> tickBall(Ball& ball, const std::vector<const RobotModel*>& robots,
-                                    const std::vector<Obstacle>& obstacles,
-                                    const BallParams& params);
+// because a foot moves 2 cm in a tick.
+BallTouch tickBall(Ball& ball, const std::vector<const RobotModel*>& robots,
+                   const std::vector<Obstacle>& obstacles, const BallParams& params);
 
 }  // namespace kelpie::sim

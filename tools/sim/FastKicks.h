@@ -8,6 +8,7 @@
 // compiled in.
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "actuator/MotionData.h"
@@ -34,6 +35,9 @@ class FastKicks {
     if (robot < grips_.size()) grips_[robot].holds = false;
   }
   bool holds(std::size_t robot) const { return robot < grips_.size() && grips_[robot].holds; }
+  bool anyHolds() const {
+    return std::any_of(grips_.begin(), grips_.end(), [](const Grip& grip) { return grip.holds; });
+  }
 
  private:
   struct Grip {

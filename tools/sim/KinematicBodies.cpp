@@ -135,7 +135,7 @@ BodyFeeling KinematicBodies::feel(std::size_t i) {
   return feeling;
 }
 
-// A ball that has nowhere to go stays and holds up who squeezes it.
+// A ball that several squeeze, or that one holds, has nowhere to go: it stays and holds them up.
 void KinematicBodies::holdUp(const Ball& before) {
   if (distance(before.position, ball_.position) < kSqueezedOut) return;
   ball_ = {before.position, {}};
@@ -154,10 +154,10 @@ void KinematicBodies::tickBallAmongRobots() {
     if (distance(before.velocity, ball_.velocity) > 0.0) ballToucher_ = i;
   }
   const Ball before = ball_;
-  const auto pushed = tickBall(ball_, touching, obstacles_, ballParams_);
-  holdUp(before);
-  if (pushed && !ballToucher_)
-    ballToucher_ = static_cast<std::size_t>(touching[*pushed] - robots_.data());
+  const BallTouch touch = tickBall(ball_, touching, obstacles_, ballParams_);
+  if (touch.several || kicks_.anyHolds()) holdUp(before);
+  if (touch.most && !ballToucher_)
+    ballToucher_ = static_cast<std::size_t>(touching[*touch.most] - robots_.data());
 }
 
 Status KinematicBodies::tick() {
