@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "tests/sim/Targets.h"
 #include "tools/sim/Ball.h"
 #include "tools/sim/BallContact.h"
 #include "tools/sim/KinematicBodies.h"
@@ -98,6 +99,25 @@ TEST(Ball, BetweenTwoRobotsHoldsThemUp) {
         ASSERT_FALSE(inTrunk) << "seed " << seed << " tick " << i;
       }
     }
+  }
+}
+
+TEST(Ball, HeldByOneRobotIsNotPushedOutByAnother) {
+  KinematicBodies bodies({}, *body::fieldDescription("2006"));
+  bodies.add(RobotModel(RobotParams{}, Pose2{{180, 200}, Angle::deg(90)}, 1));
+  bodies.add(RobotModel(RobotParams{}, Pose2{{180, 230}, Angle::deg(-90)}, 2));
+  JointAngles head = bodies.robot(0).target();
+  head[Joint::neckTilt] = Angle::deg(-52.0);
+  head[Joint::headNod] = Angle::deg(45.0);
+  head[Joint::mouth] = Angle::deg(-55.0);
+  bodies.command(0, targets(head));
+  bodies.putBall({{180, 207}, {}});
+  for (int i = 0; i < 120; ++i) {
+    bodies.robot(1).push({0.0, -0.4});
+    ASSERT_TRUE(bodies.tick().ok());
+    if (i < 30) continue;  // it draws the ball in
+    const Point2<Robot> at = robotFromField(bodies.place(0).pose, bodies.ball().position);
+    ASSERT_LT(distance(at, {0.0, 7.9}), 1.5) << i;
   }
 }
 

@@ -136,9 +136,8 @@ BodyFeeling KinematicBodies::feel(std::size_t i) {
 }
 
 // A ball that several squeeze, or that one holds, has nowhere to go: it stays and holds them up.
-void KinematicBodies::holdUp(const Ball& before) {
-  if (distance(before.position, ball_.position) < kSqueezedOut) return;
-  ball_ = {before.position, {}};
+void KinematicBodies::holdUp(const Ball& at) {
+  ball_ = at;
   for (RobotModel& robot : robots_)
     for (const double disc : kBodyDiscs)
       pushOff(robot, disc, ball_.position, kTrunkHalfWidth + body::kBallRadius);
@@ -155,7 +154,9 @@ void KinematicBodies::tickBallAmongRobots() {
   }
   const Ball before = ball_;
   const BallTouch touch = tickBall(ball_, touching, obstacles_, ballParams_);
-  if (touch.several || kicks_.anyHolds()) holdUp(before);
+  const bool squeezed = touch.several && distance(before.position, ball_.position) > kSqueezedOut;
+  if (squeezed) holdUp({before.position, {}});
+  if (kicks_.anyHolds()) return holdUp(before);
   if (touch.most && !ballToucher_)
     ballToucher_ = static_cast<std::size_t>(touching[*touch.most] - robots_.data());
 }

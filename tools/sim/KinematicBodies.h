@@ -70,7 +70,7 @@ class KinematicBodies : public Bodies {
 
  private:
   void tickBallAmongRobots();
-  void holdUp(const Ball& before);
+  void holdUp(const Ball& at);
   void keepApart();
   void separate(std::size_t one, std::size_t other);
   bool chinTouched(std::size_t robot, const BodySphere& head) const;
