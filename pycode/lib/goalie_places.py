@@ -21,7 +21,11 @@ ELLIPSE_OUT = 25.0
 CIRCLE_NEAR, CIRCLE_FAR = 10.0, 45.0   # cm, the circle's radius ...
 BALL_NEAR, BALL_FAR = 60.0, 250.0      # ... for a ball that near to the goal, and that far
 ROUND = 18.0          # cm; a straight way that comes nearer to the ball pushes it,
-ROUND_BY = 24.0       # and cm from the ball to the side by which it is gone round
+ROUND_BY = 24.0       # and cm from the ball to the side by which it is gone round,
+ROUND_LEAST = 14.0    # where the box ends by so many,
+ROUND_DONE = 5.0      # up to so many from the place's distance to the line
+TRUNK = 16.0          # cm that the trunk reaches behind the neck base
+EDGE = 10.0           # cm from the box's edge
 LEG_SIDE = 7.0        # cm; legs at the corners of a rectangle, the neck base at the middle of its
 LEG_BACK = 13.0       # front edge (thesis 2004 figure 4.8; sizes of the ERS-7)
 WALL_ZONE = 2.0       # cm out from the wall
@@ -105,13 +109,18 @@ def past_ball(start, end, ball) -> bool:
     return math.hypot(ball[0] - start[0] - along * dx, ball[1] - start[1] - along * dy) < ROUND
 
 
-def round_ball(start, place, ball) -> Place:
-    """The next place of a way that does not take the ball along: beside it first, on the nearer
-    side, when it lies between here and there."""
-    if not past_ball(start, place, ball):
+def round_ball(field, start, place, ball) -> Place:
+    """The next place of a way back that does not take a ball before the goal along, which lies
+    there: aside first, by the nearer side, then back, then to the place."""
+    left, right, _, _ = box(field, EDGE)
+    x, y, heading = place
+    if (abs(ball[0] - middle(field)[0]) > 0.5 * field.goal_width or start[1] - y < ROUND_DONE or
+            not past_ball(start, (x, y - TRUNK), ball)):
         return place
+    if abs(start[0] - ball[0]) >= ROUND_LEAST:
+        return start[0], y, heading
     aside = ROUND_BY if start[0] >= ball[0] else -ROUND_BY
-    return ball[0] + aside, max(ball[1], LEAST_Y), place[2]
+    return clamp(ball[0] + aside, left, right), start[1], heading
 
 
 def central_place(field, y=STAND_Y) -> Place:

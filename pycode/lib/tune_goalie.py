@@ -90,6 +90,7 @@ class Clear:
     AT_BALL = 30.0           # cm from the ball to an opponent's neck. Of 38 kicks with one in 25
                              # half left the ball within 20 cm for 0.4 s, of 53 alone a quarter
     HAS = 18.0               # cm from there to one that may hold it, and
+    HAS_SEEN, HAS_STILL = 1.0, 0.4  # s since it was seen, and for which it has the ball on; in all
     HAS_LONGEST = 4.0        # s that the ball is left to it; the rules let it hold the ball for 3
     MATE = 30.0              # cm from the ball to a mate's neck that grabs it: both own goals of 20
                              # matches were kicks of goalies against their own attacker's hold

@@ -1,9 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
 # The goalie of 2006 (thesis 2006 section 4.3.1, algorithm 4.1). In every frame the first rule that
-# holds says what it does: turn to face up-field, block a shot, move into a slow ball's way, clear a
-# ball that lies right, walk to one in or at its box, guard the goal. Keeps the state, its head and
-# what it counts of shots and of its facing. It never leaves its box (checklist K07); it fails as
-# the pose does, and against shots from so near that the ball is past before a block lies.
+# holds says what it does: turn to face up-field, block a shot, move into a slow ball's way, leave a
+# ball that somebody has, clear one that lies right, walk to one in or at its box, guard the goal.
+# Keeps the state, its head and what it counts of shots and of its facing. It never leaves its box
+# (checklist K07); it fails as the pose does, and against shots from so near that the ball is past
+# before a block lies.
+import math
+
 import kelpie
 from lib.goalie_places import (LEAST_Y, beside, beyond_box, bisector_place, central_place, facing,
                                round_ball)
@@ -42,7 +45,7 @@ class Goalie(Machine):
         self.moved_s = 0.0  # when the last motion ended, or the last fall
         self.kicked = False  # that motion was a kick
         self.rest_s = 0.0   # no attack before, after one that came to nothing
-        self.held_s = 0.0   # for so long an opponent has had the ball
+        self.has_from_s = self.had_s = -math.inf   # since and until when an opponent had the ball
 
     def command(self, world) -> kelpie.Command:
         self.memory.update(world)
@@ -132,8 +135,12 @@ class Goalie(Machine):
         not between it and the goal."""
         if mate_grabs(world):
             return self.take(world, self.guard, lambda: GuardGoal(Guard), 'a mate grabs the ball')
-        self.held_s = self.held_s + world.elapsed_s if opponent_has(world) else 0.0
-        if not 0.0 < self.held_s < Clear.HAS_LONGEST:
+        if opponent_has(world):
+            if world.time_s - self.had_s > Clear.HAS_STILL:
+                self.has_from_s = world.time_s
+            self.had_s = world.time_s
+        if (world.time_s - self.had_s > Clear.HAS_STILL or
+                world.time_s - self.has_from_s > Clear.HAS_LONGEST):
             return False
         return self.take(world, self.guard, lambda: GuardGoal(Guard), 'an opponent has the ball')
 
@@ -249,4 +256,4 @@ class Goalie(Machine):
             return None
         ball = (world.ball.position.x, world.ball.position.y)
         start = (world.pose.position.x, world.pose.position.y)
-        return round_ball(start, self.rule(world.field, ball), ball)
+        return round_ball(world.field, start, self.rule(world.field, ball), ball)

@@ -67,14 +67,15 @@ def at_ball(world, place, reach) -> bool:
     return math.hypot(place.x - ball.x, place.y - ball.y) < reach
 
 
-def opponent_at_ball(world, reach=Clear.AT_BALL) -> bool:
+def opponent_at_ball(world) -> bool:
     """Whether an opponent is at the ball: half of such kicks leave it where it lay, or nearly."""
-    return any(at_ball(world, other.position, reach) for other in world.opponents)
+    return any(at_ball(world, other.position, Clear.AT_BALL) for other in world.opponents)
 
 
 def opponent_has(world) -> bool:
-    """Whether an opponent holds the ball, or is so near to it that it may."""
-    return opponent_at_ball(world, Clear.HAS)
+    """Whether an opponent that was seen just now holds the ball, or is so near that it may."""
+    return any(other.seconds_since_seen < Clear.HAS_SEEN and
+               at_ball(world, other.position, Clear.HAS) for other in world.opponents)
 
 
 def mate_grabs(world) -> bool:

@@ -259,16 +259,26 @@ def test_after_a_kick_the_goalie_does_not_walk_until_it_sees_the_ball(at, second
     assert walk == (0.0, 0.0, Guard.KICKED_TURN)
 
 
-@pytest.mark.parametrize('right', [-6.0, 6.0])
-def test_a_goalie_goes_round_a_ball_that_lies_behind_it(right):
-    """Straight back to its place it would take the ball into the own goal."""
-    scenery, player = scene(complex(180 + right, 24), at=180 + 46j), Goalie()
-    scenery.see()
-    player.moved_s = -10.0
-    player.enter(scenery.world, player.guard, GuardGoal(Guard))
-    walk = player.guard(scenery.world).walk
-    assert walk.left * right > 0.0
-    assert abs(walk.left) > 0.5 * abs(walk.forward)
+@pytest.mark.parametrize('ball, at', [
+    (186 + 24j, 180 + 46j), (174 + 24j, 180 + 46j), (180 + 28j, 181 + 54j), (180 + 8j, 180 + 46j),
+    (182 + 12j, 180 + 46j), (218 + 22j, 220 + 46j), (142 + 22j, 140 + 46j)])
+def test_a_goalie_goes_back_round_a_ball_that_lies_behind_it(ball, at):
+    """Straight back it would take the ball into the own goal, and where it stops the goal is
+    open."""
+    field = scene(ball).world.field
+    end = places.bisector_place(field, (ball.real, ball.imag))
+    nearest = 100.0
+    for _ in range(400):
+        x, y, _ = places.round_ball(field, (at.real, at.imag), end, (ball.real, ball.imag))
+        way = complex(x, y) - at
+        if abs(way) < 1.0:
+            break
+        at += way / abs(way) * 0.5
+        trunk = complex(at.real, min(at.imag, max(ball.imag, at.imag - places.TRUNK)))
+        behind = ball.imag < at.imag
+        nearest = min(nearest, abs(ball - trunk) if behind and at.imag > end[1] + 6.0 else 100.0)
+    assert abs(at - complex(*end[:2])) < 1.5
+    assert nearest > 7.0
 
 
 def test_after_a_block_it_turns_to_where_the_ball_was_lost_but_does_not_walk():
@@ -371,6 +381,27 @@ def test_a_ball_that_an_opponent_has_is_guarded_against_as_long_as_it_may_hold_i
         x=180.0, y=y + Clear.HAS - 2.0))]
     assert chosen_for(scenery, player, Clear.HAS_LONGEST - 0.1) == {'guard'}
     assert chosen_for(scenery, player, 1.0) & {'clear', 'attack'}
+
+
+def test_an_opponent_that_is_missed_in_some_frames_has_the_ball_on():
+    scenery, player = scene(180 + 44j, at=180 + 30j), Goalie()
+    scenery.world.time_s = 100.0
+    there = [kelpie.OpponentEstimate(position=kelpie.Point2(x=180.0, y=44.0 + Clear.HAS - 2.0))]
+    names = []
+    for frame in range(180):
+        scenery.world.opponents = there if frame % 5 < 4 else []
+        names.append(chosen_for(scenery, player, 1.0 / 30.0))
+    assert names[:100] == 100 * [{'guard'}]
+    assert {'clear'} in names
+
+
+@pytest.mark.parametrize('seconds, leaves', [(0.5, True), (Clear.HAS_SEEN + 0.5, False)])
+def test_an_opponent_that_was_there_some_time_ago_has_no_ball(seconds, leaves):
+    scenery, player = scene(180 + 44j, at=180 + 30j), Goalie()
+    scenery.world.time_s = 100.0
+    scenery.world.opponents = [kelpie.OpponentEstimate(
+        position=kelpie.Point2(x=180.0, y=44.0 + Clear.HAS - 2.0), seconds_since_seen=seconds)]
+    assert (chosen_for(scenery, player, 1.0) == {'guard'}) == leaves
 
 
 def test_a_ball_that_an_opponent_is_only_near_to_is_cleared():

@@ -102,6 +102,7 @@ TEST(Ball, BetweenTwoRobotsHoldsThemUp) {
   }
 }
 
+// Pushed by 4 mm a tick the other one goes on by 2, and the holder goes back as far.
 TEST(Ball, HeldByOneRobotIsNotPushedOutByAnother) {
   KinematicBodies bodies({}, *body::fieldDescription("2006"));
   bodies.add(RobotModel(RobotParams{}, Pose2{{180, 200}, Angle::deg(90)}, 1));
@@ -119,6 +120,9 @@ TEST(Ball, HeldByOneRobotIsNotPushedOutByAnother) {
     const Point2<Robot> at = robotFromField(bodies.place(0).pose, bodies.ball().position);
     ASSERT_LT(distance(at, {0.0, 7.9}), 1.5) << i;
   }
+  const double holder = bodies.place(0).pose.position.y;
+  EXPECT_NEAR(holder, 200.0 - 0.5 * 120 * 0.4, 10.0);
+  EXPECT_GT(bodies.place(1).pose.position.y, holder + 7.9 + body::kBallRadius);
 }
 
 TEST(Ball, NeverRunsFasterThanTheLimit) {

@@ -22,7 +22,7 @@ constexpr std::size_t kFirstLegJoint = index(Joint::leftFrontRotator);
 constexpr double kWalkSlew = 4.5;  // deg a tick: only motions command more
 constexpr double kSame = 0.3;      // deg by which commanded angles may differ from a key frame's
 constexpr double kStands = 2.5;    // cm/s: a slower robot stands, as the kick map has it
-constexpr double kStops = 0.25;    // s that a walk may end before a kick, which is then from a walk
+constexpr double kStops = 0.25;    // s that a walk may end before a kick from it [chosen]
 constexpr double kSure = 1.2;      // cm from the kick's place at which its figures were measured,
 constexpr double kOff = 4.0;       // and at which nothing is left of it
 
@@ -160,7 +160,8 @@ bool FastKicks::tick(std::size_t robot, const RobotModel& body, Ball& ball) {
     const Point2<Field> was = body.placeBefore().pose.position;
     const bool goes = distance(grip.start.position, was) > kStands * kTickSeconds;
     grip.stands = goes && slew > 0.0 ? 0.0 : grip.stands + kTickSeconds;
-    grip.holds = holdingPose(target) && hold(body, grip, ball);
+    const bool taken = holder().value_or(robot) != robot;  // by another one
+    grip.holds = !taken && holdingPose(target) && hold(body, grip, ball);
     // A head that comes down with its jaw shut passes in front of the ball.
     const Point2<Robot> at = robotFromField(grip.start, ball.position);
     return grip.holds || (headDown(target) && canHold(at));

@@ -8,7 +8,7 @@
 // compiled in.
 #pragma once
 
-#include <algorithm>
+#include <optional>
 #include <vector>
 
 #include "actuator/MotionData.h"
@@ -35,8 +35,11 @@ class FastKicks {
     if (robot < grips_.size()) grips_[robot].holds = false;
   }
   bool holds(std::size_t robot) const { return robot < grips_.size() && grips_[robot].holds; }
-  bool anyHolds() const {
-    return std::any_of(grips_.begin(), grips_.end(), [](const Grip& grip) { return grip.holds; });
+  // Who holds the ball.
+  std::optional<std::size_t> holder() const {
+    for (std::size_t i = 0; i < grips_.size(); ++i)
+      if (grips_[i].holds) return i;
+    return std::nullopt;
   }
 
  private:

@@ -20,12 +20,12 @@ constexpr double kGravity = 981.0;
 // deg that the neck stands below its target without a ball under the chin (physics.md section 10).
 constexpr double kEmptySag = 4.4;
 
-void pushOff(RobotModel& robot, double disc, Point2<Field> from, double reach) {
-  const Point2<Field> centre = fieldFromRobot(robot.place().pose, {0.0, disc});
-  const Point2<Field> away = centre - from;
+// How far a robot's disc has to go until it is so far from there.
+Point2<Field> wayOff(const RobotModel& robot, double disc, Point2<Field> from, double reach) {
+  const Point2<Field> away = fieldFromRobot(robot.place().pose, {0.0, disc}) - from;
   const double gap = away.norm();
-  if (gap >= reach || gap <= 0.0) return;
-  robot.push(away * ((reach - gap) / gap));
+  if (gap >= reach || gap <= 0.0) return {};
+  return away * ((reach - gap) / gap);
 }
 
 bool within(FieldPoint3 a, FieldPoint3 b, double reach) {
@@ -66,7 +66,8 @@ void KinematicBodies::keepApart() {
     for (const double disc : kBodyDiscs) {
       const Point2<Field> centre = fieldFromRobot(robots_[i].place().pose, {0.0, disc});
       for (const Obstacle& obstacle : obstacles_) {
-        pushOff(robots_[i], disc, nearestOn(obstacle, centre), kBodyRadius + obstacle.radius);
+        const double reach = kBodyRadius + obstacle.radius;
+        robots_[i].push(wayOff(robots_[i], disc, nearestOn(obstacle, centre), reach));
       }
     }
     for (std::size_t k = 0; k < i; ++k) separate(i, k);
@@ -135,12 +136,20 @@ BodyFeeling KinematicBodies::feel(std::size_t i) {
   return feeling;
 }
 
-// A ball that several squeeze, or that one holds, has nowhere to go: it stays and holds them up.
+// A ball that several squeeze, or that one holds, has nowhere to go: it stays and holds up who
+// presses against it. Against a holder both give way alike, as without a ball.
 void KinematicBodies::holdUp(const Ball& at) {
   ball_ = at;
-  for (RobotModel& robot : robots_)
-    for (const double disc : kBodyDiscs)
-      pushOff(robot, disc, ball_.position, kTrunkHalfWidth + body::kBallRadius);
+  const auto holder = kicks_.holder();
+  for (std::size_t i = 0; i < robots_.size(); ++i) {
+    if (holder == i) continue;
+    for (const double disc : kBodyDiscs) {
+      const Point2<Field> way =
+          wayOff(robots_[i], disc, ball_.position, kTrunkHalfWidth + body::kBallRadius);
+      robots_[i].push(way * (holder ? 0.5 : 1.0));
+      if (holder) robots_[*holder].push(way * -0.5);
+    }
+  }
 }
 
 // Who kicks or holds the ball touches it more than who stands in its way in that tick.
@@ -156,7 +165,7 @@ void KinematicBodies::tickBallAmongRobots() {
   const BallTouch touch = tickBall(ball_, touching, obstacles_, ballParams_);
   const bool squeezed = touch.several && distance(before.position, ball_.position) > kSqueezedOut;
   if (squeezed) holdUp({before.position, {}});
-  if (kicks_.anyHolds()) return holdUp(before);
+  if (kicks_.holder()) return holdUp(before);
   if (touch.most && !ballToucher_)
     ballToucher_ = static_cast<std::size_t>(touching[*touch.most] - robots_.data());
 }

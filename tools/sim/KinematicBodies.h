@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Bodies without masses: feet that stand carry their robot (RobotModel.h), robots are kept apart as
 // pairs of discs, the ball is a disc (BallContact.h). Fifty times as fast as the physical ones; no
-// robot falls, and none is braked by the ball.
+// robot falls, and a ball brakes none but who presses it against another robot.
 #pragma once
 
 #include <vector>
