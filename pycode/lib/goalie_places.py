@@ -6,6 +6,7 @@
 import math
 
 from lib.geom import Point, clamp, wrap
+from lib.tune_goalie import Body
 
 Place = tuple[float, float, float]  # x, y of the neck base on the field, heading in degrees
 
@@ -25,7 +26,6 @@ ROUND_BY = 24.0       # and cm from the ball to the side by which it is gone rou
 ROUND_LEAST = 14.0    # where the box ends by so many,
 ROUND_DONE = 5.0      # up to so many from the place's distance to the line
 TRUNK = 16.0          # cm that the trunk reaches behind the neck base
-EDGE = 10.0           # cm from the box's edge
 LEG_SIDE = 7.0        # cm; legs at the corners of a rectangle, the neck base at the middle of its
 LEG_BACK = 13.0       # front edge (thesis 2004 figure 4.8; sizes of the ERS-7)
 WALL_ZONE = 2.0       # cm out from the wall
@@ -112,7 +112,7 @@ def past_ball(start, end, ball) -> bool:
 def round_ball(field, start, place, ball) -> Place:
     """The next place of a way back that does not take a ball before the goal along, which lies
     there: aside first, by the nearer side, then back, then to the place."""
-    left, right, _, _ = box(field, EDGE)
+    left, right, _, _ = box(field, Body.MARGIN)
     x, y, heading = place
     if (abs(ball[0] - middle(field)[0]) > 0.5 * field.goal_width or start[1] - y < ROUND_DONE or
             not past_ball(start, (x, y - TRUNK), ball)):
