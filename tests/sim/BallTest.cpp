@@ -3,7 +3,9 @@
 
 #include <array>
 #include <cmath>
+#include <vector>
 
+#include "actuator/MotionData.h"
 #include "tests/sim/Targets.h"
 #include "tools/sim/Ball.h"
 #include "tools/sim/BallContact.h"
@@ -123,6 +125,32 @@ TEST(Ball, HeldByOneRobotIsNotPushedOutByAnother) {
   const double holder = bodies.place(0).pose.position.y;
   EXPECT_NEAR(holder, 200.0 - 0.5 * 120 * 0.4, 10.0);
   EXPECT_GT(bodies.place(1).pose.position.y, holder + 7.9 + body::kBallRadius);
+}
+
+// U-Penn sends a ball at its best place 43 deg to the left, where the other one stands.
+TEST(Ball, KickedAgainstARobotIsTouchedByThatOneLast) {
+  const Angle way = Angle::deg(90.0 + 43.0);
+  const Point2<Field> at{184.0, 214.0};
+  const double chest = body::kBallRadius + kChestAhead - 0.2;
+  KinematicBodies bodies({}, *body::fieldDescription("2006"));
+  bodies.add(RobotModel(RobotParams{}, Pose2{{180, 200}, Angle::deg(90)}, 1));
+  const Point2<Field> there = at + Point2<Field>{way.cos(), way.sin()} * chest;
+  bodies.add(RobotModel(RobotParams{}, Pose2{there, way + Angle::deg(180.0)}, 2));
+  JointAngles kick = bodies.robot(0).target();
+  const auto& angles = actuator::standardMotions()[MotionKind::upennLeft].frames.back().angles;
+  for (std::size_t j = 0; j < actuator::kLegJoints; ++j)
+    kick.angle[index(Joint::leftFrontRotator) + j] = angles[j];
+  bodies.putBall({{20, 20}, {}});
+  for (int i = 0; i < 3; ++i) ASSERT_TRUE(bodies.tick().ok());  // it stands before it kicks
+  bodies.putBall({at, {}});
+  bodies.command(0, targets(body::withinLimits(kick)));
+  std::vector<std::size_t> touchers;
+  for (int i = 0; i < 20; ++i) {
+    ASSERT_TRUE(bodies.tick().ok());
+    if (bodies.ballToucher()) touchers.push_back(*bodies.ballToucher());
+    if (touchers.size() == 2) break;
+  }
+  EXPECT_EQ(touchers, (std::vector<std::size_t>{0, 1}));
 }
 
 TEST(Ball, NeverRunsFasterThanTheLimit) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace kelpie::sim {
 namespace {
@@ -152,7 +153,8 @@ void KinematicBodies::holdUp(const Ball& at) {
   }
 }
 
-// Who kicks or holds the ball touches it more than who stands in its way in that tick.
+// Who kicks or holds the ball touches it more than who stands in its way in that tick. Off whom a
+// kicked ball bounces at once is told a tick later: it touched it last.
 void KinematicBodies::tickBallAmongRobots() {
   ballToucher_.reset();
   std::vector<const RobotModel*> touching;
@@ -166,8 +168,13 @@ void KinematicBodies::tickBallAmongRobots() {
   const bool squeezed = touch.several && distance(before.position, ball_.position) > kSqueezedOut;
   if (squeezed) holdUp({before.position, {}});
   if (kicks_.holder()) return holdUp(before);
-  if (touch.most && !ballToucher_)
-    ballToucher_ = static_cast<std::size_t>(touching[*touch.most] - robots_.data());
+  const auto bouncedOff = std::exchange(bouncedOff_, std::nullopt);
+  if (!touch.most) {
+    if (!ballToucher_) ballToucher_ = bouncedOff;
+    return;
+  }
+  auto& toucher = ballToucher_ ? bouncedOff_ : ballToucher_;
+  toucher = static_cast<std::size_t>(touching[*touch.most] - robots_.data());
 }
 
 Status KinematicBodies::tick() {

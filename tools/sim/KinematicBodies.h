@@ -84,6 +84,7 @@ class KinematicBodies : public Bodies {
   std::vector<RobotModel> robots_;
   Ball ball_;
   std::optional<std::size_t> ballToucher_;
+  std::optional<std::size_t> bouncedOff_;  // who touched it after a kick, in the same tick
   FastKicks kicks_;
 };
 
