@@ -13,7 +13,6 @@
 namespace kelpie::sim {
 namespace {
 
-constexpr double kPi = 3.14159265358979;
 const Pose2 kStart{{180.0, 200.0}, Angle::deg(90.0)};
 
 double mean(const std::vector<double>& values) {
@@ -50,8 +49,8 @@ std::vector<double> rebounds(BodyKind kind, int balls) {
   std::vector<double> shares;
   for (int i = 0; i < balls; ++i) {
     startAgain(body);
-    const double from = random.uniform(-kPi, kPi);
-    const Point2<Field> side{std::cos(from), std::sin(from)};
+    const Angle from = Angle::deg(random.uniform(-180.0, 180.0));
+    const Point2<Field> side{from.cos(), from.sin()};
     const Point2<Robot> aim{random.uniform(-5.0, 5.0), random.uniform(-15.0, 3.0)};
     const Point2<Field> start = fieldFromRobot(body.pose(), aim) + side * 40.0;
     body.world().bodies().putBall({start, side * -random.uniform(50.0, 180.0)});

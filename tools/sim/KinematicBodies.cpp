@@ -44,19 +44,18 @@ std::array<double, 3> accelerationAtRest(const Stance& stance, const BodyFaults&
           kGravity * tilt.cos() * roll.cos() + bias[2]};
 }
 
+void KinematicBodies::pushApart(std::size_t one, std::size_t other, Point2<Field> way) {
+  robots_[one].push(way * 0.5);
+  robots_[other].push(way * -0.5);
+}
+
 // Both give way alike: two robots that push against each other go nowhere, and one that pushes
 // another that stands moves it at half its own speed.
 void KinematicBodies::separate(std::size_t one, std::size_t other) {
   for (const double a : kBodyDiscs) {
     for (const double b : kBodyDiscs) {
-      const Point2<Field> mine = fieldFromRobot(robots_[one].place().pose, {0.0, a});
       const Point2<Field> theirs = fieldFromRobot(robots_[other].place().pose, {0.0, b});
-      const Point2<Field> away = mine - theirs;
-      const double gap = away.norm();
-      if (gap >= 2.0 * kBodyRadius || gap <= 0.0) continue;
-      const Point2<Field> half = away * (0.5 * (2.0 * kBodyRadius - gap) / gap);
-      robots_[one].push(half);
-      robots_[other].push(half * -1.0);
+      pushApart(one, other, wayOff(robots_[one], a, theirs, 2.0 * kBodyRadius));
     }
   }
 }
@@ -147,8 +146,10 @@ void KinematicBodies::holdUp(const Ball& at) {
     for (const double disc : kBodyDiscs) {
       const Point2<Field> way =
           wayOff(robots_[i], disc, ball_.position, kTrunkHalfWidth + body::kBallRadius);
-      robots_[i].push(way * (holder ? 0.5 : 1.0));
-      if (holder) robots_[*holder].push(way * -0.5);
+      if (holder)
+        pushApart(i, *holder, way);
+      else
+        robots_[i].push(way);
     }
   }
 }

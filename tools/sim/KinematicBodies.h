@@ -73,6 +73,8 @@ class KinematicBodies : public Bodies {
   void holdUp(const Ball& at);
   void keepApart();
   void separate(std::size_t one, std::size_t other);
+  // The one half of that way, the other as far back.
+  void pushApart(std::size_t one, std::size_t other, Point2<Field> way);
   bool chinTouched(std::size_t robot, const BodySphere& head) const;
   bool pushes(std::size_t robot, const BodySphere& part) const;
   std::array<bool, kLegCount> pawsPressed(std::size_t robot,
