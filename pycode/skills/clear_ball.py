@@ -9,6 +9,7 @@ import kelpie
 from lib import intercept, kick_table
 from lib.geom import wrap
 from lib.goalie_places import UP_FIELD, off_own_goal
+from lib.obstacles import OWN_BODY
 from lib.tune_goalie import Clear
 
 
@@ -31,8 +32,7 @@ class Clearance:
         if outwards < 0.0:
             self.worth *= Clear.ACROSS
         if any(in_the_way(ball, self.direction, other.position) for other in world.opponents):
-            straight = abs(aside) < Clear.STRAIGHT
-            self.worth *= Clear.HELD_STRAIGHT if straight else Clear.HELD_ASIDE
+            self.worth *= Clear.HELD
 
     def after(self, way):
         """The point of the field that the ball passes after so many cm."""
@@ -73,9 +73,24 @@ def opponent_at_ball(world) -> bool:
 
 
 def opponent_has(world) -> bool:
-    """Whether an opponent that was seen just now holds the ball, or is so near that it may."""
-    return any(other.seconds_since_seen < Clear.HAS_SEEN and
-               at_ball(world, other.position, Clear.HAS) for other in world.opponents)
+    """Whether an opponent that was seen just now holds the ball, or will before it is kicked."""
+    return feet_at_ball(world) or any(
+        other.seconds_since_seen < Clear.HAS_SEEN and at_ball(world, other.position, Clear.HAS)
+        for other in world.opponents)
+
+
+def feet_at_ball(world) -> bool:
+    """Whether somebody's feet stand at the ball in this image, and no mate's: of who comes head on,
+    or is at a ball that the head looks down at, no uniform shows, and it is not known of."""
+    ball = world.ball
+    if not ball.present or ball.seconds_since_seen > Clear.SEEN:
+        return False
+    feet = sum(math.hypot(foot.position.x, foot.position.y) > OWN_BODY and
+               math.hypot(foot.position.x - ball.relative.x,
+                          foot.position.y - ball.relative.y) < Clear.FEET
+               for foot in world.percepts.obstacles)
+    return feet >= Clear.FEET_LEAST and not any(
+        at_ball(world, mate.pose.position, Clear.FEET_MATE) for mate in world.teammates)
 
 
 def mate_grabs(world) -> bool:

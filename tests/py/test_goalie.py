@@ -404,6 +404,30 @@ def test_an_opponent_that_was_there_some_time_ago_has_no_ball(seconds, leaves):
     assert (chosen_for(scenery, player, 1.0) == {'guard'}) == leaves
 
 
+def feet(scenery, count, away):
+    """So many points of feet, so far beyond the ball."""
+    ball = scenery.world.ball.relative
+    return [kelpie.ObstaclePoint(position=kelpie.Point2(x=ball.x + i, y=ball.y + away))
+            for i in range(count)]
+
+
+@pytest.mark.parametrize('count, away, mate_away, leaves', [
+    (Clear.FEET_LEAST, 10.0, None, True), (Clear.FEET_LEAST - 1, 10.0, None, False),
+    (5, Clear.FEET + 2.0, None, False), (5, -6.0, None, False),
+    (5, 10.0, Clear.FEET_MATE - 5.0, False), (5, 10.0, Clear.FEET_MATE + 5.0, True)])
+def test_a_ball_at_which_feet_stand_is_left_unless_they_may_be_a_mates(count, away, mate_away,
+                                                                       leaves):
+    scenery, player = scene(180 + 44j, at=180 + 30j), Goalie()
+    scenery.see()
+    scenery.world.time_s, player.moved_s = 100.0, -10.0
+    scenery.world.percepts.obstacles = feet(scenery, count, away)
+    if mate_away is not None:
+        mate = kelpie.TeammateEstimate(player=2)
+        mate.pose.position.x, mate.pose.position.y = 180.0 + mate_away, 44.0
+        scenery.world.teammates = [mate]
+    assert (chosen_for(scenery, player, 1.0) == {'guard'}) == leaves
+
+
 def test_a_ball_that_an_opponent_is_only_near_to_is_cleared():
     scenery, player = scene(180 + 44j, at=180 + 30j), Goalie()
     scenery.world.time_s = 100.0
