@@ -74,9 +74,9 @@ def opponent_at_ball(world) -> bool:
 
 def opponent_has(world) -> bool:
     """Whether an opponent that was seen just now holds the ball, or will before it is kicked."""
-    return feet_at_ball(world) or any(
-        other.seconds_since_seen < Clear.HAS_SEEN and at_ball(world, other.position, Clear.HAS)
-        for other in world.opponents)
+    return any(other.seconds_since_seen < Clear.HAS_SEEN and
+               at_ball(world, other.position, Clear.HAS)
+               for other in world.opponents) or feet_at_ball(world)
 
 
 def feet_at_ball(world) -> bool:

@@ -8,6 +8,7 @@
 
 #include "robot/core/Random.h"
 #include "tools/experiments/harness/Statistics.h"
+#include "tools/experiments/skills/Tries.h"
 #include "tools/experiments/team/TeamMatch.h"
 
 namespace kelpie::experiments {
@@ -17,9 +18,9 @@ constexpr double kSeconds = 240.0;  // of play
 constexpr double kFirst = 45.0;     // s from the start to the first scrum,
 constexpr double kLast = 360.0;     // and to the last; a match ends sooner or later
 constexpr double kEvery = 10.0;
-constexpr double kAway = 0.4;  // s without a ball, in which robots are put down
-constexpr int kInARow = 3;     // before the same goal
-constexpr double kMargin = 20.0;
+constexpr double kAway = 0.4;     // s without a ball, in which robots are put down
+constexpr int kInARow = 3;        // before the same goal
+constexpr double kMargin = 20.0;  // cm from the lines
 
 // How far from the ball somebody is put, in cm.
 struct Range {
@@ -39,27 +40,20 @@ Pose2 placeAbout(Point2<Field> ball, Range range, const body::FieldDescription& 
   const maths::SinCos sc = way.sinCos();
   const Point2<Field> at{std::clamp(ball.x + away * sc.cos, kMargin, field.width - kMargin),
                          std::clamp(ball.y + away * sc.sin, kMargin, field.length - kMargin)};
-  const double look = maths::atan2(ball.y - at.y, ball.x - at.x);
-  return {at, Angle::rad(look) + Angle::deg(random.uniform(-30.0, 30.0))};
-}
-
-Pose2 poseFor(TeamColour goal, const body::FieldDescription& field, const Pose2& pose) {
-  if (goal == TeamColour::red) return pose;
-  return {turnedFor(goal, field, pose.position), pose.heading + Angle::deg(180.0)};
+  return {at, headingTo(at, ball) + Angle::deg(random.uniform(-30.0, 30.0))};
 }
 
 void stage(double time, TeamColour goal, const body::FieldDescription& field, Random& random,
            sim::Staging& staging) {
-  const TeamColour others = goal == TeamColour::red ? TeamColour::blue : TeamColour::red;
   const Point2<Field> ball{0.5 * field.width + random.uniform(-75.0, 75.0),
                            random.uniform(25.0, 95.0)};
-  staging.takes.push_back({time, kAway, turnedFor(goal, field, ball)});
+  staging.takes.push_back({time, kAway, sim::ownView(field, goal, ball)});
   const auto put = [&](TeamColour team, std::uint8_t player, Range range) {
-    const Pose2 pose = poseFor(goal, field, placeAbout(ball, range, field, random));
+    const Pose2 pose = sim::ownView(field, goal, placeAbout(ball, range, field, random));
     staging.carries.push_back({time + 0.25 * kAway, {team, player}, pose});
   };
-  put(others, 2, kNearer);
-  put(others, 3, kFarther);
+  put(sim::otherTeam(goal), 2, kNearer);
+  put(sim::otherTeam(goal), 3, kFarther);
   put(goal, 2, kDefender);
 }
 
@@ -76,28 +70,16 @@ sim::Staging scrums(std::uint64_t seed) {
 
 void judge(const TeamMatch& match, Found& found) {
   for (const sim::MatchEvent& event : match.events) {
-    const bool goal = event.kind == sim::EventKind::goal;
     found.scrums += event.kind == sim::EventKind::returned ? 1 : 0;
-    found.goals += goal ? 1 : 0;
-    found.ownGoals += goal && event.reason.view() == "own goal" ? 1 : 0;
+    found.goals += event.kind == sim::EventKind::goal ? 1 : 0;
+    found.ownGoals += isOwnGoal(event) ? 1 : 0;
   }
 }
 
 Expected<Json> goalMouth(const Request& request) {
   Found found;
-  TeamMatches matches;
-  matches.count = request.trials;
-  matches.session = [&](int number) {
-    const Trial trial = trialOf(request, number);
-    cli::SessionOptions session = *teamSession(request, trial, "4v4", kSeconds);
-    session.keepAll = false;
-    session.staging = scrums(trial.seed);
-    return session;
-  };
-  matches.judge = [&](int, const cli::SessionResult&, const TeamMatch& match) {
-    judge(match, found);
-  };
-  const Status played = playTeams(request, matches);
+  const auto each = [&](const cli::SessionResult&, const TeamMatch& match) { judge(match, found); };
+  const Status played = playFours(request, {kSeconds, Kept::world, scrums}, each);
   if (!played) return Error{played.error()};
   return Json{{"scrums", found.scrums},
               {"goals", found.goals},

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <map>
 #include <string>
-#include <string_view>
 
 #include "tools/experiments/harness/Statistics.h"
 #include "tools/experiments/team/TeamMatch.h"
@@ -28,11 +27,6 @@ bool contested(const sim::TruthFrame& truth) {
     if (distance(robot.pose.position, truth.ball) < kAtBall)
       at[robot.team == TeamColour::red ? 0 : 1] = true;
   return at[0] && at[1];
-}
-
-// A goal whose reason names the team that got it against itself.
-bool isOwnGoal(const sim::MatchEvent& event) {
-  return event.reason.view().find("own goal") != std::string_view::npos;
 }
 
 void judgeCalls(const TeamMatch& match, Found& found) {
@@ -67,7 +61,7 @@ Expected<Json> matchCalls(const Request& request) {
     judgeTime(match, found);
     found.goalsOfMatch.push_back(static_cast<double>(result.goals.size() + result.ownGoals.size()));
   };
-  const Status played = playFours(request, kSeconds, Kept::world, judge);
+  const Status played = playFours(request, {kSeconds, Kept::world}, judge);
   if (!played) return Error{played.error()};
   Json calls = Json::object();
   for (const auto& [reason, count] : found.calls) calls[reason] = ratio(count, request.trials);

@@ -33,16 +33,18 @@ bool free(Point2<Field> p, const std::vector<sim::RobotPlace>& places) {
   return true;
 }
 
-std::vector<sim::RobotPlace> crossing(const body::FieldDescription& field, std::uint64_t seed) {
+sim::Staging crossing(std::uint64_t seed) {
+  const body::FieldDescription field;
   Random random(seed ^ 0x4ead1ULL);
-  std::vector<sim::RobotPlace> places;
+  sim::Staging staging;
+  std::vector<sim::RobotPlace>& places = staging.places;
   for (const TeamColour team : {TeamColour::red, TeamColour::blue})
     for (std::uint8_t player = 1; player <= 4; ++player) {
       Point2<Field> p = draw(field, team, random);
       while (!free(p, places)) p = draw(field, team, random);
       places.push_back({{team, player}, {p, Angle::rad(random.uniform(-maths::kPi, maths::kPi))}});
     }
-  return places;
+  return staging;
 }
 
 void judge(const TeamMatch& match, Found& found) {
@@ -58,7 +60,7 @@ void judge(const TeamMatch& match, Found& found) {
       if (frame.state == PlayState::ready && frame.seconds < set && frame.note.wants) last = &frame;
     for (const sim::RobotTruth& one : truth.robots) {
       if (!robot.is(one)) continue;
-      const Point2<Field> p = turnedFor(robot.team, field, one.pose.position);
+      const Point2<Field> p = sim::ownView(field, robot.team, one.pose.position);
       const double off = last != nullptr ? distance(p, last->note.wanted) : 1000.0;
       found.off.push_back(off);
       found.robots.count(off < kAtPlace);
@@ -71,18 +73,8 @@ void judge(const TeamMatch& match, Found& found) {
 
 Expected<Json> ready(const Request& request) {
   Found found;
-  TeamMatches matches;
-  matches.count = request.trials;
-  matches.session = [&](int number) {
-    const Trial trial = trialOf(request, number);
-    cli::SessionOptions session = *teamSession(request, trial, "4v4", kSeconds);
-    session.staging.places = crossing(body::FieldDescription{}, trial.seed);
-    return session;
-  };
-  matches.judge = [&](int, const cli::SessionResult&, const TeamMatch& match) {
-    judge(match, found);
-  };
-  const Status played = playTeams(request, matches);
+  const auto each = [&](const cli::SessionResult&, const TeamMatch& match) { judge(match, found); };
+  const Status played = playFours(request, {kSeconds, Kept::robots, crossing}, each);
   if (!played) return Error{played.error()};
   return Json{{"all_at_place_share", found.all.value()},
               {"robots_at_place_share", found.robots.value()},

@@ -58,7 +58,7 @@ void judgeRobot(const TeamMatch& match, const TeamRobot& robot, std::map<int, Li
       found.changes += last != nullptr && last->note.role != frame.note.role ? 1 : 0;
       for (const sim::RobotTruth& truth : match.at(frame.seconds).robots) {
         if (!robot.is(truth)) continue;
-        const Point2<Field> p = turnedFor(robot.team, field, truth.pose.position);
+        const Point2<Field> p = sim::ownView(field, robot.team, truth.pose.position);
         found.inOwnBox.count(inOwnBox(field, p));
         countThird(field, p.y, frame.note.role, found);
       }
@@ -94,7 +94,7 @@ Expected<Json> roles(const Request& request) {
     judgeTeam(match, TeamColour::red, found);
     judgeTeam(match, TeamColour::blue, found);
   };
-  const Status played = playFours(request, kSeconds, Kept::robots, judge);
+  const Status played = playFours(request, {kSeconds}, judge);
   if (!played) return Error{played.error()};
   return Json{{"one_attacker_share", found.oneAttacker.value()},
               {"no_attacker_share", found.none.value()},

@@ -21,10 +21,10 @@ struct Found {
 void judgeFrame(const TeamRobot& robot, const TeamFrame& frame, const sim::TruthFrame& truth,
                 Found& found) {
   static const body::FieldDescription field;
-  const Point2<Field> ball = turnedFor(robot.team, field, truth.ball);
+  const Point2<Field> ball = sim::ownView(field, robot.team, truth.ball);
   for (const sim::RobotTruth& one : truth.robots) {
     if (!robot.is(one)) continue;
-    const Point2<Field> place = turnedFor(robot.team, field, one.pose.position);
+    const Point2<Field> place = sim::ownView(field, robot.team, one.pose.position);
     const Angle heading = one.pose.heading + Angle::deg(robot.team == TeamColour::red ? 0 : 180);
     found.pose.push_back(distance(frame.pose.position, place));
     found.heading.push_back(std::fabs((frame.pose.heading - heading).deg()));
@@ -40,7 +40,7 @@ Expected<Json> teamLocalise(const Request& request) {
       for (const TeamFrame& frame : robot.frames)
         if (frame.plays()) judgeFrame(robot, frame, match.at(frame.seconds), found);
   };
-  const Status played = playFours(request, kSeconds, Kept::robots, judge);
+  const Status played = playFours(request, {kSeconds}, judge);
   if (!played) return Error{played.error()};
   return Json{{"pose_error_mean_cm", mean(found.pose)},
               {"pose_error_p95_cm", percentile(found.pose, 0.95)},

@@ -79,8 +79,8 @@ const sim::TruthFrame& TeamMatch::at(double seconds) const {
   return after == truth.begin() ? *after : *(after - 1);
 }
 
-Point2<Field> turnedFor(TeamColour team, const body::FieldDescription& field, Point2<Field> p) {
-  return team == TeamColour::red ? p : Point2<Field>{field.width - p.x, field.length - p.y};
+bool isOwnGoal(const sim::MatchEvent& event) {
+  return event.kind == sim::EventKind::goal && event.reason.view() == "own goal";
 }
 
 Expected<cli::SessionOptions> teamSession(const Request& request, const Trial& trial,
@@ -120,12 +120,14 @@ Status playTeams(const Request& request, const TeamMatches& matches) {
   return Done{};
 }
 
-Status playFours(const Request& request, double seconds, Kept kept, const JudgeMatch& judge) {
+Status playFours(const Request& request, const Fours& fours, const JudgeMatch& judge) {
   TeamMatches matches;
   matches.count = request.trials;
   matches.session = [&](int number) {
-    cli::SessionOptions session = *teamSession(request, trialOf(request, number), "4v4", seconds);
-    session.keepAll = kept == Kept::robots;
+    const Trial trial = trialOf(request, number);
+    cli::SessionOptions session = *teamSession(request, trial, "4v4", fours.seconds);
+    session.keepAll = fours.kept == Kept::robots;
+    if (fours.staging) session.staging = fours.staging(trial.seed);
     return session;
   };
   matches.judge = [&](int, const cli::SessionResult& result, const TeamMatch& match) {

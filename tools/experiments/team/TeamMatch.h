@@ -13,6 +13,7 @@
 #include "tools/experiments/match/Matches.h"
 #include "tools/session/Teams.h"
 #include "tools/sim/Truth.h"
+#include "tools/sim/rules/MatchScene.h"
 
 namespace kelpie::experiments {
 
@@ -51,8 +52,7 @@ struct TeamMatch {
   const sim::TruthFrame& at(double seconds) const;
 };
 
-// From red's field to that team's, and back.
-Point2<Field> turnedFor(TeamColour team, const body::FieldDescription& field, Point2<Field> p);
+bool isOwnGoal(const sim::MatchEvent& event);
 
 // What is played: the sessions of the matches by their numbers, and who judges each as it ends.
 struct TeamMatches {
@@ -68,10 +68,16 @@ Expected<cli::SessionOptions> teamSession(const Request& request, const Trial& t
 // One after the other: a match of eight robots takes all cores.
 Status playTeams(const Request& request, const TeamMatches& matches);
 
-// Matches of four against four, so many seconds of play long, one a trial. What is kept of each for
-// its judge: the frames of all robots, and truth and events; or these alone, a tenth faster.
+// What is kept of a match for its judge: the frames of all robots, and truth and events; or these
+// alone, a tenth faster.
 enum class Kept { robots, world };
+// Matches of four against four, one a trial.
+struct Fours {
+  double seconds = 0.0;  // of play
+  Kept kept = Kept::robots;
+  std::function<sim::Staging(std::uint64_t seed)> staging = {};  // none: as teams start
+};
 using JudgeMatch = std::function<void(const cli::SessionResult& result, const TeamMatch& match)>;
-Status playFours(const Request& request, double seconds, Kept kept, const JudgeMatch& judge);
+Status playFours(const Request& request, const Fours& fours, const JudgeMatch& judge);
 
 }  // namespace kelpie::experiments

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/experiments/team/TeamPairs.h"
 
-#include <string_view>
-
 #include "tools/experiments/team/TeamMatch.h"
 #include "tools/league/Statistics.h"
 
@@ -38,7 +36,7 @@ SideTally tallyOf(const Played& played, TeamColour team) {
   SideTally tally;
   for (const sim::MatchEvent& event : played.events) {
     const bool goal = event.kind == sim::EventKind::goal;
-    const bool own = goal && event.reason.view() == "own goal";
+    const bool own = isOwnGoal(event);
     tally.goals += goal && event.team == team ? 1 : 0;
     tally.ownGoals += own && event.team != team ? 1 : 0;
     tally.outs += event.kind == sim::EventKind::out && event.team == team ? 1 : 0;
