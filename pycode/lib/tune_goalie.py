@@ -20,8 +20,8 @@ class Guard:
     SEARCH_TURN = 110.0      # deg/s to the side where a near ball was lost,
     KICKED_TURN = 70.0       # after a kick: a ball at the flank then rolls 20 cm and no farther,
     CHIN, BACK_OFF = 16.0, -15.0  # or back from one that was so near, at that speed,
-    UNSEEN = 1.6             # then goes to the middle, when the head has looked low all round,
-    LOST = 4.0               # then to the line: the head sees 26 deg past the sides
+    UNSEEN = 1.6             # then goes to the middle, unless it still looks close by,
+    LOST = 6.0               # then to the line: the head sees 26 deg past the sides
 
 
 class GuardEllipse:
@@ -148,7 +148,7 @@ class Look:
 class PointScan:
     BEACON = 0.22            # s; the head pans 33 deg in 0.1 s, then three images
     LOW = 0.26               # 44 deg
-    NEAR_TIMES = 0.24, 0.5, 0.9, 1.6  # s, ends of the looks; in the last one the body turns
+    NEAR_TIMES = 0.24, 0.5, 0.9, 1.65, 3.15  # s, ends of the looks; in the last two the body turns
     DOWN = 12.0              # deg below the horizontal at the beacons: a ball from 30 cm on shows
     LOW_AT = 28.0            # cm; a ball from 12 to 130 cm shows
     NEAR = 60.0              # cm; a ball lost nearer is first looked for low

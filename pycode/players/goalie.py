@@ -241,13 +241,16 @@ class Goalie(Machine):
         return min(world.ball.seconds_since_seen, world.time_s - self.moved_s)
 
     def place(self, world):
-        """Where to guard: by the ball; nowhere else while it is looked for at first; then in the
-        middle, and at last so near to the line that no ball can lie behind the robot unseen. A
-        survey looks elsewhere: its time is none of looking for the ball."""
+        """Where to guard: by the ball; nowhere else while it is looked for at first, all round if
+        it was lost close by; then in the middle, and at last so near to the line that no ball can
+        lie behind the robot unseen. A survey looks elsewhere: its time is none of looking for the
+        ball."""
         sure = self.pose.settled(world) and not self.eyes.lost
         lost = self.lost_for(world) if sure else 0.0
         if lost > Guard.LOST:
             return central_place(world.field, LEAST_Y)
+        if self.eyes.looks_near(world):
+            return None
         if min(lost, world.time_s - self.eyes.surveyed_s) > Guard.UNSEEN:
             return central_place(world.field)
         if (not seen(world, Guard.FRESH) or not self.seen_since_motion(world) or

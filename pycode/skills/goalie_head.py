@@ -164,6 +164,10 @@ class GoalieHead(Machine):
         """To which side the body must turn for the search, +1 left; 0: to none."""
         return self.skill.turn_side(world) if isinstance(self.skill, PointScan) else 0.0
 
+    def looks_near(self, world) -> bool:
+        """Whether the ball is still looked for where it was lost close by."""
+        return isinstance(self.skill, PointScan) and self.skill.looks_near(world)
+
     def scan(self, world):
         """Low first on the side where the ball is believed, if it was lost close by."""
         if self.tracked > ScanTune.NEAR:

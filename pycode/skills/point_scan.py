@@ -16,7 +16,8 @@ from lib.tune_goalie import PointScan as Tune
 
 FROM_MIDDLE = (60.0, 27.0, -27.0, -60.0)  # deg, the beacons of 2006 from the middle of the goal
 LOW = (-88.0, -44.0, 0.0, 44.0, 88.0)     # deg, the points after them
-NEAR = (0.0, 44.0, -44.0, 30.0)           # once before them, for a ball lost close by on the left
+# Once before them, for a ball lost close by on the left: pan, and whereto the body turns.
+NEAR = ((0.0, 0.0), (44.0, 0.0), (-44.0, 0.0), (44.0, 1.0), (-44.0, -1.0))
 
 
 def beacons(field):
@@ -34,11 +35,11 @@ class PointScan:
 
     def __init__(self, world, near=0.0):
         """`near`: the side (+1 left, -1 right) where the ball was lost close by: before the first
-        round the head looks low ahead, then the body turns to that side. 0: it was lost farther
-        away."""
+        round the head looks low ahead, then the body turns to that side and to the other. 0: it
+        was lost farther away."""
         self.start_s = world.time_s
         self.beacons = beacons(world.field)
-        self.near = tuple(near * pan for pan in NEAR) if near else ()
+        self.near = tuple((near * pan, near * turn) for pan, turn in NEAR) if near else ()
         self.branch, self.at = 'beacon', 0   # the point looked at
 
     def period(self) -> float:
@@ -53,13 +54,17 @@ class PointScan:
         """Seconds since the first round began; negative before it."""
         return world.time_s - self.start_s - (Tune.NEAR_TIMES[-1] if self.near else 0.0)
 
+    def looks_near(self, world) -> bool:
+        """Whether it still looks where the ball was lost close by."""
+        return self.passed(world) < 0.0
+
     def head(self, world) -> kelpie.HeadRequest:
         passed = self.passed(world)
         if passed < 0.0:
             self.branch = 'near'
             passed += Tune.NEAR_TIMES[-1]
             self.at = sum(passed >= end for end in Tune.NEAR_TIMES)
-            return self.low(world, self.near[self.at])
+            return self.low(world, self.near[self.at][0])
         passed = math.fmod(passed, self.period())
         self.branch, self.at = 'beacon', int(passed / Tune.BEACON)
         if self.at < len(self.beacons):
@@ -72,8 +77,7 @@ class PointScan:
 
     def turn_side(self, world) -> float:
         """Where the body must turn, +1 left: a head panned to the side cannot look down. 0: not."""
-        turns = self.branch == 'near' and self.at == len(NEAR) - 1
-        return math.copysign(1.0, self.near[-1]) if turns else 0.0
+        return self.near[self.at][1] if self.branch == 'near' else 0.0
 
     def low(self, world, pan):
         aside = math.radians(pan)

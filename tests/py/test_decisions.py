@@ -8,6 +8,7 @@ import kelpie
 import pytest
 from decisions import contested, tree, zones
 from decisions.contested import Contested
+from decisions.leaf_by_map import LeafByMap
 from decisions.situation import Situation
 from lib.memory import Memory
 from situations import facing_up_point, put_ball, world
@@ -75,6 +76,14 @@ def test_a_contested_ball_is_struck_when_up_field_is_35_to_70_deg_aside(y, elsew
                                                                        strikes):
     found = sort(leaf(facing_up_point(degrees, (180, y)), contested_now=True))
     assert found == ('upenn' if strikes else elsewhere)
+
+
+@pytest.mark.parametrize('y', [60.0, 150.0, 270.0, 400.0, 520.0])
+@pytest.mark.parametrize('degrees', range(-170, 180, 20))
+def test_with_the_kick_map_a_contested_ball_is_grabbed(y, degrees):
+    made = facing_up_point(degrees, (180.0, y))
+    situation = Situation(made, True, False)
+    assert LeafByMap().choose(made, situation, tree.decide(situation)[0])[0] in GRABS
 
 
 def test_who_is_about_to_grab_a_contested_ball_of_its_own_third_grabs_it():

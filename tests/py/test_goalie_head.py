@@ -50,7 +50,7 @@ def test_all_four_beacons_the_front_and_both_sides_are_seen_in_each_round():
 
 
 @pytest.mark.parametrize('side', [1.0, -1.0])
-def test_a_ball_lost_close_by_is_first_looked_for_low_ahead_then_the_body_turns(side):
+def test_a_ball_lost_close_by_is_first_looked_for_low_ahead_then_the_body_turns_to_both_sides(side):
     world = world_at()
     scan = PointScan(world, side)
     looks = scanned(scan, world, Tune.NEAR_TIMES[2])
@@ -60,7 +60,11 @@ def test_a_ball_lost_close_by_is_first_looked_for_low_ahead_then_the_body_turns(
     world.time_s = scan.start_s + Tune.NEAR_TIMES[2] + 0.1
     assert side * scan.head(world).head_pan_deg > 0 and scan.turn_side(world) == side
     world.time_s = scan.start_s + Tune.NEAR_TIMES[3] + 0.1
+    assert side * scan.head(world).head_pan_deg < 0 and scan.turn_side(world) == -side
+    assert scan.looks_near(world)
+    world.time_s = scan.start_s + Tune.NEAR_TIMES[4] + 0.1
     assert scan.head(world).head_pan_deg > 50 and scan.turn_side(world) == 0.0
+    assert not scan.looks_near(world)
 
 
 def test_point_scan_with_a_wrong_heading_looks_ahead_all_the_same():
