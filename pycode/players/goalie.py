@@ -8,8 +8,9 @@
 import math
 
 import kelpie
-from lib.goalie_places import (LEAST_Y, beside, beyond_box, bisector_place, central_place, facing,
-                               round_ball)
+from lib.geom import wrap
+from lib.goalie_places import (LEAST_Y, UP_FIELD, beside, beyond_box, bisector_place, central_place,
+                               facing, round_ball)
 from lib.machine import Machine
 from lib.memory import Memory
 from lib.pose_watch import PoseWatch
@@ -224,14 +225,15 @@ class Goalie(Machine):
         seen only when that turns. After a motion nobody knows where it lies: after a kick that
         missed, who walks takes it into the own goal, or who turns fast."""
         moved = not self.seen_since_motion(world)
-        side = self.eyes.turn_side(world)
-        if side != 0.0:
-            rate = Guard.KICKED_TURN if moved and self.kicked else Guard.SEARCH_TURN
-            return kelpie.WalkRequest(turn_deg=side * rate)
-        if moved:
-            return kelpie.WalkRequest()
         ball = world.ball.relative
         under = world.ball.present and 0.0 < ball.y < Guard.CHIN and abs(ball.x) < Guard.CHIN
+        side = self.eyes.turn_side(world)
+        if side != 0.0 and not (under and opponent_has(world)):
+            turned = side * wrap(world.pose.heading_deg - UP_FIELD)
+            rate = Guard.KICKED_TURN if moved and self.kicked else Guard.SEARCH_TURN
+            return kelpie.WalkRequest(turn_deg=side * rate if turned < Guard.MOST_TURNED else 0.0)
+        if moved:
+            return kelpie.WalkRequest()
         return in_box(world, kelpie.WalkRequest(forward=Guard.BACK_OFF if under else 0.0))
 
     def lost_for(self, world) -> float:
@@ -249,7 +251,7 @@ class Goalie(Machine):
         lost = self.lost_for(world) if sure else 0.0
         if lost > Guard.LOST:
             return central_place(world.field, LEAST_Y)
-        if self.eyes.looks_near(world):
+        if self.eyes.searches_near(world):
             return None
         if min(lost, world.time_s - self.eyes.surveyed_s) > Guard.UNSEEN:
             return central_place(world.field)

@@ -32,8 +32,7 @@ KEPT_FRAMES = 12
 LOOK_AFTER = 100.0, 0.0     # cm, deg: where a kicked ball is looked for
 SEEN_S = 0.1            # s: a sighting that gps refused is none
 WATCH = 0.4             # s after a kick
-AHEAD, FOLLOW = 15.0, 40.0  # deg, cm/s: a ball that went ahead is followed meanwhile,
-STAYED = 40.0           # cm, unless it has gone no farther
+AHEAD, FOLLOW = 15.0, 40.0  # deg, cm/s: a ball that went ahead is followed meanwhile
 BOX_WAIT_FRAMES = 90    # who has no goalie waits so long for its ball to leave the own box
 BOX_LEFT_Y = 130.0      # cm; a ball beyond has left it for certain
 KICKS = {tree.UPENN_LEFT: kelpie.UPENN_LEFT, tree.UPENN_RIGHT: kelpie.UPENN_RIGHT,
@@ -156,8 +155,7 @@ class Attacker(Machine):
         """The ball that was just kicked is not where it was believed: what is seen of it in this
         time is not played yet, only followed."""
         command = self.skill.command(world)
-        away, aside, _ = self.memory.hint
-        if abs(aside) < AHEAD and away > STAYED:
+        if abs(self.memory.hint[1]) < AHEAD:
             command.walk = kelpie.WalkRequest(forward=FOLLOW, kind=kelpie.WALK_FAST)
         if self.timed_out(world, WATCH):
             self.enter(world, self.find, self.skill, 'it has rolled for {} s', WATCH)

@@ -154,7 +154,7 @@ class GoalieHead(Machine):
         if seen(world, Look.LOST):
             return self.enter(world, self.track, None, 'the ball is {} cm away',
                               world.ball.distance)
-        if self.must_survey(world):
+        if self.must_survey(world) and not self.searches_near(world):
             return self.enter(world, self.survey, None, 'the pose is lost')
         if self.skill is None:
             self.skill = self.scan(world)
@@ -164,9 +164,9 @@ class GoalieHead(Machine):
         """To which side the body must turn for the search, +1 left; 0: to none."""
         return self.skill.turn_side(world) if isinstance(self.skill, PointScan) else 0.0
 
-    def looks_near(self, world) -> bool:
+    def searches_near(self, world) -> bool:
         """Whether the ball is still looked for where it was lost close by."""
-        return isinstance(self.skill, PointScan) and self.skill.looks_near(world)
+        return isinstance(self.skill, PointScan) and self.skill.searches_near(world)
 
     def scan(self, world):
         """Low first on the side where the ball is believed, if it was lost close by."""

@@ -11,20 +11,17 @@ from lib import hints
 from lib.aim import Aim
 from lib.geom import clamp, wrap
 from lib.goal import UP_FIELD_DEG
-from lib.head import look_at
-from lib.infrared import near
 from lib.machine import Machine
 from skills.dodge import Dodge, in_the_way
-from skills.grab import IR_NEAR, Grab
+from skills.grab import Grab
 from skills.hold import FORWARD_SPEED, TURN_SPEED, Hold, carry
 from skills.kick import Kick
 from skills.release import Release
 
 TIME_OUT = 2.2          # s from asking for the grab; the ball lies in the arms 0.1 s later, a stop
                         # takes 0.4 s at most and a kick 0.41 until the ball is gone: 2.9 of the 3
-BLOCKED_OUT = 1.7       # s of it with somebody ahead: against who is within 25 cm three kicks in
-                        # five leave the ball, and a step back is to end the hold within the 3 s
-BACK_S, BACK = 0.4, -25.0   # s and cm/s of that step
+BLOCKED_OUT = 1.7       # s of it with somebody ahead, where the kicks of the map are used: against who
+                        # is within 25 cm three kicks in five leave the ball in the arms
 FARTHEST = 35.0         # cm from the place of the grab by odometry (rule: 50 cm); a stop takes 6
 SETTLE = 0.13           # s after the grab
 FEEL = 0.5              # s within which a caught ball is felt (docs/body.md: 0.22)
@@ -87,8 +84,7 @@ class GrabDribble(Machine):
         return self.state == self.ended
 
     def command(self, world) -> kelpie.Command:
-        over = self.state in (self.kick, self.step_back, self.release, self.ended)
-        if self.hold is not None and not over:
+        if self.hold is not None and self.state not in (self.kick, self.release, self.ended):
             self.keep(world)
         return self.step(world)
 
@@ -107,9 +103,14 @@ class GrabDribble(Machine):
             self.enter(world, self.overdue, None, 'carried {} cm', self.hold.way)
 
     def out_of_time(self, world) -> bool:
-        """Sooner with somebody ahead."""
+        """Sooner with somebody ahead, unless it stands for a kick already or turns in from an
+        edge."""
         seconds = self.hold.seconds(world)
-        return seconds > TIME_OUT or (seconds > BLOCKED_OUT and in_the_way(world))
+        if seconds > TIME_OUT:
+            return True
+        sooner = (world.task.kicks == kelpie.KICKS_BY_MAP and
+                  self.state not in (self.settle, self.steady, self.off_edge))
+        return sooner and seconds > BLOCKED_OUT and in_the_way(world)
 
     def overdue(self, world):
         """The rules leave no more time: it stands, then kicks whatever it sees of the goal, or
@@ -240,20 +241,10 @@ class GrabDribble(Machine):
 
     def kick(self, world):
         if self.skill.done(world):
-            if near(self.memory.chest, IR_NEAR):
-                return self.enter(world, self.step_back, None, 'the kick has left the ball here')
             return self.enter(world, self.ended, None, 'kicked')
         command = carry()
         command.motion = self.skill.motion(world)
         return command
-
-    def step_back(self, world):
-        """Off a ball that somebody held against the kick: who stands over it holds it on."""
-        if self.timed_out(world, BACK_S):
-            self.memory.set_hint(*hints.GRAB)
-            return self.enter(world, self.ended, None, 'stepped back')
-        return kelpie.Command(walk=kelpie.WalkRequest(forward=BACK),
-                              head=look_at(0.0, hints.GRAB[0], 0.0, world.stance))
 
     def release(self, world):
         if self.skill.done(world):

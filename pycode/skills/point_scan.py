@@ -54,7 +54,7 @@ class PointScan:
         """Seconds since the first round began; negative before it."""
         return world.time_s - self.start_s - (Tune.NEAR_TIMES[-1] if self.near else 0.0)
 
-    def looks_near(self, world) -> bool:
+    def searches_near(self, world) -> bool:
         """Whether it still looks where the ball was lost close by."""
         return self.passed(world) < 0.0
 

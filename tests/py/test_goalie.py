@@ -8,6 +8,7 @@ from goalie_world import GoalieWorld, anywhere, run, scene, shot
 from lib import goalie_places as places
 from lib.pose_watch import BLIND, SURE_CM
 from lib.tune_goalie import Block, Clear, Guard, Look
+from lib.tune_goalie import PointScan as Scan
 from players.goalie import Goalie
 from skills.guard_goal import GuardGoal
 from skills.point_scan import PointScan
@@ -245,13 +246,14 @@ def blind_after(scenery, player, kicked, seconds):
     player.moved_s, player.kicked = world.time_s - seconds, kicked
     player.enter(world, player.guard, GuardGoal(Guard))
     player.eyes.enter(world, player.eyes.search, PointScan(world, 1.0))
+    player.eyes.skill.start_s = world.time_s - seconds
     player.eyes.skill.branch, player.eyes.skill.at = 'near', 3    # the look at which it turns
     walk = player.guard(world).walk
     return walk.forward, walk.left, walk.turn_deg
 
 
 @pytest.mark.parametrize('at', [150 + 20j, 180 + 63j, 270 + 20j])
-@pytest.mark.parametrize('seconds', [0.1, 0.5, Guard.UNSEEN - 0.1])
+@pytest.mark.parametrize('seconds', [0.1, 0.5, Guard.UNSEEN, Scan.NEAR_TIMES[-1] - 0.1])
 def test_after_a_kick_the_goalie_does_not_walk_until_it_sees_the_ball(at, seconds):
     """One that missed leaves the ball beside it, and who walks takes it into the goal; also beyond
     the box's margin, from where other walks lead back."""
@@ -281,6 +283,22 @@ def test_a_goalie_goes_back_round_a_ball_that_lies_behind_it(ball, at):
     assert nearest > 7.0
 
 
+@pytest.mark.parametrize('opponents, turns', [([], True), ([180 + 50j], False)])
+def test_with_a_ball_under_its_chin_that_an_opponent_has_the_goalie_does_not_turn(opponents, turns):
+    """Turning on, it took such a ball into the own goal."""
+    scenery, player = scene(185 + 40j, at=180 + 30j), Goalie()
+    scenery.world.opponents = [kelpie.OpponentEstimate(position=kelpie.Point2(x=at.real, y=at.imag),
+                                                       seconds_since_seen=0.2) for at in opponents]
+    assert (blind_after(scenery, player, False, 0.5)[2] != 0.0) == turns
+
+
+@pytest.mark.parametrize('heading, turns', [(150.0, True), (197.0, False), (-80.0, True)])
+def test_the_search_close_by_does_not_turn_the_goalie_down_field(heading, turns):
+    scenery, player = scene(180 + 60j, at=180 + 30j), Goalie()
+    scenery.world.pose.heading_deg = heading
+    assert (blind_after(scenery, player, False, 0.5)[2] > 0.0) == turns
+
+
 def test_after_a_block_it_turns_to_where_the_ball_was_lost_but_does_not_walk():
     walk = blind_after(scene(180 + 44j, at=180 + 63j), Goalie(), False, 0.5)
     assert walk == (0.0, 0.0, Guard.SEARCH_TURN)
@@ -297,7 +315,7 @@ def test_a_ball_lost_close_by_is_looked_for_all_round_before_the_goalie_walks_an
     for frame in range(1, 140):
         world.time_s, world.ball.seconds_since_seen = began + frame / 30.0, frame / 30.0
         walk = player.guard(world).walk
-        if player.eyes.looks_near(world):
+        if player.eyes.searches_near(world):
             assert walk.forward == walk.left == 0.0
             turned.append(walk.turn_deg / 30.0)
     left, right = sum(t for t in turned if t > 0.0), -sum(t for t in turned if t < 0.0)

@@ -61,10 +61,24 @@ def test_a_ball_lost_close_by_is_first_looked_for_low_ahead_then_the_body_turns_
     assert side * scan.head(world).head_pan_deg > 0 and scan.turn_side(world) == side
     world.time_s = scan.start_s + Tune.NEAR_TIMES[3] + 0.1
     assert side * scan.head(world).head_pan_deg < 0 and scan.turn_side(world) == -side
-    assert scan.looks_near(world)
+    assert scan.searches_near(world)
     world.time_s = scan.start_s + Tune.NEAR_TIMES[4] + 0.1
     assert scan.head(world).head_pan_deg > 50 and scan.turn_side(world) == 0.0
-    assert not scan.looks_near(world)
+    assert not scan.searches_near(world)
+
+
+def test_a_lost_pose_is_surveyed_after_the_search_close_by():
+    """Before, each survey began that search anew, on the same side."""
+    world, eyes = world_at(), GoalieHead(Memory())
+    world.ball.present, world.ball.seconds_since_seen, eyes.lost = True, 5.0, True
+    eyes.enter(world, eyes.search, PointScan(world, 1.0))
+    began, surveyed = world.time_s, []
+    for frame in range(1, 150):
+        world.time_s = began + frame / 30.0
+        eyes.head(world, True)
+        if eyes.state == eyes.survey:
+            surveyed.append(world.time_s - began)
+    assert min(surveyed) == pytest.approx(Tune.NEAR_TIMES[-1], abs=0.1)
 
 
 def test_point_scan_with_a_wrong_heading_looks_ahead_all_the_same():
