@@ -18,7 +18,7 @@ class Guard:
     LAZY_TURN, ACCURATE_TURN = 14.0, 5.0
     FRESH = 0.4              # s; for a ball unseen for longer the goalie stands still,
     SEARCH_TURN = 110.0      # deg/s to the side where a near ball was lost, up to so many deg
-    MOST_TURNED = 105.0      # from up-field, before the rule of who faces wrong turns it back; slower
+    MOST_TURNED = 105.0      # from up-field (who faces wrong is turned back), and slower
     KICKED_TURN = 70.0       # after a kick: a ball at the flank then rolls 20 cm and no farther,
     CHIN, BACK_OFF = 16.0, -15.0  # or back from one that was so near, at that speed,
     UNSEEN = 1.6             # then goes to the middle, unless it still looks close by,

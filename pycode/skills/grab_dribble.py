@@ -20,8 +20,8 @@ from skills.release import Release
 
 TIME_OUT = 2.2          # s from asking for the grab; the ball lies in the arms 0.1 s later, a stop
                         # takes 0.4 s at most and a kick 0.41 until the ball is gone: 2.9 of the 3
-BLOCKED_OUT = 1.7       # s of it with somebody ahead, where the kicks of the map are used: against who
-                        # is within 25 cm three kicks in five leave the ball in the arms
+BLOCKED_OUT = 1.7       # s of it with somebody ahead, where the kicks of the map are used: three
+                        # of five against who is within 25 cm leave the ball in the arms
 FARTHEST = 35.0         # cm from the place of the grab by odometry (rule: 50 cm); a stop takes 6
 SETTLE = 0.13           # s after the grab
 FEEL = 0.5              # s within which a caught ball is felt (docs/body.md: 0.22)
