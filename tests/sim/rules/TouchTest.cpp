@@ -8,6 +8,8 @@ namespace kelpie::sim {
 namespace {
 
 constexpr std::size_t kShooter = 0, kKeeper = 1;
+// Who touched the ball is still at it, and is no more.
+constexpr TimeUs kSoon{200000}, kLater{310000};
 
 // A blue robot shoots at the red goal; red's goalie stands in the ball's way.
 struct Shot {
@@ -48,6 +50,7 @@ TEST(Touch, AShotThatTheGoalsOwnSideTurnsInStaysTheShooters) {
     const Point2<Field> velocity{onTarget ? 0.0 : 150.0, -150};
     shot.touched(kShooter, {{180, 115}, velocity});
     shot.rolls({{180, 50}, velocity});
+    shot.scene.time = kLater;
     EXPECT_EQ(shot.touched(kKeeper, {{180, 45}, {20, -60}}), kKeeper) << onTarget;
     EXPECT_EQ(shot.state.scorer, std::optional<std::size_t>(onTarget ? kShooter : kKeeper))
         << onTarget;
@@ -80,17 +83,28 @@ TEST(Touch, ASaveDoesNotOutlastAnothersTouch) {
   shot.touched(kShooter, {{180, 115}, {0, -150}});
   shot.touched(kKeeper, {{180, 45}, {100, 100}});
   shot.touched(kShooter, {{190, 60}, {150, 0}});
+  shot.scene.time = kLater;
   shot.touched(kKeeper, {{195, 60}, {0, -60}});
   EXPECT_EQ(shot.state.scorer, std::optional<std::size_t>(kKeeper));
 }
 
-// Two robots press at a slow ball before the goal line, by turns.
-TEST(Touch, ABallPressedInIsOfWhoPressesTowardsTheGoal) {
+// Two robots press at a slow ball before the goal line, by turns: it jolts.
+TEST(Touch, ABallThatTwoAreAtIsOfWhoPlaysTowardsTheGoal) {
   Shot shot;
   shot.touched(kShooter, {{180, 20}, {0, -8}});
-  shot.touched(kKeeper, {{180, 19}, {3, -5}});  // holds it up
+  shot.touched(kKeeper, {{180, 20}, {3, 9}});
+  shot.scene.time = kSoon;
+  shot.touched(kKeeper, {{180, 19}, {3, -20}});
   EXPECT_EQ(shot.state.scorer, std::optional<std::size_t>(kShooter));
-  shot.touched(kKeeper, {{180, 18}, {3, -7}});  // pushes it on
+  EXPECT_EQ(shot.state.last, std::optional<std::size_t>(kKeeper));
+}
+
+TEST(Touch, ABallThatItsOwnSideAloneTakesInIsAnOwnGoal) {
+  Shot shot;
+  shot.touched(kShooter, {{180, 20}, {0, -8}});
+  shot.touched(kKeeper, {{180, 20}, {3, 9}});
+  shot.scene.time = kLater;
+  shot.touched(kKeeper, {{180, 19}, {3, -20}});
   EXPECT_EQ(shot.state.scorer, std::optional<std::size_t>(kKeeper));
 }
 
@@ -105,17 +119,20 @@ TEST(Touch, WhoScoresAtTheOtherEndAfterTheirOwnSideTouchedTheBallScoresNoOwnGoal
 }
 
 TEST(Touch, AtTheOtherGoalTheSidesAreTurned) {
-  Shot shot;
-  shot.touched(kKeeper, {{180, 520}, {0, 8}});   // red presses at blue's goal
-  shot.touched(kShooter, {{180, 521}, {3, 5}});  // blue holds it up
-  EXPECT_EQ(shot.state.scorer, std::optional<std::size_t>(kKeeper));
-  shot.touched(kShooter, {{180, 522}, {3, 7}});  // and pushes it on
-  EXPECT_EQ(shot.state.scorer, std::optional<std::size_t>(kShooter));
+  for (const TimeUs time : {kSoon, kLater}) {
+    Shot shot;
+    shot.touched(kKeeper, {{180, 520}, {0, 8}});  // red presses at blue's goal
+    shot.touched(kShooter, {{180, 520}, {3, -9}});
+    shot.scene.time = time;
+    shot.touched(kShooter, {{180, 522}, {3, 20}});
+    EXPECT_EQ(shot.state.scorer, std::optional<std::size_t>(time == kSoon ? kKeeper : kShooter));
+  }
 }
 
 TEST(Touch, AShotTooSlowToComeInIsNoMoreTheShooters) {
   Shot shot;
   shot.touched(kShooter, {{180, 115}, {0, -60}});  // rolls 80 cm
+  shot.scene.time = kLater;
   shot.touched(kKeeper, {{180, 95}, {0, -90}});
   EXPECT_EQ(shot.state.scorer, std::optional<std::size_t>(kKeeper));
 }

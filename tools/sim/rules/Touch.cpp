@@ -10,6 +10,8 @@ namespace {
 constexpr double kRoll = 1.33;  // s
 // A shot that hits legs and chest bounces off them for about so long: the same save.
 constexpr TimeUs kSave{300000};
+// Who touched the ball so lately is at it still: in squeezes touches are 8 to 200 ms apart.
+constexpr TimeUs kAtBall{300000};
 
 // The velocity as that team sees it: y < 0 is towards its goal.
 Point2<Field> ownWay(const body::FieldDescription& field, TeamColour team, Point2<Field> velocity) {
@@ -26,13 +28,6 @@ bool goesIn(const body::FieldDescription& field, TeamColour team, Point2<Field> 
   return std::fabs(x - 0.5 * field.width) < 0.5 * field.goalWidth;
 }
 
-// Whether the ball rolls towards that team's goal, and no faster than in the step before.
-bool heldUp(const MatchScene& scene, const body::FieldDescription& field, TeamColour team,
-            const TouchState& state) {
-  const double now = ownWay(field, team, scene.ball.velocity).y;
-  return now < 0.0 && now >= ownWay(field, team, state.velocity).y;
-}
-
 // Whether that player keeps out, or turns in, what another team has sent into its goal.
 bool saves(const MatchScene& scene, const body::FieldDescription& field, std::size_t player,
            const TouchState& state) {
@@ -40,24 +35,24 @@ bool saves(const MatchScene& scene, const body::FieldDescription& field, std::si
   return still || goesIn(field, scene.players[player].team, scene.ball.position, state.velocity);
 }
 
-// Whether it presses against a ball that would not come in.
-bool presses(const MatchScene& scene, const body::FieldDescription& field, std::size_t player,
-             const TouchState& state) {
-  const TeamColour team = scene.players[player].team;
-  return !goesIn(field, team, scene.ball.position, scene.ball.velocity) &&
-         heldUp(scene, field, team, state);
+// Who of the other team is at the ball, too, if it rolls towards that team's goal.
+std::optional<std::size_t> attacks(const MatchScene& scene, const body::FieldDescription& field,
+                                   TeamColour team, const TouchState& state) {
+  const TeamTouch& other = state.teams[static_cast<std::size_t>(otherTeam(team))];
+  const bool goalward = ownWay(field, team, scene.ball.velocity).y < 0.0;
+  return goalward && scene.time - other.time < kAtBall ? other.player : std::nullopt;
 }
 
 void touch(const MatchScene& scene, const body::FieldDescription& field, std::size_t player,
            TouchState& state) {
-  const bool others =
-      state.scorer && scene.players[*state.scorer].team != scene.players[player].team;
+  const TeamColour team = scene.players[player].team;
+  const bool others = state.scorer && scene.players[*state.scorer].team != team;
   const bool saved = others && saves(scene, field, player, state);
-  const bool pressed = others && presses(scene, field, player, state);
-  if (!saved && !pressed) state.scorer = player;
+  if (!saved) state.scorer = attacks(scene, field, team, state).value_or(player);
   if (state.saver != player) state.saved = scene.time;
   state.saver = saved ? std::optional(player) : std::nullopt;
   state.last = player;
+  state.teams[static_cast<std::size_t>(team)] = {player, scene.time};
 }
 
 }  // namespace
