@@ -3,7 +3,8 @@
 # for how the robot comes to it, against a grab and the aimed kick that follows, by what the ball is
 # worth afterwards (decisions/kick_map_choice.py) less what the time costs. Where the map is used
 # the tree's strikes from an edge, of which every second one left the field, are grabs, and so are
-# all of a contested ball, which brought it 16 cm up-field where a kick from the hold brings 72.
+# all of a contested ball, which brought it 16 cm up-field where a kick from the hold brings 63
+# (docs/team.md).
 import math
 
 import kelpie
@@ -34,8 +35,8 @@ class LeafByMap:
         self.next = 0
 
     def choose(self, world, situation, leaf, played=None) -> tuple:
-        """(leaf, reason, *numbers); the tree's own leaf where the map has nothing better. `played`:
-        the leaf of the frame before."""
+        """(leaf, reason, *numbers): a grab of a contested ball, else the tree's own leaf where the
+        map has nothing better. `played`: the leaf of the frame before."""
         if situation.contested:
             return tree.grab_leaf(situation), 'contested'
         if run_in(world, situation, leaf):

@@ -8,9 +8,8 @@
 import math
 
 import kelpie
-from lib.geom import wrap
-from lib.goalie_places import (LEAST_Y, UP_FIELD, beside, beyond_box, bisector_place, central_place,
-                               facing, round_ball)
+from lib.goalie_places import (LEAST_Y, beside, beyond_box, bisector_place, central_place, facing,
+                               round_ball)
 from lib.machine import Machine
 from lib.memory import Memory
 from lib.pose_watch import PoseWatch
@@ -229,7 +228,7 @@ class Goalie(Machine):
         under = world.ball.present and 0.0 < ball.y < Guard.CHIN and abs(ball.x) < Guard.CHIN
         side = self.eyes.turn_side(world)
         if side != 0.0 and not (under and opponent_has(world)):
-            turned = side * wrap(world.pose.heading_deg - UP_FIELD)
+            turned = -side * self.facing.aside(world)
             rate = Guard.KICKED_TURN if moved and self.kicked else Guard.SEARCH_TURN
             return kelpie.WalkRequest(turn_deg=side * rate if turned < Guard.MOST_TURNED else 0.0)
         if moved:

@@ -60,7 +60,7 @@ class PointScan:
 
     def head(self, world) -> kelpie.HeadRequest:
         passed = self.passed(world)
-        if passed < 0.0:
+        if self.searches_near(world):
             self.branch = 'near'
             passed += Tune.NEAR_TIMES[-1]
             self.at = sum(passed >= end for end in Tune.NEAR_TIMES)

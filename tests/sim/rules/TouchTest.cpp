@@ -24,6 +24,14 @@ struct Shot {
     return step(scene, ruleField(), state);
   }
   void rolls(const Ball& ball) { touched(std::nullopt, ball); }
+  // Two robots press at a slow ball before the goal line, by turns, so that it jolts; the goalie
+  // touches it again at that time.
+  void squeezed(TimeUs again) {
+    touched(kShooter, {{180, 20}, {0, -8}});
+    touched(kKeeper, {{180, 20}, {3, 9}});
+    scene.time = again;
+    touched(kKeeper, {{180, 19}, {3, -20}});
+  }
 };
 
 TEST(Touch, NobodyTouchedABallThatLies) {
@@ -62,7 +70,7 @@ TEST(Touch, AShotThatWasKeptOutAndThenPushedInIsTheKeepersGoal) {
   shot.touched(kShooter, {{180, 115}, {0, -150}});
   shot.touched(kKeeper, {{180, 45}, {}});
   EXPECT_EQ(shot.state.scorer, std::optional<std::size_t>(kShooter));
-  shot.scene.time = TimeUs::fromSeconds(0.31);
+  shot.scene.time = kLater;
   shot.touched(kKeeper, {{180, 44}, {0, -60}});
   EXPECT_EQ(shot.state.scorer, std::optional<std::size_t>(kKeeper));
 }
@@ -88,23 +96,16 @@ TEST(Touch, ASaveDoesNotOutlastAnothersTouch) {
   EXPECT_EQ(shot.state.scorer, std::optional<std::size_t>(kKeeper));
 }
 
-// Two robots press at a slow ball before the goal line, by turns: it jolts.
 TEST(Touch, ABallThatTwoAreAtIsOfWhoPlaysTowardsTheGoal) {
   Shot shot;
-  shot.touched(kShooter, {{180, 20}, {0, -8}});
-  shot.touched(kKeeper, {{180, 20}, {3, 9}});
-  shot.scene.time = kSoon;
-  shot.touched(kKeeper, {{180, 19}, {3, -20}});
+  shot.squeezed(kSoon);
   EXPECT_EQ(shot.state.scorer, std::optional<std::size_t>(kShooter));
   EXPECT_EQ(shot.state.last, std::optional<std::size_t>(kKeeper));
 }
 
 TEST(Touch, ABallThatItsOwnSideAloneTakesInIsAnOwnGoal) {
   Shot shot;
-  shot.touched(kShooter, {{180, 20}, {0, -8}});
-  shot.touched(kKeeper, {{180, 20}, {3, 9}});
-  shot.scene.time = kLater;
-  shot.touched(kKeeper, {{180, 19}, {3, -20}});
+  shot.squeezed(kLater);
   EXPECT_EQ(shot.state.scorer, std::optional<std::size_t>(kKeeper));
 }
 
