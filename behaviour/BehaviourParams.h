@@ -71,7 +71,7 @@ struct BehaviourParams {
   // meets the limit; it only catches endless loops.
   double timeLimit = 0.25;
   bool reload = true;               // take over edited files; off on the robot
-  std::uint32_t reloadFrames = 15;  // frames between two looks at the files
+  std::uint32_t reloadFrames = 30;  // frames between two looks at the files
   // The fallback Command stands and swings the head; period, width and tilt of that.
   double scanPeriod = 3.0;
   Angle scanPan = Angle::deg(60.0);

@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kMaxListed = 3;
 
-// Time of change, size and rights, by one call of the system: a match asks this of every file twice
+// Time of change, size and rights, by one call of the system: a match asks this of every file once
 // a second.
 std::uint64_t fileStamp(const fs::path& path) {
   struct stat file {};

@@ -145,12 +145,13 @@ void addUniform(Solid& solid, const RobotLook& look, const Stand& stand, const B
   }
 }
 
-// Sizes of an ERS-7 (length 24 cm, trunk 13 cm wide at the legs); h is the shoulder's height.
-Solid robotSolid(const RobotLook& look, const ShineParams& shine) {
+// Sizes of an ERS-7 (length 24 cm, trunk 13 cm wide at the legs); h is the shoulder's height. Into
+// the solid of an image before, whose room for quads is kept.
+void setRobot(const RobotLook& look, const ShineParams& shine, Solid& solid) {
   const double h = look.shoulderHeight;
   const Colour shell = colours::kShell;
   const Stand stand{look.pose.position, look.pose.heading.sinCos()};
-  Solid solid;
+  solid.quads.clear();
   addBox(solid, stand, {{-4.0, -15.0, h - 3.5}, {4.0, 1.5, h + 2.5}}, shell, 0.0);
   addBox(solid, stand, {{-3.5, 2.0, h + 5.0}, {3.5, 11.0, h + 11.0}}, shell, 0.0);
   addBox(solid, stand, {{-2.5, 11.0, h + 5.5}, {2.5, 13.0, h + 9.0}}, colours::kBlack, 0.0);
@@ -168,14 +169,13 @@ Solid robotSolid(const RobotLook& look, const ShineParams& shine) {
   addUniform(solid, look, stand, {{-4.3, -10.5, h - 1.5}, {4.3, -4.0, h + 2.8}}, shine, random);
   addUniform(solid, look, stand, {{-3.8, 3.5, h + 7.0}, {3.8, 7.0, h + 11.3}}, shine, random);
   enclose(solid);
-  return solid;
 }
 
 }  // namespace
 
 void setRobots(Scene& scene, const std::vector<RobotLook>& robots, const ShineParams& shine) {
-  scene.robots.clear();
-  for (const RobotLook& look : robots) scene.robots.push_back(robotSolid(look, shine));
+  scene.robots.resize(robots.size());
+  for (std::size_t i = 0; i < robots.size(); ++i) setRobot(robots[i], shine, scene.robots[i]);
 }
 
 }  // namespace kelpie::sim
