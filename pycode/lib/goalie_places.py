@@ -5,7 +5,7 @@
 # are. With a ball behind the end line no rule makes sense; it is then taken to lie on the line.
 import math
 
-from lib.geom import Point, clamp, wrap
+from lib.geom import Point, clamp, from_field, wrap
 from lib.tune_goalie import Body
 
 Place = tuple[float, float, float]  # x, y of the neck base on the field, heading in degrees
@@ -28,6 +28,9 @@ ROUND_DONE = 5.0      # up to so many from the place's distance to the line
 TRUNK = 16.0          # cm that the trunk reaches behind the neck base
 LEG_SIDE = 7.0        # cm; legs at the corners of a rectangle, the neck base at the middle of its
 LEG_BACK = 13.0       # front edge (thesis 2004 figure 4.8; sizes of the ERS-7)
+BODY_SIDE, BODY_FRONT = 7.5, 4.0  # cm from the neck base, by which the body pushes a ball
+CONTACT, CLOSING = 6.0, 2.0  # cm to the ball, cm/s towards it
+PUSHED_OFF = 10.0     # deg off the own goal, at least
 WALL_ZONE = 2.0       # cm out from the wall
 
 
@@ -121,6 +124,24 @@ def round_ball(field, start, place, ball) -> Place:
         return start[0], y, heading
     aside = ROUND_BY if start[0] >= ball[0] else -ROUND_BY
     return clamp(ball[0] + aside, left, right), start[1], heading
+
+
+def takes_in(field, pose, walk, ball) -> bool:
+    """Whether the body, walking so, pushes a ball that lies at it towards the own goal. The body is
+    a rectangle, the push square to it: legs push otherwise, too, by some degrees."""
+    x, y = from_field(pose, *ball)
+    near_x, near_y = clamp(x, -BODY_SIDE, BODY_SIDE), clamp(y, -TRUNK, BODY_FRONT)
+    dx, dy = x - near_x, y - near_y
+    if math.hypot(dx, dy) > BALL_RADIUS + CONTACT:
+        return False
+    turn = math.radians(walk.turn_deg)
+    speed_x, speed_y = -walk.left - turn * near_y, walk.forward + turn * near_x
+    if dx == dy == 0.0:   # the ball is believed inside the body, and goes along
+        dx, dy = speed_x, speed_y
+    if speed_x * dx + speed_y * dy <= CLOSING * math.hypot(dx, dy):
+        return False
+    pushed = pose.heading_deg + math.degrees(math.atan2(-dx, dy))
+    return off_own_goal(field, ball, pushed) < PUSHED_OFF
 
 
 def central_place(field, y=STAND_Y) -> Place:

@@ -23,6 +23,9 @@ class Guard:
     CHIN, BACK_OFF = 16.0, -15.0  # or back from one that was so near, at that speed,
     UNSEEN = 1.6             # then goes to the middle, unless it still looks close by,
     LOST = 6.0               # then to the line: the head sees 26 deg past the sides
+    PRESSED = 22.0           # cm ahead; with a ball there that an opponent has it stands still
+    TOLD_SD = 20.0           # cm; a vaguer ball of the team is none
+    ELSEWHERE = 15.0         # cm from where it is believed, seen by mates: it is not there
 
 
 class GuardEllipse:
@@ -144,6 +147,7 @@ class Look:
     RETURN = 0.25            # s at the angle of before, then at where gps has the ball
     BELIEVED = 0.4
     LOST = 0.25              # s unseen while it is looked at
+    TOLD, TOLD_EVERY = 0.5, 2.0  # s of looking to where mates see it, out of so many
 
 
 class PointScan:

@@ -32,6 +32,8 @@ class GoalieHead(Machine):
         self.memory = memory
         self.free = False
         self.asked = False    # for a survey, as soon as the ball can be left alone
+        self.told = None      # where mates see a ball that the goalie has lost,
+        self.was_told = None  # and where they last saw it
         self.lost = False     # the pose: a survey now, unless a ball comes
         self.surveyed_s = -math.inf   # the last frame of a survey
         self.tracked = 0.0    # cm to the ball when it was last tracked
@@ -52,6 +54,7 @@ class GoalieHead(Machine):
         return look_at(ball.x, ball.y, Watch.BALL_HEIGHT, world.stance)
 
     def track(self, world):
+        self.was_told = None
         self.tracked = world.ball.distance
         if not seen(world, Look.LOST):
             return self.regain_ball(world)
@@ -158,7 +161,22 @@ class GoalieHead(Machine):
             return self.enter(world, self.survey, None, 'the pose is lost')
         if self.skill is None:
             self.skill = self.scan(world)
+        if self.told is not None:
+            return self.look_where_told(world)
+        if self.was_told is not None:   # from there on it is looked for again
+            x, y = from_field(world.pose, *self.was_told)
+            self.was_told = None
+            side = -1.0 if x > 0.0 else 1.0
+            self.skill = PointScan(world, side if math.hypot(x, y) < ScanTune.NEAR else 0.0)
         return self.skill.head(world)
+
+    def look_where_told(self, world):
+        """There, and between two such looks on with the scan: a mate may be wrong."""
+        self.was_told = self.told
+        if math.fmod(self.since(world), Look.TOLD_EVERY) > Look.TOLD:
+            return self.skill.head(world)
+        x, y = from_field(world.pose, *self.told)
+        return look_at(x, y, Watch.BALL_HEIGHT, world.stance)
 
     def turn_side(self, world) -> float:
         """To which side the body must turn for the search, +1 left; 0: to none."""

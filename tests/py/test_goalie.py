@@ -1,4 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
+import cmath
 import math
 import random
 
@@ -283,13 +284,34 @@ def test_a_goalie_goes_back_round_a_ball_that_lies_behind_it(ball, at):
     assert nearest > 7.0
 
 
-@pytest.mark.parametrize('opponents, turns', [([], True), ([180 + 50j], False)])
-def test_with_a_ball_under_its_chin_that_an_opponent_has_the_goalie_does_not_turn(opponents, turns):
-    """Turning on, it took such a ball into the own goal."""
-    scenery, player = scene(185 + 40j, at=180 + 30j), Goalie()
-    scenery.world.opponents = [kelpie.OpponentEstimate(position=kelpie.Point2(x=at.real, y=at.imag),
-                                                       seconds_since_seen=0.2) for at in opponents]
-    assert (blind_after(scenery, player, False, 0.5)[2] != 0.0) == turns
+@pytest.mark.parametrize('ahead, left, stands', [(18, 0, True), (18, 10, True), (30, 0, False),
+                                                 (8, 20, False)])
+def test_a_goalie_holds_out_at_a_ball_under_its_chin_that_an_opponent_presses(ahead, left, stands):
+    """Past who walks or turns it slips; into the way of one that is beside it, it goes."""
+    at, facing = 166 + 30j, cmath.rect(1.0, math.radians(75.0))
+    ball = at + (ahead + 1j * left) * facing
+    scenery, player = scene(ball, at=at, facing=facing), Goalie()
+    scenery.world.opponents = [kelpie.OpponentEstimate(
+        position=kelpie.Point2(x=ball.real, y=ball.imag + 10.0), seconds_since_seen=0.0)]
+    for _ in range(4):
+        scenery.see()
+        walk = player.command(scenery.world).walk
+    assert player.state == player.guard
+    assert (walk.forward == walk.left == walk.turn_deg == 0.0) == stands
+    scenery.see()
+    scenery.world.ball.seconds_since_seen = 0.8
+    for place, goes in ((ball, not stands), (240 + 40j, True)):
+        told(scenery.world, place, 0.1)
+        walk = player.command(scenery.world).walk
+        assert (walk.left < -5.0 or walk.forward != 0.0 or walk.left > 5.0) == goes
+
+
+@pytest.mark.parametrize('y, heading, turns', [(5, 60, True), (5, 120, False), (30, 120, True)])
+def test_a_goalie_near_its_line_does_not_turn_off_up_field_to_search(y, heading, turns):
+    """It would sweep a ball before its chest into the own goal (seed 145010, 814 s)."""
+    scenery, player = scene(180 + 60j, at=180 + 1j * y), Goalie()
+    scenery.world.pose.heading_deg = heading
+    assert (blind_after(scenery, player, False, 0.5)[2] > 0.0) == turns
 
 
 @pytest.mark.parametrize('heading, turns', [(150.0, True), (197.0, False), (-80.0, True)])
@@ -297,6 +319,38 @@ def test_the_search_close_by_does_not_turn_the_goalie_down_field(heading, turns)
     scenery, player = scene(180 + 60j, at=180 + 30j), Goalie()
     scenery.world.pose.heading_deg = heading
     assert (blind_after(scenery, player, False, 0.5)[2] > 0.0) == turns
+
+
+def told(world, ball, seconds):
+    """Mates see the ball there, so long ago."""
+    world.teammates = [kelpie.TeammateEstimate(player=2, seconds_since_heard=0.1)]
+    world.team_ball = kelpie.TeamBall(present=True, seconds_since_seen=seconds,
+                                      position=kelpie.Point2(x=ball.real, y=ball.imag))
+
+
+@pytest.mark.parametrize('unseen, by_mates, moved, walks', [
+    (1.0, 0.2, 5.0, True), (1.0, 1.5, 5.0, False), (0.3, 0.2, 5.0, False), (1.0, 0.2, 0.1, False)])
+def test_a_goalie_that_has_lost_the_ball_guards_by_where_its_mates_see_it(unseen, by_mates, moved,
+                                                                        walks):
+    scenery, player = scene(180 + 60j, at=180 + 20j), Goalie()
+    world = scenery.world
+    world.ball.seconds_since_seen = unseen
+    player.moved_s = world.time_s - moved
+    player.enter(world, player.guard, GuardGoal(Guard))
+    player.eyes.enter(world, player.eyes.search, PointScan(world, 1.0))
+    told(world, 100 + 40j, by_mates)
+    assert (player.guard(world).walk.left > 10.0) == walks
+    assert (player.told is not None) == walks
+
+
+@pytest.mark.parametrize('ball, walks', [(182 + 18j, False), (215 + 18j, True)])
+def test_a_goalie_does_not_walk_back_over_a_ball_that_it_believes_behind_it(ball, walks):
+    scenery, player = scene(ball, at=180 + 40j), Goalie()
+    world, player.moved_s = scenery.world, -10.0
+    world.ball.seconds_since_seen = Guard.UNSEEN + 1.0
+    player.enter(world, player.guard, GuardGoal(Guard))
+    walk = player.guard(world).walk
+    assert (walk.forward < -5.0) == walks
 
 
 def test_after_a_block_it_turns_to_where_the_ball_was_lost_but_does_not_walk():

@@ -67,6 +67,38 @@ def test_a_ball_lost_close_by_is_first_looked_for_low_ahead_then_the_body_turns_
     assert not scan.searches_near(world)
 
 
+def test_a_head_looks_where_mates_see_the_ball_and_between_on_with_its_scan():
+    world, eyes = world_at(), GoalieHead(Memory())
+    world.ball.seconds_since_seen = 5.0
+    eyes.enter(world, eyes.search, PointScan(world))
+    began, pans = world.time_s, []
+    for frame in range(1, 120):
+        eyes.told = (180.0 - 60.0, 20.0 + 60.0)   # 45 deg to the left
+        world.time_s = began + frame / 30.0
+        pans.append(round(eyes.head(world, True).head_pan_deg))
+    there = [pan == 45 for pan in pans]
+    assert all(there[:14]) and 0.2 < sum(there) / len(there) < 0.4
+    eyes.told = None
+    eyes.head(world, True)
+    assert not eyes.skill.searches_near(world) and eyes.skill.rounds(world) == 0
+    assert eyes.skill.start_s == world.time_s
+
+
+@pytest.mark.parametrize('x, side', [(150.0, 1.0), (210.0, -1.0)])
+def test_where_mates_last_saw_a_near_ball_the_search_begins_again_with_the_turns(x, side):
+    world, eyes = world_at(), GoalieHead(Memory())
+    world.ball.seconds_since_seen = 5.0
+    eyes.enter(world, eyes.search, PointScan(world))
+    eyes.told = (x, 30.0)
+    eyes.head(world, True)
+    eyes.told = None
+    eyes.head(world, True)
+    assert eyes.skill.searches_near(world)
+    world.time_s += Tune.NEAR_TIMES[2] + 0.1
+    eyes.head(world, True)
+    assert eyes.turn_side(world) == side
+
+
 def test_a_lost_pose_is_surveyed_after_the_search_close_by():
     """Before, each survey began that search anew, on the same side."""
     world, eyes = world_at(), GoalieHead(Memory())

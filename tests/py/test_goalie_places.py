@@ -167,3 +167,16 @@ def test_crossing_of_a_line():
     assert point == pytest.approx((-20, 0)) and way == pytest.approx(50)
     assert shot.crossing((10, 40), (3, 4), 0) is None
     assert shot.crossing((10, 40), (3, 0), 0) is None
+
+
+@pytest.mark.parametrize('ball, walk, taken', [
+    ((180, 4), dict(forward=-20), True), ((180, 4), dict(forward=20), False),
+    ((180, 36), dict(forward=20), False), ((192, 16), dict(left=-20), False),
+    ((192, 3), dict(left=-20), True), ((168, 14), dict(left=20), False),
+    ((188, 3), dict(turn_deg=-100), True), ((188, 3), dict(turn_deg=100), False),
+    ((172, 3), dict(turn_deg=100), True), ((180, 14), dict(forward=-20), True)])
+def test_a_body_that_walks_into_a_ball_takes_it_the_way_that_side_faces(ball, walk, taken):
+    """The goalie at (180, 24) looks up-field: its rump sends a ball in, its flank one on the line,
+    and its rump beside it when it turns."""
+    pose = kelpie.Pose2(position=kelpie.Point2(x=180.0, y=24.0), heading_deg=90.0)
+    assert places.takes_in(FIELD, pose, kelpie.WalkRequest(**walk), ball) == taken
