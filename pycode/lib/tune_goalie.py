@@ -24,7 +24,7 @@ class Guard:
     UNSEEN = 1.6             # then goes to the middle, unless it still looks close by,
     LOST = 6.0               # then to the line: the head sees 26 deg past the sides
     PRESSED = 22.0           # cm ahead; with a ball there that an opponent has it stands still
-    TOLD_SD = 20.0           # cm; a vaguer ball of the team is none
+    TOLD_SD = 5.0            # cm; of vaguer balls of the team one in ten is more than 25 cm off
     ELSEWHERE = 15.0         # cm from where it is believed, seen by mates: it is not there
 
 

@@ -321,24 +321,26 @@ def test_the_search_close_by_does_not_turn_the_goalie_down_field(heading, turns)
     assert (blind_after(scenery, player, False, 0.5)[2] > 0.0) == turns
 
 
-def told(world, ball, seconds):
-    """Mates see the ball there, so long ago."""
+def told(world, ball, seconds, sd=3.0):
+    """Mates see the ball there, so long ago, sure to so many cm."""
     world.teammates = [kelpie.TeammateEstimate(player=2, seconds_since_heard=0.1)]
     world.team_ball = kelpie.TeamBall(present=True, seconds_since_seen=seconds,
-                                      position=kelpie.Point2(x=ball.real, y=ball.imag))
+                                      position=kelpie.Point2(x=ball.real, y=ball.imag),
+                                      covariance=[sd * sd, 0.0, 0.0, sd * sd])
 
 
-@pytest.mark.parametrize('unseen, by_mates, moved, walks', [
-    (1.0, 0.2, 5.0, True), (1.0, 1.5, 5.0, False), (0.3, 0.2, 5.0, False), (1.0, 0.2, 0.1, False)])
+@pytest.mark.parametrize('unseen, by_mates, moved, sd, walks', [
+    (1.0, 0.2, 5.0, 3.0, True), (1.0, 1.5, 5.0, 3.0, False), (0.3, 0.2, 5.0, 3.0, False),
+    (1.0, 0.2, 0.1, 3.0, False), (1.0, 0.2, 5.0, 8.0, False)])
 def test_a_goalie_that_has_lost_the_ball_guards_by_where_its_mates_see_it(unseen, by_mates, moved,
-                                                                        walks):
+                                                                        sd, walks):
     scenery, player = scene(180 + 60j, at=180 + 20j), Goalie()
     world = scenery.world
     world.ball.seconds_since_seen = unseen
     player.moved_s = world.time_s - moved
     player.enter(world, player.guard, GuardGoal(Guard))
     player.eyes.enter(world, player.eyes.search, PointScan(world, 1.0))
-    told(world, 100 + 40j, by_mates)
+    told(world, 100 + 40j, by_mates, sd)
     assert (player.guard(world).walk.left > 10.0) == walks
     assert (player.told is not None) == walks
 
