@@ -171,10 +171,12 @@ class Goalie(Machine):
                          best.direction, best.off_goal)
 
     def may_attack(self, world) -> bool:
+        """Not for a ball that it has lost on the way: walking on, it took such into its goal (seed
+        148001, 434 s). It stands then, or goes where mates see it."""
         ball = world.ball
         away = beyond_box(world.field, (ball.position.x, ball.position.y))
         limit = Attack.LEAVE if self.state == self.attack else Attack.NEAR
-        if (not seen(world, Attack.UNSEEN) or not self.seen_since_motion(world) or away > limit or
+        if (not seen(world, Guard.FRESH) or not self.seen_since_motion(world) or away > limit or
                 speed(ball) > Attack.SPEED or world.time_s < self.rest_s or self.eyes.lost):
             return False
         skill = self.skill if self.state == self.attack else AttackBall()
@@ -241,7 +243,8 @@ class Goalie(Machine):
         get, past who walks or turns it slips."""
         ball = world.ball.position
         x, y = self.told or (ball.x, ball.y)
-        return (self.has_it(world) and under_chin(world.ball, Guard.PRESSED) and
+        return (self.has_it(world) and opponent_at_ball(world) and
+                under_chin(world.ball, Guard.PRESSED) and
                 math.hypot(x - ball.x, y - ball.y) < Guard.ELSEWHERE)
 
     def harmless(self, world, walk) -> kelpie.WalkRequest:

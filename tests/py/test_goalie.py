@@ -321,6 +321,20 @@ def test_the_search_close_by_does_not_turn_the_goalie_down_field(heading, turns)
     assert (blind_after(scenery, player, False, 0.5)[2] > 0.0) == turns
 
 
+@pytest.mark.parametrize('unseen, state', [(0.3, 'attack'), (0.5, 'guard')])
+def test_a_goalie_that_loses_the_ball_on_its_way_to_it_does_not_walk_on(unseen, state):
+    """Past a ball under its chin it takes it in."""
+    scenery, player = scene(180 + 62j), Goalie()
+    player.moved_s = -10.0
+    player.command(scenery.world)
+    assert player.state == player.attack
+    for frame in range(1, round(30.0 * unseen)):
+        scenery.world.time_s += 1.0 / 30.0
+        scenery.world.ball.seconds_since_seen = frame / 30.0
+        player.command(scenery.world)
+    assert player.state.__name__ == state
+
+
 def told(world, ball, seconds, sd=3.0):
     """Mates see the ball there, so long ago, sure to so many cm."""
     world.teammates = [kelpie.TeammateEstimate(player=2, seconds_since_heard=0.1)]
