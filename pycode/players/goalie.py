@@ -263,8 +263,8 @@ class Goalie(Machine):
         return kelpie.WalkRequest()
 
     def kept_up_field(self, world, turn_deg, most) -> float:
-        """A turn, or 0 if it leads off up-field by more than so many degrees. Near the line, deeper
-        than it stands by itself, the goalie sweeps with it a ball before its chest into the goal."""
+        """A turn, or 0 if it leads off up-field by more than so many degrees. Deeper than it stands
+        by itself the goalie sweeps a ball before its chest into the goal with any such turn."""
         side = math.copysign(1.0, turn_deg)
         deep = world.pose.position.y < LEAST_Y
         return 0.0 if -side * self.facing.aside(world) >= (0.0 if deep else most) else turn_deg
