@@ -2,9 +2,9 @@
 # The goalie of 2006 (thesis 2006 section 4.3.1, algorithm 4.1). In every frame the first rule that
 # holds says what it does: turn to face up-field, block a shot, move into a slow ball's way, leave a
 # ball that somebody has, clear one that lies right, walk to one in or at its box, guard the goal. A
-# ball that it has lost is guarded against where its mates see it. Keeps the state, its head and what it counts of shots and of its facing. It never leaves its box
-# (checklist K07); it fails as the pose does, and against shots from so near that the ball is past
-# before a block lies.
+# ball that it has lost is guarded against where its mates see it. Keeps the state, its head and
+# what it counts of shots and of its facing. It never leaves its box (checklist K07); it fails as
+# the pose does, and against shots from so near that the ball is past before a block lies.
 import math
 
 import kelpie
