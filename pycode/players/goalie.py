@@ -50,7 +50,6 @@ class Goalie(Machine):
         self.look_for = None  # the point of the field where the ball should be after a clearance
         self.shot_aside = 0.0  # cm, of the last shot that was blocked
         self.moved_s = 0.0  # when the last motion ended, or the last fall
-        self.told = None     # where mates see a ball that the goalie has lost
         self.kicked = False  # that motion was a kick
         self.rest_s = 0.0   # no attack before, after one that came to nothing
         self.has_from_s = self.had_s = -math.inf   # since and until when an opponent had the ball
@@ -63,7 +62,7 @@ class Goalie(Machine):
         world = self.pose.believed(world)
         self.shots.update(world)
         self.facing.update(world)
-        self.told = self.eyes.told = None
+        self.eyes.told = None
         command = self.decide(world)
         command.team.role = kelpie.NO_ROLE if world.game.penalised else kelpie.KEEPER
         self.explain(command.trace)
@@ -81,6 +80,11 @@ class Goalie(Machine):
         if self.state not in (self.block, self.clear):  # a motion is let come to its end
             self.choose(world)
         return self.step(world)
+
+    @property
+    def told(self):
+        """Where mates see a ball that the goalie has lost, in this frame; or None."""
+        return self.eyes.told
 
     def idle(self, world) -> kelpie.Command:
         return self.halted.command(world)
@@ -232,7 +236,7 @@ class Goalie(Machine):
         return kelpie.Command(walk=self.skill.walk(world), head=self.eyes.head(world, False))
 
     def guard(self, world) -> kelpie.Command:
-        self.told = self.eyes.told = self.heard(world)
+        self.eyes.told = self.heard(world)
         place = self.place(world)
         walk = self.skill.walk(world, place) if place is not None else self.look_about(world)
         walk = kelpie.WalkRequest() if self.holds_out(world) else self.harmless(world, walk)
@@ -249,12 +253,12 @@ class Goalie(Machine):
 
     def harmless(self, world, walk) -> kelpie.WalkRequest:
         """The walk, or its translation or its turn alone, if that takes no ball in."""
-        ball = self.told
-        if ball is None and seen(world, Guard.LOST):
-            ball = world.ball.position.x, world.ball.position.y
         if self.told is not None:
+            ball = self.told
             walk.turn_deg = self.kept_up_field(world, walk.turn_deg, 180.0)
-        if ball is None:
+        elif seen(world, Guard.LOST):
+            ball = world.ball.position.x, world.ball.position.y
+        else:
             return walk
         for one in (walk, kelpie.WalkRequest(forward=walk.forward, left=walk.left),
                     kelpie.WalkRequest(turn_deg=walk.turn_deg)):
@@ -290,10 +294,14 @@ class Goalie(Machine):
         team's was sure to 5 cm in 65 %, and then off by 4 cm (median), its own belief by 17."""
         team, told = world.team_ball, heard_of(world)
         moved = world.time_s - self.moved_s <= team.seconds_since_seen
-        if told is None or moved or not self.pose.settled(world) or self.eyes.lost:
+        if told is None or moved or not self.sure(world):
             return None
         variance = 0.5 * (team.covariance[0] + team.covariance[3])
         return told if math.sqrt(variance) < Guard.TOLD_SD else None
+
+    def sure(self, world) -> bool:
+        """Whether the pose is to be gone by."""
+        return self.pose.settled(world) and not self.eyes.lost
 
     def lost_for(self, world) -> float:
         """Seconds without the ball; a motion takes the head along."""
@@ -306,9 +314,9 @@ class Goalie(Machine):
         for at first, all round if it was lost close by; then in the middle, and at last so near to
         the line that no ball can lie behind the robot unseen. A survey looks elsewhere: its time is
         none of looking for the ball."""
-        sure = self.pose.settled(world) and not self.eyes.lost
         if self.told is not None:
             return self.place_for(world, self.told)
+        sure = self.sure(world)
         lost = self.lost_for(world) if sure else 0.0
         if lost > Guard.LOST:
             return central_place(world.field, LEAST_Y)
@@ -316,8 +324,7 @@ class Goalie(Machine):
             return None
         if min(lost, world.time_s - self.eyes.surveyed_s) > Guard.UNSEEN:
             return central_place(world.field)
-        if (not seen(world, Guard.FRESH) or not self.seen_since_motion(world) or
-                not self.pose.settled(world) or self.eyes.lost or
+        if (not sure or not seen(world, Guard.FRESH) or not self.seen_since_motion(world) or
                 self.eyes.state == self.eyes.survey):
             return None
         return self.place_for(world, (world.ball.position.x, world.ball.position.y))

@@ -22,6 +22,11 @@ def seen(world, seconds=Watch.FRESH) -> bool:
     return world.ball.present and world.ball.seconds_since_seen < seconds
 
 
+def side_of(x) -> float:
+    """Of a point so far to the right of the robot: +1 left, -1 right."""
+    return -1.0 if x > 0.0 else 1.0
+
+
 class GoalieHead(Machine):
     NAME = 'goalie_head'
     FAR = Look.FAR   # cm; a nearer ball is not left alone,
@@ -149,8 +154,8 @@ class GoalieHead(Machine):
                               world.ball.distance)
         x, y = from_field(world.pose, *self.skill)
         if self.timed_out(world, Look.BELIEVED):
-            side = -1.0 if x > 0.0 else 1.0
-            return self.enter(world, self.search, PointScan(world, side), 'not where it was kicked')
+            return self.enter(world, self.search, PointScan(world, side_of(x)),
+                              'not where it was kicked')
         return look_at(x, y, Watch.BALL_HEIGHT, world.stance)
 
     def search(self, world):
@@ -166,8 +171,8 @@ class GoalieHead(Machine):
         if self.was_told is not None:   # from there on it is looked for again
             x, y = from_field(world.pose, *self.was_told)
             self.was_told = None
-            side = -1.0 if x > 0.0 else 1.0
-            self.skill = PointScan(world, side if math.hypot(x, y) < ScanTune.NEAR else 0.0)
+            self.skill = PointScan(world,
+                                   side_of(x) if math.hypot(x, y) < ScanTune.NEAR else 0.0)
         return self.skill.head(world)
 
     def look_where_told(self, world):
