@@ -106,6 +106,7 @@ class Clear:
                              # matches were kicks of goalies against their own attacker's hold
     BESIDE, FARTHEST = 2.0, 16.0  # cm about a kick's window, and ahead
     LATENCY = 0.05, 0.2      # s from asking to the motion's beginning, at least and at most
+    STRIKE = 0.2             # s from there to the strike: 22 to 30 ticks of 8 ms, by the kick
     WORTH = 0.45             # of a kick that is done as the ball lies
     LOOK = 80.0              # cm after which the head looks for the ball
     FAR = 180.0              # cm that are as good as farther

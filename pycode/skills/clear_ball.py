@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # The goalie's clearing kicks (thesis 2006 section 4.3.1): which kick, of the ball as it will lie
-# when the motion begins, sends it far, up-field and past who stands there, and in no case to the
+# when the motion strikes, sends it far, up-field and past who stands there, and in no case to the
 # own goal. Keeps nothing; what a kick does it reads from the kick map. Fails where the map does:
 # for a ball that an opponent holds against the kick goes anywhere (docs/body.md, Kicks).
 import math
@@ -53,12 +53,18 @@ def in_the_way(ball, direction, other) -> bool:
 
 
 def predicted(world, seconds) -> tuple[float, float]:
-    """The ball's place in the robot frame after that time: the robot walks on, the ball rolls."""
+    """The ball's place in the robot frame as a kick that begins after that time strikes it: the
+    robot walks on until the motion begins, the ball rolls until its strike. The kick map's balls
+    lay still until then."""
     ball, step = world.ball.relative, world.odometry
     share = seconds / max(world.elapsed_s, 0.02)
-    vx, vy = intercept.relative_velocity(world) if intercept.rolls(world.ball) else (0.0, 0.0)
-    return (ball.x + share * step.left + seconds * vx,
-            ball.y - share * step.forward + seconds * vy)
+    x, y = ball.x + share * step.left, ball.y - share * step.forward
+    if not intercept.rolls(world.ball):
+        return x, y
+    vx, vy = intercept.relative_velocity(world)
+    fast = math.hypot(vx, vy)
+    rolled = intercept.rolled(fast, seconds + Clear.STRIKE) / fast
+    return x + rolled * vx, y + rolled * vy
 
 
 def at_ball(world, place, reach) -> bool:

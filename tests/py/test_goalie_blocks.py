@@ -187,6 +187,22 @@ def test_what_is_kicked_is_the_ball_at_the_motions_beginning():
     assert predicted(world, 0.1) == pytest.approx((1.5, 25.0))
 
 
+def test_a_rolling_ball_is_kicked_where_the_strike_meets_it():
+    """0.3 s after it is asked for at 18 cm/s, slowed down by 0.76 /s and 6 cm/s2: 4.6 cm on."""
+    world = scene(180 + 46j, at=180 + 30j).world
+    world.ball.velocity.y = -18.0
+    assert predicted(world, 0.1) == pytest.approx((0.0, 16.0 - 4.6), abs=0.05)
+
+
+def test_no_kick_at_a_ball_that_rolls_in_under_it():
+    """An own goal (seed 149007, 53 s): the paw grazed a ball that by then lay beside the leg."""
+    world = scene(184.4 + 36.6j, at=177.1 + 24.2j).world
+    world.pose.heading_deg = 85.0
+    assert clearing_kick(world) is not None
+    world.ball.velocity.x, world.ball.velocity.y = 8.4, -17.5
+    assert clearing_kick(world) is None
+
+
 def test_a_kick_from_a_walk_is_read_from_the_map_of_walking_robots():
     world = scene(187 + 41.5j, at=180 + 30j).world
     world.elapsed_s = 1.0 / 30.0
