@@ -25,7 +25,6 @@ class Guard:
     LOST = 6.0               # then to the line: the head sees 26 deg past the sides
     PRESSED = 22.0           # cm ahead; with a ball there that an opponent has it stands still
     TOLD_SD = 5.0            # cm; of vaguer balls of the team one in ten is more than 25 cm off
-    ELSEWHERE = 15.0         # cm from where it is believed, seen by mates: it is not there
 
 
 class GuardEllipse:

@@ -8,8 +8,9 @@
 import math
 
 import kelpie
-from lib.goalie_places import (LEAST_Y, beside, beyond_box, bisector_place, central_place, facing,
-                               round_ball, takes_in)
+from lib.geom import from_field
+from lib.goalie_places import (LEAST_Y, TRUNK, beside, beyond_box, bisector_place, central_place,
+                               facing, round_ball, takes_in)
 from lib.machine import Machine
 from lib.memory import Memory
 from lib.pose_watch import PoseWatch
@@ -18,7 +19,7 @@ from lib.tune_goalie import Attack, Clear, Coming, Guard
 from players.halted import Halted
 from skills.attack_ball import AttackBall
 from skills.block import NAMES, ShotWatch
-from skills.clear_ball import clearing_kick, mate_grabs, opponent_at_ball, opponent_has
+from skills.clear_ball import clearing_kick, mate_grabs, opponent_at, opponent_has
 from skills.face_up_field import FaceUpField
 from skills.find_together import heard_of
 from skills.get_up import GetUp
@@ -27,9 +28,9 @@ from skills.guard_goal import GuardGoal, in_box
 from skills.kick import Kick
 
 
-def under_chin(ball, reach) -> bool:
-    """Whether a ball is believed before the chest, so near (cm) ahead and not beside it."""
-    return (ball.present and 0.0 < ball.relative.y < reach and
+def under_chin(ball) -> bool:
+    """Whether a ball is believed before the chest, and not beside it."""
+    return (ball.present and 0.0 < ball.relative.y < Guard.CHIN and
             abs(ball.relative.x) < Guard.CHIN)
 
 
@@ -169,7 +170,7 @@ class Goalie(Machine):
         if best is None:
             return False
         if self.state != self.clear:
-            self.look_for = best.ball if opponent_at_ball(world) else best.after(Clear.LOOK)
+            self.look_for = best.ball if opponent_at(world, *best.ball) else best.after(Clear.LOOK)
         return self.take(world, self.clear, lambda: Kick(world, best.kick),
                          'worth {}, to {} deg, {} deg off the own goal', best.worth,
                          best.direction, best.off_goal)
@@ -243,13 +244,13 @@ class Goalie(Machine):
         return kelpie.Command(walk=walk, head=self.eyes.head(world, True))
 
     def holds_out(self, world) -> bool:
-        """Whether an opponent presses at a ball under the chin: past who stands there it does not
-        get, past who walks or turns it slips."""
-        ball = world.ball.position
-        x, y = self.told or (ball.x, ball.y)
-        return (self.has_it(world) and opponent_at_ball(world) and
-                under_chin(world.ball, Guard.PRESSED) and
-                math.hypot(x - ball.x, y - ball.y) < Guard.ELSEWHERE)
+        """Whether an opponent presses at a ball at the body, under the chin or beside it: past who
+        stands there it does not get, past who walks or turns it slips. Of 18 balls at a flank of a
+        standing goalie 3 were goals within 2.5 s, of 11 of a walking one 7, 2 of them own goals."""
+        place = self.told or (world.ball.position.x, world.ball.position.y)
+        right, ahead = from_field(world.pose, *place)
+        return (self.has_it(world) and world.ball.present and opponent_at(world, *place) and
+                -TRUNK < ahead < Guard.PRESSED and abs(right) < Guard.CHIN)
 
     def harmless(self, world, walk) -> kelpie.WalkRequest:
         """The walk, or its translation or its turn alone, if that takes no ball in."""
@@ -278,7 +279,7 @@ class Goalie(Machine):
         seen only when that turns. After a motion nobody knows where it lies: after a kick that
         missed, who walks takes it into the own goal, or who turns fast."""
         moved = not self.seen_since_motion(world)
-        under = under_chin(world.ball, Guard.CHIN)
+        under = under_chin(world.ball)
         side = self.eyes.turn_side(world)
         if side != 0.0:
             rate = Guard.KICKED_TURN if moved and self.kicked else Guard.SEARCH_TURN

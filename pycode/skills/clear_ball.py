@@ -73,9 +73,11 @@ def at_ball(world, place, reach) -> bool:
     return math.hypot(place.x - ball.x, place.y - ball.y) < reach
 
 
-def opponent_at_ball(world) -> bool:
-    """Whether an opponent is at the ball: half of such kicks leave it where it lay, or nearly."""
-    return any(at_ball(world, other.position, Clear.AT_BALL) for other in world.opponents)
+def opponent_at(world, x, y) -> bool:
+    """Whether an opponent is at a ball there: half of the kicks leave it where it lay, or nearly.
+    """
+    return any(math.hypot(other.position.x - x, other.position.y - y) < Clear.AT_BALL
+               for other in world.opponents)
 
 
 def opponent_has(world) -> bool:

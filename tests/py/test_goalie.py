@@ -284,9 +284,9 @@ def test_a_goalie_goes_back_round_a_ball_that_lies_behind_it(ball, at):
     assert nearest > 7.0
 
 
-@pytest.mark.parametrize('ahead, left, stands', [(18, 0, True), (18, 10, True), (30, 0, False),
-                                                 (8, 20, False)])
-def test_a_goalie_holds_out_at_a_ball_under_its_chin_that_an_opponent_presses(ahead, left, stands):
+@pytest.mark.parametrize('ahead, left, stands', [(18, 0, True), (18, 10, True), (-8, 10, True),
+                                                 (30, 0, False), (8, 20, False)])
+def test_a_goalie_holds_out_at_a_ball_at_its_body_that_an_opponent_presses(ahead, left, stands):
     """Past who walks or turns it slips; into the way of one that is beside it, it goes."""
     at, facing = 166 + 30j, cmath.rect(1.0, math.radians(75.0))
     ball = at + (ahead + 1j * left) * facing
