@@ -306,6 +306,25 @@ def test_a_goalie_holds_out_at_a_ball_at_its_body_that_an_opponent_presses(ahead
         assert (walk.left < -5.0 or walk.forward != 0.0 or walk.left > 5.0) == goes
 
 
+@pytest.mark.parametrize('moved_ago, stands', [(0.6, True), (6.0, False)])
+def test_after_a_kick_the_time_that_a_goalie_holds_out_counts_anew(moved_ago, stands):
+    """It kicked at a ball pressed for 4 s, then its legs pushed it in (balls put before the goals,
+    81 s)."""
+    ball = 188 + 21j
+    scenery, player = scene(ball, at=180 + 25j), Goalie()
+    world = scenery.world
+    world.opponents = [kelpie.OpponentEstimate(
+        position=kelpie.Point2(x=ball.real + 15.0, y=ball.imag + 10.0), seconds_since_seen=0.0)]
+    scenery.see()
+    world.ball.seconds_since_seen = 0.5
+    told(world, ball, 0.1)
+    player.moved_s = world.time_s - moved_ago
+    player.has_from_s, player.had_s = world.time_s - 5.0, world.time_s
+    walk = player.command(world).walk
+    assert player.state == player.guard
+    assert (walk.forward == walk.left == walk.turn_deg == 0.0) == stands
+
+
 @pytest.mark.parametrize('y, heading, turns', [(5, 60, True), (5, 120, False), (30, 120, True)])
 def test_a_goalie_near_its_line_does_not_turn_off_up_field_to_search(y, heading, turns):
     """It would sweep a ball before its chest into the own goal (seed 145010, 814 s)."""
