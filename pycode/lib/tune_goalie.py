@@ -23,7 +23,7 @@ class Guard:
     CHIN, BACK_OFF = 16.0, -15.0  # or back from one that was so near, at that speed,
     UNSEEN = 1.6             # then goes to the middle, unless it still looks close by,
     LOST = 6.0               # then to the line: the head sees 26 deg past the sides
-    PRESSED = 22.0           # cm ahead; with a ball there that an opponent has it stands still
+    PRESSED = 22.0           # cm ahead; with a ball there that an opponent is at it stands still
     TOLD_SD = 5.0            # cm; of vaguer balls of the team one in ten is more than 25 cm off
 
 
@@ -105,7 +105,8 @@ class Clear:
                              # matches were kicks of goalies against their own attacker's hold
     BESIDE, FARTHEST = 2.0, 16.0  # cm about a kick's window, and ahead
     LATENCY = 0.05, 0.2      # s from asking to the motion's beginning, at least and at most
-    STRIKE = 0.2             # s from there to the strike: 22 to 30 ticks of 8 ms, by the kick
+    STRIKE = 0.2             # s from there to the strike: a kick's last key frame ends after 0.18
+                             # to 0.24
     WORTH = 0.45             # of a kick that is done as the ball lies
     LOOK = 80.0              # cm after which the head looks for the ball
     FAR = 180.0              # cm that are as good as farther

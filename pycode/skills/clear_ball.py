@@ -7,9 +7,10 @@ import math
 
 import kelpie
 from lib import intercept, kick_table
-from lib.geom import wrap
+from lib.geom import Point, wrap
 from lib.goalie_places import UP_FIELD, off_own_goal
 from lib.obstacles import OWN_BODY
+from lib.shot import speed
 from lib.tune_goalie import Clear
 
 
@@ -52,31 +53,31 @@ def in_the_way(ball, direction, other) -> bool:
             abs(wrap(math.degrees(math.atan2(dy, dx)) - direction)) < Clear.OPPONENT_DEG)
 
 
-def predicted(world, seconds) -> tuple[float, float]:
-    """The ball's place in the robot frame as a kick that begins after that time strikes it: the
-    robot walks on until the motion begins, the ball rolls until its strike. The kick map's balls
-    lay still until then."""
-    ball, step = world.ball.relative, world.odometry
-    share = seconds / max(world.elapsed_s, 0.02)
-    x, y = ball.x + share * step.left, ball.y - share * step.forward
-    if not intercept.rolls(world.ball):
-        return x, y
+def predicted(world, seconds) -> tuple[Point, Point]:
+    """The ball's place in the robot frame, and on the field, as a kick that begins after that time
+    strikes it: the robot walks on until the motion begins, the ball rolls until the strike, ever
+    slower. The kick map's balls lay still."""
+    ball, step = world.ball, world.odometry
+    share, rolls = seconds / max(world.elapsed_s, 0.02), 0.0
+    if intercept.rolls(ball):
+        rolls = intercept.rolled(speed(ball), seconds + Clear.STRIKE) / speed(ball)
     vx, vy = intercept.relative_velocity(world)
-    fast = math.hypot(vx, vy)
-    rolled = intercept.rolled(fast, seconds + Clear.STRIKE) / fast
-    return x + rolled * vx, y + rolled * vy
+    return ((ball.relative.x + share * step.left + rolls * vx,
+             ball.relative.y - share * step.forward + rolls * vy),
+            (ball.position.x + rolls * ball.velocity.x, ball.position.y + rolls * ball.velocity.y))
 
 
 def at_ball(world, place, reach) -> bool:
     """Whether a place of the field is so near (cm) to the ball."""
     ball = world.ball.position
-    return math.hypot(place.x - ball.x, place.y - ball.y) < reach
+    return world.ball.present and math.hypot(place.x - ball.x, place.y - ball.y) < reach
 
 
 def opponent_at(world, x, y) -> bool:
-    """Whether an opponent is at a ball there: half of the kicks leave it where it lay, or nearly.
-    """
-    return any(math.hypot(other.position.x - x, other.position.y - y) < Clear.AT_BALL
+    """Whether an opponent, seen just now, is at a ball that lies there: half of the kicks then
+    leave it where it lay, or nearly."""
+    return any(other.seconds_since_seen < Clear.HAS_SEEN and
+               math.hypot(other.position.x - x, other.position.y - y) < Clear.AT_BALL
                for other in world.opponents)
 
 
@@ -126,10 +127,9 @@ def in_window(kick, x, y, walking) -> bool:
 def clearance(world, kick) -> Clearance | None:
     """What a kick that is asked for now is worth at least, whether the motion begins at once or at
     the end of a step; None if it then reaches no ball or is not safe."""
-    ball = (world.ball.position.x, world.ball.position.y)
     walking, worst = walks(world), None
     for seconds in Clear.LATENCY:
-        place = predicted(world, seconds)
+        place, ball = predicted(world, seconds)
         outcome = (kick_table.outcome(kick, *place, walking)
                    if in_window(kick, *place, walking) else None)
         if outcome is None:

@@ -224,6 +224,14 @@ def scene(ball=180 + 200j, velocity=0j, at=180 + 20j, facing=1j, seed=1, noise=0
     return world
 
 
+def told(world, ball, seconds, sd=3.0):
+    """Mates see the ball there, so long ago, sure to so many cm."""
+    world.teammates = [kelpie.TeammateEstimate(player=2, seconds_since_heard=0.1)]
+    world.team_ball = kelpie.TeamBall(present=True, seconds_since_seen=seconds,
+                                      position=kelpie.Point2(x=ball.real, y=ball.imag),
+                                      covariance=[sd * sd, 0.0, 0.0, sd * sd])
+
+
 def anywhere(seed, chance):
     """A noisy scene: the goalie in its box, the ball rolling somewhere in its half."""
     return scene(complex(chance.uniform(0, 360), chance.uniform(5, 250)),

@@ -5,7 +5,7 @@ import random
 
 import kelpie
 import pytest
-from goalie_world import GoalieWorld, anywhere, run, scene, shot
+from goalie_world import GoalieWorld, anywhere, run, scene, shot, told
 from lib import goalie_places as places
 from lib.pose_watch import BLIND, SURE_CM
 from lib.tune_goalie import Block, Clear, Guard, Look
@@ -284,47 +284,6 @@ def test_a_goalie_goes_back_round_a_ball_that_lies_behind_it(ball, at):
     assert nearest > 7.0
 
 
-@pytest.mark.parametrize('ahead, left, stands', [(18, 0, True), (18, 10, True), (-8, 10, True),
-                                                 (30, 0, False), (8, 20, False)])
-def test_a_goalie_holds_out_at_a_ball_at_its_body_that_an_opponent_presses(ahead, left, stands):
-    """Past who walks or turns it slips; into the way of one that is beside it, it goes."""
-    at, facing = 166 + 30j, cmath.rect(1.0, math.radians(75.0))
-    ball = at + (ahead + 1j * left) * facing
-    scenery, player = scene(ball, at=at, facing=facing), Goalie()
-    scenery.world.opponents = [kelpie.OpponentEstimate(
-        position=kelpie.Point2(x=ball.real, y=ball.imag + 10.0), seconds_since_seen=0.0)]
-    for _ in range(4):
-        scenery.see()
-        walk = player.command(scenery.world).walk
-    assert player.state == player.guard
-    assert (walk.forward == walk.left == walk.turn_deg == 0.0) == stands
-    scenery.see()
-    scenery.world.ball.seconds_since_seen = 0.8
-    for place, goes in ((ball, not stands), (240 + 40j, True)):
-        told(scenery.world, place, 0.1)
-        walk = player.command(scenery.world).walk
-        assert (walk.left < -5.0 or walk.forward != 0.0 or walk.left > 5.0) == goes
-
-
-@pytest.mark.parametrize('moved_ago, stands', [(0.6, True), (6.0, False)])
-def test_after_a_kick_the_time_that_a_goalie_holds_out_counts_anew(moved_ago, stands):
-    """It kicked at a ball pressed for 4 s, then its legs pushed it in (balls put before the goals,
-    81 s)."""
-    ball = 188 + 21j
-    scenery, player = scene(ball, at=180 + 25j), Goalie()
-    world = scenery.world
-    world.opponents = [kelpie.OpponentEstimate(
-        position=kelpie.Point2(x=ball.real + 15.0, y=ball.imag + 10.0), seconds_since_seen=0.0)]
-    scenery.see()
-    world.ball.seconds_since_seen = 0.5
-    told(world, ball, 0.1)
-    player.moved_s = world.time_s - moved_ago
-    player.has_from_s, player.had_s = world.time_s - 5.0, world.time_s
-    walk = player.command(world).walk
-    assert player.state == player.guard
-    assert (walk.forward == walk.left == walk.turn_deg == 0.0) == stands
-
-
 @pytest.mark.parametrize('y, heading, turns', [(5, 60, True), (5, 120, False), (30, 120, True)])
 def test_a_goalie_near_its_line_does_not_turn_off_up_field_to_search(y, heading, turns):
     """It would sweep a ball before its chest into the own goal (seed 145010, 814 s)."""
@@ -352,14 +311,6 @@ def test_a_goalie_that_loses_the_ball_on_its_way_to_it_does_not_walk_on(unseen, 
         scenery.world.ball.seconds_since_seen = frame / 30.0
         player.command(scenery.world)
     assert player.state.__name__ == state
-
-
-def told(world, ball, seconds, sd=3.0):
-    """Mates see the ball there, so long ago, sure to so many cm."""
-    world.teammates = [kelpie.TeammateEstimate(player=2, seconds_since_heard=0.1)]
-    world.team_ball = kelpie.TeamBall(present=True, seconds_since_seen=seconds,
-                                      position=kelpie.Point2(x=ball.real, y=ball.imag),
-                                      covariance=[sd * sd, 0.0, 0.0, sd * sd])
 
 
 @pytest.mark.parametrize('unseen, by_mates, moved, sd, walks', [

@@ -1,4 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
+import cmath
 import math
 import random
 
@@ -8,7 +9,7 @@ from goalie_world import BRAKE, DRAG, scene, speed_to_go
 from lib import goalie_places as places
 from lib import kick_table
 from lib.memory import Memory
-from lib.tune_goalie import Block
+from lib.tune_goalie import Block, Clear
 from skills.block import ShotWatch, block_for
 from skills.clear_ball import Clearance, clearance, clearing_kick, predicted, side_of, walks
 
@@ -130,7 +131,7 @@ def test_a_clear_never_goes_towards_the_own_goal():
         if best is None:
             continue
         kicks += 1
-        x, y = predicted(world, 0.1)
+        (x, y), _ = predicted(world, 0.1)
         aside, sd = kick_table.outcome(best.kick, x, y)[1:3]
         for off in (-3.0 * sd, 0.0, 3.0 * sd):
             direction = math.degrees(heading) + aside + off
@@ -182,25 +183,31 @@ def test_a_clear_passes_an_opponent_ahead():
 def test_what_is_kicked_is_the_ball_at_the_motions_beginning():
     world = scene(180 + 58j, at=180 + 30j).world
     world.elapsed_s = 1.0 / 30.0
-    assert predicted(world, 0.1) == pytest.approx((0.0, 28.0))
+    assert predicted(world, 0.1)[0] == pytest.approx((0.0, 28.0))
     world.odometry.forward, world.odometry.left = 1.0, 0.5
-    assert predicted(world, 0.1) == pytest.approx((1.5, 25.0))
+    assert predicted(world, 0.1)[0] == pytest.approx((1.5, 25.0))
 
 
 def test_a_rolling_ball_is_kicked_where_the_strike_meets_it():
     """0.3 s after it is asked for at 18 cm/s, slowed down by 0.76 /s and 6 cm/s2: 4.6 cm on."""
     world = scene(180 + 46j, at=180 + 30j).world
     world.ball.velocity.y = -18.0
-    assert predicted(world, 0.1) == pytest.approx((0.0, 16.0 - 4.6), abs=0.05)
+    place, ball = predicted(world, 0.1)
+    assert place == pytest.approx((0.0, 16.0 - 4.6), abs=0.05)
+    assert ball == pytest.approx((180.0, 46.0 - 4.6), abs=0.05)
 
 
-def test_no_kick_at_a_ball_that_rolls_in_under_it():
-    """An own goal (seed 149007, 53 s): the paw grazed a ball that by then lay beside the leg."""
-    world = scene(184.4 + 36.6j, at=177.1 + 24.2j).world
-    world.pose.heading_deg = 85.0
-    assert clearing_kick(world) is not None
+@pytest.mark.parametrize('strike, kicked', [(0.0, True), (Clear.STRIKE, False)])
+def test_no_kick_at_a_ball_that_rolls_in_under_it(monkeypatch, strike, kicked):
+    """An own goal (seed 149007, 53 s), of a kick that took the ball as at the motion's beginning:
+    the paw grazed it beside the leg."""
+    monkeypatch.setattr(Clear, 'STRIKE', strike)
+    world = scene(184.4 + 36.6j, at=177.1 + 24.2j,
+                  facing=cmath.rect(1.0, math.radians(85.0))).world
     world.ball.velocity.x, world.ball.velocity.y = 8.4, -17.5
-    assert clearing_kick(world) is None
+    world.odometry.forward, world.odometry.left = -0.1, -0.7
+    world.elapsed_s = 1.0 / 30.0
+    assert (clearing_kick(world) is not None) == kicked
 
 
 def test_a_kick_from_a_walk_is_read_from_the_map_of_walking_robots():

@@ -1,0 +1,85 @@
+# SPDX-License-Identifier: Apache-2.0
+import cmath
+import math
+
+import kelpie
+import pytest
+from goalie_world import scene, told
+from players.goalie import Goalie
+from skills.clear_ball import opponent_has
+from skills.kick import Kick
+
+
+@pytest.mark.parametrize('ahead, left, stands', [(18, 0, True), (18, 10, True), (-8, 10, True),
+                                                 (30, 0, False), (8, 20, False)])
+def test_a_goalie_holds_out_at_a_ball_at_its_body_that_an_opponent_presses(ahead, left, stands):
+    """Past who walks or turns it slips; into the way of one that is beside it, it goes."""
+    at, facing = 166 + 30j, cmath.rect(1.0, math.radians(75.0))
+    ball = at + (ahead + 1j * left) * facing
+    scenery, player = scene(ball, at=at, facing=facing), Goalie()
+    scenery.world.opponents = [kelpie.OpponentEstimate(
+        position=kelpie.Point2(x=ball.real, y=ball.imag + 10.0), seconds_since_seen=0.0)]
+    for _ in range(4):
+        scenery.see()
+        walk = player.command(scenery.world).walk
+    assert player.state == player.guard
+    assert (walk.forward == walk.left == walk.turn_deg == 0.0) == stands
+    scenery.see()
+    scenery.world.ball.seconds_since_seen = 0.8
+    for place, goes in ((ball, not stands), (240 + 40j, True)):
+        told(scenery.world, place, 0.1)
+        walk = player.command(scenery.world).walk
+        assert (walk.left < -5.0 or walk.forward != 0.0 or walk.left > 5.0) == goes
+
+
+def pressed(opponent=15.0, believed=188 + 21j):
+    """A goalie's scene, and what it does in the next frame: mates see the ball at its flank, an
+    opponent stands so far from it. `believed`: where the goalie saw it last, or None."""
+    ball = 188 + 21j
+    scenery, player = scene(ball, at=180 + 25j), Goalie()
+    player.moved_s = -10.0
+
+    def stands():
+        world = scenery.world
+        scenery.see()
+        world.ball.present, world.ball.seconds_since_seen = believed is not None, 0.5
+        if believed is not None:
+            world.ball.position.x, world.ball.position.y = believed.real, believed.imag
+        told(world, ball, 0.01)
+        world.opponents = [kelpie.OpponentEstimate(position=kelpie.Point2(
+            x=ball.real, y=ball.imag + opponent), seconds_since_seen=0.0)]
+        walk = player.command(world).walk
+        return walk.forward == walk.left == walk.turn_deg == 0.0
+
+    return scenery, player, stands
+
+
+@pytest.mark.parametrize('opponent, believed, holds', [
+    (15.0, 188 + 21j, True), (40.0, 188 + 21j, False), (15.0, 240 + 60j, True), (15.0, None, True)])
+def test_a_goalie_holds_out_at_a_ball_that_its_mates_see_at_its_flank(opponent, believed, holds):
+    _, player, stands = pressed(opponent, believed)
+    for _ in range(5):
+        still = stands()
+    assert player.state == player.guard and player.told is not None
+    assert still == holds
+
+
+def test_a_goalie_holds_out_for_four_seconds_and_after_a_kick_for_four_more():
+    """It kicked at a ball pressed for 4 s, then its legs pushed it in (balls put before the goals,
+    81 s)."""
+    scenery, player, stands = pressed()
+    frames = [stands() for _ in range(130)]
+    assert all(frames[:118]) and not any(frames[122:])
+    player.enter(scenery.world, player.clear, Kick(scenery.world))
+    player.skill.start_s, player.look_for = -10.0, (188.0, 21.0)
+    assert all(stands() for _ in range(80))
+
+
+def test_nobody_has_a_ball_that_is_not_there():
+    world = scene().world
+    world.opponents = [kelpie.OpponentEstimate(position=kelpie.Point2(x=10.0, y=10.0),
+                                               seconds_since_seen=0.0)]
+    world.ball.position.x = world.ball.position.y = 0.0
+    for present in (True, False):
+        world.ball.present = present
+        assert opponent_has(world) == present
