@@ -46,6 +46,13 @@ def points_near(world, place, reach) -> list[Counted]:
     return points
 
 
+def opponent_within(world, place, reach, seconds) -> bool:
+    """Whether an opponent that was seen so lately (s) is so near (cm) to a place of the field."""
+    return any(other.seconds_since_seen < seconds and
+               math.hypot(other.position.x - place[0], other.position.y - place[1]) < reach
+               for other in world.opponents)
+
+
 def between(points, start, end, width=CORRIDOR) -> float:
     """The count within half a width (cm) of the straight way from one (x, y) to another."""
     _numbers(*start, *end, width)

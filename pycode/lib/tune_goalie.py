@@ -24,6 +24,8 @@ class Guard:
     UNSEEN = 1.6             # then goes to the middle, unless it still looks close by,
     LOST = 6.0               # then to the line: the head sees 26 deg past the sides
     PRESSED = 22.0           # cm ahead; with a ball there that an opponent is at it stands still
+    CROWDED = 50.0           # cm to an opponent: the ball is between the two, and who turns or
+    CROWDED_SEEN = 1.0       # walks sweeps it in; s since that was seen
     TOLD_SD = 5.0            # cm; of vaguer balls of the team one in ten is more than 25 cm off
 
 
@@ -125,6 +127,8 @@ class Facing:
     AGAINST_POSE = 270.0     # deg of a turn while the pose says that all is well
     NOTHING = 8.0            # s without a landmark; a scrum in which none was seen for 15 s pushed
                              # the goalie round, and a pose sure to 7 cm was 200 cm off
+    CROWDED = 16.0           # s, with an opponent at hand: of 13 turns after 8 s none was of a
+                             # pose that was wrong, and one took the ball at its feet in
     OFF_BOX = 50.0           # cm
     OFF_TIME = 2.0           # s; jumps of the pose that end by themselves are shorter
     PAN, DOWN = 20.0, 6.0    # deg of the view while turning

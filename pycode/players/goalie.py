@@ -21,7 +21,7 @@ from players.halted import Halted
 from skills.attack_ball import AttackBall
 from skills.block import NAMES, ShotWatch
 from skills.clear_ball import clearing_kick, mate_grabs, opponent_at, opponent_has
-from skills.face_up_field import FaceUpField
+from skills.face_up_field import FaceUpField, crowded
 from skills.find_together import heard_of
 from skills.get_up import GetUp
 from skills.goalie_head import GoalieHead, seen
@@ -280,7 +280,10 @@ class Goalie(Machine):
     def look_about(self, world) -> kelpie.WalkRequest:
         """A ball lost at the feet is under the chin: a step back shows it. One beside the body is
         seen only when that turns. After a motion nobody knows where it lies: after a kick that
-        missed, who walks takes it into the own goal, or who turns fast."""
+        missed, who walks takes it into the own goal, or who turns fast; and with an opponent at
+        hand who does either."""
+        if crowded(world):
+            return kelpie.WalkRequest()
         moved = not self.seen_since_motion(world)
         under = under_chin(world.ball)
         side = self.eyes.turn_side(world)

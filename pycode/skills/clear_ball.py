@@ -9,7 +9,7 @@ import kelpie
 from lib import intercept, kick_table
 from lib.geom import Point, wrap
 from lib.goalie_places import UP_FIELD, off_own_goal
-from lib.obstacles import OWN_BODY
+from lib.obstacles import OWN_BODY, opponent_within
 from lib.shot import speed
 from lib.tune_goalie import Clear
 
@@ -76,16 +76,15 @@ def at_ball(world, place, reach) -> bool:
 def opponent_at(world, x, y) -> bool:
     """Whether an opponent, seen just now, is at a ball that lies there: half of the kicks then
     leave it where it lay, or nearly."""
-    return any(other.seconds_since_seen < Clear.HAS_SEEN and
-               math.hypot(other.position.x - x, other.position.y - y) < Clear.AT_BALL
-               for other in world.opponents)
+    return opponent_within(world, (x, y), Clear.AT_BALL, Clear.HAS_SEEN)
 
 
 def opponent_has(world) -> bool:
     """Whether an opponent that was seen just now holds the ball, or will before it is kicked."""
-    return any(other.seconds_since_seen < Clear.HAS_SEEN and
-               at_ball(world, other.position, Clear.HAS)
-               for other in world.opponents) or feet_at_ball(world)
+    ball = world.ball.position
+    return (world.ball.present and
+            opponent_within(world, (ball.x, ball.y), Clear.HAS, Clear.HAS_SEEN) or
+            feet_at_ball(world))
 
 
 def feet_at_ball(world) -> bool:

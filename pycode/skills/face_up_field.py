@@ -12,7 +12,8 @@ from lib.goalie_places import UP_FIELD, beyond_box
 from lib.head import view
 from lib.landmarks import GOALS
 from lib.memory import target_goal
-from lib.tune_goalie import Facing
+from lib.obstacles import opponent_within
+from lib.tune_goalie import Facing, Guard
 
 
 def own_goal_ahead(world) -> bool:
@@ -24,6 +25,12 @@ def own_goal_ahead(world) -> bool:
 def off_box(world) -> float:
     """cm from the pose to the goal box."""
     return beyond_box(world.field, (world.pose.position.x, world.pose.position.y))
+
+
+def crowded(world) -> bool:
+    """Whether an opponent is at hand: the ball is likely between the two."""
+    here = world.pose.position.x, world.pose.position.y
+    return opponent_within(world, here, Guard.CROWDED, Guard.CROWDED_SEEN)
 
 
 class FaceUpField:
@@ -73,7 +80,7 @@ class FaceUpField:
         if self.own_goal >= Facing.OWN_FRAMES:
             return 'the own goal is ahead, seen {} times', self.own_goal
         unseen = world.time_s - self.landmark_s
-        if unseen > Facing.NOTHING:
+        if unseen > (Facing.CROWDED if crowded(world) else Facing.NOTHING):
             return 'no landmark for {} s', unseen
         if self.was_home and world.time_s - self.near_box_s > Facing.OFF_TIME:
             return 'the pose is {} cm off the box', off_box(world)

@@ -10,6 +10,9 @@ import random
 
 import kelpie
 from lib import kick_table
+from lib.tune_goalie import Guard
+from skills.guard_goal import GuardGoal
+from skills.point_scan import PointScan
 
 FRAME_S = 1.0 / 30.0
 LATE = 3            # frames from a command to the legs
@@ -222,6 +225,20 @@ def scene(ball=180 + 200j, velocity=0j, at=180 + 20j, facing=1j, seed=1, noise=0
     for _ in range(3):
         world.see()
     return world
+
+
+def blind_after(scenery, player, kicked, seconds):
+    """The walk of a goalie that has not seen the ball since its motion ended so long ago."""
+    world = scenery.world
+    world.time_s = 100.0
+    world.ball.seconds_since_seen = seconds + 0.1
+    player.moved_s, player.kicked = world.time_s - seconds, kicked
+    player.enter(world, player.guard, GuardGoal(Guard))
+    player.eyes.enter(world, player.eyes.search, PointScan(world, 1.0))
+    player.eyes.skill.start_s = world.time_s - seconds
+    player.eyes.skill.branch, player.eyes.skill.at = 'near', 3    # the look at which it turns
+    walk = player.guard(world).walk
+    return walk.forward, walk.left, walk.turn_deg
 
 
 def told(world, ball, seconds, sd=3.0):

@@ -5,7 +5,7 @@ import random
 
 import kelpie
 import pytest
-from goalie_world import GoalieWorld, anywhere, run, scene, shot, told
+from goalie_world import GoalieWorld, anywhere, blind_after, run, scene, shot, told
 from lib import goalie_places as places
 from lib.pose_watch import BLIND, SURE_CM
 from lib.tune_goalie import Block, Clear, Guard, Look
@@ -237,20 +237,6 @@ def test_where_the_ball_was_believed_before_a_block_is_not_where_it_is_guarded_a
     assert player.place(scenery.world) is None
     player.moved_s -= Guard.UNSEEN
     assert player.place(scenery.world) == places.central_place(scenery.world.field)
-
-
-def blind_after(scenery, player, kicked, seconds):
-    """The walk of a goalie that has not seen the ball since its motion ended so long ago."""
-    world = scenery.world
-    world.time_s = 100.0
-    world.ball.seconds_since_seen = seconds + 0.1
-    player.moved_s, player.kicked = world.time_s - seconds, kicked
-    player.enter(world, player.guard, GuardGoal(Guard))
-    player.eyes.enter(world, player.eyes.search, PointScan(world, 1.0))
-    player.eyes.skill.start_s = world.time_s - seconds
-    player.eyes.skill.branch, player.eyes.skill.at = 'near', 3    # the look at which it turns
-    walk = player.guard(world).walk
-    return walk.forward, walk.left, walk.turn_deg
 
 
 @pytest.mark.parametrize('at', [150 + 20j, 180 + 63j, 270 + 20j])
