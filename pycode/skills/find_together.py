@@ -22,6 +22,8 @@ LOST_FRAMES = 66      # after which the team is asked (facts-2005 section 7.2),
 LOST_ATTACKER = 166   # by an attacker
 NEAR = 60.0           # cm; a nearer ball is the own search's, which looks under the chin
 ARRIVED, LEFT = 20.0, 50.0
+OFF = 15.0            # cm beyond the lines; a ball farther off is one of a wrong pose: by one 38 cm
+                      # behind the goal a goalie went the wrong way (seed 152005, 106 s)
 AGAIN_S = 1.0         # between two looks at who is where
 # Ours: a ball that none of three places shows is searched for by each alone for a while. Of 8 balls
 # that are seen from 90 cm only, two were never found by spinning on.
@@ -113,4 +115,6 @@ def heard_of(world):
     if (len(world.teammates) == 0 or not team.present or team.seconds_since_seen > FRESH_S or
             own_s < team.seconds_since_seen + LATER_S):
         return None
-    return team.position.x, team.position.y
+    x, y, field = team.position.x, team.position.y, world.field
+    on_field = -OFF < x < field.width + OFF and -OFF < y < field.length + OFF
+    return (x, y) if on_field else None
