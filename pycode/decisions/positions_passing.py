@@ -9,7 +9,8 @@ import kelpie
 from decisions.passing import MARKED, SEEN_S, clear
 from lib.geom import clamp
 from lib.keep_off import inside
-from lib.ways import goal_of, point_of
+from lib.obstacles import opponent_within
+from lib.ways import goal_of
 
 STEPS = ((0.0, 0.0), (70.0, 0.0), (-70.0, 0.0), (0.0, 60.0), (0.0, -60.0), (50.0, 50.0),
          (-50.0, 50.0))        # cm; the first is the tree's own place
@@ -33,8 +34,7 @@ def moved(world, role, place, ball, before):
 
 def worth(world, one, place, ball) -> float:
     total = -apart(one, place) - PER_CM * abs(apart(one, ball) - KICK)
-    if not any(apart(point_of(other), one) < MARKED for other in world.opponents
-               if other.seconds_since_seen < SEEN_S):
+    if not opponent_within(world, one, MARKED, SEEN_S):
         total += UNMARKED
     if clear(world, ball, one):
         total += PASS_FREE

@@ -10,6 +10,7 @@ import math
 
 import kelpie
 from lib.geom import TURN, clamp, from_field, heading, wrap
+from lib.ways import point_of
 
 CELL = 10.0              # cm
 LANDMARK_COUNT = 40.0    # of each cell's length of a wall or beacon
@@ -49,7 +50,7 @@ def points_near(world, place, reach) -> list[Counted]:
 def opponent_within(world, place, reach, seconds) -> bool:
     """Whether an opponent that was seen so lately (s) is so near (cm) to a place of the field."""
     return any(other.seconds_since_seen < seconds and
-               math.hypot(other.position.x - place[0], other.position.y - place[1]) < reach
+               math.dist(point_of(other), place) < reach
                for other in world.opponents)
 
 

@@ -17,6 +17,7 @@ from lib.memory import Memory
 from lib.pose_watch import PoseWatch
 from lib.shot import coming, speed
 from lib.tune_goalie import Attack, Clear, Coming, Guard
+from lib.ways import point_of
 from players.halted import Halted
 from skills.attack_ball import AttackBall
 from skills.block import NAMES, ShotWatch
@@ -54,8 +55,8 @@ class Goalie(Machine):
         self.moved_s = 0.0  # when the last motion ended, or the last fall
         self.kicked = False  # that motion was a kick
         self.rest_s = 0.0   # no attack before, after one that came to nothing
-        self.has = Lasting(Clear.HAS_STILL)      # an opponent has the ball
-        self.presses = Lasting(Clear.HAS_STILL)  # an opponent is at a ball at the own body
+        self.has = Lasting(Clear.HAS_STILL, Clear.HAS_LONGEST)  # an opponent has the ball
+        self.presses = Lasting(Clear.HAS_STILL, Clear.HAS_LONGEST)  # and presses at its body
 
     def command(self, world) -> kelpie.Command:
         self.memory.update(world)
@@ -154,8 +155,7 @@ class Goalie(Machine):
         not between it and the goal."""
         if mate_grabs(world):
             return self.take(world, self.guard, lambda: GuardGoal(Guard), 'a mate grabs the ball')
-        self.has.update(world.time_s, opponent_has(world))
-        return (self.has.for_less_than(world.time_s, Clear.HAS_LONGEST) and
+        return (self.has.update(world.time_s, opponent_has(world)) and
                 self.take(world, self.guard, lambda: GuardGoal(Guard), 'an opponent has the ball'))
 
     def may_clear(self, world) -> bool:
@@ -243,14 +243,12 @@ class Goalie(Machine):
         stands there it hardly gets, past who walks or turns it slips. For 4 s, and after a motion
         for 4 more."""
         pressed = self.is_pressed(world)
-        self.presses.update(world.time_s, pressed)
-        return pressed and self.presses.for_less_than(world.time_s, Clear.HAS_LONGEST)
+        return self.presses.update(world.time_s, pressed) and pressed
 
     def is_pressed(self, world) -> bool:
-        ball = world.ball.position
         if self.told is None and not world.ball.present:
             return False
-        place = self.told or (ball.x, ball.y)
+        place = self.told or point_of(world.ball)
         right, ahead = from_field(world.pose, *place)
         return (-TRUNK < ahead < Guard.PRESSED and abs(right) < Guard.CHIN and
                 opponent_at(world, *place))

@@ -12,6 +12,7 @@ from lib.goalie_places import UP_FIELD, off_own_goal
 from lib.obstacles import OWN_BODY, opponent_within
 from lib.shot import speed
 from lib.tune_goalie import Clear
+from lib.ways import point_of
 
 
 class Clearance:
@@ -81,10 +82,8 @@ def opponent_at(world, x, y) -> bool:
 
 def opponent_has(world) -> bool:
     """Whether an opponent that was seen just now holds the ball, or will before it is kicked."""
-    ball = world.ball.position
-    return (world.ball.present and
-            opponent_within(world, (ball.x, ball.y), Clear.HAS, Clear.HAS_SEEN) or
-            feet_at_ball(world))
+    near = opponent_within(world, point_of(world.ball), Clear.HAS, Clear.HAS_SEEN)
+    return world.ball.present and near or feet_at_ball(world)
 
 
 def feet_at_ball(world) -> bool:
@@ -123,12 +122,17 @@ def in_window(kick, x, y, walking) -> bool:
             near - beside <= y <= min(far + beside, Clear.FARTHEST))
 
 
-def clearance(world, kick) -> Clearance | None:
-    """What a kick that is asked for now is worth at least, whether the motion begins at once or at
-    the end of a step; None if it then reaches no ball or is not safe."""
+def strikes(world) -> list[tuple[Point, Point]]:
+    """predicted() of a kick that is asked for now, whether the motion begins at once or at the end
+    of a step."""
+    return [predicted(world, seconds) for seconds in Clear.LATENCY]
+
+
+def clearance(world, kick, strikes_at) -> Clearance | None:
+    """What a kick is worth at least that meets the ball at one of strikes(); None if it then
+    reaches no ball or is not safe."""
     walking, worst = walks(world), None
-    for seconds in Clear.LATENCY:
-        place, ball = predicted(world, seconds)
+    for place, ball in strikes_at:
         outcome = (kick_table.outcome(kick, *place, walking)
                    if in_window(kick, *place, walking) else None)
         if outcome is None:
@@ -146,6 +150,7 @@ def clearing_kick(world) -> Clearance | None:
     ball = world.ball
     if not ball.present or ball.seconds_since_seen > Clear.SEEN or ball.distance > Clear.NEAR:
         return None
-    found = [clearance(world, kick) for kick in kick_table.kicks(False)]
+    strikes_at = strikes(world)
+    found = [clearance(world, kick, strikes_at) for kick in kick_table.kicks(False)]
     good = [one for one in found if one is not None and one.worth > Clear.WORTH]
     return max(good, key=lambda one: one.worth, default=None)

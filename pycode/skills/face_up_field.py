@@ -14,6 +14,7 @@ from lib.landmarks import GOALS
 from lib.memory import target_goal
 from lib.obstacles import opponent_within
 from lib.tune_goalie import Facing, Guard
+from lib.ways import point_of
 
 
 def own_goal_ahead(world) -> bool:
@@ -29,8 +30,7 @@ def off_box(world) -> float:
 
 def crowded(world) -> bool:
     """Whether an opponent is at hand: the ball is likely between the two."""
-    here = world.pose.position.x, world.pose.position.y
-    return opponent_within(world, here, Guard.CROWDED, Guard.CROWDED_SEEN)
+    return opponent_within(world, point_of(world.pose), Guard.CROWDED, Guard.CROWDED_SEEN)
 
 
 class FaceUpField:
@@ -80,7 +80,7 @@ class FaceUpField:
         if self.own_goal >= Facing.OWN_FRAMES:
             return 'the own goal is ahead, seen {} times', self.own_goal
         unseen = world.time_s - self.landmark_s
-        if unseen > (Facing.CROWDED if crowded(world) else Facing.NOTHING):
+        if unseen > (Facing.NOTHING_CROWDED if crowded(world) else Facing.NOTHING):
             return 'no landmark for {} s', unseen
         if self.was_home and world.time_s - self.near_box_s > Facing.OFF_TIME:
             return 'the pose is {} cm off the box', off_box(world)

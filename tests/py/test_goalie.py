@@ -1,5 +1,4 @@
 # SPDX-License-Identifier: Apache-2.0
-import cmath
 import math
 import random
 

@@ -11,7 +11,8 @@ from lib import kick_table
 from lib.memory import Memory
 from lib.tune_goalie import Block, Clear
 from skills.block import ShotWatch, block_for
-from skills.clear_ball import Clearance, clearance, clearing_kick, predicted, side_of, walks
+from skills.clear_ball import (Clearance, clearance, clearing_kick, predicted, side_of, strikes,
+                               walks)
 
 
 # Block choice (checklist A-4.3.1.4)
@@ -180,7 +181,7 @@ def test_a_clear_passes_an_opponent_ahead():
     assert other is None or abs(other.direction - free.direction) > 25
 
 
-def test_what_is_kicked_is_the_ball_at_the_motions_beginning():
+def test_a_lying_ball_is_kicked_where_a_walking_goalie_has_it_at_the_motions_beginning():
     world = scene(180 + 58j, at=180 + 30j).world
     world.elapsed_s = 1.0 / 30.0
     assert predicted(world, 0.1)[0] == pytest.approx((0.0, 28.0))
@@ -214,8 +215,8 @@ def test_a_kick_from_a_walk_is_read_from_the_map_of_walking_robots():
     world = scene(187 + 41.5j, at=180 + 30j).world
     world.elapsed_s = 1.0 / 30.0
     assert not walks(world)
-    standing = clearance(world, kelpie.UPENN_LEFT)
+    standing = clearance(world, kelpie.UPENN_LEFT, strikes(world))
     world.odometry.left = 4.0 / 30.0
     assert walks(world)
-    walking = clearance(world, kelpie.UPENN_LEFT)
+    walking = clearance(world, kelpie.UPENN_LEFT, strikes(world))
     assert standing.direction != walking.direction

@@ -382,7 +382,6 @@ def test_a_mate_that_sees_the_ball_ends_the_search_and_is_believed():
     assert heard_of(made) == (180.0, 400.0)
     made.team_ball.position.y = -38.0   # behind the goal
     assert heard_of(made) is None
-    made.team_ball.position.y = 400.0
 
 
 def test_the_search_of_the_team_can_be_switched_off_and_needs_mates():
