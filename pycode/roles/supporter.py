@@ -144,8 +144,7 @@ class Supporter(Machine):
         return self.walking(world, self.bird.walk(world, self.home))
 
     def find_ball(self, world) -> kelpie.Command:
-        searched = self.skill.searched
-        together = self.team_search.answer(world, searched) if len(world.teammates) > 0 else None
+        together = self.team_search.answer(world) if len(world.teammates) > 0 else None
         return together if together is not None else self.skill.command(world)
 
     def go_home(self, world) -> kelpie.Command:

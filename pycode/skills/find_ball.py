@@ -84,11 +84,6 @@ class FindBall(Machine):
         self.roaming = Roam(world)
         self.restart()
 
-    @property
-    def searched(self) -> bool:
-        """Nothing around it is left to look at."""
-        return self.state == self.roam
-
     def restart(self):
         """The ball was seen or the robot is somewhere else: nothing here was looked at yet."""
         self.backed = self.scanned = 0

@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 # Looks for a lost ball with the team. A mate that sees it ends the search: who must play it walks
 # to where the team has it. When the whole team has lost it each forward goes to its own place of
-# the field and spins there (distributed find ball, thesis 2006 section 6.2.2, figure 6.1); whoever
-# is nearest to an opponent looks behind that one first. Keeps the place and the way there. It has
-# nothing to say (None) without mates, in the first seconds, and while a supporter's own search has
-# still something to look at around it: that finds most balls.
+# the field and spins there (distributed find ball, thesis 2006 section 6.2.2, figure 6.1). Keeps
+# the place and the way there. It has nothing to say (None) in the first seconds, when the own
+# search finds most balls, and without mates.
 import math
 
 import kelpie
@@ -14,7 +13,6 @@ from lib.machine import Machine
 from lib.steer import aim_at, towards
 from lib.ways import SILENT_S
 from skills.bird_of_prey import BirdOfPrey
-from skills.roam import LONGEST, beside, hiding
 from skills.spin_for_ball import SpinForBall
 from skills.watch import Scan
 
@@ -41,8 +39,6 @@ class FindTogether(Machine):
         self.memory = memory
         self.lost_frames = LOST_ATTACKER if attacks else LOST_FRAMES
         self.place = None
-        self.beside_somebody = False   # that place is, to look behind them,
-        self.looked_behind = False     # which it has done in this search
         self.placed_s = 0.0
         self.rest_until_s = -math.inf
         self.bird = BirdOfPrey()
@@ -52,16 +48,15 @@ class FindTogether(Machine):
     def active(self) -> bool:
         return self.state != self.alone
 
-    def answer(self, world, searched=True):
-        """A Command, or None: the own search goes on. `searched`: it has looked all around."""
+    def answer(self, world):
+        """A Command, or None: the own search goes on."""
         told = heard_of(world)
         if told is not None and math.hypot(*from_field(world.pose, *told)) > NEAR:
             if self.state != self.follow:
                 self.enter(world, self.follow, None, 'seen by a mate {} s ago',
                            world.team_ball.seconds_since_seen)
-        elif searched and self.together(world):
+        elif self.together(world):
             if self.state not in (self.go, self.spin):
-                self.looked_behind = False
                 self.choose(world)
                 self.enter(world, self.go, self.bird, 'the team has lost the ball for {} frames',
                            float(self.memory.ball_lost))
@@ -82,13 +77,9 @@ class FindTogether(Machine):
                   for mate in world.teammates
                   if mate.note.role != kelpie.KEEPER and mate.seconds_since_heard < SILENT_S and
                   mate.player != world.game.player]
-        hider = min(hiding(world), default=None)
-        self.beside_somebody = hider is not None and not self.looked_behind and all(
-            hider[0] <= math.hypot(x - hider[1], y - hider[2]) for _, x, y in robots)
         here = world.pose.position
         robots.append((world.game.player, here.x, here.y))
-        self.place = (beside(world, *hider) if self.beside_somebody else
-                      search_places.assigned(world.field, robots)[world.game.player])
+        self.place = search_places.assigned(world.field, robots)[world.game.player]
 
     # States
 
@@ -102,11 +93,7 @@ class FindTogether(Machine):
     def go(self, world):
         if world.time_s - self.placed_s > AGAIN_S:
             self.choose(world)
-        arrived = math.hypot(*from_field(world.pose, *self.place)) < ARRIVED
-        if self.beside_somebody and (arrived or self.timed_out(world, LONGEST)):
-            self.looked_behind = True
-            self.choose(world)
-        elif arrived:
+        if math.hypot(*from_field(world.pose, *self.place)) < ARRIVED:
             self.spinning = SpinForBall(1.0 if self.memory.spin_side >= 0.0 else -1.0)
             return self.enter(world, self.spin, None, 'at its place ({}, {})', *self.place)
         return kelpie.Command(walk=self.bird.walk(world, self.place),

@@ -356,59 +356,6 @@ def test_the_whole_team_searches_after_66_frames_and_each_goes_to_its_place():
     assert command is not None
 
 
-def test_while_the_own_search_has_something_to_look_at_the_team_does_not_search():
-    memory = Memory()
-    memory.ball_lost = 200
-    skill = FindTogether(memory, False)
-    assert skill.answer(lost_world(), False) is None and not skill.active
-    assert skill.answer(lost_world(), True) is not None and skill.active
-
-
-def test_a_supporter_that_has_looked_all_around_goes_to_its_place():
-    made, memory = lost_world(), Memory()
-    made.game.state = kelpie.PLAYING
-    memory.ball_lost = 200
-    skill, places = Supporter(memory, S), []
-    skill.command(made)
-    made.pose.position.x, made.pose.position.y = skill.home
-    for frame in range(300):
-        made.frame, made.time_s = frame, frame * FRAME_S
-        memory.update(made)
-        made.odometry.turn_deg = FRAME_S * skill.command(made).walk.turn_deg
-        places.append(skill.team_search.place)
-    assert places[30] is None and places[-1] is not None
-
-
-def hider(made, x, y):
-    made.opponents = [kelpie.OpponentEstimate(position=kelpie.Point2(x=x, y=y))]
-    return made
-
-
-def test_whoever_is_nearest_to_an_opponent_looks_behind_it_once_and_then_goes_to_its_place():
-    made = hider(lost_world(), 180.0, 300.0)
-    made.teammates = [mate(3, A, at=(60.0, 300.0)), mate(4, at=(320.0, 300.0))]
-    skill, _ = searching(made)
-    x, y = skill.place
-    assert abs(x - 180.0) > 40.0 and 300.0 < y < 330.0
-    made.pose.position.x, made.pose.position.y = x, y
-    assert skill.answer(made) is not None
-    assert skill.state == skill.go and skill.place == pytest.approx((180.0, 162.0))
-
-
-def test_a_look_behind_an_opponent_that_takes_too_long_is_given_up():
-    made = hider(lost_world(), 180.0, 300.0)
-    made.teammates = []
-    skill, _ = searching(made)
-    assert skill.place[1] > 300.0
-    made.time_s = 10.0
-    assert skill.answer(made) is not None and skill.place == pytest.approx((180.0, 162.0))
-
-
-def test_who_is_farther_from_the_opponent_than_a_mate_goes_to_its_place():
-    skill, _ = searching(hider(lost_world(), 250.0, 350.0))
-    assert skill.place == pytest.approx((180.0, 162.0))
-
-
 def test_at_its_place_it_spins():
     made = lost_world()
     made.pose.position.y = 162.0
