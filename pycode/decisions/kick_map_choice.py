@@ -12,6 +12,7 @@ from decisions.kick_choice import RELEASE
 from lib import kick_table
 from lib.aim import mouth, size
 from lib.geom import wrap
+from lib.infrared import DEFAULT, near
 
 NEARLY = 0.93          # of the aimed kick's worth: turning on costs time
 STILL_GOOD = 0.8       # of it for who has stopped for the kick: gaps are seen unsteadily
@@ -22,6 +23,8 @@ OUT = 0.5              # share of that worth which a ball out of the field keeps
 OWN_END = 45.0         # cm from the own goal line: a ball that goes there is worth
 OWN_END_WORTH = -0.5   # so much, since it may be an own goal
 LET_GO = 0.7           # share of its place's worth that a ball let go keeps
+FREED = 0.4            # share of the kicks that move the ball farther than 30 cm with somebody
+                       # under the nose: 11 of 29 in two matches, of the others 59 of 76
 BESIDE = 30.0          # deg
 AHEAD = (kelpie.HARD_FORWARD, kelpie.WEDGE)
 HELD_AHEAD = 8.0       # cm from the neck to a held ball
@@ -48,8 +51,8 @@ def choose(world, dribble, overdue) -> tuple | None:
 def out_of_time(world, gap) -> tuple:
     """Of all kicks, wherever the goal is. The ball is let go where each would make it worse: who
     was held up in its turn looks at the own goal."""
-    worth, kick = max((worth_of(world, kick, gap, 0.0), kick) for kick in kick_table.kicks(True))
-    let_go = LET_GO * nearness(world.field, *held_ball(world))
+    worth, kick = max((worth_now(world, kick, gap), kick) for kick in kick_table.kicks(True))
+    let_go = worth_let_go(world)
     if worth <= let_go:
         return RELEASE, 'out of time; worth {}, let go {}', worth, let_go
     return kick, 'out of time; worth {}, let go {}', worth, let_go
@@ -62,8 +65,21 @@ def best(world, gap, middle) -> tuple:
     for kick in kick_table.kicks(True):
         direction = kick_table.held_outcome(kick)[1]
         if abs(wrap(direction - middle)) < BESIDE:
-            worths.append((worth_of(world, kick, gap, 0.0), kick))
+            worths.append((worth_now(world, kick, gap), kick))
     return max(worths)
+
+
+def worth_now(world, kick, gap):
+    """Of a kick from the hold as the robot stands: one ahead leaves the ball lying more often than
+    not while somebody is under the nose."""
+    worth = worth_of(world, kick, gap, 0.0)
+    if kick not in AHEAD or not near(world.sensors.head_near_distance, DEFAULT):
+        return worth
+    return FREED * worth + (1.0 - FREED) * worth_let_go(world)
+
+
+def worth_let_go(world):
+    return LET_GO * nearness(world.field, *held_ball(world))
 
 
 def worth_of(world, kick, gap, turn) -> float:

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
-# Where a ball comes out that a skill has lost: table 6.1 of thesis 2006 as (distance cm, heading
-# deg), for Memory.set_hint. Left is positive. Keeps nothing. A kick that missed leaves the ball
-# elsewhere: a hint holds for half a second only.
+# Where a ball comes out that a skill has lost: table 6.1 of thesis 2006, and one of ours, as
+# (distance cm, heading deg), for Memory.set_hint. Left is positive. Keeps nothing. A kick that
+# missed leaves the ball elsewhere: a hint holds for half a second only.
 import kelpie
 
 GRAB = (30.0, 0.0)           # lost while approaching to grab: ahead
+LEFT_LYING = (25.0, 0.0)     # let go, or kicked at somebody: where it lay, a step back
 DRIBBLE = (35.0, 120.0)      # lost while turning with it: it stays behind the turn
 HEAD_KICK = (50.0, 30.0)
 UPENN_KICK = (25.0, 30.0)

@@ -39,6 +39,8 @@ FORWARD = 8.0            # cm/s that the motion ends with (actuator/data/motions
 HINT_WITHIN = 40.0       # cm; a far ball that is lost need not be where the paws are
 START_S = 0.5            # for the motion to begin
 LONGEST_S = 2.0
+PAWS_NEAR, PAWS_FAR = 3.0, 11.0   # cm ahead of the neck: there a gripped ball lies (docs/body.md),
+PAWS_ASIDE = 4.0                  # and so far aside
 
 
 def walk_kind(away, aside, last):
@@ -99,7 +101,8 @@ class Grab(Machine):
         super().__init__(self.approach)
         self.memory = memory
         self.track = TrackBall(memory)
-        self.asked_s = None
+        self.inside_s = None    # since when the ball is believed between the paws
+        self.begun_s = None     # when the rules' clock started, at the latest as it was asked for
         self.quick = False
         self.ran = False     # the motion has begun
 
@@ -118,11 +121,12 @@ class Grab(Machine):
     def approach(self, world):
         ball = (world.ball.relative.x, world.ball.relative.y)
         self.memory.approach_lost = 0
+        self.watch_paws(world, *ball)
         vx, vy = intercept.relative_velocity(world) if intercept.rolls(world.ball) else (0.0, 0.0)
         seen = world.ball.seconds_since_seen < SEEN_S
         if seen and can_grab(ball, (vx * FRAME_S, vy * FRAME_S), self.memory.turn_lost):
             self.quick = near(self.memory.chest, IR_NEAR)
-            self.asked_s = world.time_s
+            self.begun_s = world.time_s if self.inside_s is None else self.inside_s
             return self.enter(world, self.grab, None,
                               'ball {} cm ahead, {} cm aside; infrared of the chest {} cm',
                               ball[1], ball[0], self.memory.chest)
@@ -130,6 +134,13 @@ class Grab(Machine):
             self.memory.set_hint(*hints.GRAB)
         place = intercept.target(world)
         return kelpie.Command(walk=walk_at(world, place), head=self.track.head(world))
+
+    def watch_paws(self, world, x, y):
+        """A referee counts a ball as held that only lies there."""
+        if abs(x) > PAWS_ASIDE or not PAWS_NEAR < y < PAWS_FAR:
+            self.inside_s = None
+        elif self.inside_s is None:
+            self.inside_s = world.time_s
 
     def grab(self, world):
         """Asks until the motion runs, then waits for its end."""

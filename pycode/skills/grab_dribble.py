@@ -11,12 +11,15 @@ from lib import hints
 from lib.aim import Aim
 from lib.geom import clamp, wrap
 from lib.goal import UP_FIELD_DEG
+from lib.infrared import DEFAULT, near
 from lib.machine import Machine
 from skills.dodge import Dodge, in_the_way
 from skills.grab import Grab
 from skills.hold import FORWARD_SPEED, TURN_SPEED, Hold, carry
 from skills.kick import Kick
 from skills.release import Release
+from skills.step_back import StepBack
+from skills.track_ball import TrackBall
 
 TIME_OUT = 2.2          # s from asking for the grab; the ball lies in the arms 0.1 s later, a stop
                         # takes 0.4 s at most and a kick 0.41 until the ball is gone: 2.9 of the 3
@@ -62,11 +65,13 @@ class GrabDribble(Machine):
         self.choose = choose
         self.plan = plan
         self.aim = Aim()
+        self.track = TrackBall(memory)
         self.hold = None
         self.searched = 0         # frames of the search turn
         self.search_side = 1.0
         self.over_turned = 0      # frames beyond what the pose says
         self.lost_ball = False
+        self.steps_back = False   # after the kick: the ball may lie where it was
 
     @property
     def committed(self) -> bool:
@@ -84,7 +89,8 @@ class GrabDribble(Machine):
         return self.state == self.ended
 
     def command(self, world) -> kelpie.Command:
-        if self.hold is not None and self.state not in (self.kick, self.release, self.ended):
+        leaves = (self.kick, self.release, self.step_back, self.ended)
+        if self.hold is not None and self.state not in leaves:
             self.keep(world)
         return self.step(world)
 
@@ -130,7 +136,7 @@ class GrabDribble(Machine):
     def grab(self, world):
         command = self.skill.command(world)
         if self.skill.done:
-            self.hold = Hold(world, self.skill.asked_s)
+            self.hold = Hold(world, self.skill.begun_s)
             self.enter(world, self.settle, None, 'the grab is over')
         return command
 
@@ -234,6 +240,8 @@ class GrabDribble(Machine):
     def fire(self, world, choice):
         """Kicks or lets go, as (choice, reason, numbers...) says."""
         what, reason, *told = choice
+        self.steps_back = (not isinstance(what, int) or
+                           near(world.sensors.head_near_distance, DEFAULT))
         if isinstance(what, int):
             self.enter(world, self.kick, Kick(world, what), reason, *told)
         else:
@@ -241,15 +249,28 @@ class GrabDribble(Machine):
 
     def kick(self, world):
         if self.skill.done(world):
-            return self.enter(world, self.ended, None, 'kicked')
+            return self.leave(world, 'kicked')
         command = carry()
         command.motion = self.skill.motion(world)
         return command
 
     def release(self, world):
         if self.skill.done(world):
-            return self.enter(world, self.ended, None, 'let go')
+            return self.leave(world, 'let go')
         return self.skill.command(world)
+
+    def leave(self, world, why):
+        if not self.steps_back:
+            return self.enter(world, self.ended, None, why)
+        return self.enter(world, self.step_back, StepBack(world), why)
+
+    def step_back(self, world):
+        """Who stands over a ball that he let go, or kicked at somebody, still holds it by the
+        rules."""
+        self.memory.set_hint(*hints.LEFT_LYING)
+        if self.skill.done(world):
+            return self.enter(world, self.ended, None, 'stepped back')
+        return kelpie.Command(walk=self.skill.walk(), head=self.track.head(world))
 
     def ended(self, world):
         return kelpie.Command()

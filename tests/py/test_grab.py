@@ -8,7 +8,7 @@ import pytest
 from lib import aim, infrared
 from lib.aim import Aim
 from lib.memory import Memory
-from situations import world
+from situations import put_ball, world
 from skills import dodge
 from skills.dodge import Dodge
 from skills.grab import (DRAG, FAST_UNTIL, FAST_WITHIN, PREDICTED, SPIN_FROM, SPIN_UNTIL, Grab,
@@ -87,6 +87,19 @@ def test_a_grab_is_asked_for_until_it_runs_and_is_done_when_it_has_ended():
     made.motion.running = kelpie.NO_MOTION
     skill.command(made)
     assert skill.done
+
+
+@pytest.mark.parametrize('ahead, waited', [(8.0, True), (12.0, False)])
+def test_the_rules_clock_starts_when_the_ball_lies_between_the_paws(ahead, waited):
+    skill, made = Grab(Memory()), world(180.0, 200.0, 90.0, (180.0, 200.0 + ahead))
+    made.ball.seconds_since_seen = 1.0  # not seen, not grabbed
+    for _ in range(10):
+        made.time_s += 1.0 / 30.0
+        skill.command(made)
+    first = 1.0 / 30.0
+    put_ball(made, 180.0, 208.0)
+    skill.command(made)
+    assert skill.committed and skill.begun_s == pytest.approx(first if waited else made.time_s)
 
 
 def test_a_grab_that_never_starts_is_given_up():

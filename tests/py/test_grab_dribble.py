@@ -5,10 +5,14 @@ import math
 import kelpie
 import pytest
 from decisions import tree
+from decisions.kick_choice import RELEASE
+from lib import hints
 from lib.geom import wrap
 from lib.memory import Memory
+from roles.attacker import FOLLOW, LOOK_AFTER, Attacker
 from situations import world
-from skills import dodge
+from skills import dodge, step_back
+from skills.find_ball import FindBall
 from skills.grab_dribble import (BLOCKED_OUT, EDGE, FARTHEST, FEEL, OVER_TURN, OVER_TURN_Y,
                                  SEARCH_SHARE, SEARCH_TURN, SETTLE, TIME_OUT, GrabDribble)
 from skills.hold import Hold
@@ -145,6 +149,39 @@ def test_with_somebody_ahead_there_is_less_time(ahead, kicks, seconds):
     assert skill.state != skill.overdue
     run(made, skill, 0.1)
     assert skill.state == skill.overdue
+
+
+def kicked(made, skill):
+    """Has the kick run to its end, or the release; what is asked for afterwards."""
+    while made.motion.running == kelpie.NO_MOTION:
+        made.motion.running = run(made, skill, FRAME_S)[0].motion
+    run(made, skill, 0.3)
+    made.motion.running = kelpie.NO_MOTION
+    return run(made, skill, step_back.SECONDS - 0.05)
+
+
+@pytest.mark.parametrize('what, near, steps', [
+    (kelpie.HARD_FORWARD, 5.0, True), (kelpie.HARD_FORWARD, 30.0, False), (RELEASE, 30.0, True)])
+def test_a_ball_let_go_or_kicked_at_somebody_is_stepped_back_from(what, near, steps):
+    """By the rules who stands over it holds it on."""
+    made, skill = holding(choose=asked(what))
+    made.sensors.head_near_distance = near
+    commands = kicked(made, skill)
+    assert skill.committed is steps
+    assert all((command.walk.forward < 0.0 and not command.mouth_open) is steps
+               for command in commands)
+    run(made, skill, 0.1)
+    assert skill.done
+
+
+@pytest.mark.parametrize('hint, follows', [(LOOK_AFTER, True), (hints.LEFT_LYING, False)])
+def test_a_ball_that_was_left_lying_is_not_walked_over(hint, follows):
+    made, memory = world(ball=(180.0, 220.0)), Memory()
+    made.ball.present = False
+    player = Attacker(memory)
+    memory.set_hint(*hint)
+    player.enter(made, player.watch, FindBall(made, memory))
+    assert (player.watch(made).walk.forward == FOLLOW) is follows
 
 
 def test_who_stands_for_a_kick_already_is_not_hurried():

@@ -54,3 +54,20 @@ def test_out_of_time_beside_the_goal_it_is_kicked_to_that_side(heading, side):
 
 def test_out_of_time_before_the_goal_it_is_kicked_at_it():
     assert chosen(world(180.0, 450.0), overdue=True)[0] in kick_map_choice.AHEAD
+
+
+def blocked(made):
+    made.sensors.head_near_distance = 5.0
+    return made
+
+
+def test_against_somebody_under_the_nose_it_is_kicked_aside_in_midfield_and_ahead_before_the_goal():
+    ahead = kick_map_choice.AHEAD
+    assert chosen(world(180.0, 270.0), overdue=True)[0] in ahead
+    assert chosen(blocked(world(180.0, 270.0)), overdue=True)[0] not in ahead + (RELEASE,)
+    assert chosen(blocked(world(180.0, 450.0)), overdue=True)[0] in ahead
+
+
+def test_a_ball_is_not_kicked_at_somebody_under_the_nose_before_time_is_out():
+    assert chosen(world(180.0, 490.0), overdue=False)[0] in kick_map_choice.AHEAD
+    assert chosen(blocked(world(180.0, 490.0)), overdue=False) is None
