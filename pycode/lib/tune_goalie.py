@@ -29,6 +29,16 @@ class Guard:
     TOLD_SD = 5.0            # cm; of vaguer balls of the team one in ten is more than 25 cm off
 
 
+class Paws:
+    """A ball between the paws: the rules let it lie there for 3 s."""
+    ASIDE, AHEAD = 6.0, 13.0  # cm; 4 and 11 by the rules
+    TOO_NEAR, TOO_FAR = 12.5, 17.0  # cm of the chest's infrared, which reads the carpet between,
+    NOTHING = 60.0           # and so far when there is nothing at all
+    SEEN = 3.0               # s that a belief counts
+    GAP = 0.25
+    LONGEST = 1.2            # s; then it steps back
+
+
 class GuardEllipse:
     LAZY, ACCURATE = 15.0, 7.0         # checklist U14
     LAZY_TURN, ACCURATE_TURN = 20.0, 8.0

@@ -16,7 +16,8 @@ from lib.machine import Machine
 from lib.memory import Memory
 from lib.pose_watch import PoseWatch
 from lib.shot import coming, speed
-from lib.tune_goalie import Attack, Clear, Coming, Guard
+from lib.tune_goalie import Attack, Clear, Coming, Guard, Paws
+from lib.underfoot import Underfoot
 from lib.ways import point_of
 from players.halted import Halted
 from skills.attack_ball import AttackBall
@@ -28,6 +29,7 @@ from skills.get_up import GetUp
 from skills.goalie_head import GoalieHead, seen
 from skills.guard_goal import GuardGoal, in_box
 from skills.kick import Kick
+from skills.step_back import StepBack
 
 
 def under_chin(ball) -> bool:
@@ -56,6 +58,7 @@ class Goalie(Machine):
         self.kicked = False  # that motion was a kick
         self.rest_s = 0.0   # no attack before, after one that came to nothing
         self.has = Lasting(Clear.HAS_STILL, Clear.HAS_LONGEST)  # an opponent has the ball
+        self.underfoot = Underfoot()
         self.presses = Lasting(Clear.HAS_STILL, Clear.HAS_LONGEST)  # and presses at its body
 
     def command(self, world) -> kelpie.Command:
@@ -66,6 +69,7 @@ class Goalie(Machine):
         world = self.pose.believed(world)
         self.shots.update(world)
         self.facing.update(world)
+        self.underfoot.update(world, self.told)  # of the frame before
         self.eyes.told = None
         command = self.decide(world)
         command.team.role = kelpie.NO_ROLE if world.game.penalised else kelpie.KEEPER
@@ -81,7 +85,7 @@ class Goalie(Machine):
             self.start_over(world, 'has fallen')
             self.moved_s = world.time_s
             return kelpie.Command(motion=self.get_up.motion(world))
-        if self.state not in (self.block, self.clear):  # a motion is let come to its end
+        if self.state not in (self.block, self.clear, self.step_back):  # these come to their end
             self.choose(world)
         return self.step(world)
 
@@ -110,8 +114,8 @@ class Goalie(Machine):
     # Algorithm 4.1: each rule enters its state if it holds, and says so
 
     def choose(self, world):
-        for rule in (self.faces_wrong, self.shot_comes, self.ball_comes, self.leaves_ball,
-                     self.may_clear, self.may_attack, self.may_guard):
+        for rule in (self.faces_wrong, self.shot_comes, self.stands_over, self.ball_comes,
+                     self.leaves_ball, self.may_clear, self.may_attack, self.may_guard):
             if rule(world):
                 return
 
@@ -157,6 +161,14 @@ class Goalie(Machine):
             return self.take(world, self.guard, lambda: GuardGoal(Guard), 'a mate grabs the ball')
         return (self.has.update(world.time_s, opponent_has(world)) and
                 self.take(world, self.guard, lambda: GuardGoal(Guard), 'an opponent has the ball'))
+
+    def stands_over(self, world) -> bool:
+        """A ball under the chin counts as held. Of 22 goalies that were taken out for it 20 had the
+        ball in their goal within 6 s."""
+        seconds = self.underfoot.seconds(world)
+        return (seconds > Paws.LONGEST and
+                self.take(world, self.step_back, lambda: StepBack(world),
+                          'stands over the ball for {} s', seconds))
 
     def may_clear(self, world) -> bool:
         stands = world.time_s - self.moved_s > Clear.STANDS
@@ -208,6 +220,14 @@ class Goalie(Machine):
         if command is None:
             self.eyes.expect(world, self.look_for)
         return command
+
+    def step_back(self, world):
+        """A step back, as far as the goal line: the ball comes into view, and is no longer held."""
+        if self.skill.done(world):
+            self.underfoot.end()
+            return self.enter(world, self.guard, GuardGoal(Guard), 'stepped back')
+        walk = in_box(world, self.skill.walk(), 0.0)
+        return kelpie.Command(walk=walk, head=self.eyes.head(world, False))
 
     def perform(self, world):
         motion = self.skill.motion(world)

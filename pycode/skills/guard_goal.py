@@ -12,9 +12,9 @@ from lib.goalie_places import clip_to_box, kept_in_box
 from lib.tune_goalie import Body, Guard
 
 
-def in_box(world, walk) -> kelpie.WalkRequest:
-    """The walk, slowed so that the neck base stays in the goal box."""
-    forward, left = kept_in_box(world.field, world.pose, walk.forward, walk.left, Body.MARGIN,
+def in_box(world, walk, margin=Body.MARGIN) -> kelpie.WalkRequest:
+    """The walk, slowed so that the neck base stays in the goal box, that margin (cm) inside."""
+    forward, left = kept_in_box(world.field, world.pose, walk.forward, walk.left, margin,
                                 Body.SECONDS)
     share = min(1.0, Body.SPEED / max(math.hypot(forward, left), 1e-6))
     return kelpie.WalkRequest(forward=share * forward, left=share * left, turn_deg=walk.turn_deg,
