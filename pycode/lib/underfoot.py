@@ -4,9 +4,11 @@
 # nearer than the carpet before it or, of a ball that touches it, farther; by the own belief; and by
 # where mates see the ball. Of the goalies' frames with a ball there for 0.8 to 2.5 s (twenty
 # matches) the infrared tells 75 %, belief or mates 84 %, any of the three 94 %; of those with it
-# elsewhere 0.5, 0.4 and 0.8 %. Somebody else's leg there is taken for a ball.
+# elsewhere 0.5, 0.4 and 0.8 %. Somebody else's leg there is taken for a ball. A motion begins it
+# anew: it moves the ball, and the chest of who lies reads the carpet nearer.
 import math
 
+import kelpie
 from lib.geom import from_field
 from lib.lasting import Lasting
 from lib.tune_goalie import Paws
@@ -20,10 +22,14 @@ def between(x, y) -> bool:
 class Underfoot:
     def __init__(self):
         self.lies = Lasting(Paws.GAP, math.inf)
+        self.moved_s = -math.inf   # when a motion ran last
 
     def update(self, world, told) -> None:
         """One frame; `told`: where mates see a ball that the robot has lost, (x, y) on the field,
         or None."""
+        if world.motion.running != kelpie.NO_MOTION:
+            self.moved_s = world.time_s
+            return self.end()
         self.lies.update(world.time_s, self.there(world, told))
 
     def there(self, world, told) -> bool:
@@ -33,7 +39,8 @@ class Underfoot:
         if told is not None and between(*from_field(world.pose, *told)):
             return True
         ball = world.ball
-        return (ball.present and ball.seconds_since_seen < Paws.SEEN and
+        recent = min(Paws.SEEN, world.time_s - self.moved_s)
+        return (ball.present and ball.seconds_since_seen < recent and
                 between(ball.relative.x, ball.relative.y))
 
     def seconds(self, world) -> float:

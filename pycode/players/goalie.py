@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
 # The goalie of 2006 (thesis 2006 section 4.3.1, algorithm 4.1). In every frame the first rule that
-# holds says what it does: turn to face up-field, block a shot, move into a slow ball's way, leave a
-# ball that somebody has, clear one that lies right, walk to one in or at its box, guard the goal. A
-# ball that it has lost is guarded against where its mates see it. Keeps the state, its head and
-# what it counts of shots and of its facing. It never leaves its box (checklist K07); it fails as
-# the pose does, and against shots from so near that the ball is past before a block lies.
+# holds says what it does: turn to face up-field, block a shot, step back from a ball between its
+# paws, move into a slow ball's way, leave a ball that somebody has, clear one that lies right, walk
+# to one in or at its box, guard the goal. A ball that it has lost is guarded against where its
+# mates see it. Keeps the state, its head and what it counts of shots, of its facing and of a ball
+# between its paws. It never leaves its box (checklist K07); it fails as the pose does, and against
+# shots from so near that the ball is past before a block lies.
 import math
 
 import kelpie
@@ -99,6 +100,7 @@ class Goalie(Machine):
 
     def start_over(self, world, why):
         self.facing.end()
+        self.underfoot.end()
         self.reset(world, why, self.guard, GuardGoal(Guard))
 
     def explain(self, trace) -> None:
@@ -222,11 +224,13 @@ class Goalie(Machine):
         return command
 
     def step_back(self, world):
-        """A step back, as far as the goal line: the ball comes into view, and is no longer held."""
+        """A step back, as far as the goal line: the ball comes into view, and is no longer held.
+        Straight back or not at all: aside, as the box may ask, its legs take the ball along."""
         if self.skill.done(world):
             self.underfoot.end()
             return self.enter(world, self.guard, GuardGoal(Guard), 'stepped back')
-        walk = in_box(world, self.skill.walk(), 0.0)
+        walk = self.skill.walk()
+        walk.forward = min(in_box(world, walk, 0.0).forward, 0.0)
         return kelpie.Command(walk=walk, head=self.eyes.head(world, False))
 
     def perform(self, world):

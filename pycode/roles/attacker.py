@@ -33,7 +33,7 @@ LOOK_AFTER = 100.0, 0.0     # cm, deg: where a kicked ball is looked for
 SEEN_S = 0.1            # s: a sighting that gps refused is none
 WATCH = 0.4             # s after a kick
 AHEAD, FOLLOW = 15.0, 40.0  # deg, cm/s: a ball that went ahead is followed meanwhile,
-FOLLOW_FROM = 40.0      # cm; not one that was left lying
+FOLLOW_FROM = 30.0      # cm; not one that was left lying
 BOX_WAIT_FRAMES = 90    # who has no goalie waits so long for its ball to leave the own box
 BOX_LEFT_Y = 130.0      # cm; a ball beyond has left it for certain
 KICKS = {tree.UPENN_LEFT: kelpie.UPENN_LEFT, tree.UPENN_RIGHT: kelpie.UPENN_RIGHT,
@@ -157,7 +157,7 @@ class Attacker(Machine):
         time is not played yet, only followed."""
         command = self.skill.command(world)
         distance, aside = self.memory.hint[:2]
-        if abs(aside) < AHEAD and distance > FOLLOW_FROM:
+        if abs(aside) < AHEAD and distance >= FOLLOW_FROM:
             command.walk = kelpie.WalkRequest(forward=FOLLOW, kind=kelpie.WALK_FAST)
         if self.timed_out(world, WATCH):
             self.enter(world, self.find, self.skill, 'it has rolled for {} s', WATCH)

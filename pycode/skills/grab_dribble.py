@@ -21,8 +21,9 @@ from skills.release import Release
 from skills.step_back import StepBack
 from skills.track_ball import TrackBall
 
-TIME_OUT = 2.2          # s from asking for the grab; the ball lies in the arms 0.1 s later, a stop
-                        # takes 0.4 s at most and a kick 0.41 until the ball is gone: 2.9 of the 3
+TIME_OUT = 2.2          # s of the rules' clock (skills/grab.py); a grabbed ball lies in the arms
+                        # 0.1 s after it was asked for, a stop takes 0.4 s at most and a
+                        # kick 0.41 until the ball is gone: 2.9 of the 3
 BLOCKED_OUT = 1.7       # s of it with somebody ahead, where the kicks of the map are used: three
                         # of five against who is within 25 cm leave the ball in the arms
 FARTHEST = 35.0         # cm from the place of the grab by odometry (rule: 50 cm); a stop takes 6

@@ -24,7 +24,7 @@ def carry(forward=0.0, left=0.0, turn=0.0) -> kelpie.Command:
 
 class Hold:
     def __init__(self, world, begun_s):
-        self.begun_s = begun_s      # when the grab began, which is when the rule's clock starts
+        self.begun_s = begun_s      # when the rules' clock started: as the grab began, or before
         self.since_s = world.time_s
         self.x = self.y = 0.0       # of the robot since then, in its frame of then
         self.turned = 0.0           # deg

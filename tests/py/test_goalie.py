@@ -161,14 +161,16 @@ def test_random_worlds_never_stop_the_goalie():
 
 
 def scramble(world, chance):
-    """Everything at random, some of it seldom."""
+    """Everything at random, some of it seldom; halts, falls and motions last for some frames."""
     world.time_s += 1.0 / 30.0
     world.frame += 1
     world.ball.position.x += world.ball.velocity.x / 30.0
     world.ball.position.y += world.ball.velocity.y / 30.0
-    world.game.state = chance.choice([kelpie.PLAYING] * 20 + [kelpie.SET])
-    world.motion.feeling.fallen = chance.choice([kelpie.NOT_FALLEN] * 50 + [kelpie.ON_BACK])
-    world.motion.running = chance.choice([kelpie.NO_MOTION] * 5 + [kelpie.BLOCK, kelpie.UPENN_LEFT])
+    if chance.random() < 0.03:
+        world.game.state = chance.choice([kelpie.PLAYING] * 20 + [kelpie.SET])
+        world.motion.feeling.fallen = chance.choice([kelpie.NOT_FALLEN] * 50 + [kelpie.ON_BACK])
+        world.motion.running = chance.choice([kelpie.NO_MOTION] * 5 +
+                                             [kelpie.BLOCK, kelpie.UPENN_LEFT])
     world.percepts.landmarks = [kelpie.LandmarkPercept()] * (world.frame % 100 == 0)
     if chance.random() < 0.9:
         return

@@ -1,11 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
 """A ball between the goalie's paws, where it sees none: by the rules it holds it."""
+import cmath
+import math
+
 import kelpie
 import pytest
-from goalie_world import scene, told
-from lib.tune_goalie import Guard, Paws
+from goalie_world import scene
+from lib.tune_goalie import Paws
 from lib.underfoot import Underfoot
 from players.goalie import Goalie
+from skills.step_back import StepBack
 
 FRAME_S = 1.0 / 30.0
 CARPET, BALL = 14.5, 10.5   # cm, what the infrared of the chest reads
@@ -86,6 +90,45 @@ def test_but_not_over_its_goal_line(y):
     assert 0.0 <= at < y
 
 
-def test_a_ball_at_its_feet_that_is_felt_elsewhere_moves_nobody():
-    scenery, player = believes(180 + 150j, Guard.LOST), Goalie()
-    assert all(state != 'step_back' for state, _ in walks_of(player, scenery, 4.0))
+@pytest.mark.parametrize('at, degrees', [(180 + 3j, 45.0), (118 + 20j, 20.0), (100 + 26j, 90.0),
+                                         (180 - 5j, 90.0), (180 - 15j, 60.0), (180 + 30j, 110.0)])
+def test_the_step_is_straight_back_or_none_wherever_it_believes_to_stand(at, degrees):
+    """Aside or ahead it would take the ball along."""
+    scenery, player = believes(180 + 150j), Goalie()
+    scenery.at, scenery.facing = at, cmath.rect(1.0, math.radians(degrees))
+    scenery.see()
+    player.enter(scenery.world, player.step_back, StepBack(scenery.world))
+    walk = player.step(scenery.world).walk
+    assert walk.forward <= 0.0 and walk.left == walk.turn_deg == 0.0
+
+
+def test_what_the_chest_reads_of_the_carpet_in_a_block_does_not_count():
+    scenery, player = believes(180 + 150j), Goalie()
+    scenery.world.sensors.chest_distance = BALL
+    scenery.world.motion.running = kelpie.BLOCK
+    walks_of(player, scenery, 1.5)
+    scenery.world.motion.running = kelpie.NO_MOTION
+    scenery.world.sensors.chest_distance = CARPET
+    assert all(state != 'step_back' for state, _ in walks_of(player, scenery, 1.0))
+
+
+def test_nor_does_a_belief_of_before_a_kick():
+    scenery, under = believes(180 + 34j, 0.0), Underfoot()
+    scenery.world.ball.seconds_since_seen = 0.0
+    under.update(scenery.world, None)
+    for running in [kelpie.UPENN_LEFT] * 20 + [kelpie.NO_MOTION] * 60:
+        scenery.world.time_s += FRAME_S
+        scenery.world.ball.seconds_since_seen += FRAME_S
+        scenery.world.motion.running = running
+        under.update(scenery.world, None)
+        assert under.seconds(scenery.world) == 0.0
+
+
+def test_what_the_chest_read_before_play_does_not_count():
+    scenery, player = believes(180 + 150j), Goalie()
+    scenery.world.sensors.chest_distance = BALL
+    scenery.world.game.state = kelpie.SET
+    walks_of(player, scenery, 2.0)
+    scenery.world.game.state = kelpie.PLAYING
+    states = [state for state, _ in walks_of(player, scenery, Paws.LONGEST)]
+    assert 'step_back' not in states

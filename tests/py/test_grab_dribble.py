@@ -168,20 +168,22 @@ def test_a_ball_let_go_or_kicked_at_somebody_is_stepped_back_from(what, near, st
     made.sensors.head_near_distance = near
     commands = kicked(made, skill)
     assert skill.committed is steps
+    assert (skill.memory.hint is not None) is steps
     assert all((command.walk.forward < 0.0 and not command.mouth_open) is steps
                for command in commands)
     run(made, skill, 0.1)
     assert skill.done
 
 
-@pytest.mark.parametrize('hint, follows', [(LOOK_AFTER, True), (hints.LEFT_LYING, False)])
-def test_a_ball_that_was_left_lying_is_not_walked_over(hint, follows):
+@pytest.mark.parametrize('hint, forward', [
+    (LOOK_AFTER, FOLLOW), (hints.of_dribble(1.0)[:1] + (0.0,), FOLLOW), (hints.LEFT_LYING, 0.0)])
+def test_a_ball_that_was_left_lying_is_not_walked_over(hint, forward):
     made, memory = world(ball=(180.0, 220.0)), Memory()
     made.ball.present = False
     player = Attacker(memory)
     memory.set_hint(*hint)
     player.enter(made, player.watch, FindBall(made, memory))
-    assert (player.watch(made).walk.forward == FOLLOW) is follows
+    assert player.watch(made).walk.forward == forward
 
 
 def test_who_stands_for_a_kick_already_is_not_hurried():
