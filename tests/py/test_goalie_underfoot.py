@@ -23,6 +23,13 @@ def believes(place, unseen=1.0):
     return scenery
 
 
+def feels(place):
+    """The same, and its chest tells of a ball between the paws."""
+    scenery = believes(place)
+    scenery.world.sensors.chest_distance = BALL
+    return scenery
+
+
 @pytest.mark.parametrize('chest, there', [
     (Paws.TOO_NEAR - 0.1, True), (Paws.TOO_NEAR + 0.1, False), (Paws.TOO_FAR - 0.1, False),
     (Paws.TOO_FAR + 0.1, True), (Paws.NOTHING + 1.0, False)])
@@ -65,8 +72,7 @@ def walks_of(player, scenery, seconds):
 
 
 def test_it_steps_back_from_it_in_time_even_with_an_opponent_at_hand():
-    scenery, player = believes(180 + 34j), Goalie()
-    scenery.world.sensors.chest_distance = BALL
+    scenery, player = feels(180 + 34j), Goalie()
     scenery.world.opponents = [kelpie.OpponentEstimate(position=kelpie.Point2(x=180.0, y=45.0))]
     back = [walk.forward < -20.0 and walk.left == 0.0 and walk.turn_deg == 0.0
             for _, walk in walks_of(player, scenery, 2.5)]
@@ -76,10 +82,9 @@ def test_it_steps_back_from_it_in_time_even_with_an_opponent_at_hand():
 
 @pytest.mark.parametrize('y', [3.0, 12.0, 26.0, 50.0])
 def test_but_not_over_its_goal_line(y):
-    scenery, player = believes(complex(180, y + 8.0)), Goalie()
+    scenery, player = feels(complex(180, y + 8.0)), Goalie()
     scenery.at = complex(180, y)
     scenery.see()
-    scenery.world.sensors.chest_distance = BALL
     world, at = scenery.world, y
     for _ in range(120):
         world.time_s += FRAME_S
@@ -103,8 +108,7 @@ def test_the_step_is_straight_back_or_none_wherever_it_believes_to_stand(at, deg
 
 
 def test_what_the_chest_reads_of_the_carpet_in_a_block_does_not_count():
-    scenery, player = believes(180 + 150j), Goalie()
-    scenery.world.sensors.chest_distance = BALL
+    scenery, player = feels(180 + 150j), Goalie()
     scenery.world.motion.running = kelpie.BLOCK
     walks_of(player, scenery, 1.5)
     scenery.world.motion.running = kelpie.NO_MOTION
@@ -114,7 +118,6 @@ def test_what_the_chest_reads_of_the_carpet_in_a_block_does_not_count():
 
 def test_nor_does_a_belief_of_before_a_kick():
     scenery, under = believes(180 + 34j, 0.0), Underfoot()
-    scenery.world.ball.seconds_since_seen = 0.0
     under.update(scenery.world, None)
     for running in [kelpie.UPENN_LEFT] * 20 + [kelpie.NO_MOTION] * 60:
         scenery.world.time_s += FRAME_S
@@ -125,8 +128,7 @@ def test_nor_does_a_belief_of_before_a_kick():
 
 
 def test_what_the_chest_read_before_play_does_not_count():
-    scenery, player = believes(180 + 150j), Goalie()
-    scenery.world.sensors.chest_distance = BALL
+    scenery, player = feels(180 + 150j), Goalie()
     scenery.world.game.state = kelpie.SET
     walks_of(player, scenery, 2.0)
     scenery.world.game.state = kelpie.PLAYING

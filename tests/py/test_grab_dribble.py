@@ -176,7 +176,7 @@ def test_a_ball_let_go_or_kicked_at_somebody_is_stepped_back_from(what, near, st
 
 
 @pytest.mark.parametrize('hint, forward', [
-    (LOOK_AFTER, FOLLOW), (hints.of_dribble(1.0)[:1] + (0.0,), FOLLOW), (hints.LEFT_LYING, 0.0)])
+    (LOOK_AFTER, FOLLOW), ((hints.DRIBBLE[0], 0.0), FOLLOW), (hints.LEFT_LYING, 0.0)])
 def test_a_ball_that_was_left_lying_is_not_walked_over(hint, forward):
     made, memory = world(ball=(180.0, 220.0)), Memory()
     made.ball.present = False
