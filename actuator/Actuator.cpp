@@ -22,8 +22,7 @@ void begin(const MotionInput& in, const ActuatorParams& params, ActuatorState& s
   for (Angle& angle : state.target.angle)
     if (!std::isfinite(angle.rad())) angle = Angle();
   state.odometry.reach.felt = state.target;
-  const double ticks = params.rampSeconds / kTickSeconds + 0.5;
-  state.blend = {state.target, 0, static_cast<std::uint32_t>(ticks)};
+  begin(params, state.approach);
 }
 
 bool canStart(MotionKind kind, const ActuatorParams& params, const ActuatorState& state) {
@@ -127,12 +126,23 @@ void moveOn(const ActuatorParams& params, ActuatorState& state) {
   if (!advance(params.motions, state.target, state.motion)) endMotion(legsMoved, params, state);
 }
 
+// What is told to joints that stay as they were found: no walk, no odometry.
+void tickAsFound(ActuatorState& state) {
+  state.ready = false;
+  state.legGain = 1.0;
+  record({}, state.odometry);
+}
+
 void tick(const Asked& asked, const ActuatorParams& params, ActuatorState& state) {
-  if (state.blend.tick >= state.blend.ticks) state.ready = true;
+  state.ready = !state.approach.active && !state.found;
   if (state.ready) startMotion(asked.command, params, state);
   JointAngles target = targetOf(asked, params, state);
   SlewLimits slew{params.headSlew, params.walkSlew};
-  if (running(state.motion)) {
+  if (state.approach.active) {
+    const Angle gentle = Angle::rad(params.startRate.rad() * kTickSeconds);
+    slew = {gentle, gentle};
+    target = approached(target, state.target, params, state.approach);
+  } else if (running(state.motion)) {
     const Angle wide = params.motions[state.motion.kind].slew;
     slew = {wide, wide};
     target = played(params.motions, target, state.motion);
@@ -175,6 +185,7 @@ Stance stanceAt(std::size_t tick, const Stance& legs, const ActuatorParams& para
 MotionStatus status(const ActuatorParams& params, const ActuatorState& state) {
   MotionStatus now;
   now.ready = state.ready;
+  now.lying = state.lies && !state.approach.active;
   now.running = state.motion.kind;
   if (running(state.motion)) {
     const std::uint32_t all = ticksOf(params.motions[state.motion.kind]);
@@ -189,7 +200,7 @@ MotionStatus status(const ActuatorParams& params, const ActuatorState& state) {
 
 MotionOutput step(const MotionInput& in, const ActuatorParams& params, ActuatorState& state) {
   if (!state.started) begin(in, params, state);
-  stepLie(in.rest, params, state);
+  stepRest(in, params, state);
   SensedPoses poses;
   for (std::size_t i = 0; i < kTicksPerMessage; ++i) poses[i] = poseOf(in.sensors[i]);
   state.stance = poses.back().stance;
@@ -206,7 +217,11 @@ MotionOutput step(const MotionInput& in, const ActuatorParams& params, ActuatorS
   state.walk.known = false;
   const Asked asked{in.command, asJoints(in.command.head, state.stance)};
   for (JointFrame& frame : out.joints) {
-    tick(asked, params, state);
+    if (state.found) {
+      tickAsFound(state);
+    } else {
+      tick(asked, params, state);
+    }
     frame = {state.target, in.command.leds, earsNow(in.command.ears, params, state)};
   }
   out.odometry = odometry(in, poses, params.odometry, state.odometry);

@@ -50,7 +50,8 @@ struct ActuatorParams {
   OdometryParams odometry;
   GainParams gain;
   FeelingParams feeling;
-  double rampSeconds = 1.0;          // from the sensed pose to the stance
+  double rampSeconds = 1.0;  // from the sensed pose to the stance, or longer by startRate
+  Angle startRate = Angle::deg(60.0);  // per second, of any joint on that way
   double mixSeconds = 0.3;           // from one walk to another
   Angle walkSlew = Angle::deg(4.0);  // per tick, legs while walking (facts-2005 section 6.4)
   Angle headSlew = Angle::deg(4.0);  // per tick
@@ -65,6 +66,7 @@ struct ActuatorParams {
         field("walks", &P::walks), field("motions", &P::motions), field("odometry", &P::odometry),
         field("gain", &P::gain), field("feeling", &P::feeling),
         field("rampSeconds", &P::rampSeconds, "s", 0.2, 10),
+        field("startRate", &P::startRate, "rad", 5, 170),
         field("mixSeconds", &P::mixSeconds, "s", 0.01, 10),
         field("walkSlew", &P::walkSlew, "rad", 0.5, 20),
         field("headSlew", &P::headSlew, "rad", 0.5, 20), field("physical", &P::physical),

@@ -5,6 +5,7 @@
 
 #include <array>
 
+#include "actuator/Approach.h"
 #include "actuator/Effort.h"
 #include "actuator/Feeling.h"
 #include "actuator/HeldBall.h"
@@ -14,8 +15,7 @@
 
 namespace kelpie::actuator {
 
-// From a pose to where the joints are asked to be, in a straight line: at the start, after a
-// motion.
+// From a pose to where the joints are asked to be, in a straight line, after a motion.
 struct BlendState {
   JointAngles from;
   std::uint32_t tick = 0;
@@ -24,8 +24,10 @@ struct BlendState {
 
 struct ActuatorState {
   bool started = false;
-  bool ready = false;  // the start ramp has ended
+  bool ready = false;  // it stands: no approach is under way
+  bool found = false;  // it stays as it was found
   bool lies = false;   // it rests, or is on its way down
+  ApproachState approach;
   BlendState blend;
   JointAngles target;  // last commanded
   Stance stance;       // as last sensed

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "actuator/Lie.h"
 
+#include <cmath>
+
 #include "robot/body/Legs.h"
 
 namespace kelpie::actuator {
@@ -19,19 +21,33 @@ void setLeg(LegId leg, const std::array<double, 3>& pose, JointAngles& target) {
     target.angle[firstJoint(leg) + j] = Angle::deg(pose[j]);
 }
 
+void keepAsFound(const MotionInput& in, JointAngles& target) {
+  const JointAngles& sensed = in.sensors.back().joints;
+  for (std::size_t j = 0; j < kJointCount; ++j) {
+    const bool held = (in.held >> j & 1U) != 0;
+    if (!held && std::isfinite(sensed.angle[j].rad())) target.angle[j] = sensed.angle[j];
+  }
+}
+
+void breakOff(ActuatorState& state) {
+  stopWalk(state.walk);
+  state.blend = {};
+  if (!running(state.motion)) return;
+  state.motion = {};
+  state.motion.answered = true;
+}
+
 }  // namespace
 
-void stepLie(Rest rest, const ActuatorParams& params, ActuatorState& state) {
-  const bool lies = rest != Rest::none;
-  if (lies == state.lies) return;
+void stepRest(const MotionInput& in, const ActuatorParams& params, ActuatorState& state) {
+  const bool found = staysAsFound(in.rest);
+  const bool lies = in.rest != Rest::none && !found;
+  if (found) keepAsFound(in, state.target);
+  if (found == state.found && lies == state.lies) return;
+  state.found = found;
   state.lies = lies;
-  stopWalk(state.walk);
-  if (running(state.motion)) {
-    state.motion = {};
-    state.motion.answered = true;
-  }
-  const double ticks = params.rampSeconds / kTickSeconds + 0.5;
-  state.blend = {state.target, 0, static_cast<std::uint32_t>(ticks)};
+  breakOff(state);
+  begin(params, state.approach);
 }
 
 void lieDown(JointAngles& target) {

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lies down when the robot rests and stands up again afterwards: from wherever the joints are in a
-// straight line to the pose, and back to the stance. A motion that was under way is broken off.
+// What a rest does to the body. For most causes the robot lies down, and stands up again afterwards:
+// from wherever the joints are to the pose, and back to the stance. For some it stays as it was
+// found: a joint that is held stays where it was told to be, one that is not is told to be where it
+// is sensed, so that it is not pulled when it is held again. A motion that was under way is broken
+// off.
 #pragma once
 
 #include "actuator/ActuatorParams.h"
@@ -8,7 +11,7 @@
 
 namespace kelpie::actuator {
 
-void stepLie(Rest rest, const ActuatorParams& params, ActuatorState& state);
+void stepRest(const MotionInput& in, const ActuatorParams& params, ActuatorState& state);
 
 // Legs, head and mouth as they lie.
 void lieDown(JointAngles& target);

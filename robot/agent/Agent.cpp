@@ -6,6 +6,7 @@
 #include <OPENR/OSyslog.h>
 
 #include "entry.h"
+#include "robot/body/Lights.h"
 // After entry.h, which its macros need.
 #include <OPENR/core_macro.h>
 
@@ -55,10 +56,9 @@ OStatus Agent::DoInit(const OSystemEvent&) {
   return newVectors();
 }
 
+// The motors have no power before the loops order it.
 OStatus Agent::DoStart(const OSystemEvent&) {
-  OStatus status = OPENR::SetMotorPower(opowerON);
-  motorPower_ = status == oSUCCESS;
-  if (status == oSUCCESS) status = enableGains();
+  OStatus status = limp();
   if (status == oSUCCESS) status = readPose();
   if (status == oSUCCESS) status = watchPower();
   if (status != oSUCCESS) return status;
@@ -69,6 +69,8 @@ OStatus Agent::DoStart(const OSystemEvent&) {
 }
 
 OStatus Agent::DoStop(const OSystemEvent&) {
+  limp();
+  setPower(false);
   DISABLE_ALL_SUBJECT;
   DEASSERT_READY_TO_ALL_OBSERVER;
   return oSUCCESS;
@@ -127,31 +129,76 @@ OStatus Agent::newVectors() {
   return oSUCCESS;
 }
 
-OStatus Agent::enableGains() {
-  for (const OPrimitiveID joint : ids_.joints) {
-    const OStatus status = OPENR::EnableJointGain(joint);
-    if (status != oSUCCESS) return status;
-  }
-  return setGains({});
+// No joint is held.
+OStatus Agent::limp() {
+  gains_ = {};
+  return OPENR::DisableJointGain(oprimitiveID_UNDEF);
 }
 
-OStatus Agent::setGains(body::LegGain legs) {
-  const body::JointGain shift = body::kGainShift;
-  for (std::size_t i = 0; i < kJointCount; ++i) {
-    const body::JointGain gain = body::gainOf(static_cast<Joint>(i), legs);
-    const OStatus status =
-        OPENR::SetJointGain(ids_.joints[i], gain.p, gain.i, gain.d, shift.p, shift.i, shift.d);
-    if (status != oSUCCESS) return status;
-  }
-  legGain_ = legs;
-  return oSUCCESS;
+// Gains go before the power does, and come after it.
+void Agent::obey(const MotorsOut& motors, body::LegGain legs) {
+  if (motors.rest != told_)
+    OSYSLOG1((osyslogINFO, "motors: %s", body::nameOf(motors.rest)));
+  told_ = motors.rest;
+  if (motors.order.power) setPower(true);
+  setGains(motors.order, legs);
+  if (!motors.order.power) setPower(false);
+  if (motors.order.shutDown && !shutDown_) shutDown();
 }
 
-// Weak or soft legs and back, when the motion loop says so.
-void Agent::changeGains(body::LegGain legs) {
-  if (legs == legGain_) return;
-  const OStatus status = setGains(legs);
-  if (status != oSUCCESS) OSYSLOG1((osyslogERROR, "joint gains refused: %u", unsigned(status)));
+void Agent::setPower(bool on) {
+  if (on == power_) return;
+  const OStatus status = OPENR::SetMotorPower(on ? opowerON : opowerOFF);
+  if (status != oSUCCESS)
+    OSYSLOG1(
+        (osyslogERROR, "motors: power %s is refused: %u", on ? "on" : "off", unsigned(status)));
+  if (status == oSUCCESS) power_ = on;
+  sent_ = taken_ = false;
+}
+
+void Agent::setGains(const MotorOrder& order, body::LegGain legs) {
+  for (std::size_t i = 0; i < kJointCount; ++i) setGain(i, order.strength[i], legs);
+}
+
+// Told only when it changes. No gain comes before a target has been taken.
+void Agent::setGain(std::size_t joint, double strength, body::LegGain legs) {
+  ToldGain& now = gains_[joint];
+  const OPrimitiveID id = ids_.joints[joint];
+  if (strength <= 0.0 || !taken_) {
+    if (now.on) OPENR::DisableJointGain(id);
+    now.on = false;
+    return;
+  }
+  const body::JointGain full = body::gainOf(static_cast<Joint>(joint), legs);
+  const body::JointGain gain = strength < 1.0 ? body::withShare(full, strength) : full;
+  if (now.on && now.gain == gain) return;
+  OStatus status = now.on ? oSUCCESS : OPENR::EnableJointGain(id);
+  const body::JointGain& shift = body::kGainShift;
+  if (status == oSUCCESS)
+    status = OPENR::SetJointGain(id, gain.p, gain.i, gain.d, shift.p, shift.i, shift.d);
+  if (status != oSUCCESS)
+    OSYSLOG1((osyslogERROR, "gain of %s refused: %u", openr::kJointLocators[joint],
+              unsigned(status)));
+  now = {status == oSUCCESS, gain};
+}
+
+std::uint32_t Agent::held() const {
+  std::uint32_t joints = 0;
+  for (std::size_t i = 0; i < kJointCount; ++i) joints |= gains_[i].on ? 1U << i : 0U;
+  return joints;
+}
+
+// As Sony's PowerMonitor: nobody listens to the power any more, and the pause switch starts the
+// robot again.
+void Agent::shutDown() {
+  shutDown_ = true;
+  OPENR::UnobservePowerStatus(OServiceEntry(myOID_, Extra_Entry[entryNotifyPower]));
+  const OStatus status = OPENR::Shutdown(OBootCondition(obcbPAUSE_SW));
+  if (status != oSUCCESS) OSYSLOG1((osyslogERROR, "shutdown refused: %u", unsigned(status)));
+}
+
+void Agent::ReadyEffector(const OReadyEvent& event) {
+  if (event.IsAssert() && sent_) taken_ = true;
 }
 
 // One question at the start, which waits for another object's answer; from then on the system tells
@@ -175,9 +222,11 @@ void Agent::NotifyPower(void* message) {
 void Agent::takePower(const OPowerStatus& status) {
   const PowerReport report = reportOf(status);
   motionInput_.batteryCurrent = report.current;
-  // The robot cuts the power for a jam; the gains do not outlive that for sure.
-  if (report.motorPower && !motorPower_ && enableGains() != oSUCCESS)
-    OSYSLOG1((osyslogERROR, "the gains cannot be enabled again"));
+  // The robot cuts the power for a jam. The gains do not outlive that for sure, and must not.
+  if (!report.motorPower && motorPower_) {
+    limp();
+    power_ = sent_ = taken_ = false;
+  }
   motorPower_ = report.motorPower;
   loops_.power(report);
 }
@@ -192,7 +241,7 @@ OStatus Agent::readPose() {
     OJointValue value;
     const OStatus status = OPENR::GetJointValue(ids_.joints[i], &value);
     if (status != oSUCCESS) return status;
-    pose.target.angle[i] = Angle::rad(value.value * openr::kMicroradian);
+    pose.target.angle[i] = sensedAngle(static_cast<Joint>(i), value.value);
   }
   held_.fill(pose);
   return oSUCCESS;
@@ -202,10 +251,11 @@ void Agent::NotifySensor(const ONotifyEvent& event) {
   auto& vector = vectorOf<OSensorFrameVectorData>(event);
   if (readSensors(vector)) {
     motionInput_.time = lastTick(vector);
+    motionInput_.held = held();
     const MotionOutput& output = loops_.motion(motionInput_);
+    obey(loops_.motors(), {output.status.lowGain, output.status.legGain});
     // At the start, or when the joints ran dry: a second vector ahead.
     if (inFlight() == 0) sendHeld();
-    changeGains({output.status.lowGain, output.status.legGain});
     send(output.joints);
   }
   radio_.tick(now());
@@ -244,6 +294,7 @@ void Agent::send(const std::array<JointFrame, kTicksPerMessage>& frames) {
     writeCommands(frames, *vector.data);
     subject[sbjEffector]->SetData(vector.region);
     subject[sbjEffector]->NotifyObservers();
+    sent_ = power_;
     return;
   }
   OSYSLOG1((osyslogWARNING, "no free command vector: 32 ms of joint targets are lost"));

@@ -34,7 +34,8 @@ class Agent : public OObject {
   OStatus DoStop(const OSystemEvent& event) override;
   OStatus DoDestroy(const OSystemEvent& event) override;
 
-  void ReadyEffector(const OReadyEvent&) {}  // targets are sent when sensors arrive
+  // Targets are sent when sensors arrive; that one was taken tells that gains may follow.
+  void ReadyEffector(const OReadyEvent& event);
   void NotifySensor(const ONotifyEvent& event);
   void NotifyImage(const ONotifyEvent& event);
   // An OPowerStatusMessage: the state of the battery or of the pause switch has changed.
@@ -51,6 +52,12 @@ class Agent : public OObject {
   // Two in flight and one to fill.
   static constexpr std::size_t kVectors = 3;
 
+  // What a joint was told last.
+  struct ToldGain {
+    bool on = false;
+    body::JointGain gain{};
+  };
+
   struct CommandVector {
     MemoryRegionID memory = 0;
     OCommandVectorData* data = nullptr;
@@ -59,9 +66,13 @@ class Agent : public OObject {
 
   OStatus openPrimitives();
   OStatus newVectors();
-  OStatus enableGains();
-  OStatus setGains(body::LegGain legs);
-  void changeGains(body::LegGain legs);
+  OStatus limp();
+  void obey(const MotorsOut& motors, body::LegGain legs);
+  void setPower(bool on);
+  void setGains(const MotorOrder& order, body::LegGain legs);
+  void setGain(std::size_t joint, double strength, body::LegGain legs);
+  void shutDown();
+  std::uint32_t held() const;
   OStatus watchPower();
   void takePower(const OPowerStatus& status);
   OStatus readPose();
@@ -80,8 +91,13 @@ class Agent : public OObject {
   MotionInput motionInput_;
   std::array<JointFrame, kTicksPerMessage> held_{};  // the last targets, at first the sensed pose
   Image image_;
-  body::LegGain legGain_;    // what the legs were told last
+  std::array<ToldGain, kJointCount> gains_{};
+  bool power_ = false;       // asked for
   bool motorPower_ = false;  // as the system said last
+  bool sent_ = false;        // targets, since the power was asked for
+  bool taken_ = false;       // so, and the effectors were ready for more
+  bool shutDown_ = false;
+  Rest told_ = Rest::none;   // in the system's log
   bool clockKnown_ = false;
   TimeUs tickZero_;  // system time of sensor tick 0
 };

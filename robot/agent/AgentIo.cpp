@@ -46,8 +46,8 @@ T partOf(const OSensorValue& value, std::size_t offset) {
   return part;
 }
 
-slongword toMicroradians(Angle angle) {
-  return static_cast<slongword>(std::floor(angle.rad() / openr::kMicroradian + 0.5));
+slongword toMicroradians(double radians) {
+  return static_cast<slongword>(std::floor(radians / openr::kMicroradian + 0.5));
 }
 
 OCommandValue ledCommand(std::size_t led, bool on) {
@@ -112,16 +112,18 @@ void SensorReader::readTick(OSensorFrameVectorData& vector, std::size_t tick, Se
     if (joints_[i] == kAbsent) continue;
     const OSensorValue& raw = vector.GetData(joints_[i])->frame[tick];
     const auto angle = partOf<slongword>(raw, offsetof(OJointValue, value));
-    frame.joints.angle[i] = Angle::rad(static_cast<double>(angle) * openr::kMicroradian);
-    frame.duty[i] = partOf<sword>(raw, offsetof(OJointValue, pwmDuty)) / openr::kFullDuty;
+    const double sense = senses_.joints[i];
+    frame.joints.angle[i] = Angle::rad(sense * static_cast<double>(angle) * openr::kMicroradian);
+    frame.duty[i] = sense * partOf<sword>(raw, offsetof(OJointValue, pwmDuty)) / openr::kFullDuty;
   }
   setLength(value(vector, Sensor::headNear, tick), frame.headNearDistance);
   setLength(value(vector, Sensor::headFar, tick), frame.headFarDistance);
   setLength(value(vector, Sensor::chest, tick), frame.chestDistance);
   setLength(value(vector, Sensor::accelerationBack, tick), frame.acceleration[0]);
-  frame.acceleration[0] = -frame.acceleration[0];
   setLength(value(vector, Sensor::accelerationLeft, tick), frame.acceleration[1]);
-  setLength(value(vector, Sensor::accelerationUp, tick), frame.acceleration[2]);
+  setLength(value(vector, Sensor::accelerationDown, tick), frame.acceleration[2]);
+  for (std::size_t i = 0; i < frame.acceleration.size(); ++i)
+    frame.acceleration[i] *= senses_.acceleration[i];
   readTouch(vector, tick, frame);
 }
 
@@ -162,10 +164,11 @@ void prepareCommands(OCommandVectorData& vector, const PrimitiveIds& ids) {
 }
 
 void writeCommands(const std::array<JointFrame, kTicksPerMessage>& frames,
-                   OCommandVectorData& vector) {
+                   OCommandVectorData& vector, const Senses& senses) {
   for (std::size_t tick = 0; tick < kTicks; ++tick) {
     for (std::size_t i = 0; i < kJointCount; ++i) {
-      const OJointCommandValue2 order = {toMicroradians(frames[tick].target.angle[i]), 0};
+      const double angle = senses.joints[i] * frames[tick].target.angle[i].rad();
+      const OJointCommandValue2 order = {toMicroradians(angle), 0};
       std::memcpy(&dataAt(vector, i).value[tick], &order, sizeof order);
     }
     for (std::size_t i = 0; i < openr::kLedCount; ++i) {
@@ -178,12 +181,21 @@ void writeCommands(const std::array<JointFrame, kTicksPerMessage>& frames,
   }
 }
 
+Angle sensedAngle(Joint joint, slongword raw) {
+  constexpr Senses kSenses = robotSenses();
+  return Angle::rad(kSenses.joints[index(joint)] * static_cast<double>(raw) * openr::kMicroradian);
+}
+
 PowerReport reportOf(const OPowerStatus& status) {
   const auto has = [&](longword bit) { return (status.robotStatus & bit) != 0; };
   PowerReport report;
   report.paused = has(orsbPAUSE);
   report.batteryLow = has(orsbBATTERY_CAPACITY_LOW) ||
                       (status.batteryStatus & obsbTERMINATED_DISCHARGING_ALARM) != 0;
+  report.overCurrent = has(orsbBATTERY_OVER_CURRENT);
+  report.hot = has(orsbBATTERY_OVER_TEMP_DISCHARGING) ||
+               (status.batteryStatus & obsbOVER_TEMP_ALARM) != 0;
+  report.fanFault = has(orsbERROR_OF_FAN);
   report.motorPower = has(orsbMOTOR_POWER);
   report.current = status.current < 0 ? -status.current : status.current;
   return report;

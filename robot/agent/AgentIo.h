@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Between OPEN-R's data vectors and Kelpie's frame structs: microradians and micrometres become
-// radians and centimetres here and nowhere else. Vectors come from outside, so that a wrong type,
+// radians and centimetres here and nowhere else, and the robot's signs become Kelpie's. Vectors come from outside, so that a wrong type,
 // size or count is refused, not read.
 #pragma once
 
@@ -10,6 +10,7 @@
 #include <array>
 
 #include "robot/agent/PowerReport.h"
+#include "robot/agent/Senses.h"
 #include "robot/core/Image.h"
 #include "robot/core/Motion.h"
 #include "robot/openr/Ers7Primitives.h"
@@ -30,6 +31,8 @@ class SensorReader {
  public:
   static constexpr int kAbsent = -1;
 
+  explicit SensorReader(const Senses& senses = robotSenses()) : senses_(senses) {}
+
   // The number of primitives that the vector lacks; their values keep their defaults. A vector is
   // not const anywhere here, because OPEN-R's accessors are not.
   std::size_t match(OSensorFrameVectorData& vector, const PrimitiveIds& ids);
@@ -44,6 +47,7 @@ class SensorReader {
   const OSensorValue* value(OSensorFrameVectorData& vector, openr::Sensor sensor,
                             std::size_t tick) const;
 
+  Senses senses_;
   bool matched_ = false;
   std::size_t count_ = 0;
   std::array<int, kJointCount> joints_{};
@@ -58,7 +62,10 @@ constexpr std::size_t kCommandCount = kFirstEar + openr::kEarCount;
 // Type, primitive and number of frames of each command; these never change.
 void prepareCommands(OCommandVectorData& vector, const PrimitiveIds& ids);
 void writeCommands(const std::array<JointFrame, kTicksPerMessage>& frames,
-                   OCommandVectorData& vector);
+                   OCommandVectorData& vector, const Senses& senses = robotSenses());
+
+// A joint's raw value, as OPENR::GetJointValue has it.
+Angle sensedAngle(Joint joint, slongword raw);
 
 PowerReport reportOf(const OPowerStatus& status);
 

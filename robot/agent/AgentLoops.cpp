@@ -39,26 +39,44 @@ AgentLoops::AgentLoops(const AgentConfig& config, const std::string& scripts, Lo
       listens_(config.game),
       game_(net::listenerFor(config.team, config.player)) {}
 
-Rest AgentLoops::restAt(TimeUs time) {
-  const Rest power = step(PowerWatchInput{time, power_}, PowerWatchParams{}, powerWatch_);
-  const bool blind = step(WatchdogInput{time, imageCame_}, WatchdogParams{}, watchdog_);
+Rest AgentLoops::causeNow(const MotionInput& in) {
+  const Rest power = step(PowerWatchInput{in.time, power_}, PowerWatchParams{}, powerWatch_);
+  const bool blind = step(WatchdogInput{in.time, imageCame_}, WatchdogParams{}, watchdog_);
+  const bool stuck = step(in, JointWatchParams{}, jointWatch_).has_value();
   imageCame_ = false;
   if (power != Rest::none) return power;
+  if (stuck) return Rest::jointStuck;
   return blind ? Rest::blind : Rest::none;
+}
+
+// A person has asked for play who has told of a match, by radio or by a button, or who drives.
+void AgentLoops::decideMotors(const MotionInput& in) {
+  MotorsIn motors;
+  motors.time = in.time;
+  motors.report = power_;
+  motors.cause = causeNow(in);
+  motors.held = in.held;
+  motors.asked = game_.heard || game_.game.state != PlayState::initial || drive_.present;
+  motors.pressed = in.sensors.back().headTouch >= listens_.buttons.headThreshold;
+  motors.lying = motionOutput_ != nullptr && motionOutput_->status.lying;
+  motors_ = step(motors, MotorsParams{}, motorsState_);
 }
 
 Command AgentLoops::forTheBody() const {
   const Command asked = askedIn(frame_);
-  return rest_ == Rest::none ? asked : restCommand(asked, game_.game, rest_);
+  return motors_.rest == Rest::none ? asked : restCommand(asked, game_.game, motors_.rest);
 }
 
 const MotionOutput& AgentLoops::motion(const MotionInput& withoutCommand) {
   motionInput_.time = withoutCommand.time;
   motionInput_.sensors = withoutCommand.sensors;
   motionInput_.batteryCurrent = withoutCommand.batteryCurrent;
-  motionInput_.rest = rest_ = restAt(withoutCommand.time);
+  motionInput_.held = withoutCommand.held;
+  decideMotors(motionInput_);
+  motionInput_.rest = motors_.rest;
   motionInput_.command = forTheBody();
   motionOutput_ = &motionLoop_.step(motionInput_, silent_);
+  told(motionOutput_->joints.back().target, jointWatch_);
   for (std::size_t tick = 0; tick < motionInput_.sensors.size(); ++tick) {
     const auto back = static_cast<std::int64_t>(motionInput_.sensors.size() - 1 - tick) * kTickUs;
     const TimeUs then{motionInput_.time.us - back};

@@ -9,9 +9,11 @@
 
 #include "robot/agent/FrameLoop.h"
 #include "robot/agent/JointTrack.h"
+#include "robot/agent/JointWatch.h"
 #include "robot/agent/LogSink.h"
 #include "robot/agent/Loops.h"
 #include "robot/agent/MotionLoop.h"
+#include "robot/agent/Motors.h"
 #include "robot/agent/OdometryTrack.h"
 #include "robot/agent/PowerWatch.h"
 #include "robot/agent/Watchdog.h"
@@ -25,6 +27,7 @@ class AgentLoops : public Loops {
   AgentLoops(const AgentConfig& config, const std::string& scripts, LogSink& log);
 
   const MotionOutput& motion(const MotionInput& withoutCommand) override;
+  const MotorsOut& motors() const override { return motors_; }
   void power(const PowerReport& report) override { power_ = report; }
   void camera(const Image& image, TimeUs exposureMiddle, std::uint32_t number) override;
 
@@ -36,7 +39,8 @@ class AgentLoops : public Loops {
   const std::string& scriptError() const { return frameLoop_.scriptError(); }
 
  private:
-  Rest restAt(TimeUs time);
+  Rest causeNow(const MotionInput& in);
+  void decideMotors(const MotionInput& in);
   Command forTheBody() const;
 
   FrameLoop frameLoop_;
@@ -53,7 +57,9 @@ class AgentLoops : public Loops {
   PowerWatchState powerWatch_;
   WatchdogState watchdog_;
   bool imageCame_ = false;  // since the last motion message
-  Rest rest_ = Rest::none;
+  JointWatchState jointWatch_;
+  MotorsState motorsState_;
+  MotorsOut motors_;
   MotionInput motionInput_;
   const MotionOutput* motionOutput_ = nullptr;
   FrameInput input_;  // a member because of its size

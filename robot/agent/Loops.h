@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "robot/agent/Motors.h"
 #include "robot/agent/PowerReport.h"
 #include "robot/core/ControlPacket.h"
 #include "robot/core/Image.h"
@@ -17,9 +18,12 @@ class Loops {
  public:
   virtual ~Loops() = default;
 
-  // Every 32 ms. Time is that of the last of the four ticks; the command is left for the loops to
-  // fill in. The result is valid until the next call.
+  // Every 32 ms. Time is that of the last of the four ticks; command and rest are left for the
+  // loops to fill in. The result is valid until the next call.
   virtual const MotionOutput& motion(const MotionInput& withoutCommand) = 0;
+
+  // What the last motion wants of the motors' power and gains, and why the robot does not play.
+  virtual const MotorsOut& motors() const = 0;
 
   // At the start, and when something of it has changed.
   virtual void power(const PowerReport& report) = 0;

@@ -5,10 +5,13 @@
 namespace kelpie::agent {
 
 struct PowerReport {
-  bool paused = false;      // the pause switch was pressed
-  bool batteryLow = false;  // too little is left, or the battery wants to end
-  bool motorPower = true;   // the motors are powered; false as well when the robot cut it for a jam
-  double current = 0.0;     // drawn from the battery, mA
+  bool paused = false;       // the pause switch was pressed
+  bool batteryLow = false;   // too little is left, or the battery wants to end
+  bool overCurrent = false;  // the battery gives more than it should
+  bool hot = false;          // the battery
+  bool fanFault = false;     // of the fan that cools the processor
+  bool motorPower = true;    // the motors are powered; false as well when the robot cut it for a jam
+  double current = 0.0;      // drawn from the battery, mA
 };
 
 }  // namespace kelpie::agent

@@ -4,23 +4,24 @@
 namespace kelpie::agent {
 namespace {
 
-Rest causeIn(const PowerReport& report, bool powered) {
+Rest causeIn(const PowerReport& report) {
   if (report.paused) return Rest::paused;
-  if (powered && !report.motorPower) return Rest::powerless;
+  if (report.overCurrent) return Rest::overCurrent;
+  if (report.hot) return Rest::hot;
+  if (report.fanFault) return Rest::fan;
   return report.batteryLow ? Rest::batteryLow : Rest::none;
 }
 
 }  // namespace
 
 Rest step(const PowerWatchInput& in, const PowerWatchParams& params, PowerWatchState& state) {
-  state.powered = state.powered || in.report.motorPower;
-  const Rest cause = causeIn(in.report, state.powered);
+  const Rest cause = causeIn(in.report);
   if (cause == Rest::none) {
     if (in.time.us >= state.until.us) state.rest = Rest::none;
     return state.rest;
   }
-  const bool battery = cause == Rest::batteryLow;
-  const double settles = battery ? params.batterySeconds : params.settleSeconds;
+  const bool pause = cause == Rest::paused;
+  const double settles = pause ? params.settleSeconds : params.batterySeconds;
   state.rest = cause;
   state.until = {in.time.us + TimeUs::fromSeconds(settles).us};
   return state.rest;

@@ -10,8 +10,8 @@
 namespace kelpie::agent {
 
 struct PowerWatchParams {
-  double settleSeconds = 1.0;    // from the end of a pause or of a jam to standing up
-  double batterySeconds = 30.0;  // so of a battery that was low
+  double settleSeconds = 1.0;    // from the end of a pause to standing up
+  double batterySeconds = 30.0;  // so of a battery that was low, too hot or too hard at work
 };
 
 struct PowerWatchInput {
@@ -20,7 +20,6 @@ struct PowerWatchInput {
 };
 
 struct PowerWatchState {
-  bool powered = false;  // the motors have had power once: before that it is not lost
   Rest rest = Rest::none;
   TimeUs until;  // the cause counts on
 };

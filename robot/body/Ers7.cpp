@@ -10,7 +10,8 @@ struct Step {
   double lowest;
 };
 
-// Rotator forward of the middle for front legs, backward for hind legs; spec openr.md 5.6.
+// By the manual's table of the two joints (openr.md 5.6), whose rows for hind legs are in the
+// robot's sign: positive is backward there.
 constexpr std::array<Step, 9> kFrontAhead = {
     {{20, -10}, {25, -9}, {30, -8}, {40, -7}, {45, -6}, {50, -5}, {55, -4}, {65, -3}, {180, -2}}};
 constexpr std::array<Step, 10> kFrontBehind = {{{10, -10},
@@ -23,7 +24,7 @@ constexpr std::array<Step, 10> kFrontBehind = {{{10, -10},
                                                 {55, -3},
                                                 {75, -2},
                                                 {180, -1}}};
-constexpr std::array<Step, 11> kHindAhead = {{{15, -10},
+constexpr std::array<Step, 11> kHindBehind = {{{15, -10},
                                               {20, -9},
                                               {25, -8},
                                               {30, -7},
@@ -34,7 +35,7 @@ constexpr std::array<Step, 11> kHindAhead = {{{15, -10},
                                               {60, -2},
                                               {70, -1},
                                               {180, 0}}};
-constexpr std::array<Step, 11> kHindBehind = {{{10, -10},
+constexpr std::array<Step, 11> kHindAhead = {{{10, -10},
                                                {15, -9},
                                                {20, -8},
                                                {25, -7},
@@ -53,12 +54,6 @@ double lowestAt(const Steps& steps, double rotator) {
   return steps.back().lowest;
 }
 
-// Whole numbers, and never none: a joint without gain is not held at all.
-JointGain withShare(JointGain gain, double share) {
-  const double p = maths::clamp(share * gain.p + 0.5, 1.0, 255.0);
-  return {static_cast<std::uint8_t>(p), gain.i, gain.d};
-}
-
 }  // namespace
 
 double lowestShoulder(LegId leg, double rotator) {
@@ -66,6 +61,11 @@ double lowestShoulder(LegId leg, double rotator) {
   if (front)
     return rotator >= 0 ? lowestAt(kFrontAhead, rotator) : lowestAt(kFrontBehind, -rotator);
   return rotator >= 0 ? lowestAt(kHindAhead, rotator) : lowestAt(kHindBehind, -rotator);
+}
+
+JointGain withShare(JointGain gain, double share) {
+  const double p = maths::clamp(share * gain.p + 0.5, 1.0, 255.0);
+  return {static_cast<std::uint8_t>(p), gain.i, gain.d};
 }
 
 JointGain gainOf(Joint joint, LegGain legs) {

@@ -36,7 +36,8 @@ struct JointRange {
   double max;
 };
 
-// In the order of Joint. Front and hind rotators are mirrored.
+// In the order of Joint. The robot counts a hind rotator from -130 to 115, away from the body
+// (robot/agent/Senses.h); forward positive it has the range of a front one.
 constexpr std::array<JointRange, kJointCount> kJointRanges = {{
     {-75, 0},
     {-88, 88},
@@ -45,13 +46,13 @@ constexpr std::array<JointRange, kJointCount> kJointRanges = {{
     {-115, 130},
     {-10, 88},
     {-25, 122},  // left front
-    {-130, 115},
+    {-115, 130},
     {-10, 88},
     {-25, 122},  // left hind
     {-115, 130},
     {-10, 88},
     {-25, 122},  // right front
-    {-130, 115},
+    {-115, 130},
     {-10, 88},
     {-25, 122},  // right hind
     {5, 60},
@@ -65,6 +66,10 @@ struct JointGain {
   std::uint8_t p;
   std::uint8_t i;
   std::uint8_t d;
+
+  bool operator==(const JointGain& other) const {
+    return p == other.p && i == other.i && d == other.d;
+  }
 };
 constexpr JointGain kNeckTiltGain = {0x0A, 0x04, 0x02};
 constexpr JointGain kHeadPanGain = {0x08, 0x02, 0x04};
@@ -88,6 +93,9 @@ struct LegGain {
   bool operator!=(const LegGain& other) const { return !(*this == other); }
 };
 
+// With a share of its proportional gain: whole numbers, and never none, since a joint without gain
+// is not held at all.
+JointGain withShare(JointGain gain, double share);
 // What a joint is told; but for legs its standard gain.
 JointGain gainOf(Joint joint, LegGain legs);
 // Mean of the leg joints' proportional gain over the standard one: 0.55 where it is low.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robot/body/Lights.h"
 
+#include <array>
+
 namespace kelpie::body {
 namespace {
 
@@ -10,6 +12,26 @@ constexpr std::uint32_t kFailed = 1U << (kFirstFaceLight + 11U);
 constexpr std::uint32_t kPair = 3;
 constexpr double kFaultHalfPeriods = 4.0;  // 1/s
 constexpr std::uint32_t kRoles = ((1U << (2U * (kRoleCount - 1U))) - 1U) << kFirstFaceLight;
+
+// In the order of Rest: which of the face's lights from the 11th on, and why.
+struct RestRow {
+  std::uint32_t lights;
+  const char* name;
+};
+constexpr std::array<RestRow, kRestCount> kRests = {{
+    {0b0000, "it plays"},
+    {0b0011, "the pause switch is pressed"},
+    {0b0100, "the battery is low"},
+    {0b1100, "the motors have no power"},
+    {0b1000, "no image comes"},
+    {0b1001, "the joints get their gains"},
+    {0b0001, "it waits until a person asks it to stand"},
+    {0b1010, "it is lifted"},
+    {0b0101, "the battery gives too much current"},
+    {0b0110, "the battery is too hot"},
+    {0b0111, "the fan stands still"},
+    {0b1110, "a joint does not follow"},
+}};
 
 }  // namespace
 
@@ -43,16 +65,10 @@ std::uint32_t faultLights(std::uint32_t number, TimeUs time) {
 }
 
 std::uint32_t lightsOf(Rest rest) {
-  constexpr std::uint32_t k11 = 1U << (kFirstFaceLight + 10U);
-  switch (rest) {
-    case Rest::none: return 0;
-    case Rest::paused: return k11 | k11 << 1U;
-    case Rest::batteryLow: return k11 << 2U;
-    case Rest::powerless: return k11 << 2U | k11 << 3U;
-    case Rest::blind: break;
-  }
-  return k11 << 3U;
+  return kRests[static_cast<std::size_t>(rest)].lights << (kFirstFaceLight + 10U);
 }
+
+const char* nameOf(Rest rest) { return kRests[static_cast<std::size_t>(rest)].name; }
 
 std::uint32_t lightsOf(Fallback fallback) { return fallback == Fallback::none ? 0U : kFailed; }
 

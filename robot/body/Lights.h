@@ -10,8 +10,11 @@
 //   a fault         red above the ears goes on and off twice a second, which no state of the game
 //                   does; as many lights of the face are lit as the fault's number, from the first
 //
-//   the face, low   why it lies down in place of playing: paused 11 and 12, battery low 13, motors
-//                   without power 13 and 14, no image 14; none of it while it plays
+//   the face, low   why it does not play: it waits to be asked 11, is getting its gains 11 and 14;
+//                   is lifted 12 and 14; paused 11 and 12, battery low 13, motors without power 13
+//                   and 14, no image 14; the battery gives too much current 11 and 13, is too hot
+//                   12 and 13, the fan stands still 11 to 13, a joint does not follow 12 to 14;
+//                   none of it while it plays
 //   the face, 12    the behaviours have failed in this frame: it stands and scans
 //
 // The other lights are the behaviours' to use. Which light has which colour is told by Tekkotsu's
@@ -39,6 +42,8 @@ std::uint32_t lightsOf(PlayState state, bool penalised);
 std::uint32_t lightsOf(TeamColour team);
 std::uint32_t lightsOf(Role role);
 std::uint32_t lightsOf(Rest rest);
+// For a line of the log.
+const char* nameOf(Rest rest);
 std::uint32_t lightsOf(Fallback fallback);
 
 // What a robot shows that will not walk because of a fault; more than 14 show 14.

@@ -32,6 +32,7 @@ enum class Joint : std::uint8_t {
   tailPan,
 };
 constexpr std::size_t kJointCount = 18;
+constexpr std::uint32_t kAllJoints = (1U << kJointCount) - 1U;  // bit i: joint i
 
 enum class LegId : std::uint8_t { leftFront, leftHind, rightFront, rightHind };  // OPEN-R r2..r5
 constexpr std::size_t kLegCount = 4;

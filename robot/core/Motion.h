@@ -79,24 +79,47 @@ struct Odometry {
   }
 };
 
-// Why a robot lies down in place of playing: the pause switch, a battery that is nearly empty,
-// motors without power (the robot cuts it when a joint is jammed), or no image for a while.
-enum class Rest : std::uint8_t { none, paused, batteryLow, powerless, blind };
-constexpr std::uint8_t kRestCount = 5;
+// Why a robot does not play. It lies down for the pause switch, a battery that is nearly empty or
+// gives too much current, heat, a fan that stands still, a joint that does not follow, and when no
+// image has come for a while. It stays as it was found while its motors have no power (the robot
+// cuts it when a joint is jammed), while they are powered up one after the other, until a person
+// has asked it to stand, and while it is lifted off the ground.
+enum class Rest : std::uint8_t {
+  none,
+  paused,
+  batteryLow,
+  powerless,
+  blind,
+  starting,
+  unasked,
+  lifted,
+  overCurrent,
+  hot,
+  fan,
+  jointStuck,
+};
+constexpr std::uint8_t kRestCount = 12;
+
+constexpr bool staysAsFound(Rest rest) {
+  return rest == Rest::powerless || rest == Rest::starting || rest == Rest::unasked ||
+         rest == Rest::lifted;
+}
 
 struct MotionInput {
   TimeUs time;  // of the last tick in the message
   std::array<SensorFrame, kTicksPerMessage> sensors{};
   double batteryCurrent = 0.0;  // drawn, mA
   Command command;
-  Rest rest = Rest::none;  // not none: lie, whatever the command asks of the legs
+  Rest rest = Rest::none;  // not none: lie or stay, whatever the command asks of the legs
+  std::uint32_t held = kAllJoints;  // bit i: joint i has a gain, so that its motor holds it
 
   static constexpr auto fields() {
     return fieldList(field("time", &MotionInput::time, "us"),
                      field("sensors", &MotionInput::sensors),
                      field("batteryCurrent", &MotionInput::batteryCurrent, "mA", 0, 2e4),
                      field("command", &MotionInput::command),
-                     field("rest", &MotionInput::rest, "", 0, kRestCount - 1));
+                     field("rest", &MotionInput::rest, "", 0, kRestCount - 1),
+                     field("held", &MotionInput::held));
   }
 };
 
@@ -138,7 +161,8 @@ struct Feeling {
 struct MotionStatus {
   MotionKind running = MotionKind::none;  // the special motion under way
   double secondsLeft = 0.0;
-  bool ready = false;    // the start ramp has ended
+  bool ready = false;    // it stands; false on the way up
+  bool lying = false;    // it rests, and has lain down
   double effort = 0.0;   // mean over the last step of the hardest working leg joint's duty, 0..1;
                          // 0 while not walking (thesis 2004 section 2.2.4)
   bool lowGain = false;  // the leg joints are held weakly, to spare the battery
@@ -149,7 +173,7 @@ struct MotionStatus {
   static constexpr auto fields() {
     return fieldList(field("running", &MotionStatus::running, "", 0, kMotionKindCount - 1),
                      field("secondsLeft", &MotionStatus::secondsLeft, "s", 0, 10),
-                     field("ready", &MotionStatus::ready),
+                     field("ready", &MotionStatus::ready), field("lying", &MotionStatus::lying),
                      field("effort", &MotionStatus::effort, "", 0, 1),
                      field("lowGain", &MotionStatus::lowGain),
                      field("legGain", &MotionStatus::legGain, "", 0.2, 1),

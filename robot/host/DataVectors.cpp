@@ -37,10 +37,10 @@ std::vector<OPrimitiveID> sensedPrimitives(std::uint64_t orderSeed) {
   return ids;
 }
 
-OSensorValue rawFrame(OPrimitiveID id, const SensorFrame& frame) {
+OSensorValue valueFrom(OPrimitiveID id, const RawSensors& frame) {
   const OPrimitiveID firstSensor = identifier({PrimitiveKind::sensor, 0});
-  if (id >= firstSensor) return rawSensor(static_cast<openr::Sensor>(id - firstSensor), frame);
-  const OJointValue joint = rawJoint(id - identifier({PrimitiveKind::joint, 0}), frame);
+  if (id >= firstSensor) return sensorValue(static_cast<openr::Sensor>(id - firstSensor), frame);
+  const OJointValue joint = jointValue(id - identifier({PrimitiveKind::joint, 0}), frame);
   OSensorValue raw;
   std::memcpy(&raw, &joint, sizeof raw);
   return raw;
@@ -74,7 +74,7 @@ class CommandReader {
     for (std::size_t tick = 0; tick < kMaxVectorTicks; ++tick) {
       OJointCommandValue2 value;
       std::memcpy(&value, &data.value[std::min(tick, frames - 1)], sizeof value);
-      out_.targets[tick].angle[index] = Angle::rad(value.value * openr::kMicroradian);
+      out_.targets[tick].value[index] = static_cast<std::int32_t>(value.value);
     }
   }
   void led(std::size_t index, bool switched, const OCommandValue& last) {
@@ -118,13 +118,13 @@ RCRegion* newSensorRegion(std::uint64_t orderSeed) {
 }
 
 void fillSensors(RCRegion& region, std::uint32_t firstTick,
-                 const std::array<SensorFrame, kTicksPerMessage>& frames) {
+                 const std::array<RawSensors, kTicksPerMessage>& frames) {
   auto& vector = vectorIn<OSensorFrameVectorData>(region);
   for (int i = 0; i < static_cast<int>(vector.vectorInfo.numData); ++i) {
     OSensorFrameInfo& info = *vector.GetInfo(i);
     info.frameNumber = firstTick % oframeMAX_NUMBER;
     for (std::size_t tick = 0; tick < frames.size(); ++tick) {
-      vector.GetData(i)->frame[tick] = rawFrame(info.primitiveID, frames[tick]);
+      vector.GetData(i)->frame[tick] = valueFrom(info.primitiveID, frames[tick]);
     }
   }
 }

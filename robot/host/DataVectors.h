@@ -19,7 +19,7 @@ class RobotPrimitives;
 // robot's is not documented either.
 RCRegion* newSensorRegion(std::uint64_t orderSeed);
 void fillSensors(RCRegion& region, std::uint32_t firstTick,
-                 const std::array<SensorFrame, kTicksPerMessage>& frames);
+                 const std::array<RawSensors, kTicksPerMessage>& frames);
 
 // Layer H alone; highPass: six rows per line instead of three.
 RCRegion* newImageRegion(bool highPass);

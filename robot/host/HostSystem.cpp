@@ -65,8 +65,9 @@ Expected<RunSummary> HostSystem::run(const openr::ObjectStub& object, const Netw
     hearAll(event->step, network);
     const Status done = handle(*event, object, network);
     more = done ? source_.next(*event) : Expected<bool>(Error{done.error()});
+    if (ended()) break;
   }
-  const Status stopped = shutDown();
+  const Status stopped = stopObjects();
   if (!more) return Error{more.error()};
   if (!stopped) return Error{stopped.error()};
   return summary_;
@@ -105,7 +106,7 @@ Status HostSystem::boot(const openr::ObjectStub& object) {
   return status;
 }
 
-Status HostSystem::shutDown() {
+Status HostSystem::stopObjects() {
   Status status = lifeCycle(&OObject::Stop, oreasonSHUTDOWN, "DoStop");
   drain();
   const Status destroyed = lifeCycle(&OObject::Destroy, oreasonSHUTDOWN, "DoDestroy");

@@ -52,7 +52,8 @@ class HostSystem : public RobotPrimitives {
   HostSystem(const HostSystem&) = delete;
   HostSystem& operator=(const HostSystem&) = delete;
 
-  // From DoInit to DoDestroy; once per HostSystem.
+  // From DoInit to DoDestroy, which come with the end of the source or with OPENR::Shutdown; once
+  // per HostSystem.
   Expected<RunSummary> run(const openr::ObjectStub& object, const Network& network);
 
   void post(const OServiceEntry& to, const openr::Message& message) override;
@@ -78,7 +79,7 @@ class HostSystem : public RobotPrimitives {
 
   Status handle(const WorldEvent& event, const openr::ObjectStub& object, const Network& network);
   Status boot(const openr::ObjectStub& object);
-  Status shutDown();
+  Status stopObjects();
   Status lifeCycle(LifeCycle method, OReason reason, const char* name);
   void connectServices();
   void connect(const Service& subject, const Service& observer);

@@ -51,7 +51,8 @@ Status RecordingSource::takeSensors(const LogMessage& message, WorldEvent& event
   event.step.time = motion_.time;
   event.step.sensorsPresent = true;
   event.step.firstTick = static_cast<std::uint32_t>(motion_.time.us / kTickUs) - kTicksPerMessage;
-  event.step.sensors = motion_.sensors;
+  for (std::size_t i = 0; i < kTicksPerMessage; ++i)
+    event.step.sensors[i] = rawOf(motion_.sensors[i]);
   event.step.batteryCurrent = motion_.batteryCurrent;
   sensorsSeen_ = true;
   if (waiting_ > 0) {

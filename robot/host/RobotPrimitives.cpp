@@ -19,9 +19,6 @@ using openr::Sensor;
 
 constexpr OPrimitiveID kKindStep = 0x100;
 constexpr std::size_t kMaxCommands = 64;  // infos in a vector; the ERS-7 has 46 effectors
-constexpr slongword kPressedBack = 40;    // above every on threshold of the back sensors (14)
-
-slongword rounded(double value) { return static_cast<slongword>(std::floor(value + 0.5)); }
 
 template <std::size_t N>
 std::optional<Primitive> lookUp(const std::array<const char*, N>& table, PrimitiveKind kind,
@@ -43,36 +40,6 @@ std::optional<Primitive> withLocator(const char* locator) {
   return found;
 }
 
-double saturated(double value, const openr::SensorRange& range) {
-  return std::clamp(value, range.min, range.max);
-}
-
-double lengthOf(Sensor sensor, const SensorFrame& frame) {
-  if (sensor == Sensor::headNear) return saturated(frame.headNearDistance, openr::kHeadNearRange);
-  if (sensor == Sensor::headFar) return saturated(frame.headFarDistance, openr::kHeadFarRange);
-  return saturated(frame.chestDistance, openr::kChestRange);
-}
-
-double accelerationOf(Sensor sensor, const SensorFrame& frame) {
-  if (sensor == Sensor::accelerationBack) {
-    return saturated(-frame.acceleration[0], openr::kAccelerationRange);
-  }
-  const double value =
-      sensor == Sensor::accelerationLeft ? frame.acceleration[1] : frame.acceleration[2];
-  return saturated(value, openr::kAccelerationRange);
-}
-
-slongword touchOf(Sensor sensor, const SensorFrame& frame) {
-  switch (sensor) {
-    case Sensor::chin: return frame.chin ? 1 : 0;
-    case Sensor::headTouch: return rounded(saturated(frame.headTouch, openr::kHeadTouchRange));
-    case Sensor::backFront: return frame.back[0] ? kPressedBack : 0;
-    case Sensor::backMiddle: return frame.back[1] ? kPressedBack : 0;
-    case Sensor::backRear: return frame.back[2] ? kPressedBack : 0;
-    default: return frame.paw[index(sensor) - index(Sensor::pawLeftFront)] ? 1 : 0;
-  }
-}
-
 }  // namespace
 
 OPrimitiveID identifier(Primitive primitive) {
@@ -80,23 +47,16 @@ OPrimitiveID identifier(Primitive primitive) {
   return kind * kKindStep + static_cast<OPrimitiveID>(primitive.index);
 }
 
-OSensorValue rawSensor(Sensor sensor, const SensorFrame& frame) {
+OSensorValue sensorValue(Sensor sensor, const RawSensors& frame) {
   OSensorValue raw{};
-  if (sensor <= Sensor::chest) {
-    raw.value = rounded(lengthOf(sensor, frame) / openr::kMicrometre);
-  } else if (sensor <= Sensor::accelerationUp) {
-    raw.value = rounded(accelerationOf(sensor, frame) / openr::kMicrometre);
-  } else {
-    raw.value = touchOf(sensor, frame);
-  }
+  raw.value = frame.of(sensor);
   return raw;
 }
 
-OJointValue rawJoint(std::size_t joint, const SensorFrame& frame) {
+OJointValue jointValue(std::size_t joint, const RawSensors& frame) {
   OJointValue raw{};
-  raw.value = rounded(frame.joints.angle[joint].rad() / openr::kMicroradian);
-  raw.pwmDuty =
-      static_cast<sword>(rounded(std::clamp(frame.duty[joint], -1.0, 1.0) * openr::kFullDuty));
+  raw.value = frame.joints.value[joint];
+  raw.pwmDuty = static_cast<sword>(frame.duty[joint]);
   return raw;
 }
 
@@ -198,7 +158,7 @@ OStatus RobotPrimitives::jointValue(OPrimitiveID id, OJointValue* value) {
   const auto primitive = find(id);
   if (!primitive || primitive->kind != PrimitiveKind::joint) return oINVALID_PRIMITIVE_ID;
   if (!latest_) return oNOT_AVAILABLE;
-  *value = rawJoint(primitive->index, *latest_);
+  *value = host::jointValue(primitive->index, *latest_);
   return oSUCCESS;
 }
 
@@ -206,12 +166,17 @@ OStatus RobotPrimitives::sensorValue(OPrimitiveID id, OSensorValue* value) {
   const auto primitive = find(id);
   if (!primitive || primitive->kind != PrimitiveKind::sensor) return oINVALID_PRIMITIVE_ID;
   if (!latest_) return oNOT_AVAILABLE;
-  *value = rawSensor(static_cast<Sensor>(primitive->index), *latest_);
+  *value = host::sensorValue(static_cast<Sensor>(primitive->index), *latest_);
   return oSUCCESS;
 }
 
 OStatus RobotPrimitives::setMotorPower(OPower power) {
   power_ = power;
+  return oSUCCESS;
+}
+
+OStatus RobotPrimitives::shutDown(const OBootCondition&) {
+  ended_ = true;
   return oSUCCESS;
 }
 

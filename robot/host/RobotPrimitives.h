@@ -10,7 +10,7 @@
 #include <optional>
 #include <vector>
 
-#include "robot/core/Motion.h"
+#include "robot/host/RawFrame.h"
 #include "robot/openr/Ers7Primitives.h"
 #include "robot/openr/System.h"
 
@@ -26,9 +26,9 @@ struct Primitive {
 // The identifier that a primitive gets when it is opened.
 OPrimitiveID identifier(Primitive primitive);
 
-// A raw sensor value as the robot gives it, rounded to its integer units.
-OSensorValue rawSensor(openr::Sensor sensor, const SensorFrame& frame);
-OJointValue rawJoint(std::size_t joint, const SensorFrame& frame);
+// What the robot gives of it in a sensor vector.
+OSensorValue sensorValue(openr::Sensor sensor, const RawSensors& frame);
+OJointValue jointValue(std::size_t joint, const RawSensors& frame);
 
 struct CameraSettings {
   longword whiteBalance = ocamparamWB_FL_MODE;  // the robot's defaults
@@ -42,11 +42,13 @@ class RobotPrimitives : public openr::System {
   std::optional<Primitive> find(OPrimitiveID id) const;
   bool cameraOpen() const { return find(identifier({PrimitiveKind::camera, 0})).has_value(); }
   bool motorPower() const { return power_; }
+  // An object has asked for the end of the system.
+  bool ended() const { return ended_; }
   std::uint32_t gains() const { return gainsEnabled_; }  // bit i: joint i
   const CameraSettings& camera() const { return camera_; }
 
   // The latest sensor values, for GetJointValue and GetSensorValue.
-  void setLatest(const SensorFrame& frame) { latest_ = frame; }
+  void setLatest(const RawSensors& frame) { latest_ = frame; }
   // Drawn from the battery, mA.
   void setBatteryCurrent(double current);
   // Bits of OPowerStatus::robotStatus but for the motors', such as orsbPAUSE.
@@ -66,6 +68,7 @@ class RobotPrimitives : public openr::System {
   OStatus jointValue(OPrimitiveID id, OJointValue* value) override;
   OStatus sensorValue(OPrimitiveID id, OSensorValue* value) override;
   OStatus setMotorPower(OPower power) override;
+  OStatus shutDown(const OBootCondition& condition) override;
   OStatus powerStatus(OPowerStatus* status) override;
   OStatus observePower(const OPowerStatus& watched, const OServiceEntry& entry) override;
   OStatus unobservePower(const OServiceEntry& entry) override;
@@ -82,10 +85,11 @@ class RobotPrimitives : public openr::System {
 
   std::vector<OPrimitiveID> opened_;
   bool power_ = false;
+  bool ended_ = false;
   std::uint32_t gainsEnabled_ = 0;
   std::array<openr::GainSettings, kJointCount> gains_{};
   CameraSettings camera_;
-  std::optional<SensorFrame> latest_;
+  std::optional<RawSensors> latest_;
   sword batteryCurrent_ = 0;  // mA
   longword robotStatus_ = orsbBATTERY_CONNECTED;
   OServiceEntry powerEntry_;  // whoever observes the power

@@ -98,7 +98,7 @@ OStatus VirtualRobotComm::DoStart(const OSystemEvent&) {
 }
 
 void VirtualRobotComm::sendSensors(std::uint32_t firstTick,
-                                   const std::array<SensorFrame, kTicksPerMessage>& frames) {
+                                   const std::array<RawSensors, kTicksPerMessage>& frames) {
   RCRegion* region = freeRegion(sensorRegions_);
   if (region == nullptr) return complain("all sensor vectors are in use");
   fillSensors(*region, firstTick, frames);

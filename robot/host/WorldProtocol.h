@@ -3,7 +3,7 @@
 // Lock-stepped: the world sends WorldStep (followed by Image when imagePresent), and waits for the
 // AgentReply before its time goes on. Each message is a MessageHeader and a body encoded from its
 // field list (robot/core/Encoding.h). The agent learns here only what the robot's own sensors,
-// camera and game controller would tell it.
+// camera and game controller would tell it, in the robot's own numbers (RawFrame.h).
 #pragma once
 
 #include <array>
@@ -14,6 +14,7 @@
 #include "robot/core/FrameInput.h"
 #include "robot/core/Motion.h"
 #include "robot/core/Radio.h"
+#include "robot/host/RawFrame.h"
 
 namespace kelpie::host {
 
@@ -45,7 +46,7 @@ struct WorldStep {
   TimeUs time;
   bool sensorsPresent = false;
   std::uint32_t firstTick = 0;  // number of the first of the four 8 ms ticks
-  std::array<SensorFrame, kTicksPerMessage> sensors{};
+  std::array<RawSensors, kTicksPerMessage> sensors{};
   std::uint32_t vectorsDone = 0;  // command vectors whose output has ended since the last step
   bool imagePresent = false;      // an image message follows; its exposure ended at `time`
   ControlPacket control;          // of the game controller; empty: none has come
@@ -69,7 +70,7 @@ constexpr std::size_t kMaxVectorTicks = 16;
 struct EffectorVector {
   std::uint32_t ticks = 0;
   std::uint32_t joints = 0;  // bit i: joint i is commanded
-  std::array<JointAngles, kMaxVectorTicks> targets{};
+  std::array<RawJoints, kMaxVectorTicks> targets{};
   std::uint32_t leds = 0;
   std::uint32_t ears = 0;  // bit 0: left up, bit 1: right up
 

@@ -7,20 +7,6 @@
 #include "robot/host/Messages.h"
 
 namespace kelpie::host {
-namespace {
-
-// Values out of range are for the sensors to saturate; NaN and infinity are errors of the world.
-bool isFinite(const SensorFrame& frame) {
-  bool good = std::isfinite(frame.headNearDistance) && std::isfinite(frame.headFarDistance) &&
-              std::isfinite(frame.chestDistance) && std::isfinite(frame.headTouch);
-  for (std::size_t i = 0; i < kJointCount; ++i) {
-    good = good && std::isfinite(frame.joints.angle[i].rad()) && std::isfinite(frame.duty[i]);
-  }
-  for (const double a : frame.acceleration) good = good && std::isfinite(a);
-  return good;
-}
-
-}  // namespace
 
 Expected<WorldSource> WorldSource::connect(const std::string& path, const AgentHello& hello,
                                            const ConnectionParams& params) {
@@ -54,9 +40,6 @@ Expected<bool> WorldSource::readStep(WorldEvent& event) {
   if (!read) return error(read.error());
   if (event.step.time < time_) return error("the time of a step runs backwards");
   time_ = event.step.time;
-  for (const SensorFrame& frame : event.step.sensors) {
-    if (!isFinite(frame)) return error("a sensor value of a step is not finite");
-  }
   if (!std::isfinite(event.step.batteryCurrent))
     return error("the battery's current is not finite");
   if (!event.step.imagePresent) return true;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The loops of a robot whose memory stick was refused: it stays as it lies, its joints where they
-// were sensed first and its legs weak, so that it can be picked up, and its lights blink the
-// fault's number (body::faultLights). It sees, hears and says nothing.
+// The loops of a robot whose memory stick was refused: it stays as it lies, its motors never get
+// power, and its lights blink the fault's number (body::faultLights). It sees, hears and says
+// nothing.
 #pragma once
 
 #include "robot/agent/Loops.h"
@@ -13,6 +13,7 @@ class FaultLoops : public agent::Loops {
   void setFault(std::uint8_t fault) { fault_ = fault; }
 
   const MotionOutput& motion(const MotionInput& input) override;
+  const agent::MotorsOut& motors() const override { return motors_; }
   void power(const agent::PowerReport& /*report*/) override {}
   void camera(const Image& /*image*/, TimeUs /*exposed*/, std::uint32_t /*number*/) override {}
   void hear(const ControlPacket& /*packet*/, TimeUs /*now*/) override {}
@@ -22,7 +23,7 @@ class FaultLoops : public agent::Loops {
 
  private:
   std::uint8_t fault_ = 0;
-  bool held_ = false;
+  agent::MotorsOut motors_{Rest::none, {}};  // no power, and the stick's fault is told already
   MotionOutput output_;
 };
 

@@ -42,6 +42,7 @@ class LateLoops : public agent::Loops {
   void refuse(std::uint8_t fault);
 
   const MotionOutput& motion(const MotionInput& input) override { return at_->motion(input); }
+  const agent::MotorsOut& motors() const override { return at_->motors(); }
   void power(const agent::PowerReport& report) override { at_->power(report); }
   void camera(const Image& image, TimeUs exposed, std::uint32_t number) override {
     at_->camera(image, exposed, number);

@@ -26,11 +26,11 @@ enum class Sensor {
   headNear,
   headFar,
   chest,
-  // a1, a2, a3. Their senses are not in the documents; falls in 2005 code (nose down a1 > 8.6 m/s2,
-  // on the right side a2 > 9 m/s2, upside down a3 < -6.5 m/s2, facts-2005 6.4) fit these names.
+  // a1, a2, a3, named by where they count positive: a1 is +g on its nose, a2 +g on its right side,
+  // a3 +g on its back and -g when it stands (2005 release, CommonSense.cc; Tekkotsu, ERS7Info.h).
   accelerationBack,
   accelerationLeft,
-  accelerationUp,
+  accelerationDown,
   pawLeftFront,  // in the order of LegId
   pawLeftHind,
   pawRightFront,

@@ -55,6 +55,7 @@ class System {
   virtual OStatus jointValue(OPrimitiveID id, OJointValue* value) = 0;
   virtual OStatus sensorValue(OPrimitiveID id, OSensorValue* value) = 0;
   virtual OStatus setMotorPower(OPower power) = 0;
+  virtual OStatus shutDown(const OBootCondition& condition) = 0;
   virtual OStatus powerStatus(OPowerStatus* status) = 0;
   virtual OStatus observePower(const OPowerStatus& watched, const OServiceEntry& entry) = 0;
   virtual OStatus unobservePower(const OServiceEntry& entry) = 0;

@@ -52,7 +52,7 @@ Command randomCommand(Random& random) {
   return command;
 }
 
-TEST(Start, RampNeverJumpsAndEndsInTheStanceAfterASecond) {
+TEST(Start, NoJointIsAskedForMoreThanSixtyDegreesASecondOnTheWayToTheStance) {
   Random random(31);
   for (int i = 0; i < 50; ++i) {
     Walker w;
@@ -60,10 +60,10 @@ TEST(Start, RampNeverJumpsAndEndsInTheStanceAfterASecond) {
     for (SensorFrame& sensors : w.input.sensors) sensors.joints = last;
     w.run(Command{}, 30);
     EXPECT_FALSE(w.out.status.ready);
-    w.run(Command{}, 10);
+    w.run(Command{}, 110);
     EXPECT_TRUE(w.out.status.ready);
     for (const JointAngles& joints : w.ticks) {
-      ASSERT_LE(largestStep(joints, last), 4.0 + 1e-9);
+      ASSERT_LE(largestStep(joints, last), 60.0 * 0.008 + 1e-9);
       last = joints;
     }
     const Stance stance = body::stanceFromLegs(last);
@@ -145,7 +145,7 @@ TEST(Joints, NotANumberFromTheSensorsReachesNoJoint) {
   Walker w;
   for (SensorFrame& sensors : w.input.sensors)
     for (Angle& angle : sensors.joints.angle) angle = Angle::rad(kNan);
-  w.run(Command{}, 40);
+  w.run(Command{}, 80);
   for (const JointAngles& joints : w.ticks)
     for (const Angle angle : joints.angle) ASSERT_TRUE(std::isfinite(angle.rad()));
   EXPECT_NEAR(body::stanceFromLegs(w.ticks.back()).shoulderHeight, w.stood().shoulderHeight, 1e-6);

@@ -39,7 +39,7 @@ class Walker {
     run(command, messages);
   }
   void standUp() {
-    run(Command{}, 40);
+    run(Command{}, 80);
     ticks.clear();
     travelled.clear();
   }

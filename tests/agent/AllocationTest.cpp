@@ -5,6 +5,7 @@
 
 #include <memory>
 
+#include "robot/host/Orders.h"
 #include "robot/agent/FrameLoop.h"
 #include "robot/agent/MotionLoop.h"
 #include "robot/body/FieldDescription.h"
@@ -30,15 +31,7 @@ class Counter : public StageObserver {
 };
 
 host::AgentReply orders(const MotionOutput& output) {
-  host::AgentReply reply;
-  reply.motorPower = true;
-  reply.gains = (1U << kJointCount) - 1;
-  host::EffectorVector vector;
-  vector.ticks = kTicksPerMessage;
-  vector.joints = reply.gains;
-  for (std::size_t i = 0; i < kTicksPerMessage; ++i) vector.targets[i] = output.joints[i].target;
-  reply.vectors.push_back(vector);
-  return reply;
+  return host::ordersOf(output.joints, 1.0);
 }
 
 struct Match {

@@ -186,8 +186,8 @@ TEST(Limits, ShoulderMayGoLessFarInTheFurtherTheRotatorIsFromTheMiddle) {
   EXPECT_EQ(lowestShoulder(LegId::leftFront, 23), -9);
   EXPECT_EQ(lowestShoulder(LegId::rightFront, 66), -2);
   EXPECT_EQ(lowestShoulder(LegId::rightFront, -76), -1);
-  EXPECT_EQ(lowestShoulder(LegId::leftHind, 16), -9);
-  EXPECT_EQ(lowestShoulder(LegId::rightHind, -71), 0);
+  EXPECT_EQ(lowestShoulder(LegId::leftHind, -16), -9) << "the robot's 16, which is backward";
+  EXPECT_EQ(lowestShoulder(LegId::rightHind, 71), 0);
 }
 
 TEST(Limits, AnglesInsideStayBitForBit) {

@@ -35,10 +35,10 @@ class FakeSource : public Source {
       step.time.us = 32000 * ++sent_;
       step.sensorsPresent = true;
       step.vectorsDone = sent_ > 1 ? 1 : 0;
-      for (SensorFrame& frame : step.sensors) {
-        frame.joints[Joint::headPan] = Angle::deg(10.0 + sent_);
-        frame.joints[Joint::mouth] = Angle::deg(-20.0);
-      }
+      SensorFrame frame;
+      frame.joints[Joint::headPan] = Angle::deg(10.0 + sent_);
+      frame.joints[Joint::mouth] = Angle::deg(-20.0);
+      step.sensors.fill(rawOf(frame));
       steps.push_back(step);
     }
   }
@@ -62,6 +62,13 @@ class FakeSource : public Source {
 // Keeps what it is given and asks the head to pan by the number of the message, in degrees.
 class FakeLoops : public agent::Loops {
  public:
+  static agent::MotorsOut allOn() {
+    agent::MotorsOut on;
+    on.rest = Rest::none;
+    on.order.power = true;
+    on.order.strength.fill(1.0);
+    return on;
+  }
   const MotionOutput& motion(const MotionInput& input) override {
     inputs.push_back(input);
     const Angle pan = Angle::deg(static_cast<double>(inputs.size()));
@@ -71,6 +78,7 @@ class FakeLoops : public agent::Loops {
     }
     return output;
   }
+  const agent::MotorsOut& motors() const override { return ordered; }
   void power(const agent::PowerReport& report) override { reports.push_back(report); }
   void camera(const Image& image, TimeUs exposureMiddle, std::uint32_t number) override {
     lastImage = image;
@@ -95,6 +103,7 @@ class FakeLoops : public agent::Loops {
   std::vector<std::uint32_t> cameraNumbers;
   Image lastImage;
   MotionOutput output;
+  agent::MotorsOut ordered = allOn();
   std::uint32_t leds = 0;
 };
 

@@ -19,16 +19,28 @@ HostParams quiet() {
 }
 
 double panOf(const EffectorVector& vector, std::size_t tick = 0) {
-  return vector.targets[tick][Joint::headPan].deg();
+  return anglesOf(vector.targets[tick])[Joint::headPan].deg();
 }
 
-TEST(RunAgentTest, PowersMotorsAndEnablesAllGainsInTheFirstStep) {
+TEST(RunAgentTest, PowersTheMotorsWhenToldToAndSetsGainsOnlyAfterATargetWasTaken) {
   FakeSource source;
-  source.addSensors(1);
+  source.addSensors(2);
   FakeLoops loops;
   ASSERT_TRUE(runAgent(source, loops, quiet(), {}));
   EXPECT_TRUE(source.replies.at(0).motorPower);
-  EXPECT_EQ((1U << kJointCount) - 1, source.replies.at(0).gains);
+  EXPECT_EQ(0U, source.replies.at(0).gains);
+  EXPECT_EQ(kAllJoints, source.replies.at(1).gains);
+  EXPECT_EQ(0U, loops.inputs.at(0).held);
+}
+
+TEST(RunAgentTest, MotorsThatNobodyOrdersHaveNoPower) {
+  FakeSource source;
+  source.addSensors(3);
+  FakeLoops loops;
+  loops.ordered = {};
+  ASSERT_TRUE(runAgent(source, loops, quiet(), {}));
+  EXPECT_FALSE(source.replies.back().motorPower);
+  EXPECT_EQ(0U, source.replies.back().gains);
 }
 
 TEST(RunAgentTest, StartsWithTheSensedPoseAndKeepsTwoVectorsInFlight) {
@@ -140,7 +152,7 @@ TEST(RunAgentTest, EveryVectorCommandsAllJoints) {
   ASSERT_TRUE(runAgent(source, loops, quiet(), {}));
   for (const EffectorVector& vector : source.replies.at(0).vectors) {
     EXPECT_EQ((1U << kJointCount) - 1, vector.joints);
-    EXPECT_NEAR(vector.targets[0][Joint::mouth].deg(),
+    EXPECT_NEAR(anglesOf(vector.targets[0])[Joint::mouth].deg(),
                 &vector == &source.replies[0].vectors[0] ? -20 : 0, 1e-4);
   }
 }
@@ -221,7 +233,7 @@ TEST(RunAgentTest, BrokenSourceIsReportedAfterTheObjectWasStopped) {
 
 TEST(AgentTest, UsesTheCameraAndTheStandardGainsOf2005) {
   FakeSource source;
-  source.addSensors(1);
+  source.addSensors(2);
   FakeLoops loops;
   const auto object = std::make_unique<agent::Agent>(loops);
   HostSystem system(source, quiet());
@@ -231,9 +243,9 @@ TEST(AgentTest, UsesTheCameraAndTheStandardGainsOf2005) {
   EXPECT_EQ(ocamparamSHUTTER_FAST, system.camera().shutter);
   openr::GainSettings gain{};
   const auto knee = index(Joint::rightHindKnee);
-  ASSERT_EQ(oSUCCESS, system.getGain(identifier({PrimitiveKind::joint, knee}), &gain));
+  system.getGain(identifier({PrimitiveKind::joint, knee}), &gain);  // off again since DoStop
   EXPECT_EQ(0x1C, gain.p);
-  ASSERT_EQ(oSUCCESS, system.getGain(identifier({PrimitiveKind::joint, knee - 1}), &gain));
+  system.getGain(identifier({PrimitiveKind::joint, knee - 1}), &gain);  // off again since DoStop
   EXPECT_EQ(0x14, gain.p);
   EXPECT_EQ(0x0E, gain.pShift);
 }
@@ -267,30 +279,34 @@ TEST(AgentTest, TellsTheLoopsOfAPauseAndOfItsEndBeforeTheSensorsOfThatStep) {
   EXPECT_EQ(1U, told[0]) << "at the start it asks";
   ASSERT_EQ(3U, loops.reports.size());
   EXPECT_FALSE(loops.reports[0].paused);
-  EXPECT_TRUE(loops.reports[0].motorPower);
+  EXPECT_FALSE(loops.reports[0].motorPower);
   EXPECT_TRUE(loops.reports[1].paused);
+  EXPECT_TRUE(loops.reports[1].motorPower);
   EXPECT_FALSE(loops.reports[2].paused);
   EXPECT_EQ(2U, told[1]);
   EXPECT_EQ(3U, told[3]);
 }
 
-TEST(AgentTest, EnablesTheGainsAgainWhenThePowerComesBackAfterAJam) {
+TEST(AgentTest, HoldsNoJointWithoutPowerAndNoneAfterItBeforeATargetWasTaken) {
   FakeSource source;
-  source.addSensors(4);
+  source.addSensors(7);
   FakeLoops loops;
   const auto object = std::make_unique<agent::Agent>(loops);
   HostSystem system(source, quiet());
   Network network;
   int step = 0;
   network.tick = [&](TimeUs) {
-    if (++step == 2) system.setMotorPower(opowerOFF);
-    if (step == 2) system.enableGain(oprimitiveID_UNDEF, false);
-    if (step == 4) system.setMotorPower(opowerON);
+    if (++step == 3) system.setMotorPower(opowerOFF);
+    loops.ordered.order.power = step != 3 && step != 4;
   };
   ASSERT_TRUE(system.run(agentStub(*object), network));
-  EXPECT_FALSE(loops.reports.at(1).motorPower);
+  EXPECT_EQ(kAllJoints, source.replies.at(1).gains);
+  EXPECT_FALSE(loops.reports.at(2).motorPower);
   EXPECT_EQ(0U, source.replies.at(2).gains);
-  EXPECT_EQ((1U << kJointCount) - 1, source.replies.at(3).gains);
+  EXPECT_EQ(0U, loops.inputs.at(2).held);
+  EXPECT_TRUE(source.replies.at(4).motorPower);
+  EXPECT_EQ(0U, source.replies.at(4).gains);
+  EXPECT_EQ(kAllJoints, source.replies.at(6).gains);
 }
 
 TEST(AgentTest, WeakensTheLegsAloneWhenTheLoopsSaySo) {
@@ -303,10 +319,10 @@ TEST(AgentTest, WeakensTheLegsAloneWhenTheLoopsSaySo) {
   ASSERT_TRUE(system.run(agentStub(*object), {}));
   openr::GainSettings gain{};
   const auto shoulder = index(Joint::leftHindShoulder);
-  ASSERT_EQ(oSUCCESS, system.getGain(identifier({PrimitiveKind::joint, shoulder}), &gain));
+  system.getGain(identifier({PrimitiveKind::joint, shoulder}), &gain);  // off again since DoStop
   EXPECT_EQ(0x0A, gain.p);
   const auto pan = index(Joint::headPan);
-  ASSERT_EQ(oSUCCESS, system.getGain(identifier({PrimitiveKind::joint, pan}), &gain));
+  system.getGain(identifier({PrimitiveKind::joint, pan}), &gain);  // off again since DoStop
   EXPECT_EQ(0x08, gain.p);
   EXPECT_NEAR(source.replies.back().legGain, (8 * 16.0 / 28 + 4 * 10.0 / 20) / 12, 1e-12);
 }

@@ -48,7 +48,7 @@ TEST_F(WorldSourceTest, StepAndImageBecomeOneEvent) {
   WorldStep step;
   step.time.us = 33333;
   step.imagePresent = true;
-  step.sensors[2].headTouch = 7.0;
+  step.sensors[2].sensors[openr::index(openr::Sensor::headTouch)] = 7;
   sendStep(step);
   Image image;
   image.cb.back() = 99;
@@ -57,7 +57,7 @@ TEST_F(WorldSourceTest, StepAndImageBecomeOneEvent) {
   ASSERT_TRUE(more) << more.error();
   EXPECT_TRUE(*more);
   EXPECT_EQ(33333, event_.step.time.us);
-  EXPECT_EQ(7.0, event_.step.sensors[2].headTouch);
+  EXPECT_EQ(7, event_.step.sensors[2].of(openr::Sensor::headTouch));
   EXPECT_EQ(99, event_.image.cb.back());
 }
 
@@ -119,9 +119,9 @@ TEST_F(WorldSourceTest, TimeRunningBackwardsIsRefused) {
 
 TEST_F(WorldSourceTest, NotANumberIsRefused) {
   WorldStep step;
-  step.sensors[3].acceleration[1] = std::numeric_limits<double>::quiet_NaN();
+  step.batteryCurrent = std::numeric_limits<double>::quiet_NaN();
   sendStep(step);
-  EXPECT_EQ("world socket: a sensor value of a step is not finite at 0.000 s", error());
+  EXPECT_EQ("world socket: the battery's current is not finite at 0.000 s", error());
 }
 
 TEST_F(WorldSourceTest, SilentWorldIsNoticed) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Half a second of a robot's whole object over a stick in a folder, and what came of it.
+// Some seconds of a robot's whole object over a stick in a folder, and what came of it: somebody
+// presses its head, so that it stands up if it can.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -23,7 +24,8 @@ struct Played {
   double firstPan = 0.0;
   double lastPan = 0.0;
   double lastKnee = 0.0;
-  double legGain = 1.0;
+  std::uint32_t gains = 0;
+  bool motorPower = false;
   std::string log;
 };
 
@@ -35,16 +37,21 @@ inline std::string textOf(std::FILE* file) {
   return text;
 }
 
-inline void addHalfASecond(host::FakeSource& source) {
-  for (int i = 0; i < 16; ++i) {
+constexpr std::size_t kMessages = 100;  // of 32 ms
+
+inline void addSeconds(host::FakeSource& source) {
+  for (std::size_t i = 0; i < kMessages; ++i) {
     source.addSensors(1);
-    source.addImage(32000 * (i + 1) + 10000);
+    const bool pressed = i >= 3 && i < 12;
+    for (host::RawSensors& raw : source.steps.back().sensors)
+      raw.sensors[openr::index(openr::Sensor::headTouch)] = pressed ? 40 : 0;
+    source.addImage(32000 * (static_cast<std::int64_t>(i) + 1) + 10000);
   }
 }
 
 inline Played played(const std::string& root) {
   host::FakeSource source;
-  addHalfASecond(source);
+  addSeconds(source);
   host::HostParams params;
   params.printTo = std::tmpfile();
   const auto object = std::make_unique<RobotAgent>(root.c_str());
@@ -54,12 +61,15 @@ inline Played played(const std::string& root) {
   Played result;
   for (const auto& reply : source.replies)
     for (const auto& vector : reply.vectors) result.leds.push_back(vector.leds);
-  const auto& first = source.replies.at(0).vectors[0].targets[0];
-  const auto& last = source.replies.at(30).vectors[0].targets[3];
+  const JointAngles first = host::anglesOf(source.replies.at(0).vectors[0].targets[0]);
+  const JointAngles last = host::anglesOf(source.replies.at(2 * kMessages - 2).vectors[0].targets[3]);
   result.firstPan = first[Joint::headPan].deg();
   result.lastPan = last[Joint::headPan].deg();
   result.lastKnee = last[Joint::leftFrontKnee].deg();
-  result.legGain = source.replies.back().legGain;
+  for (const auto& reply : source.replies) {
+    result.gains |= reply.gains;
+    result.motorPower = result.motorPower || reply.motorPower;
+  }
   result.log = textOf(params.printTo);
   return result;
 }

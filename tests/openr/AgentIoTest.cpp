@@ -12,7 +12,6 @@ namespace {
 
 using host::identifier;
 using host::PrimitiveKind;
-using host::rawSensor;
 
 PrimitiveIds allIds() {
   PrimitiveIds ids{};
@@ -53,6 +52,12 @@ std::array<SensorFrame, kTicksPerMessage> distinctFrames() {
   return {distinct(0), distinct(1), distinct(2), distinct(3)};
 }
 
+std::array<host::RawSensors, kTicksPerMessage> rawFrames() {
+  std::array<host::RawSensors, kTicksPerMessage> raw;
+  for (std::size_t i = 0; i < raw.size(); ++i) raw[i] = host::rawOf(distinct(static_cast<int>(i)));
+  return raw;
+}
+
 void expectEqual(const SensorFrame& expected, const SensorFrame& got) {
   for (std::size_t i = 0; i < kJointCount; ++i) {
     EXPECT_NEAR(expected.joints.angle[i].rad(), got.joints.angle[i].rad(), 0.5001e-6);
@@ -72,7 +77,7 @@ void expectEqual(const SensorFrame& expected, const SensorFrame& got) {
 
 class SensorReaderTest : public testing::TestWithParam<std::uint64_t> {
  protected:
-  SensorReaderTest() { host::fillSensors(*region_, 100, distinctFrames()); }
+  SensorReaderTest() { host::fillSensors(*region_, 100, rawFrames()); }
   ~SensorReaderTest() override { region_->RemoveReference(); }
   OSensorFrameVectorData& vector() {
     return *reinterpret_cast<OSensorFrameVectorData*>(region_->Base());
@@ -130,10 +135,11 @@ TEST(RawSensorTest, SensorsSaturateAtTheirRange) {
   frame.headNearDistance = 500.0;
   frame.chestDistance = 0.0;
   frame.acceleration = {5000.0, 0.0, -1e9};
-  EXPECT_EQ(500000, rawSensor(openr::Sensor::headNear, frame).value);
-  EXPECT_EQ(100000, rawSensor(openr::Sensor::chest, frame).value);
-  EXPECT_EQ(-19613300, rawSensor(openr::Sensor::accelerationBack, frame).value);
-  EXPECT_EQ(-19613300, rawSensor(openr::Sensor::accelerationUp, frame).value);
+  const host::RawSensors raw = host::rawOf(frame);
+  EXPECT_EQ(500000, raw.of(openr::Sensor::headNear));
+  EXPECT_EQ(100000, raw.of(openr::Sensor::chest));
+  EXPECT_EQ(-19613300, raw.of(openr::Sensor::accelerationBack));
+  EXPECT_EQ(19613300, raw.of(openr::Sensor::accelerationDown));
 }
 
 TEST(BackTouchTest, ReleaseNeedsLessThanPress) {
@@ -273,7 +279,7 @@ TEST_F(CommandTest, LedsTailMouthAndEarsOfACommandArrive) {
   }
   writeCommands(output.joints, *vector_);
   EXPECT_EQ("", host::readCommands(*region_, robot_, out_));
-  const JointAngles& last = out_.targets[kTicksPerMessage - 1];
+  const JointAngles last = host::anglesOf(out_.targets[kTicksPerMessage - 1]);
   EXPECT_EQ(0x2a5a5a5U, out_.leds);
   EXPECT_EQ(2U, out_.ears);
   EXPECT_NEAR(50.0, last[Joint::tailTilt].deg(), 1e-3);
@@ -293,7 +299,8 @@ TEST_F(CommandTest, TargetsOfFourTicksArriveWithinAMicroradian) {
   EXPECT_EQ(4U, out_.ticks);
   for (std::size_t tick = 0; tick < frames.size(); ++tick) {
     for (std::size_t i = 0; i < kJointCount; ++i) {
-      EXPECT_NEAR(frames[tick].target.angle[i].rad(), out_.targets[tick].angle[i].rad(), 0.501e-6);
+      EXPECT_NEAR(frames[tick].target.angle[i].rad(),
+                  host::anglesOf(out_.targets[tick]).angle[i].rad(), 0.501e-6);
     }
   }
 }

@@ -86,7 +86,7 @@ TEST_F(ApiTest, JointValueIsInMicroradiansAndUnknownBeforeTheFirstSensors) {
   SensorFrame frame;
   frame.joints[Joint::headPan] = Angle::deg(45);
   frame.duty[1] = -0.5;
-  system_.setLatest(frame);
+  system_.setLatest(host::rawOf(frame));
   ASSERT_EQ(oSUCCESS, OPENR::GetJointValue(pan, &value));
   EXPECT_EQ(785398, value.value);
   EXPECT_EQ(-256, value.pwmDuty);

@@ -247,19 +247,5 @@ TEST(Engine, AWrongDescriptionIsOneLine) {
   EXPECT_NE(engine.error().find("the physical world"), std::string::npos);
 }
 
-TEST(CommandQueue, ATargetThatIsNotFiniteLeavesItsJointWhereItWasTold) {
-  CommandQueue queue{startingPose()};
-  host::AgentReply reply;
-  host::EffectorVector vector;
-  vector.ticks = 1;
-  vector.joints = (1U << kJointCount) - 1;
-  vector.targets[0] = startingPose();
-  vector.targets[0].angle[4] = Angle::rad(std::numeric_limits<double>::quiet_NaN());
-  reply.vectors.push_back(vector);
-  queue.add(reply);
-  queue.play();
-  EXPECT_EQ(queue.target().angle[4].rad(), startingPose().angle[4].rad());
-}
-
 }  // namespace
 }  // namespace kelpie::sim

@@ -40,7 +40,9 @@ host::AgentReply replyTo(const host::WorldStep& step) {
   host::EffectorVector vector;
   vector.ticks = 4;
   vector.joints = 1U << index(Joint::headPan);
-  for (auto& target : vector.targets) target[Joint::headPan] = Angle::deg(30);
+  JointAngles wanted;
+  wanted[Joint::headPan] = Angle::deg(30);
+  vector.targets.fill(host::rawOf(wanted));
   reply.vectors.push_back(vector);
   return reply;
 }

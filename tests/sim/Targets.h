@@ -13,7 +13,7 @@ inline host::AgentReply targets(const JointAngles& joints) {
   host::EffectorVector vector;
   vector.ticks = 1;
   vector.joints = reply.gains;
-  vector.targets[0] = joints;
+  vector.targets[0] = host::rawOf(joints);
   reply.vectors.push_back(vector);
   return reply;
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "robot/host/Orders.h"
 #include "tools/learn/PhysicalWalker.h"
 
 #include <cmath>
@@ -99,16 +100,8 @@ void PhysicalWalker::act(std::size_t robot, const Command& command) {
 
 void PhysicalWalker::send(std::size_t robot) {
   const MotionOutput& output = drives_[robot].output;
-  host::AgentReply reply;
-  reply.motorPower = true;
-  reply.gains = (1U << kJointCount) - 1;
-  reply.legGain = body::meanOf({output.status.lowGain, output.status.legGain});
-  host::EffectorVector vector;
-  vector.ticks = kTicksPerMessage;
-  vector.joints = reply.gains;
-  for (std::size_t i = 0; i < kTicksPerMessage; ++i) vector.targets[i] = output.joints[i].target;
-  reply.vectors.push_back(vector);
-  bodies_->command(robot, reply);
+  const double gain = body::meanOf({output.status.lowGain, output.status.legGain});
+  bodies_->command(robot, host::ordersOf(output.joints, gain));
 }
 
 bool PhysicalWalker::fallen() const {

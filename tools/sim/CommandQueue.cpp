@@ -2,7 +2,6 @@
 #include "tools/sim/CommandQueue.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "robot/body/Legs.h"
 
@@ -17,6 +16,7 @@ constexpr std::size_t kMaxQueue = 16;
 void CommandQueue::add(const host::AgentReply& reply) {
   motorPower_ = reply.motorPower;
   gains_ = reply.gains;
+  if (motorPower_ && gains_ == kAllJoints) handHolds_ = false;
   legGain_ = reply.legGain;
   for (const host::EffectorVector& vector : reply.vectors) {
     if (queue_.size() < kMaxQueue && vector.ticks > 0) queue_.push_back(vector);
@@ -26,11 +26,10 @@ void CommandQueue::add(const host::AgentReply& reply) {
 void CommandQueue::play() {
   if (queue_.empty()) return;
   const host::EffectorVector& vector = queue_.front();
-  const JointAngles& wanted =
-      vector.targets[std::min<std::size_t>(played_, host::kMaxVectorTicks - 1)];
+  const JointAngles wanted =
+      host::anglesOf(vector.targets[std::min<std::size_t>(played_, host::kMaxVectorTicks - 1)]);
   for (std::size_t j = 0; j < kJointCount; ++j) {
-    const bool named = (vector.joints >> j & 1U) != 0;
-    if (named && std::isfinite(wanted.angle[j].rad())) target_.angle[j] = wanted.angle[j];
+    if ((vector.joints >> j & 1U) != 0) target_.angle[j] = wanted.angle[j];
   }
   target_ = body::withinLimits(target_);
   if (++played_ < vector.ticks) return;

@@ -15,12 +15,15 @@ class CommandQueue {
   explicit CommandQueue(const JointAngles& start) : target_(start) {}
 
   void add(const host::AgentReply& reply);
-  // One tick; what is not finite leaves its joint's target as it was.
+  // One tick.
   void play();
 
   const JointAngles& target() const { return target_; }
-  // Whether the joint is held: the motors have power and its gain is enabled.
-  bool held(std::size_t joint) const { return motorPower_ && (gains_ >> joint & 1U) != 0; }
+  // Whether the joint is held: the motors have power and its gain is enabled. Who puts a robot onto
+  // the field stands it there and keeps a hand at it until its motors hold it for the first time.
+  bool held(std::size_t joint) const {
+    return handHolds_ || (motorPower_ && (gains_ >> joint & 1U) != 0);
+  }
   double legGain() const { return legGain_; }  // over the standard one
   // Vectors whose output ended since the last call.
   std::uint32_t takeVectorsDone();
@@ -31,6 +34,7 @@ class CommandQueue {
   JointAngles target_;
   bool motorPower_ = false;
   std::uint32_t gains_ = 0;
+  bool handHolds_ = true;
   double legGain_ = 1.0;
   std::uint32_t played_ = 0;  // ticks of the first vector
   std::uint32_t done_ = 0;

@@ -101,7 +101,8 @@ void Server::prepare(Step step) {
   for (std::size_t i = 0; i < agents_.size(); ++i) {
     if (step.sensors) {
       out.firstTick = static_cast<std::uint32_t>(step.now.us / kTickUs) - kTicksPerMessage;
-      out.sensors = world_.sensors(i);
+      for (std::size_t tick = 0; tick < kTicksPerMessage; ++tick)
+        out.sensors[tick] = host::rawOf(world_.sensors(i)[tick]);
       out.batteryCurrent = world_.batteryCurrent(i);
       out.vectorsDone = world_.bodies().takeVectorsDone(i);
     }

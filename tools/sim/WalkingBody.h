@@ -6,6 +6,7 @@
 #include <cmath>
 #include <memory>
 
+#include "robot/host/Orders.h"
 #include "actuator/Actuator.h"
 #include "robot/body/Ers7.h"
 #include "robot/body/FieldDescription.h"
@@ -70,16 +71,8 @@ class WalkingBody {
   static constexpr double kWornCurrent = 4500.0;  // mA
 
   void send(const MotionOutput& output) {
-    host::AgentReply reply;
-    reply.motorPower = true;
-    reply.gains = (1U << kJointCount) - 1;
-    reply.legGain = body::meanOf({output.status.lowGain, output.status.legGain});
-    host::EffectorVector vector;
-    vector.ticks = kTicksPerMessage;
-    vector.joints = reply.gains;
-    for (std::size_t i = 0; i < kTicksPerMessage; ++i) vector.targets[i] = output.joints[i].target;
-    reply.vectors.push_back(vector);
-    world_->bodies().command(0, reply);
+    const double gain = body::meanOf({output.status.lowGain, output.status.legGain});
+    world_->bodies().command(0, host::ordersOf(output.joints, gain));
   }
 
   std::unique_ptr<World> world_;

@@ -116,6 +116,7 @@ OStatus GetSensorValue(OPrimitiveID id, OSensorValue* value) {
 }
 
 OStatus SetMotorPower(OPower power) { return currentSystem().setMotorPower(power); }
+OStatus Shutdown(const OBootCondition& condition) { return currentSystem().shutDown(condition); }
 
 OStatus GetPowerStatus(OPowerStatus* status) {
   return status == nullptr ? oINVALID_ARG : currentSystem().powerStatus(status);

@@ -26,3 +26,10 @@ void OPowerStatus::Set(longword robotBits, word batteryBits, word capacity, word
   timeDif = zone;
   volume = loudness;
 }
+
+OBootCondition::OBootCondition(word bits)
+    : bitmap(bits), bootTime(0), bootTimeType(0), vibrationLevel(0) {}
+
+OBootCondition::OBootCondition(const OBootCondition& other) = default;
+
+OBootCondition& OBootCondition::operator=(const OBootCondition& other) = default;

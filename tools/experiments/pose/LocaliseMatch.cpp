@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "robot/host/Orders.h"
 #include "tools/experiments/pose/LocaliseMatch.h"
 
 #include <algorithm>
@@ -85,16 +86,7 @@ void LocaliseMatch::sense() {
 
 void LocaliseMatch::send(const std::array<JointFrame, kTicksPerMessage>& joints,
                          body::LegGain legs) {
-  host::AgentReply reply;
-  reply.legGain = body::meanOf(legs);
-  reply.motorPower = true;
-  reply.gains = (1U << kJointCount) - 1;
-  host::EffectorVector vector;
-  vector.ticks = kTicksPerMessage;
-  vector.joints = reply.gains;
-  for (std::size_t i = 0; i < kTicksPerMessage; ++i) vector.targets[i] = joints[i].target;
-  reply.vectors.push_back(vector);
-  world_->bodies().command(0, reply);
+  world_->bodies().command(0, host::ordersOf(joints, body::meanOf(legs)));
 }
 
 void LocaliseMatch::see(TimeUs now) {

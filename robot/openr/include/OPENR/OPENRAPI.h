@@ -60,6 +60,8 @@ OStatus GetJointValue(OPrimitiveID id, OJointValue* value);
 OStatus GetSensorValue(OPrimitiveID id, OSensorValue* value);
 
 OStatus SetMotorPower(OPower power);
+// The whole robot, until one of the conditions holds. Objects get DoStop and DoDestroy first.
+OStatus Shutdown(const OBootCondition& condition);
 // Waits for another object's answer (openr-measured.md 2): not for a loop.
 OStatus GetPowerStatus(OPowerStatus* status);
 // From now on an OPowerStatusMessage comes to the entry when a bit that `watched` has set changes,

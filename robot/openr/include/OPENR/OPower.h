@@ -19,6 +19,8 @@ constexpr longword orsbEX_POWER_CONNECTED = 0x20;
 constexpr longword orsbBATTERY_CONNECTED = 0x40;
 constexpr longword orsbBATTERY_CAPACITY_LOW = 0x200;
 constexpr longword orsbBATTERY_OVER_CURRENT = 0x400;
+constexpr longword orsbBATTERY_OVER_TEMP_DISCHARGING = 0x800;
+constexpr longword orsbERROR_OF_FAN = 0x10000;
 constexpr longword orsbALL = 0x1fffffff;
 
 // Bits of batteryStatus.
@@ -27,6 +29,10 @@ constexpr word obsbREMAINING_CAPACITY_ALARM = 0x200;
 constexpr word obsbTERMINATED_DISCHARGING_ALARM = 0x800;
 constexpr word obsbOVER_TEMP_ALARM = 0x1000;
 constexpr word obsbALL = 0xffff;
+
+// What may switch the robot on again.
+constexpr word obcbBOOT_TIMER = 0x1;
+constexpr word obcbPAUSE_SW = 0x4;  // the pause switch
 
 // For ObservePowerStatus: a message at each change of the value, or none because of it.
 constexpr word opsoREMAINING_CAPACITY_NOTIFY_EVERY_CHANGE = 0xffff;
@@ -64,3 +70,15 @@ static_assert(offsetof(OPowerStatus, batteryStatus) == 4 &&
                   offsetof(OPowerStatus, voltage) == 12 && offsetof(OPowerStatus, current) == 14 &&
                   offsetof(OPowerStatus, timeDif) == 16 && offsetof(OPowerStatus, volume) == 17,
               "openr-measured.md 2");
+
+struct OBootCondition {
+  word bitmap;
+  slongword bootTime;  // s
+  longword bootTimeType;
+  byte vibrationLevel;
+
+  explicit OBootCondition(word bits);
+  OBootCondition(const OBootCondition& other);
+  OBootCondition& operator=(const OBootCondition& other);
+  ~OBootCondition() = default;
+};

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// Whether a joint that is held does not go where it was told: a broken gear, or something that
+// blocks it for longer than a scrum does. Compares what is sensed with what was told
+// `delayMessages` before. Fails where all of a joint's way is short.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "robot/core/Motion.h"
+
+namespace kelpie::agent {
+
+struct JointWatchParams {
+  double apart = 45.0;    // deg; a kick leaves a joint that far behind for 0.3 s
+  double seconds = 2.0;   // without a break
+};
+
+constexpr std::size_t kWatchedMessages = 4;  // two vectors in flight, and the servo's lag
+
+struct JointWatchState {
+  std::array<JointAngles, kWatchedMessages> told{};  // the oldest at `next`
+  std::size_t next = 0;
+  std::uint32_t messages = 0;  // known
+  std::array<double, kJointCount> apart{};  // s
+};
+
+// Before the targets of this message are told. The joint that has been apart for so long.
+std::optional<Joint> step(const MotionInput& in, const JointWatchParams& params,
+                          JointWatchState& state);
+void told(const JointAngles& targets, JointWatchState& state);
+
+}  // namespace kelpie::agent

@@ -1,0 +1,274 @@
+// SPDX-License-Identifier: Apache-2.0
+// A robot from switching on to switching off, through the OPEN-R object, the loops and the power
+// service of the stand-in: which calls it makes of power and gains, in which order, and how fast a
+// joint is asked to move before it plays.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdio>
+
+#include "robot/agent/AgentLoops.h"
+#include "robot/host/AgentStub.h"
+#include "tests/host/Desk.h"
+
+namespace kelpie::agent {
+namespace {
+
+using host::Desk;
+using host::WatchedSystem;
+
+constexpr double kGentle = 60.01;   // deg/s, of rounding
+constexpr double kInFlight = 0.15;  // s, what was told before is still played
+
+class Story : public testing::Test, public LogSink {
+ protected:
+  Story() {
+    desk_.frame.joints = lyingDog();
+    params_.printTo = nullptr;
+  }
+  // Sprawled, as somebody put it there.
+  static JointAngles lyingDog() {
+    JointAngles joints;
+    joints[Joint::leftHindKnee] = joints[Joint::rightHindKnee] = Angle::deg(110.0);
+    joints[Joint::leftFrontRotator] = Angle::deg(55.0);
+    joints[Joint::neckTilt] = Angle::deg(-70.0);
+    return joints;
+  }
+  void motion(const MotionInput& input, const MotionOutput& output) override {
+    if (rests.empty() || rests.back().rest != input.rest)
+      rests.push_back({input.time.seconds(), input.rest});
+    if (output.status.ready && input.rest == Rest::none && readyAt == 0.0)
+      readyAt = input.time.seconds();
+  }
+  void frame(const FrameInput&, const FrameOutput&) override {}
+
+  void at(double seconds, const std::function<void()>& happens) {
+    events_.emplace(seconds, happens);
+  }
+  void press(double from, double seconds) {
+    at(from, [this] { desk_.frame.headTouch = 40.0; });
+    at(from + seconds, [this] { desk_.frame.headTouch = 0.0; });
+  }
+  void say(double from, longword bits) {
+    at(from, [this, bits] { system_->setRobotStatus(orsbBATTERY_CONNECTED | bits); });
+  }
+  void play(double seconds) {
+    desk_.messages = static_cast<std::int32_t>(seconds / 0.032);
+    AgentLoops loops(*config_, KELPIE_SOURCE_DIR "/pycode", *this);
+    Agent agent(loops);
+    system_ = std::make_unique<WatchedSystem>(desk_, params_);
+    host::Network network;
+    network.tick = [this](TimeUs now) {
+      while (!events_.empty() && events_.begin()->first <= now.seconds()) {
+        events_.begin()->second();
+        events_.erase(events_.begin());
+      }
+    };
+    const auto summary = system_->run(host::agentStub(agent), network);
+    ASSERT_TRUE(summary) << summary.error();
+  }
+
+  // When it was called first after `from`; -1: never.
+  double called(const std::string& what, double from = 0.0) const {
+    for (const auto& call : system_->calls)
+      if (call.what == what && call.time.seconds() >= from) return call.time.seconds();
+    return -1.0;
+  }
+  double restedFrom(Rest rest, double from = 0.0) const {
+    for (const auto& row : rests)
+      if (row.rest == rest && row.at >= from) return row.at;
+    return -1.0;
+  }
+  // The order in which joints were held in that time.
+  std::vector<std::size_t> heldInTurn(double from, double to) const {
+    std::vector<std::size_t> order;
+    for (const auto& call : system_->calls) {
+      const double when = call.time.seconds();
+      if (call.what.rfind("hold ", 0) != 0 || when < from || when > to) continue;
+      order.push_back(std::stoul(call.what.substr(5)));
+    }
+    return order;
+  }
+  void expectGainsInTurn(double from, double to) const {
+    const auto order = heldInTurn(from, to);
+    ASSERT_EQ(order.size(), kJointCount);
+    for (std::size_t j = 0; j < kJointCount; ++j) EXPECT_EQ(order[j], j);
+  }
+
+  struct Row {
+    double at;
+    Rest rest;
+  };
+  std::vector<Row> rests;
+  double readyAt = 0.0;
+  Desk desk_;
+  host::HostParams params_;
+  std::unique_ptr<AgentConfig> config_ = std::make_unique<AgentConfig>();
+  std::unique_ptr<WatchedSystem> system_;
+  std::multimap<double, std::function<void()>> events_;
+};
+
+TEST_F(Story, StartsLimpThenPowerThenOneGainAfterTheOtherAndStaysAsFoundUntilAskedTo) {
+  play(4.0);
+  ASSERT_FALSE(system_->calls.empty());
+  EXPECT_EQ(system_->calls.front().what, "limp all");
+  EXPECT_LT(called("limp all"), called("power on") + 1e-9);
+  EXPECT_LT(called("power on"), called("hold 0"));
+  expectGainsInTurn(0.0, 4.0);
+  EXPECT_EQ(rests.back().rest, Rest::unasked);
+  const JointAngles found = lyingDog();
+  for (const auto& [when, raw] : desk_.played)
+    for (std::size_t j = 0; j < kJointCount; ++j)
+      ASSERT_NEAR(host::anglesOf(raw).angle[j].rad(), found.angle[j].rad(), 2e-6) << when.seconds();
+}
+
+TEST_F(Story, AGainComesInSteps) {
+  play(2.0);
+  std::vector<int> steps;
+  for (const auto& call : system_->calls)
+    if (call.what.rfind("gain 4 ", 0) == 0) steps.push_back(std::stoi(call.what.substr(7)));
+  EXPECT_EQ(steps, (std::vector<int>{7, 14, 21, 28})) << "a quarter of the standard gain each";
+}
+
+TEST_F(Story, AShortPressOfTheHeadRaisesItAndNoJointIsFasterThanAPersonsHand) {
+  press(2.0, 0.3);
+  play(8.0);
+  EXPECT_EQ(rests.back().rest, Rest::none);
+  ASSERT_GT(readyAt, 2.2);
+  EXPECT_LE(fastest(desk_, 0.0, readyAt), kGentle);
+  EXPECT_GT(fastest(desk_, 0.0, readyAt), 50.0) << "it did move";
+}
+
+TEST_F(Story, AJamLeavesItLimpAndTheWayBackBeginsAtTheSensedJoints) {
+  press(2.0, 0.3);
+  at(7.0, [this] {
+    system_->jam();
+    desk_.frame.joints[Joint::leftHindKnee] = Angle::deg(110.0);  // it sank
+    desk_.frame.joints[Joint::rightFrontShoulder] = Angle::deg(70.0);
+  });
+  at(8.0, [this] { system_->giveBack(); });
+  play(14.0);
+  EXPECT_GT(called("limp all", 7.0), 0.0);
+  EXPECT_GT(restedFrom(Rest::powerless), 6.9);
+  expectGainsInTurn(7.0, 14.0);
+  EXPECT_GT(called("hold 0", 7.0), 8.0);
+  const double again = restedFrom(Rest::none, 8.0);
+  ASSERT_GT(again, 8.0);
+  EXPECT_LE(fastest(desk_, 8.0, again + 1.0), kGentle);
+  EXPECT_EQ(rests.back().rest, Rest::none);
+}
+
+TEST_F(Story, PowerThatDoesNotComeBackIsAskedForWhenTheHeadIsPressed) {
+  press(2.0, 0.3);
+  at(7.0, [this] { system_->jam(); });
+  press(9.0, 0.3);
+  play(13.0);
+  EXPECT_GT(called("power on", 7.0), 8.9);
+  EXPECT_EQ(rests.back().rest, Rest::none);
+}
+
+TEST_F(Story, AShortPauseLiesDownAndStandsUpAgain) {
+  press(2.0, 0.3);
+  say(7.0, orsbPAUSE);
+  say(8.0, 0);
+  play(15.0);
+  EXPECT_GT(restedFrom(Rest::paused), 6.9);
+  EXPECT_EQ(rests.back().rest, Rest::none);
+  EXPECT_EQ(called("shut down"), -1.0);
+  EXPECT_LE(fastest(desk_, 7.0 + kInFlight, restedFrom(Rest::none, 8.0) + 1.0), kGentle);
+}
+
+TEST_F(Story, APauseThatIsHeldSwitchesTheRobotOff) {
+  press(2.0, 0.3);
+  say(7.0, orsbPAUSE);
+  play(15.0);
+  const double off = called("power off", 7.0);
+  ASSERT_GT(off, 9.9);
+  EXPECT_LT(off, 14.0);
+  EXPECT_GT(called("limp 17", 7.0), 0.0);
+  EXPECT_LE(called("limp 17", 7.0), off) << "gains go before the power";
+  EXPECT_GE(called("shut down"), off);
+}
+
+TEST_F(Story, APauseThatTakesThePowerAlsoSwitchesTheRobotOff) {
+  press(2.0, 0.3);
+  say(7.0, orsbPAUSE);
+  at(7.0, [this] { system_->jam(); });
+  play(15.0);
+  EXPECT_EQ(called("power on", 7.0), -1.0);
+  EXPECT_EQ(called("hold 0", 7.0), -1.0);
+  EXPECT_GT(called("shut down"), 9.9);
+}
+
+TEST_F(Story, AnEmptyBatteryLiesDownFirstAndSwitchesTheRobotOffThen) {
+  press(2.0, 0.3);
+  say(7.0, orsbBATTERY_CAPACITY_LOW);
+  play(16.0);
+  EXPECT_NEAR(restedFrom(Rest::batteryLow), 7.0, 0.07);
+  const double off = called("power off", 7.0);
+  ASSERT_GT(off, 8.0) << "it lies down first";
+  EXPECT_GE(called("shut down"), off);
+  EXPECT_LE(fastest(desk_, 7.0 + kInFlight, off), kGentle);
+}
+
+TEST_F(Story, ABatteryThatIsEmptyFromTheStartNeverRaisesTheRobot) {
+  say(0.0, orsbBATTERY_CAPACITY_LOW);
+  press(1.0, 0.3);
+  play(4.0);
+  EXPECT_EQ(restedFrom(Rest::none), -1.0);
+  EXPECT_GE(called("shut down"), 0.0);
+  EXPECT_EQ(fastest(desk_, 0.0, 4.0), 0.0);
+}
+
+struct Cause {
+  const char* name;
+  longword bits;
+  Rest rest;
+};
+
+class StoryOf : public Story, public testing::WithParamInterface<Cause> {};
+
+TEST_P(StoryOf, AFaultOfTheBodyEndsWithoutPowerAndBeginsAnewOnlyWhenItIsOverAndThePersonAsks) {
+  press(2.0, 0.3);
+  say(7.0, GetParam().bits);
+  press(16.0, 0.3);  // too early: it is not over
+  say(20.0, 0);
+  press(60.0, 0.3);
+  play(66.0);
+  EXPECT_NEAR(restedFrom(GetParam().rest), 7.0, 0.07);
+  const double off = called("power off", 7.0);
+  ASSERT_GT(off, 8.0);
+  EXPECT_LT(off, 14.0);
+  EXPECT_EQ(called("shut down"), -1.0) << "Sony's objects do not end the system for it";
+  EXPECT_GE(called("power on", off), 60.0);
+  EXPECT_EQ(rests.back().rest, Rest::none);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Causes, StoryOf,
+    testing::Values(Cause{"OverCurrent", orsbBATTERY_OVER_CURRENT, Rest::overCurrent},
+                    Cause{"Hot", orsbBATTERY_OVER_TEMP_DISCHARGING, Rest::hot},
+                    Cause{"Fan", orsbERROR_OF_FAN, Rest::fan}),
+    [](const auto& cause) { return std::string(cause.param.name); });
+
+TEST_F(Story, WithoutImagesItLiesDownButKeepsItsPower) {
+  press(2.0, 0.3);
+  at(7.0, [this] { desk_.images = false; });
+  at(12.0, [this] { desk_.images = true; });
+  play(16.0);
+  EXPECT_GT(restedFrom(Rest::blind), 7.9);
+  EXPECT_GT(called("power off", 7.0), 15.9) << "with the object's end, not before";
+  EXPECT_EQ(rests.back().rest, Rest::none);
+  const double blind = restedFrom(Rest::blind) + kInFlight;
+  EXPECT_LE(fastest(desk_, blind, restedFrom(Rest::none, 9.0) + 1.0), kGentle);
+}
+
+TEST_F(Story, TheEndOfTheObjectLeavesNoJointHeldAndNoPower) {
+  press(2.0, 0.3);
+  play(8.0);
+  EXPECT_EQ(system_->calls.back().what, "power off");
+  EXPECT_EQ((system_->calls.end() - 2)->what, "limp all");
+}
+
+}  // namespace
+}  // namespace kelpie::agent
