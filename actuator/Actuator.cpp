@@ -173,6 +173,10 @@ bool walking(const ActuatorParams& params, const ActuatorState& state) {
   return state.ready && walksOn(params, state) && !standing(state.walk);
 }
 
+bool stands(const ActuatorParams& params, const ActuatorState& state) {
+  return state.ready && !state.lies && walksOn(params, state);
+}
+
 // A kick needs all the strength there is (facts-2005 section 2.5).
 bool lowGain(const ActuatorState& state) { return state.gain.low && !running(state.motion); }
 
@@ -208,7 +212,8 @@ MotionOutput step(const MotionInput& in, const ActuatorParams& params, ActuatorS
   stepGain(in.batteryCurrent, params.gain, state.gain);
   recordEffort(in, walking(params, state), state.effort);
   const Feeling feeling =
-      feel(in, state.walk, walking(params, state), params.feeling, state.feeling);
+      feel(in, state.walk, {stands(params, state), walking(params, state)}, params.feeling,
+           state.feeling);
   if (walking(params, state)) recordLoad(feeling.load, state.odometry);
   const bool held = stepHeldBall(in, state.target, params.feeling.heldBall, state.heldBall);
   // Told with the message that is sent as the one before it begins to be played.

@@ -132,16 +132,19 @@ double freeLoad(const Velocity& feet, const FreeLoad& params) {
          params.turn * std::fabs(feet.turn);
 }
 
-Feeling feel(const MotionInput& in, const WalkState& walk, bool walking,
-             const FeelingParams& params, FeelingState& state) {
+Feeling feel(const MotionInput& in, const WalkState& walk, Legs legs, const FeelingParams& params,
+             FeelingState& state) {
   stepFalls(in, params.falls, state.falls);
+  const bool upright = state.falls.fallen == FallSide::none;
+  stepLifted(in, legs.stand && upright, params.lift, state.lift);
   const FeltTick commanded{0.0, {}, walk.feet, airborne(walk, params.airborne)};
   for (double& left : state.blockedSeconds) left = std::max(0.0, left - kMessageSeconds);
-  for (const SensorFrame& tick : in.sensors) recordTick(tick, commanded, walking, params, state);
+  for (const SensorFrame& tick : in.sensors) recordTick(tick, commanded, legs.walk, params, state);
   Feeling feeling;
   feelLoad(walk, params, state, feeling);
   feeling.stuck = stuck(feeling.load, params, state);
   feeling.fallen = state.falls.fallen;
+  feeling.lifted = state.lift.lifted;
   for (std::size_t i = 0; i < feeling.pawBlocked.size(); ++i)
     feeling.pawBlocked[i] = state.blockedSeconds[i] > 0.0;
   return feeling;

@@ -10,6 +10,7 @@
 
 #include "actuator/Falls.h"
 #include "actuator/FeelingParams.h"
+#include "actuator/Lifted.h"
 #include "actuator/Push.h"
 #include "actuator/Walk.h"
 
@@ -25,6 +26,7 @@ struct FeltTick {
 
 struct FeelingState {
   FallState falls;
+  LiftState lift;
   std::array<SensedLegs, 2> before{};  // the last tick and the one before
   std::array<FeltTick, 192> felt{};    // a ring: a step of at most 120 ticks and the delay
   std::uint32_t ticks = 0;             // walked without a break
@@ -37,8 +39,14 @@ struct FeelingState {
 // What load a walk shows without anything in its way, its feet moving so.
 double freeLoad(const Velocity& feet, const FreeLoad& params);
 
-// One message. `walk` as it was commanded until now; `walking`: the legs walk.
-Feeling feel(const MotionInput& in, const WalkState& walk, bool walking,
-             const FeelingParams& params, FeelingState& state);
+// What the legs do: they stand or walk, or they walk.
+struct Legs {
+  bool stand = false;
+  bool walk = false;
+};
+
+// One message. `walk` as it was commanded until now.
+Feeling feel(const MotionInput& in, const WalkState& walk, Legs legs, const FeelingParams& params,
+             FeelingState& state);
 
 }  // namespace kelpie::actuator

@@ -47,10 +47,29 @@ struct HeldBallParams {
   }
 };
 
+// Whether somebody has lifted the robot. The paws' switches are open for 0.09 s at most in a walk.
+struct LiftParams {
+  double freeSeconds = 0.25;     // of all paws, until it counts as lifted
+  double stillBelow = 60.0;      // cm/s2 that the accelerometer may stray while the robot stands still
+  double restSeconds = 0.3;      // of the low pass from which it strays
+  double stillSeconds = 1.0;     // until a robot with a pressed paw has been put down
+  double stillWithoutPaw = 4.0;  // and one without
+
+  static constexpr auto fields() {
+    using P = LiftParams;
+    return fieldList(field("freeSeconds", &P::freeSeconds, "s", 0.1, 10),
+                     field("stillBelow", &P::stillBelow, "cm/s2", 1, 2000),
+                     field("restSeconds", &P::restSeconds, "s", 0.04, 10),
+                     field("stillSeconds", &P::stillSeconds, "s", 0.1, 60),
+                     field("stillWithoutPaw", &P::stillWithoutPaw, "s", 0.1, 60));
+  }
+};
+
 // On free ground the load is within 0.03 for 99 % of the time, held it is 0.045 to 0.13.
 struct FeelingParams {
   FallParams falls;
   HeldBallParams heldBall;
+  LiftParams lift;
   double noLoad = 7.5;            // rad/s of a joint without load (docs/body.md)
   double weight = 0.162;          // of the robot over a joint's greatest torque, 1/cm: 16 N, 1 N m
   double lever = 10.0;            // cm from the middle to the feet, by which a turn counts
@@ -68,6 +87,7 @@ struct FeelingParams {
     using P = FeelingParams;
     return fieldList(
         field("falls", &P::falls), field("heldBall", &P::heldBall),
+        field("lift", &P::lift),
         field("noLoad", &P::noLoad, "rad/s", 1, 100), field("weight", &P::weight, "1/cm", 0, 10),
         field("lever", &P::lever, "cm", 1, 100), field("legLength", &P::legLength, "cm", 1, 100),
         field("leastSpeed", &P::leastSpeed, "cm/s", 0.1, 100),

@@ -43,6 +43,7 @@ void believeInto(WorldModel& world, const GpsIn& in, const Step& moved, const Gp
 Step stepPose(LandmarkUpdate update, const GpsIn& in, const GpsParams& params, GpsState& state) {
   prepare(params, state);
   const Step moved = moveModes(in, params, state);
+  stepLift(in.input.motion.feeling.lifted, params.field, params.modes, state.pose);
   stepReturn(in.input.game, params.field, params.afterPenalty, state.pose);
   useElevations(in, params, state);
   useLandmarks(in, params, state, update);

@@ -64,6 +64,7 @@ struct PoseState {
   StuckState stuck;
   ShakeState shake;
   bool penalised = false;  // in the last frame
+  bool lifted = false;     // so
 };
 
 }  // namespace kelpie::gps

@@ -19,6 +19,12 @@ PoseMode besideHalfWay(const body::FieldDescription& field, const ReturnParams& 
 
 }  // namespace
 
+void stepLift(bool lifted, const body::FieldDescription& field, const ModeParams& params,
+              PoseState& state) {
+  if (lifted != state.lifted) lose(field, params, state);
+  state.lifted = lifted;
+}
+
 void stepReturn(const GameState& game, const body::FieldDescription& field,
                 const ReturnParams& params, PoseState& state) {
   const bool returns = state.penalised && !game.penalised && game.state != PlayState::initial;

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// The end of a penalty: the robot has been put near a side line, on the half-way line, and looks
+// Hands. A robot that feels that it is lifted, or put down again, knows nothing of where it is. The
+// end of a penalty: the robot has been put near a side line, on the half-way line, and looks
 // across the field; on which side it is not told, as that goes by the ball. It believes in both
 // places (so did the code of 2005: facts-2005 section 5.1) and does not search as one that was
 // carried anywhere. Fails where the robot is put elsewhere: then the wide mode finds it, as ever.
 #pragma once
 
+#include "gps/pose/PoseParams.h"
 #include "gps/pose/PoseState.h"
 #include "robot/body/FieldDescription.h"
 #include "robot/core/Fields.h"
@@ -25,6 +27,10 @@ struct ReturnParams {
                      field("headingSd", &P::headingSd, "deg", 1, 180));
   }
 };
+
+// Once a frame; loses the pose in the ones in which somebody lifts the robot and puts it down.
+void stepLift(bool lifted, const body::FieldDescription& field, const ModeParams& params,
+              PoseState& state);
 
 // Once a frame; changes the modes in the one in which a penalty has ended. They keep their tilt.
 void stepReturn(const GameState& game, const body::FieldDescription& field,

@@ -26,16 +26,18 @@ Vector& vectorOf(const ONotifyEvent& event) {
   return *static_cast<Vector*>(const_cast<void*>(event.Data(0)));
 }
 
+// How many did not open; each is told.
 template <std::size_t N>
-OStatus openAll(const std::array<const char*, N>& locators, std::array<OPrimitiveID, N>& ids) {
-  OStatus result = oSUCCESS;
+std::size_t openAll(const std::array<const char*, N>& locators, std::array<OPrimitiveID, N>& ids) {
+  std::size_t lacking = 0;
   for (std::size_t i = 0; i < N; ++i) {
     const OStatus status = OPENR::OpenPrimitive(locators[i], &ids[i]);
     if (status == oSUCCESS) continue;
     OSYSLOG1((osyslogERROR, "%s cannot be opened: %u", locators[i], unsigned(status)));
-    result = status;
+    ids[i] = oprimitiveID_UNDEF;
+    ++lacking;
   }
-  return result;
+  return lacking;
 }
 
 }  // namespace
@@ -50,9 +52,8 @@ OStatus Agent::DoInit(const OSystemEvent&) {
   NEW_ALL_SUBJECT_AND_OBSERVER;
   REGISTER_ALL_ENTRY;
   SET_ALL_READY_AND_NOTIFY_ENTRY;
-  const OStatus opened = openPrimitives();
-  if (opened != oSUCCESS) return opened;
-  setCamera();
+  openPrimitives();
+  if (ids_.camera != oprimitiveID_UNDEF) setCamera();
   return newVectors();
 }
 
@@ -87,17 +88,17 @@ OStatus Agent::DoDestroy(const OSystemEvent&) {
   return oSUCCESS;
 }
 
-OStatus Agent::openPrimitives() {
-  const OStatus joints = openAll(openr::kJointLocators, ids_.joints);
-  const OStatus sensors = openAll(openr::kSensorLocators, ids_.sensors);
-  const OStatus leds = openAll(openr::kLedLocators, ids_.leds);
-  const OStatus ears = openAll(openr::kEarLocators, ids_.ears);
-  const OStatus camera = OPENR::OpenPrimitive(openr::kCameraLocator, &ids_.camera);
-  if (camera != oSUCCESS) OSYSLOG1((osyslogERROR, "no camera: %u", unsigned(camera)));
-  for (const OStatus status : {joints, sensors, leds, ears}) {
-    if (status != oSUCCESS) return status;
-  }
-  return camera;
+// Without a joint or the camera it cannot play; without a light, an ear, a paw or another sensor it
+// can, and shows that something is amiss.
+void Agent::openPrimitives() {
+  const std::size_t joints = openAll(openr::kJointLocators, ids_.joints);
+  std::array<OPrimitiveID, 1> camera{};
+  crippled_ = joints + openAll(std::array{openr::kCameraLocator}, camera) > 0;
+  ids_.camera = camera[0];
+  const std::size_t sensors = openAll(openr::kSensorLocators, ids_.sensors);
+  const std::size_t leds = openAll(openr::kLedLocators, ids_.leds);
+  lacks_ = sensors + leds + openAll(openr::kEarLocators, ids_.ears) > 0;
+  if (crippled_) OSYSLOG1((osyslogERROR, "a joint or the camera is lacking: it does not play"));
 }
 
 // As in 2005: fluorescent light, high gain, fast shutter, so that little is smeared
@@ -124,7 +125,7 @@ OStatus Agent::newVectors() {
     const ODataVectorInfo& info = vector.data->vectorInfo;
     const auto offset = static_cast<offset_t>(info.offset);
     vector.region = new RCRegion(info.memRegionID, offset, vector.data, info.totalSize);
-    prepareCommands(*vector.data, ids_);
+    places_ = prepareCommands(*vector.data, ids_);
   }
   return oSUCCESS;
 }
@@ -239,6 +240,7 @@ OStatus Agent::readPose() {
   JointFrame pose;
   for (std::size_t i = 0; i < kJointCount; ++i) {
     OJointValue value;
+    if (ids_.joints[i] == oprimitiveID_UNDEF) continue;
     const OStatus status = OPENR::GetJointValue(ids_.joints[i], &value);
     if (status != oSUCCESS) return status;
     pose.target.angle[i] = sensedAngle(static_cast<Joint>(i), value.value);
@@ -251,15 +253,32 @@ void Agent::NotifySensor(const ONotifyEvent& event) {
   auto& vector = vectorOf<OSensorFrameVectorData>(event);
   if (readSensors(vector)) {
     motionInput_.time = lastTick(vector);
-    motionInput_.held = held();
-    const MotionOutput& output = loops_.motion(motionInput_);
-    obey(loops_.motors(), {output.status.lowGain, output.status.legGain});
-    // At the start, or when the joints ran dry: a second vector ahead.
-    if (inFlight() == 0) sendHeld();
-    send(output.joints);
+    if (crippled_) {
+      showCrippled();
+    } else {
+      play();
+    }
   }
   radio_.tick(now());
   observer[event.ObsIndex()]->AssertReady();
+}
+
+void Agent::play() {
+  motionInput_.held = held();
+  const MotionOutput& output = loops_.motion(motionInput_);
+  obey(loops_.motors(), {output.status.lowGain, output.status.legGain});
+  // At the start, or when the joints ran dry: a second vector ahead.
+  if (inFlight() == 0) sendHeld();
+  send(output.joints);
+}
+
+// Its motors stay without power, and its lights blink.
+void Agent::showCrippled() {
+  JointFrame frame;
+  frame.target = motionInput_.sensors.back().joints;
+  frame.leds = body::faultLights(body::kCrippledFault, motionInput_.time);
+  held_.fill(frame);
+  sendHeld();
 }
 
 bool Agent::readSensors(OSensorFrameVectorData& vector) {
@@ -289,9 +308,11 @@ void Agent::sendHeld() {
 
 void Agent::send(const std::array<JointFrame, kTicksPerMessage>& frames) {
   held_ = frames;
+  if (lacks_)
+    for (JointFrame& frame : held_) frame.leds |= body::kLightLacks;
   for (CommandVector& vector : vectors_) {
     if (vector.region->NumberOfReference() != 1) continue;
-    writeCommands(frames, *vector.data);
+    writeCommands(held_, places_, *vector.data);
     subject[sbjEffector]->SetData(vector.region);
     subject[sbjEffector]->NotifyObservers();
     sent_ = power_;
@@ -310,6 +331,10 @@ std::size_t Agent::inFlight() const {
 
 void Agent::NotifyImage(const ONotifyEvent& event) {
   auto& vector = vectorOf<OFbkImageVectorData>(event);
+  if (crippled_) {
+    observer[event.ObsIndex()]->AssertReady();
+    return;
+  }
   if (readImage(vector, image_)) {
     loops_.camera(image_, {now().us - kExposureUs / 2},
                   static_cast<std::uint32_t>(vector.GetInfo(ofbkimageLAYER_H)->frameNumber));

@@ -64,7 +64,7 @@ class Agent : public OObject {
     RCRegion* region = nullptr;
   };
 
-  OStatus openPrimitives();
+  void openPrimitives();
   OStatus newVectors();
   OStatus limp();
   void obey(const MotorsOut& motors, body::LegGain legs);
@@ -79,6 +79,8 @@ class Agent : public OObject {
   void setCamera();
   bool readSensors(OSensorFrameVectorData& vector);
   TimeUs lastTick(OSensorFrameVectorData& vector);
+  void play();
+  void showCrippled();
   void sendHeld();
   void send(const std::array<JointFrame, kTicksPerMessage>& frames);
   std::size_t inFlight() const;
@@ -87,6 +89,7 @@ class Agent : public OObject {
   AntRadio radio_;
   PrimitiveIds ids_{};
   std::array<CommandVector, kVectors> vectors_;
+  CommandPlaces places_{};  // the same in each of them
   SensorReader sensorReader_;
   MotionInput motionInput_;
   std::array<JointFrame, kTicksPerMessage> held_{};  // the last targets, at first the sensed pose
@@ -97,6 +100,8 @@ class Agent : public OObject {
   bool sent_ = false;        // targets, since the power was asked for
   bool taken_ = false;       // so, and the effectors were ready for more
   bool shutDown_ = false;
+  bool crippled_ = false;    // a joint or the camera does not open: it does not play
+  bool lacks_ = false;       // something else does not
   Rest told_ = Rest::none;   // in the system's log
   bool clockKnown_ = false;
   TimeUs tickZero_;  // system time of sensor tick 0

@@ -50,6 +50,13 @@ slongword toMicroradians(double radians) {
   return static_cast<slongword>(std::floor(radians / openr::kMicroradian + 0.5));
 }
 
+OCommandValue jointCommand(double radians) {
+  const OJointCommandValue2 order = {toMicroradians(radians), 0};
+  OCommandValue value;
+  std::memcpy(&value, &order, sizeof value);
+  return value;
+}
+
 OCommandValue ledCommand(std::size_t led, bool on) {
   constexpr sword kFullIntensity = 255;
   const OLEDCommandValue2 switched = {on ? oledON : oledOFF, 1, 0};
@@ -68,13 +75,6 @@ OCommandValue earCommand(bool up) {
   OCommandValue value;
   std::memcpy(&value, &order, sizeof value);
   return value;
-}
-
-OCommandInfo& infoAt(OCommandVectorData& vector, std::size_t i) {
-  return *vector.GetInfo(static_cast<int>(i));
-}
-OCommandData& dataAt(OCommandVectorData& vector, std::size_t i) {
-  return *vector.GetData(static_cast<int>(i));
 }
 
 void copyBand(const OFbkImage& band, Image::Plane& plane) {
@@ -148,36 +148,37 @@ void SensorReader::readTouch(OSensorFrameVectorData& vector, std::size_t tick, S
   frame.back = back_;
 }
 
-void prepareCommands(OCommandVectorData& vector, const PrimitiveIds& ids) {
-  vector.SetNumData(kCommandCount);
-  for (std::size_t i = 0; i < kJointCount; ++i) {
-    infoAt(vector, i).Set(odataJOINT_COMMAND2, ids.joints[i], kTicks);
-  }
+CommandPlaces prepareCommands(OCommandVectorData& vector, const PrimitiveIds& ids) {
+  CommandPlaces places;
+  int next = 0;
+  const auto lay = [&](std::size_t command, ODataType type, OPrimitiveID id) {
+    const bool opened = id != oprimitiveID_UNDEF;
+    places[command] = opened ? next++ : kNoCommand;
+    if (opened) vector.GetInfo(places[command])->Set(type, id, kTicks);
+  };
+  for (std::size_t i = 0; i < kJointCount; ++i) lay(i, odataJOINT_COMMAND2, ids.joints[i]);
   for (std::size_t i = 0; i < openr::kLedCount; ++i) {
     const bool switched = i < openr::kSwitchedLeds;
-    infoAt(vector, kFirstLed + i)
-        .Set(switched ? odataLED_COMMAND2 : odataLED_COMMAND3, ids.leds[i], kTicks);
+    lay(kFirstLed + i, switched ? odataLED_COMMAND2 : odataLED_COMMAND3, ids.leds[i]);
   }
-  for (std::size_t i = 0; i < openr::kEarCount; ++i) {
-    infoAt(vector, kFirstEar + i).Set(odataJOINT_COMMAND4, ids.ears[i], kTicks);
-  }
+  for (std::size_t i = 0; i < openr::kEarCount; ++i)
+    lay(kFirstEar + i, odataJOINT_COMMAND4, ids.ears[i]);
+  vector.SetNumData(static_cast<std::size_t>(next));
+  return places;
 }
 
 void writeCommands(const std::array<JointFrame, kTicksPerMessage>& frames,
-                   OCommandVectorData& vector, const Senses& senses) {
+                   const CommandPlaces& places, OCommandVectorData& vector, const Senses& senses) {
   for (std::size_t tick = 0; tick < kTicks; ++tick) {
-    for (std::size_t i = 0; i < kJointCount; ++i) {
-      const double angle = senses.joints[i] * frames[tick].target.angle[i].rad();
-      const OJointCommandValue2 order = {toMicroradians(angle), 0};
-      std::memcpy(&dataAt(vector, i).value[tick], &order, sizeof order);
-    }
-    for (std::size_t i = 0; i < openr::kLedCount; ++i) {
-      const bool on = (frames[tick].leds >> i & 1U) != 0;
-      dataAt(vector, kFirstLed + i).value[tick] = ledCommand(i, on);
-    }
-    const EarRequest& ears = frames[tick].ears;
-    dataAt(vector, kFirstEar).value[tick] = earCommand(ears.leftUp);
-    dataAt(vector, kFirstEar + 1).value[tick] = earCommand(ears.rightUp);
+    const auto put = [&](std::size_t command, const OCommandValue& value) {
+      if (places[command] != kNoCommand) vector.GetData(places[command])->value[tick] = value;
+    };
+    for (std::size_t i = 0; i < kJointCount; ++i)
+      put(i, jointCommand(senses.joints[i] * frames[tick].target.angle[i].rad()));
+    for (std::size_t i = 0; i < openr::kLedCount; ++i)
+      put(kFirstLed + i, ledCommand(i, (frames[tick].leds >> i & 1U) != 0));
+    put(kFirstEar, earCommand(frames[tick].ears.leftUp));
+    put(kFirstEar + 1, earCommand(frames[tick].ears.rightUp));
   }
 }
 

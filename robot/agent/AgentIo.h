@@ -17,7 +17,8 @@
 
 namespace kelpie::agent {
 
-// What OpenPrimitive gave, in the order of the tables of Ers7Primitives.h.
+// What OpenPrimitive gave, in the order of the tables of Ers7Primitives.h; oprimitiveID_UNDEF for
+// what did not open.
 struct PrimitiveIds {
   std::array<OPrimitiveID, kJointCount> joints;
   std::array<OPrimitiveID, openr::kSensorCount> sensors;
@@ -59,10 +60,14 @@ class SensorReader {
 constexpr std::size_t kFirstLed = kJointCount;
 constexpr std::size_t kFirstEar = kFirstLed + openr::kLedCount;
 constexpr std::size_t kCommandCount = kFirstEar + openr::kEarCount;
+// Where in a vector each command is; kNoCommand for a primitive that did not open.
+constexpr int kNoCommand = -1;
+using CommandPlaces = std::array<int, kCommandCount>;
 // Type, primitive and number of frames of each command; these never change.
-void prepareCommands(OCommandVectorData& vector, const PrimitiveIds& ids);
+CommandPlaces prepareCommands(OCommandVectorData& vector, const PrimitiveIds& ids);
 void writeCommands(const std::array<JointFrame, kTicksPerMessage>& frames,
-                   OCommandVectorData& vector, const Senses& senses = robotSenses());
+                   const CommandPlaces& places, OCommandVectorData& vector,
+                   const Senses& senses = robotSenses());
 
 // A joint's raw value, as OPENR::GetJointValue has it.
 Angle sensedAngle(Joint joint, slongword raw);

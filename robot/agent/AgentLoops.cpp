@@ -58,7 +58,10 @@ void AgentLoops::decideMotors(const MotionInput& in) {
   motors.held = in.held;
   motors.asked = game_.heard || game_.game.state != PlayState::initial || drive_.present;
   motors.pressed = in.sensors.back().headTouch >= listens_.buttons.headThreshold;
-  motors.lying = motionOutput_ != nullptr && motionOutput_->status.lying;
+  if (motionOutput_ != nullptr) {
+    motors.lying = motionOutput_->status.lying;
+    motors.lifted = motionOutput_->status.feeling.lifted;
+  }
   motors_ = step(motors, MotorsParams{}, motorsState_);
 }
 

@@ -10,14 +10,14 @@ std::optional<Joint> step(const MotionInput& in, const JointWatchParams& params,
   constexpr double kMessageSeconds = kTickSeconds * kTicksPerMessage;
   const JointAngles& then = state.told[state.next];
   const JointAngles& now = in.sensors.back().joints;
-  std::optional<Joint> stuck;
   for (std::size_t j = 0; j < kJointCount; ++j) {
     const double error = std::fabs((now.angle[j] - then.angle[j]).deg());
     const bool held = (in.held >> j & 1U) != 0 && state.messages >= kWatchedMessages;
     state.apart[j] = held && error > params.apart ? state.apart[j] + kMessageSeconds : 0.0;
-    if (state.apart[j] >= params.seconds) stuck = static_cast<Joint>(j);
+    if (state.apart[j] >= params.seconds) state.stuck = static_cast<Joint>(j);
   }
-  return stuck;
+  if (in.held == 0) state.stuck.reset();
+  return state.stuck;
 }
 
 void told(const JointAngles& targets, JointWatchState& state) {

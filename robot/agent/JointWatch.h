@@ -23,9 +23,11 @@ struct JointWatchState {
   std::size_t next = 0;
   std::uint32_t messages = 0;  // known
   std::array<double, kJointCount> apart{};  // s
+  std::optional<Joint> stuck;               // until no joint is held any more
 };
 
-// Before the targets of this message are told. The joint that has been apart for so long.
+// Before the targets of this message are told. The joint that has been apart for so long; it counts
+// as stuck until all joints are limp, wherever the robot lies down meanwhile.
 std::optional<Joint> step(const MotionInput& in, const JointWatchParams& params,
                           JointWatchState& state);
 void told(const JointAngles& targets, JointWatchState& state);

@@ -17,6 +17,9 @@
 //                   none of it while it plays
 //   the face, 12    the behaviours have failed in this frame: it stands and scans
 //
+//   the head, white  a light, an ear or a sensor does not open; the system's log names it
+//   a fault, 14      a joint or the camera does not open, so that it cannot play
+//
 // The other lights are the behaviours' to use. Which light has which colour is told by Tekkotsu's
 // ERS7Info.h. Ready to penalised have the colours that the league's rules came to have; that
 // initial shows none and finished white is chosen, so that no two are alike.
@@ -29,6 +32,7 @@
 namespace kelpie::body {
 
 // Bits of every `leds` word, in the order of robot/openr/Ers7Primitives.h.
+constexpr std::uint32_t kLightLacks = 1U << 1U;  // of the head, white
 constexpr std::uint32_t kLightRed = 1U << 2U;    // above both ears
 constexpr std::uint32_t kLightGreen = 1U << 3U;  // so
 constexpr std::uint32_t kLightBlue = 1U << 4U;   // so
@@ -37,6 +41,7 @@ constexpr std::uint32_t kLightBackMiddle = 1U << 22U;
 constexpr std::uint32_t kLightBackRear = 1U << 24U;
 constexpr std::uint32_t kFirstFaceLight = 6;
 constexpr std::uint32_t kFaceLights = 14;
+constexpr std::uint32_t kCrippledFault = 14;
 
 std::uint32_t lightsOf(PlayState state, bool penalised);
 std::uint32_t lightsOf(TeamColour team);

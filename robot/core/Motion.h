@@ -145,6 +145,7 @@ struct Feeling {
   double load = 0.0;     // that current beyond what the same walk takes on free ground
   bool stuck = false;
   FallSide fallen = FallSide::none;
+  bool lifted = false;               // somebody carries it, or has not let go for long
   bool ballHeld = false;             // between chin, chest and forelegs
   std::array<bool, 2> pawBlocked{};  // left and right front paw pressed in the air
 
@@ -152,6 +153,7 @@ struct Feeling {
     return fieldList(field("current", &Feeling::current, "", 0, 1),
                      field("load", &Feeling::load, "", -1, 1), field("stuck", &Feeling::stuck),
                      field("fallen", &Feeling::fallen, "", 0, kFallSideCount - 1),
+        field("lifted", &Feeling::lifted),
                      field("ballHeld", &Feeling::ballHeld),
                      field("pawBlocked", &Feeling::pawBlocked));
   }

@@ -8,6 +8,7 @@
 #include <cstdio>
 
 #include "robot/agent/AgentLoops.h"
+#include "robot/body/Lights.h"
 #include "robot/host/AgentStub.h"
 #include "tests/host/Desk.h"
 
@@ -57,6 +58,7 @@ class Story : public testing::Test, public LogSink {
     AgentLoops loops(*config_, KELPIE_SOURCE_DIR "/pycode", *this);
     Agent agent(loops);
     system_ = std::make_unique<WatchedSystem>(desk_, params_);
+    system_->broken = broken_;
     host::Network network;
     network.tick = [this](TimeUs now) {
       while (!events_.empty() && events_.begin()->first <= now.seconds()) {
@@ -105,6 +107,7 @@ class Story : public testing::Test, public LogSink {
   host::HostParams params_;
   std::unique_ptr<AgentConfig> config_ = std::make_unique<AgentConfig>();
   std::unique_ptr<WatchedSystem> system_;
+  std::set<std::string> broken_;
   std::multimap<double, std::function<void()>> events_;
 };
 
@@ -251,6 +254,41 @@ INSTANTIATE_TEST_SUITE_P(
                     Cause{"Fan", orsbERROR_OF_FAN, Rest::fan}),
     [](const auto& cause) { return std::string(cause.param.name); });
 
+// A hand shakes it a little all the while.
+TEST_F(Story, LiftedOffTheGroundItGoesSlackAtOnceAndGoesOnWhenItHasBeenPutDownAndIsStill) {
+  press(2.0, 0.3);
+  at(7.0, [this] { desk_.lifted = true; });
+  for (int i = 0; i < 40; ++i)
+    at(7.5 + 0.1 * i, [this, i] { desk_.frame.acceleration[0] = i % 2 == 0 ? 150.0 : -150.0; });
+  at(11.5, [this] {
+    desk_.lifted = false;
+    desk_.frame.acceleration[0] = 0.0;
+    desk_.frame.joints[Joint::leftFrontRotator] = Angle::deg(80.0);  // as it was put down
+  });
+  play(17.0);
+  const double slack = called("limp 4", 7.0);
+  ASSERT_GT(slack, 0.0);
+  EXPECT_LE(slack, 7.5);
+  const double again = called("hold 0", slack);
+  EXPECT_GE(again, 12.5) << "a second still";
+  expectGainsInTurn(slack, 17.0);
+  EXPECT_EQ(rests.back().rest, Rest::none);
+  EXPECT_LE(fastest(desk_, again, restedFrom(Rest::none, again) + 1.0), kGentle);
+}
+
+TEST_F(Story, AJointThatDoesNotFollowEndsWithoutPower) {
+  press(2.0, 0.3);
+  at(7.0, [this] {
+    desk_.blocked = 1U << index(Joint::leftFrontKnee);
+    desk_.frame.joints[Joint::leftFrontKnee] = Angle::deg(-20.0);
+  });
+  play(20.0);
+  EXPECT_NEAR(restedFrom(Rest::jointStuck), 9.0, 0.3);
+  EXPECT_GT(called("power off", 9.0), 0.0);
+  EXPECT_LT(called("power off", 9.0), 19.0);
+  EXPECT_EQ(called("shut down"), -1.0);
+}
+
 TEST_F(Story, WithoutImagesItLiesDownButKeepsItsPower) {
   press(2.0, 0.3);
   at(7.0, [this] { desk_.images = false; });
@@ -262,6 +300,32 @@ TEST_F(Story, WithoutImagesItLiesDownButKeepsItsPower) {
   const double blind = restedFrom(Rest::blind) + kInFlight;
   EXPECT_LE(fastest(desk_, blind, restedFrom(Rest::none, 9.0) + 1.0), kGentle);
 }
+
+TEST_F(Story, WithoutALightAPawAndAnEarItPlaysAndShowsThatSomethingIsAmiss) {
+  broken_ = {"PRM:/r1/c1/c2/c3/lc-LED3:lc", "PRM:/r2/c1/c2/c3/c4-Sensor:24",
+             "PRM:/r1/c1/c2/c3/e5-Joint4:15"};
+  press(2.0, 0.3);
+  play(8.0);
+  EXPECT_EQ(rests.back().rest, Rest::none);
+  EXPECT_GT(readyAt, 2.0);
+  EXPECT_NE(desk_.leds & body::kLightLacks, 0U);
+}
+
+class StoryWithout : public Story, public testing::WithParamInterface<const char*> {};
+
+TEST_P(StoryWithout, AVitalPartItNeverHasPowerAndBlinks) {
+  broken_ = {GetParam()};
+  press(2.0, 0.3);
+  play(6.0);
+  EXPECT_EQ(called("power on"), -1.0);
+  EXPECT_EQ(heldInTurn(0.0, 6.0).size(), 0U);
+  const std::uint32_t face = ((1U << body::kFaceLights) - 1U) << body::kFirstFaceLight;
+  EXPECT_EQ(desk_.leds & face, face) << "fault 14";
+}
+
+INSTANTIATE_TEST_SUITE_P(Parts, StoryWithout,
+                         testing::Values("PRM:/r3/c1-Joint2:31",
+                                         "PRM:/r1/c1/c2/c3/i1-FbkImageSensor:F1"));
 
 TEST_F(Story, TheEndOfTheObjectLeavesNoJointHeldAndNoPower) {
   press(2.0, 0.3);

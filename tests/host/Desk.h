@@ -7,6 +7,7 @@
 #include <cmath>
 #include <functional>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,10 @@ class WatchedSystem : public HostSystem {
  public:
   using HostSystem::HostSystem;
 
+  OStatus openPrimitive(const char* locator, OPrimitiveID* id) override {
+    if (broken.count(locator) > 0) return oOPEN_FAILURE;
+    return HostSystem::openPrimitive(locator, id);
+  }
   OStatus setMotorPower(OPower power) override {
     note(power == opowerON ? "power on" : "power off");
     return HostSystem::setMotorPower(power);
@@ -46,6 +51,7 @@ class WatchedSystem : public HostSystem {
     std::string what;
   };
   std::vector<Call> calls;
+  std::set<std::string> broken;  // locators that do not open
 
  private:
   void note(const std::string& what) {
@@ -75,6 +81,7 @@ class Desk : public Source {
     power = reply.motorPower;
     gains = reply.gains;
     for (const EffectorVector& vector : reply.vectors) vectors_.push_back(vector);
+    if (!reply.vectors.empty()) leds = reply.vectors[reply.vectors.size() - 1].leds;
     return Done{};
   }
 
@@ -85,6 +92,8 @@ class Desk : public Source {
   bool power = false;
   std::uint32_t gains = 0;
   bool lifted = false;
+  std::uint32_t blocked = 0;  // bit i: joint i cannot move
+  std::uint32_t leds = 0;  // of the last vector
   SensorFrame frame = standingOnDesk();
   // Raw targets as they were played, a tick each, and when.
   std::vector<std::pair<TimeUs, RawJoints>> played;
@@ -110,7 +119,7 @@ class Desk : public Source {
       played.emplace_back(step.time, vectors_.front().targets[tick]);
     const JointAngles target = anglesOf(played.back().second);
     for (std::size_t j = 0; j < kJointCount; ++j)
-      if (power && (gains >> j & 1U) != 0) frame.joints.angle[j] = target.angle[j];
+      if (power && (gains >> j & ~(blocked >> j) & 1U) != 0) frame.joints.angle[j] = target.angle[j];
     vectors_.erase(vectors_.begin());
     step.vectorsDone = 1;
   }

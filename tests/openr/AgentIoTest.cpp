@@ -229,7 +229,7 @@ class CommandTest : public testing::Test {
     for (const char* locator : openr::kJointLocators) open(locator);
     for (const char* locator : openr::kLedLocators) open(locator);
     for (const char* locator : openr::kEarLocators) open(locator);
-    prepareCommands(*vector_, allIds());
+    places_ = prepareCommands(*vector_, allIds());
     region_ = new RCRegion(memory_, 0, vector_, vector_->vectorInfo.totalSize);
   }
   ~CommandTest() override { region_->RemoveReference(); }
@@ -248,6 +248,7 @@ class CommandTest : public testing::Test {
     void print(int, const char*) override {}
   } robot_;
   MemoryRegionID memory_ = 0;
+  CommandPlaces places_{};
   OCommandVectorData* vector_ = nullptr;
   RCRegion* region_ = nullptr;
   host::EffectorVector out_;
@@ -258,7 +259,7 @@ TEST_F(CommandTest, EarsArriveEachForItself) {
     std::array<JointFrame, kTicksPerMessage> frames;
     for (JointFrame& frame : frames) frame.ears = {left, !left};
     host::EffectorVector out;
-    writeCommands(frames, *vector_);
+    writeCommands(frames, places_, *vector_);
     EXPECT_EQ("", host::readCommands(*region_, robot_, out));
     EXPECT_EQ(left ? 1U : 2U, out.ears);
   }
@@ -277,7 +278,7 @@ TEST_F(CommandTest, LedsTailMouthAndEarsOfACommandArrive) {
     in.command.ears.rightUp = message == 59;  // it would go down by itself
     output = actuator::step(in, params, state);
   }
-  writeCommands(output.joints, *vector_);
+  writeCommands(output.joints, places_, *vector_);
   EXPECT_EQ("", host::readCommands(*region_, robot_, out_));
   const JointAngles last = host::anglesOf(out_.targets[kTicksPerMessage - 1]);
   EXPECT_EQ(0x2a5a5a5U, out_.leds);
@@ -294,7 +295,7 @@ TEST_F(CommandTest, TargetsOfFourTicksArriveWithinAMicroradian) {
       frames[tick].target.angle[i] = Angle::rad(-0.7 + 0.05 * static_cast<double>(i + 3 * tick));
     }
   }
-  writeCommands(frames, *vector_);
+  writeCommands(frames, places_, *vector_);
   EXPECT_EQ("", host::readCommands(*region_, robot_, out_));
   EXPECT_EQ(4U, out_.ticks);
   for (std::size_t tick = 0; tick < frames.size(); ++tick) {
@@ -305,8 +306,26 @@ TEST_F(CommandTest, TargetsOfFourTicksArriveWithinAMicroradian) {
   }
 }
 
+TEST_F(CommandTest, APrimitiveThatDidNotOpenIsLeftOutAndTheOthersKeepTheirOrders) {
+  PrimitiveIds ids = allIds();
+  ids.leds[7] = ids.joints[2] = oprimitiveID_UNDEF;
+  places_ = prepareCommands(*vector_, ids);
+  std::array<JointFrame, kTicksPerMessage> frames;
+  for (JointFrame& frame : frames) {
+    frame.leds = 0x2a5a5a5;
+    frame.ears.rightUp = true;
+    frame.target[Joint::tailPan] = Angle::deg(30.0);
+  }
+  writeCommands(frames, places_, *vector_);
+  EXPECT_EQ("", host::readCommands(*region_, robot_, out_));
+  EXPECT_EQ(0x2a5a5a5U & ~(1U << 7U), out_.leds);
+  EXPECT_EQ(2U, out_.ears);
+  EXPECT_EQ(kAllJoints & ~4U, out_.joints);
+  EXPECT_NEAR(30.0, host::anglesOf(out_.targets[0])[Joint::tailPan].deg(), 1e-4);
+}
+
 TEST_F(CommandTest, UnsoundCommandIsNamedAndTheRestKept) {
-  writeCommands({}, *vector_);
+  writeCommands({}, places_, *vector_);
   vector_->GetInfo(2)->numFrames = 17;
   EXPECT_EQ("command 2 for primitive 258 of type 259 with 17 frames is refused",
             host::readCommands(*region_, robot_, out_));
