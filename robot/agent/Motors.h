@@ -22,6 +22,12 @@ struct MotorOrder {
   // Of each joint's standard proportional gain; 0: its gain is off.
   std::array<double, kJointCount> strength{};
   bool shutDown = false;  // the whole robot
+
+  static constexpr auto fields() {
+    return fieldList(field("power", &MotorOrder::power),
+                     field("strength", &MotorOrder::strength, "", 0, 1),
+                     field("shutDown", &MotorOrder::shutDown));
+  }
 };
 
 struct MotorsParams {
@@ -47,6 +53,11 @@ struct MotorsIn {
 struct MotorsOut {
   Rest rest = Rest::starting;
   MotorOrder order;
+
+  static constexpr auto fields() {
+    return fieldList(field("rest", &MotorsOut::rest, "", 0, kRestCount - 1),
+                     field("order", &MotorsOut::order));
+  }
 };
 
 struct MotorsState {

@@ -2,6 +2,8 @@
 // What the battery and the switches last said, in Kelpie's words (OPENR/OPower.h has the bits).
 #pragma once
 
+#include "robot/core/Fields.h"
+
 namespace kelpie::agent {
 
 struct PowerReport {
@@ -12,6 +14,14 @@ struct PowerReport {
   bool fanFault = false;     // of the fan that cools the processor
   bool motorPower = true;    // the motors are powered; false as well when the robot cut it for a jam
   double current = 0.0;      // drawn from the battery, mA
+
+  static constexpr auto fields() {
+    using P = PowerReport;
+    return fieldList(field("paused", &P::paused), field("batteryLow", &P::batteryLow),
+                     field("overCurrent", &P::overCurrent), field("hot", &P::hot),
+                     field("fanFault", &P::fanFault), field("motorPower", &P::motorPower),
+                     field("current", &P::current, "mA", 0, 2e5));
+  }
 };
 
 }  // namespace kelpie::agent

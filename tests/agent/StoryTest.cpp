@@ -10,7 +10,7 @@
 #include "robot/agent/AgentLoops.h"
 #include "robot/body/Lights.h"
 #include "robot/host/AgentStub.h"
-#include "tests/host/Desk.h"
+#include "tools/desk/Desk.h"
 
 namespace kelpie::agent {
 namespace {

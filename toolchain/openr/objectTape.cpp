@@ -6,9 +6,6 @@
 // the behaviours that played, no Commands are compared: so object-tape-simple is called, which has
 // the simple player in place of Python. Exit code 0: written, 1: this PC makes something else than
 // was recorded, 2: bad input.
-//
-// A tape: per record one byte of kind (c, f, m), length of input and of output as little-endian
-// 32-bit numbers, the input, the output.
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -21,10 +18,12 @@
 #include "robot/agent/FrameLoop.h"
 #include "robot/agent/FrameMessages.h"
 #include "robot/agent/MotionLoop.h"
+#include "toolchain/openr/TapeWriter.h"
 
 namespace {
 
 using namespace kelpie;
+using tape::TapeWriter;
 
 constexpr std::uint32_t kStandardFrames = 300;
 
@@ -32,53 +31,6 @@ struct Counts {
   std::uint32_t frames = 0;
   std::uint32_t motionSteps = 0;
   std::uint32_t differing = 0;
-};
-
-class TapeWriter {
- public:
-  explicit TapeWriter(const std::string& path) : file_(path, std::ios::binary) {}
-
-  template <class In, class Out>
-  void put(char kind, const In& input, const Out& output) {
-    encoded(input, input_);
-    encoded(output, output_);
-    record(kind);
-  }
-  void putConfig(const agent::AgentConfig& config) {
-    encoded(config, input_);
-    output_.clear();
-    record('c');
-  }
-  bool close() {
-    file_.close();
-    return file_.good();
-  }
-
- private:
-  template <class T>
-  static void encoded(const T& value, std::vector<std::uint8_t>& bytes) {
-    bytes.clear();
-    encode(value, bytes);
-  }
-  void record(char kind) {
-    file_.put(kind);
-    number(input_.size());
-    number(output_.size());
-    bytes(input_);
-    bytes(output_);
-  }
-  void number(std::size_t value) {
-    for (unsigned shift = 0; shift < 32; shift += 8)
-      file_.put(static_cast<char>((value >> shift) & 0xffU));
-  }
-  void bytes(const std::vector<std::uint8_t>& data) {
-    file_.write(reinterpret_cast<const char*>(data.data()),
-                static_cast<std::streamsize>(data.size()));
-  }
-
-  std::ofstream file_;
-  std::vector<std::uint8_t> input_;
-  std::vector<std::uint8_t> output_;
 };
 
 class Tape {
@@ -108,7 +60,7 @@ class Tape {
     if (!read) return read;
     frames_ = std::make_unique<agent::FrameLoop>(*config, scripts_);
     motion_ = std::make_unique<agent::MotionLoop>(*config);
-    out_.putConfig(*config);
+    out_.put('c', *config);
     return Done{};
   }
   Status frameIn(const LogMessage& message) {

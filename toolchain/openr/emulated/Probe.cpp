@@ -6,10 +6,13 @@
 #include <cstdint>
 #include <cstdio>
 #include <new>
+#include <string>
 
+#include "robot/agent/AgentLoops.h"
 #include "robot/agent/FrameLoop.h"
 #include "robot/agent/LoggedTypes.h"
 #include "robot/agent/MotionLoop.h"
+#include "toolchain/openr/AgentTape.h"
 
 namespace {
 
@@ -29,8 +32,27 @@ struct Emulated {
   kelpie::agent::StageObserver silent;
 };
 
+// The loops as the object has them, and the last frame that they made.
+struct EmulatedLoops : kelpie::agent::LogSink {
+  EmulatedLoops(const AgentConfig& config, const std::string& scripts)
+      : loops(config, scripts, *this) {}
+  void frame(const kelpie::FrameInput&, const kelpie::FrameOutput& output) override {
+    made = &output;
+  }
+
+  kelpie::agent::AgentLoops loops;
+  const kelpie::FrameOutput* made = nullptr;
+  kelpie::MotionInput input;
+  kelpie::tape::Moment moment;
+  kelpie::tape::Answer answer;
+};
+
 alignas(8) std::uint8_t buffer[kBufferBytes];
 Emulated* emulated = nullptr;
+EmulatedLoops* loops = nullptr;
+
+// The behaviours inside, or those of the zip that lies where kelpieFile said.
+const char* scripts() { return std::fopen("", "rb") != nullptr ? "PYCODE.ZIP" : ""; }
 
 template <class T>
 std::uint32_t answer(const T& output) {
@@ -47,11 +69,10 @@ extern "C" {
 // Where input is put and output is found.
 std::uint8_t* kelpieBuffer() { return buffer; }
 
-// The behaviours inside play, or those of the zip that lies where kelpieFile said.
 std::uint32_t kelpieConfigure(std::uint32_t size) {
   auto* const config = new AgentConfig;
   if (!kelpie::decode(buffer, size, *config)) return 0;
-  emulated = new Emulated(*config, std::fopen("", "rb") != nullptr ? "PYCODE.ZIP" : "");
+  emulated = new Emulated(*config, scripts());
   return 1;
 }
 
@@ -63,5 +84,34 @@ std::uint32_t kelpieFrame(std::uint32_t size) {
 std::uint32_t kelpieMotion(std::uint32_t size) {
   if (emulated == nullptr || !kelpie::decode(buffer, size, emulated->motionInput)) return 0;
   return answer(emulated->motion.step(emulated->motionInput, emulated->silent));
+}
+
+// What passes between the OPEN-R object and its loops.
+std::uint32_t kelpieLoops(std::uint32_t size) {
+  auto* const config = new AgentConfig;
+  if (!kelpie::decode(buffer, size, *config)) return 0;
+  loops = new EmulatedLoops(*config, scripts());
+  return 1;
+}
+
+std::uint32_t kelpiePower(std::uint32_t size) {
+  kelpie::agent::PowerReport report;
+  if (loops == nullptr || !kelpie::decode(buffer, size, report)) return 0;
+  loops->loops.power(report);
+  return 1;
+}
+
+std::uint32_t kelpieSensors(std::uint32_t size) {
+  if (loops == nullptr || !kelpie::decode(buffer, size, loops->input)) return 0;
+  loops->answer.motion = loops->loops.motion(loops->input);
+  loops->answer.motors = loops->loops.motors();
+  return answer(loops->answer);
+}
+
+std::uint32_t kelpieImage(std::uint32_t size) {
+  kelpie::tape::Moment* const moment = loops != nullptr ? &loops->moment : nullptr;
+  if (moment == nullptr || !kelpie::decode(buffer, size, *moment)) return 0;
+  loops->loops.camera(moment->image, moment->exposed, moment->number);
+  return answer(*loops->made);
 }
 }

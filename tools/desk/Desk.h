@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A robot on a desk for the tests of its start and end: joints that follow their targets where a
+// A robot on a desk, for its start and end: joints that follow their targets where a
 // motor holds them and stay where they are where none does, gravity, and somebody who presses,
 // pauses and lifts at given times. What the agent calls of power and gains is kept in its order.
 #pragma once
@@ -68,7 +68,7 @@ class Desk : public Source {
     if (!imageNext_ && message_ == messages) return false;
     event.step.time = {imageNext_ ? 32000 * message_ + 9000 : 32000 * (message_ + 1)};
     if (imageNext_) {
-      event.step.imagePresent = images;
+      event.step.imagePresent = images && message_ % imageEvery == 0;
     } else {
       sense(event.step);
       ++message_;
@@ -89,6 +89,7 @@ class Desk : public Source {
 
   std::int32_t messages = 0;
   bool images = true;
+  std::int32_t imageEvery = 1;  // messages
   bool power = false;
   std::uint32_t gains = 0;
   bool lifted = false;
