@@ -78,3 +78,12 @@ struct antEnvCreateSharedBufferMsg : public antEnvMsg {
   explicit antEnvCreateSharedBufferMsg(uint32 bytes)
       : antEnvMsg(antEnv_Operation_CreateSharedBuffer), size(bytes) {}
 };
+
+// Gives back what was shared; it must not be mapped any more.
+struct antEnvDestroySharedBufferMsg : public antEnvMsg {
+  antError error = ANT_FAIL;
+  antSharedBuffer buffer;
+
+  explicit antEnvDestroySharedBufferMsg(antSharedBuffer& memory)
+      : antEnvMsg(antEnv_Operation_DestroySharedBuffer), buffer(memory) {}
+};
