@@ -1,20 +1,27 @@
 // SPDX-License-Identifier: Apache-2.0
-// One endpoint for datagrams of the robot's network (openr.md 5.7), whatever is said over it. One
-// Receive is always under way, one Send at most. It opens when it is told the time, and again some
-// seconds after it could not be opened, was closed, or left a Send without an answer; opening waits
-// for the network a few times, hence the seconds. Nothing of it ever stops the robot.
+// One endpoint for datagrams of the robot's network (openr.md 5.7), whatever is said over it. It
+// never waits: whatever it wants of the network it asks by a message, goes on when the answer
+// comes, and gives up when none has come for a while. While it is open one Receive is always under
+// way, one Send at most. It tries again some seconds after it could not be opened, was closed, or
+// was left without an answer. Nothing of it ever stops the robot.
+//
+// ANT lets every message be sent or called. Public programs for the robot send Receive, Send and
+// Close as it is done here, but call for memory, endpoint and port, at their start, where they may
+// wait: that the answers to these come as well has not been seen on a robot.
 #pragma once
 
 #include <UDPEndpointMsg.h>
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 
 #include "robot/core/Time.h"
 
 namespace kelpie::agent {
 
-// The object that the endpoint works for, and the entries that it gets its answers at.
+// The object that the endpoint works for, and the entries that it gets its answers at: those to a
+// Send at `sent`, all others at `heard`.
 struct AntOwner {
   OID object;
   antStackRef stack;
@@ -24,9 +31,9 @@ struct AntOwner {
 
 struct AntEndpointParams {
   Port port = IP_PORT_ANY;
-  std::size_t longest = 0;    // bytes of a datagram
-  double retrySeconds = 2.0;  // from a failure to the next attempt
-  double sentSeconds = 1.0;   // a Send without an answer for so long means that the network is gone
+  std::size_t longest = 0;     // bytes of a datagram
+  double retrySeconds = 2.0;   // from a failure to the next attempt
+  double answerSeconds = 1.0;  // none for so long, but to a Receive: the network is gone
 };
 
 // What was heard lies in the endpoint until it is told to listen again.
@@ -40,12 +47,12 @@ class AntEndpoint {
   explicit AntEndpoint(const AntEndpointParams& params) : params_(params) {}
 
   void begin(const AntOwner& owner) { owner_ = owner; }
-  // Opens when it is time to.
+  // Begins to open when it is time to, and gives up what has no answer.
   void tick(TimeUs now);
-  bool open() const { return open_; }
+  bool open() const { return state_ == State::open; }
 
-  // The answer to a Receive: a datagram, or nothing when it was an error or of an endpoint that was
-  // closed since.
+  // An answer at the entry of that name: a datagram, or nothing when it was an error, a step of
+  // opening or closing, or meant for an endpoint that was closed since.
   Heard heard(void* answer);
   void listen();
   // To everybody at this port. False: not open, too long, or the one before is still under way.
@@ -53,15 +60,33 @@ class AntEndpoint {
   void sent(void* answer);
 
  private:
-  bool allocate();
-  bool bind();
+  // Closed, or what it waits for: memory, an endpoint, its port, datagrams, its end. In this order,
+  // but without the memory when it has that; from a failure it goes to the end of what there is.
+  enum class State : std::uint8_t { closed, buffers, endpoint, binding, open, closing };
+  static constexpr std::size_t kStates = 6;
+  // An answer that comes so many openings late, two minutes, would be taken for a new one.
+  static constexpr std::size_t kLives = 64;
+
+  void start();
+  void askNext();
+  void askMemory();
+  void shared(antEnvCreateSharedBufferMsg& answer);
+  void askEndpoint();
+  void created(antEnvCreateEndpointMsg& answer);
+  void bound(const UDPEndpointBindMsg& answer);
+  Heard datagram(const UDPEndpointReceiveMsg& answer);
+  void giveBack(antEnvMsg& unused);
+
+  void enter(State state);
+  bool waits() const;
+  void giveUp(const char* what, int error);
   void close();
-  void fail(const char* what, int error);
   // An error that leaves the endpoint as good as it was.
   static bool passes(UDPEndpointError error);
-  void* life() { return &lives_[life_]; }
+  void* mark() { return &marks_[life_][static_cast<std::size_t>(state_)]; }
+  bool wasOf(State state, const antEnvMsg& answer);
   template <class Message>
-  Message* mine(void* answer);
+  antError post(Message& message, void* mark, Selector entry);
   template <class Message>
   void send(Message& message, Selector entry);
 
@@ -70,17 +95,17 @@ class AntEndpoint {
   antSharedBuffer in_;
   antSharedBuffer out_;
   antModuleRef module_;
-  // Travels with each message and back: an answer to an endpoint that was closed is not taken. One
-  // that comes 64 openings late, which is two minutes, would be.
-  std::array<char, 64> lives_{};
+  // The place of its life and state travels with each message and back: so an answer to what is not
+  // waited for any more is known.
+  std::array<std::array<char, kStates>, kLives> marks_{};
   std::size_t life_ = 0;
-  bool allocated_ = false;
-  bool open_ = false;
+  State state_ = State::closed;
+  std::size_t mapped_ = 0;  // of the two buffers
   bool sending_ = false;
   bool told_ = false;  // of the failure that lasts: once is enough
   TimeUs now_;
   TimeUs tryAt_;
-  TimeUs sentAt_;
+  TimeUs askedAt_;
 };
 
 }  // namespace kelpie::agent

@@ -15,7 +15,12 @@ class AntHost : public HostSystem {
  public:
   using HostSystem::HostSystem;
   antError antCall(antEnvMsg& message) override { return ant.call(message); }
-  antError antSend(const antEnvMsg& message) override { return ant.send(message); }
+  // What the network answers at once comes after the method of the object that asked.
+  antError antSend(const antEnvMsg& message) override {
+    const antError error = ant.send(message);
+    deliver();
+    return error;
+  }
   void deliver() {
     for (; !ant.answers.empty(); ant.answers.pop_front())
       post(ant.answers.front().to, ant.answers.front().reply);
@@ -42,9 +47,10 @@ Bytes bytesOf(const Packet& packet) {
 
 class AntRadioTest : public testing::Test {
  protected:
-  // Plays steps of sensors and an image; before each, what the network does then.
-  void play(const std::function<void(int)>& before) {
-    source_.addSensors(8);
+  // Plays steps of sensors and an image; before each, what the network does then. Whatever that is,
+  // no method of the object waits for it.
+  void play(const std::function<void(int)>& before, std::uint32_t steps = 8) {
+    source_.addSensors(steps);
     for (WorldStep& step : source_.steps) step.imagePresent = true;
     Network network;
     int step = 0;
@@ -54,6 +60,8 @@ class AntRadioTest : public testing::Test {
     };
     const auto summary = system_.run(agentStub(*object_), network);
     ASSERT_TRUE(summary) << summary.error();
+    EXPECT_EQ(0, system_.ant.calls);
+    EXPECT_EQ(steps, loops_.inputs.size());
   }
 
   FakeSource source_;
@@ -98,8 +106,32 @@ TEST_F(AntRadioTest, WhatIsSaidWhileTheNetworkIsSlowIsLostAndNotHeldUp) {
 TEST_F(AntRadioTest, ARobotWithoutANetworkPlays) {
   system_.ant.refusesMemory = true;
   play([](int) {});
-  EXPECT_EQ(8U, loops_.inputs.size());
   EXPECT_EQ(8U, loops_.exposures.size());
+}
+
+// Six seconds: a silent network, traffic, the network lost and silent about it, traffic again.
+TEST_F(AntRadioTest, AWholeLifeOfTheNetworkHoldsUpNoSensors) {
+  system_.ant.silent = true;
+  std::vector<bool> received;
+  play(
+      [&](int step) {
+        if (step == 20) system_.ant.silent = false;
+        if (step == 20) system_.ant.answerRequests();
+        if (step == 25) loops_.says = packetOf({1});
+        if (step == 25) received.push_back(system_.ant.comes(3838, {2}));
+        if (step == 30) system_.ant.silent = true;
+        if (step == 30) system_.ant.lose();
+        if (step == 70) received.push_back(system_.ant.comes(20050, {3}));
+        if (step == 80) system_.ant.silent = false;
+        if (step == 150) loops_.says = packetOf({4});
+        if (step == 150) received.push_back(system_.ant.comes(20050, {5}));
+        system_.ant.answerSends();
+      },
+      190);
+  EXPECT_EQ((std::vector<bool>{true, false, true}), received);
+  EXPECT_EQ((std::vector<Bytes>{{1}, {4}}), system_.ant.broadcasts);
+  EXPECT_EQ(1U, loops_.controls.size());
+  EXPECT_EQ(1U, loops_.packets.size());
 }
 
 TEST(NoRadio, OnTheHostTheObjectAsksTheNetworkForNothingAndTakesNoPacket) {

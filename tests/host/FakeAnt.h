@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A network of the robot for tests: it can refuse, answers a Send or a Receive only when the test
-// says so, and can lose its endpoints.
+// A network of the robot for tests: it can refuse, be silent, answers a Send or a Receive only when
+// the test says so, and can lose its endpoints. What it is asked for besides it answers at once,
+// and it counts who waits for that.
 #pragma once
 
 #include <UDPEndpointMsg.h>
@@ -24,19 +25,15 @@ class FakeAnt {
   bool refusesEndpoints = false;
   bool refusesPorts = false;
   bool refusesMessages = false;
-  int opened = 0;  // endpoints, ever
+  bool silent = false;  // about all that it is asked for
+  int calls = 0;        // that waited for their answer
+  int opened = 0;       // endpoints, ever
   std::vector<Bytes> broadcasts;
   Port lastPort = 0;  // that was sent to
 
   antError call(antEnvMsg& message) {
-    switch (message.dstOperation) {
-      case antEnv_Operation_CreateSharedBuffer:
-        return share(as<antEnvCreateSharedBufferMsg>(message));
-      case antEnv_Operation_CreateEndpoint: return create(as<antEnvCreateEndpointMsg>(message));
-      case UDPEndpoint_Operation_Bind: return bind(as<UDPEndpointBindMsg>(message));
-      case UDPEndpoint_Operation_Close: return close(message);
-      default: return ANT_FAIL;
-    }
+    ++calls;
+    return serve(message);
   }
 
   antError send(const antEnvMsg& message) {
@@ -46,7 +43,22 @@ class FakeAnt {
     copy.bytes.resize(bytes / sizeof(std::max_align_t) + 1);
     std::memcpy(copy.bytes.data(), &message, bytes);
     waiting_.push_back(copy);
+    if (!silent) answerRequests();
     return ANT_SUCCESS;
+  }
+
+  // All but Sends and Receives.
+  int answerRequests() {
+    int count = 0;
+    for (;; ++count) {
+      const auto place = std::find_if(waiting_.begin(), waiting_.end(), [](openr::AntReply& one) {
+        const int32 asked = head(one).dstOperation;
+        return asked != UDPEndpoint_Operation_Send && asked != UDPEndpoint_Operation_Receive;
+      });
+      if (place == waiting_.end()) return count;
+      (void)serve(head(*place));
+      reply(place);
+    }
   }
 
   // A datagram comes in; false when nobody receives at the port.
@@ -79,7 +91,7 @@ class FakeAnt {
     }
   }
 
-  // The network goes away: all that waits is answered so.
+  // The network goes away: every Send and Receive that waits is answered so.
   void lose() {
     while (!waiting_.empty()) answer(waiting_.begin(), UDP_CONNECTION_CLOSED);
   }
@@ -90,6 +102,8 @@ class FakeAnt {
   };
   std::deque<Answer> answers;
   std::size_t waiting() const { return waiting_.size(); }
+  std::size_t endpoints() const { return endpoints_.size(); }  // that are not closed
+  std::size_t memory() const { return memory_.size(); }        // buffers that are shared
 
  private:
   struct Endpoint {
@@ -97,19 +111,39 @@ class FakeAnt {
     Port port = 0;
   };
   using Waiting = std::deque<openr::AntReply>;
+  using Memory = std::unique_ptr<std::uint8_t[]>;
 
   template <class Message>
   static Message& as(antEnvMsg& message) {
     return static_cast<Message&>(message);
   }
-  static UDPEndpointBaseMsg& head(openr::AntReply& one) {
-    return *static_cast<UDPEndpointBaseMsg*>(antEnvMsg::Receive(one.bytes.data()));
-  }
+  static antEnvMsg& head(openr::AntReply& one) { return *antEnvMsg::Receive(one.bytes.data()); }
 
+  antError serve(antEnvMsg& message) {
+    switch (message.dstOperation) {
+      case antEnv_Operation_CreateSharedBuffer:
+        return share(as<antEnvCreateSharedBufferMsg>(message));
+      case antEnv_Operation_DestroySharedBuffer:
+        return unshare(as<antEnvDestroySharedBufferMsg>(message));
+      case antEnv_Operation_CreateEndpoint: return create(as<antEnvCreateEndpointMsg>(message));
+      case UDPEndpoint_Operation_Bind: return bind(as<UDPEndpointBindMsg>(message));
+      case UDPEndpoint_Operation_Close: return close(as<UDPEndpointCloseMsg>(message));
+      default: return ANT_FAIL;
+    }
+  }
   antError share(antEnvCreateSharedBufferMsg& message) {
     if (refusesMemory) return ANT_FAIL;
     memory_.push_back(std::make_unique<std::uint8_t[]>(message.size));
     message.buffer = antSharedBuffer(memory_.back().get(), message.size);
+    return message.error = ANT_SUCCESS;
+  }
+  antError unshare(antEnvDestroySharedBufferMsg& message) {
+    (void)message.buffer.Map();
+    const auto place = std::find_if(memory_.begin(), memory_.end(), [&](const Memory& one) {
+      return one.get() == message.buffer.GetAddress();
+    });
+    if (place == memory_.end()) return ANT_FAIL;
+    memory_.erase(place);
     return message.error = ANT_SUCCESS;
   }
   antError create(antEnvCreateEndpointMsg& message) {
@@ -118,15 +152,20 @@ class FakeAnt {
     endpoints_.push_back({message.moduleRef, 0});
     return message.error = ANT_SUCCESS;
   }
+  std::vector<Endpoint>::iterator endpointOf(const antEnvMsg& message) {
+    return std::find_if(endpoints_.begin(), endpoints_.end(),
+                        [&](const Endpoint& one) { return one.module == message.dstModule; });
+  }
   antError bind(UDPEndpointBindMsg& message) {
-    message.error = refusesPorts ? UDP_ADDRESSINUSE : UDP_SUCCESS;
-    for (Endpoint& one : endpoints_)
-      if (one.module == message.dstModule) one.port = message.port;
+    const auto place = endpointOf(message);
+    message.error = refusesPorts || place == endpoints_.end() ? UDP_ADDRESSINUSE : UDP_SUCCESS;
+    if (message.error == UDP_SUCCESS) place->port = message.port;
     return ANT_SUCCESS;
   }
-  antError close(antEnvMsg& message) {
-    for (Endpoint& one : endpoints_)
-      if (one.module == message.dstModule) one.port = 0;
+  antError close(UDPEndpointCloseMsg& message) {
+    const auto place = endpointOf(message);
+    message.error = place == endpoints_.end() ? UDP_CONNECTION_CLOSED : UDP_SUCCESS;
+    if (message.error == UDP_SUCCESS) endpoints_.erase(place);
     return ANT_SUCCESS;
   }
   Port portOf(const antEnvMsg& message) const {
@@ -135,13 +174,16 @@ class FakeAnt {
     return 0;
   }
   void answer(Waiting::iterator place, UDPEndpointError error) {
-    head(*place).error = error;
+    as<UDPEndpointBaseMsg>(head(*place)).error = error;
+    reply(place);
+  }
+  void reply(Waiting::iterator place) {
     antEnvMsgContInfo to = head(*place).contInfo;
     answers.push_back({{to.GetOID(), to.GetSelector()}, *place});
     waiting_.erase(place);
   }
 
-  std::vector<std::unique_ptr<std::uint8_t[]>> memory_;
+  std::vector<Memory> memory_;
   std::vector<Endpoint> endpoints_;
   Waiting waiting_;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One endpoint against a network that refuses, is late, and goes away.
+// One endpoint against a network that refuses, is late or silent, and goes away.
 #include <gtest/gtest.h>
 
 #include "FakeSystem.h"
@@ -27,9 +27,22 @@ class AntEndpointTest : public testing::Test {
     char name[] = "IPStack";
     endpoint_.begin({openr::objectOf(1), antStackRef(name), kHeardEntry, kSentEntry});
   }
-  void at(double seconds) { endpoint_.tick(TimeUs::fromSeconds(seconds)); }
+  // Whatever happens, nothing waits for an answer: the joints would wait with it.
+  void TearDown() override { EXPECT_EQ(0, ant().calls); }
+
+  // Only what the endpoint does by itself; the answers wait.
+  void tick(double seconds) { endpoint_.tick(TimeUs::fromSeconds(seconds)); }
+  // And all that the network answers to it at once.
+  void at(double seconds) {
+    tick(seconds);
+    takeAll();
+  }
   // The next answer of the network goes to the endpoint; what it heard is told.
   Bytes take() {
+    if (ant().answers.empty()) {
+      ADD_FAILURE() << "no answer";
+      return {};
+    }
     host::FakeAnt::Answer answer = ant().answers.front();
     ant().answers.pop_front();
     EXPECT_TRUE(answer.to.oid == openr::objectOf(1));
@@ -44,6 +57,11 @@ class AntEndpointTest : public testing::Test {
   }
   void takeAll() {
     while (!ant().answers.empty()) take();
+  }
+  // A silent network answers what it was asked for last.
+  void answer() {
+    EXPECT_EQ(1, ant().answerRequests());
+    takeAll();
   }
   bool broadcast(const Bytes& bytes) { return endpoint_.broadcast(bytes.data(), bytes.size()); }
   host::FakeAnt& ant() { return system_.ant; }
@@ -82,8 +100,8 @@ TEST_F(AntEndpointTest, WhatIsTooLongIsNotSent) {
 }
 
 TEST_F(AntEndpointTest, ARefusalIsToldOnceAndTriedAgainAfterTwoSeconds) {
-  bool* const refusals[] = {&ant().refusesMemory, &ant().refusesEndpoints, &ant().refusesPorts,
-                            &ant().refusesMessages};
+  bool* const refusals[] = {&ant().refusesMessages, &ant().refusesMemory, &ant().refusesEndpoints,
+                            &ant().refusesPorts};
   for (bool* refusal : refusals) *refusal = true;
   double now = 1.0;
   for (bool* refusal : refusals) {
@@ -98,6 +116,63 @@ TEST_F(AntEndpointTest, ARefusalIsToldOnceAndTriedAgainAfterTwoSeconds) {
   EXPECT_TRUE(endpoint_.open());
   EXPECT_EQ(2U, system_.lines.size()) << "that it is open again";
   EXPECT_TRUE(ant().comes(kPort, {1}));
+  EXPECT_EQ(1U, ant().endpoints()) << "those without a port were closed";
+}
+
+TEST_F(AntEndpointTest, ItAsksForOneThingAfterTheOther) {
+  ant().silent = true;
+  tick(1.0);
+  for (int answers = 0; answers < 4; ++answers) {  // memory twice, an endpoint, a port
+    EXPECT_FALSE(endpoint_.open());
+    EXPECT_EQ(1U, ant().waiting());
+    answer();
+    tick(1.1);
+  }
+  EXPECT_TRUE(endpoint_.open());
+  EXPECT_EQ(2U, ant().memory());
+  EXPECT_TRUE(ant().comes(kPort, {1}));
+  EXPECT_TRUE(system_.lines.empty());
+}
+
+// The network falls silent after some answers.
+class SilentAnt : public AntEndpointTest, public testing::WithParamInterface<int> {};
+
+TEST_P(SilentAnt, IsGivenUpAfterASecondAndAskedAgainAfterTwo) {
+  ant().silent = true;
+  tick(1.0);
+  for (int i = 0; i < GetParam(); ++i) answer();
+  tick(1.9);
+  EXPECT_TRUE(system_.lines.empty());
+  tick(2.1);
+  EXPECT_EQ(1U, system_.lines.size());
+  tick(3.9);
+  ant().silent = false;
+  ant().answerRequests();
+  takeAll();
+  EXPECT_FALSE(endpoint_.open()) << "all that was late";
+  at(4.2);
+  EXPECT_TRUE(endpoint_.open());
+  EXPECT_EQ(2U, system_.lines.size());
+  EXPECT_EQ(2U, ant().memory()) << "what came late was given back";
+  EXPECT_EQ(1U, ant().endpoints());
+}
+
+INSTANTIATE_TEST_SUITE_P(AfterAnswers, SilentAnt, testing::Range(0, 4));
+
+TEST_P(SilentAnt, MayAnswerWhenItWasAskedAgain) {
+  ant().silent = true;
+  tick(1.0);
+  for (int i = 0; i < GetParam(); ++i) answer();
+  tick(2.1);
+  tick(4.2);
+  ant().silent = false;
+  ant().answerRequests();
+  takeAll();
+  EXPECT_TRUE(endpoint_.open());
+  EXPECT_EQ(2U, ant().memory());
+  EXPECT_EQ(1U, ant().endpoints());
+  ASSERT_TRUE(ant().comes(kPort, {1}));
+  EXPECT_EQ(Bytes{1}, take());
 }
 
 TEST_F(AntEndpointTest, WhatIsBusyOrTooLongLeavesItOpen) {
@@ -151,11 +226,40 @@ TEST_F(AntEndpointTest, ALateDatagramOfAClosedEndpointIsNotHeard) {
   at(1.0);
   ant().comes(kPort, {1});  // answered, not yet delivered
   broadcast({1});
-  at(2.2);
-  at(4.3);
-  ASSERT_TRUE(endpoint_.open());
+  tick(2.2);
+  tick(4.3);
   EXPECT_TRUE(take().empty());
+  takeAll();
+  ASSERT_TRUE(endpoint_.open());
   EXPECT_TRUE(ant().comes(kPort, {2}));
+}
+
+TEST_F(AntEndpointTest, ACloseWithoutAnAnswerDelaysNothing) {
+  at(1.0);
+  ant().lose();
+  ant().silent = true;
+  takeAll();
+  EXPECT_EQ(1U, ant().waiting()) << "the close";
+  tick(2.1);
+  tick(2.9);
+  EXPECT_EQ(1U, ant().waiting());
+  tick(3.1);
+  EXPECT_EQ(2U, ant().waiting());
+  ant().silent = false;
+  ant().answerRequests();
+  takeAll();
+  EXPECT_TRUE(endpoint_.open());
+  EXPECT_EQ(2U, system_.lines.size()) << "that it is deaf, that it is open again";
+}
+
+TEST_F(AntEndpointTest, ACloseThatIsRefusedIsNotAskedTwice) {
+  at(1.0);
+  ant().lose();
+  ant().refusesMessages = true;
+  takeAll();
+  ant().refusesMessages = false;
+  at(3.1);
+  EXPECT_TRUE(endpoint_.open());
 }
 
 TEST_F(AntEndpointTest, WithoutANetworkItIsSilent) {
