@@ -142,6 +142,13 @@ def test_name_that_nobody_has_is_refused(tmp_path):
     assert found == {"undefined_names": ["wants printf, which is not in openr/undefined.txt"]}
 
 
+def test_call_that_waits_for_the_network_is_refused(tmp_path):
+    name = "_ZN9antEnvMsg4CallE11antStackRefi"
+    found = refusal(compiled(tmp_path, f'extern "C" void {name}(int); extern "C" void '
+                             f'root() {{ {name}(1); }}'))
+    assert found == {"undefined_names": [f"wants {name}, which is not in openr/undefined.txt"]}
+
+
 @pytest.mark.parametrize("name", ["lround", "floor", "sin"])
 def test_maths_function_that_was_not_compared_is_refused(tmp_path, name):
     found = refusal(compiled(tmp_path, f'extern "C" double {name}(double); extern "C" double '
