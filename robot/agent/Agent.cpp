@@ -63,7 +63,7 @@ OStatus Agent::DoStart(const OSystemEvent&) {
   if (status == oSUCCESS) status = readPose();
   if (status == oSUCCESS) status = watchPower();
   if (status != oSUCCESS) return status;
-  radio_.begin(myOID_);
+  radio_.begin(myOID_, now());  // may wait: no sensors come yet
   ENABLE_ALL_SUBJECT;
   ASSERT_READY_TO_ALL_OBSERVER;
   return oSUCCESS;

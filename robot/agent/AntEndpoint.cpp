@@ -13,6 +13,14 @@ byte* bytesOf(antSharedBuffer& buffer) { return static_cast<byte*>(buffer.GetAdd
 
 }  // namespace
 
+void AntEndpoint::begin(const AntOwner& owner, TimeUs now) {
+  owner_ = owner;
+  now_ = now;
+  if (state_ != State::closed) return;  // begun before
+  start();
+  while (opening()) request([this](auto& message) { call(message); });
+}
+
 void AntEndpoint::tick(TimeUs now) {
   now_ = now;
   const bool late = waits() && (now - askedAt_).seconds() > params_.answerSeconds;
@@ -22,30 +30,49 @@ void AntEndpoint::tick(TimeUs now) {
   } else if (late) {
     giveUp("does not answer", 0);
   }
-  if (state_ == State::closed && now.us >= tryAt_.us) start();
+  if (state_ != State::closed || now.us < tryAt_.us) return;
+  start();
+  sendRequest();
 }
 
 void AntEndpoint::start() {
   life_ = (life_ + 1) % kLives;
-  askNext();
+  enterNext();
 }
 
-void AntEndpoint::askNext() {
-  if (mapped_ < 2) {
-    askMemory();
-  } else {
-    askEndpoint();
+// The memory is asked for once for each of the two, since it outlives the endpoints. The pool holds
+// two datagrams, as the documents advise.
+template <class Ask>
+void AntEndpoint::request(const Ask& ask) {
+  const auto longest = static_cast<int32>(params_.longest);
+  if (state_ == State::buffers) {
+    antEnvCreateSharedBufferMsg message(static_cast<uint32>(longest));
+    ask(message);
+  } else if (state_ == State::endpoint) {
+    antEnvCreateEndpointMsg message(EndpointType_UDP, 2 * longest);
+    ask(message);
+  } else if (state_ == State::binding) {
+    UDPEndpointBindMsg message(module_, IP_ADDR_ANY, params_.port);
+    ask(message);
   }
 }
 
-// Once for each of the two: the memory outlives the endpoints.
-void AntEndpoint::askMemory() {
-  enter(State::buffers);
-  antEnvCreateSharedBufferMsg message(static_cast<uint32>(params_.longest));
-  send(message, owner_.heard);
+void AntEndpoint::sendRequest() {
+  request([this](auto& message) { send(message, owner_.heard); });
 }
 
-void AntEndpoint::shared(antEnvCreateSharedBufferMsg& answer) {
+void AntEndpoint::taken(antEnvMsg& answer) {
+  switch (state_) {
+    case State::buffers: takenMemory(static_cast<antEnvCreateSharedBufferMsg&>(answer)); break;
+    case State::endpoint: takenEndpoint(static_cast<antEnvCreateEndpointMsg&>(answer)); break;
+    case State::binding: takenPort(static_cast<UDPEndpointBindMsg&>(answer)); break;
+    case State::closing: state_ = State::closed; break;
+    case State::open:
+    case State::closed: break;
+  }
+}
+
+void AntEndpoint::takenMemory(antEnvCreateSharedBufferMsg& answer) {
   antSharedBuffer& buffer = mapped_ == 0 ? in_ : out_;
   if (answer.error == ANT_SUCCESS) buffer = answer.buffer;
   if (answer.error != ANT_SUCCESS || buffer.Map() != ANT_SUCCESS) {
@@ -54,29 +81,19 @@ void AntEndpoint::shared(antEnvCreateSharedBufferMsg& answer) {
     return;
   }
   ++mapped_;
-  askNext();
+  enterNext();
 }
 
-// The pool holds two datagrams, as the documents advise.
-void AntEndpoint::askEndpoint() {
-  enter(State::endpoint);
-  const auto pool = static_cast<int32>(2 * params_.longest);
-  antEnvCreateEndpointMsg message(EndpointType_UDP, pool);
-  send(message, owner_.heard);
-}
-
-void AntEndpoint::created(antEnvCreateEndpointMsg& answer) {
+void AntEndpoint::takenEndpoint(const antEnvCreateEndpointMsg& answer) {
   if (answer.error != ANT_SUCCESS) {
     giveUp("gets no endpoint", answer.error);
     return;
   }
   module_ = answer.moduleRef;
   enter(State::binding);
-  UDPEndpointBindMsg message(module_, IP_ADDR_ANY, params_.port);
-  send(message, owner_.heard);
 }
 
-void AntEndpoint::bound(const UDPEndpointBindMsg& answer) {
+void AntEndpoint::takenPort(const UDPEndpointBindMsg& answer) {
   if (answer.error != UDP_SUCCESS) {
     giveUp("cannot be bound", answer.error);
     return;
@@ -92,6 +109,11 @@ void AntEndpoint::enter(State state) {
   state_ = state;
   askedAt_ = now_;
 }
+
+// The step after which there is memory, or an endpoint.
+void AntEndpoint::enterNext() { enter(mapped_ < 2 ? State::buffers : State::endpoint); }
+
+bool AntEndpoint::opening() const { return waits() && !open() && state_ != State::closing; }
 
 // For an answer that must come soon; a datagram may never come.
 bool AntEndpoint::waits() const { return open() ? sending_ : state_ != State::closed; }
@@ -137,24 +159,28 @@ void AntEndpoint::send(Message& message, Selector entry) {
   if (error != ANT_SUCCESS) giveUp("takes no message", error);
 }
 
+// The answer is in the message then. As in public programs nothing else is looked at: what was not
+// answered still holds the failure that it was made with.
+template <class Message>
+void AntEndpoint::call(Message& message) {
+  message.continuation = mark();
+  (void)message.Call(owner_.stack, sizeof message);
+  taken(message);
+}
+
 Heard AntEndpoint::heard(void* answer) {
   antEnvMsg& message = *antEnvMsg::Receive(answer);
   if (message.continuation != mark()) {
     giveBack(message);
     return {};
   }
-  switch (state_) {
-    case State::buffers: shared(static_cast<antEnvCreateSharedBufferMsg&>(message)); break;
-    case State::endpoint: created(static_cast<antEnvCreateEndpointMsg&>(message)); break;
-    case State::binding: bound(static_cast<UDPEndpointBindMsg&>(message)); break;
-    case State::open: return datagram(static_cast<UDPEndpointReceiveMsg&>(message));
-    case State::closing: state_ = State::closed; break;
-    case State::closed: break;
-  }
+  if (open()) return takenDatagram(static_cast<UDPEndpointReceiveMsg&>(message));
+  taken(message);
+  sendRequest();
   return {};
 }
 
-Heard AntEndpoint::datagram(const UDPEndpointReceiveMsg& answer) {
+Heard AntEndpoint::takenDatagram(const UDPEndpointReceiveMsg& answer) {
   if (answer.error == UDP_SUCCESS && answer.size > 0)
     return {bytesOf(in_), static_cast<std::size_t>(answer.size)};
   if (answer.error == UDP_SUCCESS || passes(answer.error)) {

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// One endpoint for datagrams of the robot's network (openr.md 5.7), whatever is said over it. It
-// never waits: whatever it wants of the network it asks by a message, goes on when the answer
-// comes, and gives up when none has come for a while. While it is open one Receive is always under
-// way, one Send at most. It tries again some seconds after it could not be opened, was closed, or
-// was left without an answer. Nothing of it ever stops the robot.
+// One endpoint for datagrams of the robot's network (openr.md 5.7), whatever is said over it. It is
+// opened where it begins, by calls that wait for their answers. From then on it never waits:
+// whatever it wants of the network it asks by a message, goes on when the answer comes, and gives
+// up when none has come for a while. While it is open one Receive is always under way, one Send at
+// most. It tries again some seconds after it could not be opened, was closed, or was left without
+// an answer. Nothing of it ever holds up a robot whose joints move.
 //
 // ANT lets every message be sent or called. Public programs for the robot send Receive, Send and
-// Close as it is done here, but call for memory, endpoint and port, at their start, where they may
-// wait: that the answers to these come as well has not been seen on a robot.
+// Close, and call for memory, endpoint and port, at their start: so does this. That a network
+// answers when it is sent for memory, endpoint or port has not been seen on a robot; only what is
+// opened again, or was not opened at the start, depends on it.
 #pragma once
 
 #include <UDPEndpointMsg.h>
@@ -46,7 +48,8 @@ class AntEndpoint {
  public:
   explicit AntEndpoint(const AntEndpointParams& params) : params_(params) {}
 
-  void begin(const AntOwner& owner) { owner_ = owner; }
+  // Opens, or fails to, before it returns: only for where the robot may wait.
+  void begin(const AntOwner& owner, TimeUs now);
   // Begins to open when it is time to, and gives up what has no answer.
   void tick(TimeUs now);
   bool open() const { return state_ == State::open; }
@@ -68,16 +71,21 @@ class AntEndpoint {
   static constexpr std::size_t kLives = 64;
 
   void start();
-  void askNext();
-  void askMemory();
-  void shared(antEnvCreateSharedBufferMsg& answer);
-  void askEndpoint();
-  void created(antEnvCreateEndpointMsg& answer);
-  void bound(const UDPEndpointBindMsg& answer);
-  Heard datagram(const UDPEndpointReceiveMsg& answer);
+  // The request of the step of opening that it is at, if it is at one: `ask` sends or calls it.
+  template <class Ask>
+  void request(const Ask& ask);
+  void sendRequest();
+  // The answer to what it waits for, however that was asked; it enters the next state.
+  void taken(antEnvMsg& answer);
+  void takenMemory(antEnvCreateSharedBufferMsg& answer);
+  void takenEndpoint(const antEnvCreateEndpointMsg& answer);
+  void takenPort(const UDPEndpointBindMsg& answer);
+  Heard takenDatagram(const UDPEndpointReceiveMsg& answer);
   void giveBack(antEnvMsg& unused);
 
   void enter(State state);
+  void enterNext();
+  bool opening() const;
   bool waits() const;
   void giveUp(const char* what, int error);
   void close();
@@ -89,6 +97,8 @@ class AntEndpoint {
   antError post(Message& message, void* mark, Selector entry);
   template <class Message>
   void send(Message& message, Selector entry);
+  template <class Message>
+  void call(Message& message);
 
   AntEndpointParams params_;
   AntOwner owner_;

@@ -26,10 +26,10 @@ AntRadio::AntRadio(const RadioPorts& ports)
       control_({ports.control, kMaxControlBytes}),
       team_({ports.team, kMaxPacketBytes}) {}
 
-void AntRadio::begin(const OID& object) {
+void AntRadio::begin(const OID& object, TimeUs now) {
   if (!present()) return;
-  control_.begin(ownerOf(object, entryNotifyControl, entryReadyTeam));
-  team_.begin(ownerOf(object, entryNotifyTeam, entryReadyTeam));
+  control_.begin(ownerOf(object, entryNotifyControl, entryReadyTeam), now);
+  team_.begin(ownerOf(object, entryNotifyTeam, entryReadyTeam), now);
 }
 
 void AntRadio::tick(TimeUs now) {

@@ -24,7 +24,8 @@ class AntRadio {
   explicit AntRadio(const RadioPorts& ports);
   bool present() const { return ports_.control != 0; }
 
-  void begin(const OID& object);
+  // Opens both ports by calls that wait, so only where the robot may. All else is by messages.
+  void begin(const OID& object, TimeUs now);
   // With each message of the sensors.
   void tick(TimeUs now);
   // What the last frame made for the team, if it made anything.

@@ -28,6 +28,20 @@ class AntHost : public HostSystem {
   FakeAnt ant;
 };
 
+// Tells the network when it was started: from then on its joints move.
+class StartedAgent : public agent::Agent {
+ public:
+  StartedAgent(agent::Loops& loops, FakeAnt& ant) : Agent(loops, agent::kRobotPorts), ant_(ant) {}
+  OStatus DoStart(const OSystemEvent& event) override {
+    const OStatus status = Agent::DoStart(event);
+    ant_.started = true;
+    return status;
+  }
+
+ private:
+  FakeAnt& ant_;
+};
+
 HostParams quiet() {
   HostParams params;
   params.printTo = nullptr;
@@ -48,7 +62,7 @@ Bytes bytesOf(const Packet& packet) {
 class AntRadioTest : public testing::Test {
  protected:
   // Plays steps of sensors and an image; before each, what the network does then. Whatever that is,
-  // no method of the object waits for it.
+  // no method of the object waits for it once it is started.
   void play(const std::function<void(int)>& before, std::uint32_t steps = 8) {
     source_.addSensors(steps);
     for (WorldStep& step : source_.steps) step.imagePresent = true;
@@ -60,15 +74,15 @@ class AntRadioTest : public testing::Test {
     };
     const auto summary = system_.run(agentStub(*object_), network);
     ASSERT_TRUE(summary) << summary.error();
-    EXPECT_EQ(0, system_.ant.calls);
+    EXPECT_TRUE(system_.ant.started);
+    EXPECT_EQ(0, system_.ant.lateCalls);
     EXPECT_EQ(steps, loops_.inputs.size());
   }
 
   FakeSource source_;
   FakeLoops loops_;
   AntHost system_{source_, quiet()};
-  std::unique_ptr<agent::Agent> object_ =
-      std::make_unique<agent::Agent>(loops_, agent::kRobotPorts);
+  std::unique_ptr<agent::Agent> object_ = std::make_unique<StartedAgent>(loops_, system_.ant);
 };
 
 TEST_F(AntRadioTest, TheLoopsHearTheControllerAndTheTeamEachAtItsPort) {
@@ -109,14 +123,25 @@ TEST_F(AntRadioTest, ARobotWithoutANetworkPlays) {
   EXPECT_EQ(8U, loops_.exposures.size());
 }
 
-// Six seconds: a silent network, traffic, the network lost and silent about it, traffic again.
-TEST_F(AntRadioTest, AWholeLifeOfTheNetworkHoldsUpNoSensors) {
-  system_.ant.silent = true;
+// Four seconds: nobody answers at the start, then one answers to messages.
+TEST_F(AntRadioTest, WhatCouldNotBeOpenedAtTheStartIsOpenedByMessages) {
+  system_.ant.callsServed = 0;
   std::vector<bool> received;
   play(
       [&](int step) {
-        if (step == 20) system_.ant.silent = false;
-        if (step == 20) system_.ant.answerRequests();
+        if (step == 50 || step == 100) received.push_back(system_.ant.comes(3838, {1}));
+        if (step == 100) received.push_back(system_.ant.comes(20050, {2}));
+      },
+      120);
+  EXPECT_EQ(2, system_.ant.calls) << "one for each port";
+  EXPECT_EQ((std::vector<bool>{false, true, true}), received);
+}
+
+// Six seconds: traffic, the network lost and silent about it, traffic again.
+TEST_F(AntRadioTest, AWholeLifeOfTheNetworkHoldsUpNoSensors) {
+  std::vector<bool> received;
+  play(
+      [&](int step) {
         if (step == 25) loops_.says = packetOf({1});
         if (step == 25) received.push_back(system_.ant.comes(3838, {2}));
         if (step == 30) system_.ant.silent = true;
@@ -132,6 +157,7 @@ TEST_F(AntRadioTest, AWholeLifeOfTheNetworkHoldsUpNoSensors) {
   EXPECT_EQ((std::vector<Bytes>{{1}, {4}}), system_.ant.broadcasts);
   EXPECT_EQ(1U, loops_.controls.size());
   EXPECT_EQ(1U, loops_.packets.size());
+  EXPECT_EQ(8, system_.ant.calls) << "two buffers, an endpoint and a port, for each of two ports";
 }
 
 TEST(NoRadio, OnTheHostTheObjectAsksTheNetworkForNothingAndTakesNoPacket) {

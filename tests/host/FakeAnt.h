@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // A network of the robot for tests: it can refuse, be silent, answers a Send or a Receive only when
 // the test says so, and can lose its endpoints. What it is asked for besides it answers at once,
-// and it counts who waits for that.
+// and it counts who waits for that, at the start, where that is allowed, and afterwards. Who waits
+// for an answer that does not come goes on without one.
 #pragma once
 
 #include <UDPEndpointMsg.h>
@@ -10,6 +11,7 @@
 #include <cstring>
 #include <deque>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -25,15 +27,18 @@ class FakeAnt {
   bool refusesEndpoints = false;
   bool refusesPorts = false;
   bool refusesMessages = false;
-  bool silent = false;  // about all that it is asked for
-  int calls = 0;        // that waited for their answer
-  int opened = 0;       // endpoints, ever
+  bool silent = false;                                // about all that it is asked for
+  int callsServed = std::numeric_limits<int>::max();  // those after them fail
+  bool started = false;                               // whoever asks; the tests tell when
+  int calls = 0;                                      // that waited for their answer, at the start
+  int lateCalls = 0;                                  // and afterwards
+  int opened = 0;                                     // endpoints, ever
   std::vector<Bytes> broadcasts;
   Port lastPort = 0;  // that was sent to
 
   antError call(antEnvMsg& message) {
-    ++calls;
-    return serve(message);
+    ++(started ? lateCalls : calls);
+    return silent || calls > callsServed ? ANT_FAIL : serve(message);
   }
 
   antError send(const antEnvMsg& message) {

@@ -23,12 +23,22 @@ class AntSystem : public openr::FakeSystem {
 
 class AntEndpointTest : public testing::Test {
  protected:
-  AntEndpointTest() {
+  // Whatever happens, nothing waits for an answer after the start: the joints would wait with it.
+  void TearDown() override { EXPECT_EQ(0, ant().lateCalls); }
+
+  void begin(double seconds = 1.0) {
     char name[] = "IPStack";
-    endpoint_.begin({openr::objectOf(1), antStackRef(name), kHeardEntry, kSentEntry});
+    endpoint_.begin({openr::objectOf(1), antStackRef(name), kHeardEntry, kSentEntry},
+                    TimeUs::fromSeconds(seconds));
+    ant().started = true;
   }
-  // Whatever happens, nothing waits for an answer: the joints would wait with it.
-  void TearDown() override { EXPECT_EQ(0, ant().calls); }
+  // The first opening failed, which was told, so that from 1 s on all is asked by messages.
+  void beginInVain() {
+    ant().callsServed = 0;
+    begin(-1.5);
+    EXPECT_EQ(1, ant().calls);
+    EXPECT_EQ(1U, system_.lines.size());
+  }
 
   // Only what the endpoint does by itself; the answers wait.
   void tick(double seconds) { endpoint_.tick(TimeUs::fromSeconds(seconds)); }
@@ -71,8 +81,27 @@ class AntEndpointTest : public testing::Test {
   AntEndpoint endpoint_{{kPort, 64}};
 };
 
+TEST_F(AntEndpointTest, IsOpenWhenItHasBegunWithoutAnAnswerToAMessage) {
+  begin();
+  EXPECT_TRUE(endpoint_.open());
+  EXPECT_EQ(4, ant().calls) << "memory twice, an endpoint, a port";
+  EXPECT_EQ(1U, ant().waiting()) << "the first Receive";
+  EXPECT_TRUE(ant().answers.empty());
+  EXPECT_TRUE(system_.lines.empty());
+  EXPECT_TRUE(broadcast({1}));
+}
+
+TEST_F(AntEndpointTest, BegunAgainWhileItIsOpenItStaysAsItIs) {
+  begin();
+  begin(2.0);
+  EXPECT_TRUE(endpoint_.open());
+  EXPECT_EQ(1, ant().opened);
+  EXPECT_TRUE(ant().comes(kPort, {1}));
+  EXPECT_EQ(Bytes{1}, take());
+}
+
 TEST_F(AntEndpointTest, HearsDatagramAfterDatagram) {
-  at(1.0);
+  begin();
   ASSERT_TRUE(endpoint_.open());
   for (std::uint8_t i = 1; i < 5; ++i) {
     ASSERT_TRUE(ant().comes(kPort, {i, 7}));
@@ -82,7 +111,7 @@ TEST_F(AntEndpointTest, HearsDatagramAfterDatagram) {
 }
 
 TEST_F(AntEndpointTest, BroadcastsToItsPortOneAtATime) {
-  at(1.0);
+  begin();
   EXPECT_TRUE(broadcast({1, 2, 3}));
   EXPECT_FALSE(broadcast({4})) << "the first is under way";
   EXPECT_EQ(1, ant().answerSends());
@@ -94,7 +123,7 @@ TEST_F(AntEndpointTest, BroadcastsToItsPortOneAtATime) {
 }
 
 TEST_F(AntEndpointTest, WhatIsTooLongIsNotSent) {
-  at(1.0);
+  begin();
   EXPECT_FALSE(broadcast(Bytes(65)));
   EXPECT_TRUE(broadcast(Bytes(64)));
 }
@@ -103,7 +132,9 @@ TEST_F(AntEndpointTest, ARefusalIsToldOnceAndTriedAgainAfterTwoSeconds) {
   bool* const refusals[] = {&ant().refusesMessages, &ant().refusesMemory, &ant().refusesEndpoints,
                             &ant().refusesPorts};
   for (bool* refusal : refusals) *refusal = true;
-  double now = 1.0;
+  begin();
+  EXPECT_EQ(1U, system_.lines.size());
+  double now = 3.1;
   for (bool* refusal : refusals) {
     for (int i = 0; i < 3; ++i, now += 2.1) at(now);
     EXPECT_FALSE(endpoint_.open());
@@ -120,6 +151,7 @@ TEST_F(AntEndpointTest, ARefusalIsToldOnceAndTriedAgainAfterTwoSeconds) {
 }
 
 TEST_F(AntEndpointTest, ItAsksForOneThingAfterTheOther) {
+  beginInVain();
   ant().silent = true;
   tick(1.0);
   for (int answers = 0; answers < 4; ++answers) {  // memory twice, an endpoint, a port
@@ -131,20 +163,41 @@ TEST_F(AntEndpointTest, ItAsksForOneThingAfterTheOther) {
   EXPECT_TRUE(endpoint_.open());
   EXPECT_EQ(2U, ant().memory());
   EXPECT_TRUE(ant().comes(kPort, {1}));
-  EXPECT_TRUE(system_.lines.empty());
+  EXPECT_EQ(2U, system_.lines.size()) << "that it is open again";
 }
+
+// The first opening fails after some Calls.
+class CallsInVain : public AntEndpointTest, public testing::WithParamInterface<int> {};
+
+TEST_P(CallsInVain, AreToldAndFollowedByMessagesAfterTwoSeconds) {
+  ant().callsServed = GetParam();
+  begin();
+  EXPECT_EQ(GetParam() + 1, ant().calls);
+  EXPECT_EQ(1U, system_.lines.size());
+  at(2.9);
+  EXPECT_FALSE(endpoint_.open()) << "not before its time";
+  at(3.1);
+  EXPECT_TRUE(endpoint_.open());
+  EXPECT_EQ(2U, system_.lines.size()) << "that it is open again";
+  EXPECT_EQ(2U, ant().memory());
+  EXPECT_EQ(1U, ant().endpoints()) << "the one without a port was closed";
+  ASSERT_TRUE(ant().comes(kPort, {1}));
+  EXPECT_EQ(Bytes{1}, take());
+}
+
+INSTANTIATE_TEST_SUITE_P(AfterAnswers, CallsInVain, testing::Range(0, 4));
 
 // The network falls silent after some answers.
 class SilentAnt : public AntEndpointTest, public testing::WithParamInterface<int> {};
 
 TEST_P(SilentAnt, IsGivenUpAfterASecondAndAskedAgainAfterTwo) {
+  beginInVain();
   ant().silent = true;
   tick(1.0);
   for (int i = 0; i < GetParam(); ++i) answer();
   tick(1.9);
-  EXPECT_TRUE(system_.lines.empty());
   tick(2.1);
-  EXPECT_EQ(1U, system_.lines.size());
+  EXPECT_EQ(1U, system_.lines.size()) << "told before";
   tick(3.9);
   ant().silent = false;
   ant().answerRequests();
@@ -160,6 +213,7 @@ TEST_P(SilentAnt, IsGivenUpAfterASecondAndAskedAgainAfterTwo) {
 INSTANTIATE_TEST_SUITE_P(AfterAnswers, SilentAnt, testing::Range(0, 4));
 
 TEST_P(SilentAnt, MayAnswerWhenItWasAskedAgain) {
+  beginInVain();
   ant().silent = true;
   tick(1.0);
   for (int i = 0; i < GetParam(); ++i) answer();
@@ -176,7 +230,7 @@ TEST_P(SilentAnt, MayAnswerWhenItWasAskedAgain) {
 }
 
 TEST_F(AntEndpointTest, WhatIsBusyOrTooLongLeavesItOpen) {
-  at(1.0);
+  begin();
   for (const UDPEndpointError error : {UDP_MESSAGE_TOO_LONG, UDP_WOULDBLOCK, UDP_CONNECTION_BUSY}) {
     ASSERT_TRUE(ant().comes(kPort, {1}, error));
     EXPECT_TRUE(take().empty());
@@ -191,7 +245,7 @@ TEST_F(AntEndpointTest, WhatIsBusyOrTooLongLeavesItOpen) {
 }
 
 TEST_F(AntEndpointTest, OpensAgainAfterTheNetworkWasLost) {
-  at(1.0);
+  begin();
   broadcast({1});
   ant().lose();
   takeAll();
@@ -208,10 +262,14 @@ TEST_F(AntEndpointTest, OpensAgainAfterTheNetworkWasLost) {
 }
 
 TEST_F(AntEndpointTest, ALateAnswerIsLate) {
-  at(1.0);
+  begin();
   broadcast({1});
+  at(1.9);
+  EXPECT_TRUE(endpoint_.open());
+  EXPECT_TRUE(system_.lines.empty());
   at(2.2);  // more than a second without an answer
   EXPECT_FALSE(endpoint_.open());
+  EXPECT_EQ(1U, system_.lines.size());
   at(4.3);
   ASSERT_TRUE(endpoint_.open());
   EXPECT_TRUE(broadcast({2}));
@@ -223,7 +281,7 @@ TEST_F(AntEndpointTest, ALateAnswerIsLate) {
 }
 
 TEST_F(AntEndpointTest, ALateDatagramOfAClosedEndpointIsNotHeard) {
-  at(1.0);
+  begin();
   ant().comes(kPort, {1});  // answered, not yet delivered
   broadcast({1});
   tick(2.2);
@@ -235,7 +293,7 @@ TEST_F(AntEndpointTest, ALateDatagramOfAClosedEndpointIsNotHeard) {
 }
 
 TEST_F(AntEndpointTest, ACloseWithoutAnAnswerDelaysNothing) {
-  at(1.0);
+  begin();
   ant().lose();
   ant().silent = true;
   takeAll();
@@ -253,7 +311,7 @@ TEST_F(AntEndpointTest, ACloseWithoutAnAnswerDelaysNothing) {
 }
 
 TEST_F(AntEndpointTest, ACloseThatIsRefusedIsNotAskedTwice) {
-  at(1.0);
+  begin();
   ant().lose();
   ant().refusesMessages = true;
   takeAll();
@@ -265,6 +323,7 @@ TEST_F(AntEndpointTest, ACloseThatIsRefusedIsNotAskedTwice) {
 TEST_F(AntEndpointTest, WithoutANetworkItIsSilent) {
   openr::FakeSystem none;
   const openr::SystemScope scope(none);
+  begin();
   for (double now = 1.0; now < 20.0; now += 0.5) at(now);
   EXPECT_FALSE(endpoint_.open());
   EXPECT_EQ(1U, none.lines.size());

@@ -21,6 +21,9 @@ OBJECT = ROOT / "build/openr/agent.o"
 SIMPLE = ROOT / "build/openr/simple.o"
 IMAGE = ROOT / "build/openr/emulated"
 sys.path.insert(0, str(TOOLCHAIN))
+from openr.calls import Calls  # noqa: E402
+from openr.elf import Elf  # noqa: E402
+
 FLAGS = ("-O2 -EL -march=mips2 -mabi=32 -mfp32 -mabicalls -mshared -fPIC -G0 -mno-plt "
          "-mno-relax-pic-calls -fno-jump-tables -fno-exceptions -fno-rtti "
          "-fno-asynchronous-unwind-tables -fno-use-cxa-atexit -fno-stack-protector "
@@ -142,11 +145,15 @@ def test_name_that_nobody_has_is_refused(tmp_path):
     assert found == {"undefined_names": ["wants printf, which is not in openr/undefined.txt"]}
 
 
-def test_call_that_waits_for_the_network_is_refused(tmp_path):
-    name = "_ZN9antEnvMsg4CallE11antStackRefi"
-    found = refusal(compiled(tmp_path, f'extern "C" void {name}(int); extern "C" void '
-                             f'root() {{ {name}(1); }}'))
-    assert found == {"undefined_names": [f"wants {name}, which is not in openr/undefined.txt"]}
+@pytest.mark.parametrize("player", [OBJECT, SIMPLE])
+def test_only_the_start_of_the_object_waits_for_the_network(player):
+    """What the system calls while the joints move reaches no call that waits."""
+    calls = Calls(Elf(player))
+    entries = {found[1]: name for name in calls.callees if (found := re.match(
+        r"_ZN6kelpie5agent5Agent\d+((Do|Notify|Ready)[A-Z][a-z]+)E", name))}
+    assert {"NotifySensor", "NotifyImage", "NotifyControl", "NotifyTeam"} <= set(entries)
+    assert [entry for entry, name in entries.items()
+            if "_ZN9antEnvMsg4CallE11antStackRefi" in calls.reached_from(name)] == ["DoStart"]
 
 
 @pytest.mark.parametrize("name", ["lround", "floor", "sin"])
