@@ -9,7 +9,8 @@
 namespace kelpie::behaviour {
 namespace {
 
-constexpr Py_ssize_t kRoom = 704 << 10;  // bytes; a zip of today takes 600 KB
+constexpr Py_ssize_t kRoom = 704 << 10;   // bytes; a zip of today takes 600 KB
+constexpr std::size_t kBlock = 64 << 10;  // bytes that the C library asks the system for at once
 
 // All of an open file as Python's bytes. Null, with an error set: no memory.
 PythonRef bytesOf(std::FILE* file) {
@@ -33,6 +34,7 @@ PythonRef bytesOf(const std::string& path) {
     PyErr_Format(PyExc_ImportError, "%s cannot be opened", path.c_str());
     return PythonRef();
   }
+  std::setvbuf(file, nullptr, _IOFBF, kBlock);
   PythonRef bytes = bytesOf(file);
   const bool failed = std::ferror(file) != 0;
   std::fclose(file);

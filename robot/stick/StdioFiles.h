@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // A stick's files by the C library's fopen and fread, which the PC and the robot's newlib have. The
 // root is a folder of a PC, or "/MS" on the robot (spec openr.md section 6). The C library
-// allocates a FILE and its buffer while a file is open, and frees both when it is closed.
+// allocates a FILE and a buffer of one block while a file is open, and frees both when it is
+// closed. Its own buffer would be of 1 KB or so, and the system asked for so little each time.
 #pragma once
 
 #include <array>

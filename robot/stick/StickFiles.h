@@ -8,6 +8,10 @@
 
 namespace kelpie::stick {
 
+// What is asked for at once. A stick is slow to answer, so blocks are large; a robot that renews
+// its lights between two of them should do so some times a second.
+constexpr std::size_t kBlockBytes = 65536;
+
 class StickFiles {
  public:
   StickFiles() = default;
@@ -17,7 +21,8 @@ class StickFiles {
 
   // Closes what was open. False: there is no such file.
   virtual bool open(const char* path) = 0;
-  // At most `count` bytes of the open file: how many there were, 0 at its end, -1 on an error.
+  // The next `count` bytes of the open file: how many there were, fewer at its end only, -1 on an
+  // error.
   virtual std::int32_t read(std::uint8_t* to, std::size_t count) = 0;
   virtual void close() = 0;
 };

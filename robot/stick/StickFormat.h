@@ -20,6 +20,9 @@ constexpr const char* kStickPath = "OPEN-R/MW/DATA/P/STICK.BIN";
 constexpr const char* kScriptsPath = "OPEN-R/MW/DATA/P/PYCODE.ZIP";
 constexpr const char* kObjectPath = "OPEN-R/MW/OBJS/AGENT.BIN";
 
+// Beyond that it is none: the reader keeps the whole of it in memory.
+constexpr std::uint32_t kLargestBinary = 6 * 65536;
+
 constexpr std::array<std::uint8_t, 8> kMagic = {'K', 'E', 'L', 'P', 'I', 'E', 'M', 'S'};
 constexpr std::uint32_t kVersion = 1;
 

@@ -2,39 +2,135 @@
 #include "robot/stick/StickReader.h"
 
 #include "robot/stick/FieldListHash.h"
+#include "robot/stick/FieldReader.h"
 
 namespace kelpie::stick {
 namespace {
 
 constexpr std::uint64_t kFieldLists = fieldListHash<agent::AgentConfig>();
 
+// Encoded a configuration is hardly larger than in memory, and the list and the header are small.
+static_assert(sizeof(agent::AgentConfig) + 8192 < kLargestBinary);
+static_assert(kLargestBinary % kBlockBytes == 0, "the last block would end beyond the room");
+
+StickPath binaryPath() { return StickPath(std::string_view(kStickPath)); }
+
 }  // namespace
 
-StickVerdict StickReader::verdict(StickFault fault, const StickPath& file) {
-  files_.close();
-  return {fault, file};
-}
-
 StickVerdict StickReader::check() {
-  const StickPath binary{std::string_view(kStickPath)};
-  const StickFault whole = checkBinary();
-  if (whole != StickFault::none) return verdict(whole, binary);
-  const StickFault list = readList();
-  if (list != StickFault::none) return verdict(list, binary);
-  for (const auto& entry : list_.files) {
-    const StickFault fault = checkFile(entry);
-    if (fault != StickFault::none) return verdict(fault, entry.path);
-  }
-  return verdict(StickFault::none, binary);
+  finish();
+  room_.reset();
+  return verdict_;
 }
 
 StickVerdict StickReader::load(agent::AgentConfig& config) {
-  const StickVerdict checked = check();
-  if (!checked.good()) return checked;
-  return verdict(readConfig(config), checked.file);
+  finish();
+  if (verdict_.good()) verdict_.fault = readConfig(config);
+  room_.reset();
+  return verdict_;
 }
 
-bool StickReader::readHeader() { return reader_.open(kStickPath) && reader_.getStruct(header_); }
+void StickReader::finish() {
+  if (stage_ == Stage::notBegun) begin();
+  while (step()) {
+  }
+  stage_ = Stage::notBegun;
+}
+
+void StickReader::begin() {
+  room_ = std::make_unique<Room>();
+  progress_ = {};
+  binaryBytes_ = 0;
+  stage_ = Stage::binary;
+  if (!files_.open(kStickPath)) end(StickFault::missing, binaryPath());
+}
+
+bool StickReader::step() {
+  if (stage_ == Stage::binary) {
+    readBinary();
+  } else if (stage_ == Stage::others) {
+    readOther();
+  }
+  return stage_ == Stage::binary || stage_ == Stage::others;
+}
+
+void StickReader::end(StickFault fault, const StickPath& file) {
+  files_.close();
+  verdict_ = {fault, file};
+  stage_ = Stage::ended;
+}
+
+std::int32_t StickReader::readBlock(std::uint8_t* to) {
+  const std::int32_t got = files_.read(to, kBlockBytes);
+  ++progress_.reads;
+  if (got > 0) progress_.bytes += static_cast<std::uint32_t>(got);
+  return got;
+}
+
+// STICK.BIN stays in memory, because it is checked as a whole before anything is taken from it.
+void StickReader::readBinary() {
+  const std::int32_t got = readBlock(room_->binary.data() + binaryBytes_);
+  if (got < 0) return end(StickFault::unreadable, binaryPath());
+  binaryBytes_ += static_cast<std::uint32_t>(got);
+  if (got == kBlockBytes && binaryBytes_ < kLargestBinary) return;
+  StickFault fault = checkBinary();
+  if (fault == StickFault::none) fault = readList();
+  if (fault != StickFault::none) return end(fault, binaryPath());
+  measure();
+  stage_ = Stage::others;
+  other_ = 0;
+  openNext();
+}
+
+void StickReader::measure() {
+  progress_.whole = binaryBytes_;
+  for (const auto& entry : list_.files) progress_.whole += entry.length;
+}
+
+void StickReader::openNext() {
+  if (other_ == list_.files.size()) return end(StickFault::none, binaryPath());
+  const StickPath& name = list_.files[other_].path;
+  char path[StickPath::kCapacity + 1] = {};
+  std::memcpy(path, name.begin(), name.size());
+  otherBytes_ = 0;
+  crc_ = {};
+  hash_ = {};
+  if (!files_.open(path)) end(StickFault::missing, name);
+}
+
+void StickReader::readOther() {
+  const StickFileEntry& entry = list_.files[other_];
+  const std::int32_t got = readBlock(room_->block.data());
+  if (got < 0) return end(StickFault::unreadable, entry.path);
+  const auto count = static_cast<std::uint32_t>(got);
+  crc_.add(room_->block.data(), count);
+  hash_.add(room_->block.data(), count);
+  otherBytes_ += count;
+  const bool more = count == kBlockBytes && otherBytes_ <= entry.length;
+  if (more) return;
+  const StickFault fault = checkOther(entry);
+  if (fault != StickFault::none) return end(fault, entry.path);
+  ++other_;
+  openNext();
+}
+
+StickFault StickReader::checkOther(const StickFileEntry& entry) const {
+  if (otherBytes_ > entry.length) return StickFault::tooLong;
+  if (otherBytes_ < entry.length) return StickFault::cutShort;
+  const bool same = crc_.value() == entry.crc && hash_.value() == entry.hash;
+  return same ? StickFault::none : StickFault::otherContent;
+}
+
+StickFault StickReader::checkBinary() {
+  FieldReader reader(room_->binary.data(), binaryBytes_);
+  if (!reader.getStruct(header_)) return reader.fault();
+  StickFault fault = checkHeader();
+  if (fault == StickFault::none && binaryBytes_ < header_.length) fault = StickFault::cutShort;
+  if (fault == StickFault::none) fault = checkParts();
+  if (fault == StickFault::none) fault = checkHash();
+  if (fault == StickFault::none && binaryBytes_ > header_.length) fault = StickFault::tooLong;
+  return fault;
+}
 
 // What the header says of itself, before anything is done with it.
 StickFault StickReader::checkHeader() const {
@@ -46,55 +142,46 @@ StickFault StickReader::checkHeader() const {
   return length == header_.length ? StickFault::none : StickFault::damagedHeader;
 }
 
-StickFault StickReader::checkParts() {
-  for (const auto& part : header_.parts) {
-    reader_.startPart();
-    if (!reader_.skip(part.length)) return reader_.fault();
-    if (reader_.crc() != part.crc) return StickFault::damagedPart;
+std::uint32_t StickReader::lengthOf(Part part) const {
+  return header_.parts[static_cast<std::size_t>(part)].length;
+}
+
+const std::uint8_t* StickReader::startOf(Part part) const {
+  const std::uint8_t* start = room_->binary.data() + kHeaderBytes;
+  for (const Part before : kParts)
+    if (before < part) start += lengthOf(before);
+  return start;
+}
+
+StickFault StickReader::checkParts() const {
+  for (const Part part : kParts) {
+    Crc32 crc;
+    crc.add(startOf(part), lengthOf(part));
+    if (crc.value() != header_.parts[static_cast<std::size_t>(part)].crc)
+      return StickFault::damagedPart;
   }
   return StickFault::none;
 }
 
-StickFault StickReader::checkBinary() {
-  if (!readHeader()) return reader_.fault();
-  const StickFault header = checkHeader();
-  if (header != StickFault::none) return header;
-  const StickFault parts = checkParts();
-  if (parts != StickFault::none) return parts;
-  const std::uint64_t hash = reader_.hash();
+StickFault StickReader::checkHash() const {
+  const std::uint32_t before = header_.length - kHashBytes;
+  Fnv1a hash;
+  hash.add(room_->binary.data(), before);
   std::uint64_t written = 0;
-  if (!reader_.take(&written, sizeof written)) return reader_.fault();
-  if (written != hash) return StickFault::damagedWhole;
-  return reader_.atEnd() ? StickFault::none : reader_.fault();
+  std::memcpy(&written, room_->binary.data() + before, sizeof written);
+  return written == hash.value() ? StickFault::none : StickFault::damagedWhole;
 }
 
 StickFault StickReader::readList() {
-  if (!readHeader()) return reader_.fault();
-  reader_.startPart();
-  if (!reader_.getStruct(list_)) return reader_.fault();
-  const PartEntry& part = header_.parts[static_cast<std::size_t>(Part::files)];
-  const bool same = reader_.partBytes() == part.length && reader_.crc() == part.crc;
-  return same ? StickFault::none : StickFault::damagedPart;
+  FieldReader reader(startOf(Part::files), lengthOf(Part::files));
+  if (!reader.getStruct(list_)) return reader.fault();
+  return reader.atEnd() ? StickFault::none : StickFault::damagedPart;
 }
 
-StickFault StickReader::checkFile(const StickFileEntry& entry) {
-  char path[StickPath::kCapacity + 1] = {};
-  std::memcpy(path, entry.path.begin(), entry.path.size());
-  if (!reader_.open(path) || !reader_.skipAll(entry.length)) return reader_.fault();
-  const bool same = reader_.crc() == entry.crc && reader_.hash() == entry.hash;
-  return same ? StickFault::none : StickFault::otherContent;
-}
-
-// The parts once more, this time into their places; the second reading is checked as the first was.
-StickFault StickReader::readConfig(agent::AgentConfig& config) {
-  if (!readHeader()) return reader_.fault();
+StickFault StickReader::readConfig(agent::AgentConfig& config) const {
   for (const Part part : kParts) {
-    const PartEntry& entry = header_.parts[static_cast<std::size_t>(part)];
-    reader_.startPart();
-    const bool good = part == Part::files ? reader_.skip(entry.length) : readPart(part, config);
-    if (!good) return reader_.fault();
-    if (reader_.partBytes() != entry.length || reader_.crc() != entry.crc)
-      return StickFault::damagedPart;
+    const StickFault fault = part == Part::files ? StickFault::none : readPart(part, config);
+    if (fault != StickFault::none) return fault;
   }
   agent::shareField(config);
   return StickFault::none;
@@ -102,16 +189,19 @@ StickFault StickReader::readConfig(agent::AgentConfig& config) {
 
 // The configuration's members of one part, in the order of its field list.
 template <std::size_t... I>
-bool StickReader::readMembers(Part part, agent::AgentConfig& config,
-                              std::index_sequence<I...> /*unused*/) {
+StickFault StickReader::readMembers(Part part, agent::AgentConfig& config,
+                                    std::index_sequence<I...> /*unused*/) const {
   constexpr auto kFields = agent::AgentConfig::fields();
-  return ((partOf<decltype(memberType(std::get<I>(kFields)))>() != part ||
-           reader_.get(config.*(std::get<I>(kFields).member), std::get<I>(kFields).min,
-                       std::get<I>(kFields).max)) &&
-          ...);
+  FieldReader reader(startOf(part), lengthOf(part));
+  const bool good = ((partOf<decltype(memberType(std::get<I>(kFields)))>() != part ||
+                      reader.get(config.*(std::get<I>(kFields).member), std::get<I>(kFields).min,
+                                 std::get<I>(kFields).max)) &&
+                     ...);
+  if (!good) return reader.fault();
+  return reader.atEnd() ? StickFault::none : StickFault::damagedPart;
 }
 
-bool StickReader::readPart(Part part, agent::AgentConfig& config) {
+StickFault StickReader::readPart(Part part, agent::AgentConfig& config) const {
   constexpr auto kMembers = std::tuple_size_v<decltype(agent::AgentConfig::fields())>;
   return readMembers(part, config, std::make_index_sequence<kMembers>());
 }

@@ -25,6 +25,7 @@ std::size_t fread(void* to, std::size_t size, std::size_t count, void* /*file*/)
   fileAt += taken * size;
   return taken;
 }
+int setvbuf(void* /*file*/, char* /*buffer*/, int /*mode*/, std::size_t /*size*/) { return 0; }
 int ferror(void* /*file*/) { return 0; }
 int fclose(void* /*file*/) { return 0; }
 

@@ -1,43 +1,32 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reads an open file in pieces of 4 KB through one buffer of its own, straight into the structs it
-// is for, and keeps the checksums of what was taken. Neither heap nor large stack: a table of 100
-// KB goes from the buffer into its place. It trusts nothing: an end that comes early, lengths over
-// a capacity, bools and enums that do not exist, and numbers beyond their range are faults; the
-// first one stays.
+// Reads field lists out of bytes in memory, straight into the structs that they are for, with
+// neither heap nor a large stack. It trusts nothing: an end that comes early, lengths over a
+// capacity, bools and enums that do not exist, and numbers beyond their range are faults; the first
+// one stays.
 #pragma once
 
 #include <cmath>
 #include <cstring>
 
-#include "robot/core/Checksum.h"
 #include "robot/core/Encoding.h"
 #include "robot/stick/StickFault.h"
-#include "robot/stick/StickFiles.h"
 
 namespace kelpie::stick {
 
-class PieceReader {
+class FieldReader {
  public:
-  static constexpr std::size_t kPieceBytes = 4096;
+  FieldReader(const std::uint8_t* bytes, std::size_t count) : at_(bytes), left_(count) {}
 
-  explicit PieceReader(StickFiles& files) : files_(files) {}
-
-  // False, with the fault: there is no such file.
-  bool open(const char* path);
   StickFault fault() const { return fault_; }
+  bool atEnd() const { return left_ == 0; }
 
-  bool take(void* to, std::size_t count);
-  bool skip(std::uint32_t count);
-  // Nothing left; else the fault is tooLong.
-  bool atEnd();
-  // Reads to the end of the file, whose length must be that.
-  bool skipAll(std::uint32_t length) { return skip(length) && atEnd(); }
-
-  // Since open(), and since the last startPart().
-  std::uint64_t hash() const { return hash_.value(); }
-  std::uint32_t crc() const { return crc_.value(); }
-  std::uint32_t partBytes() const { return partBytes_; }
-  void startPart();
+  bool take(void* to, std::size_t count) {
+    if (count > left_) return fail(StickFault::cutShort);
+    std::memcpy(to, at_, count);
+    at_ += count;
+    left_ -= count;
+    return true;
+  }
 
   // min and max: the range of the field.
   template <class T>
@@ -116,17 +105,14 @@ class PieceReader {
     const bool inside = std::isfinite(number) && number >= min - kSlack && number <= max + kSlack;
     return inside || fail(StickFault::outOfRange);
   }
-  bool refill();
   // Keeps the first fault; always false.
-  bool fail(StickFault fault);
+  bool fail(StickFault fault) {
+    if (fault_ == StickFault::none) fault_ = fault;
+    return false;
+  }
 
-  StickFiles& files_;
-  std::array<std::uint8_t, kPieceBytes> piece_{};
-  std::size_t at_ = 0;
-  std::size_t filled_ = 0;
-  std::uint32_t partBytes_ = 0;
-  Crc32 crc_;
-  Fnv1a hash_;
+  const std::uint8_t* at_;
+  std::size_t left_;
   StickFault fault_ = StickFault::none;
 };
 
