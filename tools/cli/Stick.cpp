@@ -34,6 +34,12 @@ struct StickOptions {
   std::string install;
 };
 
+// What a stick is made of, and what a person is told of it.
+struct Parts {
+  stick::StickContents contents;
+  std::string player;  // empty without --object
+};
+
 // What a robot of flesh plays with: a body with masses, and scripts that nobody edits meanwhile.
 Expected<agent::AgentConfig> robotConfig(const StickOptions& options) {
   ConfigOptions request = options.config;
@@ -43,25 +49,23 @@ Expected<agent::AgentConfig> robotConfig(const StickOptions& options) {
   return config;
 }
 
-Expected<stick::StickContents> readContents(const StickOptions& options, std::string& player) {
-  const Status scripts = checkScripts(options.pycode);
-  if (!scripts) return Error{scripts.error()};
-  stick::StickContents contents;
-  Status status = Done{};
-  const auto take = [&](const Expected<std::string>& bytes, std::string& place) {
-    if (status && bytes) place = *bytes;
-    if (status && !bytes) status = Error{bytes.error()};
-  };
-  if (!options.object.empty()) {
-    std::string program;
-    take(stick::programOfFile(options.object), program);
-    player = stick::playerIn(program);
-    if (status) take(stick::readWhole(options.object), contents.object);
-  }
-  if (!options.wlan.empty()) take(stick::readWlanFile(options.wlan), contents.wlan);
-  if (status) take(stick::zipBehaviours(options.pycode), contents.behaviours);
+Status take(const Expected<std::string>& bytes, std::string& place) {
+  if (!bytes) return Error{bytes.error()};
+  place = *bytes;
+  return Done{};
+}
+
+Expected<Parts> readParts(const StickOptions& options) {
+  Parts parts;
+  Status status = checkScripts(options.pycode);
+  const bool program = !options.object.empty();
+  if (status && program) status = take(stick::playerOfFile(options.object), parts.player);
+  if (status && program) status = take(stick::readWhole(options.object), parts.contents.object);
+  if (status && !options.wlan.empty())
+    status = take(stick::readWlanFile(options.wlan), parts.contents.wlan);
+  if (status) status = take(stick::zipBehaviours(options.pycode), parts.contents.behaviours);
   if (!status) return Error{status.error()};
-  return contents;
+  return parts;
 }
 
 bool isImage(const std::string& out) { return std::filesystem::path(out).extension() == ".img"; }
@@ -79,13 +83,18 @@ Status writeOut(const StickOptions& options, const agent::AgentConfig& config,
   return status ? verifyFolder(options.out, config) : status;
 }
 
+// At once, so that who looks on sees each step before it is done.
+void tell(const std::string& step) {
+  fmt::print("{}\n", step);
+  std::fflush(stdout);
+}
+
 Status install(const StickOptions& options, const agent::AgentConfig& config,
                const stick::StickTree& tree) {
   if (stick::findFile(tree, stick::kObjectPath) == nullptr)
     return Error{std::string("--install needs --object FILE, or the stick lacks ") +
                  stick::kObjectPath + " and does not play"};
   Status status = stick::checkMount(tree, options.install);
-  const auto tell = [](const std::string& step) { fmt::print("{}\n", step); };
   if (status) status = stick::writeFiles(tree, options.install, tell);
   return status ? verifyFolder(options.install, config) : status;
 }
@@ -111,10 +120,9 @@ void tellSizes(const std::string& where, const stick::StickTree& tree) {
 Status writeStick(const StickOptions& options) {
   const auto config = robotConfig(options);
   if (!config) return Error{config.error()};
-  std::string player;
-  const auto contents = readContents(options, player);
-  if (!contents) return Error{contents.error()};
-  const auto tree = stick::makeTree(*config, *contents);
+  const auto parts = readParts(options);
+  if (!parts) return Error{parts.error()};
+  const auto tree = stick::makeTree(*config, parts->contents);
   if (!tree) return Error{tree.error()};
   Status status = Done{};
   if (!options.diff.empty()) status = showDifference(options, *config, *tree);
@@ -123,7 +131,7 @@ Status writeStick(const StickOptions& options) {
   if (!status) return status;
   if (!options.out.empty()) tellSizes(options.out, *tree);
   if (!options.install.empty()) tellSizes(options.install, *tree);
-  if (!options.object.empty()) fmt::print("{}\n", stick::playerLine(player, options.pycode));
+  if (!options.object.empty()) fmt::print("{}\n", stick::playerLine(parts->player, options.pycode));
   return Done{};
 }
 

@@ -37,23 +37,20 @@ Expected<std::string> unpacked(const std::string& file) {
 
 }  // namespace
 
-std::string playerIn(const std::string& program) {
-  const std::string name = wordAfter(program, behaviour::kPlayerMark);
-  return name == "simple" || name == "python" ? name : "";
-}
-
-Expected<std::string> programOfFile(const std::string& file) {
+Expected<std::string> playerOfFile(const std::string& file) {
   auto bytes = readWhole(file);
   if (bytes && bytes->rfind("\x1f\x8b", 0) == 0) bytes = unpacked(file);
   if (!bytes) return bytes;
   const Status program = ElfObject::checkProgram(*bytes, file);
-  return program ? bytes : Error{program.error()};
+  if (!program) return Error{program.error()};
+  const std::string player = wordAfter(*bytes, behaviour::kPlayerMark);
+  if (player == "simple" || player == "python") return player;
+  return Error{file + ": is no agent of Kelpie: it names no player of ours"};
 }
 
 std::string playerLine(const std::string& player, const std::string& folder) {
   if (player == "simple")
     return "player: simple, without Python: it walks to the ball, and no more";
-  if (player.empty()) return "player: the program does not say which";
   return "player: python; it plays the behaviours of " + folder;
 }
 
