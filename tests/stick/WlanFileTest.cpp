@@ -9,12 +9,16 @@ constexpr const char* kGood =
     "# of the team\nESSID = fourlegged\nWEPENABLE=1\r\nWEPKEY=0x0123456789\n\nAPMODE=1\n"
     "ETHER_IP=10.0.1.3\nETHER_NETMASK=255.255.255.0\nUSE_DHCP=0\n";
 
-std::string complaint(const std::string& text) { return wlanText(text, "keys.txt").error(); }
+Expected<WlanSettings> settingsOf(const std::string& text) {
+  return wlanSettings(text, "keys.txt");
+}
+
+std::string complaint(const std::string& text) { return settingsOf(text).error(); }
 
 TEST(WlanFile, KeepsKeysAndLeavesCommentsOut) {
-  const auto text = wlanText(kGood, "keys.txt");
-  ASSERT_TRUE(text) << text.error();
-  EXPECT_EQ(*text,
+  const auto settings = settingsOf(kGood);
+  ASSERT_TRUE(settings) << settings.error();
+  EXPECT_EQ(settings->text,
             "ESSID=fourlegged\nWEPENABLE=1\nWEPKEY=0x0123456789\nAPMODE=1\nETHER_IP=10.0.1.3\n"
             "ETHER_NETMASK=255.255.255.0\nUSE_DHCP=0\n");
 }
@@ -28,7 +32,8 @@ TEST(WlanFile, NamesTheKeyThatIsMissing) {
 
 TEST(WlanFile, NamesLineAndKeyOfAWrongValueButNeverTheValue) {
   for (const auto* line : {"WEPKEY=hush!hush!", "WEPKEY=0xhushhushhu", "ETHER_IP=10.0.hush",
-                           "APMODE=hush", "CHANNEL=12hush", "hush", "HUSH=hush", "WEPKEY hush"}) {
+                           "APMODE=hush", "CHANNEL=12hush", "hush", "hush=HUSH", "WEPKEY hush",
+                           "1HUSH=hush", "WEP KEY=hush", "SSDP_ENABLE=\"hush"}) {
     const std::string told = complaint(std::string("ESSID=a\n") + line + "\n");
     EXPECT_NE(told.find("keys.txt:2: "), std::string::npos) << told;
     EXPECT_EQ(told.find("hush"), std::string::npos) << told;
@@ -46,20 +51,45 @@ TEST(WlanFile, RefusesWhatNoRobotCanUse) {
   }
   EXPECT_NE(complaint(std::string(kGood) + "HOSTNAME=" + std::string(64, 'a')).find("HOSTNAME"),
             std::string::npos);
-  EXPECT_NE(complaint(std::string(kGood) + "CHANNEL=5\n").find("APMODE=0"), std::string::npos);
+  EXPECT_NE(complaint(std::string(kGood) + std::string(33, 'K') + "=1").find("not KEY=VALUE"),
+            std::string::npos);
 }
 
-TEST(WlanFile, TakesAChannelAdHocAndEveryNetmask) {
-  const std::string adHoc = "ESSID=a\nETHER_IP=10.0.1.3\nAPMODE=0\nCHANNEL=11\n";
+TEST(WlanFile, TakesEveryNetmask) {
   for (const auto* mask : {"255.255.255.255", "255.255.254.0", "128.0.0.0"}) {
-    const auto text = wlanText(adHoc + "ETHER_NETMASK=" + mask, "keys.txt");
-    EXPECT_TRUE(text) << text.error();
+    const auto settings =
+        settingsOf(std::string("ESSID=a\nETHER_IP=10.0.1.3\nETHER_NETMASK=") + mask);
+    EXPECT_TRUE(settings) << settings.error();
   }
 }
 
+// A channel is legal with every mode: a team of 2005 had it beside APMODE=1 in all of its files.
+TEST(WlanFile, TakesEveryKindOfNetwork) {
+  const std::string fixed = "ESSID=a\nETHER_IP=10.0.1.3\n";
+  const std::string kinds[] = {fixed + "APMODE=0\nCHANNEL=11\n", fixed + "APMODE=1\nCHANNEL=3\n",
+                               fixed + "APMODE=2\n", fixed + "CHANNEL=1\n",
+                               "ESSID=a\nUSE_DHCP=1\nAPMODE=1\n"};
+  for (const auto& kind : kinds) {
+    const auto settings = settingsOf(kind);
+    ASSERT_TRUE(settings) << kind << settings.error();
+    EXPECT_EQ(settings->text, kind);
+    EXPECT_EQ(unknownKeysLine(*settings, "keys.txt"), "");
+  }
+}
+
+TEST(WlanFile, KeepsAndTellsKeysThatItDoesNotKnow) {
+  const std::string text = "ESSID=a\nUSE_DHCP=1\nSSDP_ENABLE=1\nDNS_SERVER_2=hush # not\nTELNET=\n";
+  EXPECT_NE(complaint(text).find("keys.txt:4: DNS_SERVER_2"), std::string::npos);
+  const std::string plain = "ESSID=a\nUSE_DHCP=1\nSSDP_ENABLE=1\nDNS_SERVER_2=hush\nTELNET=\n";
+  const auto settings = settingsOf(plain);
+  ASSERT_TRUE(settings) << settings.error();
+  EXPECT_EQ(settings->text, plain);
+  EXPECT_EQ(unknownKeysLine(*settings, "keys.txt"),
+            "keys.txt: not known here and kept as they are: SSDP_ENABLE, DNS_SERVER_2, TELNET");
+}
+
 TEST(WlanFile, LeavesTheByteOrderMarkOfAnEditorOut) {
-  EXPECT_EQ(*wlanText(std::string("\xEF\xBB\xBF") + kGood, "keys.txt"),
-            *wlanText(kGood, "keys.txt"));
+  EXPECT_EQ(settingsOf(std::string("\xEF\xBB\xBF") + kGood)->text, settingsOf(kGood)->text);
 }
 
 TEST(WlanFile, RefusesAKeyThatIsThereTwice) {

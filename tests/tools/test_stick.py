@@ -248,6 +248,40 @@ def test_a_robot_needs_a_number():
     assert kelpie("stick", "--robot", "5", "--out", "x").returncode == 2
 
 
+FIXED = "ESSID=fourlegged\nETHER_IP=10.0.1.3\n"
+SONY_KEYS = ROOT.parent / "shared/cases/sony-keys.wlan"
+
+
+def written_wlan(parts, text):
+    (parts / "field.wlan").write_text(text)
+    result = stick("--wlan", parts / "field.wlan", "--out", parts / "out")
+    assert result.returncode == 0, result.stderr
+    return (parts / "out/OPEN-R/SYSTEM/CONF/WLANCONF.TXT").read_text(), result.stdout
+
+
+@pytest.mark.parametrize("text, unknown", [
+    (FIXED + "APMODE=0\nCHANNEL=3\n", ""), (FIXED + "APMODE=1\nCHANNEL=3\n", ""),
+    (FIXED + "APMODE=2\n", ""), ("ESSID=fourlegged\nUSE_DHCP=1\n", ""),
+    (FIXED + "SSDP_ENABLE=1\nDNS_SERVER_2=10.0.1.1\n", "SSDP_ENABLE, DNS_SERVER_2")])
+def test_every_kind_of_network_is_taken(parts, text, unknown):
+    written, told = written_wlan(parts, text)
+    assert written == text
+    lines = [line for line in told.splitlines() if "field.wlan" in line]
+    told = f"{parts / 'field.wlan'}: not known here and kept as they are: {unknown}"
+    assert lines == ([told] if unknown else [])
+
+
+@pytest.mark.skipif(not SONY_KEYS.exists(), reason=f"{SONY_KEYS.name} is not here")
+def test_the_keys_of_sonys_own_sample_are_taken(parts):
+    text = SONY_KEYS.read_text()
+    written, told = written_wlan(parts, text)
+    lines = [line for line in text.splitlines() if line and not line.startswith("#")]
+    assert written.splitlines() == lines
+    assert "kept as they are: SSDP_ENABLE\n" in told
+    key, = [line.split("=")[1] for line in lines if line.startswith("WEPKEY=")]
+    assert key not in told
+
+
 def test_install_refuses_a_mount_that_is_no_programming_stick(parts):
     (parts / "camera/DCIM").mkdir(parents=True)
     result = stick(*all_options(parts), "--install", parts / "camera")

@@ -37,7 +37,8 @@ struct StickOptions {
 // What a stick is made of, and what a person is told of it.
 struct Parts {
   stick::StickContents contents;
-  std::string player;  // empty without --object
+  std::string player;       // empty without --object
+  std::string unknownKeys;  // a line; empty: none
 };
 
 // What a robot of flesh plays with: a body with masses, and scripts that nobody edits meanwhile.
@@ -55,14 +56,21 @@ Status take(const Expected<std::string>& bytes, std::string& place) {
   return Done{};
 }
 
+Status takeWlan(const std::string& file, Parts& parts) {
+  const auto settings = stick::readWlanFile(file);
+  if (!settings) return Error{settings.error()};
+  parts.contents.wlan = settings->text;
+  parts.unknownKeys = stick::unknownKeysLine(*settings, file);
+  return Done{};
+}
+
 Expected<Parts> readParts(const StickOptions& options) {
   Parts parts;
   Status status = checkScripts(options.pycode);
   const bool program = !options.object.empty();
   if (status && program) status = take(stick::playerOfFile(options.object), parts.player);
   if (status && program) status = take(stick::readWhole(options.object), parts.contents.object);
-  if (status && !options.wlan.empty())
-    status = take(stick::readWlanFile(options.wlan), parts.contents.wlan);
+  if (status && !options.wlan.empty()) status = takeWlan(options.wlan, parts);
   if (status) status = take(stick::zipBehaviours(options.pycode), parts.contents.behaviours);
   if (!status) return Error{status.error()};
   return parts;
@@ -122,6 +130,7 @@ Status writeStick(const StickOptions& options) {
   if (!config) return Error{config.error()};
   const auto parts = readParts(options);
   if (!parts) return Error{parts.error()};
+  if (!parts->unknownKeys.empty()) tell(parts->unknownKeys);
   const auto tree = stick::makeTree(*config, parts->contents);
   if (!tree) return Error{tree.error()};
   Status status = Done{};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/stick/WlanFile.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
@@ -10,6 +10,7 @@
 #include <map>
 #include <optional>
 #include <sstream>
+#include <string_view>
 
 #include "tools/stick/Programs.h"
 
@@ -18,14 +19,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<const char*, 12> kKeys = {
+constexpr std::array<std::string_view, 12> kKeys = {
     "HOSTNAME", "ETHER_IP", "ETHER_NETMASK", "IP_GATEWAY",   "ESSID",        "WEPENABLE",
     "WEPKEY",   "APMODE",   "CHANNEL",       "DNS_SERVER_1", "DNS_DEFDNAME", "USE_DHCP"};
 
 bool isKnown(const std::string& key) {
-  for (const auto* known : kKeys)
-    if (key == known) return true;
-  return false;
+  return std::find(kKeys.begin(), kKeys.end(), key) != kKeys.end();
+}
+
+// As Sony's are: upper-case words joined by underscores. Anything else is a slip of the pen.
+bool isKey(const std::string& key) {
+  constexpr const char* kAllowed = "ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_";
+  return !key.empty() && key.size() <= 32 && key[0] >= 'A' && key[0] <= 'Z' &&
+         key.find_first_not_of(kAllowed) == std::string::npos;
 }
 
 std::string trimmed(const std::string& line) {
@@ -91,6 +97,7 @@ bool isWepKey(const std::string& text) {
 
 bool isGood(const std::string& key, const std::string& value) {
   if (!isPlain(value)) return false;
+  if (!isKnown(key)) return true;
   if (key == "WEPENABLE" || key == "USE_DHCP") return value == "0" || value == "1";
   if (key == "APMODE") return value == "0" || value == "1" || value == "2";
   if (key == "CHANNEL") return isNumber(value, 1, 11) && value[0] != '0';
@@ -109,8 +116,6 @@ Status needs(const std::map<std::string, std::string>& values, const std::string
   if (values.count("ESSID") == 0) return Error{file + ": has no ESSID, the network's name"};
   if (is("WEPENABLE", "1") && values.count("WEPKEY") == 0)
     return Error{file + ": has no WEPKEY, which WEPENABLE=1 needs"};
-  if (values.count("CHANNEL") != 0 && !is("APMODE", "0"))
-    return Error{file + ": has a CHANNEL, which is for APMODE=0 only"};
   if (!is("USE_DHCP", "1") && values.count("ETHER_IP") == 0)
     return Error{file + ": has no ETHER_IP, which a robot without USE_DHCP=1 needs"};
   return Done{};
@@ -124,38 +129,45 @@ bool isInside(const fs::path& file, const fs::path& folder) {
 
 }  // namespace
 
-Expected<std::string> wlanText(const std::string& text, const std::string& file) {
+Expected<WlanSettings> wlanSettings(const std::string& text, const std::string& file) {
   constexpr const char* kByteOrderMark = "\xEF\xBB\xBF";  // as Notepad writes
   std::istringstream lines(text.rfind(kByteOrderMark, 0) == 0 ? text.substr(3) : text);
   std::string line;
-  std::string out;
+  WlanSettings settings;
   std::map<std::string, std::string> values;
   for (int number = 1; std::getline(lines, line); ++number) {
     line = trimmed(line);
     if (line.empty() || line[0] == '#') continue;
     const auto equals = line.find('=');
     const std::string key = trimmed(line.substr(0, equals));
-    if (equals == std::string::npos || !isKnown(key))
-      return Error{fmt::format("{}:{}: not KEY=VALUE with a key of WLANCONF.TXT", file, number)};
+    if (equals == std::string::npos || !isKey(key))
+      return Error{fmt::format("{}:{}: not KEY=VALUE as WLANCONF.TXT has it", file, number)};
     const std::string value = trimmed(line.substr(equals + 1));
     if (!isGood(key, value))
       return Error{fmt::format("{}:{}: {}'s value", file, number, key) +
                    " is not one that the robot takes (docs/flash.md)"};
     if (!values.emplace(key, value).second)
       return Error{fmt::format("{}:{}: {} is there twice", file, number, key)};
-    out += fmt::format("{}={}\n", key, value);
+    settings.text += fmt::format("{}={}\n", key, value);
+    if (!isKnown(key)) settings.unknown.push_back(key);
   }
   const Status complete = needs(values, file);
   if (!complete) return Error{complete.error()};
-  return out;
+  return settings;
 }
 
-Expected<std::string> readWlanFile(const std::string& file) {
+Expected<WlanSettings> readWlanFile(const std::string& file) {
   if (isInside(file, KELPIE_SOURCE_DIR))
     return Error{file + ": lies in the source tree, where keys do not belong"};
   const auto text = readWhole(file);
   if (!text) return Error{text.error()};
-  return wlanText(*text, file);
+  return wlanSettings(*text, file);
+}
+
+std::string unknownKeysLine(const WlanSettings& settings, const std::string& file) {
+  if (settings.unknown.empty()) return "";
+  return fmt::format("{}: not known here and kept as they are: {}", file,
+                     fmt::join(settings.unknown, ", "));
 }
 
 }  // namespace kelpie::stick

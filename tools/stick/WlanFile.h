@@ -4,16 +4,26 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "robot/core/Expected.h"
 
 namespace kelpie::stick {
 
-// WLANCONF.TXT of the file's text: its keys in their order, comments and blank lines left out. The
-// error names the line and the key, never the value.
-Expected<std::string> wlanText(const std::string& text, const std::string& file);
+struct WlanSettings {
+  std::string text;                  // of WLANCONF.TXT
+  std::vector<std::string> unknown;  // keys in it whose values nobody has checked
+};
+
+// The settings of a file's text: its keys in their order, comments and blank lines left out. A key
+// that is not known here is kept as it is, because Sony's own samples have more keys than their
+// documents tell of. The error names the line and the key, never the value.
+Expected<WlanSettings> wlanSettings(const std::string& text, const std::string& file);
 
 // Refuses a file inside the source tree.
-Expected<std::string> readWlanFile(const std::string& file);
+Expected<WlanSettings> readWlanFile(const std::string& file);
+
+// For people: which keys were kept unchecked; empty when there is none.
+std::string unknownKeysLine(const WlanSettings& settings, const std::string& file);
 
 }  // namespace kelpie::stick
