@@ -141,7 +141,19 @@ def test_a_stick_written_twice_is_identical_in_8_3_and_small(tmp_path):
     assert sum(map(len, first.values())) < 8e6
     assert sorted(first) == ["OPEN-R/MW/CONF/CONNECT.CFG", "OPEN-R/MW/CONF/DESIGNDB.CFG",
                              "OPEN-R/MW/CONF/OBJECT.CFG", "OPEN-R/MW/DATA/P/PYCODE.ZIP",
-                             "OPEN-R/MW/DATA/P/STICK.BIN"]
+                             "OPEN-R/MW/DATA/P/STICK.BIN", "OPEN-R/SYSTEM/CONF/VRCOMM.CFG"]
+
+
+def test_the_robots_jam_detection_is_relaxed_unless_it_is_kept(parts):
+    path = parts / "mount/OPEN-R/SYSTEM/CONF/VRCOMM.CFG"
+    words = [*all_options(parts), "--install", parts / "mount"]
+    assert stick(*words, "--keep-jam-detection").returncode == 0
+    assert not path.exists()
+    assert stick(*words).returncode == 0
+    assert path.read_text() == "JamDetectionHighThreshold\n"
+    path.write_text("another word\n")
+    assert stick(*words, "--keep-jam-detection").returncode == 0
+    assert path.read_text() == "another word\n"
 
 
 def test_options_change_the_stick(tmp_path):
@@ -188,7 +200,7 @@ def test_install_writes_a_stick_that_then_differs_in_nothing(parts):
     after = files_in(parts / "mount")
     assert all(after[name] == content for name, content in sony.items())
     assert after["OPEN-R/MW/OBJS/AGENT.BIN"] == OBJECT
-    assert len(after) == len(sony) + 7
+    assert len(after) == len(sony) + 8
     same = stick(*all_options(parts), "--diff", parts / "mount")
     assert "changed" not in same.stdout and "new " not in same.stdout
     assert "the configuration is the same" in same.stdout

@@ -32,6 +32,7 @@ struct StickOptions {
   std::string out;
   std::string diff;
   std::string install;
+  bool keepJamDetection = false;
 };
 
 // What a stick is made of, and what a person is told of it.
@@ -66,6 +67,7 @@ Status takeWlan(const std::string& file, Parts& parts) {
 
 Expected<Parts> readParts(const StickOptions& options) {
   Parts parts;
+  parts.contents.relaxedJams = !options.keepJamDetection;
   Status status = checkScripts(options.pycode);
   const bool program = !options.object.empty();
   if (status && program) status = take(stick::playerOfFile(options.object), parts.player);
@@ -178,6 +180,9 @@ void addStick(CLI::App& app, int& code) {
       ->check(notEmpty());
   command->add_option("--install", options->install, "Write to the mounted stick")
       ->check(notEmpty());
+  command->add_flag("--keep-jam-detection", options->keepJamDetection,
+                    "Write no VRCOMM.CFG, which has the robot wait before it takes a joint for "
+                    "jammed");
   command->callback([options, &code] { code = run(*options); });
 }
 

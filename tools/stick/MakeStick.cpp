@@ -37,6 +37,7 @@ Expected<StickTree> makeTree(const agent::AgentConfig& config, const StickConten
   std::string why;
   if (!verify(config, &why)) return Error{"the configuration's " + why};
   StickTree tree = systemFiles();
+  if (contents.relaxedJams) tree.push_back(relaxedJams());
   if (!contents.wlan.empty()) tree.push_back({kWlanPath, contents.wlan});
   if (!contents.object.empty()) tree.push_back({kObjectPath, contents.object});
   tree.push_back({kScriptsPath, contents.behaviours});

@@ -11,9 +11,10 @@ namespace kelpie::stick {
 
 // What beside the configuration goes onto a stick.
 struct StickContents {
-  std::string object;      // AGENT.BIN; empty: the stick lacks it
-  std::string behaviours;  // the zip of toolchain/make-pyzip
-  std::string wlan;        // WLANCONF.TXT; empty: that of the stick stays
+  std::string object;       // AGENT.BIN; empty: the stick lacks it
+  std::string behaviours;   // the zip of toolchain/make-pyzip
+  std::string wlan;         // WLANCONF.TXT; empty: that of the stick stays
+  bool relaxedJams = true;  // VRCOMM.CFG; else that of the stick stays, or there is none
 };
 
 // A programming stick holds 8 MB at least, and Sony's system on it 1.21 MB at most (spec openr.md

@@ -151,7 +151,7 @@ Status checkFolder(const StickTree& tree, const std::string& root) {
   for (const auto* file : kSystemFiles)
     if (fs::exists(fs::path(root) / file, error))
       return Error{root + ": looks like a programming stick; --install writes to one"};
-  for (const auto* path : {kObjectPath, kWlanPath})
+  for (const auto* path : {kObjectPath, kWlanPath, kJamPath})
     if (findFile(tree, path) == nullptr && fs::exists(fs::path(root) / path, error))
       return Error{root + ": holds " + path + ", which this stick would lack; remove it first"};
   return Done{};

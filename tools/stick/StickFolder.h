@@ -21,7 +21,8 @@ using StepObserver = std::function<void(const std::string& step)>;
 // with Sony's system, or none with a radio when the tree sets one.
 Status checkMount(const StickTree& tree, const std::string& root);
 
-// Refuses a folder with an AGENT.BIN or WLANCONF.TXT that the tree lacks, and a programming stick.
+// Refuses a folder with an AGENT.BIN, WLANCONF.TXT or VRCOMM.CFG that the tree lacks, and a
+// programming stick.
 Status checkFolder(const StickTree& tree, const std::string& root);
 
 // Writes what differs, makes folders as needed.

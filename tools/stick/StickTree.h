@@ -19,6 +19,7 @@ using StickTree = std::vector<TreeFile>;
 constexpr const char* kObjectListPath = "OPEN-R/MW/CONF/OBJECT.CFG";
 constexpr const char* kConnectPath = "OPEN-R/MW/CONF/CONNECT.CFG";
 constexpr const char* kDesignPath = "OPEN-R/MW/CONF/DESIGNDB.CFG";
+constexpr const char* kJamPath = "OPEN-R/SYSTEM/CONF/VRCOMM.CFG";
 constexpr const char* kWlanPath = "OPEN-R/SYSTEM/CONF/WLANCONF.TXT";
 
 std::size_t bytesOf(const StickTree& tree);

@@ -26,4 +26,6 @@ StickTree systemFiles() {
           {kDesignPath, design}};
 }
 
+TreeFile relaxedJams() { return {kJamPath, "JamDetectionHighThreshold\n"}; }
+
 }  // namespace kelpie::stick

@@ -9,4 +9,7 @@ namespace kelpie::stick {
 
 StickTree systemFiles();
 
+// VRCOMM.CFG with the word that has the robot wait longer before it takes a joint for jammed.
+TreeFile relaxedJams();
+
 }  // namespace kelpie::stick
