@@ -3,6 +3,7 @@
 
 import gzip
 import os
+import random
 import shutil
 import signal
 import stat
@@ -235,6 +236,7 @@ def test_the_radios_keys_are_never_told(parts):
     (["--out", "x", "--set", "gps.love=1"], "gps.love"),
     (["--out", "/proc/x"], "/proc/x"),
     (["--install", "/"], "--object"),
+    (["--out", "x", "--replace"], "--replace"),
     (["--diff", "/"], "APERIOS.GZ"),
     (["--out", "x", "--wlan", ""], "--wlan"),
     (["--out", "x", "--object", ""], "--object"),
@@ -292,6 +294,99 @@ def test_the_keys_of_sonys_own_sample_are_taken(parts):
     assert "kept as they are: SSDP_ENABLE\n" in told
     key, = [line.split("=")[1] for line in lines if line.startswith("WEPKEY=")]
     assert key not in told
+
+
+FORMER = {"OPEN-R/MW/CONF/OBJECT.CFG": b"/MS/OPEN-R/MW/OBJS/WALKER.BIN\n",
+          "OPEN-R/MW/CONF/CONNECT.CFG": b"Walker.Legs.OCommandVectorData.S other\n",
+          "OPEN-R/MW/CONF/DESIGNDB.CFG": b"[ERS-7]\n"}
+ITS_OWN = {"OPEN-R/MW/OBJS/WALKER.BIN": bytes(5000), "OPEN-R/MW/CONF/DESIGN.CFG": b"fast\n"}
+
+
+def put_former_program(mount):
+    for name, data in (FORMER | ITS_OWN).items():
+        (mount / name).parent.mkdir(parents=True, exist_ok=True)
+        (mount / name).write_bytes(data)
+
+
+def test_another_programs_files_are_named_and_not_replaced(parts):
+    put_former_program(parts / "mount")
+    before = files_in(parts / "mount")
+    result = stick(*all_options(parts), "--install", parts / "mount")
+    assert result.returncode == 2
+    assert all(name in complaint(result) for name in FORMER)
+    assert "--replace" in complaint(result) and "WALKER" not in complaint(result)
+    assert files_in(parts / "mount") == before
+
+
+def test_another_programs_files_are_kept_when_they_are_replaced(parts):
+    put_former_program(parts / "mount")
+    words = [*all_options(parts), "--install", parts / "mount"]
+    result = stick(*words, "--replace")
+    assert result.returncode == 0, result.stderr
+    assert "kept in FORMER.001" in result.stdout
+    assert files_in(parts / "mount/FORMER.001") == FORMER
+    after = files_in(parts / "mount")
+    assert all(after[name] == data for name, data in ITS_OWN.items())
+    again = stick(*words, "--set", "gps.ball.gate=4")
+    assert again.returncode == 0, "over our own stick no --replace is needed"
+    assert not (parts / "mount/FORMER.002").exists()
+
+
+def test_a_stick_of_ours_that_was_never_finished_needs_no_replace(parts):
+    words = [*all_options(parts), "--install", parts / "mount"]
+    assert stick(*words).returncode == 0
+    (parts / "mount/OPEN-R/MW/DATA/P/STICK.BIN").unlink()
+    (parts / "mount/OPEN-R/MW/DATA/P/PYCODE.ZIP").write_text("of an earlier day")
+    assert stick(*words).returncode == 0
+    (parts / "mount/OPEN-R/MW/DATA/P/STICK.BIN").unlink()
+    (parts / "mount/OPEN-R/MW/OBJS/AGENT.BIN").write_text("another's")
+    assert "AGENT.BIN would be replaced" in complaint(stick(*words))
+
+
+class Killed:
+    """An installation over another program that is killed at some moment, seeded: a number of
+    told steps and some time on."""
+
+    def __init__(self, parts, mount, seed):
+        chance = random.Random(seed)
+        words = [BIN / "kelpie", "stick", "--robot", "2", *all_options(parts), "--replace",
+                 "--install", mount]
+        with subprocess.Popen(words, cwd=ROOT, stdout=subprocess.PIPE, text=True) as process:
+            for _ in range(chance.randrange(22)):
+                process.stdout.readline()
+            time.sleep(chance.uniform(0, 0.002))
+            process.kill()
+        self.done = process.returncode == 0
+
+    @staticmethod
+    def plays(parts, mount):
+        """Whether the robot's own reader takes the stick, as --diff tells."""
+        result = stick(*all_options(parts), "--diff", mount)
+        assert result.returncode == 0, result.stderr
+        return "the robot refuses it" not in result.stdout
+
+
+def test_an_installation_killed_at_any_moment_loses_nothing(parts):
+    stopped = set()
+    for seed in range(20):
+        mount = parts / f"mount{seed}"
+        shutil.copytree(parts / "mount", mount)
+        put_former_program(mount)
+        killed = Killed(parts, mount, seed)
+        now = files_in(mount)
+        assert all(now[name] == data for name, data in ITS_OWN.items())
+        replaced = [name for name, data in FORMER.items() if now[name] != data]
+        if replaced:
+            assert files_in(mount / "FORMER.001") == FORMER
+            assert now["OPEN-R/MW/CONF/OBJECT.CFG"] == b"/MS/OPEN-R/MW/OBJS/AGENT.BIN\n"
+            assert now["OPEN-R/MW/OBJS/AGENT.BIN"] == OBJECT, "our reader must run"
+        whole = (len(replaced) == 3 and "OPEN-R/MW/DATA/P/STICK.BIN" in now)
+        assert Killed.plays(parts, mount) == whole
+        assert whole or not killed.done
+        stopped.add((len(replaced), whole))
+    assert {(0, False), (3, True)} <= stopped, "the moments are all alike"
+    last = stick(*all_options(parts), "--replace", "--install", mount)
+    assert last.returncode == 0 and Killed.plays(parts, mount)
 
 
 def test_install_refuses_a_mount_that_is_no_programming_stick(parts):

@@ -13,6 +13,7 @@
 #include "tools/cli/Process.h"
 #include "tools/cli/WholeFile.h"
 #include "tools/stick/Behaviours.h"
+#include "tools/stick/FormerFiles.h"
 #include "tools/stick/MakeStick.h"
 #include "tools/stick/Player.h"
 #include "tools/stick/Programs.h"
@@ -32,6 +33,7 @@ struct StickOptions {
   std::string out;
   std::string diff;
   std::string install;
+  bool replace = false;
   bool keepJamDetection = false;
 };
 
@@ -99,12 +101,27 @@ void tell(const std::string& step) {
   std::fflush(stdout);
 }
 
+// Nothing of another program is replaced before it is kept.
+Status keepFormer(const StickOptions& options, const stick::StickTree& tree) {
+  const auto former = stick::formerFiles(tree, options.install);
+  if (!former) return Error{former.error()};
+  if (former->empty()) return Done{};
+  if (!options.replace)
+    return Error{options.install + ": another program's " + stick::namesOf(*former) +
+                 " would be replaced; with --replace they are, and kept in a folder of the stick"};
+  const auto folder = stick::keepFormer(*former, options.install, tell);
+  if (!folder) return Error{folder.error()};
+  tell("another program's files are kept in " + *folder);
+  return Done{};
+}
+
 Status install(const StickOptions& options, const agent::AgentConfig& config,
                const stick::StickTree& tree) {
   if (stick::findFile(tree, stick::kObjectPath) == nullptr)
     return Error{std::string("--install needs --object FILE, or the stick lacks ") +
                  stick::kObjectPath + " and does not play"};
   Status status = stick::checkMount(tree, options.install);
+  if (status) status = keepFormer(options, tree);
   if (status) status = stick::writeFiles(tree, options.install, tell);
   return status ? verifyFolder(options.install, config) : status;
 }
@@ -178,8 +195,12 @@ void addStick(CLI::App& app, int& code) {
       ->check(notEmpty());
   command->add_option("--diff", options->diff, "Say what would change on the mounted stick")
       ->check(notEmpty());
-  command->add_option("--install", options->install, "Write to the mounted stick")
-      ->check(notEmpty());
+  auto* install = command->add_option("--install", options->install, "Write to the mounted stick")
+                      ->check(notEmpty());
+  command
+      ->add_flag("--replace", options->replace,
+                 "Replace another program's files too, and keep them in a folder of the stick")
+      ->needs(install);
   command->add_flag("--keep-jam-detection", options->keepJamDetection,
                     "Write no VRCOMM.CFG, which has the robot wait before it takes a joint for "
                     "jammed");

@@ -8,16 +8,19 @@
 #include "robot/core/FieldCheck.h"
 #include "robot/stick/StdioFiles.h"
 #include "robot/stick/StickReader.h"
+#include "tools/stick/FormerFiles.h"
 #include "tools/stick/Programs.h"
 
 namespace kelpie::stick {
 namespace {
 
-std::string fileLine(const TreeFile& file, const std::string& root) {
+std::string fileLine(const TreeFile& file, const std::string& root, const StickTree& former) {
   const auto old = readWhole(root + "/" + file.path);
   if (!old) return fmt::format("new      {} ({} bytes)", file.path, file.bytes.size());
   if (*old == file.bytes) return fmt::format("same     {}", file.path);
-  return fmt::format("changed  {} ({} bytes, was {})", file.path, file.bytes.size(), old->size());
+  const bool ours = findFile(former, file.path) == nullptr;
+  return fmt::format("{}  {} ({} bytes, was {}{})", ours ? "changed" : "foreign", file.path,
+                     file.bytes.size(), old->size(), ours ? "" : ", another program's");
 }
 
 std::string configLine(const agent::AgentConfig& config, const std::string& root) {
@@ -37,7 +40,10 @@ std::string configLine(const agent::AgentConfig& config, const std::string& root
 std::vector<std::string> differenceLines(const StickTree& tree, const agent::AgentConfig& config,
                                          const std::string& root) {
   std::vector<std::string> lines;
-  for (const auto& file : tree) lines.push_back(fileLine(file, root));
+  const auto former = formerFiles(tree, root);
+  for (const auto& file : tree)
+    lines.push_back(fileLine(file, root, former ? *former : StickTree{}));
+  if (!former) lines.push_back(former.error());
   lines.push_back(configLine(config, root));
   return lines;
 }

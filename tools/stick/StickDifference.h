@@ -11,8 +11,9 @@
 
 namespace kelpie::stick {
 
-// One line a file: "same", "changed" or "new", its path and its bytes; then what the robot's reader
-// says of the stick as it is, and where its configuration first differs.
+// One line a file: "same", "changed", "new" or "foreign", which is another program's, its path and
+// its bytes; then what the robot's reader says of the stick as it is, and where its configuration
+// first differs.
 std::vector<std::string> differenceLines(const StickTree& tree, const agent::AgentConfig& config,
                                          const std::string& root);
 

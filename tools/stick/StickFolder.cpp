@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/stick/StickFolder.h"
 
-#include <fcntl.h>
 #include <fmt/core.h>
-#include <unistd.h>
 
-#include <cerrno>
+#include <algorithm>
 #include <cstdio>
-#include <cstring>
 #include <filesystem>
 
 #include "robot/stick/StickFormat.h"
 #include "tools/cli/Process.h"
 #include "tools/stick/Programs.h"
+#include "tools/stick/SafeFiles.h"
 
 namespace kelpie::stick {
 namespace {
@@ -24,62 +22,9 @@ constexpr const char* kSystemFiles[] = {"OPEN-R/APERIOS.GZ", "OPEN-R/APERINIT.GZ
 constexpr const char* kSystemFolders[] = {"OPEN-R/SYSTEM/OBJS", "OPEN-R/SYSTEM/CONF"};
 constexpr const char* kRadioDrivers = "OPEN-R/SYSTEM/CONF/CARDDRV.CFG";
 
-Error systemError(const std::string& path) { return Error{path + ": " + std::strerror(errno)}; }
-
 // OBJECT.CFG -> OBJECT.NEW: 8.3 names have no room for more.
 std::string stagedName(const std::string& path) {
   return fs::path(path).replace_extension("NEW").string();
-}
-
-// A descriptor that is closed; fsync by hand, so that an error is seen.
-class Descriptor {
- public:
-  Descriptor(const std::string& path, int flags) : number_(::open(path.c_str(), flags, 0644)) {}
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  ~Descriptor() {
-    if (number_ >= 0) ::close(number_);
-  }
-  int number() const { return number_; }
-
- private:
-  int number_;
-};
-
-bool writeAll(int file, const std::string& bytes) {
-  std::size_t at = 0;
-  while (at < bytes.size()) {
-    const ssize_t wrote = ::write(file, bytes.data() + at, bytes.size() - at);
-    if (wrote < 0 && errno == EINTR) continue;
-    if (wrote <= 0) return false;
-    at += static_cast<std::size_t>(wrote);
-  }
-  return true;
-}
-
-// Written, on the medium, and read back from there.
-Status stage(const std::string& path, const std::string& bytes) {
-  {
-    const Descriptor file(path, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC);
-    if (file.number() < 0 || !writeAll(file.number(), bytes) || fsync(file.number()) != 0)
-      return systemError(path);
-    posix_fadvise(file.number(), 0, 0, POSIX_FADV_DONTNEED);
-  }
-  const auto back = readWhole(path);
-  if (!back) return Error{back.error()};
-  return *back == bytes ? Status(Done{}) : Error{path + ": reads back otherwise than written"};
-}
-
-Status makeFolder(const fs::path& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  return error ? Status(Error{folder.string() + ": " + error.message()}) : Done{};
-}
-
-// Some file systems cannot sync a folder; there the file's own sync must do.
-void syncFolder(const fs::path& folder) {
-  const Descriptor file(folder.string(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (file.number() >= 0) fsync(file.number());
 }
 
 StickTree differing(const StickTree& tree, const fs::path& root) {
@@ -91,6 +36,21 @@ StickTree differing(const StickTree& tree, const fs::path& root) {
   return changed;
 }
 
+// In which order files take their places. What is new stands beside the earlier files and changes
+// nothing for them. OBJECT.CFG, which says what program runs, is the first of those that replace
+// another: until then a former program has all that it had, and from then on our own reader runs,
+// which refuses the stick until STICK.BIN, the last, is there.
+StickTree inOrder(StickTree files, const fs::path& root) {
+  const auto rank = [&](const TreeFile& file) {
+    if (file.path == kStickPath) return 2;
+    std::error_code error;
+    return fs::exists(root / file.path, error) ? 1 : 0;
+  };
+  std::stable_sort(files.begin(), files.end(),
+                   [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
+  return files;
+}
+
 Status stageAll(const StickTree& files, const fs::path& root, const StepObserver& step) {
   for (const auto& file : files) {
     const fs::path path = root / file.path;
@@ -99,7 +59,7 @@ Status stageAll(const StickTree& files, const fs::path& root, const StepObserver
     std::error_code error;
     if (fs::is_directory(path, error)) return Error{path.string() + ": is a folder, not a file"};
     Status staged = makeFolder(path.parent_path());
-    if (staged) staged = stage(stagedName(path.string()), file.bytes);
+    if (staged) staged = writeSynced(stagedName(path.string()), file.bytes);
     if (!staged) return staged;
   }
   return Done{};
@@ -159,7 +119,7 @@ Status checkFolder(const StickTree& tree, const std::string& root) {
 
 Status writeFiles(const StickTree& tree, const std::string& root, const StepObserver& step) {
   removeStaged(tree, root);  // what a stop in the middle left
-  const StickTree changed = differing(tree, root);
+  const StickTree changed = inOrder(differing(tree, root), root);
   const Status staged = stageAll(changed, root, step);
   if (!staged) {
     removeStaged(changed, root);

@@ -14,20 +14,6 @@ using Bytes = std::vector<std::uint8_t>;
 
 std::uint32_t lengthOf(std::size_t size) { return static_cast<std::uint32_t>(size); }
 
-StickFileEntry entryOf(const TreeFile& file) {
-  StickFileEntry entry;
-  const auto* bytes = reinterpret_cast<const std::uint8_t*>(file.bytes.data());
-  Crc32 crc;
-  Fnv1a hash;
-  crc.add(bytes, file.bytes.size());
-  hash.add(bytes, file.bytes.size());
-  entry.path.assign(file.path);
-  entry.length = lengthOf(file.bytes.size());
-  entry.crc = crc.value();
-  entry.hash = hash.value();
-  return entry;
-}
-
 Bytes encodeList(const StickTree& others) {
   StickFileList list;
   for (const auto& file : others) list.files.push_back(entryOf(file));
@@ -51,6 +37,20 @@ PartEntry partEntry(const Bytes& part) {
 }
 
 }  // namespace
+
+StickFileEntry entryOf(const TreeFile& file) {
+  StickFileEntry entry;
+  const auto* bytes = reinterpret_cast<const std::uint8_t*>(file.bytes.data());
+  Crc32 crc;
+  Fnv1a hash;
+  crc.add(bytes, file.bytes.size());
+  hash.add(bytes, file.bytes.size());
+  entry.path.assign(file.path);
+  entry.length = lengthOf(file.bytes.size());
+  entry.crc = crc.value();
+  entry.hash = hash.value();
+  return entry;
+}
 
 std::string stickBinary(const agent::AgentConfig& config, const StickTree& others) {
   StickHeader header;
