@@ -157,6 +157,21 @@ def test_the_robots_jam_detection_is_relaxed_unless_it_is_kept(parts):
     assert path.read_text() == "another word\n"
 
 
+def test_what_a_robot_reads_before_it_plays_is_counted(parts):
+    (parts / "AGENT.BIN").write_bytes(linked(bytes(200_000) + MARK))
+    for options, twice in ((all_options(parts), True),
+                           (["--object", parts / "AGENT.BIN"], False)):
+        if not twice:
+            (parts / "AGENT.BIN").write_bytes(
+                linked(bytes(200_000) + MARK.replace(b"python", b"simple")))
+        result = stick(*options, "--out", parts / f"out{twice}")
+        assert result.returncode == 0, result.stderr
+        sizes = {name: len(data) for name, data in files_in(parts / f"out{twice}").items()}
+        read = [*sizes.values()] + [sizes["OPEN-R/MW/DATA/P/PYCODE.ZIP"]] * twice
+        reads = sum(size // 65536 + 1 for size in read)
+        assert f"boot: {sum(read)} bytes in {reads} reads of at most 64 KB" in result.stdout
+
+
 def test_options_change_the_stick(tmp_path):
     for name, words in (("red", ["--team", "red"]), ("blue", ["--team", "blue"]),
                         ("old", ["--field", "2004"]), ("set", ["--set", "gps.ball.gate=4"])):

@@ -13,6 +13,7 @@
 #include "tools/cli/Process.h"
 #include "tools/cli/WholeFile.h"
 #include "tools/stick/Behaviours.h"
+#include "tools/stick/BootReads.h"
 #include "tools/stick/FormerFiles.h"
 #include "tools/stick/MakeStick.h"
 #include "tools/stick/Player.h"
@@ -160,6 +161,8 @@ Status writeStick(const StickOptions& options) {
   if (!options.out.empty()) tellSizes(options.out, *tree);
   if (!options.install.empty()) tellSizes(options.install, *tree);
   if (!options.object.empty()) fmt::print("{}\n", stick::playerLine(parts->player, options.pycode));
+  const bool python = parts->player != "simple";
+  fmt::print("{}\n", stick::bootLine(stick::bootReads(*tree, python)));
   return Done{};
 }
 
