@@ -264,6 +264,7 @@ void Agent::NotifySensor(const ONotifyEvent& event) {
 }
 
 void Agent::play() {
+  beforeMotion();
   motionInput_.held = held();
   const MotionOutput& output = loops_.motion(motionInput_);
   obey(loops_.motors(), {output.status.lowGain, output.status.legGain});

@@ -46,7 +46,8 @@ class Agent : public OObject {
   void ReadyTeam(void* message) { radio_.teamSent(message); }
 
  protected:
-  virtual void frameDone() {}  // after each image
+  virtual void beforeMotion() {}  // ahead of each message of the sensors
+  virtual void frameDone() {}     // after each image
 
  private:
   // Two in flight and one to fill.

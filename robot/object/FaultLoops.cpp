@@ -8,7 +8,7 @@ namespace kelpie::object {
 const MotionOutput& FaultLoops::motion(const MotionInput& input) {
   for (JointFrame& frame : output_.joints) {
     frame.target = input.sensors.back().joints;
-    frame.leds = body::faultLights(fault_, input.time);
+    frame.leds = fault_ != 0 ? body::faultLights(fault_, input.time) : shown_;
   }
   return output_;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The loops of a robot whose memory stick was refused: it stays as it lies, its motors never get
-// power, and its lights blink the fault's number (body::faultLights). It sees, hears and says
-// nothing.
+// The loops of a robot whose memory stick has not been read yet, or was refused: it stays as it
+// lies, its motors have no power, and its lights tell how far it is, or blink the fault's number
+// (body::faultLights). It sees, hears and says nothing.
 #pragma once
 
 #include "robot/agent/Loops.h"
@@ -11,6 +11,7 @@ namespace kelpie::object {
 class FaultLoops : public agent::Loops {
  public:
   void setFault(std::uint8_t fault) { fault_ = fault; }
+  void show(std::uint32_t leds) { shown_ = leds; }
 
   const MotionOutput& motion(const MotionInput& input) override;
   const agent::MotorsOut& motors() const override { return motors_; }
@@ -23,6 +24,7 @@ class FaultLoops : public agent::Loops {
 
  private:
   std::uint8_t fault_ = 0;
+  std::uint32_t shown_ = 0;
   agent::MotorsOut motors_{Rest::none, {}};  // no power, and the stick's fault is told already
   MotionOutput output_;
 };

@@ -14,6 +14,7 @@ LateLoops::~LateLoops() {
 void LateLoops::make(const agent::AgentConfig& config, const std::string& scripts) {
   if (made()) return;
   at_ = new (&room_.loops) RobotLoops(config, scripts);
+  at_->power(power_);
 }
 
 void LateLoops::refuse(std::uint8_t fault) { fault_.setFault(fault); }

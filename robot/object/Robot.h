@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the OPEN-R object of a robot is made of: the configuration, and the loops, which are made
-// when the object is initialised and not by a static constructor: what goes wrong there can be told
+// when the stick has been read and not by a static constructor: what goes wrong there can be told
 // to nobody (openr.md 5.1).
 #pragma once
 
@@ -13,7 +13,7 @@
 
 namespace kelpie::object {
 
-// Everything as in the code: standard parameters, no calibration of one robot. 185 KB.
+// Everything as in the code: standard parameters, no calibration of one robot. 258 KB.
 std::unique_ptr<agent::AgentConfig> makeConfig();
 
 // The loops of a robot: on it nobody listens.
@@ -38,12 +38,17 @@ class LateLoops : public agent::Loops {
   // Once; later calls do nothing, and so does refuse() from then on. `scripts`: the zip of the
   // behaviours; empty: those inside the program.
   void make(const agent::AgentConfig& config, const std::string& scripts);
+  // Until then the robot shows these lights.
+  void show(std::uint32_t leds) { fault_.show(leds); }
   // The robot does not play and shows this number.
   void refuse(std::uint8_t fault);
 
   const MotionOutput& motion(const MotionInput& input) override { return at_->motion(input); }
   const agent::MotorsOut& motors() const override { return at_->motors(); }
-  void power(const agent::PowerReport& report) override { at_->power(report); }
+  void power(const agent::PowerReport& report) override {
+    power_ = report;
+    at_->power(report);
+  }
   void camera(const Image& image, TimeUs exposed, std::uint32_t number) override {
     at_->camera(image, exposed, number);
   }
@@ -63,6 +68,7 @@ class LateLoops : public agent::Loops {
 
   Room room_;
   FaultLoops fault_;
+  agent::PowerReport power_;  // told last; the loops that come later need it
   agent::Loops* at_ = &fault_;
 };
 

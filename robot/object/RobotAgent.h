@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The OPEN-R object of a robot with all that it is made of. When it is initialised it reads its
-// memory stick. With a good one it plays as the stick says. A refused one does not end the object,
+// The OPEN-R object of a robot with all that it is made of. Once it has started it reads its memory
+// stick, a block with each message of the sensors, so that its lights go on telling how far it is:
+// reading, then starting Python. With a good stick it plays as the stick says. A refused one does not end the object,
 // which could tell nobody why: it starts all the same, says the reason in one line of the system's
 // log, stays lying and blinks the reason's number (FaultLoops). What the behaviours complain of
 // goes to that log, too.
@@ -30,11 +31,16 @@ class RobotAgent : private RobotParts, public agent::Agent {
   explicit RobotAgent(const char* stickRoot, const agent::RadioPorts& ports = {})
       : RobotParts(stickRoot), agent::Agent(loops, ports) {}
 
-  OStatus DoInit(const OSystemEvent& event) override;
-
  private:
-  void readStick();
+  enum class Boot : std::uint8_t { begins, reads, startsPython, done };
+
+  void beforeMotion() override;
+  void takeStick();
   void frameDone() override;
+
+  Boot boot_ = Boot::begins;
+  std::uint32_t waits_ = 0;  // messages, until what the lights tell has been seen
+  std::unique_ptr<agent::AgentConfig> config_;  // until the loops have their own
 };
 
 }  // namespace kelpie::object

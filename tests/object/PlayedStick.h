@@ -42,7 +42,7 @@ constexpr std::size_t kMessages = 100;  // of 32 ms
 inline void addSeconds(host::FakeSource& source) {
   for (std::size_t i = 0; i < kMessages; ++i) {
     source.addSensors(1);
-    const bool pressed = i >= 3 && i < 12;
+    const bool pressed = i >= 30 && i < 40;
     for (host::RawSensors& raw : source.steps.back().sensors)
       raw.sensors[openr::index(openr::Sensor::headTouch)] = pressed ? 40 : 0;
     source.addImage(32000 * (static_cast<std::int64_t>(i) + 1) + 10000);

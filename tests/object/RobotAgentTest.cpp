@@ -32,6 +32,17 @@ TEST(RobotAgent, PlaysOverAGoodStickAsTheStickSays) {
       << result.log;
 }
 
+TEST(RobotAgent, ShowsThatItReadsThenThatPythonStartsThenThatItWaits) {
+  const Played result = played(folderOf(stick::sampleTree(), "boot"));
+  std::vector<std::uint32_t> told;
+  for (const std::uint32_t leds : result.leds) {
+    const std::uint32_t boot = leds & (body::kLightReading | body::kLightPython);
+    if (told.empty() || told.back() != boot) told.push_back(boot);
+  }
+  const std::uint32_t both = body::kLightReading | body::kLightPython;
+  EXPECT_EQ(told, (std::vector<std::uint32_t>{0, body::kLightReading, both, 0}));
+}
+
 struct Damage {
   const char* name;
   StickFault fault;
@@ -89,7 +100,11 @@ TEST_P(RobotAgentOver, ADamagedStickStaysLyingAndBlinksTheFault) {
   EXPECT_FALSE(result.motorPower);
   EXPECT_EQ(result.gains, 0U);
   int changes = 0;
-  for (std::size_t i = 2; i < result.leds.size(); ++i) {
+  const auto isRead = [](std::uint32_t leds) { return leds != body::kLightReading && leds != 0; };
+  const auto begin = std::find_if(result.leds.begin(), result.leds.end(), isRead);
+  const auto first = static_cast<std::size_t>(begin - result.leds.begin());
+  ASSERT_LT(first, 20U) << "messages until the stick is refused";
+  for (std::size_t i = first + 1; i < result.leds.size(); ++i) {
     EXPECT_EQ(result.leds[i] & kFaceLights,
               body::faultLights(static_cast<std::uint32_t>(damage.fault), {}) & kFaceLights);
     EXPECT_EQ(result.leds[i] & ~(kFaceLights | body::kLightRed), 0U);

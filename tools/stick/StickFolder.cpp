@@ -3,7 +3,6 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 
@@ -40,15 +39,17 @@ StickTree differing(const StickTree& tree, const fs::path& root) {
 // nothing for them. OBJECT.CFG, which says what program runs, is the first of those that replace
 // another: until then a former program has all that it had, and from then on our own reader runs,
 // which refuses the stick until STICK.BIN, the last, is there.
-StickTree inOrder(StickTree files, const fs::path& root) {
+StickTree inOrder(const StickTree& files, const fs::path& root) {
   const auto rank = [&](const TreeFile& file) {
     if (file.path == kStickPath) return 2;
     std::error_code error;
     return fs::exists(root / file.path, error) ? 1 : 0;
   };
-  std::stable_sort(files.begin(), files.end(),
-                   [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
-  return files;
+  StickTree ordered;
+  for (const int now : {0, 1, 2})
+    for (const auto& file : files)
+      if (rank(file) == now) ordered.push_back(file);
+  return ordered;
 }
 
 Status stageAll(const StickTree& files, const fs::path& root, const StepObserver& step) {
