@@ -49,9 +49,10 @@ bool makeProgram(Program& program) {
   const std::string source = testing::TempDir() + "/program.cpp";
   program.elf = testing::TempDir() + "/program.elf";
   put(source, kProgram);
-  const auto compiled = runProgram({compiler, "-g", "-O1", "-march=mips2", "-mabicalls", "-fPIC",
-                                    "-mno-shared", "-fno-optimize-sibling-calls", "-nostdlib",
-                                    "-static", "-o", program.elf, source});
+  const auto compiled =
+      runProgram({compiler, "-g", "-O1", "-march=mips2", "-mabicalls", "-fPIC", "-mno-shared",
+                  "-fno-optimize-sibling-calls", "-nostdlib", "-static",
+                  "-Wl,-Map," + program.elf + ".map", "-o", program.elf, source});
   EXPECT_TRUE(compiled) << compiled.error();
   auto object = ElfObject::parse(*readWhole(program.elf), program.elf);
   EXPECT_TRUE(object) << object.error();
@@ -120,6 +121,40 @@ TEST(EmonLog, TellsWhereTheObjectWasByHandWhenTheLogDoesNot) {
   EXPECT_NE(
       crashPlaces(log, *program.object, kMoved + 0x1000000).error().find("not in this object"),
       std::string::npos);
+}
+
+// What the linker's map says of a function: "                0x004001c0                middle".
+std::uint32_t addressInMap(const std::string& map, const std::string& function) {
+  const auto at = map.find(" " + function + "\n");
+  return static_cast<std::uint32_t>(std::stoul(map.substr(map.rfind("0x", at)), nullptr, 16));
+}
+
+TEST(EmonLog, NamesTheFunctionThatTheMapOfTheLinkHasAtTheAddress) {
+  Program program;
+  if (!makeProgram(program)) GTEST_SKIP() << "g++-mipsel-linux-gnu is not installed";
+  const std::string map = *readWhole(program.elf + ".map");
+  for (const std::string function : {"innermost", "middle"}) {
+    EmonLog log;
+    log.counter = addressInMap(map, function) + 4 + kMoved;
+    log.globalPointer = program.object->globalPointer() + kMoved;
+    const auto offset = loadOffset(log, *program.object, std::nullopt);
+    const auto lines = linesOf(*crashPlaces(log, *program.object, *offset), program.elf);
+    ASSERT_TRUE(lines) << lines.error();
+    EXPECT_EQ(lines->front().rfind(function + " (", 0), 0U) << lines->front();
+  }
+}
+
+// As the SDK's mkbin moves it for the stick, where only _gp keeps its address.
+TEST(EmonLog, RefusesTheProgramThatWasMovedToAddress0) {
+  Program program;
+  if (!makeProgram(program)) GTEST_SKIP() << "g++-mipsel-linux-gnu is not installed";
+  std::string bytes = *readWhole(program.elf);
+  const std::uint32_t table = 52;  // the program headers follow the header
+  for (std::uint32_t at = table; at < table + 32 * std::uint32_t(bytes[44]); at += 32)
+    bytes.replace(at + 8, 4, 4, '\0');  // the address where it shall be loaded
+  const auto moved = ElfObject::parse(bytes, "agent.bin");
+  ASSERT_FALSE(moved);
+  EXPECT_NE(moved.error().find("take the agent.nosnap.elf"), std::string::npos) << moved.error();
 }
 
 TEST(EmonLog, SaysWhenAddr2lineIsMissing) {

@@ -82,7 +82,9 @@ void addEmon(CLI::App& app, int& code) {
       app.add_subcommand("emon", "Where a robot's program died: EMON.LOG as functions and lines");
   auto options = std::make_shared<EmonOptions>();
   command->add_option("FILE", options->log, "The stick's EMON.LOG")->required();
-  command->add_option("--object", options->object, "The ELF file of the AGENT.BIN on that stick")
+  command
+      ->add_option("--object", options->object,
+                   "The agent.nosnap.elf that was made with the AGENT.BIN on that stick")
       ->required();
   command->add_option("--loaded-at", options->loadedAt,
                       "How far from its linked address it was, hexadecimal (else by gp)");

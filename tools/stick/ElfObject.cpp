@@ -52,6 +52,10 @@ Expected<ElfObject> ElfObject::parse(std::string bytes, const std::string& file)
   if (!object.readCode()) return Error{file + ": holds no code with addresses; is it linked?"};
   if (!object.readGlobalPointer())
     return Error{file + ": has no symbol _gp; take the ELF file before it was stripped"};
+  if (object.isMoved())
+    return Error{file +
+                 ": was moved to address 0 and its _gp was not; take the agent.nosnap.elf "
+                 "beside that AGENT.BIN"};
   return object;
 }
 
@@ -74,6 +78,12 @@ bool ElfObject::readGlobalPointer() {
     return findSymbol(at, table + word(at + 24) * kSectionBytes);
   }
   return false;
+}
+
+// _gp is 32752 bytes behind the start of the GOT, which is in the file.
+bool ElfObject::isMoved() const {
+  constexpr std::uint32_t kBehindGot = 0x7ff0;
+  return code_.address == 0 && globalPointer_ > code_.size + kBehindGot;
 }
 
 std::string_view ElfObject::nameAt(std::uint32_t names, std::uint32_t offset) const {

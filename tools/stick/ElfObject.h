@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is needed of a MIPS ELF file to make sense of a crash: where its code is, what it was linked
-// for, and whether an instruction calls. 32 bits, little-endian. Offsets that lead out of the file
-// are refused.
+// for, and whether an instruction calls. Of the two programs that the SDK's mkbin leaves it must be
+// the first, agent.nosnap.elf: in the one of the stick addresses begin at 0, but _gp still counts
+// from 0x400000. 32 bits, little-endian. Offsets that lead out of the file are refused.
 #pragma once
 
 #include <cstdint>
@@ -38,6 +39,7 @@ class ElfObject {
   std::uint32_t half(std::uint32_t offset) const;
   bool readCode();
   bool readGlobalPointer();
+  bool isMoved() const;
   bool findSymbol(std::uint32_t symbols, std::uint32_t names);
   std::optional<std::uint32_t> instruction(std::uint32_t address) const;
   std::string_view nameAt(std::uint32_t names, std::uint32_t offset) const;
