@@ -492,67 +492,6 @@ def test_what_is_not_installed_is_named(tmp_path, program, package):
     assert f"needs {program}; install the Debian package {package}" in done.stderr
 
 
-def stand_in_sdk(folder):
-    """Not an SDK: its tools note what they are asked, its headers are robot/openr's, and its stub
-    is one function."""
-    sdk = folder / "sdk"
-    for part in ("OPEN_R/bin", "OPEN_R/lib", "bin", "lib/gcc-lib/mipsel-linux/3.3.6"):
-        (sdk / part).mkdir(parents=True)
-    (sdk / "OPEN_R/include").symlink_to(ROOT / "robot/openr/include")
-    tools = {
-        "OPEN_R/bin/stubgen2": f"""grep -q '^ObjectName : Agent' "$1" || exit 1
-cp {ROOT}/robot/openr/stub/*.h .
-echo '#include "Agent.h"
-Agent Self;
-extern "C" void InitOfSelf(const OSystemEvent& event) {{ Self.DoInit(event); }}
-extern "C" void NotifyOfSelf(const ONotifyEvent& event) {{ Self.NotifySensor(event); }}' \\
-> AgentStub.cc""",
-        "OPEN_R/bin/mkbin": "echo \"$@\" > \"$(dirname \"$0\")/asked\"\n"
-                            "while [ \"$1\" != -o ]; do shift; done\ncp \"$3\" \"$2\"",
-        "bin/mipsel-linux-strip": "mipsel-linux-gnu-strip --strip-debug \"$1\"",
-    }
-    for name, text in tools.items():
-        (sdk / name).write_text(f"#!/bin/sh\n{text}\n")
-        (sdk / name).chmod(0o755)
-    return sdk
-
-
-def test_final_link_hands_the_whole_object_to_the_sdks_tools(tmp_path):
-    sdk = stand_in_sdk(tmp_path)
-    done = run(TOOLCHAIN / "link-object", tmp_path / "AGENT.BIN",
-               env={**os.environ, "OPENR_SDK": str(sdk)})
-    assert done.returncode == 0, done.stderr
-    assert "not tried on a robot" in done.stdout
-    asked = (sdk / "OPEN_R/bin/asked").read_text()
-    assert "--nodefaultlib" in asked and "agent.ocf" in asked and "-lObjectComm -lOPENR" in asked
-    import gzip
-    (tmp_path / "packed").write_bytes(gzip.decompress((tmp_path / "AGENT.BIN").read_bytes()))
-    names = must("mipsel-linux-gnu-nm", "-C", tmp_path / "packed")
-    assert " Self\n" in names and "kelpie::agent::FrameLoop::step" in names
-    assert "kelpie::agent::Agent::NotifySensor" in names
-    assert " Self\n" in must("mipsel-linux-gnu-nm", "-C", tmp_path / "AGENT.BIN.elf")
-
-
-@pytest.mark.parametrize("words", [[], ["--simple"], ["--help"], ["a.bin", "b.bin"],
-                                   ["a.bin", "--simple", "more"]])
-def test_final_link_says_in_one_line_how_it_is_used(words):
-    done = run(TOOLCHAIN / "link-object", *words)
-    assert done.returncode == 2
-    assert done.stderr == "link-object: usage: link-object BIN [--simple]\n"
-
-
-@pytest.mark.parametrize("missing, line", [
-    ("OPEN_R/bin/mkbin", "has no OPEN_R/bin/mkbin, so it is not the OPEN-R SDK"),
-    ("OPEN_R/lib", "has no OPEN_R/lib, so it is not the OPEN-R SDK")])
-def test_folder_that_is_no_sdk_is_refused(tmp_path, missing, line):
-    sdk = stand_in_sdk(tmp_path)
-    (sdk / missing).rename(tmp_path / "elsewhere")
-    done = run(TOOLCHAIN / "link-object", tmp_path / "AGENT.BIN",
-               env={**os.environ, "OPENR_SDK": str(sdk)})
-    assert done.returncode == 2 and line in done.stderr
-    assert not (tmp_path / "AGENT.BIN").exists()
-
-
 def test_player_without_python_walks_to_the_ball_in_the_simulated_world(tmp_path):
     host = Path(os.environ.get("KELPIE", ROOT / "build/host/bin/kelpie")).parent
     with subprocess.Popen([str(host / "kelpie-world"), "--socket", str(tmp_path / "world"),

@@ -8,6 +8,8 @@ extern "C" {
 
 extern void* const kelpieCout[64] __asm__("_ZSt4cout");
 void* const kelpieCout[64] = {};
+extern void* const kelpieCerr[64] __asm__("_ZSt4cerr");
+void* const kelpieCerr[64] = {};
 extern void* const kelpieClassType[16] __asm__("_ZTVN10__cxxabiv117__class_type_infoE");
 void* const kelpieClassType[16] = {};
 extern void* const kelpieDerivedType[16] __asm__("_ZTVN10__cxxabiv120__si_class_type_infoE");

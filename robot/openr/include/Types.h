@@ -22,7 +22,7 @@ using slongword = std::conditional_t<kelpie::openr::kLongIsRobots, long, std::in
 static_assert(sizeof(longword) == 4 && sizeof(slongword) == 4, "openr.md section 5");
 
 using Selector = longword;
-using MemoryRegionID = longword;
+using MemoryRegionID = unsigned int;
 
 constexpr Selector UNDEF = 0xffffffff;
 

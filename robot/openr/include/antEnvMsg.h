@@ -51,7 +51,7 @@ struct antEnvMsg {
   antEnvMsg(antModuleRef module, int32 operation) : dstModule(module), dstOperation(operation) {}
 
   // Sizes are of the whole message.
-  antError Send(antStackRef target, OID& from, int32 selector, int size);
+  antError Send(antStackRef target, OID& from, slongword selector, int size);
   antError Call(antStackRef target, int size);
   static antEnvMsg* Receive(ANTENVMSG message);
 };

@@ -62,7 +62,7 @@ OStatus osysprint(const char* format, ...) {
 OStatus osyslog(OSyslogPriority level, const char* format, ...) {
   std::va_list arguments;
   va_start(arguments, format);
-  printLine(level, format, arguments);
+  printLine(static_cast<int>(level), format, arguments);
   va_end(arguments);
   return oSUCCESS;
 }

@@ -38,16 +38,13 @@ OStatus OObserver::NotifyHandler(const ONotifyMessage& message, ONotifyEvent* ev
   return oSUCCESS;
 }
 
-// Not in the header: an object for the robot would want the names of the private ones, which only
-// the host has.
-OStatus OObserver::AssertReady() { return sayToAll(objcommCMD_ASSERT_READY); }
+// Not in the header: an object for the robot would want the name of `say`, which only the host has.
 OStatus OObserver::AssertReady(const SubjectID& subject) {
   return say(objcommCMD_ASSERT_READY, subject);
 }
 OStatus OObserver::AssertReady(const OSubjectInfo& subject) {
   return say(objcommCMD_ASSERT_READY, subject);
 }
-OStatus OObserver::DeassertReady() { return sayToAll(objcommCMD_DEASSERT_READY); }
 OStatus OObserver::DeassertReady(const SubjectID& subject) {
   return say(objcommCMD_DEASSERT_READY, subject);
 }
@@ -55,7 +52,7 @@ OStatus OObserver::DeassertReady(const OSubjectInfo& subject) {
   return say(objcommCMD_DEASSERT_READY, subject);
 }
 
-OStatus OObserver::sayToAll(ObjcommCommand command) {
+OStatus OObserver::SendReadyAll(ObjcommCommand command) {
   for (const OSubjectInfo& subject : subjects_) say(command, subject);
   return oSUCCESS;
 }

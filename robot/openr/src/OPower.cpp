@@ -17,7 +17,7 @@ OPowerStatus::OPowerStatus(const OPowerStatus& other) { *this = other; }
 
 OPowerStatus& OPowerStatus::operator=(const OPowerStatus& other) = default;
 
-void OPowerStatus::Set(longword robotBits, word batteryBits, word capacity, word heat, sbyte zone,
+void OPowerStatus::Set(longword robotBits, word batteryBits, word capacity, word heat, char zone,
                        byte loudness) {
   robotStatus = robotBits;
   batteryStatus = batteryBits;

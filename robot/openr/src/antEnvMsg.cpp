@@ -5,7 +5,7 @@
 
 using kelpie::openr::currentSystem;
 
-antError antEnvMsg::Send(antStackRef target, OID& from, int32 selector, int size) {
+antError antEnvMsg::Send(antStackRef target, OID& from, slongword selector, int size) {
   if (!target.IsValid()) return ANT_FAIL;
   invocationType = ANTENVMSG_SEND;
   sender = from;

@@ -20,10 +20,10 @@ class OObserver {
   OStatus SetNotifyEntry(const OServiceEntry& entry);
   const ObserverID& GetID() const { return id_; }
 
-  OStatus AssertReady();
+  OStatus AssertReady() { return SendReadyAll(objcommCMD_ASSERT_READY); }
   OStatus AssertReady(const SubjectID& subject);
   OStatus AssertReady(const OSubjectInfo& subject);
-  OStatus DeassertReady();
+  OStatus DeassertReady() { return SendReadyAll(objcommCMD_DEASSERT_READY); }
   OStatus DeassertReady(const SubjectID& subject);
   OStatus DeassertReady(const OSubjectInfo& subject);
 
@@ -36,7 +36,7 @@ class OObserver {
   OStatus NotifyHandler(const ONotifyMessage& message, ONotifyEvent* event);
 
  private:
-  OStatus sayToAll(ObjcommCommand command);
+  OStatus SendReadyAll(ObjcommCommand command);  // so the robot's object calls it
   OStatus say(ObjcommCommand command, const SubjectID& subject);
 
   ObserverID id_;

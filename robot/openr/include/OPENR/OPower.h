@@ -59,7 +59,7 @@ struct OPowerStatus {
   ~OPowerStatus() = default;
 
   // What ObservePowerStatus shall tell of.
-  void Set(longword robotBits, word batteryBits, word capacity, word heat, sbyte zone,
+  void Set(longword robotBits, word batteryBits, word capacity, word heat, char zone,
            byte loudness);
 };
 static_assert(sizeof(OPowerStatus) == 20, "openr.md 3.4");

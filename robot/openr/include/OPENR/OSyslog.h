@@ -5,7 +5,7 @@
 
 #include "OPENR/OPENR.h"
 
-using OSyslogPriority = int;
+using OSyslogPriority = longword;
 constexpr OSyslogPriority osyslogERROR = 1;
 constexpr OSyslogPriority osyslogWARNING = 2;
 constexpr OSyslogPriority osyslogINFO = 3;
