@@ -278,7 +278,8 @@ def test_large_frame_in_the_interpreter_is_refused(tmp_path):
 def test_instruction_beyond_mips_ii_in_the_interpreter_is_refused(tmp_path):
     found = refusal(with_interpreter(
         tmp_path, 'asm(".set mips32r2\\nclz %0, %0" : "+r"(x)); return f(x);'))
-    assert found == {"instruction_set": ["inside has 1 instructions beyond MIPS II"]}
+    assert found == {
+        "instruction_set": ["inside has 1 instructions beyond MIPS II: SPECIAL2 of MIPS32"]}
 
 
 def test_name_that_the_interpreter_wants_of_nobody_is_refused(tmp_path):

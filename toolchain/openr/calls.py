@@ -222,12 +222,12 @@ class Calls:
         return False
 
     def constructors(self):
-        """Names of the functions in .ctors."""
+        """Names of the functions in .ctors, in its order: OPEN-R runs the last one first."""
         section = self.elf.section(".ctors")
         if section is None:
             return []
         names = []
-        for relocation in self.elf.relocations_of(section):
+        for relocation in sorted(self.elf.relocations_of(section), key=lambda one: one.offset):
             if relocation.kind == R_MIPS_32:
                 at = relocation.offset
                 addend, = struct.unpack_from("<I", self.elf.bytes_of(section), at)

@@ -13,7 +13,8 @@ RELOCATIONS = {0: "R_MIPS_NONE", 1: "R_MIPS_16", 2: "R_MIPS_32", 3: "R_MIPS_REL3
                5: "R_MIPS_HI16", 6: "R_MIPS_LO16", 7: "R_MIPS_GPREL16", 8: "R_MIPS_LITERAL",
                9: "R_MIPS_GOT16", 10: "R_MIPS_PC16", 11: "R_MIPS_CALL16", 12: "R_MIPS_GPREL32",
                37: "R_MIPS_JALR", 248: "R_MIPS_PC32"}
-SHT_SYMTAB, SHT_NOBITS, SHT_REL, SHF_ALLOC = 2, 8, 9, 2
+SHT_SYMTAB, SHT_NOBITS, SHT_REL = 2, 8, 9
+SHF_WRITE, SHF_ALLOC, SHF_EXECINSTR = 1, 2, 4
 STT_FUNC, STT_SECTION, SHN_UNDEF, SHN_COMMON = 2, 3, 0, 0xfff2
 
 Symbol = namedtuple("Symbol", "name value size kind is_global section")
@@ -76,6 +77,17 @@ class Elf:
     def allocated(self):
         return [section for section in self.sections if section.flags & SHF_ALLOC and section.size]
 
+    def writable(self):
+        return [section for section in self.allocated() if section.flags & SHF_WRITE]
+
+    def instructions(self):
+        """(section, address of each word of code in it, the word)"""
+        for section in self.allocated():
+            if section.flags & SHF_EXECINSTR:
+                words = struct.iter_unpack("<I", self.bytes_of(section)[:section.size & ~3])
+                for i, (word,) in enumerate(words):
+                    yield section, section.address + 4 * i, word
+
     def read_symbols(self):
         """In the order of the file: relocations tell a symbol by its number."""
         for table in self.sections:
@@ -98,6 +110,14 @@ class Elf:
     def functions(self):
         return [symbol for symbol in self.symbol_list
                 if symbol.kind == STT_FUNC and symbol.section != SHN_UNDEF]
+
+    def function_in(self, section, address):
+        """Name of the function that a place of a section lies in."""
+        for symbol in self.functions():
+            if symbol.section == section.index and (
+                    symbol.value <= address < symbol.value + max(symbol.size, 4)):
+                return symbol.name
+        return "no function"
 
     def function_at(self, address):
         """Name of the function that an address of a linked file lies in."""
