@@ -7,8 +7,12 @@ from pathlib import Path
 OCF = Path(__file__).resolve().parents[2] / "robot/object/agent.ocf"
 
 
+def in_bytes(text):
+    return int(text[:-1]) * 1024 if text.endswith("K") else int(text)
+
+
 def stack_and_heap():
     """In bytes."""
     line = next(line for line in OCF.read_text().splitlines() if line.startswith("object "))
     stack, heap = line.split()[2:4]
-    return int(stack), int(heap)
+    return in_bytes(stack), in_bytes(heap)

@@ -36,7 +36,7 @@ class OObserver {
   OStatus NotifyHandler(const ONotifyMessage& message, ONotifyEvent* event);
 
  private:
-  OStatus SendReadyAll(ObjcommCommand command);  // so the robot's object calls it
+  OStatus SendReadyAll(ObjcommCommand command);  // the two above call it on the robot too
   OStatus say(ObjcommCommand command, const SubjectID& subject);
 
   ObserverID id_;
