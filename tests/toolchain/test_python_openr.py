@@ -50,8 +50,10 @@ def test_it_is_mips2(built):
     assert instructions > 500000 and functions == 0
 
 
-def test_an_instruction_beyond_mips2_is_refused(tmp_path):
-    source = "int root(int x) { return __builtin_clz(x); }\n"
+@pytest.mark.parametrize("body", ["return __builtin_clz(x);",
+                                  'asm("cvt.l.d $f0, $f2"); return x;'])
+def test_an_instruction_beyond_mips2_is_refused(tmp_path, body):
+    source = f"int root(int x) {{ {body} }}\n"
     subprocess.run(["mipsel-linux-gnu-gcc", "-march=mips32r2", "-O2", "-x", "c", "-", "-c", "-o",
                     tmp_path / "own.o"], input=source, text=True, check=True)
     instructions, faults = program("build").beyond_mips2(tmp_path / "own.o")
