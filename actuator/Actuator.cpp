@@ -211,9 +211,8 @@ MotionOutput step(const MotionInput& in, const ActuatorParams& params, ActuatorS
   MotionOutput out;
   stepGain(in.batteryCurrent, params.gain, state.gain);
   recordEffort(in, walking(params, state), state.effort);
-  const Feeling feeling =
-      feel(in, state.walk, {stands(params, state), walking(params, state)}, params.feeling,
-           state.feeling);
+  const Feeling feeling = feel(in, state.walk, {stands(params, state), walking(params, state)},
+                               params.feeling, state.feeling);
   if (walking(params, state)) recordLoad(feeling.load, state.odometry);
   const bool held = stepHeldBall(in, state.target, params.feeling.heldBall, state.heldBall);
   // Told with the message that is sent as the one before it begins to be played.

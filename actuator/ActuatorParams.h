@@ -50,11 +50,11 @@ struct ActuatorParams {
   OdometryParams odometry;
   GainParams gain;
   FeelingParams feeling;
-  double rampSeconds = 1.0;  // from the sensed pose to the stance, or longer by startRate
+  double rampSeconds = 1.0;            // from the sensed pose to the stance, or longer by startRate
   Angle startRate = Angle::deg(60.0);  // per second, of any joint on that way
-  double mixSeconds = 0.3;           // from one walk to another
-  Angle walkSlew = Angle::deg(4.0);  // per tick, legs while walking (facts-2005 section 6.4)
-  Angle headSlew = Angle::deg(4.0);  // per tick
+  double mixSeconds = 0.3;             // from one walk to another
+  Angle walkSlew = Angle::deg(4.0);    // per tick, legs while walking (facts-2005 section 6.4)
+  Angle headSlew = Angle::deg(4.0);    // per tick
   // A body with masses: it sways as it walks, and its load tells of the carpet (Sway.h,
   // Odometry.h).
   bool physical = true;

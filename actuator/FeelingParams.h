@@ -49,10 +49,10 @@ struct HeldBallParams {
 
 // Whether somebody has lifted the robot. The paws' switches are open for 0.09 s at most in a walk.
 struct LiftParams {
-  double freeSeconds = 0.25;     // of all paws, until it counts as lifted
-  double stillBelow = 60.0;      // cm/s2 that the accelerometer may stray while the robot stands still
-  double restSeconds = 0.3;      // of the low pass from which it strays
-  double stillSeconds = 1.0;     // until a robot with a pressed paw has been put down
+  double freeSeconds = 0.25;  // of all paws, until it counts as lifted
+  double stillBelow = 60.0;   // cm/s2 that the accelerometer may stray while the robot stands still
+  double restSeconds = 0.3;   // of the low pass from which it strays
+  double stillSeconds = 1.0;  // until a robot with a pressed paw has been put down
   double stillWithoutPaw = 4.0;  // and one without
 
   static constexpr auto fields() {
@@ -86,8 +86,7 @@ struct FeelingParams {
   static constexpr auto fields() {
     using P = FeelingParams;
     return fieldList(
-        field("falls", &P::falls), field("heldBall", &P::heldBall),
-        field("lift", &P::lift),
+        field("falls", &P::falls), field("heldBall", &P::heldBall), field("lift", &P::lift),
         field("noLoad", &P::noLoad, "rad/s", 1, 100), field("weight", &P::weight, "1/cm", 0, 10),
         field("lever", &P::lever, "cm", 1, 100), field("legLength", &P::legLength, "cm", 1, 100),
         field("leastSpeed", &P::leastSpeed, "cm/s", 0.1, 100),

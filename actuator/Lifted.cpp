@@ -24,7 +24,8 @@ std::array<double, 3> meanOf(const MotionInput& in) {
   std::array<double, 3> mean{};
   for (const SensorFrame& tick : in.sensors)
     for (std::size_t k = 0; k < mean.size(); ++k)
-      mean[k] += std::isfinite(tick.acceleration[k]) ? tick.acceleration[k] / kTicksPerMessage : 0.0;
+      mean[k] +=
+          std::isfinite(tick.acceleration[k]) ? tick.acceleration[k] / kTicksPerMessage : 0.0;
   return mean;
 }
 

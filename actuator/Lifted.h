@@ -17,9 +17,9 @@ namespace kelpie::actuator {
 
 struct LiftState {
   bool lifted = false;
-  bool everPressed = false;              // the switches close at all
-  double free = 0.0;                     // s, of all paws
-  double still = 0.0;                    // s
+  bool everPressed = false;                        // the switches close at all
+  double free = 0.0;                               // s, of all paws
+  double still = 0.0;                              // s
   std::array<double, 3> resting{0.0, 0.0, 981.0};  // cm/s2, low passed
 };
 

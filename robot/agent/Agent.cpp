@@ -138,8 +138,7 @@ OStatus Agent::limp() {
 
 // Gains go before the power does, and come after it.
 void Agent::obey(const MotorsOut& motors, body::LegGain legs) {
-  if (motors.rest != told_)
-    OSYSLOG1((osyslogINFO, "motors: %s", body::nameOf(motors.rest)));
+  if (motors.rest != told_) OSYSLOG1((osyslogINFO, "motors: %s", body::nameOf(motors.rest)));
   told_ = motors.rest;
   if (motors.order.power) setPower(true);
   setGains(motors.order, legs);
@@ -178,8 +177,8 @@ void Agent::setGain(std::size_t joint, double strength, body::LegGain legs) {
   if (status == oSUCCESS)
     status = OPENR::SetJointGain(id, gain.p, gain.i, gain.d, shift.p, shift.i, shift.d);
   if (status != oSUCCESS)
-    OSYSLOG1((osyslogERROR, "gain of %s refused: %u", openr::kJointLocators[joint],
-              unsigned(status)));
+    OSYSLOG1(
+        (osyslogERROR, "gain of %s refused: %u", openr::kJointLocators[joint], unsigned(status)));
   now = {status == oSUCCESS, gain};
 }
 

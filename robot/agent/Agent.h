@@ -101,9 +101,9 @@ class Agent : public OObject {
   bool sent_ = false;        // targets, since the power was asked for
   bool taken_ = false;       // so, and the effectors were ready for more
   bool shutDown_ = false;
-  bool crippled_ = false;    // a joint or the camera does not open: it does not play
-  bool lacks_ = false;       // something else does not
-  Rest told_ = Rest::none;   // in the system's log
+  bool crippled_ = false;   // a joint or the camera does not open: it does not play
+  bool lacks_ = false;      // something else does not
+  Rest told_ = Rest::none;  // in the system's log
   bool clockKnown_ = false;
   TimeUs tickZero_;  // system time of sensor tick 0
 };

@@ -194,8 +194,8 @@ PowerReport reportOf(const OPowerStatus& status) {
   report.batteryLow = has(orsbBATTERY_CAPACITY_LOW) ||
                       (status.batteryStatus & obsbTERMINATED_DISCHARGING_ALARM) != 0;
   report.overCurrent = has(orsbBATTERY_OVER_CURRENT);
-  report.hot = has(orsbBATTERY_OVER_TEMP_DISCHARGING) ||
-               (status.batteryStatus & obsbOVER_TEMP_ALARM) != 0;
+  report.hot =
+      has(orsbBATTERY_OVER_TEMP_DISCHARGING) || (status.batteryStatus & obsbOVER_TEMP_ALARM) != 0;
   report.fanFault = has(orsbERROR_OF_FAN);
   report.motorPower = has(orsbMOTOR_POWER);
   report.current = status.current < 0 ? -status.current : status.current;

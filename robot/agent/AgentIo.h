@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Between OPEN-R's data vectors and Kelpie's frame structs: microradians and micrometres become
-// radians and centimetres here and nowhere else, and the robot's signs become Kelpie's. Vectors come from outside, so that a wrong type,
-// size or count is refused, not read.
+// radians and centimetres here and nowhere else, and the robot's signs become Kelpie's. Vectors
+// come from outside, so that a wrong type, size or count is refused, not read.
 #pragma once
 
 #include <OPENR/ODataFormats.h>

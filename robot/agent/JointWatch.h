@@ -12,8 +12,8 @@
 namespace kelpie::agent {
 
 struct JointWatchParams {
-  double apart = 45.0;    // deg; a kick leaves a joint that far behind for 0.3 s
-  double seconds = 2.0;   // without a break
+  double apart = 45.0;   // deg; a kick leaves a joint that far behind for 0.3 s
+  double seconds = 2.0;  // without a break
 };
 
 constexpr std::size_t kWatchedMessages = 4;  // two vectors in flight, and the servo's lag
@@ -21,7 +21,7 @@ constexpr std::size_t kWatchedMessages = 4;  // two vectors in flight, and the s
 struct JointWatchState {
   std::array<JointAngles, kWatchedMessages> told{};  // the oldest at `next`
   std::size_t next = 0;
-  std::uint32_t messages = 0;  // known
+  std::uint32_t messages = 0;               // known
   std::array<double, kJointCount> apart{};  // s
   std::optional<Joint> stuck;               // until no joint is held any more
 };

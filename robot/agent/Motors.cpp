@@ -31,8 +31,7 @@ bool holds(MotorPhase phase) {
 // Whether the cause takes the power away and not only the play; a short press of the pause switch
 // does not.
 bool forbidsPower(const MotorsIn& in, const MotorsParams& params, const MotorsState& state) {
-  if (in.cause == Rest::paused)
-    return secondsSince(state.freeAt, in) >= params.pauseHoldSeconds;
+  if (in.cause == Rest::paused) return secondsSince(state.freeAt, in) >= params.pauseHoldSeconds;
   return in.cause != Rest::none && in.cause != Rest::blind;
 }
 
@@ -47,8 +46,7 @@ void gainOneMore(const MotorsIn& in, MotorsState& state) {
 
 void stepPowered(const MotorsIn& in, const MotorsParams& params, MotorsState& state) {
   if (!in.report.motorPower || in.lifted) state.since = in.time;
-  if (secondsSince(state.since, in) >= params.settleSeconds)
-    enter(MotorPhase::gaining, in, state);
+  if (secondsSince(state.since, in) >= params.settleSeconds) enter(MotorPhase::gaining, in, state);
 }
 
 void stepGaining(const MotorsIn& in, const MotorsParams& params, MotorsState& state) {
@@ -60,8 +58,8 @@ void stepGaining(const MotorsIn& in, const MotorsParams& params, MotorsState& st
 void stepLying(const MotorsIn& in, const MotorsParams& params, MotorsState& state) {
   if (in.cause == Rest::none) return enter(MotorPhase::plays, in, state);
   state.why = in.cause;
-  const bool down = in.lying || !in.report.motorPower ||
-                    secondsSince(state.since, in) >= params.lieSeconds;
+  const bool down =
+      in.lying || !in.report.motorPower || secondsSince(state.since, in) >= params.lieSeconds;
   if (down && forbidsPower(in, params, state)) enter(MotorPhase::ended, in, state);
 }
 

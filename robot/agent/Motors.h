@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // The motors' life, decided once a message: powered without gains, then held joint by joint where
-// they are, then free to play when a person has asked for it; and the way back: lie down, gains off,
-// power off, and the end of the system where Sony's own objects end it. The start is the same after
-// switching on, a pause, a jam and a rest: it begins with joints that nobody holds. Sony's samples
-// MovingLegs7 and MovingHead7 send the sensed pose, wait for Ready and set the gains only then; its
-// PowerMonitor switches off for the pause button and a low battery (openr-measured.md, last
-// section). Keeps the phase; fails where the system never tells that the motors have power: the
-// robot then stays as it is found.
+// they are, then free to play when a person has asked for it; and the way back: lie down, gains
+// off, power off, and the end of the system where Sony's own objects end it. The start is the same
+// after switching on, a pause, a jam and a rest: it begins with joints that nobody holds. Sony's
+// samples MovingLegs7 and MovingHead7 send the sensed pose, wait for Ready and set the gains only
+// then; its PowerMonitor switches off for the pause button and a low battery (openr-measured.md 5).
+// Keeps the phase; fails where the system never tells that the motors have power: the robot then
+// stays as it is found.
 #pragma once
 
 #include <array>
@@ -42,12 +42,12 @@ enum class MotorPhase : std::uint8_t { off, powered, gaining, waiting, plays, li
 struct MotorsIn {
   TimeUs time;
   PowerReport report;
-  Rest cause = Rest::none;   // why it must not play, of those for which it lies down
-  std::uint32_t held = 0;    // bit i: joint i has a gain, as the OPEN-R object has seen to it
-  bool asked = false;        // a person wants it to stand
-  bool pressed = false;      // the head, in this message: asks again after an end
-  bool lying = false;        // the legs have lain down
-  bool lifted = false;       // somebody carries it
+  Rest cause = Rest::none;  // why it must not play, of those for which it lies down
+  std::uint32_t held = 0;   // bit i: joint i has a gain, as the OPEN-R object has seen to it
+  bool asked = false;       // a person wants it to stand
+  bool pressed = false;     // the head, in this message: asks again after an end
+  bool lying = false;       // the legs have lain down
+  bool lifted = false;      // somebody carries it
 };
 
 struct MotorsOut {
@@ -62,9 +62,9 @@ struct MotorsOut {
 
 struct MotorsState {
   MotorPhase phase = MotorPhase::off;
-  TimeUs since;               // the phase began
-  TimeUs freeAt;              // when there was no cause to rest last
-  Rest why = Rest::starting;  // shown until it plays
+  TimeUs since;                                       // the phase began
+  TimeUs freeAt;                                      // when there was no cause to rest last
+  Rest why = Rest::starting;                          // shown until it plays
   std::array<std::uint32_t, kJointCount> messages{};  // that a joint has been held; 0: it is not
 };
 

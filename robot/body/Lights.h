@@ -17,7 +17,8 @@
 //                   none of it while it plays
 //   the face, 12    the behaviours have failed in this frame: it stands and scans
 //
-//   the head, orange  the memory stick is being read; and the small blue one at the back of the head:
+//   the head, orange  the memory stick is being read; and the small blue one at the back of the
+//   head:
 //                   Python starts
 //   the head, white  a light, an ear or a sensor does not open; the system's log names it
 //   a fault, 14      a joint or the camera does not open, so that it cannot play
@@ -37,9 +38,9 @@ namespace kelpie::body {
 constexpr std::uint32_t kLightReading = 1U << 0U;  // of the head, orange
 constexpr std::uint32_t kLightLacks = 1U << 1U;    // so, white
 constexpr std::uint32_t kLightPython = 1U << 5U;   // at the back of the head, small and blue
-constexpr std::uint32_t kLightRed = 1U << 2U;    // above both ears
-constexpr std::uint32_t kLightGreen = 1U << 3U;  // so
-constexpr std::uint32_t kLightBlue = 1U << 4U;   // so
+constexpr std::uint32_t kLightRed = 1U << 2U;      // above both ears
+constexpr std::uint32_t kLightGreen = 1U << 3U;    // so
+constexpr std::uint32_t kLightBlue = 1U << 4U;     // so
 constexpr std::uint32_t kLightBackFront = 1U << 20U;
 constexpr std::uint32_t kLightBackMiddle = 1U << 22U;
 constexpr std::uint32_t kLightBackRear = 1U << 24U;

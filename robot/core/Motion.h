@@ -110,7 +110,7 @@ struct MotionInput {
   std::array<SensorFrame, kTicksPerMessage> sensors{};
   double batteryCurrent = 0.0;  // drawn, mA
   Command command;
-  Rest rest = Rest::none;  // not none: lie or stay, whatever the command asks of the legs
+  Rest rest = Rest::none;           // not none: lie or stay, whatever the command asks of the legs
   std::uint32_t held = kAllJoints;  // bit i: joint i has a gain, so that its motor holds it
 
   static constexpr auto fields() {
@@ -153,8 +153,7 @@ struct Feeling {
     return fieldList(field("current", &Feeling::current, "", 0, 1),
                      field("load", &Feeling::load, "", -1, 1), field("stuck", &Feeling::stuck),
                      field("fallen", &Feeling::fallen, "", 0, kFallSideCount - 1),
-        field("lifted", &Feeling::lifted),
-                     field("ballHeld", &Feeling::ballHeld),
+                     field("lifted", &Feeling::lifted), field("ballHeld", &Feeling::ballHeld),
                      field("pawBlocked", &Feeling::pawBlocked));
   }
 };

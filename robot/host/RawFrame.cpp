@@ -53,8 +53,7 @@ void setAcceleration(const std::array<double, 3>& forwardLeftUp, RawSensors& raw
 void setTouch(const SensorFrame& frame, RawSensors& raw) {
   constexpr std::array<Sensor, kLegCount> kPaws = {Sensor::pawLeftFront, Sensor::pawLeftHind,
                                                    Sensor::pawRightFront, Sensor::pawRightHind};
-  constexpr std::array<Sensor, 3> kBack = {Sensor::backFront, Sensor::backMiddle,
-                                           Sensor::backRear};
+  constexpr std::array<Sensor, 3> kBack = {Sensor::backFront, Sensor::backMiddle, Sensor::backRear};
   for (std::size_t i = 0; i < kPaws.size(); ++i) set(kPaws[i], frame.paw[i] ? 1 : 0, raw);
   for (std::size_t i = 0; i < kBack.size(); ++i)
     set(kBack[i], frame.back[i] ? kPressedBack : 0, raw);

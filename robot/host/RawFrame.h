@@ -23,7 +23,7 @@ struct RawJoints {
 // One tick of 8 ms.
 struct RawSensors {
   RawJoints joints;
-  std::array<std::int32_t, kJointCount> duty{};  // pwmDuty, -512 to 512
+  std::array<std::int32_t, kJointCount> duty{};             // pwmDuty, -512 to 512
   std::array<std::int32_t, openr::kSensorCount> sensors{};  // um, um/s2, or how pressed
 
   std::int32_t of(openr::Sensor sensor) const { return sensors[openr::index(sensor)]; }

@@ -32,8 +32,7 @@ class VirtualRobotComm : public OObject {
   OStatus DoInit(const OSystemEvent& event) override;
   OStatus DoStart(const OSystemEvent& event) override;
 
-  void sendSensors(std::uint32_t firstTick,
-                   const std::array<RawSensors, kTicksPerMessage>& frames);
+  void sendSensors(std::uint32_t firstTick, const std::array<RawSensors, kTicksPerMessage>& frames);
   void sendImage(const Image& image, std::uint32_t fieldCounter);
   // The oldest `count` vectors have been played: an error if there were fewer.
   Status outputsDone(std::uint32_t count);

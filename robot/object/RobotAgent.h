@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // The OPEN-R object of a robot with all that it is made of. Once it has started it reads its memory
 // stick, a block with each message of the sensors, so that its lights go on telling how far it is:
-// reading, then starting Python. With a good stick it plays as the stick says. A refused one does not end the object,
-// which could tell nobody why: it starts all the same, says the reason in one line of the system's
-// log, stays lying and blinks the reason's number (FaultLoops). What the behaviours complain of
-// goes to that log, too.
+// reading, then starting Python. With a good stick it plays as the stick says. A refused one does
+// not end the object, which could tell nobody why: it starts all the same, says the reason in one
+// line of the system's log, stays lying and blinks the reason's number (FaultLoops). What the
+// behaviours complain of goes to that log, too.
 #pragma once
 
 #include "robot/agent/Agent.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // When a robot is felt to be lifted and to stand again, by its paws and accelerometer.
-#include "actuator/Lifted.h"
-
 #include <gtest/gtest.h>
+
+#include "actuator/Lifted.h"
 
 namespace kelpie::actuator {
 namespace {

@@ -5,10 +5,10 @@
 
 #include <memory>
 
-#include "robot/host/Orders.h"
 #include "robot/agent/FrameLoop.h"
 #include "robot/agent/MotionLoop.h"
 #include "robot/body/FieldDescription.h"
+#include "robot/host/Orders.h"
 #include "tests/AllocationCount.h"
 #include "tools/sim/World.h"
 
@@ -30,9 +30,7 @@ class Counter : public StageObserver {
   int allocations = 0;
 };
 
-host::AgentReply orders(const MotionOutput& output) {
-  return host::ordersOf(output.joints, 1.0);
-}
+host::AgentReply orders(const MotionOutput& output) { return host::ordersOf(output.joints, 1.0); }
 
 struct Match {
   Match() {

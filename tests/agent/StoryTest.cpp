@@ -247,12 +247,12 @@ TEST_P(StoryOf, AFaultOfTheBodyEndsWithoutPowerAndBeginsAnewOnlyWhenItIsOverAndT
   EXPECT_EQ(rests.back().rest, Rest::none);
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Causes, StoryOf,
-    testing::Values(Cause{"OverCurrent", orsbBATTERY_OVER_CURRENT, Rest::overCurrent},
-                    Cause{"Hot", orsbBATTERY_OVER_TEMP_DISCHARGING, Rest::hot},
-                    Cause{"Fan", orsbERROR_OF_FAN, Rest::fan}),
-    [](const auto& cause) { return std::string(cause.param.name); });
+INSTANTIATE_TEST_SUITE_P(Causes, StoryOf,
+                         testing::Values(Cause{"OverCurrent", orsbBATTERY_OVER_CURRENT,
+                                               Rest::overCurrent},
+                                         Cause{"Hot", orsbBATTERY_OVER_TEMP_DISCHARGING, Rest::hot},
+                                         Cause{"Fan", orsbERROR_OF_FAN, Rest::fan}),
+                         [](const auto& cause) { return std::string(cause.param.name); });
 
 // A hand shakes it a little all the while.
 TEST_F(Story, LiftedOffTheGroundItGoesSlackAtOnceAndGoesOnWhenItHasBeenPutDownAndIsStill) {

@@ -62,7 +62,8 @@ inline Played played(const std::string& root) {
   for (const auto& reply : source.replies)
     for (const auto& vector : reply.vectors) result.leds.push_back(vector.leds);
   const JointAngles first = host::anglesOf(source.replies.at(0).vectors[0].targets[0]);
-  const JointAngles last = host::anglesOf(source.replies.at(2 * kMessages - 2).vectors[0].targets[3]);
+  const JointAngles last =
+      host::anglesOf(source.replies.at(2 * kMessages - 2).vectors[0].targets[3]);
   result.firstPan = first[Joint::headPan].deg();
   result.lastPan = last[Joint::headPan].deg();
   result.lastKnee = last[Joint::leftFrontKnee].deg();

@@ -18,7 +18,7 @@ namespace {
 
 using namespace kelpie;
 
-constexpr double kMostDegrees = 60.01;  // a second, of rounding
+constexpr double kMostDegrees = 60.01;   // a second, of rounding
 constexpr std::int32_t kImageEvery = 8;  // messages; a second without one is a story of its own
 
 // Between the object and the loops: notes what passes. Is the loops' log, too, to see their frames.

@@ -94,7 +94,7 @@ class Desk : public Source {
   std::uint32_t gains = 0;
   bool lifted = false;
   std::uint32_t blocked = 0;  // bit i: joint i cannot move
-  std::uint32_t leds = 0;  // of the last vector
+  std::uint32_t leds = 0;     // of the last vector
   SensorFrame frame = standingOnDesk();
   // Raw targets as they were played, a tick each, and when.
   std::vector<std::pair<TimeUs, RawJoints>> played;
@@ -120,7 +120,8 @@ class Desk : public Source {
       played.emplace_back(step.time, vectors_.front().targets[tick]);
     const JointAngles target = anglesOf(played.back().second);
     for (std::size_t j = 0; j < kJointCount; ++j)
-      if (power && (gains >> j & ~(blocked >> j) & 1U) != 0) frame.joints.angle[j] = target.angle[j];
+      if (power && (gains >> j & ~(blocked >> j) & 1U) != 0)
+        frame.joints.angle[j] = target.angle[j];
     vectors_.erase(vectors_.begin());
     step.vectorsDone = 1;
   }

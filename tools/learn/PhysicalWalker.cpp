@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "robot/host/Orders.h"
 #include "tools/learn/PhysicalWalker.h"
 
 #include <cmath>
@@ -7,6 +6,7 @@
 
 #include "robot/body/Ers7.h"
 #include "robot/body/FieldDescription.h"
+#include "robot/host/Orders.h"
 #include "tools/sim/Sensors.h"
 
 namespace kelpie::learn {

@@ -6,10 +6,10 @@
 #include <cmath>
 #include <memory>
 
-#include "robot/host/Orders.h"
 #include "actuator/Actuator.h"
 #include "robot/body/Ers7.h"
 #include "robot/body/FieldDescription.h"
+#include "robot/host/Orders.h"
 #include "tools/sim/FastActuator.h"
 #include "tools/sim/World.h"
 

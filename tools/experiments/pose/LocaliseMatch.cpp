@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "robot/host/Orders.h"
 #include "tools/experiments/pose/LocaliseMatch.h"
 
 #include <algorithm>
 
 #include "robot/body/Ers7.h"
 #include "robot/body/FieldDescription.h"
+#include "robot/host/Orders.h"
 #include "tools/cli/Config.h"
 
 namespace kelpie::experiments {
