@@ -325,6 +325,7 @@ class Feeling:
         'load',
         'stuck',
         'fallen',
+        'lifted',
         'ball_held',
         'paw_blocked',
     )
@@ -334,12 +335,14 @@ class Feeling:
                  load=0.0,
                  stuck=False,
                  fallen=0,
+                 lifted=False,
                  ball_held=False,
                  paw_blocked=ANEW):
         self.current = current
         self.load = load
         self.stuck = stuck
         self.fallen = fallen
+        self.lifted = lifted
         self.ball_held = ball_held
         self.paw_blocked = [False] * 2 if paw_blocked is ANEW else paw_blocked
 
@@ -349,6 +352,7 @@ class MotionStatus:
         'running',
         'seconds_left',
         'ready',
+        'lying',
         'effort',
         'low_gain',
         'leg_gain',
@@ -359,6 +363,7 @@ class MotionStatus:
                  running=0,
                  seconds_left=0.0,
                  ready=False,
+                 lying=False,
                  effort=0.0,
                  low_gain=False,
                  leg_gain=1.0,
@@ -366,6 +371,7 @@ class MotionStatus:
         self.running = running
         self.seconds_left = seconds_left
         self.ready = ready
+        self.lying = lying
         self.effort = effort
         self.low_gain = low_gain
         self.leg_gain = leg_gain

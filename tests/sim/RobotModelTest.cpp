@@ -92,6 +92,8 @@ TEST(RobotModel, FeetThatCircleTurnTheBody) {
 
 TEST(RobotModel, WithoutPowerJointsStay) {
   RobotModel robot(ideal(), {}, 1);
+  robot.command(targets(startingPose()));  // from now on no hand is at it
+  for (int i = 0; i < 2; ++i) robot.tick();
   const JointAngles before = robot.place().joints;
   host::AgentReply reply = targets(standing({}));
   reply.motorPower = false;
