@@ -295,6 +295,30 @@ def test_object_with_the_simple_player_gives_the_bits_of_the_pc(simple_tape):
     assert "0x12345000: 0 of 90 frames differ" in done.stdout
 
 
+def test_loops_of_the_object_live_through_the_stories_of_a_robot_on_a_desk(tmp_path):
+    """Start, pause, jam, empty battery, pick-up, shutdown: the PC's targets, power, gains and frames,
+    and no joint faster than a person's hand before it plays."""
+    done = run(TOOLCHAIN / "emulate", "--stories", "--at", "0x12345000")
+    assert done.returncode == 0, done.stderr
+    assert re.search(r"^0x12345000: 6 stories; 0 of 1\d{3} messages differ, "
+                     r"0 of 2\d\d frames differ", done.stdout, re.M)
+    speeds = dict(re.findall(r"^([a-z -]+): .* at most ([\d.]+) deg/s", done.stdout, re.M))
+    assert list(speeds) == ["start", "pause", "jam", "empty battery", "pick-up", "shutdown"]
+    assert all(50 < float(speed) <= 60 for speed in speeds.values())
+
+
+def test_an_answer_of_a_story_that_is_changed_is_noticed(tmp_path):
+    must(ROOT / "build/host/bin/object-stories", tmp_path / "stories", ROOT / "pycode")
+
+    def change(index, kind, fed, answer):
+        return fed, answer[:100] + bytes([answer[100] ^ 1]) + answer[101:] if index == 6 else answer
+
+    tape = short(tmp_path / "stories", tmp_path / "short", 8, change)
+    done = run(TOOLCHAIN / "emulate", "--stories", "--at", "0x10000000", "--tape", tape)
+    assert done.returncode == 1
+    assert "1 stories; 1 of " in done.stdout and "byte 100 of" in done.stderr
+
+
 def test_players_are_told_apart_by_their_commands(tape, simple_tape, tmp_path):
     done = run(TOOLCHAIN / "emulate", "--at", "0x10000000", "--tape",
                short(simple_tape, tmp_path / "other", 12))
