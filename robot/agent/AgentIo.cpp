@@ -12,6 +12,7 @@ namespace {
 using openr::Sensor;
 
 constexpr std::size_t kTicks = kTicksPerMessage;
+constexpr std::size_t kFirstBackLed = 20;  // of Ers7Primitives.h's table
 
 int placeOf(OPrimitiveID id, OSensorFrameVectorData& vector) {
   for (int i = 0; i < static_cast<int>(vector.vectorInfo.numData); ++i) {
@@ -57,10 +58,13 @@ OCommandValue jointCommand(double radians) {
   return value;
 }
 
+// The lights of the back have no modes: Sony's sample BlinkingLED7 leaves theirs undefined, and so
+// did the team of 2005.
 OCommandValue ledCommand(std::size_t led, bool on) {
   constexpr sword kFullIntensity = 255;
   const OLEDCommandValue2 switched = {on ? oledON : oledOFF, 1, 0};
-  const OLEDCommandValue3 bright = {on ? kFullIntensity : sword{0}, oled3_MODE_A, 1, 0};
+  const OLED3Mode mode = led < kFirstBackLed ? oled3_MODE_A : oled3_MODE_UNDEF;
+  const OLEDCommandValue3 bright = {on ? kFullIntensity : sword{0}, mode, 1, 0};
   OCommandValue value;
   if (led < openr::kSwitchedLeds) {
     std::memcpy(&value, &switched, sizeof value);

@@ -176,6 +176,7 @@ struct OLEDCommandValue2 {
 };
 
 using OLED3Mode = word;
+constexpr OLED3Mode oled3_MODE_UNDEF = 0xffff;
 constexpr OLED3Mode oled3_MODE_A = 0;
 constexpr OLED3Mode oled3_MODE_B = 1;
 
