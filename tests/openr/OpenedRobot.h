@@ -29,10 +29,10 @@ class OpenedRobot : public FakeSystem {
     MemoryRegionID memory = 0;
     OCommandVectorData* vector = nullptr;
     newCommandVector(agent::kCommandCount, &memory, &vector);
-    agent::prepareCommands(*vector, ids);
+    const agent::CommandPlaces places = agent::prepareCommands(*vector, ids);
     std::array<JointFrame, kTicksPerMessage> frames{};
     frames.fill(frame);
-    agent::writeCommands(frames, *vector, senses);
+    agent::writeCommands(frames, places, *vector, senses);
     return *vector;
   }
 
