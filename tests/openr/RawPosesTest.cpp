@@ -7,6 +7,7 @@
 #include <cstring>
 
 #include "robot/host/DataVectors.h"
+#include "robot/host/RawFrame.h"
 #include "robot/openr/Contract.h"
 #include "tests/openr/OpenedRobot.h"
 #include "tests/openr/RawPoses.h"
@@ -107,6 +108,20 @@ TEST(RawPoses, DutyTurnsWithItsJoint) {
   EXPECT_EQ(0.5, frames[0].duty[index(Joint::leftFrontRotator)]);
   EXPECT_EQ(0.5, frames[0].duty[index(Joint::rightHindKnee)]);
   region->RemoveReference();
+}
+
+// The way back through the world's own code: it shares no sign with the agent's.
+TEST(RawPoses, TheStandInForTheRobotTellsThemSo) {
+  constexpr std::size_t kFirstPressure = index(Sensor::headTouch);  // scaled by the stand-in
+  for (const RawPose pose : kPoses) {
+    const host::RawSensors told = host::rawOf(sensedBy(robotSenses(), pose));
+    for (std::size_t i = 0; i < kJointCount; ++i)
+      EXPECT_NEAR(told.joints.value[i], rawValue(pose, kJointRows[i].locator), 1)
+          << kJointRows[i].name;
+    for (std::size_t i = 0; i < kFirstPressure; ++i)
+      EXPECT_NEAR(told.sensors[i], rawValue(pose, kSensorRows[i].locator), 1)
+          << kSensorRows[i].name;
+  }
 }
 
 TEST(RawPoses, EveryJointIsAwayFromItsMiddleInOne) {
