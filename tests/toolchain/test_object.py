@@ -296,7 +296,7 @@ def test_object_with_the_simple_player_gives_the_bits_of_the_pc(simple_tape):
 
 
 def test_loops_of_the_object_live_through_the_stories_of_a_robot_on_a_desk(tmp_path):
-    """Start, pause, jam, empty battery, pick-up, shutdown: the PC's targets, power, gains and frames,
+    """Start, pause, jam, empty battery, pick-up, shutdown: the PC's targets, power and frames,
     and no joint faster than a person's hand before it plays."""
     done = run(TOOLCHAIN / "emulate", "--stories", "--at", "0x12345000")
     assert done.returncode == 0, done.stderr
