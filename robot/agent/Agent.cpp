@@ -136,10 +136,16 @@ OStatus Agent::limp() {
   return OPENR::DisableJointGain(oprimitiveID_UNDEF);
 }
 
+// Why it does not play, and that it plays again. A start is nothing to tell of.
+void Agent::tell(Rest rest) {
+  if (rest == told_ || rest == Rest::starting || rest == Rest::unasked) return;
+  OSYSLOG1((osyslogINFO, "motors: %s", body::nameOf(rest)));
+  told_ = rest;
+}
+
 // Gains go before the power does, and come after it.
 void Agent::obey(const MotorsOut& motors, body::LegGain legs) {
-  if (motors.rest != told_) OSYSLOG1((osyslogINFO, "motors: %s", body::nameOf(motors.rest)));
-  told_ = motors.rest;
+  tell(motors.rest);
   if (motors.order.power) setPower(true);
   setGains(motors.order, legs);
   if (!motors.order.power) setPower(false);

@@ -69,6 +69,7 @@ class Agent : public OObject {
   OStatus newVectors();
   OStatus limp();
   void obey(const MotorsOut& motors, body::LegGain legs);
+  void tell(Rest rest);
   void setPower(bool on);
   void setGains(const MotorOrder& order, body::LegGain legs);
   void setGain(std::size_t joint, double strength, body::LegGain legs);
