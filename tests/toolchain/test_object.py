@@ -83,7 +83,7 @@ def test_object_has_its_own_player_and_no_other(player, has, has_not):
 
 
 @pytest.mark.parametrize("name", [
-    " Self", "kelpie::object::RobotAgent::DoInit", "kelpie::agent::Agent::NotifyImage",
+    " Self", "kelpie::object::RobotAgent::beforeMotion", "kelpie::agent::Agent::NotifyImage",
     "kelpie::agent::AntEndpoint::tick", "kelpie::stick::StickReader::load",
     "kelpie::agent::AgentLoops::camera", "kelpie::object::FaultLoops::motion"])
 def test_robots_object_has_what_it_starts_and_plays_with(name):
