@@ -147,7 +147,7 @@ void Agent::tell(Rest rest) {
 void Agent::obey(const MotorsOut& motors, body::LegGain legs) {
   tell(motors.rest);
   if (motors.order.power) setPower(true);
-  setGains(motors.order, legs);
+  for (std::size_t i = 0; i < kJointCount; ++i) setGain(i, motors.order.strength[i], legs);
   if (!motors.order.power) setPower(false);
   if (motors.order.shutDown && !shutDown_) shutDown();
 }
@@ -162,10 +162,6 @@ void Agent::setPower(bool on) {
   sent_ = taken_ = false;
 }
 
-void Agent::setGains(const MotorOrder& order, body::LegGain legs) {
-  for (std::size_t i = 0; i < kJointCount; ++i) setGain(i, order.strength[i], legs);
-}
-
 // Told only when it changes. No gain comes before a target has been taken.
 void Agent::setGain(std::size_t joint, double strength, body::LegGain legs) {
   ToldGain& now = gains_[joint];
@@ -175,8 +171,8 @@ void Agent::setGain(std::size_t joint, double strength, body::LegGain legs) {
     now.on = false;
     return;
   }
-  const body::JointGain full = body::gainOf(static_cast<Joint>(joint), legs);
-  const body::JointGain gain = strength < 1.0 ? body::withShare(full, strength) : full;
+  const body::JointGain gain =
+      body::withShare(body::gainOf(static_cast<Joint>(joint), legs), strength);
   if (now.on && now.gain == gain) return;
   OStatus status = now.on ? oSUCCESS : OPENR::EnableJointGain(id);
   const body::JointGain& shift = body::kGainShift;

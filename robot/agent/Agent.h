@@ -71,7 +71,6 @@ class Agent : public OObject {
   void obey(const MotorsOut& motors, body::LegGain legs);
   void tell(Rest rest);
   void setPower(bool on);
-  void setGains(const MotorOrder& order, body::LegGain legs);
   void setGain(std::size_t joint, double strength, body::LegGain legs);
   void shutDown();
   std::uint32_t held() const;

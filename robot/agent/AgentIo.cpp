@@ -47,6 +47,10 @@ T partOf(const OSensorValue& value, std::size_t offset) {
   return part;
 }
 
+Angle angleOf(slongword raw, double sense) {
+  return Angle::rad(sense * static_cast<double>(raw) * openr::kMicroradian);
+}
+
 slongword toMicroradians(double radians) {
   return static_cast<slongword>(std::floor(radians / openr::kMicroradian + 0.5));
 }
@@ -117,7 +121,7 @@ void SensorReader::readTick(OSensorFrameVectorData& vector, std::size_t tick, Se
     const OSensorValue& raw = vector.GetData(joints_[i])->frame[tick];
     const auto angle = partOf<slongword>(raw, offsetof(OJointValue, value));
     const double sense = senses_.joints[i];
-    frame.joints.angle[i] = Angle::rad(sense * static_cast<double>(angle) * openr::kMicroradian);
+    frame.joints.angle[i] = angleOf(angle, sense);
     frame.duty[i] = sense * partOf<sword>(raw, offsetof(OJointValue, pwmDuty)) / openr::kFullDuty;
   }
   setLength(value(vector, Sensor::headNear, tick), frame.headNearDistance);
@@ -187,8 +191,7 @@ void writeCommands(const std::array<JointFrame, kTicksPerMessage>& frames,
 }
 
 Angle sensedAngle(Joint joint, slongword raw) {
-  constexpr Senses kSenses = robotSenses();
-  return Angle::rad(kSenses.joints[index(joint)] * static_cast<double>(raw) * openr::kMicroradian);
+  return angleOf(raw, robotSenses().joints[index(joint)]);
 }
 
 PowerReport reportOf(const OPowerStatus& status) {

@@ -17,9 +17,8 @@
 //                   none of it while it plays
 //   the face, 12    the behaviours have failed in this frame: it stands and scans
 //
-//   the head, orange  the memory stick is being read; and the small blue one at the back of the
-//   head:
-//                   Python starts
+//   the head, orange  the memory stick is being read; with the small blue one at the back of the
+//                   head Python starts
 //   the head, white  a light, an ear or a sensor does not open; the system's log names it
 //   a fault, 14      a joint or the camera does not open, so that it cannot play
 //

@@ -10,7 +10,7 @@
 #include "robot/agent/AgentLoops.h"
 #include "robot/body/Lights.h"
 #include "robot/host/AgentStub.h"
-#include "tools/desk/Desk.h"
+#include "tools/desk/Stories.h"
 
 namespace kelpie::agent {
 namespace {
@@ -24,16 +24,8 @@ constexpr double kInFlight = 0.15;  // s, what was told before is still played
 class Story : public testing::Test, public LogSink {
  protected:
   Story() {
-    desk_.frame.joints = lyingDog();
+    desk_.frame.joints = desk::sprawled();
     params_.printTo = nullptr;
-  }
-  // Sprawled, as somebody put it there.
-  static JointAngles lyingDog() {
-    JointAngles joints;
-    joints[Joint::leftHindKnee] = joints[Joint::rightHindKnee] = Angle::deg(110.0);
-    joints[Joint::leftFrontRotator] = Angle::deg(55.0);
-    joints[Joint::neckTilt] = Angle::deg(-70.0);
-    return joints;
   }
   void motion(const MotionInput& input, const MotionOutput& output) override {
     if (rests.empty() || rests.back().rest != input.rest)
@@ -119,7 +111,7 @@ TEST_F(Story, StartsLimpThenPowerThenOneGainAfterTheOtherAndStaysAsFoundUntilAsk
   EXPECT_LT(called("power on"), called("hold 0"));
   expectGainsInTurn(0.0, 4.0);
   EXPECT_EQ(rests.back().rest, Rest::unasked);
-  const JointAngles found = lyingDog();
+  const JointAngles found = desk::sprawled();
   for (const auto& [when, raw] : desk_.played)
     for (std::size_t j = 0; j < kJointCount; ++j)
       ASSERT_NEAR(host::anglesOf(raw).angle[j].rad(), found.angle[j].rad(), 2e-6) << when.seconds();

@@ -85,8 +85,6 @@ class Desk : public Source {
     return Done{};
   }
 
-  double now() const { return 0.032 * message_; }
-
   std::int32_t messages = 0;
   bool images = true;
   std::int32_t imageEvery = 1;  // messages

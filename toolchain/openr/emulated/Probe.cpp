@@ -109,9 +109,9 @@ std::uint32_t kelpieSensors(std::uint32_t size) {
 }
 
 std::uint32_t kelpieImage(std::uint32_t size) {
-  kelpie::tape::Moment* const moment = loops != nullptr ? &loops->moment : nullptr;
-  if (moment == nullptr || !kelpie::decode(buffer, size, *moment)) return 0;
-  loops->loops.camera(moment->image, moment->exposed, moment->number);
+  if (loops == nullptr || !kelpie::decode(buffer, size, loops->moment)) return 0;
+  const kelpie::tape::Moment& moment = loops->moment;
+  loops->loops.camera(moment.image, moment.exposed, moment.number);
   return answer(*loops->made);
 }
 }
