@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robot/agent/Replay.h"
 
+#include <algorithm>
+
 #include "robot/agent/FrameMessages.h"
 
 namespace kelpie::agent {
@@ -30,6 +32,7 @@ class Player {
   bool enough() const {
     return options_.maxFrames > 0 && result_.frames >= options_.maxFrames && !frameOutput_;
   }
+  void compareNoMore() { compares_ = false; }
   void finish() {
     if (frameLoop_) result_.scriptError = frameLoop_->scriptError();
   }
@@ -92,6 +95,7 @@ class Player {
   template <class T>
   void compare(const std::string& what, const T& recorded, const T& now) {
     std::string path;
+    if (!compares_) return;
     ++result_.compared;
     if (!firstDifference(recorded, now, &path)) return;
     ++result_.differing;
@@ -106,12 +110,26 @@ class Player {
   std::unique_ptr<MotionLoop> motionLoop_;
   FrameInput input_;
   MotionInput motionInput_;
+  bool compares_ = true;
   bool withoutImage_ = false;  // input_ waits for its recorded percepts
   FrameOutput recordedFrame_;
   MotionOutput recordedMotion_;
   const FrameOutput* frameOutput_ = nullptr;    // made, not yet compared
   const MotionOutput* motionOutput_ = nullptr;  // made, not yet compared
 };
+
+// Of those that a replay reads, what the log does not have: "/config, /frame/input".
+std::string missingTopics(const LogReader& reader) {
+  std::string missing;
+  for (const char* topic :
+       {kConfigTopic, kFrameInputTopic, kFrameOutputTopic, kMotionInputTopic, kMotionOutputTopic}) {
+    const auto& channels = reader.channels();
+    const bool there = std::any_of(channels.begin(), channels.end(),
+                                   [&](const auto& it) { return it.second.topic == topic; });
+    if (!there) missing += (missing.empty() ? "" : ", ") + std::string(topic);
+  }
+  return missing.empty() ? "their messages" : missing;
+}
 
 }  // namespace
 
@@ -123,15 +141,16 @@ Expected<ReplayResult> replay(const std::string& log, const ReplayOptions& optio
   const auto player = std::make_unique<Player>(options, observer, result);
   LogMessage message;
   while (!player->enough() && reader->next(message)) {
+    if (!reader->gaps().empty()) player->compareNoMore();
     const Status taken = player->take(message);
     if (!taken) return Error{log + ": " + taken.error()};
   }
   if (!reader->status()) return Error{reader->status().error()};
   player->finish();
   result.notes = reader->notes();
-  result.truncated = reader->truncated();
-  result.offset = reader->offset();
-  if (result.frames + result.motionSteps == 0) return Error{log + ": holds no frames of an agent"};
+  result.lacks = reader->lacks();
+  if (result.frames + result.motionSteps == 0)
+    return Error{log + ": holds no frames of an agent; it lacks " + missingTopics(*reader)};
   return result;
 }
 

@@ -31,11 +31,11 @@ struct ReplayResult {
   std::uint32_t frames = 0;
   std::uint32_t framesFromPercepts = 0;  // of these, those whose image was not kept
   std::uint32_t motionSteps = 0;
-  std::uint32_t compared = 0;  // outputs found in the log and compared
+  // Outputs found in the log and compared; behind damage none is, as what came before is missing.
+  std::uint32_t compared = 0;
   std::uint32_t differing = 0;
   std::vector<std::string> differences;  // the first few, "frame 12: world.pose.x: 1 != 2"
-  bool truncated = false;                // the log ends without its footer
-  std::uint64_t offset = 0;              // where its last whole record ends
+  std::string lacks;                     // what of the log could not be read; empty: nothing
   std::string scriptError;
   std::vector<std::string> notes;  // of field lists other than today's (LogReader::notes)
 };

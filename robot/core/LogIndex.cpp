@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "robot/core/Checksum.h"
+#include "robot/core/LogScan.h"
 
 namespace kelpie {
 namespace {
@@ -17,15 +18,6 @@ struct Footer {
   std::uint64_t summary = 0;  // where it starts
   std::uint32_t checksum = 0;
 };
-
-bool readAt(std::istream& file, std::uint64_t offset, std::uint8_t* to, std::size_t count) {
-  file.clear();
-  file.seekg(static_cast<std::streamoff>(offset));
-  file.read(reinterpret_cast<char*>(to), static_cast<std::streamsize>(count));
-  const bool whole = file.good();
-  file.clear();
-  return whole;
-}
 
 bool readFooter(std::istream& file, std::uint64_t offset, Footer& footer) {
   std::array<std::uint8_t, kTail> tail{};

@@ -19,6 +19,15 @@ namespace {
 // Writers make chunks of about a megabyte; a chunk that says more than this is not believed.
 constexpr std::uint64_t kMaxChunk = 256U << 20;
 
+// Of 1.2 s: "1.200".
+std::string secondsText(TimeUs time) {
+  const std::string digits = std::to_string(time.seconds());
+  return digits.substr(0, digits.size() - 3);
+}
+
+// Those that MCAP has names for; any other name is a damaged one.
+bool isCompression(const std::string& name) { return name == "zstd" || name == "lz4"; }
+
 }  // namespace
 
 Expected<LogReader> LogReader::open(const std::string& path) {
@@ -51,28 +60,80 @@ void LogReader::fail(const std::string& what) {
   if (error_.empty()) error_ = path_ + ": byte " + std::to_string(recordOffset_) + ": " + what;
 }
 
+// The record being taken is damaged: the first reason stays until it is passed over.
+void LogReader::spoil(const std::string& what) {
+  if (spoilt_.empty()) spoilt_ = what;
+}
+
 bool LogReader::next(LogMessage& message) {
   Record record;
-  while (error_.empty() && !ended_ && readRecord(record)) {
-    if (!take(record, message) || message.time < from_) continue;
+  while (error_.empty() && !ended_) {
+    const bool isMessage = readRecord(record) && take(record, message);
+    if (!spoilt_.empty()) passOver();
+    if (!isMessage) continue;
+    meet(message.time);
+    if (message.time < from_) continue;
     from_ = kFromStart;
     return true;
   }
   return false;
 }
 
+void LogReader::meet(TimeUs time) {
+  for (auto gap = gaps_.rbegin(); gap != gaps_.rend() && !gap->following; ++gap)
+    gap->following = time;
+  lastTime_ = time;
+}
+
+void LogReader::addGap(std::uint64_t from, std::uint64_t to) {
+  if (dataEnded_) return;  // indexes only
+  const bool goesOn = !gaps_.empty() && gaps_.back().to == from && !gaps_.back().following;
+  if (goesOn)
+    gaps_.back().to = to;
+  else
+    gaps_.push_back({from, to, spoilt_, lastTime_, {}});
+}
+
+// Goes on behind the damaged record if a record begins there, else where the next one does. Where
+// no record begins that may be inside the record before, whose length may be what is damaged.
+void LogReader::passOver() {
+  chunk_.clear();
+  chunkAt_ = 0;
+  const LogScan scan(file_, fileSize_);
+  std::optional<std::uint64_t> there;
+  if (offset_ > recordOffset_ && scan.sound(offset_)) there = offset_;
+  const bool headless = offset_ == recordOffset_;
+  if (!there) there = nextSound(scan, (headless ? before_ : recordOffset_) + 1);
+  if (there) addGap(*there < recordOffset_ ? before_ : recordOffset_, *there);
+  spoilt_.clear();
+  goTo(there.value_or(recordOffset_));
+  if (!there) cutOff();
+}
+
+// Before the first chunk or message nobody knows whether the log has chunks.
+std::optional<std::uint64_t> LogReader::nextSound(const LogScan& scan, std::uint64_t from) const {
+  if (chunkCounts_.chunks > 0 || !index_.chunks.empty()) return scan.next(from, ScanFor::outside);
+  if (!lastTime_)
+    if (const auto chunk = scan.next(from, ScanFor::chunks)) return chunk;
+  return scan.next(from, ScanFor::any);
+}
+
+void LogReader::goTo(std::uint64_t offset) {
+  offset_ = offset;
+  file_.clear();
+  file_.seekg(static_cast<std::streamoff>(offset));
+}
+
 void LogReader::seek(TimeUs time) {
   if (!error_.empty()) return;
   if (indexState_ == IndexState::unread)
     indexState_ = readIndex() ? IndexState::read : IndexState::none;
-  const bool indexed = indexState_ == IndexState::read;
-  offset_ = indexed ? index_.placeOf(time) : mcap::kMagic.size();
-  file_.clear();
-  file_.seekg(static_cast<std::streamoff>(offset_));
+  goTo(indexState_ == IndexState::read ? index_.placeOf(time) : mcap::kMagic.size());
   chunk_.clear();
   chunkAt_ = 0;
   truncated_ = false;
   ended_ = false;
+  dataEnded_ = false;
   from_ = time;
 }
 
@@ -87,35 +148,49 @@ bool LogReader::readIndex() {
     if (record.op == Op::schema) takeSchema(content);
     if (record.op == Op::channel) takeChannel(content);
     if (record.op == Op::chunkIndex && !index_.add(content, fileSize_)) return false;
-    if (error_.empty()) continue;
-    error_.clear();  // the log is read without the index
+    if (spoilt_.empty()) continue;
+    spoilt_.clear();  // the log is read without the index
     return false;
   }
   index_.sort();
   return !index_.chunks.empty();
 }
 
-bool LogReader::cutOff() {
+void LogReader::cutOff() {
   truncated_ = true;
   ended_ = true;
-  return false;
 }
 
 bool LogReader::readRecord(Record& record) {
   inChunk_ = chunkAt_ < chunk_.size();
   if (inChunk_) return readChunkRecord(record);
+  before_ = whole_ ? offset_ : recordOffset_;
+  whole_ = false;
   recordOffset_ = offset_;
+  return readFileRecord(record);
+}
+
+bool LogReader::readFileRecord(Record& record) {
+  if (offset_ == fileSize_) {
+    cutOff();
+    return false;
+  }
   std::array<std::uint8_t, mcap::kRecordHead> head{};
   file_.read(reinterpret_cast<char*>(head.data()), head.size());
-  // Code 0 does not exist: a file system that lost power leaves zeros at the end.
-  if (!file_ || head[0] == 0) return cutOff();
   ContentReader content(head.data() + 1, head.size() - 1);
   const auto length = content.number<std::uint64_t>();
-  if (length > fileSize_ - std::min(fileSize_, offset_ + head.size())) return cutOff();
+  // Code 0 does not exist: a file system that lost power leaves zeros.
+  if (!file_ || head[0] == 0 || length > fileSize_ - offset_ - head.size()) {
+    spoil("no record begins there");
+    return false;
+  }
   makeRoom(record_, static_cast<std::size_t>(length));
   record_.resize(static_cast<std::size_t>(length));
   file_.read(reinterpret_cast<char*>(record_.data()), static_cast<std::streamsize>(length));
-  if (!file_) return cutOff();
+  if (!file_) {
+    spoil("cannot be read");
+    return false;
+  }
   offset_ += head.size() + length;
   record = {static_cast<Op>(head[0]), record_.data(), record_.size()};
   return true;
@@ -126,13 +201,14 @@ bool LogReader::readChunkRecord(Record& record) {
   record = content.record();
   chunkAt_ = chunk_.size() - content.left();
   if (content.good() && record.op != Op::chunk) return true;
-  fail(content.good() ? "a chunk inside a chunk" : "damaged chunk");
+  spoil(content.good() ? "a chunk inside a chunk" : "damaged chunk");
   return false;
 }
 
 // True when the record is a message.
 bool LogReader::take(const Record& record, LogMessage& message) {
   const ContentReader content(record.data, record.size);
+  if (!inChunk_ && record.op != Op::messageIndex && record.op <= Op::dataEnd) strange_ = 0;
   switch (record.op) {
     case Op::message: return takeMessage(content, message);
     case Op::schema: takeSchema(content); break;
@@ -148,10 +224,41 @@ void LogReader::takeOutside(const Record& record) {
   const ContentReader content(record.data, record.size);
   switch (record.op) {
     case Op::chunk: takeChunk(content); break;
+    case Op::messageIndex: takeMessageIndex(content); break;
     case Op::attachment: takeAttachment(record); break;
     case Op::metadata: takeMetadata(content); break;
-    case Op::footer: takeEnd(); break;
-    default: break;  // indexes, statistics, and what later versions of MCAP add
+    case Op::dataEnd: takeDataEnd(record); break;
+    case Op::footer: takeEnd(record); break;
+    default: takeOther(record);
+  }
+}
+
+// Only to find a chunk whose code is damaged: it looks like a record of a kind that came later.
+void LogReader::takeMessageIndex(ContentReader content) {
+  content.number<std::uint16_t>();  // channel
+  content.take(content.number<std::uint32_t>());
+  if (strange_ > 0) {
+    spoilt_ = "no chunk before the index of its messages";
+    addGap(strange_, recordOffset_);
+    spoilt_.clear();
+    strange_ = 0;
+  }
+  if (!content.good()) spoil("damaged index");
+}
+
+// A record of data that has become one of another kind by damage is longer than that.
+void LogReader::takeDataEnd(const Record& record) {
+  constexpr std::size_t kMostPadding = 256;
+  if (record.size > kMostPadding) return spoil("damaged record");
+  dataEnded_ = true;
+}
+
+// Indexes and statistics, and what later versions of MCAP add.
+void LogReader::takeOther(const Record& record) {
+  if (record.op > Op::dataEnd) {
+    strange_ = recordOffset_;
+  } else if (!dataEnded_ && (record.op != Op::header || recordOffset_ != mcap::kMagic.size())) {
+    spoil("damaged record");
   }
 }
 
@@ -161,32 +268,75 @@ void LogReader::takeSchema(ContentReader content) {
   schema.name = content.string();
   schema.encoding = content.string();
   schema.text = content.string();
-  if (!content.good()) return fail("damaged schema record");
-  schemas_.emplace(id, std::move(schema));
+  if (!content.good()) return spoil("damaged schema record");
+  const auto [first, added] = schemas_.emplace(id, schema);
+  const LogSchema& known = first->second;
+  if (!added &&
+      (known.name != schema.name || known.encoding != schema.encoding || known.text != schema.text))
+    twice_.insert("schema " + std::to_string(id) + " is defined twice, as " + known.name +
+                  " and as another " + schema.name + "; the first counts");
 }
 
 void LogReader::takeChannel(ContentReader content) {
   const auto id = content.number<std::uint16_t>();
-  const auto schema = schemas_.find(content.number<std::uint16_t>());
   LogChannel channel;
+  channel.schemaId = content.number<std::uint16_t>();
   channel.topic = content.string();
   channel.messageEncoding = content.string();
-  if (!content.good()) return fail("damaged channel record");
-  if (schema == schemas_.end()) return fail("topic " + channel.topic + " has no schema");
-  channel.schema = &schema->second;
-  channels_.emplace(id, std::move(channel));
+  if (!content.good()) return spoil("damaged channel record");
+  const auto [first, added] = channels_.emplace(id, channel);
+  const LogChannel& known = first->second;
+  if (!added && (known.topic != channel.topic || known.schemaId != channel.schemaId ||
+                 known.messageEncoding != channel.messageEncoding))
+    twice_.insert("channel " + std::to_string(id) + " is defined twice, as " + known.topic +
+                  " and as another " + channel.topic + "; the first counts");
+}
+
+// Null while its definition, or that of its schema, has not been met.
+const LogChannel* LogReader::channelOf(std::uint16_t id) {
+  const auto found = channels_.find(id);
+  if (found == channels_.end()) return nullptr;
+  LogChannel& channel = found->second;
+  if (channel.schemaId == 0) channel.schema = &noSchema_;
+  const auto schema = schemas_.find(channel.schemaId);
+  if (channel.schema == nullptr && schema != schemas_.end()) channel.schema = &schema->second;
+  return channel.schema == nullptr ? nullptr : &channel;
+}
+
+// Definitions that stood in damaged bytes stand in the summary, too, and in some of the chunks.
+void LogReader::harvest() {
+  if (!harvests_) return;
+  harvests_ = false;
+  if (indexState_ == IndexState::unread)
+    indexState_ = readIndex() ? IndexState::read : IndexState::none;
+  goTo(offset_);
+  if (indexState_ == IndexState::read) return;
+  auto scout = open(path_);
+  if (!scout) return;
+  scout->harvests_ = false;
+  LogMessage message;
+  while (scout->next(message)) {
+  }
+  schemas_.insert(scout->schemas_.begin(), scout->schemas_.end());
+  for (auto [id, channel] : scout->channels_) {
+    channel.schema = nullptr;
+    channels_.emplace(id, channel);
+  }
 }
 
 bool LogReader::takeMessage(ContentReader content, LogMessage& message) {
-  const auto channel = channels_.find(content.number<std::uint16_t>());
+  const auto id = content.number<std::uint16_t>();
   content.number<std::uint32_t>();  // sequence
   const auto logTime = content.number<std::uint64_t>();
   content.number<std::uint64_t>();  // publish time
-  if (!content.good() || channel == channels_.end()) {
-    fail(content.good() ? "message of an unknown channel" : "damaged message record");
+  const LogChannel* channel = channelOf(id);
+  if (channel == nullptr) harvest();
+  if (channel == nullptr) channel = channelOf(id);
+  if (!content.good() || channel == nullptr) {
+    spoil(content.good() ? "message of an unknown channel" : "damaged message record");
     return false;
   }
-  message.channel = &channel->second;
+  message.channel = channel;
   message.time = {static_cast<std::int64_t>(logTime / 1000)};
   message.data = content.data();
   message.size = content.left();
@@ -201,11 +351,16 @@ void LogReader::takeChunk(ContentReader content) {
   const std::string compression = content.string();
   const auto length = content.number<std::uint64_t>();
   const std::uint8_t* stored = content.take(length);
-  if (!content.good()) return fail("damaged chunk");
-  const Status unpacked = unpack(compression, stored, length, size);
-  if (!unpacked) return fail(unpacked.error());
-  if (checksum != 0 && checksum != crc32(chunk_.data(), chunk_.size()))
-    return fail("damaged chunk: wrong checksum");
+  // Later versions may add to a record; but what a damaged length adds ends nowhere.
+  const bool longer = content.left() > 0;
+  if (!content.good() || (longer && (size == 0 || !LogScan(file_, fileSize_).sound(offset_))))
+    return spoil("damaged chunk");
+  goTo(offset_);
+  unpack(compression, stored, length, size);
+  if (spoilt_.empty() && checksum != 0 && checksum != crc32(chunk_.data(), chunk_.size()))
+    spoil("damaged chunk: wrong checksum");
+  if (!spoilt_.empty() || !error_.empty()) return chunk_.clear();
+  whole_ = checksum != 0 && !longer;
   chunkAt_ = 0;
   chunkCounts_.compression = compression;
   ++chunkCounts_.chunks;
@@ -214,22 +369,24 @@ void LogReader::takeChunk(ContentReader content) {
 }
 
 // Fills chunk_ with the `size` bytes of records that `length` bytes hold.
-Status LogReader::unpack(const std::string& compression, const std::uint8_t* stored,
-                         std::uint64_t length, std::uint64_t size) {
+void LogReader::unpack(const std::string& compression, const std::uint8_t* stored,
+                       std::uint64_t length, std::uint64_t size) {
   const std::string says = "damaged chunk: says that it holds " + std::to_string(size) + " bytes";
-  if (size > kMaxChunk) return Error{says};
+  if (size > kMaxChunk) return spoil(says);
   if (compression.empty()) {
-    if (size != length) return Error{says + ", has " + std::to_string(length)};
+    if (size != length) return spoil(says + ", has " + std::to_string(length));
     makeRoom(chunk_, static_cast<std::size_t>(length));
     chunk_.assign(stored, stored + length);
-    return Done{};
+    return;
   }
   if (!decompressor_ || decompresses_ != compression) decompressor_ = makeDecompressor(compression);
-  if (!decompressor_) return Error{"compressed with " + compression + ", which we cannot read"};
+  if (!decompressor_ && isCompression(compression))
+    return fail("compressed with " + compression + ", which we cannot read");
+  if (!decompressor_) return spoil("damaged chunk: compressed in no known way");
   decompresses_ = compression;
   const Status done = decompressor_->decompress(stored, static_cast<std::size_t>(length),
                                                 static_cast<std::size_t>(size), chunk_);
-  return done ? done : Error{"damaged chunk: " + done.error()};
+  if (!done) spoil("damaged chunk: " + done.error());
 }
 
 void LogReader::takeAttachment(const Record& record) {
@@ -242,10 +399,9 @@ void LogReader::takeAttachment(const Record& record) {
   if (const std::uint8_t* data = content.take(length)) attachment.data.assign(data, data + length);
   const std::size_t covered = record.size - content.left();
   const auto checksum = content.number<std::uint32_t>();
-  if (!content.good()) return fail("damaged attachment record");
-  if (checksum != 0 && checksum != crc32(record.data, covered)) {
-    return fail("attachment " + attachment.name + ": wrong checksum");
-  }
+  if (!content.good()) return spoil("damaged attachment record");
+  if (checksum != 0 && checksum != crc32(record.data, covered))
+    return spoil("attachment " + attachment.name + ": wrong checksum");
   if (met_.insert(recordOffset_).second) attachments_.push_back(std::move(attachment));
 }
 
@@ -253,16 +409,44 @@ void LogReader::takeMetadata(ContentReader content) {
   LogMetadata metadata;
   metadata.name = content.string();
   metadata.entries = content.map();
-  if (!content.good()) return fail("damaged metadata record");
+  if (!content.good()) return spoil("damaged metadata record");
   if (met_.insert(recordOffset_).second) metadata_.push_back(std::move(metadata));
 }
 
-void LogReader::takeEnd() {
+// The magic behind the footer is the end of the file.
+void LogReader::takeEnd(const Record& record) {
   std::array<std::uint8_t, mcap::kMagic.size()> magic{};
-  file_.read(reinterpret_cast<char*>(magic.data()), magic.size());
+  const bool whole = record.size >= mcap::kFooter && offset_ + magic.size() == fileSize_ &&
+                     readAt(file_, offset_, magic.data(), magic.size()) && magic == mcap::kMagic;
+  if (!whole && !dataEnded_) return spoil("damaged record");
+  if (!whole) return cutOff();
   ended_ = true;
-  truncated_ = !file_ || magic != mcap::kMagic;
-  if (!truncated_) offset_ += magic.size();
+  offset_ += magic.size();
+}
+
+std::string LogReader::lacks() const {
+  constexpr std::size_t kShown = 2;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(kShown, gaps_.size()); ++i)
+    text += (i > 0 ? ", and " : "") + gaps_[i].text();
+  if (gaps_.size() > kShown)
+    text += ", and " + std::to_string(gaps_.size() - kShown) + " more damaged places";
+  if (!truncated_) return text;
+  return text + (text.empty() ? "" : ", and ") + "cut off at byte " + std::to_string(offset_) +
+         (lastTime_ ? ", " + secondsText(*lastTime_) + " s" : "") + "; " +
+         (gaps_.empty() ? "whole up to there" : "the rest is whole up to there");
+}
+
+std::string LogGap::text() const {
+  std::string lost = "nothing of it was read";
+  if (last && following)
+    lost =
+        "what was between " + secondsText(*last) + " and " + secondsText(*following) + " s is lost";
+  else if (last)
+    lost = "what was after " + secondsText(*last) + " s is lost";
+  else if (following)
+    lost = "what was before " + secondsText(*following) + " s is lost";
+  return "bytes " + std::to_string(from) + " to " + std::to_string(to) + ": " + what + "; " + lost;
 }
 
 namespace {
@@ -311,7 +495,7 @@ Status learnSchema(const LogMessage& message, const std::string& name, const std
 }
 
 std::vector<std::string> LogReader::notes() const {
-  std::vector<std::string> notes;
+  std::vector<std::string> notes(twice_.begin(), twice_.end());
   for (const auto& [id, schema] : schemas_) {
     if (!schema.translation) continue;
     const auto& defaulted = schema.translation->defaulted();

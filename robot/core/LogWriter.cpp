@@ -12,6 +12,10 @@ namespace {
 using mcap::Op;
 using mcap::RecordWriter;
 
+// A channel is defined anew once in so many chunks. Definitions would take 5 KB of each chunk of
+// 13 KB of a log of class planes.
+constexpr std::uint32_t kDefinitionsEvery = 16;
+
 // The container counts nanoseconds from 0 up; the message itself keeps the exact stamp.
 std::uint64_t nanoseconds(TimeUs time) {
   return time.us > 0 ? static_cast<std::uint64_t>(time.us) * 1000 : 0;
@@ -57,6 +61,7 @@ LogWriter& LogWriter::operator=(LogWriter&& other) noexcept {
   summary_ = std::move(other.summary_);
   channels_ = std::move(other.channels_);
   schemas_ = std::move(other.schemas_);
+  chunkNumber_ = other.chunkNumber_;
   buffer_ = std::move(other.buffer_);
   return *this;
 }
@@ -65,12 +70,13 @@ LogWriter::~LogWriter() { close(); }
 
 std::uint16_t LogWriter::schemaId(SchemaOf schema) {
   const std::string name = schema.name();
-  const auto found = std::find(schemas_.begin(), schemas_.end(), name);
+  const auto found = std::find_if(schemas_.begin(), schemas_.end(),
+                                  [&](const Schema& known) { return known.name == name; });
   const auto id = static_cast<std::uint16_t>(found - schemas_.begin() + 1);
   if (found != schemas_.end()) return id;
-  schemas_.push_back(name);
-  const std::size_t start = buffer_.size();
-  RecordWriter record(buffer_);
+  schemas_.push_back({name, {}});
+  std::vector<std::uint8_t>& bytes = schemas_.back().record;
+  RecordWriter record(bytes);
   record.begin(Op::schema);
   record.number(id);
   record.string(name);
@@ -78,9 +84,30 @@ std::uint16_t LogWriter::schemaId(SchemaOf schema) {
   record.string(schema.text());
   record.end();
   ++summary_.schemaCount;
-  summary_.schemas.insert(summary_.schemas.end(), buffer_.begin() + static_cast<long>(start),
-                          buffer_.end());
+  summary_.schemas.insert(summary_.schemas.end(), bytes.begin(), bytes.end());
+  buffer_.insert(buffer_.end(), bytes.begin(), bytes.end());
   return id;
+}
+
+const LogWriter::Channel& LogWriter::addChannel(std::string_view topic, SchemaOf schema) {
+  const std::uint16_t schemaNumber = schemaId(schema);
+  const auto id = static_cast<std::uint16_t>(channels_.size() + 1);
+  std::vector<std::uint8_t> bytes;
+  RecordWriter record(bytes);
+  record.begin(Op::channel);
+  record.number(id);
+  record.number(schemaNumber);
+  record.string(topic);
+  record.string("ros1");
+  record.map({});
+  record.end();
+  summary_.messageCounts.push_back(0);
+  summary_.channels.insert(summary_.channels.end(), bytes.begin(), bytes.end());
+  buffer_.insert(buffer_.end(), bytes.begin(), bytes.end());
+  const auto& schemaRecord = schemas_[schemaNumber - 1U].record;
+  bytes.insert(bytes.begin(), schemaRecord.begin(), schemaRecord.end());
+  channels_.push_back({std::string(topic), schema, id, std::move(bytes), chunkNumber_});
+  return channels_.back();
 }
 
 const LogWriter::Channel* LogWriter::channelFor(std::string_view topic, SchemaOf schema) {
@@ -93,22 +120,7 @@ const LogWriter::Channel* LogWriter::channelFor(std::string_view topic, SchemaOf
                  schema.name());
     return nullptr;
   }
-  const std::uint16_t schemaNumber = schemaId(schema);
-  channels_.push_back(
-      {std::string(topic), schema, static_cast<std::uint16_t>(channels_.size() + 1)});
-  const std::size_t start = buffer_.size();
-  RecordWriter record(buffer_);
-  record.begin(Op::channel);
-  record.number(channels_.back().id);
-  record.number(schemaNumber);
-  record.string(topic);
-  record.string("ros1");
-  record.map({});
-  record.end();
-  summary_.messageCounts.push_back(0);
-  summary_.channels.insert(summary_.channels.end(), buffer_.begin() + static_cast<long>(start),
-                           buffer_.end());
-  return &channels_.back();
+  return &addChannel(topic, schema);
 }
 
 std::size_t LogWriter::beginMessage(const Channel& channel, TimeUs time) {
@@ -127,15 +139,20 @@ void LogWriter::endMessage(const Channel& channel, std::size_t start, TimeUs tim
   std::memcpy(buffer_.data() + start + 1, &length, sizeof length);
   const std::uint64_t stamp = nanoseconds(time);
   if (options_.chunks) {
-    gather(channel, start, stamp);
+    gather(channels_[channel.id - 1U], start, stamp);
   } else {
     output_.write(buffer_);
   }
   if (output_.good()) summary_.count(channel.id, stamp);
 }
 
-void LogWriter::gather(const Channel& channel, std::size_t start, std::uint64_t time) {
+void LogWriter::gather(Channel& channel, std::size_t start, std::uint64_t time) {
   if (chunk_.spanWith(time) >= nanoseconds({options_.chunkUs})) closeChunk();
+  if (channel.definedIn / kDefinitionsEvery != chunkNumber_ / kDefinitionsEvery) {
+    buffer_.insert(buffer_.begin(), channel.definition.begin(), channel.definition.end());
+    start += channel.definition.size();
+    channel.definedIn = chunkNumber_;
+  }
   chunk_.add(buffer_, start, channel.id, time);
   if (chunk_.records().size() >= options_.chunkBytes) closeChunk();
   if (compressor_ && !packing_.empty() && compressor_->ready()) writeChunk();
@@ -146,6 +163,7 @@ void LogWriter::gather(const Channel& channel, std::size_t start, std::uint64_t 
 void LogWriter::closeChunk() {
   if (!output_.good() || chunk_.empty()) return;
   writeChunk();
+  ++chunkNumber_;
   std::swap(chunk_, packing_);
   packing_.seal();
   if (compressor_) {

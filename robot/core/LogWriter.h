@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Writes a log: an append-only MCAP file whose messages are encoded from the field lists. On the
 // host messages go out in compressed chunks of a megabyte or a second, each with one write, so that
-// a log cut off anywhere keeps all chunks before; without chunks, as on the robot, every record
-// goes out alone. The first error (disk full) ends the writing and stays in status(); nothing
-// crashes and the robot plays on.
+// a log cut off anywhere keeps all chunks before, and its channels are defined anew once in sixteen
+// chunks, so that a log whose beginning is damaged is readable; without chunks, as on the robot,
+// every record goes out alone. The first error (disk full) ends the writing and stays in status();
+// nothing crashes and the robot plays on.
 #pragma once
 
 #include <cstdint>
@@ -66,14 +67,21 @@ class LogWriter {
     std::string topic;
     SchemaOf schema;
     std::uint16_t id;
+    std::vector<std::uint8_t> definition;  // its records: schema and channel
+    std::uint32_t definedIn;               // number of the last chunk that holds them
+  };
+  struct Schema {
+    std::string name;
+    std::vector<std::uint8_t> record;
   };
 
   LogWriter(LogOutput output, LogOptions options, std::unique_ptr<ChunkCompressor> compressor);
   const Channel* channelFor(std::string_view topic, SchemaOf schema);
   std::uint16_t schemaId(SchemaOf schema);
+  const Channel& addChannel(std::string_view topic, SchemaOf schema);
   std::size_t beginMessage(const Channel& channel, TimeUs time);
   void endMessage(const Channel& channel, std::size_t start, TimeUs time);
-  void gather(const Channel& channel, std::size_t start, std::uint64_t time);
+  void gather(Channel& channel, std::size_t start, std::uint64_t time);
   void closeChunk();
   void writeChunk();
 
@@ -84,7 +92,8 @@ class LogWriter {
   LogChunk packing_;                             // the one before, until it is in the file
   LogSummary summary_;
   std::vector<Channel> channels_;     // the id is the place plus 1
-  std::vector<std::string> schemas_;  // names; the id is the place plus 1
+  std::vector<Schema> schemas_;       // so
+  std::uint32_t chunkNumber_ = 0;     // of the open one
   std::vector<std::uint8_t> buffer_;  // records about to be written
 };
 

@@ -35,9 +35,7 @@ Expected<bool> RecordingSource::next(WorldEvent& event) {
     return true;
   }
   if (!reader_.status()) return Error{reader_.status().error()};
-  if (reader_.truncated())
-    return Error{log_ + ": cut off at byte " + std::to_string(reader_.offset()) +
-                 "; whole up to there"};
+  if (const std::string lacks = reader_.lacks(); !lacks.empty()) return Error{log_ + ": " + lacks};
   return false;
 }
 

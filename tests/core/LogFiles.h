@@ -64,6 +64,7 @@ struct Reading {
   std::uint64_t offset = 0;
   std::string error;
   std::vector<std::string> contents;  // topic, time and bytes of each message
+  std::vector<LogGap> gaps;
 };
 
 inline std::string contentOf(const LogMessage& message) {
@@ -79,12 +80,13 @@ inline Reading readOn(LogReader& reader) {
   reading.truncated = reader.truncated();
   reading.offset = reader.offset();
   reading.error = reader.status().error();
+  reading.gaps = reader.gaps();
   return reading;
 }
 
 inline Reading readAll(const std::string& path) {
   auto reader = LogReader::open(path);
-  return reader ? readOn(*reader) : Reading{0, false, 0, reader.error(), {}};
+  return reader ? readOn(*reader) : Reading{0, false, 0, reader.error(), {}, {}};
 }
 
 // A record of the file itself, not of a chunk.

@@ -73,9 +73,8 @@ int report(const Options& options, const ReplayResult& result) {
     std::fprintf(stderr, "kelpie-target: %s\n", result.scriptError.c_str());
   std::printf("replayed %u frames, %u differ (%u motion steps, %u outputs compared)\n",
               result.frames, result.differing, result.motionSteps, result.compared);
-  if (result.truncated)
-    return complain(options.log + ": cut off at byte " + std::to_string(result.offset) +
-                    "; the whole frames before it were replayed");
+  if (!result.lacks.empty())
+    return complain(options.log + ": " + result.lacks + "; the whole frames were replayed");
   if (result.compared == 0) {
     complain(options.log + ": holds no outputs to compare with");
     return kDiffers;

@@ -155,7 +155,7 @@ Status forEachFrame(const std::string& path, StandingLog& log, Take&& take) {
     if (!done) return Error{path + ": " + done.error()};
   }
   if (!reader->status()) return reader->status();
-  if (reader->truncated()) log.cutOff = "cut off at byte " + std::to_string(reader->offset());
+  log.lacks = reader->lacks();
   if (!configured) return Error{path + ": not a log of an agent"};
   return Done{};
 }

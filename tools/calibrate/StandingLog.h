@@ -28,7 +28,7 @@ struct StandingLog {
   int stops = 0;
   std::vector<double> pans;  // rad, sensed, of all frames of the stand and those before it
   double seconds = 0.0;      // of the stand
-  std::string cutOff;        // where the log is, of which the frames up to there are taken
+  std::string lacks;         // what of the log could not be read; the other frames are taken
 };
 
 // An error says in one line why nothing can be told: no frames, no stand of 5 s, a head that does

@@ -6,7 +6,9 @@
 
 namespace kelpie::cli {
 
-constexpr std::string_view kStatusMark = "status ";            // what the robot believes
+constexpr std::string_view kStatusMark = "status ";  // what the robot believes
+// In a line that says that a log cannot be written any more; the process goes on.
+constexpr std::string_view kLogEndsMark = "; the log ends at ";
 constexpr std::string_view kComplaintMark = "kelpie-agent: ";  // why it ends
 
 }  // namespace kelpie::cli

@@ -94,10 +94,8 @@ int bench(const BenchOptions& options) {
   if (!result) return fail(result.error(), kExitBadInput);
   if (!writeWhole(options.json, watch.figures().dump(2) + "\n"))
     return fail(options.json + ": cannot be written", kExitBadInput);
-  if (result->truncated)
-    return fail(
-        fmt::format("{}: cut off at byte {}; measured up to there", options.log, result->offset),
-        kExitBadInput);
+  if (!result->lacks.empty())
+    return fail(options.log + ": " + result->lacks + "; measured on the rest", kExitBadInput);
   return kExitDone;
 }
 

@@ -138,8 +138,8 @@ int fromLog(const BodyOptions& options) {
     if (!drawn) return fail(drawn.error(), kExitBadInput);
     if (!aside) fmt::print("{}: how far sightings lie beside, before and after\n", options.picture);
   }
-  if (log->cutOff.empty() || code != kExitDone) return code;
-  return fail(options.input + ": " + log->cutOff + "; calibrated up to there", kExitBadInput);
+  if (log->lacks.empty() || code != kExitDone) return code;
+  return fail(options.input + ": " + log->lacks + "; calibrated with the rest", kExitBadInput);
 }
 
 int fromSizes(const BodyOptions& options) {

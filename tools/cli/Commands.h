@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The subcommands of `kelpie`, one file each. Every add...() registers its options and what to run;
-// `code` is the exit code: 0 done, 1 the check failed, 2 usage or bad input.
+// `code` is the exit code (Terminal.h).
 #pragma once
 
 #include <CLI/App.hpp>
@@ -14,6 +14,7 @@ void addGameController(CLI::App& app, int& code);
 void addTeleop(CLI::App& app, int& code);
 void addReplay(CLI::App& app, int& code);
 void addInfo(CLI::App& app, int& code);
+void addRecover(CLI::App& app, int& code);
 void addImport(CLI::App& app, int& code);
 void addCompress(CLI::App& app, int& code);
 void addShow(CLI::App& app, int& code);

@@ -82,7 +82,7 @@ class Compressor {
 };
 
 struct Outcome {
-  std::string cutOff;  // a complaint when the log lacks its end
+  std::string lacks;  // a complaint when not all of the log could be read
 };
 
 Expected<Outcome> compressInto(const CompressOptions& options, const std::string& part) {
@@ -110,9 +110,10 @@ Expected<Outcome> compressInto(const CompressOptions& options, const std::string
   if (!closed) return Error{closed.error()};
   fmt::print("{}: {} frames, {:.2f} KB a frame (an image has {:.1f})\n", options.out,
              compressor.frames(), compressor.bytesPerFrame() / 1024.0, 3.0 * kImagePixels / 1024.0);
-  if (!reader->truncated()) return Outcome{};
-  return Outcome{fmt::format("{}: cut off at byte {}; all whole frames before it are in {}",
-                             options.log, reader->offset(), options.out)};
+  const std::string lacks = reader->lacks();
+  if (lacks.empty()) return Outcome{};
+  return Outcome{
+      fmt::format("{}: {}; all whole frames are in {}", options.log, lacks, options.out)};
 }
 
 int compress(const CompressOptions& options) {
@@ -129,7 +130,7 @@ int compress(const CompressOptions& options) {
   const Status done = outcome ? Status(Done{}) : Error{outcome.error()};
   const Status placed = putInPlace(done, part, options.out);
   if (!placed) return fail(placed.error(), kExitBadInput);
-  return outcome->cutOff.empty() ? kExitDone : fail(outcome->cutOff, kExitBadInput);
+  return outcome->lacks.empty() ? kExitDone : fail(outcome->lacks, kExitBadInput);
 }
 
 }  // namespace

@@ -208,7 +208,7 @@ int film(const FilmOptions& options) {
   if (!match) return fail(match.error(), kExitBadInput);
   const Status made = filmMatch(*match, options.out);
   if (!made) return fail(made.error(), kExitBadInput);
-  return match->truncated() ? fail(match->cutOff(), kExitBadInput) : kExitDone;
+  return match->lacks().empty() ? kExitDone : fail(match->lacks(), kExitBadInput);
 }
 
 }  // namespace

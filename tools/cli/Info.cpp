@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <vector>
@@ -71,9 +72,10 @@ int info(const std::string& log) {
   while (reader->next(message)) {
     if (agent::isFrameInput(message.topic())) newest.take(message);
     auto& count = topics[message.topic()];
-    if (count.messages++ == 0) count.first = message.time;
-    count.schema = message.schema().name;
-    count.last = message.time;
+    if (count.messages++ == 0) count.first = count.last = message.time;
+    count.schema = message.channel->schemaId == 0 ? "(no schema)" : message.schema().name;
+    count.first = std::min(count.first, message.time);
+    count.last = std::max(count.last, message.time);
     count.bytes += message.size;
   }
   if (!reader->status()) return fail(reader->status().error(), kExitBadInput);
@@ -84,10 +86,9 @@ int info(const std::string& log) {
   for (const auto& metadata : reader->metadata())
     for (const auto& [key, value] : metadata.entries)
       fmt::print("{}.{} = {}\n", metadata.name, key, value);
-  if (reader->truncated())
-    return fail(fmt::format("{}: cut off at byte {}; whole up to there", log, reader->offset()),
-                kExitBadInput);
-  return kExitDone;
+  for (const auto& gap : reader->gaps()) fmt::print("damaged: {}\n", gap.text());
+  const std::string lacks = reader->lacks();
+  return lacks.empty() ? kExitDone : fail(log + ": " + lacks, kExitBadInput);
 }
 
 }  // namespace

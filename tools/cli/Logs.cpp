@@ -24,6 +24,7 @@ constexpr int kPictureQuality = 65;  // 2.5 KB; at 50 the blocks show when enlar
 
 // Reads one log ahead by one message.
 struct Source {
+  std::string path;
   LogReader reader;
   LogMessage message;
   bool more = false;
@@ -71,8 +72,31 @@ std::size_t megabytesRead(const std::vector<Source>& sources) {
   return static_cast<std::size_t>(bytes / 1000000);
 }
 
-Status joinInto(std::vector<Source>& sources, std::size_t megabytes, bool thinTruth,
-                LogWriter& out) {
+// Counts a copied message; one that does not decode is left out of the log.
+Status take(const LogMessage& message, const Status& copied, LogWriter& out, Joined& joined) {
+  if (!copied) {
+    ++joined.damaged;
+    return Done{};
+  }
+  joined.first = joined.messages == 0 ? message.time : std::min(joined.first, message.time);
+  joined.last = joined.messages == 0 ? message.time : std::max(joined.last, message.time);
+  ++joined.messages;
+  return out.status();
+}
+
+Status closeJoined(const std::vector<Source>& sources, LogWriter& out, Joined& joined) {
+  for (const auto& source : sources) {
+    if (!source.reader.status()) return source.reader.status();
+    for (const auto& metadata : source.reader.metadata())
+      out.metadata(metadata.name, metadata.entries);
+    const std::string lacks = source.reader.lacks();
+    if (!lacks.empty()) joined.lacks.push_back(source.path + ": " + lacks);
+  }
+  return out.close();
+}
+
+Status joinInto(std::vector<Source>& sources, std::size_t megabytes, bool thinTruth, LogWriter& out,
+                Joined& joined) {
   Progress progress("log", "MB");
   ThinTruth thin;
   for (auto& source : sources) source.advance();
@@ -80,19 +104,21 @@ Status joinInto(std::vector<Source>& sources, std::size_t megabytes, bool thinTr
     const bool thinned = thinTruth && next->message.topic() == sim::kTruthTopic;
     const Status copied =
         thinned ? thin.write(next->message, out) : copyMessage(next->message, out);
-    if (!copied) return copied;
+    const Status taken = take(next->message, copied, out, joined);
+    if (!taken) return taken;
     next->advance();
     progress(megabytesRead(sources), megabytes);
   }
-  for (const auto& source : sources)
-    for (const auto& metadata : source.reader.metadata())
-      out.metadata(metadata.name, metadata.entries);
-  for (const auto& source : sources)
-    if (!source.reader.status()) return source.reader.status();
-  return out.close();
+  return closeJoined(sources, out, joined);
 }
 
 }  // namespace
+
+LogOptions playLogOptions() {
+  LogOptions options = defaultLogOptions();
+  options.chunkUs = 400000;
+  return options;
+}
 
 Status copyMessage(const LogMessage& message, LogWriter& out) {
   for (const auto& entry : kCopies)
@@ -173,7 +199,8 @@ void tellNotes(const LogReader& reader) {
   for (const auto& note : reader.notes()) fmt::print(stderr, "kelpie: {}\n", note);
 }
 
-Status mergeLogs(const std::vector<std::string>& logs, const std::string& out, bool thinTruth) {
+Expected<Joined> mergeLogs(const std::vector<std::string>& logs, const std::string& out,
+                           bool thinTruth) {
   std::vector<Source> sources;
   std::uint64_t bytes = 0;
   for (const auto& path : logs) {
@@ -181,13 +208,17 @@ Status mergeLogs(const std::vector<std::string>& logs, const std::string& out, b
     bytes += std::filesystem::file_size(path, ignored);
     auto reader = LogReader::open(path);
     if (!reader) return Error{reader.error()};
-    sources.push_back({std::move(*reader), {}, false});
+    sources.push_back({path, std::move(*reader), {}, false});
   }
   const std::string part = out + ".part";
   auto writer = LogWriter::open(part);
-  if (!writer) return putInPlace(Error{writer.error()}, part, out);
+  if (!writer) return Error{putInPlace(Error{writer.error()}, part, out).error()};
+  Joined joined;
   const auto megabytes = static_cast<std::size_t>(bytes / 1000000);
-  return putInPlace(joinInto(sources, megabytes, thinTruth, *writer), part, out);
+  const Status placed =
+      putInPlace(joinInto(sources, megabytes, thinTruth, *writer, joined), part, out);
+  if (!placed) return Error{placed.error()};
+  return joined;
 }
 
 }  // namespace kelpie::cli

@@ -34,6 +34,7 @@ class LogFile : public agent::LogSink {
 
   void motion(const MotionInput& input, const MotionOutput& output) override;
   void frame(const FrameInput& input, const FrameOutput& output) override;
+  Status status() const { return writer_.status(); }
   Status close() { return writer_.close(); }
 
  private:
@@ -49,6 +50,9 @@ class LogFile : public agent::LogSink {
   std::unique_ptr<ThinFrames> thin_;  // with `planes`
 };
 
+// Of a log that is written while a match is played: a process that is killed loses half a second.
+LogOptions playLogOptions();
+
 // Copies a message of a topic that we know, leaves out any other.
 Status copyMessage(const LogMessage& message, LogWriter& out);
 
@@ -59,9 +63,18 @@ Status decodeForPeople(const LogMessage& message, FrameInput& input);
 // Tells the user which messages were read by translation from other field lists.
 void tellNotes(const LogReader& reader);
 
+// What a joined log holds, and what was left out of it.
+struct Joined {
+  std::size_t messages = 0;
+  TimeUs first, last;
+  std::size_t damaged = 0;         // messages that do not decode
+  std::vector<std::string> lacks;  // "LOG: what of it could not be read"
+};
+
 // Joins logs by time, with their metadata, into `out`, written whole or not at all; what a cut-off
-// log still holds is taken. Beside frames of `planes` the truth is thinned alike.
-Status mergeLogs(const std::vector<std::string>& logs, const std::string& out,
-                 bool thinTruth = false);
+// log still holds is taken, as is all that is undamaged. Beside frames of `planes` the truth is
+// thinned alike.
+Expected<Joined> mergeLogs(const std::vector<std::string>& logs, const std::string& out,
+                           bool thinTruth = false);
 
 }  // namespace kelpie::cli

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <chrono>
 #include <filesystem>
+#include <functional>
 #include <memory>
 
 #include "robot/host/UdpControl.h"
@@ -17,6 +18,7 @@
 #include "tools/cli/Progress.h"
 #include "tools/cli/StagingOptions.h"
 #include "tools/cli/WholeFile.h"
+#include "tools/session/MatchFolder.h"
 #include "tools/session/MatchLine.h"
 #include "tools/session/Others.h"
 #include "tools/session/Session.h"
@@ -30,6 +32,7 @@ namespace fs = std::filesystem;
 
 constexpr double kLongestMatch = 3600.0;  // s
 constexpr int kMaxGoals = 99;
+constexpr int kEarlierMatches = 5;  // kept in the default folder
 
 struct PlayOptions {
   SessionOptions session;
@@ -43,6 +46,8 @@ struct PlayOptions {
   sim::StagingWords staging;
   double minutes = 10.0;
   bool noFilm = false;
+  bool ownFolder = false;               // nobody named another than `out`
+  std::function<Status()> moveEarlier;  // as SessionTalk::logs
 
   std::string file(const char* name) const { return out + "/" + name; }
 };
@@ -70,13 +75,13 @@ std::string outcome(const SessionResult& result) {
 // The picture first: whoever interrupts the film keeps it.
 int makePictures(const PlayOptions& options) {
   const auto match = match::Match::open(options.session.log);
-  if (!match) return fail(match.error(), kExitCheckFailed);
+  if (!match) return fail(match.error(), kExitMachine);
   const Status picture = drawMatchPicture(*match, options.file("match.png"));
-  if (!picture) return fail(picture.error(), kExitCheckFailed);
+  if (!picture) return fail(picture.error(), kExitMachine);
   if (options.noFilm || interrupted()) return kExitDone;
   const Status film = filmMatch(*match, options.file("match.mp4"));
   if (film || interrupted()) return kExitDone;
-  return fail(film.error(), kExitCheckFailed);
+  return fail(film.error(), kExitMachine);
 }
 
 std::string describeLog(const PlayOptions& options, double seconds) {
@@ -207,6 +212,7 @@ SessionResult runTeams(const PlayOptions& options) {
     const bool red = own == (options.session.team == "red");
     talk.line(fmt::format("GOAL of {} after {:.1f} s", red ? "red" : "blue", seconds));
   };
+  talk.logs = options.moveEarlier;
   SessionResult result = runSession(options.session, talk);
   progress.finish();
   return result;
@@ -231,6 +237,7 @@ SessionResult runAlone(const PlayOptions& options) {
   if (options.session.controller != 0)
     fmt::print(stderr, "waiting in the initial state for a game controller at UDP port {}\n",
                options.session.controller);
+  talk.logs = options.moveEarlier;
   SessionResult result = runSession(options.session, talk);
   live.finish();
   return result;
@@ -243,85 +250,64 @@ SessionResult runShown(const PlayOptions& options) {
   return options.session.rules ? runTeams(options) : runAlone(options);
 }
 
-// An earlier match stays until there is another; then its pictures would be of the wrong one.
-void removeOldPictures(const PlayOptions& options) {
-  std::error_code ignored;
-  for (const char* name : {"match.png", "match.mp4"}) fs::remove(options.file(name), ignored);
-}
-
-// Those of another match, in which agents were started again.
-void removeOldLives(const PlayOptions& options) {
-  std::error_code ignored;
-  for (int life = 2; fs::remove(options.file(fmt::format("match-{}.mcap", life).c_str()), ignored);)
-    ++life;
-}
-
-// Those of the other robots in another match, in all their lives.
-void removeOldLogs(const PlayOptions& options) {
-  std::error_code ignored;
-  for (const char* team : {"red", "blue"})
-    for (int player = 1; player <= 4; ++player)
-      for (int life = 1; life <= kMostLives; ++life)
-        fs::remove(options.file(logName(team, player, life - 1).c_str()), ignored);
-}
-
-// What a match that was killed left beside its log.
-void removeParts(const PlayOptions& options) {
-  std::error_code ignored;
-  for (const char* name : {"match.mcap.part", "match.png.part", "match.part.mp4"})
-    fs::remove(options.file(name), ignored);
-}
-
 ImagesKept imagesKept(const std::string& word) {
   if (word == "all") return ImagesKept::all;
   return word == "planes" ? ImagesKept::planes : ImagesKept::some;
 }
 
-// A match in real time ends by an interrupt; any other is cut short by it.
+// What was played is told all the same; a match without a goal is done, too.
 int exitCode(const PlayOptions& options, const SessionResult& result) {
-  if (result.interrupted && options.session.realTime) return kExitDone;
-  if (result.interrupted) return fail("interrupted", kExitCheckFailed);
-  const bool match = options.session.rules;  // which is over when it is over
-  return result.goals.empty() && !match ? kExitCheckFailed : kExitDone;
+  if (!result.logTrouble.empty()) return fail(result.logTrouble, kExitMachine);
+  // A match in real time ends by an interrupt; any other is cut short by it.
+  if (result.interrupted && !options.session.realTime) return fail("interrupted", kExitInterrupted);
+  return kExitDone;
 }
 
-int play(PlayOptions& options) {
+Status prepare(PlayOptions& options) {
   const Status checked = checkConfig(options.session);
-  if (!checked) return fail(checked.error(), kExitBadInput);
+  if (!checked) return checked;
   addOpponent(options);
   const Status teams = addTeams(options);
-  if (!teams) return fail(teams.error(), kExitBadInput);
+  if (!teams) return teams;
   const Status controlled = addController(options);
-  if (!controlled) return fail(controlled.error(), kExitBadInput);
-  const Status staged = stage(options);
-  if (!staged) return fail(staged.error(), kExitBadInput);
-  catchInterrupts();
-  std::error_code error;
-  fs::create_directories(options.out, error);
-  if (error) return fail("'" + options.out + "': " + error.message(), kExitBadInput);
-  options.session.log = options.file("match.mcap");
-  if (!canWrite(options.session.log))
-    return fail(options.out + ": cannot be written", kExitBadInput);
-  removeParts(options);
-  removeOldLives(options);
-  removeOldLogs(options);
-  options.session.images = imagesKept(options.images);
-  options.session.allLogs = options.logs == "all" && !options.session.others.empty();
+  return controlled ? stage(options) : controlled;
+}
 
-  const auto start = std::chrono::steady_clock::now();
-  const SessionResult result = runShown(options);
-  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
-  if (result.logged) removeOldPictures(options);
+int tellMatch(const PlayOptions& options, const SessionResult& result, double took) {
   if (!result.trouble.empty())
-    return fail(result.trouble, result.badInput ? kExitBadInput : kExitCheckFailed);
-  const int pictures = makePictures(options);
+    return fail(result.trouble, result.badInput ? kExitBadInput : kExitMachine);
+  const int pictures = result.logged ? makePictures(options) : kExitDone;
   if (pictures != kExitDone) return pictures;
   nameFiles(options, result.seconds);
   if (options.session.allLogs) nameLogs(options, result.logs);
   fmt::print("{} (seed {}, {:.1f} simulated seconds in {:.1f} s)\n",
              options.session.rules ? score(options, result) : outcome(result), options.session.seed,
-             result.seconds, took.count());
+             result.seconds, took);
   return exitCode(options, result);
+}
+
+// The match before moves away when the logs of this one take its place.
+int playInto(MatchFolder& folder, PlayOptions& options) {
+  for (const auto& note : folder.notes()) fmt::print(stderr, "{}\n", note);
+  options.out = folder.path();
+  options.session.log = options.file("match.mcap");
+  options.session.images = imagesKept(options.images);
+  options.session.allLogs = options.logs == "all" && !options.session.others.empty();
+  options.moveEarlier = [&folder] { return folder.moveEarlier(); };
+  const auto start = std::chrono::steady_clock::now();
+  const SessionResult result = runShown(options);
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+  if (result.logged && options.ownFolder) folder.forgetAllBut(kEarlierMatches);
+  return tellMatch(options, result, took.count());
+}
+
+int play(PlayOptions& options) {
+  const Status ready = prepare(options);
+  if (!ready) return fail(ready.error(), kExitBadInput);
+  catchInterrupts();
+  auto folder = MatchFolder::take(options.out);
+  if (!folder) return fail(folder.error(), kExitBadInput);
+  return playInto(*folder, options);
 }
 
 void addTeamOptions(CLI::App& command, PlayOptions& options) {
@@ -357,6 +343,9 @@ void addTeamOptions(CLI::App& command, PlayOptions& options) {
                   "udp or udp:PORT: a game controller rules, in real time, in place of the "
                   "world's referee; port 3838 if none is given (kelpie gamecontroller is one)")
       ->check(notEmpty());
+  command.add_flag("--end-with-log", session.endWithLog,
+                   "A log that cannot be written any more (a full disk) ends the match; without "
+                   "this it goes on");
   command.add_flag("--respawn", session.respawn,
                    "An agent that dies is started again and plays on");
 }
@@ -372,17 +361,20 @@ void settle(const CLI::App& command, PlayOptions& options) {
   if ((teams || session.realTime) && !said("--goals")) session.goals = kMaxGoals;
   if (options.opponent != "none" && !said("--scenario")) session.scenario = "attack";
   if (options.logs == "all" && !said("--images")) options.images = "planes";
+  options.ownFolder = !said("--out");
 }
 
 }  // namespace
 
 void addPlay(CLI::App& app, int& code) {
-  auto* command = app.add_subcommand(
-      "play",
-      "One robot plays in the simulated world (exit code 0 when it scores), or two teams do");
+  auto* command =
+      app.add_subcommand("play", "One robot plays in the simulated world, or two teams do");
   auto options = std::make_shared<PlayOptions>();
   auto& session = options->session;
-  command->add_option("--out", options->out, "Folder for match.mcap, match.mp4 and match.png")
+  command
+      ->add_option("--out", options->out,
+                   "Folder for match.mcap, match.mp4 and match.png; what a match before left there "
+                   "moves into its folder earlier/ (of out, five are kept)")
       ->capture_default_str();
   command->add_option("--seed", session.seed, "Start pose, ball, noise and slip")
       ->check(inRange(0.0, kLargestSeed))

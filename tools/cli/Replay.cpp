@@ -36,9 +36,8 @@ int report(const ReplayCommand& command, const agent::ReplayResult& result) {
   if (result.framesFromPercepts > 0)
     fmt::print(to, "vision ran again on {} frames; the images of the other {} were not kept\n",
                result.frames - result.framesFromPercepts, result.framesFromPercepts);
-  if (result.truncated)
-    return fail(fmt::format("{}: cut off at byte {}; all whole frames before it were replayed",
-                            command.log, result.offset),
+  if (!result.lacks.empty())
+    return fail(command.log + ": " + result.lacks + "; all whole frames were replayed",
                 kExitBadInput);
   if (command.check && result.compared == 0)
     return fail(command.log + ": holds no outputs to compare with", kExitCheckFailed);
@@ -66,7 +65,7 @@ int tellRecorded(const ReplayCommand& command) {
   });
   if (!writeWhole(command.jsonl, objects))
     return fail(command.jsonl + ": cannot be written", kExitBadInput);
-  return match->truncated() ? fail(match->cutOff(), kExitBadInput) : kExitDone;
+  return match->lacks().empty() ? kExitDone : fail(match->lacks(), kExitBadInput);
 }
 
 int replayLog(const ReplayCommand& command) {

@@ -40,11 +40,11 @@ struct Shot {
   bool pictureOnly = false;      // vision sees a JPEG picture in place of the image
   std::vector<std::string> why;  // of its decision, where the source is a log with outputs
   std::uint32_t frames = 0;      // in the source
-  std::string cutOff;            // a complaint when the log lacks its end
+  std::string lacks;             // what of the log could not be read
 };
 
 Error noSuchFrame(const ShowOptions& options, const Shot& shot) {
-  const std::string rest = shot.cutOff.empty() ? "" : "; " + shot.cutOff;
+  const std::string rest = shot.lacks.empty() ? "" : "; " + shot.lacks;
   if (shot.frames == 0) return {options.source + ": holds no frames of an agent" + rest};
   return {fmt::format("{}: no frame {}, there are {} (0 to {}){}", options.source, options.frame,
                       shot.frames, shot.frames - 1, rest)};
@@ -86,8 +86,7 @@ Expected<Shot> fromLog(const ShowOptions& options) {
   }
   if (!reader->status()) return Error{reader->status().error()};
   tellNotes(*reader);
-  if (reader->truncated())
-    shot.cutOff = fmt::format("cut off at byte {}, whole frames up to there", reader->offset());
+  shot.lacks = reader->lacks();
   if (options.frame >= shot.frames) return noSuchFrame(options, shot);
   const Status applied = applyConfig(options.config, *shot.config);
   if (!applied) return Error{applied.error()};
@@ -142,8 +141,7 @@ int show(const ShowOptions& options) {
   const Status drawn = draw(options, *shot);
   if (!drawn) return fail(drawn.error(), kExitBadInput);
   fmt::print("{}\n", options.out);
-  return shot->cutOff.empty() ? kExitDone
-                              : fail(options.source + ": " + shot->cutOff, kExitBadInput);
+  return shot->lacks.empty() ? kExitDone : fail(options.source + ": " + shot->lacks, kExitBadInput);
 }
 
 }  // namespace

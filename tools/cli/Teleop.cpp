@@ -15,6 +15,7 @@
 #include "tools/cli/Usage.h"
 #include "tools/cli/WholeFile.h"
 #include "tools/cli/Workshop.h"
+#include "tools/session/MatchFolder.h"
 #include "tools/session/Session.h"
 #include "tools/teleop/Keys.h"
 #include "tools/teleop/Screen.h"
@@ -86,7 +87,7 @@ struct Driven {
 
 // The terminal is the driver's from the screen's opening to the end of this function.
 Driven drive(const TeleopOptions& options, std::vector<teleop::TimedKey> keys,
-             host::Listener listener) {
+             host::Listener listener, MatchFolder& folder) {
   Driven driven;
   std::string noPicture;
   std::unique_ptr<teleop::Screen> screen;
@@ -99,7 +100,9 @@ Driven drive(const TeleopOptions& options, std::vector<teleop::TimedKey> keys,
   if (!noPicture.empty()) fmt::print(stderr, "kelpie: no picture: {}\n", noPicture);
   LiveLine live;
   teleop::Seat seat(std::move(listener), std::move(keys), screen.get());
-  driven.result = runSession(options.session, talkTo(seat, screen != nullptr, said, live));
+  SessionTalk talk = talkTo(seat, screen != nullptr, said, live);
+  talk.logs = [&folder] { return folder.moveEarlier(); };
+  driven.result = runSession(options.session, talk);
   driven.trouble = seat.leave();
   live.finish();
   screen.reset();
@@ -110,16 +113,17 @@ Driven drive(const TeleopOptions& options, std::vector<teleop::TimedKey> keys,
 int report(const TeleopOptions& options, const Driven& driven) {
   const SessionResult& result = driven.result;
   if (!driven.trouble.empty())
-    return fail(driven.trouble, driven.badInput ? kExitBadInput : kExitCheckFailed);
+    return fail(driven.trouble, driven.badInput ? kExitBadInput : kExitMachine);
   if (!result.trouble.empty())
-    return fail(result.trouble, result.badInput ? kExitBadInput : kExitCheckFailed);
+    return fail(result.trouble, result.badInput ? kExitBadInput : kExitMachine);
+  if (!result.logTrouble.empty()) return fail(result.logTrouble, kExitMachine);
   std::error_code error;
   const double megabytes = 1e-6 * static_cast<double>(fs::file_size(options.session.log, error));
   fmt::print("{}: log, {:.0f} MB; kelpie info, show, film and replay --check read it\n",
              options.session.log, megabytes);
   fmt::print("drove {:.1f} simulated seconds (seed {})\n", result.seconds, options.session.seed);
   const bool cutShort = result.interrupted && !options.keys.empty();
-  return cutShort ? fail("interrupted", kExitCheckFailed) : kExitDone;
+  return cutShort ? fail("interrupted", kExitInterrupted) : kExitDone;
 }
 
 int runTeleop(TeleopOptions& options) {
@@ -129,7 +133,6 @@ int runTeleop(TeleopOptions& options) {
   session.seconds = kLongestDrive;
   session.goals = kMaxGoals;
   session.images = options.images == "all" ? ImagesKept::all : ImagesKept::some;
-  session.log = options.out + "/teleop.mcap";
   if (!options.keys.empty()) {
     auto read = keysOf(options.keys);
     if (!read) return fail(read.error(), kExitBadInput);
@@ -137,18 +140,17 @@ int runTeleop(TeleopOptions& options) {
     session.seconds = endOf(keys);
   }
   catchInterrupts();
-  std::error_code error;
-  fs::create_directories(options.out, error);
-  if (error) return fail("'" + options.out + "': " + error.message(), kExitBadInput);
-  if (!canWrite(session.log)) return fail(options.out + ": cannot be written", kExitBadInput);
-  fs::remove(session.log + ".part", error);
+  auto folder = MatchFolder::take(options.out, "teleop");
+  if (!folder) return fail(folder.error(), kExitBadInput);
+  for (const auto& note : folder->notes()) fmt::print(stderr, "{}\n", note);
+  session.log = folder->file("teleop.mcap");
 
   const Workshop workshop;
-  if (!workshop.ready()) return fail("cannot make a temporary folder", kExitCheckFailed);
+  if (!workshop.ready()) return fail("cannot make a temporary folder", kExitMachine);
   session.driver = workshop.path("driver");
   auto listener = host::Listener::open(session.driver);
-  if (!listener) return fail(listener.error(), kExitCheckFailed);
-  return report(options, drive(options, std::move(keys), std::move(*listener)));
+  if (!listener) return fail(listener.error(), kExitMachine);
+  return report(options, drive(options, std::move(keys), std::move(*listener), *folder));
 }
 
 std::string helpOnKeys() {

@@ -10,6 +10,8 @@ namespace kelpie::cli {
 constexpr int kExitDone = 0;
 constexpr int kExitCheckFailed = 1;
 constexpr int kExitBadInput = 2;
+constexpr int kExitMachine = 3;        // disk, memory, network, or a process that died
+constexpr int kExitInterrupted = 130;  // as shells have it for Ctrl-C
 
 // Prints "kelpie: message" to standard error and returns `code`.
 int fail(const std::string& message, int code);

@@ -80,8 +80,8 @@ int treeWithLog(const TreeOptions& options, DecisionTree& tree) {
   printCounts(counter, tree);
   const int code =
       drawOut(options, drawTree(tree, counter.frames(), captionOf(options, counter, *log, known)));
-  if (code != kExitDone || log->cutOff.empty()) return code;
-  return fail(log->cutOff, kExitBadInput);
+  if (code != kExitDone || log->lacks.empty()) return code;
+  return fail(log->lacks, kExitBadInput);
 }
 
 int tree(const TreeOptions& options) {

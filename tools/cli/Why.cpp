@@ -44,13 +44,13 @@ std::string whoIn(const DecisionLog& log) {
 }
 
 int ended(const DecisionLog& log) {
-  return log.cutOff.empty() ? kExitDone : fail(log.cutOff, kExitBadInput);
+  return log.lacks.empty() ? kExitDone : fail(log.lacks, kExitBadInput);
 }
 
 int noFrame(const WhyOptions& options, const DecisionLog& log, const std::string& when) {
   return fail(
       fmt::format("{}: no frame {}; there are frames from {:.2f} to {:.2f} s{}", options.log, when,
-                  log.first, log.last, log.cutOff.empty() ? "" : ", where the log is cut off"),
+                  log.first, log.last, log.lacks.empty() ? "" : ", as far as it could be read"),
       kExitBadInput);
 }
 

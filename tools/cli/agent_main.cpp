@@ -58,6 +58,7 @@ class AgentSink : public agent::LogSink {
   }
   void frame(const FrameInput& input, const FrameOutput& output) override {
     if (log_ != nullptr) log_->frame(input, output);
+    if (log_ != nullptr && !log_->status()) endLog(input.time);
     if (driver_ != nullptr && !driverGone_) tellDriver(input, output);
     if (!status_ || input.frame % kStatusFrames != 0) return;
     fmt::print("{}{}\n", kStatusMark, describe(input, output));
@@ -65,6 +66,12 @@ class AgentSink : public agent::LogSink {
   }
 
  private:
+  // The match goes on without it.
+  void endLog(TimeUs now) {
+    fmt::print("{}{}{:.1f} s\n", log_->status().error(), kLogEndsMark, now.seconds());
+    std::fflush(stdout);
+    log_ = nullptr;
+  }
   void tellDriver(const FrameInput& input, const FrameOutput& output) {
     const Status told = driver_->tell(input, output);
     driverGone_ = !told;
@@ -177,7 +184,7 @@ int run(const AgentOptions& options) {
   if (!options.log.empty()) {
     auto created =
         LogFile::create(options.log, *config, parameterNotes(options.config), imagesKept(options),
-                        options.plainLog ? LogOptions{} : defaultLogOptions());
+                        options.plainLog ? LogOptions{} : playLogOptions());
     if (!created) return fail(created.error(), 2);
     log.emplace(std::move(*created));
   }
@@ -188,7 +195,8 @@ int run(const AgentOptions& options) {
   agent::AgentLoops loops(*config, options.pycode, sink);
   if (!loops.scriptError().empty()) return fail(loops.scriptError(), 2);
   const Status played = runFrom(**source, options, links, loops);
-  const Status closed = log ? log->close() : Status(Done{});
+  const bool ended = log && !log->status();  // which was told
+  const Status closed = log && !ended ? log->close() : Status(Done{});
   if (!played) return fail(played.error(), 1);
   return closed ? 0 : fail(closed.error(), 1);
 }

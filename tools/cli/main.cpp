@@ -25,7 +25,7 @@ int afterWords(int code) {
   std::cout.flush();
   const bool said = std::cout.good() && std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
   if (said) return code;
-  return kelpie::cli::fail("standard output cannot be written", kelpie::cli::kExitBadInput);
+  return kelpie::cli::fail("standard output cannot be written", kelpie::cli::kExitMachine);
 }
 
 }  // namespace
@@ -39,13 +39,16 @@ int main(int argc, char** argv) {
       "film and measure what it did.",
       "kelpie"};
   app.require_subcommand(1);
-  app.footer("Exit codes: 0 done, 1 the check failed, 2 usage or bad input.");
+  app.footer(
+      "Exit codes: 0 done, 1 a check failed, 2 wrong use or input, 3 the machine failed (disk,\n"
+      "memory, a process that died), 130 interrupted.");
   int code = kelpie::cli::kExitDone;
   kelpie::cli::addPlay(app, code);
   kelpie::cli::addGameController(app, code);
   kelpie::cli::addTeleop(app, code);
   kelpie::cli::addReplay(app, code);
   kelpie::cli::addInfo(app, code);
+  kelpie::cli::addRecover(app, code);
   kelpie::cli::addImport(app, code);
   kelpie::cli::addCompress(app, code);
   kelpie::cli::addShow(app, code);

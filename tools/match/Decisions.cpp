@@ -63,9 +63,8 @@ Expected<DecisionLog> readDecisions(const std::string& log, const Span& span,
   }
   if (!reader->status()) return Error{reader->status().error()};
   cli::tellNotes(*reader);
-  if (reader->truncated())
-    reading.found.cutOff =
-        fmt::format("{}: cut off at byte {}; whole frames up to there", log, reader->offset());
+  if (const std::string lacks = reader->lacks(); !lacks.empty())
+    reading.found.lacks = log + ": " + lacks;
   if (reading.found.frames == 0) return Error{log + ": holds no frames with outputs"};
   return std::move(reading.found);
 }

@@ -31,7 +31,7 @@ struct DecisionLog {
   std::size_t frames = 0;  // in the whole log
   double first = 0.0;      // s, of these
   double last = 0.0;
-  std::string cutOff;  // a complaint when the log lacks its end
+  std::string lacks;  // a complaint when not all of the log could be read
 };
 
 // Shows every decision within the span. An error when the file is no log, or holds no outputs.

@@ -62,15 +62,10 @@ Expected<Match> Match::open(const std::string& path) {
   }
   if (!reader->status()) return Error{reader->status().error()};
   cli::tellNotes(*reader);
-  match.truncated_ = reader->truncated();
-  match.offset_ = reader->offset();
+  if (const std::string lacks = reader->lacks(); !lacks.empty()) match.lacks_ = path + ": " + lacks;
   if (!configured || match.frames_ == 0)
     return Error{path + ": holds no frames with outputs to show"};
   return match;
-}
-
-std::string Match::cutOff() const {
-  return path_ + ": cut off at byte " + std::to_string(offset_) + "; whole frames up to there";
 }
 
 void Match::forEachMoment(const std::function<bool(const Moment&)>& show) const {

@@ -23,8 +23,8 @@ class Match {
   TeamColour team() const { return team_; }
   std::uint8_t player() const { return player_; }
   std::size_t frames() const { return frames_; }
-  bool truncated() const { return truncated_; }
-  std::string cutOff() const;  // "LOG: cut off at byte N; ..."
+  // "LOG: cut off at byte N; ...", what of it could not be read; empty: nothing.
+  const std::string& lacks() const { return lacks_; }
   // Until `show` answers false.
   void forEachMoment(const std::function<bool(const Moment&)>& show) const;
 
@@ -34,8 +34,7 @@ class Match {
   TeamColour team_ = TeamColour::red;
   std::uint8_t player_ = 1;
   std::size_t frames_ = 0;
-  bool truncated_ = false;
-  std::uint64_t offset_ = 0;
+  std::string lacks_;
 };
 
 }  // namespace kelpie::match

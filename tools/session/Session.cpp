@@ -14,9 +14,9 @@
 #include <vector>
 
 #include "tools/cli/AgentTalk.h"
-#include "tools/cli/Logs.h"
 #include "tools/cli/Process.h"
 #include "tools/cli/Workshop.h"
+#include "tools/session/MatchFolder.h"
 #include "tools/session/Others.h"
 #include "tools/session/SessionCommands.h"
 
@@ -245,42 +245,36 @@ void watch(const SessionTalk& talk, Crew& crew, SessionResult& result) {
   result.badInput = ends.agent == 2 || (ends.other && crew.others.badInput());
 }
 
-// match.mcap, match-2.mcap, ...: a log replays one life.
-std::string logOfLife(const std::string& log, int life) {
-  const fs::path path(log);
-  const std::string number = life == 0 ? "" : "-" + std::to_string(life + 1);
-  return (path.parent_path() / (path.stem().string() + number + path.extension().string()));
-}
-
-// An agent's log joined with the world's.
-bool keepHalf(const std::string& log, const Workshop& workshop, bool thin, const std::string& to,
-              SessionResult& result) {
-  std::vector<std::string> halves = {log};
-  if (fs::exists(workshop.path("world.mcap"))) halves.push_back(workshop.path("world.mcap"));
-  const Status merged = mergeLogs(halves, to, thin);
-  if (!merged) result.trouble = merged.error();
-  if (merged) result.logs.push_back(to);
-  return merged.ok();
-}
-
-void keepOtherLogs(const SessionOptions& options, const Workshop& workshop, SessionResult& result) {
-  for (const OtherRobot& robot : options.others)
-    for (int life = 0; fs::exists(otherLog(workshop, robot, life)); ++life) {
-      const std::string log = otherLog(workshop, robot, life);
-      const fs::path to = fs::path(options.log).parent_path() / fs::path(log).filename();
-      keepHalf(log, workshop, true, to.string(), result);
-    }
-}
-
-void keepLog(const SessionOptions& options, const Workshop& workshop, SessionResult& result) {
-  if (options.log.empty() || !fs::exists(workshop.path("agent.mcap")) || result.badInput) return;
-  const bool thin = options.images == ImagesKept::planes;
-  for (int life = 0; fs::exists(agentLog(workshop, life)); ++life) {
-    const bool kept =
-        keepHalf(agentLog(workshop, life), workshop, thin, logOfLife(options.log, life), result);
-    result.logged = life == 0 ? kept : result.logged;
+void keepLog(const SessionOptions& options, const SessionTalk& talk, SessionResult& result) {
+  if (options.log.empty() || result.badInput) return;
+  const Status ready = talk.logs ? talk.logs() : Status(Done{});
+  const std::string folder = fs::path(options.log).parent_path().string();
+  const auto joined =
+      ready ? joinParts(folder) : Expected<std::vector<JoinedLog>>(Error{ready.error()});
+  if (joined) {
+    for (const JoinedLog& log : *joined) result.logs.push_back(log.path);
+    std::error_code error;
+    result.logged = fs::exists(options.log, error);
+  } else {
+    const std::string& why = result.logTrouble.empty() ? joined.error() : result.logTrouble;
+    result.logTrouble = why + "; `kelpie recover " + folder + "` joins what is in " + folder +
+                        "/playing when there is room";
   }
-  if (options.allLogs) keepOtherLogs(options, workshop, result);
+}
+
+// Lines on their way to the user, of which one may say that a log ended.
+SessionTalk watchLogs(const SessionOptions& options, const SessionTalk& talk,
+                      SessionResult& result) {
+  SessionTalk watched = talk;
+  watched.line = [&](const std::string& line) {
+    const bool ends = line.find(kLogEndsMark) != std::string::npos;
+    if (ends && result.logTrouble.empty()) result.logTrouble = line;
+    tell(line, talk);
+  };
+  watched.over = [&] {
+    return (options.endWithLog && !result.logTrouble.empty()) || (talk.over && talk.over());
+  };
+  return watched;
 }
 
 void play(const SessionOptions& options, const SessionTalk& talk, const Workshop& workshop,
@@ -295,15 +289,15 @@ void play(const SessionOptions& options, const SessionTalk& talk, const Workshop
   const bool blue = options.team == "blue";
   std::optional<Process> watched(std::move(*agent));
   Crew crew{options, workshop, *world, watched, *others, 0, {blue, {}}, {}};
-  watch(talk, crew, result);
-  keepLog(options, workshop, result);
+  watch(watchLogs(options, talk, result), crew, result);
+  keepLog(options, talk, result);
   if (!result.trouble.empty()) return;
   readResult(workshop.path("result.json"), blue, result);
   if (talk.frames && options.keepFrames)
-    talk.frames(workshop.path("agent.mcap"), workshop.path("world.mcap"));
+    talk.frames(agentLog(options, workshop, 0), workshop.path("world.mcap"));
   if (!talk.all || !options.keepAll) return;
-  std::vector<std::string> logs = {workshop.path("agent.mcap")};
-  for (const OtherRobot& robot : options.others) logs.push_back(otherLog(workshop, robot));
+  std::vector<std::string> logs = {agentLog(options, workshop, 0)};
+  for (const OtherRobot& robot : options.others) logs.push_back(otherLog(options, workshop, robot));
   talk.all(logs, workshop.path("world.mcap"));
 }
 

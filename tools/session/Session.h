@@ -8,14 +8,16 @@
 #include <string>
 #include <vector>
 
+#include "robot/core/Expected.h"
 #include "tools/session/SessionOptions.h"
 
 namespace kelpie::cli {
 
 struct SessionResult {
-  std::string trouble;    // one line: what died and when; empty when the match was played out
-  bool badInput = false;  // the trouble is what was asked for
-  bool logged = false;    // the log is in its place, of a whole match or of one cut short
+  std::string trouble;     // one line: what died and when; empty when the match was played out
+  bool badInput = false;   // the trouble is what was asked for
+  bool logged = false;     // the log is in its place, of a whole match or of one cut short
+  std::string logTrouble;  // one line: which log ended when, or was not joined; empty: none
   std::vector<std::string> logs;          // all that are in their place
   bool interrupted = false;               // by the user; the rest tells what was played until then
   std::vector<double> goals;              // s
@@ -46,6 +48,7 @@ struct SessionTalk {
   std::function<void(bool own, double seconds)> goal;
   std::function<void(const MatchTime&)> time;
   std::function<bool()> over;
+  std::function<Status()> logs;  // before logs are joined into their places
   std::function<void(const std::string& agentLog, const std::string& worldLog)> frames;
   // So with keepAll: the logs of all robots.
   std::function<void(const std::vector<std::string>& logs, const std::string& worldLog)> all;

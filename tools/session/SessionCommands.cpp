@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/session/SessionCommands.h"
 
+#include <filesystem>
+
 #include "tools/cli/Process.h"
 
 namespace kelpie::cli {
 namespace {
+
+namespace fs = std::filesystem;
 
 using Words = std::vector<std::string>;
 
@@ -79,16 +83,25 @@ Words worldCommand(const SessionOptions& options, const Workshop& workshop) {
     argv.insert(argv.end(), {"--game-controller", std::to_string(options.controller)});
   if (options.respawn) argv.push_back("--respawn");
   if (options.realTime) argv.push_back("--real-time");
-  if (options.keepsLog()) argv.insert(argv.end(), {"--truth", workshop.path("world.mcap")});
+  if (options.keepsLog())
+    argv.insert(argv.end(), {"--truth", partPath(options, workshop, "world.mcap")});
   for (const auto& artefact : options.artefactsOff) argv.push_back("--no-" + artefact);
   for (const auto& word : wordsOf(options.unlike)) argv.push_back(word);
   addStaging(options.staging, argv);
   return argv;
 }
 
-std::string agentLog(const Workshop& workshop, int life) {
-  const std::string name = life == 0 ? "agent" : "agent-" + std::to_string(life);
-  return workshop.path((name + ".mcap").c_str());
+// A log that is kept is written where it is kept: a match that is killed leaves it there.
+std::string partPath(const SessionOptions& options, const Workshop& workshop,
+                     const std::string& name) {
+  if (options.log.empty()) return workshop.path(name.c_str());
+  return (fs::path(options.log).parent_path() / "playing" / name).string();
+}
+
+std::string agentLog(const SessionOptions& options, const Workshop& workshop, int life) {
+  const std::string stem = options.log.empty() ? "agent" : fs::path(options.log).stem().string();
+  const std::string number = life == 0 ? "" : "-" + std::to_string(life + 1);
+  return partPath(options, workshop, stem + number + ".mcap");
 }
 
 std::string logName(const std::string& team, int player, int life) {
@@ -96,8 +109,9 @@ std::string logName(const std::string& team, int player, int life) {
   return team + "-" + std::to_string(player) + number + ".mcap";
 }
 
-std::string otherLog(const Workshop& workshop, const OtherRobot& robot, int life) {
-  return workshop.path(logName(robot.team, robot.player, life).c_str());
+std::string otherLog(const SessionOptions& options, const Workshop& workshop,
+                     const OtherRobot& robot, int life) {
+  return partPath(options, workshop, logName(robot.team, robot.player, life));
 }
 
 Words agentCommand(const SessionOptions& options, const Workshop& workshop, int life) {
@@ -105,7 +119,7 @@ Words agentCommand(const SessionOptions& options, const Workshop& workshop, int 
   argv.insert(argv.end(), {"--player", std::to_string(options.player), "--status"});
   // Plain: it is compressed when it is joined with the world's.
   if (options.keepsLog())
-    argv.insert(argv.end(), {"--plain-log", "--log", agentLog(workshop, life)});
+    argv.insert(argv.end(), {"--plain-log", "--log", agentLog(options, workshop, life)});
   if (options.log.empty() && options.keepsLog())
     argv.push_back("--no-images");
   else if (options.images == ImagesKept::planes)
@@ -125,7 +139,7 @@ Words otherCommand(const SessionOptions& options, const OtherRobot& robot, const
   argv.insert(argv.end(), {"--player", std::to_string(robot.player)});
   if (options.keepAll || options.allLogs)
     argv.insert(argv.end(), {options.keepAll ? "--no-images" : "--planes", "--log",
-                             otherLog(workshop, robot, life)});
+                             otherLog(options, workshop, robot, life)});
   addUnlessEmpty("--pycode", robot.pycode, argv);
   addEach("--params", robot.params, argv);
   addEach("--set", robot.set, argv);

@@ -12,11 +12,16 @@ std::vector<std::string> worldCommand(const SessionOptions& options, const Works
 std::vector<std::string> agentCommand(const SessionOptions& options, const Workshop& workshop,
                                       int life = 0);
 // Each of its lives, of which respawned agents have several, has a log of its own.
-std::string agentLog(const Workshop& workshop, int life);
+std::string agentLog(const SessionOptions& options, const Workshop& workshop, int life);
+// Where a process writes a log of that name: into FOLDER/playing of a log that is kept, else into
+// the workshop.
+std::string partPath(const SessionOptions& options, const Workshop& workshop,
+                     const std::string& name);
 // "red-1.mcap", "red-1-2.mcap" of its second life.
 std::string logName(const std::string& team, int player, int life);
 // That of another robot, with keepAll or allLogs; so.
-std::string otherLog(const Workshop& workshop, const OtherRobot& robot, int life = 0);
+std::string otherLog(const SessionOptions& options, const Workshop& workshop,
+                     const OtherRobot& robot, int life = 0);
 std::vector<std::string> otherCommand(const SessionOptions& options, const OtherRobot& robot,
                                       const Workshop& workshop, int life = 0);
 

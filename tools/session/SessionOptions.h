@@ -47,8 +47,11 @@ struct SessionOptions {
   std::string ring = "nominal";
   std::vector<std::string> artefactsOff;  // of kelpie-world's --no-...
   UnlikeOptions unlike;
-  bool physical = true;                  // bodies with masses and servos; otherwise kinematic ones
-  std::string log;                       // where the merged log goes; empty: none is kept
+  bool physical = true;  // bodies with masses and servos; otherwise kinematic ones
+  // Where the joined log goes, in a folder of its own that has a `playing` (MatchFolder.h); empty:
+  // none is kept.
+  std::string log;
+  bool endWithLog = false;               // a log that cannot be written (disk full) ends the match
   ImagesKept images = ImagesKept::some;  // of that log
   bool allLogs = false;   // beside it those of all other robots, with class planes: red-1.mcap
   bool realTime = false;  // no faster than a clock

@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "robot/host/UdpControl.h"
+#include "tools/cli/AgentTalk.h"
 #include "tools/cli/Process.h"
 #include "tools/cli/StagingOptions.h"
 #include "tools/cli/UnlikeOptions.h"
@@ -203,6 +204,24 @@ ServerHooks hooks(const Options& options, host::Listener& listener, const World&
   return hooks;
 }
 
+// A world that is killed loses half a second of it.
+LogOptions truthLogOptions() {
+  LogOptions options = defaultLogOptions();
+  options.chunkUs = 400000;
+  return options;
+}
+
+// A log that cannot be written any more is told once, and the match goes on.
+void watchLog(const LogWriter& log, ServerHooks& hooks) {
+  hooks.beforeStep = [&log, before = hooks.beforeStep, told = false](TimeUs now) mutable {
+    before(now);
+    if (told || log.status()) return;
+    told = true;
+    fmt::print("{}{}{:.1f} s\n", log.status().error(), cli::kLogEndsMark, now.seconds());
+    std::fflush(stdout);
+  };
+}
+
 Status play(const Options& options) {
   auto field = body::fieldDescription(options.field);
   if (!field) return Error{field.error()};
@@ -211,7 +230,7 @@ Status play(const Options& options) {
   if (!staging) return Error{staging.error()};
   std::optional<LogWriter> log;
   if (!options.truth.empty()) {
-    auto opened = LogWriter::open(options.truth);
+    auto opened = LogWriter::open(options.truth, truthLogOptions());
     if (!opened) return Error{opened.error()};
     log = std::move(*opened);
   }
@@ -232,9 +251,10 @@ Status play(const Options& options) {
   World world(worldParams(options), *field, *setup, options.seed);
   ServerHooks heard = hooks(options, *listener, world);
   if (desk) heard.hear = [&] { desk->hear(world); };
+  if (log) watchLog(*log, heard);
   const Status played = Server(world, *agents, log ? &*log : nullptr, heard).run();
   if (!played) return played;
-  if (log) {
+  if (log && log->status()) {
     const Status closed = log->close();
     if (!closed) return closed;
   }
