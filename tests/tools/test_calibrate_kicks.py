@@ -56,7 +56,7 @@ def test_an_interrupt_is_told_in_one_line_and_leaves_the_file_as_it_was(tmp_path
         run.send_signal(signal.SIGINT)
         errors = run.communicate(timeout=60)[1]
     lines = [line for line in errors.splitlines() if line.startswith("kelpie: ")]
-    assert run.returncode == 1 and len(lines) == 1 and "interrupted" in lines[0]
+    assert run.returncode == 130 and len(lines) == 1 and "interrupted" in lines[0]
     assert out.read_text() == "# of before\n"
 
 

@@ -156,7 +156,7 @@ def test_evaluate_refuses_parameters_that_do_not_exist(tmp_path):
     wrong = tmp_path / "wrong.toml"
     wrong.write_text("[gps.modes]\nlove = 1\n")
     result = kelpie("evaluate", "localise", "--trials", "1", "--params", wrong)
-    assert result.returncode == 1
+    assert result.returncode == 2
     assert "wrong.toml:2" in complaint(result)
 
 
@@ -312,7 +312,7 @@ def test_changed_parameters_stand_in_the_log_with_their_source(tmp_path):
     params = tmp_path / "p.toml"
     params.write_text('[gps.ball]\nkeep = "4 s"\n'.replace("4 s", "4s"))
     result = kelpie("play", "--seconds", "1", "--no-film", "--params", params, "--out", tmp_path)
-    assert result.returncode == 1, result.stderr  # no goal in a second
+    assert result.returncode == 0, result.stderr  # no goal in a second
     info = kelpie("info", tmp_path / "match.mcap").stdout
     assert "gps.ball.keep" in info and "p.toml:2" in info and "hash" in info
 
@@ -350,7 +350,7 @@ def test_an_interrupted_match_keeps_its_log(tmp_path):
     wait_for_log(out, play.pid)
     play.send_signal(signal.SIGINT)
     _, errors = play.communicate(timeout=60)
-    assert play.returncode == 1 and "interrupted" in errors
+    assert play.returncode == 130 and "interrupted" in errors
     assert [p.name for p in tmp_path.iterdir()] == ["out"]
     assert kelpie("replay", out / "match.mcap", "--check").returncode == 0
 
@@ -396,7 +396,7 @@ def test_a_world_that_dies_ends_the_match_and_keeps_the_log(tmp_path):
                             cwd=ROOT, env=env)
     os.kill(wait_for_log(out, play.pid)["kelpie-world"], signal.SIGKILL)
     _, errors = play.communicate(timeout=60)
-    assert play.returncode == 1
+    assert play.returncode == 3
     assert "the world died (signal 9)" in errors
     assert sorted(p.name for p in out.iterdir()) == ["match.mcap"]
     assert [p.name for p in tmp_path.iterdir()] == ["out"]

@@ -143,7 +143,7 @@ def test_an_agent_that_does_not_answer_is_killed_after_an_interrupt(tmp_path):
     os.kill(agent_of(play), signal.SIGSTOP)
     play.send_signal(signal.SIGINT)
     _, errors = play.communicate(timeout=60)
-    assert play.returncode == 1 and "interrupted" in errors
+    assert play.returncode == 130 and "interrupted" in errors
     assert [p.name for p in tmp_path.iterdir()] == ["out"]
 
 
@@ -155,7 +155,7 @@ def test_goals_come_while_the_match_goes_on(tmp_path):
     assert play.poll() is None
     play.send_signal(signal.SIGINT)
     said, _ = play.communicate(timeout=60)
-    assert "GOAL after" in said and play.returncode == 1
+    assert "GOAL after" in said and play.returncode == 130
 
 
 def test_an_interrupted_compress_leaves_nothing(long_match, tmp_path):
@@ -222,7 +222,7 @@ def test_a_folder_that_cannot_be_written_is_told_before_the_match(tmp_path):
     (tmp_path / "out/match.mcap").mkdir()
     result = kelpie("play", "--seconds", "5", "--out", tmp_path / "out")
     assert result.returncode == 2
-    assert "cannot be written" in complaint(result) and "playing" not in result.stderr
+    assert "cannot be written" in complaint(result) and "playing:" not in result.stderr
 
 
 def test_on_a_terminal_the_line_is_alive(tmp_path):
@@ -262,5 +262,5 @@ def test_every_artefact_can_be_left_out_by_its_name(tmp_path):
     result = kelpie("play", "--seconds", "1", "--no-film", "--out", tmp_path, "--without", "ring",
                     "centres", "noise", "shift", "rolling", "blur", "shine", "own-legs",
                     "spectators")
-    assert result.returncode == 1, result.stderr  # nobody scores in a second
+    assert result.returncode == 0, result.stderr  # nobody scores in a second
     assert (tmp_path / "match.mcap").exists(), result.stderr

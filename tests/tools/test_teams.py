@@ -185,7 +185,7 @@ def test_when_the_world_dies_all_end_with_one_line_and_whole_logs(team, tmp_path
                              text=True, check=False).stdout.split()
     os.kill(int(listing[0]), signal.SIGKILL)
     _, errors = play.communicate(timeout=30)
-    assert play.returncode == 1
+    assert play.returncode == 3
     told = [line for line in errors.splitlines() if line.startswith("kelpie: ")]
     assert len(told) == 1 and "the world died (signal 9)" in told[0], errors
     assert not any(os.path.exists(f"/proc/{pid}") for pid in agents.values())
@@ -288,7 +288,7 @@ def test_without_respawn_the_match_ends_with_one_line_and_a_whole_log(team, tmp_
     play = started(team, tmp_path / "out", tmp_path)
     os.kill(agents_of(play)["red", 1], signal.SIGKILL)
     _, errors = play.communicate(timeout=60)
-    assert play.returncode == 1 and "the mate red 1 died (signal 9)" in errors
+    assert play.returncode == 3 and "the mate red 1 died (signal 9)" in errors
     assert frames(tmp_path / "out/match.mcap")
 
 

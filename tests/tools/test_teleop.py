@@ -147,7 +147,7 @@ def test_a_drive_by_a_file_that_is_interrupted_fails_and_keeps_its_log(tmp_path)
     time.sleep(3.0)
     command.send_signal(signal.SIGINT)
     _, errors = command.communicate(timeout=60)
-    assert command.returncode == 1 and "interrupted" in errors
+    assert command.returncode == 130 and "interrupted" in errors
     assert frames_of(tmp_path / "teleop.mcap")
 
 

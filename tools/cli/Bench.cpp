@@ -72,7 +72,7 @@ class StopWatch : public agent::StageObserver {
 int benchWholeMatch(const BenchOptions& options) {
   if (!canWrite(options.json)) return fail(options.json + ": cannot be written", kExitBadInput);
   const auto speeds = benchMatch(options.plan);
-  if (!speeds) return fail(speeds.error(), kExitCheckFailed);
+  if (!speeds) return fail(speeds.error(), kExitMachine);
   const Json json{{"physics_one", speeds->physicsOfOne},
                   {"match", speeds->match},
                   {"robots", options.plan.robots},

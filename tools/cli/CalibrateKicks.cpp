@@ -54,7 +54,7 @@ int calibrateKicks(const KicksOptions& options) {
         progress(done, all);
         return !interrupted();
       });
-  if (map.empty()) return fail("interrupted; nothing is written", kExitCheckFailed);
+  if (map.empty()) return fail("interrupted; nothing is written", kExitInterrupted);
   for (const learn::KickGrid& grid : map) describe(grid);
   const std::uint64_t first = learn::firstModelOf(options.plan);
   const std::string about = fmt::format(

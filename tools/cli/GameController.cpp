@@ -142,7 +142,7 @@ int control(const ControllerOptions& options) {
   if (options.red == options.blue)
     return fail("--red and --blue: two teams have two numbers", kExitBadInput);
   auto socket = host::UdpSocket::open({0, true, false});
-  if (!socket) return fail(socket.error(), kExitCheckFailed);
+  if (!socket) return fail(socket.error(), kExitMachine);
   catchInterrupts();
   Controller(options, std::move(*socket)).run();
   return kExitDone;

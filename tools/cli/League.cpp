@@ -138,7 +138,7 @@ league::MatchResult playMatch(const league::LeagueMatch& match, const std::strin
 int show(const LeagueOptions& options, const league::Standings& standings) {
   fmt::print("{}", league::textOf(standings));
   const Status written = league::writeTables(standings, options.out);
-  if (!written) return fail(written.error(), kExitCheckFailed);
+  if (!written) return fail(written.error(), kExitMachine);
   fmt::print("{0}/table.txt, table.html and table.png show the same\n", options.out);
   return kExitDone;
 }
@@ -191,13 +191,13 @@ int playLeague(LeagueOptions& options) {
     return playMatch(match, options.robots, folders, complaints);
   };
   const auto summary = league::runLeague(*journal, play, workers, talk);
-  if (!summary) return fail(summary.error(), kExitCheckFailed);
+  if (!summary) return fail(summary.error(), kExitMachine);
   const league::Standings standings = league::standingsOf({journal->plan(), journal->results()});
   const int shown = show(options, standings);
   if (summary->stopped)
     return fail(
         fmt::format("stopped; {} matches are left, the same command goes on", summary->left),
-        kExitCheckFailed);
+        kExitInterrupted);
   if (standings.voids > 0)  // those of earlier runs, too
     return fail(fmt::format("{} of {} matches are void", standings.voids, all), kExitCheckFailed);
   return shown;

@@ -275,7 +275,9 @@ Status prepare(PlayOptions& options) {
 
 int tellMatch(const PlayOptions& options, const SessionResult& result, double took) {
   if (!result.trouble.empty())
-    return fail(result.trouble, result.badInput ? kExitBadInput : kExitMachine);
+    return fail(result.trouble, result.badInput      ? kExitBadInput
+                                : result.interrupted ? kExitInterrupted
+                                                     : kExitMachine);
   const int pictures = result.logged ? makePictures(options) : kExitDone;
   if (pictures != kExitDone) return pictures;
   nameFiles(options, result.seconds);

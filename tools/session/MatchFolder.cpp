@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "tools/cli/ThinLog.h"
+#include "tools/cli/WholeFile.h"
 
 namespace kelpie::cli {
 namespace {
@@ -101,6 +102,7 @@ void MatchFolder::removeHalves() const {
 }
 
 Status MatchFolder::begin() {
+  if (isDevice(file(stem_ + ".mcap"))) return Error{file(stem_ + ".mcap") + ": cannot be written"};
   removeHalves();
   std::error_code error;
   if (fs::exists(playing(), error)) {
@@ -162,6 +164,11 @@ bool isPlayedIn(const std::string& folder) {
   return lock < 0 && fs::is_directory(folder, error);
 }
 
+void forgetParts(const std::string& folder) {
+  std::error_code ignored;
+  fs::remove_all(fs::path(folder) / "playing", ignored);
+}
+
 Expected<std::vector<JoinedLog>> joinParts(const std::string& folder) {
   const fs::path playing = fs::path(folder) / "playing";
   std::vector<JoinedLog> joined;
@@ -172,8 +179,7 @@ Expected<std::vector<JoinedLog>> joinParts(const std::string& folder) {
     if (!done) return Error{done.error()};
     joined.push_back({to, *done});
   }
-  std::error_code ignored;
-  if (!joined.empty()) fs::remove_all(playing, ignored);
+  if (!joined.empty()) forgetParts(folder);
   return joined;
 }
 

@@ -59,5 +59,7 @@ struct JoinedLog {
 // Joins each robot's log in FOLDER/playing with the world's into FOLDER, and removes `playing` when
 // all are joined. An error leaves all parts as they are.
 Expected<std::vector<JoinedLog>> joinParts(const std::string& folder);
+// Removes `playing`, of a match that never began.
+void forgetParts(const std::string& folder);
 
 }  // namespace kelpie::cli

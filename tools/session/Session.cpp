@@ -246,13 +246,15 @@ void watch(const SessionTalk& talk, Crew& crew, SessionResult& result) {
 }
 
 void keepLog(const SessionOptions& options, const SessionTalk& talk, SessionResult& result) {
-  if (options.log.empty() || result.badInput) return;
-  const Status ready = talk.logs ? talk.logs() : Status(Done{});
+  if (options.log.empty()) return;
   const std::string folder = fs::path(options.log).parent_path().string();
+  if (result.badInput) return forgetParts(folder);
+  const Status ready = talk.logs ? talk.logs() : Status(Done{});
   const auto joined =
       ready ? joinParts(folder) : Expected<std::vector<JoinedLog>>(Error{ready.error()});
   if (joined) {
     for (const JoinedLog& log : *joined) result.logs.push_back(log.path);
+    if (joined->empty()) result.logTrouble = folder + "/playing: its logs are gone";
     std::error_code error;
     result.logged = fs::exists(options.log, error);
   } else {

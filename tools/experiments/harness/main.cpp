@@ -90,7 +90,7 @@ Expected<Json> measureWithProgress(const Experiment& experiment, Request& reques
 
 int run(const Experiment& experiment, EvaluateOptions& options) {
   const Expected<Json> figures = measureWithProgress(experiment, options.request);
-  if (!figures) return cli::fail(figures.error(), cli::kExitCheckFailed);
+  if (!figures) return cli::fail(figures.error(), cli::kExitBadInput);
   if (!cli::writeWhole(options.json, figures->dump(2) + "\n"))
     return cli::fail(options.json + ": cannot be written", cli::kExitBadInput);
   return cli::kExitDone;
