@@ -75,7 +75,7 @@ BehaviourState::~BehaviourState() = default;
 
 const std::string& BehaviourState::lastError() const { return host_->lastError(); }
 
-const Complaint& BehaviourState::complaint() const { return host_->complaint(); }
+const Told& BehaviourState::told() const { return host_->told(); }
 
 Expected<Rows> BehaviourState::ask(const std::string& function) { return host_->ask(function); }
 

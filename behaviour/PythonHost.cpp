@@ -31,6 +31,18 @@ std::string textOf(PyObject* object) {
   return text != nullptr ? text : "";
 }
 
+// What the guard's `say` is; `self` holds the PythonHost.
+PyObject* say(PyObject* self, PyObject* line) {
+  auto* const host = static_cast<PythonHost*>(PyCapsule_GetPointer(self, nullptr));
+  const PythonRef bytes(PyUnicode_AsEncodedString(line, "utf-8", "backslashreplace"));
+  if (host == nullptr || !bytes) return nullptr;
+  const auto size = static_cast<std::size_t>(PyBytes_GET_SIZE(bytes.get()));
+  host->say({PyBytes_AS_STRING(bytes.get()), size});
+  Py_RETURN_NONE;
+}
+
+PyMethodDef sayMethod = {"say", say, METH_O, nullptr};
+
 // Of a list of lists of texts, as the guard makes it.
 Rows rowsOf(PyObject* list) {
   Rows rows;
@@ -58,17 +70,42 @@ PythonHost::PythonHost(const std::string& scripts)
   if (world_ && load()) modules_.keep();
 }
 
+PythonHost::~PythonHost() { tellLeftOut(printed_.leftOut()); }
+
 void PythonHost::prepare() {
   guard_ = modules_.guard();
   if (!guard_) return;
   kelpie_ = modules_.kelpie(guard_.get());
   if (!kelpie_) return;
   commandType_ = PythonRef(PyObject_GetAttrString(kelpie_.get(), "Command"));
+  if (!listen()) return;
   const PythonRef watched(PyObject_CallMethod(guard_.get(), "watch", nullptr));
   types_ = std::make_unique<ViewTypes>();
   reader_ = std::make_unique<CommandReader>();
   PythonRef world = types_->view(*frame_);
   if (watched && commandType_ && types_->good()) world_ = std::move(world);
+}
+
+// From now on this hears what scripts print.
+bool PythonHost::listen() {
+  const PythonRef self(PyCapsule_New(this, nullptr, nullptr));
+  const PythonRef say(self ? PyCFunction_New(&sayMethod, self.get()) : nullptr);
+  return say && PyObject_SetAttrString(guard_.get(), "say", say.get()) == 0;
+}
+
+void PythonHost::say(const std::string& line) {
+  if (!printed_.admits()) return;
+  const std::string shown = printed_.shown(line);
+  told_.add(shown, false);
+  tell(shown);
+}
+
+void PythonHost::tellLeftOut(std::uint32_t lines) {
+  if (lines == 0) return;
+  const std::string line = "print(): " + std::to_string(lines) + " more lines; " +
+                           std::to_string(printed_.params().linesPerSecond) + " a second are told";
+  told_.add(line, false);
+  tell(line);
 }
 
 bool PythonHost::load() {
@@ -102,6 +139,7 @@ void PythonHost::reloadIfEdited(const BehaviourParams& params) {
 Fallback PythonHost::decide(const BehaviourIn& in, const BehaviourParams& params,
                             Command& command) {
   if (!world_) return Fallback::notLoaded;
+  tellLeftOut(printed_.begin(in.input.time));
   reloadIfEdited(params);
   if (!decide_) return Fallback::notLoaded;
   fill(*frame_, in);
@@ -209,7 +247,7 @@ void PythonHost::report(const std::string& line, const std::string& all) {
   const bool known = std::find(reported_.begin(), reported_.end(), start) != reported_.end();
   if (known || reported_.size() >= kMaxReports) return;
   reported_.push_back(start);
-  complaint_ = {complaint_.number + 1, line};
+  told_.add(line, true);
   tell(all);
 }
 

@@ -10,10 +10,11 @@
 #include "behaviour/BehaviourIn.h"
 #include "behaviour/BehaviourParams.h"
 #include "behaviour/CommandReader.h"
-#include "behaviour/Complaint.h"
 #include "behaviour/Interpreter.h"
 #include "behaviour/Modules.h"
+#include "behaviour/PrintedLines.h"
 #include "behaviour/Rows.h"
+#include "behaviour/Told.h"
 #include "behaviour/ViewTypes.h"
 #include "behaviour/WorldFrame.h"
 #include "robot/core/Command.h"
@@ -24,6 +25,9 @@ namespace kelpie::behaviour {
 class PythonHost {
  public:
   explicit PythonHost(const std::string& scripts);
+  ~PythonHost();
+  PythonHost(const PythonHost&) = delete;
+  PythonHost& operator=(const PythonHost&) = delete;
 
   // Takes over edited files, calls decide() and reads its answer. The Fallback tells what went
   // wrong; `command` is the script's only with Fallback::none.
@@ -33,10 +37,13 @@ class PythonHost {
   Expected<Rows> ask(const std::string& function);
 
   const std::string& lastError() const { return lastError_; }
-  const Complaint& complaint() const { return complaint_; }
+  const Told& told() const { return told_; }
+  void say(const std::string& line);  // a script prints
 
  private:
   void prepare();
+  bool listen();
+  void tellLeftOut(std::uint32_t lines);
   bool load();
   void reloadIfEdited(const BehaviourParams& params);
   Fallback call(double timeLimit, Command& command);
@@ -50,7 +57,8 @@ class PythonHost {
 
   Modules modules_;
   std::string lastError_;
-  Complaint complaint_;
+  Told told_;
+  PrintedLines printed_;
   std::vector<std::string> reported_;  // places and kinds of errors that were told
   std::uint32_t framesToLook_ = 0;
   std::uint32_t lateInARow_ = 0;    // calls that hit the time limit

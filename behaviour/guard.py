@@ -2,14 +2,33 @@
 # The host's side of the behaviours. A Version is one loading of all their files: it has modules of
 # its own (nothing is shared with sys.modules), so that an edited file replaces everything or
 # nothing. A behaviour can import other behaviours, `kelpie` and `math`: no files, sockets, clocks
-# or randomness. This keeps honest code repeatable; it does not stop hostile code.
+# or randomness. This keeps honest code repeatable; it does not stop hostile code. What behaviours
+# print goes to `say`, which the host puts in here.
 import _signal
 import builtins
 import math
 import sys
 
-WITHHELD = ('open', 'exec', 'eval', 'compile', 'input', 'print', 'breakpoint', 'help', 'exit',
-            'quit', 'copyright', 'credits', 'license', 'id', 'globals', 'BaseException')
+WITHHELD = ('open', 'exec', 'eval', 'compile', 'input', 'breakpoint', 'exit', 'quit', 'copyright',
+            'credits', 'license', 'id', 'globals', 'BaseException')
+# What behaviours have in place of a module or a function that they have not.
+INSTEAD = {
+    'time datetime': 'world.time_s is the time of the frame',
+    'random secrets uuid': 'nothing is random, so that a replay decides the same; world.frame and '
+                           'world.game.player differ',
+    'socket threading asyncio multiprocessing queue': 'mates hear Command.team, and are heard in '
+                                                      'world.teammates',
+    'os sys io pathlib posix shutil subprocess pickle json csv open': 'there are no files and no '
+    'processes; numbers stand in a module of your own, and print() tells people',
+    'logging warnings traceback pprint input breakpoint': 'print() tells people, an error tells '
+                                                          'its line',
+    'numpy scipy array statistics cmath decimal fractions': 'lists and math',
+    're string textwrap': 'the methods of str',
+    'typing types dataclasses enum abc collections itertools functools copy operator heapq bisect '
+    'contextlib __future__': 'classes, lists, dicts and generators of plain Python',
+    'exec eval compile globals importlib inspect': 'functions and classes of plain Python',
+}
+HELP_LINES = 8  # of what help() prints
 
 
 # Importing _signal makes an interrupt an exception of Python's; it stays the program's.
@@ -31,7 +50,9 @@ class Folder:
         for file, package in ((stem + '.py', False), (stem + '/__init__.py', True)):
             try:
                 with open(file, 'rb') as stream:
-                    return compile(stream.read(), file, 'exec', dont_inherit=True), package
+                    text = stream.read()
+                # 1: with docstrings, for help().
+                return compile(text, file, 'exec', dont_inherit=True, optimize=1), package
             except (FileNotFoundError, NotADirectoryError):
                 pass
         return self.namespace(stem)
@@ -75,6 +96,57 @@ class Zip:
         return None
 
 
+def say(line):
+    """Takes a line for people; the host bounds it and puts a function of its own in here."""
+
+
+def instead(name):
+    """': ' and what there is in place of that name, or nothing."""
+    return ''.join(': ' + there for names, there in INSTEAD.items() if name in names.split())
+
+
+def listed(names):
+    """Names in lines of eight."""
+    return [', '.join(names[i:i + 8]) for i in range(0, len(names), 8)]
+
+
+def described(thing):
+    """Lines about a thing: its name, then its docstring or what it holds."""
+    name = getattr(thing, '__name__', None) or type(thing).__name__
+    code = getattr(thing, '__code__', None)
+    if code is not None:
+        name += '(' + ', '.join(code.co_varnames[:code.co_argcount + code.co_kwonlyargcount]) + ')'
+    doc = getattr(thing, '__doc__', None)
+    if isinstance(doc, str) and doc.strip():
+        return [name] + ['  ' + line.strip() for line in doc.strip().splitlines() if line.strip()]
+    names = [] if code is not None else [word for word in dir(thing) if not word.startswith('_')]
+    return [name] + ['  ' + line for line in listed(names)]
+
+
+class Printer:
+    """print() and help() of behaviours. Keeps what is printed until its line ends."""
+    def __init__(self):
+        self.begun = ''
+
+    def print(self, *values, sep=' ', end='\n', flush=False):
+        """print(value, ..., sep=' ', end='\\n'): a line for people, so many a second"""
+        line = self.begun + (' ' if sep is None else sep).join(map(str, values))
+        *lines, self.begun = (line + ('\n' if end is None else end)).split('\n')
+        if len(self.begun) > 1000:
+            lines.append(self.begun)
+            self.begun = ''
+        for line in lines:
+            say(line)
+
+    def help(self, thing=None):
+        """help(thing) prints what it is: its docstring, or the names that it has"""
+        lines = described(self.help if thing is None else thing)
+        for line in lines[:HELP_LINES]:
+            say(line)
+        if len(lines) > HELP_LINES:
+            say('  ... %d more lines' % (len(lines) - HELP_LINES))
+
+
 class Version:
     def __init__(self, source, kelpie):
         self.source = source
@@ -83,6 +155,9 @@ class Version:
         self.builtins = {name: value for name, value in vars(builtins).items()
                          if name not in WITHHELD}
         self.builtins['__import__'] = self.bring
+        printer = Printer()
+        self.builtins['print'] = printer.print
+        self.builtins['help'] = printer.help
         self.decide = getattr(self.load('main'), 'decide', None)
         if self.decide is None:
             raise AttributeError('main.py has no decide(world)')
@@ -98,7 +173,8 @@ class Version:
     def missing(self, name):
         if name == 'main':
             return 'there is no main.py'
-        return 'behaviours may import math, kelpie and each other, not %r' % name
+        return ('behaviours may import math, kelpie and each other, not %r' % name +
+                instead(name.partition('.')[0]))
 
     def bring(self, name, globals=None, locals=None, fromlist=(), level=0):
         if level:
@@ -179,6 +255,8 @@ def describe(error):
         said = str(error)
     except Exception:
         said = ''
+    if isinstance(error, NameError):
+        said += instead(error.name or '')
     if isinstance(error, SyntaxError) and error.filename:
         said = error.msg
         places = ['%s:%s: in the text' % (error.filename, error.lineno)]

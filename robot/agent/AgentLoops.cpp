@@ -135,12 +135,4 @@ bool AgentLoops::takePacket(RadioPacket& packet) {
   return net::encode({game_.game.team, input_.time, message}, packet);
 }
 
-bool AgentLoops::takeComplaint(std::string& line) {
-  const behaviour::Complaint& complaint = frameLoop_.complaint();
-  if (complaint.number == told_) return false;
-  told_ = complaint.number;
-  line = complaint.line;
-  return true;
-}
-
 }  // namespace kelpie::agent

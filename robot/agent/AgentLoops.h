@@ -35,7 +35,7 @@ class AgentLoops : public Loops {
   void hear(const ControlPacket& packet, TimeUs now) override;
   void hear(const RadioPacket& packet, TimeUs now) override;
   bool takePacket(RadioPacket& packet) override;
-  bool takeComplaint(std::string& line) override;
+  const behaviour::ToldLine* takeLine() override { return frameLoop_.told().next(linesTaken_); }
   const std::string& scriptError() const { return frameLoop_.scriptError(); }
 
  private:
@@ -69,8 +69,8 @@ class AgentLoops : public Loops {
   JointTrack joints_;
   OdometryTrack odometry_;
   net::RadioState radio_;
-  std::uint16_t sent_ = 0;  // number of the message that was given away last
-  std::uint32_t told_ = 0;  // of the complaint
+  std::uint16_t sent_ = 0;        // number of the message that was given away last
+  std::uint32_t linesTaken_ = 0;  // of the behaviours
 };
 
 }  // namespace kelpie::agent

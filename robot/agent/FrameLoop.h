@@ -28,7 +28,7 @@ class FrameLoop {
                               StageObserver& observer);
 
   const std::string& scriptError() const { return behaviour_.lastError(); }
-  const behaviour::Complaint& complaint() const { return behaviour_.complaint(); }
+  const behaviour::Told& told() const { return behaviour_.told(); }
 
  private:
   void sense(const FrameInput& input, StageObserver& observer);

@@ -3,8 +3,7 @@
 // Kelpie's units, and gets joint targets back.
 #pragma once
 
-#include <string>
-
+#include "behaviour/Told.h"
 #include "robot/agent/Motors.h"
 #include "robot/agent/PowerReport.h"
 #include "robot/core/ControlPacket.h"
@@ -37,8 +36,8 @@ class Loops {
   virtual void hear(const RadioPacket& packet, TimeUs now) = 0;
   // The packet that the last frame made for the team, if it made one; each is given away once.
   virtual bool takePacket(RadioPacket& packet) = 0;
-  // A line for people of what goes wrong in the behaviours, if there is one that was not given.
-  virtual bool takeComplaint(std::string& line) = 0;
+  // The next line that the behaviours tell people, valid until the next frame; null: no more.
+  virtual const behaviour::ToldLine* takeLine() = 0;
 };
 
 }  // namespace kelpie::agent

@@ -20,7 +20,7 @@ class FaultLoops : public agent::Loops {
   void hear(const ControlPacket& /*packet*/, TimeUs /*now*/) override {}
   void hear(const RadioPacket& /*packet*/, TimeUs /*now*/) override {}
   bool takePacket(RadioPacket& /*packet*/) override { return false; }
-  bool takeComplaint(std::string& /*line*/) override { return false; }
+  const behaviour::ToldLine* takeLine() override { return nullptr; }
 
  private:
   std::uint8_t fault_ = 0;

@@ -55,7 +55,7 @@ class LateLoops : public agent::Loops {
   void hear(const ControlPacket& packet, TimeUs now) override { at_->hear(packet, now); }
   void hear(const RadioPacket& packet, TimeUs now) override { at_->hear(packet, now); }
   bool takePacket(RadioPacket& packet) override { return at_->takePacket(packet); }
-  bool takeComplaint(std::string& line) override { return at_->takeComplaint(line); }
+  const behaviour::ToldLine* takeLine() override { return at_->takeLine(); }
 
  private:
   union Room {

@@ -57,8 +57,8 @@ void RobotAgent::takeStick() {
 }
 
 void RobotAgent::frameDone() {
-  std::string line;
-  if (loops.takeComplaint(line)) OSYSLOG1((osyslogERROR, "behaviour: %s", line.c_str()));
+  while (const behaviour::ToldLine* const line = loops.takeLine())
+    OSYSLOG1((line->fault ? osyslogERROR : osyslogINFO, "behaviour: %s", line->text.c_str()));
 }
 
 }  // namespace kelpie::object

@@ -333,7 +333,7 @@ INSTANTIATE_TEST_SUITE_P(Host, Forbidden,
                          testing::Values("import os", "import time", "import socket",
                                          "import random", "import sys", "open('/etc/passwd')",
                                          "eval('1')", "__import__('posix')", "import main.os",
-                                         "from math import os", "print(1)"));
+                                         "from math import os"));
 
 TEST(Host, ZipOfBehavioursWorks) {
   const Scripts scripts(

@@ -87,7 +87,7 @@ class FakeLoops : public agent::Loops {
   }
   void hear(const ControlPacket& packet, TimeUs) override { controls.push_back(packet); }
   void hear(const RadioPacket& packet, TimeUs) override { packets.push_back(packet); }
-  bool takeComplaint(std::string&) override { return false; }
+  const behaviour::ToldLine* takeLine() override { return nullptr; }
   bool takePacket(RadioPacket& packet) override {
     packet = says;
     says.bytes.clear();

@@ -54,7 +54,7 @@ class TapedLoops : public agent::Loops, public agent::LogSink {
   void hear(const ControlPacket&, TimeUs) override {}
   void hear(const RadioPacket&, TimeUs) override {}
   bool takePacket(RadioPacket&) override { return false; }
-  bool takeComplaint(std::string&) override { return false; }
+  const behaviour::ToldLine* takeLine() override { return nullptr; }
 
   double playsFrom = 0.0;  // s; 0: never
 
