@@ -70,6 +70,11 @@ struct BehaviourParams {
   // CPU seconds of one decide(). A sane script needs under a millisecond, so that a replay never
   // meets the limit; it only catches endless loops.
   double timeLimit = 0.25;
+  // Megabytes that Python may have of the system while decide() runs, with all that lives between
+  // the frames; a script that wants more gets a MemoryError. The robot's programs may take 24 MB
+  // (toolchain/budget.toml), of which 12 go to everything else; the behaviours of today need 4.5 on
+  // a PC, whose pointers are twice as long.
+  double heapLimit = 12.0;
   bool reload = true;               // take over edited files; off on the robot
   std::uint32_t reloadFrames = 30;  // frames between two looks at the files
   // The fallback Command stands and swings the head; period, width and tilt of that.
@@ -80,7 +85,7 @@ struct BehaviourParams {
   static constexpr auto fields() {
     using P = BehaviourParams;
     return fieldList(field("task", &P::task), field("timeLimit", &P::timeLimit, "s", 0.01, 10),
-                     field("reload", &P::reload),
+                     field("heapLimit", &P::heapLimit, "MB", 1, 4000), field("reload", &P::reload),
                      field("reloadFrames", &P::reloadFrames, "", 1, 1000),
                      field("scanPeriod", &P::scanPeriod, "s", 0.5, 60),
                      field("scanPan", &P::scanPan, "rad", 0, 88),

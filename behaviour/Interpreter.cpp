@@ -41,6 +41,7 @@ Interpreter::Interpreter(const std::vector<std::string>& searchPaths) {
   PyPreConfig_InitIsolatedConfig(&before);
   before.utf8_mode = 1;
   Py_PreInitialize(&before);
+  heap_.count();
   PyConfig config;
   PyConfig_InitIsolatedConfig(&config);
   config.site_import = 0;

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Starts and ends CPython, cut off from the machine: no environment, no site, no search for a
-// standard library (of which only `encodings` is needed), fixed hashes, no signal handlers.
+// standard library (of which only `encodings` is needed), fixed hashes, no signal handlers. Its
+// memory is counted.
 #pragma once
 
 #include <string>
 #include <vector>
 
+#include "behaviour/Heap.h"
 #include "robot/core/Expected.h"
 
 namespace kelpie::behaviour {
@@ -19,8 +21,10 @@ class Interpreter {
   Interpreter& operator=(const Interpreter&) = delete;
 
   const std::string& error() const { return error_; }  // empty when it runs
+  Heap& heap() { return heap_; }
 
  private:
+  Heap heap_;
   std::string error_;
 };
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "behaviour/Console.h"
+#include "behaviour/Heap.h"
 #include "behaviour/Watchdog.h"
 
 namespace kelpie::behaviour {
@@ -11,6 +12,7 @@ namespace {
 
 constexpr std::size_t kMaxReports = 64;  // different errors remembered as already reported
 constexpr double kLoadLimit = 3.0;       // CPU seconds; loading compiles every file
+constexpr double kMegabyte = 1 << 20;
 
 // The pending Python exception, taken over.
 PythonRef pendingError() {
@@ -30,6 +32,8 @@ std::string textOf(PyObject* object) {
   if (text == nullptr) PyErr_Clear();
   return text != nullptr ? text : "";
 }
+
+std::size_t bytesOf(double megabytes) { return static_cast<std::size_t>(megabytes * kMegabyte); }
 
 // What the guard's `say` is; `self` holds the PythonHost.
 PyObject* say(PyObject* self, PyObject* line) {
@@ -108,10 +112,16 @@ void PythonHost::tellLeftOut(std::uint32_t lines) {
   tell(line);
 }
 
+// An edit is loaded beside the version before, which may have filled its own room.
+std::size_t PythonHost::roomToLoad() {
+  return interpreter_.heap().used() + bytesOf(BehaviourParams{}.heapLimit);
+}
+
 bool PythonHost::load() {
   PythonRef version;
   {
     const Watchdog watchdog(kLoadLimit);
+    const HeapLimit limit(interpreter_.heap(), roomToLoad());
     version = modules_.load(guard_.get(), kelpie_.get());
   }
   PythonRef decide(version ? PyObject_GetAttrString(version.get(), "decide") : nullptr);
@@ -148,7 +158,7 @@ Fallback PythonHost::decide(const BehaviourIn& in, const BehaviourParams& params
     --framesToRest_;
     return Fallback::timeLimit;
   }
-  const Fallback result = call(params.timeLimit, command);
+  const Fallback result = call(params, command);
   restAfter(result);
   return result;
 }
@@ -161,10 +171,11 @@ void PythonHost::restAfter(Fallback last) {
   framesToRest_ = lateInARow_ > kPatience ? 1U << (lateInARow_ - kPatience) : 0;
 }
 
-Fallback PythonHost::call(double timeLimit, Command& command) {
+Fallback PythonHost::call(const BehaviourParams& params, Command& command) {
   PythonRef answer;
   {
-    const Watchdog watchdog(timeLimit);
+    const Watchdog watchdog(params.timeLimit);
+    const HeapLimit limit(interpreter_.heap(), bytesOf(params.heapLimit));
     answer = PythonRef(PyObject_CallOneArg(decide_.get(), world_.get()));
   }
   if (!answer) return fail(Fallback::scriptError);
@@ -201,11 +212,15 @@ Expected<Rows> PythonHost::ask(const std::string& function) {
 
 Fallback PythonHost::fail(Fallback reason) {
   std::string line, all;
-  const PythonRef error = takeError(line, all);
+  PythonRef error = takeError(line, all);
   report(line, all);
   const PythonRef limit(PyObject_GetAttrString(guard_.get(), "TimeLimit"));
   const bool late = error && limit && PyObject_IsInstance(error.get(), limit.get()) == 1;
   PyErr_Clear();
+  if (error && PyErr_GivenExceptionMatches(error.get(), PyExc_MemoryError) != 0) {
+    error.reset();  // with what the script had in hand
+    PyGC_Collect();
+  }
   return late && reason == Fallback::scriptError ? Fallback::timeLimit : reason;
 }
 

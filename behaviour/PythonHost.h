@@ -44,9 +44,10 @@ class PythonHost {
   void prepare();
   bool listen();
   void tellLeftOut(std::uint32_t lines);
+  std::size_t roomToLoad();
   bool load();
   void reloadIfEdited(const BehaviourParams& params);
-  Fallback call(double timeLimit, Command& command);
+  Fallback call(const BehaviourParams& params, Command& command);
   void restAfter(Fallback last);
   Fallback read(PyObject* answer, Command& command);
   Fallback fail(Fallback reason);

@@ -255,6 +255,8 @@ def describe(error):
         said = str(error)
     except Exception:
         said = ''
+    if isinstance(error, MemoryError) and not said:
+        said = 'it takes more memory than it is given'
     if isinstance(error, NameError):
         said += instead(error.name or '')
     if isinstance(error, SyntaxError) and error.filename:

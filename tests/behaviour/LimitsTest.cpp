@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+// Scripts that want too much memory.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/behaviour/Scripts.h"
+
+namespace kelpie::behaviour {
+namespace {
+
+constexpr const char* kTooMuch = "MemoryError: it takes more memory than it is given";
+
+// A main.py that keeps something between the frames.
+void keep(const Scripts& scripts, const std::string& body) {
+  scripts.write("main.py", "import kelpie\nkept = []\n\ndef decide(world):\n    global kept\n    " +
+                               body + "\n    return kelpie.Command()\n");
+}
+
+class Greedy : public testing::TestWithParam<const char*> {};
+
+TEST_P(Greedy, ScriptGetsAMemoryErrorAtItsLine) {
+  const Scripts scripts(GetParam());
+  HostRun run(scripts);
+  for (int frame = 0; frame < 3; ++frame) {
+    EXPECT_EQ(run.step().fallback, Fallback::scriptError);
+    const std::string where = scripts.path() + "/main.py:5: " + kTooMuch;
+    EXPECT_EQ(run.state.lastError(), where) << GetParam();
+  }
+  EXPECT_EQ(run.state.told().number, 1U) << "told once";
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Limits, Greedy,
+    testing::Values("return [0] * 10 ** 9", "return len('a' * 10 ** 9)",
+                    "return list(range(10 ** 9))",
+                    "x = []; [x.append('word' * 1000) for i in range(10 ** 6)]",
+                    "x = ' '.join(map(str, range(10 ** 8)))",
+                    "x = {i: i for i in range(10 ** 7)}"));
+
+TEST(Limits, NextFramePlaysAfterAMemoryError) {
+  const Scripts scripts("x = [0] * (10 ** 9 if world.frame == 1 else 1)\n    " +
+                        std::string("return kelpie.Command(walk=kelpie.WalkRequest(forward=5))"));
+  HostRun run(scripts);
+  EXPECT_EQ(run.step().fallback, Fallback::scriptError);
+  EXPECT_EQ(run.step().walk.forward, 5.0);
+}
+
+// Chains of small objects leave no memory at all, but for the error itself.
+TEST(Limits, SmallObjectsAreCountedTooAndTheErrorStillHasItsPlace) {
+  const Scripts scripts("x = []\n    while True: x = [x]");
+  HostRun run(scripts);
+  EXPECT_EQ(run.step().fallback, Fallback::scriptError);
+  EXPECT_EQ(run.state.lastError(), scripts.path() + "/main.py:6: " + kTooMuch);
+}
+
+TEST(Limits, ScriptThatCatchesItsMemoryErrorsForEverIsCutOff) {
+  const Scripts scripts;
+  keep(scripts, "while True:\n        try: kept.append('x' * 1000)\n        except: pass");
+  HostRun run(scripts);
+  EXPECT_EQ(run.step().fallback, Fallback::timeLimit);
+  EXPECT_EQ(run.step().fallback, Fallback::timeLimit);
+}
+
+// What fills the room lives as long as its version; the edit gets room of its own.
+TEST(Limits, EditLoadsWhereTheVersionBeforeHasFilledItsRoom) {
+  const Scripts scripts;
+  keep(scripts, "while True: kept.append('x' * 1000)");
+  HostRun run(scripts);
+  EXPECT_EQ(run.step().fallback, Fallback::scriptError);
+  scripts.writeDecide("return kelpie.Command(walk=kelpie.WalkRequest(forward=5))");
+  EXPECT_EQ(run.step().walk.forward, 5.0) << run.state.lastError();
+}
+
+TEST(Limits, RoomIsAsLargeAsTheParameterSays) {
+  const Scripts scripts("return kelpie.Command(motion=len([0] * 1500000) - 1499998)");
+  HostRun run(scripts);
+  EXPECT_EQ(run.step().fallback, Fallback::scriptError) << "11.4 MB of 12, of which 2 are taken";
+  run.params.heapLimit = 20.0;
+  EXPECT_EQ(run.step().fallback, Fallback::none) << run.state.lastError();
+}
+
+TEST(Limits, ScriptThatLoadsTooMuchFallsBack) {
+  const Scripts scripts;
+  scripts.write("main.py", "kept = [0] * 10 ** 9\n");
+  HostRun run(scripts);
+  EXPECT_EQ(run.step().fallback, Fallback::notLoaded);
+  EXPECT_EQ(run.state.lastError(), scripts.path() + "/main.py:1: " + kTooMuch);
+}
+
+}  // namespace
+}  // namespace kelpie::behaviour
