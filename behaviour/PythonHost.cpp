@@ -5,6 +5,7 @@
 
 #include "behaviour/Console.h"
 #include "behaviour/Heap.h"
+#include "behaviour/HungExit.h"
 #include "behaviour/Watchdog.h"
 
 namespace kelpie::behaviour {
@@ -84,6 +85,7 @@ void PythonHost::prepare() {
   commandType_ = PythonRef(PyObject_GetAttrString(kelpie_.get(), "Command"));
   if (!listen()) return;
   const PythonRef watched(PyObject_CallMethod(guard_.get(), "watch", nullptr));
+  Watchdog::listen();
   types_ = std::make_unique<ViewTypes>();
   reader_ = std::make_unique<CommandReader>();
   PythonRef world = types_->view(*frame_);
@@ -120,7 +122,7 @@ std::size_t PythonHost::roomToLoad() {
 bool PythonHost::load() {
   PythonRef version;
   {
-    const Watchdog watchdog(kLoadLimit);
+    const Watchdog watchdog(kLoadLimit, kHungLoadExit);
     const HeapLimit limit(interpreter_.heap(), roomToLoad());
     version = modules_.load(guard_.get(), kelpie_.get());
   }
@@ -174,7 +176,7 @@ void PythonHost::restAfter(Fallback last) {
 Fallback PythonHost::call(const BehaviourParams& params, Command& command) {
   PythonRef answer;
   {
-    const Watchdog watchdog(params.timeLimit);
+    const Watchdog watchdog(params.timeLimit, kHungExit);
     const HeapLimit limit(interpreter_.heap(), bytesOf(params.heapLimit));
     answer = PythonRef(PyObject_CallOneArg(decide_.get(), world_.get()));
   }
@@ -201,7 +203,7 @@ Expected<Rows> PythonHost::ask(const std::string& function) {
   if (!version_) return Error{lastError_};
   PythonRef answer;
   {
-    const Watchdog watchdog(kLoadLimit);
+    const Watchdog watchdog(kLoadLimit, kHungLoadExit);
     answer = PythonRef(PyObject_CallMethod(version_.get(), "ask", "s", function.c_str()));
   }
   if (answer) return rowsOf(answer.get());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Owns the interpreter, the loaded version of the behaviours, the frame that they look at and the
-// last error. Fails where a script stays in one long C call: no watchdog breaks into that.
+// last error. What no watchdog breaks into, one long C call, ends the process on a PC (Watchdog.h).
 #pragma once
 
 #include <memory>

@@ -1,12 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "behaviour/Watchdog.h"
 
+#include <Python.h>
 #include <sys/time.h>
+
+#include <cerrno>
+#include <csignal>
+
+#include "behaviour/HungScript.h"
 
 namespace kelpie::behaviour {
 namespace {
 
 constexpr double kAgain = 0.02;  // s until the next interrupt, if a script caught the first one
+// Interrupts that nobody heard, 2 s of them: a script in Python comes back within one or two.
+constexpr int kDeaf = 100;
+
+// A signal handler can reach nothing else.
+volatile std::sig_atomic_t interrupts = 0;
+volatile std::sig_atomic_t exitCode = 0;
+PyThreadState* volatile thread = nullptr;
 
 timeval timeOf(double seconds) {
   timeval time{};
@@ -15,9 +28,27 @@ timeval timeOf(double seconds) {
   return time;
 }
 
+void interrupt(int /*signal*/) {
+  const int before = errno;
+  interrupts = interrupts + 1;
+  if (interrupts > kDeaf) endHung(thread, exitCode);
+  PyErr_SetInterruptEx(SIGVTALRM);
+  errno = before;
+}
+
 }  // namespace
 
-Watchdog::Watchdog(double seconds) {
+void Watchdog::listen() {
+  struct sigaction action {};
+  action.sa_handler = interrupt;
+  action.sa_flags = SA_RESTART;
+  sigaction(SIGVTALRM, &action, nullptr);
+}
+
+Watchdog::Watchdog(double seconds, int hungExit) {
+  interrupts = 0;
+  exitCode = hungExit;
+  thread = PyThreadState_Get();
   const itimerval timer{timeOf(kAgain), timeOf(seconds)};
   setitimer(ITIMER_VIRTUAL, &timer, nullptr);
 }

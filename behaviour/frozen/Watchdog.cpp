@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Counts the interpreter's steps in place of CPU seconds.
+// Counts the interpreter's steps in place of CPU seconds. There is nobody to end a long call of
+// Python's own (docs/python-on-robot.md).
 #include "behaviour/Watchdog.h"
 
 #include <algorithm>
@@ -19,7 +20,9 @@ constexpr std::uint32_t kAgain = 6000;  // as 0.02 s, if a script caught the fir
 
 }  // namespace
 
-Watchdog::Watchdog(double seconds) {
+void Watchdog::listen() {}
+
+Watchdog::Watchdog(double seconds, int /*hungExit*/) {
   const double steps = std::max(1.0, seconds * kStepsPerSecond);
   kelpieLimitSteps(static_cast<std::uint32_t>(steps), kAgain);
 }

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scripts that want too much memory.
+// Scripts that want too much memory, or stay where no interrupt reaches them.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
+#include "behaviour/HungExit.h"
 #include "tests/behaviour/Scripts.h"
 
 namespace kelpie::behaviour {
@@ -86,6 +87,30 @@ TEST(Limits, ScriptThatLoadsTooMuchFallsBack) {
   HostRun run(scripts);
   EXPECT_EQ(run.step().fallback, Fallback::notLoaded);
   EXPECT_EQ(run.state.lastError(), scripts.path() + "/main.py:1: " + kTooMuch);
+}
+
+// Python looks for signals in the arithmetic of large numbers.
+TEST(Limits, LargeNumbersAreCutOffLikeALoop) {
+  const Scripts scripts("return 7 ** 10 ** 7");
+  HostRun run(scripts);
+  EXPECT_EQ(run.step().fallback, Fallback::timeLimit);
+}
+
+using LimitsDeathTest = testing::Test;
+
+TEST(LimitsDeathTest, OneLongCallEndsTheProcessWithItsPlaceAndText) {
+  const Scripts scripts("n = 10 ** 10\n    return sum(range(n))");
+  const auto play = [&] { HostRun(scripts).step(); };
+  EXPECT_EXIT(play(), testing::ExitedWithCode(kHungExit),
+              "^behaviour: [^\n]*/main.py:6: it does not end and cannot be broken off, so that "
+              "this process ends: return sum\\(range\\(n\\)\\)\n$");
+}
+
+TEST(LimitsDeathTest, ScriptThatLoadsForEverEndsTheProcessWithAnotherCode) {
+  const Scripts scripts;
+  scripts.write("main.py", "x = max(range(10 ** 10))\n");
+  const auto play = [&] { HostRun(scripts).step(); };
+  EXPECT_EXIT(play(), testing::ExitedWithCode(kHungLoadExit), "/main.py:1: it does not end");
 }
 
 }  // namespace
