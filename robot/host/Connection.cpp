@@ -132,6 +132,8 @@ Expected<Connection::Header> Connection::headerOf(MessageType type, std::size_t 
   return header;
 }
 
+void Connection::hangUp() { ::shutdown(descriptor_, SHUT_RDWR); }
+
 Status Connection::send(MessageType type, const std::vector<std::uint8_t>& body) {
   const auto header = headerOf(type, body.size());
   if (!header) return Error{header.error()};

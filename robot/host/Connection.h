@@ -46,6 +46,9 @@ class Connection {
   // The same, and an error when the message has another type.
   Status receive(MessageType wanted, std::vector<std::uint8_t>& body);
 
+  // Both ends hear no more of each other; the other thread may still be sending.
+  void hangUp();
+
   int descriptor() const { return descriptor_; }
   const ConnectionParams& params() const { return params_; }
 

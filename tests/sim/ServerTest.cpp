@@ -118,6 +118,33 @@ TEST(Server, AgentThatDiesIsNamedInOneLine) {
   EXPECT_EQ(game.error.find('\n'), std::string::npos);
 }
 
+// A second life of the one agent, which comes a tenth of a second after the first has died.
+TEST(Server, MatchWithoutAnybodyWaitsForWhoComes) {
+  const auto field = *body::fieldDescription("2006");
+  const auto setup = scenario("empty-goal", field, {host::AgentHello{}}, 3);
+  WorldParams params;
+  params.referee.seconds = 1.0;
+  World world(params, field, *setup, 3);
+  auto first = host::connectedPair({}), second = host::connectedPair({});
+  std::vector<Agent> agents;
+  agents.push_back({std::move(first->first), {}});
+  int asked = 0;
+  ServerHooks hooks;
+  hooks.arrival = [&]() -> std::optional<Agent> {
+    if (agents[0].present || ++asked != 10) return std::nullopt;
+    return Agent{std::move(second->first), {}};
+  };
+  Heard heard;
+  std::thread dies([&] { fakeAgent(std::move(first->second), 10); });
+  std::thread comes([&] { heard = fakeAgent(std::move(second->second), 1000); });
+  EXPECT_TRUE(Server(world, agents, nullptr, hooks).run());
+  agents.clear();
+  dies.join();
+  comes.join();
+  EXPECT_TRUE(heard.goodbye);
+  EXPECT_GT(heard.steps, 40) << "of 60";
+}
+
 // Runs the program with an agent that says hello and goes.
 TEST(World, ProgramEndsWithCodeOneWhenItsAgentDies) {
   const std::string socket = "/tmp/kelpie-sim-test-" + std::to_string(getpid());

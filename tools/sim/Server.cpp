@@ -2,6 +2,7 @@
 #include "tools/sim/Server.h"
 
 #include <algorithm>
+#include <chrono>
 #include <thread>
 #include <utility>
 
@@ -184,6 +185,7 @@ Status Server::lose(std::size_t robot, const std::string& why) {
   const std::string line = nameOf(robot) + ": " + why;
   if (!hooks_.arrival) return Error{line};
   agents_[robot].present = false;
+  agents_[robot].connection.hangUp();  // one that talks nonsense ends, and whoever started it knows
   if (hooks_.tell) hooks_.tell(line);
   return Done{};
 }
@@ -198,6 +200,20 @@ void Server::welcome() {
     agents_[robot].life = life;
     world_.bodies().takeVectorsDone(robot);  // those of the agent before
     if (hooks_.tell) hooks_.tell(nameOf(robot) + " is there again");
+  }
+}
+
+bool Server::isAnybodyThere() const {
+  return std::any_of(agents_.begin(), agents_.end(), [](const Agent& a) { return a.present; });
+}
+
+// With nobody there a match would be over before the first agent has started again.
+void Server::waitForSomebody() {
+  constexpr int kMost = 3000;  // half a minute
+  welcome();
+  for (int i = 0; i < kMost && !isAnybodyThere() && !ends(); ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    welcome();
   }
 }
 
@@ -225,7 +241,7 @@ bool Server::isThere(const Step& step) const {
 
 // Nothing is being sent: who comes may take a place.
 Status Server::startNext() {
-  if (hooks_.arrival) welcome();
+  if (hooks_.arrival) waitForSomebody();
   if (hooks_.hear) hooks_.hear();
   const Status moved = moveTo(nextStep().now);
   if (!moved) return moved;

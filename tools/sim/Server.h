@@ -43,7 +43,8 @@ struct ServerHooks {
   std::function<bool()> stopped;               // ends the match before its time
   std::function<void()> hear;                  // between steps: what has come for the world
   // Who has come since the last call, if somebody has. With it an agent that dies does not end the
-  // match: its robot stands until an agent of that name is there again.
+  // match: its robot stands until an agent of that name is there again. While there is none at all
+  // the match waits, half a minute at most.
   std::function<std::optional<Agent>()> arrival;
   std::function<void(const std::string&)> tell;  // of who is gone, or is there again
 };
@@ -83,6 +84,8 @@ class Server {
   Status takeReply(std::size_t robot);
   Status lose(std::size_t robot, const std::string& why);
   void welcome();
+  bool isAnybodyThere() const;
+  void waitForSomebody();
   Status playOn();
   void writeTruth(TimeUs now, bool image);
   void sayGoodbye(std::uint8_t reason);
