@@ -3,6 +3,8 @@
 
 #include <fmt/core.h>
 
+#include <utility>
+
 #include "tools/cli/AgentTalk.h"
 #include "tools/session/SessionCommands.h"
 
@@ -19,7 +21,7 @@ Expected<Others> Others::start(const SessionOptions& options, const Workshop& wo
     others.all_.push_back(
         {fmt::format("the {} {} {}", one.team == options.team ? "mate" : "opponent", one.team,
                      one.player),
-         command, std::move(*process), ""});
+         command, std::move(*process), "", ""});
   }
   return others;
 }
@@ -30,26 +32,36 @@ void Others::hearOne(One& one, const std::function<void(const std::string&)>& te
     if (line.compare(0, kComplaintMark.size(), kComplaintMark) == 0)
       one.complaint = line.substr(kComplaintMark.size());
     else
-      tell(one.name + ": " + line);
+      tell(one.name + ": " + (one.last = line));
   }
 }
 
 void Others::hear(const std::function<void(const std::string&)>& tell) {
+  for (const std::string& line : std::exchange(untold_, {})) tell(line);
   for (One& one : all_) hearOne(one, tell);
+}
+
+// One whose script hung as it loaded had no time for a complaint.
+std::string Others::endOf(const One& one) {
+  if (!one.complaint.empty()) return one.complaint;
+  if (hung()) return fmt::format("it ended with code {}", code_);
+  if (!badInput()) return "it gave up";
+  untold_.clear();
+  return one.last;
 }
 
 bool Others::failed() {
   for (One& one : all_) {
     if (!trouble_.empty()) break;
     if (!one.process->ended()) continue;
-    hearOne(one, [](const std::string&) {});
+    hearOne(one, [this](const std::string& line) { untold_.push_back(line); });
     code_ = one.process->wait();
     if (code_ == 0) continue;
     failed_ = &one;
     if (code_ >= 128)
       trouble_ = fmt::format("{} died (signal {})", one.name, code_ - 128);
     else
-      trouble_ = one.name + ": " + (one.complaint.empty() ? "it gave up" : one.complaint);
+      trouble_ = one.name + ": " + endOf(one);
   }
   return !trouble_.empty();
 }

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "behaviour/HungExit.h"
 #include "tools/cli/Process.h"
 #include "tools/cli/Workshop.h"
 #include "tools/session/SessionOptions.h"
@@ -29,6 +30,7 @@ class Others {
   const std::string& trouble() const { return trouble_; }
   bool badInput() const { return code_ == 2; }
   bool gaveUp() const { return code_ == 1; }  // as it does when the world is gone
+  bool hung() const { return code_ == behaviour::kHungExit; }
   void kill();
   // Starts the one in trouble again; false when it cannot be, or has died too often.
   bool revive();
@@ -39,12 +41,15 @@ class Others {
     std::function<std::vector<std::string>(int life)> command;  // each life has a log of its own
     std::optional<Process> process;
     std::string complaint;
+    std::string last;  // of the other lines
     int lives = kMostLives;
   };
+  std::string endOf(const One& one);
   void hearOne(One& one, const std::function<void(const std::string&)>& tell);
 
   std::vector<One> all_;
-  One* failed_ = nullptr;  // whose trouble it is
+  One* failed_ = nullptr;            // whose trouble it is
+  std::vector<std::string> untold_;  // what it said last
   std::string trouble_;
   int code_ = 0;  // of the one in trouble
 };

@@ -13,6 +13,7 @@
 #include <thread>
 #include <vector>
 
+#include "behaviour/HungExit.h"
 #include "tools/cli/AgentTalk.h"
 #include "tools/cli/Process.h"
 #include "tools/cli/Workshop.h"
@@ -169,16 +170,30 @@ void watchOthers(const SessionTalk& talk, Crew& crew, Ends& ends) {
   if (ends.other || !crew.others.failed()) return;
   if (crew.others.gaveUp() && endsSoon(crew.world)) return;
   const std::string trouble = crew.others.trouble();
-  const bool again = crew.options.respawn && !crew.others.badInput() && !crew.world.ended();
+  const bool may = crew.options.respawn || crew.others.hung();
+  const bool again = may && !crew.others.badInput() && !crew.world.ended();
   if (again && crew.others.revive()) return tell(trouble + "; it is started again", talk);
   ends.other = true;
   crew.world.terminate();
 }
 
-// Starts the watched agent again if it died while the match goes on.
+// What a dead agent has said last. One whose script hung as it loaded had no more time for
+// a complaint.
+void hearLast(int code, const SessionTalk& talk, Crew& crew) {
+  AgentTalk& said = crew.agentSaid;
+  std::string line = "a script does not end while it loads";
+  while (crew.agent->readLine(line, 0)) said.hear(line, talk);
+  if (code == behaviour::kHungLoadExit && said.complaint.empty())
+    said.complaint = said.early.empty() ? line : said.early.back();
+}
+
+// Starts the watched agent again if it died while the match goes on; after a script that hung
+// also without being asked to.
 bool reviveAgent(const SessionTalk& talk, Crew& crew) {
-  if (!crew.options.respawn || crew.life + 1 >= kMostLives || interrupted()) return false;
   const int code = crew.agent->wait();
+  hearLast(code, talk, crew);
+  const bool may = crew.options.respawn || code == behaviour::kHungExit;
+  if (!may || crew.life + 1 >= kMostLives || interrupted()) return false;
   if (code == 0 || code == 2 || endsSoon(crew.world)) return false;
   const auto command = agentCommand(crew.options, crew.workshop, crew.life + 1);
   auto process = Process::start(command, true);

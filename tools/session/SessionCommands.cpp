@@ -81,7 +81,7 @@ Words worldCommand(const SessionOptions& options, const Workshop& workshop) {
   if (options.rules) argv.insert(argv.end(), {"--rules", "--tell-time"});
   if (options.controller != 0)
     argv.insert(argv.end(), {"--game-controller", std::to_string(options.controller)});
-  if (options.respawn) argv.push_back("--respawn");
+  argv.push_back("--respawn");  // who may come again is the session's to say
   if (options.realTime) argv.push_back("--real-time");
   if (options.keepsLog())
     argv.insert(argv.end(), {"--truth", partPath(options, workshop, "world.mcap")});
