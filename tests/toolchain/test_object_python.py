@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Python in the robot's object: other behaviours than recorded are noticed; a script that does not
-end or goes too deep costs its frame and no more; the stack that the gates count on is what the
-dearest calls take; and the gates look into the interpreter. Run by ctest, which builds the object
-and names the PC's programs."""
+end, goes too deep or eats memory costs its frame and no more; the stack that the gates count on is
+what the dearest calls take; and the gates look into the interpreter. Run by ctest, which builds the
+object and names the PC's programs."""
 
 import importlib.machinery
 import importlib.util
@@ -164,7 +164,8 @@ def test_script_that_does_not_end_costs_its_frame_at_the_same_step_in_every_run(
 @pytest.mark.parametrize("body", [
     "while True:\n        try:\n            while True: pass\n        except: pass",
     "f = lambda n: 0 if n == 0 else f(n - 1) + f(n - 1)\n    return f(40)",
-    "return sum(1 for i in range(10 ** 9))"])
+    "return sum(1 for i in range(10 ** 9))",
+    "return 7 ** 10 ** 7"])
 def test_script_that_catches_or_hides_its_loop_ends_too(player, body):
     player.decide(body)
     assert player.fallback() == TIME_LIMIT
@@ -183,6 +184,24 @@ def test_script_plays_on_after_one_that_did_not_end(player):
 def test_error_of_a_script_is_a_fallback_as_on_the_pc(player, body, reason):
     player.decide(body)
     assert player.fallback() == reason
+
+
+@pytest.mark.parametrize("body", [
+    "return [0] * 10 ** 8", "return len('a' * 10 ** 8)", "x = []\n    while True: x = [x] * 100",
+    "x = []\n    for i in range(10 ** 9): x.append('word' * 10000)"])
+def test_script_that_eats_memory_is_refused_it_and_the_next_one_plays(player, body):
+    player.decide(body)
+    assert player.fallback() == SCRIPT_ERROR
+    assert "MemoryError: it takes more memory than it is given" in player.console()
+    player.decide("return [0] * 100000")
+    assert player.fallback() == 3  # a list is no Command
+
+
+def test_script_prints_to_where_errors_are_told(tape, tmp_path):
+    player = Player(tape, zip_of(tmp_path, main=MAIN.replace("raise ValueError", "print"),
+                                 lib__words="SAID = 'from the stick'\n"))
+    player.fallback()
+    assert player.console().startswith("behaviour: from the stick\n")
 
 
 # Each calls itself by another way through the interpreter, as deep as the host allows.
