@@ -4,7 +4,7 @@
 // reading, then starting Python. With a good stick it plays as the stick says. A refused one does
 // not end the object, which could tell nobody why: it starts all the same, says the reason in one
 // line of the system's log, stays lying and blinks the reason's number (FaultLoops). What the
-// behaviours complain of goes to that log, too.
+// behaviours print, and what goes wrong in them, goes to that log, too.
 #pragma once
 
 #include "robot/agent/Agent.h"

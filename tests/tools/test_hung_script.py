@@ -74,9 +74,9 @@ def test_a_script_that_hangs_while_it_loads_ends_the_match_with_its_line(scripts
 
 
 def test_so_does_one_of_another_robot(scripts, tmp_path):
-    stuck = scripts("x = sum(range(10 ** 10))\n")
-    result = kelpie("play", "--robots", "1v1", "--fast", "--blue", stuck, "--seconds", "4",
-                    "--no-film", "--out", tmp_path / "out")
+    endless = scripts("x = sum(range(10 ** 10))\n")
+    result = kelpie("play", "--robots", "1v1", "--fast", "--blue", endless, "--seconds",
+                    "4", "--no-film", "--out", tmp_path / "out")
     assert result.returncode == 2, result.stderr
     assert "the opponent blue 1: behaviour: " in complaint(result)
 
