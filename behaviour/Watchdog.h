@@ -11,7 +11,7 @@ namespace kelpie::behaviour {
 class Watchdog {
  public:
   Watchdog(double seconds, int hungExit);  // starts to count
-  ~Watchdog();                              // stops
+  ~Watchdog();                             // stops
   Watchdog(const Watchdog&) = delete;
   Watchdog& operator=(const Watchdog&) = delete;
 

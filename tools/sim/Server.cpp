@@ -163,9 +163,10 @@ Status Server::takeReply(std::size_t robot) {
   const Status got = agents_[robot].connection.receive(host::MessageType::reply, buffer_);
   if (!got) return got;
   host::AgentReply reply;
-  if (!decode(buffer_.data(), buffer_.size(), reply)) return Error{"its reply cannot be decoded"};
+  if (!decode(buffer_.data(), buffer_.size(), reply))
+    return refuse(robot, "its reply cannot be decoded");
   std::string why;
-  if (!verify(reply, &why)) return Error{"its reply is refused: " + why};
+  if (!verify(reply, &why)) return refuse(robot, "its reply is refused: " + why);
   world_.bodies().command(robot, reply);
   if (!reply.packet.bytes.empty()) world_.send(robot, reply.packet);
   return Done{};
@@ -181,12 +182,18 @@ Status Server::takeReplies(const Step& step) {
   return Done{};
 }
 
+// One that talks nonsense is hung up on, so that it ends.
+Status Server::refuse(std::size_t robot, const std::string& why) {
+  agents_[robot].connection.hangUp();
+  if (hooks_.arrival && hooks_.tell) hooks_.tell(nameOf(robot) + ": " + why);
+  return Error{why};
+}
+
+// Whoever started an agent tells that it has died; here it is told when it is there again.
 Status Server::lose(std::size_t robot, const std::string& why) {
-  const std::string line = nameOf(robot) + ": " + why;
-  if (!hooks_.arrival) return Error{line};
+  if (!hooks_.arrival) return Error{nameOf(robot) + ": " + why};
   agents_[robot].present = false;
-  agents_[robot].connection.hangUp();  // one that talks nonsense ends, and whoever started it knows
-  if (hooks_.tell) hooks_.tell(line);
+  agents_[robot].lost = why;
   return Done{};
 }
 
@@ -196,10 +203,11 @@ void Server::welcome() {
     const std::size_t robot = placeOf(agent->hello, agents_);
     if (robot == agents_.size() || agents_[robot].present) continue;
     const int life = agents_[robot].life + 1;
+    const std::string lost = std::move(agents_[robot].lost);
     agents_[robot] = std::move(*agent);
     agents_[robot].life = life;
     world_.bodies().takeVectorsDone(robot);  // those of the agent before
-    if (hooks_.tell) hooks_.tell(nameOf(robot) + " is there again");
+    if (hooks_.tell) hooks_.tell(nameOf(robot) + " is there again; " + lost);
   }
 }
 

@@ -24,7 +24,8 @@ struct Agent {
   host::Connection connection;
   host::AgentHello hello;
   bool present = true;
-  int life = 0;  // which of those that came by this name
+  int life = 0;        // which of those that came by this name
+  std::string lost{};  // why, if it is no longer present
 };
 
 // The next agent that comes to an open socket within that time.
@@ -46,7 +47,7 @@ struct ServerHooks {
   // match: its robot stands until an agent of that name is there again. While there is none at all
   // the match waits, half a minute at most.
   std::function<std::optional<Agent>()> arrival;
-  std::function<void(const std::string&)> tell;  // of who is gone, or is there again
+  std::function<void(const std::string&)> tell;  // of who talks nonsense, or is there again
 };
 
 class Server {
@@ -82,6 +83,7 @@ class Server {
   bool isThere(const Step& step) const;
   bool ends() const;
   Status takeReply(std::size_t robot);
+  Status refuse(std::size_t robot, const std::string& why);
   Status lose(std::size_t robot, const std::string& why);
   void welcome();
   bool isAnybodyThere() const;
