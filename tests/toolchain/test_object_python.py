@@ -187,7 +187,7 @@ def test_error_of_a_script_is_a_fallback_as_on_the_pc(player, body, reason):
 
 
 @pytest.mark.parametrize("body", [
-    "return [0] * 10 ** 8", "return len('a' * 10 ** 8)", "x = []\n    while True: x = [x] * 100",
+    "return [0] * 3500000", "return len('a' * 10 ** 8)", "x = []\n    while True: x = [x] * 100",
     "x = []\n    for i in range(10 ** 9): x.append('word' * 10000)"])
 def test_script_that_eats_memory_is_refused_it_and_the_next_one_plays(player, body):
     player.decide(body)
