@@ -116,7 +116,7 @@ void tryDamages(const LogOptions& options, bool whole, std::uint64_t seed) {
   const std::vector<std::string> all = readAll(fileWith("whole", log)).contents;
   ASSERT_GE(all.size(), 400U);
   Random random(seed);
-  for (int trial = 0; trial < 150; ++trial) {
+  for (int trial = 0; trial < 250; ++trial) {
     SCOPED_TRACE(trial);
     std::string broken = log;
     std::vector<Damage> damages;
