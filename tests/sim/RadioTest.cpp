@@ -32,6 +32,16 @@ TEST(Radio, APacketReachesEveryOtherRobotAfterItsDelay) {
   EXPECT_TRUE(radio.take(0, at(2.0)).empty());
 }
 
+TEST(Radio, WhoIsDeafHearsNothingAndIsHeard) {
+  Radio radio(sure(), 3, 1);
+  radio.deafen(1);
+  radio.send(0, packetOf(7), at(1.0), kPlaces);
+  radio.send(1, packetOf(8), at(1.0), kPlaces);
+  EXPECT_TRUE(radio.take(1, at(2.0)).empty());
+  EXPECT_EQ(1U, radio.take(0, at(2.0)).size());
+  EXPECT_EQ(2U, radio.take(2, at(2.0)).size());
+}
+
 TEST(Radio, WhoIsOutOfRangeHearsNothing) {
   RadioParams params = sure();
   params.range = 500.0;

@@ -61,5 +61,5 @@ def test_parameters_that_are_wrong_end_an_experiment_with_one_line(tmp_path):
     params = tmp_path / "p.toml"
     params.write_text("[behaviour.task]\ngrap = true\n")
     result = kelpie("evaluate", "aim", "--fast", "--trials", "1", "--params", params)
-    assert result.returncode == 1
+    assert result.returncode == 2
     assert "unknown key behaviour.task.grap" in complaint(result)

@@ -334,6 +334,14 @@ void addTeamOptions(CLI::App& command, PlayOptions& options) {
       ->check(CLI::IsMember({"world", "udp", "none"}))
       ->capture_default_str();
   command
+      .add_option("--radio-loss", session.radioLoss,
+                  "Share of the team's packets that a robot misses (the world's: 0.02)")
+      ->check(inRange(0.0, 1.0));
+  command
+      .add_option("--radio-delay", session.radioDelay,
+                  "Seconds that a packet is under way (the world's: 0.01 to 0.04)")
+      ->check(inRange(0.0, 10.0));
+  command
       .add_option("--logs", options.logs,
                   "Whose logs are kept: watched (match.mcap), or all, of every other robot too "
                   "(red-1.mcap, ...), with --images planes unless that says otherwise of "

@@ -17,6 +17,8 @@ void addStagingOptions(CLI::App& command, sim::StagingWords& staging) {
   command.add_option("--carry", staging.carries,
                      "Somebody carries a robot elsewhere at T s: T:TEAM:PLAYER:X,Y,DEG; as soon as "
                      "that place is free");
+  command.add_option("--deaf", staging.deaf,
+                     "A robot whose radio sends and does not receive: TEAM:PLAYER");
 }
 
 }  // namespace kelpie::cli

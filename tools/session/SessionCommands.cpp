@@ -30,6 +30,7 @@ void addStaging(const sim::Staging& staging, Words& argv) {
     argv.insert(argv.end(), {"--take-ball", sim::wordsFor(take)});
   for (const auto& carry : staging.carries)
     argv.insert(argv.end(), {"--carry", sim::wordsFor(carry)});
+  for (const auto& robot : staging.deaf) argv.insert(argv.end(), {"--deaf", sim::wordsFor(robot)});
 }
 
 // What every agent of a match has in common.
@@ -77,7 +78,10 @@ Words worldCommand(const SessionOptions& options, const Workshop& workshop) {
                 workshop.path("result.json"),
                 "--tell-goals",
                 options.physical ? "--physical" : "--fast"};
-  if (options.radio == "none") argv.insert(argv.end(), {"--radio-loss", "1"});
+  const double loss = options.radio == "none" ? 1.0 : options.radioLoss;
+  if (loss >= 0.0) argv.insert(argv.end(), {"--radio-loss", std::to_string(loss)});
+  if (options.radioDelay >= 0.0)
+    argv.insert(argv.end(), {"--radio-delay", std::to_string(options.radioDelay)});
   if (options.rules) argv.insert(argv.end(), {"--rules", "--tell-time"});
   if (options.controller != 0)
     argv.insert(argv.end(), {"--game-controller", std::to_string(options.controller)});

@@ -36,6 +36,8 @@ struct SessionOptions {
   int player = 1;                // its number
   bool rules = false;            // a referee who knows more than goals and balls out
   std::string radio = "world";   // or udp, of this machine; none: all packets are lost
+  double radioLoss = -1.0;       // share of packets; below 0: the world's
+  double radioDelay = -1.0;      // s under way; so
   std::uint16_t controller = 0;  // UDP port of a game controller that rules the match; 0: none
   bool respawn = false;          // an agent that dies is started again, and plays on
   std::string scenario = "empty-goal";

@@ -6,7 +6,7 @@
 namespace kelpie::sim {
 
 Radio::Radio(const RadioParams& params, std::size_t robots, std::uint64_t seed)
-    : params_(params), random_(seed), inboxes_(robots) {}
+    : params_(params), random_(seed), inboxes_(robots), deaf_(robots, false) {}
 
 void Radio::send(std::size_t from, const RadioPacket& packet, TimeUs now,
                  const std::vector<Point2<Field>>& places) {
@@ -15,7 +15,7 @@ void Radio::send(std::size_t from, const RadioPacket& packet, TimeUs now,
     // Drawn for everybody, so that who is near changes nothing for the others.
     const bool lost = random_.chance(params_.loss);
     const double late = params_.delay + random_.uniform(0.0, params_.jitter);
-    if (lost || distance(places[from], places[to]) > params_.range) continue;
+    if (lost || deaf_[to] || distance(places[from], places[to]) > params_.range) continue;
     inboxes_[to].push_back({TimeUs{now.us + TimeUs::fromSeconds(late).us}, packet});
   }
 }

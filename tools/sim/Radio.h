@@ -32,6 +32,8 @@ struct RadioParams {
 class Radio {
  public:
   Radio(const RadioParams& params, std::size_t robots, std::uint64_t seed);
+  // From now on that robot receives nothing; the others still hear it.
+  void deafen(std::size_t robot) { deaf_[robot] = true; }
 
   // places: of all robots now.
   void send(std::size_t from, const RadioPacket& packet, TimeUs now,
@@ -49,6 +51,7 @@ class Radio {
   RadioParams params_;
   Random random_;
   std::vector<std::vector<Flying>> inboxes_;
+  std::vector<bool> deaf_;
 };
 
 }  // namespace kelpie::sim

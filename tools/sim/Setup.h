@@ -19,6 +19,7 @@ struct Player {
   TeamColour team = TeamColour::red;
   std::uint8_t number = 1;
   Pose2 start;
+  bool deaf = false;  // its radio sends and does not receive
 
   bool is(const host::AgentHello& agent) const {
     return team == agent.team && number == agent.player;

@@ -174,6 +174,8 @@ Status checkStaging(const body::FieldDescription& field,
     const Status ball = thrown.by ? Status(Done{}) : checkBall(field, thrown.ball);
     if (!ball) return ball;
   }
+  for (const host::AgentHello& robot : staging.deaf)
+    if (!isAmong(agents, robot)) return Error{"no " + nameOf(robot) + " is there to be deaf"};
   const Status carries = checkCarries(field, agents, staging);
   if (!carries) return carries;
   return staging.ball ? checkBall(field, *staging.ball) : Status(Done{});
@@ -188,6 +190,9 @@ void takePlaces(const std::vector<host::AgentHello>& agents, const Staging& stag
   for (const host::AgentHello& agent : agents)
     ordered.push_back(*std::find_if(setup.players.begin(), setup.players.end(),
                                     [&](const Player& player) { return player.is(agent); }));
+  for (Player& player : ordered)
+    player.deaf = std::any_of(staging.deaf.begin(), staging.deaf.end(),
+                              [&](const host::AgentHello& robot) { return player.is(robot); });
   setup.players = std::move(ordered);
 }
 
@@ -290,6 +295,12 @@ Expected<Staging> stagingFrom(const StagingWords& words) {
     if (!carry) return Error{carry.error()};
     staging.carries.push_back(*carry);
   }
+  for (const std::string& one : words.deaf) {
+    const std::vector<std::string> parts = partsOf(one);
+    const auto robot = parts.size() == 2 ? robotOf(parts[0], parts[1]) : std::nullopt;
+    if (!robot) return Error{"'" + one + "': who is deaf is TEAM:PLAYER, as in red:2"};
+    staging.deaf.push_back(*robot);
+  }
   return staging;
 }
 
@@ -316,6 +327,8 @@ std::string wordsFor(const BallTake& take) {
 std::string wordsFor(const RobotCarry& carry) {
   return fmt::format("{}:{}", carry.time, wordsFor(RobotPlace{carry.robot, carry.pose}));
 }
+
+std::string wordsFor(const host::AgentHello& robot) { return wordFor(robot); }
 
 Expected<Setup> stagedScenario(const std::string& name, const body::FieldDescription& field,
                                const std::vector<host::AgentHello>& agents, std::uint64_t seed,

@@ -28,6 +28,7 @@ struct Staging {
   std::vector<BallThrow> throws;
   std::vector<BallTake> takes = {};
   std::vector<RobotCarry> carries = {};
+  std::vector<host::AgentHello> deaf = {};  // whose radio sends and does not receive
 };
 
 // An error is one line with the words in it.
@@ -43,6 +44,7 @@ struct StagingWords {
   std::vector<std::string> throws;
   std::vector<std::string> takes = {};
   std::vector<std::string> carries = {};
+  std::vector<std::string> deaf = {};  // TEAM:PLAYER
 };
 Expected<Staging> stagingFrom(const StagingWords& words);
 
@@ -52,6 +54,7 @@ std::string wordsFor(const Ball& ball);
 std::string wordsFor(const BallThrow& thrown);
 std::string wordsFor(const BallTake& take);
 std::string wordsFor(const RobotCarry& carry);
+std::string wordsFor(const host::AgentHello& robot);
 
 // The scenario of the robots that have no place of their own, then what is staged. Refuses what is
 // off the field, names of robots that are not there, robots in each other, in a goal or beacon, or

@@ -39,6 +39,7 @@ World::World(const WorldParams& params, const body::FieldDescription& field, con
   const Scene scene = fieldScene(field, crowd, unlike_.venue);
   const SharedTables tables = makeRandomTables();
   for (std::size_t i = 0; i < players_.size(); ++i) {
+    if (players_[i].deaf) radio_.deafen(i);
     const std::uint64_t part = 10 * (i + 1);
     Random colours(partSeed(seed, part));
     sensorRandom_.emplace_back(partSeed(seed, part + 2));
