@@ -9,6 +9,7 @@ import os
 import pty
 import re
 import select
+import shutil
 import signal
 import struct
 import subprocess
@@ -151,17 +152,22 @@ def test_a_drive_by_a_file_that_is_interrupted_fails_and_keeps_its_log(tmp_path)
     assert frames_of(tmp_path / "teleop.mcap")
 
 
+def child_of(process, name):
+    return int(subprocess.run(["pgrep", "-P", str(process.pid), name], capture_output=True,
+                              text=True, check=True).stdout.split()[0])
+
+
 class Terminal:
     """kelpie teleop on a terminal of its own; all that it draws is in `seen`."""
 
-    def __init__(self, out, *words, columns=80, rows=24, kind="xterm-256color"):
+    def __init__(self, out, *words, columns=80, rows=24, kind="xterm-256color", programs=BIN):
         self.leader, self.follower = pty.openpty()
         size = struct.pack("HHHH", rows, columns, 0, 0)
         fcntl.ioctl(self.follower, termios.TIOCSWINSZ, size)
         self.before = termios.tcgetattr(self.follower)
         self.seen = b""
         self.process = subprocess.Popen(
-            [BIN / "kelpie", "teleop", "--out", out, *words], cwd=ROOT, stdin=self.follower,
+            [programs / "kelpie", "teleop", "--out", out, *words], cwd=ROOT, stdin=self.follower,
             stdout=self.follower, stderr=subprocess.PIPE, start_new_session=True,
             preexec_fn=lambda: fcntl.ioctl(0, termios.TIOCSCTTY, 0),
             env=dict(os.environ, TERM=kind, TMPDIR=str(out)))
@@ -238,9 +244,7 @@ def test_the_terminal_is_as_before_after_an_interrupt(stop, tmp_path):
 def test_the_terminal_is_as_before_when_a_process_dies(who, tmp_path):
     terminal = Terminal(tmp_path)
     assert terminal.read(20, rb" s  stands")
-    listing = subprocess.run(["pgrep", "-P", str(terminal.process.pid), who], capture_output=True,
-                             text=True, check=False).stdout.split()
-    os.kill(int(listing[0]), signal.SIGKILL)
+    os.kill(child_of(terminal.process, who), signal.SIGKILL)
     assert terminal.end() == 1
     assert "died (signal 9)" in terminal.errors.splitlines()[-1]
 
@@ -282,3 +286,68 @@ def test_the_picture_follows_the_size_of_the_terminal(tmp_path):
     assert terminal.read(5, rb"\033\[35;1H\033\[38;2")
     terminal.type(b"x")
     assert terminal.end() == 0
+
+
+def with_agent(folder, script):
+    """The programs once more, in a folder in which that shell script is the agent."""
+    folder.mkdir()
+    shutil.copy(BIN / "kelpie", folder)
+    shutil.copy(BIN / "kelpie-world", folder)
+    (folder / "kelpie-agent").write_text(f"#!/bin/sh\n{script}\n")
+    (folder / "kelpie-agent").chmod(0o755)
+    return folder
+
+
+@pytest.fixture(name="late")
+def programs_whose_agent_starts_two_seconds_late(tmp_path):
+    return with_agent(tmp_path / "bin", f'sleep 2\nexec "{BIN}/kelpie-agent" "$@"')
+
+
+def test_an_agent_that_starts_late_is_waited_for(late, tmp_path):
+    terminal = Terminal(tmp_path / "out", programs=late)
+    assert terminal.read(20, rb" s  stands")
+    terminal.type(b"w")
+    assert terminal.read(10, rb"ahead 5 cm/s")
+    terminal.type(b"x")
+    assert terminal.end() == 0, terminal.errors
+    assert frames_of(tmp_path / "out" / "teleop.mcap")
+
+
+def test_keys_typed_before_a_late_agent_comes_are_its_first(late, tmp_path):
+    terminal = Terminal(tmp_path / "out", programs=late)
+    assert terminal.read(10, rb"\033\[\?1049h")
+    terminal.type(b"ww")
+    assert terminal.read(20, rb"ahead 10 cm/s")
+    terminal.type(b"x")
+    assert terminal.end() == 0, terminal.errors
+
+
+def test_a_driver_who_quits_before_the_agent_came_is_told_so(tmp_path):
+    programs = with_agent(tmp_path / "bin", "exec sleep 60")
+    terminal = Terminal(tmp_path / "out", programs=programs)
+    assert terminal.read(10, rb"\033\[\?1049h")
+    terminal.type(b"x")
+    assert terminal.end() == 1
+    assert "the agent had not begun to play and was killed; last: before" in terminal.errors
+
+
+def test_an_agent_that_was_stopped_is_not_taken_for_a_script_in_a_long_call(tmp_path):
+    terminal = Terminal(tmp_path)
+    assert terminal.read(20, rb" s  stands")
+    os.kill(agent_of(terminal.process), signal.SIGSTOP)
+    terminal.type(b"x")
+    assert terminal.end() == 1
+    assert "the agent was stopped by a signal, and was killed" in terminal.errors
+
+
+@pytest.mark.parametrize("does, blamed", [("while :; do :; done", True), ("exec sleep 60", False)])
+def test_a_script_is_blamed_for_an_agent_that_computes_on_and_on(does, blamed, tmp_path):
+    programs = with_agent(tmp_path / "bin", f"echo status playing\n{does}")
+    play = subprocess.Popen([programs / "kelpie", "play", "--out", tmp_path / "out", "--no-film"],
+                            cwd=ROOT, stderr=subprocess.PIPE, stdout=subprocess.DEVNULL, text=True)
+    time.sleep(2.0)  # the world and its way to end are there, and the agent has said its line
+    os.kill(child_of(play, "kelpie-world"), signal.SIGTERM)
+    _, errors = play.communicate(timeout=60)
+    assert play.returncode == 1
+    assert "the agent did not answer and was killed" in errors
+    assert ("a script in a long call?" in errors) == blamed

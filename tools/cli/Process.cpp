@@ -9,10 +9,14 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
+#include <fstream>
+#include <iterator>
+#include <sstream>
 #include <utility>
 
 namespace kelpie::cli {
@@ -41,6 +45,18 @@ void rememberInterrupt(int) { interruptSeen = 1; }
   }
   execv(argv[0], argv);
   _exit(127);
+}
+
+// What the kernel tells of a process after its name, which may hold spaces: the state's letter is
+// word 0. Nothing when there is none.
+constexpr std::size_t kUserTicks = 11;  // on processors, and in the kernel's name the word after it
+std::vector<std::string> wordsOfStat(pid_t pid, bool ended) {
+  if (ended) return {};
+  std::ifstream file("/proc/" + std::to_string(pid) + "/stat");
+  std::string line;
+  std::getline(file, line);
+  std::istringstream rest(line.substr(std::min(line.rfind(')') + 1, line.size())));
+  return {std::istream_iterator<std::string>(rest), {}};
 }
 
 }  // namespace
@@ -115,6 +131,19 @@ int Process::wait() {
   }
   if (!ended_) reap(status);
   return code_;
+}
+
+double Process::computed() const {
+  double ticks = 0.0;
+  const auto words = wordsOfStat(pid_, ended_);
+  for (std::size_t i = kUserTicks; i <= kUserTicks + 1 && i < words.size(); ++i)
+    ticks += std::strtod(words[i].c_str(), nullptr);
+  return ticks / static_cast<double>(sysconf(_SC_CLK_TCK));
+}
+
+bool Process::stopped() const {
+  const auto words = wordsOfStat(pid_, ended_);
+  return !words.empty() && words[0] == "T";
 }
 
 void Process::terminate() {

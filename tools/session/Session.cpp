@@ -117,6 +117,8 @@ struct Ends {
   int world = 0;
   bool worldAlive = true;  // when the agent had ended
   bool stuck = false;      // the agent had to be killed
+  bool busy = false;       // it was computing then
+  bool stopped = false;    // a signal held it then
   bool other = false;      // another robot ended in trouble of its own
 };
 
@@ -137,15 +139,19 @@ struct Crew {
 class Patience {
  public:
   // True from five seconds after the first call on.
-  bool ended() {
+  bool ended(const Process& agent) {
     const auto now = std::chrono::steady_clock::now();
     if (!begun_) since_ = now;
+    if (!begun_) computed_ = agent.computed();
     begun_ = true;
     return now - since_ > std::chrono::seconds(5);
   }
+  // More than an agent that waits or is about to end does.
+  bool wasBusy(const Process& agent) const { return agent.computed() - computed_ > 1.0; }
 
  private:
   bool begun_ = false;
+  double computed_ = 0.0;  // s, by the agent until the first call
   std::chrono::steady_clock::time_point since_;
 };
 
@@ -217,8 +223,10 @@ Ends waitForAll(const SessionTalk& talk, Crew& crew) {
       asked = true;
       crew.world.terminate();  // it ends the match, and with it the agents
     }
-    if ((asked || crew.world.ended()) && !ends.stuck && patience.ended()) {
+    if ((asked || crew.world.ended()) && !ends.stuck && patience.ended(*crew.agent)) {
       ends.stuck = true;
+      ends.busy = patience.wasBusy(*crew.agent);
+      ends.stopped = crew.agent->stopped();
       crew.agent->kill();
       crew.others.kill();
     }
@@ -234,14 +242,22 @@ Ends waitForAll(const SessionTalk& talk, Crew& crew) {
   return ends;
 }
 
+// A script is blamed only where one is asked in each frame and the agent computed on and on.
+std::string stuckHow(const Ends& ends, const Crew& crew) {
+  if (ends.stopped) return "the agent was stopped by a signal, and was killed";
+  if (crew.agentSaid.last.empty()) return "the agent had not begun to play and was killed";
+  const bool script = ends.busy && crew.options.driver.empty();
+  return std::string("the agent did not answer and was killed") +
+         (script ? " (a script in a long call?)" : "");
+}
+
 // Who ends last has often only lost the others: the first cause is told.
 std::string troubleOf(const Ends& ends, const Crew& crew) {
   const std::string when = "; last: " + crew.agentSaid.when();
   if (!ends.worldAlive && ends.world >= 128)
     return fmt::format("the world died (signal {})", ends.world - 128) + when;
   if (ends.other) return crew.others.trouble() + when;
-  if (ends.stuck)
-    return "the agent did not answer and was killed (a script in a long call?)" + when;
+  if (ends.stuck) return stuckHow(ends, crew) + when;
   if (ends.agent >= 128) return fmt::format("the agent died (signal {})", ends.agent - 128) + when;
   if (ends.agent == 2) return crew.agentSaid.complaint;
   if (!crew.worldSaid.complaint.empty()) return crew.worldSaid.complaint;

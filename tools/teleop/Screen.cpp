@@ -93,7 +93,11 @@ Screen::~Screen() {
 
 int Screen::input() const { return STDIN_FILENO; }
 
+// Where nothing has been typed a read gives no bytes either, as at the terminal's end: asked for
+// before it, an end is there to be read and an empty line is not.
 bool Screen::read(std::string& typed) const {
+  pollfd keys{STDIN_FILENO, POLLIN, 0};
+  if (poll(&keys, 1, 0) <= 0) return true;
   char buffer[256];
   const ssize_t got = ::read(STDIN_FILENO, buffer, sizeof buffer);
   if (got > 0) typed.append(buffer, static_cast<std::size_t>(got));

@@ -26,7 +26,7 @@ class Screen {
   Screen& operator=(const Screen&) = delete;
 
   int input() const;  // descriptor to wait at
-  // Appends what was typed. False: the terminal is gone.
+  // Appends what was typed, if anything; does not wait. False: the terminal is gone.
   bool read(std::string& typed) const;
   // `note` is the last thing that happened, for a line of its own. False: the terminal is gone.
   bool draw(const Image& image, const std::string& status, const std::string& note);
