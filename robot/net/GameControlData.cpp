@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robot/net/GameControlData.h"
 
+#include <algorithm>
 #include <cstring>
+
+#include "robot/net/ControlFields.h"
+#include "robot/net/LaterControl.h"
 
 namespace kelpie::net {
 namespace {
 
 constexpr char kHeader[] = {'R', 'G', 'm', 'e'};
-constexpr std::uint32_t kLongest = 86400;        // s
-constexpr std::uint32_t kLongestPenalty = 3600;  // s
-constexpr std::uint32_t kHighestScore = 255;
-constexpr std::uint32_t kLastState = 4;
-constexpr std::uint32_t kLastPenalty = 9;
+constexpr std::uint32_t kNobody = 2;  // kicks off
 
 std::uint32_t wireColour(TeamColour team) { return team == TeamColour::red ? 1 : 0; }
 TeamColour fromWire(std::uint32_t colour) {
@@ -36,46 +36,49 @@ class Writer {
   std::vector<std::uint8_t> bytes_{kHeader, kHeader + 4};
 };
 
-TeamColour otherThan(TeamColour team) {
-  return team == TeamColour::red ? TeamColour::blue : TeamColour::red;
+ControlPenalty penaltyFrom(std::uint32_t told) {
+  const auto last = static_cast<std::uint32_t>(ControlPenalty::other);
+  return static_cast<ControlPenalty>(std::min(told, last) & 0xffU);
 }
 
-// Keeps the first thing that cannot be. There are as many bytes as the words asked for.
-class Reader {
- public:
-  explicit Reader(const std::uint8_t* bytes) : at_(bytes) {}
+std::uint32_t penaltySeconds(std::uint32_t told) {
+  return static_cast<std::int32_t>(told) < 0 ? 0 : std::min(told, kLongestPenalty);
+}
 
-  std::uint32_t word() {
-    std::uint32_t word = 0;
-    for (const unsigned shift : {0U, 8U, 16U, 24U})
-      word |= static_cast<std::uint32_t>(*at_++) << shift;
-    return word;
-  }
-  std::uint32_t upTo(std::uint32_t highest, ControlRefusal reason) {
-    const std::uint32_t value = word();
-    refuse(value > highest, reason);
-    return value;
-  }
-  void refuse(bool so, ControlRefusal reason) {
-    if (so && !refusal_) refusal_ = reason;
-  }
-  ControlTeam team() {
-    ControlTeam team;
-    team.number = word();
-    team.colour = fromWire(upTo(1, ControlRefusal::teamColour));
-    team.score = upTo(kHighestScore, ControlRefusal::score);
+void readTeams(ControlBytes& in, GameControlData& got) {
+  std::array<std::uint32_t, 2> colours{};
+  for (std::size_t i = 0; i < 2; ++i) {
+    ControlTeam& team = got.teams[i];
+    team.number = in.word();
+    colours[i] = in.word();
+    team.score = std::min(in.word(), kHighestScore);
     for (ControlPlayer& player : team.players) {
-      const std::uint32_t penalty = upTo(kLastPenalty, ControlRefusal::penalty);
-      player.penalty = static_cast<ControlPenalty>(penalty & 0xffU);
-      player.secondsLeft = upTo(kLongestPenalty, ControlRefusal::penaltyTime);
+      player.penalty = penaltyFrom(in.word());
+      player.secondsLeft = penaltySeconds(in.word());
     }
-    return team;
   }
-  std::optional<ControlRefusal> refusal_;
+  setColours(colours, got);
+}
 
- private:
-  const std::uint8_t* at_;
-};
+std::optional<ControlRefusal> decodeVersion4(const std::uint8_t* bytes, GameControlData& control) {
+  ControlBytes in(bytes + sizeof kHeader);
+  if (in.word() != kGameControlVersion) return ControlRefusal::version;
+  GameControlData got;
+  const std::uint32_t state = in.word();
+  if (state > static_cast<std::uint32_t>(PlayState::finished)) return ControlRefusal::state;
+  got.state = static_cast<PlayState>(state & 0xffU);
+  got.firstHalf = in.word() == 1;
+  const std::uint32_t kickOff = in.word();
+  got.kickOff = fromWire(kickOff);
+  got.dropBall = kickOff >= kNobody;
+  got.secondsLeft = secondsFrom(static_cast<std::int32_t>(in.word()));
+  got.dropInTeam = fromWire(in.word());
+  const std::uint32_t dropIn = in.word();
+  got.dropInSeconds = dropIn > static_cast<std::uint32_t>(kLongestHalf) ? kNoDropIn : dropIn;
+  readTeams(in, got);
+  control = got;
+  return std::nullopt;
+}
 
 const ControlTeam& teamOf(const GameControlData& control, TeamColour team) {
   return control.teams[control.teams[0].colour == team ? 0 : 1];
@@ -88,7 +91,7 @@ std::vector<std::uint8_t> encodeControl(const GameControlData& control) {
   out.put(kGameControlVersion);
   out.put(static_cast<std::uint32_t>(control.state));
   out.put(control.firstHalf ? 1U : 0U);
-  out.put(wireColour(control.kickOff));
+  out.put(control.dropBall ? kNobody : wireColour(control.kickOff));
   out.put(control.secondsLeft);
   out.put(wireColour(control.dropInTeam));
   out.put(control.dropInSeconds);
@@ -102,25 +105,31 @@ ControlPacket packetOf(const GameControlData& control) {
   return packet;
 }
 
+std::optional<std::uint32_t> controlVersion(const std::uint8_t* bytes, std::size_t size) {
+  if (size <= sizeof kHeader || std::memcmp(bytes, kHeader, sizeof kHeader) != 0)
+    return std::nullopt;
+  return bytes[sizeof kHeader];  // a word's lowest byte in the old versions, a byte in the later
+}
+
+void swapColours(GameControlData& control) {
+  for (ControlTeam& team : control.teams) team.colour = otherThan(team.colour);
+  control.kickOff = otherThan(control.kickOff);
+  control.dropInTeam = otherThan(control.dropInTeam);
+}
+
 std::optional<ControlRefusal> decodeControl(const std::uint8_t* bytes, std::size_t size,
                                             GameControlData& control) {
-  if (size != kGameControlSize) return ControlRefusal::size;
-  if (std::memcmp(bytes, kHeader, sizeof kHeader) != 0) return ControlRefusal::header;
-  Reader in(bytes + sizeof kHeader);
-  if (in.word() != kGameControlVersion) return ControlRefusal::version;
-  GameControlData got;
-  got.state = static_cast<PlayState>(in.upTo(kLastState, ControlRefusal::state) & 0xffU);
-  got.firstHalf = in.upTo(1, ControlRefusal::half) == 1;
-  got.kickOff = fromWire(in.upTo(1, ControlRefusal::kickOffTeam));
-  got.secondsLeft = in.upTo(kLongest, ControlRefusal::secondsLeft);
-  got.dropInTeam = fromWire(in.upTo(1, ControlRefusal::dropInTeam));
-  got.dropInSeconds = in.word();
-  in.refuse(got.dropInSeconds > kLongest && got.dropInSeconds != kNoDropIn,
-            ControlRefusal::dropInTime);
-  for (ControlTeam& team : got.teams) team = in.team();
-  in.refuse(got.teams[0].colour == got.teams[1].colour, ControlRefusal::teamColour);
-  if (!in.refusal_) control = got;
-  return in.refusal_;
+  if (size <= sizeof kHeader) return ControlRefusal::size;
+  const auto version = controlVersion(bytes, size);
+  if (!version) return ControlRefusal::header;
+  for (const ControlLayout& layout : kControlLayouts) {
+    if (layout.version != *version) continue;
+    if (layout.size != size) return ControlRefusal::size;
+    if (layout.version == 8) return decodeVersion8(bytes, control);
+    if (layout.version == 18) return decodeVersion18(bytes, control);
+    return decodeVersion4(bytes, control);
+  }
+  return ControlRefusal::version;
 }
 
 GameState gameStateFrom(const GameControlData& control, TeamColour team, std::uint8_t player) {
@@ -134,7 +143,7 @@ GameState gameStateFrom(const GameControlData& control, TeamColour team, std::ui
     game.penalised = own.players[player - 1U].penalty != ControlPenalty::none;
   game.ownScore = static_cast<std::uint8_t>(own.score & 0xffU);
   game.opponentScore = static_cast<std::uint8_t>(other.score & 0xffU);
-  game.kickOff = control.kickOff == team &&
+  game.kickOff = control.kickOff == team && !control.dropBall &&
                  (control.state == PlayState::ready || control.state == PlayState::set);
   game.firstHalf = control.firstHalf;
   game.secondsLeft = control.secondsLeft;

@@ -11,12 +11,23 @@ void count(std::uint32_t& number) {
   if (number < std::numeric_limits<std::uint32_t>::max()) ++number;
 }
 
+bool has(const ControlTeam& team, int number) {
+  return number >= 0 && team.number == static_cast<std::uint32_t>(number);
+}
+
+// Where no colours were told the number says which team is the robot's.
+void setColoursByNumber(TeamColour team, int number, GameControlData& control) {
+  if (control.coloursTold) return;
+  const std::size_t own = control.teams[0].colour == team ? 0 : 1;
+  if (!has(control.teams[own], number) && has(control.teams[1 - own], number)) swapColours(control);
+}
+
 // The uniform says which colour a robot has: a packet that gives its team the other one is not of
 // this match.
 bool isForeign(const GameControlData& control, TeamColour team, int number) {
   if (number < 0) return false;
   for (const ControlTeam& one : control.teams)
-    if (one.colour == team) return one.number != static_cast<std::uint32_t>(number);
+    if (one.colour == team) return !has(one, number);
   return true;
 }
 
@@ -38,6 +49,7 @@ void hear(const ControlPacket& packet, TimeUs now, const ListenerParams& params,
           ListenerState& state) {
   GameControlData control;
   auto refusal = decodeControl(packet.bytes.begin(), packet.bytes.size(), control);
+  if (!refusal) setColoursByNumber(state.game.team, params.teamNumber, control);
   if (!refusal && isForeign(control, state.game.team, params.teamNumber))
     refusal = ControlRefusal::foreign;
   if (refusal) return count(state.counts.refused[static_cast<std::size_t>(*refusal)]);

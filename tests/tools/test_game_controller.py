@@ -128,15 +128,67 @@ def test_what_is_no_packet_is_told_once_and_changes_nothing(team, tmp_path, port
     play = started(team, tmp_path / "out", port, seconds="4")
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as sender:
         while play.poll() is None:
-            sender.sendto(b"RGme" + bytes(200), ("127.0.0.1", port))
-            newer = bytearray(Controller(port).packet())
-            newer[4] = 7
-            sender.sendto(newer, ("127.0.0.1", port))
+            for packet in (b"RGrt" + bytes(8), b"RGme\x0c" + bytes(53), b"RGme\x0a" + bytes(583),
+                           Controller(port).packet()[:119]):
+                sender.sendto(packet, ("127.0.0.1", port))
             time.sleep(0.05)
     lines = play.communicate()[1].splitlines()
     told = [line for line in lines if "is not used" in line]
-    assert len(told) == 2 and "its size" in told[0] and "its version" in told[1], lines
+    plays = "Kelpie plays version 4 (120 bytes), 8 (158 bytes), 18 (118 bytes)"
+    assert [line.split("is not used: ")[1] for line in told] == [
+        f"its header; {plays}", f"heard version 12, 58 bytes; {plays}",
+        f"heard version 10, 256 bytes or more; {plays}", f"heard version 4, 119 bytes; {plays}"]
     assert in_order(games(tmp_path / "out/match.mcap"), "state") == ["initial"]
+
+
+class LaterController(Controller):
+    """Of another year; red is 12 and kicks off."""
+
+    def __init__(self, port, version):
+        super().__init__(port)
+        self.version = version
+
+    def team(self, colour, number):
+        score, words = self.score[colour], [number, colour, *bytes(8)]
+        penalties = [n for p in range(1, 5) for n in (self.penalties.get((colour, p), 0), 9)]
+        if self.version == 8:
+            return bytes([number, colour, score]) + bytes(45) + bytes(penalties) + bytes(14)
+        words[4] = score
+        return bytes(words) + bytes(penalties) + bytes(32)
+
+    def packet(self):
+        half, state = self.first_half, self.state
+        if self.version == 8:
+            head = struct.pack("<8B3h", 8, 0, 4, state, half, RED, 0, 0, -1, -5, 0)
+        else:
+            head = struct.pack("<10B2h", 18, 0, 4, 0, 0, 0, state, 0, half, 12, -5, 0)
+        return b"RGme" + head + self.team(BLUE, 21) + self.team(RED, 12)
+
+
+@pytest.mark.parametrize("version, size", [(8, 158), (18, 118)])
+def test_a_program_of_later_years_rules_a_match(version, size, team, tmp_path, port):
+    controller = LaterController(port, version)
+    assert len(controller.packet()) == size
+    play = started(team, tmp_path / "out", port)
+    controller.start()
+    wait_until_heard(play, [])
+    for state in (READY, SET, PLAYING):
+        controller.state = state
+        time.sleep(1.0)
+    controller.penalties[RED, 1] = 15  # by hand, which version 4 has not
+    time.sleep(1.0)
+    controller.penalties.clear()
+    controller.score[RED] = 1
+    time.sleep(1.0)
+    controller.state, controller.first_half = FINISHED, 0
+    output, errors = play.communicate(timeout=60)
+    controller.over.set()
+    assert play.returncode == 0, errors
+    assert "red 1 : 0 blue" in output
+    seen = games(tmp_path / "out/match.mcap")
+    assert in_order(seen, "state")[:4] == ["initial", "ready", "set", "playing"]
+    assert in_order(seen, "penalised") == [False, True, False]
+    assert [game["kick_off"] for game in seen if game["state"] == "set"][0]
 
 
 def test_the_words_of_kelpie_gamecontroller_rule_a_match(team, tmp_path, port):

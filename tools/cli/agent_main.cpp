@@ -16,12 +16,14 @@
 #include "robot/host/UdpControl.h"
 #include "robot/host/UdpRadio.h"
 #include "robot/host/WorldSource.h"
+#include "robot/net/GameControlData.h"
 #include "tools/cli/AgentTalk.h"
 #include "tools/cli/Config.h"
 #include "tools/cli/Describe.h"
 #include "tools/cli/Logs.h"
 #include "tools/cli/Process.h"
 #include "tools/cli/WholeFile.h"
+#include "tools/sim/UnusedControl.h"
 
 namespace kelpie::cli {
 namespace {
@@ -94,13 +96,23 @@ struct Links {
   std::optional<host::DriverLink> driver;
   std::optional<host::UdpRadio> radio;
   std::optional<host::UdpControl> controller;
+  std::optional<sim::UnusedControl> unused;
 
   void hear(TimeUs now, agent::AgentLoops& loops) {
     if (driver) loops.setDrive(driver->drive());
     RadioPacket packet;
     while (radio && radio->receive(packet)) loops.hear(packet, now);
     ControlPacket control;
-    while (controller && controller->receive(control)) loops.hear(control, now);
+    while (controller && controller->receive(control)) {
+      sayIfUnused(control);
+      loops.hear(control, now);
+    }
+  }
+  void sayIfUnused(const ControlPacket& packet) {
+    net::GameControlData ignored;
+    const auto refusal = net::decodeControl(packet.bytes.begin(), packet.bytes.size(), ignored);
+    const auto line = refusal ? unused->lineFor(packet, *refusal) : std::nullopt;
+    if (line) fmt::print(stderr, "{}\n", *line);
   }
   bool sends(RadioPacket& packet, agent::AgentLoops& loops) {
     const bool made = loops.takePacket(packet);
@@ -158,6 +170,7 @@ Status openLinks(const AgentOptions& options, const host::AgentHello& self, Link
   if (opened && options.radio == "udp") opened = keep(host::UdpRadio::open(self), links.radio);
   if (opened && options.controller != 0)
     opened = keep(host::UdpControl::open(options.controller, true), links.controller);
+  links.unused.emplace(options.controller);
   return opened;
 }
 

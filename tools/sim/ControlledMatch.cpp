@@ -15,7 +15,7 @@ constexpr double kGone = 5.0;       // s without a packet: nobody is there any m
 constexpr double kToldLate = 10.0;  // s after a ball was put back in which its out may be told
 
 const char* wordsFor(net::ControlPenalty penalty) {
-  constexpr std::array<const char*, 10> kWords = {"",
+  constexpr std::array<const char*, 11> kWords = {"",
                                                   "ball holding",
                                                   "goalie pushing",
                                                   "player pushing",
@@ -24,7 +24,8 @@ const char* wordsFor(net::ControlPenalty penalty) {
                                                   "obstruction",
                                                   "request for pick-up",
                                                   "leaving the field",
-                                                  "damage"};
+                                                  "damage",
+                                                  "a penalty of later years"};
   return kWords[static_cast<std::size_t>(penalty)];
 }
 

@@ -20,6 +20,7 @@
 #include "tools/cli/Usage.h"
 #include "tools/sim/Server.h"
 #include "tools/sim/Staging.h"
+#include "tools/sim/UnusedControl.h"
 
 namespace kelpie::sim {
 namespace {
@@ -145,11 +146,11 @@ class Pace {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-// Hears a game controller for the world. What is not used is told once for each reason.
+// Hears a game controller for the world, and says of what it makes nothing.
 class ControlDesk {
  public:
   ControlDesk(host::UdpControl socket, std::uint16_t port)
-      : socket_(std::move(socket)), port_(port) {}
+      : socket_(std::move(socket)), port_(port), unused_(port) {}
 
   void hear(World& world) {
     ControlPacket packet;
@@ -160,24 +161,19 @@ class ControlDesk {
   void take(const ControlPacket& packet, World& world) {
     net::GameControlData control;
     const auto refusal = net::decodeControl(packet.bytes.begin(), packet.bytes.size(), control);
-    if (!refusal) {
-      if (!heard_) tellLine(fmt::format("a game controller is heard at port {}", port_));
-      heard_ = true;
-      return world.hear(control);
+    if (refusal) {
+      const auto line = unused_.lineFor(packet, *refusal);
+      return line ? tellLine(*line) : void();
     }
-    const auto reason = static_cast<std::size_t>(*refusal);
-    if (!std::exchange(told_[reason], true))
-      tellLine(
-          fmt::format("a packet at port {} is not used: its {}; wanted are the {} bytes of "
-                      "RGme version {}",
-                      port_, kControlRefusalNames[reason].name, net::kGameControlSize,
-                      net::kGameControlVersion));
+    if (!heard_) tellLine(fmt::format("a game controller is heard at port {}", port_));
+    heard_ = true;
+    world.hear(control);
   }
 
   host::UdpControl socket_;
   std::uint16_t port_;
   bool heard_ = false;
-  std::array<bool, kControlRefusals> told_{};
+  UnusedControl unused_;
 };
 
 // An agent that comes late and says no hello holds the match up for as long as a dead one does.
