@@ -148,6 +148,53 @@ def test_ring_table_from_a_log_is_the_one_from_its_images(sheets, tmp_path):
     assert ring_data(tmp_path / "a.kt") == ring_data(tmp_path / "b.kt")
 
 
+POINT = "decimal point (12.5, not 12,5)"
+SHIFT = ("date,dog,mac_low4,base_dog,paper,y_dog,y_base_mean,u_dog,u_base_mean,v_dog,v_base_mean\n"
+         "2005-07-12,r1,c6240000,b1,white,150,157.2,128,127.1,126,128.4\n")
+
+
+@pytest.mark.parametrize("text, told", [
+    (SHIFT + SHIFT.splitlines()[1].replace(".", ","), f":3: 14 columns, expected 11; "),
+    (SHIFT + SHIFT.splitlines()[1].replace(",", ";").replace(".", ","), ":3: 4 columns"),
+    (SHIFT.replace("157.2", '"157,2"'), ":2: 12 columns, expected 11; "),
+])
+def test_a_decimal_comma_is_told_with_its_line_and_what_to_write(text, told, tmp_path):
+    sheet = tmp_path / "pairs.csv"
+    sheet.write_text(text)
+    for words in (("shift", sheet), ("ring", "none", "--shift", sheet, "--robot", "r1", "--out",
+                                     tmp_path / "x.kt")):
+        line = complaint(kelpie("calibrate", *words))
+        assert f"pairs.csv{told}" in line and POINT in line
+
+
+def test_a_sheet_of_semicolons_is_told_at_its_header(tmp_path):
+    (tmp_path / "pairs.csv").write_text(SHIFT.replace(",", ";").replace(".", ","))
+    line = complaint(kelpie("calibrate", "shift", tmp_path / "pairs.csv"))
+    assert "pairs.csv:1: the header must be" in line and "decimal point" in line
+
+
+def test_a_decimal_comma_among_labelled_pixels_is_told(tmp_path):
+    (tmp_path / "l.csv").write_text("Y,Cr,Cb,class\n82,121,167,blue\n82,5,121,167,blue\n")
+    result = kelpie("calibrate", "colour", tmp_path / "l.csv", "--out", tmp_path / "c.kt")
+    assert result.returncode == 2 and "l.csv:3: 5 columns, expected 4; " in complaint(result)
+
+
+def test_names_in_capitals_as_a_fat_stick_has_them_are_read(sheets, tmp_path):
+    folder = tmp_path / "SHEETS"
+    folder.mkdir()
+    for i, planes in enumerate(sheets):
+        (folder / f"FRAME{i:03d}.YUV").write_bytes(planes)
+    ring = kelpie("calibrate", "ring", folder, "--out", tmp_path / "RING.KT")
+    assert ring.returncode == 0, ring.stderr
+    rows = [f"{40 * c + i},{100 + i},{120 + c},{name}\n" for c, name in
+            enumerate(("orange", "blue", "green")) for i in range(30)]
+    (tmp_path / "LABELS.CSV").write_text("Y,Cr,Cb,class\n" + "".join(rows))
+    colour = kelpie("calibrate", "colour", tmp_path / "LABELS.CSV", "--seed", "2", "--out",
+                    tmp_path / "C.KT", "--picture", tmp_path / "C.PNG")
+    assert colour.returncode == 0 and "labelled pixels" in colour.stdout, colour.stderr
+    assert (tmp_path / "C.PNG").read_bytes()[1:4] == b"PNG"
+
+
 def test_the_robots_shift_goes_into_its_ring_table(tmp_path):
     rows = ["date,dog,mac_low4,base_dog,paper,y_dog,y_base_mean,u_dog,u_base_mean,v_dog,"
             "v_base_mean"]

@@ -36,6 +36,26 @@ def test_a_frame_of_a_log_is_drawn(match, tmp_path):
     assert [p.name for p in tmp_path.iterdir()] == ["frame.png"]
 
 
+@pytest.mark.parametrize("name", ["frame.jpg", "FRAME.JPG", "frame.jpeg"])
+def test_a_frame_is_drawn_as_jpeg_where_its_name_says_so(name, match, tmp_path):
+    out = tmp_path / name
+    assert kelpie("show", match, "--frame", "40", "--out", out).returncode == 0
+    data = out.read_bytes()
+    assert data[:3] == b"\xff\xd8\xff" and data[-2:] == b"\xff\xd9"
+    assert [p.name for p in tmp_path.iterdir()] == [name]
+
+
+@pytest.mark.parametrize("words, told", [
+    (("show", "--out", "f.gif"), "f.gif: show writes .png and .jpg"),
+    (("film", "f.avi"), "f.avi: a film is an .mp4 file"),
+    (("film", "f"), "f: a film is an .mp4 file")])
+def test_what_cannot_be_written_is_refused_by_name(words, told, match, tmp_path):
+    command, *rest, name = words
+    result = kelpie(command, match, *rest, tmp_path / name)
+    assert result.returncode == 2 and told in complaint(result)
+    assert not list(tmp_path.iterdir())
+
+
 def test_a_frame_of_a_folder_is_drawn(tmp_path):
     frames = [bytes([90]) * PLANE + bytes([128]) * (2 * PLANE)] * 2
     folder = make_recording(tmp_path / "r", frames)

@@ -14,6 +14,17 @@ bool nextLine(std::ifstream& file, std::string& line) {
   return true;
 }
 
+// A spreadsheet that writes decimal commas parts its cells by semicolons, or puts numbers with a
+// comma in quotes; where it does neither there are too many cells.
+std::string otherColumns(const std::string& line, std::size_t wanted) {
+  const bool semicolons = line.find(';') != std::string::npos;
+  if (semicolons || line.find('"') != std::string::npos || cellsOf(line, ',').size() > wanted)
+    return std::to_string(cellsOf(line, ',').size()) + " columns, expected " +
+           std::to_string(wanted) +
+           "; write numbers with a decimal point (12.5, not 12,5) and part them by commas";
+  return "expected " + std::to_string(wanted) + " columns";
+}
+
 }  // namespace
 
 Cells cellsOf(std::string_view line, char separator) {
@@ -43,14 +54,16 @@ Status forEachRow(const std::string& path, const std::string& header,
   std::string line;
   const bool begun = nextLine(file, line);
   if (line.compare(0, 3, "\xEF\xBB\xBF") == 0) line.erase(0, 3);  // spreadsheets write a mark
-  if (!begun || line != header) return Error{path + ":1: the header must be " + header};
+  if (!begun || line != header)
+    return Error{path + ":1: the header must be " + header +
+                 (line.find(';') == std::string::npos
+                      ? ""
+                      : "; part columns by commas and write numbers with a decimal point")};
   const std::size_t columns = cellsOf(header, ',').size();
   for (int number = 2; nextLine(file, line); ++number) {
     if (line.empty()) continue;
     const Cells cells = cellsOf(line, ',');
-    const Status taken = cells.size() == columns
-                             ? take(cells)
-                             : Error{"expected " + std::to_string(columns) + " columns"};
+    const Status taken = cells.size() == columns ? take(cells) : Error{otherColumns(line, columns)};
     if (!taken) return Error{path + ":" + std::to_string(number) + ": " + taken.error()};
   }
   return Done{};

@@ -9,6 +9,7 @@
 #include "robot/core/LogReader.h"
 #include "robot/core/LogTopics.h"
 #include "tools/picture/CameraPicture.h"
+#include "tools/picture/FileNames.h"
 #include "tools/picture/PngFile.h"
 
 namespace kelpie::calibrate {
@@ -68,7 +69,7 @@ Expected<Image> fromPicture(const std::string& path) {
 }
 
 bool isImage(const fs::path& path) {
-  const auto extension = path.extension();
+  const auto extension = picture::endingOf(path);
   return extension == ".png" || extension == ".yuv" || extension == ".bin";
 }
 
@@ -125,7 +126,7 @@ Expected<std::vector<NamedImage>> fromLog(const std::string& path, std::size_t m
 }  // namespace
 
 Expected<Image> readImage(const std::string& path) {
-  const auto extension = fs::path(path).extension();
+  const auto extension = picture::endingOf(path);
   if (extension == ".png") return fromPicture(path);
   const auto bytes = readRaw(path);
   if (!bytes) return Error{bytes.error()};

@@ -7,6 +7,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "tools/calibrate/Quantile.h"
+#include "tools/picture/FileNames.h"
 #include "tools/picture/PngFile.h"
 
 namespace kelpie::calibrate {
@@ -87,8 +88,7 @@ double lengthFor(const Residuals& residuals) {
 }  // namespace
 
 Status writeResidualPicture(const BodyEstimate& estimate, const std::string& path) {
-  if (std::filesystem::path(path).extension() != ".png")
-    return Error{path + ": cannot be written as a picture"};
+  if (picture::endingOf(path) != ".png") return Error{path + ": cannot be written as a picture"};
   const int high = kTitle + kHigh + kLegend * static_cast<int>(kSightKindCount) + kGap;
   const double longer = lengthFor(estimate.before);
   const std::array<Panel, 3> panels = {{{"before", estimate.before, longer},

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <opencv2/imgproc.hpp>
 
+#include "tools/picture/FileNames.h"
 #include "tools/picture/PngFile.h"
 
 namespace kelpie::calibrate {
@@ -33,8 +34,7 @@ void drawSlice(cv::Mat& picture, const vision::ColourTable& table, int slice) {
 }  // namespace
 
 Status writeTablePicture(const vision::ColourTable& table, const std::string& path) {
-  if (std::filesystem::path(path).extension() != ".png")
-    return Error{path + ": cannot be written as a picture"};
+  if (picture::endingOf(path) != ".png") return Error{path + ": cannot be written as a picture"};
   cv::Mat picture(kSlices / kAcross * (kSize + kTitle) + kGap, kAcross * (kSize + kGap) + kGap,
                   CV_8UC3, cv::Scalar(235, 235, 235));
   for (int slice = 0; slice < kSlices; ++slice) drawSlice(picture, table, slice);

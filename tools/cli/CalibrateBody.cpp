@@ -13,6 +13,7 @@
 #include "tools/cli/Calibrate.h"
 #include "tools/cli/Commands.h"
 #include "tools/cli/WholeFile.h"
+#include "tools/picture/FileNames.h"
 
 namespace kelpie::cli {
 namespace {
@@ -176,7 +177,7 @@ int calibrateBody(const BodyOptions& options) {
   if (!options.out.empty() && !options.picture.empty() &&
       place(options.out) == place(options.picture))
     return fail("--out and --picture: both are " + options.out, kExitBadInput);
-  if (!options.picture.empty() && std::filesystem::path(options.picture).extension() != ".png")
+  if (!options.picture.empty() && picture::endingOf(options.picture) != ".png")
     return fail("--picture " + options.picture + ": its name must end with .png", kExitBadInput);
   return std::filesystem::is_directory(options.input, error) ? fromSizes(options)
                                                              : fromLog(options);

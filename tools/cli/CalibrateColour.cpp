@@ -11,6 +11,7 @@
 #include "tools/cli/Commands.h"
 #include "tools/cli/Usage.h"
 #include "tools/cli/WholeFile.h"
+#include "tools/picture/FileNames.h"
 #include "vision/pixels/VisionCalibration.h"
 
 namespace kelpie::cli {
@@ -58,7 +59,7 @@ std::string help() {
 }
 
 bool endsIn(const std::string& path, const char* extension) {
-  return std::filesystem::path(path).extension() == extension;
+  return picture::endingOf(path) == extension;
 }
 
 Expected<LabelledPixels> readLabels(const ColourOptions& options) {

@@ -11,6 +11,7 @@
 #include "tools/cli/Commands.h"
 #include "tools/cli/Usage.h"
 #include "tools/cli/WholeFile.h"
+#include "tools/picture/FileNames.h"
 
 namespace kelpie::cli {
 namespace {
@@ -50,8 +51,7 @@ struct RingOptions {
 bool isTable(const std::string& input) {
   std::error_code error;
   return input == "nominal" || input == "none" || input == "2006" ||
-         (std::filesystem::is_regular_file(input, error) &&
-          std::filesystem::path(input).extension() != ".mcap");
+         (std::filesystem::is_regular_file(input, error) && picture::endingOf(input) != ".mcap");
 }
 
 Expected<calibrate::RingFit> learn(const RingOptions& options) {

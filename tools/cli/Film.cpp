@@ -15,6 +15,7 @@
 #include "tools/match/Draw.h"
 #include "tools/match/Match.h"
 #include "tools/match/TraceWords.h"
+#include "tools/picture/FileNames.h"
 #include "tools/picture/FilmFile.h"
 #include "tools/picture/PngFile.h"
 
@@ -203,6 +204,8 @@ int film(const FilmOptions& options) {
   if (isDevice(options.out)) return fail(options.out + ": not a plain file", kExitBadInput);
   if (sameFile(options.log, options.out))
     return fail(options.out + ": is the log itself", kExitBadInput);
+  if (picture::endingOf(options.out) != ".mp4")
+    return fail(options.out + ": a film is an .mp4 file", kExitBadInput);
   catchInterrupts();
   const auto match = Match::open(options.log);
   if (!match) return fail(match.error(), kExitBadInput);

@@ -12,6 +12,7 @@
 #include "tools/learn/BlockTrial.h"
 #include "tools/learn/MotionFile.h"
 #include "tools/learn/MotionScene.h"
+#include "tools/picture/FileNames.h"
 #include "tools/sim/physics/Variation.h"
 
 namespace kelpie::cli {
@@ -44,7 +45,7 @@ struct Chosen {
 };
 
 bool isPath(const std::string& name) {
-  return name.find('/') != std::string::npos || std::filesystem::path(name).extension() == ".toml";
+  return name.find('/') != std::string::npos || picture::endingOf(name) == ".toml";
 }
 
 Expected<Chosen> chosenFile(const MotionOptions& options) {
@@ -175,7 +176,7 @@ int play(const MotionOptions& options) {
   if (!motion) return fail(motion.error(), kExitBadInput);
   for (const std::string& out : {options.film, options.picture})
     if (!out.empty() && !canWrite(out)) return fail(out + ": cannot be written", kExitBadInput);
-  if (!options.film.empty() && std::filesystem::path(options.film).extension() != ".mp4")
+  if (!options.film.empty() && picture::endingOf(options.film) != ".mp4")
     return fail(options.film + ": a film's name ends with .mp4", kExitBadInput);
   const sim::PhysicsParams model =
       options.model == 0 ? sim::PhysicsParams{} : sim::varied({}, options.model);

@@ -16,6 +16,8 @@
 #include "tools/cli/ThinLog.h"
 #include "tools/cli/WholeFile.h"
 #include "tools/match/TraceWords.h"
+#include "tools/picture/FileNames.h"
+#include "tools/picture/JpegFile.h"
 #include "tools/picture/PngFile.h"
 #include "vision/Vision.h"
 
@@ -123,17 +125,31 @@ cv::Mat sheetOf(const ShowOptions& options, const Shot& shot) {
   return drawSheet({title, *shot.input, *output, *state, shot.why});
 }
 
+bool isJpeg(const std::string& path) {
+  const std::string ending = picture::endingOf(path);
+  return ending == ".jpg" || ending == ".jpeg";
+}
+
+bool isPicture(const std::string& path) {
+  const std::string ending = picture::endingOf(path);
+  return ending.empty() || ending == ".png" || isJpeg(path);
+}
+
 Status draw(const ShowOptions& options, const Shot& shot) {
   std::string why;
   if (!verify(*shot.input, &why))
     return Error{fmt::format("{}: frame {} is damaged: {}", options.source, options.frame, why)};
-  return picture::writePng(options.out, sheetOf(options, shot));
+  const bool png = !isJpeg(options.out);
+  const cv::Mat sheet = sheetOf(options, shot);
+  return png ? picture::writePng(options.out, sheet) : picture::writeJpeg(options.out, sheet);
 }
 
 int show(const ShowOptions& options) {
   if (isDevice(options.out)) return fail(options.out + ": not a plain file", kExitBadInput);
   if (sameFile(options.source, options.out))
     return fail(options.out + ": is the log itself", kExitBadInput);
+  if (!isPicture(options.out))
+    return fail(options.out + ": show writes .png and .jpg", kExitBadInput);
   std::error_code error;
   const auto shot =
       fs::is_directory(options.source, error) ? fromFolder(options) : fromLog(options);
@@ -152,7 +168,7 @@ void addShow(CLI::App& app, int& code) {
   auto options = std::make_shared<ShowOptions>();
   command->add_option("SOURCE", options->source, "A log, or a folder as for import")->required();
   command->add_option("--frame", options->frame, "Which frame, from 0")->capture_default_str();
-  command->add_option("--out", options->out, "The picture to write, a PNG file")->required();
+  command->add_option("--out", options->out, "The picture to write, .png or .jpg")->required();
   addConfigOptions(*command, options->config);
   command->callback([options, &code] { code = show(*options); });
 }

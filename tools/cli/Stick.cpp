@@ -12,6 +12,7 @@
 #include "tools/cli/Config.h"
 #include "tools/cli/Process.h"
 #include "tools/cli/WholeFile.h"
+#include "tools/picture/FileNames.h"
 #include "tools/stick/Behaviours.h"
 #include "tools/stick/BootReads.h"
 #include "tools/stick/FormerFiles.h"
@@ -81,7 +82,7 @@ Expected<Parts> readParts(const StickOptions& options) {
   return parts;
 }
 
-bool isImage(const std::string& out) { return std::filesystem::path(out).extension() == ".img"; }
+bool isImage(const std::string& out) { return picture::endingOf(out) == ".img"; }
 
 Status verifyFolder(const std::string& root, const agent::AgentConfig& config) {
   stick::StdioFiles files(root.c_str());
