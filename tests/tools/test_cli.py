@@ -226,6 +226,24 @@ def test_jsonl_has_one_object_a_frame(match, tmp_path):
     assert all(f"`{key}`" in documented for key in objects[-1])
 
 
+def numbers_of(value):
+    if isinstance(value, (list, dict)):
+        for item in value.values() if isinstance(value, dict) else value:
+            yield from numbers_of(item)
+    elif isinstance(value, str) and "." in value:
+        yield value
+
+
+def test_numbers_are_as_short_as_they_read_back(match, tmp_path):
+    """0.7 deg squared as radians are 0.49000000000000005 deg2 again, by double's last digit."""
+    text = kelpie("replay", match, "--jsonl", "-").stdout
+    lines = [json.loads(line, parse_float=str) for line in text.splitlines()]
+    told = [number for line in lines for number in numbers_of(line)]
+    assert len(told) > 1000
+    assert all(number == repr(float(number)) for number in told if "e" not in number)
+    assert "0.49" in told and "0.49000000000000005" not in told
+
+
 def test_a_recording_through_the_openr_services_gives_the_same_frames(match, tmp_path):
     again = tmp_path / "again.mcap"
     subprocess.run([BIN / "kelpie-agent", "--recording", match, "--log", again], check=True,

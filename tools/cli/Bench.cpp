@@ -9,6 +9,7 @@
 #include "tools/cli/Commands.h"
 #include "tools/cli/Config.h"
 #include "tools/cli/Figures.h"
+#include "tools/cli/JsonText.h"
 #include "tools/cli/Usage.h"
 #include "tools/cli/WholeFile.h"
 
@@ -77,7 +78,7 @@ int benchWholeMatch(const BenchOptions& options) {
                   {"match", speeds->match},
                   {"robots", options.plan.robots},
                   {"seconds", options.plan.seconds}};
-  if (!writeWhole(options.json, json.dump(2) + "\n"))
+  if (!writeWhole(options.json, jsonText(json, 2) + "\n"))
     return fail(options.json + ": cannot be written", kExitBadInput);
   return kExitDone;
 }
@@ -92,7 +93,7 @@ int bench(const BenchOptions& options) {
   if (!canWrite(options.json)) return fail(options.json + ": cannot be written", kExitBadInput);
   const auto result = agent::replay(options.log, request, watch);
   if (!result) return fail(result.error(), kExitBadInput);
-  if (!writeWhole(options.json, watch.figures().dump(2) + "\n"))
+  if (!writeWhole(options.json, jsonText(watch.figures(), 2) + "\n"))
     return fail(options.json + ": cannot be written", kExitBadInput);
   if (!result->lacks.empty())
     return fail(options.log + ": " + result->lacks + "; measured on the rest", kExitBadInput);

@@ -5,6 +5,8 @@
 #pragma once
 
 #include <array>
+#include <cstdio>
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -39,6 +41,23 @@ std::string jsonName(const char* name, const char* unit) {
   return text;
 }
 
+// The shortest decimal number of which `back` makes the value again, or `shown` itself. Radians
+// turned into degrees would have noise in their last digits: 40.00000000000001.
+template <class Back>
+double shortest(double shown, Back&& back) {
+  for (const int digits : {6, 9, 12, 15, 16}) {
+    char text[40];
+    std::snprintf(text, sizeof text, "%.*g", digits, shown);
+    const double shorter = std::strtod(text, nullptr);
+    if (back(shorter)) return shorter;
+  }
+  return shown;
+}
+
+inline double degreesOf(Angle angle) {
+  return shortest(angle.deg(), [angle](double degrees) { return Angle::deg(degrees) == angle; });
+}
+
 template <class T>
 Json fieldJson(const T& value, const char* unit = "") {
   if constexpr (IsText<T>::value) {
@@ -60,7 +79,7 @@ Json fieldJson(const T& value, const char* unit = "") {
     });
     return present ? object : Json(nullptr);
   } else if constexpr (std::is_same_v<T, Angle>) {
-    return value.deg();
+    return degreesOf(value);
   } else if constexpr (std::is_same_v<T, TimeUs>) {
     return value.seconds();
   } else if constexpr (std::is_enum_v<T>) {
@@ -68,7 +87,9 @@ Json fieldJson(const T& value, const char* unit = "") {
     const auto& names = kEnumNames<T>;
     return number < names.size() ? Json(names[number]) : Json(number);
   } else if constexpr (std::is_floating_point_v<T>) {
-    return value * behaviour::shownFactor(unit);
+    const double factor = behaviour::shownFactor(unit);
+    const auto back = [value, factor](double n) { return static_cast<T>(n / factor) == value; };
+    return factor == 1.0 && std::is_same_v<T, double> ? value : shortest(value * factor, back);
   } else {
     return value;
   }

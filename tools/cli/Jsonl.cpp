@@ -53,16 +53,19 @@ Json refusals(const Counts& counts, const Names& names) {
 }
 
 Json cameraTilt(const CameraTilt& tilt) {
-  return {{"tilt_deg", tilt.tilt.deg()},
-          {"roll_deg", tilt.roll.deg()},
-          {"tilt_sd_deg", Angle::rad(std::sqrt(tilt.tiltVariance)).deg()},
-          {"roll_sd_deg", Angle::rad(std::sqrt(tilt.rollVariance)).deg()}};
+  return {{"tilt_deg", degreesOf(tilt.tilt)},
+          {"roll_deg", degreesOf(tilt.roll)},
+          {"tilt_sd_deg", degreesOf(Angle::rad(std::sqrt(tilt.tiltVariance)))},
+          {"roll_sd_deg", degreesOf(Angle::rad(std::sqrt(tilt.rollVariance)))}};
 }
 
 Json pose(const WorldModel& world) {
-  return {{"x_cm", world.pose.position.x},           {"y_cm", world.pose.position.y},
-          {"heading_deg", world.pose.heading.deg()}, {"sd_cm", world.positionSd},
-          {"sd_deg", world.headingSd.deg()},         {"stuck", world.stuck}};
+  return {{"x_cm", world.pose.position.x},
+          {"y_cm", world.pose.position.y},
+          {"heading_deg", degreesOf(world.pose.heading)},
+          {"sd_cm", world.positionSd},
+          {"sd_deg", degreesOf(world.headingSd)},
+          {"stuck", world.stuck}};
 }
 
 // Null until the ball has been seen, and again when it is given up.
@@ -77,7 +80,7 @@ Json ball(const BallEstimate& estimate) {
           {"vy_cm_s", estimate.velocity.y},
           {"sd_cm", std::sqrt(std::fmax(0.0, larger))},
           {"distance_cm", estimate.distance},
-          {"heading_deg", estimate.heading.deg()},
+          {"heading_deg", degreesOf(estimate.heading)},
           {"since_seen_s", estimate.secondsSinceSeen},
           {"stopping_point", fieldJson(estimate.stoppingPoint)}};
 }

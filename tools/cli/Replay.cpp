@@ -7,6 +7,8 @@
 
 #include "tools/cli/Commands.h"
 #include "tools/cli/Config.h"
+#include "tools/cli/FieldJson.h"
+#include "tools/cli/JsonText.h"
 #include "tools/cli/Jsonl.h"
 #include "tools/cli/ThinLog.h"
 #include "tools/cli/WholeFile.h"
@@ -59,8 +61,8 @@ int tellRecorded(const ReplayCommand& command) {
     if (const match::TrueRobot* own = moment.truth.own())
       object["truth"] = {{"x_cm", own->pose.position.x},
                          {"y_cm", own->pose.position.y},
-                         {"heading_deg", own->pose.heading.deg()}};
-    objects += object.dump() + "\n";
+                         {"heading_deg", degreesOf(own->pose.heading)}};
+    objects += jsonText(object) + "\n";
     return true;
   });
   if (!writeWhole(command.jsonl, objects))
@@ -82,7 +84,7 @@ int replayLog(const ReplayCommand& command) {
   };
   if (!command.jsonl.empty())
     options.onFrame = [&](const FrameInput& input, const FrameOutput& output) {
-      objects += frameObject(input, output).dump() + "\n";
+      objects += jsonText(frameObject(input, output)) + "\n";
     };
   const Status scripts = checkScripts(command.pycode);
   if (!scripts) return fail(scripts.error(), kExitBadInput);

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <exception>
 
+#include "tools/cli/JsonText.h"
 #include "tools/cli/Process.h"
 #include "tools/cli/Progress.h"
 #include "tools/cli/Terminal.h"
@@ -91,7 +92,7 @@ Expected<Json> measureWithProgress(const Experiment& experiment, Request& reques
 int run(const Experiment& experiment, EvaluateOptions& options) {
   const Expected<Json> figures = measureWithProgress(experiment, options.request);
   if (!figures) return cli::fail(figures.error(), cli::kExitBadInput);
-  if (!cli::writeWhole(options.json, figures->dump(2) + "\n"))
+  if (!cli::writeWhole(options.json, cli::jsonText(*figures, 2) + "\n"))
     return cli::fail(options.json + ": cannot be written", cli::kExitBadInput);
   return cli::kExitDone;
 }
