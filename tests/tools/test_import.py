@@ -2,11 +2,13 @@
 """kelpie import: somebody's own images and joint angles become a log like any other."""
 
 import json
+import math
 import struct
+import subprocess
 import zlib
 
 import pytest
-from conftest import HEADER, PLANE, complaint, kelpie, make_recording
+from conftest import BIN, HEADER, PLANE, complaint, kelpie, make_recording
 
 GREY = bytes([90]) * PLANE + bytes([128]) * (2 * PLANE)
 GREEN = bytes([77]) * PLANE + bytes([103]) * PLANE + bytes([97]) * PLANE
@@ -218,3 +220,80 @@ def test_a_known_start_is_where_the_robot_is(log):
     assert result.returncode == 0, result.stderr
     first = json.loads(result.stdout.splitlines()[0])
     assert abs(first["pose"]["x_cm"] - 180) < 1 and first["percepts"] == []
+
+
+def test_names_in_capitals_as_a_fat_stick_has_them_are_taken(log, tmp_path):
+    folder = tmp_path / "R"
+    (folder / "FRAMES").mkdir(parents=True)
+    for i, planes in enumerate([GREY, GREEN, GREY, GREEN, GREY]):
+        (folder / "FRAMES" / f"FRAME{i:03d}.YUV").write_bytes(planes)
+    (folder / "SENSORS.CSV").write_bytes((log.parent / "r" / "sensors.csv").read_bytes())
+    result = kelpie("import", folder, "--out", tmp_path / "R.MCAP")
+    assert result.returncode == 0, result.stderr
+    assert (tmp_path / "R.MCAP").read_bytes() == log.read_bytes()
+    assert kelpie("replay", tmp_path / "R.MCAP", "--check").returncode == 0
+    ring = kelpie("calibrate", "ring", tmp_path / "R.MCAP", "--out", tmp_path / "X.KT")
+    assert "no such folder or log" not in ring.stderr and "no table" not in ring.stderr
+    assert "is part of the recording itself" in refusal(folder, folder / "SENSORS.CSV")
+
+
+def test_a_decimal_comma_is_told_with_its_line_and_what_to_write(tmp_path):
+    told = refusal_of_table(tmp_path, "\n".join([HEADER, GOOD.format(0), "0,0334,-20,0,0,14,25,"
+                                                 "100,0,0,0"]) + "\n")
+    assert ":3: 11 columns, expected 9; write numbers with a decimal point" in told
+
+
+FRAMES_OF_WALK = 120
+HEADING = math.radians(75)
+
+
+def place_at(frame):
+    return 120 + 0.8 * frame * math.cos(HEADING), 120 + 0.8 * frame * math.sin(HEADING)
+
+
+def pan_at(seconds):
+    return 60 * math.sin(math.pi * seconds)
+
+
+def imported_walk(folder, tilt=0.0, lag=0.0):
+    """What a walking robot sees that pans its head; its table says nothing of tilt and lag."""
+    (folder / "frames").mkdir(parents=True)
+    rows = [HEADER]
+    for frame in range(FRAMES_OF_WALK):
+        seconds = frame / 30
+        rows.append(f"{seconds:.4f},-10,{pan_at(seconds):.4f},0,14.25,100,{0.8 if frame else 0},"
+                    "0,0")
+        rate = 60 * math.pi * math.cos(math.pi * (seconds - lag))
+        words = ["--pose", *place_at(frame), 75, "--head", -10, pan_at(seconds - lag), 0,
+                 "--pan-rate", rate, "--tilt-error", tilt, "--seed", 3, "--ball", 300, 500,
+                 "--others", 0, "--ideal", "--small", "--out",
+                 folder / "frames" / f"{frame:06d}.png"]
+        subprocess.run([BIN / "sim_snapshot", *map(str, words)], check=True, capture_output=True)
+    (folder / "sensors.csv").write_text("\n".join(rows) + "\n")
+    log = folder / "walk.mcap"
+    result = kelpie("import", folder, "--ring", "none", "--init", "120,120,75", "--out", log)
+    assert result.returncode == 0, result.stderr
+    return log
+
+
+def at_the_end(log):
+    """The last frame and how far the believed place is from the true one."""
+    frame = json.loads(kelpie("replay", log, "--jsonl", "-").stdout.splitlines()[-1])
+    where = (frame["pose"]["x_cm"], frame["pose"]["y_cm"])
+    return frame, math.dist(where, place_at(FRAMES_OF_WALK - 1))
+
+
+def test_a_tilt_that_nobody_knows_is_found_in_an_imported_walk(tmp_path):
+    log = imported_walk(tmp_path / "w", tilt=3.0)
+    frame, off = at_the_end(log)
+    assert off < 6
+    assert -3.6 < frame["camera_tilt"]["tilt_deg"] < -2.4
+    assert kelpie("replay", log, "--check").returncode == 0
+
+
+def test_a_lag_that_nobody_knows_is_found_in_an_imported_walk(tmp_path):
+    log = imported_walk(tmp_path / "w", lag=0.02)
+    frame, off = at_the_end(log)
+    assert off < 6
+    assert abs(frame["image_lag_s"] - 0.02) < 0.006
+    assert kelpie("replay", log, "--check").returncode == 0

@@ -5,6 +5,9 @@
 
 #include <memory>
 
+#include "gps/pose/Focal.h"
+#include "gps/pose/Lag.h"
+#include "gps/pose/Tilt.h"
 #include "robot/agent/FrameLoop.h"
 #include "robot/core/LogTopics.h"
 #include "robot/core/LogWriter.h"
@@ -13,8 +16,10 @@
 #include "tools/cli/Config.h"
 #include "tools/cli/Process.h"
 #include "tools/cli/Progress.h"
+#include "tools/cli/RecordedTrack.h"
 #include "tools/cli/Recording.h"
 #include "tools/cli/WholeFile.h"
+#include "tools/picture/FileNames.h"
 
 namespace kelpie::cli {
 namespace {
@@ -26,21 +31,53 @@ struct ImportOptions {
   ConfigOptions config;
 };
 
+// What is believed of the camera after a frame is what the next one is read with, as the agent does
+// it: an unknown tilt of 3 deg stays one else, and costs most of a metre.
+class Beliefs {
+ public:
+  explicit Beliefs(const gps::GpsParams& params)
+      : tilt_(gps::startingTilt(params.tilt)),
+        focal_(gps::startingFocal(params.focal)),
+        lag_(gps::startingLag(params.lag)) {}
+
+  FrameInput inputOf(std::size_t n, RecordedTrack& track) const {
+    FrameInput input = track.input(n, lag_.seconds);
+    input.cameraTilt = tilt_;
+    input.focalScale = focal_;
+    input.imageLag = lag_;
+    return input;
+  }
+  void take(const WorldModel& world) {
+    tilt_ = world.cameraTilt;
+    focal_ = world.focalScale;
+    lag_ = world.imageLag;
+  }
+
+ private:
+  CameraTilt tilt_;
+  FocalScale focal_;
+  ImageLag lag_;
+};
+
 // A terminal is told how far it is: an image takes a few ms, but an hour of them has 108000.
-Status writeFrames(const Recording& recording, agent::FrameLoop& loop, LogWriter& log) {
+Status writeFrames(const Recording& recording, const gps::GpsParams& params, agent::FrameLoop& loop,
+                   LogWriter& log) {
   Progress progress("import", "frames");
   agent::StageObserver silent;
-  const auto& rows = recording.rows;
-  for (std::size_t i = 0; i < rows.size(); ++i) {
+  RecordedTrack track(recording.rows);
+  Beliefs beliefs(params);
+  const std::size_t frames = recording.rows.size();
+  for (std::size_t i = 0; i < frames; ++i) {
     const auto image = calibrate::readImage(recording.files[i]);
     if (!image) return Error{image.error()};
-    FrameInput input =
-        frameInput(static_cast<std::uint32_t>(i), rows[i], i > 0 ? &rows[i - 1] : nullptr);
+    FrameInput input = beliefs.inputOf(i, track);
     input.image = *image;
+    const FrameOutput& output = loop.step(input, silent);
+    beliefs.take(output.world);
     log.write(kFrameInputTopic, input.time, input);
-    log.write(kFrameOutputTopic, input.time, loop.step(input, silent));
+    log.write(kFrameOutputTopic, input.time, output);
     if (interrupted()) return Error{"interrupted"};
-    progress(i + 1, rows.size());
+    progress(i + 1, frames);
   }
   return Done{};
 }
@@ -48,7 +85,7 @@ Status writeFrames(const Recording& recording, agent::FrameLoop& loop, LogWriter
 // The log must not take the place of what it is made from.
 Status checkTarget(const std::string& out, const Recording& recording, const std::string& folder) {
   std::vector<std::string> inputs = recording.files;
-  inputs.push_back(folder + "/sensors.csv");
+  inputs.push_back(picture::fileIn(folder, "sensors.csv"));
   for (const auto& input : inputs)
     if (sameFile(out, input)) return Error{out + ": is part of the recording itself"};
   return Done{};
@@ -69,7 +106,7 @@ Status importFolder(const ImportOptions& options, const std::string& part) {
   log->metadata("kelpie", {{"imported", std::to_string(recording->files.size()) + " frames"}});
   log->metadata("parameters", parameterNotes(options.config));
   log->write(kConfigTopic, TimeUs{}, *config);
-  const Status frames = writeFrames(*recording, *loop, *log);
+  const Status frames = writeFrames(*recording, config->gps, *loop, *log);
   return frames ? log->close() : frames;
 }
 

@@ -11,6 +11,7 @@
 
 #include "robot/core/FieldCheck.h"
 #include "tools/calibrate/Csv.h"
+#include "tools/picture/FileNames.h"
 
 namespace kelpie::cli {
 namespace {
@@ -43,6 +44,7 @@ constexpr const char* kHelpOfFrames =
   frames/000000.yuv, frames/000001.yuv, ...   one file an image, its name is its number; no gaps
   sensors.csv                                 one row an image, in the same order
 
+Names and endings in capitals, as a FAT stick gives them, and FRAME000.YUV are taken as well.
 An image is 208 x 160 pixels, either
   .yuv  99840 bytes: the planes Y, Cr, Cb one after the other, in this order (Cr comes before Cb),
         each of 208 x 160 = 33280 bytes, rows from the top, pixels from the left; grey has Cr and
@@ -123,7 +125,10 @@ using Numbers = std::array<double, kColumns>;
 Expected<Numbers> parseNumbers(const std::string& line) {
   const auto cells = trimmedCells(line);
   if (cells.size() != kColumns)
-    return Error{fmt::format("{} columns, expected {}", cells.size(), kColumns)};
+    return Error{fmt::format("{} columns, expected {}{}", cells.size(), kColumns,
+                             cells.size() > kColumns || line.find(';') != std::string::npos
+                                 ? "; write numbers with a decimal point (12.5, not 12,5)"
+                                 : "")};
   Numbers numbers{};
   for (std::size_t i = 0; i < kColumns; ++i) {
     if (!calibrate::parseNumber(cells[i], numbers[i]))
@@ -190,9 +195,11 @@ struct FrameFile {
   std::string name;
 };
 
-// The number that a frame's file is named by; false for any other name.
+// The number that a frame's file is named by, with or without "frame" before it; false for any
+// other name.
 bool parseFrameNumber(const fs::path& path, std::uint64_t& number) {
-  const std::string stem = path.stem().string();
+  std::string stem = picture::lowerCase(path.stem().string());
+  if (stem.compare(0, 5, "frame") == 0) stem.erase(0, 5);
   if (stem.empty() || stem.size() > 18 || stem.find_first_not_of("0123456789") != stem.npos)
     return false;
   number = std::stoull(stem);
@@ -215,7 +222,8 @@ Expected<std::vector<RecordedRow>> readSensorRows(const std::string& path) {
   if (line.compare(0, 3, "\xEF\xBB\xBF") == 0) line.erase(0, 3);  // spreadsheets write a mark
   const std::string complaints = headerComplaints(line);
   if (!complaints.empty())
-    return Error{path + ":1: " + complaints + "; the header must be " + headerText()};
+    return Error{path + ":1: " + complaints + "; the header must be " + headerText() +
+                 (line.find(';') == std::string::npos ? "" : ", parted by commas")};
   RowReader reader;
   for (int number = 2; std::getline(file, line); ++number)
     if (!trimmed(line).empty()) reader.take(line, number);
@@ -226,12 +234,12 @@ Expected<std::vector<std::string>> listFrames(const std::string& folder) {
   std::error_code error;
   std::vector<FrameFile> files;
   for (const auto& entry : fs::directory_iterator(folder, error)) {
-    const auto extension = entry.path().extension();
+    const auto extension = picture::endingOf(entry.path());
     if (extension != ".yuv" && extension != ".png") continue;
     FrameFile file{0, entry.path().filename().string()};
     if (!parseFrameNumber(entry.path(), file.number))
       return Error{folder + "/" + file.name + ": its name must be its number, such as 000000" +
-                   extension.string()};
+                   extension};
     files.push_back(file);
   }
   if (error) return Error{folder + ": " + error.message()};
@@ -249,9 +257,9 @@ Expected<std::vector<std::string>> listFrames(const std::string& folder) {
 }
 
 Expected<Recording> readRecording(const std::string& folder) {
-  const auto files = listFrames(folder + "/frames");
+  const auto files = listFrames(picture::fileIn(folder, "frames"));
   if (!files) return Error{files.error()};
-  const std::string table = folder + "/sensors.csv";
+  const std::string table = picture::fileIn(folder, "sensors.csv");
   const auto rows = readSensorRows(table);
   if (!rows) return Error{rows.error()};
   if (rows->size() != files->size())

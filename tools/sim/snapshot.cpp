@@ -30,6 +30,7 @@ struct Options {
   bool ideal = false;
   bool wall = false;
   bool hidden = false;
+  bool small = false;
   cli::UnlikeOptions unlike;
 };
 
@@ -67,10 +68,11 @@ ColumnCameras cameras(BodyPlace place, const UnlikeRobot& self, double panRate) 
   return columns;
 }
 
-Status writeLarge(const std::string& path, const Image& image) {
+Status write(const Options& options, const Image& image) {
+  if (options.small) return picture::writePng(options.out, picture::pictureOf(image));
   cv::Mat picture;
   cv::resize(picture::pictureOf(image), picture, {}, 3.0, 3.0, cv::INTER_NEAREST);
-  return picture::writePng(path, picture);
+  return picture::writePng(options.out, picture);
 }
 
 int run(const Options& options) {
@@ -114,7 +116,7 @@ int run(const Options& options) {
   const auto camera = std::make_unique<Camera>(options.ideal ? idealCamera() : CameraParams{}, own);
   const auto image = std::make_unique<Image>();
   camera->render(scene, cameras(place, self, options.panRate), random, *image);
-  const Status written = writeLarge(options.out, *image);
+  const Status written = write(options, *image);
   if (!written) {
     fmt::print(stderr, "sim_snapshot: {}\n", written.error());
     return 1;
@@ -142,6 +144,7 @@ int main(int argc, char** argv) {
   app.add_option("--others", options.robots, "other robots on the field");
   app.add_flag("--wall", options.wall, "the outer wall of the 2004 challenge, with sheets");
   app.add_flag("--hidden", options.hidden, "no beacons, goals covered");
+  app.add_flag("--small", options.small, "208 x 160 pixels, as import takes them");
   app.add_flag("--ideal", options.ideal, "no artefacts");
   kelpie::cli::addUnlikeOptions(app, options.unlike);
   kelpie::cli::addLeanOptions(app, options.unlike);
