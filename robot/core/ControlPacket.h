@@ -20,8 +20,8 @@ struct ControlPacket {
   static constexpr auto fields() { return fieldList(field("bytes", &ControlPacket::bytes)); }
 };
 
-// Why a packet is not used. The number is the place in ControlCounts::refused and in recorded logs:
-// append, never reorder.
+// Why a packet is not used; half to penaltyTime cost their field alone now and stand in old logs.
+// The number is the place in ControlCounts::refused and in logs: append, never reorder.
 enum class ControlRefusal : std::uint8_t {
   size,
   header,
@@ -29,10 +29,10 @@ enum class ControlRefusal : std::uint8_t {
   state,
   half,
   kickOffTeam,
-  secondsLeft,  // more than a day; a half that is over must count 0
+  secondsLeft,
   dropInTeam,
   dropInTime,
-  teamColour,  // none, or both teams have the same
+  teamColour,
   score,
   penalty,
   penaltyTime,
