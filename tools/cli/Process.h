@@ -24,12 +24,12 @@ class Process {
 
   // Next line of output; waits at most `milliseconds`. False: nothing yet, or ended().
   bool readLine(std::string& line, int milliseconds);
-  bool ended();      // has exited; its status is then known
-  int wait();        // waits for the end; the exit code, or 128 + signal
+  bool ended();             // has exited; its status is then known
+  int wait();               // waits for the end; the exit code, or 128 + signal
   double computed() const;  // s that it has kept a processor busy; 0 when it is gone
   bool stopped() const;     // by a signal, until another lets it go on
-  void terminate();  // asks it to stop
-  void kill();       // stops it
+  void terminate();         // asks it to stop
+  void kill();              // stops it
 
  private:
   Process(pid_t pid, int output) : pid_(pid), output_(output) {}
