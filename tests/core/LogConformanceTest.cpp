@@ -4,6 +4,8 @@
 // from the specification, not by our LogWriter.
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "robot/core/Checksum.h"
 #include "tests/core/LogFiles.h"
 
@@ -19,6 +21,7 @@ struct Features {
       metadataIndex, chunkIndex, summaryOffsets, padding;
 };
 constexpr int kFeatures = 10;
+constexpr std::array<std::uint8_t, 3> kBytes = {1, 2, 3};  // of every content
 
 Features featuresOf(unsigned bits) {
   const auto bit = [bits](int n) { return ((bits >> n) & 1U) != 0; };
@@ -70,7 +73,7 @@ class File {
     writer.begin(op);
     fill(writer);
     if (use_.padding && op != Op::footer)
-      for (const std::uint8_t extra : {1, 2, 3}) writer.number(extra);
+      for (const std::uint8_t extra : kBytes) writer.number(extra);
     writer.end();
   }
   void schema(Bytes& to) const {
@@ -97,7 +100,7 @@ class File {
         writer.number(static_cast<std::uint32_t>(10 + i));
         writer.number(static_cast<std::uint64_t>(1000 * (2 + i)));
         writer.number(std::uint64_t{1});
-        for (const std::uint8_t byte : {1, 2, 3}) writer.number(byte);
+        for (const std::uint8_t byte : kBytes) writer.number(byte);
       });
     }
   }
@@ -147,7 +150,7 @@ class File {
     writer.string("myFile");
     writer.string("application/octet-stream");
     writer.number(std::uint64_t{3});
-    for (const std::uint8_t byte : {1, 2, 3}) writer.number(byte);
+    for (const std::uint8_t byte : kBytes) writer.number(byte);
     record(out_, Op::attachment, [&](RecordWriter& to) {
       to.bytes(content.data(), content.size());
       to.number(crc32(content.data(), content.size()));

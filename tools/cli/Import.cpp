@@ -32,7 +32,7 @@ struct ImportOptions {
 };
 
 // What is believed of the camera after a frame is what the next one is read with, as the agent does
-// it: an unknown tilt of 3 deg stays one else, and costs most of a metre.
+// it: else every frame's landmarks are read with the tilt that nobody knows.
 class Beliefs {
  public:
   explicit Beliefs(const gps::GpsParams& params)
