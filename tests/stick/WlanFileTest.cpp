@@ -88,6 +88,21 @@ TEST(WlanFile, KeepsAndTellsKeysThatItDoesNotKnow) {
             "keys.txt: not known here and kept as they are: SSDP_ENABLE, DNS_SERVER_2, TELNET");
 }
 
+TEST(WlanFile, LeavesKeysOfNothingOut) {
+  const std::string fixed = "ESSID=a\nETHER_IP=10.0.1.3\n";
+  const auto settings = settingsOf(fixed + "WEPENABLE=0\nWEPKEY=\nHOSTNAME=\nIP_GATEWAY= \n");
+  ASSERT_TRUE(settings) << settings.error();
+  EXPECT_EQ(settings->text, fixed + "WEPENABLE=0\n");
+  EXPECT_EQ(settingsOf("ESSID=a\nUSE_DHCP=1\nETHER_IP=\nETHER_NETMASK=\nDNS_SERVER_1=\n")->text,
+            "ESSID=a\nUSE_DHCP=1\n");
+  EXPECT_NE(complaint("ESSID=a\nETHER_IP=\n").find("no ETHER_IP"), std::string::npos);
+  EXPECT_NE(complaint(fixed + "WEPENABLE=1\nWEPKEY=\n").find("no WEPKEY"), std::string::npos);
+  EXPECT_NE(complaint(fixed + "HOSTNAME=\nHOSTNAME=dog\n").find("twice"), std::string::npos);
+  for (const auto* line : {"ESSID=", "WEPENABLE=", "APMODE=", "USE_DHCP="})
+    EXPECT_NE(complaint(std::string("# first\n") + line + "\n").find("keys.txt:2: "),
+              std::string::npos);
+}
+
 TEST(WlanFile, LeavesTheByteOrderMarkOfAnEditorOut) {
   EXPECT_EQ(settingsOf(std::string("\xEF\xBB\xBF") + kGood)->text, settingsOf(kGood)->text);
 }

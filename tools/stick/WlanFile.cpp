@@ -27,6 +27,14 @@ bool isKnown(const std::string& key) {
   return std::find(kKeys.begin(), kKeys.end(), key) != kKeys.end();
 }
 
+// A key without a value, as files have of what is off, is as good as none, but for these.
+bool isOff(const std::string& key, const std::string& value) {
+  constexpr std::array<std::string_view, 4> kNeverEmpty = {"ESSID", "WEPENABLE", "APMODE",
+                                                           "USE_DHCP"};
+  return value.empty() && isKnown(key) &&
+         std::find(kNeverEmpty.begin(), kNeverEmpty.end(), key) == kNeverEmpty.end();
+}
+
 // As Sony's are: upper-case words joined by underscores. Anything else is a slip of the pen.
 bool isKey(const std::string& key) {
   constexpr const char* kAllowed = "ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_";
@@ -97,6 +105,7 @@ bool isWepKey(const std::string& text) {
 
 bool isGood(const std::string& key, const std::string& value) {
   if (!isPlain(value)) return false;
+  if (isOff(key, value)) return true;
   if (!isKnown(key)) return true;
   if (key == "WEPENABLE" || key == "USE_DHCP") return value == "0" || value == "1";
   if (key == "APMODE") return value == "0" || value == "1" || value == "2";
@@ -113,10 +122,11 @@ Status needs(const std::map<std::string, std::string>& values, const std::string
     const auto found = values.find(key);
     return found != values.end() && found->second == value;
   };
-  if (values.count("ESSID") == 0) return Error{file + ": has no ESSID, the network's name"};
-  if (is("WEPENABLE", "1") && values.count("WEPKEY") == 0)
+  const auto lacks = [&](const char* key) { return values.count(key) == 0 || is(key, ""); };
+  if (lacks("ESSID")) return Error{file + ": has no ESSID, the network's name"};
+  if (is("WEPENABLE", "1") && lacks("WEPKEY"))
     return Error{file + ": has no WEPKEY, which WEPENABLE=1 needs"};
-  if (!is("USE_DHCP", "1") && values.count("ETHER_IP") == 0)
+  if (!is("USE_DHCP", "1") && lacks("ETHER_IP"))
     return Error{file + ": has no ETHER_IP, which a robot without USE_DHCP=1 needs"};
   return Done{};
 }
@@ -148,7 +158,7 @@ Expected<WlanSettings> wlanSettings(const std::string& text, const std::string& 
                    " is not one that the robot takes (docs/flash.md)"};
     if (!values.emplace(key, value).second)
       return Error{fmt::format("{}:{}: {} is there twice", file, number, key)};
-    settings.text += fmt::format("{}={}\n", key, value);
+    if (!isOff(key, value)) settings.text += fmt::format("{}={}\n", key, value);
     if (!isKnown(key)) settings.unknown.push_back(key);
   }
   const Status complete = needs(values, file);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The radio's settings, KEY=VALUE a line, as the robot reads them from WLANCONF.TXT (spec openr.md
-// section 6). The file holds keys: it lies outside the repository, and no message repeats a value.
+// The radio's settings, KEY=VALUE a line, as the robot reads them from WLANCONF.TXT. The file holds
+// keys: it lies outside the repository, and no message repeats a value.
 #pragma once
 
 #include <string>
@@ -15,9 +15,11 @@ struct WlanSettings {
   std::vector<std::string> unknown;  // keys in it whose values nobody has checked
 };
 
-// The settings of a file's text: its keys in their order, comments and blank lines left out. A key
-// that is not known here is kept as it is, because Sony's own samples have more keys than their
-// documents tell of. The error names the line and the key, never the value.
+// The settings of a file's text: its keys in their order, without comments, blank lines and keys of
+// nothing, as HOSTNAME= or WEPKEY= beside WEPENABLE=0: nobody here knows how the robot reads those,
+// and to it a key that is not there is one that is not set. A key that is not known here is kept as
+// it is, because Sony's own samples have more keys than their documents tell of. The error names
+// the line and the key, never the value.
 Expected<WlanSettings> wlanSettings(const std::string& text, const std::string& file);
 
 // Refuses a file inside the source tree.
