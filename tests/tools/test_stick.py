@@ -11,6 +11,7 @@ import struct
 import subprocess
 import time
 import zipfile
+import zlib
 
 import pytest
 from conftest import BIN, ROOT, complaint, kelpie
@@ -98,6 +99,25 @@ def test_what_is_no_program_never_takes_the_place_of_one(parts, program, line):
     result = stick(*all_options(parts), "--install", parts / "mount")
     assert result.returncode == 2 and line in complaint(result)
     assert files_in(parts / "mount") == before
+
+
+def packed_zeros(megabytes):
+    packer = zlib.compressobj(9, zlib.DEFLATED, 31)
+    blocks = [packer.compress(bytes(1 << 20)) for _ in range(megabytes)]
+    return b"".join(blocks) + packer.flush()
+
+
+def test_of_a_program_no_more_is_unpacked_than_a_robot_could_take(parts):
+    (parts / "tmp").mkdir()
+    environment = os.environ | {"TMPDIR": str(parts / "tmp")}
+    words = ["stick", "--robot", "2", *all_options(parts), "--out", parts / "out"]
+    with open(parts / "AGENT.BIN", "wb") as file:
+        file.write(packed_zeros(128))
+    result = kelpie(*words, env=environment)
+    assert result.returncode == 2 and "gzip cannot unpack it into" in complaint(result)
+    os.truncate(parts / "AGENT.BIN", 100 << 20)
+    assert "larger than a robot's memory" in complaint(kelpie(*words, env=environment))
+    assert not list((parts / "tmp").iterdir())
 
 
 def test_what_holds_the_radios_key_is_its_owners_alone(parts):

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/stick/Player.h"
 
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <cstdint>
 #include <filesystem>
 
 #include "behaviour/PlayerMark.h"
@@ -12,6 +16,25 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// A robot's whole memory, so that no program is larger, packed or not.
+constexpr std::size_t kLargestProgram = 64U << 20U;
+
+// While it lives no program that is started writes a longer file: one that tries is ended.
+class FileLimit {
+ public:
+  explicit FileLimit(std::size_t bytes) {
+    getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit limit = {std::min<rlim_t>(bytes, before_.rlim_cur), before_.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  FileLimit(const FileLimit&) = delete;
+  FileLimit& operator=(const FileLimit&) = delete;
+  ~FileLimit() { setrlimit(RLIMIT_FSIZE, &before_); }
+
+ private:
+  rlimit before_ = {};
+};
+
 // The word that ends with a zero behind the mark.
 std::string wordAfter(const std::string& program, const std::string& mark) {
   const std::size_t at = program.find(mark);
@@ -21,7 +44,7 @@ std::string wordAfter(const std::string& program, const std::string& mark) {
   return end == std::string::npos ? "" : program.substr(from, end - from);
 }
 
-// By gzip, in a folder of its own.
+// By gzip, in a folder of its own, and no more of it than a robot could take.
 Expected<std::string> unpacked(const std::string& file) {
   const auto scratch = ScratchFolder::make();
   if (!scratch) return Error{scratch.error()};
@@ -30,14 +53,18 @@ Expected<std::string> unpacked(const std::string& file) {
   const std::string program = scratch->path() + "/program";
   std::error_code error;
   fs::copy_file(file, program + ".gz", error);
+  const FileLimit limit(kLargestProgram);
   if (error || !runProgram({gzip, "-d", program + ".gz"}))
-    return Error{file + ": gzip cannot unpack it"};
+    return Error{file + ": gzip cannot unpack it into a program of 64 MB, a robot's memory"};
   return readWhole(program);
 }
 
 }  // namespace
 
 Expected<std::string> playerOfFile(const std::string& file) {
+  std::error_code error;
+  const std::uintmax_t size = fs::file_size(file, error);
+  if (!error && size > kLargestProgram) return Error{file + ": is larger than a robot's memory"};
   auto bytes = readWhole(file);
   if (bytes && bytes->rfind("\x1f\x8b", 0) == 0) bytes = unpacked(file);
   if (!bytes) return bytes;
