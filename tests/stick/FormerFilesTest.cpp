@@ -183,7 +183,7 @@ TEST(FormerFiles, SurviveAnInstallationKilledAtAnyStep) {
     ASSERT_TRUE(replaceFormer(tree, root, silently));
     EXPECT_TRUE(verdictOn(root).good());
     EXPECT_EQ(filesIn(root + "/FORMER.001"), kFormer);
-    EXPECT_FALSE(fs::exists(root + "/FORMER.002") || fs::exists(root + "/FORMER.NEW"));
+    EXPECT_FALSE(fs::exists(root + "/FORMER.002") || fs::exists(root + "/" + kUnfinished));
   }
   EXPECT_EQ(last - 2, 3 + 8 + 8);  // three are kept, eight are written and renamed
 }

@@ -5,6 +5,7 @@
 
 #include <csignal>
 #include <map>
+#include <set>
 
 #include "robot/stick/StdioFiles.h"
 #include "robot/stick/StickReader.h"
@@ -48,6 +49,14 @@ TEST(StickTree, HasNamesInEightAndThreeUpperCase) {
   for (const auto* wrong :
        {"a.bin", "LONGNAMES.BIN", "A.LONG", "A..B", "", "A/", "/A", "A B", "A.B.C"})
     EXPECT_FALSE(isShortName(wrong)) << wrong;
+  EXPECT_TRUE(isShortName(kUnfinished));
+}
+
+// They lie in one folder until they are all written.
+TEST(StickTree, HasNamesThatDifferWithoutTheirFolders) {
+  std::set<std::string> names;
+  for (const auto& file : sampleTree()) names.insert(fs::path(file.path).filename().string());
+  EXPECT_EQ(names.size(), sampleTree().size());
 }
 
 TEST(StickTree, IsRefusedBeyondTheStick) {
@@ -159,6 +168,57 @@ TEST(StickFolder, AFullDiskLeavesTheEarlierStick) {
   EXPECT_EQ(WEXITSTATUS(status), 1);
   EXPECT_EQ(filesIn(root), before);
   EXPECT_TRUE(loadsAs(root, 3));
+}
+
+// Writes to a stick whose n-th rename fails, since what should be renamed is gone.
+std::string complaintOfRename(int n, const StickTree& tree, const std::string& root) {
+  int renames = 0;
+  const Status done = writeFiles(tree, root, [&](const std::string& step) {
+    if (step.rfind("rename ", 0) == 0 && ++renames == n) fs::remove_all(root + "/" + kUnfinished);
+  });
+  EXPECT_EQ(renames, n);
+  return done.error();
+}
+
+TEST(StickFolder, ARenameThatFailsFirstLeavesTheEarlierStickAndSaysSo) {
+  const std::string root = mountedStick("first-rename");
+  ASSERT_TRUE(writeFiles(sampleTree(), root, silently));
+  const auto before = filesIn(root);
+  const std::string told = complaintOfRename(1, otherTree(), root);
+  EXPECT_NE(told.find("are as they were"), std::string::npos) << told;
+  EXPECT_EQ(filesIn(root), before);
+  EXPECT_TRUE(loadsAs(root, 3));
+}
+
+// What is new takes its place first and goes again; STICK.BIN is the last of three.
+TEST(StickFolder, ARenameThatFailsBeforeAFileIsReplacedTakesTheNewOnesAway) {
+  const std::string root = mountedStick("new-rename");
+  put(fs::path(root) / kObjectListPath, "another's");
+  const auto before = filesIn(root);
+  for (int n = 2; n <= 6; ++n) {
+    EXPECT_NE(complaintOfRename(n, sampleTree(), root).find("are as they were"), std::string::npos);
+    EXPECT_EQ(filesIn(root), before);
+  }
+}
+
+TEST(StickFolder, ARenameThatFailsLaterLeavesAMixtureAndSaysSo) {
+  const std::string root = mountedStick("late-rename");
+  ASSERT_TRUE(writeFiles(sampleTree(), root, silently));
+  const std::string told = complaintOfRename(2, otherTree(), root);
+  EXPECT_NE(told.find("a mixture that no robot plays"), std::string::npos) << told;
+  EXPECT_FALSE(loadsAs(root, 3) || loadsAs(root, 1));
+  ASSERT_TRUE(writeFiles(otherTree(), root, silently));
+  EXPECT_TRUE(loadsAs(root, 1));
+}
+
+TEST(StickFolder, WritesOverNoNameButTheTreesAndLeavesNoneBehind) {
+  const std::string root = mountedStick("own-names");
+  const char* own[] = {"OPEN-R/MW/CONF/OBJECT.NEW", "OPEN-R/MW/DATA/P/STICK.NEW", "FORMER.NEW/A"};
+  for (const auto* path : own) put(fs::path(root) / path, "the user's own");
+  put(fs::path(root) / kUnfinished / "STICK.BIN", "of an installation that was stopped");
+  ASSERT_TRUE(writeFiles(sampleTree(), root, silently));
+  for (const auto* path : own) EXPECT_TRUE(fs::exists(root + "/" + path)) << path;
+  EXPECT_FALSE(fs::exists(root + "/" + kUnfinished));
 }
 
 TEST(StickDifference, NamesEachFileAndTheFirstParameterButNoKeys) {

@@ -24,7 +24,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kMostFolders = 999;
-constexpr const char* kUnfinished = "FORMER.NEW";
 
 std::string folderName(int number) { return fmt::format("FORMER.{:03}", number); }
 

@@ -18,7 +18,7 @@ std::string namesOf(const StickTree& files);
 
 // Copies them to FORMER.001, or the next number that is free, on the medium when it returns: the
 // name of the folder. One that has them all already, from an installation that was stopped, is
-// taken as it is. A stop in the middle leaves FORMER.NEW, which the next call removes.
+// taken as it is. A stop in the middle leaves KELPIE.NEW, which the next call removes.
 Expected<std::string> keepFormer(const StickTree& former, const std::string& root,
                                  const StepObserver& step);
 

@@ -5,6 +5,7 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <vector>
 
 #include "robot/stick/StickFormat.h"
 #include "tools/cli/Process.h"
@@ -21,9 +22,14 @@ constexpr const char* kSystemFiles[] = {"OPEN-R/APERIOS.GZ", "OPEN-R/APERINIT.GZ
 constexpr const char* kSystemFolders[] = {"OPEN-R/SYSTEM/OBJS", "OPEN-R/SYSTEM/CONF"};
 constexpr const char* kRadioDrivers = "OPEN-R/SYSTEM/CONF/CARDDRV.CFG";
 
-// OBJECT.CFG -> OBJECT.NEW: 8.3 names have no room for more.
-std::string stagedName(const std::string& path) {
-  return fs::path(path).replace_extension("NEW").string();
+// The names of a tree's files differ also without their folders.
+fs::path stagedPath(const fs::path& root, const TreeFile& file) {
+  return root / kUnfinished / fs::path(file.path).filename();
+}
+
+void removeStaged(const fs::path& root) {
+  std::error_code ignored;
+  fs::remove_all(root / kUnfinished, ignored);
 }
 
 StickTree differing(const StickTree& tree, const fs::path& root) {
@@ -60,20 +66,36 @@ Status stageAll(const StickTree& files, const fs::path& root, const StepObserver
     std::error_code error;
     if (fs::is_directory(path, error)) return Error{path.string() + ": is a folder, not a file"};
     Status staged = makeFolder(path.parent_path());
-    if (staged) staged = writeSynced(stagedName(path.string()), file.bytes);
+    if (staged) staged = makeFolder(root / kUnfinished);
+    if (staged) staged = writeSynced(stagedPath(root, file).string(), file.bytes);
     if (!staged) return staged;
   }
   return Done{};
 }
 
+// Takes the new files away again, which have changed nothing for the earlier ones.
+Error takeBack(const std::vector<fs::path>& added, const Error& why, const fs::path& root) {
+  std::error_code ignored;
+  for (const auto& path : added) fs::remove(path, ignored);
+  return Error{why.message + "; the earlier files of " + root.string() + " are as they were"};
+}
+
 Status renameAll(const StickTree& files, const fs::path& root, const StepObserver& step) {
+  std::vector<fs::path> added;
+  bool replaced = false;
   for (const auto& file : files) {
     const fs::path path = root / file.path;
     step("rename " + file.path);
-    if (std::rename(stagedName(path.string()).c_str(), path.c_str()) != 0)
-      return Error{systemError(path.string()).message +
-                   "; the files now are a mixture that no robot plays, until " +
+    std::error_code error;
+    const bool replaces = fs::exists(path, error);
+    if (std::rename(stagedPath(root, file).c_str(), path.c_str()) != 0) {
+      const Error why = systemError(path.string());
+      if (!replaced) return takeBack(added, why, root);
+      return Error{why.message + "; the files now are a mixture that no robot plays, until " +
                    "the same command goes to its end"};
+    }
+    replaced = replaced || replaces;
+    if (!replaces) added.push_back(path);
     syncFolder(path.parent_path());
   }
   return Done{};
@@ -84,11 +106,6 @@ Error lacks(const std::string& root, const char* what) {
       fmt::format("{}: lacks {}; a programming stick with Sony's system on it is needed "
                   "(docs/flash.md)",
                   root, what)};
-}
-
-void removeStaged(const StickTree& files, const fs::path& root) {
-  std::error_code ignored;
-  for (const auto& file : files) fs::remove(stagedName((root / file.path).string()), ignored);
 }
 
 }  // namespace
@@ -119,14 +136,12 @@ Status checkFolder(const StickTree& tree, const std::string& root) {
 }
 
 Status writeFiles(const StickTree& tree, const std::string& root, const StepObserver& step) {
-  removeStaged(tree, root);  // what a stop in the middle left
+  removeStaged(root);  // what a stop in the middle left
   const StickTree changed = inOrder(differing(tree, root), root);
-  const Status staged = stageAll(changed, root, step);
-  if (!staged) {
-    removeStaged(changed, root);
-    return staged;
-  }
-  return renameAll(changed, root, step);
+  Status written = stageAll(changed, root, step);
+  if (written) written = renameAll(changed, root, step);
+  removeStaged(root);
+  return written;
 }
 
 }  // namespace kelpie::stick
