@@ -90,6 +90,35 @@ TEST(FormerFiles, AreNoneOnAnEarlierStickOfOurs) {
   EXPECT_TRUE(formerFiles(sampleTree(), root)->empty());
 }
 
+// Who plays says nothing of them: another program may have left them, or their owner.
+TEST(FormerFiles, AreSettingsThatOurStickDoesNotListThoughOurAgentStarts) {
+  const Files settings = {{kWlanPath, "ESSID=theirs\n"}, {kJamPath, "theirs"}};
+  StickContents contents = sampleContents();
+  contents.wlan.clear();
+  contents.relaxedJams = false;
+  const std::string root = mountedStick("settings");
+  for (const auto& [path, bytes] : settings) put(fs::path(root) / path, bytes);
+  ASSERT_TRUE(writeFiles(*makeTree(*sampleConfig(), contents), root, silently));
+  const auto former = formerFiles(sampleTree(), root);
+  EXPECT_EQ(asFiles(*former), settings);
+  EXPECT_FALSE(haveAnotherProgram(*former));
+}
+
+TEST(FormerFiles, AreNoSettingsThatOurStickLists) {
+  const std::string root = mountedStick("listed");
+  ASSERT_TRUE(writeFiles(sampleTree(), root, silently));
+  StickContents contents = sampleContents();
+  contents.wlan = "ESSID=other\nETHER_IP=10.0.1.3\n";
+  EXPECT_TRUE(formerFiles(*makeTree(*sampleConfig(), contents), root)->empty());
+}
+
+TEST(FormerFiles, OfSonysSystemAloneAreNoOtherProgram) {
+  const std::string root = mountedStick("system");
+  put(fs::path(root) / kWlanPath, "ESSID=theirs\n");
+  EXPECT_FALSE(haveAnotherProgram(*formerFiles(sampleTree(), root)));
+  EXPECT_TRUE(haveAnotherProgram(*formerFiles(sampleTree(), formerStick("another"))));
+}
+
 // An earlier version of ours may have started other objects, as its STICK.BIN tells.
 TEST(FormerFiles, AreNoneWhereStickBinListsAnotherObjectList) {
   StickTree earlier = sampleTree();

@@ -367,6 +367,47 @@ def test_another_programs_files_are_kept_when_they_are_replaced(parts):
     assert not (parts / "mount/FORMER.002").exists()
 
 
+SETTINGS = {"OPEN-R/SYSTEM/CONF/WLANCONF.TXT": b"ESSID=theirs\n",
+            "OPEN-R/SYSTEM/CONF/VRCOMM.CFG": b"theirs\n"}
+
+
+def put_settings(mount):
+    for name, data in SETTINGS.items():
+        (mount / name).write_bytes(data)
+
+
+def test_settings_that_the_first_installation_left_are_kept_by_the_next(parts):
+    put_former_program(parts / "mount")
+    put_settings(parts / "mount")
+    words = ["--object", parts / "AGENT.BIN", "--install", parts / "mount"]
+    assert stick(*words, "--replace", "--keep-jam-detection").returncode == 0
+    assert files_in(parts / "mount/FORMER.001") == FORMER
+    difference = stick(*all_options(parts), "--diff", parts / "mount")
+    assert difference.stdout.count("its owner's, which is kept") == 2
+    result = stick(*all_options(parts), "--install", parts / "mount")
+    assert result.returncode == 0, result.stderr
+    assert "the settings that were there are kept in FORMER.002" in result.stdout
+    assert files_in(parts / "mount/FORMER.002") == SETTINGS
+    assert files_in(parts / "mount/FORMER.001") == FORMER
+
+
+def test_settings_on_a_stick_with_sonys_system_alone_are_no_other_program(parts):
+    put_settings(parts / "mount")
+    assert "another program" not in stick(*all_options(parts), "--diff", parts / "mount").stdout
+    result = stick(*all_options(parts), "--install", parts / "mount")
+    assert result.returncode == 0, result.stderr
+    assert "another program" not in result.stdout
+    assert files_in(parts / "mount/FORMER.001") == SETTINGS
+
+
+def test_settings_of_ours_are_replaced_and_not_kept(parts):
+    assert stick(*all_options(parts), "--install", parts / "mount").returncode == 0
+    (parts / "field.wlan").write_text(FIXED)
+    assert stick(*all_options(parts), "--install", parts / "mount").returncode == 0
+    assert (parts / "mount/OPEN-R/SYSTEM/CONF/WLANCONF.TXT").read_text() == FIXED
+    assert not (parts / "mount/FORMER.001").exists()
+
+
 def test_a_stick_of_ours_that_was_never_finished_needs_no_replace(parts):
     words = [*all_options(parts), "--install", parts / "mount"]
     assert stick(*words).returncode == 0

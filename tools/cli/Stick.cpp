@@ -103,17 +103,20 @@ void tell(const std::string& step) {
   std::fflush(stdout);
 }
 
-// Nothing of another program is replaced before it is kept.
+// Nothing of another program, and no setting of the owner's, is replaced before it is kept.
+// Settings alone need no --replace: no program is lost, and the options have asked for others.
 Status keepFormer(const StickOptions& options, const stick::StickTree& tree) {
   const auto former = stick::formerFiles(tree, options.install);
   if (!former) return Error{former.error()};
   if (former->empty()) return Done{};
-  if (!options.replace)
+  if (!options.replace && stick::haveAnotherProgram(*former))
     return Error{options.install + ": another program's " + stick::namesOf(*former) +
                  " would be replaced; with --replace they are, and kept in a folder of the stick"};
   const auto folder = stick::keepFormer(*former, options.install, tell);
   if (!folder) return Error{folder.error()};
-  tell("another program's files are kept in " + *folder);
+  tell((stick::haveAnotherProgram(*former) ? "another program's files are kept in "
+                                           : "the settings that were there are kept in ") +
+       *folder);
   return Done{};
 }
 

@@ -82,6 +82,13 @@ bool startsOurs(const StickTree& tree, const StickNow& now) {
   return *old == findFile(tree, kObjectListPath)->bytes || now.isListed({kObjectListPath, *old});
 }
 
+bool isOurs(const StickTree& tree, const StickNow& now) {
+  return startsOurs(tree, now) && (now.hasOurBinary() || now.hasOurAgent());
+}
+
+// Of the radio and of the joints: the stick has them whatever program is on it.
+bool isSetting(const TreeFile& file) { return file.path == kWlanPath || file.path == kJamPath; }
+
 bool holdsAll(const StickTree& files, const fs::path& folder) {
   return std::all_of(files.begin(), files.end(), [&](const auto& file) {
     const auto bytes = readWhole((folder / file.path).string());
@@ -114,9 +121,10 @@ Status finishFolder(const fs::path& unfinished, const fs::path& folder) {
 
 Expected<StickTree> formerFiles(const StickTree& tree, const std::string& root) {
   const StickNow now(root);
+  const bool ours = isOurs(tree, now);
   StickTree former;
-  if (startsOurs(tree, now) && (now.hasOurBinary() || now.hasOurAgent())) return former;
   for (const auto& file : tree) {
+    if (ours && !isSetting(file)) continue;
     const auto old = now.bytes(file.path);
     std::error_code error;
     if (!old && fs::exists(fs::path(root) / file.path, error)) return Error{old.error()};
@@ -124,6 +132,10 @@ Expected<StickTree> formerFiles(const StickTree& tree, const std::string& root) 
       former.push_back({file.path, *old});
   }
   return former;
+}
+
+bool haveAnotherProgram(const StickTree& former) {
+  return !std::all_of(former.begin(), former.end(), isSetting);
 }
 
 std::string namesOf(const StickTree& files) {

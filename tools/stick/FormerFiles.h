@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Another program's files on a stick that ours would replace, and the folder of the stick in which
-// they are kept. A stick is ours when OBJECT.CFG starts our agent alone and its STICK.BIN or its
-// AGENT.BIN is of our making, in whatever version and however damaged: installing again is what
-// mends it. On any other stick a file is another's unless STICK.BIN lists it as it is.
+// Files on a stick that ours would replace and that are not ours, and the folder of the stick in
+// which they are kept. A stick is ours when OBJECT.CFG starts our agent alone and its STICK.BIN or
+// its AGENT.BIN is of our making, in whatever version and however damaged: installing again is what
+// mends it. On any other stick a file is another program's unless STICK.BIN lists it as it is. The
+// settings of Sony's system are their owner's on every stick, whoever plays, unless it lists them.
 #pragma once
 
 #include "robot/core/Expected.h"
@@ -12,6 +13,9 @@ namespace kelpie::stick {
 
 // With their bytes as they are on the stick. An error when one cannot be read, and so not be kept.
 Expected<StickTree> formerFiles(const StickTree& tree, const std::string& root);
+
+// Whether another program's are among them, and not only settings of Sony's system.
+bool haveAnotherProgram(const StickTree& former);
 
 // "OPEN-R/MW/CONF/OBJECT.CFG, OPEN-R/MW/CONF/CONNECT.CFG"
 std::string namesOf(const StickTree& files);

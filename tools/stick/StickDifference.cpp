@@ -18,9 +18,11 @@ std::string fileLine(const TreeFile& file, const std::string& root, const StickT
   const auto old = readWhole(root + "/" + file.path);
   if (!old) return fmt::format("new      {} ({} bytes)", file.path, file.bytes.size());
   if (*old == file.bytes) return fmt::format("same     {}", file.path);
-  const bool ours = findFile(former, file.path) == nullptr;
-  return fmt::format("{}  {} ({} bytes, was {}{})", ours ? "changed" : "foreign", file.path,
-                     file.bytes.size(), old->size(), ours ? "" : ", another program's");
+  const TreeFile* kept = findFile(former, file.path);
+  const bool foreign = kept != nullptr && haveAnotherProgram({*kept});
+  const char* whose = foreign ? ", another program's" : kept ? ", its owner's, which is kept" : "";
+  return fmt::format("{}  {} ({} bytes, was {}{})", foreign ? "foreign" : "changed", file.path,
+                     file.bytes.size(), old->size(), whose);
 }
 
 std::string configLine(const agent::AgentConfig& config, const std::string& root) {
