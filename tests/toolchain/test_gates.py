@@ -93,6 +93,15 @@ def test_memory_over_the_budget_is_refused(tmp_path):
                     found["memory"][0])
 
 
+@pytest.mark.parametrize("section", [".comm", ".lcomm"])
+def test_memory_without_a_section_counts_too(tmp_path, section):
+    text = (f"{section} big, 209715200\n.text\n.globl root\n.ent root\n"
+            "root: lw $2, %got(big)($28)\njr $31\nnop\n.end root\n")
+    found = refusal(compiled(tmp_path, text, suffix="s"))
+    assert list(found) == ["memory"]
+    assert re.match(r"takes 2152\d{5} bytes", found["memory"][0])
+
+
 @pytest.mark.parametrize("source, told", [
     ('extern "C" void* fopen(const char*, const char*); void* file = fopen("/MS/A.TXT", "r"); '
      'extern "C" void* root() { return file; }', "reaches a file or a stream (fopen)"),
@@ -109,6 +118,61 @@ def test_static_constructor_that_reaches_a_file_or_a_stream_is_refused(tmp_path,
     found = refusal(compiled(tmp_path, source, "-std=c++17"))
     assert any("static constructor _GLOBAL__sub_I" in line and told in line
                for line in found["constructors"])
+
+
+FOPEN = 'extern "C" void* fopen(const char*, const char*); void* file; '
+
+
+def test_code_that_lies_in_another_section_is_refused(tmp_path):
+    found = refusal(compiled(tmp_path, FOPEN + '__attribute__((constructor, section("fast"))) '
+                             'static void early() { file = fopen("a", "r"); } '
+                             'extern "C" void* root() { return file; }'))
+    assert found["code_sections"] == ["has code in fast, where nobody follows it"]
+    assert found["constructors"] == ["has a static constructor that is no function of .text"]
+
+
+@pytest.mark.parametrize("word", ["early + 64", "0x1234"])
+def test_static_constructor_that_no_function_is_is_refused(tmp_path, word):
+    text = (".text\n.globl root\n.ent root\nroot: jr $31\nnop\n.end root\n"
+            f".ent early\nearly: jr $31\nnop\n.end early\n"
+            f'.section .ctors, "aw"\n.word 0xffffffff, {word}, 0\n')
+    found = refusal(compiled(tmp_path, text, suffix="s"))
+    assert found == {"constructors": ["has a static constructor that is no function of .text"]}
+
+
+# A name of the list, with a call by a pointer of its own.
+BY_POINTER = """
+extern "C" void* fopen(const char*, const char*);
+typedef void* (*Open)(const char*, const char*);
+extern Open table[];
+Open table[] = {fopen};
+namespace kelpie { namespace stick {
+struct StdioFiles { __attribute__((noinline)) static int close(int n) { return n * 3; } };
+struct StickReader {
+  __attribute__((noinline)) static void* open(int n) { return table[n]("a", "r"); }
+};
+} }
+using namespace kelpie::stick;
+int kind;
+"""
+
+
+def test_call_by_a_pointer_of_a_listed_name_to_nobody_of_its_list_is_refused(tmp_path):
+    found = refusal(compiled(tmp_path, BY_POINTER + 'extern "C" void* root(int n) { '
+                             'return StickReader::open(n); }'))
+    assert list(found) == ["indirect_calls"]
+    assert "none whom openr/calls.txt has for it is there" in found["indirect_calls"][0]
+    listed = compiled(tmp_path, BY_POINTER + 'extern "C" void* root(int n) { '
+                      'return StickReader::open(StdioFiles::close(n)); }')
+    assert run(TOOLCHAIN / "check-object", listed).returncode == 0
+
+
+def test_static_constructor_that_calls_by_a_pointer_is_refused(tmp_path):
+    found = refusal(compiled(tmp_path, BY_POINTER + "void* file = StickReader::open(kind); "
+                             'extern "C" int root(int n) { return StdioFiles::close(n); }'))
+    assert list(found) == ["constructors"]
+    assert re.match(r"the static constructor _GLOBAL__sub_I\S* calls by a pointer "
+                    r"\(\S+StickReader4open", found["constructors"][0])
 
 
 PRIORITIES = """

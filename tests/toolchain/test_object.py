@@ -69,7 +69,7 @@ def refusal(path):
 def test_robots_object_passes_every_gate(player):
     done = run(TOOLCHAIN / "check-object", player)
     assert done.returncode == 0, done.stderr
-    assert "12 gates, no fault" in done.stdout
+    assert "13 gates, no fault" in done.stdout
 
 
 @pytest.mark.parametrize("player, has, has_not", [

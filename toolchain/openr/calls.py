@@ -25,6 +25,7 @@ FOREIGN_STACK = 256
 # So many moves a function's address may make between registers and frame before its call.
 STEPS = 6
 INTERPRETER = "Python's interpreter"
+TABLE_ENDS = (0, 0xffffffff)
 
 
 def signed(half):
@@ -221,18 +222,23 @@ class Calls:
             return any(self.holds_got(body, m, body.words[m].rt, depth - 1) for m in kept)
         return False
 
-    def constructors(self):
-        """Names of the functions in .ctors, in its order: OPEN-R runs the last one first."""
+    def constructor_table(self):
+        """Names of the functions in .ctors, in its order; None where no function that is followed
+        here can be told, and nothing for a table's end."""
         section = self.elf.section(".ctors")
         if section is None:
             return []
-        names = []
-        for relocation in sorted(self.elf.relocations_of(section), key=lambda one: one.offset):
-            if relocation.kind == R_MIPS_32:
-                at = relocation.offset
-                addend, = struct.unpack_from("<I", self.elf.bytes_of(section), at)
-                names.append(self.name_of(relocation.symbol, relocation.symbol.value + addend))
-        return [name for name in names if name]
+        symbols = {relocation.offset: relocation.symbol
+                   for relocation in self.elf.relocations_of(section)
+                   if relocation.kind == R_MIPS_32}
+        words = struct.iter_unpack("<I", self.elf.bytes_of(section)[:section.size & ~3])
+        return [self.name_of(symbols[4 * i], symbols[4 * i].value + word)
+                if 4 * i in symbols else None
+                for i, (word,) in enumerate(words) if 4 * i in symbols or word not in TABLE_ENDS]
+
+    def constructors(self):
+        """Those that have a name: OPEN-R runs the last one first."""
+        return [name for name in self.constructor_table() if name]
 
     def reached_from(self, name):
         """{function: its caller on the way from `name`}"""

@@ -15,7 +15,9 @@ RELOCATIONS = {0: "R_MIPS_NONE", 1: "R_MIPS_16", 2: "R_MIPS_32", 3: "R_MIPS_REL3
                37: "R_MIPS_JALR", 248: "R_MIPS_PC32"}
 SHT_SYMTAB, SHT_NOBITS, SHT_REL = 2, 8, 9
 SHF_WRITE, SHF_ALLOC, SHF_EXECINSTR = 1, 2, 4
-STT_FUNC, STT_SECTION, SHN_UNDEF, SHN_COMMON = 2, 3, 0, 0xfff2
+STT_FUNC, STT_SECTION, SHN_UNDEF = 2, 3, 0
+# Memory that has no section before the last link; the second is MIPS' small one.
+SHN_COMMON, SHN_MIPS_SCOMMON = 0xfff2, 0xff03
 
 Symbol = namedtuple("Symbol", "name value size kind is_global section")
 Relocation = namedtuple("Relocation", "offset kind symbol")
@@ -80,13 +82,19 @@ class Elf:
     def writable(self):
         return [section for section in self.allocated() if section.flags & SHF_WRITE]
 
+    def executable(self):
+        return [section for section in self.allocated() if section.flags & SHF_EXECINSTR]
+
+    def common(self):
+        return [symbol for symbol in self.symbol_list
+                if symbol.section in (SHN_COMMON, SHN_MIPS_SCOMMON)]
+
     def instructions(self):
         """(section, address of each word of code in it, the word)"""
-        for section in self.allocated():
-            if section.flags & SHF_EXECINSTR:
-                words = struct.iter_unpack("<I", self.bytes_of(section)[:section.size & ~3])
-                for i, (word,) in enumerate(words):
-                    yield section, section.address + 4 * i, word
+        for section in self.executable():
+            words = struct.iter_unpack("<I", self.bytes_of(section)[:section.size & ~3])
+            for i, (word,) in enumerate(words):
+                yield section, section.address + 4 * i, word
 
     def read_symbols(self):
         """In the order of the file: relocations tell a symbol by its number."""
