@@ -131,6 +131,7 @@ def made(tmp_path_factory):
     folder = tmp_path_factory.mktemp("linked")
     done = link(folder, stand_in_sdk(folder))
     assert done.returncode == 0, done.stderr
+    assert "all.o: 13 gates, no fault" in done.stdout
     assert "not tried on a robot" in done.stdout and "agent.nosnap.elf" in done.stdout
     for name in ("agent.map", "agent.bin", "Agent.o"):
         shutil.copy(ROOT / "build/openr/final" / name, folder)
@@ -167,6 +168,19 @@ def test_fault_of_ours_that_the_sdk_would_refuse_ends_the_link(tmp_path, file, c
     assert done.returncode == 2 and line in done.stderr + done.stdout
     assert done.stderr.splitlines()[-1].startswith("link-object: ")
     assert not (tmp_path / "AGENT.BIN").exists()
+
+
+def test_object_with_the_sdks_headers_passes_the_gates_before_it_is_made_a_bin(tmp_path):
+    """What only the final link has in it is looked at, too."""
+    tree = planted(tmp_path, "robot/object/sdk/Library33.cpp", lambda text: text + (
+        'extern "C" void* fopen(const char*, const char*);\n'
+        'void* planted = fopen("/MS/A", "r");\n'))
+    sdk = stand_in_sdk(tmp_path)
+    done = link(tmp_path, sdk, tree)
+    assert done.returncode == 2
+    assert re.search(r"constructors: the static constructor \S+ reaches a file", done.stderr)
+    assert done.stderr.splitlines()[-1].startswith("link-object: the object with the SDK's headers")
+    assert not (sdk / "OPEN_R/bin/asked").exists() and not (tmp_path / "AGENT.BIN").exists()
 
 
 def address_in_map(text, name):
