@@ -52,6 +52,10 @@ WalkRequest walkWanted(const Command& command, const ActuatorParams& params,
   return request;
 }
 
+// An approach ends when all joints have arrived, so that none may chase what moves faster: head,
+// mouth and tail wait for the legs.
+bool atEase(const ActuatorState& state) { return state.approach.active || state.lies; }
+
 // One message's Command. Where the head shall go follows from it and from the stance, which stay
 // the same for its four ticks.
 struct Asked {
@@ -64,9 +68,11 @@ JointAngles targetOf(const Asked& asked, const ActuatorParams& params, ActuatorS
   stepWalk(walkWanted(command, params, state), params, state.walk);
   JointAngles target = headTarget(asked.head, state.target, params);
   setLegs(state.walk.set, state.walk.feet, state.walk.phase, target);
-  target[Joint::mouth] = Angle::deg(command.mouthOpen ? kMouthOpen : kMouthClosed);
-  target[Joint::tailTilt] = command.tail.tilt;
-  target[Joint::tailPan] = command.tail.pan;
+  const TailRequest tail = atEase(state) ? TailRequest{} : command.tail;
+  const bool open = command.mouthOpen && !atEase(state);
+  target[Joint::mouth] = Angle::deg(open ? kMouthOpen : kMouthClosed);
+  target[Joint::tailTilt] = tail.tilt;
+  target[Joint::tailPan] = tail.pan;
   if (state.lies) lieDown(target);
   return target;
 }
@@ -173,8 +179,17 @@ bool walking(const ActuatorParams& params, const ActuatorState& state) {
   return state.ready && walksOn(params, state) && !standing(state.walk);
 }
 
-bool stands(const ActuatorParams& params, const ActuatorState& state) {
-  return state.ready && !state.lies && walksOn(params, state);
+bool getsUp(MotionKind kind) {
+  return kind == MotionKind::getUpFront || kind == MotionKind::getUpBack ||
+         kind == MotionKind::getUpLeft || kind == MotionKind::getUpRight;
+}
+
+Footing footing(const ActuatorParams& params, const ActuatorState& state) {
+  if (state.found) return Footing::other;
+  if (state.lies) return Footing::lies;
+  if (state.approach.active) return Footing::standsUp;
+  if (getsUp(state.motion.kind)) return Footing::getsUp;
+  return state.ready && walksOn(params, state) ? Footing::stands : Footing::other;
 }
 
 // A kick needs all the strength there is (facts-2005 section 2.5).
@@ -211,7 +226,7 @@ MotionOutput step(const MotionInput& in, const ActuatorParams& params, ActuatorS
   MotionOutput out;
   stepGain(in.batteryCurrent, params.gain, state.gain);
   recordEffort(in, walking(params, state), state.effort);
-  const Feeling feeling = feel(in, state.walk, {stands(params, state), walking(params, state)},
+  const Feeling feeling = feel(in, state.walk, {footing(params, state), walking(params, state)},
                                params.feeling, state.feeling);
   if (walking(params, state)) recordLoad(feeling.load, state.odometry);
   const bool held = stepHeldBall(in, state.target, params.feeling.heldBall, state.heldBall);
@@ -219,7 +234,8 @@ MotionOutput step(const MotionInput& in, const ActuatorParams& params, ActuatorS
   const double gain = state.legGain;
   state.legGain = 0.0;
   state.walk.known = false;
-  const Asked asked{in.command, asJoints(in.command.head, state.stance)};
+  const Asked asked{in.command,
+                    asJoints(atEase(state) ? HeadRequest{} : in.command.head, state.stance)};
   for (JointFrame& frame : out.joints) {
     if (state.found) {
       tickAsFound(state);

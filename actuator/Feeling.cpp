@@ -136,7 +136,8 @@ Feeling feel(const MotionInput& in, const WalkState& walk, Legs legs, const Feel
              FeelingState& state) {
   stepFalls(in, params.falls, state.falls);
   const bool upright = state.falls.fallen == FallSide::none;
-  stepLifted(in, legs.stand && upright, params.lift, state.lift);
+  const bool onFeet = legs.footing == Footing::stands || legs.footing == Footing::standsUp;
+  stepLifted(in, onFeet && !upright ? Footing::other : legs.footing, params.lift, state.lift);
   const FeltTick commanded{0.0, {}, walk.feet, airborne(walk, params.airborne)};
   for (double& left : state.blockedSeconds) left = std::max(0.0, left - kMessageSeconds);
   for (const SensorFrame& tick : in.sensors) recordTick(tick, commanded, legs.walk, params, state);

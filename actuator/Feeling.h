@@ -39,9 +39,8 @@ struct FeelingState {
 // What load a walk shows without anything in its way, its feet moving so.
 double freeLoad(const Velocity& feet, const FreeLoad& params);
 
-// What the legs do: they stand or walk, or they walk.
 struct Legs {
-  bool stand = false;
+  Footing footing = Footing::other;
   bool walk = false;
 };
 

@@ -47,21 +47,34 @@ struct HeldBallParams {
   }
 };
 
-// Whether somebody has lifted the robot. The paws' switches are open for 0.09 s at most in a walk.
+// Whether somebody has lifted the robot. The paws' switches are all open for 0.16 s at most in a
+// match of the physical world, and for 0.64 s while one of eight varied models gets up.
 struct LiftParams {
-  double freeSeconds = 0.25;  // of all paws, until it counts as lifted
+  double freeSeconds = 0.25;      // of all paws, until it counts as lifted
+  double gettingUpSeconds = 0.9;  // so while it gets up
+  double lyingSeconds = 0.4;      // so of one that lies and is moved all the while
+  double settles = 3.0;           // s at most until one that lies down is still
   double stillBelow = 60.0;   // cm/s2 that the accelerometer may stray while the robot stands still
   double restSeconds = 0.3;   // of the low pass from which it strays
+  double jolt = 0.13;         // s that a movement counts on, of a robot that lies
   double stillSeconds = 1.0;  // until a robot with a pressed paw has been put down
-  double stillWithoutPaw = 4.0;  // and one without
+  double stillWithoutPaw = 4.0;  // and one without, upright or on its belly
+  double stillOnSide = 10.0;     // and one on a side or its back, which a lap may be under
+  double uprightAbove = 700.0;   // cm/s2, the upward part: 45 deg
 
   static constexpr auto fields() {
     using P = LiftParams;
     return fieldList(field("freeSeconds", &P::freeSeconds, "s", 0.1, 10),
+                     field("gettingUpSeconds", &P::gettingUpSeconds, "s", 0.1, 10),
+                     field("lyingSeconds", &P::lyingSeconds, "s", 0.1, 10),
+                     field("settles", &P::settles, "s", 0, 10),
                      field("stillBelow", &P::stillBelow, "cm/s2", 1, 2000),
                      field("restSeconds", &P::restSeconds, "s", 0.04, 10),
+                     field("jolt", &P::jolt, "s", 0, 10),
                      field("stillSeconds", &P::stillSeconds, "s", 0.1, 60),
-                     field("stillWithoutPaw", &P::stillWithoutPaw, "s", 0.1, 60));
+                     field("stillWithoutPaw", &P::stillWithoutPaw, "s", 0.1, 60),
+                     field("stillOnSide", &P::stillOnSide, "s", 0.1, 600),
+                     field("uprightAbove", &P::uprightAbove, "cm/s2", -900, 950));
   }
 };
 

@@ -41,23 +41,75 @@ double movement(const MotionInput& in, const LiftParams& params, LiftState& stat
   return std::sqrt(squares);
 }
 
+void feelFooting(Footing footing, const LiftParams& params, LiftState& state) {
+  if (footing != state.footing) {
+    state.pressed = state.rested = false;
+    state.free = state.footed = 0.0;
+  }
+  state.footing = footing;
+  state.footed += kMessageSeconds;
+  const bool still = std::min(state.still, state.footed) >= params.restSeconds;
+  state.rested = state.rested || still || state.footed >= params.settles;
+}
+
+void feelPaw(LiftState& state) {
+  state.believed = state.pressed = true;
+  state.moved = false;
+  state.blindly = 0;
+}
+
+// Whether free paws tell of hands now.
+bool tells(const LiftParams& params, const LiftState& state) {
+  switch (state.footing) {
+    case Footing::stands:
+    case Footing::getsUp: return true;
+    case Footing::standsUp: return state.pressed;
+    case Footing::lies: return state.rested && state.still <= params.jolt;
+    default: return false;
+  }
+}
+
+double secondsNeeded(const LiftParams& params, const LiftState& state) {
+  if (state.footing == Footing::lies) return params.lyingSeconds;
+  return state.footing == Footing::getsUp ? params.gettingUpSeconds : params.freeSeconds;
+}
+
+bool upright(const LiftParams& params, const LiftState& state) {
+  return state.resting[2] >= params.uprightAbove;
+}
+
+double stillNeeded(bool paw, const LiftParams& params, const LiftState& state) {
+  if (paw) return params.stillSeconds;
+  return upright(params, state) ? params.stillWithoutPaw : params.stillOnSide;
+}
+
+// Switches that fail would have the robot rise and collapse for ever.
+void putDown(bool paw, const LiftParams& params, LiftState& state) {
+  constexpr std::uint8_t kBelieved = 2;  // times
+  state.lifted = state.moved = false;
+  state.free = 0.0;
+  if (!paw && upright(params, state)) ++state.blindly;
+  if (state.blindly >= kBelieved) state.believed = false;
+}
+
 }  // namespace
 
-void stepLifted(const MotionInput& in, bool stands, const LiftParams& params, LiftState& state) {
+void stepLifted(const MotionInput& in, Footing footing, const LiftParams& params,
+                LiftState& state) {
   const bool paw = anyPressed(in);
   const bool moves = movement(in, params, state) > params.stillBelow;
-  state.everPressed = state.everPressed || paw;
-  state.free = paw || !stands ? 0.0 : state.free + kMessageSeconds;
   state.still = moves ? 0.0 : state.still + kMessageSeconds;
-  if (!state.lifted) {
-    state.lifted = state.everPressed && state.free >= params.freeSeconds;
-    state.still = 0.0;
+  feelFooting(footing, params, state);
+  if (paw) feelPaw(state);
+  state.moved = state.moved || (moves && !paw);
+  if (state.lifted) {
+    if (state.still >= stillNeeded(paw, params, state)) putDown(paw, params, state);
     return;
   }
-  const double needed = paw ? params.stillSeconds : params.stillWithoutPaw;
-  if (state.still < needed) return;
-  state.lifted = false;
-  state.free = 0.0;
+  const bool free = !paw && tells(params, state);
+  state.free = free ? state.free + kMessageSeconds : 0.0;
+  state.lifted = state.believed && state.moved && state.free >= secondsNeeded(params, state);
+  if (state.lifted) state.still = 0.0;
 }
 
 }  // namespace kelpie::actuator

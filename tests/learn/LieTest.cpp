@@ -12,7 +12,8 @@ constexpr std::uint64_t kModels = 61;  // the first of five
 constexpr int kSecond = 31;            // messages
 
 void run(PhysicalWalker& walker, const Command& command, int messages) {
-  for (int i = 0; i < messages; ++i) walker.step(command);
+  for (int i = 0; i < messages; ++i)
+    EXPECT_FALSE(walker.step(command).status.feeling.lifted) << "nobody has lifted it";
 }
 
 TEST(Lie, OutOfTheWalkDownAndUpAgainWithoutAFall) {

@@ -53,7 +53,7 @@ class WatchedSystem : public HostSystem {
   std::vector<Call> calls;
   std::set<std::string> broken;  // locators that do not open
 
- private:
+ protected:
   void note(const std::string& what) {
     const SystemTime now = time();
     calls.push_back({{static_cast<std::int64_t>(now.seconds) * 1000000 + now.useconds}, what});
@@ -90,7 +90,8 @@ class Desk : public Source {
   std::int32_t imageEvery = 1;  // messages
   bool power = false;
   std::uint32_t gains = 0;
-  bool lifted = false;
+  bool lifted = false;        // a hand shakes it a little all the while
+  bool pawsFail = false;      // their switches tell nothing
   std::uint32_t blocked = 0;  // bit i: joint i cannot move
   std::uint32_t leds = 0;     // of the last vector
   SensorFrame frame = standingOnDesk();
@@ -98,6 +99,8 @@ class Desk : public Source {
   std::vector<std::pair<TimeUs, RawJoints>> played;
 
  private:
+  static constexpr double kShake = 150.0;  // cm/s2
+
   static SensorFrame standingOnDesk() {
     SensorFrame frame;
     frame.acceleration = {0.0, 0.0, 981.0};
@@ -109,8 +112,10 @@ class Desk : public Source {
     step.sensorsPresent = true;
     step.firstTick = static_cast<std::uint32_t>(4 * message_ + 1);
     if (!vectors_.empty()) play(step);
-    frame.paw.fill(!lifted);
-    step.sensors.fill(rawOf(frame));
+    frame.paw.fill(!lifted && !pawsFail);
+    SensorFrame shaken = frame;
+    if (lifted) shaken.acceleration[0] += message_ / 3 % 2 == 0 ? kShake : -kShake;
+    step.sensors.fill(rawOf(shaken));
   }
 
   void play(WorldStep& step) {
