@@ -97,14 +97,20 @@ void copyBand(const OFbkImage& band, Image::Plane& plane) {
 }  // namespace
 
 std::size_t SensorReader::match(OSensorFrameVectorData& vector, const PrimitiveIds& ids) {
-  matched_ = true;
   count_ = vector.vectorInfo.numData;
-  return findAll(vector, ids.joints, joints_) + findAll(vector, ids.sensors, sensors_);
+  const std::size_t lacking =
+      findAll(vector, ids.joints, joints_) + findAll(vector, ids.sensors, sensors_);
+  matched_ = true;
+  for (std::size_t i = 0; i < kJointCount; ++i)
+    if (ids.joints[i] != oprimitiveID_UNDEF && joints_[i] == kAbsent) matched_ = false;
+  return lacking;
 }
 
 bool SensorReader::read(OSensorFrameVectorData& vector,
                         std::array<SensorFrame, kTicksPerMessage>& frames) {
   if (!matched_ || vector.vectorInfo.numData != count_) return false;
+  for (const int place : joints_)
+    if (place != kAbsent && vector.GetInfo(place)->numFrames < kTicks) return false;
   for (std::size_t tick = 0; tick < kTicks; ++tick) readTick(vector, tick, frames[tick]);
   return true;
 }

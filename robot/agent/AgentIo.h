@@ -34,12 +34,13 @@ class SensorReader {
 
   explicit SensorReader(const Senses& senses = robotSenses()) : senses_(senses) {}
 
-  // The number of primitives that the vector lacks; their values keep their defaults. A vector is
-  // not const anywhere here, because OPEN-R's accessors are not.
+  // The number of primitives that the vector lacks; their values keep their defaults. A vector that
+  // lacks a joint that was opened, or has not all of its ticks, is no pattern for the others. A
+  // vector is not const anywhere here, because OPEN-R's accessors are not.
   std::size_t match(OSensorFrameVectorData& vector, const PrimitiveIds& ids);
   bool matched() const { return matched_; }
 
-  // False: the vector is not like the one that was matched.
+  // False: the vector is not like the one that was matched, or lacks a tick.
   bool read(OSensorFrameVectorData& vector, std::array<SensorFrame, kTicksPerMessage>& frames);
 
  private:

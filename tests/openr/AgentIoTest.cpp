@@ -113,6 +113,23 @@ TEST_P(SensorReaderTest, VectorUnlikeTheMatchedOneIsRefused) {
   EXPECT_FALSE(reader_.read(vector(), frames_));
 }
 
+TEST_P(SensorReaderTest, VectorThatLacksATickOfAJointIsNoPatternAndIsNotRead) {
+  OSensorFrameInfo* knee = nullptr;
+  const OPrimitiveID id = allIds().joints[index(Joint::leftHindKnee)];
+  for (int i = 0; i < static_cast<int>(vector().vectorInfo.numData); ++i)
+    if (vector().GetInfo(i)->primitiveID == id) knee = vector().GetInfo(i);
+  ASSERT_NE(knee, nullptr);
+  knee->numFrames = kTicksPerMessage - 1;
+  EXPECT_EQ(1U, reader_.match(vector(), allIds()));
+  EXPECT_FALSE(reader_.matched());
+  EXPECT_FALSE(reader_.read(vector(), frames_));
+  knee->numFrames = kTicksPerMessage;
+  EXPECT_EQ(0U, reader_.match(vector(), allIds()));
+  EXPECT_TRUE(reader_.read(vector(), frames_));
+  knee->numFrames = kTicksPerMessage - 1;
+  EXPECT_FALSE(reader_.read(vector(), frames_));
+}
+
 INSTANTIATE_TEST_SUITE_P(Orders, SensorReaderTest, testing::Values(0, 1, 77));
 
 TEST(SensorOrderTest, SeedsShuffleTheVector) {
