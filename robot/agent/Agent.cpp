@@ -288,6 +288,8 @@ bool Agent::readSensors(OSensorFrameVectorData& vector) {
     const std::size_t lacking = sensorReader_.match(vector, ids_);
     if (lacking > 0) OSYSLOG1((osyslogERROR, "%u sensors do not report", unsigned(lacking)));
   }
+// It counts for less with the time, since the clock of the ticks and the system's part, and a count
+// that began again is another one.
   if (sensorReader_.read(vector, motionInput_.sensors)) return true;
   OSYSLOG1((osyslogERROR, "a sensor vector unlike the first is left out"));
   return false;
@@ -298,7 +300,11 @@ TimeUs Agent::lastTick(OSensorFrameVectorData& vector) {
   const auto first = static_cast<std::int64_t>(vector.GetInfo(0)->frameNumber);
   const std::int64_t last = first + static_cast<std::int64_t>(kTicksPerMessage) - 1;
   const TimeUs zero = {now().us - last * kTickUs};
-  if (!clockKnown_ || zero < tickZero_) tickZero_ = zero;
+  constexpr std::int64_t kParts = 3;               // us in a message: 100 of a million
+  constexpr std::int64_t kAnotherCount = 1000000;  // us, later than any message
+  const std::int64_t later = zero.us - tickZero_.us;
+  const bool another = !clockKnown_ || later > kAnotherCount;
+  tickZero_.us += another || later < kParts ? later : kParts;
   clockKnown_ = true;
   return {tickZero_.us + last * kTickUs};
 }
