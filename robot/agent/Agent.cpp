@@ -98,6 +98,7 @@ void Agent::openPrimitives() {
   const std::size_t sensors = openAll(openr::kSensorLocators, ids_.sensors);
   const std::size_t leds = openAll(openr::kLedLocators, ids_.leds);
   lacks_ = sensors + leds + openAll(openr::kEarLocators, ids_.ears) > 0;
+  crippledLoops_.setFault(body::kCrippledFault);
   if (crippled_) OSYSLOG1((osyslogERROR, "a joint or the camera is lacking: it does not play"));
 }
 
@@ -145,11 +146,11 @@ void Agent::tell(Rest rest) {
 
 // Gains go before the power does, and come after it.
 void Agent::obey(const MotorsOut& motors, body::LegGain legs) {
-  tell(motors.rest);
+  tell(motors.told);
   if (motors.order.power) setPower(true);
   for (std::size_t i = 0; i < kJointCount; ++i) setGain(i, motors.order.strength[i], legs);
   if (!motors.order.power) setPower(false);
-  if (motors.order.shutDown && !shutDown_) shutDown();
+  if (motors.order.shutDown) shutDown();
 }
 
 void Agent::setPower(bool on) {
@@ -178,10 +179,12 @@ void Agent::setGain(std::size_t joint, double strength, body::LegGain legs) {
   const body::JointGain& shift = body::kGainShift;
   if (status == oSUCCESS)
     status = OPENR::SetJointGain(id, gain.p, gain.i, gain.d, shift.p, shift.i, shift.d);
-  if (status != oSUCCESS)
+  const bool refused = status != oSUCCESS;
+  if (refused) OPENR::DisableJointGain(id);
+  if (refused && !now.refused)
     OSYSLOG1(
         (osyslogERROR, "gain of %s refused: %u", openr::kJointLocators[joint], unsigned(status)));
-  now = {status == oSUCCESS, gain};
+  now = {!refused, refused, gain};
 }
 
 std::uint32_t Agent::held() const {
@@ -191,10 +194,13 @@ std::uint32_t Agent::held() const {
 }
 
 // As Sony's PowerMonitor: nobody listens to the power any more, and the pause switch starts the
-// robot again.
+// robot again. What is refused is asked for again each second.
 void Agent::shutDown() {
+  constexpr std::int64_t kAgain = 1000000;  // us
+  if (now() < shutDownAgain_) return;
+  if (!shutDown_) OPENR::UnobservePowerStatus(OServiceEntry(myOID_, Extra_Entry[entryNotifyPower]));
   shutDown_ = true;
-  OPENR::UnobservePowerStatus(OServiceEntry(myOID_, Extra_Entry[entryNotifyPower]));
+  shutDownAgain_ = {now().us + kAgain};
   const OStatus status = OPENR::Shutdown(OBootCondition(obcbPAUSE_SW));
   if (status != oSUCCESS) OSYSLOG1((osyslogERROR, "shutdown refused: %u", unsigned(status)));
 }
@@ -230,7 +236,7 @@ void Agent::takePower(const OPowerStatus& status) {
     power_ = sent_ = taken_ = false;
   }
   motorPower_ = report.motorPower;
-  loops_.power(report);
+  playing().power(report);
 }
 
 void Agent::NotifyControl(void* message) { radio_.controlHeard(message, now(), loops_); }
@@ -254,48 +260,36 @@ void Agent::NotifySensor(const ONotifyEvent& event) {
   auto& vector = vectorOf<OSensorFrameVectorData>(event);
   if (readSensors(vector)) {
     motionInput_.time = lastTick(vector);
-    if (crippled_) {
-      showCrippled();
-    } else {
-      play();
-    }
+    if (!crippled_) beforeMotion();
+    play();
   }
   radio_.tick(now());
   observer[event.ObsIndex()]->AssertReady();
 }
 
 void Agent::play() {
-  beforeMotion();
   motionInput_.held = held();
-  const MotionOutput& output = loops_.motion(motionInput_);
-  obey(loops_.motors(), {output.status.lowGain, output.status.legGain});
+  const MotionOutput& output = playing().motion(motionInput_);
+  obey(playing().motors(), {output.status.lowGain, output.status.legGain});
   // At the start, or when the joints ran dry: a second vector ahead.
   if (inFlight() == 0) sendHeld();
   send(output.joints);
 }
 
-// Its motors stay without power, and its lights blink.
-void Agent::showCrippled() {
-  JointFrame frame;
-  frame.target = motionInput_.sensors.back().joints;
-  frame.leds = body::faultLights(body::kCrippledFault, motionInput_.time);
-  held_.fill(frame);
-  sendHeld();
-}
-
 bool Agent::readSensors(OSensorFrameVectorData& vector) {
   if (!sensorReader_.matched()) {
     const std::size_t lacking = sensorReader_.match(vector, ids_);
-    if (lacking > 0) OSYSLOG1((osyslogERROR, "%u sensors do not report", unsigned(lacking)));
+    if (lacking > 0 && sensorReader_.matched())
+      OSYSLOG1((osyslogERROR, "%u sensors do not report", unsigned(lacking)));
   }
-// It counts for less with the time, since the clock of the ticks and the system's part, and a count
-// that began again is another one.
   if (sensorReader_.read(vector, motionInput_.sensors)) return true;
-  OSYSLOG1((osyslogERROR, "a sensor vector unlike the first is left out"));
+  OSYSLOG1((osyslogERROR, "a sensor vector unlike the others is left out"));
   return false;
 }
 
 // Sensor ticks are regular, their messages may be late: the least late one tells when tick 0 was.
+// It counts for less with the time, since the clock of the ticks and the system's part, and a count
+// that began again is another one.
 TimeUs Agent::lastTick(OSensorFrameVectorData& vector) {
   const auto first = static_cast<std::int64_t>(vector.GetInfo(0)->frameNumber);
   const std::int64_t last = first + static_cast<std::int64_t>(kTicksPerMessage) - 1;

@@ -13,6 +13,7 @@
 #include "def.h"
 #include "robot/agent/AgentIo.h"
 #include "robot/agent/AntRadio.h"
+#include "robot/agent/FaultLoops.h"
 #include "robot/agent/Loops.h"
 #include "robot/body/Ers7.h"
 
@@ -56,6 +57,7 @@ class Agent : public OObject {
   // What a joint was told last.
   struct ToldGain {
     bool on = false;
+    bool refused = false;  // which is told once
     body::JointGain gain{};
   };
 
@@ -80,13 +82,14 @@ class Agent : public OObject {
   void setCamera();
   bool readSensors(OSensorFrameVectorData& vector);
   TimeUs lastTick(OSensorFrameVectorData& vector);
+  Loops& playing() { return crippled_ ? static_cast<Loops&>(crippledLoops_) : loops_; }
   void play();
-  void showCrippled();
   void sendHeld();
   void send(const std::array<JointFrame, kTicksPerMessage>& frames);
   std::size_t inFlight() const;
 
   Loops& loops_;
+  FaultLoops crippledLoops_;  // in their place where a vital part does not open
   AntRadio radio_;
   PrimitiveIds ids_{};
   std::array<CommandVector, kVectors> vectors_;
@@ -100,10 +103,11 @@ class Agent : public OObject {
   bool motorPower_ = false;  // as the system said last
   bool sent_ = false;        // targets, since the power was asked for
   bool taken_ = false;       // so, and the effectors were ready for more
-  bool shutDown_ = false;
-  bool crippled_ = false;   // a joint or the camera does not open: it does not play
-  bool lacks_ = false;      // something else does not
-  Rest told_ = Rest::none;  // in the system's log
+  bool shutDown_ = false;    // asked for
+  TimeUs shutDownAgain_;     // if it was refused
+  bool crippled_ = false;    // a joint or the camera does not open: it does not play
+  bool lacks_ = false;       // something else does not
+  Rest told_ = Rest::none;   // in the system's log
   bool clockKnown_ = false;
   TimeUs tickZero_;  // system time of sensor tick 0
 };

@@ -39,14 +39,11 @@ AgentLoops::AgentLoops(const AgentConfig& config, const std::string& scripts, Lo
       listens_(config.game),
       game_(net::listenerFor(config.team, config.player)) {}
 
-Rest AgentLoops::causeNow(const MotionInput& in) {
-  const Rest power = step(PowerWatchInput{in.time, power_}, PowerWatchParams{}, powerWatch_);
+Cause AgentLoops::causeNow(const MotionInput& in) {
   const bool blind = step(WatchdogInput{in.time, imageCame_}, WatchdogParams{}, watchdog_);
   const bool stuck = step(in, JointWatchParams{}, jointWatch_).has_value();
   imageCame_ = false;
-  if (power != Rest::none) return power;
-  if (stuck) return Rest::jointStuck;
-  return blind ? Rest::blind : Rest::none;
+  return step(CausesIn{in.time, power_, stuck, blind}, CausesParams{}, causes_);
 }
 
 // A person has asked for play who has told of a match, by radio or by a button, or who drives.
@@ -67,7 +64,7 @@ void AgentLoops::decideMotors(const MotionInput& in) {
 
 Command AgentLoops::forTheBody() const {
   const Command asked = askedIn(frame_);
-  return motors_.rest == Rest::none ? asked : restCommand(asked, game_.game, motors_.rest);
+  return motors_.rest == Rest::none ? asked : restCommand(asked, game_.game, motors_.told);
 }
 
 const MotionOutput& AgentLoops::motion(const MotionInput& withoutCommand) {
@@ -84,11 +81,18 @@ const MotionOutput& AgentLoops::motion(const MotionInput& withoutCommand) {
     const auto back = static_cast<std::int64_t>(motionInput_.sensors.size() - 1 - tick) * kTickUs;
     const TimeUs then{motionInput_.time.us - back};
     joints_.add(then, motionInput_.sensors[tick], motionOutput_->stances[tick]);
-    net::feel({then, motionInput_.sensors[tick]}, listens_, game_);
+    feelButtons(then, motionInput_.sensors[tick]);
   }
   odometry_.add(motionInput_.time, motionOutput_->odometry);
   log_.motion(motionInput_, *motionOutput_);
   return *motionOutput_;
+}
+
+// A press that asked for the motors' power tells nothing of the game.
+void AgentLoops::feelButtons(TimeUs when, const SensorFrame& sensed) {
+  net::ButtonIn felt{when, sensed};
+  if (motors_.tookPress) felt.sensors.headTouch = 0.0;
+  net::feel(felt, listens_, game_);
 }
 
 void AgentLoops::camera(const Image& image, TimeUs exposureMiddle, std::uint32_t number) {

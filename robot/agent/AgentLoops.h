@@ -7,6 +7,7 @@
 #include <memory>
 #include <string>
 
+#include "robot/agent/Causes.h"
 #include "robot/agent/FrameLoop.h"
 #include "robot/agent/JointTrack.h"
 #include "robot/agent/JointWatch.h"
@@ -15,7 +16,6 @@
 #include "robot/agent/MotionLoop.h"
 #include "robot/agent/Motors.h"
 #include "robot/agent/OdometryTrack.h"
-#include "robot/agent/PowerWatch.h"
 #include "robot/agent/Watchdog.h"
 #include "robot/net/GameListener.h"
 #include "robot/net/TeamRadio.h"
@@ -39,8 +39,9 @@ class AgentLoops : public Loops {
   const std::string& scriptError() const { return frameLoop_.scriptError(); }
 
  private:
-  Rest causeNow(const MotionInput& in);
+  Cause causeNow(const MotionInput& in);
   void decideMotors(const MotionInput& in);
+  void feelButtons(TimeUs when, const SensorFrame& sensed);
   Command forTheBody() const;
 
   FrameLoop frameLoop_;
@@ -54,7 +55,7 @@ class AgentLoops : public Loops {
   net::ListenerState game_;
   Drive drive_;
   PowerReport power_;
-  PowerWatchState powerWatch_;
+  CausesState causes_;
   WatchdogState watchdog_;
   bool imageCame_ = false;  // since the last motion message
   JointWatchState jointWatch_;

@@ -5,13 +5,17 @@
 // after switching on, a pause, a jam and a rest: it begins with joints that nobody holds. Sony's
 // samples MovingLegs7 and MovingHead7 send the sensed pose, wait for Ready and set the gains only
 // then; its PowerMonitor switches off for the pause button and a low battery (openr-measured.md 5).
+// Three rules hold in every phase. Power or a gain that is gone, and hands, begin anew from the
+// sensed joints. A cause that takes the power wins over what the phase would do, and one that ends
+// the system over every other. Power that the robot took away is asked for by a press of the head
+// that began afterwards, until it comes or for 2 s.
 // Keeps the phase; fails where the system never tells that the motors have power: the robot then
-// stays as it is found.
+// stays as it is found, and shows it.
 #pragma once
 
 #include <array>
 
-#include "robot/agent/PowerWatch.h"
+#include "robot/agent/Causes.h"
 #include "robot/core/Motion.h"
 
 namespace kelpie::agent {
@@ -31,9 +35,10 @@ struct MotorOrder {
 };
 
 struct MotorsParams {
+  double askSeconds = 2.0;         // for power that does not come
   double settleSeconds = 0.3;      // from power to the first gain: what was limp comes to rest
   std::uint32_t rampMessages = 4;  // until a joint has its full gain
-  double pauseHoldSeconds = 3.0;   // of the pause switch, until the robot is switched off
+  double gainSeconds = 3.0;        // at most for all gains, which take 0.7 s
   double lieSeconds = 6.0;         // at most, until the motors go off all the same
 };
 
@@ -42,29 +47,37 @@ enum class MotorPhase : std::uint8_t { off, powered, gaining, waiting, plays, li
 struct MotorsIn {
   TimeUs time;
   PowerReport report;
-  Rest cause = Rest::none;  // why it must not play, of those for which it lies down
-  std::uint32_t held = 0;   // bit i: joint i has a gain, as the OPEN-R object has seen to it
-  bool asked = false;       // a person wants it to stand
-  bool pressed = false;     // the head, in this message: asks again after an end
-  bool lying = false;       // the legs have lain down
-  bool lifted = false;      // somebody carries it
+  Cause cause;             // the gravest why it must not play
+  std::uint32_t held = 0;  // bit i: joint i has a gain, as the OPEN-R object has seen to it
+  bool asked = false;      // a person wants it to stand
+  bool pressed = false;    // a hand is on the head
+  bool lying = false;      // the legs have lain down
+  bool lifted = false;     // somebody carries it
 };
 
 struct MotorsOut {
-  Rest rest = Rest::starting;
+  Rest rest = Rest::starting;  // what the body does
+  Rest told = Rest::starting;  // why, for people
   MotorOrder order;
+  bool tookPress = false;  // the hand on the head asks for power, and tells nothing of the game
 
   static constexpr auto fields() {
     return fieldList(field("rest", &MotorsOut::rest, "", 0, kRestCount - 1),
-                     field("order", &MotorsOut::order));
+                     field("told", &MotorsOut::told, "", 0, kRestCount - 1),
+                     field("order", &MotorsOut::order), field("tookPress", &MotorsOut::tookPress));
   }
 };
 
 struct MotorsState {
   MotorPhase phase = MotorPhase::off;
   TimeUs since;                                       // the phase began
-  TimeUs freeAt;                                      // when there was no cause to rest last
-  Rest why = Rest::starting;                          // shown until it plays
+  Rest why = Rest::starting;                          // it does not play
+  TimeUs askUntil;                                    // for power
+  bool hadPower = false;                              // in the last message
+  std::uint32_t held = 0;                             // so
+  bool pressed = false;                               // so
+  bool tookPress = false;                             // the press that is under way
+  bool switchesOff = false;                           // for good
   std::array<std::uint32_t, kJointCount> messages{};  // that a joint has been held; 0: it is not
 };
 

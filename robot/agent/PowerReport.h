@@ -12,8 +12,9 @@ struct PowerReport {
   bool overCurrent = false;  // the battery gives more than it should
   bool hot = false;          // the battery
   bool fanFault = false;     // of the fan that cools the processor
-  bool motorPower = true;  // the motors are powered; false as well when the robot cut it for a jam
-  double current = 0.0;    // drawn from the battery, mA
+  bool motorPower = false;   // the motors are powered; not before the system has said so, and not
+                             // after the robot has cut it for a jam
+  double current = 0.0;      // drawn from the battery, mA
 
   static constexpr auto fields() {
     using P = PowerReport;

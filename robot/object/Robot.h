@@ -9,7 +9,7 @@
 
 #include "robot/agent/AgentConfig.h"
 #include "robot/agent/AgentLoops.h"
-#include "robot/object/FaultLoops.h"
+#include "robot/agent/FaultLoops.h"
 
 namespace kelpie::object {
 
@@ -67,7 +67,7 @@ class LateLoops : public agent::Loops {
   bool made() const { return at_ != &fault_; }
 
   Room room_;
-  FaultLoops fault_;
+  agent::FaultLoops fault_;
   agent::PowerReport power_;  // told last; the loops that come later need it
   agent::Loops* at_ = &fault_;
 };

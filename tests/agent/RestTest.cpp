@@ -11,45 +11,88 @@ namespace {
 TimeUs at(double seconds) { return TimeUs::fromSeconds(seconds); }
 
 struct Watched {
-  Rest step(double seconds, const PowerReport& report) {
-    return agent::step({at(seconds), report}, params, state);
+  Cause step(double seconds, const CausesIn& in) {
+    CausesIn now = in;
+    now.time = at(seconds);
+    return agent::step(now, params, state);
   }
-  PowerWatchParams params;
-  PowerWatchState state;
+  CausesParams params;
+  CausesState state;
 };
 
-PowerReport paused() {
-  PowerReport report;
-  report.paused = true;
-  return report;
+CausesIn paused() {
+  CausesIn in;
+  in.report.paused = true;
+  return in;
 }
-PowerReport low() {
-  PowerReport report;
-  report.batteryLow = true;
-  return report;
+CausesIn low() {
+  CausesIn in;
+  in.report.batteryLow = true;
+  return in;
 }
-TEST(PowerWatch, PausesAtOnceAndPlaysASecondAfterThePause) {
-  Watched watched;
-  EXPECT_EQ(watched.step(1.0, {}), Rest::none);
-  EXPECT_EQ(watched.step(1.1, paused()), Rest::paused);
-  EXPECT_EQ(watched.step(9.0, paused()), Rest::paused);
-  EXPECT_EQ(watched.step(9.9, {}), Rest::paused);
-  EXPECT_EQ(watched.step(10.1, {}), Rest::none);
+CausesIn hot() {
+  CausesIn in;
+  in.report.hot = true;
+  return in;
 }
 
-TEST(PowerWatch, ABatteryThatRecoversWhileTheRobotLiesDoesNotRaiseItAtOnce) {
+TEST(Causes, PausesAtOnceAndPlaysASecondAfterThePause) {
+  Watched watched;
+  EXPECT_EQ(watched.step(1.0, {}).rest, Rest::none);
+  EXPECT_EQ(watched.step(1.1, paused()).rest, Rest::paused);
+  EXPECT_EQ(watched.step(3.0, paused()).demand, Demand::lie);
+  EXPECT_EQ(watched.step(3.9, {}).rest, Rest::paused);
+  EXPECT_EQ(watched.step(4.1, {}).rest, Rest::none);
+}
+
+TEST(Causes, APauseSwitchesOffAfterThreeSecondsInOnePiece) {
+  Watched watched;
+  for (int i = 0; i < 100; ++i) {
+    const Cause cause = watched.step(0.1 * i, i % 10 < 9 ? paused() : CausesIn{});
+    EXPECT_EQ(cause.demand, Demand::lie) << i;
+  }
+  EXPECT_EQ(watched.step(20.0, paused()).demand, Demand::lie);
+  EXPECT_EQ(watched.step(22.9, paused()).demand, Demand::lie);
+  EXPECT_EQ(watched.step(23.0, paused()).demand, Demand::switchOff);
+}
+
+TEST(Causes, ABatteryThatRecoversWhileTheRobotLiesDoesNotRaiseItAtOnce) {
   Watched watched;
   watched.step(1.0, low());
-  EXPECT_EQ(watched.step(20.0, {}), Rest::batteryLow);
-  EXPECT_EQ(watched.step(31.5, {}), Rest::none);
+  EXPECT_EQ(watched.step(20.0, {}).rest, Rest::batteryLow);
+  EXPECT_EQ(watched.step(31.5, {}).rest, Rest::none);
 }
 
-TEST(PowerWatch, ThePauseIsToldBeforeWhatItBringsWithIt) {
+TEST(Causes, OneThatEndsDoesNotEndAnother) {
   Watched watched;
-  watched.step(0.0, {});
-  PowerReport all;
-  all.paused = all.batteryLow = all.hot = true;
-  EXPECT_EQ(watched.step(1.0, all), Rest::paused);
+  watched.step(1.0, hot());
+  watched.step(1.1, paused());
+  watched.step(1.3, {});
+  EXPECT_EQ(watched.step(20.0, {}).rest, Rest::hot);
+}
+
+TEST(Causes, TheGravestIsTold) {
+  CausesIn all;
+  all.stuck = all.blind = all.report.paused = all.report.fanFault = all.report.hot = true;
+  all.report.overCurrent = all.report.batteryLow = true;
+  const CausesParams params;
+  const auto gravest = [&] {
+    CausesState state;
+    return step(all, params, state).rest;
+  };
+  EXPECT_EQ(gravest(), Rest::batteryLow);
+  all.report.batteryLow = false;
+  EXPECT_EQ(gravest(), Rest::overCurrent);
+  all.report.overCurrent = false;
+  EXPECT_EQ(gravest(), Rest::hot);
+  all.report.hot = false;
+  EXPECT_EQ(gravest(), Rest::fan);
+  all.report.fanFault = false;
+  EXPECT_EQ(gravest(), Rest::jointStuck);
+  all.stuck = false;
+  EXPECT_EQ(gravest(), Rest::paused);
+  all.report.paused = false;
+  EXPECT_EQ(gravest(), Rest::blind);
 }
 
 TEST(Watchdog, BarksAfterASecondWithoutAnImageAndNotBefore) {
@@ -89,6 +132,12 @@ class Sink : public LogSink {
 
 class RestingLoops : public testing::Test {
  protected:
+  RestingLoops() { loops_->power(powered()); }
+  static PowerReport powered() {
+    PowerReport report;
+    report.motorPower = true;
+    return report;
+  }
   // Messages of 32 ms, with an image each if wanted.
   void play(int messages, bool images) {
     for (int i = 0; i < messages; ++i) {
@@ -124,11 +173,13 @@ TEST_F(RestingLoops, RestWhileTheCameraIsSilentAndNoLonger) {
 
 TEST_F(RestingLoops, RestWhilePausedAndTellTheNextFrame) {
   play(60, true);
-  loops_->power(paused());
+  PowerReport pausing = powered();
+  pausing.paused = true;
+  loops_->power(pausing);
   play(1, true);
   EXPECT_EQ(rest(), Rest::paused);
   EXPECT_EQ(sink_.lastCommand.leds, sink_.motions.back().command.leds);
-  loops_->power({});
+  loops_->power(powered());
   play(33, true);
   EXPECT_EQ(rest(), Rest::none);
 }

@@ -2,106 +2,10 @@
 // A robot from switching on to switching off, through the OPEN-R object, the loops and the power
 // service of the stand-in: which calls it makes of power and gains, in which order, and how fast a
 // joint is asked to move before it plays.
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cstdio>
-
-#include "robot/agent/AgentLoops.h"
-#include "robot/body/Lights.h"
-#include "robot/host/AgentStub.h"
-#include "tools/desk/Stories.h"
+#include "tests/agent/Story.h"
 
 namespace kelpie::agent {
 namespace {
-
-using host::Desk;
-using host::WatchedSystem;
-
-constexpr double kGentle = 60.01;   // deg/s, of rounding
-constexpr double kInFlight = 0.15;  // s, what was told before is still played
-
-class Story : public testing::Test, public LogSink {
- protected:
-  Story() {
-    desk_.frame.joints = desk::sprawled();
-    params_.printTo = nullptr;
-  }
-  void motion(const MotionInput& input, const MotionOutput& output) override {
-    if (rests.empty() || rests.back().rest != input.rest)
-      rests.push_back({input.time.seconds(), input.rest});
-    if (output.status.ready && input.rest == Rest::none && readyAt == 0.0)
-      readyAt = input.time.seconds();
-  }
-  void frame(const FrameInput&, const FrameOutput&) override {}
-
-  void at(double seconds, const std::function<void()>& happens) {
-    events_.emplace(seconds, happens);
-  }
-  void press(double from, double seconds) {
-    at(from, [this] { desk_.frame.headTouch = 40.0; });
-    at(from + seconds, [this] { desk_.frame.headTouch = 0.0; });
-  }
-  void say(double from, longword bits) {
-    at(from, [this, bits] { system_->setRobotStatus(orsbBATTERY_CONNECTED | bits); });
-  }
-  void play(double seconds) {
-    desk_.messages = static_cast<std::int32_t>(seconds / 0.032);
-    AgentLoops loops(*config_, KELPIE_SOURCE_DIR "/pycode", *this);
-    Agent agent(loops);
-    system_ = std::make_unique<WatchedSystem>(desk_, params_);
-    system_->broken = broken_;
-    host::Network network;
-    network.tick = [this](TimeUs now) {
-      while (!events_.empty() && events_.begin()->first <= now.seconds()) {
-        events_.begin()->second();
-        events_.erase(events_.begin());
-      }
-    };
-    const auto summary = system_->run(host::agentStub(agent), network);
-    ASSERT_TRUE(summary) << summary.error();
-  }
-
-  // When it was called first after `from`; -1: never.
-  double called(const std::string& what, double from = 0.0) const {
-    for (const auto& call : system_->calls)
-      if (call.what == what && call.time.seconds() >= from) return call.time.seconds();
-    return -1.0;
-  }
-  double restedFrom(Rest rest, double from = 0.0) const {
-    for (const auto& row : rests)
-      if (row.rest == rest && row.at >= from) return row.at;
-    return -1.0;
-  }
-  // The order in which joints were held in that time.
-  std::vector<std::size_t> heldInTurn(double from, double to) const {
-    std::vector<std::size_t> order;
-    for (const auto& call : system_->calls) {
-      const double when = call.time.seconds();
-      if (call.what.rfind("hold ", 0) != 0 || when < from || when > to) continue;
-      order.push_back(std::stoul(call.what.substr(5)));
-    }
-    return order;
-  }
-  void expectGainsInTurn(double from, double to) const {
-    const auto order = heldInTurn(from, to);
-    ASSERT_EQ(order.size(), kJointCount);
-    for (std::size_t j = 0; j < kJointCount; ++j) EXPECT_EQ(order[j], j);
-  }
-
-  struct Row {
-    double at;
-    Rest rest;
-  };
-  std::vector<Row> rests;
-  double readyAt = 0.0;
-  Desk desk_;
-  host::HostParams params_;
-  std::unique_ptr<AgentConfig> config_ = std::make_unique<AgentConfig>();
-  std::unique_ptr<WatchedSystem> system_;
-  std::set<std::string> broken_;
-  std::multimap<double, std::function<void()>> events_;
-};
 
 TEST_F(Story, StartsLimpThenPowerThenOneGainAfterTheOtherAndStaysAsFoundUntilAskedTo) {
   play(4.0);
@@ -246,15 +150,11 @@ INSTANTIATE_TEST_SUITE_P(Causes, StoryOf,
                                          Cause{"Fan", orsbERROR_OF_FAN, Rest::fan}),
                          [](const auto& cause) { return std::string(cause.param.name); });
 
-// A hand shakes it a little all the while.
 TEST_F(Story, LiftedOffTheGroundItGoesSlackAtOnceAndGoesOnWhenItHasBeenPutDownAndIsStill) {
   press(2.0, 0.3);
   at(7.0, [this] { desk_.lifted = true; });
-  for (int i = 0; i < 40; ++i)
-    at(7.5 + 0.1 * i, [this, i] { desk_.frame.acceleration[0] = i % 2 == 0 ? 150.0 : -150.0; });
   at(11.5, [this] {
     desk_.lifted = false;
-    desk_.frame.acceleration[0] = 0.0;
     desk_.frame.joints[Joint::leftFrontRotator] = Angle::deg(80.0);  // as it was put down
   });
   play(17.0);

@@ -60,6 +60,9 @@ class TraceLog : public testing::Test {
 
   void play(AgentLoops& loops, std::uint32_t frames) const {
     const auto image = std::make_unique<Image>();
+    PowerReport power;
+    power.motorPower = true;
+    loops.power(power);
     for (std::uint32_t i = 0; i < frames; ++i) {
       const TimeUs now{static_cast<std::int64_t>(i + 1) * 32000};
       MotionInput motion;

@@ -64,7 +64,7 @@ class FakeLoops : public agent::Loops {
  public:
   static agent::MotorsOut allOn() {
     agent::MotorsOut on;
-    on.rest = Rest::none;
+    on.rest = on.told = Rest::none;
     on.order.power = true;
     on.order.strength.fill(1.0);
     return on;

@@ -85,7 +85,7 @@ def test_object_has_its_own_player_and_no_other(player, has, has_not):
 @pytest.mark.parametrize("name", [
     " Self", "kelpie::object::RobotAgent::beforeMotion", "kelpie::agent::Agent::NotifyImage",
     "kelpie::agent::AntEndpoint::tick", "kelpie::stick::StickReader::load",
-    "kelpie::agent::AgentLoops::camera", "kelpie::object::FaultLoops::motion"])
+    "kelpie::agent::AgentLoops::camera", "kelpie::agent::FaultLoops::motion"])
 def test_robots_object_has_what_it_starts_and_plays_with(name):
     defined = must("mipsel-linux-gnu-nm", "-C", "--defined-only", OBJECT)
     assert name in defined

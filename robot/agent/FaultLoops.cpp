@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "robot/object/FaultLoops.h"
+#include "robot/agent/FaultLoops.h"
 
 #include "robot/body/Lights.h"
 
-namespace kelpie::object {
+namespace kelpie::agent {
 
 const MotionOutput& FaultLoops::motion(const MotionInput& input) {
+  const Cause cause = step(CausesIn{input.time, power_}, CausesParams{}, causes_);
+  if (cause.demand == Demand::switchOff) {
+    motors_.told = cause.rest;
+    motors_.order.shutDown = true;
+  }
   for (JointFrame& frame : output_.joints) {
     frame.target = input.sensors.back().joints;
     frame.leds = fault_ != 0 ? body::faultLights(fault_, input.time) : shown_;
@@ -13,4 +18,4 @@ const MotionOutput& FaultLoops::motion(const MotionInput& input) {
   return output_;
 }
 
-}  // namespace kelpie::object
+}  // namespace kelpie::agent
