@@ -68,8 +68,9 @@ constexpr const char* kLightsHeading = R"(## Lights and ears
 
 LED2 are on or off, LED3 have an intensity of 0 to 255 and a mode: A for the face, undefined
 (0xffff) for the back, which has no modes (Sony's sample BlinkingLED7; the 2005 team's
-Indicators.cc). Places and colours are those of ERS7Info.h, LedEngine.h and Indicators.h; no
-source at hand tells the places of some face lights.
+Indicators.cc). Places and colours are those of ERS7Info.h, LedEngine.h and Indicators.h; that of
+the face's middle is Face.cc's, which has a light go from side to side by 3, 5, 12, 6 and 4. No
+source at hand tells where 9, 10 and 11 are.
 
 | bit | locator | place |
 |---|---|---|
