@@ -140,7 +140,10 @@ class Story : public testing::Test, public LogSink {
   void expectGainsInTurn(double from, double to) const {
     const auto order = heldInTurn(from, to);
     ASSERT_EQ(order.size(), kJointCount);
-    for (std::size_t j = 0; j < kJointCount; ++j) EXPECT_EQ(order[j], j);
+    for (std::size_t j = 0; j < kJointCount; ++j) {
+      EXPECT_EQ(order[j], j);
+      EXPECT_EQ(heldAt(called("hold " + std::to_string(j), from)), 1U) << "in one message";
+    }
   }
 
   // How many joints came to be held at that time, in one message.
