@@ -148,14 +148,16 @@ class Story : public testing::Test, public LogSink {
 
   // How many joints came to be held at that time, in one message.
   std::size_t heldAt(double when) const {
-    return std::count_if(system_->calls.begin(), system_->calls.end(), [when](const auto& call) {
-      return call.what.rfind("hold ", 0) == 0 && call.time.seconds() == when;
-    });
+    return static_cast<std::size_t>(
+        std::count_if(system_->calls.begin(), system_->calls.end(), [when](const auto& call) {
+          return call.what.rfind("hold ", 0) == 0 && call.time.seconds() == when;
+        }));
   }
   std::size_t calledOften(const std::string& what, double from, double to) const {
-    return std::count_if(system_->calls.begin(), system_->calls.end(), [&](const auto& call) {
-      return call.what == what && call.time.seconds() >= from && call.time.seconds() <= to;
-    });
+    return static_cast<std::size_t>(
+        std::count_if(system_->calls.begin(), system_->calls.end(), [&](const auto& call) {
+          return call.what == what && call.time.seconds() >= from && call.time.seconds() <= to;
+        }));
   }
   // Of the face's lights, for people.
   bool shows(Rest rest) const { return (leds & kReasons) == body::lightsOf(rest); }

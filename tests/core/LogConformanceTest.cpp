@@ -146,7 +146,7 @@ class File {
   void attachment() {
     Bytes content;
     RecordWriter writer(content);
-    for (const std::uint64_t time : {2, 1}) writer.number(time);
+    for (const std::uint64_t time : {2U, 1U}) writer.number(time);
     writer.string("myFile");
     writer.string("application/octet-stream");
     writer.number(std::uint64_t{3});
@@ -163,7 +163,7 @@ class File {
       for (const std::uint32_t value : {input_.messages > 0 ? 1U : 0U, input_.attachment ? 1U : 0U,
                                         input_.metadata ? 1U : 0U, use_.chunks ? 1U : 0U})
         writer.number(value);
-      for (const std::uint64_t time : {0, 0}) writer.number(time);
+      for (const std::uint64_t time : {0U, 0U}) writer.number(time);
       writer.number(std::uint32_t{0});
     });
   }
@@ -176,17 +176,17 @@ class File {
         writer.number(std::uint32_t{0});
         writer.number(std::uint64_t{0});
         writer.string("");
-        for (const std::uint64_t value : {0, 0}) writer.number(value);
+        for (const std::uint64_t value : {0U, 0U}) writer.number(value);
       });
     if (use_.attachmentIndex)
       record(to, Op::attachmentIndex, [](RecordWriter& writer) {
-        for (const std::uint64_t value : {25, 60, 2, 1, 3}) writer.number(value);
+        for (const std::uint64_t value : {25U, 60U, 2U, 1U, 3U}) writer.number(value);
         writer.string("myFile");
         writer.string("application/octet-stream");
       });
     if (use_.metadataIndex)
       record(to, Op::metadataIndex, [](RecordWriter& writer) {
-        for (const std::uint64_t value : {25, 41}) writer.number(value);
+        for (const std::uint64_t value : {25U, 41U}) writer.number(value);
         writer.string("myMetadata");
       });
   }

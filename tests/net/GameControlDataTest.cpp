@@ -46,8 +46,9 @@ GameControlData example() {
 }
 
 std::uint32_t wordAt(const Bytes& bytes, std::size_t place) {
-  return bytes[place] | (bytes[place + 1] << 8U) | (bytes[place + 2] << 16U) |
-         (static_cast<std::uint32_t>(bytes[place + 3]) << 24U);
+  std::uint32_t word = 0;
+  for (std::size_t i = 4; i-- > 0;) word = (word << 8U) | bytes[place + i];
+  return word;
 }
 void putWord(Bytes& bytes, std::size_t place, std::uint32_t word) {
   for (std::size_t i = 0; i < 4; ++i)

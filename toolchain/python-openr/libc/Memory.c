@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// malloc for the emulator: one block of 48 MB, twice what the whole object may use, since it is cut
-// into pieces of 16 bytes times a power of two, each behind a head of 8 bytes; freed pieces wait in
-// a list for the next of their size. With 24 MB a script that took all that it may left nothing for
-// the line that tells of it. Wasteful, but a piece costs a few instructions. What is counted is what
-// was asked for, with 8 bytes for the head that every malloc needs. Python asks it only for what its
-// own allocator does not keep (over 512 bytes).
+// malloc for the emulator: one block of 48 MB, twice what the whole object may use, since it is
+// cut into pieces of 16 bytes times a power of two, each behind a head of 8 bytes; freed pieces
+// wait in a list for the next of their size. With 24 MB a script that took all that it may left
+// nothing for the line that tells of it. Wasteful, but a piece costs a few instructions. What is
+// counted is what was asked for, with 8 bytes for the head that every malloc needs. Python asks it
+// only for what its own allocator does not keep (over 512 bytes).
 #include <stddef.h>
 #include <stdint.h>
 #include <string.h>
