@@ -65,8 +65,7 @@ std::string parameterFile(const std::vector<Told>& unknowns, const std::string& 
     std::string name = kUnknownKinds[told.unknown].name;
     const bool ofLens = name.rfind(kLens, 0) == 0;
     if (ofLens) name.erase(0, kLens.size());
-    const std::string sd = fmt::format("  # sd {:.2g}\n", told.sd);
-    (ofLens ? lens : body) += name + " = " + valueFor(told) + sd;
+    (ofLens ? lens : body) += fmt::format("{} = {}  # sd {:.2g}\n", name, valueFor(told), told.sd);
   }
   std::string line = heading;  // a name of a file may hold a line break
   std::replace_if(
