@@ -238,8 +238,8 @@ Expected<std::vector<std::string>> listFrames(const std::string& folder) {
     if (extension != ".yuv" && extension != ".png") continue;
     FrameFile file{0, entry.path().filename().string()};
     if (!parseFrameNumber(entry.path(), file.number))
-      return Error{folder + "/" + file.name + ": its name must be its number, such as 000000" +
-                   extension};
+      return Error{fmt::format("{}/{}: its name must be its number, such as 000000{}", folder,
+                               file.name, extension)};
     files.push_back(file);
   }
   if (error) return Error{folder + ": " + error.message()};
