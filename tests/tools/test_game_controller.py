@@ -92,6 +92,18 @@ def in_order(games, key):
     return [v for i, v in enumerate(values) if i == 0 or v != values[i - 1]]
 
 
+def end_with_a_goal_of_red(controller, play):
+    """Nobody is penalised any more; the match ends as the controller says."""
+    controller.penalties.clear()
+    controller.score[RED] = 1
+    time.sleep(1.0)
+    controller.state, controller.first_half = FINISHED, 0
+    output, errors = play.communicate(timeout=60)
+    controller.over.set()
+    assert play.returncode == 0, errors
+    assert "red 1 : 0 blue" in output
+
+
 def test_a_packet_has_120_bytes():
     assert len(Controller(0).packet()) == 120
 
@@ -107,14 +119,7 @@ def test_a_controller_outside_rules_a_match_from_ready_to_finished(team, tmp_pat
         time.sleep(1.5)
     controller.penalties[RED, 1] = 3
     time.sleep(1.5)
-    controller.penalties.clear()
-    controller.score[RED] = 1
-    time.sleep(1.0)
-    controller.state, controller.first_half = FINISHED, 0
-    output, errors = play.communicate(timeout=60)
-    controller.over.set()
-    assert play.returncode == 0, errors
-    assert "red 1 : 0 blue" in output
+    end_with_a_goal_of_red(controller, play)
     log = tmp_path / "out/match.mcap"
     seen = games(log)
     assert in_order(seen, "state")[:4] == ["initial", "ready", "set", "playing"]
@@ -177,14 +182,7 @@ def test_a_program_of_later_years_rules_a_match(version, size, team, tmp_path, p
         time.sleep(1.0)
     controller.penalties[RED, 1] = 15  # by hand, which version 4 has not
     time.sleep(1.0)
-    controller.penalties.clear()
-    controller.score[RED] = 1
-    time.sleep(1.0)
-    controller.state, controller.first_half = FINISHED, 0
-    output, errors = play.communicate(timeout=60)
-    controller.over.set()
-    assert play.returncode == 0, errors
-    assert "red 1 : 0 blue" in output
+    end_with_a_goal_of_red(controller, play)
     seen = games(tmp_path / "out/match.mcap")
     assert in_order(seen, "state")[:4] == ["initial", "ready", "set", "playing"]
     assert in_order(seen, "penalised") == [False, True, False]
