@@ -382,8 +382,8 @@ def test_tape_that_is_cut_or_none_is_named(tape, tmp_path):
     whole = short(tape, tmp_path / "whole", 8).read_bytes()
     for content, line in ((whole[:-1], "is cut off"), (whole[:-4] + b"f", "is cut off"),
                           (whole + b"\xc5" * 9, "is not what object-tape writes"),
-                          (whole + b"f" + struct.pack("<II", 32_000_000, 0) + bytes(32_000_000),
-                           "an input of 32000000 bytes is more than the image takes")):
+                          (whole + b"f" + struct.pack("<II", 64_000_000, 0) + bytes(64_000_000),
+                           "an input of 64000000 bytes is more than the image takes")):
         (tmp_path / "tape").write_bytes(content)
         done = run(TOOLCHAIN / "emulate", "--at", "0x10000000", "--tape", tmp_path / "tape")
         assert done.returncode == 2 and line in done.stderr

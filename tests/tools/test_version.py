@@ -67,5 +67,5 @@ def test_words_that_nobody_gets_are_no_success():
     with open("/dev/full", "w", encoding="ascii") as full:
         done = subprocess.run([BIN / "kelpie", "--version"], stdout=full, stderr=subprocess.PIPE,
                               text=True, timeout=20)
-    assert done.returncode == 2
+    assert done.returncode == 3
     assert done.stderr == "kelpie: standard output cannot be written\n"

@@ -44,7 +44,11 @@ LocaliseMatch::LocaliseMatch(const agent::AgentConfig& config, const std::string
       loops_(std::make_unique<agent::AgentLoops>(config, scripts,
                                                  static_cast<agent::LogSink&>(*this))),
       random_(seed ^ 0xba11ULL),
-      trouble_(loops_->scriptError()) {}
+      trouble_(loops_->scriptError()) {
+  agent::PowerReport report;
+  report.motorPower = true;
+  loops_->power(report);
+}
 
 Status LocaliseMatch::play(double seconds, const Watcher& watch) {
   watch_ = watch;
