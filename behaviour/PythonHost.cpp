@@ -143,7 +143,10 @@ bool PythonHost::load() {
 void PythonHost::reloadIfEdited(const BehaviourParams& params) {
   if (!params.reload || framesToLook_-- > 0) return;
   framesToLook_ = params.reloadFrames - 1;
-  if (!modules_.edited() || !load()) return;
+  if (!modules_.edited()) return;
+  const bool loaded = load();
+  PyGC_Collect();  // the version before, or half a one: modules and functions hold one another
+  if (!loaded) return;
   modules_.keep();
   tell(modules_.loadedLine());  // whoever edits during a match sees that the edit took effect
 }

@@ -55,6 +55,22 @@ TEST(Limits, SmallObjectsAreCountedTooAndTheErrorStillHasItsPlace) {
   EXPECT_EQ(run.state.lastError(), scripts.path() + "/main.py:6: " + kTooMuch);
 }
 
+// The modules and functions of a version hold one another, so that only a collection frees it. Ten
+// edits of the shipped behaviours took all the memory that a script is given.
+TEST(Limits, EditsLeaveNothingOfTheVersionsBefore) {
+  const Scripts scripts;
+  scripts.write("big.py", "kept = [0] * 250000\n");  // 2 MB of 12
+  const std::string decide =
+      "import big; more = [0] * 250000\n    return kelpie.Command(walk=kelpie.WalkRequest(forward=";
+  HostRun run(scripts);
+  for (int edit = 1; edit <= 20; ++edit) {
+    scripts.writeDecide(decide + std::to_string(edit) + "))");
+    ASSERT_EQ(run.step().walk.forward, edit) << run.state.lastError();
+    scripts.write("main.py", "import big\nmore = [0] * 250000\nraise ValueError\n");
+    ASSERT_EQ(run.step().walk.forward, edit) << "a version that does not load is no edit";
+  }
+}
+
 TEST(Limits, ScriptThatCatchesItsMemoryErrorsForEverIsCutOff) {
   const Scripts scripts;
   keep(scripts, "while True:\n        try: kept.append('x' * 1000)\n        except: pass");
