@@ -284,6 +284,24 @@ def test_an_agent_that_is_killed_comes_back_and_the_log_is_whole(robot, team, tm
     assert robot != ("red", 2) or frames(tmp_path / "out/match-2.mcap")
 
 
+@pytest.mark.parametrize("robot", [("blue", 1), ("red", 2)])
+def test_an_agent_that_comes_back_while_its_script_is_broken_waits_for_it(robot, team, tmp_path):
+    whole = (team / "main.py").read_text()
+    play = started(team, tmp_path / "out", tmp_path, "--respawn", "--images", "planes")
+    (team / "main.py").write_text(whole + "\nbroken = (\n")
+    time.sleep(1.0)
+    os.kill(agents_of(play)[robot], signal.SIGKILL)
+    time.sleep(3.0)
+    assert len(agents_of(play)) == 4 and play.poll() is None
+    (team / "main.py").write_text(whole)
+    time.sleep(3.0)
+    _, errors = interrupted(play)
+    assert play.returncode == 130 and "is there again" in errors
+    told = frames(tmp_path / "out" / ("match-2.mcap" if robot == ("red", 2) else "match.mcap"))
+    assert told[-1]["command"]["fallback"] == 0
+    assert robot != ("red", 2) or told[0]["command"]["fallback"] == 1  # not loaded
+
+
 def test_without_respawn_the_match_ends_with_one_line_and_a_whole_log(team, tmp_path):
     play = started(team, tmp_path / "out", tmp_path)
     os.kill(agents_of(play)["red", 1], signal.SIGKILL)

@@ -47,6 +47,7 @@ struct AgentOptions {
   std::uint16_t controller = 0;  // UDP port; 0: heard through the world
   ConfigOptions config;
   bool physical = true;
+  bool again = false;
 };
 
 // Passes frames on to the log and the driver, if there are such, and says now and then what the
@@ -180,10 +181,11 @@ ImagesKept imagesKept(const AgentOptions& options) {
   return options.allImages ? ImagesKept::all : ImagesKept::some;
 }
 
-// A script that does not load is bad input: told before the match, not during it.
+// A script that does not load is bad input: told before the match, not during it. During it the
+// robot stands until the script is mended, as one does whose scripts are edited while it plays.
 int run(const AgentOptions& options) {
   const Status scripts = checkScripts(options.pycode);
-  if (!scripts) return fail(scripts.error(), 2);
+  if (!scripts && !options.again) return fail(scripts.error(), 2);
   ConfigOptions request = options.config;
   request.body = options.physical ? Body::physical : Body::fast;
   const auto config = makeConfig(request);
@@ -206,7 +208,7 @@ int run(const AgentOptions& options) {
   if (!linked) return fail(linked.error(), 1);
   AgentSink sink(log ? &*log : nullptr, links.driver ? &*links.driver : nullptr, options.status);
   agent::AgentLoops loops(*config, options.pycode, sink);
-  if (!loops.scriptError().empty()) return fail(loops.scriptError(), 2);
+  if (!loops.scriptError().empty() && !options.again) return fail(loops.scriptError(), 2);
   const Status played = runFrom(**source, options, links, loops);
   const bool ended = log && !log->status();  // which was told
   const Status closed = log && !ended ? log->close() : Status(Done{});
@@ -256,6 +258,8 @@ int main(int argc, char** argv) {
                  "UDP port where a game controller is heard (3838 is the league's); without it "
                  "through the world")
       ->check(CLI::Range(1, 65535));
+  app.add_flag("--again", options.again,
+               "The match goes on: scripts that do not load are waited for, not refused");
   app.add_flag("--status", options.status, "Says twice a second what the robot believes");
   addConfigOptions(app, options.config);
   bool done = false;

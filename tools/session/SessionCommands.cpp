@@ -134,6 +134,7 @@ Words agentCommand(const SessionOptions& options, const Workshop& workshop, int 
   addEach("--params", options.params, argv);
   addEach("--set", options.set, argv);
   addUnlessEmpty("--driver", options.driver, argv);
+  if (life > 0) argv.push_back("--again");
   return argv;
 }
 
@@ -147,6 +148,7 @@ Words otherCommand(const SessionOptions& options, const OtherRobot& robot, const
   addUnlessEmpty("--pycode", robot.pycode, argv);
   addEach("--params", robot.params, argv);
   addEach("--set", robot.set, argv);
+  if (life > 0) argv.push_back("--again");
   return argv;
 }
 
