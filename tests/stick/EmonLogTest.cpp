@@ -24,6 +24,9 @@ constexpr const char* kProgram =
     "}\n"
     "}\n";
 
+// What stands ahead of the instructions in their segment looks like a jal.
+const std::string kCallsInANote = "0x0000000c0000000c0000000c0000000c0000000c";
+
 struct Program {
   std::string elf;
   std::unique_ptr<ElfObject> object;
@@ -49,10 +52,10 @@ bool makeProgram(Program& program) {
   const std::string source = testing::TempDir() + "/program.cpp";
   program.elf = testing::TempDir() + "/program.elf";
   put(source, kProgram);
-  const auto compiled =
-      runProgram({compiler, "-g", "-O1", "-march=mips2", "-mabicalls", "-fPIC", "-mno-shared",
-                  "-fno-optimize-sibling-calls", "-nostdlib", "-static",
-                  "-Wl,-Map," + program.elf + ".map", "-o", program.elf, source});
+  const auto compiled = runProgram({compiler, "-g", "-O1", "-march=mips2", "-mabicalls", "-fPIC",
+                                    "-mno-shared", "-fno-optimize-sibling-calls", "-nostdlib",
+                                    "-static", "-Wl,--build-id=" + kCallsInANote,
+                                    "-Wl,-Map," + program.elf + ".map", "-o", program.elf, source});
   EXPECT_TRUE(compiled) << compiled.error();
   auto object = ElfObject::parse(*readWhole(program.elf), program.elf);
   EXPECT_TRUE(object) << object.error();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/stick/ElfObject.h"
 
+#include <algorithm>
 #include <cstring>
 
 namespace kelpie::stick {
@@ -16,6 +17,7 @@ constexpr std::uint32_t kLinked = 2;  // ET_EXEC
 constexpr std::uint32_t kLoad = 1;
 constexpr std::uint32_t kExecutable = 1;
 constexpr std::uint32_t kSymbolTable = 2;
+constexpr std::uint32_t kInstructions = 4;  // SHF_EXECINSTR
 
 }  // namespace
 
@@ -50,6 +52,7 @@ Expected<ElfObject> ElfObject::parse(std::string bytes, const std::string& file)
   ElfObject object(std::move(bytes));
   if (!object.isMips()) return Error{file + ": is not a MIPS ELF file of 32 bits, little-endian"};
   if (!object.readCode()) return Error{file + ": holds no code with addresses; is it linked?"};
+  object.readInstructions();
   if (!object.readGlobalPointer())
     return Error{file + ": has no symbol _gp; take the ELF file before it was stripped"};
   if (object.isMoved())
@@ -68,6 +71,15 @@ bool ElfObject::readCode() {
     return code_.size > 0 && fits(code_.offset, code_.size);
   }
   return false;
+}
+
+void ElfObject::readInstructions() {
+  const std::uint32_t table = word(32);
+  for (std::uint32_t i = 0; i < half(48); ++i) {
+    const std::uint32_t at = table + i * kSectionBytes;
+    if ((word(at + 8) & kInstructions) == 0 || !fits(word(at + 16), word(at + 20))) continue;
+    instructions_.push_back({word(at + 12), word(at + 16), word(at + 20)});
+  }
 }
 
 bool ElfObject::readGlobalPointer() {
@@ -105,13 +117,22 @@ bool ElfObject::findSymbol(std::uint32_t symbols, std::uint32_t names) {
   return false;
 }
 
+const ElfObject::Code* ElfObject::instructionsAt(std::uint32_t address) const {
+  const auto holds = [address](const Code& section) {
+    return address >= section.address && address - section.address < section.size;
+  };
+  const auto found = std::find_if(instructions_.begin(), instructions_.end(), holds);
+  return found == instructions_.end() ? nullptr : &*found;
+}
+
 bool ElfObject::isCode(std::uint32_t address) const {
-  return address % 4 == 0 && address >= code_.address && address - code_.address < code_.size;
+  return address % 4 == 0 && instructionsAt(address) != nullptr;
 }
 
 std::optional<std::uint32_t> ElfObject::instruction(std::uint32_t address) const {
   if (!isCode(address)) return std::nullopt;
-  return word(code_.offset + (address - code_.address));
+  const Code& section = *instructionsAt(address);
+  return word(section.offset + (address - section.address));
 }
 
 bool ElfObject::followsCall(std::uint32_t address) const {

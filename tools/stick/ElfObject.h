@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "robot/core/Expected.h"
 
@@ -38,14 +39,17 @@ class ElfObject {
   std::uint32_t word(std::uint32_t offset) const;
   std::uint32_t half(std::uint32_t offset) const;
   bool readCode();
+  void readInstructions();
   bool readGlobalPointer();
   bool isMoved() const;
   bool findSymbol(std::uint32_t symbols, std::uint32_t names);
+  const Code* instructionsAt(std::uint32_t address) const;
   std::optional<std::uint32_t> instruction(std::uint32_t address) const;
   std::string_view nameAt(std::uint32_t names, std::uint32_t offset) const;
 
   std::string bytes_;
-  Code code_;
+  Code code_;                       // the segment; it begins with notes and tables
+  std::vector<Code> instructions_;  // its sections
   std::uint32_t globalPointer_ = 0;
 };
 
