@@ -246,10 +246,8 @@ void LogReader::takeMessageIndex(ContentReader content) {
   if (!content.good()) spoil("damaged index");
 }
 
-// A record of data that has become one of another kind by damage is longer than that.
 void LogReader::takeDataEnd(const Record& record) {
-  constexpr std::size_t kMostPadding = 256;
-  if (record.size > kMostPadding) return spoil("damaged record");
+  if (record.size > kLongestDataEnd) return spoil("damaged record");
   dataEnded_ = true;
 }
 

@@ -52,8 +52,7 @@ bool isLookedFor(std::uint8_t op, ScanFor scanFor) {
 // Whether a chunk or an index of messages that is so long can begin with these bytes: a length by
 // chance may end where a record begins, one in some hundred does.
 bool fits(const Head& head, mcap::ContentReader content) {
-  constexpr std::size_t kMostPadding = 256;
-  if (head.op == static_cast<std::uint8_t>(Op::dataEnd)) return head.length <= kMostPadding;
+  if (head.op == static_cast<std::uint8_t>(Op::dataEnd)) return head.length <= kLongestDataEnd;
   if (head.op == static_cast<std::uint8_t>(Op::messageIndex)) {
     content.number<std::uint16_t>();  // channel
     const auto bytes = content.number<std::uint32_t>();

@@ -22,6 +22,10 @@ bool readAt(std::istream& file, std::uint64_t offset, std::uint8_t* to, std::siz
 // the indexes of their messages.
 enum class ScanFor : std::uint8_t { chunks, outside, any };
 
+// A record that ends the data is this long at most; longer ones are records of another kind whose
+// kind is damaged.
+constexpr std::size_t kLongestDataEnd = 256;
+
 class LogScan {
  public:
   LogScan(std::istream& file, std::uint64_t size) : file_(file), size_(size) {}

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // How the two ends of a world socket find each other: listening, stale socket files, connecting to
 // a world that is still starting.
+#include <fcntl.h>
 #include <poll.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
@@ -23,28 +24,51 @@ Error systemError(const std::string& path, const char* what) {
   return {path + ": " + what + ": " + std::strerror(errno)};
 }
 
-Expected<sockaddr_un> addressOf(const std::string& path) {
-  sockaddr_un address{};
-  address.sun_family = AF_UNIX;
-  if (path.empty() || path.size() >= sizeof address.sun_path) {
-    return Error{"socket path '" + path + "' has " + std::to_string(path.size()) +
-                 " characters, 1 to " + std::to_string(sizeof address.sun_path - 1) + " allowed"};
-  }
-  std::memcpy(address.sun_path, path.c_str(), path.size() + 1);
-  return address;
-}
-
 // Closes what it holds unless it was released.
 struct Descriptor {
-  explicit Descriptor(int opened) : value(opened) {}
+  explicit Descriptor(int opened = -1) : value(opened) {}
   ~Descriptor() {
     if (value >= 0) close(value);
   }
+  Descriptor(Descriptor&& other) noexcept : value(other.release()) {}
+  Descriptor& operator=(Descriptor&&) = delete;
   Descriptor(const Descriptor&) = delete;
   Descriptor& operator=(const Descriptor&) = delete;
   int release() { return std::exchange(value, -1); }
   int value;
 };
+
+struct Address {
+  sockaddr_un place{};
+  Descriptor folder;  // through which a long path is reached
+};
+
+// The system takes 107 characters; a folder of temporary files may have more. Such a folder is
+// opened, and what lies in it is reached by its number.
+Expected<std::string> shortened(const std::string& path, Descriptor& folder) {
+  const std::size_t slash = path.rfind('/');
+  if (slash == std::string::npos) return path;
+  const std::string above = path.substr(0, slash + 1);
+  Descriptor opened(open(above.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
+  if (opened.value < 0) return systemError(path, "its folder cannot be opened");
+  folder.value = opened.release();
+  return "/proc/self/fd/" + std::to_string(folder.value) + path.substr(slash);
+}
+
+Expected<Address> addressOf(const std::string& path) {
+  Address address;
+  address.place.sun_family = AF_UNIX;
+  constexpr std::size_t kMost = sizeof address.place.sun_path - 1;
+  const Expected<std::string> taken =
+      path.size() > kMost ? shortened(path, address.folder) : Expected<std::string>(path);
+  if (!taken) return Error{taken.error()};
+  if (taken->empty() || taken->size() > kMost) {
+    return Error{"socket path '" + path + "' has " + std::to_string(path.size()) +
+                 " characters; its name may have 1 to 80"};
+  }
+  std::memcpy(address.place.sun_path, taken->c_str(), taken->size() + 1);
+  return Expected<Address>(std::move(address));
+}
 
 int newSocket() { return socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0); }
 
@@ -67,14 +91,14 @@ Status clearPath(const std::string& path, const sockaddr_un& address) {
 }  // namespace
 
 Expected<Connection> Connection::connect(const std::string& path, const ConnectionParams& params) {
-  const Expected<sockaddr_un> address = addressOf(path);
+  const Expected<Address> address = addressOf(path);
   if (!address) return Error{address.error()};
   const int attempts = 1 + static_cast<int>(params.connectTimeout * 1000.0 / kRetryMs);
   for (int attempt = 0; attempt < attempts; ++attempt) {
     if (attempt > 0) poll(nullptr, 0, kRetryMs);
     Descriptor descriptor(newSocket());
     if (descriptor.value < 0) return systemError(path, "no socket");
-    if (reaches(descriptor.value, *address)) return Connection(descriptor.release(), params);
+    if (reaches(descriptor.value, address->place)) return Connection(descriptor.release(), params);
     if (errno != ENOENT && errno != ECONNREFUSED && errno != EINTR) break;
   }
   return systemError(path, "cannot connect");
@@ -89,14 +113,15 @@ Expected<ConnectionPair> connectedPair(const ConnectionParams& params) {
 }
 
 Expected<Listener> Listener::open(const std::string& path) {
-  const Expected<sockaddr_un> address = addressOf(path);
+  const Expected<Address> address = addressOf(path);
   if (!address) return Error{address.error()};
-  const Status cleared = clearPath(path, *address);
+  const Status cleared = clearPath(path, address->place);
   if (!cleared) return Error{cleared.error()};
   Descriptor descriptor(newSocket());
   if (descriptor.value < 0) return systemError(path, "no socket");
-  const auto* bound = reinterpret_cast<const sockaddr*>(&*address);
-  if (bind(descriptor.value, bound, sizeof *address) != 0) return systemError(path, "cannot bind");
+  const auto* bound = reinterpret_cast<const sockaddr*>(&address->place);
+  if (bind(descriptor.value, bound, sizeof address->place) != 0)
+    return systemError(path, "cannot bind");
   if (listen(descriptor.value, kBacklog) != 0) return systemError(path, "cannot listen");
   return Listener(descriptor.release(), path);
 }

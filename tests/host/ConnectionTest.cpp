@@ -164,6 +164,22 @@ TEST(ListenerTest, RefusesAFileThatIsNoSocket) {
   EXPECT_EQ(0, unlink(path.c_str()));
 }
 
+// The system's own limit is 107 characters; people's folders of temporary files have more.
+TEST(ListenerTest, AFolderOfAnyLengthHoldsASocket) {
+  const std::string folder = testing::TempDir() + "/" + std::string(150, 'f');
+  ASSERT_EQ(0, mkdir(folder.c_str(), 0700));
+  {
+    auto listener = Listener::open(folder + "/world");
+    ASSERT_TRUE(listener) << listener.error();
+    EXPECT_TRUE(Connection::connect(folder + "/world", quick()));
+    EXPECT_TRUE(listener->accept(1.0, quick()));
+    EXPECT_EQ(folder + "/world: another world listens here",
+              Listener::open(folder + "/world").error());
+  }
+  EXPECT_EQ(0, rmdir(folder.c_str())) << "nothing is left in it";
+  EXPECT_FALSE(Listener::open(folder + "/world")) << "the folder is gone";
+}
+
 TEST(ListenerTest, WaitsOnlyAsLongAsAsked) {
   auto listener = Listener::open(socketPath("nobody"));
   EXPECT_FALSE(listener->accept(0.01, quick()));
