@@ -1,19 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robot/core/ParameterFile.h"
 
-#define TOML_EXCEPTIONS 0
-#include <toml++/toml.h>
-
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <utility>
 
 #include "robot/core/Checksum.h"
+#include "robot/core/Toml.h"
 
 namespace kelpie {
 namespace {
@@ -127,18 +120,6 @@ class FileReader {
   std::map<std::size_t, std::string> complaints_;  // the first of each line
 };
 
-Expected<std::string> fileText(const std::string& path) {
-  std::error_code none;
-  if (std::filesystem::is_directory(path, none)) return Error{path + ": is a directory"};
-  errno = 0;
-  std::ifstream file(path, std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(file), {}};
-  if (!file.is_open() || file.bad()) {
-    return Error{path + ": " + (errno != 0 ? std::strerror(errno) : "cannot be read")};
-  }
-  return text;
-}
-
 std::string place(const std::string& path, std::size_t line) {
   return path + ':' + std::to_string(line);
 }
@@ -146,18 +127,13 @@ std::string place(const std::string& path, std::size_t line) {
 }  // namespace
 
 Status ParameterSet::overlay(const std::string& path) {
-  const Expected<std::string> text = fileText(path);
-  if (!text) return Error{text.error()};
-  const toml::parse_result parsed = toml::parse(*text, path);
-  if (!parsed) {
-    const toml::parse_error& error = parsed.error();
-    return Error{place(path, error.source().begin.line) + ": " + std::string(error.description())};
-  }
+  const Expected<toml::table> file = readToml(path);
+  if (!file) return Error{file.error()};
   FileReader reader(parameters_);
-  reader.takeTable(parsed.table(), "");
+  reader.takeTable(*file, "");
   if (!reader.complaints().empty()) {
     const auto& [line, what] = *reader.complaints().begin();
-    return Error{place(path, line) + ": " + what};
+    return inOneLine(place(path, line) + ": " + what);
   }
   for (const Assignment& assignment : reader.assignments()) {
     Parameter& parameter = parameters_[assignment.parameter];

@@ -208,5 +208,30 @@ TEST_F(ParameterFile, EmptyFileChangesNothing) {
   EXPECT_TRUE(set.changes().empty());
 }
 
+// At the first three toml++'s own parser ends the program or leaves the language.
+TEST_F(ParameterFile, NoTextIsTooOddToBeRefusedInOneLine) {
+  for (const char* text : {"[[[toy]\n", "[toy]\nspeed = 29.\u01e2\n", "\ufcff = 1\n",
+                           "[toy]\nenabled = tru\n\n", "[\"a\\nb\"]\n", "[toy]\n\"a\\nb\" = 1\n"}) {
+    const std::string said = errorOf(text);
+    EXPECT_EQ(said[0], ':') << said;
+    EXPECT_EQ(said.find('\n'), std::string::npos) << said;
+  }
+}
+
+TEST_F(ParameterFile, LettersBeyondAsciiStandInQuotesAndCommentsAlone) {
+  const std::string beyond = "\u00e4\ufcff";
+  const Status read = set.overlay(
+      file("good.toml", "\ufeff# " + beyond + "\n[toy] # \"" + beyond + "\nspeed = \"5cm/s\"\n"));
+  EXPECT_TRUE(read) << read.error();
+  for (const std::string& text :
+       {"'a" + beyond + "'", "\"\\\"" + beyond + "\"", "\"\"\"\n\"" + beyond + "\"\"\"\"\"",
+        "'''\n''" + beyond + "''''"}) {
+    const std::string said = errorOf("[toy]\nspeed = " + text + "\n");
+    EXPECT_EQ(said.substr(0, 13), ":2: toy.speed") << said;
+    const std::string stray = errorOf("[toy]\nspeed = " + text + beyond + "\n");
+    EXPECT_NE(stray.find("a letter beyond ASCII stands neither"), std::string::npos) << stray;
+  }
+}
+
 }  // namespace
 }  // namespace kelpie

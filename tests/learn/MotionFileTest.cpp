@@ -55,6 +55,31 @@ TEST(MotionFile, WhatIsWrittenReadsTheSame) {
   }
 }
 
+// Each of these is rounded to the default, or to its other side's number, in the text.
+TEST(MotionFile, WhatIsRoundedAwayIsWrittenAlikeWhenItIsReadAgain) {
+  for (const char* text : {"slew = 20.04\n", "kick = { distance = 0.3, ahead = 5 }\n",
+                           "way = { forward = 0.04 }\n", "way = { left = -0.04, turn = 0.01 }\n"}) {
+    const std::string written = motionText(*readText(text + kFrame), "");
+    EXPECT_EQ(motionText(*readText(written), ""), written);
+  }
+  for (const char* frame : {"legs = \"walk\"\nforward = -0.04\nturn = 0.04\n",
+                            "left_front = [1, 2, 3]\nleft_hind = [4, 5, 6]\n"
+                            "right_front = [1, 2, 3.01]\nright_hind = [4, 5, 6]\n"}) {
+    const std::string written =
+        motionText(*readText(std::string("[[frame]]\nticks = 5\n") + frame), "");
+    EXPECT_EQ(motionText(*readText(written), ""), written);
+  }
+}
+
+TEST(MotionFile, WordsAboutItMayHoldQuotesAndBackslashes) {
+  const MotionData motion = *readText(kFrame);
+  for (const char* about :
+       {"\"\"\"", "C:\\motion\\new", "ends with \"", "a\tb\x01\r\x7f\n\u00e9"}) {
+    const auto read = readText(motionText(motion, about));
+    EXPECT_TRUE(read.ok()) << read.error();
+  }
+}
+
 TEST(MotionFile, AMirrorImageTwiceIsTheMotionItself) {
   for (const MotionData& motion : actuator::standardMotions().of) {
     std::string where;
@@ -88,7 +113,7 @@ TEST(MotionFile, WhatIsWrongIsToldByLineOrName) {
   EXPECT_NE(complaint("mirror = \"nothing\"\nslew = 5\n").find(":2: slew: is not beside mirror"),
             std::string::npos);
   EXPECT_NE(complaint("slew = [\n").find("toml:"), std::string::npos);
-  EXPECT_NE(readMotion("/nowhere/at/all.toml").error().find("no such file"), std::string::npos);
+  EXPECT_NE(readMotion("/nowhere/at/all.toml").error().find("No such file"), std::string::npos);
   EXPECT_NE(readMotion("/tmp").error().find("is a directory"), std::string::npos);
 }
 

@@ -3,15 +3,13 @@
 
 #include <fmt/format.h>
 
-#define TOML_EXCEPTIONS 0
-#include <toml++/toml.h>
-
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <initializer_list>
 
 #include "robot/core/FieldCheck.h"
+#include "robot/core/Toml.h"
 #include "tools/learn/MotionSpace.h"
 #include "tools/learn/WalkFile.h"
 
@@ -65,7 +63,7 @@ class Reader {
     if (motion.frames.empty()) complain(file, "has no [[frame]]");
     std::string why;
     if (wrong_.empty() && !verify(motion, &why)) wrong_ = path_ + ": " + why;
-    if (!wrong_.empty()) return Error{wrong_};
+    if (!wrong_.empty()) return inOneLine(wrong_);
     return motion;
   }
 
@@ -181,6 +179,47 @@ class Reader {
   std::string wrong_;
 };
 
+// Of 0.1, and never -0.0, whose mirror image would be another.
+double tenth(double number) { return std::round(10.0 * number) / 10.0 + 0.0; }
+Angle tenth(Angle angle) { return Angle::deg(tenth(angle.deg())); }
+
+void round(KeyFrame& key) {
+  for (Angle& angle : key.head) angle = tenth(angle);
+  for (Angle& angle : key.angles) angle = tenth(angle);
+  key.mouth = tenth(key.mouth);
+  key.walk.forward = tenth(key.walk.forward);
+  key.walk.left = tenth(key.walk.left);
+  key.walk.turn = tenth(Angle::rad(key.walk.turn)).rad();
+}
+
+// As its file can say it: what is left out as the default, or as left and right alike, is so of the
+// numbers that are written, or the motion that is read would be written otherwise.
+MotionData rounded(MotionData motion) {
+  motion.slew = tenth(motion.slew);
+  actuator::MotionWay& way = motion.way;
+  for (double* number : {&way.forward, &way.left, &way.forwardSd, &way.leftSd})
+    *number = tenth(*number);
+  for (Angle* angle : {&way.turn, &way.turnSd}) *angle = tenth(*angle);
+  actuator::KickEffect& kick = motion.kick;
+  for (double* number : {&kick.ahead, &kick.left}) *number = tenth(*number);
+  for (double* number : {&kick.distance, &kick.distanceSd}) *number = std::round(*number);
+  for (Angle* angle : {&kick.direction, &kick.directionSd}) *angle = tenth(*angle);
+  for (KeyFrame& key : motion.frames) round(key);
+  return motion;
+}
+
+// Any words between three quotes: TOML takes neither these nor a backslash there as they are, nor
+// control characters but the end of a line.
+std::string escaped(const std::string& words) {
+  std::string out;
+  for (const char letter : words) {
+    const bool control = (letter >= 0 && letter < ' ' && letter != '\n') || letter == '\x7f';
+    if (letter == '"' || letter == '\\') out += '\\';
+    out += control ? fmt::format("\\u{:04x}", static_cast<int>(letter)) : std::string(1, letter);
+  }
+  return out;
+}
+
 std::string three(const Angle* angles) {
   return fmt::format("[{:.1f}, {:.1f}, {:.1f}]", angles[0].deg(), angles[1].deg(), angles[2].deg());
 }
@@ -213,38 +252,30 @@ std::string frameText(const KeyFrame& key) {
 }  // namespace
 
 Expected<MotionData> readMotion(const std::string& path) {
-  std::error_code none;
-  if (!std::filesystem::exists(path, none)) return Error{path + ": there is no such file"};
-  if (std::filesystem::is_directory(path, none)) return Error{path + ": is a directory"};
-  const toml::parse_result parsed = toml::parse_file(path);
-  if (!parsed) {
-    const toml::parse_error& error = parsed.error();
-    const auto line = error.source().begin.line;  // 0: not one of the file's
-    if (line == 0) return Error{path + ": cannot be read"};
-    return Error{fmt::format("{}:{}: {}", path, line, error.description())};
-  }
-  const auto other = parsed.table()["mirror"].value<std::string>();
-  if (!other) return Reader(path).read(parsed.table());
-  for (const auto& [key, node] : parsed.table())
+  const auto read = readToml(path);
+  if (!read) return Error{read.error()};
+  const auto other = (*read)["mirror"].value<std::string>();
+  if (!other) return Reader(path).read(*read);
+  for (const auto& [key, node] : *read)
     if (key != "mirror" && key != "about")
-      return Error{fmt::format("{}:{}: {}: is not beside mirror", path, node.source().begin.line,
-                               key.str())};
+      return inOneLine(fmt::format("{}:{}: {}: is not beside mirror", path,
+                                   node.source().begin.line, key.str()));
   const std::string file = std::filesystem::path(path).parent_path() / (*other + ".toml");
-  const toml::parse_result source = toml::parse_file(file);
-  if (!source || source.table().contains("mirror"))
-    return Error{path + ": mirror: " + file + " is no motion"};
-  const auto motion = Reader(file).read(source.table());
+  const auto source = readToml(file);
+  if (!source || source->contains("mirror"))
+    return inOneLine(path + ": mirror: " + file + " is no motion");
+  const auto motion = Reader(file).read(*source);
   if (!motion) return Error{motion.error()};
   return mirrored(*motion);
 }
 
-std::string motionText(const MotionData& motion, const std::string& about) {
-  std::string out = "# SPDX-License-Identifier: Apache-2.0\nabout = \"\"\"" + about + "\"\"\"\n";
-  if (motion.slew.deg() != 20.0) out += fmt::format("slew = {:.1f}\n", motion.slew.deg());
+std::string motionText(const MotionData& exact, const std::string& about) {
+  const MotionData motion = rounded(exact);
+  std::string out =
+      "# SPDX-License-Identifier: Apache-2.0\nabout = \"\"\"" + escaped(about) + "\"\"\"\n";
+  if (tenth(motion.slew.deg()) != 20.0) out += fmt::format("slew = {:.1f}\n", motion.slew.deg());
   if (motion.atOnce) out += "at_once = true\n";
   out += fmt::format("return_ticks = {}\n", motion.returnTicks);
-  // No number ends as -0.0, whose mirror image would be another.
-  const auto tenths = [](double number) { return std::round(10.0 * number) / 10.0 + 0.0; };
   const actuator::MotionWay& way = motion.way;
   const std::array<double, 6> numbers{way.forward,   way.left,   way.turn.deg(),
                                       way.forwardSd, way.leftSd, way.turnSd.deg()};
@@ -252,14 +283,13 @@ std::string motionText(const MotionData& motion, const std::string& about) {
     out += fmt::format(
         "way = {{ forward = {:.1f}, left = {:.1f}, turn = {:.1f}, forward_sd = {:.1f}, "
         "left_sd = {:.1f}, turn_sd = {:.1f} }}\n",
-        tenths(numbers[0]), tenths(numbers[1]), tenths(numbers[2]), numbers[3], numbers[4],
-        numbers[5]);
+        numbers[0], numbers[1], numbers[2], numbers[3], numbers[4], numbers[5]);
   const actuator::KickEffect& kick = motion.kick;
   if (kick.distance > 0.0)
     out += fmt::format(
         "kick = {{ ahead = {:.1f}, left = {:.1f}, distance = {:.0f}, distance_sd = {:.0f}, "
         "direction = {:.1f}, direction_sd = {:.1f} }}\n",
-        kick.ahead, tenths(kick.left), kick.distance, kick.distanceSd, tenths(kick.direction.deg()),
+        kick.ahead, kick.left, kick.distance, kick.distanceSd, kick.direction.deg(),
         kick.directionSd.deg());
   for (const KeyFrame& key : motion.frames) out += frameText(key);
   return out;
