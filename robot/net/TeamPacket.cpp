@@ -32,6 +32,18 @@ std::uint32_t checkOf(RadioPacket packet) {
   return crc32(packet.bytes.begin(), packet.bytes.size());
 }
 
+// Bytes that say it as no sender does are wrong though they can be read: a heading of 1e300 rad is
+// finite, and no angle any more when it is turned back by whole turns.
+bool isAsSent(const TeamMessage& message, const RadioPacket& bytes) {
+  RadioPacket again;
+  again.bytes.resize(kTeamPacketHeader + encodedSize(message));
+  encodeTo(message, again.bytes.begin() + kTeamPacketHeader);
+  const auto* const begin = bytes.bytes.begin();
+  return again.bytes.size() == bytes.bytes.size() &&
+         std::equal(begin + kTeamPacketHeader, begin + bytes.bytes.size(),
+                    again.bytes.begin() + kTeamPacketHeader);
+}
+
 }  // namespace
 
 bool encode(const TeamPacket& packet, RadioPacket& bytes) {
@@ -61,7 +73,8 @@ std::optional<RadioRefusal> decode(const RadioPacket& bytes, TeamPacket& packet)
   const std::uint8_t* const body = bytes.bytes.begin() + kTeamPacketHeader;
   const bool whole = team <= static_cast<std::uint8_t>(TeamColour::blue) &&
                      kelpie::decode(body, size - kTeamPacketHeader, packet.message);
-  if (!whole || !verify(packet.message, nullptr)) return RadioRefusal::broken;
+  if (!whole || !verify(packet.message, nullptr) || !isAsSent(packet.message, bytes))
+    return RadioRefusal::broken;
   packet.team = static_cast<TeamColour>(team);
   return std::nullopt;
 }

@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstring>
+
+#include "robot/core/Checksum.h"
+#include "robot/core/Encoding.h"
 #include "robot/core/FieldCheck.h"
 #include "robot/core/Random.h"
 #include "robot/net/TeamPacket.h"
@@ -105,6 +110,22 @@ TEST(TeamPacket, RandomBytesAreRefused) {
                                                  : static_cast<std::uint8_t>(random.index(256));
     EXPECT_TRUE(refusalOf(bad));
   }
+}
+
+// It is finite, so that only what no sender writes tells.
+TEST(TeamPacket, AnAngleOfManyTurnsIsBroken) {
+  const TeamPacket sent = fullest();
+  RadioPacket bytes = bytesOf(sent);
+  std::vector<std::uint8_t> pose;
+  kelpie::encode(sent.message.pose.position, pose);
+  const auto at = std::search(bytes.bytes.begin(), bytes.bytes.end(), pose.begin(), pose.end());
+  const double heading = 1e300;
+  std::memcpy(at + pose.size(), &heading, sizeof heading);
+  const std::uint32_t none = 0;
+  std::memcpy(bytes.bytes.begin() + 16, &none, sizeof none);
+  const std::uint32_t check = crc32(bytes.bytes.begin(), bytes.bytes.size());
+  std::memcpy(bytes.bytes.begin() + 16, &check, sizeof check);
+  EXPECT_EQ(RadioRefusal::broken, refusalOf(bytes));
 }
 
 }  // namespace
