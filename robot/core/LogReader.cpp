@@ -85,13 +85,22 @@ void LogReader::meet(TimeUs time) {
   lastTime_ = time;
 }
 
+// What overlaps the gap before is one with it, as is what goes on from it.
 void LogReader::addGap(std::uint64_t from, std::uint64_t to) {
   if (dataEnded_) return;  // indexes only
-  const bool goesOn = !gaps_.empty() && gaps_.back().to == from && !gaps_.back().following;
-  if (goesOn)
-    gaps_.back().to = to;
-  else
-    gaps_.push_back({from, to, spoilt_, lastTime_, {}});
+  LogGap gap{from, to, spoilt_, lastTime_, {}};
+  const auto isOne = [&](const LogGap& before) {
+    const bool goesOn = before.to == gap.from && !before.following;
+    return goesOn || (before.from < gap.to && gap.from < before.to);
+  };
+  for (; !gaps_.empty() && isOne(gaps_.back()); gaps_.pop_back()) {
+    const std::uint64_t least = std::min(gaps_.back().from, gap.from);
+    const std::uint64_t most = std::max(gaps_.back().to, gap.to);
+    gap = gaps_.back();
+    gap.from = least;
+    gap.to = most;
+  }
+  gaps_.push_back(gap);
 }
 
 // Goes on behind the damaged record if a record begins there, else where the next one does. Where

@@ -10,8 +10,9 @@ namespace {
 
 using mcap::Op;
 
-constexpr std::size_t kWindow = 1 << 20;  // bytes looked at in one read
-constexpr int kChain = 3;                 // heads in a row; two may be chance among zeros
+constexpr std::size_t kFirstWindow = 4096;  // bytes looked at in one read,
+constexpr std::size_t kWindow = 1 << 20;    // and at most
+constexpr int kChain = 3;                   // heads in a row; two may be chance among zeros
 // A record that is said to be longer than this and runs over the end of the file is not believed.
 constexpr std::uint64_t kMaxCut = 256U << 20;
 
@@ -108,13 +109,15 @@ bool LogScan::begins(std::uint64_t offset) const {
   return head.op == static_cast<std::uint8_t>(Op::chunk) || sound(offset);
 }
 
+// The next record is near as a rule; so little is looked at first, and then more and more.
 std::optional<std::uint64_t> LogScan::next(std::uint64_t from, ScanFor scanFor) const {
-  std::vector<std::uint8_t> window(kWindow + mcap::kRecordHead - 1);
-  for (; from + mcap::kRecordHead <= size_; from += kWindow) {
-    const auto count =
-        static_cast<std::size_t>(std::min<std::uint64_t>(window.size(), size_ - from));
-    if (!readAt(file_, from, window.data(), count)) return {};
-    for (std::size_t i = 0; i + mcap::kRecordHead <= count; ++i) {
+  std::vector<std::uint8_t> window;
+  std::size_t span = kFirstWindow;
+  for (; from + mcap::kRecordHead <= size_; from += span, span = std::min(2 * span, kWindow)) {
+    window.resize(static_cast<std::size_t>(
+        std::min<std::uint64_t>(span + mcap::kRecordHead - 1, size_ - from)));
+    if (!readAt(file_, from, window.data(), window.size())) return {};
+    for (std::size_t i = 0; i + mcap::kRecordHead <= window.size(); ++i) {
       const Head head = headAt(window.data() + i);
       const std::uint64_t left = size_ - from - i - mcap::kRecordHead;
       if (!head.possible() || head.length > left) continue;

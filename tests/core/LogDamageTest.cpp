@@ -224,5 +224,20 @@ TEST_F(LogDamage, InALogWithoutChunksCostsTheRecordsThatItHits) {
   EXPECT_EQ(reading.messages + 1, readAll(pathOf("log")).messages);
 }
 
+// The record of a kind that came later is suspected twice: as what stands before the damage, and as
+// the chunk that the index behind it is of.
+TEST_F(LogDamage, BehindARecordOfUnknownKindIsOneGap) {
+  const std::string log = writeLog(pathOf("log"), chunksOf(600));
+  const ChunkSpan chunk = chunksIn(log)[10];
+  const std::string unknown = '\x2f' + std::string(8, '\0');
+  const std::string broken =
+      log.substr(0, chunk.to) + unknown + std::string(48, '\0') + log.substr(chunk.to);
+  const Reading reading = readAll(fileWith("broken", broken));
+  ASSERT_EQ(reading.gaps.size(), 1U);
+  EXPECT_EQ(reading.gaps[0].from, chunk.to);
+  EXPECT_EQ(reading.gaps[0].to, chunk.to + unknown.size() + 48);
+  EXPECT_EQ(reading.messages, readAll(pathOf("log")).messages);
+}
+
 }  // namespace
 }  // namespace kelpie
