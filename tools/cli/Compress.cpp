@@ -35,7 +35,8 @@ class Compressor {
     if (message.topic() == kConfigTopic) return configure(message);
     if (agent::isFrameInput(message.topic())) return frame(message);
     if (message.topic() == kFrameOutputTopic) return Done{};  // of the images: made again here
-    return copyMessage(message, out_);
+    const auto copied = copyMessage(message, out_);
+    return copied ? Status(Done{}) : Error{copied.error()};
   }
   std::size_t frames() const { return frames_; }
   double bytesPerFrame() const {

@@ -72,12 +72,14 @@ std::size_t megabytesRead(const std::vector<Source>& sources) {
   return static_cast<std::size_t>(bytes / 1000000);
 }
 
-// Counts a copied message; one that does not decode is left out of the log.
-Status take(const LogMessage& message, const Status& copied, LogWriter& out, Joined& joined) {
-  if (!copied) {
-    ++joined.damaged;
-    return Done{};
-  }
+// Copies a message, or not: one that does not decode is left out of the log, as are those of
+// foreign topics and most of a truth that is thinned.
+Status take(const LogMessage& message, ThinTruth* thin, LogWriter& out, Joined& joined) {
+  const bool thinned = thin != nullptr && message.topic() == sim::kTruthTopic;
+  const Expected<bool> copied = thinned ? thin->write(message, out) : copyMessage(message, out);
+  if (!copied) ++joined.damaged;
+  if (copied && !*copied && !thinned) ++joined.foreign;
+  if (!copied || !*copied) return Done{};
   joined.first = joined.messages == 0 ? message.time : std::min(joined.first, message.time);
   joined.last = joined.messages == 0 ? message.time : std::max(joined.last, message.time);
   ++joined.messages;
@@ -101,10 +103,7 @@ Status joinInto(std::vector<Source>& sources, std::size_t megabytes, bool thinTr
   ThinTruth thin;
   for (auto& source : sources) source.advance();
   for (Source* next = oldest(sources); next != nullptr; next = oldest(sources)) {
-    const bool thinned = thinTruth && next->message.topic() == sim::kTruthTopic;
-    const Status copied =
-        thinned ? thin.write(next->message, out) : copyMessage(next->message, out);
-    const Status taken = take(next->message, copied, out, joined);
+    const Status taken = take(next->message, thinTruth ? &thin : nullptr, out, joined);
     if (!taken) return taken;
     next->advance();
     progress(megabytesRead(sources), megabytes);
@@ -120,10 +119,13 @@ LogOptions playLogOptions() {
   return options;
 }
 
-Status copyMessage(const LogMessage& message, LogWriter& out) {
-  for (const auto& entry : kCopies)
-    if (message.topic() == entry.topic) return entry.copy(message, out);
-  return Done{};
+Expected<bool> copyMessage(const LogMessage& message, LogWriter& out) {
+  for (const auto& entry : kCopies) {
+    if (message.topic() != entry.topic) continue;
+    const Status copied = entry.copy(message, out);
+    return copied ? Expected<bool>(true) : Error{copied.error()};
+  }
+  return false;
 }
 
 Expected<LogFile> LogFile::create(const std::string& path, const agent::AgentConfig& config,

@@ -53,8 +53,8 @@ class LogFile : public agent::LogSink {
 // Of a log that is written while a match is played: a process that is killed loses half a second.
 LogOptions playLogOptions();
 
-// Copies a message of a topic that we know, leaves out any other.
-Status copyMessage(const LogMessage& message, LogWriter& out);
+// Copies a message of a topic that we know; false for any other, which is left out.
+Expected<bool> copyMessage(const LogMessage& message, LogWriter& out);
 
 // As agent::decodeFrameInput, with the picture as the image where the image was not kept. Where
 // there is no picture either the image is left as it was.
@@ -68,6 +68,7 @@ struct Joined {
   std::size_t messages = 0;
   TimeUs first, last;
   std::size_t damaged = 0;         // messages that do not decode
+  std::size_t foreign = 0;         // messages of topics that are not Kelpie's
   std::vector<std::string> lacks;  // "LOG: what of it could not be read"
 };
 

@@ -23,6 +23,8 @@ struct RecoverOptions {
 void tell(const std::string& path, const Joined& joined) {
   for (const auto& lacks : joined.lacks) fmt::print("{}\n", lacks);
   if (joined.damaged > 0) fmt::print("{} messages are damaged and left out\n", joined.damaged);
+  if (joined.foreign > 0)
+    fmt::print("{} messages of topics that are not Kelpie's are left out\n", joined.foreign);
   fmt::print("{}: {} messages from {:.3f} to {:.3f} s\n", path, joined.messages,
              joined.first.seconds(), joined.last.seconds());
 }

@@ -97,14 +97,14 @@ void ThinFrames::write(const FrameInput& input, const FrameOutput& output, LogWr
   out.write(kFrameOutputTopic, input.time, *output_);
 }
 
-Status ThinTruth::write(const LogMessage& message, LogWriter& out) {
-  if (seen_++ % kTruthEvery != 0) return Done{};
+Expected<bool> ThinTruth::write(const LogMessage& message, LogWriter& out) {
+  if (seen_++ % kTruthEvery != 0) return false;
   sim::TruthFrame truth;
   const Status read = decodeAs(message, truth);
-  if (!read) return read;
+  if (!read) return Error{read.error()};
   shorten(truth);
   out.write(message.topic(), message.time, truth);
-  return Done{};
+  return true;
 }
 
 bool isThinned(const std::string& log) {

@@ -44,7 +44,8 @@ class ThinFrames {
 // The world's truth beside such frames: one in five, its numbers as short.
 class ThinTruth {
  public:
-  Status write(const LogMessage& message, LogWriter& out);
+  // Whether it is one of those that are written.
+  Expected<bool> write(const LogMessage& message, LogWriter& out);
 
  private:
   std::uint32_t seen_ = 0;
