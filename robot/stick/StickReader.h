@@ -2,8 +2,9 @@
 // The robot's own reader of a stick: checks every file that STICK.BIN lists and STICK.BIN itself,
 // and fills the agent's configuration from it in place. Each file is read once, from front to back
 // in blocks of 64 KB, because a stick is slow and each call costs. A stick that is refused leaves
-// the configuration as it was, but for a number that is out of range although all checksums are
-// right: then it is half filled, and the fault says so. While it reads it has 448 KB of the heap.
+// the configuration as it was, but for a value that cannot be although all checksums are right:
+// then it is half filled, of no use, and the fault is `undecodable` or `outOfRange`. While it reads
+// it has 448 KB of the heap.
 //
 // A caller that has lights to renew meanwhile goes block by block:
 //
