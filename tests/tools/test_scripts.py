@@ -51,7 +51,7 @@ echo KELPIE_HAS_TESTS:INTERNAL=$GTEST >build/$2/CMakeCache.txt
     return build
 
 
-@pytest.mark.parametrize("name", ["run", "test", "build", "install", "check", "bare"])
+@pytest.mark.parametrize("name", ["run", "test", "build", "install", "check", "bare", "fuzz"])
 def test_help_names_the_script_and_does_nothing_else(name):
     result = run(TOOLS / name, "--help")
     assert result.returncode == 0 and result.stderr == ""
@@ -85,6 +85,12 @@ def test_stage_shows_what_a_failed_command_printed_and_keeps_its_code():
     done = run("bash", "-c", ". tools/progress; stage Trying echo noise", cwd=ROOT)
     assert done.returncode == 0 and "noise" not in done.stderr
     assert done.stderr.startswith("Trying ...\nTrying: ")
+
+
+def test_fuzz_refuses_what_it_does_not_know():
+    for words in (["--seconds", "0"], ["--seconds"], ["--minutes", "1"], ["seeds"], ["nothing"]):
+        assert run(TOOLS / "fuzz", *words).returncode == 2, words
+    assert "no target nothing" in run(TOOLS / "fuzz", "nothing").stderr
 
 
 def test_unknown_purpose_is_refused():
