@@ -118,8 +118,9 @@ TEST(Server, AgentThatDiesIsNamedInOneLine) {
   EXPECT_EQ(game.error.find('\n'), std::string::npos);
 }
 
-// A second life of the one agent, which comes a tenth of a second after the first has died.
-TEST(Server, MatchWithoutAnybodyWaitsForWhoComes) {
+// A match of one agent that dies after ten steps: what its second life, which comes when asked the
+// `comesAt`th time, has heard.
+Heard secondLife(int comesAt, bool needsFreePlace) {
   const auto field = *body::fieldDescription("2006");
   const auto setup = scenario("empty-goal", field, {host::AgentHello{}}, 3);
   WorldParams params;
@@ -131,7 +132,7 @@ TEST(Server, MatchWithoutAnybodyWaitsForWhoComes) {
   int asked = 0;
   ServerHooks hooks;
   hooks.arrival = [&]() -> std::optional<Agent> {
-    if (agents[0].present || ++asked != 10) return std::nullopt;
+    if ((needsFreePlace && agents[0].present) || ++asked != comesAt) return std::nullopt;
     return Agent{std::move(second->first), {}};
   };
   Heard heard;
@@ -141,6 +142,17 @@ TEST(Server, MatchWithoutAnybodyWaitsForWhoComes) {
   agents.clear();
   dies.join();
   comes.join();
+  return heard;
+}
+
+TEST(Server, MatchWithoutAnybodyWaitsForWhoComes) {
+  const Heard heard = secondLife(10, true);
+  EXPECT_TRUE(heard.goodbye);
+  EXPECT_GT(heard.steps, 40) << "of 60";
+}
+
+TEST(Server, WhoComesBeforeTheDeathOfTheOneBeforeIsKnownTakesItsPlaceThen) {
+  const Heard heard = secondLife(1, false);
   EXPECT_TRUE(heard.goodbye);
   EXPECT_GT(heard.steps, 40) << "of 60";
 }

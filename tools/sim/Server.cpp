@@ -197,18 +197,24 @@ Status Server::lose(std::size_t robot, const std::string& why) {
   return Done{};
 }
 
-// Whoever comes takes the place of one who is gone; anybody else is sent away.
+bool Server::takesPlace(Agent& agent) {
+  const std::size_t robot = placeOf(agent.hello, agents_);
+  if (robot == agents_.size() || agents_[robot].present) return false;
+  const int life = agents_[robot].life + 1;
+  const std::string lost = std::move(agents_[robot].lost);
+  agents_[robot] = std::move(agent);
+  agents_[robot].life = life;
+  world_.bodies().takeVectorsDone(robot);  // those of the agent before
+  if (hooks_.tell) hooks_.tell(nameOf(robot) + " is there again; " + lost);
+  return true;
+}
+
+// Whoever comes takes the place of one who is gone. One that is started at once comes before it is
+// known here that the one before it has died, and waits for that; anybody else is sent away.
 void Server::welcome() {
-  while (auto agent = hooks_.arrival()) {
-    const std::size_t robot = placeOf(agent->hello, agents_);
-    if (robot == agents_.size() || agents_[robot].present) continue;
-    const int life = agents_[robot].life + 1;
-    const std::string lost = std::move(agents_[robot].lost);
-    agents_[robot] = std::move(*agent);
-    agents_[robot].life = life;
-    world_.bodies().takeVectorsDone(robot);  // those of the agent before
-    if (hooks_.tell) hooks_.tell(nameOf(robot) + " is there again; " + lost);
-  }
+  while (auto agent = hooks_.arrival()) waiting_.push_back({std::move(*agent)});
+  const auto leaves = [this](Arrival& one) { return takesPlace(one.agent) || --one.tries == 0; };
+  waiting_.erase(std::remove_if(waiting_.begin(), waiting_.end(), leaves), waiting_.end());
 }
 
 bool Server::isAnybodyThere() const {

@@ -71,6 +71,10 @@ class Server {
     std::vector<Status> sent;
   };
   static constexpr int kNobody = -1;
+  struct Arrival {
+    Agent agent;
+    int tries = 60;  // a second of play
+  };
   Step nextStep() const;
   Status moveTo(TimeUs now);
   void prepare(Step step);
@@ -85,6 +89,7 @@ class Server {
   Status takeReply(std::size_t robot);
   Status refuse(std::size_t robot, const std::string& why);
   Status lose(std::size_t robot, const std::string& why);
+  bool takesPlace(Agent& agent);
   void welcome();
   bool isAnybodyThere() const;
   void waitForSomebody();
@@ -97,6 +102,7 @@ class Server {
   std::vector<Agent>& agents_;
   LogWriter* log_;
   ServerHooks hooks_;
+  std::vector<Arrival> waiting_;  // until a place is free
   // Of one robot, so that all images can be rendered at the same time.
   struct Outbox {
     std::vector<std::uint8_t> buffer;
