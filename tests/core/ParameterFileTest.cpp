@@ -226,9 +226,10 @@ TEST_F(ParameterFile, LettersBeyondAsciiStandInQuotesAndCommentsAlone) {
   for (const std::string& text :
        {"'a" + beyond + "'", "\"\\\"" + beyond + "\"", "\"\"\"\n\"" + beyond + "\"\"\"\"\"",
         "'''\n''" + beyond + "''''"}) {
-    const std::string said = errorOf("[toy]\nspeed = " + text + "\n");
+    const std::string toy = "[toy]\nspeed = " + text;
+    const std::string said = errorOf(toy + "\n");
     EXPECT_EQ(said.substr(0, 13), ":2: toy.speed") << said;
-    const std::string stray = errorOf("[toy]\nspeed = " + text + beyond + "\n");
+    const std::string stray = errorOf(toy + beyond + "\n");
     EXPECT_NE(stray.find("a letter beyond ASCII stands neither"), std::string::npos) << stray;
   }
 }

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""tools/soak: a day of play with killed agents, a bad radio and edited behaviours is judged right."""
+"""tools/soak: long play with killed agents, a bad radio and edited behaviours is judged right."""
 
 import runpy
 import subprocess
