@@ -18,6 +18,7 @@ struct OdometryParams {
   double turnPerCm = 0.625e-5;  // rad2 per cm walked
   double positionPerRad = 0.5;  // cm2 per rad turned
 
+  template <int = 0>
   static constexpr auto fields() {
     using P = OdometryParams;
     return fieldList(field("delayTicks", &P::delayTicks, "", 0, 24),
@@ -36,6 +37,7 @@ struct GainParams {
   double highBelow = 2500.0;  // mA
   double seconds = 2.0;       // of the mean
 
+  template <int = 0>
   static constexpr auto fields() {
     using P = GainParams;
     return fieldList(field("lowAbove", &P::lowAbove, "mA", 0, 2e4),
@@ -60,6 +62,7 @@ struct ActuatorParams {
   bool physical = true;
   double earSeconds = 1.0;  // an ear asked up for longer goes down (openr.md 5.6)
 
+  template <int = 0>
   static constexpr auto fields() {
     using P = ActuatorParams;
     return fieldList(

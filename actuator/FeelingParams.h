@@ -18,6 +18,7 @@ struct FallParams {
   double uprightAbove = 700.0;  // and above which it has got up: 45 deg
   std::uint32_t messages = 5;   // that must agree (facts-2005 section 6.4)
 
+  template <int = 0>
   static constexpr auto fields() {
     using P = FallParams;
     return fieldList(field("filterTicks", &P::filterTicks, "", 1, 200),
@@ -38,6 +39,7 @@ struct HeldBallParams {
   double chest = 13.0;  // cm: a ball closer than the chest sensor can tell reads this or more
                         // (facts-2005 section 6.4); empty it reads 10
 
+  template <int = 0>
   static constexpr auto fields() {
     using P = HeldBallParams;
     return fieldList(field("neckBelow", &P::neckBelow, "rad", -75, 0),
@@ -62,6 +64,7 @@ struct LiftParams {
   double stillOnSide = 10.0;     // and one on a side or its back, which a lap may be under
   double uprightAbove = 700.0;   // cm/s2, the upward part: 45 deg
 
+  template <int = 0>
   static constexpr auto fields() {
     using P = LiftParams;
     return fieldList(field("freeSeconds", &P::freeSeconds, "s", 0.1, 10),
@@ -96,6 +99,7 @@ struct FeelingParams {
   std::uint32_t pressTicks = 3;   // for which a paw must be pressed there
   double blockedSeconds = 0.4;    // that it counts: 12 frames (facts-2005 section 6.4)
 
+  template <int = 0>
   static constexpr auto fields() {
     using P = FeelingParams;
     return fieldList(

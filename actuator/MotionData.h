@@ -32,6 +32,7 @@ struct KeyFrame {
   std::array<Angle, kLegJoints> angles{};  // in the order of Joint
   WalkRequest walk;                        // of `walk`; its kind of `stance`
 
+  template <int = 0>
   static constexpr auto fields() {
     using P = KeyFrame;
     return fieldList(field("ticks", &P::ticks, "", 1, 500), field("interpolate", &P::interpolate),
@@ -52,6 +53,7 @@ struct KickEffect {
   Angle direction;  // left of straight ahead
   Angle directionSd;
 
+  template <int = 0>
   static constexpr auto fields() {
     using P = KickEffect;
     return fieldList(field("ahead", &P::ahead, "cm", -30, 60),
@@ -73,6 +75,7 @@ struct MotionWay {
   double leftSd = 0.0;
   Angle turnSd;
 
+  template <int = 0>
   static constexpr auto fields() {
     using P = MotionWay;
     return fieldList(
@@ -90,6 +93,7 @@ struct MotionData {
   MotionWay way;
   KickEffect kick;
 
+  template <int = 0>
   static constexpr auto fields() {
     using P = MotionData;
     return fieldList(field("frames", &P::frames), field("slew", &P::slew, "rad", 0.5, 40),
@@ -104,7 +108,10 @@ struct Motions {
 
   const MotionData& operator[](MotionKind kind) const { return of[placeOf(kind)]; }
   MotionData& operator[](MotionKind kind) { return of[placeOf(kind)]; }
-  static constexpr auto fields() { return fieldList(field("of", &Motions::of)); }
+  template <int = 0>
+  static constexpr auto fields() {
+    return fieldList(field("of", &Motions::of));
+  }
 
  private:
   static std::size_t placeOf(MotionKind kind) {

@@ -15,6 +15,7 @@ struct SideReach {
   double hindShoulder = 0.0;
   double hindKnee = 0.0;
 
+  template <int = 0>
   static constexpr auto fields() {
     using P = SideReach;
     return fieldList(field("frontRotator", &P::frontRotator, "", -50, 50),

@@ -14,6 +14,7 @@ struct FeltTerms {
   SideReach legs;       // Reach.h; of the side that it goes to, ahead the mean of both
   SideReach legsBent;   // times |speed| as well
 
+  template <int = 0>
   static constexpr auto fields() {
     using P = FeltTerms;
     return fieldList(field("load", &P::load, "", -50, 50), field("change", &P::change, "", -50, 50),
@@ -40,6 +41,7 @@ struct AlongTerms {
   double behindTurn = 0.0;
   FeltTerms felt;
 
+  template <int = 0>
   static constexpr auto fields() {
     using P = AlongTerms;
     return fieldList(
@@ -74,6 +76,7 @@ struct AcrossTerms {
   SideReach otherLegs;
   SideReach otherLegsBent;
 
+  template <int = 0>
   static constexpr auto fields() {
     using P = AcrossTerms;
     return fieldList(field("joints", &P::joints, "", -2, 2), field("left", &P::left, "", -30, 30),
@@ -97,6 +100,7 @@ struct WalkOdometry {
   AcrossTerms left;    // cm/s
   AcrossTerms turn;    // rad/s
 
+  template <int = 0>
   static constexpr auto fields() {
     using P = WalkOdometry;
     return fieldList(field("forward", &P::forward), field("left", &P::left),

@@ -26,6 +26,7 @@ struct StanceParams {
   double hindBehind = 13.0;  // hind feet behind the neck base
   double hindAside = 10.1;
 
+  template <int = 0>
   static constexpr auto fields() {
     using P = StanceParams;
     return fieldList(field("shoulderHeight", &P::shoulderHeight, "cm", 5, 14),
@@ -50,6 +51,7 @@ struct GaitParams {
   double acceleration = 90.0;
   double turnAcceleration = 9.0;
 
+  template <int = 0>
   static constexpr auto fields() {
     using P = GaitParams;
     return fieldList(field("locus", &P::locus, "", 0, kLocusShapeCount - 1),
@@ -73,6 +75,7 @@ struct StrokeLimits {
   double left = 20.0;     // cm/s, to either side
   double turn = 2.0;      // rad/s, to either side
 
+  template <int = 0>
   static constexpr auto fields() {
     using P = StrokeLimits;
     return fieldList(
@@ -86,6 +89,7 @@ struct SpeedCurve {
   double scale = 1.0;
   double bend = 0.0;
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("scale", &SpeedCurve::scale, "", -30, 30),
                      field("bend", &SpeedCurve::bend, "", -1, 1));
@@ -107,6 +111,7 @@ struct WalkCalibration {
   double leftPerForwardTurn = 0.0;
   double turnPerForwardLeft = 0.0;
 
+  template <int = 0>
   static constexpr auto fields() {
     using P = WalkCalibration;
     return fieldList(field("forward", &P::forward), field("back", &P::back),
@@ -129,6 +134,7 @@ struct FreeLoad {
   double left = 0.0;     // for a cm/s, to either side
   double turn = 0.0;     // for a rad/s, to either side
 
+  template <int = 0>
   static constexpr auto fields() {
     using P = FreeLoad;
     return fieldList(field("forward", &P::forward, "", -0.1, 0.1),
@@ -146,6 +152,7 @@ struct WalkSet {
   FreeLoad freeLoad;
   WalkSway sway;
 
+  template <int = 0>
   static constexpr auto fields() {
     using P = WalkSet;
     return fieldList(field("stance", &P::stance), field("gait", &P::gait), field("most", &P::most),
@@ -163,6 +170,7 @@ struct WalkSets {
   WalkSet low;
   WalkSet weak;
 
+  template <int = 0>
   static constexpr auto fields() {
     using P = WalkSets;
     return fieldList(field("normal", &P::normal), field("fast", &P::fast),

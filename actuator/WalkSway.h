@@ -12,6 +12,7 @@ struct Wave {
   double cosine = 0.0;
   double sine = 0.0;
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("cosine", &Wave::cosine, "", -1, 1),
                      field("sine", &Wave::sine, "", -1, 1));
@@ -36,6 +37,7 @@ struct SwayCurve {
   Wave leftEither;
   Wave turnEither;
 
+  template <int = 0>
   static constexpr auto fields() {
     using P = SwayCurve;
     return fieldList(field("step", &P::step, "", -1, 1), field("forward", &P::forward, "", -1, 1),
@@ -55,6 +57,7 @@ struct WalkSway {
   SwayCurve left;
   SwayCurve turn;
 
+  template <int = 0>
   static constexpr auto fields() {
     using P = WalkSway;
     return fieldList(field("tilt", &P::tilt), field("roll", &P::roll), field("height", &P::height),

@@ -50,6 +50,7 @@ struct Task {
   bool scoreAware = false;      // the goalie goes forward when its team is far behind
   std::uint8_t skill = 0;       // of PlayerKind::skill: its number in main.SKILLS
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("player", &Task::player, "", 0, kPlayerKindCount - 1),
                      field("points", &Task::points, "cm", -1000, 2000), field("grab", &Task::grab),
@@ -82,6 +83,7 @@ struct BehaviourParams {
   Angle scanPan = Angle::deg(60.0);
   Angle scanTilt = Angle::deg(-20.0);
 
+  template <int = 0>
   static constexpr auto fields() {
     using P = BehaviourParams;
     return fieldList(field("task", &P::task), field("timeLimit", &P::timeLimit, "s", 0.01, 10),

@@ -13,6 +13,7 @@ struct HeadAngles {
   Angle headPan;
   Angle headNod;
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("neckTilt", &HeadAngles::neckTilt, "rad"),
                      field("headPan", &HeadAngles::headPan, "rad"),
@@ -50,6 +51,7 @@ struct WorldFrame {
   Task task;
   body::FieldDescription field;
 
+  template <int = 0>
   static constexpr auto fields() {
     using kelpie::field;
     using W = WorldFrame;

@@ -38,6 +38,7 @@ struct GpsParams {
   BallFilterParams ball;
   PlayersParams players;
 
+  template <int = 0>
   static constexpr auto fields() {
     using kelpie::field;
     return fieldList(

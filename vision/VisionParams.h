@@ -28,6 +28,7 @@ struct VisionParams {
   PinkFinderParams pink;
   ObstacleParams obstacle;
 
+  template <int = 0>
   static constexpr auto fields() {
     using kelpie::field;
     return fieldList(field("ball", &VisionParams::ball), field("beacon", &VisionParams::beacon),

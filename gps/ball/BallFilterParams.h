@@ -17,6 +17,7 @@ struct DropInParams {
   double variance = 30.0;   // cm2, of the referee's hand (facts-2005 section 5.3)
   double maxPoseSd = 50.0;  // cm; a robot that knows its place less does not judge
 
+  template <int = 0>
   static constexpr auto fields() {
     using P = DropInParams;
     return fieldList(field("outSds", &P::outSds, "", 0, 10),
@@ -57,6 +58,7 @@ struct BallFilterParams {
   double heldSd = 1.5;             // cm
   DropInParams dropIn;
 
+  template <int = 0>
   static constexpr auto fields() {
     using B = BallFilterParams;
     return fieldList(field("deceleration", &B::deceleration, "cm/s2", 0, 1000),

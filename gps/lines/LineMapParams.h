@@ -25,6 +25,7 @@ struct LineMapParams {
   double maxUnmatchedShare = 0.6;  // of points that match none; above, the robot was carried
   double fullWeightCount = 3.0;    // sightings from which a point has its full weight
 
+  template <int = 0>
   static constexpr auto fields() {
     using P = LineMapParams;
     return fieldList(
@@ -54,6 +55,7 @@ struct LinePoseSearchParams {
   double priorSd = 250.0;  // cm, of a found pose where the lines say nothing
   Angle priorHeadingSd = Angle::deg(150.0);
 
+  template <int = 0>
   static constexpr auto fields() {
     using P = LinePoseSearchParams;
     return fieldList(

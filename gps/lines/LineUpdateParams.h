@@ -44,6 +44,7 @@ struct LineUpdateParams {
   double maxSd = 60.0;  // cm; wider modes say nothing about which line is seen
   Angle maxHeadingSd = Angle::deg(30);
 
+  template <int = 0>
   static constexpr auto fields() {
     using P = LineUpdateParams;
     return fieldList(

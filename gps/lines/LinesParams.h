@@ -12,6 +12,7 @@ struct LinesParams {
   LineMapParams map;
   LinePoseSearchParams search;
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("update", &LinesParams::update), field("map", &LinesParams::map),
                      field("search", &LinesParams::search));

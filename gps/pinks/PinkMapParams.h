@@ -39,6 +39,7 @@ struct PinkPoseSearchParams {
   double placeSd = 12.0;   // cm, of the mode made of it
   Angle headingSd = Angle::deg(4);
 
+  template <int = 0>
   static constexpr auto fields() {
     using P = PinkPoseSearchParams;
     return fieldList(
@@ -92,6 +93,7 @@ struct PinkMapParams {
   std::uint32_t maxUnexplained = 60;     // sightings in a row that fit no mode: the pose is lost
   PinkPoseSearchParams search;
 
+  template <int = 0>
   static constexpr auto fields() {
     using P = PinkMapParams;
     return fieldList(

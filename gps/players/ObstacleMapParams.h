@@ -20,6 +20,7 @@ struct ObstacleMapParams {
   double robotCount = 2.0;    // points of a robot seen: its white body gives none
   double tellCount = 5.0;     // a cell with less is not told to the team
 
+  template <int = 0>
   static constexpr auto fields() {
     using P = ObstacleMapParams;
     return fieldList(field("forgetRate", &P::forgetRate, "1/s", 0, 100),

@@ -15,6 +15,7 @@ struct TeamBallParams {
   double gate = 9.21;           // two dimensions, 99 %; beyond it two saw different balls
   double maxVariance = 4900.0;  // cm2; vaguer ones are no witnesses
 
+  template <int = 0>
   static constexpr auto fields() {
     using P = TeamBallParams;
     return fieldList(field("keep", &P::keep, "s", 0.01, 60),
@@ -38,6 +39,7 @@ struct OpponentParams {
   double joinDistance = 30.0;          // cm; two filters nearer than a robot is long are one robot
   double keep = 15.0;                  // s unseen
 
+  template <int = 0>
   static constexpr auto fields() {
     using P = OpponentParams;
     return fieldList(field("angleGate", &P::angleGate, "rad", 1, 90),
@@ -63,6 +65,7 @@ struct TeamParams {
   double maxAge = 2.0;       // s; older messages are refused
   double offField = 60.0;    // cm beyond the lines; what is farther is refused
 
+  template <int = 0>
   static constexpr auto fields() {
     using P = TeamParams;
     return fieldList(
@@ -86,6 +89,7 @@ struct BallLandmarkParams {
   double lateSd = 0.1;          // s of the ball's speed: when the two saw it
   double outlierWeight = 1e-2;  // of the copy that is not corrected
 
+  template <int = 0>
   static constexpr auto fields() {
     using P = BallLandmarkParams;
     return fieldList(
@@ -103,6 +107,7 @@ struct PlayersParams {
   TeamParams team;
   ObstacleMapParams obstacles;
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("teamBall", &PlayersParams::teamBall),
                      field("ballLandmark", &PlayersParams::ballLandmark),

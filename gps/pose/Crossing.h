@@ -17,6 +17,7 @@ struct CrossingParams {
   double weight = 1e-2;   // of the mode, over the weight of all others
   double apart = 40.0;    // cm between the two as seen; nearer ones do not tell the heading
 
+  template <int = 0>
   static constexpr auto fields() {
     using P = CrossingParams;
     return fieldList(field("gate", &P::gate, "", 1, 100), field("seconds", &P::seconds, "s", 0, 60),

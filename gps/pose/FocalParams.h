@@ -16,6 +16,7 @@ struct FocalParams {
   Angle maxHeadingSd = Angle::deg(6);  // of the mode
   double gate = 4.0;                   // standard deviations
 
+  template <int = 0>
   static constexpr auto fields() {
     using P = FocalParams;
     return fieldList(field("use", &P::use), field("initialSd", &P::initialSd, "", 1e-4, 0.2),

@@ -15,6 +15,7 @@ struct LagParams {
   Angle maxHeadingSd = Angle::deg(6);  // of the mode
   double gate = 4.0;                   // standard deviations
 
+  template <int = 0>
   static constexpr auto fields() {
     using P = LagParams;
     return fieldList(field("use", &P::use), field("initialSd", &P::initialSd, "s", 1e-4, 1),

@@ -23,6 +23,7 @@ struct NoiseScaleParams {
   double maxSd = 20.0;    // cm, of the mode; a wider one expects any sighting
   double farthest = 3.0;  // an innovation counts as no larger; a false sighting's is
 
+  template <int = 0>
   static constexpr auto fields() {
     using P = NoiseScaleParams;
     return fieldList(field("use", &P::use), field("usual", &P::usual, "", 0.01, 1),

@@ -16,6 +16,7 @@ struct InitialPose {
   double positionSd = 20.0;
   Angle headingSd = Angle::deg(10.0);
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("present", &InitialPose::present), field("pose", &InitialPose::pose),
                      field("positionSd", &InitialPose::positionSd, "cm", 0.1, 1000),
@@ -36,6 +37,7 @@ struct MotionNoise {
   double positionPerSecond = 0.25;  // cm2/s always: pushes
   double turnPerSecond = 1.9e-5;    // rad2/s always
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("alongPerCm", &MotionNoise::alongPerCm, "cm", 0, 100),
                      field("acrossPerCm", &MotionNoise::acrossPerCm, "cm", 0, 100),
@@ -60,6 +62,7 @@ struct LandmarkGates {
   double minDistanceSd = 4.0;             // cm
   Angle minHeadingSd = Angle::deg(1.5);   // sway of the walking body
 
+  template <int = 0>
   static constexpr auto fields() {
     using G = LandmarkGates;
     return fieldList(field("goalMin", &G::goalMin, "cm", 0, 1000),
@@ -96,6 +99,7 @@ struct ModeParams {
   double explainedShare = 0.1;     // of all weight in corrected modes, at least; else unexplained
   std::uint32_t maxUnexplained = 10;  // in a row; then the next landmark gives new modes; 0: never
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("outlierWeight", &ModeParams::outlierWeight, "", 0, 1),
                      field("repeatedOutlierWeight", &ModeParams::repeatedOutlierWeight, "", 0, 1),

@@ -20,6 +20,7 @@ struct ReturnParams {
   double positionSd = 25.0;  // cm, both ways: somebody may stand there already
   Angle headingSd = Angle::deg(15.0);
 
+  template <int = 0>
   static constexpr auto fields() {
     using P = ReturnParams;
     return fieldList(field("use", &P::use), field("inside", &P::inside, "cm", -100, 100),

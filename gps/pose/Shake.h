@@ -24,6 +24,7 @@ struct ShakeParams {
   double pushed = 40.0;  // cm2/s, both ways
   double turned = 0.1;   // rad2/s
 
+  template <int = 0>
   static constexpr auto fields() {
     using P = ShakeParams;
     return fieldList(field("use", &P::use), field("meanSeconds", &P::meanSeconds, "s", 0.01, 10),

@@ -28,6 +28,7 @@ struct StuckParams {
   double pauseSeconds = 0.0;         // how long afterwards; 0: lines are never paused
   std::uint32_t pauseLandmarks = 2;  // predicted landmarks that end the pause sooner
 
+  template <int = 0>
   static constexpr auto fields() {
     using P = StuckParams;
     return fieldList(

@@ -19,6 +19,7 @@ struct TiltParams {
   // image that leaves this much after ten seconds is 17 times as large [chosen].
   Angle accelerometerSd = Angle::deg(2.0);
 
+  template <int = 0>
   static constexpr auto fields() {
     using P = TiltParams;
     return fieldList(field("use", &P::use), field("joint", &P::joint),

@@ -29,6 +29,7 @@ struct AgentConfig {
   net::ListenerParams game;
   vision::VisionCalibration calibration;
 
+  template <int = 0>
   static constexpr auto fields() {
     using kelpie::field;
     return fieldList(field("team", &AgentConfig::team, "", 0, 1),

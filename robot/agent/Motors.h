@@ -27,6 +27,7 @@ struct MotorOrder {
   std::array<double, kJointCount> strength{};
   bool shutDown = false;  // the whole robot
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("power", &MotorOrder::power),
                      field("strength", &MotorOrder::strength, "", 0, 1),
@@ -61,6 +62,7 @@ struct MotorsOut {
   MotorOrder order;
   bool tookPress = false;  // the hand on the head asks for power, and tells nothing of the game
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("rest", &MotorsOut::rest, "", 0, kRestCount - 1),
                      field("told", &MotorsOut::told, "", 0, kRestCount - 1),

@@ -16,6 +16,7 @@ struct PowerReport {
                              // after the robot has cut it for a jam
   double current = 0.0;      // drawn from the battery, mA
 
+  template <int = 0>
   static constexpr auto fields() {
     using P = PowerReport;
     return fieldList(field("paused", &P::paused), field("batteryLow", &P::batteryLow),

@@ -30,6 +30,7 @@ struct BodyParams {
   double neckGives = 0.0;  // share of the sensed neck tilt that is missing
   Angle neckBacklash;      // play between both sides; a turning neck lags by half of it
 
+  template <int = 0>
   static constexpr auto fields() {
     using P = BodyParams;
     return fieldList(field("lens", &P::lens),

@@ -22,6 +22,7 @@ struct FieldLine {
   Point2<Field> start;
   Point2<Field> end;
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("start", &FieldLine::start), field("end", &FieldLine::end));
   }
@@ -32,6 +33,7 @@ struct Landmark {
   LandmarkKind kind = LandmarkKind::goalBlue;
   Point2<Field> position;
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("kind", &Landmark::kind, "", 0, 5),
                      field("position", &Landmark::position));
@@ -58,6 +60,7 @@ struct FieldDescription {
   FixedVector<FieldLine, 24> lines;  // centre lines of the painted lines, without the circle
   FixedVector<Landmark, kLandmarkKindCount> landmarks;  // as the red team sees them
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("width", &FieldDescription::width, "cm", 100, 1000),
                      field("length", &FieldDescription::length, "cm", 100, 1500),

@@ -30,6 +30,7 @@ struct Rules {
   double stuckDistance = 10.0;  // cm that it must go [chosen]
   double stuckReach = 50.0;     // cm from the ball to who is at it [chosen]
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("robotsASide", &Rules::robotsASide, "", 1, 11),
                      field("halfTime", &Rules::halfTime, "s", 1, 3600),

@@ -21,6 +21,7 @@ struct Lens {
   // shutter.
   double readOut = 1.0;
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("focalLength", &Lens::focalLength, "px", 100, 400),
                      field("principalX", &Lens::principalX, "px", 64, 144),
@@ -41,6 +42,7 @@ struct CameraTilt {
   double rollVariance = 2.7e-5;  // rad2
   double covariance = 0.0;       // rad2
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("tilt", &CameraTilt::tilt, "rad", -45, 45),
                      field("roll", &CameraTilt::roll, "rad", -45, 45),
@@ -56,6 +58,7 @@ struct FocalScale {
   double ratio = 1.0;
   double variance = 2.5e-5;  // sd 0.5 %
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("ratio", &FocalScale::ratio, "", 0.5, 2),
                      field("variance", &FocalScale::variance, "", 0, 1));
@@ -68,6 +71,7 @@ struct ImageLag {
   double seconds = 0.0;
   double variance = 4e-6;  // s2: sd 2 ms
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("seconds", &ImageLag::seconds, "s", 0, 0.1),
                      field("variance", &ImageLag::variance, "s2", 0, 1));

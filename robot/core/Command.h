@@ -27,6 +27,7 @@ struct WalkRequest {
   double pivot = 0.0;    // cm ahead of the neck base: what the turn is about, a ball for example
   WalkKind kind = WalkKind::normal;
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("forward", &WalkRequest::forward, "cm/s", -45, 60),
                      field("left", &WalkRequest::left, "cm/s", -35, 35),
@@ -50,6 +51,7 @@ struct HeadRequest {
   Angle elevation;       // above the horizon
   Point3<Robot> target;  // cm
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("neckTilt", &HeadRequest::neckTilt, "rad", -75, 0),
                      field("headPan", &HeadRequest::headPan, "rad", -88, 88),
@@ -66,6 +68,7 @@ struct TailRequest {
   Angle tilt = Angle::deg(30.0);
   Angle pan;
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("tilt", &TailRequest::tilt, "rad", 5, 60),
                      field("pan", &TailRequest::pan, "rad", -45, 45));
@@ -77,6 +80,7 @@ struct EarRequest {
   bool leftUp = false;
   bool rightUp = false;
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("leftUp", &EarRequest::leftUp), field("rightUp", &EarRequest::rightUp));
   }
@@ -134,6 +138,7 @@ struct TraceStep {
   Text<80> reason;  // why: "the gap is {} deg to the left"
   FixedVector<double, 3> numbers;
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("layer", &TraceStep::layer, "", 0, kTraceLayerCount - 1),
                      field("module", &TraceStep::module), field("branch", &TraceStep::branch),
@@ -158,6 +163,7 @@ struct Command {
   Fallback fallback = Fallback::none;
   Trace trace;  // why all this; empty in what is told again (FrameInput, MotionInput)
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("walk", &Command::walk), field("head", &Command::head),
                      field("mouthOpen", &Command::mouthOpen), field("tail", &Command::tail),

@@ -17,7 +17,10 @@ constexpr std::size_t kMaxControlBytes = 256;
 struct ControlPacket {
   FixedVector<std::uint8_t, kMaxControlBytes> bytes;
 
-  static constexpr auto fields() { return fieldList(field("bytes", &ControlPacket::bytes)); }
+  template <int = 0>
+  static constexpr auto fields() {
+    return fieldList(field("bytes", &ControlPacket::bytes));
+  }
 };
 
 // Why a packet is not used; half to penaltyTime cost their field alone now and stand in old logs.
@@ -61,6 +64,7 @@ struct ControlCounts {
   std::uint32_t taken = 0;
   std::array<std::uint32_t, kControlRefusals> refused{};
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("taken", &ControlCounts::taken),
                      field("refused", &ControlCounts::refused));

@@ -5,10 +5,14 @@
 //
 //   struct Odometry {
 //     double forward = 0.0;
+//     template <int = 0>
 //     static constexpr auto fields() {
 //       return fieldList(field("forward", &Odometry::forward, "cm", -20, 20));
 //     }
 //   };
+//
+// fields() is a template, so that only who asks for the list pays for it: AgentConfig.h alone costs
+// 0.3 s to include in place of 3.2.
 //
 // A member may be a number, bool, enum with a fixed type, Angle, TimeUs, std::array, FixedVector,
 // Text or a struct with a list of its own. Absent is a bool named `present`, never a magic number.

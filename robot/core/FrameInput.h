@@ -32,6 +32,7 @@ struct GameState {
   bool firstHalf = true;
   double secondsLeft = 0.0;  // of the half
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(
         field("state", &GameState::state, "", 0, 4), field("team", &GameState::team, "", 0, 1),
@@ -48,6 +49,7 @@ struct Drive {
   bool present = false;
   Command command;
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("present", &Drive::present), field("command", &Drive::command));
   }
@@ -59,6 +61,7 @@ struct HeadRate {
   double headPan = 0.0;   // rad/s
   double headNod = 0.0;   // rad/s
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("neckTilt", &HeadRate::neckTilt, "rad/s", -60, 60),
                      field("headPan", &HeadRate::headPan, "rad/s", -60, 60),
@@ -87,6 +90,7 @@ struct FrameInput {
   ControlCounts control;                      // so, of the game controller
   Image image;
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(
         field("frame", &FrameInput::frame), field("time", &FrameInput::time, "us"),

@@ -17,6 +17,7 @@ struct FrameOutput {
   WorldModel world;
   Command command;
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("frame", &FrameOutput::frame), field("time", &FrameOutput::time, "us"),
                      field("body", &FrameOutput::body), field("percepts", &FrameOutput::percepts),

@@ -34,6 +34,7 @@ struct Point2 {
   double y = 0.0;
 
   double norm() const { return maths::hypot(x, y); }
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("x", &Point2::x, "cm"), field("y", &Point2::y, "cm"));
   }
@@ -62,6 +63,7 @@ struct Point3 {
   double y = 0.0;
   double z = 0.0;
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("x", &Point3::x, "cm"), field("y", &Point3::y, "cm"),
                      field("z", &Point3::z, "cm"));
@@ -81,6 +83,7 @@ struct PixelPoint {
   double x = 0.0;
   double y = 0.0;
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("x", &PixelPoint::x, "px"), field("y", &PixelPoint::y, "px"));
   }
@@ -91,6 +94,7 @@ struct Pose2 {
   Point2<Field> position;
   Angle heading;
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("position", &Pose2::position), field("heading", &Pose2::heading));
   }

@@ -35,6 +35,7 @@ struct Image {
     cr[at(px, py)] = value.cr;
     cb[at(px, py)] = value.cb;
   }
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("y", &Image::y), field("cr", &Image::cr), field("cb", &Image::cb));
   }

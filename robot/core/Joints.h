@@ -48,6 +48,7 @@ struct JointAngles {
 
   Angle& operator[](Joint joint) { return angle[index(joint)]; }
   Angle operator[](Joint joint) const { return angle[index(joint)]; }
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("angle", &JointAngles::angle, "rad", -135, 135));
   }

@@ -19,6 +19,7 @@ struct Stance {
   Angle bodyTilt;
   Angle bodyRoll;  // left side up positive
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("shoulderHeight", &Stance::shoulderHeight, "cm", 0, 30),
                      field("bodyTilt", &Stance::bodyTilt, "rad", -90, 90),
@@ -39,6 +40,7 @@ struct SensorFrame {
   double headTouch = 0.0;
   std::array<bool, 3> back{};  // front, middle, rear
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(
         field("joints", &SensorFrame::joints), field("duty", &SensorFrame::duty, "", -1, 1),
@@ -57,6 +59,7 @@ struct OdometryVariance {
   double left = 0.0;     // cm2
   double turn = 0.0;     // rad2
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("forward", &OdometryVariance::forward, "cm2", 0, 1e4),
                      field("left", &OdometryVariance::left, "cm2", 0, 1e4),
@@ -71,6 +74,7 @@ struct Odometry {
   Angle turn;
   OdometryVariance variance;
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("forward", &Odometry::forward, "cm", -100, 100),
                      field("left", &Odometry::left, "cm", -100, 100),
@@ -113,6 +117,7 @@ struct MotionInput {
   Rest rest = Rest::none;           // not none: lie or stay, whatever the command asks of the legs
   std::uint32_t held = kAllJoints;  // bit i: joint i has a gain, so that its motor holds it
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("time", &MotionInput::time, "us"),
                      field("sensors", &MotionInput::sensors),
@@ -128,6 +133,7 @@ struct JointFrame {
   std::uint32_t leds = 0;
   EarRequest ears;
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("target", &JointFrame::target), field("leds", &JointFrame::leds),
                      field("ears", &JointFrame::ears));
@@ -149,6 +155,7 @@ struct Feeling {
   bool ballHeld = false;             // between chin, chest and forelegs
   std::array<bool, 2> pawBlocked{};  // left and right front paw pressed in the air
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("current", &Feeling::current, "", 0, 1),
                      field("load", &Feeling::load, "", -1, 1), field("stuck", &Feeling::stuck),
@@ -171,6 +178,7 @@ struct MotionStatus {
                          // ticks that are played next
   Feeling feeling;
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("running", &MotionStatus::running, "", 0, kMotionKindCount - 1),
                      field("secondsLeft", &MotionStatus::secondsLeft, "s", 0, 10),
@@ -188,6 +196,7 @@ struct MotionOutput {
   std::array<Stance, kTicksPerMessage> stances{};  // at each tick of the input, by legs and walk
   MotionStatus status;
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(
         field("joints", &MotionOutput::joints), field("odometry", &MotionOutput::odometry),

@@ -29,6 +29,7 @@ struct PixelBox {
   double right = 0.0;
   double bottom = 0.0;
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("left", &PixelBox::left, "px"), field("top", &PixelBox::top, "px"),
                      field("right", &PixelBox::right, "px"),
@@ -46,6 +47,7 @@ struct GoalGap {
   bool rightCut = false;
   PixelBox box;
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(
         field("goal", &GoalGap::goal, "", 0, 1), field("left", &GoalGap::left, "rad", -180, 180),
@@ -64,6 +66,7 @@ struct RobotPercept {
   double headingVariance = 0.0;   // rad2
   PixelBox box;
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("team", &RobotPercept::team, "", 0, 1),
                      field("distance", &RobotPercept::distance, "cm", 0, 1000),
@@ -84,6 +87,7 @@ struct PinkPercept {
   double headingVariance = 0.0;   // rad2
   PixelBox box;
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("distance", &PinkPercept::distance, "cm", 0, 1000),
                      field("heading", &PinkPercept::heading, "rad", -180, 180),
@@ -99,6 +103,7 @@ struct ObstaclePoint {
   Point2<Robot> position;
   PixelPoint pixel;
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("position", &ObstaclePoint::position),
                      field("pixel", &ObstaclePoint::pixel));

@@ -17,6 +17,7 @@ struct ObstacleCell {
   double own = 0.0;        // points that its own camera saw
   double heard = 0.0;      // points that a teammate told
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("position", &ObstacleCell::position),
                      field("own", &ObstacleCell::own, "", 0, 1e4),

@@ -28,6 +28,7 @@ struct CameraPose {
   Angle bodyTiltOffset;
   Angle bodyRollOffset;
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("position", &CameraPose::position),
                      field("axes", &CameraPose::axes, "", -1.000001, 1.000001),
@@ -43,6 +44,7 @@ struct Horizon {
   double atLeft = 0.0;
   double atRight = 0.0;
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("atLeft", &Horizon::atLeft, "px"),
                      field("atRight", &Horizon::atRight, "px"));
@@ -55,6 +57,7 @@ struct BodyState {
   double headSpeed = 0.0;  // rad per frame, largest of the three head joints
   bool fallen = false;
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("camera", &BodyState::camera), field("horizon", &BodyState::horizon),
                      field("headSpeed", &BodyState::headSpeed, "rad/frame", 0, 10),
@@ -68,6 +71,7 @@ struct ElevationError {
   Angle value;
   double variance = 0.0;  // rad2; 0: its size tells nothing
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("value", &ElevationError::value, "rad", -90, 90),
                      field("variance", &ElevationError::variance, "rad2", 0, 1));
@@ -85,6 +89,7 @@ struct BallPercept {
   PixelPoint centre;
   double radius = 0.0;  // px
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("present", &BallPercept::present),
                      field("distance", &BallPercept::distance, "cm", 0, 1000),
@@ -113,6 +118,7 @@ struct LandmarkPercept {
   bool rightEdgeCut = false;
   PixelBox box;
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("kind", &LandmarkPercept::kind, "", 0, 5),
                      field("distance", &LandmarkPercept::distance, "cm", 0, 1000),
@@ -137,6 +143,7 @@ struct FieldEdgePercept {
   double support = 0.0;  // scan lines that show it
   double rms = 0.0;      // px, distance of their features from it
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("atLeft", &FieldEdgePercept::atLeft, "px"),
                      field("atRight", &FieldEdgePercept::atRight, "px"),
@@ -153,6 +160,7 @@ struct LinePoint {
   double weight = 0.0;
   PixelPoint pixel;
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(
         field("kind", &LinePoint::kind, "", 0, 2), field("position", &LinePoint::position),
@@ -167,6 +175,7 @@ struct VisionCounts {
   std::uint32_t blobs = 0;
   std::array<std::uint16_t, 96> refused{};
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("sampledPixels", &VisionCounts::sampledPixels),
                      field("runs", &VisionCounts::runs), field("blobs", &VisionCounts::blobs),
@@ -186,6 +195,7 @@ struct Percepts {
   FixedVector<LinePoint, 256> linePoints;
   VisionCounts counts;
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(
         field("ball", &Percepts::ball), field("landmarks", &Percepts::landmarks),

@@ -18,6 +18,7 @@ using JpegBytes = FixedVector<std::uint8_t, 65536>;
 struct PictureFrame : FrameInput {
   JpegBytes jpeg;  // 208 x 160 pixels; empty when there is none
 
+  template <int = 0>
   static constexpr auto fields() {
     return withoutImage(FrameInput::fields(), field("jpeg", &PictureFrame::jpeg));
   }

@@ -28,6 +28,7 @@ Status decodePlane(const PlaneCode& code, std::uint8_t classes, ClassNumbers& pl
 struct PlaneFrame : FrameInput {
   PlaneCode plane;
 
+  template <int = 0>
   static constexpr auto fields() {
     return withoutImage(FrameInput::fields(), field("plane", &PlaneFrame::plane));
   }

@@ -17,7 +17,10 @@ constexpr std::size_t kMaxPackets = 8;  // that arrive between two messages of t
 struct RadioPacket {
   FixedVector<std::uint8_t, kMaxPacketBytes> bytes;
 
-  static constexpr auto fields() { return fieldList(field("bytes", &RadioPacket::bytes)); }
+  template <int = 0>
+  static constexpr auto fields() {
+    return fieldList(field("bytes", &RadioPacket::bytes));
+  }
 };
 using RadioPackets = FixedVector<RadioPacket, kMaxPackets>;
 
@@ -42,6 +45,7 @@ struct RadioCounts {
   std::uint16_t lost = 0;  // by the gaps in the numbers of what was heard
   std::array<std::uint16_t, kRadioRefusals> refused{};
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("heard", &RadioCounts::heard), field("lost", &RadioCounts::lost),
                      field("refused", &RadioCounts::refused));

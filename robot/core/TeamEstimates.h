@@ -21,6 +21,7 @@ struct TeamBall {
   std::uint8_t outvoted = 0;           // who saw a ball elsewhere
   double secondsSinceSeen = 0.0;       // by the one who saw it last
 
+  template <int = 0>
   static constexpr auto fields() {
     using B = TeamBall;
     return fieldList(field("present", &B::present), field("position", &B::position),
@@ -36,6 +37,7 @@ struct OpponentEstimate {
   std::array<double, 4> covariance{};
   double secondsSinceSeen = 0.0;  // by any of the team
 
+  template <int = 0>
   static constexpr auto fields() {
     using O = OpponentEstimate;
     return fieldList(field("position", &O::position), field("covariance", &O::covariance, "cm2"),
@@ -53,6 +55,7 @@ struct TeammateEstimate {
   double secondsSinceHeard = 0.0;
   double secondsSinceBall = 0.0;  // since it saw the ball itself; 1000 when it knows of none
 
+  template <int = 0>
   static constexpr auto fields() {
     using M = TeammateEstimate;
     return fieldList(field("player", &M::player, "", 1, 4), field("note", &M::note),

@@ -25,6 +25,7 @@ struct SharedBall {
   std::array<double, 4> covariance{};  // of the position, the sender's pose error included
   double secondsSinceSeen = 0.0;       // when the message was made
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("present", &SharedBall::present),
                      field("position", &SharedBall::position),
@@ -40,6 +41,7 @@ struct SharedOpponent {
   Point2<Field> position;
   std::array<double, 4> covariance{};
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("position", &SharedOpponent::position),
                      field("covariance", &SharedOpponent::covariance, "cm2"));
@@ -51,6 +53,7 @@ struct SharedObstacle {
   Point2<Field> position;
   double count = 0.0;
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("position", &SharedObstacle::position),
                      field("count", &SharedObstacle::count, "", 0, 1e4));
@@ -68,6 +71,7 @@ struct TeamMessage {
   FixedVector<SharedOpponent, kOpponents> opponents;
   FixedVector<SharedObstacle, kSharedObstacles> obstacles;  // the fullest of the sender's own
 
+  template <int = 0>
   static constexpr auto fields() {
     using M = TeamMessage;
     return fieldList(field("player", &M::player, "", 1, 4), field("number", &M::number),

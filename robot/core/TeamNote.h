@@ -28,6 +28,7 @@ struct TeamNote {
   Point2<Field> wanted;     // where it goes, or wants a pass
   std::uint8_t passTo = 0;  // number of the mate whom it plays the ball to; 0: nobody
 
+  template <int = 0>
   static constexpr auto fields() {
     using N = TeamNote;
     return fieldList(field("role", &N::role, "", 0, kRoleCount - 1),

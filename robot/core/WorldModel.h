@@ -24,6 +24,7 @@ struct PoseMode {
   CameraTilt tilt;
   std::array<double, 6> cross{};
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("weight", &PoseMode::weight, "", 0, 1), field("pose", &PoseMode::pose),
                      field("covariance", &PoseMode::covariance, "cm2, cm rad, rad2"),
@@ -37,6 +38,7 @@ struct SecondHypothesis {
   bool present = false;
   PoseMode mode;
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("present", &SecondHypothesis::present),
                      field("mode", &SecondHypothesis::mode));
@@ -55,6 +57,7 @@ struct BallEstimate {
   std::array<double, 4> fieldCovariance{};  // of the position on the field, the pose's included
   Point2<Field> stoppingPoint;              // where it will lie when nothing stops it
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("present", &BallEstimate::present),
                      field("position", &BallEstimate::position),
@@ -73,6 +76,7 @@ struct GpsCounts {
   std::uint32_t updates = 0;
   std::array<std::uint16_t, 32> refused{};
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("updates", &GpsCounts::updates), field("refused", &GpsCounts::refused));
   }
@@ -85,6 +89,7 @@ struct PinkLandmark {
   Point2<Field> position;
   double weight = 0.0;  // sightings, less one every few seconds
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("position", &PinkLandmark::position),
                      field("weight", &PinkLandmark::weight, "", 0, 1e6));
@@ -114,6 +119,7 @@ struct WorldModel {
   TeamMessage message;  // for the team, when its number differs from the last
   GpsCounts counts;
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(
         field("pose", &WorldModel::pose),

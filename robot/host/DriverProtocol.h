@@ -18,6 +18,7 @@ struct DriverView {
   BallPercept ball;  // in this image
   Image image;
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("time", &DriverView::time, "us"), field("motion", &DriverView::motion),
                      field("command", &DriverView::command), field("ball", &DriverView::ball),

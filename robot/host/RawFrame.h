@@ -17,7 +17,10 @@ namespace kelpie::host {
 struct RawJoints {
   std::array<std::int32_t, kJointCount> value{};  // urad, in the order of Joint
 
-  static constexpr auto fields() { return fieldList(field("value", &RawJoints::value, "urad")); }
+  template <int = 0>
+  static constexpr auto fields() {
+    return fieldList(field("value", &RawJoints::value, "urad"));
+  }
 };
 
 // One tick of 8 ms.
@@ -27,6 +30,7 @@ struct RawSensors {
   std::array<std::int32_t, openr::kSensorCount> sensors{};  // um, um/s2, or how pressed
 
   std::int32_t of(openr::Sensor sensor) const { return sensors[openr::index(sensor)]; }
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("joints", &RawSensors::joints), field("duty", &RawSensors::duty),
                      field("sensors", &RawSensors::sensors));

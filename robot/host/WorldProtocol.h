@@ -34,6 +34,7 @@ struct AgentHello {
   TeamColour team = TeamColour::red;
   std::uint8_t player = 1;
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("team", &AgentHello::team, "", 0, 1),
                      field("player", &AgentHello::player, "", 1, 4));
@@ -53,6 +54,7 @@ struct WorldStep {
   double batteryCurrent = 0.0;    // mA
   RadioPackets packets;           // heard since the last step
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(
         field("time", &WorldStep::time, "us"), field("sensorsPresent", &WorldStep::sensorsPresent),
@@ -74,6 +76,7 @@ struct EffectorVector {
   std::uint32_t leds = 0;
   std::uint32_t ears = 0;  // bit 0: left up, bit 1: right up
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(
         field("ticks", &EffectorVector::ticks, "", 0, kMaxVectorTicks),
@@ -90,6 +93,7 @@ struct AgentReply {
   FixedVector<EffectorVector, 4> vectors;
   RadioPacket packet;  // sent meanwhile; empty: none
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("motorPower", &AgentReply::motorPower),
                      field("gains", &AgentReply::gains),
@@ -102,7 +106,10 @@ struct AgentReply {
 struct Goodbye {
   std::uint8_t reason = 0;  // 0 match over, 1 the world stops early
 
-  static constexpr auto fields() { return fieldList(field("reason", &Goodbye::reason)); }
+  template <int = 0>
+  static constexpr auto fields() {
+    return fieldList(field("reason", &Goodbye::reason));
+  }
 };
 
 }  // namespace kelpie::host

@@ -23,6 +23,7 @@ struct ButtonParams {
       10;  // of the head's sensor; the back's switches are closed at 15 of theirs
   bool backAdvances = true;
 
+  template <int = 0>
   static constexpr auto fields() {
     using P = ButtonParams;
     return fieldList(field("press", &P::press, "s", 0, 10),

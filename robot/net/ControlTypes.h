@@ -30,6 +30,7 @@ struct ControlPlayer {
   ControlPenalty penalty = ControlPenalty::none;
   std::uint32_t secondsLeft = 0;  // of the penalty
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("penalty", &ControlPlayer::penalty, "", 0, 10),
                      field("secondsLeft", &ControlPlayer::secondsLeft, "s", 0, 3600));
@@ -42,6 +43,7 @@ struct ControlTeam {
   std::uint32_t score = 0;
   std::array<ControlPlayer, kControlPlayers> players;
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(
         field("number", &ControlTeam::number), field("colour", &ControlTeam::colour, "", 0, 1),
@@ -64,6 +66,7 @@ struct GameControlData {
   // red. Who knows its team's number knows better.
   bool coloursTold = true;
 
+  template <int = 0>
   static constexpr auto fields() {
     using D = GameControlData;
     return fieldList(field("state", &D::state, "", 0, 4), field("firstHalf", &D::firstHalf),

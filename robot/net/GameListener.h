@@ -27,6 +27,7 @@ struct ListenerParams {
       3.0;  // s without a packet until buttons count; the controller sends two a second
   ButtonParams buttons = headAdvances();
 
+  template <int = 0>
   static constexpr auto fields() {
     using P = ListenerParams;
     return fieldList(field("teamNumber", &P::teamNumber, "", -1, 1e6),

@@ -34,6 +34,7 @@ struct PartEntry {
   std::uint32_t length = 0;  // bytes
   std::uint32_t crc = 0;     // CRC-32
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("length", &PartEntry::length), field("crc", &PartEntry::crc));
   }
@@ -46,6 +47,7 @@ struct StickHeader {
   std::uint64_t fieldLists = 0;  // fieldListHash<agent::AgentConfig>()
   std::array<PartEntry, kParts.size()> parts{};
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("magic", &StickHeader::magic), field("version", &StickHeader::version),
                      field("length", &StickHeader::length),
@@ -63,6 +65,7 @@ struct StickFileEntry {
   std::uint32_t crc = 0;
   std::uint64_t hash = 0;
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("path", &StickFileEntry::path), field("length", &StickFileEntry::length),
                      field("crc", &StickFileEntry::crc), field("hash", &StickFileEntry::hash));
@@ -72,7 +75,10 @@ struct StickFileEntry {
 struct StickFileList {
   FixedVector<StickFileEntry, 8> files;
 
-  static constexpr auto fields() { return fieldList(field("files", &StickFileList::files)); }
+  template <int = 0>
+  static constexpr auto fields() {
+    return fieldList(field("files", &StickFileList::files));
+  }
 };
 
 template <class Member>

@@ -17,6 +17,7 @@ enum class Mood : std::int16_t { calm, wild };
 struct Inner {
   Angle angle;
   bool present = false;
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("angle", &Inner::angle, "rad", -90, 90),
                      field("present", &Inner::present));
@@ -29,6 +30,7 @@ struct Outer {
   TimeUs time;
   std::array<float, 2> pair{};
   FixedVector<Inner, 3> inners;
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("count", &Outer::count), field("mood", &Outer::mood, "", 0, 1),
                      field("time", &Outer::time, "us"), field("pair", &Outer::pair, "cm", -5),

@@ -17,6 +17,7 @@ struct InnerParams {
   double turnRate = 0.5;
   double timeout = 2.0;
   TimeUs period{40000};
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("tilt", &InnerParams::tilt, "rad", -20, 20),
                      field("turnRate", &InnerParams::turnRate, "rad/s", 0, 4),
@@ -36,6 +37,7 @@ struct ToyParams {
   FixedVector<Angle, 2> looks;
   FixedVector<Point2<Field>, 2> spots;
   InnerParams inner;
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(
         field("speed", &ToyParams::speed, "cm/s", 0, 40),

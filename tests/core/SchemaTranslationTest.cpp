@@ -14,6 +14,7 @@ enum class Side : std::uint8_t { left = 1, right = 2 };
 struct Part {
   float weight = 1.5F;
   Side side = Side::left;
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("weight", &Part::weight, "g"), field("side", &Part::side, "", 1, 2));
   }
@@ -27,6 +28,7 @@ struct Whole {
   FixedVector<Part, 4> parts;
   Part best;
   static constexpr const char* typeName() { return "Whole"; }
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("count", &Whole::count), field("present", &Whole::present),
                      field("heading", &Whole::heading, "rad"), field("sides", &Whole::sides),
@@ -37,7 +39,10 @@ struct Whole {
 // An earlier list: another order, smaller numbers, a shorter array, parts without a side, no count.
 struct OldPart {
   double weight = 0.0;
-  static constexpr auto fields() { return fieldList(field("weight", &OldPart::weight, "g")); }
+  template <int = 0>
+  static constexpr auto fields() {
+    return fieldList(field("weight", &OldPart::weight, "g"));
+  }
 };
 
 struct OldWhole {
@@ -47,6 +52,7 @@ struct OldWhole {
   double colour = 0.0;
   Angle heading;
   static constexpr const char* typeName() { return "Whole"; }
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("sides", &OldWhole::sides), field("parts", &OldWhole::parts),
                      field("best", &OldWhole::best), field("colour", &OldWhole::colour),

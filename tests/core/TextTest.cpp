@@ -14,6 +14,7 @@ struct Note {
   std::uint8_t number = 7;
   Text<8> words;
   static constexpr const char* typeName() { return "Note"; }
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("number", &Note::number), field("words", &Note::words));
   }
@@ -22,13 +23,19 @@ struct Note {
 struct OldNote {  // without words, or with bytes in their place
   std::uint8_t number = 0;
   static constexpr const char* typeName() { return "Note"; }
-  static constexpr auto fields() { return fieldList(field("number", &OldNote::number)); }
+  template <int = 0>
+  static constexpr auto fields() {
+    return fieldList(field("number", &OldNote::number));
+  }
 };
 
 struct ByteNote {
   FixedVector<std::uint8_t, 8> words;
   static constexpr const char* typeName() { return "Note"; }
-  static constexpr auto fields() { return fieldList(field("words", &ByteNote::words)); }
+  template <int = 0>
+  static constexpr auto fields() {
+    return fieldList(field("words", &ByteNote::words));
+  }
 };
 
 struct LongNote {
@@ -36,6 +43,7 @@ struct LongNote {
   Text<40> words;
   Text<4> colour;
   static constexpr const char* typeName() { return "Note"; }
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("words", &LongNote::words), field("number", &LongNote::number),
                      field("colour", &LongNote::colour));

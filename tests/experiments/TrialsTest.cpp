@@ -20,6 +20,7 @@ struct Part {
   std::string name;
   std::array<double, 2> place{};
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("name", &Part::name), field("place_cm", &Part::place, "cm"));
   }
@@ -32,6 +33,7 @@ struct Found {
   Values times;
   std::vector<Part> parts;
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("seed", &Found::seed), field("good", &Found::good),
                      field("error", &Found::error), field("times_s", &Found::times, "s"),
@@ -127,6 +129,7 @@ struct Row {
   bool open;
   std::size_t count;
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("t_s", &Row::time), field("who", &Row::who),
                      field("heading_deg", &Row::heading), field("colour", &Row::colour),

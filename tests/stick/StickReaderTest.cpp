@@ -319,28 +319,35 @@ TEST(StickFault, EveryReasonHasItsOwnLineAndLights) {
 
 struct Small {
   double number = 0.0;
-  static constexpr auto fields() { return fieldList(field("number", &Small::number, "cm", 0, 1)); }
+  template <int = 0>
+  static constexpr auto fields() {
+    return fieldList(field("number", &Small::number, "cm", 0, 1));
+  }
 };
 struct OtherUnit {
   double number = 0.0;
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("number", &OtherUnit::number, "mm", 0, 1));
   }
 };
 struct OtherRange {
   double number = 0.0;
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("number", &OtherRange::number, "cm", 0, 2));
   }
 };
 struct OtherName {
   double other = 0.0;
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("other", &OtherName::other, "cm", 0, 1));
   }
 };
 struct OtherType {
   float number = 0.0F;
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("number", &OtherType::number, "cm", 0, 1));
   }

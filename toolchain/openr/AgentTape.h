@@ -15,6 +15,7 @@ struct Moment {
   std::uint32_t number = 0;
   Image image;
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("exposed", &Moment::exposed, "us"), field("number", &Moment::number),
                      field("image", &Moment::image));
@@ -26,6 +27,7 @@ struct Answer {
   MotionOutput motion;
   agent::MotorsOut motors;
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("motion", &Answer::motion), field("motors", &Answer::motors));
   }

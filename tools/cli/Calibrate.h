@@ -2,10 +2,10 @@
 // The parts of `kelpie calibrate`, one file each, as subcommands of the command they are given.
 #pragma once
 
-#include <CLI/App.hpp>
 #include <string>
 
 #include "robot/core/Expected.h"
+#include "tools/cli/CommandLine.h"
 #include "vision/pixels/RingTable.h"
 
 namespace kelpie::cli {

@@ -3,6 +3,7 @@
 // that the behaviours choose kicks by.
 #include <fmt/core.h>
 
+#include <CLI/CLI.hpp>
 #include <memory>
 
 #include "tools/cli/Calibrate.h"

@@ -3,8 +3,7 @@
 // `code` is the exit code (Terminal.h).
 #pragma once
 
-#include <CLI/App.hpp>
-
+#include "tools/cli/CommandLine.h"
 #include "tools/cli/Terminal.h"
 
 namespace kelpie::cli {

@@ -3,6 +3,7 @@
 // that the stages make of them: a recording small enough to keep, and to compare with later.
 #include <fmt/core.h>
 
+#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
 

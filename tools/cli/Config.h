@@ -2,12 +2,12 @@
 // The options that make an agent's configuration, the same for kelpie-agent, import and replay.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <map>
 #include <string>
 #include <vector>
 
 #include "robot/agent/AgentConfig.h"
+#include "tools/cli/CommandLine.h"
 #include "tools/cli/Usage.h"
 
 namespace kelpie::cli {

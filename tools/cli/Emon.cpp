@@ -2,6 +2,7 @@
 // Where a robot's program died: the addresses of its EMON.LOG as functions and lines.
 #include <fmt/core.h>
 
+#include <CLI/CLI.hpp>
 #include <charconv>
 #include <memory>
 

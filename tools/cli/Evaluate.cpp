@@ -2,6 +2,7 @@
 // `kelpie evaluate` becomes the program kelpie-experiments, which has the options and the figures.
 #include <unistd.h>
 
+#include <CLI/CLI.hpp>
 #include <cerrno>
 #include <cstring>
 #include <string>

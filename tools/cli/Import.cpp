@@ -3,6 +3,7 @@
 // stages make of them, so that it can be shown, filmed and checked like the log of a match.
 #include <fmt/core.h>
 
+#include <CLI/CLI.hpp>
 #include <memory>
 
 #include "gps/pose/Focal.h"

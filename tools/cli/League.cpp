@@ -2,6 +2,7 @@
 // kelpie league: many matches between the folders of several teams, and who plays better.
 #include <fmt/core.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
 #include <fstream>

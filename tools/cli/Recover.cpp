@@ -2,6 +2,7 @@
 // `kelpie recover`: what can be read of a damaged log, or of the logs that a killed match left.
 #include <fmt/core.h>
 
+#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
 

@@ -2,6 +2,7 @@
 // One frame of a log or of a folder of images, run through body and vision again and drawn.
 #include <fmt/core.h>
 
+#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/cli/StagingOptions.h"
 
+#include <CLI/CLI.hpp>
+
 namespace kelpie::cli {
 
 void addStagingOptions(CLI::App& command, sim::StagingWords& staging) {

@@ -2,8 +2,7 @@
 // --place, --ball and --throw: the same words for play and kelpie-world.
 #pragma once
 
-#include <CLI/CLI.hpp>
-
+#include "tools/cli/CommandLine.h"
 #include "tools/sim/Staging.h"
 
 namespace kelpie::cli {

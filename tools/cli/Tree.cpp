@@ -2,6 +2,7 @@
 // The behaviours' decision tree as a picture, with how often a log's robot took each leaf.
 #include <fmt/core.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
 #include <limits>

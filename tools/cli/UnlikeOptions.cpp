@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/cli/UnlikeOptions.h"
 
+#include <CLI/CLI.hpp>
+
 #include "tools/cli/Usage.h"
 
 namespace kelpie::cli {

@@ -3,11 +3,11 @@
 // evaluate and kelpie-world.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <cstdint>
 #include <string>
 #include <vector>
 
+#include "tools/cli/CommandLine.h"
 #include "tools/sim/Unlike.h"
 
 namespace kelpie::cli {

@@ -3,8 +3,9 @@
 // whoever mistypes.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
+
+#include "tools/cli/CommandLine.h"
 
 namespace kelpie::cli {
 

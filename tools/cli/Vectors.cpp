@@ -2,6 +2,7 @@
 // The vector field of a skill: an arrow for what it asks the legs at each place of the field.
 #include <fmt/core.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
 #include <cmath>

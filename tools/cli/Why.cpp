@@ -2,6 +2,7 @@
 // Why the robot did what it did, in sentences, from the traces that a log holds.
 #include <fmt/core.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <limits>

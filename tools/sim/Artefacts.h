@@ -27,6 +27,7 @@ struct ColourShift {
   std::array<double, 3> gain{1.0, 1.0, 1.0};
   std::array<double, 3> offset{0.0, 0.0, 0.0};
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("gain", &ColourShift::gain, "", 0.898, 1.117),
                      field("offset", &ColourShift::offset, "", -13.6, 10.1));
@@ -57,6 +58,7 @@ struct ArtefactParams {
   double blurShare = 0.08;     // of each of the four neighbours
   double centreSd = 2.0;       // px, of a robot's ring centres about those of 2005 [chosen]
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("ring", &ArtefactParams::ring),
                      field("centres", &ArtefactParams::centres),

@@ -17,6 +17,7 @@ struct NeckPlay {
   Angle headPan;
   Angle headNod;
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("neckTilt", &NeckPlay::neckTilt, "rad", 0, 20),
                      field("headPan", &NeckPlay::headPan, "rad", 0, 20),

@@ -19,6 +19,7 @@ struct BallParams {
   double wallRestitution = 0.5;
   double maxSpeed = 300.0;  // cm/s
 
+  template <int = 0>
   static constexpr auto fields() {
     using P = BallParams;
     return fieldList(field("keptPerFrame", &P::keptPerFrame, "", 0.5, 1),

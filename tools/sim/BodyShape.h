@@ -20,6 +20,7 @@ struct Lean {
   Angle roll;
 
   bool level() const { return tilt.rad() == 0.0 && roll.rad() == 0.0; }
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("tilt", &Lean::tilt, "rad", -45, 45),
                      field("roll", &Lean::roll, "rad", -45, 45));

@@ -23,6 +23,7 @@ struct CameraParams {
   double textureAmount = 5.0;  // grey levels, sd about a third of it
   bool light = true;           // the scene's second light, and stripes of the carpet
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("artefacts", &CameraParams::artefacts),
                      field("splits", &CameraParams::splits, "", 0, 4),

@@ -17,6 +17,7 @@ struct Lens {
   double principalX = 104.0;  // px
   double principalY = 80.0;   // px
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("focal", &Lens::focal, "px", 100, 400),
                      field("principalX", &Lens::principalX, "px", 0, 208),

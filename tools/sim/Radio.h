@@ -21,6 +21,7 @@ struct RadioParams {
   double jitter = 0.03;   // s more at most, uniform [chosen]
   double range = 2000.0;  // cm; the field's diagonal is 650
 
+  template <int = 0>
   static constexpr auto fields() {
     using P = RadioParams;
     return fieldList(field("loss", &P::loss, "", 0, 1), field("delay", &P::delay, "s", 0, 10),

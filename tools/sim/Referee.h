@@ -25,6 +25,7 @@ struct RefereeParams {
   bool controlled = false;               // from outside; `rules` are not asked then
   TeamColour kickOff = TeamColour::red;  // of the first half; with rules only
 
+  template <int = 0>
   static constexpr auto fields() {
     using P = RefereeParams;
     return fieldList(field("seconds", &P::seconds, "s", 0, 1e5),

@@ -18,6 +18,7 @@ struct ResistanceParams {
   double settleTicks = 4.0;  // of what is felt of a push
   double dutyNoise = 0.03;   // sd of every motor's duty
 
+  template <int = 0>
   static constexpr auto fields() {
     using P = ResistanceParams;
     return fieldList(field("grip", &P::grip, "", 0, 0.95), field("gripSd", &P::gripSd, "", 0, 1),

@@ -33,6 +33,7 @@ struct WeakLegParams {
   double left = 0.63;
   double turn = 0.5;
 
+  template <int = 0>
   static constexpr auto fields() {
     using P = WeakLegParams;
     return fieldList(field("below", &P::below, "", 0, 1), field("forward", &P::forward, "", 0, 1),
@@ -50,6 +51,7 @@ struct GroundParams {
 
   static GroundParams plain() { return {1.0, 1.0, 1.0}; }
 
+  template <int = 0>
   static constexpr auto fields() {
     using P = GroundParams;
     return fieldList(field("forward", &P::forward, "", 0.1, 3), field("left", &P::left, "", 0.1, 3),
@@ -70,6 +72,7 @@ struct RobotParams {
   ResistanceParams resistance;
   WeakLegParams weak;
 
+  template <int = 0>
   static constexpr auto fields() {
     using P = RobotParams;
     return fieldList(field("lagTicks", &P::lagTicks, "", 0, 20),

@@ -75,6 +75,7 @@ struct Uniform {
   double scuffs = 0.0;  // of the shell's white or of dirt, on each upright face, mean number
   double gloss = 1.0;   // width and frequency of ShineParams, times this
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("fade", &Uniform::fade, "", 0, 1),
                      field("scuffs", &Uniform::scuffs, "", 0, 20),
@@ -101,6 +102,7 @@ struct ShineParams {
   double share = 0.4;      // of an edge
   double strength = 0.85;  // of the way from the uniform's red to full yellow or pink
 
+  template <int = 0>
   static constexpr auto fields() {
     using P = ShineParams;
     return fieldList(field("on", &P::on), field("width", &P::width, "cm", 0, 4),
@@ -118,6 +120,7 @@ struct SecondLight {
   double warmth = 0.0;    // levels of Cr more and Cb less at its side, of something white
 
   bool on() const { return strength != 0.0 || warmth != 0.0; }
+  template <int = 0>
   static constexpr auto fields() {
     using P = SecondLight;
     return fieldList(field("side", &P::side, "rad", -180, 180),
@@ -132,6 +135,7 @@ struct Stripes {
   double contrast = 0.0;  // share brighter and darker by turns
 
   bool on() const { return contrast != 0.0; }
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("width", &Stripes::width, "cm", 10, 1000),
                      field("contrast", &Stripes::contrast, "", 0, 1));
@@ -146,6 +150,7 @@ struct Venue {
   SecondLight light;
   std::uint64_t room = 0;  // seed of walls, floor, boards and tables; 0: plain walls
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("tapeWidth", &Venue::tapeWidth, "cm", 0, 20),
                      field("carpet", &Venue::carpet, "", 0.1, 3), field("stripes", &Venue::stripes),

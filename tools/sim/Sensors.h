@@ -21,6 +21,7 @@ struct SensorParams {
   // draws 2200 mA [chosen: below the 2500 at which legs get strong again, facts-2005 section 2.5].
   double currentPerSquare = 280.0;
 
+  template <int = 0>
   static constexpr auto fields() {
     using P = SensorParams;
     return fieldList(field("distanceNoise", &P::distanceNoise, "", 0, 0.5),

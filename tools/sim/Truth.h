@@ -21,6 +21,7 @@ struct RobotTruth {
   Pose2 pose;     // of the robot frame: the ground below the neck base
   Stance stance;  // of the real joints
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("team", &RobotTruth::team, "", 0, 1),
                      field("player", &RobotTruth::player, "", 1, 4),
@@ -40,6 +41,7 @@ struct TruthFrame {
   std::uint8_t redScore = 0;
   std::uint8_t blueScore = 0;
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(
         field("time", &TruthFrame::time, "us"), field("robots", &TruthFrame::robots),
@@ -78,6 +80,7 @@ struct MatchEvent {
   Text<40> reason;                    // in words
   Point2<Field> place;                // where the robot was, or where the ball is put
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("time", &MatchEvent::time, "us"),
                      field("kind", &MatchEvent::kind, "", 0, 14),

@@ -85,6 +85,7 @@ struct BodyFaults {
   NeckPlay play;
   std::array<double, 3> accelerationBias{};  // forward, left, up
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("lean", &BodyFaults::lean), field("play", &BodyFaults::play),
                      field("accelerationBias", &BodyFaults::accelerationBias, "cm/s2", -981, 981));
@@ -100,6 +101,7 @@ struct UnlikeRobot {
   std::array<double, 3> tone{1.0, 1.0, 1.0};  // as RobotCamera has it
   Uniform uniform;
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(
         field("body", &UnlikeRobot::body), field("physics", &UnlikeRobot::physics),
@@ -114,6 +116,7 @@ struct UnlikeWorld {
   FixedVector<UnlikeRobot, kMaxRobots> robots;
   Venue venue;
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("robots", &UnlikeWorld::robots), field("venue", &UnlikeWorld::venue));
   }

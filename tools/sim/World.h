@@ -47,6 +47,7 @@ struct WorldParams {
   bool spectators = true;  // people and coloured things around the field
   bool ownLegs = true;     // a robot can see its own front legs
 
+  template <int = 0>
   static constexpr auto fields() {
     using P = WorldParams;
     return fieldList(

@@ -29,6 +29,7 @@ struct BallFacts {
   double heightError = 0.0;  // of ballHeightError
   double standsAlone = 0.0;  // 1: all of the patch should be the ball
 
+  template <int = 0>
   static constexpr auto fields() {
     using Facts = BallFacts;
     return fieldList(

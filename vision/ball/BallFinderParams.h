@@ -25,6 +25,7 @@ struct BallFinderParams {
   double edgeSd = 0.3;                // px, of the radius
   Angle headingSd = Angle::deg(0.7);
 
+  template <int = 0>
   static constexpr auto fields() {
     using P = BallFinderParams;
     return fieldList(field("minSamples", &P::minSamples, "", 1, 100),

@@ -31,6 +31,7 @@ struct BeaconFacts {
   double bottomCut = 0.0;
   double widthCut = 0.0;  // 1: by the image's border, and not too wide all the same
 
+  template <int = 0>
   static constexpr auto fields() {
     using Facts = BeaconFacts;
     return fieldList(

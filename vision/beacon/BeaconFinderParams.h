@@ -18,6 +18,7 @@ struct BeaconFinderParams {
   double edgeSd = 0.35;                    // px, of each band edge
   Angle headingSd = Angle::deg(0.7);
 
+  template <int = 0>
   static constexpr auto fields() {
     using P = BeaconFinderParams;
     return fieldList(field("minSamples", &P::minSamples, "", 1, 100),

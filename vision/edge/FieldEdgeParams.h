@@ -12,6 +12,7 @@ struct HorizonScanParams {
   double aboveHorizon = 12;  // px that a scan line begins above the horizon, which is noisy
   double denseDepth = 96;    // px below the horizon where every second line ends: 27 deg
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("aboveHorizon", &HorizonScanParams::aboveHorizon, "px", -160, 160),
                      field("denseDepth", &HorizonScanParams::denseDepth, "px", 0, 300));
@@ -35,6 +36,7 @@ struct FieldEdgeParams {
   double minShare = 0.35;     // of the scan lines with a feature, all edges together
   std::uint32_t seed = 2006;  // of the sampling, afresh for each image
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("window", &FieldEdgeParams::window, "px", 2, 32),
                      field("minGreen", &FieldEdgeParams::minGreen, "", 0, 1),

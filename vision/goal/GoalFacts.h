@@ -35,6 +35,7 @@ struct GoalFacts {
   double beaconError = 0.0;  // cm by which the goal is too near to a beacon or too far from it
   double offCarpetDistance = 0.0;  // cm of the camera off the carpet, as goal and beacon place it
 
+  template <int = 0>
   static constexpr auto fields() {
     using Facts = GoalFacts;
     return fieldList(

@@ -35,6 +35,7 @@ struct GoalFinderParams {
   Angle directionSd = Angle::deg(1);  // camera against ground, while walking
   Angle headingSd = Angle::deg(1);
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(
         field("minSamples", &GoalFinderParams::minSamples, "", 1, 1000),

@@ -40,6 +40,7 @@ struct LinePointParams {
   // 5 deg, the fastest measured (`kelpie evaluate line-points`).
   Angle maxHeadSpeed = Angle::deg(5.2);
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("minStep", &LinePointParams::minStep, "", 1, 100),
                      field("minContrast", &LinePointParams::minContrast, "", 1, 200),

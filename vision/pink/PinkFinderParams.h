@@ -30,6 +30,7 @@ struct PinkFinderParams {
   Angle directionSd = Angle::deg(1);  // camera against ground, while walking
   Angle headingSd = Angle::deg(0.7);
 
+  template <int = 0>
   static constexpr auto fields() {
     using P = PinkFinderParams;
     return fieldList(field("wanted", &P::wanted), field("onField", &P::onField),

@@ -50,7 +50,10 @@ struct ColourTable {
   // The colour in the middle of a cell.
   static Yuv centreOf(std::size_t cell);
 
-  static constexpr auto fields() { return fieldList(field("cells", &ColourTable::cells)); }
+  template <int = 0>
+  static constexpr auto fields() {
+    return fieldList(field("cells", &ColourTable::cells));
+  }
 };
 
 // Class ids of the 2005 release (facts-2005 section 3); 2 (an unused green), 11, 12 (drawing

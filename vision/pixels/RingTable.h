@@ -39,6 +39,7 @@ struct RingCentre {
   std::int32_t column = kMiddleColumn;
   std::int32_t row = kMiddleRow;
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("column", &RingCentre::column, "px", kMiddleColumn - kMaxCentreOffset,
                            kMiddleColumn + kMaxCentreOffset),
@@ -85,6 +86,7 @@ struct RingTable {
   Yuv operator()(Yuv raw, RingPlace at) const {
     return {y[256U * at.y + raw.y], cr[256U * at.cr + raw.cr], cb[256U * at.cb + raw.cb]};
   }
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("y", &RingTable::y), field("cr", &RingTable::cr),
                      field("cb", &RingTable::cb), field("centre", &RingTable::centre));

@@ -16,6 +16,7 @@ struct VisionCalibration {
   ColourTable colour;
   RingTable ring;
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("colour", &VisionCalibration::colour),
                      field("ring", &VisionCalibration::ring));

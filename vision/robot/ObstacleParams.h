@@ -17,6 +17,7 @@ struct ObstacleParams {
   double aheadSide = 25;      // cm, half the width of the box ahead
   double aheadFar = 100;      // cm, its length
 
+  template <int = 0>
   static constexpr auto fields() {
     using P = ObstacleParams;
     return fieldList(field("maxOfCarpet", &P::maxOfCarpet, "", 0, 1),

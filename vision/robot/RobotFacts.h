@@ -23,6 +23,7 @@ struct RobotFacts {
   double footBelowEdge = 0.0;  // px of its foot below the field edge
   double footCut = 0.0;        // 1: the image ends before the foot
 
+  template <int = 0>
   static constexpr auto fields() {
     using Facts = RobotFacts;
     return fieldList(

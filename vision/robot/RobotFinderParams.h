@@ -48,6 +48,7 @@ struct RobotFinderParams {
   Angle directionSd = Angle::deg(1);  // camera against ground, while walking
   double headingSd = 4;               // cm across, of the middle of the patches
 
+  template <int = 0>
   static constexpr auto fields() {
     using P = RobotFinderParams;
     return fieldList(

@@ -38,6 +38,7 @@ struct Found {
   double focalSd = 0.0;
   std::string trouble;
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("told", &Found::told), field("tilt", &Found::tilt),
                      field("tiltSd", &Found::tiltSd), field("nod", &Found::nod),

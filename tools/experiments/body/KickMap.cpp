@@ -54,6 +54,7 @@ struct KickRow {
   Angle direction;
   double distance = 0.0;
 
+  template <int = 0>
   static constexpr auto fields() {
     using P = KickRow;
     return fieldList(

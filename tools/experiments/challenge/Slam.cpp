@@ -115,6 +115,7 @@ struct ChallengeResult {
   double poseMean = 0.0;
   double poseP95 = 0.0;
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(
         field("seed", &ChallengeResult::seed),
@@ -147,6 +148,7 @@ struct FrameRow {
   PinkUse use;
   bool mouth;
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(
         field("t_s", &FrameRow::time), field("x_cm", &FrameRow::x), field("y_cm", &FrameRow::y),
@@ -189,6 +191,7 @@ struct PinkRow {
   double width;
   double height;
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(
         field("t_s", &PinkRow::time), field("use", &PinkRow::use), field("x_cm", &PinkRow::x),

@@ -37,6 +37,7 @@ struct Share {
   }
   double value() const { return ratio(hits, all); }
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("hits", &Share::hits), field("all", &Share::all));
   }

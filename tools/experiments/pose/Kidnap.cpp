@@ -101,6 +101,7 @@ struct NamedTimes {
   Values times;       // s, of each recovery
   Values meanErrors;  // cm, of each match
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("name", &NamedTimes::name), field("times", &NamedTimes::times, "s"),
                      field("meanErrors", &NamedTimes::meanErrors, "cm"));
@@ -113,6 +114,7 @@ struct MatchRecord {
   Values firstLandmark;             // s, until it was seen
   Values secondLandmark;
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("filters", &MatchRecord::filters),
                      field("firstLandmark", &MatchRecord::firstLandmark, "s"),
@@ -138,6 +140,7 @@ struct FilterRow {
   double sd;
   std::size_t landmarks;
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("t_s", &FilterRow::time), field("filter", &FilterRow::filter),
                      field("error_cm", &FilterRow::error), field("error_deg", &FilterRow::errorDeg),

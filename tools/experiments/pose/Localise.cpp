@@ -59,6 +59,7 @@ struct NamedTrack {
   std::string name;
   ErrorTrack errors;
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("name", &NamedTrack::name), field("errors", &NamedTrack::errors));
   }
@@ -72,6 +73,7 @@ struct MatchResult {
   int outs = 0;
   double mean = 0.0;
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("seed", &MatchResult::seed), field("goals", &MatchResult::goals),
                      field("own_goals", &MatchResult::ownGoals), field("outs", &MatchResult::outs),
@@ -87,6 +89,7 @@ struct MatchRecord {
   SenseErrors senses;
   MatchResult result;
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("tracks", &MatchRecord::tracks),
                      field("binMeans", &MatchRecord::binMeans, "cm"),
@@ -113,6 +116,7 @@ struct FrameRow {
   double forward, left;
   Angle turn;  // a second
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(
         field("t_s", &FrameRow::time), field("x_cm", &FrameRow::x), field("y_cm", &FrameRow::y),

@@ -59,6 +59,7 @@ struct PoseError {
   double deg = 0.0;
   double nees = 0.0;  // squared error over the claimed covariance (NEES); 3 on average if true
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("cm", &PoseError::cm), field("deg", &PoseError::deg),
                      field("nees", &PoseError::nees));
@@ -72,6 +73,7 @@ struct ErrorTrack {
   Values deg;
   Values nees;
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("cm", &ErrorTrack::cm), field("deg", &ErrorTrack::deg),
                      field("nees", &ErrorTrack::nees));

@@ -19,6 +19,7 @@ struct LandmarkErrors {
   Values distanceOverSd;
   Values headingOverSd;
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("distance", &LandmarkErrors::distance),
                      field("heading", &LandmarkErrors::heading, "deg"),
@@ -37,6 +38,7 @@ struct OdometryErrors {
   Values reported;
   Values real;
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("reported", &OdometryErrors::reported),
                      field("real", &OdometryErrors::real));
@@ -56,6 +58,7 @@ struct SenseErrors {
   OdometryErrors forward, left;  // cm
   OdometryErrors turn;           // deg
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(
         field("seconds", &SenseErrors::seconds, "s"),
@@ -82,6 +85,7 @@ struct LandmarkRow {
   double headingSd = 0.0;  // deg
   bool cut = false;        // by the image's border
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("t_s", &LandmarkRow::time), field("kind", &LandmarkRow::kind),
                      field("distance_cm", &LandmarkRow::distance),

@@ -21,6 +21,7 @@ struct StandErrors {
   PoseError with;
   PoseError without;
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("with", &StandErrors::with), field("without", &StandErrors::without));
   }
@@ -30,7 +31,10 @@ struct StandErrors {
 struct Stands {
   std::vector<StandErrors> errors;
 
-  static constexpr auto fields() { return fieldList(field("errors", &Stands::errors)); }
+  template <int = 0>
+  static constexpr auto fields() {
+    return fieldList(field("errors", &Stands::errors));
+  }
 };
 
 class Stand {

@@ -48,6 +48,7 @@ struct Walked {
   int falsePercepts = 0;
   int looked = 0;  // frames
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("cm", &Walked::cm, "cm"), field("tiltDeg", &Walked::tiltDeg, "deg"),
                      field("seen", &Walked::seen), field("falsePercepts", &Walked::falsePercepts),
@@ -224,7 +225,10 @@ Walked walk(const agent::AgentConfig& config, const sim::UnlikeParams& unlike, s
 struct Walks {
   std::vector<Walked> tilts;  // in the order of kTilts
 
-  static constexpr auto fields() { return fieldList(field("tilts", &Walks::tilts)); }
+  template <int = 0>
+  static constexpr auto fields() {
+    return fieldList(field("tilts", &Walks::tilts));
+  }
 };
 
 // One robot with each of the tilts.

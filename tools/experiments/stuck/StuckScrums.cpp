@@ -46,6 +46,7 @@ struct ScrumTrack {
   ErrorTrack inside;
   ErrorTrack after;
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("name", &ScrumTrack::name),
                      field("recovery", &ScrumTrack::recovery, "s"),
@@ -78,6 +79,7 @@ struct ScrumRecord {
   Share heldNoticed;               // frames held that were thought stuck
   Share freeNoticed;
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("tracks", &ScrumRecord::tracks),
                      field("heldNoticed", &ScrumRecord::heldNoticed),

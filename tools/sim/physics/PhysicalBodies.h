@@ -20,6 +20,7 @@ struct PhysicalSensorParams {
   double jointNoiseSd = 0.0015;  // rad, of the sensed angles
   double dutyNoise = 0.03;       // sd of every motor's duty
 
+  template <int = 0>
   static constexpr auto fields() {
     using P = PhysicalSensorParams;
     return fieldList(field("jointNoiseSd", &P::jointNoiseSd, "rad", 0, 0.1),

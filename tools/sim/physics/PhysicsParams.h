@@ -19,6 +19,7 @@ struct Servo {
   double noLoad = 7.5;  // rad/s
   double kp = 10.0;     // N m/rad
 
+  template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("stall", &Servo::stall, "N m", 0.01, 10),
                      field("noLoad", &Servo::noLoad, "rad/s", 0.1, 100),
@@ -36,6 +37,7 @@ struct ServoParams {
   double armature = 0.0015;  // kg m2, a rotor of 0.5 to 1 g cm2 behind 1:150
   double legPlay = 0.0;      // rad between the two sides of a leg's gears
 
+  template <int = 0>
   static constexpr auto fields() {
     using P = ServoParams;
     return fieldList(field("leg", &P::leg), field("shoulderGain", &P::shoulderGain, "", 0.1, 2),
@@ -55,6 +57,7 @@ struct MassParams {
   double upperLeg = 0.10;  // with the shoulder
   double lowerLeg = 0.05;
 
+  template <int = 0>
   static constexpr auto fields() {
     using P = MassParams;
     return fieldList(
@@ -70,6 +73,7 @@ struct ContactParams {
   double plastic = 0.3;  // of robots on robots
   double time = 0.02;    // s, of the contact's spring
 
+  template <int = 0>
   static constexpr auto fields() {
     using P = ContactParams;
     return fieldList(field("carpet", &P::carpet, "", 0.05, 3),
@@ -87,6 +91,7 @@ struct PhysicalBallParams {
   double drag = 0.76;  // 1/s
   double roll = 0.06;  // m/s2
 
+  template <int = 0>
   static constexpr auto fields() {
     using P = PhysicalBallParams;
     return fieldList(
@@ -103,6 +108,7 @@ struct PhysicsParams {
   PhysicalBallParams ball;
   double step = 0.002;  // s, the longest; 0.004 is as good where only walks are learnt
 
+  template <int = 0>
   static constexpr auto fields() {
     using P = PhysicsParams;
     return fieldList(field("servo", &P::servo), field("mass", &P::mass),
