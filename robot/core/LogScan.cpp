@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstring>
 #include <vector>
 
 namespace kelpie {
@@ -28,10 +29,9 @@ struct Head {
 };
 
 Head headAt(const std::uint8_t* from) {
-  mcap::ContentReader content(from, mcap::kRecordHead);
   Head head;
-  head.op = content.number<std::uint8_t>();
-  head.length = content.number<std::uint64_t>();
+  head.op = from[0];
+  std::memcpy(&head.length, from + 1, sizeof head.length);
   return head;
 }
 
@@ -114,10 +114,11 @@ std::optional<std::uint64_t> LogScan::next(std::uint64_t from, ScanFor scanFor) 
   std::vector<std::uint8_t> window;
   std::size_t span = kFirstWindow;
   for (; from + mcap::kRecordHead <= size_; from += span, span = std::min(2 * span, kWindow)) {
-    window.resize(static_cast<std::size_t>(
-        std::min<std::uint64_t>(span + mcap::kRecordHead - 1, size_ - from)));
-    if (!readAt(file_, from, window.data(), window.size())) return {};
-    for (std::size_t i = 0; i + mcap::kRecordHead <= window.size(); ++i) {
+    window.resize(span + mcap::kRecordHead - 1);
+    const auto count =
+        static_cast<std::size_t>(std::min<std::uint64_t>(window.size(), size_ - from));
+    if (!readAt(file_, from, window.data(), count)) return {};
+    for (std::size_t i = 0; i + mcap::kRecordHead <= count; ++i) {
       const Head head = headAt(window.data() + i);
       const std::uint64_t left = size_ - from - i - mcap::kRecordHead;
       if (!head.possible() || head.length > left) continue;
