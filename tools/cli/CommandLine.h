@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The names of CLI11 for declarations: to include the library costs 5 s of compiling, which only
-// the files that define options pay.
+// The names of CLI11 for declarations: the library takes long to compile, and only the files that
+// define options include it.
 #pragma once
 
 namespace CLI {

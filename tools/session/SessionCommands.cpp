@@ -35,7 +35,7 @@ void addStaging(const sim::Staging& staging, Words& argv) {
 
 // What every agent of a match has in common.
 Words anyAgent(const SessionOptions& options, const std::string& team, std::uint64_t seed,
-               const Workshop& workshop) {
+               const Workshop& workshop, int life) {
   Words argv = {programFolder() + "/kelpie-agent",
                 "--socket",
                 workshop.path("world"),
@@ -53,6 +53,7 @@ Words anyAgent(const SessionOptions& options, const std::string& team, std::uint
                 options.radio == "udp" ? "udp" : "world",
                 options.physical ? "--physical" : "--fast"};
   addUnlessEmpty("--colour-table", options.colourTable, argv);
+  if (life > 0) argv.push_back("--again");
   return argv;
 }
 
@@ -119,7 +120,7 @@ std::string otherLog(const SessionOptions& options, const Workshop& workshop,
 }
 
 Words agentCommand(const SessionOptions& options, const Workshop& workshop, int life) {
-  Words argv = anyAgent(options, options.team, options.seed, workshop);
+  Words argv = anyAgent(options, options.team, options.seed, workshop, life);
   argv.insert(argv.end(), {"--player", std::to_string(options.player), "--status"});
   // Plain: it is compressed when it is joined with the world's.
   if (options.keepsLog())
@@ -134,13 +135,12 @@ Words agentCommand(const SessionOptions& options, const Workshop& workshop, int 
   addEach("--params", options.params, argv);
   addEach("--set", options.set, argv);
   addUnlessEmpty("--driver", options.driver, argv);
-  if (life > 0) argv.push_back("--again");
   return argv;
 }
 
 Words otherCommand(const SessionOptions& options, const OtherRobot& robot, const Workshop& workshop,
                    int life) {
-  Words argv = anyAgent(options, robot.team, robot.seed, workshop);
+  Words argv = anyAgent(options, robot.team, robot.seed, workshop, life);
   argv.insert(argv.end(), {"--player", std::to_string(robot.player)});
   if (options.keepAll || options.allLogs)
     argv.insert(argv.end(), {options.keepAll ? "--no-images" : "--planes", "--log",
@@ -148,7 +148,6 @@ Words otherCommand(const SessionOptions& options, const OtherRobot& robot, const
   addUnlessEmpty("--pycode", robot.pycode, argv);
   addEach("--params", robot.params, argv);
   addEach("--set", robot.set, argv);
-  if (life > 0) argv.push_back("--again");
   return argv;
 }
 

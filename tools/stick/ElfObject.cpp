@@ -122,17 +122,15 @@ const ElfObject::Code* ElfObject::instructionsAt(std::uint32_t address) const {
     return address >= section.address && address - section.address < section.size;
   };
   const auto found = std::find_if(instructions_.begin(), instructions_.end(), holds);
-  return found == instructions_.end() ? nullptr : &*found;
+  return address % 4 != 0 || found == instructions_.end() ? nullptr : &*found;
 }
 
-bool ElfObject::isCode(std::uint32_t address) const {
-  return address % 4 == 0 && instructionsAt(address) != nullptr;
-}
+bool ElfObject::isCode(std::uint32_t address) const { return instructionsAt(address) != nullptr; }
 
 std::optional<std::uint32_t> ElfObject::instruction(std::uint32_t address) const {
-  if (!isCode(address)) return std::nullopt;
-  const Code& section = *instructionsAt(address);
-  return word(section.offset + (address - section.address));
+  const Code* section = instructionsAt(address);
+  if (section == nullptr) return std::nullopt;
+  return word(section->offset + (address - section->address));
 }
 
 bool ElfObject::followsCall(std::uint32_t address) const {
