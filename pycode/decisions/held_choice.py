@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
-# The kick of a robot that holds the ball, asked in every frame of skills/grab_dribble.py: by the
-# rules of the thesis (decisions/kick_choice.py) once it has aimed, or by the map of where kicks go
-# (decisions/kick_map_choice.py); or a pass that is worth more (decisions/passing.py). Keeps the
+# The kick of a robot that holds the ball, asked in every frame of skills/ball/grab_dribble.py: by
+# the rules of the thesis (decisions/kick_choice.py) once it has aimed, or by the map of where kicks
+# go (decisions/kick_map_choice.py); or a pass that is worth more (decisions/passing.py). Keeps the
 # contest's latch of the attacker, the memory, and the mate of the pass. Answers None while the
 # robot should turn or carry on.
 import kelpie
 from decisions import kick_choice, kick_map_choice, passing
 from decisions.kick_choice import Hold
-from lib.aim import mouth
 from lib.geom import wrap
+from situation.aim import mouth
 
 UPENN_PLANS = {'grab_upenn_left': kelpie.UPENN_LEFT, 'grab_upenn_right': kelpie.UPENN_RIGHT}
 PASSES = {kick_choice.PASS_LEFT: kelpie.UPENN_LEFT, kick_choice.PASS_RIGHT: kelpie.UPENN_RIGHT}

@@ -8,8 +8,8 @@ import math
 import kelpie
 from decisions import positions, positions_passing
 from decisions.positions_regression import PLACE, RegressedPositions, attacker_angle, attacks
-from lib import keep_off
 from lib.ways import aside_of, attacker_of, point_of
+from situation import keep_off
 
 EVERY_FRAMES = 10     # of a regression: 14000 operations of the interpreter
 # Shares of width and length.

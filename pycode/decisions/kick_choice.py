@@ -4,7 +4,7 @@
 # is known in that frame; each answers (choice, reason, numbers...). Keeps nothing. The map's choice
 # is decisions/kick_map_choice.py.
 import kelpie
-from decisions import zones
+from lib import zones
 
 RELEASE, SPIN_AWAY, PASS_LEFT, PASS_RIGHT = 'release', 'spin_away', 'pass_left', 'pass_right'
 

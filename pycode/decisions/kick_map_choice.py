@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# Which kick of a held ball, by the map of where kicks send the ball (lib/kick_map.py, learnt on
+# Which kick of a held ball, by the map of where kicks send the ball (data/kick_map.py, learnt on
 # physical bodies), in place of the rules of the thesis: the one that is most likely a goal through
 # the free gap, and where none reaches, the one that brings the ball nearest. It kicks while turning
 # as soon as that is nearly as good as the aimed kick. Out of time it takes the best of all kicks,
@@ -10,9 +10,9 @@ import math
 import kelpie
 from decisions.kick_choice import RELEASE
 from lib import kick_table
-from lib.aim import mouth, size
 from lib.geom import wrap
-from lib.infrared import DEFAULT, near
+from situation.aim import mouth, size
+from situation.infrared import DEFAULT, near
 
 NEARLY = 0.93          # of the aimed kick's worth: turning on costs time
 STILL_GOOD = 0.8       # of it for who has stopped for the kick: gaps are seen unsteadily

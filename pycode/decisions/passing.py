@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # A deliberate pass of a held ball (world.task.passing; thesis 2006 section 8.2 names it as work to
-# come): the kick of the map (lib/kick_map.py) whose ball comes to rest at a mate that is better
+# come): the kick of the map (data/kick_map.py) whose ball comes to rest at a mate that is better
 # placed, on a way that no opponent is near. Keeps nothing. A mate is taken to stay where it says it
 # is; what it believes of its own place adds to where the ball may be missed.
 import math
@@ -9,15 +9,15 @@ from decisions.kick_map_choice import FALL_OFF, NEARNESS
 from decisions.roles import forwards
 from lib import kick_table
 from lib.geom import clamp, wrap
-from lib.keep_off import Lane
 from lib.ways import goal_of, point_of
+from situation.keep_off import Lane
 
 REACH = 60.0         # cm from the mate to where the ball comes to rest: 2 s of walking
 ON_WAY = 35.0        # cm from the ball's way: it is stopped by who stands there
 BLOCKED = 25.0       # cm from an opponent to the ball's way: half a body and the ball
 MARKED = 50.0        # cm from an opponent to a mate
 SEEN_S = 2.0         # s; of opponents
-SHOT_FROM = 230.0    # cm from which a ball reaches the goal (skills/grab_dribble.py)
+SHOT_FROM = 230.0    # cm from which a ball reaches the goal (skills/ball/grab_dribble.py)
 SHOT = 0.5           # worth of a shot at the goal from the line
 LOST = 0.25          # share of a worth that is lost in taking the ball
 LEAST_GAIN = 0.08    # by which a pass must be worth more than the own kick, to be begun

@@ -8,9 +8,9 @@ import math
 import kelpie
 from decisions.passing import MARKED, SEEN_S, clear
 from lib.geom import clamp
-from lib.keep_off import inside
-from lib.obstacles import opponent_within
 from lib.ways import goal_of
+from situation.keep_off import inside
+from situation.obstacles import opponent_within
 
 STEPS = ((0.0, 0.0), (70.0, 0.0), (-70.0, 0.0), (0.0, 60.0), (0.0, -60.0), (50.0, 50.0),
          (-50.0, 50.0))        # cm; the first is the tree's own place

@@ -2,12 +2,12 @@
 # Where who does not play the ball stands, by regression over examples of a person (thesis 2006
 # section 4.5.3) in place of trees: from ball, the attacker's direction to it and whether the team
 # attacks to places and headings of the defender and of the last robot. Keeps the examples of
-# decisions/examples.py with their mirror images, scaled as checklist G25 says. As good as the
+# data/examples.py with their mirror images, scaled as checklist G25 says. As good as the
 # examples: what nobody wrote down is drawn from what lies near.
 import math
 
 import kelpie
-from decisions.examples import EXAMPLES
+from data.examples import EXAMPLES
 from lib.geom import clamp, wrap
 from lib.regression import Regression
 

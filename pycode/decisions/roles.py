@@ -8,8 +8,8 @@ import math
 
 import kelpie
 from decisions import positions
-from lib import time_to
 from lib.ways import SILENT_S
+from situation import time_to
 
 SEES_S = 0.5         # s; facts-2005 section 7.1: "lost" for a ball that vision sees no more
 TIE_S = 0.06         # s; times that alike are a tie (symmetry break of facts-2005 section 7.1)

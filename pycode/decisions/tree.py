@@ -3,8 +3,8 @@
 # from a Situation. Nodes ask, leaves name skills; misprints are read as in checklist G27 to G33.
 # The thesis leaves open what happens at offensive edges and in offensive contests, and which of its
 # six leaves with grab a GrabDribble is: those sub-trees are ours. Keeps nothing.
-from decisions import zones
-from decisions.situation import FACING_GOAL, FAR_OUT, NEAR_LINE
+from lib import zones
+from situation.at_ball import FACING_GOAL, FAR_OUT, NEAR_LINE
 
 # Leaves with a grab,
 GRAB_TURN_KICK, GRAB_TURN_SHOOT, GRAB_DRIBBLE_GOAL, GRAB_DRIBBLE_STOP, GRAB_UPENN_LEFT, \

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# What a kick will do with the ball, read from the kick map (lib/kick_map.py), and with what chance
+# What a kick will do with the ball, read from the kick map (data/kick_map.py), and with what chance
 # that makes a goal. Places in cm in the robot frame, directions in degrees left of straight ahead,
 # both as the kick's motion begins; a walking robot goes on till then (at_kick). An outcome is a
 # tuple: chance that the ball goes, its direction, standard deviation (sd), how far it rolls in cm,
@@ -8,7 +8,7 @@
 import math
 
 import kelpie
-from lib import kick_map
+from data import kick_map
 from lib.geom import Point, clamp, polar, wrap
 
 Outcome = tuple[float, float, float, float, float]

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # Requests for legs and head that go to a point of the robot frame. Keeps nothing. The way is
-# straight: who has obstacles to mind asks lib/obstacles.py first.
+# straight: who has obstacles to mind asks situation/obstacles.py first.
 import math
 
 import kelpie

@@ -6,12 +6,12 @@
 # there is a map and which points are left. Fails when the pose is sure and wrong: it then announces
 # the wrong places.
 import kelpie
-from lib.machine import Machine
-from lib.pose_watch import is_sure
+from arbiter.machine import Machine
 from lib.route import points_of, shortest
 from lib.tune import Challenge
-from skills.go_to_point import GoToPoint
-from skills.look_round import LookRound
+from situation.pose_watch import is_sure
+from skills.walk.go_to_point import GoToPoint
+from skills.walk.look_round import LookRound
 
 
 class Challenger(Machine):

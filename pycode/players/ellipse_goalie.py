@@ -6,19 +6,19 @@
 # a gap go in, and it looks at nobody but the ball. Its thesis lets it out of the box; the rule of
 # 2006 holds for it, too (checklist K07).
 import kelpie
+from arbiter.machine import Machine
 from lib.goalie_places import beyond_box, central_place, ellipse_place, off_rear_wall
-from lib.machine import Machine
-from lib.memory import Memory
 from lib.tune_goalie import Attack, GuardEllipse, Paw
 from players.halted import Halted
-from skills.attack_ball import AttackBall
-from skills.clear_ball import clearing_kick
-from skills.ellipse_head import EllipseHead
-from skills.get_up import GetUp
-from skills.goalie_head import seen
-from skills.guard_goal import GuardGoal
-from skills.kick import Kick
-from skills.paw_kick import PawKick
+from situation.memory import Memory
+from skills.ball.attack_ball import AttackBall
+from skills.ball.clear_ball import clearing_kick
+from skills.ball.paw_kick import PawKick
+from skills.head.ellipse_head import EllipseHead
+from skills.head.goalie_head import seen
+from skills.motion.get_up import GetUp
+from skills.motion.kick import Kick
+from skills.walk.guard_goal import GuardGoal
 
 
 def attack_due(world) -> bool:

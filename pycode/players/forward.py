@@ -6,13 +6,13 @@
 # why, from here down to the skill.
 import kelpie
 from decisions.roles import NAMES, RoleChoice
-from lib import time_to
-from lib.memory import Memory
 from roles.attacker import Attacker
 from roles.supporter import Supporter
-from skills.get_up import GetUp
-from skills.take_place import TakePlace
-from skills.watch import Scan
+from situation import time_to
+from situation.memory import Memory
+from skills.head.watch import Scan
+from skills.motion.get_up import GetUp
+from skills.walk.take_place import TakePlace
 
 
 class Forward:

@@ -9,28 +9,28 @@
 import math
 
 import kelpie
+from arbiter.lasting import Lasting
+from arbiter.machine import Machine
 from lib.geom import from_field
 from lib.goalie_places import (LEAST_Y, TRUNK, beside, beyond_box, bisector_place, central_place,
                                facing, round_ball, takes_in)
-from lib.lasting import Lasting
-from lib.machine import Machine
-from lib.memory import Memory
-from lib.pose_watch import PoseWatch
-from lib.shot import coming, speed
 from lib.tune_goalie import Attack, Clear, Coming, Guard, Paws
-from lib.underfoot import Underfoot
 from lib.ways import point_of
 from players.halted import Halted
-from skills.attack_ball import AttackBall
-from skills.block import NAMES, ShotWatch
-from skills.clear_ball import clearing_kick, mate_grabs, opponent_at, opponent_has
-from skills.face_up_field import FaceUpField, crowded
-from skills.find_together import heard_of
-from skills.get_up import GetUp
-from skills.goalie_head import GoalieHead, seen
-from skills.guard_goal import GuardGoal, in_box
-from skills.kick import Kick
-from skills.step_back import StepBack
+from situation.memory import Memory
+from situation.pose_watch import PoseWatch
+from situation.shot import coming, speed
+from situation.underfoot import Underfoot
+from skills.ball.attack_ball import AttackBall
+from skills.ball.clear_ball import clearing_kick, mate_grabs, opponent_at, opponent_has
+from skills.ball.find_together import heard_of
+from skills.head.goalie_head import GoalieHead, seen
+from skills.motion.block import NAMES, ShotWatch
+from skills.motion.get_up import GetUp
+from skills.motion.kick import Kick
+from skills.walk.face_up_field import FaceUpField, crowded
+from skills.walk.guard_goal import GuardGoal, in_box
+from skills.walk.step_back import StepBack
 
 
 def under_chin(ball) -> bool:

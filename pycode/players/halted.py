@@ -2,8 +2,8 @@
 # What a goalie of either kind does while play is halted: stands and looks round, or before a
 # kick-off gets up and walks to its place. Keeps the way to that place.
 import kelpie
-from skills.take_place import TakePlace
-from skills.watch import Scan
+from skills.head.watch import Scan
+from skills.walk.take_place import TakePlace
 
 
 class Halted:

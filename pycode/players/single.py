@@ -2,17 +2,17 @@
 # One skill alone, begun anew in every frame: what it does at its first step from any place. For
 # drawings (`kelpie vectors`, the first iteration of thesis 2006 section 7.1.3). Keeps nothing.
 import kelpie
-from decisions.contested import Contested
 from decisions.held_choice import HeldChoice
 from decisions.tree import GRAB_DRIBBLE_GOAL
-from lib.goal import OpponentGoal
-from lib.memory import Memory
 from roles.attacker import Attacker
-from skills.avoid_own_box import AvoidOwnBox
-from skills.find_ball import FindBall
-from skills.grab_dribble import GrabDribble
-from skills.kick_ball import KickBall
-from skills.line_up_kick import LineUpKick
+from situation.contested import Contested
+from situation.goal import OpponentGoal
+from situation.memory import Memory
+from skills.ball.find_ball import FindBall
+from skills.ball.grab_dribble import GrabDribble
+from skills.ball.kick_ball import KickBall
+from skills.ball.line_up_kick import LineUpKick
+from skills.walk.avoid_own_box import AvoidOwnBox
 
 
 def grab_dribble(world, memory):

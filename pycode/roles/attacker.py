@@ -5,24 +5,24 @@
 # that is committed (a grab, a kick, a held ball) is not interrupted; any other may change in any
 # second frame: tree and map are a fifth of what an attacker may spend.
 import kelpie
+from arbiter.machine import Machine
 from decisions import tree
-from decisions.contested import Contested
 from decisions.held_choice import HeldChoice
 from decisions.leaf_by_map import LeafByMap
-from decisions.situation import Situation
 from lib.geom import from_field, heading
-from lib.goal import OpponentGoal
-from lib.machine import Machine
-from skills.active_localise import ActiveLocalise
-from skills.avoid_own_box import AvoidOwnBox
-from skills.dribble import Dribble
-from skills.find_ball import FindBall
-from skills.find_together import FindTogether
-from skills.glance import Glance
-from skills.grab_dribble import GrabDribble
-from skills.kick_ball import KickBall
-from skills.line_up_kick import LineUpKick
-from skills.paw_stuck import PawStuck
+from situation.at_ball import Situation
+from situation.contested import Contested
+from situation.goal import OpponentGoal
+from skills.ball.dribble import Dribble
+from skills.ball.find_ball import FindBall
+from skills.ball.find_together import FindTogether
+from skills.ball.grab_dribble import GrabDribble
+from skills.ball.kick_ball import KickBall
+from skills.ball.line_up_kick import LineUpKick
+from skills.head.active_localise import ActiveLocalise
+from skills.head.glance import Glance
+from skills.walk.avoid_own_box import AvoidOwnBox
+from skills.walk.paw_stuck import PawStuck
 
 LOST_FRAMES = 15        # the ball is looked for after so many without a sight,
 LOST_NEAR_FRAMES = 40   # or so many where the chin hides it

@@ -6,21 +6,21 @@
 import math
 
 import kelpie
+from arbiter.machine import Machine
 from decisions.home import Home
 from decisions.roles import NAMES
-from lib import keep_off, time_to
 from lib.geom import from_field
-from lib.machine import Machine
 from lib.steer import facing
 from lib.ways import aside_of
-from skills.avoid_attacker import AvoidAttacker
-from skills.avoid_own_box import clear_of, held_off
-from skills.bird_of_prey import BirdOfPrey
-from skills.find_ball import FindBall
-from skills.find_together import FindTogether, heard_of
-from skills.get_out_of_way import GetOutOfWay
-from skills.paw_stuck import PawStuck
-from skills.watch_play import WatchPlay
+from situation import keep_off, time_to
+from skills.ball.find_ball import FindBall
+from skills.ball.find_together import FindTogether, heard_of
+from skills.head.watch_play import WatchPlay
+from skills.walk.avoid_attacker import AvoidAttacker
+from skills.walk.avoid_own_box import clear_of, held_off
+from skills.walk.bird_of_prey import BirdOfPrey
+from skills.walk.get_out_of_way import GetOutOfWay
+from skills.walk.paw_stuck import PawStuck
 
 LOST_FRAMES = 40           # facts-2005 section 7.1: "anywhere"
 FAR = 100.0                # cm from home: Bird of Prey, which ends within

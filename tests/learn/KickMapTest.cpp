@@ -52,7 +52,7 @@ KickGrid smallGrid() {
 }
 
 std::string standardText() {
-  std::ifstream file(std::string(KELPIE_SOURCE_DIR) + "/pycode/lib/kick_map.py");
+  std::ifstream file(std::string(KELPIE_SOURCE_DIR) + "/pycode/data/kick_map.py");
   std::stringstream text;
   text << file.rdbuf();
   return text.str();

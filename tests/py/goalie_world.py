@@ -11,8 +11,8 @@ import random
 import kelpie
 from lib import kick_table
 from lib.tune_goalie import Guard
-from skills.guard_goal import GuardGoal
-from skills.point_scan import PointScan
+from skills.head.point_scan import PointScan
+from skills.walk.guard_goal import GuardGoal
 
 FRAME_S = 1.0 / 30.0
 LATE = 3            # frames from a command to the legs

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 import kelpie
 import pytest
-from lib.memory import Memory
-from skills.active_localise import (BACK_FRAMES, LOOK_FRAMES, ActiveLocalise, attacker_may_look,
-                                    due, interval)
+from situation.memory import Memory
+from skills.head.active_localise import (BACK_FRAMES, LOOK_FRAMES, ActiveLocalise,
+                                         attacker_may_look, due, interval)
 
 EAST = kelpie.BEACON_PINK_ON_BLUE
 WEST = kelpie.BEACON_BLUE_ON_PINK

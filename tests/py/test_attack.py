@@ -6,29 +6,29 @@ import copy
 import kelpie
 import pytest
 from decisions import tree
-from decisions.contested import Contested
 from decisions.held_choice import HeldChoice
-from lib.goal import OpponentGoal
-from lib.memory import Memory
 from players.challenger import Challenger
 from players.ellipse_goalie import EllipseGoalie
 from players.forward import Forward
 from players.goalie import Goalie
 from players.single import SKILLS, OneSkill
 from random_world import FRAME_S, RandomWorld, check
-from skills.active_localise import ActiveLocalise
-from skills.avoid_own_box import AvoidOwnBox
-from skills.dodge import Dodge
-from skills.dribble import Dribble
-from skills.find_ball import FindBall
-from skills.go_to_point import GoToPoint
-from skills.grab import Grab
-from skills.grab_dribble import GrabDribble
-from skills.kick_ball import PLACES, KickBall
-from skills.line_up_kick import LineUpKick
-from skills.look_round import LookRound
-from skills.paw_stuck import PawStuck
-from skills.roam import Roam
+from situation.contested import Contested
+from situation.goal import OpponentGoal
+from situation.memory import Memory
+from skills.ball.dodge import Dodge
+from skills.ball.dribble import Dribble
+from skills.ball.find_ball import FindBall
+from skills.ball.grab import Grab
+from skills.ball.grab_dribble import GrabDribble
+from skills.ball.kick_ball import PLACES, KickBall
+from skills.ball.line_up_kick import LineUpKick
+from skills.head.active_localise import ActiveLocalise
+from skills.walk.avoid_own_box import AvoidOwnBox
+from skills.walk.go_to_point import GoToPoint
+from skills.walk.look_round import LookRound
+from skills.walk.paw_stuck import PawStuck
+from skills.walk.roam import Roam
 
 FRAMES = 2500   # of a world
 

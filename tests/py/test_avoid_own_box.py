@@ -5,10 +5,10 @@ import random
 
 import kelpie
 import pytest
-from lib.memory import Memory
 from roles.attacker import BOX_WAIT_FRAMES, Attacker
-from skills.avoid_own_box import (ASIDE, EDGE, AvoidOwnBox, clear_of, in_own_box, place_to_stand,
-                                  triggered)
+from situation.memory import Memory
+from skills.walk.avoid_own_box import (ASIDE, EDGE, AvoidOwnBox, clear_of, in_own_box,
+                                       place_to_stand, triggered)
 
 FIELD = kelpie.FIELDS['2006']
 FRAME_S = 1.0 / 30.0

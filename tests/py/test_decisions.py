@@ -6,11 +6,13 @@ import random
 
 import kelpie
 import pytest
-from decisions import contested, tree, zones
-from decisions.contested import Contested
+from decisions import tree
 from decisions.leaf_by_map import LeafByMap
-from decisions.situation import Situation
-from lib.memory import Memory
+from lib import zones
+from situation import contested
+from situation.at_ball import Situation
+from situation.contested import Contested
+from situation.memory import Memory
 from situations import facing_up_point, put_ball, world
 
 FIELD = kelpie.FIELDS['2006']

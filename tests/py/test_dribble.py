@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """The ball that is driven on without a grab."""
 import pytest
-from lib.memory import Memory
+from situation.memory import Memory
 from situations import world
-from skills.dribble import Dribble
+from skills.ball.dribble import Dribble
 
 
 @pytest.mark.parametrize('goal_deg, ends', [(0.0, False), (90.0, False), (-90.0, False),

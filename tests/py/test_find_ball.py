@@ -5,14 +5,15 @@ import math
 import kelpie
 import pytest
 from lib import hints
-from lib.doubt import Doubt
-from lib.explored import Explored
-from lib.lost_ball import (CHAIN, SPIN_TURN, Situation, first_step, scan_half_width, scan_limits,
-                           sent_away, spin_head, spin_speed, use_back_off, use_belief, use_forced,
-                           use_hint, use_infrared, use_last_seen, use_scan, use_spin)
-from lib.memory import Memory
-from skills.find_ball import FindBall, ball_sd
-from skills.scan_for_ball import FRAMES_PER_S, LATE_FRAMES, ScanForBall, head_params
+from situation.memory import Memory
+from skills.ball.doubt import Doubt
+from skills.ball.explored import Explored
+from skills.ball.find_ball import FindBall, ball_sd
+from skills.ball.lost_ball import (CHAIN, SPIN_TURN, Situation, first_step, scan_half_width,
+                                   scan_limits, sent_away, spin_head, spin_speed, use_back_off,
+                                   use_belief, use_forced, use_hint, use_infrared, use_last_seen,
+                                   use_scan, use_spin)
+from skills.head.scan_for_ball import FRAMES_PER_S, LATE_FRAMES, ScanForBall, head_params
 
 ALL_HOLD = dict(frame=100, lost=3, force_until=110, hint_frame=95, ir=8.0, close_lost=10,
                 believed=True, distance=20.0)

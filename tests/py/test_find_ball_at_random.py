@@ -7,8 +7,8 @@ import random
 import kelpie
 import pytest
 from ideal_world import IdealWorld
-from lib.memory import Memory
-from skills.find_ball import FindBall
+from situation.memory import Memory
+from skills.ball.find_ball import FindBall
 
 FRAMES_PER_S = 30
 

@@ -6,12 +6,11 @@ import kelpie
 import pytest
 from goalie_world import GoalieWorld, anywhere, blind_after, run, scene, shot, told
 from lib import goalie_places as places
-from lib.pose_watch import BLIND, SURE_CM
-from lib.tune_goalie import Block, Clear, Guard, Look
-from lib.tune_goalie import PointScan as Scan
+from lib.tune_goalie import Block, Clear, Guard, Look, PointScan as Scan
 from players.goalie import Goalie
-from skills.guard_goal import GuardGoal
-from skills.point_scan import PointScan
+from situation.pose_watch import BLIND, SURE_CM
+from skills.head.point_scan import PointScan
+from skills.walk.guard_goal import GuardGoal
 
 
 def state(world, frames=Block.SEEN_FRAMES + Block.FRAMES):

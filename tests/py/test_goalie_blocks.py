@@ -6,13 +6,12 @@ import random
 import kelpie
 import pytest
 from goalie_world import BRAKE, DRAG, scene, speed_to_go
-from lib import goalie_places as places
-from lib import kick_table
-from lib.memory import Memory
+from lib import goalie_places as places, kick_table
 from lib.tune_goalie import Block, Clear
-from skills.block import ShotWatch, block_for
-from skills.clear_ball import (Clearance, clearance, clearing_kick, predicted, side_of, strikes,
-                               walks)
+from situation.memory import Memory
+from skills.ball.clear_ball import (Clearance, clearance, clearing_kick, predicted, side_of,
+                                    strikes, walks)
+from skills.motion.block import ShotWatch, block_for
 
 
 # Block choice (checklist A-4.3.1.4)

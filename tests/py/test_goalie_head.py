@@ -4,13 +4,12 @@ import math
 import kelpie
 import pytest
 from goalie_world import world_at
-from lib.memory import Memory
 from lib.tune import Watch
-from lib.tune_goalie import Look, Pan
-from lib.tune_goalie import PointScan as Tune
-from skills.ellipse_head import EllipseHead
-from skills.goalie_head import GoalieHead
-from skills.point_scan import PointScan, beacons
+from lib.tune_goalie import Look, Pan, PointScan as Tune
+from situation.memory import Memory
+from skills.head.ellipse_head import EllipseHead
+from skills.head.goalie_head import GoalieHead
+from skills.head.point_scan import PointScan, beacons
 
 NEAR_LEFT, FAR_LEFT, FAR_RIGHT, NEAR_RIGHT = (-15, 135), (-15, 405), (375, 405), (375, 135)
 

@@ -5,8 +5,8 @@ import random
 import kelpie
 import pytest
 from lib import goalie_places as places
-from lib import shot
 from lib.tune_goalie import Body
+from situation import shot
 
 FIELD = kelpie.FIELDS['2006']
 OLD = kelpie.FIELDS['2004']

@@ -6,8 +6,8 @@ import kelpie
 import pytest
 from goalie_world import blind_after, scene, told
 from players.goalie import Goalie
-from skills.clear_ball import opponent_has
-from skills.kick import Kick
+from skills.ball.clear_ball import opponent_has
+from skills.motion.kick import Kick
 
 
 def opponent(x, y, seen=0.0):

@@ -7,8 +7,8 @@ from goalie_world import GoalieWorld, run, world_at
 from lib import kick_table
 from lib.goalie_places import past_ball, to_field
 from lib.tune_goalie import Body, Guard, GuardEllipse
-from skills.attack_ball import AttackBall, Stand
-from skills.guard_goal import GuardGoal, in_box, walk_towards
+from skills.ball.attack_ball import AttackBall, Stand
+from skills.walk.guard_goal import GuardGoal, in_box, walk_towards
 
 
 def still(walk):

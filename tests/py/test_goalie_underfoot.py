@@ -7,9 +7,9 @@ import kelpie
 import pytest
 from goalie_world import scene
 from lib.tune_goalie import Paws
-from lib.underfoot import Underfoot
 from players.goalie import Goalie
-from skills.step_back import StepBack
+from situation.underfoot import Underfoot
+from skills.walk.step_back import StepBack
 
 FRAME_S = 1.0 / 30.0
 CARPET, BALL = 14.5, 10.5   # cm, what the infrared of the chest reads

@@ -5,15 +5,15 @@ import math
 
 import kelpie
 import pytest
-from lib import aim, infrared
-from lib.aim import Aim
-from lib.memory import Memory
+from situation import aim, infrared
+from situation.aim import Aim
+from situation.memory import Memory
 from situations import put_ball, world
-from skills import dodge
-from skills.dodge import Dodge
-from skills.grab import (DRAG, FAST_UNTIL, FAST_WITHIN, PREDICTED, SPIN_FROM, SPIN_UNTIL, Grab,
-                         approach, can_grab, walk_kind)
-from skills.hold import Hold
+from skills.ball import dodge
+from skills.ball.dodge import Dodge
+from skills.ball.grab import (DRAG, FAST_UNTIL, FAST_WITHIN, PREDICTED, SPIN_FROM, SPIN_UNTIL, Grab,
+                              approach, can_grab, walk_kind)
+from skills.ball.hold import Hold
 
 FIELD = kelpie.FIELDS['2006']
 LONG = 100  # frames since a large turn

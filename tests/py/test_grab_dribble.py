@@ -8,14 +8,15 @@ from decisions import tree
 from decisions.kick_choice import RELEASE
 from lib import hints
 from lib.geom import wrap
-from lib.memory import Memory
 from roles.attacker import FOLLOW, LOOK_AFTER, Attacker
+from situation.memory import Memory
 from situations import world
-from skills import dodge, step_back
-from skills.find_ball import FindBall
-from skills.grab_dribble import (BLOCKED_OUT, EDGE, FARTHEST, FEEL, OVER_TURN, OVER_TURN_Y,
-                                 SEARCH_SHARE, SEARCH_TURN, SETTLE, TIME_OUT, GrabDribble)
-from skills.hold import Hold
+from skills.ball import dodge
+from skills.ball.find_ball import FindBall
+from skills.ball.grab_dribble import (BLOCKED_OUT, EDGE, FARTHEST, FEEL, OVER_TURN, OVER_TURN_Y,
+                                      SEARCH_SHARE, SEARCH_TURN, SETTLE, TIME_OUT, GrabDribble)
+from skills.ball.hold import Hold
+from skills.walk import step_back
 
 FRAME_S = 1.0 / 30.0
 

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 import kelpie
 import pytest
-from lib.headway import AWAY, MOST_FRAMES, NEAR, NEARER, SEEN_S, Headway
-from skills.paw_stuck import PawStuck
+from situation.headway import AWAY, MOST_FRAMES, NEAR, NEARER, SEEN_S, Headway
+from skills.walk.paw_stuck import PawStuck
 
 
 def world_with(distance, forward=30.0, unseen_s=0.0, present=True):

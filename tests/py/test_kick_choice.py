@@ -4,7 +4,7 @@ import kelpie
 import pytest
 from decisions import kick_choice as choice
 from decisions.kick_choice import Hold
-from lib.memory import Memory
+from situation.memory import Memory
 from situations import world
 
 HARD, WEDGE = kelpie.HARD_FORWARD, kelpie.WEDGE

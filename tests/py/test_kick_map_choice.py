@@ -6,11 +6,11 @@ import pytest
 from decisions import kick_map_choice
 from decisions.kick_choice import RELEASE
 from lib import kick_table
-from lib.aim import Aim
-from lib.memory import Memory
+from situation.aim import Aim
+from situation.memory import Memory
 from situations import world
-from skills.grab_dribble import GrabDribble
-from skills.hold import Hold
+from skills.ball.grab_dribble import GrabDribble
+from skills.ball.hold import Hold
 
 
 def chosen(made, overdue):

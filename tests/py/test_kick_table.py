@@ -7,7 +7,8 @@ from types import SimpleNamespace
 
 import kelpie
 import pytest
-from lib import kick_map, kick_table
+from data import kick_map
+from lib import kick_table
 from lib.geom import heading, moved
 
 FIELD = kelpie.FIELDS['2006']

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 import kelpie
 import pytest
-from lib.machine import Machine
+from arbiter.machine import Machine
 
 
 class Lamp(Machine):

@@ -5,7 +5,7 @@ import random
 
 import kelpie
 import pytest
-from lib import obstacles
+from situation import obstacles
 
 HERE = kelpie.Pose2(position=kelpie.Point2(x=180.0, y=270.0), heading_deg=90.0)
 

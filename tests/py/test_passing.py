@@ -5,14 +5,14 @@ import math
 import kelpie
 import pytest
 from decisions import passing, positions_passing
-from decisions.contested import Contested
 from decisions.held_choice import HeldChoice
 from lib import kick_table
-from lib.memory import Memory
 from roles.supporter import Supporter
+from situation.contested import Contested
+from situation.memory import Memory
 from situations import world
-from skills.grab_dribble import GrabDribble
-from skills.hold import Hold
+from skills.ball.grab_dribble import GrabDribble
+from skills.ball.hold import Hold
 from test_roles import A, S, mate
 
 BALL = (100.0, 208.0)

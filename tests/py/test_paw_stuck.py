@@ -4,7 +4,7 @@ import random
 
 import kelpie
 import pytest
-from skills.paw_stuck import BACK_S, DEAF_S, FELT_S, HELD_DEAF_S, PawStuck
+from skills.walk.paw_stuck import BACK_S, DEAF_S, FELT_S, HELD_DEAF_S, PawStuck
 
 FRAME_S = 1.0 / 30.0
 

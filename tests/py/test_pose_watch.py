@@ -4,8 +4,8 @@ import math
 import kelpie
 import pytest
 from lib import geom
-from lib.pose_watch import (BACK_CM, BACK_DEG, BLIND, BLIND_SURE, LIKELY, LONGEST, SURE_CM,
-                            PoseWatch, moved, torn)
+from situation.pose_watch import (BACK_CM, BACK_DEG, BLIND, BLIND_SURE, LIKELY, LONGEST, SURE_CM,
+                                  PoseWatch, moved, torn)
 
 
 class Walk:

@@ -6,9 +6,8 @@ import random
 
 import kelpie
 import pytest
-from decisions import positions
-from decisions import positions_regression as regressed
-from decisions.examples import EXAMPLES
+from data.examples import EXAMPLES
+from decisions import positions, positions_regression as regressed
 from lib import regression
 from lib.kd_tree import KdTree, squared
 

@@ -5,31 +5,32 @@ numbers at which rules change, where a mirrored number may fall on the other sid
 import math
 
 import kelpie
-from decisions import kick_choice, kick_map_choice, tree, zones
-from decisions.contested import Contested
+from decisions import kick_choice, kick_map_choice, tree
 from decisions.held_choice import HeldChoice
 from decisions.kick_choice import Hold
 from decisions.leaf_by_map import LeafByMap
-from decisions.situation import Situation
-from hypothesis import assume, given, settings
-from hypothesis import strategies as st
-from lib import aim, goalie_places, intercept, lost_ball
+from hypothesis import assume, given, settings, strategies as st
+from lib import goalie_places, intercept, zones
 from lib.geom import clamp, heading, moved, polar, wrap
-from lib.memory import Memory
-from lib.shot import Shot
 from lib.steer import towards
 from lib.tune_goalie import Guard
 from pytest import approx
+from situation import aim
+from situation.at_ball import Situation
+from situation.contested import Contested
+from situation.memory import Memory
+from situation.shot import Shot
 from situations import world
-from skills.block import block_for
-from skills.dribble import Dribble
-from skills.go_to_ball import GoToBall
-from skills.grab import Grab, can_grab
-from skills.grab_dribble import GrabDribble
-from skills.guard_goal import GuardGoal
-from skills.hold import Hold as Held
-from skills.kick_ball import PLACES, KickBall
-from skills.strike import StepToKick
+from skills.ball import lost_ball
+from skills.ball.dribble import Dribble
+from skills.ball.go_to_ball import GoToBall
+from skills.ball.grab import Grab, can_grab
+from skills.ball.grab_dribble import GrabDribble
+from skills.ball.hold import Hold as Held
+from skills.ball.kick_ball import PLACES, KickBall
+from skills.ball.strike import StepToKick
+from skills.motion.block import block_for
+from skills.walk.guard_goal import GuardGoal
 
 FIELD = kelpie.FIELDS['2006']
 settings.register_profile('kelpie', max_examples=120, derandomize=True, deadline=None,

@@ -4,7 +4,7 @@ import math
 import kelpie
 import pytest
 from lib.geom import from_field
-from skills.roam import Roam, beside
+from skills.walk.roam import Roam, beside
 
 FIELD = kelpie.FIELDS['2006']
 

@@ -9,8 +9,8 @@ import pytest
 from decisions import positions
 from decisions.roles import (CHALLENGE_S, HAND_OVER_S, RoleChoice, forwards, should_attack,
                              should_defend)
-from lib import time_to
-from lib.memory import Memory
+from situation import time_to
+from situation.memory import Memory
 from situations import put_ball, world
 
 HOME = (180.0, 85.0)

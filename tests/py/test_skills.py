@@ -1,15 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
 import pytest
 import kelpie
-from lib.goal import OpponentGoal
-from lib.memory import Memory
 from lib import tune
 from lib.tune import Goal, Strike
-from skills.go_to_ball import GoToBall, behind
-from skills.kick import Kick
-from skills.line_up import CircleBall, aim_error
-from skills.line_up_kick import LineUpKick
-from skills.strike import StepToKick
+from situation.goal import OpponentGoal
+from situation.memory import Memory
+from skills.ball.go_to_ball import GoToBall, behind
+from skills.ball.line_up import CircleBall, aim_error
+from skills.ball.line_up_kick import LineUpKick
+from skills.ball.strike import StepToKick
+from skills.motion.kick import Kick
 
 
 def world_with_ball(x, y):

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """The layers of pycode/, read from its text: main -> players -> roles -> decisions -> skills ->
-lib, and nothing else but `kelpie` and `math`."""
+safety -> situation -> arbiter -> lib -> data, and nothing else but `kelpie` and `math`."""
 import ast
 import pathlib
 import re
@@ -10,7 +10,8 @@ import pytest
 PYCODE = pathlib.Path(__file__).resolve().parent.parent.parent / 'pycode'
 FILES = sorted(PYCODE.rglob('*.py'))
 # A file may import from its own layer and those before it.
-LAYERS = ('lib', 'skills', 'decisions', 'roles', 'players', 'main')
+LAYERS = ('data', 'lib', 'arbiter', 'situation', 'safety', 'skills', 'decisions', 'roles',
+          'players', 'main')
 SHARED = ('kelpie', 'math')
 FUNCTION_LINES = 40
 SIGNATURES = {'walk': 'kelpie.WalkRequest', 'head': 'kelpie.HeadRequest',
@@ -48,7 +49,7 @@ def test_a_file_imports_nothing_of_the_layers_above_it(path):
 
 @pytest.mark.parametrize('layer, text, found', [
     ('lib', 'import math\nfrom lib.geom import clamp', []),
-    ('lib', 'from skills.kick import Kick', ['skills.kick']),
+    ('lib', 'from skills.motion.kick import Kick', ['skills.motion.kick']),
     ('lib', 'def late():\n    import players.forward', ['players.forward']),
     ('skills', 'from lib import geom\nfrom players import forward', ['players']),
     ('skills', 'from decisions import tree', ['decisions']),

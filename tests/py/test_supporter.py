@@ -7,17 +7,18 @@ import math
 import kelpie
 import pytest
 from decisions.score import goes_forward
-from lib import keep_off, kick_off_places, search_places, ways
+from lib import kick_off_places, search_places, ways
 from lib.geom import wrap
-from lib.memory import Memory
 from players.ellipse_goalie import EllipseGoalie
 from players.forward import Forward
 from players.goalie import Goalie
 from roles.supporter import Supporter
+from situation import keep_off
+from situation.memory import Memory
 from situations import put_ball, world
-from skills.bird_of_prey import BirdOfPrey
-from skills.find_together import FindTogether, heard_of
-from skills.take_place import TakePlace
+from skills.ball.find_together import FindTogether, heard_of
+from skills.walk.bird_of_prey import BirdOfPrey
+from skills.walk.take_place import TakePlace
 from test_roles import A, S, mate
 
 FIELD = kelpie.FIELDS['2006']

@@ -5,9 +5,9 @@ import random
 import kelpie
 import pytest
 from ideal_world import IdealWorld
-from lib.memory import Memory
 from lib.projection import FOCAL, Camera, ground_through
-from skills.track_ball import TrackBall
+from situation.memory import Memory
+from skills.head.track_ball import TrackBall
 
 RADIUS = 4.2  # cm
 

@@ -59,7 +59,7 @@ TEST(FastKick, OfAFreeBallFromItsBestPlaceGoesAsItsFileSaysToo) {
   }
 }
 
-// Rows of pycode/lib/kick_map.py for a robot that stands, measured by `kelpie calibrate kicks`.
+// Rows of pycode/data/kick_map.py for a robot that stands, measured by `kelpie calibrate kicks`.
 TEST(FastKick, OfAFreeBallAwayFromItsBestPlaceGoesAsThePhysicalOneDoes) {
   struct Measured {
     MotionKind kind;
@@ -122,7 +122,7 @@ TEST(FastKick, OfAHeldBallGoesAsThePhysicalOneDoes) {
     double distance;
     double left;
   };
-  // Rows HELD of pycode/lib/kick_map.py, measured by `kelpie calibrate kicks`.
+  // Rows HELD of pycode/data/kick_map.py, measured by `kelpie calibrate kicks`.
   const std::array<Measured, 4> all{{{MotionKind::hardForward, 164.0, 1.0},
                                      {MotionKind::wedge, 124.0, 1.0},
                                      {MotionKind::headSwipeLeft, 128.0, 73.0},

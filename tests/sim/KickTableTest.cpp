@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The compiled kick map against rows of pycode/lib/kick_map.py.
+// The compiled kick map against rows of pycode/data/kick_map.py.
 #include <gtest/gtest.h>
 
 #include "tools/sim/KickTable.h"

@@ -25,7 +25,7 @@ Models and places are drawn from the seed; `kelpie evaluate kick-map` says how r
 others. Takes minutes; an interrupt ends it and leaves the file as it was. docs/body.md, "The kick
 map".
 
-  kelpie calibrate kicks --out pycode/lib/kick_map.py
+  kelpie calibrate kicks --out pycode/data/kick_map.py
   kelpie calibrate kicks --trials 2 --step 4 --out -)";
 
 struct KicksOptions {

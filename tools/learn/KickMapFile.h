@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A kick map as the Python module that the behaviours read (pycode/lib/kick_map.py), numbers
+// A kick map as the Python module that the behaviours read (pycode/data/kick_map.py), numbers
 // rounded to what their spread makes worth telling, and read again from its text.
 #pragma once
 

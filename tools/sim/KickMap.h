@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What each kick does with the ball from each place of it: whether the ball goes, where to, how far
-// and how sure all that is. tools/learn measures it, pycode/lib/kick_map.py keeps it. A free ball
+// and how sure all that is. tools/learn measures it, pycode/data/kick_map.py keeps it. A free ball
 // lies anywhere within half a step of a grid's place, a held one where the hold has it. Of a pair
 // of kicks the left one is there, of a kick that is its own mirror image the places to the right.
 // Says nothing of a ball that rolls, nor of a robot that another one pushes.

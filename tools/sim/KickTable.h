@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What kicks do with the ball in the kinematic world: pycode/lib/kick_map.py, which `kelpie
+// What kicks do with the ball in the kinematic world: pycode/data/kick_map.py, which `kelpie
 // calibrate kicks` measured on varied physical models, compiled in. A step beyond the outermost
 // places no ball goes any more [chosen]. Fails for a ball that rolls.
 #pragma once

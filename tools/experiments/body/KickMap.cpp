@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How right the kick map of the behaviours is (pycode/lib/kick_map.py) on physical models that it
+// How right the kick map of the behaviours is (pycode/data/kick_map.py) on physical models that it
 // was not learnt on: kicks of free balls at random places of its grid and of held ones, by a robot
 // that stands, and by one that walks until it kicks. What the map says against what happens.
 #include <cmath>
@@ -267,7 +267,7 @@ class Judge {
 };
 
 Expected<Json> kickMap(const Request& request) {
-  const std::string path = std::string(KELPIE_SOURCE_DIR) + "/pycode/lib/kick_map.py";
+  const std::string path = std::string(KELPIE_SOURCE_DIR) + "/pycode/data/kick_map.py";
   std::ifstream file(path);
   std::stringstream text;
   text << file.rdbuf();

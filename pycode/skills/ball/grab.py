@@ -1,0 +1,161 @@
+# SPDX-License-Identifier: Apache-2.0
+# Walks at the ball and takes it between chin, chest and forelegs (thesis 2006 section 6.3): no side
+# steps, "can I grab" by six predicted frames, then the motion of 12 frames, or of 6 when the
+# infrared says that the ball is close. Keeps the state and when the motion was asked for. Whether
+# the ball is held it leaves to what the body feels afterwards (skills/ball/hold.py). Begun too
+# early the jaw comes down on the ball and pushes it away; late does no harm.
+import math
+
+import kelpie
+from arbiter.machine import Machine
+from lib import hints, intercept
+from lib.geom import clamp, heading
+from situation.infrared import near
+from skills.ball.hold import carry
+from skills.head.track_ball import TrackBall
+
+TURN_GAIN = 0.9          # Alg of section 6.3.3: the heading less 10 %, against over-turning
+TURN_SPEED = 120.0       # deg/s while it walks ahead,
+SPIN_SPEED = 200.0       # and on the spot with the turning walk,
+SPIN_FROM = 50.0         # deg: for a ball farther aside,
+SPIN_UNTIL = 30.0        # until it is no farther than this
+FAST_FROM = 33.0         # cm: from there on the fast walk, if the ball is ahead
+FAST_WITHIN = 20.0       # deg,
+FAST_UNTIL = 30.0        # until it is farther
+CLOSING = 31.0           # cm/s at least, ball ahead: slower, and the jaw meets the ball
+SPEED = 36.0             # cm/s
+
+PREDICTED = 6            # frames
+DRAG = 0.9               # of a velocity per predicted frame, Alg 6.3
+SIDE = 3.0               # cm
+AHEAD = 13.5             # cm
+TURNED = 15              # frames since a large turn; before that nearer only (G40)
+AFTER_TURN = 0.75
+FRAME_S = 1.0 / 30.0
+
+SEEN_S = 0.2             # s: nobody grabs a ball that it has not just seen
+IR_NEAR = 11.5           # cm of the chest's filtered infrared, which reads the carpet at 14
+FORWARD = 8.0            # cm/s that the motion ends with (actuator/data/motions/grab.toml)
+HINT_WITHIN = 40.0       # cm; a far ball that is lost need not be where the paws are
+START_S = 0.5            # for the motion to begin
+LONGEST_S = 2.0
+PAWS_NEAR, PAWS_FAR = 3.0, 11.0   # cm ahead of the neck: there a gripped ball lies (docs/body.md),
+PAWS_ASIDE = 4.0                  # and so far aside
+
+
+def walk_kind(away, aside, last):
+    """The walk for a point that far away and aside, when `last` is walked. Each is left later than
+    it is begun: two walks that took turns every frame cost the odometry 15 deg in a second."""
+    if abs(aside) > (SPIN_UNTIL if last == kelpie.WALK_TURNING else SPIN_FROM):
+        return kelpie.WALK_TURNING
+    fast = last == kelpie.WALK_FAST
+    if away > FAST_FROM and abs(aside) < (FAST_UNTIL if fast else FAST_WITHIN):
+        return kelpie.WALK_FAST
+    return kelpie.WALK
+
+
+def approach(point, last=kelpie.WALK) -> kelpie.WalkRequest:
+    """Straight at a point of the robot frame: walk(d cos h, 0, 0.9 h), section 6.3.3."""
+    away, aside = math.hypot(*point), heading(*point)
+    ahead = math.cos(math.radians(aside))
+    return kelpie.WalkRequest(forward=max(0.0, away * ahead), left=0.0, turn_deg=TURN_GAIN * aside,
+                              kind=walk_kind(away, aside, last))
+
+
+def limited(request, aside) -> kelpie.WalkRequest:
+    """What the legs can do of it, no slower ahead than a grab needs, and turned to twice as fast
+    as the thesis has it: 0.9 /s would curve past a ball 30 deg aside."""
+    if request.kind == kelpie.WALK_TURNING:
+        speed = clamp(3.0 * aside, -SPIN_SPEED, SPIN_SPEED)
+        return kelpie.WalkRequest(turn_deg=speed, kind=kelpie.WALK_TURNING)
+    if abs(aside) < 60.0:
+        request.forward = max(request.forward, CLOSING * math.cos(math.radians(aside)))
+    if request.kind == kelpie.WALK:
+        request.forward = min(request.forward, SPEED * max(0.2, math.cos(math.radians(aside))))
+    request.turn_deg = clamp(2.0 * request.turn_deg, -TURN_SPEED, TURN_SPEED)
+    return request
+
+
+def walk_at(world, point) -> kelpie.WalkRequest:
+    """The walk to a point of the robot frame, by what is walked already."""
+    return limited(approach(point, world.last_command.walk.kind), heading(*point))
+
+
+def can_grab(ball, velocity, turn_lost) -> bool:
+    """Alg 6.3: whether a ball (cm) with that velocity (cm a frame, of the robot frame) is between
+    the paws in one of the next six frames."""
+    x, y = ball
+    vx, vy = velocity
+    most = AHEAD if turn_lost > TURNED else AHEAD * AFTER_TURN
+    for _ in range(PREDICTED if vx or vy else 1):
+        if abs(x) < SIDE and 0.0 < y and math.hypot(x, y) < most:
+            return True
+        x, y, vx, vy = x + vx, y + vy, DRAG * vx, DRAG * vy
+    return False
+
+
+class Grab(Machine):
+    NAME = 'grab'
+
+    def __init__(self, memory):
+        super().__init__(self.approach)
+        self.memory = memory
+        self.track = TrackBall(memory)
+        self.inside_s = None    # since when the ball is believed between the paws
+        self.begun_s = None     # when the rules' clock started, at the latest as it was asked for
+        self.quick = False
+        self.ran = False     # the motion has begun
+
+    @property
+    def committed(self) -> bool:
+        """The motion was asked for: nobody should take the legs away now."""
+        return self.state == self.grab
+
+    @property
+    def done(self) -> bool:
+        return self.state == self.finished
+
+    def command(self, world) -> kelpie.Command:
+        return self.step(world)
+
+    def approach(self, world):
+        ball = (world.ball.relative.x, world.ball.relative.y)
+        self.memory.approach_lost = 0
+        self.watch_paws(world, *ball)
+        vx, vy = intercept.relative_velocity(world) if intercept.rolls(world.ball) else (0.0, 0.0)
+        seen = world.ball.seconds_since_seen < SEEN_S
+        if seen and can_grab(ball, (vx * FRAME_S, vy * FRAME_S), self.memory.turn_lost):
+            self.quick = near(self.memory.chest, IR_NEAR)
+            self.begun_s = world.time_s if self.inside_s is None else self.inside_s
+            return self.enter(world, self.grab, None,
+                              'ball {} cm ahead, {} cm aside; infrared of the chest {} cm',
+                              ball[1], ball[0], self.memory.chest)
+        if world.ball.distance < HINT_WITHIN:
+            self.memory.set_hint(*hints.GRAB)
+        place = intercept.target(world)
+        return kelpie.Command(walk=walk_at(world, place), head=self.track.head(world))
+
+    def watch_paws(self, world, x, y):
+        """A referee counts a ball as held that only lies there."""
+        if abs(x) > PAWS_ASIDE or not PAWS_NEAR < y < PAWS_FAR:
+            self.inside_s = None
+        elif self.inside_s is None:
+            self.inside_s = world.time_s
+
+    def grab(self, world):
+        """Asks until the motion runs, then waits for its end."""
+        self.memory.grab_lost = 0
+        motion = kelpie.GRAB_QUICK if self.quick else kelpie.GRAB
+        running = world.motion.running in (kelpie.GRAB, kelpie.GRAB_QUICK)
+        command = carry(forward=FORWARD)
+        if running:
+            self.ran = True
+        passed = self.since(world)
+        if (self.ran and not running) or passed > (LONGEST_S if self.ran else START_S):
+            return self.enter(world, self.finished, None, 'the motion took {} s', passed)
+        command.motion = kelpie.NO_MOTION if self.ran else motion
+        return command
+
+    def finished(self, world):
+        self.memory.grab_lost = 0
+        return carry()

@@ -1,0 +1,303 @@
+# SPDX-License-Identifier: Apache-2.0
+# Grabs the ball, turns with it to the goal, carries it on where that helps, goes around who stands
+# in the way, and kicks it within what the rules allow (thesis 2006 section 6.4). The plan is the
+# decision tree's leaf. Keeps the state, the grab, the hold and the aim. `choose` answers, of an
+# aimed or overdue hold, which kick; it is given by the role, since choices are made above skills.
+# It fails, and says so, when the ball was not caught or slips out.
+import math
+
+import kelpie
+from arbiter.machine import Machine
+from lib import hints
+from lib.geom import clamp, wrap
+from situation.aim import Aim
+from situation.goal import UP_FIELD_DEG
+from situation.infrared import DEFAULT, near
+from skills.ball.dodge import Dodge, in_the_way
+from skills.ball.grab import Grab
+from skills.ball.hold import FORWARD_SPEED, TURN_SPEED, Hold, carry
+from skills.head.track_ball import TrackBall
+from skills.motion.kick import Kick
+from skills.motion.release import Release
+from skills.walk.step_back import StepBack
+
+TIME_OUT = 2.2          # s of the rules' clock (skills/ball/grab.py); a grabbed ball lies in the
+                        # arms 0.1 s after it was asked for, a stop takes 0.4 s at most and a
+                        # kick 0.41 until the ball is gone: 2.9 of the 3
+BLOCKED_OUT = 1.7       # s of it with somebody ahead, where the kicks of the map are used: three
+                        # of five against who is within 25 cm leave the ball in the arms
+FARTHEST = 35.0         # cm from the place of the grab by odometry (rule: 50 cm); a stop takes 6
+SETTLE = 0.13           # s after the grab
+FEEL = 0.5              # s within which a caught ball is felt (docs/body.md: 0.22)
+STEADY, STEADY_MOST = 0.17, 0.4   # s that it stands before a kick, and at most until it is still:
+STILL, STILL_TURN = 5.0, 15.0     # cm/s, deg/s; out of a turn balls went 6 deg aside, out of a
+                                  # walk half as far
+TURN_GAIN = 4.0         # deg/s per deg
+LEAST_TURN = 25.0       # deg/s: the dribble walk hardly turns slower
+DELAY = 0.13            # s from a command to the body's turn
+CARRY_UNTIL = 1.8       # s: later there is no time for a way that matters
+CARRY_TO = 65.0         # cm to the goal from which carrying on helps no more: of 52 kicks from up
+                        # to 90 cm 9 were goals, of 44 from 90 to 120 one (docs/team.md)
+CARRY_FROM = 230.0      # and beyond which a kick does not reach the goal anyway
+SEARCH_Y = 400.0        # cm; from here on the goal is turned for more slowly (G39)
+SEARCH_TURN, SEARCH_TURN_FRONT = 50.0, 40.0   # deg/s as the thesis has it,
+SEARCH_SHARE = 2.0                            # and how much faster this body turns with the ball
+OVER_TURN_Y = 200.0     # cm; up to here a goal that the pose faces and nobody sees is turned on for
+OVER_TURN = 8           # frames (at most 50 in facts-2005 section 7.2): 13 deg, a pose's error
+EDGE = 22.0             # cm from a line: move away from it before anything else
+
+
+def turn_towards(world, degrees) -> float:
+    """deg/s that end the turn at that heading, the way it still goes counted."""
+    rate = world.odometry.turn_deg / max(world.elapsed_s, 0.02)
+    left = degrees - DELAY * clamp(rate, -TURN_SPEED, TURN_SPEED)
+    wanted = clamp(TURN_GAIN * left, -TURN_SPEED, TURN_SPEED)
+    if abs(wanted) < LEAST_TURN:
+        wanted = math.copysign(LEAST_TURN, wanted) if abs(left) > 1.5 else 0.0
+    return wanted
+
+
+class GrabDribble(Machine):
+    NAME = 'grab_dribble'
+
+    def __init__(self, memory, choose, plan='grab_dribble_goal'):
+        super().__init__(self.grab, Grab(memory))
+        self.memory = memory
+        self.choose = choose
+        self.plan = plan
+        self.aim = Aim()
+        self.track = TrackBall(memory)
+        self.hold = None
+        self.searched = 0         # frames of the search turn
+        self.search_side = 1.0
+        self.over_turned = 0      # frames beyond what the pose says
+        self.lost_ball = False
+        self.steps_back = False   # after the kick: the ball may lie where it was
+
+    @property
+    def committed(self) -> bool:
+        if self.done:
+            return False
+        return self.hold is not None or self.skill.committed
+
+    @property
+    def standing(self) -> bool:
+        """It has stopped turning for a kick."""
+        return self.state == self.steady
+
+    @property
+    def done(self) -> bool:
+        return self.state == self.ended
+
+    def command(self, world) -> kelpie.Command:
+        leaves = (self.kick, self.release, self.step_back, self.ended)
+        if self.hold is not None and self.state not in leaves:
+            self.keep(world)
+        return self.step(world)
+
+    def keep(self, world):
+        """What goes on in all states with the ball: its rules and whether it is still there."""
+        self.hold.update(world)
+        self.memory.grab_lost = 0
+        self.aim.update(world)
+        if self.hold.slipped:
+            self.end(world, 'nothing is felt of the ball')
+        elif self.state == self.overdue:
+            return
+        elif self.out_of_time(world):
+            self.enter(world, self.overdue, None, 'held {} s', self.hold.seconds(world))
+        elif self.hold.way > FARTHEST:
+            self.enter(world, self.overdue, None, 'carried {} cm', self.hold.way)
+
+    def out_of_time(self, world) -> bool:
+        """Sooner with somebody ahead, unless it stands for a kick already or turns in from an
+        edge."""
+        seconds = self.hold.seconds(world)
+        if seconds > TIME_OUT:
+            return True
+        sooner = (world.task.kicks == kelpie.KICKS_BY_MAP and
+                  self.state not in (self.settle, self.steady, self.off_edge))
+        return sooner and seconds > BLOCKED_OUT and in_the_way(world)
+
+    def overdue(self, world):
+        """The rules leave no more time: it stands, then kicks whatever it sees of the goal, or
+        lets the ball go."""
+        if not self.still(world):
+            return carry()
+        return self.fire(world, self.choose(world, self, True))
+
+    def end(self, world, why, *numbers):
+        self.lost_ball = True
+        distance, aside = hints.of_dribble(-1.0 if self.memory.spin_side < 0.0 else 1.0)
+        self.memory.set_hint(distance, aside if abs(self.hold.turned) > 20.0 else 0.0)
+        return self.enter(world, self.ended, None, why, *numbers)
+
+    # States
+
+    def grab(self, world):
+        command = self.skill.command(world)
+        if self.skill.done:
+            self.hold = Hold(world, self.skill.begun_s)
+            self.enter(world, self.settle, None, 'the grab is over')
+        return command
+
+    def settle(self, world):
+        """Stands until the ball is felt: a ball that was not caught is not turned with, and one
+        that still moves between the paws is not kicked."""
+        held = world.motion.feeling.ball_held
+        if held and self.since(world) > SETTLE:
+            return self.enter(world, self.turn, None, 'the ball is felt')
+        if self.since(world) > FEEL:
+            return self.end(world, 'no ball is felt after the grab')
+        return carry()
+
+    def turn(self, world):
+        """To the gap or the goal; without either, round until it comes into view."""
+        if self.over_turns(world):
+            self.over_turned += 1
+            return carry(turn=math.copysign(SEARCH_TURN, self.memory.spin_side))
+        choice = self.choose(world, self, False)
+        if choice is not None:
+            return self.enter(world, self.steady, None, choice[1], *choice[2:])
+        if self.at_edge(world):
+            return self.enter(world, self.off_edge, None, '{} cm from the line',
+                              self.line_distance(world))
+        if world.task.dodge and self.aim.gap is not None and abs(self.aim.middle) < 30.0:
+            if in_the_way(world) and self.skill is None:
+                return self.enter(world, self.dodge, Dodge(world, self.memory),
+                                  'somebody is in the way')
+        if self.aim.gap is None:
+            return self.search_turn(world)
+        if self.aim.aimed and self.should_carry(world):
+            return self.enter(world, self.carry_on, None, 'aimed; goal {} cm away',
+                              self.goal_distance(world))
+        turn = turn_towards(world, self.aim.middle)
+        self.memory.spin_side = 1.0 if turn >= 0.0 else -1.0
+        return carry(turn=turn)
+
+    def over_turns(self, world) -> bool:
+        """Far from the goal, which is not where the pose says (section 6.4.3): some frames more."""
+        return (world.task.aiming == kelpie.AIMING_BY_SIGHT and self.aim.aimed and
+                not self.aim.by_sight and self.over_turned < OVER_TURN and
+                world.pose.position.y < OVER_TURN_Y)
+
+    def steady(self, world):
+        """Stands still for a moment, then kicks if that is still right."""
+        if not self.still(world):
+            return carry()
+        choice = self.choose(world, self, False)
+        if choice is None:
+            return self.enter(world, self.turn, None, 'the aim was lost in the stop')
+        return self.fire(world, choice)
+
+    def still(self, world) -> bool:
+        """Whether the stop before a kick is over."""
+        seconds = max(world.elapsed_s, 0.02)
+        speed = math.hypot(world.odometry.forward, world.odometry.left) / seconds
+        turn = abs(world.odometry.turn_deg) / seconds
+        stands = speed < STILL and turn < STILL_TURN
+        return self.since(world) > (STEADY if stands else STEADY_MOST)
+
+    def search_turn(self, world):
+        """Goal not seen and pose not sure: turn the shorter way by what the pose says."""
+        if self.searched == 0:
+            to_goal = wrap(UP_FIELD_DEG - world.pose.heading_deg)
+            self.search_side = 1.0 if to_goal >= 0.0 else -1.0
+        self.searched += 1
+        speed = SEARCH_TURN if world.pose.position.y < SEARCH_Y else SEARCH_TURN_FRONT
+        return carry(turn=SEARCH_SHARE * speed * self.search_side)
+
+    def should_carry(self, world) -> bool:
+        if self.hold.seconds(world) > CARRY_UNTIL:
+            return False
+        if self.plan == 'grab_turn_kick':
+            return False
+        return CARRY_TO < self.goal_distance(world) < CARRY_FROM
+
+    def carry_on(self, world):
+        """Ahead to the goal, kept on the gap's middle."""
+        if self.aim.gap is None or not self.should_carry(world):
+            return self.enter(world, self.turn, None, 'goal {} cm away', self.goal_distance(world))
+        if world.task.dodge and in_the_way(world):
+            return self.enter(world, self.dodge, Dodge(world, self.memory),
+                              'somebody is in the way')
+        turn = clamp(2.0 * self.aim.middle, -40.0, 40.0)
+        return carry(forward=FORWARD_SPEED, turn=turn)
+
+    def dodge(self, world):
+        command = self.skill.command(world)
+        if self.skill.done:
+            self.aim = Aim()
+            self.enter(world, self.turn, self.skill, 'the way is free')
+        return command
+
+    def off_edge(self, world):
+        """Along or away from the line by side steps and turns alone (section 6.4.5)."""
+        if not self.at_edge(world):
+            return self.enter(world, self.turn, None, 'off the line')
+        turn = turn_towards(world, self.inwards(world))
+        return carry(turn=turn)
+
+    def fire(self, world, choice):
+        """Kicks or lets go, as (choice, reason, numbers...) says."""
+        what, reason, *told = choice
+        self.steps_back = (not isinstance(what, int) or
+                           near(world.sensors.head_near_distance, DEFAULT))
+        if isinstance(what, int):
+            self.enter(world, self.kick, Kick(world, what), reason, *told)
+        else:
+            self.enter(world, self.release, Release(world), reason, *told)
+
+    def kick(self, world):
+        if self.skill.done(world):
+            return self.leave(world, 'kicked')
+        command = carry()
+        command.motion = self.skill.motion(world)
+        return command
+
+    def release(self, world):
+        if self.skill.done(world):
+            return self.leave(world, 'let go')
+        return self.skill.command(world)
+
+    def leave(self, world, why):
+        if not self.steps_back:
+            return self.enter(world, self.ended, None, why)
+        return self.enter(world, self.step_back, StepBack(world), why)
+
+    def step_back(self, world):
+        """Who stands over a ball that he let go, or kicked at somebody, still holds it by the
+        rules."""
+        self.memory.set_hint(*hints.LEFT_LYING)
+        if self.skill.done(world):
+            return self.enter(world, self.ended, None, 'stepped back')
+        return kelpie.Command(walk=self.skill.walk(), head=self.track.head(world))
+
+    def ended(self, world):
+        return kelpie.Command()
+
+    # What states ask
+
+    def goal_distance(self, world) -> float:
+        dx = world.pose.position.x - 0.5 * world.field.width
+        dy = world.pose.position.y - world.field.length
+        return math.hypot(dx, dy)
+
+    def line_distance(self, world) -> float:
+        """cm from the ball in the arms to the nearest line that it would be carried over."""
+        angle = math.radians(world.pose.heading_deg)
+        x = world.pose.position.x + 8.0 * math.cos(angle)
+        y = world.pose.position.y + 8.0 * math.sin(angle)
+        before_goal = abs(x - 0.5 * world.field.width) < 0.5 * world.field.goal_width
+        ends = y if before_goal else min(y, world.field.length - y)
+        return min(x, world.field.width - x, ends)
+
+    def at_edge(self, world) -> bool:
+        return (self.line_distance(world) < EDGE and
+                abs(self.inwards(world)) > 60.0)
+
+    def inwards(self, world) -> float:
+        """deg to turn until the robot looks at the middle of the field."""
+        dx = 0.5 * world.field.width - world.pose.position.x
+        dy = 0.6 * world.field.length - world.pose.position.y
+        return wrap(math.degrees(math.atan2(dy, dx)) - world.pose.heading_deg)

@@ -1,0 +1,109 @@
+# SPDX-License-Identifier: Apache-2.0
+# Looks at a landmark briefly and back to the ball (active localisation, thesis 2006 section 4.3.2;
+# numbers of U02 and facts-2005 section 7.2): an attacker after a spin for a far ball, when nothing
+# else needs the head; who waits (goalie, challenger, supporter) from time to time, and at once when
+# the pose is bad. Keeps the landmark of this look and since when; when it looked last is in the
+# memory. With a pose that is wrong by much it looks at nothing.
+import math
+
+import kelpie
+from arbiter.machine import Machine
+from lib.geom import from_field, heading
+from lib.landmarks import ATTACKER_PAN, choose_landmark, look_at_landmark
+from lib.steer import towards
+from skills.head.track_ball import TrackBall, believed
+
+SPUN = 60             # frames since a spin that are recent (U02)
+SEEN = 5              # frames in a row in which the ball was seen
+FAR = 100.0           # cm
+AHEAD = 10.0          # deg
+CLOSE = 60            # frames since the ball was close,
+APPROACHED = 60       # a grab was approached
+LOOKED = 60           # or a landmark looked at, all no longer recent
+LEAVE = 50.0          # cm; a ball that comes so near is looked at again
+LOOK_FRAMES = 10      # of which a head needs 5 for 70 deg
+SIGHTINGS = 2         # of the landmark that are enough
+BACK_FRAMES = 10      # for the head to find the ball again
+DUE_SOONEST, DUE_LATEST = 45, 120  # frames between looks of who waits
+BAD_SD, BAD_HEADING_SD = 55.0, 25.0  # cm, deg
+GOOD_SD = 5.0         # cm; a pose this sure is looked after as seldom as allowed
+
+
+def attacker_may_look(world, memory) -> bool:
+    """All six conditions of thesis 2006 section 4.3.2."""
+    ball = world.ball
+    return (memory.spin_lost <= SPUN and memory.ball_run >= SEEN
+            and ball.distance > FAR and abs(ball.heading_deg) < AHEAD
+            and memory.close_lost > CLOSE and memory.approach_lost > APPROACHED
+            and memory.localised_lost > LOOKED)
+
+
+def due(world, memory) -> bool:
+    """For who waits: the less sure the pose, the sooner; a bad one at the soonest."""
+    if memory.localised_lost <= DUE_SOONEST:
+        return False
+    bad = world.position_sd >= BAD_SD or world.heading_sd_deg >= BAD_HEADING_SD
+    return bad or memory.localised_lost > interval(world.position_sd)
+
+
+def interval(position_sd) -> float:
+    """Frames from look to look: the latest up to GOOD_SD, the soonest from BAD_SD on."""
+    share = (position_sd - GOOD_SD) / (BAD_SD - GOOD_SD)
+    return DUE_LATEST - min(1.0, max(0.0, share)) * (DUE_LATEST - DUE_SOONEST)
+
+
+class ActiveLocalise(Machine):
+    NAME = 'active_localise'
+
+    def __init__(self, memory, pan_limit=ATTACKER_PAN, may_look=attacker_may_look):
+        super().__init__(self.look)
+        self.memory = memory
+        self.pan_limit = pan_limit
+        self.may_look = may_look
+        self.track = TrackBall(memory)
+        self.mark = None       # the landmark of this look
+        self.frames = 0        # of this state
+        self.sightings = 0
+
+    def needed(self, world) -> bool:
+        """Whether a look begins: it may, and there is something to look at."""
+        if not self.may_look(world, self.memory):
+            return False
+        self.mark = choose_landmark(world, self.pan_limit, world.head.head_pan_deg)
+        if self.mark is None:
+            return False
+        self.frames = self.sightings = 0
+        axis = heading(*from_field(world.pose, self.mark.position.x, self.mark.position.y))
+        self.enter(world, self.look, None, 'the pose is sure to {} cm; a landmark at {} deg',
+                   world.position_sd, axis)
+        return True
+
+    def done(self, world) -> bool:
+        return self.state == self.back and (self.memory.ball_lost == 0 or
+                                            self.frames >= BACK_FRAMES)
+
+    def command(self, world) -> kelpie.Command:
+        """Walks on to the ball all the while."""
+        head = self.head(world)
+        ball = world.ball
+        walk = towards(believed(world), LEAVE) if ball.present else kelpie.WalkRequest()
+        return kelpie.Command(walk=walk, head=head)
+
+    def head(self, world) -> kelpie.HeadRequest:
+        return self.step(world)
+
+    def look(self, world):
+        self.frames += 1
+        self.memory.localised_lost = 0
+        self.sightings += any(mark.kind == self.mark.kind for mark in world.percepts.landmarks)
+        near = world.ball.present and math.hypot(*believed(world)) < LEAVE
+        if self.frames > LOOK_FRAMES or self.sightings >= SIGHTINGS or near:
+            why = 'the ball is near' if near else 'landmark seen {} times'
+            numbers = () if near else (self.sightings,)
+            self.frames = 0
+            return self.enter(world, self.back, None, why, *numbers)
+        return look_at_landmark(world, self.mark)
+
+    def back(self, world):
+        self.frames += 1
+        return self.track.head(world)

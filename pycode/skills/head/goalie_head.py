@@ -1,0 +1,197 @@
+# SPDX-License-Identifier: Apache-2.0
+# The goalie's head (thesis 2006 section 4.3.1): always on the ball; back to it at once when it is
+# lost, by where it is believed, then by a point scan; now and then a glance at the landmark seen
+# longest ago, and a survey of all when there is none. Keeps the state and when it last glanced. It
+# looks away only when it is told that it may and the ball is far and does not come, so a goalie in
+# a long scrum does not localise.
+import math
+
+import kelpie
+from arbiter.machine import Machine
+from lib.geom import from_field
+from lib.head import look_at, view
+from lib.landmarks import GOALIE_PAN, in_reach, look_at_landmark
+from lib.tune import Watch
+from lib.tune_goalie import Look, PointScan as ScanTune
+from situation.pose_watch import is_sure
+from skills.head.point_scan import PointScan
+
+
+def seen(world, seconds=Watch.FRESH) -> bool:
+    return world.ball.present and world.ball.seconds_since_seen < seconds
+
+
+def side_of(x) -> float:
+    """Of a point so far to the right of the robot: +1 left, -1 right."""
+    return -1.0 if x > 0.0 else 1.0
+
+
+class GoalieHead(Machine):
+    NAME = 'goalie_head'
+    FAR = Look.FAR   # cm; a nearer ball is not left alone,
+    FAR_SURE = Look.FAR_SURE   # nor one so near while the pose is sure
+
+    def __init__(self, memory):
+        super().__init__(self.search)
+        self.memory = memory
+        self.free = False
+        self.asked = False    # for a survey, as soon as the ball can be left alone
+        self.told = None      # where mates see a ball that the goalie has lost,
+        self.was_told = None  # and where they last saw it
+        self.lost = False     # the pose: a survey now, unless a ball comes
+        self.surveyed_s = -math.inf   # the last frame of a survey
+        self.tracked = 0.0    # cm to the ball when it was last tracked
+        self.glances = 0
+        self.marked = False   # the landmark was seen in this glance
+        self.glanced_s = 0.0
+
+    def head(self, world, free) -> kelpie.HeadRequest:
+        """`free`: whether the player can do without the ball for a moment."""
+        self.free = free
+        return self.step(world)
+
+    def idle(self, world) -> kelpie.HeadRequest:
+        return self.at_ball(world)
+
+    def at_ball(self, world):
+        ball = world.ball.relative
+        return look_at(ball.x, ball.y, Watch.BALL_HEIGHT, world.stance)
+
+    def track(self, world):
+        self.was_told = None
+        self.tracked = world.ball.distance
+        if not seen(world, Look.LOST):
+            return self.regain_ball(world)
+        if self.asked and self.calm(world) or self.must_survey(world):
+            return self.enter(world, self.survey, None, 'the pose is lost' if self.lost else
+                              'the pose has jumped')
+        mark = self.landmark(world)
+        if mark is not None:
+            self.glances += 1
+            self.marked = False
+            return self.enter(world, self.localise, mark, 'glance {}; the pose is sure to {} cm',
+                              self.glances, world.position_sd)
+        return self.at_ball(world)
+
+    def regain_ball(self, world):
+        """Which of the ways to find the ball comes first."""
+        if not world.ball.present:
+            return self.enter(world, self.search, self.scan(world), 'no ball is believed')
+        return self.enter(world, self.believed, None, 'the ball is unseen for {} s',
+                          world.ball.seconds_since_seen)
+
+    def calm(self, world) -> bool:
+        """Whether the ball can be left alone for a moment."""
+        sure = is_sure(world, Look.SURE_SD, Look.SURE_HEADING_SD)
+        far = self.FAR_SURE if sure and not self.asked else self.FAR
+        return (self.free and world.ball.distance > far and
+                world.ball.velocity.y > -Look.STILL and self.since(world) > Look.STEADY)
+
+    def must_survey(self, world) -> bool:
+        """Of a lost pose even with the ball at the feet, now and then."""
+        return (self.lost and self.free and world.ball.velocity.y > -Look.STILL and
+                world.time_s - self.surveyed_s > Look.AGAIN)
+
+    def landmark(self, world):
+        """The one to glance at now, or None."""
+        sure = is_sure(world, Look.SURE_SD, Look.SURE_HEADING_SD)
+        every = Look.EVERY_SURE if sure else Look.EVERY_LOST
+        if world.time_s - self.glanced_s < every or not self.calm(world):
+            return None
+        return self.choose(world)
+
+    def choose(self, world):
+        """The one seen longest ago: with one alone, seen again and again, the pose goes astray on a
+        circle about it."""
+        marks = [mark for mark, _, _ in in_reach(world, GOALIE_PAN)]
+        return min(marks, key=lambda mark: self.memory.marks.get(mark.kind, -1), default=None)
+
+    def localise(self, world):
+        self.glanced_s = world.time_s
+        self.marked = self.marked or any(mark.kind == self.skill.kind
+                                         for mark in world.percepts.landmarks)
+        if not self.free or self.timed_out(world, Look.TIME):
+            if self.free and not self.marked:
+                return self.enter(world, self.survey, None, 'no landmark where the pose says')
+            return self.after_glance(world)
+        return look_at_landmark(world, self.skill)
+
+    def survey(self, world):
+        """Once from left to right, at rest in four directions: what is seen mends the pose."""
+        self.glanced_s = self.surveyed_s = world.time_s
+        self.asked = False
+        look = int(self.since(world) / Look.SURVEY_TIME)
+        if not self.free or look >= len(Look.SURVEY):
+            return self.after_glance(world)
+        return view(Look.SURVEY[look], Look.SURVEY_DOWN, world.stance)
+
+    def after_glance(self, world):
+        return self.enter(world, self.believed, None, 'the glance is over')
+
+    def believed(self, world):
+        if seen(world, Look.LOST) and world.ball.seconds_since_seen < self.since(world):
+            return self.enter(world, self.track, None, 'the ball is {} cm away',
+                              world.ball.distance)
+        if not world.ball.present or self.timed_out(world, Look.BELIEVED):
+            return self.enter(world, self.search, self.scan(world), 'not where it is believed')
+        return self.at_ball(world)
+
+    def look_near(self, world, side):
+        """After a block, which had the head: the ball lies close by, seldom where the filter
+        believes it, which knows of no block. `side`: +1 left, -1 right."""
+        if not seen(world, Look.LOST):
+            self.enter(world, self.search, PointScan(world, side), 'a block has ended')
+
+    def expect(self, world, point):
+        """The ball was kicked and should be near that point of the field."""
+        self.enter(world, self.expected, point, 'after a kick it should be near ({}, {})',
+                   *point)
+
+    def expected(self, world):
+        if seen(world, Look.LOST) and world.ball.seconds_since_seen < self.since(world):
+            return self.enter(world, self.track, None, 'the ball is {} cm away',
+                              world.ball.distance)
+        x, y = from_field(world.pose, *self.skill)
+        if self.timed_out(world, Look.BELIEVED):
+            return self.enter(world, self.search, PointScan(world, side_of(x)),
+                              'not where it was kicked')
+        return look_at(x, y, Watch.BALL_HEIGHT, world.stance)
+
+    def search(self, world):
+        if seen(world, Look.LOST):
+            return self.enter(world, self.track, None, 'the ball is {} cm away',
+                              world.ball.distance)
+        if self.must_survey(world) and not self.searches_near(world):
+            return self.enter(world, self.survey, None, 'the pose is lost')
+        if self.skill is None:
+            self.skill = self.scan(world)
+        if self.told is not None:
+            return self.look_where_told(world)
+        if self.was_told is not None:   # from there on it is looked for again
+            x, y = from_field(world.pose, *self.was_told)
+            self.was_told = None
+            self.skill = PointScan(world,
+                                   side_of(x) if math.hypot(x, y) < ScanTune.NEAR else 0.0)
+        return self.skill.head(world)
+
+    def look_where_told(self, world):
+        """There, and between two such looks on with the scan: a mate may be wrong."""
+        self.was_told = self.told
+        if math.fmod(self.since(world), Look.TOLD_EVERY) > Look.TOLD:
+            return self.skill.head(world)
+        x, y = from_field(world.pose, *self.told)
+        return look_at(x, y, Watch.BALL_HEIGHT, world.stance)
+
+    def turn_side(self, world) -> float:
+        """To which side the body must turn for the search, +1 left; 0: to none."""
+        return self.skill.turn_side(world) if isinstance(self.skill, PointScan) else 0.0
+
+    def searches_near(self, world) -> bool:
+        """Whether the ball is still looked for where it was lost close by."""
+        return isinstance(self.skill, PointScan) and self.skill.searches_near(world)
+
+    def scan(self, world):
+        """Low first on the side where the ball is believed, if it was lost close by."""
+        if self.tracked > ScanTune.NEAR:
+            return PointScan(world)
+        return PointScan(world, 1.0 if world.ball.heading_deg >= 0.0 else -1.0)

@@ -1,0 +1,65 @@
+# SPDX-License-Identifier: Apache-2.0
+# The head: follows the ball, glances at the goal while the ball is far, scans when it is lost.
+# WatchBall keeps when the next glance ends and to which side; the two ways to scan keep nothing.
+import math
+
+import kelpie
+from lib.geom import heading
+from lib.head import look_at, view
+from lib.tune import Watch
+from situation.goal import OpponentGoal
+
+MAX_PAN = 80.0    # deg; a goal farther to a side is not glanced at
+SWEEP_PAN = 85.0  # deg
+
+
+class WatchBall:
+    def __init__(self):
+        self.next_glance_s = 0.0  # when the glance that is planned ends
+        self.side = 1.0           # of the last glance, left positive; 0 after frames without one
+
+    def head(self, world, goal: OpponentGoal) -> kelpie.HeadRequest:
+        ball = world.ball
+        if self.glancing(world):
+            return self.glance(world, goal)
+        return look_at(ball.relative.x, ball.relative.y, Watch.BALL_HEIGHT, world.stance)
+
+    def glancing(self, world) -> bool:
+        """Whether the head is off the ball now: for the last GLANCE_TIME of every GLANCE_EVERY
+        seconds, if the ball was far and in view when they began."""
+        now = world.time_s
+        if now < self.next_glance_s:
+            return now > self.next_glance_s - Watch.GLANCE_TIME and self.side != 0.0
+        self.next_glance_s = now + Watch.GLANCE_EVERY
+        far = world.ball.distance > Watch.GLANCE_FAR
+        calm = world.ball.seconds_since_seen < Watch.FRESH
+        if far and calm:
+            self.side = -1.0 if self.side > 0.0 else 1.0
+        else:
+            self.side = 0.0
+        return False
+
+    def glance(self, world, goal) -> kelpie.HeadRequest:
+        goal_point = goal.where(world)
+        pan = heading(*goal_point) if goal_point is not None else Watch.GLANCE_PAN * self.side
+        if abs(pan) > MAX_PAN:
+            pan = Watch.GLANCE_PAN * self.side
+        return view(pan, -Watch.GLANCE_PITCH, world.stance)
+
+
+class Scan:
+    """Sweeps the whole range, low and high in turn; `passed`: seconds since it began."""
+
+    def head(self, world, passed) -> kelpie.HeadRequest:
+        phase = passed / Watch.SCAN_PERIOD
+        pan = Watch.SCAN_PAN * math.sin(2.0 * math.pi * phase)
+        pitch = Watch.SCAN_LOW if int(phase) % 2 == 0 else Watch.SCAN_HIGH
+        return view(pan, -pitch, world.stance)
+
+
+class Sweep:
+    """Level and wide, for a goal and the beacons; `passed`: seconds since it began."""
+
+    def head(self, world, passed) -> kelpie.HeadRequest:
+        pan = SWEEP_PAN * math.sin(2.0 * math.pi * passed / Watch.SCAN_PERIOD)
+        return view(pan, -Watch.GLANCE_PITCH, world.stance)

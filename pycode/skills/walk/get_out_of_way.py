@@ -1,0 +1,27 @@
+# SPDX-License-Identifier: Apache-2.0
+# Makes room for a mate that holds the ball: it turns and may shoot anywhere near the goal's
+# direction. 60 cm off the first 250 cm of its line to the goal and 60 cm from itself (facts-2005
+# section 7.2), and some frames longer than it is told so, as a shot follows. Keeps those frames.
+import kelpie
+from skills.walk.avoid_attacker import AvoidAttacker
+
+FRAMES = {kelpie.DEFENDER: 75, kelpie.STRIKER: 45, kelpie.SUPPORTER: 45}
+
+
+class GetOutOfWay(AvoidAttacker):
+    NAME = 'get_out_of_way'
+
+    def __init__(self, role=kelpie.STRIKER):
+        super().__init__()
+        self.most = FRAMES.get(role, 45)
+        self.left = 0         # frames for which the last lane is still kept
+        self.kept = None
+
+    def lane_of(self, world, lanes, avoids):
+        """The lane of a mate that holds the ball, or has just held it, if the robot is in it."""
+        holders = [lane for lane in lanes if lane.kind == 'holds']
+        if holders:
+            self.kept, self.left = holders, self.most
+        elif self.left > 0:
+            self.left -= 1
+        return self.lane(world, self.kept, 'holds', avoids) if self.left > 0 else None
