@@ -19,7 +19,7 @@ def decide(world) -> kelpie.Command:
     kind = kelpie.FORWARD if goes_forward(world) else world.task.player
     if kind not in players:
         players[kind] = MAKERS[kind]()
-    return players[kind].command(world)
+    return players[kind].step(world)
 
 
 def tree() -> list:

@@ -4,21 +4,18 @@
 # with the numbers that decided; all of it comes from enter() and reset(), nothing from the world.
 # It fails where states enter one another in a circle: after MAX_ENTRIES in one frame idle() answers
 # for them.
-import kelpie
+from arbiter.skill import Skill
 
 MAX_ENTRIES = 4  # three states in one frame are the longest sane chain
 
 
-class Machine:
+class Machine(Skill):
     """A state is a method state(world) that returns the frame's answer, a Command for a player.
 
     A state may enter another one. If it answers all the same, the other begins with the next
     frame; if it returns None, the other is asked in this frame. reset() may come before any step:
     no state may leave work behind that only a later frame of it would end.
     """
-
-    LAYER = kelpie.LAYER_SKILL
-    NAME = ''  # whose decision a trace tells; a subclass names it as its file is named
 
     def __init__(self, state, skill=None):
         self.state = state
@@ -60,6 +57,5 @@ class Machine:
     def explain(self, trace) -> None:
         """Appends what it does and why to a list for Command.trace, and lets its skill go on."""
         trace.append((self.LAYER, self.NAME, self.state.__name__, self.why, *self.numbers))
-        below = getattr(self.skill, 'explain', None)
-        if below is not None:
-            below(trace)
+        if isinstance(self.skill, Skill):
+            self.skill.explain(trace)

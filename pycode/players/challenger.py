@@ -24,7 +24,7 @@ class Challenger(Machine):
         self.mapped = False
         self.points = []
 
-    def command(self, world) -> kelpie.Command:
+    def step(self, world) -> kelpie.Command:
         if world.game.state != kelpie.PLAYING or world.game.penalised:
             # Whatever was mapped by now is the map; the next play is the second stage.
             self.mapped = world.time_s > Challenge.MIN_STAGE
@@ -34,7 +34,7 @@ class Challenger(Machine):
         if self.mapped and not self.stage2:
             self.points = points_of(world.task)
             self.reset(world, 'carried away', self.reorient, LookRound())
-        command = self.step(world)
+        command = super().step(world)
         self.explain(command.trace)
         return command
 
@@ -51,24 +51,26 @@ class Challenger(Machine):
         if self.knows_place(world) and self.skill.rows > 0:
             return self.enter(world, self.go_to_stand, self.to_stand(world.field),
                               'the pose is sure to {} cm', world.position_sd)
-        return self.skill.command(world)
+        return self.skill.step(world)
 
     def to_stand(self, field) -> GoToPoint:
         off = Challenge.STAND_OFF_CENTRE if self.beyond else -Challenge.STAND_OFF_CENTRE
         return GoToPoint((0.5 * field.width, 0.5 * field.length + off), Challenge.STAND_NEAR)
 
     def go_to_stand(self, world):
-        if self.skill.arrived(world) or self.timed_out(world, Challenge.STAND_TIME):
+        command = self.skill.step(world)
+        if self.skill.done or self.timed_out(world, Challenge.STAND_TIME):
             self.beyond = not self.beyond
+            # The map begins with the next frame: what this one saw, it may have seen while walking.
             self.enter(world, self.map_pinks, LookRound(), 'at the place to map from')
-        # The map begins with the next frame: what this one saw, it may have seen while walking.
-        return self.skill.command(world)
+            return self.skill.step(world)
+        return command
 
     def map_pinks(self, world):
         if self.skill.rounds >= Challenge.MAP_ROUNDS:
             return self.enter(world, self.go_to_stand, self.to_stand(world.field),
                               'mapped in {} rounds', self.skill.rounds)
-        command = self.skill.command(world)
+        command = self.skill.step(world)
         if not self.skill.turning:
             command.pinks = kelpie.PINKS_MAP
         return command
@@ -76,7 +78,7 @@ class Challenger(Machine):
     # Stage 2
 
     def reorient(self, world):
-        command = self.localising(self.skill.command(world))
+        command = self.localising(self.skill.step(world))
         if self.knows_place(world):
             self.points = shortest(world.pose.position, self.points)
             self.next_point(world)
@@ -93,12 +95,13 @@ class Challenger(Machine):
     def visit(self, world):
         if world.position_sd > Challenge.LOST_SD:
             return self.reset(world, 'the pose is lost', self.reorient, LookRound())
-        if self.skill.arrived(world):
+        command = self.localising(self.skill.step(world))
+        if self.skill.done:
             self.enter(world, self.announce, self.skill, 'stands at the point')
-        return self.localising(self.skill.command(world))
+        return command
 
     def announce(self, world):
-        command = self.localising(kelpie.Command(head=self.skill.watch.head(world)))
+        command = self.localising(kelpie.Command(head=self.skill.watch.step(world)))
         command.mouth_open = True
         if self.timed_out(world, Challenge.ANNOUNCE_TIME):
             self.points.pop(0)

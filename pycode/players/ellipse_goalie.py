@@ -59,7 +59,7 @@ class EllipseGoalie(Machine):
         self.get_up = GetUp()
         self.halted = Halted(self.memory, self.get_up)
 
-    def command(self, world) -> kelpie.Command:
+    def step(self, world) -> kelpie.Command:
         self.memory.update(world)
         command = self.decide(world)
         forward, left = off_rear_wall(world.field, world.pose, command.walk.forward,
@@ -76,11 +76,11 @@ class EllipseGoalie(Machine):
         self.halted.end()
         if self.get_up.needed(world):
             self.reset(world, 'has fallen', self.guard, GuardGoal(GuardEllipse))
-            return kelpie.Command(motion=self.get_up.motion(world))
-        return self.step(world)
+            return kelpie.Command(motion=self.get_up.step(world))
+        return super().step(world)
 
     def idle(self, world) -> kelpie.Command:
-        return self.halted.command(world)
+        return self.halted.step(world)
 
     def explain(self, trace) -> None:
         super().explain(trace)
@@ -95,8 +95,8 @@ class EllipseGoalie(Machine):
             return self.enter(world, self.attack, skill,
                               'the ball is {} cm away, {} cm beyond the box', world.ball.distance,
                               beyond_box(world.field, ball_of(world)))
-        walk = self.skill.walk(world, self.place(world))
-        return kelpie.Command(walk=walk, head=self.eyes.head(world, True))
+        walk = self.skill.step(world, self.place(world))
+        return kelpie.Command(walk=walk, head=self.eyes.step(world, True))
 
     def place(self, world):
         if not seen(world, GuardEllipse.UNSEEN):
@@ -113,10 +113,10 @@ class EllipseGoalie(Machine):
             return self.enter(world, self.clear, Kick(world, best.kick),
                               'to {} deg, {} deg off the own goal', best.direction, best.off_goal)
         # The head may glance now as well; the thesis found that it seldom comes to it (4.2.3).
-        return kelpie.Command(walk=self.skill.walk(world), head=self.eyes.head(world, True))
+        return kelpie.Command(walk=self.skill.step(world), head=self.eyes.step(world, True))
 
     def clear(self, world):
-        motion = self.skill.motion(world)
-        if self.skill.done(world):
+        motion = self.skill.step(world)
+        if self.skill.done:
             return self.enter(world, self.guard, GuardGoal(GuardEllipse), 'the kick has ended')
-        return kelpie.Command(motion=motion, head=self.eyes.head(world, False))
+        return kelpie.Command(motion=motion, head=self.eyes.step(world, False))

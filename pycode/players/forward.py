@@ -5,6 +5,7 @@
 # its place. Tells the team in each frame what it is about to do. The trace of each Command says
 # why, from here down to the skill.
 import kelpie
+from arbiter.skill import Skill
 from decisions.roles import NAMES, RoleChoice
 from roles.attacker import Attacker
 from roles.supporter import Supporter
@@ -15,7 +16,10 @@ from skills.motion.get_up import GetUp
 from skills.walk.take_place import TakePlace
 
 
-class Forward:
+class Forward(Skill):
+    LAYER = kelpie.LAYER_PLAYER
+    NAME = 'forward'
+
     def __init__(self):
         self.memory = Memory()
         self.get_up = GetUp()
@@ -27,13 +31,13 @@ class Forward:
         self.role = Attacker(self.memory)
         self.place = None
 
-    def command(self, world) -> kelpie.Command:
+    def step(self, world) -> kelpie.Command:
         self.memory.update(world)
         if world.game.state in (kelpie.READY, kelpie.SET) and not world.game.penalised:
             command, told = self.takes_place(world)
         elif world.game.state != kelpie.PLAYING or world.game.penalised:
             self.start_over()
-            command = kelpie.Command(head=Scan().head(world, world.time_s))
+            command = kelpie.Command(head=Scan().step(world, world.time_s))
             told = [(kelpie.LAYER_PLAYER, 'forward', 'waits', 'play is halted')]
         elif self.get_up.needed(world):
             self.start_over()
@@ -44,7 +48,7 @@ class Forward:
         return command
 
     def gets_up(self, world):
-        return (kelpie.Command(motion=self.get_up.motion(world)),
+        return (kelpie.Command(motion=self.get_up.step(world)),
                 [(kelpie.LAYER_PLAYER, 'forward', 'gets_up', 'it has fallen')])
 
     def takes_place(self, world):
@@ -54,7 +58,7 @@ class Forward:
             self.place = TakePlace(self.memory)
         if world.game.state == kelpie.READY and self.get_up.needed(world):
             return self.gets_up(world)
-        command = self.place.command(world)
+        command = self.place.step(world)
         told = [(kelpie.LAYER_PLAYER, 'forward', 'takes_place', 'the team gets ready')]
         if world.game.state == kelpie.SET:  # who attacks is agreed before the whistle
             self.choice.update(world, self.memory)
@@ -69,7 +73,7 @@ class Forward:
         if role != role_of(self.role):
             self.role = (Attacker(self.memory) if role == kelpie.ATTACKER else
                          Supporter(self.memory, role))
-        command = self.role.command(world)
+        command = self.role.step(world)
         self.tell(world, command.team)
         alone = len(world.teammates) == 0
         told = [(kelpie.LAYER_PLAYER, 'forward', 'plays', 'play is on')] if alone else [

@@ -62,7 +62,7 @@ class Goalie(Machine):
         self.underfoot = Underfoot()
         self.presses = Lasting(Clear.HAS_STILL, Clear.HAS_LONGEST)  # and presses at its body
 
-    def command(self, world) -> kelpie.Command:
+    def step(self, world) -> kelpie.Command:
         self.memory.update(world)
         self.pose.update(world)
         self.eyes.asked = self.eyes.asked or self.pose.gave_in
@@ -85,10 +85,10 @@ class Goalie(Machine):
         if self.get_up.needed(world):
             self.start_over(world, 'has fallen')
             self.moved_s = world.time_s
-            return kelpie.Command(motion=self.get_up.motion(world))
+            return kelpie.Command(motion=self.get_up.step(world))
         if self.state not in (self.block, self.clear, self.step_back):  # these come to their end
             self.choose(world)
-        return self.step(world)
+        return super().step(world)
 
     @property
     def told(self):
@@ -96,7 +96,7 @@ class Goalie(Machine):
         return self.eyes.told
 
     def idle(self, world) -> kelpie.Command:
-        return self.halted.command(world)
+        return self.halted.step(world)
 
     def start_over(self, world, why):
         self.facing.end()
@@ -209,7 +209,7 @@ class Goalie(Machine):
     # States
 
     def turn(self, world) -> kelpie.Command:
-        return kelpie.Command(walk=self.skill.walk(world), head=self.skill.head(world))
+        return self.skill.step(world)
 
     def block(self, world):
         command = self.perform(world)
@@ -226,41 +226,41 @@ class Goalie(Machine):
     def step_back(self, world):
         """A step back, as far as the goal line: the ball comes into view, and is no longer held.
         Straight back or not at all: aside, as the box may ask, its legs take the ball along."""
-        if self.skill.done(world):
+        walk = self.skill.step(world)
+        if self.skill.done:
             self.underfoot.end()
             return self.enter(world, self.guard, GuardGoal(Guard), 'stepped back')
-        walk = self.skill.walk()
         walk.forward = min(in_box(world, walk, 0.0).forward, 0.0)
-        return kelpie.Command(walk=walk, head=self.eyes.head(world, False))
+        return kelpie.Command(walk=walk, head=self.eyes.step(world, False))
 
     def perform(self, world):
-        motion = self.skill.motion(world)
-        if self.skill.done(world):
+        motion = self.skill.step(world)
+        if self.skill.done:
             self.moved_s, self.kicked = world.time_s, self.state == self.clear
             self.presses.end()
             return self.enter(world, self.guard, GuardGoal(Guard), 'the motion has ended')
-        return kelpie.Command(motion=motion, head=self.eyes.head(world, False))
+        return kelpie.Command(motion=motion, head=self.eyes.step(world, False))
 
     def adjust(self, world) -> kelpie.Command:
         """Into the way of the ball where it crosses the own line: a step aside, seldom more."""
         shot = coming(world, Coming.BESIDE, Coming.SHORT, 0.0)
         place = beside(world.pose, shot.aside if shot is not None else 0.0)
         ball = (world.ball.position.x, world.ball.position.y)
-        walk = self.skill.walk(world, facing(place, ball))
-        return kelpie.Command(walk=walk, head=self.eyes.head(world, False))
+        walk = self.skill.step(world, facing(place, ball))
+        return kelpie.Command(walk=walk, head=self.eyes.step(world, False))
 
     def attack(self, world):
         if self.timed_out(world, Attack.TIME):
             self.rest_s = world.time_s + Attack.REST
             return self.enter(world, self.guard, GuardGoal(Guard), 'the attack timed out')
-        return kelpie.Command(walk=self.skill.walk(world), head=self.eyes.head(world, False))
+        return kelpie.Command(walk=self.skill.step(world), head=self.eyes.step(world, False))
 
     def guard(self, world) -> kelpie.Command:
         self.eyes.told = self.heard(world)
         place = self.place(world)
-        walk = self.skill.walk(world, place) if place is not None else self.look_about(world)
+        walk = self.skill.step(world, place) if place is not None else self.look_about(world)
         walk = kelpie.WalkRequest() if self.holds_out(world) else self.harmless(world, walk)
-        return kelpie.Command(walk=walk, head=self.eyes.head(world, True))
+        return kelpie.Command(walk=walk, head=self.eyes.step(world, True))
 
     def holds_out(self, world) -> bool:
         """Whether an opponent presses at a ball at the body, under the chin or beside it: past who

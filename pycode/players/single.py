@@ -2,6 +2,7 @@
 # One skill alone, begun anew in every frame: what it does at its first step from any place. For
 # drawings (`kelpie vectors`, the first iteration of thesis 2006 section 7.1.3). Keeps nothing.
 import kelpie
+from arbiter.skill import Skill
 from decisions.held_choice import HeldChoice
 from decisions.tree import GRAB_DRIBBLE_GOAL
 from roles.attacker import Attacker
@@ -44,11 +45,14 @@ SKILLS = {
 }
 
 
-class OneSkill:
-    def command(self, world) -> kelpie.Command:
+class OneSkill(Skill):
+    LAYER = kelpie.LAYER_PLAYER
+    NAME = 'single'
+
+    def step(self, world) -> kelpie.Command:
         memory = Memory()
         memory.update(world)
         makers = list(SKILLS.values())
         if world.task.skill >= len(makers):
             return kelpie.Command()
-        return makers[world.task.skill](world, memory).command(world)
+        return makers[world.task.skill](world, memory).step(world)

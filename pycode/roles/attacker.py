@@ -10,6 +10,7 @@ from decisions import tree
 from decisions.held_choice import HeldChoice
 from decisions.leaf_by_map import LeafByMap
 from lib.geom import from_field, heading
+from lib.steer import towards
 from situation.at_ball import Situation
 from situation.contested import Contested
 from situation.goal import OpponentGoal
@@ -19,8 +20,9 @@ from skills.ball.find_together import FindTogether
 from skills.ball.grab_dribble import GrabDribble
 from skills.ball.kick_ball import KickBall
 from skills.ball.line_up_kick import LineUpKick
-from skills.head.active_localise import ActiveLocalise
+from skills.head.active_localise import LEAVE, ActiveLocalise
 from skills.head.glance import Glance
+from skills.head.track_ball import believed
 from skills.walk.avoid_own_box import AvoidOwnBox
 from skills.walk.paw_stuck import PawStuck
 
@@ -62,7 +64,7 @@ class Attacker(Machine):
         self.leaf_frame = 0
         self.tree_leaf, self.tree_place, self.tree_why = None, '', ()
 
-    def command(self, world) -> kelpie.Command:
+    def step(self, world) -> kelpie.Command:
         """The frame's answer while playing."""
         self.goal.update(world)
         self.contested.update(world, self.memory)
@@ -70,7 +72,7 @@ class Attacker(Machine):
         if not self.committed and self.stuck.needed(world):
             if self.state != self.back_off:
                 self.enter(world, self.back_off, self.stuck, 'a front paw pushes at something')
-        return self.step(world)
+        return super().step(world)
 
     @property
     def committed(self) -> bool:
@@ -90,8 +92,8 @@ class Attacker(Machine):
         # gps has a felt ball as seen: vision must say so, too, or play() would send it back here.
         if not self.lost(world) and world.ball.seconds_since_seen < SEEN_S:
             return self.enter(world, self.play, None, 'the ball is {} cm away', world.ball.distance)
-        helped = self.team_search.answer(world) if len(world.teammates) > 0 else None
-        return helped if helped is not None else self.skill.command(world)
+        helped = self.team_search.step(world) if len(world.teammates) > 0 else None
+        return helped if helped is not None else self.skill.step(world)
 
     def wanted(self, world):
         """Where it goes on the field: to the ball."""
@@ -107,29 +109,32 @@ class Attacker(Machine):
     def back_off(self, world):
         if not self.stuck.needed(world):
             return self.enter(world, self.find, None, 'the paws are free')
-        return self.stuck.command(world)
+        return self.stuck.step(world)
 
     def avoid_box(self, world):
         """Where no goalie is heard who clears the ball, it fetches it in the end."""
         if self.lost(world) or not self.box_in_the_way(world):
             return self.enter(world, self.find, None, 'the own box is no longer in the way')
         self.box_frames += 1    # after the question: play() has asked it in this frame, too
-        return self.looking_round(world, self.skill.command(world))
+        return self.looking_round(world, self.skill.step(world))
 
     def looking_round(self, world, command) -> kelpie.Command:
         """The same, with the head at a landmark now and then."""
-        if self.glance.update(world, not self.committed):
-            command.head = self.glance.head(world)
+        if self.glance.takes_head(world, not self.committed):
+            command.head = self.glance.step(world)
         return command
 
     def localise(self, world):
-        if self.skill.done(world) or self.lost(world):
+        """Walks on to the ball while the head looks away."""
+        if self.skill.done or self.lost(world):
             return self.enter(world, self.find, None, 'looked at a landmark')
-        return self.skill.command(world)
+        head = self.skill.step(world)
+        walk = towards(believed(world), LEAVE) if world.ball.present else kelpie.WalkRequest()
+        return kelpie.Command(walk=walk, head=head)
 
     def play(self, world):
         if self.committed:
-            return self.skill.command(world)
+            return self.skill.step(world)
         if self.skill is not None and self.skill.done:
             return self.after_skill(world)
         if self.lost(world):
@@ -142,7 +147,7 @@ class Attacker(Machine):
             return self.enter(world, self.localise, self.localise_skill, 'far ball, time to look')
         if self.skill is None or world.frame % 2 == 0:
             self.choose_leaf(world)
-        return self.looking_round(world, self.skill.command(world))
+        return self.looking_round(world, self.skill.step(world))
 
     def after_skill(self, world):
         """Watches where the ball goes; a skill that leaves no hint itself sent it ahead."""
@@ -155,7 +160,7 @@ class Attacker(Machine):
     def watch(self, world):
         """The ball that was just kicked is not where it was believed: what is seen of it in this
         time is not played yet, only followed."""
-        command = self.skill.command(world)
+        command = self.skill.step(world)
         distance, aside = self.memory.hint[:2]
         if abs(aside) < AHEAD and distance >= FOLLOW_FROM:
             command.walk = kelpie.WalkRequest(forward=FOLLOW, kind=kelpie.WALK_FAST)
@@ -214,9 +219,8 @@ class Attacker(Machine):
             self.glance.explain(trace)
         if self.state == self.find and self.team_search.active:
             return self.team_search.explain(trace)
-        below = getattr(self.skill, 'explain', None)
-        if below is not None:
-            below(trace)
+        if self.skill is not None:
+            self.skill.explain(trace)
 
 
 def has_goalie(world) -> bool:

@@ -50,14 +50,14 @@ class Supporter(Machine):
         self.away = 0.0                 # cm from home
         self.moving, self.turning = True, False
 
-    def command(self, world) -> kelpie.Command:
+    def step(self, world) -> kelpie.Command:
         told = heard_of(world)
         self.ball = told if told is not None else time_to.ball_of(world, self.memory.ball_lost)
         lanes = keep_off.lanes(world, self.ball)
         self.home = self.home_of.update(world, self.role, self.ball, lanes)
         self.away = math.hypot(*from_field(world.pose, *self.home))
         self.choose(world, lanes)
-        command = self.step(world)
+        command = super().step(world)
         if self.state != self.back_off:
             kept_out_of_box(world, command.walk)
         return command
@@ -126,26 +126,26 @@ class Supporter(Machine):
     # States
 
     def back_off(self, world) -> kelpie.Command:
-        return self.stuck.command(world)
+        return self.stuck.step(world)
 
     def receive(self, world) -> kelpie.Command:
         return self.walking(world, facing((0.0, 0.0), aside_of(world, self.ball)))
 
     def get_out_of_way(self, world) -> kelpie.Command:
-        return self.walking(world, self.out_of_way.walk(world, self.lane, self.ball))
+        return self.walking(world, self.out_of_way.step(world, (self.lane, self.ball)))
 
     def avoid_ball(self, world) -> kelpie.Command:
-        return self.walking(world, self.avoid.walk(world, self.lane, self.ball))
+        return self.walking(world, self.avoid.step(world, (self.lane, self.ball)))
 
     def avoid_attacker(self, world) -> kelpie.Command:
-        return self.walking(world, self.avoid.walk(world, self.lane, self.ball))
+        return self.walking(world, self.avoid.step(world, (self.lane, self.ball)))
 
     def bird_of_prey(self, world) -> kelpie.Command:
-        return self.walking(world, self.bird.walk(world, self.home))
+        return self.walking(world, self.bird.step(world, self.home))
 
     def find_ball(self, world) -> kelpie.Command:
-        together = self.team_search.answer(world) if len(world.teammates) > 0 else None
-        return together if together is not None else self.skill.command(world)
+        together = self.team_search.step(world) if len(world.teammates) > 0 else None
+        return together if together is not None else self.skill.step(world)
 
     def go_home(self, world) -> kelpie.Command:
         """The last steps in any direction with the ball in view; then stands and faces it."""
@@ -157,7 +157,7 @@ class Supporter(Machine):
         return self.walking(world, facing((0.0, 0.0), aside if self.turning else 0.0))
 
     def walking(self, world, walk) -> kelpie.Command:
-        return kelpie.Command(walk=walk, head=self.watch.head(world, self.ball))
+        return kelpie.Command(walk=walk, head=self.watch.step(world, self.ball))
 
     def explain(self, trace) -> None:
         trace.append((self.LAYER, self.NAME, self.state.__name__, self.why, *self.numbers))

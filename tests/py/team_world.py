@@ -40,7 +40,7 @@ class TeamWorld:
             self.see(made)
         for number, made in enumerate(self.worlds):
             self.hear(number, made)
-        commands = [player.command(made) for player, made in zip(self.players, self.worlds)]
+        commands = [player.step(made) for player, made in zip(self.players, self.worlds)]
         for number, (made, command) in enumerate(zip(self.worlds, commands)):
             if (self.frame + number) % TELL_EVERY == 0:
                 self.said[number].append((self.frame + LATE, mate_of(made, command.team)))

@@ -56,17 +56,17 @@ def test_the_beacon_along_the_widest_axis_is_looked_at(xy, kind):
     world.covariance[1] = world.covariance[3] = xy
     skill = ActiveLocalise(memory)
     assert skill.needed(world) and skill.mark.kind == kind
-    assert (skill.head(world).target.x > 0.0) is (kind == EAST)
+    assert (skill.step(world).target.x > 0.0) is (kind == EAST)
 
 
 def look(skill, world, memory, sees):
     """Frames of the look and of the way back to the ball; the ball is out of sight meanwhile."""
     looks = backs = 0
-    while not skill.done(world):
+    while not skill.done:
         world.percepts.ball.present = backs > 3
         memory.update(world)
         world.percepts.landmarks = [kelpie.LandmarkPercept(kind=EAST)] if sees and looks > 4 else []
-        skill.head(world)
+        skill.step(world)
         looks, backs = looks + (skill.state == skill.look), backs + (skill.state == skill.back)
         assert looks + backs < 100
     return looks, backs
@@ -99,9 +99,9 @@ def test_a_ball_that_comes_near_ends_the_look():
     world, memory = scene()
     skill = ActiveLocalise(memory)
     skill.needed(world)
-    skill.head(world)
+    skill.step(world)
     world.ball.relative.y = 49.0
-    skill.head(world)
+    skill.step(world)
     assert skill.state == skill.back and skill.why == 'the ball is near'
 
 

@@ -100,7 +100,7 @@ def test_no_world_stops_a_player(name):
         random, player = RandomWorld(seed, 'goalie' in name, skill=seed), make()
         command = kelpie.Command()
         for _ in range(FRAMES):
-            command = player.command(random.next(command))
+            command = player.step(random.next(command))
             check(command)
             for _, module, branch, *_ in command.trace:
                 met.setdefault(module, set()).add(branch)
@@ -121,7 +121,7 @@ class Driven:
     def step(self, world):
         self.memory.update(world)
         self.random.goal.update(world)
-        self.command = self.skill.command(world)
+        self.command = self.skill.step(world)
         trace = []
         if hasattr(self.skill, 'state'):
             self.met.add(self.skill.state.__name__)
@@ -183,13 +183,13 @@ def test_no_world_stops_what_takes_head_or_legs_for_a_moment():
         if random.often(0.1):
             memory.spin_lost, memory.ball_run = 10, 9
         if looks.needed(world):
-            while not looks.done(world):
-                command = looks.command(world)
+            while not looks.done:
+                command = kelpie.Command(head=looks.step(world))
                 check(command)
                 world = random.next(command)
                 memory.update(world)
                 looked += 1
-        command = stuck.command(world) if stuck.needed(world) else roam.command(world)
+        command = stuck.step(world) if stuck.needed(world) else roam.step(world)
         backed += stuck.state != stuck.free
         check(command)
     assert looked > 10 and backed > 10
@@ -201,5 +201,5 @@ def test_every_skill_that_can_be_drawn_is_attacked():
         random, player = RandomWorld(number, skill=number), OneSkill()
         command = kelpie.Command()
         for _ in range(100):
-            command = player.command(random.next(command))
+            command = player.step(random.next(command))
             check(command)

@@ -85,7 +85,7 @@ class Scene:
         ball.present, ball.distance = True, abs(away)
         ball.relative.x, ball.relative.y = -away.imag, away.real
         ball.position.x, ball.position.y = self.ball.real, self.ball.imag
-        walk = self.skill.command(world).walk
+        walk = self.skill.step(world).walk
         self.at += FRAME_S * complex(walk.forward, walk.left) * self.facing
         self.facing *= cmath.rect(1.0, FRAME_S * math.radians(walk.turn_deg))
         if self.chance.random() < self.ball_moves:
@@ -145,7 +145,7 @@ def test_far_from_the_ball_it_stands_and_says_so():
     world.ball.present, world.ball.distance = True, 200.0
     world.ball.position.x, world.ball.position.y, world.ball.relative.y = 180.0, 50.0, 200.0
     skill, trace = AvoidOwnBox(), []
-    walk = skill.command(world).walk
+    walk = skill.step(world).walk
     assert (walk.forward, walk.left) == (0.0, 0.0)
     skill.explain(trace)
     assert trace == [(kelpie.LAYER_SKILL, 'avoid_own_box', 'far',
@@ -162,7 +162,7 @@ def test_the_wait_for_a_goalie_may_end_in_the_frame_in_which_the_box_is_met():
     world.ball.position.x, world.ball.position.y, world.ball.relative.y = 180.0, 50.0, 200.0
     world.ball.seconds_since_seen = 0.0
     attacker.box_frames = BOX_WAIT_FRAMES
-    attacker.command(world)
+    attacker.step(world)
     assert attacker.state == attacker.avoid_box
-    attacker.command(world)
+    attacker.step(world)
     assert attacker.state != attacker.avoid_box

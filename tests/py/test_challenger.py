@@ -72,7 +72,7 @@ class Challenge2004:
             self.world.pose.position.x = self.ideal.at.real
             self.world.pose.heading_deg = math.degrees(
                 math.atan2(self.ideal.facing.imag, self.ideal.facing.real))
-            command = self.player.command(self.world)
+            command = self.player.step(self.world)
             self.mapped += command.pinks == kelpie.PINKS_MAP
             if command.mouth_open and not self.announced:
                 self.said.append((self.ideal.at.real, self.ideal.at.imag))

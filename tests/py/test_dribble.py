@@ -11,5 +11,5 @@ from skills.ball.dribble import Dribble
 def test_a_ball_ahead_is_driven_on_unless_that_is_away_from_the_goal(goal_deg, ends):
     made = world(180.0, 200.0, 90.0, (180.0, 230.0))
     skill = Dribble(Memory(), lambda _: goal_deg)
-    walk = skill.command(made).walk
+    walk = skill.step(made).walk
     assert skill.done == ends and (walk.forward > 20.0) != ends

@@ -43,11 +43,11 @@ def test_attack_ends_when_the_ball_is_unseen_for_long():
 def test_goalie_takes_its_place_on_the_ellipse_and_stays():
     world, player = GoalieWorld(), EllipseGoalie()
     world.ball = 260 + 150j
-    run(world, player.command, 4.0)
+    run(world, player.step, 4.0)
     x, y, heading = places.ellipse_place(world.field, (260, 150))
     assert abs(world.at - complex(x, y)) < 15.0
     stood = world.at
-    run(world, player.command, 2.0)
+    run(world, player.step, 2.0)
     assert abs(world.at - stood) < 0.5 and player.skill.moving is False
 
 
@@ -62,14 +62,14 @@ def test_goalie_of_2004_never_leaves_its_box_either():
     for seed in range(300):
         world = anywhere(seed, chance)
         player = EllipseGoalie(paw=seed % 2 == 1)
-        run(world, player.command, 2.0)
+        run(world, player.step, 2.0)
         assert world.outside == 0
 
 
 def test_goalie_does_not_back_into_the_wall_beside_the_goal():
     world, player = scene(180 + 200j), EllipseGoalie()
     world.world.pose.position = kelpie.Point2(x=125.0, y=12.0)
-    command = player.command(world.world)
+    command = player.step(world.world)
     x, y = places.to_field(90.0, command.walk.forward, command.walk.left)
     assert x > 0 and y >= 0
 
@@ -79,7 +79,7 @@ def test_balls_in_the_box_are_cleared_without_own_goals():
     for seed in range(40):
         world, player = GoalieWorld(seed, noise=1.0), EllipseGoalie()
         world.ball = complex(chance.uniform(120, 240), chance.uniform(30, 63))
-        run(world, player.command, 10.0)
+        run(world, player.step, 10.0)
         assert not world.conceded
         cleared += places.beyond_box(world.field, (world.ball.real, world.ball.imag)) > 15.0
     assert cleared >= 32
@@ -87,8 +87,8 @@ def test_balls_in_the_box_are_cleared_without_own_goals():
 
 def test_hard_shots_go_in_more_often_than_with_the_goalie_of_2006():
     from players.goalie import Goalie
-    old = sum(shot(EllipseGoalie().command, seed).conceded for seed in range(60))
-    new = sum(shot(Goalie().command, seed).conceded for seed in range(60))
+    old = sum(shot(EllipseGoalie().step, seed).conceded for seed in range(60))
+    new = sum(shot(Goalie().step, seed).conceded for seed in range(60))
     assert new < old < 45
 
 
@@ -99,7 +99,7 @@ def test_random_worlds_never_stop_it(paw):
     for _ in range(30000):    # a slow ball in a kick's place is seldom
         scramble(world, chance)
         world.percepts.ball.heading_deg = chance.uniform(-60, 60)
-        command = player.command(world)
+        command = player.step(world)
         assert math.isfinite(command.walk.forward + command.walk.left + command.walk.turn_deg)
         assert len(command.trace) <= 8
         states.add(player.state.__name__)

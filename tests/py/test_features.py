@@ -40,7 +40,7 @@ def test_a_smaller_field_has_its_own_features():
 
 @pytest.mark.parametrize('name', list(kelpie.FIELDS))
 def test_the_forward_scores_on_every_field(name):
-    goals = [play(Forward().command, seed, 60.0, field=name).scored for seed in range(10)]
+    goals = [play(Forward().step, seed, 60.0, field=name).scored for seed in range(10)]
     assert sum(goals) >= 9
 
 

@@ -153,7 +153,7 @@ class Search:
         self.world.time_s += 1.0 / 30.0
         self.world.percepts.ball.present = seen
         self.memory.update(self.world)
-        return self.skill.command(self.world)
+        return self.skill.step(self.world)
 
     @property
     def step(self):
@@ -405,7 +405,7 @@ def test_a_search_without_a_memory_keeps_its_own():
     world = kelpie.WorldFrame(field=kelpie.FIELDS['2006'])
     world.ball.present, world.ball.seconds_since_seen, world.ball.distance = True, 1.5, 200.0
     skill = FindBall(world)
-    skill.command(world)
+    skill.step(world)
     assert skill.state == skill.scan
 
 
@@ -434,7 +434,7 @@ def swept(scan, seconds, limits):
     late_head = LateHead(world)
     for _ in range(round(seconds * FRAMES_PER_S)):
         world.time_s += 1.0 / FRAMES_PER_S
-        head = scan.head(world, *limits)
+        head = scan.step(world, (*limits, False))
         late_head.follow(head)
         pans.append(world.head.head_pan_deg)
         pitches.append(head.neck_tilt_deg + head.head_nod_deg)
@@ -458,7 +458,7 @@ def test_a_head_that_does_not_arrive_is_turned_all_the_same():
     scan, world, ends = ScanForBall(), kelpie.WorldFrame(), set()
     for _ in range(90):
         world.time_s += 1.0 / FRAMES_PER_S
-        ends.add(scan.head(world, 40.0, 88.0).head_pan_deg)
+        ends.add(scan.step(world, (40.0, 88.0, False)).head_pan_deg)
     assert ends == {40.0, 88.0}
 
 

@@ -24,7 +24,7 @@ def seconds_to_find(seed) -> float:
         memory.update(ideal.world)
         if ideal.world.percepts.ball.present:
             return frame / FRAMES_PER_S
-        ideal.step(skill.command(ideal.world))
+        ideal.step(skill.step(ideal.world))
     return 60.0
 
 
@@ -91,7 +91,7 @@ def test_no_odd_world_makes_it_raise_or_ask_for_what_is_not_finite(search):
             memory.set_hint(chance.uniform(0.0, 60.0), chance.uniform(-180.0, 180.0))
         if chance.random() < 0.01:
             skill.force(chance.choice((None, 50.0)), memory.frame + chance.randrange(40))
-        command = skill.command(world)
+        command = skill.step(world)
         assert all(math.isfinite(number) for number in numbers(command))
         assert abs(command.walk.forward) <= 50.0 and abs(command.walk.turn_deg) <= 130.0
         step = skill.state.__name__

@@ -16,7 +16,7 @@ BY_MAP = dict(kicks=kelpie.KICKS_BY_MAP)
 
 @functools.cache
 def played(noise, **task):
-    return [play(Forward().command, seed, 60.0, noise, task=kelpie.Task(**task))
+    return [play(Forward().step, seed, 60.0, noise, task=kelpie.Task(**task))
             for seed in range(STARTS)]
 
 
@@ -77,7 +77,7 @@ def doing(player):
 def run_until(ideal, player, end_s):
     command = kelpie.Command()
     while ideal.world.time_s < end_s:
-        command = player.command(ideal.world)
+        command = player.step(ideal.world)
         ideal.step(command)
     return command
 
@@ -88,7 +88,7 @@ def test_a_ball_never_seen_is_searched_for_without_end(task):
     ideal.hidden = True
     turned = walked = late = 0.0
     while ideal.world.time_s < 60.0:
-        command = player.command(ideal.world)
+        command = player.step(ideal.world)
         ideal.step(command)
         assert player.role.state == player.role.find
         turned += abs(command.walk.turn_deg) * FRAME_S
@@ -118,7 +118,7 @@ def test_nobody_walks_before_the_game_is_on(state):
     ideal.world.game.state = state
     for _ in range(90):
         ideal.see()
-        command = player.command(ideal.world)
+        command = player.step(ideal.world)
         assert standing(command) and command.trace[0][2] == 'waits'
 
 
@@ -130,10 +130,10 @@ def test_a_halt_in_any_state_stops_it_and_leads_back_to_the_search(task):
         run_until(ideal, player, 0.1 * tenths)
         halted_in.add(doing(player)[0])
         ideal.world.game.penalised = True
-        assert standing(player.command(ideal.world))
+        assert standing(player.step(ideal.world))
         assert player.role.state == player.role.find and not player.role.committed
         ideal.world.game.penalised = False
-        command = player.command(ideal.world)
+        command = player.step(ideal.world)
         assert [step[1] for step in command.trace[:2]] == ['forward', 'attacker']
     assert {'find', 'play'} <= halted_in
 
@@ -148,7 +148,7 @@ def test_whoever_fell_gets_up_first_and_then_plays_on(side, motion):
     ideal.world.motion.feeling.fallen = side
     asked = []
     while ideal.world.motion.feeling.fallen != kelpie.NOT_FALLEN and len(asked) < 90:
-        command = player.command(ideal.world)
+        command = player.step(ideal.world)
         asked.append(command.motion)
         ideal.step(command)
     assert set(asked) == {kelpie.NO_MOTION, motion} and len(asked) < 60
@@ -161,7 +161,7 @@ def test_whoever_is_held_by_others_gives_up_its_skill_in_time_and_starts_over():
     ideal.ball = ideal.at + 100 * ideal.facing
     reasons = set()
     while ideal.world.time_s < 30.0:
-        command = player.command(ideal.world)
+        command = player.step(ideal.world)
         reasons |= {step[3] for step in command.trace}
         command.walk = kelpie.WalkRequest()
         ideal.step(command)
@@ -173,7 +173,7 @@ def test_paws_that_push_at_something_make_it_back_off():
     run_until(ideal, player, 1.0)
     ideal.world.motion.feeling.paw_blocked = [True, True]
     ideal.world.ball.distance = 150.0
-    command = player.command(ideal.world)
+    command = player.step(ideal.world)
     assert command.walk.forward < 0.0 and doing(player)[0] == 'back_off'
     ideal.world.motion.feeling.paw_blocked = [False, False]
     run_until(ideal, player, ideal.world.time_s + 2.0)
@@ -183,7 +183,7 @@ def test_paws_that_push_at_something_make_it_back_off():
 def test_every_frame_tells_from_the_player_down_to_a_skill():
     ideal, player = game(2)
     while ideal.world.time_s < 20.0 and not ideal.scored:
-        command = player.command(ideal.world)
+        command = player.step(ideal.world)
         layers = [step[0] for step in command.trace]
         assert layers == sorted(layers) and layers[0] == kelpie.LAYER_PLAYER
         assert layers[-1] == kelpie.LAYER_SKILL
@@ -197,7 +197,7 @@ def test_a_ball_that_only_the_body_feels_is_searched_for():
     for _ in range(90):
         ideal.step(kelpie.Command())
         ideal.world.ball.seconds_since_seen = 0.0
-        player.command(ideal.world)
+        player.step(ideal.world)
         assert player.role.state == player.role.find
 
 
@@ -205,7 +205,7 @@ def test_the_goal_is_looked_for_once_and_the_ball_is_found_again_after_it():
     ideal, player = game(18, WITHOUT)
     sweeps, before = 0, ''
     while ideal.world.time_s < 30.0 and not ideal.kicks:
-        ideal.step(player.command(ideal.world))
+        ideal.step(player.step(ideal.world))
         now = doing(player)[1]
         sweeps, before = sweeps + (now == 'look_for_goal' != before), now
     assert ideal.kicks > 0 and sweeps <= 2

@@ -21,7 +21,7 @@ def state(world, frames=Block.SEEN_FRAMES + Block.FRAMES):
     for _ in range(frames):
         world.ball += world.velocity / 30.0
         world.see()
-        player.command(world.world)
+        player.step(world.world)
     return player.state.__name__
 
 
@@ -48,7 +48,7 @@ def test_an_earlier_branch_goes_before_a_later_one(first, second, both):
 
 def test_trace_says_branch_reason_and_skill():
     world, player = scene(180 + 62j), Goalie()
-    trace = player.command(world.world).trace
+    trace = player.step(world.world).trace
     layer, module, branch, reason, *numbers = trace[0]
     assert (layer, module, branch) == (kelpie.LAYER_PLAYER, 'goalie', 'attack')
     assert [step[1] for step in trace] == ['goalie', 'attack_ball', 'goalie_head']
@@ -62,7 +62,7 @@ def test_goalie_stands_still_while_play_is_halted():
     world.world.game.state = kelpie.SET
     for _ in range(60):
         world.see()
-        command = player.command(world.world)
+        command = player.step(world.world)
         assert (command.walk.forward, command.walk.left, command.walk.turn_deg) == (0, 0, 0)
         assert command.motion == kelpie.NO_MOTION
 
@@ -70,10 +70,10 @@ def test_goalie_stands_still_while_play_is_halted():
 def test_a_fallen_goalie_gets_up():
     world, player = scene(), Goalie()
     world.world.motion.feeling.fallen = kelpie.ON_LEFT
-    assert player.command(world.world).motion == kelpie.GET_UP_LEFT
+    assert player.step(world.world).motion == kelpie.GET_UP_LEFT
     world.world.motion.feeling.fallen = kelpie.NOT_FALLEN
     world.see()
-    assert player.command(world.world).motion == kelpie.NO_MOTION
+    assert player.step(world.world).motion == kelpie.NO_MOTION
     assert player.state == player.guard
 
 
@@ -81,7 +81,7 @@ def test_a_block_is_let_come_to_its_end():
     world, player = scene(180 + 90j, -170j), Goalie()
     states = []
     for _ in range(75):
-        world.step(player.command(world.world))
+        world.step(player.step(world.world))
         states.append(player.state.__name__)
     assert states.count('block') > 45 and states[-1] != 'block'
     assert not world.conceded
@@ -94,7 +94,7 @@ def test_balls_in_the_box_are_cleared_without_own_goals():
     for seed in range(60):
         world, player = GoalieWorld(seed, noise=1.0), Goalie()
         world.ball = complex(chance.uniform(120, 240), chance.uniform(25, 68))
-        run(world, player.command, 10.0)
+        run(world, player.step, 10.0)
         assert not world.conceded and world.outside == 0
         cleared += places.beyond_box(world.field, (world.ball.real, world.ball.imag)) > 15.0
     assert cleared >= 54
@@ -105,7 +105,7 @@ def test_goalie_never_leaves_its_box():
     for seed in range(1000):
         world = anywhere(seed, chance)
         player = Goalie()
-        run(world, player.command, 2.0)
+        run(world, player.step, 2.0)
         assert world.outside == 0
 
 
@@ -114,7 +114,7 @@ def test_goalie_never_leaves_its_box():
 def test_of_a_hundred_shots_few_go_in_wherever_the_goalie_stands(rule):
     """The rules of both theses in the same scenes (checklist K10): from 60 to 160 cm they do not
     differ by more than chance; nearer, 34, 36 and 37 of 100 go in."""
-    saved = [not shot(Goalie(rule).command, seed).conceded for seed in range(100)]
+    saved = [not shot(Goalie(rule).step, seed).conceded for seed in range(100)]
     assert sum(saved) >= 80
 
 
@@ -133,7 +133,7 @@ def test_an_own_goal_faced_by_mistake_is_turned_away_from(mended):
             lie = 0.0
         world.pose.heading_deg += lie
         world.ball.present = world.percepts.ball.present = False
-        command = player.command(world)
+        command = player.step(world)
         scenery.walk(command.walk)
         world.odometry.turn_deg = command.walk.turn_deg / 30
         facing.append(scenery.facing.imag)
@@ -143,7 +143,7 @@ def test_an_own_goal_faced_by_mistake_is_turned_away_from(mended):
 
 def test_a_goalie_pushed_round_turns_to_face_up_field():
     world, player = scene(facing=-1j), Goalie()
-    run(world, player.command, 3.0)
+    run(world, player.step, 3.0)
     assert world.facing.imag > 0.7 and world.outside == 0
 
 
@@ -152,7 +152,7 @@ def test_random_worlds_never_stop_the_goalie():
     world = GoalieWorld().world
     for _ in range(20000):
         scramble(world, chance)
-        command = player.command(world)
+        command = player.step(world)
         assert math.isfinite(command.walk.forward + command.walk.left + command.walk.turn_deg)
         assert abs(command.walk.left) <= 500 and len(command.trace) <= 8
         states.add(player.state.__name__)
@@ -192,7 +192,7 @@ def test_a_goalie_whose_pose_is_lost_does_not_walk_by_it():
     for frame in range(30 * 4):
         world.see()
         world.world.position_sd = SURE_CM
-        command = player.command(world.world)
+        command = player.step(world.world)
         walks = math.hypot(command.walk.forward, command.walk.left) > 1.0
         if 5 < frame < 30:
             assert walks
@@ -204,7 +204,7 @@ def test_a_turn_that_does_not_help_comes_to_an_end():
     turning = 0
     for _ in range(30 * 20):
         world.see()   # held: it asks, but does not turn
-        player.command(world.world)
+        player.step(world.world)
         turning += player.state == player.turn
     assert 30 * 8 < turning < 30 * 12
 
@@ -222,7 +222,7 @@ def test_a_pose_that_cannot_be_right_makes_the_goalie_look_round(sign):
             world.percepts.landmarks = [kelpie.LandmarkPercept(kind=kelpie.GOAL_BLUE)]
         else:
             world.percepts.landmarks = []
-        command = player.command(world)
+        command = player.step(world)
         scenery.walk(command.walk)
         world.odometry.turn_deg = command.walk.turn_deg / 30
         turned += abs(command.walk.turn_deg) / 30
@@ -290,12 +290,12 @@ def test_a_goalie_that_loses_the_ball_on_its_way_to_it_does_not_walk_on(unseen, 
     """Past a ball under its chin it takes it in."""
     scenery, player = scene(180 + 62j), Goalie()
     player.moved_s = -10.0
-    player.command(scenery.world)
+    player.step(scenery.world)
     assert player.state == player.attack
     for frame in range(1, round(30.0 * unseen)):
         scenery.world.time_s += 1.0 / 30.0
         scenery.world.ball.seconds_since_seen = frame / 30.0
-        player.command(scenery.world)
+        player.step(scenery.world)
     assert player.state.__name__ == state
 
 
@@ -373,7 +373,7 @@ def test_who_gets_up_has_not_seen_the_ball_since():
     scenery.world.motion.feeling.fallen = kelpie.ON_BACK
     for _ in range(60):
         scenery.world.time_s += 1.0 / 30.0
-        player.command(scenery.world)
+        player.step(scenery.world)
     scenery.world.ball.seconds_since_seen = 1.0
     assert not player.seen_since_motion(scenery.world)
 
@@ -408,7 +408,7 @@ def test_no_kick_before_the_goalie_stands_after_a_motion():
     waited = 0
     while player.state != player.clear:
         scenery.see()
-        player.command(scenery.world)
+        player.step(scenery.world)
         waited += 1
     assert waited == pytest.approx(30 * Clear.STANDS, abs=2)
 
@@ -431,7 +431,7 @@ def chosen_for(scenery, player, seconds) -> set:
     names = set()
     for _ in range(round(30 * seconds)):
         scenery.see()
-        player.command(scenery.world)
+        player.step(scenery.world)
         names.add(player.state.__name__)
     return names
 
@@ -520,5 +520,5 @@ def test_a_ball_that_is_not_where_it_was_kicked_is_looked_for_on_that_side(right
     world.ball.seconds_since_seen = 2.0
     player.eyes.expect(world, (180.0 + right, 60.0))
     world.time_s += Look.BELIEVED + 0.1
-    player.eyes.head(world, False)
+    player.eyes.step(world, False)
     assert player.eyes.skill.near[-2] == (math.copysign(44.0, -right), math.copysign(1.0, -right))

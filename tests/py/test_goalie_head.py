@@ -27,7 +27,7 @@ def scanned(scan, world, seconds):
     """What a head with 360 deg/s sees in frames in which it hardly turns: pans and tilts."""
     world.time_s, pan, looks = scan.start_s, 0.0, []
     while world.time_s < scan.start_s + seconds:
-        request = scan.head(world)
+        request = scan.step(world)
         step = max(-12.0, min(12.0, request.head_pan_deg - pan))
         pan += step
         if abs(step) < 3.0:
@@ -57,12 +57,12 @@ def test_a_ball_lost_close_by_is_first_looked_for_low_ahead_then_the_body_turns_
     turns = [pan for pan, before in zip(rests, [None] + rests) if pan != before]
     assert turns == [0, side, -side] and scan.turn_side(world) == 0.0
     world.time_s = scan.start_s + Tune.NEAR_TIMES[2] + 0.1
-    assert side * scan.head(world).head_pan_deg > 0 and scan.turn_side(world) == side
+    assert side * scan.step(world).head_pan_deg > 0 and scan.turn_side(world) == side
     world.time_s = scan.start_s + Tune.NEAR_TIMES[3] + 0.1
-    assert side * scan.head(world).head_pan_deg < 0 and scan.turn_side(world) == -side
+    assert side * scan.step(world).head_pan_deg < 0 and scan.turn_side(world) == -side
     assert scan.searches_near(world)
     world.time_s = scan.start_s + Tune.NEAR_TIMES[4] + 0.1
-    assert scan.head(world).head_pan_deg > 50 and scan.turn_side(world) == 0.0
+    assert scan.step(world).head_pan_deg > 50 and scan.turn_side(world) == 0.0
     assert not scan.searches_near(world)
 
 
@@ -74,11 +74,11 @@ def test_a_head_looks_where_mates_see_the_ball_and_between_on_with_its_scan():
     for frame in range(1, 120):
         eyes.told = (180.0 - 60.0, 20.0 + 60.0)   # 45 deg to the left
         world.time_s = began + frame / 30.0
-        pans.append(round(eyes.head(world, True).head_pan_deg))
+        pans.append(round(eyes.step(world, True).head_pan_deg))
     there = [pan == 45 for pan in pans]
     assert all(there[:14]) and 0.2 < sum(there) / len(there) < 0.4
     eyes.told = None
-    eyes.head(world, True)
+    eyes.step(world, True)
     assert not eyes.skill.searches_near(world) and eyes.skill.rounds(world) == 0
     assert eyes.skill.start_s == world.time_s
 
@@ -89,12 +89,12 @@ def test_where_mates_last_saw_a_near_ball_the_search_begins_again_with_the_turns
     world.ball.seconds_since_seen = 5.0
     eyes.enter(world, eyes.search, PointScan(world))
     eyes.told = (x, 30.0)
-    eyes.head(world, True)
+    eyes.step(world, True)
     eyes.told = None
-    eyes.head(world, True)
+    eyes.step(world, True)
     assert eyes.skill.searches_near(world)
     world.time_s += Tune.NEAR_TIMES[2] + 0.1
-    eyes.head(world, True)
+    eyes.step(world, True)
     assert eyes.turn_side(world) == side
 
 
@@ -106,7 +106,7 @@ def test_a_lost_pose_is_surveyed_after_the_search_close_by():
     began, surveyed = world.time_s, []
     for frame in range(1, 150):
         world.time_s = began + frame / 30.0
-        eyes.head(world, True)
+        eyes.step(world, True)
         if eyes.state == eyes.survey:
             surveyed.append(world.time_s - began)
     assert min(surveyed) == pytest.approx(Tune.NEAR_TIMES[-1], abs=0.1)
@@ -142,7 +142,7 @@ def glanced_at(head, world):
     looked, was, frame = [], None, 0
     for _ in range(600):
         world.time_s, frame = world.time_s + 1.0 / 30.0, frame + 1
-        head.head(world, True)
+        head.step(world, True)
         if head.state == head.localise and was != head.state:
             looked.append((head.skill.position.x, head.skill.position.y))
             head.memory.marks[head.skill.kind] = frame
@@ -167,7 +167,7 @@ def heads(head, world, seconds, free=True):
     for _ in range(int(30 * seconds)):
         world.time_s += 1.0 / 30.0
         world.ball.seconds_since_seen += 1.0 / 30.0
-        head.head(world, free)
+        head.step(world, free)
         if not states or states[-1] != head.state.__name__:
             states.append(head.state.__name__)
         if head.state in (head.track, head.believed) and world.percepts.ball.present:
@@ -209,7 +209,7 @@ def test_a_glance_that_finds_no_landmark_is_followed_by_a_survey():
     head.enter(world, head.survey)
     for _ in range(32):
         world.time_s += 1.0 / 30.0
-        request = head.head(world, True)
+        request = head.step(world, True)
         if head.state == head.survey and request.head_pan_deg not in pans:
             pans.append(request.head_pan_deg)
     assert pans == list(Look.SURVEY)
@@ -249,7 +249,7 @@ def test_head_of_2006_regains_a_lost_ball_by_belief_then_by_points():
     heads(head, world, 0.5)
     assert heads(head, seeing(world, False), 2.0) == ['track', 'believed', 'search']
     world.ball.seconds_since_seen = 0.0
-    head.head(world, True)
+    head.step(world, True)
     assert head.state == head.track
 
 
@@ -270,7 +270,7 @@ def test_last_angle_is_where_the_ball_was_looked_at():
     heads(head, world, 1.0)
     world.head.head_pan_deg = 70.0
     head.enter(world, head.last_angle)
-    assert head.head(world, True).head_pan_deg == 33.0
+    assert head.step(world, True).head_pan_deg == 33.0
 
 
 def test_search_of_2004_pans_slowly_at_the_horizon_and_quickly_at_the_feet():
@@ -280,7 +280,7 @@ def test_search_of_2004_pans_slowly_at_the_horizon_and_quickly_at_the_feet():
     pans = {'horizon': [], 'feet': []}
     for _ in range(90):
         world.time_s += 1.0 / 30.0
-        request = head.head(world, True)
+        request = head.step(world, True)
         pans[head.state.__name__].append((request.head_pan_deg,
                                           request.neck_tilt_deg + request.head_nod_deg))
     for sweep in pans.values():

@@ -24,14 +24,14 @@ def test_a_goalie_holds_out_at_a_ball_at_its_body_that_an_opponent_presses(ahead
     scenery.world.opponents = [opponent(ball.real, ball.imag + 10.0)]
     for _ in range(4):
         scenery.see()
-        walk = player.command(scenery.world).walk
+        walk = player.step(scenery.world).walk
     assert player.state == player.guard
     assert (walk.forward == walk.left == walk.turn_deg == 0.0) == stands
     scenery.see()
     scenery.world.ball.seconds_since_seen = 0.8
     for place, goes in ((ball, not stands), (240 + 40j, True)):
         told(scenery.world, place, 0.1)
-        walk = player.command(scenery.world).walk
+        walk = player.step(scenery.world).walk
         assert (walk.left < -5.0 or walk.forward != 0.0 or walk.left > 5.0) == goes
 
 
@@ -50,7 +50,7 @@ def pressed(away=15.0, believed=188 + 21j):
             world.ball.position.x, world.ball.position.y = believed.real, believed.imag
         told(world, ball, 0.01)
         world.opponents = [opponent(ball.real, ball.imag + away)]
-        walk = player.command(world).walk
+        walk = player.step(world).walk
         return walk.forward == walk.left == walk.turn_deg == 0.0
 
     return scenery, player, stands
@@ -93,7 +93,7 @@ def test_with_an_opponent_at_hand_a_goalie_waits_longer_for_a_landmark(away, sec
     states = []
     for _ in range(30 * seconds):
         scenery.see()
-        player.command(scenery.world)
+        player.step(scenery.world)
         states.append(player.state)
     assert (player.turn in states) == turns
 

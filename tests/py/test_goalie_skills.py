@@ -23,7 +23,7 @@ def test_moving_begins_beyond_the_laziness_and_ends_within_the_accuracy(tune):
     for off, moves in [(tune.LAZY - 0.1, False), (tune.LAZY + 0.1, True),
                        (tune.ACCURATE + 0.1, True), (tune.ACCURATE - 0.1, False),
                        (tune.LAZY - 0.1, False)]:
-        assert still(guard.walk(world_at(), (180.0 + off, 20.0, 90.0))) != moves
+        assert still(guard.step(world_at(), (180.0 + off, 20.0, 90.0))) != moves
 
 
 @pytest.mark.parametrize('tune', [Guard, GuardEllipse])
@@ -31,7 +31,7 @@ def test_so_does_turning(tune):
     guard = GuardGoal(tune)
     for off, turns in [(tune.LAZY_TURN - 0.1, False), (tune.LAZY_TURN + 0.1, True),
                        (tune.ACCURATE_TURN + 0.1, True), (tune.ACCURATE_TURN - 0.1, False)]:
-        walk = guard.walk(world_at(), (180.0, 20.0, 90.0 + off))
+        walk = guard.step(world_at(), (180.0, 20.0, 90.0 + off))
         assert (walk.turn_deg > 0.0) == turns and walk.left == 0.0
 
 
@@ -91,7 +91,7 @@ def test_a_direction_in_which_an_opponent_stands_is_avoided():
 
 def walk_to_kick(attack, world):
     walks = attack.can(world)
-    return kelpie.Command(walk=attack.walk(world) if walks else kelpie.WalkRequest())
+    return kelpie.Command(walk=attack.step(world) if walks else kelpie.WalkRequest())
 
 
 def test_an_attack_comes_to_where_its_kick_needs_the_ball():

@@ -67,7 +67,7 @@ def walks_of(player, scenery, seconds):
     walks = []
     for _ in range(round(seconds / FRAME_S)):
         scenery.world.time_s += FRAME_S
-        walks.append((player.state.__name__, player.command(scenery.world).walk))
+        walks.append((player.state.__name__, player.step(scenery.world).walk))
     return walks
 
 
@@ -88,7 +88,7 @@ def test_but_not_over_its_goal_line(y):
     world, at = scenery.world, y
     for _ in range(120):
         world.time_s += FRAME_S
-        walk = player.command(world).walk
+        walk = player.step(world).walk
         world.odometry.forward = walk.forward * FRAME_S if player.state == player.step_back else 0.0
         at += world.odometry.forward
         world.pose.position.y = at

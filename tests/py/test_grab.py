@@ -68,7 +68,7 @@ def grabbing(ir):
     memory = Memory()
     memory.chest, memory.turn_lost = ir, LONG
     skill, made = Grab(memory), world(180, 200, 90, (180, 212))
-    return skill, made, skill.command(made)
+    return skill, made, skill.step(made)
 
 
 @pytest.mark.parametrize('ir, motion', [(50.0, kelpie.GRAB), (5.0, kelpie.GRAB_QUICK)])
@@ -82,10 +82,10 @@ def test_a_grab_is_asked_for_until_it_runs_and_is_done_when_it_has_ended():
     skill, made, _ = grabbing(50.0)
     made.time_s += 0.1
     made.motion.running = kelpie.GRAB
-    assert skill.command(made).motion == kelpie.NO_MOTION and not skill.done
+    assert skill.step(made).motion == kelpie.NO_MOTION and not skill.done
     made.time_s += 0.4
     made.motion.running = kelpie.NO_MOTION
-    skill.command(made)
+    skill.step(made)
     assert skill.done
 
 
@@ -95,10 +95,10 @@ def test_the_rules_clock_starts_when_the_ball_lies_between_the_paws(ahead, waite
     made.ball.seconds_since_seen = 1.0  # not seen, not grabbed
     for _ in range(10):
         made.time_s += 1.0 / 30.0
-        skill.command(made)
+        skill.step(made)
     first = 1.0 / 30.0
     put_ball(made, 180.0, 208.0)
-    skill.command(made)
+    skill.step(made)
     assert skill.committed and skill.begun_s == pytest.approx(first if waited else made.time_s)
 
 
@@ -106,7 +106,7 @@ def test_a_grab_that_never_starts_is_given_up():
     skill, made, _ = grabbing(50.0)
     for _ in range(30):
         made.time_s += 1.0 / 30.0
-        skill.command(made)
+        skill.step(made)
     assert skill.done
 
 
@@ -196,13 +196,13 @@ def test_a_dodge_goes_on_until_the_way_was_free_for_some_frames(y, frames):
     made.sensors.head_near_distance = 15.0
     step = Dodge(made, memory)
     for _ in range(10):
-        step.command(made)
+        step.step(made)
     assert not step.done
     made.sensors.head_near_distance = 50.0
     for _ in range(frames - 1):
-        step.command(made)
+        step.step(made)
     assert not step.done
-    step.command(made)
+    step.step(made)
     assert step.done
 
 
@@ -212,7 +212,7 @@ def test_one_near_reading_makes_a_dodge_go_on_for_all_its_frames_again():
     step = Dodge(made, Memory())
     distances = [50.0] * 6 + [15.0] + [50.0] * 6
     for made.sensors.head_near_distance in distances:
-        step.command(made)
+        step.step(made)
     assert not step.done
 
 

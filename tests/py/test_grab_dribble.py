@@ -41,7 +41,7 @@ def run(made, skill, seconds):
     commands = []
     for _ in range(round(seconds / FRAME_S)):
         made.time_s += FRAME_S
-        commands.append(skill.command(made))
+        commands.append(skill.step(made))
     return commands
 
 
@@ -106,7 +106,7 @@ def over_turning(y, off, sees):
     farthest = -180.0
     for _ in range(round(2.0 / FRAME_S)):
         made.time_s += FRAME_S
-        command = skill.command(made)
+        command = skill.step(made)
         turned_by(made, command.walk.turn_deg * FRAME_S)
         truth = wrap(made.pose.heading_deg + off - 90.0)
         farthest = max(farthest, made.pose.heading_deg - 90.0)

@@ -19,13 +19,13 @@ def longest_stays(player_of, machine_of, settle, seconds, seeds, **task):
         random, player = RandomWorld(seed, **task), player_of()
         command = kelpie.Command()
         for _ in range(400):
-            command = player.command(random.next(command))
+            command = player.step(random.next(command))
         world = random.world
         settle(world)
         for _ in range(int(seconds / FRAME_S)):
             world.time_s += FRAME_S
             world.ball.seconds_since_seen += FRAME_S
-            player.command(world)
+            player.step(world)
             machine = machine_of(player)
             name = machine.state.__name__
             longest[name] = max(longest.get(name, 0.0), machine.since(world))
@@ -81,7 +81,7 @@ def test_after_an_interruption_in_any_frame_a_forward_plays_like_a_new_one(why):
         random, player = RandomWorld(seed), Forward()
         command = kelpie.Command()
         for _ in range(60 + 7 * seed):
-            command = player.command(random.next(command))
+            command = player.step(random.next(command))
         interrupted_in.add(player.role.state.__name__)
         world = random.world
         world.motion, world.game = kelpie.MotionStatus(), kelpie.GameState()
@@ -89,7 +89,7 @@ def test_after_an_interruption_in_any_frame_a_forward_plays_like_a_new_one(why):
             world.game.penalised = True
         else:
             world.motion.feeling.fallen = kelpie.ON_LEFT
-        stopped = player.command(world)
+        stopped = player.step(world)
         assert stopped.walk.forward == stopped.walk.left == stopped.walk.turn_deg == 0.0
         new = Forward()
         new.memory.__dict__.update(copy.deepcopy(player.memory.__dict__))
@@ -97,8 +97,8 @@ def test_after_an_interruption_in_any_frame_a_forward_plays_like_a_new_one(why):
         for _ in range(40):
             random.next(command)
             world.motion, world.game = kelpie.MotionStatus(), kelpie.GameState()
-            command = player.command(world)
-            assert answer(command) == answer(new.command(world))
+            command = player.step(world)
+            assert answer(command) == answer(new.step(world))
     assert {'find', 'play'} <= interrupted_in
 
 
@@ -107,7 +107,7 @@ def test_no_module_remembers_anything_from_one_player_to_the_next():
         random, player = RandomWorld(3), Forward()
         command, told = kelpie.Command(), []
         for _ in range(300):
-            command = player.command(random.next(command))
+            command = player.step(random.next(command))
             told.append(answer(command))
         return told
     assert answers() == answers()

@@ -104,10 +104,10 @@ def test_who_is_to_get_the_ball_waits_and_does_not_get_out_of_the_way():
     memory = Memory()
     memory.update(made)
     skill = Supporter(memory, S)
-    skill.command(made)
+    skill.step(made)
     assert skill.state == skill.get_out_of_way
     holding.note.pass_to = 4
-    command = skill.command(made)
+    command = skill.step(made)
     assert skill.state == skill.receive
     assert command.walk.forward == command.walk.left == 0.0
 

@@ -21,7 +21,7 @@ def world_with(left, right, time_s=0.0):
 def test_three_cases_of_paws(left, right, backs, goes):
     skill, world = PawStuck(), world_with(left, right)
     assert skill.needed(world) is backs
-    walk = skill.walk(world)
+    walk = skill.step(world).walk
     assert (walk.forward < 0.0) is backs and (walk.left > 0) - (walk.left < 0) == goes
     assert walk.turn_deg == 0.0
 
@@ -30,7 +30,7 @@ def test_it_backs_for_a_certain_time_after_the_paw_is_free():
     skill = PawStuck()
     assert skill.needed(world_with(True, False))
     assert skill.needed(world_with(False, False, BACK_S - 0.01))
-    assert skill.walk(world_with(False, False, BACK_S - 0.01)).left < 0.0
+    assert skill.step(world_with(False, False, BACK_S - 0.01)).walk.left < 0.0
     assert not skill.needed(world_with(False, False, BACK_S + 0.01))
 
 
@@ -54,16 +54,16 @@ def test_a_robot_that_is_held_while_it_walks_ahead_backs_straight(forward, backs
     skill, world = PawStuck(), world_with(False, False)
     world.motion.feeling.stuck, world.last_command.walk.forward = True, forward
     assert skill.needed(world) is backs
-    assert skill.walk(world).left == 0.0
+    assert skill.step(world).walk.left == 0.0
 
 
 def test_met_head_on_again_it_goes_to_the_right():
     skill = PawStuck()
     skill.needed(world_with(True, True))
     world = world_with(True, True, 2.0)
-    assert skill.needed(world) and skill.walk(world).left < 0.0
+    assert skill.needed(world) and skill.step(world).walk.left < 0.0
     world = world_with(True, True, 10.0)
-    assert skill.needed(world) and skill.walk(world).left == 0.0
+    assert skill.needed(world) and skill.step(world).walk.left == 0.0
 
 
 def test_a_robot_that_backs_into_something_stops_that_and_heeds_no_paw_for_a_while():
@@ -109,7 +109,7 @@ class Walker:
         world = world_with(touched and met.imag > -8.0, touched and met.imag < 8.0, time_s)
         walk = kelpie.WalkRequest(forward=min(30.0, 3.0 * abs(self.place - self.at)))
         if avoid and self.stuck.needed(world):
-            walk = self.stuck.walk(world)
+            walk = self.stuck.step(world).walk
         self.at += FRAME_S * complex(walk.forward, walk.left) * ahead
         between = self.at - other.at
         if abs(between) < 28.0:  # they slide along each other
@@ -146,7 +146,7 @@ def test_random_paws_never_stop_it_for_good():
         world = world_with(*pressed, frame * FRAME_S)
         if skill.needed(world):
             backs += 1
-            walk = skill.walk(world)
+            walk = skill.step(world).walk
             assert walk.forward < 0.0 and math.isfinite(walk.left)
     assert 0 < backs < 20000
     assert not skill.needed(world_with(False, False, 1e6))

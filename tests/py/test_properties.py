@@ -154,11 +154,11 @@ def test_a_kick_of_the_map_is_worth_the_same_mirrored(place, gap, turn):
 @given(places(), st.sampled_from(list(PLACES)))
 def test_skills_walk_mirrored_ways_to_mirrored_balls(place, kick):
     one, mirrored = both(place)
-    same_walk(Grab(Memory()).command(one).walk, Grab(Memory()).command(mirrored).walk)
-    same_walk(KickBall(Memory(), kick).command(one).walk,
-              KickBall(Memory(), other_kick(kick)).command(mirrored).walk)
-    same_walk(Dribble(Memory(), lambda _: 40.0).command(one).walk,
-              Dribble(Memory(), lambda _: -40.0).command(mirrored).walk)
+    same_walk(Grab(Memory()).step(one).walk, Grab(Memory()).step(mirrored).walk)
+    same_walk(KickBall(Memory(), kick).step(one).walk,
+              KickBall(Memory(), other_kick(kick)).step(mirrored).walk)
+    same_walk(Dribble(Memory(), lambda _: 40.0).step(one).walk,
+              Dribble(Memory(), lambda _: -40.0).step(mirrored).walk)
 
 
 @given(places(), near)
@@ -166,7 +166,7 @@ def test_walks_to_a_ball_before_a_goal_are_mirrored_with_the_goal(place, goal):
     one, mirrored = both(place)
     goal = goal[0], 100.0 + goal[1]
     for skill in (GoToBall(), StepToKick()):
-        same_walk(skill.walk(one, goal), skill.walk(mirrored, (-goal[0], goal[1])))
+        same_walk(skill.step(one, goal), skill.step(mirrored, (-goal[0], goal[1])))
 
 
 @given(places())
@@ -175,7 +175,7 @@ def test_a_goalie_guards_mirrored_places(place):
     assume(one.ball.position.y > goalie_places.STAND_Y)  # nearer, straight behind is a tie
     for rule in (goalie_places.bisector_place, goalie_places.ellipse_place,
                  goalie_places.circle_place):
-        walks = [GuardGoal(Guard).walk(made, rule(FIELD, (made.ball.position.x,
+        walks = [GuardGoal(Guard).step(made, rule(FIELD, (made.ball.position.x,
                                                           made.ball.position.y)))
                  for made in (one, mirrored)]
         same_walk(*walks)

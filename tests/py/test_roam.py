@@ -21,7 +21,7 @@ def places(world, count):
     """The places that a roaming robot goes to when it is at each at once."""
     roam, found = Roam(world), []
     for _ in range(count):
-        roam.command(world)
+        roam.step(world)
         found.append(roam.place)
         world.pose.position.x, world.pose.position.y = roam.place
         world.time_s += 1.0
@@ -36,9 +36,9 @@ def test_both_halves_are_visited_in_turn_the_other_one_first():
 def test_a_place_that_is_not_reached_is_given_up():
     world = world_at(100.0, 100.0)
     roam = Roam(world)
-    roam.command(world)
+    roam.step(world)
     first, world.time_s = roam.place, 9.1
-    roam.command(world)
+    roam.step(world)
     assert roam.place != first
 
 
@@ -79,6 +79,6 @@ def test_a_place_beside_a_robot_is_on_the_field():
 
 def test_it_walks_to_the_place():
     world = world_at(180.0, 100.0)
-    walk = Roam(world).command(world).walk
+    walk = Roam(world).step(world).walk
     assert walk.forward > 25.0 and abs(walk.turn_deg) < 1.0
     assert from_field(world.pose, 180.0, 351.0)[1] > 200.0

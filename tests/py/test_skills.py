@@ -25,12 +25,12 @@ def test_place_behind_the_ball_lies_on_the_line_from_the_goal():
 
 
 def test_walk_to_a_ball_on_the_left_turns_left():
-    walk = GoToBall().walk(world_with_ball(-50, 100), None)
+    walk = GoToBall().step(world_with_ball(-50, 100), None)
     assert walk.turn_deg > 0 and walk.forward > 0
 
 
 def test_ball_behind_is_turned_to_on_the_spot():
-    walk = GoToBall().walk(world_with_ball(10, -60), None)
+    walk = GoToBall().step(world_with_ball(10, -60), None)
     assert walk.forward == 0 and abs(walk.turn_deg) > 30
 
 
@@ -38,13 +38,13 @@ def test_goal_to_the_left_of_the_ball_is_lined_up_by_stepping_right():
     world = world_with_ball(0, 20)
     goal_point = (-100.0, 120.0)
     assert aim_error((0, 20), goal_point) == pytest.approx(45.0)
-    walk = CircleBall().walk(world, goal_point)
+    walk = CircleBall().step(world, goal_point)
     assert walk.left < 0 and walk.turn_deg > 0
 
 
 def test_ball_aside_is_not_approached_further_until_it_is_centred():
     world = world_with_ball(6, Strike.STAND_OFF)
-    walk = StepToKick().walk(world, (6.0, 200.0))
+    walk = StepToKick().step(world, (6.0, 200.0))
     assert walk.forward == pytest.approx(0) and walk.left < 0
 
 
@@ -63,18 +63,19 @@ def test_no_kick_past_the_goal():
 def test_kick_is_requested_until_it_runs_and_ends_with_it():
     world = kelpie.WorldFrame(field=kelpie.FIELDS['2006'])
     kick = Kick(world)
-    assert kick.motion(world) == kelpie.KICK_FORWARD
+    assert kick.step(world) == kelpie.KICK_FORWARD
     world.motion.running = kelpie.KICK_FORWARD
-    assert kick.motion(world) == kelpie.NO_MOTION and not kick.done(world)
+    assert kick.step(world) == kelpie.NO_MOTION and not kick.done
     world.motion.running = kelpie.NO_MOTION
-    assert kick.done(world)
+    assert kick.step(world) == kelpie.NO_MOTION and kick.done
 
 
 def test_kick_that_never_starts_is_given_up():
     world = kelpie.WorldFrame(field=kelpie.FIELDS['2006'])
     kick = Kick(world)
     world.time_s += tune.Kick.START_TIME + 0.1
-    assert kick.done(world)
+    kick.step(world)
+    assert kick.done
 
 
 @pytest.mark.parametrize('team, kind', [(kelpie.RED, kelpie.GOAL_BLUE),
@@ -130,6 +131,6 @@ def test_a_ball_that_vanishes_in_the_last_steps_ends_them_without_a_circle():
         world.time_s += 1.0 / 30.0
         goal.seen_s = world.time_s
         world.ball.seconds_since_seen = max(0, frame - 10) / 30
-        skill.command(world)
+        skill.step(world)
         states.add(skill.state.__name__)
     assert 'strike' in states and skill.state == skill.line_up

@@ -14,8 +14,12 @@ LAYERS = ('data', 'lib', 'arbiter', 'situation', 'safety', 'skills', 'decisions'
           'players', 'main')
 SHARED = ('kelpie', 'math')
 FUNCTION_LINES = 40
-SIGNATURES = {'walk': 'kelpie.WalkRequest', 'head': 'kelpie.HeadRequest',
-              'command': 'kelpie.Command', 'motion': 'int'}
+# One verb for all: what a skill, a role or a player answers is what its folder moves.
+STEP_ANSWERS = {'skills/head': ('kelpie.HeadRequest',), 'skills/motion': ('int',),
+                'skills/walk': ('kelpie.WalkRequest', 'kelpie.Command'),
+                'skills/ball': ('kelpie.WalkRequest', 'kelpie.Command'),
+                'roles': ('kelpie.Command',), 'players': ('kelpie.Command',)}
+OLD_VERBS = ('walk', 'head', 'command', 'motion', 'answer', 'tick')
 
 
 def imports(tree):
@@ -62,14 +66,35 @@ def test_an_import_upwards_is_found(layer, text, found):
     assert upward_imports(layer, text) == found
 
 
-@pytest.mark.parametrize('path', FILES, ids=name_of)
-def test_a_skill_says_what_its_methods_return(path):
+def steps(path):
+    """(class, its step()) of what is played: all but the parts that a skill is made of."""
+    for one in ast.walk(ast.parse(path.read_text())):
+        if isinstance(one, ast.ClassDef):
+            yield from ((one, each) for each in one.body
+                        if isinstance(each, ast.FunctionDef) and each.name == 'step')
+
+
+PLAYED = [path for path in FILES if name_of(path).startswith(tuple(STEP_ANSWERS))]
+
+
+@pytest.mark.parametrize('path', PLAYED, ids=name_of)
+def test_one_verb_says_what_is_played_in_this_frame(path):
+    folder = path.relative_to(PYCODE).parent.as_posix()
+    for one, step in steps(path):
+        arguments = [each.arg for each in step.args.args]
+        assert arguments[:2] == ['self', 'world'] and len(arguments) <= 3, one.name
+        assert one.bases, f'{one.name} is no Skill'
+        returned = step.returns is not None and ast.unparse(step.returns)
+        assert returned in STEP_ANSWERS[folder], one.name
     for function in functions(path):
-        wanted = SIGNATURES.get(function.name)
-        if wanted:
-            assert function.returns is not None, f'{function.name}, line {function.lineno}'
-            assert ast.unparse(function.returns) == wanted, f'line {function.lineno}'
-        assert function.name != 'tick', f'line {function.lineno}: say what it returns'
+        assert function.name not in OLD_VERBS, f'line {function.lineno}: say step'
+
+
+@pytest.mark.parametrize('path', PLAYED, ids=name_of)
+def test_done_and_committed_are_asked_without_arguments(path):
+    for function in functions(path):
+        if function.name in ('done', 'committed'):
+            assert [ast.unparse(one) for one in function.decorator_list] == ['property']
 
 
 @pytest.mark.parametrize('path', FILES, ids=name_of)

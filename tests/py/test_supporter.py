@@ -32,7 +32,7 @@ def striker(made, frames=1, role=S, lost=0):
     for _ in range(frames):
         memory.update(made)
         memory.ball_lost += lost
-        command = skill.command(made)
+        command = skill.step(made)
     return skill, command
 
 
@@ -101,7 +101,7 @@ def test_bird_of_prey_goes_on_within_100_cm_until_it_is_home():
     for y in (240.0, 270.0, 315.0, 325.0):
         made.pose.position.y = y
         memory.update(made)
-        skill.command(made)
+        skill.step(made)
         states.append(skill.state.__name__)
     assert states == ['bird_of_prey'] * 3 + ['go_home']
 
@@ -129,7 +129,7 @@ def test_nobody_but_the_goalie_walks_into_the_own_box(at, ball):
         made.percepts.ball.present = frame < 30
         made.ball.seconds_since_seen = max(0.0, (frame - 30) * FRAME_S)
         memory.update(made)
-        walk_in(made, skill.command(made))
+        walk_in(made, skill.step(made))
         x, y = ways.point_of(made.pose)
         assert not (y < FIELD.box_depth and abs(x - 180.0) < 0.5 * FIELD.box_width)
 
@@ -173,7 +173,7 @@ def test_the_line_from_ball_to_goal_is_free_within_2_s_and_stays_so(role, at):
     lane = keep_off.Lane(keep_off.HAS_BALL, (180.0, 270.0), GOAL, 40.0)
     for _ in range(240):
         memory.update(made)
-        walk_in(made, skill.command(made))
+        walk_in(made, skill.step(made))
         gaps.append(lane.gap(ways.point_of(made.pose)))
     assert min(gaps[60:]) > 40.0
 
@@ -186,7 +186,7 @@ def test_the_attackers_way_to_the_ball_is_left_free():
     skill = Supporter(memory, kelpie.SUPPORTER)
     for _ in range(120):
         memory.update(made)
-        walk_in(made, skill.command(made))
+        walk_in(made, skill.step(made))
     lane = keep_off.Lane(keep_off.ON_WAY, (180.0, 80.0), (180.0, 300.0), 40.0)
     assert lane.gap(ways.point_of(made.pose)) > 40.0
 
@@ -218,7 +218,7 @@ def home_after(bird_of_prey):
         before = ways.point_of(made.pose)
         if math.hypot(before[0] - place[0], before[1] - place[1]) < 15.0:
             return frame * FRAME_S, way
-        walk_in(made, kelpie.Command(walk=bird.walk(made, place)))
+        walk_in(made, kelpie.Command(walk=bird.step(made, place)))
         here = made.pose.position
         for x, y in blockers:
             dx, dy = here.x - x, here.y - y
@@ -273,7 +273,7 @@ def ready_world(at, player=2, kick_off=True):
 def test_a_forward_is_at_its_place_looking_up_field_within_20_s(at, player):
     made, forward = ready_world(at, player), Forward()
     for _ in range(600):
-        command = forward.command(made)
+        command = forward.step(made)
         assert command.team.role == kelpie.NO_ROLE
         walk_in(made, command)
     place = kick_off_places.forward(FIELD, player, True, True)
@@ -286,14 +286,14 @@ def test_when_all_are_set_it_stands_and_looks_at_the_ball():
     made, skill = ready_world((20.0, 500.0)), TakePlace(Memory())
     made.game.state = kelpie.SET
     skill.memory.update(made)
-    command = skill.command(made)
+    command = skill.step(made)
     assert command.walk.forward == command.walk.turn_deg == 0.0
     assert command.head.aim == kelpie.AIM_POINT
 
 
 def test_the_team_hears_to_which_place_it_walks():
     made, skill = ready_world((20.0, 500.0)), TakePlace(Memory())
-    note = skill.command(made).team
+    note = skill.step(made).team
     assert note.wants and (note.wanted.x, note.wanted.y) == skill.place(made)
 
 
@@ -302,7 +302,7 @@ def test_the_team_hears_to_which_place_it_walks():
 def test_a_paw_that_meets_somebody_on_the_way_to_the_place_makes_it_back_off(paws, left):
     made, skill = ready_world((20.0, 500.0)), TakePlace(Memory())
     made.motion.feeling.paw_blocked = list(paws)
-    command = skill.command(made)
+    command = skill.step(made)
     assert command.walk.forward < 0.0 and command.walk.left * left >= 0.0
     assert (command.walk.left == 0.0) == (left == 0.0)
 
@@ -312,16 +312,16 @@ def test_a_lone_forward_takes_its_place_too_and_then_plays():
     branches = []
     for state in (kelpie.INITIAL, kelpie.READY, kelpie.SET, kelpie.PLAYING):
         made.game.state = state
-        branches.append(forward.command(made).trace[0][2])
+        branches.append(forward.step(made).trace[0][2])
     assert branches == ['waits', 'takes_place', 'waits', 'plays']
 
 
 def test_who_comes_back_from_a_penalty_plays_on():
     made, forward = world(), Forward()
     made.game.penalised = True
-    assert forward.command(made).team.role == kelpie.NO_ROLE
+    assert forward.step(made).team.role == kelpie.NO_ROLE
     made.game.penalised = False
-    assert forward.command(made).team.role == kelpie.ATTACKER
+    assert forward.step(made).team.role == kelpie.ATTACKER
 
 
 # The search of the whole team
@@ -347,7 +347,7 @@ def searching(made, lost=200):
     memory = Memory()
     memory.ball_lost = lost
     skill = FindTogether(memory, False)
-    return skill, skill.answer(made)
+    return skill, skill.step(made)
 
 
 def test_the_whole_team_searches_after_66_frames_and_each_goes_to_its_place():
@@ -361,7 +361,7 @@ def test_at_its_place_it_spins():
     made = lost_world()
     made.pose.position.y = 162.0
     skill, _ = searching(made)
-    assert skill.answer(made).walk.turn_deg != 0.0 and skill.state == skill.spin
+    assert skill.step(made).walk.turn_deg != 0.0 and skill.state == skill.spin
 
 
 def test_a_place_that_shows_no_ball_is_left_to_the_own_search_for_a_while():
@@ -371,7 +371,7 @@ def test_a_place_that_shows_no_ball_is_left_to_the_own_search_for_a_while():
     answers = []
     for frame in range(900):
         made.time_s = frame * FRAME_S
-        answers.append(skill.answer(made) is not None)
+        answers.append(skill.step(made) is not None)
     assert answers[0] and not answers[300] and answers[600] and 300 < answers.count(True) < 600
 
 
@@ -398,26 +398,26 @@ def test_the_search_of_the_team_can_be_switched_off_and_needs_mates():
 
 def test_a_forward_tells_its_role_its_time_and_where_it_goes():
     made, forward = scene(at=(300.0, 100.0)), Forward()
-    note = forward.command(made).team
+    note = forward.step(made).team
     assert note.role == kelpie.SUPPORTER or note.role == kelpie.DEFENDER
     assert 0.0 < note.time_to_ball < 100.0 and note.wants
     made.teammates = []
     for _ in range(4):
-        note = forward.command(made).team
+        note = forward.step(made).team
     assert note.role == kelpie.ATTACKER and note.wanted.x == 100.0
 
 
 def test_a_grab_is_told_before_and_while_the_ball_is_held():
     made, forward = world(180.0, 200.0, ball=(180.0, 230.0)), Forward()
     forward.memory.approach_lost = 0
-    assert forward.command(made).team.grabs == kelpie.GRABS_SOON
+    assert forward.step(made).team.grabs == kelpie.GRABS_SOON
     forward.memory.grab_lost, made.motion.feeling.ball_held = 0, True
-    assert forward.command(made).team.grabs == kelpie.HOLDS
+    assert forward.step(made).team.grabs == kelpie.HOLDS
 
 
 def test_the_role_and_why_are_in_the_trace():
     made, forward = scene(), Forward()
-    layer, module, branch, why, *_ = forward.command(made).trace[0]
+    layer, module, branch, why, *_ = forward.step(made).trace[0]
     assert (layer, module) == (kelpie.LAYER_PLAYER, 'forward') and branch != 'plays' and why
 
 
@@ -427,13 +427,13 @@ def test_the_role_and_why_are_in_the_trace():
 def test_a_goalie_takes_its_place_and_tells_that_it_is_one(make):
     made, goalie = ready_world((300.0, 200.0), 1), make()
     for _ in range(600):
-        command = goalie.command(made)
+        command = goalie.step(made)
         walk_in(made, command)
     assert math.hypot(made.pose.position.x - 180.0, made.pose.position.y - 20.0) < 12.0
     assert command.team.role == kelpie.KEEPER
     assert [step[1] for step in command.trace].count('take_place') == 1
     made.game.penalised = True
-    assert goalie.command(made).team.role == kelpie.NO_ROLE
+    assert goalie.step(made).team.role == kelpie.NO_ROLE
 
 
 @pytest.mark.parametrize('aware, kind, own, theirs, goes', [
@@ -452,5 +452,5 @@ def test_who_attacks_is_agreed_before_the_whistle():
     made, forward = ready_world((180.0, 225.0), 2), Forward()
     made.game.state = kelpie.SET
     made.teammates = [mate(3, S, 9.0), mate(4, S, 8.0)]
-    note = forward.command(made).team
+    note = forward.step(made).team
     assert note.role == kelpie.ATTACKER and note.time_to_ball < 9.0

@@ -74,9 +74,9 @@ def test_projection_is_the_first_choice_and_does_not_depend_on_the_distance():
     world = world_looking(0.0, -10.0, 0.0)
     show(world, 10.0, 80.0)
     track = TrackBall()
-    near = track.head(world).target
+    near = track.step(world).target
     world.percepts.ball.distance = 150.0
-    far = track.head(world).target
+    far = track.step(world).target
     assert track.projected and near.z == 0.0
     assert (near.x, near.y) == (far.x, far.y)
 
@@ -94,7 +94,7 @@ def test_without_a_projection_distance_and_heading_tell(wrong):
     else:
         world.head.head_nod_deg = 45.0
     track = TrackBall()
-    target = track.head(world).target
+    target = track.step(world).target
     expected = (30.0, 50.0) if wrong == 'not seen' else (10.0, 80.0)
     assert not track.projected
     assert (target.x, target.y, target.z) == pytest.approx((*expected, 8.4))
@@ -107,7 +107,7 @@ def test_a_close_ball_is_remembered():
         world = world_looking(0.0, -30.0, -5.0)
         show(world, 0.0, distance)
         memory.update(world)
-        TrackBall(memory).head(world)
+        TrackBall(memory).step(world)
         assert memory.close_lost == lost
 
 
@@ -116,16 +116,16 @@ def test_a_rolling_ball_is_aimed_at_where_it_will_be_four_frames_later():
     world.pose.heading_deg = 90.0
     ball = world.ball
     ball.present, ball.distance, ball.relative.y, ball.velocity.x = True, 100.0, 100.0, 60.0
-    assert TrackBall().head(world).target.x == pytest.approx(8.0)
+    assert TrackBall().step(world).target.x == pytest.approx(8.0)
     ball.seconds_since_seen = 1.0  # an old velocity tells nothing
-    assert TrackBall().head(world).target.x == pytest.approx(0.0)
+    assert TrackBall().step(world).target.x == pytest.approx(0.0)
 
 
 def test_a_turning_robot_aims_at_where_the_ball_will_be_in_its_frame():
     world = world_looking(0.0, -10.0, 0.0)
     world.ball.present, world.ball.distance, world.ball.relative.y = True, 100.0, 100.0
     world.odometry.turn_deg = 3.0
-    target = TrackBall().head(world).target
+    target = TrackBall().step(world).target
     assert math.degrees(math.atan2(-target.x, target.y)) == pytest.approx(-12.0)
 
 
@@ -166,7 +166,7 @@ def test_a_rolling_ball_stays_in_the_middle_third_of_the_image_in_spite_of_noise
             ball.distance *= 1.0 + chance.gauss(0.0, 0.05)
             x, y = place.real, max(30.0, place.imag)
             world.ball.relative.x, world.ball.relative.y = x, y
-            turned_towards(world, track.head(world))
+            turned_towards(world, track.step(world))
             world.head.head_pan_deg += chance.gauss(0.0, 0.5)
     assert losses <= 0.01 * frames and outside <= 0.05 * frames
 
@@ -176,7 +176,7 @@ def test_an_ideal_robot_that_walks_to_a_ball_does_not_lose_it():
     ideal.ball = ideal.at + 150.0 * ideal.facing
     ideal.see()
     for frame in range(80):
-        ideal.step(kelpie.Command(head=track.head(ideal.world),
+        ideal.step(kelpie.Command(head=track.step(ideal.world),
                                   walk=kelpie.WalkRequest(forward=30.0, turn_deg=15.0)))
         lost += frame > 5 and not ideal.world.percepts.ball.present
     assert lost == 0

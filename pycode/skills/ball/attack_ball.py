@@ -6,6 +6,7 @@
 import math
 
 import kelpie
+from arbiter.skill import Skill
 from lib import kick_table
 from lib.geom import clamp, from_field, wrap
 from lib.goalie_places import UP_FIELD, beyond_box, direction, middle, past_ball
@@ -45,7 +46,7 @@ class Stand:
         return self.x + ahead * dx + right * dy, self.y + ahead * dy - right * dx
 
 
-class AttackBall:
+class AttackBall(Skill):
     NAME = 'attack_ball'
 
     def __init__(self):
@@ -55,10 +56,10 @@ class AttackBall:
 
     def can(self, world) -> bool:
         """Whether there is a place to kick the ball from."""
-        self.choose(world)
+        self.choose_stand(world)
         return self.stand is not None
 
-    def choose(self, world):
+    def choose_stand(self, world):
         ball = (world.ball.position.x, world.ball.position.y)
         rolled = math.hypot(ball[0] - self.ball[0], ball[1] - self.ball[1])
         if world.time_s - self.chosen_s < Attack.AGAIN and rolled < Attack.MOVED:
@@ -72,7 +73,7 @@ class AttackBall:
         best = min(costs, key=lambda pair: pair[0], default=(math.inf, None))
         self.stand = best[1] if best[0] < math.inf else None
 
-    def walk(self, world) -> kelpie.WalkRequest:
+    def step(self, world) -> kelpie.WalkRequest:
         """To the place, but not up to the ball before side and heading fit."""
         stand = self.stand
         ball = (world.ball.position.x, world.ball.position.y)

@@ -54,13 +54,13 @@ class Dodge(Machine):
     NAME = 'dodge'
 
     def __init__(self, world, memory):
-        super().__init__(self.left if self.choose(world, memory) > 0.0 else self.right)
+        super().__init__(self.left if self.side_to(world, memory) > 0.0 else self.right)
         self.release = self.frames(world)
         self.free_left = self.release
         self.why = 'somebody is ahead, infrared {} cm'
         self.numbers = (world.sensors.head_near_distance,)
 
-    def choose(self, world, memory) -> float:
+    def side_to(self, world, memory) -> float:
         place = world.pose.position
         if self.frames(world) == RELEASE_GOALIE:
             return side_by_gaps(*aim.gaps_of(world), memory.goal_heading)
@@ -75,9 +75,9 @@ class Dodge(Machine):
     def done(self) -> bool:
         return self.free_left <= 0
 
-    def command(self, world) -> kelpie.Command:
+    def step(self, world) -> kelpie.Command:
         self.free_left = self.release if in_the_way(world) else self.free_left - 1
-        return self.step(world)
+        return super().step(world)
 
     def left(self, world):
         return carry(left=SIDE_SPEED)

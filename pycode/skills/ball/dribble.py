@@ -35,9 +35,6 @@ class Dribble(Machine):
     def done(self) -> bool:
         return self.state == self.ended
 
-    def command(self, world) -> kelpie.Command:
-        return self.step(world)
-
     def run(self, world):
         if self.timed_out(world, LONGEST):
             return self.enter(world, self.ended, None, 'ran {} s', LONGEST)
@@ -51,7 +48,7 @@ class Dribble(Machine):
         turn = clamp(TURN_GAIN * bearing, -TURN_SPEED, TURN_SPEED)
         forward = 0.0 if abs(bearing) > FACED else SPEED * math.cos(math.radians(bearing))
         walk = kelpie.WalkRequest(forward=forward, turn_deg=turn, kind=kelpie.WALK_FAST)
-        return kelpie.Command(walk=walk, head=self.track.head(world))
+        return kelpie.Command(walk=walk, head=self.track.step(world))
 
     def ended(self, world):
-        return kelpie.Command(head=self.track.head(world))
+        return kelpie.Command(head=self.track.step(world))

@@ -97,14 +97,14 @@ class FindBall(Machine):
         self.force_until = until_frame
         self.forced_point = None if heading_deg is None else polar(FORCED_AT, heading_deg)
 
-    def command(self, world) -> kelpie.Command:
+    def step(self, world) -> kelpie.Command:
         self.carry(world)
         step, reason, number = first_step(self.situation(world))
         if world.task.search == kelpie.SEARCH_BY_SPIN:
             step, reason, number = 'spin', 'told to spin only, unseen for {} frames', number
         if self.entered_s is None or self.state.__name__ != step:
             self.enter(world, getattr(self, step), None, reason, number)
-        return self.step(world)
+        return super().step(world)
 
     def carry(self, world):
         """Takes one frame's odometry and percepts."""
@@ -175,7 +175,7 @@ class FindBall(Machine):
         """The head waits, but for a look back against a spin that went past the ball."""
         if self.memory.ball_lost == 0:
             self.still = None
-            return kelpie.Command(walk=towards(believed(world), NEAR), head=self.track.head(world))
+            return kelpie.Command(walk=towards(believed(world), NEAR), head=self.track.step(world))
         if self.still is None:
             self.still = self.where_to_wait(world.head)
         return kelpie.Command(walk=towards(believed(world), NEAR),
@@ -196,7 +196,7 @@ class FindBall(Machine):
         self.backed += 1
         low, high = self.limits(world)
         walk = kelpie.WalkRequest(forward=BACK_SPEED, kind=kelpie.WALK_BACK)
-        return kelpie.Command(walk=walk, head=self.scan_head.head(world, low, high, True))
+        return kelpie.Command(walk=walk, head=self.scan_head.step(world, (low, high, True)))
 
     def scan(self, world) -> kelpie.Command:
         """Without a belief the head goes to one side first, and then to the other while the body
@@ -206,8 +206,8 @@ class FindBall(Machine):
             self.scan_head = ScanForBall(self.side if believes else -self.side)
         self.scanned += 1
         if believes:
-            return kelpie.Command(head=self.scan_head.head(world, *self.limits(world)))
-        head = self.scan_head.level_head(world)
+            return kelpie.Command(head=self.scan_head.step(world, (*self.limits(world), False)))
+        head = self.scan_head.step(world)
         if self.scan_head.rows == 2:
             self.scanned = lost_ball.SCAN_FRAMES  # both sides were shown
         turns = self.scan_head.side == self.side
@@ -216,16 +216,16 @@ class FindBall(Machine):
 
     def spin(self, world) -> kelpie.Command:
         if self.spinning.turned == 0.0:
-            self.spinning = SpinForBall(self.side)
+            only = world.task.search == kelpie.SEARCH_BY_SPIN
+            self.spinning = SpinForBall(self.side, 1.0 if only else SPIN_TIMES)
         side = self.spinning.side
         self.memory.spun(side)
-        if world.task.search == kelpie.SEARCH_BY_SPIN:
-            return self.spinning.command(world, self.away(world))
-        unseen = self.explored.next_unseen(side)
-        return self.spinning.command(world, self.away(world), unseen, SPIN_TIMES)
+        unseen = 0.0 if world.task.search == kelpie.SEARCH_BY_SPIN else (
+            self.explored.next_unseen(side))
+        return self.spinning.step(world, (self.away(world), unseen))
 
     def roam(self, world) -> kelpie.Command:
-        return self.roaming.command(world)
+        return self.roaming.step(world)
 
     def go_and_look(self, point: Point) -> kelpie.Command:
         return kelpie.Command(walk=towards(point, NEAR), head=aim_at(*point))

@@ -42,13 +42,13 @@ class FindTogether(Machine):
         self.placed_s = 0.0
         self.rest_until_s = -math.inf
         self.bird = BirdOfPrey()
-        self.spinning = SpinForBall(1.0)
+        self.spinning = SpinForBall(1.0, SPIN_TIMES)
 
     @property
     def active(self) -> bool:
         return self.state != self.alone
 
-    def answer(self, world):
+    def step(self, world) -> kelpie.Command:
         """A Command, or None: the own search goes on."""
         told = heard_of(world)
         if told is not None and math.hypot(*from_field(world.pose, *told)) > NEAR:
@@ -57,12 +57,12 @@ class FindTogether(Machine):
                            world.team_ball.seconds_since_seen)
         elif self.together(world):
             if self.state not in (self.go, self.spin):
-                self.choose(world)
+                self.choose_place(world)
                 self.enter(world, self.go, self.bird, 'the team has lost the ball for {} frames',
                            float(self.memory.ball_lost))
         elif self.active:
             self.enter(world, self.alone, None, 'the own search')
-        return self.step(world) if self.active else None
+        return super().step(world) if self.active else None
 
     def together(self, world) -> bool:
         team = world.team_ball
@@ -70,7 +70,7 @@ class FindTogether(Machine):
                 world.time_s > self.rest_until_s and
                 not (team.present and team.seconds_since_seen < FRESH_S))
 
-    def choose(self, world):
+    def choose_place(self, world):
         """Again every second: the mates' places change, and all must come to the same answer."""
         self.placed_s = world.time_s
         robots = [(mate.player, mate.pose.position.x, mate.pose.position.y)
@@ -92,12 +92,12 @@ class FindTogether(Machine):
 
     def go(self, world):
         if world.time_s - self.placed_s > AGAIN_S:
-            self.choose(world)
+            self.choose_place(world)
         if math.hypot(*from_field(world.pose, *self.place)) < ARRIVED:
-            self.spinning = SpinForBall(1.0 if self.memory.spin_side >= 0.0 else -1.0)
+            self.spinning = SpinForBall(1.0 if self.memory.spin_side >= 0.0 else -1.0, SPIN_TIMES)
             return self.enter(world, self.spin, None, 'at its place ({}, {})', *self.place)
-        return kelpie.Command(walk=self.bird.walk(world, self.place),
-                              head=Scan().head(world, world.time_s))
+        return kelpie.Command(walk=self.bird.step(world, self.place),
+                              head=Scan().step(world, world.time_s))
 
     def spin(self, world):
         if math.hypot(*from_field(world.pose, *self.place)) > LEFT:
@@ -105,7 +105,7 @@ class FindTogether(Machine):
         if self.timed_out(world, SPIN_S):
             self.rest_until_s = world.time_s + REST_S
         self.memory.spun(self.spinning.side)
-        return self.spinning.command(world, math.inf, times=SPIN_TIMES)
+        return self.spinning.step(world)
 
 
 def heard_of(world):

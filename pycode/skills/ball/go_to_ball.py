@@ -4,6 +4,7 @@
 import math
 
 import kelpie
+from arbiter.skill import Skill
 from lib.geom import Point, clamp, heading
 from lib.tune import Approach
 
@@ -17,8 +18,10 @@ def behind(ball, goal_point) -> Point:
     return ball[0] + Approach.BEHIND * dx / away, ball[1] + Approach.BEHIND * dy / away
 
 
-class GoToBall:
-    def walk(self, world, goal_point: Point | None) -> kelpie.WalkRequest:
+class GoToBall(Skill):
+    NAME = 'go_to_ball'
+
+    def step(self, world, goal_point: Point | None) -> kelpie.WalkRequest:
         ball = (world.ball.relative.x, world.ball.relative.y)
         place = behind(ball, goal_point)
         # A place beyond the ball would be reached through it: go to the ball and circle there.

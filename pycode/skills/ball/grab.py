@@ -115,9 +115,6 @@ class Grab(Machine):
     def done(self) -> bool:
         return self.state == self.finished
 
-    def command(self, world) -> kelpie.Command:
-        return self.step(world)
-
     def approach(self, world):
         ball = (world.ball.relative.x, world.ball.relative.y)
         self.memory.approach_lost = 0
@@ -133,7 +130,7 @@ class Grab(Machine):
         if world.ball.distance < HINT_WITHIN:
             self.memory.set_hint(*hints.GRAB)
         place = intercept.target(world)
-        return kelpie.Command(walk=walk_at(world, place), head=self.track.head(world))
+        return kelpie.Command(walk=walk_at(world, place), head=self.track.step(world))
 
     def watch_paws(self, world, x, y):
         """A referee counts a ball as held that only lies there."""

@@ -89,11 +89,11 @@ class GrabDribble(Machine):
     def done(self) -> bool:
         return self.state == self.ended
 
-    def command(self, world) -> kelpie.Command:
+    def step(self, world) -> kelpie.Command:
         leaves = (self.kick, self.release, self.step_back, self.ended)
         if self.hold is not None and self.state not in leaves:
             self.keep(world)
-        return self.step(world)
+        return super().step(world)
 
     def keep(self, world):
         """What goes on in all states with the ball: its rules and whether it is still there."""
@@ -101,7 +101,7 @@ class GrabDribble(Machine):
         self.memory.grab_lost = 0
         self.aim.update(world)
         if self.hold.slipped:
-            self.end(world, 'nothing is felt of the ball')
+            self.give_up(world, 'nothing is felt of the ball')
         elif self.state == self.overdue:
             return
         elif self.out_of_time(world):
@@ -126,7 +126,7 @@ class GrabDribble(Machine):
             return carry()
         return self.fire(world, self.choose(world, self, True))
 
-    def end(self, world, why, *numbers):
+    def give_up(self, world, why, *numbers):
         self.lost_ball = True
         distance, aside = hints.of_dribble(-1.0 if self.memory.spin_side < 0.0 else 1.0)
         self.memory.set_hint(distance, aside if abs(self.hold.turned) > 20.0 else 0.0)
@@ -135,7 +135,7 @@ class GrabDribble(Machine):
     # States
 
     def grab(self, world):
-        command = self.skill.command(world)
+        command = self.skill.step(world)
         if self.skill.done:
             self.hold = Hold(world, self.skill.begun_s)
             self.enter(world, self.settle, None, 'the grab is over')
@@ -148,7 +148,7 @@ class GrabDribble(Machine):
         if held and self.since(world) > SETTLE:
             return self.enter(world, self.turn, None, 'the ball is felt')
         if self.since(world) > FEEL:
-            return self.end(world, 'no ball is felt after the grab')
+            return self.give_up(world, 'no ball is felt after the grab')
         return carry()
 
     def turn(self, world):
@@ -225,7 +225,7 @@ class GrabDribble(Machine):
         return carry(forward=FORWARD_SPEED, turn=turn)
 
     def dodge(self, world):
-        command = self.skill.command(world)
+        command = self.skill.step(world)
         if self.skill.done:
             self.aim = Aim()
             self.enter(world, self.turn, self.skill, 'the way is free')
@@ -249,16 +249,14 @@ class GrabDribble(Machine):
             self.enter(world, self.release, Release(world), reason, *told)
 
     def kick(self, world):
-        if self.skill.done(world):
-            return self.leave(world, 'kicked')
         command = carry()
-        command.motion = self.skill.motion(world)
-        return command
+        command.motion = self.skill.step(world)
+        return self.leave(world, 'kicked') if self.skill.done else command
 
     def release(self, world):
-        if self.skill.done(world):
-            return self.leave(world, 'let go')
-        return self.skill.command(world)
+        command = carry()
+        command.motion = self.skill.step(world)
+        return self.leave(world, 'let go') if self.skill.done else command
 
     def leave(self, world, why):
         if not self.steps_back:
@@ -269,9 +267,10 @@ class GrabDribble(Machine):
         """Who stands over a ball that he let go, or kicked at somebody, still holds it by the
         rules."""
         self.memory.set_hint(*hints.LEFT_LYING)
-        if self.skill.done(world):
+        walk = self.skill.step(world)
+        if self.skill.done:
             return self.enter(world, self.ended, None, 'stepped back')
-        return kelpie.Command(walk=self.skill.walk(), head=self.track.head(world))
+        return kelpie.Command(walk=walk, head=self.track.step(world))
 
     def ended(self, world):
         return kelpie.Command()

@@ -44,9 +44,6 @@ class KickBall(Machine):
     def done(self) -> bool:
         return self.state == self.ended
 
-    def command(self, world) -> kelpie.Command:
-        return self.step(world)
-
     def walk_up(self, world):
         x, y = world.ball.relative.x, world.ball.relative.y
         ahead, left = PLACES[self.which]
@@ -56,7 +53,7 @@ class KickBall(Machine):
                               'ball {} cm ahead, {} cm aside', y, x)
         if self.timed_out(world, LONGEST):
             return self.enter(world, self.ended, None, 'no place to kick from in time')
-        head = self.track.head(world)
+        head = self.track.step(world)
         if world.ball.distance > CLOSE:
             place = intercept.target(world)
             place = place[0] + left, place[1]
@@ -80,12 +77,11 @@ class KickBall(Machine):
         return kelpie.WalkRequest(forward=forward, left=side)
 
     def kick(self, world):
-        if self.skill.done(world):
+        motion = self.skill.step(world)
+        if self.skill.done:
             self.memory.set_hint(*(hints.of_kick(self.which) or AHEAD_HINT))
             return self.enter(world, self.ended, None, 'kicked')
-        command = kelpie.Command(head=self.track.head(world))
-        command.motion = self.skill.motion(world)
-        return command
+        return kelpie.Command(head=self.track.step(world), motion=motion)
 
     def ended(self, world):
-        return kelpie.Command(head=self.track.head(world))
+        return kelpie.Command(head=self.track.step(world))

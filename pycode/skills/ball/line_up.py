@@ -2,6 +2,7 @@
 # Circles the ball at a fixed distance, facing it, until goal, ball and robot are in one line. Keeps
 # the side it goes to, so that a goal straight behind does not make it turn back and forth.
 import kelpie
+from arbiter.skill import Skill
 from lib.geom import Point, clamp, heading, wrap
 from lib.tune import LineUp
 
@@ -16,11 +17,13 @@ def aim_error(ball, goal_point) -> float:
     return wrap(heading(goal_point[0] - ball[0], goal_point[1] - ball[1]) - heading(*ball))
 
 
-class CircleBall:
+class CircleBall(Skill):
+    NAME = 'line_up'
+
     def __init__(self):
         self.side = 1.0  # the sign of the last aim error
 
-    def walk(self, world, goal_point: Point | None) -> kelpie.WalkRequest:
+    def step(self, world, goal_point: Point | None) -> kelpie.WalkRequest:
         """Without a goal it circles on until one comes into view."""
         ball = (world.ball.relative.x, world.ball.relative.y)
         error = self.aim(ball, goal_point)

@@ -34,9 +34,6 @@ class LineUpKick(Machine):
     def done(self) -> bool:
         return self.state == self.ended
 
-    def command(self, world) -> kelpie.Command:
-        return self.step(world)
-
     def track(self, world) -> kelpie.HeadRequest:
         ball = world.ball.relative
         return look_at(ball.x, ball.y, Watch.BALL_HEIGHT, world.stance)
@@ -47,8 +44,8 @@ class LineUpKick(Machine):
         if world.ball.distance < Approach.NEAR:
             return self.enter(world, self.line_up, CircleBall(), 'ball {} cm away',
                               world.ball.distance)
-        walk = self.skill.walk(world, self.goal.where(world))
-        return kelpie.Command(walk=walk, head=self.watch.head(world, self.goal))
+        walk = self.skill.step(world, self.goal.where(world))
+        return kelpie.Command(walk=walk, head=self.watch.step(world, self.goal))
 
     def line_up(self, world):
         goal_point = self.goal.where(world)
@@ -61,8 +58,8 @@ class LineUpKick(Machine):
             return self.enter(world, self.ended, None, 'circled too long')
         if self.aligned(world, goal_point):
             return self.enter(world, self.strike, StepToKick(), 'ball and goal are in line')
-        return kelpie.Command(walk=self.skill.walk(world, goal_point),
-                              head=self.watch.head(world, self.goal))
+        return kelpie.Command(walk=self.skill.step(world, goal_point),
+                              head=self.watch.step(world, self.goal))
 
     def aligned(self, world, goal_point) -> bool:
         """Never where strike() would send it back at once: a ball unseen for long, for example."""
@@ -77,7 +74,7 @@ class LineUpKick(Machine):
         if seen or self.timed_out(world, Goal.SWEEP):
             self.goal.looked_s = world.time_s
             return self.enter(world, self.regain, None, 'looked for the goal')
-        return kelpie.Command(head=self.skill.head(world, self.since(world)))
+        return kelpie.Command(head=self.skill.step(world, self.since(world)))
 
     def regain(self, world):
         """After a look elsewhere the head needs a moment to find the ball again."""
@@ -96,11 +93,11 @@ class LineUpKick(Machine):
                               'ball {} cm ahead', world.ball.relative.y)
         if self.skill.out_of_reach(world, goal_point):
             return self.enter(world, self.line_up, CircleBall(), 'small steps help no more')
-        return kelpie.Command(walk=self.skill.walk(world, goal_point), head=self.track(world))
+        return kelpie.Command(walk=self.skill.step(world, goal_point), head=self.track(world))
 
     def kick(self, world):
-        motion = self.skill.motion(world)
-        if self.skill.done(world):
+        motion = self.skill.step(world)
+        if self.skill.done:
             return self.enter(world, self.ended, None, 'kicked')
         head = view(0.0, tune.Kick.LOOK_DOWN, world.stance)
         return kelpie.Command(head=head, motion=motion)

@@ -3,12 +3,13 @@
 # ball's middle, and the leg's next step forward strikes it. Keeps the side of that leg. It works
 # for a ball from ahead with nobody behind it; in a scrum the robot only pushes, as the thesis says.
 import kelpie
+from arbiter.skill import Skill
 from lib.geom import clamp, heading
 from lib.tune_goalie import Paw
 from skills.walk.guard_goal import in_box
 
 
-class PawKick:
+class PawKick(Skill):
     NAME = 'paw_kick'
 
     def __init__(self):
@@ -18,7 +19,7 @@ class PawKick:
         """Always: it only runs. Whether the ball may become an own goal it does not ask."""
         return True
 
-    def walk(self, world) -> kelpie.WalkRequest:
+    def step(self, world) -> kelpie.WalkRequest:
         ball = world.ball.relative
         if self.side == 0.0:
             self.side = 1.0 if ball.x >= 0.0 else -1.0

@@ -2,11 +2,14 @@
 # The last steps: small ones, ball straight ahead, body towards the goal, until the kick can hit it.
 # Keeps nothing; the ball is where gps believes it, since the chin hides it below 6 cm.
 import kelpie
+from arbiter.skill import Skill
 from lib.geom import Point, clamp, heading
 from lib.tune import Strike
 
 
-class StepToKick:
+class StepToKick(Skill):
+    NAME = 'strike'
+
     def aim(self, world, goal_point: Point | None) -> float:
         """Degrees to turn until the body points along the line from the ball to the goal."""
         if goal_point is None:
@@ -29,7 +32,7 @@ class StepToKick:
                 Strike.KICK_NEAR <= ball.y <= Strike.KICK_FAR and
                 abs(self.aim(world, goal_point)) <= Strike.KICK_AIM)
 
-    def walk(self, world, goal_point) -> kelpie.WalkRequest:
+    def step(self, world, goal_point) -> kelpie.WalkRequest:
         ball = world.ball.relative
         centred = abs(ball.x) <= Strike.SIDE_FIRST
         target = Strike.KICK_AHEAD if centred else Strike.STAND_OFF

@@ -10,7 +10,6 @@ import kelpie
 from arbiter.machine import Machine
 from lib.geom import from_field, heading
 from lib.landmarks import ATTACKER_PAN, choose_landmark, look_at_landmark
-from lib.steer import towards
 from skills.head.track_ball import TrackBall, believed
 
 SPUN = 60             # frames since a spin that are recent (U02)
@@ -78,19 +77,10 @@ class ActiveLocalise(Machine):
                    world.position_sd, axis)
         return True
 
-    def done(self, world) -> bool:
+    @property
+    def done(self) -> bool:
         return self.state == self.back and (self.memory.ball_lost == 0 or
                                             self.frames >= BACK_FRAMES)
-
-    def command(self, world) -> kelpie.Command:
-        """Walks on to the ball all the while."""
-        head = self.head(world)
-        ball = world.ball
-        walk = towards(believed(world), LEAVE) if ball.present else kelpie.WalkRequest()
-        return kelpie.Command(walk=walk, head=head)
-
-    def head(self, world) -> kelpie.HeadRequest:
-        return self.step(world)
 
     def look(self, world):
         self.frames += 1
@@ -106,4 +96,4 @@ class ActiveLocalise(Machine):
 
     def back(self, world):
         self.frames += 1
-        return self.track.head(world)
+        return self.track.step(world)

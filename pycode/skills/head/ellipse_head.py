@@ -23,7 +23,7 @@ class EllipseHead(GoalieHead):
         self.angles = (world.head.neck_tilt_deg, world.head.head_pan_deg, world.head.head_nod_deg)
         return super().track(world)
 
-    def choose(self, world):
+    def next_landmark(self, world):
         """Along the axis in which the pose is least sure; far aside, where the near beacons are, in
         every second glance only (thesis 2004 figure 4.7)."""
         limit = GOALIE_PAN if self.glances % 2 else Look.FRONT

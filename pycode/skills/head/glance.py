@@ -41,7 +41,7 @@ class Glance(Machine):
     def looking(self) -> bool:
         return self.state != self.none
 
-    def update(self, world, free) -> bool:
+    def takes_head(self, world, free) -> bool:
         """Whether the head is taken in this frame; `free`: the skill could do without it."""
         if not free:
             self.state = self.none
@@ -68,7 +68,7 @@ class Glance(Machine):
             self.mark = min(marks, key=lambda mark: self.memory.marks.get(mark.kind, -1))
             self.enter(world, self.look, None, 'the landmark seen longest ago')
 
-    def head(self, world) -> kelpie.HeadRequest:
+    def step(self, world) -> kelpie.HeadRequest:
         self.memory.localised_lost = 0
         self.frames += 1
         request = self.state(world)

@@ -45,10 +45,10 @@ class GoalieHead(Machine):
         self.marked = False   # the landmark was seen in this glance
         self.glanced_s = 0.0
 
-    def head(self, world, free) -> kelpie.HeadRequest:
+    def step(self, world, free) -> kelpie.HeadRequest:
         """`free`: whether the player can do without the ball for a moment."""
         self.free = free
-        return self.step(world)
+        return super().step(world)
 
     def idle(self, world) -> kelpie.HeadRequest:
         return self.at_ball(world)
@@ -98,9 +98,9 @@ class GoalieHead(Machine):
         every = Look.EVERY_SURE if sure else Look.EVERY_LOST
         if world.time_s - self.glanced_s < every or not self.calm(world):
             return None
-        return self.choose(world)
+        return self.next_landmark(world)
 
-    def choose(self, world):
+    def next_landmark(self, world):
         """The one seen longest ago: with one alone, seen again and again, the pose goes astray on a
         circle about it."""
         marks = [mark for mark, _, _ in in_reach(world, GOALIE_PAN)]
@@ -172,13 +172,13 @@ class GoalieHead(Machine):
             self.was_told = None
             self.skill = PointScan(world,
                                    side_of(x) if math.hypot(x, y) < ScanTune.NEAR else 0.0)
-        return self.skill.head(world)
+        return self.skill.step(world)
 
     def look_where_told(self, world):
         """There, and between two such looks on with the scan: a mate may be wrong."""
         self.was_told = self.told
         if math.fmod(self.since(world), Look.TOLD_EVERY) > Look.TOLD:
-            return self.skill.head(world)
+            return self.skill.step(world)
         x, y = from_field(world.pose, *self.told)
         return look_at(x, y, Watch.BALL_HEIGHT, world.stance)
 

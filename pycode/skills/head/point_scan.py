@@ -9,6 +9,7 @@
 import math
 
 import kelpie
+from arbiter.skill import Skill
 from lib.geom import from_field, heading
 from lib.head import MAX_PAN, look_at, view
 from lib.landmarks import GOALS
@@ -30,7 +31,7 @@ def beacons(field):
     return left + right
 
 
-class PointScan:
+class PointScan(Skill):
     NAME = 'point_scan'
 
     def __init__(self, world, near=0.0):
@@ -58,7 +59,7 @@ class PointScan:
         """Whether it still looks where the ball was lost close by."""
         return self.passed(world) < 0.0
 
-    def head(self, world) -> kelpie.HeadRequest:
+    def step(self, world) -> kelpie.HeadRequest:
         passed = self.passed(world)
         if self.searches_near(world):
             self.branch = 'near'

@@ -3,6 +3,7 @@
 # Keeps the row and the side it goes to, and when it turned last; it turns when the sensed pan has
 # come so near to the end that the head, which follows late, gets there. Fast sweeps smear images.
 import kelpie
+from arbiter.skill import Skill
 from lib.geom import clamp
 from skills.ball.lost_ball import MAX_PAN
 
@@ -32,23 +33,29 @@ def head_params(pan, tilt, crane, speed=0.0) -> kelpie.HeadRequest:
                               neck_tilt_deg=tilt + crane - nod, head_nod_deg=nod, speed_deg=speed)
 
 
-class ScanForBall:
+class ScanForBall(Skill):
+    NAME = 'scan_for_ball'
+
     def __init__(self, side=1.0):
         self.side = side     # of the end that it goes to, +1 left
         self.low = True
         self.turned_s = None
         self.rows = 0        # that came to an end
-        self.frames = 0      # of level_head
+        self.frames = 0      # of level()
 
-    def head(self, world, min_pan=-MAX_PAN, max_pan=MAX_PAN,
-             look_down=False) -> kelpie.HeadRequest:
+    def step(self, world, limits=None) -> kelpie.HeadRequest:
+        """`limits`: least and greatest pan, and whether to look down at the feet on the way; None:
+        all around, at one elevation."""
+        if limits is None:
+            return self.level(world)
+        min_pan, max_pan, look_down = limits
         end = self.next_end(world, min_pan, max_pan, self.speed())
         tilt, crane = (LOW_TILT, LOW_CRANE) if self.low else (HIGH_TILT, HIGH_CRANE)
         if look_down and self.low and abs(world.head.head_pan_deg) < LOOK_DOWN_WITHIN:
             tilt = LOOK_DOWN_TILT
         return head_params(end, tilt, crane, self.speed() * FRAMES_PER_S)
 
-    def level_head(self, world) -> kelpie.HeadRequest:
+    def level(self, world) -> kelpie.HeadRequest:
         """The same in all directions and at one elevation, after a short look at the feet."""
         self.frames += 1
         end = self.next_end(world, -MAX_PAN, MAX_PAN, LEVEL_SPEED)

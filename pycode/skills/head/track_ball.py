@@ -7,6 +7,7 @@
 import math
 
 import kelpie
+from arbiter.skill import Skill
 from lib.geom import Point, moved, polar
 from lib.intercept import relative_velocity, rolls
 from lib.projection import ground_through
@@ -21,13 +22,15 @@ LATE_FRAMES = 4
 FRAMES_PER_S = 30.0
 
 
-class TrackBall:
+class TrackBall(Skill):
+    NAME = 'track_ball'
+
     def __init__(self, memory=None):
         self.memory = memory
         self.shared = SharedGaze()
         self.projected = False  # the last look was by projection
 
-    def head(self, world) -> kelpie.HeadRequest:
+    def step(self, world) -> kelpie.HeadRequest:
         if self.memory is not None:
             note_close(world, self.memory)
         point = by_projection(world.percepts.ball, world)

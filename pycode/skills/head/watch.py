@@ -4,6 +4,7 @@
 import math
 
 import kelpie
+from arbiter.skill import Skill
 from lib.geom import heading
 from lib.head import look_at, view
 from lib.tune import Watch
@@ -13,12 +14,14 @@ MAX_PAN = 80.0    # deg; a goal farther to a side is not glanced at
 SWEEP_PAN = 85.0  # deg
 
 
-class WatchBall:
+class WatchBall(Skill):
+    NAME = 'watch_ball'
+
     def __init__(self):
         self.next_glance_s = 0.0  # when the glance that is planned ends
         self.side = 1.0           # of the last glance, left positive; 0 after frames without one
 
-    def head(self, world, goal: OpponentGoal) -> kelpie.HeadRequest:
+    def step(self, world, goal: OpponentGoal) -> kelpie.HeadRequest:
         ball = world.ball
         if self.glancing(world):
             return self.glance(world, goal)
@@ -47,19 +50,19 @@ class WatchBall:
         return view(pan, -Watch.GLANCE_PITCH, world.stance)
 
 
-class Scan:
+class Scan(Skill):
     """Sweeps the whole range, low and high in turn; `passed`: seconds since it began."""
 
-    def head(self, world, passed) -> kelpie.HeadRequest:
+    def step(self, world, passed) -> kelpie.HeadRequest:
         phase = passed / Watch.SCAN_PERIOD
         pan = Watch.SCAN_PAN * math.sin(2.0 * math.pi * phase)
         pitch = Watch.SCAN_LOW if int(phase) % 2 == 0 else Watch.SCAN_HIGH
         return view(pan, -pitch, world.stance)
 
 
-class Sweep:
+class Sweep(Skill):
     """Level and wide, for a goal and the beacons; `passed`: seconds since it began."""
 
-    def head(self, world, passed) -> kelpie.HeadRequest:
+    def step(self, world, passed) -> kelpie.HeadRequest:
         pan = SWEEP_PAN * math.sin(2.0 * math.pi * passed / Watch.SCAN_PERIOD)
         return view(pan, -Watch.GLANCE_PITCH, world.stance)

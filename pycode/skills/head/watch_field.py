@@ -4,6 +4,7 @@
 # Keeps the target of this look and when it ends, from the pose; a wrong pose makes it look at
 # nothing of use.
 import kelpie
+from arbiter.skill import Skill
 from lib import features
 from lib.geom import Point, from_field, heading
 from lib.head import look_at, view
@@ -12,24 +13,26 @@ from lib.tune import Features, Look
 WALL_EVERY = 3  # every third look is at the wall, to the left and to the right in turn
 
 
-class WatchField:
+class WatchField(Skill):
+    NAME = 'watch_field'
+
     def __init__(self):
         self.next_s = 0.0
         self.looks = 0
         self.target = None  # a point of the field, or None: the wall
         self.places = None  # primary and secondary features, from the first frame on
 
-    def head(self, world) -> kelpie.HeadRequest:
+    def step(self, world) -> kelpie.HeadRequest:
         if world.time_s >= self.next_s:
             self.next_s = world.time_s + Features.TIME
             self.looks += 1
-            self.target = self.choose(world)
+            self.target = self.next_target(world)
         if self.target is None:
             side = 1.0 if self.looks % (2 * WALL_EVERY) == 0 else -1.0
             return view(side * Features.WALL_PAN, Look.DOWN[0], world.stance)
         return look_at(*from_field(world.pose, *self.target), 0.0, world.stance)
 
-    def choose(self, world) -> Point | None:
+    def next_target(self, world) -> Point | None:
         if self.looks % WALL_EVERY == 0:
             return None
         if self.places is None:

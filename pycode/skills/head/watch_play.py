@@ -4,6 +4,7 @@
 # has it and around in turn. Keeps whether it looks at a landmark. With a wrong pose the team's ball
 # is looked for in the wrong place; the sweep in between finds it then.
 import kelpie
+from arbiter.skill import Skill
 from lib.geom import from_field
 from lib.steer import aim_at
 from situation.time_to import SURE_FRAMES
@@ -14,26 +15,28 @@ from skills.head.watch import Scan
 TURN_FRAMES = 45      # looks at the team's ball and sweeps take turns
 
 
-class WatchPlay:
+class WatchPlay(Skill):
+    NAME = 'watch_play'
+
     def __init__(self, memory):
         self.memory = memory
         self.mark = ActiveLocalise(memory, may_look=due)
         self.looking = False
         self.track = TrackBall(memory)
 
-    def head(self, world, ball) -> kelpie.HeadRequest:
+    def step(self, world, ball) -> kelpie.HeadRequest:
         """`ball`: where the team has it on the field, or None."""
         if self.looking:
-            self.looking = not self.mark.done(world)
+            self.looking = not self.mark.done
         elif self.mark.needed(world):
             self.looking = True
         if self.looking:
-            return self.mark.head(world)
+            return self.mark.step(world)
         if self.memory.ball_lost <= SURE_FRAMES and world.ball.present:
-            return self.track.head(world)
+            return self.track.step(world)
         if ball is not None and self.memory.ball_lost // TURN_FRAMES % 2 == 0:
             return aim_at(*from_field(world.pose, *ball))
-        return Scan().head(world, world.time_s)
+        return Scan().step(world, world.time_s)
 
     def explain(self, trace) -> None:
         if self.looking:

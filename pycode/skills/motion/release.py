@@ -2,26 +2,23 @@
 # Lets a held ball lie: asks for the motion that stands until the ball rests and then raises the
 # head, and waits for its end. Keeps when it began and whether the motion ran.
 import kelpie
-from skills.ball.hold import carry
+from arbiter.skill import Skill
 
 START_S = 0.6
 LONGEST_S = 2.0
 
 
-class Release:
+class Release(Skill):
+    NAME = 'release'
+
     def __init__(self, world):
         self.start_s = world.time_s
         self.ran = False
 
-    def done(self, world) -> bool:
+    def step(self, world) -> int:
+        """The motion to ask for, or NO_MOTION once it runs."""
+        running = world.motion.running == kelpie.RELEASE
+        self.ran = self.ran or running
         passed = world.time_s - self.start_s
-        if self.ran:
-            return world.motion.running != kelpie.RELEASE or passed > LONGEST_S
-        return passed > START_S
-
-    def command(self, world) -> kelpie.Command:
-        if world.motion.running == kelpie.RELEASE:
-            self.ran = True
-        command = carry()
-        command.motion = kelpie.NO_MOTION if self.ran else kelpie.RELEASE
-        return command
+        self.done = (not running or passed > LONGEST_S) if self.ran else passed > START_S
+        return kelpie.NO_MOTION if self.ran else kelpie.RELEASE

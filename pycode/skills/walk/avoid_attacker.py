@@ -5,6 +5,7 @@
 # any direction with the ball in view. Keeps the lane's kind and gap. Moves as fast as it can, 35
 # cm/s: an attacker that comes with 40 from behind is not outrun.
 import kelpie
+from arbiter.skill import Skill
 from lib import ways
 from lib.geom import from_field
 from lib.steer import facing
@@ -14,7 +15,7 @@ SPEED = 34.0
 WHY = {'holds': 'get_out_of_way', 'has_ball': 'plan_a', 'on_way': 'plan_b'}
 
 
-class AvoidAttacker:
+class AvoidAttacker(Skill):
     NAME = 'avoid_attacker'
 
     def __init__(self):
@@ -29,7 +30,9 @@ class AvoidAttacker:
                 return lane
         return None
 
-    def walk(self, world, lane, ball) -> kelpie.WalkRequest:
+    def step(self, world, asked) -> kelpie.WalkRequest:
+        """`asked`: the lane to leave, and where the ball is on the field, or None."""
+        lane, ball = asked
         here = ways.point_of(world.pose)
         self.kind, self.gap = lane.kind, lane.gap(here)
         place = lane.way_off(world.field, here)

@@ -99,9 +99,6 @@ class AvoidOwnBox(Machine):
         inside = ball.present and in_own_box(world.field, ball.position.x, ball.position.y)
         return triggered(inside, grabbed, started)
 
-    def command(self, world) -> kelpie.Command:
-        return self.step(world)
-
     def walk_there(self, world):
         robot = (world.pose.position.x, world.pose.position.y)
         ball = (world.ball.position.x, world.ball.position.y)
@@ -109,9 +106,9 @@ class AvoidOwnBox(Machine):
         if branch != self.branch:
             self.branch = branch
             self.enter(world, self.walk_there, None, WHY[branch], world.ball.distance)
-        return kelpie.Command(walk=self.walk(world, place), head=self.track.head(world))
+        return kelpie.Command(walk=self.walk_to(world, place), head=self.track.step(world))
 
-    def walk(self, world, place) -> kelpie.WalkRequest:
+    def walk_to(self, world, place) -> kelpie.WalkRequest:
         """Facing the ball while walking to any side."""
         robot = (world.pose.position.x, world.pose.position.y)
         vx, vy = step_towards(world.field, robot, place)

@@ -6,6 +6,7 @@
 import math
 
 import kelpie
+from arbiter.skill import Skill
 from lib import ways
 from lib.geom import from_field, heading, polar
 from lib.steer import towards
@@ -17,7 +18,7 @@ FAST_UNTIL = 30.0
 FAST_SPEED = 44.0    # cm/s
 
 
-class BirdOfPrey:
+class BirdOfPrey(Skill):
     NAME = 'bird_of_prey'
 
     def __init__(self):
@@ -25,11 +26,11 @@ class BirdOfPrey:
         self.frames = 0    # until the way is chosen again
         self.away = 0.0
 
-    def walk(self, world, place, near=0.0) -> kelpie.WalkRequest:
+    def step(self, world, place) -> kelpie.WalkRequest:
         """To a place of the field."""
         x, y = from_field(world.pose, *place)
         self.away = math.hypot(x, y)
-        self.choose(world, place)
+        self.choose_bend(world, place)
         # Near the end an arc is as good as straight; its bend would lead round the place.
         share = min(1.0, self.away / FAST_FROM)
         aside = heading(x, y) + share * self.bend
@@ -38,11 +39,11 @@ class BirdOfPrey:
         fast = self.away > FAST_FROM and abs(aside) < within
         if fast:
             speed = {'speed': FAST_SPEED}
-        walk = towards(polar(self.away, aside), near, **speed)
+        walk = towards(polar(self.away, aside), **speed)
         walk.kind = kelpie.WALK_FAST if fast else kelpie.WALK
         return walk
 
-    def choose(self, world, place):
+    def choose_bend(self, world, place):
         self.frames -= 1
         if self.frames > 0:
             return

@@ -7,6 +7,7 @@
 import math
 
 import kelpie
+from arbiter.skill import Skill
 from lib.geom import wrap
 from lib.goalie_places import UP_FIELD, beyond_box
 from lib.head import view
@@ -33,7 +34,7 @@ def crowded(world) -> bool:
     return opponent_within(world, point_of(world.pose), Guard.CROWDED, Guard.CROWDED_SEEN)
 
 
-class FaceUpField:
+class FaceUpField(Skill):
     NAME = 'face_up_field'
 
     def __init__(self):
@@ -99,15 +100,13 @@ class FaceUpField:
         self.side = 0.0
         self.own_goal = 0
 
-    def walk(self, world) -> kelpie.WalkRequest:
-        """Well round, if it has to; then the shorter way to up-field."""
+    def step(self, world) -> kelpie.Command:
+        """Well round, if it has to; then the shorter way to up-field. The head looks ahead of the
+        turn, at the height of landmarks."""
         if self.left_deg <= 0.0:
             self.side = 1.0 if self.aside(world) >= 0.0 else -1.0
-        return kelpie.WalkRequest(turn_deg=self.side * Facing.TURN)
-
-    def head(self, world) -> kelpie.HeadRequest:
-        """Ahead of the turn, at the height of landmarks."""
-        return view(self.side * Facing.PAN, Facing.DOWN, world.stance)
+        return kelpie.Command(walk=kelpie.WalkRequest(turn_deg=self.side * Facing.TURN),
+                              head=view(self.side * Facing.PAN, Facing.DOWN, world.stance))
 
     def explain(self, trace) -> None:
         branch = 'left' if self.side > 0.0 else 'right'

@@ -6,12 +6,13 @@
 import math
 
 import kelpie
+from arbiter.skill import Skill
 from lib.geom import Point, clamp, from_field, heading
 from lib.tune import Challenge
 from skills.head.watch_field import WatchField
 
 
-class GoToPoint:
+class GoToPoint(Skill):
     NAME = 'go_to_point'
 
     def __init__(self, point: Point, near):
@@ -21,13 +22,13 @@ class GoToPoint:
         self.turning = True
         self.still_s = None  # since when it stands there
 
-    def arrived(self, world) -> bool:
-        return self.still_s is not None and world.time_s - self.still_s > Challenge.SETTLE
+    def step(self, world) -> kelpie.Command:
+        """`done`: it stands at the point, and has done so for a while."""
+        command = kelpie.Command(walk=self.walk_there(world), head=self.watch.step(world))
+        self.done = self.still_s is not None and world.time_s - self.still_s > Challenge.SETTLE
+        return command
 
-    def command(self, world) -> kelpie.Command:
-        return kelpie.Command(walk=self.walk(world), head=self.watch.head(world))
-
-    def walk(self, world) -> kelpie.WalkRequest:
+    def walk_there(self, world) -> kelpie.WalkRequest:
         x, y = from_field(world.pose, *self.point)
         away = math.hypot(x, y)
         # Once there, errors of the pose alone must not set it walking again.

@@ -7,6 +7,7 @@
 import math
 
 import kelpie
+from arbiter.skill import Skill
 from lib.geom import clamp, from_field, wrap
 from lib.goalie_places import clip_to_box, kept_in_box
 from lib.tune_goalie import Body, Guard
@@ -29,7 +30,7 @@ def walk_towards(world, place, gain=Guard.GAIN, speed=Body.SPEED) -> kelpie.Walk
     return kelpie.WalkRequest(forward=pace * gain * y, left=-pace * gain * x, turn_deg=turn)
 
 
-class GuardGoal:
+class GuardGoal(Skill):
     NAME = 'guard_goal'
 
     def __init__(self, tune):
@@ -37,7 +38,7 @@ class GuardGoal:
         self.moving = self.turning = False
         self.off = self.aside = 0.0
 
-    def walk(self, world, place) -> kelpie.WalkRequest:
+    def step(self, world, place) -> kelpie.WalkRequest:
         place = (*clip_to_box(world.field, place[:2], Body.MARGIN), place[2])
         self.judge(world, place)
         walk = walk_towards(world, place)

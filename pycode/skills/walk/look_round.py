@@ -22,9 +22,6 @@ class LookRound(Machine):
     def turning(self) -> bool:
         return self.state == self.turn
 
-    def command(self, world) -> kelpie.Command:
-        return self.step(world)
-
     def pan(self, world) -> kelpie.Command:
         passed = self.since(world) - Look.SETTLE
         way = min(max(0.0, passed) * Look.PAN_SPEED, 2.0 * Look.PAN)

@@ -83,12 +83,9 @@ class PawStuck(Machine):
         else:
             self.enter(world, self.back_left, None, 'the right front paw is blocked')
 
-    def walk(self, world) -> kelpie.WalkRequest:
-        return self.step(world)
-
-    def command(self, world) -> kelpie.Command:
+    def step(self, world) -> kelpie.Command:
         """The head looks ahead, a little down."""
-        return kelpie.Command(walk=self.walk(world), head=kelpie.HeadRequest(
+        return kelpie.Command(walk=super().step(world), head=kelpie.HeadRequest(
             aim=kelpie.AIM_DIRECTION, elevation_deg=-10.0))
 
     def free(self, world):

@@ -6,6 +6,7 @@
 import math
 
 import kelpie
+from arbiter.skill import Skill
 from lib.geom import from_field
 from lib.steer import towards
 from skills.head.scan_for_ball import ScanForBall
@@ -20,7 +21,9 @@ SAME = 60.0                # cm; a robot so near to where one was is the same
 EDGE = 30.0                # cm from the lines
 
 
-class Roam:
+class Roam(Skill):
+    NAME = 'roam'
+
     def __init__(self, world):
         self.upper = world.pose.position.y < 0.5 * world.field.length
         self.place = None     # on the field
@@ -28,11 +31,11 @@ class Roam:
         self.looked_behind = []  # places of robots
         self.scan = ScanForBall()
 
-    def command(self, world) -> kelpie.Command:
+    def step(self, world) -> kelpie.Command:
         if self.place is None or self.arrived(world):
             self.place, self.begun_s = self.next_place(world), world.time_s
         return kelpie.Command(walk=towards(from_field(world.pose, *self.place)),
-                              head=self.scan.level_head(world))
+                              head=self.scan.step(world))
 
     def arrived(self, world) -> bool:
         """Or will not arrive any more."""

@@ -3,16 +3,17 @@
 # not (3 s, docs/body.md): it comes into view and lies free. Keeps when it began. Whether the ball
 # was there it cannot tell.
 import kelpie
+from arbiter.skill import Skill
 
 SECONDS, SPEED = 0.4, -50.0   # s, cm/s: a dozen cm, of which the ball needs eight
 
 
-class StepBack:
+class StepBack(Skill):
+    NAME = 'step_back'
+
     def __init__(self, world):
         self.start_s = world.time_s
 
-    def done(self, world) -> bool:
-        return world.time_s - self.start_s > SECONDS
-
-    def walk(self) -> kelpie.WalkRequest:
+    def step(self, world) -> kelpie.WalkRequest:
+        self.done = world.time_s - self.start_s > SECONDS
         return kelpie.WalkRequest(forward=SPEED, kind=kelpie.WALK_BACK)

@@ -38,7 +38,7 @@ class TakePlace(Machine):
         return kick_off_places.forward(world.field, world.game.player, world.game.kick_off,
                                        len(world.teammates) == 0)
 
-    def command(self, world) -> kelpie.Command:
+    def step(self, world) -> kelpie.Command:
         if world.game.state != kelpie.READY:
             if self.state != self.set:
                 self.enter(world, self.set, None, 'waits for the kick-off')
@@ -47,7 +47,7 @@ class TakePlace(Machine):
                 self.enter(world, self.back_off, self.stuck, 'a front paw pushes at something')
         elif self.state in (self.back_off, self.set):
             self.enter(world, self.walk_there, self.bird, 'the paws are free')
-        command = self.step(world)
+        command = super().step(world)
         note = command.team
         note.wants, (note.wanted.x, note.wanted.y) = True, self.place(world)
         return command
@@ -63,20 +63,20 @@ class TakePlace(Machine):
         if away < NEAR:
             walk = facing(point, aside, speed=SLOW)
         else:
-            walk = self.bird.walk(world, place)
-        return kelpie.Command(walk=walk, head=Sweep().head(world, world.time_s))
+            walk = self.bird.step(world, place)
+        return kelpie.Command(walk=walk, head=Sweep().step(world, world.time_s))
 
     def stand(self, world):
         away = math.hypot(*from_field(world.pose, *self.place(world)))
         aside = wrap(UP_FIELD_DEG - world.pose.heading_deg)
         if away > OUT or abs(aside) > TURN_AGAIN:
             return self.enter(world, self.walk_there, self.bird, '{} cm off its place', away)
-        return kelpie.Command(head=Sweep().head(world, world.time_s))
+        return kelpie.Command(head=Sweep().step(world, world.time_s))
 
     def back_off(self, world):
-        return self.stuck.command(world)
+        return self.stuck.step(world)
 
     def set(self, world):
         seen = self.memory.ball_lost <= SURE_FRAMES and world.ball.present
-        return kelpie.Command(head=self.track.head(world) if seen else
-                              Scan().head(world, world.time_s))
+        return kelpie.Command(head=self.track.step(world) if seen else
+                              Scan().step(world, world.time_s))
