@@ -9,8 +9,8 @@ import kelpie
 from decisions.passing import MARKED, SEEN_S, clear
 from lib.geom import clamp
 from lib.ways import goal_of
+from situation import opponents
 from situation.keep_off import inside
-from situation.obstacles import opponent_within
 
 STEPS = ((0.0, 0.0), (70.0, 0.0), (-70.0, 0.0), (0.0, 60.0), (0.0, -60.0), (50.0, 50.0),
          (-50.0, 50.0))        # cm; the first is the tree's own place
@@ -34,7 +34,7 @@ def moved(world, role, place, ball, before):
 
 def worth(world, one, place, ball) -> float:
     total = -apart(one, place) - PER_CM * abs(apart(one, ball) - KICK)
-    if not opponent_within(world, one, MARKED, SEEN_S):
+    if not opponents.within(world, one, MARKED, SEEN_S):
         total += UNMARKED
     if clear(world, ball, one):
         total += PASS_FREE

@@ -6,7 +6,6 @@
 import math
 
 from lib.geom import Point, clamp, from_field, wrap
-from lib.tune_goalie import Body
 
 Place = tuple[float, float, float]  # x, y of the neck base on the field, heading in degrees
 
@@ -22,16 +21,7 @@ ELLIPSE_OUT = 25.0
 CIRCLE_NEAR, CIRCLE_FAR = 10.0, 45.0   # cm, the circle's radius ...
 BALL_NEAR, BALL_FAR = 60.0, 250.0      # ... for a ball that near to the goal, and that far
 ROUND = 18.0          # cm; a straight way that comes nearer to the ball pushes it,
-ROUND_BY = 24.0       # and cm from the ball to the side by which it is gone round,
-ROUND_LEAST = 14.0    # where the box ends by so many,
-ROUND_DONE = 5.0      # up to so many from the place's distance to the line
 TRUNK = 16.0          # cm that the trunk reaches behind the neck base
-LEG_SIDE = 7.0        # cm; legs at the corners of a rectangle, the neck base at the middle of its
-LEG_BACK = 13.0       # front edge (thesis 2004 figure 4.8; sizes of the ERS-7)
-BODY_SIDE, BODY_FRONT = 7.5, 4.0  # cm from the neck base, by which the body pushes a ball
-CONTACT, CLOSING = 6.0, 2.0  # cm to the ball, cm/s towards it
-PUSHED_OFF = 10.0     # deg off the own goal, at least
-WALL_ZONE = 2.0       # cm out from the wall
 
 
 def middle(field) -> Point:
@@ -112,38 +102,6 @@ def past_ball(start, end, ball) -> bool:
     return math.hypot(ball[0] - start[0] - along * dx, ball[1] - start[1] - along * dy) < ROUND
 
 
-def round_ball(field, start, place, ball) -> Place:
-    """The next place of a way back that does not take a ball before the goal along, which lies
-    there: aside first, by the nearer side, then back, then to the place."""
-    left, right, _, _ = box(field, Body.MARGIN)
-    x, y, heading = place
-    if (abs(ball[0] - middle(field)[0]) > 0.5 * field.goal_width or start[1] - y < ROUND_DONE or
-            not past_ball(start, (x, y - TRUNK), ball)):
-        return place
-    if abs(start[0] - ball[0]) >= ROUND_LEAST:
-        return start[0], y, heading
-    aside = ROUND_BY if start[0] >= ball[0] else -ROUND_BY
-    return clamp(ball[0] + aside, left, right), start[1], heading
-
-
-def takes_in(field, pose, walk, ball) -> bool:
-    """Whether the body, walking so, pushes a ball that lies at it towards the own goal. The body is
-    a rectangle, the push square to it: legs push otherwise, too, by some degrees."""
-    x, y = from_field(pose, *ball)
-    near_x, near_y = clamp(x, -BODY_SIDE, BODY_SIDE), clamp(y, -TRUNK, BODY_FRONT)
-    dx, dy = x - near_x, y - near_y
-    if math.hypot(dx, dy) > BALL_RADIUS + CONTACT:
-        return False
-    turn = math.radians(walk.turn_deg)
-    speed_x, speed_y = -walk.left - turn * near_y, walk.forward + turn * near_x
-    if dx == dy == 0.0:   # the ball is believed inside the body, and goes along
-        dx, dy = speed_x, speed_y
-    if speed_x * dx + speed_y * dy <= CLOSING * math.hypot(dx, dy):
-        return False
-    pushed = pose.heading_deg + math.degrees(math.atan2(-dx, dy))
-    return off_own_goal(field, ball, pushed) < PUSHED_OFF
-
-
 def central_place(field, y=STAND_Y) -> Place:
     """Where to wait for a ball of which nothing is known."""
     return middle(field)[0], y, UP_FIELD
@@ -186,24 +144,6 @@ def off_own_goal(field, ball, direction_deg) -> float:
     return min(abs(wrap(aside - low)), abs(wrap(aside - high)))
 
 
-def legs(pose) -> list[Point]:
-    """The four legs of the 2004 model (figure 4.8a) on the field."""
-    angle = math.radians(pose.heading_deg)
-    ahead = (math.cos(angle), math.sin(angle))
-    right = (math.sin(angle), -math.cos(angle))
-    return [(pose.position.x + side * LEG_SIDE * right[0] + back * ahead[0],
-             pose.position.y + side * LEG_SIDE * right[1] + back * ahead[1])
-            for side in (-1.0, 1.0) for back in (0.0, -LEG_BACK)]
-
-
-def at_rear_wall(field, pose) -> bool:
-    """Whether a leg is in the zone of the wall beside the goal (figure 4.8b); on a field without
-    one the end line stands for its foot."""
-    left, right = posts(field)
-    return any(y < field.border_width + WALL_ZONE and not left[0] < x < right[0]
-               for x, y in legs(pose))
-
-
 def to_field(heading_deg, forward, left) -> Point:
     """A velocity of the robot frame as one of the field frame."""
     angle = math.radians(heading_deg)
@@ -221,24 +161,3 @@ def beside(pose, right) -> Point:
     """The point of the field so far (cm) to the right of the neck base."""
     x, y = to_field(pose.heading_deg, 0.0, -right)
     return pose.position.x + x, pose.position.y + y
-
-
-def off_rear_wall(field, pose, forward, left) -> tuple[float, float]:
-    """A wished velocity, without what would take a leg into the rear wall: near it only the part
-    across the field is left of a move (thesis 2004 section 4.2.4). The thesis cancels moves away
-    from the wall, too, and then the robot does not come off it; here those stay."""
-    x, y = to_field(pose.heading_deg, forward, left)
-    if y < 0.0 and at_rear_wall(field, pose):
-        return to_robot(pose.heading_deg, x, 0.0)
-    return forward, left
-
-
-def kept_in_box(field, pose, forward, left, margin, seconds) -> tuple[float, float]:
-    """A wished velocity, slowed towards each edge of the box less a margin so that it takes at
-    least that many seconds to get there; beyond an edge it leads back."""
-    x, y = to_field(pose.heading_deg, forward, left)
-    west, east, south, north = box(field, margin)
-    at_x, at_y = pose.position.x, pose.position.y
-    x = clamp(x, (west - at_x) / seconds, (east - at_x) / seconds)
-    y = clamp(y, (south - at_y) / seconds, (north - at_y) / seconds)
-    return to_robot(pose.heading_deg, x, y)

@@ -8,9 +8,8 @@
 import kelpie
 from arbiter.machine import Machine
 from lib.route import points_of, shortest
-from lib.tune import Challenge
 from situation.pose_watch import is_sure
-from skills.walk.go_to_point import GoToPoint
+from skills.walk.go_to_point import Challenge, GoToPoint
 from skills.walk.look_round import LookRound
 
 

@@ -5,7 +5,14 @@
 # that odometry does not report: a carried goal is then wrong until it is seen again.
 import kelpie
 from lib.geom import Point, from_field, moved, polar
-from lib.tune import Goal
+
+
+class Goal:
+    FRESH = 6.0              # seconds for which a seen goal is carried along by odometry
+    POSE_HEADING_SD = 20.0   # poses worse than this say nothing about the goal
+    POSE_FRESH = 15.0        # neither do those without a landmark for so long
+    SWEEP = 2.6              # look for it that long before playing without
+    REGAIN = 1.0             # then look for the ball again that long
 
 NEVER_S = -1e9
 BALL_RADIUS = 4.2    # cm

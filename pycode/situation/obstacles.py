@@ -10,7 +10,6 @@ import math
 
 import kelpie
 from lib.geom import TURN, clamp, from_field, heading, wrap
-from lib.ways import point_of
 
 CELL = 10.0              # cm
 LANDMARK_COUNT = 40.0    # of each cell's length of a wall or beacon
@@ -45,13 +44,6 @@ def points_near(world, place, reach) -> list[Counted]:
         if low_x < at.x < high_x and low_y < at.y < high_y:
             points.append((at.x, at.y, cell.own + cell.heard))
     return points
-
-
-def opponent_within(world, place, reach, seconds) -> bool:
-    """Whether an opponent that was seen so lately (s) is so near (cm) to a place of the field."""
-    return any(other.seconds_since_seen < seconds and
-               math.dist(point_of(other), place) < reach
-               for other in world.opponents)
 
 
 def between(points, start, end, width=CORRIDOR) -> float:

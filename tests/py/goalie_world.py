@@ -9,10 +9,10 @@ import math
 import random
 
 import kelpie
+from decisions.guard_place import guard_place
 from lib import kick_table
-from lib.tune_goalie import Guard
 from skills.head.point_scan import PointScan
-from skills.walk.guard_goal import GuardGoal
+from skills.walk.guard_goal import OF_2006, GuardGoal
 
 FRAME_S = 1.0 / 30.0
 LATE = 3            # frames from a command to the legs
@@ -232,13 +232,25 @@ def blind_after(scenery, player, kicked, seconds):
     world = scenery.world
     world.time_s = 100.0
     world.ball.seconds_since_seen = seconds + 0.1
-    player.moved_s, player.kicked = world.time_s - seconds, kicked
-    player.enter(world, player.guard, GuardGoal(Guard))
+    player.now.moved_s, player.now.kicked = world.time_s - seconds, kicked
+    player.enter(world, player.guard, GuardGoal(OF_2006))
     player.eyes.enter(world, player.eyes.search, PointScan(world, 1.0))
     player.eyes.skill.start_s = world.time_s - seconds
     player.eyes.skill.branch, player.eyes.skill.at = 'near', 3    # the look at which it turns
-    walk = player.guard(world).walk
+    walk = guards(player, world)
     return walk.forward, walk.left, walk.turn_deg
+
+
+def guards(player, world):
+    """The walk of a goalie that guards in this frame."""
+    player.now.update(world)
+    return player.guard(world).walk
+
+
+def place_of(player, world):
+    """Where it guards, or None."""
+    player.now.update(world)
+    return guard_place(player.now, player.eyes, player.rule)
 
 
 def told(world, ball, seconds, sd=3.0):

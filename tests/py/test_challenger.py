@@ -5,9 +5,9 @@ import kelpie
 from ideal_world import IdealWorld
 from lib import features
 from lib.route import orders, points_of, shortest, way
-from lib.tune import Challenge, Features
 from players.challenger import Challenger
-from skills.head.watch_field import in_reach
+from skills.head.watch_field import Features, in_reach
+from skills.walk.go_to_point import Challenge
 
 POINTS = [(60, 60), (300, 480), (60, 480), (300, 60), (180, 270)]
 

@@ -7,8 +7,8 @@ import kelpie
 import pytest
 from goalie_world import GoalieWorld, anywhere, run, scene, shot
 from lib import goalie_places as places
-from lib.tune_goalie import Attack, Paw
-from players.ellipse_goalie import EllipseGoalie, attack_due, attack_failed
+from players.ellipse_goalie import UNSEEN_NEAR, EllipseGoalie, attack_due, attack_failed
+from skills.ball.paw_kick import Paw
 from test_goalie import scramble
 
 
@@ -34,9 +34,9 @@ def test_attack_ends_15_cm_beyond_the_box_or_40_deg_aside(ball, heading, failed)
 def test_attack_ends_when_the_ball_is_unseen_for_long():
     world = scene(180 + 60j).world
     world.percepts.ball.present = False
-    world.ball.seconds_since_seen = Attack.UNSEEN - 0.1
+    world.ball.seconds_since_seen = UNSEEN_NEAR - 0.1
     assert attack_failed(world) is None
-    world.ball.seconds_since_seen = Attack.UNSEEN + 0.1
+    world.ball.seconds_since_seen = UNSEEN_NEAR + 0.1
     assert attack_failed(world) is not None
 
 

@@ -4,19 +4,24 @@ import random
 
 import kelpie
 import pytest
-from goalie_world import GoalieWorld, anywhere, blind_after, run, scene, shot, told
+from decisions import goalie_rules, guard_place
+from goalie_world import (GoalieWorld, anywhere, blind_after, guards, place_of, run, scene, shot,
+                          told)
 from lib import goalie_places as places
-from lib.tune_goalie import Block, Clear, Guard, Look, PointScan as Scan
-from players.goalie import Goalie
+from players.goalie import LOOK, Goalie
+from safety import own_goal
+from situation import clearance, goalie as situation, opponents, shot_watch
 from situation.pose_watch import BLIND, SURE_CM
-from skills.head.point_scan import PointScan
-from skills.walk.guard_goal import GuardGoal
+from skills.head.goalie_head import Look
+from skills.head.point_scan import Looks as Scan, PointScan
+from skills.walk import look_about
+from skills.walk.guard_goal import OF_2006, GuardGoal
 
 
-def state(world, frames=Block.SEEN_FRAMES + Block.FRAMES):
+def state(world, frames=shot_watch.SEEN_FRAMES + shot_watch.FRAMES):
     """What the goalie does when the ball comes by there, after so many frames."""
     player = Goalie()
-    player.moved_s = -10.0
+    player.now.moved_s = -10.0
     world.ball -= world.velocity * frames / 30.0
     for _ in range(frames):
         world.ball += world.velocity / 30.0
@@ -196,7 +201,7 @@ def test_a_goalie_whose_pose_is_lost_does_not_walk_by_it():
         walks = math.hypot(command.walk.forward, command.walk.left) > 1.0
         if 5 < frame < 30:
             assert walks
-        assert not walks or world.world.time_s - player.pose.landmark_s <= BLIND
+        assert not walks or world.world.time_s - player.now.pose.landmark_s <= BLIND
 
 
 def test_a_turn_that_does_not_help_comes_to_an_end():
@@ -233,19 +238,19 @@ def test_a_pose_that_cannot_be_right_makes_the_goalie_look_round(sign):
 def test_where_the_ball_was_believed_before_a_block_is_not_where_it_is_guarded_against():
     scenery, player = scene(120 + 30j), Goalie()
     scenery.world.ball.seconds_since_seen = 2.0
-    player.moved_s = scenery.world.time_s - 0.1   # the block has just ended
-    assert player.place(scenery.world) is None
-    player.moved_s -= Guard.UNSEEN
-    assert player.place(scenery.world) == places.central_place(scenery.world.field)
+    player.now.moved_s = scenery.world.time_s - 0.1   # the block has just ended
+    assert place_of(player, scenery.world) is None
+    player.now.moved_s -= guard_place.UNSEEN
+    assert place_of(player, scenery.world) == places.central_place(scenery.world.field)
 
 
 @pytest.mark.parametrize('at', [150 + 20j, 180 + 63j, 270 + 20j])
-@pytest.mark.parametrize('seconds', [0.1, 0.5, Guard.UNSEEN, Scan.NEAR_TIMES[-1] - 0.1])
+@pytest.mark.parametrize('seconds', [0.1, 0.5, guard_place.UNSEEN, Scan.NEAR_TIMES[-1] - 0.1])
 def test_after_a_kick_the_goalie_does_not_walk_until_it_sees_the_ball(at, seconds):
     """One that missed leaves the ball beside it, and who walks takes it into the goal; also beyond
     the box's margin, from where other walks lead back."""
     walk = blind_after(scene(180 + 44j, at=at), Goalie(), True, seconds)
-    assert walk == (0.0, 0.0, Guard.KICKED_TURN)
+    assert walk == (0.0, 0.0, look_about.KICKED_TURN)
 
 
 @pytest.mark.parametrize('ball, at', [
@@ -258,7 +263,7 @@ def test_a_goalie_goes_back_round_a_ball_that_lies_behind_it(ball, at):
     end = places.bisector_place(field, (ball.real, ball.imag))
     nearest = 100.0
     for _ in range(400):
-        x, y, _ = places.round_ball(field, (at.real, at.imag), end, (ball.real, ball.imag))
+        x, y, _ = own_goal.round_ball(field, (at.real, at.imag), end, (ball.real, ball.imag))
         way = complex(x, y) - at
         if abs(way) < 1.0:
             break
@@ -289,7 +294,7 @@ def test_the_search_close_by_does_not_turn_the_goalie_down_field(heading, turns)
 def test_a_goalie_that_loses_the_ball_on_its_way_to_it_does_not_walk_on(unseen, state):
     """Past a ball under its chin it takes it in."""
     scenery, player = scene(180 + 62j), Goalie()
-    player.moved_s = -10.0
+    player.now.moved_s = -10.0
     player.step(scenery.world)
     assert player.state == player.attack
     for frame in range(1, round(30.0 * unseen)):
@@ -307,54 +312,54 @@ def test_a_goalie_that_has_lost_the_ball_guards_by_where_its_mates_see_it(unseen
     scenery, player = scene(180 + 60j, at=180 + 20j), Goalie()
     world = scenery.world
     world.ball.seconds_since_seen = unseen
-    player.moved_s = world.time_s - moved
-    player.enter(world, player.guard, GuardGoal(Guard))
+    player.now.moved_s = world.time_s - moved
+    player.enter(world, player.guard, GuardGoal(OF_2006))
     player.eyes.enter(world, player.eyes.search, PointScan(world, 1.0))
     told(world, 100 + 40j, by_mates, sd)
-    assert (player.guard(world).walk.left > 10.0) == walks
-    assert (player.told is not None) == walks
+    assert (guards(player, world).left > 10.0) == walks
+    assert (player.now.told is not None) == walks
 
 
 @pytest.mark.parametrize('ball, walks', [(182 + 18j, False), (215 + 18j, True)])
 def test_a_goalie_does_not_walk_back_over_a_ball_that_it_believes_behind_it(ball, walks):
     scenery, player = scene(ball, at=180 + 40j), Goalie()
-    world, player.moved_s = scenery.world, -10.0
-    world.ball.seconds_since_seen = Guard.UNSEEN + 1.0
-    player.enter(world, player.guard, GuardGoal(Guard))
-    walk = player.guard(world).walk
+    world, player.now.moved_s = scenery.world, -10.0
+    world.ball.seconds_since_seen = guard_place.UNSEEN + 1.0
+    player.enter(world, player.guard, GuardGoal(OF_2006))
+    walk = guards(player, world)
     assert (walk.forward < -5.0) == walks
 
 
 def test_after_a_block_it_turns_to_where_the_ball_was_lost_but_does_not_walk():
     walk = blind_after(scene(180 + 44j, at=180 + 63j), Goalie(), False, 0.5)
-    assert walk == (0.0, 0.0, Guard.SEARCH_TURN)
+    assert walk == (0.0, 0.0, look_about.TURN)
 
 
 def test_a_ball_lost_close_by_is_looked_for_all_round_before_the_goalie_walks_anywhere():
     """Of 14 balls that lay near it, unseen for 1.6 s, in six fast matches three were goals within
     2.5 s; two of them lay beside it or behind."""
     scenery, player = scene(160 + 55j, at=180 + 30j), Goalie()
-    world, player.moved_s = scenery.world, -10.0
-    player.enter(world, player.guard, GuardGoal(Guard))
+    world, player.now.moved_s = scenery.world, -10.0
+    player.enter(world, player.guard, GuardGoal(OF_2006))
     player.eyes.enter(world, player.eyes.search, PointScan(world, 1.0))
     began, turned = world.time_s, []
     for frame in range(1, 140):
         world.time_s, world.ball.seconds_since_seen = began + frame / 30.0, frame / 30.0
-        walk = player.guard(world).walk
+        walk = guards(player, world)
         if player.eyes.searches_near(world):
             assert walk.forward == walk.left == 0.0
             turned.append(walk.turn_deg / 30.0)
     left, right = sum(t for t in turned if t > 0.0), -sum(t for t in turned if t < 0.0)
     assert left > 60.0 and right > 2.0 * left - 20.0
-    assert player.place(world) == places.central_place(world.field)
+    assert place_of(player, world) == places.central_place(world.field)
 
 
 def test_a_ball_seen_after_the_kick_is_guarded_against():
     scenery, player = scene(180 + 44j, at=150 + 20j), Goalie()
     scenery.see()
-    player.moved_s, player.kicked = scenery.world.time_s - 0.1, True
-    player.enter(scenery.world, player.guard, GuardGoal(Guard))
-    walk = player.guard(scenery.world).walk
+    player.now.moved_s, player.now.kicked = scenery.world.time_s - 0.1, True
+    player.enter(scenery.world, player.guard, GuardGoal(OF_2006))
+    walk = guards(player, scenery.world)
     assert abs(walk.forward) + abs(walk.left) > 5.0
 
 
@@ -362,9 +367,10 @@ def test_a_velocity_of_before_the_kick_is_no_ball_that_comes():
     scenery, player = scene(180 + 60j, velocity=-80j), Goalie()
     scenery.world.time_s += 100.0
     scenery.world.ball.seconds_since_seen = 0.1
-    assert player.ball_comes(scenery.world)
-    player.moved_s = scenery.world.time_s
-    assert not player.ball_comes(scenery.world)
+    player.now.update(scenery.world)
+    assert goalie_rules.ball_comes(player.now, 'guard')
+    player.now.moved_s = scenery.world.time_s
+    assert not goalie_rules.ball_comes(player.now, 'guard')
 
 
 def test_who_gets_up_has_not_seen_the_ball_since():
@@ -375,55 +381,57 @@ def test_who_gets_up_has_not_seen_the_ball_since():
         scenery.world.time_s += 1.0 / 30.0
         player.step(scenery.world)
     scenery.world.ball.seconds_since_seen = 1.0
-    assert not player.seen_since_motion(scenery.world)
+    player.now.update(scenery.world)
+    assert not player.now.seen_since_motion
 
 
 def test_the_time_of_a_survey_is_none_in_which_the_ball_was_looked_for():
     scenery, player = scene(180 + 44j), Goalie()
     scenery.world.time_s = 100.0
-    scenery.world.ball.seconds_since_seen = Guard.UNSEEN + 1.0
-    assert player.place(scenery.world) == places.central_place(scenery.world.field)
-    player.eyes.surveyed_s = 100.0 - Guard.UNSEEN + 0.1
-    assert player.place(scenery.world) is None
-    scenery.world.ball.seconds_since_seen = Guard.LOST + 1.0
-    assert player.place(scenery.world) == places.central_place(scenery.world.field, places.LEAST_Y)
+    scenery.world.ball.seconds_since_seen = guard_place.UNSEEN + 1.0
+    assert place_of(player, scenery.world) == places.central_place(scenery.world.field)
+    player.eyes.surveyed_s = 100.0 - guard_place.UNSEEN + 0.1
+    assert place_of(player, scenery.world) is None
+    scenery.world.ball.seconds_since_seen = guard_place.LOST + 1.0
+    assert place_of(player, scenery.world) == places.central_place(scenery.world.field, places.LEAST_Y)
 
 
 @pytest.mark.parametrize('ahead, right, steps_back', [
     (8.0, 0.0, True), (14.0, -10.0, True), (30.0, 0.0, False), (-5.0, 0.0, False)])
 def test_a_ball_lost_under_the_chin_is_backed_off_from(ahead, right, steps_back):
     scenery, player = scene(complex(180 + right, 30 + ahead), at=180 + 30j), Goalie()
-    scenery.world.ball.seconds_since_seen = Guard.FRESH + 0.1
+    scenery.world.ball.seconds_since_seen = situation.SEEN + 0.1
     scenery.world.percepts.ball.present = False
-    player.moved_s = -10.0
-    player.enter(scenery.world, player.guard, GuardGoal(Guard))
-    command = player.guard(scenery.world)
-    assert (command.walk.forward < 0.0) == steps_back
-    assert command.walk.left == pytest.approx(0.0)
+    player.now.moved_s = -10.0
+    player.enter(scenery.world, player.guard, GuardGoal(OF_2006))
+    walk = guards(player, scenery.world)
+    assert (walk.forward < 0.0) == steps_back
+    assert walk.left == pytest.approx(0.0)
 
 
 def test_no_kick_before_the_goalie_stands_after_a_motion():
     scenery, player = scene(180 + 44j, at=180 + 30j), Goalie()
-    player.moved_s = scenery.world.time_s
+    player.now.moved_s = scenery.world.time_s
     waited = 0
     while player.state != player.clear:
         scenery.see()
         player.step(scenery.world)
         waited += 1
-    assert waited == pytest.approx(30 * Clear.STANDS, abs=2)
+    assert waited == pytest.approx(30 * goalie_rules.STANDS, abs=2)
 
 
-@pytest.mark.parametrize('away, at_ball', [(Clear.AT_BALL - 5.0, True),
-                                           (Clear.AT_BALL + 5.0, False)])
+@pytest.mark.parametrize('away, at_ball', [(opponents.AT_BALL - 5.0, True),
+                                           (opponents.AT_BALL + 5.0, False)])
 def test_a_ball_kicked_against_an_opponent_is_looked_for_where_it_lay(away, at_ball):
     scenery, player = scene(180 + 44j, at=180 + 30j), Goalie()
     scenery.see()
-    player.moved_s = -10.0
+    player.now.moved_s = -10.0
     scenery.world.opponents = [kelpie.OpponentEstimate(position=kelpie.Point2(
         x=180.0 - away, y=44.0))]
-    assert player.may_clear(scenery.world)
-    lay = math.hypot(player.look_for[0] - 180.0, player.look_for[1] - 44.0)
-    assert lay == pytest.approx(0.0 if at_ball else Clear.LOOK)
+    player.now.update(scenery.world)
+    player.skill_of('clear', player.now)
+    lay = math.hypot(player.expected[0] - 180.0, player.expected[1] - 44.0)
+    assert lay == pytest.approx(0.0 if at_ball else LOOK)
 
 
 def chosen_for(scenery, player, seconds) -> set:
@@ -441,15 +449,16 @@ def test_a_ball_that_an_opponent_has_is_guarded_against_as_long_as_it_may_hold_i
     scenery, player = scene(complex(180, y), at=180 + 30j), Goalie()
     scenery.world.time_s = 100.0
     scenery.world.opponents = [kelpie.OpponentEstimate(position=kelpie.Point2(
-        x=180.0, y=y + Clear.HAS - 2.0))]
-    assert chosen_for(scenery, player, Clear.HAS_LONGEST - 0.1) == {'guard'}
+        x=180.0, y=y + opponents.HAS_BALL - 2.0))]
+    assert chosen_for(scenery, player, situation.HAS_LONGEST - 0.1) == {'guard'}
     assert chosen_for(scenery, player, 1.0) & {'clear', 'attack'}
 
 
 def test_an_opponent_that_is_missed_in_some_frames_has_the_ball_on():
     scenery, player = scene(180 + 44j, at=180 + 30j), Goalie()
     scenery.world.time_s = 100.0
-    there = [kelpie.OpponentEstimate(position=kelpie.Point2(x=180.0, y=44.0 + Clear.HAS - 2.0))]
+    there = [kelpie.OpponentEstimate(
+        position=kelpie.Point2(x=180.0, y=44.0 + opponents.HAS_BALL - 2.0))]
     names = []
     for frame in range(180):
         scenery.world.opponents = there if frame % 5 < 4 else []
@@ -458,12 +467,13 @@ def test_an_opponent_that_is_missed_in_some_frames_has_the_ball_on():
     assert {'clear'} in names
 
 
-@pytest.mark.parametrize('seconds, leaves', [(0.5, True), (Clear.HAS_SEEN + 0.5, False)])
+@pytest.mark.parametrize('seconds, leaves', [(0.5, True), (opponents.SEEN_S + 0.5, False)])
 def test_an_opponent_that_was_there_some_time_ago_has_no_ball(seconds, leaves):
     scenery, player = scene(180 + 44j, at=180 + 30j), Goalie()
     scenery.world.time_s = 100.0
     scenery.world.opponents = [kelpie.OpponentEstimate(
-        position=kelpie.Point2(x=180.0, y=44.0 + Clear.HAS - 2.0), seconds_since_seen=seconds)]
+        position=kelpie.Point2(x=180.0, y=44.0 + opponents.HAS_BALL - 2.0),
+        seconds_since_seen=seconds)]
     assert (chosen_for(scenery, player, 1.0) == {'guard'}) == leaves
 
 
@@ -475,14 +485,14 @@ def feet(scenery, count, away):
 
 
 @pytest.mark.parametrize('count, away, mate_away, leaves', [
-    (Clear.FEET_LEAST, 10.0, None, True), (Clear.FEET_LEAST - 1, 10.0, None, False),
-    (5, Clear.FEET + 2.0, None, False), (5, -6.0, None, False),
-    (5, 10.0, Clear.FEET_MATE - 5.0, False), (5, 10.0, Clear.FEET_MATE + 5.0, True)])
+    (opponents.FEET_LEAST, 10.0, None, True), (opponents.FEET_LEAST - 1, 10.0, None, False),
+    (5, opponents.FEET + 2.0, None, False), (5, -6.0, None, False),
+    (5, 10.0, opponents.FEET_MATE - 5.0, False), (5, 10.0, opponents.FEET_MATE + 5.0, True)])
 def test_a_ball_at_which_feet_stand_is_left_unless_they_may_be_a_mates(count, away, mate_away,
                                                                        leaves):
     scenery, player = scene(180 + 44j, at=180 + 30j), Goalie()
     scenery.see()
-    scenery.world.time_s, player.moved_s = 100.0, -10.0
+    scenery.world.time_s, player.now.moved_s = 100.0, -10.0
     scenery.world.percepts.obstacles = feet(scenery, count, away)
     if mate_away is not None:
         mate = kelpie.TeammateEstimate(player=2)
@@ -495,17 +505,17 @@ def test_a_ball_that_an_opponent_is_only_near_to_is_cleared():
     scenery, player = scene(180 + 44j, at=180 + 30j), Goalie()
     scenery.world.time_s = 100.0
     scenery.world.opponents = [kelpie.OpponentEstimate(position=kelpie.Point2(
-        x=180.0, y=44.0 + Clear.HAS + 4.0))]
+        x=180.0, y=44.0 + opponents.HAS_BALL + 4.0))]
     assert 'clear' in chosen_for(scenery, player, 1.0)
 
 
 @pytest.mark.parametrize('grabs, away, leaves', [
     (kelpie.HOLDS, 12.0, True), (kelpie.GRABS_SOON, 12.0, True), (kelpie.GRABS_NOT, 12.0, False),
-    (kelpie.HOLDS, Clear.MATE + 10.0, False)])
+    (kelpie.HOLDS, opponents.MATE + 10.0, False)])
 def test_the_goalie_leaves_a_ball_to_the_mate_that_grabs_it(grabs, away, leaves):
     scenery, player = scene(180 + 44j, at=180 + 30j), Goalie()
     scenery.see()
-    player.moved_s = -10.0
+    player.now.moved_s = -10.0
     mate = kelpie.TeammateEstimate(player=2)
     mate.pose.position.x, mate.pose.position.y = 180.0 + away, 44.0
     mate.note.grabs = grabs

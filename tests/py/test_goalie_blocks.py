@@ -7,22 +7,22 @@ import kelpie
 import pytest
 from goalie_world import BRAKE, DRAG, scene, speed_to_go
 from lib import goalie_places as places, kick_table
-from lib.tune_goalie import Block, Clear
+from situation import clearance as clearance_module, shot_watch
+from situation.clearance import (STRIKE, Clearance, clearance, clearing_kick, predicted, side_of,
+                                 strikes, walks)
 from situation.memory import Memory
-from skills.ball.clear_ball import (Clearance, clearance, clearing_kick, predicted, side_of,
-                                    strikes, walks)
-from skills.motion.block import ShotWatch, block_for
+from situation.shot_watch import ShotWatch, block_for
 
 
 # Block choice (checklist A-4.3.1.4)
 
-def seeing(run=Block.SEEN_FRAMES, lost=0):
+def seeing(run=shot_watch.SEEN_FRAMES, lost=0):
     memory = Memory()
     memory.ball_run, memory.ball_lost = run, lost
     return memory
 
 
-def watched(ball, velocity, field=None, memory=None, frames=Block.FRAMES, unseen=0.0):
+def watched(ball, velocity, field=None, memory=None, frames=shot_watch.FRAMES, unseen=0.0):
     """The watch when a ball comes by there, after so many frames in which it rolled (and one more,
     to roll from)."""
     watch = ShotWatch(memory or seeing())
@@ -58,15 +58,15 @@ def way_in(speed, seconds):
 def test_of_balls_straight_ahead_only_the_fastest_are_blocked(speed):
     """40 cm ahead of the goalie; the slower ones its legs stop as it stands."""
     watch = watched(180 + 60j, -1j * speed)
-    assert (watch.block() == kelpie.BLOCK) == (speed >= Block.STAND_SPEED)
+    assert (watch.block() == kelpie.BLOCK) == (speed >= shot_watch.STAND_SPEED)
 
 
 @pytest.mark.parametrize('speed', range(5, 200, 5))
 def test_of_balls_aside_the_fast_are_blocked_and_the_slow_walked_to(speed):
     """20 cm aside: a ball that takes 1 s leaves the time for two steps."""
     watch = watched(200 + 60j, -1j * speed)
-    comes = speed_to_go(60.0 - Block.SHORT) < speed < Block.FASTEST
-    in_time = way_in(speed, Block.LATEST) > 40.0
+    comes = speed_to_go(60.0 - shot_watch.SHORT) < speed < shot_watch.FASTEST
+    in_time = way_in(speed, shot_watch.LATEST) > 40.0
     assert (watch.block() == kelpie.BLOCK_RIGHT) == (comes and in_time)
 
 
@@ -90,15 +90,15 @@ def test_a_velocity_without_a_way_makes_no_block():
 
 
 def test_an_unseen_ball_is_not_blocked():
-    assert watched(180 + 90j, -170j, unseen=Block.SEEN).block() == kelpie.NO_MOTION
+    assert watched(180 + 90j, -170j, unseen=shot_watch.SEEN).block() == kelpie.NO_MOTION
 
 
 def test_a_ball_just_found_is_not_blocked_but_a_single_frame_may_miss_it():
     """Found elsewhere, it seems to have come from where it was believed."""
     memory = seeing()
     watch, ball = ShotWatch(memory), 180 + 120j
-    for run, lost, believed in [(Block.SEEN_FRAMES - 2, 0, 0), (Block.SEEN_FRAMES - 1, 0, 0),
-                                (Block.SEEN_FRAMES, 0, 1), (0, 1, 2), (1, 0, 3), (0, 1, 4),
+    for run, lost, believed in [(shot_watch.SEEN_FRAMES - 2, 0, 0), (shot_watch.SEEN_FRAMES - 1, 0, 0),
+                                (shot_watch.SEEN_FRAMES, 0, 1), (0, 1, 2), (1, 0, 3), (0, 1, 4),
                                 (0, 2, 0), (1, 0, 0)]:
         memory.ball_run, memory.ball_lost = run, lost
         ball -= 170j / 30.0
@@ -107,7 +107,7 @@ def test_a_ball_just_found_is_not_blocked_but_a_single_frame_may_miss_it():
 
 
 def test_no_kick_is_so_fast():
-    watch = watched(180 + 90j, -1j * (Block.FASTEST + 1.0), frames=5)
+    watch = watched(180 + 90j, -1j * (shot_watch.FASTEST + 1.0), frames=5)
     assert watch.block() == kelpie.NO_MOTION
 
 
@@ -197,11 +197,11 @@ def test_a_rolling_ball_is_kicked_where_the_strike_meets_it():
     assert ball == pytest.approx((180.0, 46.0 - 4.6), abs=0.05)
 
 
-@pytest.mark.parametrize('strike, kicked', [(0.0, True), (Clear.STRIKE, False)])
+@pytest.mark.parametrize('strike, kicked', [(0.0, True), (STRIKE, False)])
 def test_no_kick_at_a_ball_that_rolls_in_under_it(monkeypatch, strike, kicked):
     """An own goal (seed 149007, 53 s), of a kick that took the ball as at the motion's beginning:
     the paw grazed it beside the leg."""
-    monkeypatch.setattr(Clear, 'STRIKE', strike)
+    monkeypatch.setattr(clearance_module, 'STRIKE', strike)
     world = scene(184.4 + 36.6j, at=177.1 + 24.2j,
                   facing=cmath.rect(1.0, math.radians(85.0))).world
     world.ball.velocity.x, world.ball.velocity.y = 8.4, -17.5

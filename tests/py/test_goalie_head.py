@@ -4,12 +4,11 @@ import math
 import kelpie
 import pytest
 from goalie_world import world_at
-from lib.tune import Watch
-from lib.tune_goalie import Look, Pan, PointScan as Tune
 from situation.memory import Memory
-from skills.head.ellipse_head import EllipseHead
-from skills.head.goalie_head import GoalieHead
-from skills.head.point_scan import PointScan, beacons
+from skills.head.ellipse_head import EllipseHead, Pan
+from skills.head.goalie_head import GoalieHead, Hints, Look
+from skills.head.point_scan import Looks, PointScan, beacons
+from skills.head.watch import Watch
 
 NEAR_LEFT, FAR_LEFT, FAR_RIGHT, NEAR_RIGHT = (-15, 135), (-15, 405), (375, 405), (375, 135)
 
@@ -52,32 +51,33 @@ def test_all_four_beacons_the_front_and_both_sides_are_seen_in_each_round():
 def test_a_ball_lost_close_by_is_first_looked_for_low_ahead_then_the_body_turns_to_both_sides(side):
     world = world_at()
     scan = PointScan(world, side)
-    looks = scanned(scan, world, Tune.NEAR_TIMES[2])
+    looks = scanned(scan, world, Looks.NEAR_TIMES[2])
     rests = [round(pan / 44.0) for pan, tilt in looks if tilt < -15.0]
     turns = [pan for pan, before in zip(rests, [None] + rests) if pan != before]
     assert turns == [0, side, -side] and scan.turn_side(world) == 0.0
-    world.time_s = scan.start_s + Tune.NEAR_TIMES[2] + 0.1
+    world.time_s = scan.start_s + Looks.NEAR_TIMES[2] + 0.1
     assert side * scan.step(world).head_pan_deg > 0 and scan.turn_side(world) == side
-    world.time_s = scan.start_s + Tune.NEAR_TIMES[3] + 0.1
+    world.time_s = scan.start_s + Looks.NEAR_TIMES[3] + 0.1
     assert side * scan.step(world).head_pan_deg < 0 and scan.turn_side(world) == -side
     assert scan.searches_near(world)
-    world.time_s = scan.start_s + Tune.NEAR_TIMES[4] + 0.1
+    world.time_s = scan.start_s + Looks.NEAR_TIMES[4] + 0.1
     assert scan.step(world).head_pan_deg > 50 and scan.turn_side(world) == 0.0
     assert not scan.searches_near(world)
 
 
 def test_a_head_looks_where_mates_see_the_ball_and_between_on_with_its_scan():
-    world, eyes = world_at(), GoalieHead(Memory())
+    world, hints = world_at(), Hints()
+    eyes = GoalieHead(Memory(), hints)
     world.ball.seconds_since_seen = 5.0
     eyes.enter(world, eyes.search, PointScan(world))
     began, pans = world.time_s, []
     for frame in range(1, 120):
-        eyes.told = (180.0 - 60.0, 20.0 + 60.0)   # 45 deg to the left
+        hints.told = (180.0 - 60.0, 20.0 + 60.0)   # 45 deg to the left
         world.time_s = began + frame / 30.0
         pans.append(round(eyes.step(world, True).head_pan_deg))
     there = [pan == 45 for pan in pans]
     assert all(there[:14]) and 0.2 < sum(there) / len(there) < 0.4
-    eyes.told = None
+    hints.told = None
     eyes.step(world, True)
     assert not eyes.skill.searches_near(world) and eyes.skill.rounds(world) == 0
     assert eyes.skill.start_s == world.time_s
@@ -85,23 +85,25 @@ def test_a_head_looks_where_mates_see_the_ball_and_between_on_with_its_scan():
 
 @pytest.mark.parametrize('x, side', [(150.0, 1.0), (210.0, -1.0)])
 def test_where_mates_last_saw_a_near_ball_the_search_begins_again_with_the_turns(x, side):
-    world, eyes = world_at(), GoalieHead(Memory())
+    world, hints = world_at(), Hints()
+    eyes = GoalieHead(Memory(), hints)
     world.ball.seconds_since_seen = 5.0
     eyes.enter(world, eyes.search, PointScan(world))
-    eyes.told = (x, 30.0)
+    hints.told = (x, 30.0)
     eyes.step(world, True)
-    eyes.told = None
+    hints.told = None
     eyes.step(world, True)
     assert eyes.skill.searches_near(world)
-    world.time_s += Tune.NEAR_TIMES[2] + 0.1
+    world.time_s += Looks.NEAR_TIMES[2] + 0.1
     eyes.step(world, True)
     assert eyes.turn_side(world) == side
 
 
 def test_a_lost_pose_is_surveyed_after_the_search_close_by():
     """Before, each survey began that search anew, on the same side."""
-    world, eyes = world_at(), GoalieHead(Memory())
-    world.ball.present, world.ball.seconds_since_seen, eyes.lost = True, 5.0, True
+    world, hints = world_at(), Hints()
+    eyes = GoalieHead(Memory(), hints)
+    world.ball.present, world.ball.seconds_since_seen, hints.pose_lost = True, 5.0, True
     eyes.enter(world, eyes.search, PointScan(world, 1.0))
     began, surveyed = world.time_s, []
     for frame in range(1, 150):
@@ -109,7 +111,7 @@ def test_a_lost_pose_is_surveyed_after_the_search_close_by():
         eyes.step(world, True)
         if eyes.state == eyes.survey:
             surveyed.append(world.time_s - began)
-    assert min(surveyed) == pytest.approx(Tune.NEAR_TIMES[-1], abs=0.1)
+    assert min(surveyed) == pytest.approx(Looks.NEAR_TIMES[-1], abs=0.1)
 
 
 def test_point_scan_with_a_wrong_heading_looks_ahead_all_the_same():
@@ -152,9 +154,10 @@ def glanced_at(head, world):
 
 
 def test_a_pose_that_jumped_for_good_makes_the_head_survey():
-    head, world = GoalieHead(Memory()), seeing(world_at())
+    hints = Hints()
+    head, world = GoalieHead(Memory(), hints), seeing(world_at())
     heads(head, world, 1.0)
-    head.asked = True
+    hints.gave_in_s = world.time_s
     world.ball.distance = 40.0
     assert heads(head, world, 1.0) == ['track']
     world.ball.distance = 150.0
@@ -218,16 +221,18 @@ def test_a_glance_that_finds_no_landmark_is_followed_by_a_survey():
 @pytest.mark.parametrize('lost, coming, surveys', [(True, 0.0, True), (False, 0.0, False),
                                                   (True, -Look.STILL - 1.0, False)])
 def test_a_lost_pose_is_worth_a_survey_even_beside_the_ball(lost, coming, surveys):
-    world, head = seeing(world_at()), GoalieHead(Memory())
-    world.ball.distance, world.ball.velocity.y, head.lost = 15.0, coming, lost
+    hints = Hints()
+    world, head = seeing(world_at()), GoalieHead(Memory(), hints)
+    world.ball.distance, world.ball.velocity.y, hints.pose_lost = 15.0, coming, lost
     states = heads(head, world, 5.0)
     assert ('survey' in states) is surveys
     assert states.count('survey') <= 5.0 / Look.AGAIN
 
 
 def test_a_lost_pose_is_mended_before_a_lost_ball_is_looked_for():
-    world, head = seeing(world_at(), seen=False), GoalieHead(Memory())
-    world.ball.present, head.lost = False, True
+    hints = Hints()
+    world, head = seeing(world_at(), seen=False), GoalieHead(Memory(), hints)
+    world.ball.present, hints.pose_lost = False, True
     assert 'survey' in heads(head, world, 3.0)
 
 

@@ -5,7 +5,7 @@ import random
 import kelpie
 import pytest
 from lib import goalie_places as places
-from lib.tune_goalie import Body
+from safety import own_box, own_goal, rear_wall
 from situation import shot
 
 FIELD = kelpie.FIELDS['2006']
@@ -104,9 +104,9 @@ def test_degrees_off_the_own_goal():
 
 
 def test_legs_are_the_corners_of_a_rectangle_behind_the_neck():
-    assert sorted(places.legs(pose(100, 50, 90))) == pytest.approx(
+    assert sorted(rear_wall.legs(pose(100, 50, 90))) == pytest.approx(
         [(93, 37), (93, 50), (107, 37), (107, 50)])
-    assert min(y for _, y in places.legs(pose(100, 50, 0))) == pytest.approx(43)
+    assert min(y for _, y in rear_wall.legs(pose(100, 50, 0))) == pytest.approx(43)
 
 
 @pytest.mark.parametrize('x, y, heading, at_wall', [
@@ -114,40 +114,40 @@ def test_legs_are_the_corners_of_a_rectangle_behind_the_neck():
     (120, 9.5, 0, False), (120, 8.5, 0, True),        # a side does
     (180, 5, 90, False), (180, 5, -90, False)])       # in the mouth there is no wall
 def test_rear_wall_zone_is_two_centimetres_beside_the_goal(x, y, heading, at_wall):
-    assert places.at_rear_wall(FIELD, pose(x, y, heading)) == at_wall
+    assert rear_wall.at_rear_wall(FIELD, pose(x, y, heading)) == at_wall
 
 
 def test_wall_of_2004_stands_as_far_in_as_the_border_is_wide():
-    assert places.at_rear_wall(OLD, pose(80, 24, 90))
-    assert not places.at_rear_wall(OLD, pose(80, 26, 90))
+    assert rear_wall.at_rear_wall(OLD, pose(80, 24, 90))
+    assert not rear_wall.at_rear_wall(OLD, pose(80, 26, 90))
 
 
 def test_near_the_wall_only_the_move_across_is_left():
     near, free = pose(120, 12, 60), pose(120, 40, 60)
-    x, y = places.to_field(60, *places.off_rear_wall(FIELD, near, -20.0, 5.0))
+    x, y = places.to_field(60, *rear_wall.off_rear_wall(FIELD, near, -20.0, 5.0))
     asked = places.to_field(60, -20.0, 5.0)
     assert (x, y) == pytest.approx((asked[0], 0))
-    assert places.off_rear_wall(FIELD, free, -20.0, 5.0) == (-20.0, 5.0)
-    assert places.off_rear_wall(FIELD, near, 20.0, 0.0) == (20.0, 0.0)
+    assert rear_wall.off_rear_wall(FIELD, free, -20.0, 5.0) == (-20.0, 5.0)
+    assert rear_wall.off_rear_wall(FIELD, near, 20.0, 0.0) == (20.0, 0.0)
 
 
 def test_no_wish_takes_the_goalie_out_of_its_box():
     chance = random.Random(3)
     for _ in range(1000):
-        left, right, near, far = places.box(FIELD, Body.MARGIN)
+        left, right, near, far = places.box(FIELD, own_box.MARGIN)
         at = pose(chance.uniform(left, right), chance.uniform(near, far), chance.uniform(-180, 180))
         forward, left = chance.uniform(-40, 40), chance.uniform(-40, 40)
         for _ in range(60):
-            ahead, aside = places.kept_in_box(FIELD, at, forward, left, Body.MARGIN, Body.SECONDS)
+            ahead, aside = own_box.kept_in_box(FIELD, at, forward, left, own_box.MARGIN, own_box.SECONDS)
             x, y = places.to_field(at.heading_deg, ahead, aside)
             at.position.x += x / 30
             at.position.y += y / 30
             at.heading_deg += 2
-        assert places.beyond_box(FIELD, (at.position.x, at.position.y), Body.MARGIN) < 1e-6
+        assert places.beyond_box(FIELD, (at.position.x, at.position.y), own_box.MARGIN) < 1e-6
 
 
 def test_from_outside_every_wish_leads_back():
-    forward, left = places.kept_in_box(FIELD, pose(180, 75, 90), 30.0, 10.0, 6.0, 0.35)
+    forward, left = own_box.kept_in_box(FIELD, pose(180, 75, 90), 30.0, 10.0, 6.0, 0.35)
     assert forward < -20 and left == pytest.approx(10)
 
 
@@ -179,4 +179,4 @@ def test_a_body_that_walks_into_a_ball_takes_it_the_way_that_side_faces(ball, wa
     """The goalie at (180, 24) looks up-field: its rump sends a ball in, its flank one on the line,
     and its rump beside it when it turns."""
     pose = kelpie.Pose2(position=kelpie.Point2(x=180.0, y=24.0), heading_deg=90.0)
-    assert places.takes_in(FIELD, pose, kelpie.WalkRequest(**walk), ball) == taken
+    assert own_goal.would_own_goal(FIELD, pose, kelpie.WalkRequest(**walk), ball) == taken

@@ -6,7 +6,7 @@ import kelpie
 import pytest
 from goalie_world import blind_after, scene, told
 from players.goalie import Goalie
-from skills.ball.clear_ball import opponent_has
+from situation.opponents import has_ball
 from skills.motion.kick import Kick
 
 
@@ -40,7 +40,7 @@ def pressed(away=15.0, believed=188 + 21j):
     opponent stands so far from it. `believed`: where the goalie saw it last, or None."""
     ball = 188 + 21j
     scenery, player = scene(ball, at=180 + 25j), Goalie()
-    player.moved_s = -10.0
+    player.now.moved_s = -10.0
 
     def stands():
         world = scenery.world
@@ -62,7 +62,7 @@ def test_a_goalie_holds_out_at_a_ball_that_its_mates_see_at_its_flank(away, beli
     _, player, stands = pressed(away, believed)
     for _ in range(5):
         still = stands()
-    assert player.state == player.guard and player.told is not None
+    assert player.state == player.guard and player.now.told is not None
     assert still == holds
 
 
@@ -73,7 +73,7 @@ def test_a_goalie_holds_out_for_four_seconds_and_after_a_kick_for_four_more():
     frames = [stands() for _ in range(130)]
     assert all(frames[:118]) and not any(frames[122:])
     player.enter(scenery.world, player.clear, Kick(scenery.world))
-    player.skill.start_s, player.look_for = -10.0, (188.0, 21.0)
+    player.skill.start_s, player.expected = -10.0, (188.0, 21.0)
     assert all(stands() for _ in range(80))
 
 
@@ -104,4 +104,4 @@ def test_nobody_has_a_ball_that_is_not_there():
     world.ball.position.x = world.ball.position.y = 0.0
     for present in (True, False):
         world.ball.present = present
-        assert opponent_has(world) == present
+        assert has_ball(world) == present

@@ -5,10 +5,11 @@ import math
 
 import kelpie
 import pytest
+from decisions.goalie_rules import BETWEEN_PAWS
 from goalie_world import scene
-from lib.tune_goalie import Paws
 from players.goalie import Goalie
-from situation.underfoot import Underfoot
+from situation import ball_at_body as at_body
+from situation.ball_at_body import BallBetweenPaws
 from skills.walk.step_back import StepBack
 
 FRAME_S = 1.0 / 30.0
@@ -31,36 +32,36 @@ def feels(place):
 
 
 @pytest.mark.parametrize('chest, there', [
-    (Paws.TOO_NEAR - 0.1, True), (Paws.TOO_NEAR + 0.1, False), (Paws.TOO_FAR - 0.1, False),
-    (Paws.TOO_FAR + 0.1, True), (Paws.NOTHING + 1.0, False)])
+    (at_body.CHEST_NEAR - 0.1, True), (at_body.CHEST_NEAR + 0.1, False), (at_body.CHEST_FAR - 0.1, False),
+    (at_body.CHEST_FAR + 0.1, True), (at_body.NOTHING + 1.0, False)])
 def test_the_infrared_tells_a_ball_from_the_carpet(chest, there):
     scenery = believes(180 + 150j)
     scenery.world.sensors.chest_distance = chest
-    assert Underfoot().there(scenery.world, None) is there
+    assert BallBetweenPaws().there(scenery.world, None) is there
 
 
 @pytest.mark.parametrize('ball, there', [
     (180 + 34j, True), (180 + 41j, False), (188 + 34j, False), (180 + 22j, False)])
 def test_own_belief_and_mates_tell_it_too(ball, there):
-    assert Underfoot().there(believes(ball).world, None) is there
-    assert Underfoot().there(believes(ball, Paws.SEEN + 0.1).world, None) is False
-    assert Underfoot().there(believes(180 + 150j).world, (ball.real, ball.imag)) is there
+    assert BallBetweenPaws().there(believes(ball).world, None) is there
+    assert BallBetweenPaws().there(believes(ball, at_body.SEEN + 0.1).world, None) is False
+    assert BallBetweenPaws().there(believes(180 + 150j).world, (ball.real, ball.imag)) is there
 
 
 def stood(gap_s):
     """Seconds that a ball counts as there which is felt for 1 s but for a gap in the middle."""
-    scenery, under = believes(180 + 150j), Underfoot()
+    scenery, under = believes(180 + 150j), BallBetweenPaws()
     for frame in range(31):
         scenery.world.time_s = frame * FRAME_S
         away = abs(scenery.world.time_s - 0.5) < 0.5 * gap_s
         scenery.world.sensors.chest_distance = CARPET if away else BALL
         under.update(scenery.world, None)
-    return under.seconds(scenery.world)
+    return under.for_s
 
 
 def test_short_gaps_in_what_is_felt_do_not_end_it():
-    assert stood(Paws.GAP - 0.1) == pytest.approx(1.0)
-    assert stood(Paws.GAP + 0.1) < 0.6
+    assert stood(at_body.GAP - 0.1) == pytest.approx(1.0)
+    assert stood(at_body.GAP + 0.1) < 0.6
 
 
 def walks_of(player, scenery, seconds):
@@ -76,7 +77,7 @@ def test_it_steps_back_from_it_in_time_even_with_an_opponent_at_hand():
     scenery.world.opponents = [kelpie.OpponentEstimate(position=kelpie.Point2(x=180.0, y=45.0))]
     back = [walk.forward < -20.0 and walk.left == 0.0 and walk.turn_deg == 0.0
             for _, walk in walks_of(player, scenery, 2.5)]
-    assert not any(back[:round(Paws.LONGEST / FRAME_S) - 1])
+    assert not any(back[:round(BETWEEN_PAWS / FRAME_S) - 1])
     assert 10 <= sum(back) <= 14   # one step
 
 
@@ -117,14 +118,14 @@ def test_what_the_chest_reads_of_the_carpet_in_a_block_does_not_count():
 
 
 def test_nor_does_a_belief_of_before_a_kick():
-    scenery, under = believes(180 + 34j, 0.0), Underfoot()
+    scenery, under = believes(180 + 34j, 0.0), BallBetweenPaws()
     under.update(scenery.world, None)
     for running in [kelpie.UPENN_LEFT] * 20 + [kelpie.NO_MOTION] * 60:
         scenery.world.time_s += FRAME_S
         scenery.world.ball.seconds_since_seen += FRAME_S
         scenery.world.motion.running = running
         under.update(scenery.world, None)
-        assert under.seconds(scenery.world) == 0.0
+        assert under.for_s == 0.0
 
 
 def test_what_the_chest_read_before_play_does_not_count():
@@ -132,5 +133,5 @@ def test_what_the_chest_read_before_play_does_not_count():
     scenery.world.game.state = kelpie.SET
     walks_of(player, scenery, 2.0)
     scenery.world.game.state = kelpie.PLAYING
-    states = [state for state, _ in walks_of(player, scenery, Paws.LONGEST)]
+    states = [state for state, _ in walks_of(player, scenery, BETWEEN_PAWS)]
     assert 'step_back' not in states

@@ -13,13 +13,13 @@ from hypothesis import assume, given, settings, strategies as st
 from lib import goalie_places, intercept, zones
 from lib.geom import clamp, heading, moved, polar, wrap
 from lib.steer import towards
-from lib.tune_goalie import Guard
 from pytest import approx
 from situation import aim
 from situation.at_ball import Situation
 from situation.contested import Contested
 from situation.memory import Memory
 from situation.shot import Shot
+from situation.shot_watch import block_for
 from situations import world
 from skills.ball import lost_ball
 from skills.ball.dribble import Dribble
@@ -29,8 +29,7 @@ from skills.ball.grab_dribble import GrabDribble
 from skills.ball.hold import Hold as Held
 from skills.ball.kick_ball import PLACES, KickBall
 from skills.ball.strike import StepToKick
-from skills.motion.block import block_for
-from skills.walk.guard_goal import GuardGoal
+from skills.walk.guard_goal import OF_2006, GuardGoal
 
 FIELD = kelpie.FIELDS['2006']
 settings.register_profile('kelpie', max_examples=120, derandomize=True, deadline=None,
@@ -175,7 +174,7 @@ def test_a_goalie_guards_mirrored_places(place):
     assume(one.ball.position.y > goalie_places.STAND_Y)  # nearer, straight behind is a tie
     for rule in (goalie_places.bisector_place, goalie_places.ellipse_place,
                  goalie_places.circle_place):
-        walks = [GuardGoal(Guard).step(made, rule(FIELD, (made.ball.position.x,
+        walks = [GuardGoal(OF_2006).step(made, rule(FIELD, (made.ball.position.x,
                                                           made.ball.position.y)))
                  for made in (one, mirrored)]
         same_walk(*walks)

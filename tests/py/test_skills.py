@@ -1,15 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
 import pytest
 import kelpie
-from lib import tune
-from lib.tune import Goal, Strike
-from situation.goal import OpponentGoal
+from situation.goal import Goal, OpponentGoal
 from situation.memory import Memory
 from skills.ball.go_to_ball import GoToBall, behind
 from skills.ball.line_up import CircleBall, aim_error
 from skills.ball.line_up_kick import LineUpKick
-from skills.ball.strike import StepToKick
-from skills.motion.kick import Kick
+from skills.ball.strike import StepToKick, Strike
+from skills.motion.kick import START_TIME, Kick
 
 
 def world_with_ball(x, y):
@@ -73,7 +71,7 @@ def test_kick_is_requested_until_it_runs_and_ends_with_it():
 def test_kick_that_never_starts_is_given_up():
     world = kelpie.WorldFrame(field=kelpie.FIELDS['2006'])
     kick = Kick(world)
-    world.time_s += tune.Kick.START_TIME + 0.1
+    world.time_s += START_TIME + 0.1
     kick.step(world)
     assert kick.done
 

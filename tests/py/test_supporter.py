@@ -14,9 +14,10 @@ from players.forward import Forward
 from players.goalie import Goalie
 from roles.supporter import Supporter
 from situation import keep_off
+from situation.heard import heard_of
 from situation.memory import Memory
 from situations import put_ball, world
-from skills.ball.find_together import FindTogether, heard_of
+from skills.ball.find_together import FindTogether
 from skills.walk.bird_of_prey import BirdOfPrey
 from skills.walk.take_place import TakePlace
 from test_roles import A, S, mate

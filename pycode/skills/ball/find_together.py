@@ -12,18 +12,15 @@ from lib import search_places
 from lib.geom import from_field
 from lib.steer import aim_at, towards
 from lib.ways import SILENT_S
+from situation.heard import FRESH_S, heard_of
 from skills.ball.spin_for_ball import SpinForBall
 from skills.head.watch import Scan
 from skills.walk.bird_of_prey import BirdOfPrey
 
-FRESH_S = 1.0         # s; of the team's ball
-LATER_S = 0.4         # s by which a mate saw it later than the robot itself
 LOST_FRAMES = 66      # after which the team is asked (facts-2005 section 7.2),
 LOST_ATTACKER = 166   # by an attacker
 NEAR = 60.0           # cm; a nearer ball is the own search's, which looks under the chin
 ARRIVED, LEFT = 20.0, 50.0
-OFF = 15.0            # cm beyond the lines; a ball farther off is one of a wrong pose: by one 38 cm
-                      # behind the goal a goalie went the wrong way (seed 152005, 106 s)
 AGAIN_S = 1.0         # between two looks at who is where
 # Ours: a ball that none of three places shows is searched for by each alone for a while. Of 8 balls
 # that are seen from 90 cm only, two were never found by spinning on.
@@ -106,15 +103,3 @@ class FindTogether(Machine):
             self.rest_until_s = world.time_s + REST_S
         self.memory.spun(self.spinning.side)
         return self.spinning.step(world)
-
-
-def heard_of(world):
-    """Where the team has a ball on the field that this robot has not seen as lately; or None."""
-    team, ball = world.team_ball, world.ball
-    own_s = ball.seconds_since_seen if ball.present else math.inf
-    if (len(world.teammates) == 0 or not team.present or team.seconds_since_seen > FRESH_S or
-            own_s < team.seconds_since_seen + LATER_S):
-        return None
-    x, y, field = team.position.x, team.position.y, world.field
-    on_field = -OFF < x < field.width + OFF and -OFF < y < field.length + OFF
-    return (x, y) if on_field else None

@@ -6,7 +6,18 @@ import math
 import kelpie
 from arbiter.skill import Skill
 from lib.geom import Point, clamp, heading
-from lib.tune import Approach
+
+
+class Approach:
+    SLOW_DOWN = 45.0         # distance from which the speed falls
+    SPEED = 34.0
+    MIN_SPEED = 10.0
+    TURN_GAIN = 1.8          # deg/s per deg
+    TURN_SPEED = 70.0
+    TURN_FIRST = 50.0        # a ball farther aside: turn on the spot
+    NEAR = 28.0              # distance at which lining up begins
+    BEHIND = 22.0            # aim at this far behind the ball, seen from the goal
+    TIME = 25.0
 
 
 def behind(ball, goal_point) -> Point:

@@ -4,7 +4,20 @@
 import kelpie
 from arbiter.skill import Skill
 from lib.geom import Point, clamp, heading, wrap
-from lib.tune import LineUp
+
+
+class LineUp:
+    RADIUS = 20.0            # distance kept while circling the ball
+    SIDE_SPEED = 15.0
+    SIDE_GAIN = 0.4          # cm/s per deg
+    FORWARD_GAIN = 1.2       # cm/s per cm
+    FORWARD_SPEED = 10.0
+    TURN_GAIN = 2.0
+    TURN_SPEED = 70.0
+    AIMED = 10.0             # deg between ball and goal direction
+    FACED = 15.0             # deg between body and ball
+    LEFT_BEHIND = 38.0       # a ball farther than this has to be walked to again
+    TIME = 15.0
 
 MAX_ERROR = 150.0     # deg; beyond it the goal is behind, and both ways are as long
 MIN_DISTANCE = 12.0   # cm; with a nearer ball the feed-forward would be a spin

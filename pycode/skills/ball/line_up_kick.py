@@ -5,15 +5,17 @@
 # a while before the robot lines up. Slow: it circles the ball.
 import kelpie
 from arbiter.machine import Machine
-from lib import tune
 from lib.geom import heading
 from lib.head import look_at, view
-from lib.tune import Approach, Goal, LineUp, Strike, Watch
-from skills.ball.go_to_ball import GoToBall
-from skills.ball.line_up import CircleBall, aim_error
-from skills.ball.strike import StepToKick
-from skills.head.watch import Sweep, WatchBall
+from situation.goal import Goal
+from skills.ball.go_to_ball import Approach, GoToBall
+from skills.ball.line_up import CircleBall, LineUp, aim_error
+from skills.ball.strike import StepToKick, Strike
+from skills.head.watch import Sweep, Watch, WatchBall
 from skills.motion.kick import Kick
+
+LOOK_DOWN = 20.0    # deg of the view below the horizontal while kicking,
+LOOK_AHEAD = 12.0   # and after it
 
 
 class LineUpKick(Machine):
@@ -99,8 +101,8 @@ class LineUpKick(Machine):
         motion = self.skill.step(world)
         if self.skill.done:
             return self.enter(world, self.ended, None, 'kicked')
-        head = view(0.0, tune.Kick.LOOK_DOWN, world.stance)
+        head = view(0.0, LOOK_DOWN, world.stance)
         return kelpie.Command(head=head, motion=motion)
 
     def ended(self, world):
-        return kelpie.Command(head=view(0.0, tune.Kick.LOOK_AHEAD, world.stance))
+        return kelpie.Command(head=view(0.0, LOOK_AHEAD, world.stance))

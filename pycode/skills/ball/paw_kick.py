@@ -5,8 +5,17 @@
 import kelpie
 from arbiter.skill import Skill
 from lib.geom import clamp, heading
-from lib.tune_goalie import Paw
-from skills.walk.guard_goal import in_box
+
+from safety import own_box
+
+
+class Paw:
+    SIDE = 5.0               # cm from the middle to a front leg
+    SPEED = 34.0
+    TURN_GAIN = 3.0
+    TURN = 120.0
+    VISUAL = 15.0            # cm; a seen ball that near starts the attack
+    ASIDE = 40.0             # deg; one seen farther aside ends it
 
 
 class PawKick(Skill):
@@ -15,17 +24,14 @@ class PawKick(Skill):
     def __init__(self):
         self.side = 0.0   # of the leg: +1 right, 0 none yet
 
-    def can(self, world) -> bool:
-        """Always: it only runs. Whether the ball may become an own goal it does not ask."""
-        return True
-
-    def step(self, world) -> kelpie.WalkRequest:
+    def step(self, world, stand=None) -> kelpie.WalkRequest:
+        """It only runs: whether the ball may become an own goal it does not ask."""
         ball = world.ball.relative
         if self.side == 0.0:
             self.side = 1.0 if ball.x >= 0.0 else -1.0
         aside = heading(ball.x - self.side * Paw.SIDE, max(ball.y, 1.0))
         turn = clamp(Paw.TURN_GAIN * aside, -Paw.TURN, Paw.TURN)
-        return in_box(world, kelpie.WalkRequest(forward=Paw.SPEED, turn_deg=turn))
+        return own_box.inside(world, kelpie.WalkRequest(forward=Paw.SPEED, turn_deg=turn))
 
     def explain(self, trace) -> None:
         trace.append((kelpie.LAYER_SKILL, self.NAME, 'right' if self.side > 0.0 else 'left',

@@ -6,8 +6,16 @@
 import kelpie
 from lib.head import view
 from lib.landmarks import GOALIE_PAN, choose_landmark
-from lib.tune_goalie import Look, Pan
-from skills.head.goalie_head import GoalieHead, seen
+from skills.head.goalie_head import GoalieHead, Look, seen
+
+
+class Pan:
+    """The full search of 2004: from left to right at the horizon's height, then quickly at the
+    feet."""
+    SIDE = 88.0
+    SPEED = 120.0            # deg/s
+    QUICK = 250.0
+    DOWN, FEET = 18.0, 48.0  # deg below the horizontal; 22 is half an image
 
 
 class EllipseHead(GoalieHead):

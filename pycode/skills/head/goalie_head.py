@@ -11,10 +11,28 @@ from arbiter.machine import Machine
 from lib.geom import from_field
 from lib.head import look_at, view
 from lib.landmarks import GOALIE_PAN, in_reach, look_at_landmark
-from lib.tune import Watch
-from lib.tune_goalie import Look, PointScan as ScanTune
 from situation.pose_watch import is_sure
-from skills.head.point_scan import PointScan
+from skills.head.point_scan import Looks, PointScan
+from skills.head.watch import Watch
+
+
+class Look:
+    """Glances at landmarks; facts-2005 section 7.2: every 50 to 95 frames, for 9."""
+    EVERY_LOST, EVERY_SURE = 1.7, 3.2
+    SURE_SD, SURE_HEADING_SD = 6.0, 4.0
+    TIME = 0.3
+    SURVEY, SURVEY_TIME, SURVEY_DOWN = (75.0, 25.0, -25.0, -75.0), 0.26, 6.0  # pan, s, deg down
+    AGAIN = 2.0              # s between two surveys of a lost pose
+    STEADY = 0.7             # s of tracking before a glance
+    FAR = 60.0               # cm to the ball; nearer it is not left alone,
+    FAR_SURE = 120.0         # nor here while the pose is sure: from 100 cm the attacker shoots
+    FAR_ELLIPSE = 25.0       # thesis 2004 section 4.2.3
+    STILL = 15.0             # cm/s of the ball towards the goal
+    FRONT = 45.0             # deg of pan in every second glance; the near beacons are at 60
+    RETURN = 0.25            # s at the angle of before, then at where gps has the ball
+    BELIEVED = 0.4
+    LOST = 0.25              # s unseen while it is looked at
+    TOLD, TOLD_EVERY = 0.5, 2.0  # s of looking to where mates see it, out of so many
 
 
 def seen(world, seconds=Watch.FRESH) -> bool:
@@ -26,19 +44,24 @@ def side_of(x) -> float:
     return -1.0 if x > 0.0 else 1.0
 
 
+class Hints:
+    """What a goalie's head is told of the pose, and of the ball by mates: nothing."""
+    told = None            # where mates see a ball that the goalie has lost
+    pose_lost = False      # a survey now, unless a ball comes
+    gave_in_s = -math.inf  # when a jump of the pose was believed: a survey once the ball is far
+
+
 class GoalieHead(Machine):
     NAME = 'goalie_head'
     FAR = Look.FAR   # cm; a nearer ball is not left alone,
     FAR_SURE = Look.FAR_SURE   # nor one so near while the pose is sure
 
-    def __init__(self, memory):
+    def __init__(self, memory, hints=Hints()):
         super().__init__(self.search)
         self.memory = memory
+        self.hints = hints
         self.free = False
-        self.asked = False    # for a survey, as soon as the ball can be left alone
-        self.told = None      # where mates see a ball that the goalie has lost,
-        self.was_told = None  # and where they last saw it
-        self.lost = False     # the pose: a survey now, unless a ball comes
+        self.was_told = None  # where mates last saw a ball that the goalie has lost
         self.surveyed_s = -math.inf   # the last frame of a survey
         self.tracked = 0.0    # cm to the ball when it was last tracked
         self.glances = 0
@@ -49,6 +72,11 @@ class GoalieHead(Machine):
         """`free`: whether the player can do without the ball for a moment."""
         self.free = free
         return super().step(world)
+
+    @property
+    def asked(self) -> bool:
+        """For a survey, as soon as the ball can be left alone."""
+        return self.hints.gave_in_s > self.surveyed_s
 
     def idle(self, world) -> kelpie.HeadRequest:
         return self.at_ball(world)
@@ -63,7 +91,7 @@ class GoalieHead(Machine):
         if not seen(world, Look.LOST):
             return self.regain_ball(world)
         if self.asked and self.calm(world) or self.must_survey(world):
-            return self.enter(world, self.survey, None, 'the pose is lost' if self.lost else
+            return self.enter(world, self.survey, None, 'the pose is lost' if self.hints.pose_lost else
                               'the pose has jumped')
         mark = self.landmark(world)
         if mark is not None:
@@ -89,7 +117,7 @@ class GoalieHead(Machine):
 
     def must_survey(self, world) -> bool:
         """Of a lost pose even with the ball at the feet, now and then."""
-        return (self.lost and self.free and world.ball.velocity.y > -Look.STILL and
+        return (self.hints.pose_lost and self.free and world.ball.velocity.y > -Look.STILL and
                 world.time_s - self.surveyed_s > Look.AGAIN)
 
     def landmark(self, world):
@@ -119,7 +147,6 @@ class GoalieHead(Machine):
     def survey(self, world):
         """Once from left to right, at rest in four directions: what is seen mends the pose."""
         self.glanced_s = self.surveyed_s = world.time_s
-        self.asked = False
         look = int(self.since(world) / Look.SURVEY_TIME)
         if not self.free or look >= len(Look.SURVEY):
             return self.after_glance(world)
@@ -165,26 +192,30 @@ class GoalieHead(Machine):
             return self.enter(world, self.survey, None, 'the pose is lost')
         if self.skill is None:
             self.skill = self.scan(world)
-        if self.told is not None:
+        if self.hints.told is not None:
             return self.look_where_told(world)
         if self.was_told is not None:   # from there on it is looked for again
             x, y = from_field(world.pose, *self.was_told)
             self.was_told = None
             self.skill = PointScan(world,
-                                   side_of(x) if math.hypot(x, y) < ScanTune.NEAR else 0.0)
+                                   side_of(x) if math.hypot(x, y) < Looks.NEAR else 0.0)
         return self.skill.step(world)
 
     def look_where_told(self, world):
         """There, and between two such looks on with the scan: a mate may be wrong."""
-        self.was_told = self.told
+        self.was_told = self.hints.told
         if math.fmod(self.since(world), Look.TOLD_EVERY) > Look.TOLD:
             return self.skill.step(world)
-        x, y = from_field(world.pose, *self.told)
+        x, y = from_field(world.pose, *self.hints.told)
         return look_at(x, y, Watch.BALL_HEIGHT, world.stance)
 
     def turn_side(self, world) -> float:
         """To which side the body must turn for the search, +1 left; 0: to none."""
         return self.skill.turn_side(world) if isinstance(self.skill, PointScan) else 0.0
+
+    @property
+    def surveys(self) -> bool:
+        return self.state == self.survey
 
     def searches_near(self, world) -> bool:
         """Whether the ball is still looked for where it was lost close by."""
@@ -192,6 +223,6 @@ class GoalieHead(Machine):
 
     def scan(self, world):
         """Low first on the side where the ball is believed, if it was lost close by."""
-        if self.tracked > ScanTune.NEAR:
+        if self.tracked > Looks.NEAR:
             return PointScan(world)
         return PointScan(world, 1.0 if world.ball.heading_deg >= 0.0 else -1.0)

@@ -13,7 +13,16 @@ from arbiter.skill import Skill
 from lib.geom import from_field, heading
 from lib.head import MAX_PAN, look_at, view
 from lib.landmarks import GOALS
-from lib.tune_goalie import PointScan as Tune
+
+
+class Looks:
+    """How long and how deep it looks at each point."""
+    BEACON = 0.22            # s; the head pans 33 deg in 0.1 s, then three images
+    LOW = 0.26               # 44 deg
+    NEAR_TIMES = 0.24, 0.5, 0.9, 1.65, 3.15  # s, ends of the looks; in the last two the body turns
+    DOWN = 12.0              # deg below the horizontal at the beacons: a ball from 30 cm on shows
+    LOW_AT = 28.0            # cm; a ball from 12 to 130 cm shows
+    NEAR = 60.0              # cm; a ball lost nearer is first looked for low
 
 FROM_MIDDLE = (60.0, 27.0, -27.0, -60.0)  # deg, the beacons of 2006 from the middle of the goal
 LOW = (-88.0, -44.0, 0.0, 44.0, 88.0)     # deg, the points after them
@@ -45,7 +54,7 @@ class PointScan(Skill):
 
     def period(self) -> float:
         """Seconds of one round."""
-        return len(self.beacons) * Tune.BEACON + len(LOW) * Tune.LOW
+        return len(self.beacons) * Looks.BEACON + len(LOW) * Looks.LOW
 
     def rounds(self, world) -> int:
         """That came to an end."""
@@ -53,7 +62,7 @@ class PointScan(Skill):
 
     def passed(self, world) -> float:
         """Seconds since the first round began; negative before it."""
-        return world.time_s - self.start_s - (Tune.NEAR_TIMES[-1] if self.near else 0.0)
+        return world.time_s - self.start_s - (Looks.NEAR_TIMES[-1] if self.near else 0.0)
 
     def searches_near(self, world) -> bool:
         """Whether it still looks where the ball was lost close by."""
@@ -63,16 +72,16 @@ class PointScan(Skill):
         passed = self.passed(world)
         if self.searches_near(world):
             self.branch = 'near'
-            passed += Tune.NEAR_TIMES[-1]
-            self.at = sum(passed >= end for end in Tune.NEAR_TIMES)
+            passed += Looks.NEAR_TIMES[-1]
+            self.at = sum(passed >= end for end in Looks.NEAR_TIMES)
             return self.low(world, self.near[self.at][0])
         passed = math.fmod(passed, self.period())
-        self.branch, self.at = 'beacon', int(passed / Tune.BEACON)
+        self.branch, self.at = 'beacon', int(passed / Looks.BEACON)
         if self.at < len(self.beacons):
             aside = heading(*from_field(world.pose, *self.beacons[self.at]))
             pan = aside if abs(aside) < MAX_PAN else FROM_MIDDLE[self.at]
-            return view(pan, Tune.DOWN, world.stance)
-        low = int((passed - len(self.beacons) * Tune.BEACON) / Tune.LOW)
+            return view(pan, Looks.DOWN, world.stance)
+        low = int((passed - len(self.beacons) * Looks.BEACON) / Looks.LOW)
         self.branch, self.at = 'low', min(low, len(LOW) - 1)
         return self.low(world, LOW[self.at])
 
@@ -82,7 +91,7 @@ class PointScan(Skill):
 
     def low(self, world, pan):
         aside = math.radians(pan)
-        return look_at(-Tune.LOW_AT * math.sin(aside), Tune.LOW_AT * math.cos(aside), 0.0,
+        return look_at(-Looks.LOW_AT * math.sin(aside), Looks.LOW_AT * math.cos(aside), 0.0,
                        world.stance)
 
     def explain(self, trace) -> None:

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
 # Asks for a kick until it runs, then waits for its end. Keeps which, when it began and whether the
-# motion has run, from world.motion. A kick that never starts is given up after START_TIME of
-# lib/tune.py; whether the ball was hit it cannot tell.
+# motion has run, from world.motion. A kick that never starts is given up after START_TIME; whether the ball was hit it cannot tell.
 import kelpie
 from arbiter.skill import Skill
-from lib import tune
+
+START_TIME = 1.5   # s for the motion to begin
+TIME = 5.0         # s
 
 
 class Kick(Skill):
@@ -20,6 +21,6 @@ class Kick(Skill):
         running = world.motion.running == self.which
         self.ran = self.ran or running
         passed = world.time_s - self.start_s
-        self.done = (not running or passed > tune.Kick.TIME) if self.ran else (
-            passed > tune.Kick.START_TIME)
+        self.done = (not running or passed > TIME) if self.ran else (
+            passed > START_TIME)
         return kelpie.NO_MOTION if self.ran else self.which

@@ -3,17 +3,17 @@
 # (thesis 2006 section 4.3.2, algorithm 4.3): far from the ball nothing; beside the box it walks to
 # the nearest front corner; before it, to a side of the ball, so that the goalie's way to clear is
 # free. Keeps nothing but the branch it told. All walking bends around the box, by a pose that must
-# be right to within MARGIN; other robots it does not see.
+# be right to within what is kept free; other robots it does not see.
 import math
 
 import kelpie
 from arbiter.machine import Machine
 from lib.geom import clamp, from_field, heading
 from lib.steer import TURN_GAIN, TURN_SPEED
+from safety.own_box import clear_of, held_off
 from skills.head.track_ball import TrackBall
 
 FAR = 100.0      # cm to the ball (U02)
-MARGIN = 28.0    # cm: a head and paws reach 18 ahead of the neck, the trunk 20 behind it
 ASIDE = 55.0     # cm from the ball's line, where the goalie's kick does not come
 EDGE = 25.0      # cm from the side line
 ARRIVED = 6.0    # cm
@@ -29,12 +29,6 @@ def in_own_box(field, x, y) -> bool:
 def triggered(ball_in_box, grabbed, started) -> bool:
     """The trigger's truth table: a grab that was begun goes on."""
     return ball_in_box and not grabbed and not started
-
-
-def clear_of(field, margin=MARGIN) -> tuple[float, float, float]:
-    """What is kept free: left and right x, and the y below which it lies."""
-    half = 0.5 * field.box_width + margin
-    return 0.5 * field.width - half, 0.5 * field.width + half, field.box_depth + margin
 
 
 def place_to_stand(field, robot, ball) -> tuple[str, tuple[float, float]]:
@@ -71,18 +65,6 @@ def way_out(left, right, top, x, y) -> tuple[float, float]:
     """The shortest way out for who is inside already."""
     return min((left - 2.0 * ARRIVED - x, 0.0), (right + 2.0 * ARRIVED - x, 0.0),
                (0.0, top + 2.0 * ARRIVED - y), key=lambda way: math.hypot(*way))
-
-
-def held_off(left, right, top, x, y, vx, vy) -> tuple[float, float]:
-    """No speed towards a side that is within reach of one second."""
-    if y < top:
-        if x <= left:
-            vx = min(vx, left - x)
-        elif x >= right:
-            vx = max(vx, right - x)
-    elif left < x < right:
-        vy = max(vy, top - y)
-    return vx, vy
 
 
 class AvoidOwnBox(Machine):

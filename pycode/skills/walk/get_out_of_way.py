@@ -17,11 +17,14 @@ class GetOutOfWay(AvoidAttacker):
         self.left = 0         # frames for which the last lane is still kept
         self.kept = None
 
-    def lane_of(self, world, lanes, avoids):
-        """The lane of a mate that holds the ball, or has just held it, if the robot is in it."""
+    def update(self, lanes) -> None:
+        """Once a frame."""
         holders = [lane for lane in lanes if lane.kind == 'holds']
         if holders:
             self.kept, self.left = holders, self.most
         elif self.left > 0:
             self.left -= 1
+
+    def lane_to_leave(self, world, avoids):
+        """The lane of a mate that holds the ball, or has just held it, if the robot is in it."""
         return self.lane(world, self.kept, 'holds', avoids) if self.left > 0 else None

@@ -9,51 +9,59 @@ import math
 import kelpie
 from arbiter.skill import Skill
 from lib.geom import clamp, from_field, wrap
-from lib.goalie_places import clip_to_box, kept_in_box
-from lib.tune_goalie import Body, Guard
+from lib.goalie_places import clip_to_box
+from safety import own_box
+
+GAIN = 2.5           # cm/s per cm
+TURN_GAIN = 3.0      # deg/s per deg
+TURN = 180.0         # deg/s; the walk does 214 (docs/physical-body.md)
 
 
-def in_box(world, walk, margin=Body.MARGIN) -> kelpie.WalkRequest:
-    """The walk, slowed so that the neck base stays in the goal box, that margin (cm) inside."""
-    forward, left = kept_in_box(world.field, world.pose, walk.forward, walk.left, margin,
-                                Body.SECONDS)
-    share = min(1.0, Body.SPEED / max(math.hypot(forward, left), 1e-6))
-    return kelpie.WalkRequest(forward=share * forward, left=share * left, turn_deg=walk.turn_deg,
-                              kind=walk.kind)
+class Laziness:
+    """How far off the place (cm) and its heading (deg) it begins and stops to move and to turn."""
+
+    def __init__(self, lazy, accurate, lazy_turn, accurate_turn):
+        self.lazy, self.accurate = lazy, accurate
+        self.lazy_turn, self.accurate_turn = lazy_turn, accurate_turn
 
 
-def walk_towards(world, place, gain=Guard.GAIN, speed=Body.SPEED) -> kelpie.WalkRequest:
+OF_2006 = Laziness(8.0, 3.0, 14.0, 5.0)     # after facts-2005 7.2 and K10
+OF_2004 = Laziness(15.0, 7.0, 20.0, 8.0)    # checklist U14
+NONE = Laziness(2.0, 1.0, 30.0, 20.0)       # a ball comes: no turn where a step aside will do
+
+
+def walk_towards(world, place, gain=GAIN, speed=own_box.SPEED) -> kelpie.WalkRequest:
     """Straight to a place of the field while turning to its heading."""
     x, y = from_field(world.pose, place[0], place[1])
     pace = min(1.0, speed / max(gain * math.hypot(x, y), 1e-6))
-    turn = clamp(Guard.TURN_GAIN * wrap(place[2] - world.pose.heading_deg), -Body.TURN, Body.TURN)
+    turn = clamp(TURN_GAIN * wrap(place[2] - world.pose.heading_deg), -TURN, TURN)
     return kelpie.WalkRequest(forward=pace * gain * y, left=-pace * gain * x, turn_deg=turn)
 
 
 class GuardGoal(Skill):
     NAME = 'guard_goal'
 
-    def __init__(self, tune):
-        self.tune = tune      # whose LAZY, ACCURATE, LAZY_TURN and ACCURATE_TURN hold
+    def __init__(self, laziness):
+        self.laziness = laziness
         self.moving = self.turning = False
         self.off = self.aside = 0.0
 
     def step(self, world, place) -> kelpie.WalkRequest:
-        place = (*clip_to_box(world.field, place[:2], Body.MARGIN), place[2])
+        place = (*clip_to_box(world.field, place[:2], own_box.MARGIN), place[2])
         self.judge(world, place)
         walk = walk_towards(world, place)
         if not self.turning:
             walk.turn_deg = 0.0
         if not self.moving:
             walk.forward = walk.left = 0.0
-        return in_box(world, walk)
+        return own_box.inside(world, walk)
 
     def judge(self, world, place):
         self.off = math.hypot(*from_field(world.pose, place[0], place[1]))
         self.aside = wrap(place[2] - world.pose.heading_deg)
-        tune = self.tune
-        self.moving = self.off > (tune.ACCURATE if self.moving else tune.LAZY)
-        self.turning = abs(self.aside) > (tune.ACCURATE_TURN if self.turning else tune.LAZY_TURN)
+        lazy = self.laziness
+        self.moving = self.off > (lazy.accurate if self.moving else lazy.lazy)
+        self.turning = abs(self.aside) > (lazy.accurate_turn if self.turning else lazy.lazy_turn)
 
     def explain(self, trace) -> None:
         branch = 'move' if self.moving else 'turn' if self.turning else 'stand'

@@ -5,7 +5,15 @@
 import kelpie
 from arbiter.machine import Machine
 from lib.head import view
-from lib.tune import Look
+
+
+class Look:
+    PAN = 86.0
+    PAN_SPEED = 75.0         # deg/s; line points need less than 156
+    DOWN = (4.0, 18.0)       # deg of the view below the horizon, in turn
+    SETTLE = 0.35            # s until the head has come to a row's beginning
+    TURN = 115.0             # deg of the body between two rounds
+    TURN_SPEED = 60.0
 
 
 class LookRound(Machine):

@@ -9,10 +9,25 @@ import kelpie
 from lib import intercept, kick_table
 from lib.geom import Point, wrap
 from lib.goalie_places import UP_FIELD, off_own_goal
-from lib.tune_goalie import Clear
-from lib.ways import point_of
-from situation.obstacles import OWN_BODY, opponent_within
 from situation.shot import speed
+
+OFF_GOAL = 25.0      # deg from the own goal's cone, at least,
+SDS = 3.0            # and so many sd of the kick's direction
+SEEN = 0.2           # s; of kicks at balls unseen for longer hardly one hit
+NEAR = 25.0          # cm; no kick reaches farther
+WALKS = 3.0          # cm/s: a slower robot stands
+BESIDE = 2.0         # cm about a kick's window,
+FARTHEST = 16.0      # and cm ahead at most
+LATENCY = 0.05, 0.2  # s from asking to the motion's beginning, at least and at most
+STRIKE = 0.2         # s from there to the strike: a kick's last key frame ends after 0.18 to 0.24
+WORTH = 0.45         # of a kick that is done as the ball lies
+FAR = 180.0          # cm that are as good as farther
+ASIDE = 0.35         # worth lost by a kick across the field
+ACROSS = 0.85        # share left of one that goes past the goal's middle
+OPPONENT = 70.0      # cm to an opponent that stands in the way,
+OPPONENT_DEG = 25.0  # deg off it
+HELD = 0.3           # share left of a kick at an opponent: it comes back, or gets 10 cm
+HELD_DEG = 106.0     # deg to which a kick to a side then goes (docs/physical-body.md)
 
 
 class Clearance:
@@ -25,16 +40,16 @@ class Clearance:
         chance, aside, sd, distance, _ = outcome
         self.direction = wrap(heading_deg + aside)
         self.off_goal = off_own_goal(world.field, ball, self.direction)
-        held = heading_deg + Clear.HELD_DEG * side_of(kick)
-        self.safe = (self.off_goal > max(Clear.OFF_GOAL, Clear.SDS * sd) and
+        held = heading_deg + HELD_DEG * side_of(kick)
+        self.safe = (self.off_goal > max(OFF_GOAL, SDS * sd) and
                      (side_of(kick) == 0.0 or off_own_goal(world.field, ball, held) > 0.0))
         up = math.cos(math.radians(self.direction - UP_FIELD))
-        self.worth = chance * min(1.0, distance / Clear.FAR) * (1.0 - Clear.ASIDE * (1.0 - up))
+        self.worth = chance * min(1.0, distance / FAR) * (1.0 - ASIDE * (1.0 - up))
         outwards = (ball[0] - 0.5 * world.field.width) * math.cos(math.radians(self.direction))
         if outwards < 0.0:
-            self.worth *= Clear.ACROSS
+            self.worth *= ACROSS
         if any(in_the_way(ball, self.direction, other.position) for other in world.opponents):
-            self.worth *= Clear.HELD
+            self.worth *= HELD
 
     def after(self, way):
         """The point of the field that the ball passes after so many cm."""
@@ -50,8 +65,8 @@ def side_of(kick) -> float:
 def in_the_way(ball, direction, other) -> bool:
     """Whether somebody at `other` stands near the ball in that direction."""
     dx, dy = other.x - ball[0], other.y - ball[1]
-    return (math.hypot(dx, dy) < Clear.OPPONENT and
-            abs(wrap(math.degrees(math.atan2(dy, dx)) - direction)) < Clear.OPPONENT_DEG)
+    return (math.hypot(dx, dy) < OPPONENT and
+            abs(wrap(math.degrees(math.atan2(dy, dx)) - direction)) < OPPONENT_DEG)
 
 
 def predicted(world, seconds) -> tuple[Point, Point]:
@@ -61,71 +76,32 @@ def predicted(world, seconds) -> tuple[Point, Point]:
     ball, step = world.ball, world.odometry
     share, rolls = seconds / max(world.elapsed_s, 0.02), 0.0
     if intercept.rolls(ball):
-        rolls = intercept.rolled(speed(ball), seconds + Clear.STRIKE) / speed(ball)
+        rolls = intercept.rolled(speed(ball), seconds + STRIKE) / speed(ball)
     vx, vy = intercept.relative_velocity(world)
     return ((ball.relative.x + share * step.left + rolls * vx,
              ball.relative.y - share * step.forward + rolls * vy),
             (ball.position.x + rolls * ball.velocity.x, ball.position.y + rolls * ball.velocity.y))
 
 
-def at_ball(world, place, reach) -> bool:
-    """Whether a place of the field is so near (cm) to the ball."""
-    ball = world.ball.position
-    return world.ball.present and math.hypot(place.x - ball.x, place.y - ball.y) < reach
-
-
-def opponent_at(world, x, y) -> bool:
-    """Whether an opponent, seen just now, is at a ball that lies there: half of the kicks then
-    leave it where it lay, or nearly."""
-    return opponent_within(world, (x, y), Clear.AT_BALL, Clear.HAS_SEEN)
-
-
-def opponent_has(world) -> bool:
-    """Whether an opponent that was seen just now holds the ball, or will before it is kicked."""
-    near = opponent_within(world, point_of(world.ball), Clear.HAS, Clear.HAS_SEEN)
-    return world.ball.present and near or feet_at_ball(world)
-
-
-def feet_at_ball(world) -> bool:
-    """Whether somebody's feet stand at the ball in this image, and no mate's: of who comes head on,
-    or is at a ball that the head looks down at, no uniform shows, and it is not known of."""
-    ball = world.ball
-    if not ball.present or ball.seconds_since_seen > Clear.SEEN:
-        return False
-    feet = sum(math.hypot(foot.position.x, foot.position.y) > OWN_BODY and
-               math.hypot(foot.position.x - ball.relative.x,
-                          foot.position.y - ball.relative.y) < Clear.FEET
-               for foot in world.percepts.obstacles)
-    return feet >= Clear.FEET_LEAST and not any(
-        at_ball(world, mate.pose.position, Clear.FEET_MATE) for mate in world.teammates)
-
-
-def mate_grabs(world) -> bool:
-    """Whether a mate at the ball says that it grabs or holds it: who kicks there, too, sends the
-    ball back past himself."""
-    return any(mate.note.grabs != kelpie.GRABS_NOT and
-               at_ball(world, mate.pose.position, Clear.MATE) for mate in world.teammates)
-
-
 def walks(world) -> bool:
     """Whether the kick begins from a walk, in which it does another thing than from standing."""
     step = world.odometry
-    return math.hypot(step.forward, step.left) > Clear.WALKS * world.elapsed_s
+    return math.hypot(step.forward, step.left) > WALKS * world.elapsed_s
 
 
 def in_window(kick, x, y, walking) -> bool:
     """Whether a ball lies in the kick's window of the map or a little beside it: from its outer
     places half of the balls stayed."""
     left, near, right, far = kick_table.window(kick, walking)
-    beside = Clear.BESIDE
+    beside = BESIDE
     return (left - beside <= x <= right + beside and
-            near - beside <= y <= min(far + beside, Clear.FARTHEST))
+            near - beside <= y <= min(far + beside, FARTHEST))
 
 
 def strikes(world) -> list[tuple[Point, Point]]:
     """predicted() of a kick that is asked for now, whether the motion begins at once or at the end
     of a step."""
-    return [predicted(world, seconds) for seconds in Clear.LATENCY]
+    return [predicted(world, seconds) for seconds in LATENCY]
 
 
 def clearance(world, kick, strikes_at) -> Clearance | None:
@@ -148,9 +124,9 @@ def clearance(world, kick, strikes_at) -> Clearance | None:
 def clearing_kick(world) -> Clearance | None:
     """The best safe kick of the ball as it lies, if it is good enough not to walk on."""
     ball = world.ball
-    if not ball.present or ball.seconds_since_seen > Clear.SEEN or ball.distance > Clear.NEAR:
+    if not ball.present or ball.seconds_since_seen > SEEN or ball.distance > NEAR:
         return None
     strikes_at = strikes(world)
     found = [clearance(world, kick, strikes_at) for kick in kick_table.kicks(False)]
-    good = [one for one in found if one is not None and one.worth > Clear.WORTH]
+    good = [one for one in found if one is not None and one.worth > WORTH]
     return max(good, key=lambda one: one.worth, default=None)

@@ -1,0 +1,83 @@
+# SPDX-License-Identifier: Apache-2.0
+# The own box, by the rule that one robot defends there (checklist K07): its goalie does not leave
+# it, everybody else does not enter it. Keeps nothing. It is as wrong about the box as the pose.
+import math
+
+import kelpie
+from lib.geom import clamp
+from lib.goalie_places import box, to_field, to_robot
+from lib.ways import point_of
+
+SPEED = 34.0         # cm/s; the walk does 36 to 38 (docs/physical-body.md)
+MARGIN = 10.0        # cm inside the box; the pose is off by 2.6 cm, and others push
+SECONDS = 0.35       # to an edge of the box at least: the legs follow late
+OUTSIDE = 10.0       # cm that the neck base of another stays away from the box,
+NEAR = 45.0          # cm beyond that from which it minds: what the fast walk goes in a second
+KEPT_FREE = 28.0     # cm around the box; a head and paws reach 18 ahead of the neck, the trunk 20
+                     # behind it
+
+
+def kept_in_box(field, pose, forward, left, margin, seconds) -> tuple[float, float]:
+    """A wished velocity, slowed towards each edge of the box less a margin so that it takes at
+    least that many seconds to get there; beyond an edge it leads back."""
+    x, y = to_field(pose.heading_deg, forward, left)
+    west, east, south, north = box(field, margin)
+    at_x, at_y = pose.position.x, pose.position.y
+    x = clamp(x, (west - at_x) / seconds, (east - at_x) / seconds)
+    y = clamp(y, (south - at_y) / seconds, (north - at_y) / seconds)
+    return to_robot(pose.heading_deg, x, y)
+
+
+def inside(world, walk, margin=MARGIN) -> kelpie.WalkRequest:
+    """The walk, slowed so that the neck base stays in the goal box, that margin (cm) inside."""
+    forward, left = kept_in_box(world.field, world.pose, walk.forward, walk.left, margin, SECONDS)
+    share = min(1.0, SPEED / max(math.hypot(forward, left), 1e-6))
+    return kelpie.WalkRequest(forward=share * forward, left=share * left, turn_deg=walk.turn_deg,
+                              kind=walk.kind)
+
+
+def inside_box(now, walk) -> kelpie.WalkRequest:
+    """The filter of a goalie."""
+    return inside(now.world, walk)
+
+
+def straight_back(now, walk) -> kelpie.WalkRequest:
+    """The filter of a step back: as far as the goal line, straight or not at all. Aside, as the box
+    may ask, its legs take the ball along."""
+    walk.forward = min(inside(now.world, walk, 0.0).forward, 0.0)
+    return walk
+
+
+def clear_of(field, margin=KEPT_FREE) -> tuple[float, float, float]:
+    """What is kept free: left and right x, and the y below which it lies."""
+    half = 0.5 * field.box_width + margin
+    return 0.5 * field.width - half, 0.5 * field.width + half, field.box_depth + margin
+
+
+def held_off(left, right, top, x, y, vx, vy) -> tuple[float, float]:
+    """No speed towards a side that is within reach of one second."""
+    if y < top:
+        if x <= left:
+            vx = min(vx, left - x)
+        elif x >= right:
+            vx = max(vx, right - x)
+    elif left < x < right:
+        vy = max(vy, top - y)
+    return vx, vy
+
+
+def outside_box(now, walk) -> kelpie.WalkRequest:
+    """The filter of everybody else: no speed that would lead into the own box within a second. Who
+    is inside already walks on as it is."""
+    pose = now.world.pose
+    left, right, top = clear_of(now.world.field, OUTSIDE)
+    x, y = point_of(pose)
+    if y > top + NEAR or (left < x < right and y < top):
+        return walk
+    angle = math.radians(pose.heading_deg)
+    sine, cosine = math.sin(angle), math.cos(angle)
+    vx = walk.forward * cosine - walk.left * sine
+    vy = walk.forward * sine + walk.left * cosine
+    vx, vy = held_off(left, right, top, x, y, vx, vy)
+    walk.forward, walk.left = vx * cosine + vy * sine, vy * cosine - vx * sine
+    return walk
