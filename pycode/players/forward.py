@@ -5,7 +5,7 @@
 # its place. Tells the team in each frame what it is about to do. The trace of each Command says
 # why, from here down to the skill.
 import kelpie
-from arbiter.skill import Skill
+from arbiter.rules import RuleMachine, holds
 from decisions.roles import NAMES, RoleChoice
 from roles.attacker import Attacker
 from roles.supporter import Supporter
@@ -16,13 +16,44 @@ from skills.motion.get_up import GetUp
 from skills.walk.take_place import TakePlace
 
 
-class Forward(Skill):
+class ForwardSituation:
+    """What a player of the field decides by before its role does."""
+
+    def __init__(self, world, fallen):
+        game = world.game
+        self.world, self.fallen = world, fallen
+        self.before_kick_off = game.state in (kelpie.READY, kelpie.SET) and not game.penalised
+        self.halted = not self.before_kick_off and (game.state != kelpie.PLAYING or game.penalised)
+
+
+def is_halted(now, playing):
+    return ('play is halted',) if now.halted else None
+
+
+def has_fallen(now, playing):
+    """Who is set may not move."""
+    return ('it has fallen',) if now.fallen and now.world.game.state != kelpie.SET else None
+
+
+def gets_ready(now, playing):
+    return ('the team gets ready',) if now.before_kick_off else None
+
+
+class Forward(RuleMachine):
     LAYER = kelpie.LAYER_PLAYER
     NAME = 'forward'
+    RULES = (
+        (is_halted, 'waits'),
+        (has_fallen, 'gets_up'),
+        (gets_ready, 'takes_place'),
+        (holds('play is on'), 'plays'))
 
     def __init__(self):
+        super().__init__(self.waits)
+        self.why = 'play is halted'
         self.memory = Memory()
         self.get_up = GetUp()
+        self.with_mates = False
         self.start_over()
 
     def start_over(self):
@@ -33,39 +64,32 @@ class Forward(Skill):
 
     def step(self, world) -> kelpie.Command:
         self.memory.update(world)
-        if world.game.state in (kelpie.READY, kelpie.SET) and not world.game.penalised:
-            command, told = self.takes_place(world)
-        elif world.game.state != kelpie.PLAYING or world.game.penalised:
-            self.start_over()
-            command = kelpie.Command(head=Scan().step(world, world.time_s))
-            told = [(kelpie.LAYER_PLAYER, 'forward', 'waits', 'play is halted')]
-        elif self.get_up.needed(world):
-            self.start_over()
-            command, told = self.gets_up(world)
-        else:
-            command, told = self.plays(world)
-        command.trace = told
+        self.choose(world, ForwardSituation(world, self.get_up.needed(world)))
+        command = super().step(world)
+        self.explain(command.trace)
         return command
 
+    # States
+
+    def waits(self, world):
+        self.start_over()
+        return kelpie.Command(head=Scan().step(world, world.time_s))
+
     def gets_up(self, world):
-        return (kelpie.Command(motion=self.get_up.step(world)),
-                [(kelpie.LAYER_PLAYER, 'forward', 'gets_up', 'it has fallen')])
+        if world.game.state == kelpie.PLAYING:
+            self.start_over()
+        return kelpie.Command(motion=self.get_up.step(world))
 
     def takes_place(self, world):
         """Before a kick-off: to its place in the ready state, there it stands when set."""
         if self.place is None:
             self.start_over()
             self.place = TakePlace(self.memory)
-        if world.game.state == kelpie.READY and self.get_up.needed(world):
-            return self.gets_up(world)
         command = self.place.step(world)
-        told = [(kelpie.LAYER_PLAYER, 'forward', 'takes_place', 'the team gets ready')]
         if world.game.state == kelpie.SET:  # who attacks is agreed before the whistle
             self.choice.update(world, self.memory)
             self.tell(world, command.team)
-            told = [(kelpie.LAYER_PLAYER, 'forward', 'waits', 'all are set')]
-        self.place.explain(told)
-        return command, told
+        return command
 
     def plays(self, world):
         self.place = None
@@ -73,13 +97,21 @@ class Forward(Skill):
         if role != role_of(self.role):
             self.role = (Attacker(self.memory) if role == kelpie.ATTACKER else
                          Supporter(self.memory, role))
+        self.with_mates = len(world.teammates) > 0
         command = self.role.step(world)
         self.tell(world, command.team)
-        alone = len(world.teammates) == 0
-        told = [(kelpie.LAYER_PLAYER, 'forward', 'plays', 'play is on')] if alone else [
-            (kelpie.LAYER_PLAYER, 'forward', NAMES[role], *self.choice.why)]
-        self.role.explain(told)
-        return command, told
+        return command
+
+    def explain(self, trace) -> None:
+        branch, why = self.playing, (self.why,)
+        if self.state == self.takes_place and self.place.state == self.place.set:
+            branch, why = 'waits', ('all are set',)
+        elif self.state == self.plays and self.with_mates:
+            branch, why = NAMES[self.choice.role], self.choice.why
+        trace.append((self.LAYER, self.NAME, branch, *why))
+        below = {self.takes_place: self.place, self.plays: self.role}.get(self.state)
+        if below is not None:
+            below.explain(trace)
 
     def tell(self, world, note):
         """What the team hears of it."""

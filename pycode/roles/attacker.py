@@ -5,7 +5,7 @@
 # that is committed (a grab, a kick, a held ball) is not interrupted; any other may change in any
 # second frame: tree and map are a fifth of what an attacker may spend.
 import kelpie
-from arbiter.machine import Machine
+from arbiter.rules import RuleMachine
 from decisions import tree
 from decisions.held_choice import HeldChoice
 from decisions.leaf_by_map import LeafByMap
@@ -42,11 +42,74 @@ KICKS = {tree.UPENN_LEFT: kelpie.UPENN_LEFT, tree.UPENN_RIGHT: kelpie.UPENN_RIGH
          tree.KICK_AHEAD: kelpie.KICK_FORWARD,
          tree.HEAD_LEFT: kelpie.HEAD_SWIPE_LEFT, tree.HEAD_RIGHT: kelpie.HEAD_SWIPE_RIGHT}
 LINE_UP = 'line_up_kick'    # in place of a grab when that is switched off
+# Why the ball is looked for by who comes from another state than play.
+LEFT = {'back_off': 'the paws are free', 'localise': 'looked at a landmark',
+        'avoid_box': 'the own box is no longer in the way'}
 
 
-class Attacker(Machine):
+class AttackerSituation:
+    """What an attacker decides by in one frame."""
+
+    def __init__(self, world, memory):
+        self.world, self.memory = world, memory
+        ball = world.ball
+        most = LOST_NEAR_FRAMES if ball.present and ball.distance < CHIN else LOST_FRAMES
+        self.lost = not ball.present or memory.ball_lost > most
+        # gps has a felt ball as seen; vision must say so, too.
+        self.in_view = not self.lost and ball.seconds_since_seen < SEEN_S
+        self.paw_pushes = self.box_in_the_way = self.may_look = False
+        self.ended = ''        # the leaf whose skill has come to its end
+        self.looked = False    # the look at a landmark is over
+
+
+def paw_pushes(now, playing):
+    return ('a front paw pushes at something',) if now.paw_pushes else None
+
+
+def skill_has_ended(now, playing):
+    """Until it has watched where the ball goes; that state ends by itself."""
+    return (now.ended + ' has ended',) if now.ended or playing == 'watch' else None
+
+
+def looks_on(now, playing):
+    looks = playing == 'localise' and not now.looked and not now.lost
+    return ('looks at a landmark',) if looks else None
+
+
+def ball_is_lost(now, playing):
+    """Who plays or waits beside the box goes on until it is lost; who looked elsewhere must see it
+    again."""
+    goes_on = playing == 'play' or (playing == 'avoid_box' and now.box_in_the_way)
+    if not now.lost and (goes_on or now.in_view):
+        return None
+    if playing == 'play':
+        return 'ball unseen for {} frames', float(now.memory.ball_lost)
+    return (LEFT.get(playing, 'looks for the ball'),)
+
+
+def ball_in_own_box(now, playing):
+    return ('the ball is in the own box',) if now.box_in_the_way else None
+
+
+def time_to_look(now, playing):
+    return ('far ball, time to look',) if now.may_look else None
+
+
+def ball_is_there(now, playing):
+    return 'the ball is {} cm away', now.world.ball.distance
+
+
+class Attacker(RuleMachine):
     LAYER = kelpie.LAYER_ROLE
     NAME = 'attacker'
+    RULES = (
+        (paw_pushes, 'back_off'),
+        (skill_has_ended, 'watch'),
+        (looks_on, 'localise'),
+        (ball_is_lost, 'find'),
+        (ball_in_own_box, 'avoid_box'),
+        (time_to_look, 'localise'),
+        (ball_is_there, 'play'))
 
     def __init__(self, memory):
         super().__init__(self.find)
@@ -69,31 +132,36 @@ class Attacker(Machine):
         self.goal.update(world)
         self.contested.update(world, self.memory)
         self.stuck.update(world)
-        if not self.committed and self.stuck.needed(world):
-            if self.state != self.back_off:
-                self.enter(world, self.back_off, self.stuck, 'a front paw pushes at something')
+        self.choose(world, self.situation(world))
         return super().step(world)
+
+    def situation(self, world) -> AttackerSituation:
+        now = AttackerSituation(world, self.memory)
+        if self.committed:
+            return now
+        now.paw_pushes = self.stuck.needed(world)
+        if self.state == self.play and self.skill is not None and self.skill.done:
+            now.ended = self.leaf
+        now.looked = self.localise_skill.done
+        now.box_in_the_way = self.box_in_the_way(world)
+        now.may_look = self.localise_skill.needed(world)
+        return now
 
     @property
     def committed(self) -> bool:
+        """A grab, a kick or a held ball is not interrupted."""
         return self.state == self.play and self.skill is not None and self.skill.committed
 
-    def lost(self, world) -> bool:
-        if not world.ball.present:
-            return True
-        most = LOST_NEAR_FRAMES if world.ball.distance < CHIN else LOST_FRAMES
-        return self.memory.ball_lost > most
-
-    # States
-
-    def find(self, world):
-        if self.skill is None:
-            self.skill = FindBall(world, self.memory)
-        # gps has a felt ball as seen: vision must say so, too, or play() would send it back here.
-        if not self.lost(world) and world.ball.seconds_since_seen < SEEN_S:
-            return self.enter(world, self.play, None, 'the ball is {} cm away', world.ball.distance)
-        helped = self.team_search.step(world) if len(world.teammates) > 0 else None
-        return helped if helped is not None else self.skill.step(world)
+    def skill_of(self, name, now):
+        world = now.world
+        if name == 'find':
+            return self.skill if isinstance(self.skill, FindBall) else FindBall(world, self.memory)
+        if name == 'watch':
+            return self.after_skill(world)
+        if name == 'localise':
+            self.localise_skill.start(world)
+        return {'back_off': self.stuck, 'localise': self.localise_skill,
+                'avoid_box': AvoidOwnBox(self.memory)}.get(name)
 
     def wanted(self, world):
         """Where it goes on the field: to the ball."""
@@ -106,16 +174,20 @@ class Attacker(Machine):
         rolled; 0: nobody."""
         return self.held.pass_to if self.state == self.watch or self.committed else 0
 
+    # States
+
+    def find(self, world):
+        if self.skill is None:
+            self.skill = FindBall(world, self.memory)
+        helped = self.team_search.step(world) if len(world.teammates) > 0 else None
+        return helped if helped is not None else self.skill.step(world)
+
     def back_off(self, world):
-        if not self.stuck.needed(world):
-            return self.enter(world, self.find, None, 'the paws are free')
         return self.stuck.step(world)
 
     def avoid_box(self, world):
         """Where no goalie is heard who clears the ball, it fetches it in the end."""
-        if self.lost(world) or not self.box_in_the_way(world):
-            return self.enter(world, self.find, None, 'the own box is no longer in the way')
-        self.box_frames += 1    # after the question: play() has asked it in this frame, too
+        self.box_frames += 1    # after the question, which this frame has asked
         return self.looking_round(world, self.skill.step(world))
 
     def looking_round(self, world, command) -> kelpie.Command:
@@ -126,36 +198,24 @@ class Attacker(Machine):
 
     def localise(self, world):
         """Walks on to the ball while the head looks away."""
-        if self.skill.done or self.lost(world):
-            return self.enter(world, self.find, None, 'looked at a landmark')
         head = self.skill.step(world)
         walk = towards(believed(world), LEAVE) if world.ball.present else kelpie.WalkRequest()
         return kelpie.Command(walk=walk, head=head)
 
     def play(self, world):
-        if self.committed:
-            return self.skill.step(world)
-        if self.skill is not None and self.skill.done:
-            return self.after_skill(world)
-        if self.lost(world):
-            return self.enter(world, self.find, None, 'ball unseen for {} frames',
-                              float(self.memory.ball_lost))
-        if self.box_in_the_way(world):
-            return self.enter(world, self.avoid_box, AvoidOwnBox(self.memory),
-                              'the ball is in the own box')
-        if self.localise_skill.needed(world):
-            return self.enter(world, self.localise, self.localise_skill, 'far ball, time to look')
-        if self.skill is None or world.frame % 2 == 0:
+        if not self.committed and (self.skill is None or world.frame % 2 == 0):
             self.choose_leaf(world)
+        elif self.committed:
+            return self.skill.step(world)
         return self.looking_round(world, self.skill.step(world))
 
-    def after_skill(self, world):
+    def after_skill(self, world) -> FindBall:
         """Watches where the ball goes; a skill that leaves no hint itself sent it ahead."""
         if self.memory.hint is None or self.memory.frame - self.memory.hint[2] > 2:
             self.memory.set_hint(*LOOK_AFTER)
         self.by_map = LeafByMap()
-        self.enter(world, self.watch, FindBall(world, self.memory), self.leaf + ' has ended')
         self.leaf = None
+        return FindBall(world, self.memory)
 
     def watch(self, world):
         """The ball that was just kicked is not where it was believed: what is seen of it in this

@@ -9,6 +9,14 @@ EAST = kelpie.BEACON_PINK_ON_BLUE
 WEST = kelpie.BEACON_BLUE_ON_PINK
 
 
+def begins(skill, world):
+    """Whether a look is needed in this frame, which then begins."""
+    needed = skill.needed(world)
+    if needed:
+        skill.start(world)
+    return needed
+
+
 def scene():
     """An attacker that has just spun and found the ball, far and straight ahead."""
     world = kelpie.WorldFrame(field=kelpie.FIELDS['2006'])
@@ -55,7 +63,7 @@ def test_the_beacon_along_the_widest_axis_is_looked_at(xy, kind):
     world, memory = scene()
     world.covariance[1] = world.covariance[3] = xy
     skill = ActiveLocalise(memory)
-    assert skill.needed(world) and skill.mark.kind == kind
+    assert begins(skill, world) and skill.mark.kind == kind
     assert (skill.step(world).target.x > 0.0) is (kind == EAST)
 
 
@@ -76,7 +84,7 @@ def look(skill, world, memory, sees):
 def test_a_look_ends_with_two_sightings_or_soon_and_returns_to_the_ball(sees, looks):
     world, memory = scene()
     skill = ActiveLocalise(memory)
-    assert skill.needed(world)
+    assert begins(skill, world)
     assert look(skill, world, memory, sees)[0] == looks
     assert memory.ball_lost == 0 and memory.localised_lost <= BACK_FRAMES
 
@@ -84,10 +92,10 @@ def test_a_look_ends_with_two_sightings_or_soon_and_returns_to_the_ball(sees, lo
 def test_it_is_not_repeated_before_60_frames():
     world, memory = scene()
     skill = ActiveLocalise(memory)
-    skill.needed(world)
+    begins(skill, world)
     look(skill, world, memory, True)
     waited, world.percepts.ball.present = memory.localised_lost, True
-    while not skill.needed(world):
+    while not begins(skill, world):
         memory.spun(1.0)
         memory.update(world)
         waited += 1
@@ -98,7 +106,7 @@ def test_it_is_not_repeated_before_60_frames():
 def test_a_ball_that_comes_near_ends_the_look():
     world, memory = scene()
     skill = ActiveLocalise(memory)
-    skill.needed(world)
+    begins(skill, world)
     skill.step(world)
     world.ball.relative.y = 49.0
     skill.step(world)
@@ -131,7 +139,7 @@ def test_it_says_why():
     world, memory = scene()
     world.position_sd = 12.0
     skill, trace = ActiveLocalise(memory), []
-    skill.needed(world)
+    begins(skill, world)
     skill.explain(trace)
     assert trace[0][:4] == (kelpie.LAYER_SKILL, 'active_localise', 'look',
                             'the pose is sure to {} cm; a landmark at {} deg')

@@ -183,6 +183,7 @@ def test_no_world_stops_what_takes_head_or_legs_for_a_moment():
         if random.often(0.1):
             memory.spin_lost, memory.ball_run = 10, 9
         if looks.needed(world):
+            looks.start(world)
             while not looks.done:
                 command = kelpie.Command(head=looks.step(world))
                 check(command)

@@ -66,16 +66,19 @@ class ActiveLocalise(Machine):
 
     def needed(self, world) -> bool:
         """Whether a look begins: it may, and there is something to look at."""
-        if not self.may_look(world, self.memory):
-            return False
-        self.mark = choose_landmark(world, self.pan_limit, world.head.head_pan_deg)
-        if self.mark is None:
-            return False
+        return self.may_look(world, self.memory) and self.landmark(world) is not None
+
+    def landmark(self, world):
+        """The one to look at from here, or None."""
+        return choose_landmark(world, self.pan_limit, world.head.head_pan_deg)
+
+    def start(self, world) -> None:
+        """Begins a look that is needed."""
+        self.mark = self.landmark(world)
         self.frames = self.sightings = 0
         axis = heading(*from_field(world.pose, self.mark.position.x, self.mark.position.y))
         self.enter(world, self.look, None, 'the pose is sure to {} cm; a landmark at {} deg',
                    world.position_sd, axis)
-        return True
 
     @property
     def done(self) -> bool:

@@ -30,6 +30,7 @@ class WatchPlay(Skill):
             self.looking = not self.mark.done
         elif self.mark.needed(world):
             self.looking = True
+            self.mark.start(world)
         if self.looking:
             return self.mark.step(world)
         if self.memory.ball_lost <= SURE_FRAMES and world.ball.present:
