@@ -14,6 +14,10 @@ class Skill:
     NAME = ''           # whose decision a trace tells; a subclass names it as its file is named
     done = False        # it has come to its end: another step would do nothing new
     committed = False   # nobody should take the robot from it in this frame
+    # What it says of the ball in this frame, for its player to remember:
+    approached = False  # it walks up to the ball for a grab,
+    grabbed = False     # grabs or holds it,
+    hint = None         # (cm, deg): where the ball will come out (thesis 2006 table 6.1)
 
     def step(self, world, asked=None):
         """The answer for this frame. `asked`: what its player wants of it now, such as a place."""

@@ -21,6 +21,10 @@ class HeldChoice:
         self.contested = contested
         self.pass_to = 0     # the mate's number; 0: the last choice was no pass
 
+    def start(self) -> None:
+        """Of a new grab no pass is chosen."""
+        self.pass_to = 0
+
     def choose(self, world, dribble, overdue) -> tuple | None:
         """(kick or kick_choice.RELEASE, reason, numbers...) or None. `dribble`: the GrabDribble;
         `overdue`: the rules leave no more time."""

@@ -205,9 +205,18 @@ class Attacker(RuleMachine):
     def play(self, world):
         if not self.committed and (self.skill is None or world.frame % 2 == 0):
             self.choose_leaf(world)
-        elif self.committed:
-            return self.skill.step(world)
-        return self.looking_round(world, self.skill.step(world))
+        command = self.skill.step(world)
+        self.remember(self.skill)
+        return self.looking_round(world, command)
+
+    def remember(self, skill):
+        """What the skill said of the ball in this frame."""
+        if skill.approached:
+            self.memory.approached()
+        if skill.grabbed:
+            self.memory.grabbed()
+        if skill.hint is not None:
+            self.memory.set_hint(*skill.hint)
 
     def after_skill(self, world) -> FindBall:
         """Watches where the ball goes; a skill that leaves no hint itself sent it ahead."""
@@ -259,7 +268,7 @@ class Attacker(RuleMachine):
             return Dribble(self.memory, self.goal_heading)
         if leaf == LINE_UP:
             return LineUpKick(self.memory, self.goal)
-        self.held.pass_to = 0
+        self.held.start()
         return GrabDribble(self.memory, self.held.choose, leaf)
 
     def goal_heading(self, world) -> float:

@@ -37,6 +37,10 @@ class OpponentGoal:
                 self.point = polar(max(mark.distance, MIN_DISTANCE), mark.heading_deg)
                 self.seen_s = world.time_s
 
+    def looked(self, world) -> None:
+        """A skill stood still to look for it."""
+        self.looked_s = world.time_s
+
     def seen(self, world) -> bool:
         return self.point is not None and world.time_s - self.seen_s < Goal.FRESH
 

@@ -1,9 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
 # What one player remembers of the frames before, for all of its skills: since when ball and goals
-# are unseen, spins, what the infrared reads, and what skills tell each other (hints, last close
-# ball). Counted in camera frames, as the theses do; a dropped image does not count. update() comes
-# first in every frame. Everything else is a skill's own.
+# are unseen, spins, what the infrared reads, and what skills said (hints, last close ball). Counted
+# in camera frames, as the theses do; a dropped image does not count. update() comes first in every
+# frame. Everything else is a skill's own. What is not update()'s is written by one named method,
+# and that is called by one module (WRITERS, held by tests/py/test_structure.py).
 import kelpie
+
+# Who calls which method, and with it is the writer of what that changes.
+WRITERS = {'spun': 'skills/ball/spin_for_ball', 'saw_close': 'skills/head/track_ball',
+           'looked_for_landmarks': 'skills/head/landmark_look', 'approached': 'roles/attacker',
+           'grabbed': 'roles/attacker', 'set_hint': 'roles/attacker'}
 
 NEVER = 10000           # frames
 IR_RANGE = 50.0         # cm that the near sensor of the head reads at most
@@ -12,9 +18,9 @@ BIG_TURN_DEG = 40.0     # deg/s asked for; thesis 2006 Alg 6.3 counts frames sin
 
 
 class Memory:
-    def __init__(self):
+    def __init__(self, ball_lost=NEVER):
         self.frame = 0              # camera frames since the start
-        self.ball_lost = NEVER      # frames since vision saw the ball
+        self.ball_lost = ball_lost  # frames since vision saw the ball
         self.ball_run = 0           # frames in which it saw it without a break
         self.goal_lost = NEVER      # frames since the opponents' goal was seen
         self.own_goal_lost = NEVER
@@ -66,6 +72,21 @@ class Memory:
         """A skill turns on the spot for the ball in this frame: +1 to the left."""
         self.spin_side, self.spin_lost = side, 0
         self.spin_run += 1
+
+    def saw_close(self) -> None:
+        """The head is on a ball that vision sees close."""
+        self.close_lost = 0
+
+    def looked_for_landmarks(self) -> None:
+        self.localised_lost = 0
+
+    def approached(self) -> None:
+        """A grab is approached in this frame."""
+        self.approach_lost = 0
+
+    def grabbed(self) -> None:
+        """A grab runs or the ball is held in this frame."""
+        self.grab_lost = 0
 
     def set_hint(self, distance, heading_deg) -> None:
         """Where a skill thinks that the ball will come out (thesis 2006 table 6.1)."""

@@ -42,6 +42,8 @@ def run(made, skill, seconds):
     for _ in range(round(seconds / FRAME_S)):
         made.time_s += FRAME_S
         commands.append(skill.step(made))
+        if skill.hint is not None:
+            skill.memory.set_hint(*skill.hint)
     return commands
 
 
@@ -222,7 +224,7 @@ def test_a_ball_that_slips_out_leaves_a_hint_against_the_turn():
         run(made, skill, 0.4)
         made.motion.feeling.ball_held = False
         made.odometry.turn_deg = -3.0 * side
-        skill.memory.spin_side = -side
+        skill.turn_side = -side
         run(made, skill, 0.6)
         assert skill.done and skill.memory.hint[1] == pytest.approx(120.0 * side)
 

@@ -6,6 +6,7 @@ import pathlib
 import re
 
 import pytest
+from situation.memory import WRITERS
 
 PYCODE = pathlib.Path(__file__).resolve().parent.parent.parent / 'pycode'
 FILES = sorted(PYCODE.rglob('*.py'))
@@ -109,3 +110,64 @@ def test_file_names_are_whole_words_and_their_first_lines_say_what_they_keep(pat
         assert re.fullmatch(r'[a-z]+(_[a-z]+)*', part.split('.')[0])
     lines = path.read_text().splitlines()
     assert lines[0] == '# SPDX-License-Identifier: Apache-2.0' and lines[1].startswith('# ')
+
+
+# Who writes what
+
+
+def targets(path):
+    """Every place that a file assigns to, with its line."""
+    for node in ast.walk(ast.parse(path.read_text())):
+        written = node.targets if isinstance(node, ast.Assign) else (
+            [node.target] if isinstance(node, (ast.AugAssign, ast.AnnAssign)) else [])
+        for target in written:
+            for one in ast.walk(target):
+                if isinstance(one, ast.Attribute) and isinstance(one.ctx, ast.Store):
+                    yield one, node.lineno
+
+
+def others_state(target):
+    """Whether it is state of somebody that an object keeps: self.somebody.something, or that of a
+    memory."""
+    below = target.value
+    return isinstance(below, ast.Attribute) or (isinstance(below, ast.Name) and
+                                                below.id in ('memory', 'player', 'role', 'skill'))
+
+
+MESSAGES = ('command', 'walk', 'note')    # made in this frame, and filled in by who makes them
+
+
+@pytest.mark.parametrize('path', FILES, ids=name_of)
+def test_no_module_writes_the_state_of_another(path):
+    found = [f'line {line}: {ast.unparse(target)}' for target, line in targets(path)
+             if others_state(target) and not ast.unparse(target).startswith(MESSAGES)]
+    assert found == []
+
+
+@pytest.mark.parametrize('text, writes', [
+    ('self.memory.grab_lost = 0', True), ('memory.hint = None', True),
+    ('self.eyes.told, x = place, 1', True), ('self.goal.looked_s += 1.0', True),
+    ('self.leaf = leaf', False), ('command.team.role = 1', False), ('walk.left = 0.0', False)])
+def test_a_write_of_anothers_state_is_found(tmp_path, text, writes):
+    (tmp_path / 'one.py').write_text(text)
+    found = [target for target, _ in targets(tmp_path / 'one.py')
+             if others_state(target) and not ast.unparse(target).startswith(MESSAGES)]
+    assert bool(found) is writes
+
+
+@pytest.mark.parametrize('path', FILES, ids=name_of)
+def test_each_field_of_the_memory_has_one_writer(path):
+    """A method of the memory is called by the module that WRITERS names, and by no other."""
+    module = name_of(path).removesuffix('.py')
+    for node in ast.walk(ast.parse(path.read_text())):
+        if isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute):
+            holder = ast.unparse(node.func.value)
+            if holder in ('memory', 'self.memory') and node.func.attr != 'update':
+                assert WRITERS[node.func.attr] == module, f'line {node.lineno}'
+
+
+def test_all_that_the_memory_keeps_is_written_by_it_alone():
+    methods = {each.name for one in ast.walk(ast.parse((PYCODE / 'situation/memory.py').read_text()))
+               if isinstance(one, ast.ClassDef) for each in one.body
+               if isinstance(each, ast.FunctionDef) and not each.name.startswith('_')}
+    assert methods == set(WRITERS) | {'update'}

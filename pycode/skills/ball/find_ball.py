@@ -38,10 +38,9 @@ SPIN_BREAK = 15        # frames for which a spin is recent (facts-2005 section 7
 
 def remembered(world) -> Memory:
     """A memory of its own, for who has none: the ball was lost when gps saw it last."""
-    memory = Memory()
-    if world.ball.present:
-        memory.ball_lost = min(NEVER, round(world.ball.seconds_since_seen * FRAMES_PER_S))
-    return memory
+    if not world.ball.present:
+        return Memory()
+    return Memory(min(NEVER, round(world.ball.seconds_since_seen * FRAMES_PER_S)))
 
 
 def side_of(world, before) -> float:
@@ -89,7 +88,7 @@ class FindBall(Machine):
         self.backed = self.scanned = 0
         self.explored = Explored()
         self.scan_head = ScanForBall(self.side)
-        self.spinning = SpinForBall(self.side)
+        self.spinning = SpinForBall(self.memory, self.side)
 
     def force(self, heading_deg, until_frame) -> None:
         """Looks in a direction until that frame of the memory, after a kick for example; with None
@@ -217,11 +216,9 @@ class FindBall(Machine):
     def spin(self, world) -> kelpie.Command:
         if self.spinning.turned == 0.0:
             only = world.task.search == kelpie.SEARCH_BY_SPIN
-            self.spinning = SpinForBall(self.side, 1.0 if only else SPIN_TIMES)
-        side = self.spinning.side
-        self.memory.spun(side)
+            self.spinning = SpinForBall(self.memory, self.side, 1.0 if only else SPIN_TIMES)
         unseen = 0.0 if world.task.search == kelpie.SEARCH_BY_SPIN else (
-            self.explored.next_unseen(side))
+            self.explored.next_unseen(self.spinning.side))
         return self.spinning.step(world, (self.away(world), unseen))
 
     def roam(self, world) -> kelpie.Command:

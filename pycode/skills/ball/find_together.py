@@ -39,7 +39,7 @@ class FindTogether(Machine):
         self.placed_s = 0.0
         self.rest_until_s = -math.inf
         self.bird = BirdOfPrey()
-        self.spinning = SpinForBall(1.0, SPIN_TIMES)
+        self.spinning = SpinForBall(memory, 1.0, SPIN_TIMES)
 
     @property
     def active(self) -> bool:
@@ -91,7 +91,7 @@ class FindTogether(Machine):
         if world.time_s - self.placed_s > AGAIN_S:
             self.choose_place(world)
         if math.hypot(*from_field(world.pose, *self.place)) < ARRIVED:
-            self.spinning = SpinForBall(1.0 if self.memory.spin_side >= 0.0 else -1.0, SPIN_TIMES)
+            self.spinning = SpinForBall(self.memory, 1.0 if self.memory.spin_side >= 0.0 else -1.0, SPIN_TIMES)
             return self.enter(world, self.spin, None, 'at its place ({}, {})', *self.place)
         return kelpie.Command(walk=self.bird.step(world, self.place),
                               head=Scan().step(world, world.time_s))
@@ -101,5 +101,4 @@ class FindTogether(Machine):
             return self.enter(world, self.go, self.bird, 'pushed off its place')
         if self.timed_out(world, SPIN_S):
             self.rest_until_s = world.time_s + REST_S
-        self.memory.spun(self.spinning.side)
         return self.spinning.step(world)

@@ -115,9 +115,13 @@ class Grab(Machine):
     def done(self) -> bool:
         return self.state == self.finished
 
+    def step(self, world) -> kelpie.Command:
+        self.approached, self.grabbed, self.hint = False, False, None
+        return super().step(world)
+
     def approach(self, world):
         ball = (world.ball.relative.x, world.ball.relative.y)
-        self.memory.approach_lost = 0
+        self.approached = True
         self.watch_paws(world, *ball)
         vx, vy = intercept.relative_velocity(world) if intercept.rolls(world.ball) else (0.0, 0.0)
         seen = world.ball.seconds_since_seen < SEEN_S
@@ -128,7 +132,7 @@ class Grab(Machine):
                               'ball {} cm ahead, {} cm aside; infrared of the chest {} cm',
                               ball[1], ball[0], self.memory.chest)
         if world.ball.distance < HINT_WITHIN:
-            self.memory.set_hint(*hints.GRAB)
+            self.hint = hints.GRAB
         place = intercept.target(world)
         return kelpie.Command(walk=walk_at(world, place), head=self.track.step(world))
 
@@ -141,7 +145,7 @@ class Grab(Machine):
 
     def grab(self, world):
         """Asks until the motion runs, then waits for its end."""
-        self.memory.grab_lost = 0
+        self.grabbed = True
         motion = kelpie.GRAB_QUICK if self.quick else kelpie.GRAB
         running = world.motion.running in (kelpie.GRAB, kelpie.GRAB_QUICK)
         command = carry(forward=FORWARD)
@@ -154,5 +158,5 @@ class Grab(Machine):
         return command
 
     def finished(self, world):
-        self.memory.grab_lost = 0
+        self.grabbed = True
         return carry()

@@ -70,6 +70,7 @@ class GrabDribble(Machine):
         self.hold = None
         self.searched = 0         # frames of the search turn
         self.search_side = 1.0
+        self.turn_side = memory.spin_side   # of the last turn, +1 left
         self.over_turned = 0      # frames beyond what the pose says
         self.lost_ball = False
         self.steps_back = False   # after the kick: the ball may lie where it was
@@ -90,6 +91,7 @@ class GrabDribble(Machine):
         return self.state == self.ended
 
     def step(self, world) -> kelpie.Command:
+        self.approached, self.grabbed, self.hint = False, False, None
         leaves = (self.kick, self.release, self.step_back, self.ended)
         if self.hold is not None and self.state not in leaves:
             self.keep(world)
@@ -98,7 +100,7 @@ class GrabDribble(Machine):
     def keep(self, world):
         """What goes on in all states with the ball: its rules and whether it is still there."""
         self.hold.update(world)
-        self.memory.grab_lost = 0
+        self.grabbed = True
         self.aim.update(world)
         if self.hold.slipped:
             self.give_up(world, 'nothing is felt of the ball')
@@ -128,14 +130,15 @@ class GrabDribble(Machine):
 
     def give_up(self, world, why, *numbers):
         self.lost_ball = True
-        distance, aside = hints.of_dribble(-1.0 if self.memory.spin_side < 0.0 else 1.0)
-        self.memory.set_hint(distance, aside if abs(self.hold.turned) > 20.0 else 0.0)
+        distance, aside = hints.of_dribble(-1.0 if self.turn_side < 0.0 else 1.0)
+        self.hint = distance, aside if abs(self.hold.turned) > 20.0 else 0.0
         return self.enter(world, self.ended, None, why, *numbers)
 
     # States
 
     def grab(self, world):
-        command = self.skill.step(world)
+        command, skill = self.skill.step(world), self.skill
+        self.approached, self.grabbed, self.hint = skill.approached, skill.grabbed, skill.hint
         if self.skill.done:
             self.hold = Hold(world, self.skill.begun_s)
             self.enter(world, self.settle, None, 'the grab is over')
@@ -155,7 +158,7 @@ class GrabDribble(Machine):
         """To the gap or the goal; without either, round until it comes into view."""
         if self.over_turns(world):
             self.over_turned += 1
-            return carry(turn=math.copysign(SEARCH_TURN, self.memory.spin_side))
+            return carry(turn=math.copysign(SEARCH_TURN, self.turn_side))
         choice = self.choose(world, self, False)
         if choice is not None:
             return self.enter(world, self.steady, None, choice[1], *choice[2:])
@@ -172,7 +175,7 @@ class GrabDribble(Machine):
             return self.enter(world, self.carry_on, None, 'aimed; goal {} cm away',
                               self.goal_distance(world))
         turn = turn_towards(world, self.aim.middle)
-        self.memory.spin_side = 1.0 if turn >= 0.0 else -1.0
+        self.turn_side = 1.0 if turn >= 0.0 else -1.0
         return carry(turn=turn)
 
     def over_turns(self, world) -> bool:
@@ -266,7 +269,7 @@ class GrabDribble(Machine):
     def step_back(self, world):
         """Who stands over a ball that he let go, or kicked at somebody, still holds it by the
         rules."""
-        self.memory.set_hint(*hints.LEFT_LYING)
+        self.hint = hints.LEFT_LYING
         walk = self.skill.step(world)
         if self.skill.done:
             return self.enter(world, self.ended, None, 'stepped back')

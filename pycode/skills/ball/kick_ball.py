@@ -79,7 +79,7 @@ class KickBall(Machine):
     def kick(self, world):
         motion = self.skill.step(world)
         if self.skill.done:
-            self.memory.set_hint(*(hints.of_kick(self.which) or AHEAD_HINT))
+            self.hint = hints.of_kick(self.which) or AHEAD_HINT
             return self.enter(world, self.ended, None, 'kicked')
         return kelpie.Command(head=self.track.step(world), motion=motion)
 

@@ -74,7 +74,7 @@ class LineUpKick(Machine):
         """Stands still for one sweep of the head: the shot is worth knowing where the goal is."""
         seen = self.goal.seen(world) and self.goal.seen_s > self.entered_s
         if seen or self.timed_out(world, Goal.SWEEP):
-            self.goal.looked_s = world.time_s
+            self.goal.looked(world)
             return self.enter(world, self.regain, None, 'looked for the goal')
         return kelpie.Command(head=self.skill.step(world, self.since(world)))
 

@@ -13,8 +13,9 @@ from skills.head.scan_for_ball import head_params
 class SpinForBall(Skill):
     NAME = 'spin_for_ball'
 
-    def __init__(self, side, times=1.0):
+    def __init__(self, memory, side, times=1.0):
         """`times`: as fast as the algorithm's speed."""
+        self.memory = memory
         self.side = side
         self.times = times
         self.turned = 0.0  # deg
@@ -23,6 +24,7 @@ class SpinForBall(Skill):
         """`asked`: cm to where the ball is believed, infinite without such a belief; and deg of
         turning to the next direction that was not looked at: the head goes on to there."""
         distance, unseen = asked
+        self.memory.spun(self.side)
         self.turned += abs(world.odometry.turn_deg)
         pan, tilt, crane = spin_head(distance, self.side)
         pan = self.side * max(abs(pan), min(unseen, MAX_PAN))

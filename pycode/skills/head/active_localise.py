@@ -7,9 +7,9 @@
 import math
 
 import kelpie
-from arbiter.machine import Machine
 from lib.geom import from_field, heading
 from lib.landmarks import ATTACKER_PAN, choose_landmark, look_at_landmark
+from skills.head.landmark_look import LandmarkLook
 from skills.head.track_ball import TrackBall, believed
 
 SPUN = 60             # frames since a spin that are recent (U02)
@@ -51,17 +51,14 @@ def interval(position_sd) -> float:
     return DUE_LATEST - min(1.0, max(0.0, share)) * (DUE_LATEST - DUE_SOONEST)
 
 
-class ActiveLocalise(Machine):
+class ActiveLocalise(LandmarkLook):
     NAME = 'active_localise'
 
     def __init__(self, memory, pan_limit=ATTACKER_PAN, may_look=attacker_may_look):
-        super().__init__(self.look)
-        self.memory = memory
+        super().__init__(memory, self.look)
         self.pan_limit = pan_limit
         self.may_look = may_look
         self.track = TrackBall(memory)
-        self.mark = None       # the landmark of this look
-        self.frames = 0        # of this state
         self.sightings = 0
 
     def needed(self, world) -> bool:
@@ -86,8 +83,7 @@ class ActiveLocalise(Machine):
                                             self.frames >= BACK_FRAMES)
 
     def look(self, world):
-        self.frames += 1
-        self.memory.localised_lost = 0
+        self.look_on()
         self.sightings += any(mark.kind == self.mark.kind for mark in world.percepts.landmarks)
         near = world.ball.present and math.hypot(*believed(world)) < LEAVE
         if self.frames > LOOK_FRAMES or self.sightings >= SIGHTINGS or near:

@@ -8,9 +8,9 @@
 import math
 
 import kelpie
-from arbiter.machine import Machine
 from lib.head import view
 from lib.landmarks import ATTACKER_PAN, in_reach, look_at_landmark
+from skills.head.landmark_look import LandmarkLook
 
 EVERY = 70             # frames between looks; 45 to 120 in facts-2005 section 7.2
 EVERY_BAD = 22         # with a bad pose
@@ -27,14 +27,11 @@ def bad(world) -> bool:
     return world.position_sd > BAD_SD or world.heading_sd_deg > BAD_HEADING_SD
 
 
-class Glance(Machine):
+class Glance(LandmarkLook):
     NAME = 'glance'
 
     def __init__(self, memory):
-        super().__init__(self.none)
-        self.memory = memory
-        self.mark = None
-        self.frames = 0
+        super().__init__(memory, self.none)
         self.side = 1.0
 
     @property
@@ -69,8 +66,7 @@ class Glance(Machine):
             self.enter(world, self.look, None, 'the landmark seen longest ago')
 
     def step(self, world) -> kelpie.HeadRequest:
-        self.memory.localised_lost = 0
-        self.frames += 1
+        self.look_on()
         request = self.state(world)
         if self.frames >= LOOK:
             self.state = self.none

@@ -50,7 +50,7 @@ def note_close(world, memory) -> None:
     """Remembers a ball that was seen close."""
     ball = world.percepts.ball
     if ball.present and ball.distance < CLOSE:
-        memory.close_lost = 0
+        memory.saw_close()
 
 
 def by_projection(ball, world):
