@@ -6,7 +6,7 @@
 # a gap go in, and it looks at nobody but the ball. Its thesis lets it out of the box; the rule of
 # 2006 holds for it, too (checklist K07).
 import kelpie
-from arbiter.machine import Machine
+from arbiter.rules import RuleMachine
 from lib.goalie_places import beyond_box, central_place, ellipse_place
 from lib.ways import point_of
 from players.halted import Halted
@@ -51,14 +51,33 @@ def attack_failed(world) -> tuple | None:
     return None
 
 
-class EllipseGoalie(Machine):
+def attacks(now, playing):
+    goes_on = playing == 'attack'
+    if attack_failed(now.world) is not None or not (goes_on or attack_due(now.world)):
+        return None
+    if not now.can_attack(now.world, goes_on):
+        return None
+    return ('the ball is {} cm away, {} cm beyond the box', now.world.ball.distance,
+            beyond_box(now.world.field, point_of(now.world.ball)))
+
+
+def guards(now, playing):
+    return attack_failed(now.world) or ('there is no place to kick from',)
+
+
+class EllipseGoalie(RuleMachine):
     LAYER = kelpie.LAYER_PLAYER
     NAME = 'ellipse_goalie'
+    RULES = (
+        (attacks, 'attack'),
+        (guards, 'guard'))
+    COMMITTED = ('clear',)
     WALKED = (off_wall,)
 
     def __init__(self, paw=False):
         super().__init__(self.guard, GuardGoal(OF_2004))
-        self.paw = paw   # attack by the paw kick of the first version
+        self.world = None   # the frame
+        self.paw = paw      # attack by the paw kick of the first version
         self.stands = kick_stand.Choice()
         self.memory = Memory()
         self.eyes = EllipseHead(self.memory)
@@ -67,8 +86,8 @@ class EllipseGoalie(Machine):
 
     def step(self, world) -> kelpie.Command:
         self.memory.update(world)
-        command = self.decide(world)
         self.world = world
+        command = self.decide(world)
         command.walk = filtered(self, command.walk, self.WALKED)
         command.team.role = kelpie.NO_ROLE if world.game.penalised else kelpie.KEEPER
         self.explain(command.trace)
@@ -82,6 +101,7 @@ class EllipseGoalie(Machine):
         if self.get_up.needed(world):
             self.reset(world, 'has fallen', self.guard, GuardGoal(OF_2004))
             return kelpie.Command(motion=self.get_up.step(world))
+        self.choose(world, self)
         return super().step(world)
 
     def idle(self, world) -> kelpie.Command:
@@ -92,13 +112,14 @@ class EllipseGoalie(Machine):
         self.halted.explain(trace)
         self.eyes.explain(trace)
 
+    def skill_of(self, name, now):
+        if name == 'attack':
+            return PawKick() if self.paw else AttackBall()
+        return GuardGoal(OF_2004)
+
     # States
 
     def guard(self, world):
-        if attack_due(world) and attack_failed(world) is None and self.can_attack(world, False):
-            return self.enter(world, self.attack, PawKick() if self.paw else AttackBall(),
-                              'the ball is {} cm away, {} cm beyond the box', world.ball.distance,
-                              beyond_box(world.field, point_of(world.ball)))
         walk = self.skill.step(world, self.place(world))
         return kelpie.Command(walk=walk, head=self.eyes.step(world, True))
 
@@ -114,10 +135,6 @@ class EllipseGoalie(Machine):
         return ellipse_place(world.field, point_of(world.ball))
 
     def attack(self, world):
-        failed = attack_failed(world)
-        if failed is not None or not self.can_attack(world, True):
-            return self.enter(world, self.guard, GuardGoal(OF_2004),
-                              *(failed or ('there is no place to kick from',)))
         best = None if self.paw else clearing_kick(world)
         if best is not None:
             return self.enter(world, self.clear, Kick(world, best.kick),
@@ -129,5 +146,6 @@ class EllipseGoalie(Machine):
     def clear(self, world):
         motion = self.skill.step(world)
         if self.skill.done:
-            return self.enter(world, self.guard, GuardGoal(OF_2004), 'the kick has ended')
+            self.enter(world, self.guard, GuardGoal(OF_2004), 'the kick has ended')
+            return self.choose(world, self)   # a ball that lies there still is attacked at once
         return kelpie.Command(motion=motion, head=self.eyes.step(world, False))
