@@ -6,7 +6,10 @@
 import kelpie
 from lib import zones
 
-RELEASE, SPIN_AWAY, PASS_LEFT, PASS_RIGHT = 'release', 'spin_away', 'pass_left', 'pass_right'
+RELEASE = 'release'
+SPIN_AWAY = 'spin_away'
+PASS_LEFT = 'pass_left'
+PASS_RIGHT = 'pass_right'
 
 CORNER_AREA = 100.0     # cm around an upper corner
 SMALL_GAP = 12.0        # deg: "the gap is small" (open; the goal is 38 deg wide from 115 cm)

@@ -19,10 +19,11 @@ FREE = {tree.UPENN_LEFT: kelpie.UPENN_LEFT, tree.UPENN_RIGHT: kelpie.UPENN_RIGHT
 GRAB = 'grab'
 WAYS = (GRAB, *FREE)
 SECOND = 0.02          # worth of a second: a kick of 170 cm takes 7 s, the walk after it counted
-KEEP = 0.04            # worth by which another leaf must be better than the one that is played
-GRAB_S = 1.3           # grab, feel, stand, kick
+KEEP = 0.04            # [0.02, 0.08] worth by which another leaf must be better than the one that
+                       # is played
+GRAB_S = 1.3           # [0.65, 2.6] grab, feel, stand, kick
 TURN_S = 1.0 / 100.0   # of a degree with the ball
-FREE_S = 0.6           # steps to the ball's place
+FREE_S = 0.6           # [0.3, 1.2] steps to the ball's place
 LINE = 35.0            # cm before the goal line, between the posts: the ball is run in
 
 

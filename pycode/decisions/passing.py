@@ -20,7 +20,8 @@ SEEN_S = 2.0         # s; of opponents
 SHOT_FROM = 230.0    # cm from which a ball reaches the goal (skills/ball/grab_dribble.py)
 SHOT = 0.5           # worth of a shot at the goal from the line
 LOST = 0.25          # share of a worth that is lost in taking the ball
-LEAST_GAIN = 0.08    # by which a pass must be worth more than the own kick, to be begun
+LEAST_GAIN = 0.08    # [0.04, 0.16] by which a pass must be worth more than the own kick, to be
+                     # begun
 
 
 def worth_at(world, place) -> float:

@@ -15,7 +15,9 @@ from situation.keep_off import inside
 STEPS = ((0.0, 0.0), (70.0, 0.0), (-70.0, 0.0), (0.0, 60.0), (0.0, -60.0), (50.0, 50.0),
          (-50.0, 50.0))        # cm; the first is the tree's own place
 FARTHEST = 80.0                # cm from the tree's place
-PASS_FREE, SHOT_FREE, UNMARKED = 90.0, 30.0, 40.0   # in cm that one goes for each
+PASS_FREE = 90.0  # cm that one goes for a free pass,
+SHOT_FREE = 30.0  # cm for a free shot from there,
+UNMARKED = 40.0   # cm to be unmarked
 KICK = 165.0                   # cm; held kicks go 125 to 205 (docs/body.md)
 PER_CM = 0.3                   # that a cm off that distance counts
 STAYS = 20.0                   # cm, bonus of the place of before

@@ -11,7 +11,8 @@ from data.examples import EXAMPLES
 from lib.geom import clamp, wrap
 from lib.regression import Regression
 
-WIDTH, LENGTH = 360.0, 540.0             # of the field that the examples are for
+WIDTH = 360.0   # cm,
+LENGTH = 540.0  # cm, of the field that the examples are for
 SCALES = (0.5 * WIDTH, 0.5 * LENGTH, 90.0, 1.0)
 # Of those scales: the four cases of figure 4.7 come out to within 10 cm, and places follow the ball
 # without jumps.

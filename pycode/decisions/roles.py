@@ -19,7 +19,7 @@ HAND_OVER_S = 0.5
 # Ours: a mate takes the ball over when it has been quicker for so long, and who attacks gives it up
 # when the mate has told so: of a match 1.7 % had no attacker while it was only expected to.
 CHALLENGE_S = 0.15
-HOME_S = 1.0         # bonus of the defender of the last frame (facts-2005 section 7.1)
+HOME_S = 1.0         # [0.5, 2] bonus of the defender of the last frame (facts-2005 section 7.1)
 EVERY_FRAMES = 3     # a tenth of a second: the team is told at 6 Hz
 NAMES = ('none', 'attacker', 'supporter', 'striker', 'defender', 'goalie')
 

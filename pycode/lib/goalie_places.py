@@ -17,9 +17,11 @@ LEAST_Y = 10.0        # cm; nearer to the line the hind legs stand in the goal's
 CLIP_X = 35.0         # cm from the middle; facts-2005 section 7.2
 CLIP_HEADING = 60.0   # deg from up-field; facts-2005 section 7.2
 ELLIPSE_ACROSS = 45.0  # cm, half axes; checklist U18
-ELLIPSE_OUT = 25.0
-CIRCLE_NEAR, CIRCLE_FAR = 10.0, 45.0   # cm, the circle's radius ...
-BALL_NEAR, BALL_FAR = 60.0, 250.0      # ... for a ball that near to the goal, and that far
+ELLIPSE_OUT = 25.0  # cm
+CIRCLE_NEAR = 10.0  # cm,
+CIRCLE_FAR = 45.0  # cm, the circle's radius
+BALL_NEAR = 60.0  # cm,
+BALL_FAR = 250.0  # cm, for a ball that near to the goal, and that far
 ROUND = 18.0          # cm; a straight way that comes nearer to the ball pushes it,
 TRUNK = 16.0          # cm that the trunk reaches behind the neck base
 

@@ -7,8 +7,8 @@ import kelpie
 GRAB = (30.0, 0.0)           # lost while approaching to grab: ahead
 LEFT_LYING = (25.0, 0.0)     # let go, or kicked at somebody: where it lay, a step back
 DRIBBLE = (35.0, 120.0)      # lost while turning with it: it stays behind the turn
-HEAD_KICK = (50.0, 30.0)
-UPENN_KICK = (25.0, 30.0)
+HEAD_KICK = (50.0, 30.0)  # cm, deg
+UPENN_KICK = (25.0, 30.0)  # cm, deg
 KICKS = {kelpie.HEAD_SWIPE_LEFT: (HEAD_KICK, 1.0), kelpie.HEAD_SWIPE_RIGHT: (HEAD_KICK, -1.0),
          kelpie.UPENN_LEFT: (UPENN_KICK, 1.0), kelpie.UPENN_RIGHT: (UPENN_KICK, -1.0)}
 

@@ -5,7 +5,7 @@
 # is left. Alone, it is the one who kicks off.
 KICKER_BEHIND = 45.0   # cm behind the ball: paws reach 18, the circle 18
 WIDE = 0.28            # of the width, from the middle
-GOALIE_Y = 20.0
+GOALIE_Y = 20.0  # cm
 
 # Player: shares of the width from the middle and of the length; None: who kicks off.
 KICKING = {2: (0.0, None), 3: (-0.19, 0.2), 4: (0.29, 0.43), 1: (0.17, 0.25)}

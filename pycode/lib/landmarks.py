@@ -9,9 +9,9 @@ import kelpie
 from lib.geom import frame_of, from_field, heading, in_frame, wrap
 
 ATTACKER_PAN = 70.0   # deg to either side
-GOALIE_PAN = 80.0
+GOALIE_PAN = 80.0  # deg
 NEAREST = 70.0        # cm; a nearer one does not fit into the image
-FARTHEST = 550.0
+FARTHEST = 550.0  # cm
 RAISE_BELOW = 120.0   # cm; a nearer beacon is looked at in its upper half, where the colours are
 ROUND = 1.2           # standard deviations this alike have no widest axis
 GOALS = (kelpie.GOAL_BLUE, kelpie.GOAL_YELLOW)

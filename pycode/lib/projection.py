@@ -8,7 +8,8 @@ import math
 from lib.geom import Point
 from lib.head import CAMERA_BELOW, NECK, NECK_ABOVE_SHOULDER
 
-WIDTH, HEIGHT = 208.0, 160.0  # px
+WIDTH = 208.0   # px
+HEIGHT = 160.0  # px
 FOCAL = 0.5 * WIDTH / math.tan(math.radians(0.5 * 56.9))  # px
 FACE = 8.1          # cm, nod axis to the camera
 FARTHEST = 1000.0   # cm; beyond it an error of the tilt decides everything

@@ -10,11 +10,12 @@ import math
 from lib.kd_tree import KdTree
 
 RADIUS = 2.4        # bandwidths; W(2.4) = 0.003 counts no more (section 4.5.3, threshold)
-LEAST, MOST = 4, 10   # examples that answer: each costs 400 operations of the interpreter
+LEAST = 4   # examples,
+MOST = 10  # examples that answer: each costs 400 operations of the interpreter
 # Share of the largest diagonal: a smaller pivot settles no slope, and slopes get a ridge. With 1e-9
 # places jumped by 290 cm for 5 cm of the ball, now by 8 in 99 % of 12320 steps.
 SINGULAR = 1e-2
-RIDGE = 3e-2
+RIDGE = 3e-2  # of the normal equations
 
 
 def kernel(distance) -> float:

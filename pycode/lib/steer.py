@@ -10,7 +10,7 @@ BALL_TOP = 8.4           # cm
 # Gates of facts-2005 section 7.2: a point within the first is walked to at full speed, one beyond
 # the second is turned to on the spot.
 AHEAD_WITHIN = 30.0      # deg
-ON_THE_SPOT = 80.0
+ON_THE_SPOT = 80.0  # deg
 SPEED = 34.0             # cm/s
 SLOW_DOWN = 1.2          # 1/s: from 28 cm on the speed falls with the distance
 TURN_GAIN = 1.8          # deg/s per deg

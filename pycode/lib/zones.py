@@ -6,7 +6,7 @@ from lib.geom import Point
 
 DEFENSIVE, MIDDLE, OFFENSIVE = range(3)
 DEFENSIVE_END = 0.4   # share of the field's length
-MIDDLE_END = 0.6
+MIDDLE_END = 0.6  # share of the length
 EDGE = 50.0           # cm from a side line
 CORNER = 100.0        # cm: legs of the triangle in an upper corner
 GOAL_CLOSE = 60.0     # cm before the opponents' goal line, between the posts and EDGE beside them

@@ -26,15 +26,16 @@ from skills.head.track_ball import believed
 from skills.walk.avoid_own_box import AvoidOwnBox
 from skills.walk.paw_stuck import PawStuck
 
-LOST_FRAMES = 15        # the ball is looked for after so many without a sight,
+LOST_FRAMES = 15        # [8, 30] the ball is looked for after so many without a sight,
 LOST_NEAR_FRAMES = 40   # or so many where the chin hides it
 CHIN = 20.0             # cm
-SETTLED = 35.0          # cm to the ball; nearer, a leaf is kept for some frames
-KEPT_FRAMES = 12
+SETTLED = 35.0          # [17.5, 70] cm to the ball; nearer, a leaf is kept for some frames
+KEPT_FRAMES = 12  # [6, 24] frames
 LOOK_AFTER = 100.0, 0.0     # cm, deg: where a kicked ball is looked for
 SEEN_S = 0.1            # s: a sighting that gps refused is none
 WATCH = 0.4             # s after a kick
-AHEAD, FOLLOW = 15.0, 40.0  # deg, cm/s: a ball that went ahead is followed meanwhile,
+AHEAD = 15.0  # deg
+FOLLOW = 40.0  # cm/s: a ball that went ahead is followed meanwhile,
 FOLLOW_FROM = 30.0      # cm; not one that was left lying
 BOX_WAIT_FRAMES = 90    # who has no goalie waits so long for its ball to leave the own box
 BOX_LEFT_Y = 130.0      # cm; a ball beyond has left it for certain

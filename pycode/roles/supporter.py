@@ -27,8 +27,10 @@ from skills.walk.paw_stuck import PawStuck
 LOST_FRAMES = 40           # facts-2005 section 7.1: "anywhere"
 FAR = 100.0                # cm from home: Bird of Prey, which ends within
 BIRD_END = 30.0            # (facts-2005 section 7.2)
-ARRIVED, LEFT = 15.0, 30.0     # cm; circles of the same section
-TURN_FROM, TURN_UNTIL = 25.0, 8.0   # deg from the ball, who stands
+ARRIVED = 15.0  # cm,
+LEFT = 30.0  # cm; circles of the same section
+TURN_FROM = 25.0  # deg,
+TURN_UNTIL = 8.0  # deg from the ball, who stands
 
 
 class SupporterSituation:
@@ -45,7 +47,7 @@ class SupporterSituation:
         self.held = None                   # GetOutOfWay, which knows who holds the ball
 
     def lane(self, kind, leaves):
-        """The attacker's lane of a kind that it stands in, or None; `leaves`: it does so already."""
+        """The attacker's lane of a kind that it stands in, or None. `leaves`: it leaves it."""
         return AvoidAttacker.lane(self.world, self.lanes, kind, leaves)
 
 

@@ -13,7 +13,8 @@ LEAST_PADDING = 2.5    # deg: narrower cannot be turned to
 MOST_PADDING = 8.0     # deg: a near goal is wide, but its middle is safest
 AIMED_FRAMES = 4       # accumulated, Alg 6.6 (G44)
 CARRIED_FRAMES = 15    # for which a gap that is out of sight is still aimed at
-LEFT, RIGHT = 'left', 'right'
+LEFT = 'left'
+RIGHT = 'right'
 
 
 def gaps_of(world) -> tuple:

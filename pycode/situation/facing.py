@@ -20,8 +20,8 @@ OWN_FRAMES = 5           # ... so often says that the pose is wrong
 AGAINST_POSE = 270.0     # deg of a turn while the pose says that all is well
 NOTHING = 8.0            # s without a landmark; a scrum in which none was seen for 15 s pushed the
                          # goalie round, and a pose sure to 7 cm was 200 cm off
-NOTHING_CROWDED = 16.0   # s, with an opponent at hand: of 13 turns after 8 s none was of a pose that
-                         # was wrong, and one took the ball at its feet in
+NOTHING_CROWDED = 16.0   # s, with an opponent at hand: of 13 turns after 8 s none was of a pose
+                         # that was wrong, and one took the ball at its feet in
 OFF_BOX = 50.0           # cm
 OFF_TIME = 2.0           # s; jumps of the pose that end by themselves are shorter
 TIME = 5.0               # s of turning, and then of not turning

@@ -14,7 +14,7 @@ class Goal:
     SWEEP = 2.6              # look for it that long before playing without
     REGAIN = 1.0             # then look for the ball again that long
 
-NEVER_S = -1e9
+NEVER_S = -1e9  # s
 BALL_RADIUS = 4.2    # cm
 UP_FIELD_DEG = 90.0  # the direction of the opponents' goal on the field
 MIN_DISTANCE = 30.0  # cm; a percept of a nearer goal would put it inside the robot

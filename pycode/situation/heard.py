@@ -5,8 +5,8 @@ import math
 
 FRESH_S = 1.0   # s; of the team's ball
 LATER_S = 0.4   # s by which a mate saw it later than the robot itself
-OFF = 15.0      # cm beyond the lines; a ball farther off is one of a wrong pose: by one 38 cm behind
-                # the goal a goalie went the wrong way
+OFF = 15.0      # cm beyond the lines; a ball farther off is one of a wrong pose: by one 38 cm
+                # behind the goal a goalie went the wrong way
 
 
 def heard_of(world):

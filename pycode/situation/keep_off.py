@@ -15,7 +15,9 @@ SPARE = 10.0         # cm beyond the clearance that one goes, so that it is left
 EDGE = 25.0          # cm to side and end lines
 HAS = 35.0           # cm; an attacker so near to the ball has it
 
-HOLDS, HAS_BALL, ON_WAY = 'holds', 'has_ball', 'on_way'
+HOLDS = 'holds'
+HAS_BALL = 'has_ball'
+ON_WAY = 'on_way'
 
 
 class Lane:

@@ -15,9 +15,9 @@ from situation.clearance import Clearance
 TURNS = (0.0, -20.0, 20.0, -45.0, 45.0, -70.0, 70.0)  # deg from the way to the ball
 PACE = 26.0         # cm/s: what a place costs in time,
 PACE_TURN = 120.0   # deg/s
-ASTERN = 1.5        # s for a place beyond the ball: the way leads round it
-WORTH = 1.2         # s that a clearance of worth 1 may take longer than one of worth 0
-CHOSEN = 0.3        # s that the place of before may take longer
+ASTERN = 1.5        # [0.75, 3] s for a place beyond the ball: the way leads round it
+WORTH = 1.2         # [0.6, 2.4] s that a clearance of worth 1 may take longer than one of worth 0
+CHOSEN = 0.3        # [0.15, 0.6] s that the place of before may take longer
 AGAIN = 0.5         # s after which the place is chosen anew,
 MOVED = 6.0         # or cm that the ball has rolled
 LANDMARKS = 75.0    # deg from up-field: three kicks at a ball in the corner, with no landmark in

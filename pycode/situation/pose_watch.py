@@ -10,9 +10,12 @@ import math
 
 from lib.geom import wrap
 
-JUMP_CM, JUMP_DEG = 35.0, 35.0
-BACK_CM, BACK_DEG = 20.0, 20.0   # so near to the carried pose it is right again
-SURE_CM, SURE_DEG = 8.0, 6.0     # sd; from a pose less sure than that a jump may be the truth
+JUMP_CM = 35.0     # cm in a frame that are a jump,
+JUMP_DEG = 35.0    # deg
+BACK_CM = 20.0     # cm; so near to the carried pose it is right again
+BACK_DEG = 20.0    # deg
+SURE_CM = 8.0      # cm of sd; from a pose less sure than that a jump may be the truth
+SURE_DEG = 6.0     # deg of sd
 LONGEST = 2.5                    # s
 SETTLES = 0.7                    # s
 BLIND = 2.0                      # s without a landmark; where the pose is sure,

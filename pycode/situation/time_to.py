@@ -12,14 +12,15 @@ from lib.geom import from_field, heading, wrap
 SPEED = 30.0             # cm/s, and
 TURN_SPEED = 120.0       # deg/s: checklist U04
 CORRIDOR = 30.0          # cm; of the obstacle map, facts-2005 section 7.1
-FEW, MANY = 5.0, 100.0   # its counts: fewer are noise, more are as bad
+FEW = 5.0     # counts,
+MANY = 100.0  # counts: fewer are noise, more are as bad
 OBSTACLE_S = 0.01        # s for each
 STUCK_S = 2.0            # ours: backing off takes 0.8 s, coming back as long
 SURE_FRAMES = 15         # frames lost from which a ball is less sure (facts-2005 section 7.1),
 LOST_S = 0.002           # s for the square of each more,
 LOST_MOST_S = 6.0        # up to so much, after 2.3 s
 ATTACKER_S = 0.7         # bonuses of U04
-GRAB_S = 2.0
+GRAB_S = 2.0  # s
 NEVER_S = 1000.0         # of who knows no ball (robot/core/TeamNote.h)
 FRESH_S = 1.0            # s; an older ball of the team is not gone for
 APPROACH = 40.0          # cm, of a grab that is told

@@ -37,6 +37,27 @@ def upward_imports(layer, text):
     return [name for name in imports(ast.parse(text)) if name.split('.')[0] not in allowed]
 
 
+def module_of(name, imported):
+    """The module of pycode that `from name import imported` reads, or None."""
+    for one in (f'{name}.{imported}', name):
+        if (PYCODE / (one.replace('.', '/') + '.py')).is_file():
+            return one
+    return None
+
+
+def reads(path):
+    for node in ast.walk(ast.parse(path.read_text())):
+        if isinstance(node, ast.ImportFrom):
+            yield from (one for each in node.names if (one := module_of(node.module, each.name)))
+
+
+def test_no_module_reads_itself_by_way_of_others():
+    graph = {name_of(path)[:-3].replace('/', '.'): set(reads(path)) for path in FILES}
+    while leaves := {one for one, read in graph.items() if not read & set(graph)}:
+        graph = {one: read for one, read in graph.items() if one not in leaves}
+    assert graph == {}, 'in circles: ' + ', '.join(sorted(graph))
+
+
 def functions(path):
     tree = ast.parse(path.read_text())
     return [node for node in ast.walk(tree) if isinstance(node, ast.FunctionDef)]
@@ -171,3 +192,41 @@ def test_all_that_the_memory_keeps_is_written_by_it_alone():
                if isinstance(one, ast.ClassDef) for each in one.body
                if isinstance(each, ast.FunctionDef) and not each.name.startswith('_')}
     assert methods == set(WRITERS) | {'update'}
+
+
+# Numbers
+
+
+def searched(text):
+    """(name, value, least, greatest) of the constants that a search may move: NAME = value with a
+    comment that begins with [least, greatest]."""
+    return [(name, float(value), float(low), float(high)) for name, value, low, high in re.findall(
+        r'^ *([A-Z][A-Z0-9_]*) = (-?[\d.]+) +# \[(-?[\d.]+), (-?[\d.]+)\]', text, re.M)]
+
+
+@pytest.mark.parametrize('path', FILES, ids=name_of)
+def test_a_constant_to_be_searched_lies_within_its_bounds(path):
+    text = path.read_text()
+    assert len(searched(text)) == len(re.findall(r'# \[', text))
+    assert all(low < value < high for _, value, low, high in searched(text))
+
+
+def numbers(text):
+    """Lines of the constants that are numbers, with their last line."""
+    tree, lines = ast.parse(text), text.splitlines()
+    bodies = [tree.body] + [one.body for one in tree.body if isinstance(one, ast.ClassDef)]
+    for node in (node for body in bodies for node in body if isinstance(node, ast.Assign)):
+        if isinstance(node.targets[0], ast.Name) and node.targets[0].id.isupper():
+            yield node, ast.unparse(node.targets[0]), lines[node.lineno - 1]
+
+
+@pytest.mark.parametrize('path', FILES, ids=name_of)
+def test_a_number_stands_alone_on_its_line_with_its_unit(path):
+    if path.parent.name == 'data':
+        return
+    lines = path.read_text().splitlines()
+    for node, name, line in numbers(path.read_text()):
+        if isinstance(node.value, ast.Constant) and type(node.value.value) in (int, float):
+            above = lines[node.lineno - 2].lstrip().startswith('#')
+            assert '#' in line or above, f'line {node.lineno}: {name} in which unit?'
+        assert not isinstance(node.targets[0], ast.Tuple), f'line {node.lineno}'

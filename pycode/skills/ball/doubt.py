@@ -8,7 +8,8 @@ from lib.geom import heading
 from lib.projection import off_axis
 from skills.ball.lost_ball import MISSED_FRAMES
 
-NEAREST, FARTHEST = 16.0, 220.0  # cm between which vision sees nearly every ball
+NEAREST = 16.0  # cm,
+FARTHEST = 220.0  # cm between which vision sees nearly every ball
 SHOWN = 17.0          # deg from the camera's axis; the image's half is 22 deg high
 BALL_RADIUS = 4.2     # cm
 HIDDEN_WITHIN = 15.0  # deg from a nearer robot

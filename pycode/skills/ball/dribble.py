@@ -12,7 +12,7 @@ from skills.head.track_ball import TrackBall
 
 SPEED = 40.0         # cm/s
 TURN_GAIN = 2.0      # deg/s per deg
-TURN_SPEED = 100.0
+TURN_SPEED = 100.0  # deg/s
 ASIDE = 4.0          # cm at most beside the ball's middle
 ASIDE_GAIN = 0.1     # cm per deg that the goal is aside
 FACED = 50.0         # deg: turn to the ball first

@@ -6,7 +6,7 @@ import math
 
 from lib.geom import TURN
 
-SECTORS = 36
+SECTORS = 36  # of the circle
 WIDTH = TURN / SECTORS   # deg
 HALF_VIEW = 22.0         # deg; half an image is 28, less a ball at its edge and a sector's half
 

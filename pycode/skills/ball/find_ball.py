@@ -21,7 +21,7 @@ from skills.head.scan_for_ball import ScanForBall, head_params
 from skills.head.track_ball import TrackBall, believed
 from skills.walk.roam import Roam
 
-FRAMES_PER_S = 30.0
+FRAMES_PER_S = 30.0  # 1/s
 FORCED_AT = 120.0      # cm, where a look in a direction is aimed at
 TURN_BEYOND = 45.0     # deg; a forced look that far aside needs the body
 BACK_SPEED = -50.0     # cm/s, of the walk back (docs/body.md)
@@ -32,7 +32,7 @@ ONE_SIDE = 8.0         # deg
 # Times the speed of algorithm 6.2. From 13 starts without a ball in sight it was seen and kept in
 # sight after 2.9 s on average, at the algorithm's 55 deg/s after 3.9; the scan sweeps faster yet.
 SPIN_TIMES = 2.0
-TAKEN_S = 0.1
+TAKEN_S = 0.1  # s
 SPIN_BREAK = 15        # frames for which a spin is recent (facts-2005 section 7.2)
 
 

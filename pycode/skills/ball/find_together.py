@@ -20,11 +20,13 @@ from skills.walk.bird_of_prey import BirdOfPrey
 LOST_FRAMES = 66      # after which the team is asked (facts-2005 section 7.2),
 LOST_ATTACKER = 166   # by an attacker
 NEAR = 60.0           # cm; a nearer ball is the own search's, which looks under the chin
-ARRIVED, LEFT = 20.0, 50.0
+ARRIVED = 20.0        # cm from its place,
+LEFT = 50.0           # cm from which it goes there again
 AGAIN_S = 1.0         # between two looks at who is where
 # Ours: a ball that none of three places shows is searched for by each alone for a while. Of 8 balls
 # that are seen from 90 cm only, two were never found by spinning on.
-SPIN_S, REST_S = 7.0, 12.0
+SPIN_S = 7.0    # s at the place,
+REST_S = 12.0   # s alone
 SPIN_TIMES = 2.0      # of algorithm 6.2's speed, as skills/ball/find_ball.py
 
 
@@ -91,7 +93,8 @@ class FindTogether(Machine):
         if world.time_s - self.placed_s > AGAIN_S:
             self.choose_place(world)
         if math.hypot(*from_field(world.pose, *self.place)) < ARRIVED:
-            self.spinning = SpinForBall(self.memory, 1.0 if self.memory.spin_side >= 0.0 else -1.0, SPIN_TIMES)
+            side = 1.0 if self.memory.spin_side >= 0.0 else -1.0
+            self.spinning = SpinForBall(self.memory, side, SPIN_TIMES)
             return self.enter(world, self.spin, None, 'at its place ({}, {})', *self.place)
         return kelpie.Command(walk=self.bird.step(world, self.place),
                               head=Scan().step(world, world.time_s))

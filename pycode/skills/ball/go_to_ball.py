@@ -10,14 +10,14 @@ from lib.geom import Point, clamp, heading
 
 class Approach:
     SLOW_DOWN = 45.0         # distance from which the speed falls
-    SPEED = 34.0
-    MIN_SPEED = 10.0
+    SPEED = 34.0  # cm/s
+    MIN_SPEED = 10.0  # cm/s
     TURN_GAIN = 1.8          # deg/s per deg
-    TURN_SPEED = 70.0
+    TURN_SPEED = 70.0  # deg/s
     TURN_FIRST = 50.0        # a ball farther aside: turn on the spot
     NEAR = 28.0              # distance at which lining up begins
     BEHIND = 22.0            # aim at this far behind the ball, seen from the goal
-    TIME = 25.0
+    TIME = 25.0  # s
 
 
 def behind(ball, goal_point) -> Point:

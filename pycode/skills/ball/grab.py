@@ -19,10 +19,10 @@ TURN_SPEED = 120.0       # deg/s while it walks ahead,
 SPIN_SPEED = 200.0       # and on the spot with the turning walk,
 SPIN_FROM = 50.0         # deg: for a ball farther aside,
 SPIN_UNTIL = 30.0        # until it is no farther than this
-FAST_FROM = 33.0         # cm: from there on the fast walk, if the ball is ahead
+FAST_FROM = 33.0         # [16.5, 66] cm: from there on the fast walk, if the ball is ahead
 FAST_WITHIN = 20.0       # deg,
 FAST_UNTIL = 30.0        # until it is farther
-CLOSING = 31.0           # cm/s at least, ball ahead: slower, and the jaw meets the ball
+CLOSING = 31.0           # [15.5, 62] cm/s at least, ball ahead: slower, and the jaw meets the ball
 SPEED = 36.0             # cm/s
 
 PREDICTED = 6            # frames
@@ -30,16 +30,17 @@ DRAG = 0.9               # of a velocity per predicted frame, Alg 6.3
 SIDE = 3.0               # cm
 AHEAD = 13.5             # cm
 TURNED = 15              # frames since a large turn; before that nearer only (G40)
-AFTER_TURN = 0.75
-FRAME_S = 1.0 / 30.0
+AFTER_TURN = 0.75  # share of AHEAD
+FRAME_S = 1.0 / 30.0  # s
 
 SEEN_S = 0.2             # s: nobody grabs a ball that it has not just seen
 IR_NEAR = 11.5           # cm of the chest's filtered infrared, which reads the carpet at 14
 FORWARD = 8.0            # cm/s that the motion ends with (actuator/data/motions/grab.toml)
 HINT_WITHIN = 40.0       # cm; a far ball that is lost need not be where the paws are
 START_S = 0.5            # for the motion to begin
-LONGEST_S = 2.0
-PAWS_NEAR, PAWS_FAR = 3.0, 11.0   # cm ahead of the neck: there a gripped ball lies (docs/body.md),
+LONGEST_S = 2.0  # s
+PAWS_NEAR = 3.0  # cm,
+PAWS_FAR = 11.0  # cm ahead of the neck: there a gripped ball lies (docs/body.md),
 PAWS_ASIDE = 4.0                  # and so far aside
 
 

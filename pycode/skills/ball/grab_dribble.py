@@ -29,21 +29,26 @@ BLOCKED_OUT = 1.7       # s of it with somebody ahead, where the kicks of the ma
 FARTHEST = 35.0         # cm from the place of the grab by odometry (rule: 50 cm); a stop takes 6
 SETTLE = 0.13           # s after the grab
 FEEL = 0.5              # s within which a caught ball is felt (docs/body.md: 0.22)
-STEADY, STEADY_MOST = 0.17, 0.4   # s that it stands before a kick, and at most until it is still:
-STILL, STILL_TURN = 5.0, 15.0     # cm/s, deg/s; out of a turn balls went 6 deg aside, out of a
+STEADY = 0.17           # s that it stands before a kick,
+STEADY_MOST = 0.4       # s at most until it is still:
+STILL = 5.0             # cm/s,
+STILL_TURN = 15.0       # deg/s; out of a turn balls went 6 deg aside, out of a
                                   # walk half as far
 TURN_GAIN = 4.0         # deg/s per deg
 LEAST_TURN = 25.0       # deg/s: the dribble walk hardly turns slower
 DELAY = 0.13            # s from a command to the body's turn
-CARRY_UNTIL = 1.8       # s: later there is no time for a way that matters
-CARRY_TO = 65.0         # cm to the goal from which carrying on helps no more: of 52 kicks from up
-                        # to 90 cm 9 were goals, of 44 from 90 to 120 one (docs/team.md)
-CARRY_FROM = 230.0      # and beyond which a kick does not reach the goal anyway
+CARRY_UNTIL = 1.8       # [0.9, 3.6] s: later there is no time for a way that matters
+CARRY_TO = 65.0         # [32.5, 130] cm to the goal from which carrying on helps no more: of 52
+                        # kicks from up to 90 cm 9 were goals, of 44 from 90 to 120 one
+                        # (docs/team.md)
+CARRY_FROM = 230.0      # [115, 460] and beyond which a kick does not reach the goal anyway
 SEARCH_Y = 400.0        # cm; from here on the goal is turned for more slowly (G39)
-SEARCH_TURN, SEARCH_TURN_FRONT = 50.0, 40.0   # deg/s as the thesis has it,
+SEARCH_TURN = 50.0  # deg/s,
+SEARCH_TURN_FRONT = 40.0  # deg/s as the thesis has it,
 SEARCH_SHARE = 2.0                            # and how much faster this body turns with the ball
 OVER_TURN_Y = 200.0     # cm; up to here a goal that the pose faces and nobody sees is turned on for
-OVER_TURN = 8           # frames (at most 50 in facts-2005 section 7.2): 13 deg, a pose's error
+OVER_TURN = 8           # [4, 16] frames (at most 50 in facts-2005 section 7.2): 13 deg, a pose's
+                        # error
 EDGE = 22.0             # cm from a line: move away from it before anything else
 
 

@@ -7,10 +7,11 @@ import math
 
 import kelpie
 
-NECK, NOD = -52.0, 45.0    # deg
+NECK = -52.0  # deg,
+NOD = 45.0  # deg
 TURN_SPEED = 130.0         # deg/s; 20 of 20 balls were kept at up to 134 (physics.md section 10)
 FORWARD_SPEED = 20.0       # cm/s; the dribble walk goes 23
-SIDE_SPEED = 14.0
+SIDE_SPEED = 14.0  # cm/s
 FEEL_S = 0.45              # after the grab until the feeling must say that the ball is there
 SLIPPED_FRAMES = 9         # without any feeling of the ball: it is gone
 

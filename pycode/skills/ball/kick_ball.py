@@ -19,10 +19,12 @@ PLACES = {kelpie.KICK_FORWARD: (14.0, 0.0),
 AHEAD_HINT = 50.0, 0.0  # cm, deg: where a kick that table 6.1 does not have sends it
 
 LATENCY = 0.16         # s until the motion begins, in which the robot walks on
-NEAR_AHEAD, NEAR_SIDE = 1.8, 2.2    # cm
+NEAR_AHEAD = 1.8  # cm,
+NEAR_SIDE = 2.2  # cm
 CLOSE = 30.0           # cm: from here on in steps, to both axes at once
 GAIN = 2.6             # cm/s per cm
-SPEED, SIDE_SPEED = 24.0, 16.0      # cm/s
+SPEED = 24.0  # cm/s,
+SIDE_SPEED = 16.0  # cm/s
 TOO_NEAR = 4.0         # cm nearer than the place: step back
 LONGEST = 7.0          # s for the approach
 

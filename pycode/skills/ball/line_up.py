@@ -8,16 +8,16 @@ from lib.geom import Point, clamp, heading, wrap
 
 class LineUp:
     RADIUS = 20.0            # distance kept while circling the ball
-    SIDE_SPEED = 15.0
+    SIDE_SPEED = 15.0  # cm/s
     SIDE_GAIN = 0.4          # cm/s per deg
     FORWARD_GAIN = 1.2       # cm/s per cm
-    FORWARD_SPEED = 10.0
-    TURN_GAIN = 2.0
-    TURN_SPEED = 70.0
+    FORWARD_SPEED = 10.0  # cm/s
+    TURN_GAIN = 2.0  # deg/s per deg
+    TURN_SPEED = 70.0  # deg/s
     AIMED = 10.0             # deg between ball and goal direction
     FACED = 15.0             # deg between body and ball
     LEFT_BEHIND = 38.0       # a ball farther than this has to be walked to again
-    TIME = 15.0
+    TIME = 15.0  # s
 
 MAX_ERROR = 150.0     # deg; beyond it the goal is behind, and both ways are as long
 MIN_DISTANCE = 12.0   # cm; with a nearer ball the feed-forward would be a spin

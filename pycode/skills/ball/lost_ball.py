@@ -26,13 +26,14 @@ SPIN_TURN = 360.0        # deg by odometry; then somewhere else is looked
 MISSED_FRAMES = 5
 BLOCKS = (kelpie.BLOCK, kelpie.BLOCK_LEFT, kelpie.BLOCK_RIGHT)
 
-MAX_PAN = 88.0
+MAX_PAN = 88.0  # deg
 SCAN_SDS = 2.0           # G37: standard deviations to either side of the ball
 LEAST_SCAN = 20.0        # deg; half the image is 28
-MOST_SCAN = 90.0
+MOST_SCAN = 90.0  # deg
 SPIN_SPEED = 55.0        # deg/s, of thesis 2006 algorithm 6.2
 SPIN_MORE = 1.1          # times as fast for a near ball; misprinted 0.9, G38
-SPIN_NEAR, SPIN_FAR = 20.0, 120.0  # cm
+SPIN_NEAR = 20.0  # cm,
+SPIN_FAR = 120.0  # cm
 
 
 class Situation:

@@ -11,9 +11,9 @@ from safety import own_box
 
 class Paw:
     SIDE = 5.0               # cm from the middle to a front leg
-    SPEED = 34.0
-    TURN_GAIN = 3.0
-    TURN = 120.0
+    SPEED = 34.0  # cm/s
+    TURN_GAIN = 3.0  # deg/s per deg
+    TURN = 120.0  # deg/s
     VISUAL = 15.0            # cm; a seen ball that near starts the attack
     ASIDE = 40.0             # deg; one seen farther aside ends it
 

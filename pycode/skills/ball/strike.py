@@ -9,24 +9,24 @@ from lib.geom import Point, clamp, heading
 class Strike:
     # The ball's place in the robot frame from which the kick hits it.
     KICK_AHEAD = 14.0        # actuator/data/motions/kick_forward.toml
-    KICK_NEAR = 12.4
+    KICK_NEAR = 12.4  # cm
     KICK_FAR = 15.4          # 190 ms pass until the kick begins: 1.5 cm at MIN_SPEED
-    KICK_SIDE = 1.8
+    KICK_SIDE = 1.8  # cm
     KICK_AIM = 14.0          # deg between the robot's and the goal's direction
-    FORWARD_GAIN = 1.5
-    FORWARD_SPEED = 26.0
+    FORWARD_GAIN = 1.5  # cm/s per cm
+    FORWARD_SPEED = 26.0  # cm/s
     GONE = 45.0              # the ball has rolled away: walk to it again
-    MIN_SPEED = 8.0
-    SIDE_GAIN = 1.5
-    SIDE_SPEED = 7.0
+    MIN_SPEED = 8.0  # cm/s
+    SIDE_GAIN = 1.5  # cm/s per cm
+    SIDE_SPEED = 7.0  # cm/s
     SIDE_FIRST = 3.0         # the ball farther aside: do not go closer than STAND_OFF
-    STAND_OFF = 18.0
-    TURN_GAIN = 1.2
-    TURN_SPEED = 30.0
+    STAND_OFF = 18.0  # cm
+    TURN_GAIN = 1.2  # deg/s per deg
+    TURN_SPEED = 30.0  # deg/s
     LOST_AIM = 28.0          # line up again
-    LOST_SIDE = 9.0
+    LOST_SIDE = 9.0  # cm
     UNSEEN = 1.5             # the chin hides a near ball; odometry carries it that long
-    TIME = 8.0
+    TIME = 8.0  # s
 
 
 class StepToKick(Skill):

@@ -23,8 +23,10 @@ LEAVE = 50.0          # cm; a ball that comes so near is looked at again
 LOOK_FRAMES = 10      # of which a head needs 5 for 70 deg
 SIGHTINGS = 2         # of the landmark that are enough
 BACK_FRAMES = 10      # for the head to find the ball again
-DUE_SOONEST, DUE_LATEST = 45, 120  # frames between looks of who waits
-BAD_SD, BAD_HEADING_SD = 55.0, 25.0  # cm, deg
+DUE_SOONEST = 45  # frames,
+DUE_LATEST = 120  # frames between looks of who waits
+BAD_SD = 55.0  # cm,
+BAD_HEADING_SD = 25.0  # deg
 GOOD_SD = 5.0         # cm; a pose this sure is looked after as seldom as allowed
 
 

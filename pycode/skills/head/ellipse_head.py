@@ -12,10 +12,11 @@ from skills.head.goalie_head import GoalieHead, Look, seen
 class Pan:
     """The full search of 2004: from left to right at the horizon's height, then quickly at the
     feet."""
-    SIDE = 88.0
+    SIDE = 88.0  # deg
     SPEED = 120.0            # deg/s
-    QUICK = 250.0
-    DOWN, FEET = 18.0, 48.0  # deg below the horizontal; 22 is half an image
+    QUICK = 250.0  # deg/s
+    DOWN = 18.0  # deg,
+    FEET = 48.0  # deg below the horizontal; 22 is half an image
 
 
 class EllipseHead(GoalieHead):

@@ -18,7 +18,8 @@ NEAR = 45.0            # cm; a nearer ball needs the head
 SEEN = 8               # frames in a row with the ball before a look
 SLOW = 15.0            # cm/s; of a ball that rolls faster the velocity must be seen
 LOOK = 11              # frames
-BAD_SD, BAD_HEADING_SD = 20.0, 9.0   # cm, deg
+BAD_SD = 20.0  # cm,
+BAD_HEADING_SD = 9.0  # deg
 SWEEP_PAN = 60.0       # deg
 SWEEP_DOWN = 4.0       # deg below the horizon
 

@@ -18,10 +18,14 @@ from skills.head.watch import Watch
 
 class Look:
     """Glances at landmarks; facts-2005 section 7.2: every 50 to 95 frames, for 9."""
-    EVERY_LOST, EVERY_SURE = 1.7, 3.2
-    SURE_SD, SURE_HEADING_SD = 6.0, 4.0
-    TIME = 0.3
-    SURVEY, SURVEY_TIME, SURVEY_DOWN = (75.0, 25.0, -25.0, -75.0), 0.26, 6.0  # pan, s, deg down
+    EVERY_LOST = 1.7         # s between glances,
+    EVERY_SURE = 3.2         # s while the pose is sure: to
+    SURE_SD = 6.0            # cm and
+    SURE_HEADING_SD = 4.0    # deg
+    TIME = 0.3  # s
+    SURVEY = 75.0, 25.0, -25.0, -75.0  # deg of pan, in turn
+    SURVEY_TIME = 0.26       # s at each
+    SURVEY_DOWN = 6.0        # deg below the horizontal
     AGAIN = 2.0              # s between two surveys of a lost pose
     STEADY = 0.7             # s of tracking before a glance
     FAR = 60.0               # cm to the ball; nearer it is not left alone,
@@ -30,9 +34,10 @@ class Look:
     STILL = 15.0             # cm/s of the ball towards the goal
     FRONT = 45.0             # deg of pan in every second glance; the near beacons are at 60
     RETURN = 0.25            # s at the angle of before, then at where gps has the ball
-    BELIEVED = 0.4
+    BELIEVED = 0.4  # s
     LOST = 0.25              # s unseen while it is looked at
-    TOLD, TOLD_EVERY = 0.5, 2.0  # s of looking to where mates see it, out of so many
+    TOLD = 0.5  # s,
+    TOLD_EVERY = 2.0  # s of looking to where mates see it, out of so many
 
 
 def seen(world, seconds=Watch.FRESH) -> bool:
@@ -91,8 +96,8 @@ class GoalieHead(Machine):
         if not seen(world, Look.LOST):
             return self.regain_ball(world)
         if self.asked and self.calm(world) or self.must_survey(world):
-            return self.enter(world, self.survey, None, 'the pose is lost' if self.hints.pose_lost else
-                              'the pose has jumped')
+            why = 'the pose is lost' if self.hints.pose_lost else 'the pose has jumped'
+            return self.enter(world, self.survey, None, why)
         mark = self.landmark(world)
         if mark is not None:
             self.glances += 1

@@ -7,17 +7,21 @@ from arbiter.skill import Skill
 from lib.geom import clamp
 from skills.ball.lost_ball import MAX_PAN
 
-FRAMES_PER_S = 30.0
-LOW_CRANE, HIGH_CRANE = -10.0, 10.0  # deg
-LOW_TILT, HIGH_TILT = 0.0, 0.0
-LOW_SPEED, HIGH_SPEED = 8.0, 9.0     # deg per frame
+FRAMES_PER_S = 30.0  # 1/s
+LOW_CRANE = -10.0  # deg,
+HIGH_CRANE = 10.0  # deg
+LOW_TILT = 0.0    # deg
+HIGH_TILT = 0.0   # deg
+LOW_SPEED = 8.0   # deg per frame
+HIGH_SPEED = 9.0  # deg per frame
 LOOK_DOWN_TILT = -30.0               # deg, where a ball at the feet may be (facts-2005 7.2)
 LOOK_DOWN_WITHIN = 40.0              # deg of pan
 LEAST_NOD = -5.0                     # deg; with the neck up the head would touch it (openr.md 5.6)
 # deg above the horizon: from 20 cm away to the horizon all is in the image, 45 deg high. Ours, for
 # who does not know where the ball is; rows of joint angles look up at the sides of a leaning body.
 LEVEL = -20.0
-FEET_TILT, FEET_FRAMES = -30.0, 3    # of the neck at the beginning: a ball may be at the feet
+FEET_TILT = -30.0  # deg of the neck,
+FEET_FRAMES = 3    # frames at the beginning: a ball may be at the feet
 # deg per frame; standing at up to 2.2 m the robot sees a ball in 1.00 of the images at 8 and 10
 # deg per frame, in 0.98 at 12, 0.92 at 16.
 LEVEL_SPEED = 12.0

@@ -19,7 +19,7 @@ NEAR = 28.0       # cm; a ball nearer than this is needed in the middle of the i
 # From an image to the head's answer to it on the physical body. With it balls that roll at 20 to 90
 # cm/s are in the middle third of the image, across and down, in 0.90 of the frames, else in 0.80.
 LATE_FRAMES = 4
-FRAMES_PER_S = 30.0
+FRAMES_PER_S = 30.0  # 1/s
 
 
 class TrackBall(Skill):

@@ -14,10 +14,11 @@ from skills.walk.look_round import Look
 class Features:
     """What the challenger's head looks at, of the field's features (lib/features.py)."""
     REACH = 80.0             # to either side
-    NEAREST, FARTHEST = 15.0, 200.0
+    NEAREST = 15.0           # cm
+    FARTHEST = 200.0         # cm
     CHOICE = 3               # so many of the best are looked at in turn
     TIME = 1.0               # a look; thesis 2004 section 4.1.6 has 1.3 s
-    WALL_PAN = 40.0
+    WALL_PAN = 40.0  # deg
 
 WALL_EVERY = 3  # every third look is at the wall, to the left and to the right in turn
 

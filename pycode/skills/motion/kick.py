@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Asks for a kick until it runs, then waits for its end. Keeps which, when it began and whether the
-# motion has run, from world.motion. A kick that never starts is given up after START_TIME; whether the ball was hit it cannot tell.
+# motion has run, from world.motion. A kick that never starts is given up after START_TIME; whether
+# the ball was hit it cannot tell.
 import kelpie
 from arbiter.skill import Skill
 

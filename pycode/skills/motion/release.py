@@ -4,8 +4,8 @@
 import kelpie
 from arbiter.skill import Skill
 
-START_S = 0.6
-LONGEST_S = 2.0
+START_S = 0.6  # s
+LONGEST_S = 2.0  # s
 
 
 class Release(Skill):

@@ -11,7 +11,7 @@ from lib.geom import from_field
 from lib.steer import facing
 
 STAYS = 6.0    # cm beyond the clearance until it is over
-SPEED = 34.0
+SPEED = 34.0  # cm/s
 WHY = {'holds': 'get_out_of_way', 'has_ball': 'plan_a', 'on_way': 'plan_b'}
 
 

@@ -11,10 +11,10 @@ from lib import ways
 from lib.geom import from_field, heading, polar
 from lib.steer import towards
 
-EVERY_FRAMES = 6
+EVERY_FRAMES = 6  # frames
 FAST_FROM = 60.0     # cm; from there on the fast walk, ahead only
 FAST_WITHIN = 20.0   # deg
-FAST_UNTIL = 30.0
+FAST_UNTIL = 30.0  # deg
 FAST_SPEED = 44.0    # cm/s
 
 

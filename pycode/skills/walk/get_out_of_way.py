@@ -5,7 +5,7 @@
 import kelpie
 from skills.walk.avoid_attacker import AvoidAttacker
 
-FRAMES = {kelpie.DEFENDER: 75, kelpie.STRIKER: 45, kelpie.SUPPORTER: 45}
+FRAMES = {kelpie.DEFENDER: 75, kelpie.STRIKER: 45, kelpie.SUPPORTER: 45}  # frames
 
 
 class GetOutOfWay(AvoidAttacker):

@@ -14,9 +14,9 @@ from skills.head.watch_field import WatchField
 
 class Challenge:
     STAND_OFF_CENTRE = 65.0  # the map is made from here, behind and beyond the middle
-    STAND_NEAR = 12.0
+    STAND_NEAR = 12.0  # cm
     STAND_TIME = 12.0        # s; then map from where it is
-    MAP_ROUNDS = 3
+    MAP_ROUNDS = 3  # rounds of the head
     MIN_STAGE = 10.0         # s; play halted earlier is the start
     SURE_SD = 15.0           # cm
     SURE_HEADING_SD = 6.0    # deg
@@ -24,16 +24,16 @@ class Challenge:
     LOST_SD = 40.0           # cm
     NEAR = 3.0               # cm from a point that count as there
     SETTLE = 0.8             # s that it stands before it announces the point
-    ANNOUNCE_TIME = 0.8
-    SPEED = 32.0
-    SLOW = 7.0
+    ANNOUNCE_TIME = 0.8  # s
+    SPEED = 32.0  # cm/s
+    SLOW = 7.0  # cm/s
     SLOW_DOWN = 1.3          # cm/s per cm
     FACE_FIRST = 6.0         # deg; turning on the spot ends
     FACE_AGAIN = 22.0        # deg; turning on the spot begins again
     FACE_NEAR = 170.0        # deg cm: 3 cm aside
     STEP_BACK = 15.0         # a point nearer than this and behind is backed to
-    TURN_GAIN = 2.0
-    TURN_SPEED = 80.0
+    TURN_GAIN = 2.0  # deg/s per deg
+    TURN_SPEED = 80.0  # deg/s
 
 
 class GoToPoint(Skill):

@@ -8,12 +8,12 @@ from lib.head import view
 
 
 class Look:
-    PAN = 86.0
+    PAN = 86.0  # deg
     PAN_SPEED = 75.0         # deg/s; line points need less than 156
     DOWN = (4.0, 18.0)       # deg of the view below the horizon, in turn
     SETTLE = 0.35            # s until the head has come to a row's beginning
     TURN = 115.0             # deg of the body between two rounds
-    TURN_SPEED = 60.0
+    TURN_SPEED = 60.0  # deg/s
 
 
 class LookRound(Machine):

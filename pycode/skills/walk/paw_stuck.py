@@ -15,7 +15,7 @@ from situation.headway import Headway
 
 BACK_S = 0.8          # ours; the body feels a paw for 0.4 s after it was pressed
 BACK_SPEED = -24.0    # cm/s
-SIDE_SPEED = 18.0
+SIDE_SPEED = 18.0  # cm/s
 # Whoever was met head on so recently is passed on the right, as it does the same. Of 51 meetings of
 # two discs (tests/py/test_paw_stuck.py) all end within 45 s; 36 do when both back straight again.
 AGAIN_S = 4.0

@@ -11,12 +11,14 @@ from lib.geom import from_field
 from lib.steer import towards
 from skills.head.scan_for_ball import ScanForBall
 
-UPPER, LOWER = 0.65, 0.35  # shares of the field's length
+UPPER = 0.65               # share of the field's length,
+LOWER = 0.35               # share of the field's length
 NEAR = 30.0                # cm; arrived
 LONGEST = 9.0              # s for one way
 HIDES_WITHIN = 250.0       # cm; behind a robot farther away little is hidden that is not far, too
 SEEN_WITHIN = 10.0         # s
-BESIDE, BEYOND = 50.0, 15.0  # cm from a robot, across and along the line of sight
+BESIDE = 50.0  # cm,
+BEYOND = 15.0  # cm from a robot, across and along the line of sight
 SAME = 60.0                # cm; a robot so near to where one was is the same
 EDGE = 30.0                # cm from the lines
 

@@ -5,7 +5,8 @@
 import kelpie
 from arbiter.skill import Skill
 
-SECONDS, SPEED = 0.4, -50.0   # s, cm/s: a dozen cm, of which the ball needs eight
+SECONDS = 0.4   # s,
+SPEED = -50.0   # cm/s: a dozen cm, of which the ball needs eight
 
 
 class StepBack(Skill):

@@ -17,8 +17,10 @@ from skills.head.watch import Scan, Sweep
 from skills.walk.bird_of_prey import BirdOfPrey
 from skills.walk.paw_stuck import PawStuck
 
-IN, OUT = 7.0, 12.0          # cm (facts-2005 section 7.2)
-TURNED, TURN_AGAIN = 10.0, 20.0   # deg
+IN = 7.0  # cm,
+OUT = 12.0  # cm (facts-2005 section 7.2)
+TURNED = 10.0  # deg,
+TURN_AGAIN = 20.0  # deg
 NEAR = 50.0                  # cm; from there on it turns up-field while it walks
 SLOW = 20.0                  # cm/s, of the last steps
 
