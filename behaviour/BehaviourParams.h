@@ -6,32 +6,10 @@
 #include <cstdint>
 
 #include "robot/core/Angle.h"
+#include "robot/core/Enumerations.h"
 #include "robot/core/Fields.h"
 
 namespace kelpie::behaviour {
-
-// Who plays: a forward, the goalie of 2006 or of 2004, the 2004 localisation challenge (thesis 2004
-// section 4.1), or one skill alone, begun anew in every frame (`kelpie vectors`).
-enum class PlayerKind : std::uint8_t { forward, goalie, goalie2004, challenger, skill };
-constexpr std::uint8_t kPlayerKindCount = 5;
-
-// What the kick choice goes by: the rules of thesis 2006 (algorithms 6.8 to 6.11), or the map of
-// where each kick sends the ball.
-enum class KickChoice : std::uint8_t { thesis, map };
-constexpr std::uint8_t kKickChoiceCount = 2;
-
-// What a shot is aimed by: the goal and its gaps as seen, or the pose.
-enum class Aiming : std::uint8_t { sight, pose };
-constexpr std::uint8_t kAimingCount = 2;
-
-// How a lost ball is looked for: the chain of thesis 2006 figure 6.2, or turning on the spot.
-enum class BallSearch : std::uint8_t { chain, spin };
-constexpr std::uint8_t kBallSearchCount = 2;
-
-// Where who does not play the ball goes: by the trees of thesis 2006 (algorithms 4.7 to 4.9), or by
-// locally weighted regression over examples (section 4.5.3).
-enum class Positioning : std::uint8_t { tree, regression };
-constexpr std::uint8_t kPositioningCount = 2;
 
 // The part of `world` that is fixed before the match.
 struct Task {

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "behaviour/PythonEnumerations.h"
 #include "behaviour/PythonNames.h"
 #include "behaviour/WorldFrame.h"
 #include "robot/body/FieldDescription.h"
@@ -18,18 +19,7 @@ constexpr const char* kEnums =
     "GOAL_BLUE, GOAL_YELLOW, BEACON_BLUE_ON_PINK, BEACON_PINK_ON_BLUE, BEACON_YELLOW_ON_PINK, \\\n"
     "    BEACON_PINK_ON_YELLOW = range(6)\n"
     "PINKS_OFF, PINKS_MAP, PINKS_LOCALISE = range(3)\n"
-    "FORWARD, GOALIE, GOALIE_2004, CHALLENGER, ONE_SKILL = range(5)\n"
-    "KICKS_BY_RULES, KICKS_BY_MAP = range(2)\n"
-    "AIMING_BY_SIGHT, AIMING_BY_POSE = range(2)\n"
-    "SEARCH_BY_CHAIN, SEARCH_BY_SPIN = range(2)\n"
-    "POSITIONS_BY_TREE, POSITIONS_BY_REGRESSION = range(2)\n"
-    "NO_ROLE, ATTACKER, SUPPORTER, STRIKER, DEFENDER, KEEPER = range(6)\n"
-    "GRABS_NOT, GRABS_SOON, HOLDS = range(3)\n"
     "LAYER_PLAYER, LAYER_ROLE, LAYER_DECISION, LAYER_SKILL = range(4)\n"
-    "NO_MOTION, STAND, SIT, KICK_FORWARD, HARD_FORWARD, WEDGE, HEAD_SWIPE_LEFT, \\\n"
-    "    HEAD_SWIPE_RIGHT, UPENN_LEFT, UPENN_RIGHT, BLOCK, BLOCK_LEFT, BLOCK_RIGHT, GRAB, \\\n"
-    "    GRAB_QUICK, HOLD, RELEASE, GET_UP_FRONT, GET_UP_BACK, GET_UP_LEFT, GET_UP_RIGHT, \\\n"
-    "    CHEER = range(22)\n"
     "WALK, WALK_FAST, WALK_TURNING, WALK_DRIBBLE, WALK_BACK, WALK_LOW, WALK_WEAK = range(7)\n"
     "AIM_JOINTS, AIM_DIRECTION, AIM_POINT = range(3)\n"
     "NOT_FALLEN, ON_FRONT, ON_BACK, ON_LEFT, ON_RIGHT = range(5)\n"
@@ -46,12 +36,12 @@ constexpr const char* kEnums =
     "    (1 << i for i in range(20, 26))\n"
     // Stands for an object that was not given. None would hide a function that forgot to answer.
     "ANEW = object()\n";
-static_assert(kLandmarkKindCount == 6 && kMotionKindCount == 22 && kPinkUseCount == 3 &&
-                  kPlayerKindCount == 5 && kTraceLayerCount == 4 && kKickChoiceCount == 2 &&
-                  kAimingCount == 2 && kPositioningCount == 2 && kRoleCount == 6 &&
-                  kGrabsCount == 3 && kBallSearchCount == 2 && kWalkKindCount == 7 &&
-                  kHeadAimCount == 3 && kFallSideCount == 5,
+static_assert(kLandmarkKindCount == 6 && kPinkUseCount == 3 && kTraceLayerCount == 4 &&
+                  kWalkKindCount == 7 && kHeadAimCount == 3 && kFallSideCount == 5,
               "kEnums must follow its enums");
+
+// All names: those that registry.py lists, and the others.
+std::string enumsText() { return std::string(kEnums) + kEnumerations; }
 
 std::string number(double value) {
   const std::string text = numberText(value);
@@ -165,7 +155,7 @@ class ClassWriter {
 std::string kelpieModuleText() {
   ClassWriter writer;
   writer.write<Command>();
-  return std::string(kEnums) + writer.text();
+  return enumsText() + writer.text();
 }
 
 std::string kelpieStandInText() {
@@ -174,10 +164,10 @@ std::string kelpieStandInText() {
   writer.write<WorldFrame>();
   return std::string(
              "# SPDX-License-Identifier: Apache-2.0\n"
-             "# Stands in for the host's module `kelpie` under a plain python3. Written "
-             "from the field lists:\n"
-             "# behaviour_names > tests/py/kelpie.py; a test compares.\n") +
-         kEnums + writer.text() + fieldsText();
+             "# Stands in for the host's module `kelpie` under a plain python3. Written from the "
+             "field\n"
+             "# lists by behaviour_names when the tree is built.\n") +
+         enumsText() + writer.text() + fieldsText();
 }
 
 }  // namespace kelpie::behaviour

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Prints the stand-in for the module `kelpie`: behaviour_names > tests/py/kelpie.py
+// Prints the stand-in for the module `kelpie`: for tests/py, which finds it in the build folder
 #include <cstdio>
 
 #include "behaviour/KelpieModule.h"

@@ -11,10 +11,23 @@ if(KELPIE_FUZZ)
   set(KELPIE_WARNINGS -w)
 endif()
 
+# What the tree lists once, as C++ and as Python names: made when the tree is configured, and again
+# when one of its files changes, so that no target has to wait for it.
+set(KELPIE_GENERATED ${CMAKE_BINARY_DIR}/generated)
+file(GLOB KELPIE_LISTED CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/actuator/data/motions/*.toml)
+set(KELPIE_REGISTRY ${CMAKE_SOURCE_DIR}/actuator/data/registry.py
+                    ${CMAKE_SOURCE_DIR}/robot/core/enumerations.toml)
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${KELPIE_LISTED} ${KELPIE_REGISTRY})
+execute_process(
+  COMMAND /usr/bin/python3 ${CMAKE_SOURCE_DIR}/actuator/data/registry.py
+          ${CMAKE_SOURCE_DIR}/actuator/data/motions ${CMAKE_SOURCE_DIR}/robot/core/enumerations.toml
+          ${KELPIE_GENERATED}
+  COMMAND_ERROR_IS_FATAL ANY)
+
 function(kelpie_flags target)
   target_compile_options(${target} PRIVATE ${KELPIE_WARNINGS} -ffp-contract=off)
   target_compile_definitions(${target} PRIVATE EIGEN_DONT_VECTORIZE)
-  target_include_directories(${target} PUBLIC ${CMAKE_SOURCE_DIR})
+  target_include_directories(${target} PUBLIC ${CMAKE_SOURCE_DIR} ${KELPIE_GENERATED})
 endfunction()
 
 function(kelpie_library target)

@@ -24,7 +24,7 @@ CITATION = re.compile(
     rf"|\b[Cc]hecklist (?P<rows>{ROWS})|\b(?P<row>[GHKMU]\d\d)\b"
     rf"|(?:\b[Tt]hesis )?\b(?P<year>200[46]) \(?(?P<places>{PLACES}(?:, {PLACES})*)"
     rf"|\b[Tt]hesis (?P<bare_year>200[46]) (?P<sections>{NUMBERS})"
-    r"|(?:shared/|(?<![\w/]))data/(?P<data>[a-z0-9-]+)"
+    r"|(?:shared/|(?<![\w/]))data/(?P<data>[a-z0-9-]+)(?![\w./-]*\.py)"
     rf"|\b(?P<vague>{NAME}|[Cc]hecklist)\b")
 MARKER = re.compile(r"^\s*(?://+|#+|\*)?\s*")
 

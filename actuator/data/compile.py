@@ -10,12 +10,12 @@ import sys
 import tomllib
 from pathlib import Path
 
-MOTIONS = ("none stand sit kick_forward hard_forward wedge head_swipe_left head_swipe_right "
-           "upenn_left upenn_right block block_left block_right grab grab_quick hold release "
-           "get_up_front get_up_back get_up_left get_up_right cheer").split()
+import registry
+
 MOUTH_SHUT = -3
 LEGS = ["left_front", "left_hind", "right_front", "right_hind"]
-MOTION_KEYS = {"about", "slew", "at_once", "return_ticks", "way", "kick", "frame"}
+MOTION_KEYS = {"about", "motion", "learn", "slew", "at_once", "return_ticks", "way", "kick",
+               "frame"}
 FRAME_KEYS = {"ticks", "interpolate", "gain", "head", "mouth", "legs", "walk", "forward", "left",
               "turn", "front", "hind", *LEGS}
 
@@ -152,7 +152,7 @@ def read_motion(path):
     table = read(path)
     if "mirror" not in table:
         return table
-    check_keys(table, {"mirror", "about"})
+    check_keys(table, {"mirror", "about", "motion"})
     table = read(path.with_name(table["mirror"] + ".toml"))
     for part in ("way", "kick"):
         for key in set(table.get(part, {})) & {"left", "turn", "direction"}:
@@ -165,21 +165,22 @@ def program(walks, folder):
     yield '#include "actuator/MotionData.h"'
     yield '#include "actuator/WalkSet.h"'
     yield "namespace kelpie::actuator {"
-    names = ", ".join(f'"{name}"' for name in MOTIONS)
+    listed = ["none", *(one.name for one in registry.motions(folder))]
+    names = ", ".join(f'"{name}"' for name in listed)
     yield f"const std::array<const char*, kMotionKindCount> kMotionNames{{{names}}};"
     yield "namespace {"
     yield "WalkSets walks() { WalkSets sets;"
     for path in sorted(walks.glob("*.toml")):
         yield from assignments("sets", read(path)["actuator"]["walks"])
     yield "return sets; }"
-    found = [name for name in MOTIONS if (folder / f"{name}.toml").exists()]
+    found = listed[1:]
     for name in found:
         try:
             yield from motion(name, read_motion(folder / f"{name}.toml"))
         except (Wrong, KeyError) as wrong:
             raise SystemExit(f"{folder / name}.toml: {wrong}")
     yield "Motions motions() { Motions all;"
-    yield from (f"{name}(all.of[{MOTIONS.index(name)}]);" for name in found)
+    yield from (f"{name}(all.of[{listed.index(name)}]);" for name in found)
     yield "return all; }"
     yield "}  // namespace"
     yield "const WalkSets& standardWalks() { static const WalkSets sets = walks(); return sets; }"
@@ -188,4 +189,8 @@ def program(walks, folder):
 
 
 if __name__ == "__main__":
-    Path(sys.argv[3]).write_text("\n".join(program(Path(sys.argv[1]), Path(sys.argv[2]))) + "\n")
+    try:
+        text = "\n".join(program(Path(sys.argv[1]), Path(sys.argv[2]))) + "\n"
+    except registry.Wrong as wrong:
+        sys.exit(f"{wrong}")
+    Path(sys.argv[3]).write_text(text)

@@ -12,9 +12,6 @@ from lib.ways import aside_of, attacker_of, point_of
 from situation import keep_off
 
 EVERY_FRAMES = 10     # of a regression: 14000 operations of the interpreter
-# Shares of width and length.
-WITHOUT_BALL = {kelpie.STRIKER: (0.7, 0.65), kelpie.SUPPORTER: (0.5, 0.4),
-                kelpie.DEFENDER: (0.5, 0.22)}
 
 
 class Home:
@@ -30,7 +27,7 @@ class Home:
         at = self.string.update(ball)
         self.frames -= 1
         if at is None:
-            wide, long = WITHOUT_BALL[role]
+            wide, long = positions.WITHOUT_BALL[role]
             self.raw = wide * world.field.width, long * world.field.length, None
         elif world.task.positions == kelpie.POSITIONS_BY_REGRESSION:
             if self.frames <= 0 or self.raw is None:

@@ -27,7 +27,8 @@ LET_GO = 0.7           # [0.35, 1] share of its place's worth that a ball let go
 FREED = 0.4            # [0.2, 0.8] share of the kicks that move the ball farther than 30 cm with
                        # somebody under the nose: 11 of 29 in two matches, of the others 59 of 76
 BESIDE = 30.0          # deg
-AHEAD = (kelpie.HARD_FORWARD, kelpie.WEDGE)
+# Held kicks straight ahead, as far as the map knows.
+AHEAD = tuple(kick for kick in kick_table.kicks(True) if kelpie.KICKS[kick].mirror == kick)
 HELD_AHEAD = 8.0       # cm from the neck to a held ball
 
 

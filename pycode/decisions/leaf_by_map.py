@@ -13,9 +13,10 @@ from decisions.kick_map_choice import AHEAD, worth_of_way
 from lib import kick_table
 from lib.geom import wrap
 
-FREE = {tree.UPENN_LEFT: kelpie.UPENN_LEFT, tree.UPENN_RIGHT: kelpie.UPENN_RIGHT,
-        tree.HEAD_LEFT: kelpie.HEAD_SWIPE_LEFT, tree.HEAD_RIGHT: kelpie.HEAD_SWIPE_RIGHT,
-        tree.KICK_AHEAD: kelpie.KICK_FORWARD}
+# The leaves that kick a free ball, those whose kick goes farthest first.
+FREE = {kelpie.KICKS[kick].leaf: kick
+        for kick in sorted(kick_table.kicks(False), key=lambda kick: -kelpie.KICKS[kick].distance)
+        if kelpie.KICKS[kick].leaf}
 GRAB = 'grab'
 WAYS = (GRAB, *FREE)
 SECOND = 0.02          # worth of a second: a kick of 170 cm takes 7 s, the walk after it counted

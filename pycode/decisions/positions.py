@@ -55,7 +55,10 @@ def defender(field, ball):
     return middle + 0.5 * (x - middle), place_y
 
 
+# By role: the place for a ball, and shares of width and length without one.
 PLACES = {kelpie.STRIKER: striker, kelpie.SUPPORTER: supporter, kelpie.DEFENDER: defender}
+WITHOUT_BALL = {kelpie.STRIKER: (0.7, 0.65), kelpie.SUPPORTER: (0.5, 0.4),
+                kelpie.DEFENDER: (0.5, 0.22)}
 
 
 class BallOnString:

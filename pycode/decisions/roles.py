@@ -21,7 +21,7 @@ HAND_OVER_S = 0.5
 CHALLENGE_S = 0.15
 HOME_S = 1.0         # [0.5, 2] bonus of the defender of the last frame (facts-2005 section 7.1)
 EVERY_FRAMES = 3     # a tenth of a second: the team is told at 6 Hz
-NAMES = ('none', 'attacker', 'supporter', 'striker', 'defender', 'goalie')
+NAMES = kelpie.ROLE_NAMES
 
 Answer = tuple       # whether, the reason, its numbers
 

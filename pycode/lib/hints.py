@@ -1,24 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
 # Where a ball comes out that a skill has lost: table 6.1 of thesis 2006, and one of ours, as
 # (distance cm, heading deg), for Memory.set_hint. Left is positive. Keeps nothing. A kick that
-# missed leaves the ball elsewhere: a hint holds for half a second only.
-import kelpie
-
+# missed leaves the ball elsewhere: a hint holds for half a second only. What a kick leaves, its
+# motion's file says (kelpie.KICKS).
 GRAB = (30.0, 0.0)           # lost while approaching to grab: ahead
 LEFT_LYING = (25.0, 0.0)     # let go, or kicked at somebody: where it lay, a step back
 DRIBBLE = (35.0, 120.0)      # lost while turning with it: it stays behind the turn
-HEAD_KICK = (50.0, 30.0)  # cm, deg
-UPENN_KICK = (25.0, 30.0)  # cm, deg
-KICKS = {kelpie.HEAD_SWIPE_LEFT: (HEAD_KICK, 1.0), kelpie.HEAD_SWIPE_RIGHT: (HEAD_KICK, -1.0),
-         kelpie.UPENN_LEFT: (UPENN_KICK, 1.0), kelpie.UPENN_RIGHT: (UPENN_KICK, -1.0)}
 
 
 def of_dribble(turn_side) -> tuple[float, float]:
     """`turn_side`: +1 while turning left with the ball, which is then lost to the right."""
     return DRIBBLE[0], -DRIBBLE[1] * turn_side
-
-
-def of_kick(motion):
-    """The hint of a motion, or None for one that the table does not have."""
-    hint, side = KICKS.get(motion, (None, 0.0))
-    return None if hint is None else (hint[0], hint[1] * side)

@@ -13,7 +13,7 @@ from lib.geom import Point, clamp, polar, wrap
 
 Outcome = tuple[float, float, float, float, float]
 
-LEFT_OF = {kelpie.HEAD_SWIPE_RIGHT: kelpie.HEAD_SWIPE_LEFT, kelpie.UPENN_RIGHT: kelpie.UPENN_LEFT}
+LEFT_OF = {kick: told.mirror for kick, told in kelpie.KICKS.items() if told.mirror < kick}
 RIGHT_OF = {left: right for right, left in LEFT_OF.items()}
 NOTHING = (0.0, 0.0, 0.0, 0.0, 0.0)
 BALL_RADIUS = 4.2   # cm

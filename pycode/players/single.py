@@ -32,16 +32,17 @@ def line_up_kick(world, memory):
     return LineUpKick(memory, goal)
 
 
+def free_kick(kick):
+    return lambda world, memory: KickBall(memory, kick)
+
+
 SKILLS = {
     'attacker': attacker,
     'avoid_own_box': lambda world, memory: AvoidOwnBox(memory),
     'find_ball': FindBall,
     'grab_dribble': grab_dribble,
     'line_up_kick': line_up_kick,
-    'head_left': lambda world, memory: KickBall(memory, kelpie.HEAD_SWIPE_LEFT),
-    'head_right': lambda world, memory: KickBall(memory, kelpie.HEAD_SWIPE_RIGHT),
-    'upenn_left': lambda world, memory: KickBall(memory, kelpie.UPENN_LEFT),
-    'upenn_right': lambda world, memory: KickBall(memory, kelpie.UPENN_RIGHT),
+    **{told.leaf: free_kick(kick) for kick, told in kelpie.KICKS.items() if told.leaf},
 }
 
 

@@ -39,9 +39,7 @@ FOLLOW = 40.0  # cm/s: a ball that went ahead is followed meanwhile,
 FOLLOW_FROM = 30.0      # cm; not one that was left lying
 BOX_WAIT_FRAMES = 90    # who has no goalie waits so long for its ball to leave the own box
 BOX_LEFT_Y = 130.0      # cm; a ball beyond has left it for certain
-KICKS = {tree.UPENN_LEFT: kelpie.UPENN_LEFT, tree.UPENN_RIGHT: kelpie.UPENN_RIGHT,
-         tree.KICK_AHEAD: kelpie.KICK_FORWARD,
-         tree.HEAD_LEFT: kelpie.HEAD_SWIPE_LEFT, tree.HEAD_RIGHT: kelpie.HEAD_SWIPE_RIGHT}
+KICKS = {told.leaf: kick for kick, told in kelpie.KICKS.items() if told.leaf}
 LINE_UP = 'line_up_kick'    # in place of a grab when that is switched off
 # Why the ball is looked for by who comes from another state than play.
 LEFT = {'back_off': 'the paws are free', 'localise': 'looked at a landmark',

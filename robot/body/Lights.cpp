@@ -11,7 +11,8 @@ constexpr std::uint32_t kTeams = kLightBackFront | kLightBackRear;
 constexpr std::uint32_t kFailed = 1U << (kFirstFaceLight + 11U);
 constexpr std::uint32_t kPair = 3;
 constexpr double kFaultHalfPeriods = 4.0;  // 1/s
-constexpr std::uint32_t kRoles = ((1U << (2U * (kRoleCount - 1U))) - 1U) << kFirstFaceLight;
+constexpr std::uint32_t kShownRoles = 5;   // for more the face has no pairs left
+constexpr std::uint32_t kRoles = ((1U << (2U * kShownRoles)) - 1U) << kFirstFaceLight;
 
 // In the order of Rest: which of the face's lights from the 11th on, and why.
 struct RestRow {
@@ -52,8 +53,10 @@ std::uint32_t lightsOf(TeamColour team) {
 }
 
 std::uint32_t lightsOf(Role role) {
-  if (role == Role::none) return 0;
-  return kPair << (kFirstFaceLight + 2U * (static_cast<std::uint32_t>(role) - 1U));
+  const auto number = static_cast<std::uint32_t>(role);
+  return role == Role::none || number > kShownRoles
+             ? 0U
+             : kPair << (kFirstFaceLight + 2U * (number - 1U));
 }
 
 std::uint32_t faultLights(std::uint32_t number, TimeUs time) {

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "robot/core/Angle.h"
+#include "robot/core/Enumerations.h"
 #include "robot/core/Fields.h"
 #include "robot/core/FixedVector.h"
 #include "robot/core/Geometry.h"
@@ -85,38 +86,6 @@ struct EarRequest {
     return fieldList(field("leftUp", &EarRequest::leftUp), field("rightUp", &EarRequest::rightUp));
   }
 };
-
-// Special motions: key frames that replace the walk while they run (actuator/data/motions).
-// kickForward strikes a ball that lies ahead, hardForward and wedge one that is held. Sides name
-// where the ball goes or the robot lies.
-enum class MotionKind : std::uint8_t {
-  none,
-  stand,
-  sit,
-  kickForward,
-  hardForward,
-  wedge,
-  headSwipeLeft,
-  headSwipeRight,
-  upennLeft,
-  upennRight,
-  block,
-  blockLeft,
-  blockRight,
-  grab,
-  grabQuick,
-  hold,
-  release,
-  getUpFront,
-  getUpBack,
-  getUpLeft,
-  getUpRight,
-  cheer
-};
-constexpr std::uint8_t kMotionKindCount = 22;
-constexpr bool isKick(MotionKind kind) {
-  return kind >= MotionKind::kickForward && kind <= MotionKind::upennRight;
-}
 
 // Why the behaviour host answered in place of the script.
 enum class Fallback : std::uint8_t { none, notLoaded, scriptError, badCommand, timeLimit };

@@ -5,18 +5,11 @@
 
 #include <cstdint>
 
+#include "robot/core/Enumerations.h"
 #include "robot/core/Fields.h"
 #include "robot/core/Geometry.h"
 
 namespace kelpie {
-
-// Thesis 2006 section 4.4; `none` of who does not play, as a penalised robot.
-enum class Role : std::uint8_t { none, attacker, supporter, striker, defender, goalie };
-constexpr std::uint8_t kRoleCount = 6;
-
-// Whether it has the ball in its hold, or is about to.
-enum class Grabs : std::uint8_t { no, soon, holds };
-constexpr std::uint8_t kGrabsCount = 3;
 
 constexpr double kNoTime = 1000.0;  // s to the ball, of who does not go for it
 

@@ -35,8 +35,7 @@ MotionKind motionFor(FallSide side) {
 }
 
 bool getsUp(const MotionStatus& motion) {
-  return motion.feeling.fallen != FallSide::none ||
-         (motion.running >= MotionKind::getUpFront && motion.running <= MotionKind::getUpRight);
+  return motion.feeling.fallen != FallSide::none || isGetUp(motion.running);
 }
 
 void explain(Command& command, const char* branch, const char* reason) {

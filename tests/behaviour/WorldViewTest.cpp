@@ -96,12 +96,5 @@ TEST(WorldView, ReferenceKeptFromAnEarlierFrameShowsTheNewestOne) {
   EXPECT_EQ(run.step().walk.forward, 4.0);
 }
 
-TEST(WorldView, StandInForPlainPythonIsUpToDate) {
-  std::ifstream file(KELPIE_SOURCE_DIR "/tests/py/kelpie.py");
-  std::stringstream text;
-  text << file.rdbuf();
-  EXPECT_EQ(text.str(), kelpieStandInText()) << "run behaviour_names > tests/py/kelpie.py";
-}
-
 }  // namespace
 }  // namespace kelpie::behaviour

@@ -14,7 +14,7 @@ class SkillField : public testing::Test {
   Expected<std::vector<SkillStep>> steps(const std::string& body) {
     const behaviour::Scripts scripts(body);
     behaviour::BehaviourState behaviours(scripts.path());
-    config->behaviour.task.player = behaviour::PlayerKind::skill;
+    config->behaviour.task.player = PlayerKind::skill;
     config->behaviour.task.skill = 3;
     return skillField(*config, question, behaviours);
   }

@@ -27,6 +27,10 @@ FREE = {kelpie.KICK_FORWARD: (0.0, 14.0, 2.5, 150.0, 0.0),
         kelpie.HEAD_SWIPE_RIGHT: (-3.0, 13.0, 3.5, 200.0, -37.0),
         kelpie.UPENN_LEFT: (6.0, 12.0, 3.5, 205.0, 42.0),
         kelpie.UPENN_RIGHT: (-6.0, 12.0, 3.5, 205.0, -42.0)}
+# A kick that is new goes where its own file says.
+FREE = {**{kick: (-told.place[1], told.place[0], 3.5, told.distance, 0.0)
+           for kick, told in kelpie.KICKS.items() if told.leaf}, **FREE}
+LASTS = {**{kick: 0.5 for kick in kelpie.KICKS}, **LASTS}
 HELD = {kelpie.HARD_FORWARD: (170.0, 0.0), kelpie.WEDGE: (125.0, 0.0),
         kelpie.HEAD_SWIPE_LEFT: (200.0, 75.0), kelpie.HEAD_SWIPE_RIGHT: (200.0, -75.0),
         kelpie.UPENN_LEFT: (205.0, 75.0), kelpie.UPENN_RIGHT: (205.0, -75.0)}

@@ -21,7 +21,7 @@ from skills.ball.dribble import Dribble
 from skills.ball.find_ball import FindBall
 from skills.ball.grab import Grab
 from skills.ball.grab_dribble import GrabDribble
-from skills.ball.kick_ball import PLACES, KickBall
+from skills.ball.kick_ball import KickBall
 from skills.ball.line_up_kick import LineUpKick
 from skills.head.active_localise import ActiveLocalise
 from skills.walk.avoid_own_box import AvoidOwnBox
@@ -49,6 +49,8 @@ PLAYERS = {
     'challenger': (Challenger, 2, {'challenger': {'find_out', 'go_to_stand', 'waits'}}),
     'one_skill': (OneSkill, 2, {})}
 
+FREE_KICKS = [kick for kick, told in kelpie.KICKS.items() if told.leaf]
+
 
 def grab_dribble(random, memory):
     choose = HeldChoice(memory, Contested()).choose
@@ -56,7 +58,7 @@ def grab_dribble(random, memory):
 
 
 def any_kick(random, memory):
-    return KickBall(memory, random.pick(list(PLACES)))
+    return KickBall(memory, random.pick(list(FREE_KICKS)))
 
 
 def any_dribble(random, memory):

@@ -111,11 +111,11 @@ def test_a_scan_lies_about_the_ball_as_far_as_the_head_goes(ball, half, limits):
 def test_hints_are_on_the_side_on_which_the_ball_leaves():
     assert hints.GRAB == (30.0, 0.0)
     assert hints.of_dribble(1.0) == (35.0, -120.0) and hints.of_dribble(-1.0) == (35.0, 120.0)
-    assert hints.of_kick(kelpie.HEAD_SWIPE_LEFT) == (50.0, 30.0)
-    assert hints.of_kick(kelpie.HEAD_SWIPE_RIGHT) == (50.0, -30.0)
-    assert hints.of_kick(kelpie.UPENN_LEFT) == (25.0, 30.0)
-    assert hints.of_kick(kelpie.UPENN_RIGHT) == (25.0, -30.0)
-    assert hints.of_kick(kelpie.KICK_FORWARD) is None
+    assert kelpie.KICKS[kelpie.HEAD_SWIPE_LEFT].hint == (50.0, 30.0)
+    assert kelpie.KICKS[kelpie.HEAD_SWIPE_RIGHT].hint == (50.0, -30.0)
+    assert kelpie.KICKS[kelpie.UPENN_LEFT].hint == (25.0, 30.0)
+    assert kelpie.KICKS[kelpie.UPENN_RIGHT].hint == (25.0, -30.0)
+    assert kelpie.KICKS[kelpie.KICK_FORWARD].hint is None
 
 
 def test_the_width_of_a_covariance_is_that_of_its_widest_axis():

@@ -393,7 +393,8 @@ def test_the_time_of_a_survey_is_none_in_which_the_ball_was_looked_for():
     player.eyes.surveyed_s = 100.0 - guard_place.UNSEEN + 0.1
     assert place_of(player, scenery.world) is None
     scenery.world.ball.seconds_since_seen = guard_place.LOST + 1.0
-    assert place_of(player, scenery.world) == places.central_place(scenery.world.field, places.LEAST_Y)
+    assert place_of(player, scenery.world) == places.central_place(scenery.world.field,
+                                                                   places.LEAST_Y)
 
 
 @pytest.mark.parametrize('ahead, right, steps_back', [

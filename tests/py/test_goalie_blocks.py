@@ -97,7 +97,8 @@ def test_a_ball_just_found_is_not_blocked_but_a_single_frame_may_miss_it():
     """Found elsewhere, it seems to have come from where it was believed."""
     memory = seeing()
     watch, ball = ShotWatch(memory), 180 + 120j
-    for run, lost, believed in [(shot_watch.SEEN_FRAMES - 2, 0, 0), (shot_watch.SEEN_FRAMES - 1, 0, 0),
+    for run, lost, believed in [(shot_watch.SEEN_FRAMES - 2, 0, 0),
+                                (shot_watch.SEEN_FRAMES - 1, 0, 0),
                                 (shot_watch.SEEN_FRAMES, 0, 1), (0, 1, 2), (1, 0, 3), (0, 1, 4),
                                 (0, 2, 0), (1, 0, 0)]:
         memory.ball_run, memory.ball_lost = run, lost

@@ -138,7 +138,8 @@ def test_no_wish_takes_the_goalie_out_of_its_box():
         at = pose(chance.uniform(left, right), chance.uniform(near, far), chance.uniform(-180, 180))
         forward, left = chance.uniform(-40, 40), chance.uniform(-40, 40)
         for _ in range(60):
-            ahead, aside = own_box.kept_in_box(FIELD, at, forward, left, own_box.MARGIN, own_box.SECONDS)
+            ahead, aside = own_box.kept_in_box(FIELD, at, forward, left, own_box.MARGIN,
+                                               own_box.SECONDS)
             x, y = places.to_field(at.heading_deg, ahead, aside)
             at.position.x += x / 30
             at.position.y += y / 30

@@ -32,7 +32,8 @@ def feels(place):
 
 
 @pytest.mark.parametrize('chest, there', [
-    (at_body.CHEST_NEAR - 0.1, True), (at_body.CHEST_NEAR + 0.1, False), (at_body.CHEST_FAR - 0.1, False),
+    (at_body.CHEST_NEAR - 0.1, True), (at_body.CHEST_NEAR + 0.1, False),
+    (at_body.CHEST_FAR - 0.1, False),
     (at_body.CHEST_FAR + 0.1, True), (at_body.NOTHING + 1.0, False)])
 def test_the_infrared_tells_a_ball_from_the_carpet(chest, there):
     scenery = believes(180 + 150j)

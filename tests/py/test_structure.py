@@ -188,7 +188,8 @@ def test_each_field_of_the_memory_has_one_writer(path):
 
 
 def test_all_that_the_memory_keeps_is_written_by_it_alone():
-    methods = {each.name for one in ast.walk(ast.parse((PYCODE / 'situation/memory.py').read_text()))
+    text = (PYCODE / 'situation/memory.py').read_text()
+    methods = {each.name for one in ast.walk(ast.parse(text))
                if isinstance(one, ast.ClassDef) for each in one.body
                if isinstance(each, ast.FunctionDef) and not each.name.startswith('_')}
     assert methods == set(WRITERS) | {'update'}

@@ -168,7 +168,7 @@ int calibrateMotion(const MotionOptions& options) {
   const std::string about = fmt::format("kelpie calibrate motion {} --trials {} --seed {}{}\n{}",
                                         options.name, options.plan.trials, options.plan.seed,
                                         options.turned ? " --turned" : "", verdict);
-  if (!writeWhole(options.out, learn::motionText(*motion, about)))
+  if (!writeWhole(options.out, learn::motionText(*motion, about, *kind)))
     return fail(options.out + ": cannot be written", kExitBadInput);
   return kExitDone;
 }

@@ -140,7 +140,6 @@ Status checkConfig(const SessionOptions& session) {
 
 // A keeper of the other team is told what it is by its parameters.
 void addOpponent(PlayOptions& options) {
-  using behaviour::PlayerKind;
   if (options.opponent == "none") return;
   const PlayerKind kind =
       options.opponent == "goalie" ? PlayerKind::goalie : PlayerKind::goalie2004;

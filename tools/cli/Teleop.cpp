@@ -156,7 +156,7 @@ int runTeleop(TeleopOptions& options) {
 
 std::string helpOnKeys() {
   std::string text = "Keys:";
-  for (const char* line : teleop::kKeyHelp) text += std::string("\n  ") + line;
+  for (const std::string& line : teleop::keyHelp()) text += "\n  " + line;
   return text;
 }
 

@@ -144,7 +144,7 @@ int vectors(const VectorOptions& options) {
   behaviour::BehaviourState behaviours(options.pycode);
   const auto number = numberOf(options.skill, behaviours);
   if (!number) return fail(number.error(), kExitBadInput);
-  config->behaviour.task.player = behaviour::PlayerKind::skill;
+  config->behaviour.task.player = PlayerKind::skill;
   config->behaviour.task.skill = *number;
   config->behaviour.reload = false;
   const auto steps = skillField(*config, question, behaviours);

@@ -61,9 +61,7 @@ double gainOn(const actuator::MotionData& motion, const MotionStage& stage) {
 
 }  // namespace
 
-bool isBlock(MotionKind kind) {
-  return kind >= MotionKind::block && kind <= MotionKind::blockRight;
-}
+bool isBlock(MotionKind kind) { return useOf(kind) == MotionUse::block; }
 
 double blockGain(const actuator::MotionData& motion, const std::vector<MotionStage>& stages) {
   std::vector<double> gains(stages.size());

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <mutex>
 
+#include "actuator/MotionList.h"
 #include "robot/core/Random.h"
 #include "robot/host/OnCores.h"
 #include "tools/learn/HeldBall.h"
@@ -52,13 +53,12 @@ KickGrid emptyGrid(MotionKind motion, KickFrom from, const KickMapPlan& plan) {
 // The left one of each pair.
 KickMap emptyMap(const KickMapPlan& plan) {
   KickMap map;
-  for (const KickFrom from : {KickFrom::standing, KickFrom::walking})
-    for (const MotionKind free :
-         {MotionKind::kickForward, MotionKind::headSwipeLeft, MotionKind::upennLeft})
-      map.push_back(emptyGrid(free, from, plan));
-  for (const MotionKind held : {MotionKind::hardForward, MotionKind::wedge,
-                                MotionKind::headSwipeLeft, MotionKind::upennLeft})
-    map.push_back(emptyGrid(held, KickFrom::hold, plan));
+  for (const KickFrom from : {KickFrom::standing, KickFrom::walking, KickFrom::hold})
+    for (const KickAim& aim : kicks()) {
+      const actuator::ListedMotion& kick = actuator::listed(aim.motion);
+      if (from == KickFrom::hold ? kick.held : kick.free)
+        map.push_back(emptyGrid(aim.motion, from, plan));
+    }
   return map;
 }
 

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "actuator/MotionList.h"
 #include "actuator/MotionPlayer.h"
 #include "robot/core/Random.h"
 #include "tools/learn/HeldBall.h"
@@ -70,17 +71,33 @@ KickStart copyOf(const KickStart& other) {
   return start;
 }
 
+// A kick that may be done from the hold and from the carpet is learnt from there.
+KickAim wished(MotionKind motion, const actuator::KickWish& wish) {
+  const bool held = !actuator::listed(motion).free;
+  const actuator::KickEffect& kick = actuator::standardMotions()[motion].kick;
+  const Point2<Robot> lies{-kick.left, kick.ahead};
+  return {motion,
+          held,
+          held ? Point2<Robot>{0.0, kHeldAhead} : lies,
+          wish.scatter,
+          wish.distance,
+          Angle::deg(wish.least),
+          Angle::deg(wish.most),
+          static_cast<int>(wish.frames)};
+}
+
 }  // namespace
 
 const std::vector<KickAim>& kicks() {
-  const auto deg = [](double value) { return Angle::deg(value); };
-  static const std::vector<KickAim> all{
-      {MotionKind::kickForward, false, {0.0, 14.0}, 1.2, 180.0, deg(-4), deg(4), 20},
-      {MotionKind::hardForward, true, {0.0, kHeldAhead}, 0.6, 250.0, deg(-3), deg(3), 20},
-      {MotionKind::wedge, true, {0.0, kHeldAhead}, 0.6, 100.0, deg(-2), deg(2), 16},
-      {MotionKind::headSwipeLeft, false, {3.0, 13.0}, 1.2, 190.0, deg(30), deg(50), 13},
-      {MotionKind::upennLeft, false, {6.0, 12.0}, 1.2, 250.0, deg(45), deg(60), 16},
-  };
+  static const std::vector<KickAim> all = [] {
+    std::vector<KickAim> aims;
+    for (std::uint8_t i = 0; i < kMotionKindCount; ++i) {
+      const auto motion = static_cast<MotionKind>(i);
+      const actuator::KickWish& wish = actuator::listed(motion).wish;
+      if (wish.distance > 0.0) aims.push_back(wished(motion, wish));
+    }
+    return aims;
+  }();
   return all;
 }
 

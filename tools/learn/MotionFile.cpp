@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <initializer_list>
 
+#include "actuator/MotionList.h"
 #include "robot/core/FieldCheck.h"
 #include "robot/core/Toml.h"
 #include "tools/learn/MotionSpace.h"
@@ -35,7 +36,8 @@ class Reader {
   Expected<MotionData> read(const toml::table& file) {
     MotionData motion;
     motion.returnTicks = 30;
-    known(file, {"about", "slew", "at_once", "return_ticks", "way", "kick", "frame"});
+    known(file,
+          {"about", "motion", "learn", "slew", "at_once", "return_ticks", "way", "kick", "frame"});
     if (file.contains("about") && !file["about"].is_string()) complain(file, "about: is a text");
     number(file, "slew", motion.slew);
     number(file, "at_once", motion.atOnce);
@@ -257,7 +259,7 @@ Expected<MotionData> readMotion(const std::string& path) {
   const auto other = (*read)["mirror"].value<std::string>();
   if (!other) return Reader(path).read(*read);
   for (const auto& [key, node] : *read)
-    if (key != "mirror" && key != "about")
+    if (key != "mirror" && key != "about" && key != "motion")
       return inOneLine(fmt::format("{}:{}: {}: is not beside mirror", path,
                                    node.source().begin.line, key.str()));
   const std::string file = std::filesystem::path(path).parent_path() / (*other + ".toml");
@@ -269,10 +271,10 @@ Expected<MotionData> readMotion(const std::string& path) {
   return mirrored(*motion);
 }
 
-std::string motionText(const MotionData& exact, const std::string& about) {
+std::string motionText(const MotionData& exact, const std::string& about, MotionKind kind) {
   const MotionData motion = rounded(exact);
-  std::string out =
-      "# SPDX-License-Identifier: Apache-2.0\nabout = \"\"\"" + escaped(about) + "\"\"\"\n";
+  std::string out = "# SPDX-License-Identifier: Apache-2.0\nabout = \"\"\"" + escaped(about) +
+                    "\"\"\"\n" + actuator::listed(kind).lines;
   if (tenth(motion.slew.deg()) != 20.0) out += fmt::format("slew = {:.1f}\n", motion.slew.deg());
   if (motion.atOnce) out += "at_once = true\n";
   out += fmt::format("return_ticks = {}\n", motion.returnTicks);

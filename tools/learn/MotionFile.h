@@ -14,8 +14,10 @@ namespace kelpie::learn {
 // it, left and right exchanged. Errors name file and line, or the number that is out of range.
 Expected<actuator::MotionData> readMotion(const std::string& path);
 
-// The text of such a file; the lines of `about` say what the motion does.
-std::string motionText(const actuator::MotionData& motion, const std::string& about);
+// The text of such a file; the lines of `about` say what the motion does. `kind`: which it is, so
+// that it says what its file has to say to be listed; none: a motion of no file.
+std::string motionText(const actuator::MotionData& motion, const std::string& about,
+                       MotionKind kind = MotionKind::none);
 
 // The kind of that name ("head_swipe_left").
 Expected<MotionKind> motionNamed(const std::string& name);

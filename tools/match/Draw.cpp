@@ -119,10 +119,7 @@ void drawRobot(cv::Mat& picture, const body::FieldDescription& field, double sca
 }
 
 std::string wordFor(Role role) {
-  constexpr const char* kWords[] = {"",         " attacker", " supporter",
-                                    " striker", " defender", " goalie"};
-  static_assert(std::size(kWords) == kRoleCount);
-  return kWords[static_cast<std::size_t>(role)];
+  return role == Role::none ? "" : std::string(" ") + kRoleNames[static_cast<std::size_t>(role)];
 }
 
 // What the log's own robot does, or what it heard that a mate does; nothing of opponents.

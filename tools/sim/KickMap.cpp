@@ -3,6 +3,8 @@
 
 #include <optional>
 
+#include "actuator/MotionList.h"
+
 namespace kelpie::sim {
 namespace {
 
@@ -21,15 +23,7 @@ std::optional<Between> between(const std::vector<double>& places, double at) {
 
 }  // namespace
 
-MotionKind mirrored(MotionKind motion) {
-  switch (motion) {
-    case MotionKind::headSwipeLeft: return MotionKind::headSwipeRight;
-    case MotionKind::headSwipeRight: return MotionKind::headSwipeLeft;
-    case MotionKind::upennLeft: return MotionKind::upennRight;
-    case MotionKind::upennRight: return MotionKind::upennLeft;
-    default: return motion;
-  }
-}
+MotionKind mirrored(MotionKind motion) { return actuator::listed(motion).mirror; }
 
 KickCell cellAt(const KickGrid& grid, Point2<Robot> place) {
   const bool swapped = isItsOwnMirror(grid.motion) && place.x < 0.0;

@@ -35,8 +35,7 @@ MotionKind gettingUp(FallSide fallen) {
 
 // Motions after which no ball is held any more.
 bool letsGo(MotionKind kind) {
-  return isKick(kind) || kind == MotionKind::release || kind == MotionKind::stand ||
-         (kind >= MotionKind::getUpFront && kind <= MotionKind::getUpRight);
+  return isKick(kind) || kind == MotionKind::release || kind == MotionKind::stand || isGetUp(kind);
 }
 
 }  // namespace

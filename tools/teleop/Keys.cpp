@@ -3,15 +3,20 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <charconv>
 #include <cmath>
+#include <iterator>
 #include <sstream>
+
+#include "actuator/MotionList.h"
 
 namespace kelpie::teleop {
 namespace {
 
 constexpr double kLongest = 3600.0;  // s
 constexpr char kEscape = '\033';
+constexpr std::size_t kHelpWidth = 100;
 
 constexpr KeyBinding walkKey(char key, const char* word, int forward, int left, int turn) {
   return {key, word, KeyAct::step, forward, left, turn};
@@ -19,12 +24,14 @@ constexpr KeyBinding walkKey(char key, const char* word, int forward, int left, 
 constexpr KeyBinding headKey(char key, int pan, int tilt) {
   return {key, "", KeyAct::step, 0, 0, 0, pan, tilt};
 }
-constexpr KeyBinding motionKey(char key, MotionKind motion, KeyAct act = KeyAct::motion) {
+// A grab is held on to afterwards.
+constexpr KeyBinding motionKey(char key, MotionKind motion) {
+  const KeyAct act = useOf(motion) == MotionUse::grab ? KeyAct::hold : KeyAct::motion;
   return {key, "", act, 0, 0, 0, 0, 0, motion};
 }
 constexpr KeyBinding actKey(char key, const char* word, KeyAct act) { return {key, word, act}; }
 
-constexpr KeyBinding kBindings[] = {
+constexpr KeyBinding kOwnBindings[] = {
     walkKey('w', "up", 1, 0, 0),
     walkKey('s', "down", -1, 0, 0),
     walkKey('a', "left", 0, 0, 1),
@@ -38,25 +45,27 @@ constexpr KeyBinding kBindings[] = {
     headKey('l', -1, 0),
     actKey('m', "", KeyAct::lookAhead),
     actKey('o', "", KeyAct::mouth),
-    motionKey('1', MotionKind::kickForward),
-    motionKey('2', MotionKind::hardForward),
-    motionKey('3', MotionKind::wedge),
-    motionKey('4', MotionKind::headSwipeLeft),
-    motionKey('5', MotionKind::headSwipeRight),
-    motionKey('6', MotionKind::upennLeft),
-    motionKey('7', MotionKind::upennRight),
-    motionKey('8', MotionKind::blockLeft),
-    motionKey('9', MotionKind::block),
-    motionKey('0', MotionKind::blockRight),
-    motionKey('g', MotionKind::grab, KeyAct::hold),
-    motionKey('h', MotionKind::grabQuick, KeyAct::hold),
-    motionKey('r', MotionKind::release),
-    motionKey('t', MotionKind::stand),
-    motionKey('z', MotionKind::sit),
-    motionKey('c', MotionKind::cheer),
     actKey('u', "", KeyAct::getUp),
     actKey('x', "", KeyAct::quit),
 };
+
+constexpr std::size_t motionKeys() {
+  std::size_t count = 0;
+  for (const actuator::ListedMotion& motion : actuator::kMotionList) count += motion.key != 0;
+  return count;
+}
+
+// Those above, and those of the motions as their files list them.
+constexpr auto allBindings() {
+  std::array<KeyBinding, std::size(kOwnBindings) + motionKeys()> all{};
+  std::size_t count = 0;
+  for (const KeyBinding& binding : kOwnBindings) all[count++] = binding;
+  for (std::size_t i = 0; i < actuator::kMotionList.size(); ++i)
+    if (const char key = actuator::kMotionList[i].key; key != 0)
+      all[count++] = motionKey(key, static_cast<MotionKind>(i));
+  return all;
+}
+constexpr auto kBindings = allBindings();
 
 // "A" of the arrow ESC [ A, or of ESC O A as some terminals send it.
 char keyOfArrow(char letter) {
@@ -95,6 +104,19 @@ const KeyBinding* bindingOf(char key) {
   for (const KeyBinding& binding : kBindings)
     if (binding.key == key) return &binding;
   return nullptr;
+}
+
+std::vector<std::string> keyHelp() {
+  std::vector<std::string> lines{
+      "w s ahead back  a d turn  q e aside  space stop  i k j l head  m head ahead  o mouth",
+      "u get up  x quit"};
+  for (const actuator::ListedMotion& motion : actuator::kMotionList) {
+    if (motion.key == 0) continue;
+    const std::string text = fmt::format("{} {}", motion.key, motion.word);
+    if (lines.back().size() + 2 + text.size() > kHelpWidth) lines.emplace_back();
+    lines.back() += (lines.back().empty() ? "" : "  ") + text;
+  }
+  return lines;
 }
 
 char keyOf(const std::string& word) {

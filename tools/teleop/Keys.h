@@ -46,9 +46,7 @@ struct TimedKey {
 // in the error.
 Expected<std::vector<TimedKey>> readKeys(const std::string& text, const std::string& name);
 
-// Two lines of help.
-constexpr const char* kKeyHelp[] = {
-    "w s ahead back  a d turn  q e aside  space stop  i k j l head  m head ahead  u get up  x quit",
-    "1 kick 2 hard 3 wedge 4 5 swipe 6 7 leg  8 9 0 block  g h grab  r release  o mouth  t z c"};
+// Lines of help, of at most 100 letters.
+std::vector<std::string> keyHelp();
 
 }  // namespace kelpie::teleop

@@ -112,7 +112,7 @@ std::string Screen::wholeScreen(const Image& image, const std::string& status,
                                 const std::string& note) {
   const TextSize now = terminalSize();
   std::vector<std::string> below = {status};
-  for (const char* help : kKeyHelp) below.emplace_back(help);
+  for (std::string& help : keyHelp()) below.push_back(std::move(help));
   below.push_back(note);
   const int spare = now.rows - static_cast<int>(below.size());
   const TextSize size = pictureSize({now.columns, spare});

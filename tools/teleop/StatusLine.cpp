@@ -6,14 +6,11 @@
 #include <array>
 #include <cmath>
 
+#include "actuator/MotionList.h"
+
 namespace kelpie::teleop {
 namespace {
 
-constexpr std::array<const char*, kMotionKindCount> kMotionNames = {
-    "no motion",   "stand",       "sit",        "kick forward", "hard forward", "wedge",
-    "swipe left",  "swipe right", "leg left",   "leg right",    "block",        "block left",
-    "block right", "grab",        "quick grab", "hold",         "release",      "get up",
-    "get up",      "get up",      "get up",     "cheer"};
 constexpr std::array<const char*, kFallSideCount> kSides = {"", "its nose", "its back",
                                                             "its left side", "its right side"};
 
@@ -34,11 +31,9 @@ std::string motionText(const host::DriverView& view) {
   const MotionStatus& motion = view.motion;
   if (!motion.ready) return "  getting ready";
   if (motion.running != MotionKind::none)
-    return fmt::format("  {} {:.1f} s", kMotionNames[static_cast<std::size_t>(motion.running)],
-                       motion.secondsLeft);
+    return fmt::format("  {} {:.1f} s", actuator::listed(motion.running).word, motion.secondsLeft);
   if (view.command.motion != MotionKind::none)
-    return fmt::format("  {} asked for",
-                       kMotionNames[static_cast<std::size_t>(view.command.motion)]);
+    return fmt::format("  {} asked for", actuator::listed(view.command.motion).word);
   return "";
 }
 

@@ -5,17 +5,12 @@
 # gps believes it. It does not turn to the goal: the decision tree chose the kick for how it stands.
 import kelpie
 from arbiter.machine import Machine
-from lib import hints, intercept
+from lib import intercept
 from lib.geom import clamp
 from skills.ball.grab import walk_at
 from skills.head.track_ball import TrackBall
 from skills.motion.kick import Kick
 
-# Where the ball must lie when the motion begins, cm ahead and to the left (`kick` of each file in
-# actuator/data/motions).
-PLACES = {kelpie.KICK_FORWARD: (14.0, 0.0),
-          kelpie.HEAD_SWIPE_LEFT: (13.0, -3.0), kelpie.HEAD_SWIPE_RIGHT: (13.0, 3.0),
-          kelpie.UPENN_LEFT: (12.0, -6.0), kelpie.UPENN_RIGHT: (12.0, 6.0)}
 AHEAD_HINT = 50.0, 0.0  # cm, deg: where a kick that table 6.1 does not have sends it
 
 LATENCY = 0.16         # s until the motion begins, in which the robot walks on
@@ -48,7 +43,7 @@ class KickBall(Machine):
 
     def walk_up(self, world):
         x, y = world.ball.relative.x, world.ball.relative.y
-        ahead, left = PLACES[self.which]
+        ahead, left = kelpie.KICKS[self.which].place
         off_ahead, off_left = self.off(world, x, y)
         if abs(off_ahead) < NEAR_AHEAD and abs(off_left) < NEAR_SIDE:
             return self.enter(world, self.kick, Kick(world, self.which),
@@ -64,7 +59,7 @@ class KickBall(Machine):
 
     def off(self, world, x, y):
         """How far (ahead, left) the ball will be off the kick's place when the motion begins."""
-        ahead, left = PLACES[self.which]
+        ahead, left = kelpie.KICKS[self.which].place
         step, seconds = world.odometry, max(world.elapsed_s, 0.02)
         walked = step.forward / seconds * LATENCY, step.left / seconds * LATENCY
         vx, vy = intercept.relative_velocity(world) if intercept.rolls(world.ball) else (0.0, 0.0)
@@ -81,7 +76,7 @@ class KickBall(Machine):
     def kick(self, world):
         motion = self.skill.step(world)
         if self.skill.done:
-            self.hint = hints.of_kick(self.which) or AHEAD_HINT
+            self.hint = kelpie.KICKS[self.which].hint or AHEAD_HINT
             return self.enter(world, self.ended, None, 'kicked')
         return kelpie.Command(head=self.track.step(world), motion=motion)
 

@@ -76,7 +76,7 @@ Setup setupOf(const body::FieldDescription& field, std::uint64_t seed) {
 void configure(const Setup& setup, agent::AgentConfig& config) {
   config.vision.pink.onField = false;
   config.gps.pinks.wall = setup.measured;
-  config.behaviour.task.player = behaviour::PlayerKind::challenger;
+  config.behaviour.task.player = PlayerKind::challenger;
   for (std::size_t i = 0; i < kPoints; ++i) {
     config.behaviour.task.points[2 * i] = setup.points[i].x;
     config.behaviour.task.points[2 * i + 1] = setup.points[i].y;

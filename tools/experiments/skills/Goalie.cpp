@@ -96,8 +96,8 @@ Expected<Json> goalie(const Request& request) {
   tries.setUp = [](const Try& one, cli::SessionOptions& session) {
     session.scenario = "attack";
     session.seconds = kLimit;
-    if (one.way == k2006) addKeeper(behaviour::PlayerKind::goalie, session);
-    if (one.way == k2004) addKeeper(behaviour::PlayerKind::goalie2004, session);
+    if (one.way == k2006) addKeeper(PlayerKind::goalie, session);
+    if (one.way == k2004) addKeeper(PlayerKind::goalie2004, session);
   };
   tries.judge = [&](const Try& one, const cli::SessionResult& result, const Played& played) {
     found[one.way][static_cast<std::size_t>(one.trial.number)] =

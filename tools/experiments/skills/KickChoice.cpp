@@ -33,7 +33,7 @@ void setUp(const Try& one, cli::SessionOptions& session) {
   session.staging.places = {placed(TeamColour::red, robot)};
   session.staging.ball = sim::Ball{ball, {}};
   session.seconds = kSeconds;
-  addKeeper(behaviour::PlayerKind::goalie, session);
+  addKeeper(PlayerKind::goalie, session);
   session.staging.places.push_back(placed(TeamColour::blue, {{180.0, 520.0}, Angle::deg(-90.0)}));
 }
 

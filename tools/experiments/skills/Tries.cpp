@@ -28,7 +28,7 @@ sim::RobotPlace placed(TeamColour team, const Pose2& pose, std::uint8_t player) 
   return {{team, player}, pose};
 }
 
-void addKeeper(behaviour::PlayerKind player, cli::SessionOptions& session) {
+void addKeeper(PlayerKind player, cli::SessionOptions& session) {
   cli::OtherRobot keeper;
   keeper.seed = session.seed;
   keeper.set = {"behaviour.task.player=" + std::to_string(static_cast<int>(player))};

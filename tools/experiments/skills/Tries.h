@@ -39,7 +39,7 @@ inline Random drawsOf(const Try& one) { return Random(one.trial.seed ^ 0x7219e55
 
 sim::RobotPlace placed(TeamColour team, const Pose2& pose, std::uint8_t player = 1);
 // Blue 1 as that player; the scenario attack has it in front of its goal.
-void addKeeper(behaviour::PlayerKind player, cli::SessionOptions& session);
+void addKeeper(PlayerKind player, cli::SessionOptions& session);
 // A blue one, who stands there.
 void addStanding(const Pose2& pose, cli::SessionOptions& session, std::uint8_t player = 1);
 

@@ -14,8 +14,6 @@ namespace {
 
 constexpr double kSeconds = 600.0;
 constexpr double kFramesASecond = 30.0;
-constexpr std::array<const char*, kRoleCount> kNames = {"none",    "attacker", "supporter",
-                                                        "striker", "defender", "goalie"};
 
 // Forwards of one team in one frame.
 struct Line {
@@ -83,7 +81,7 @@ Json thirdsOf(const Found& found) {
   for (std::size_t role = 0; role < kRoleCount; ++role) {
     const auto& thirds = found.thirds[role];
     if (thirds[0].all == 0) continue;
-    all[kNames[role]] = Json{thirds[0].value(), thirds[1].value(), thirds[2].value()};
+    all[kRoleNames[role]] = Json{thirds[0].value(), thirds[1].value(), thirds[2].value()};
   }
   return all;
 }
