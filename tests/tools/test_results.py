@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
-"""tools/results: figures of experiments become docs/results.md. Experiments are stood in for by
-files or by a program that writes such files at once."""
+"""tools/results: figures of experiments become docs/results.md, and are measured again where they
+are stale. The tree is a small one of its own, and experiments are stood in for by a program that
+writes their figures at once."""
 
 import json
 import os
 import re
+import shutil
 import subprocess
 import tomllib
 
@@ -12,10 +14,15 @@ import pytest
 from conftest import ROOT, kelpie
 
 DATA = """
+seeds = [7, 8, 9]
+[files]
+play = ["vision", "pycode"]
 [run.objects]
 trials = 50
+seconds = 30
 [run.distances]
 seeded = false
+files = ["robot/Sizes.h"]
 [[subject]]
 title = "Vision"
 text = "Random views."
@@ -26,7 +33,9 @@ rows = [
   { what = "ghosts", key = "ghosts", digits = 0, required = "= 0" },
   { what = "plain", key = "error_cm", digits = 0, unit = "cm" },
   { what = "of band 50", key = "bands/from_cm=50/recall", factor = 100, digits = 0, unit = "%" },
+  { what = "of the second band", key = "bands/1/from_cm", digits = 0, unit = "cm" },
   { what = "worst channel", key = ["centred/*", "moved/*"], digits = 1 },
+  { what = "all channels", key = "centred/*", take = "sum", digits = 1 },
   { what = "a share", key = ["ghosts", "views"], take = "ratio", digits = 3 },
   { what = "fused", key = "fused", required = "< own", required_says = "below its own", \
 reference_key = "own", source = "alone" },
@@ -37,40 +46,91 @@ reference = "4.7 cm", source = "2005 code" },
 title = "Cost"
 rows = [
   { what = "cycles", command = "toolchain/target-cost", value = 2.31, unit = "M", \
-required = "<= 4", date = "2026-11-22" },
+required = "<= 4", date = "2026-11-22", commit = "abc1234" },
   { what = "lack", command = "the same", told = "names Eigen", \
-required = "fails", verdict = "missed", date = "2026-11-22" },
+required = "fails", verdict = "missed", date = "2026-11-22", commit = "abc1234" },
 ]
 """
 FIGURES = {"views": 100, "ghosts": 0, "fused": 1.4, "own": 2.2, "recall": 0.95, "error_cm": 2.0,
            "bands": [{"from_cm": 25.0, "recall": 0.1}, {"from_cm": 50.0, "recall": 0.5}],
            "centred": {"y": 0.1, "cr": 0.7}, "moved": {"y": 0.3}}
-
-
-def run(*words, **environment):
-    command = [str(word) for word in (ROOT / "tools/results", *words)]
-    return subprocess.run(command, env={**os.environ, **environment}, capture_output=True,
-                          text=True, timeout=60, check=False)
+FILES = {"vision/Ball.cpp": "int ball;\n", "vision/README.md": "Finds balls.\n",
+         "pycode/main.py": "pass\n", "robot/Sizes.h": "int size;\n", "docs/ball.md": "A ball.\n",
+         ".gitignore": "out/\n__pycache__/\n"}
+PROGRAM = """#!/bin/sh
+here=$(dirname "$0")
+[ "$1" != --version ] || { echo "kelpie 0.1, commit $(cat "$here/commit"), field lists 0"; exit; }
+echo "$*" >>"$here/calls"
+if [ -e "$here/broken-$2" ]; then
+  echo "kelpie: $2: no data" >&2; exit 1
+fi
+name=$2; seed=7
+while [ "$1" != --json ]; do [ "$1" != --seed ] || seed=${2%000000}; shift; done
+cp "$here/$name-$seed" "$2"
+"""
 
 
 class Place:
-    """A data file, a folder of figures and a page of their own."""
+    """A tree with tools/results, and programs that give the figures that `give` was told."""
 
     def __init__(self, folder):
-        self.data, self.kept, self.page = folder / "data.toml", folder / "kept", folder / "page.md"
-        self.kept.mkdir()
-        self.data.write_text(DATA)
+        self.tree, self.bin = folder / "tree", folder / "bin"
+        self.page = self.tree / "docs/results.md"
+        self.data = self.tree / "tools/experiments/results.toml"
+        self.kept = self.tree / "tools/experiments/measured.json"
+        self.bin.mkdir()
+        for path, text in {**FILES, "tools/experiments/results.toml": DATA}.items():
+            self.change(path, text)
+        for name in ("results", "results_data.py", "results_page.py"):
+            shutil.copy(ROOT / "tools" / name, self.tree / "tools" / name)
+        self.git("init", "-q")
+        self.commit()
+        for name in ("kelpie-experiments", "kelpie-agent", "kelpie-world", "kelpie"):
+            (self.bin / name).write_text(PROGRAM)
+            (self.bin / name).chmod(0o755)
+        for seed, error, recall, ghosts in ((7, 2.0, 0.95, 0), (8, 3.5, 0.89, 1),
+                                            (9, 2.9, 0.88, 0)):
+            self.give("objects", seed, {**FIGURES, "error_cm": error, "recall": recall,
+                                        "ghosts": ghosts})
+        self.give("distances", 7, {"rms_cm": 4.1})
 
-    def keep(self, name, seed, figures, trials=50):
-        command = (f"kelpie evaluate {name} --trials {trials} --seed {seed * 1000000}" if trials
-                   else f"kelpie evaluate {name}")
-        made_by = {"command": command, "commit": "abc1234", "cpu_s": 12.5}
-        path = self.kept / f"{name}-{seed}.json"
-        path.write_text(json.dumps({**figures, "made_by": made_by}))
+    def git(self, *words):
+        who = ["-c", "user.name=a", "-c", "user.email=a@b"]
+        return subprocess.run(["git", *who, *words], cwd=self.tree, check=True,
+                              capture_output=True, text=True).stdout.strip()
 
-    def results(self, *words, **environment):
-        return run("--data", self.data, "--json", self.kept, "--out", self.page, "--seeds", "7,8,9",
-                   *words, **environment)
+    def change(self, path, text):
+        (self.tree / path).parent.mkdir(parents=True, exist_ok=True)
+        (self.tree / path).write_text(text)
+
+    def commit(self):
+        """Commits the tree and has the programs built from it."""
+        self.git("add", ".")
+        self.git("commit", "-q", "--allow-empty", "-m", "a change")
+        (self.bin / "commit").write_text(self.head())
+
+    def head(self):
+        return self.git("rev-parse", "--short", "HEAD")
+
+    def give(self, name, seed, figures):
+        (self.bin / f"{name}-{seed}").write_text(json.dumps(figures))
+
+    def results(self, *words):
+        return subprocess.run([self.tree / "tools/results", *map(str, words)], check=False,
+                              env={**os.environ, "KELPIE_BIN": str(self.bin)}, timeout=60,
+                              capture_output=True, text=True)
+
+    def measure(self, *words):
+        """The words with which experiments were run."""
+        (self.bin / "calls").unlink(missing_ok=True)
+        result = self.results(*words)
+        assert result.returncode == 0, result.stderr
+        calls = self.bin / "calls"
+        return calls.read_text().splitlines() if calls.exists() else []
+
+    def stale(self, *words):
+        lines = self.results("--list", *words).stdout.splitlines()
+        return dict(line.split(": ", 1) for line in lines[:-1])
 
     def row(self, what):
         """The cells of a row of the page without its name, command included."""
@@ -80,189 +140,261 @@ class Place:
         return [cell.strip() for cell in lines[0].strip("|").split("|")][1:]
 
 
+@pytest.fixture(name="fresh")
+def tree_without_figures(tmp_path):
+    return Place(tmp_path)
+
+
 @pytest.fixture(name="place")
-def place_with_figures(tmp_path):
-    place = Place(tmp_path)
-    for seed, error, recall, ghosts in ((7, 2.0, 0.95, 0), (8, 3.5, 0.89, 1), (9, 2.9, 0.88, 0)):
-        place.keep("objects", seed, {**FIGURES, "error_cm": error, "recall": recall,
-                                     "ghosts": ghosts})
-    place.keep("distances", 7, {"rms_cm": 4.1}, trials=None)
-    return place
+def tree_with_figures(fresh):
+    assert len(fresh.measure()) == 4
+    fresh.git("add", ".")
+    return fresh
 
 
 def problems(result):
     return [line for line in result.stderr.splitlines() if "written" not in line]
 
 
+# --- rows ----------------------------------------------------------------------------------------
+
 def test_a_figure_is_the_mean_with_its_spread(place):
-    result = place.results("--render")
-    assert result.returncode == 0 and problems(result) == []
     assert place.row("recall")[1] == "0.907 (0.880 to 0.950)"
     assert place.row("error")[1] == "2.8 cm (2.0 to 3.5)"
-    assert place.row("plain")[1:] == ["3 cm (2 to 4)", "-", "-", "-"]
+    assert place.row("plain")[1:5] == ["3 cm (2 to 4)", "-", "-", "-"]
     assert place.row("fit")[1] == "4.1 cm", "what draws nothing is measured once"
 
 
 def test_what_every_seed_meets_is_met_what_the_mean_does_not_is_missed(place):
-    place.results("--render")
-    assert place.row("fused")[1:] == ["1.40", "below its own", "met", "2.20 (alone)"]
+    assert place.row("fused")[1:5] == ["1.40", "below its own", "met", "2.20 (alone)"]
     assert place.row("recall")[2:4] == [">= 0.9", "met on average"]
     assert place.row("error")[2:4] == ["<= 3 cm", "met on average"]
     assert place.row("ghosts")[1:4] == ["0 (0 to 1)", "= 0", "**missed**"]
     page = place.page.read_text()
     assert "6 figures have a requirement: 2 met, 2 met on average, 2 missed" in page
-    assert "- **missed**: Vision: ghosts: 0 (0 to 1), required = 0" in page
+    assert "| **missed** | Vision | ghosts | 0 (0 to 1) | = 0 |" in page
 
 
 def test_a_key_reaches_into_lists_and_takes_several_values(place):
-    place.results("--render")
     assert place.row("of band 50")[1] == "50 %"
+    assert place.row("of the second band")[1] == "50 cm"
     assert place.row("worst channel")[1] == "0.7"
+    assert place.row("all channels")[1] == "0.8"
     assert place.row("a share")[1] == "0.003 (0.000 to 0.010)"
 
 
 def test_what_is_measured_by_hand_says_so(place):
-    place.results("--render")
-    assert place.row("cycles") == ["`toolchain/target-cost`, measured by hand 2026-11-22", "2.31 M",
-                                   "<= 4 M", "met", "-"]
-    assert place.row("lack")[1:4] == ["names Eigen", "fails", "**missed**"]
+    assert place.row("cycles") == ["`toolchain/target-cost`", "2.31 M", "<= 4 M", "met", "-",
+                                   "abc1234 2026-11-22 by hand"]
+    assert place.row("lack")[:4] == ["the same", "names Eigen", "fails", "**missed**"]
 
 
 def test_commands_commit_seeds_and_warning_stand_on_the_page(place):
-    place.results("--render")
     page = place.page.read_text()
     assert place.row("recall")[0] == "`kelpie evaluate objects --trials 50 --seed 7000000`"
     assert place.row("error")[0] == "the same"
-    assert place.row("fit")[3:] == ["-", "4.7 cm (2005 code)"]
+    assert place.row("fit")[3:5] == ["-", "4.7 cm (2005 code)"]
+    assert re.fullmatch(place.head() + r" \d{4}-\d\d-\d\d", place.row("recall")[5])
     head = page.split("\n## ")[0]
-    for said in ("no proof for a robot", "tools/results --seeds 7,8,9", "abc1234"):
+    for said in ("no proof for a robot", "seeds are 7 and 8 and 9", "--seed 7000000"):
         assert said in head
-    assert "| objects | `kelpie evaluate objects --trials 50 --seed 7000000` | 12.5 |" in page
+    assert "| objects | `kelpie evaluate objects --trials 50 --seed 7000000` | 0.0 |" in page
 
 
-def test_a_missing_key_is_told_in_its_row_and_in_one_line(place):
-    place.keep("objects", 8, {k: v for k, v in FIGURES.items() if k != "recall"})
-    result = place.results("--render")
+def test_a_missing_key_is_said_in_its_row_and_in_one_line(fresh):
+    fresh.give("objects", 8, {k: v for k, v in FIGURES.items() if k != "recall"})
+    result = fresh.results()
     assert result.returncode == 1
-    assert problems(result) == ["tools/results: objects: no key 'recall'"]
-    assert place.row("recall")[1:4] == ["not measured (no key 'recall')", ">= 0.9", "not measured"]
-    assert place.row("fused")[3] == "met"
-
-
-def test_figures_of_other_trials_are_not_told(place):
-    place.keep("objects", 8, FIGURES, trials=49)
-    result = place.results("--render")
-    assert result.returncode == 1 and place.row("recall")[1] == "not measured (not run yet)"
-
-
-def test_without_any_figures_the_page_stays(place):
-    for path in place.kept.iterdir():
-        path.unlink()
-    place.page.write_text("before")
-    result = place.results("--render")
-    assert result.returncode == 2 and place.page.read_text() == "before"
-    assert problems(result) == [f"tools/results: {place.kept} holds no figures; measure first: "
-                                "tools/results"]
+    assert problems(result)[-1] == "tools/results: objects: no key 'recall'"
+    assert fresh.row("recall")[1:4] == ["not measured (no key 'recall')", ">= 0.9", "not measured"]
+    assert fresh.row("fused")[3] == "met"
+    assert fresh.stale() == {}, "an experiment that does not have it is not run again for it"
 
 
 @pytest.mark.parametrize("wrong, said", [
     ('digits = 3, required = ">= 0.9"', "unknown field 'digit'"),
     ('required = ">= 0.9"', "required is a comparison"),
-    ('run = "objects"', "no run 'object'")])
-def test_a_mistake_in_the_data_file_is_one_line(place, wrong, said):
+    ('run = "objects"', "no run 'object'"),
+    (', commit = "abc1234"', "no 'commit'")])
+def test_a_mistake_in_the_data_file_is_one_line(fresh, wrong, said):
     change = {"digits": wrong.replace("digits", "digit"), "required": 'required = "about 0.9"',
-              "run": 'run = "object"'}[wrong.split()[0]]
-    place.data.write_text(DATA.replace(wrong, change, 1))
-    result = place.results("--render")
-    assert result.returncode == 2 and not place.page.exists()
+              "run": 'run = "object"', ",": ""}[wrong.split()[0]]
+    fresh.data.write_text(DATA.replace(wrong, change, 1))
+    result = fresh.results("--page")
+    assert result.returncode == 2 and not fresh.page.exists()
     assert len(problems(result)) == 1 and said in result.stderr
 
 
-@pytest.fixture(name="programs")
-def programs_that_answer_at_once(tmp_path):
-    """KELPIE_BIN with a kelpie that notes its words and writes figures; `distances` fails where a
-    file `broken` is beside it."""
-    folder = tmp_path / "bin"
-    folder.mkdir()
-    (folder / "figures").write_text(json.dumps({**FIGURES, "rms_cm": 4.1}))
-    for name in ("kelpie-experiments", "kelpie-agent", "kelpie-world", "kelpie"):
-        (folder / name).write_text(f"""#!/bin/sh
-[ "$1" != --version ] || {{ echo "kelpie 0.1, commit def5678, field lists 0"; exit; }}
-echo "$*" >>{folder}/calls
-if [ $2 = distances ] && [ -e {folder}/broken ]; then
-  echo "kelpie: distances: no data" >&2; exit 1
-fi
-while [ "$1" != --json ]; do shift; done
-cp {folder}/figures "$2"
-""")
-        (folder / name).chmod(0o755)
-    return folder
+# --- what is stale -------------------------------------------------------------------------------
+
+def test_what_is_not_stale_is_not_measured(place):
+    assert place.stale() == {} and place.measure() == []
 
 
-def test_only_what_is_lacking_is_run(tmp_path, programs):
-    place = Place(tmp_path)
-    first = place.results(KELPIE_BIN=str(programs))
-    calls = (programs / "calls").read_text().splitlines()
-    assert first.returncode == 0, first.stderr
-    assert [words for words in calls if "objects" in words and "--seed 8000000" in words]
-    assert len(calls) == 4 and "objects, seed 9: " in first.stderr and "4 of 4" in first.stderr
-    page = place.page.read_text()
-    assert "def5678" in page
-    (place.kept / "objects-8.json").unlink()
-    again = place.results(KELPIE_BIN=str(programs))
-    calls = (programs / "calls").read_text().splitlines()[4:]
-    assert again.returncode == 0 and len(calls) == 1 and "--seed 8000000" in calls[0]
-    last = place.results(KELPIE_BIN=str(programs))
-    assert last.stderr == f"tools/results: {place.page}: written\n"
+def test_a_changed_file_makes_stale_what_depends_on_it(place):
+    place.change("vision/Ball.cpp", "int ball, beacon;\n")
+    assert list(place.stale()) == ["objects"]
+    assert place.stale()["objects"].startswith("changed: vision;"), "though it is not committed"
+    place.results("--page")
+    assert place.row("recall")[5].endswith(" stale") and not place.row("fit")[5].endswith("stale")
+    assert "1 of 2 runs are stale" in place.page.read_text()
+    place.git("checkout", "-q", "vision")
+    assert place.stale() == {}
 
 
-def test_figures_of_another_commit_are_measured_again(place, programs):
-    assert place.results(KELPIE_BIN=str(programs)).returncode == 0
-    assert len((programs / "calls").read_text().splitlines()) == 4
+def test_a_new_file_makes_stale_though_it_is_not_known_to_git(place):
+    place.change("vision/Beacon.cpp", "int beacon;\n")
+    assert list(place.stale()) == ["objects"]
 
 
-def test_two_builds_of_a_changed_tree_are_told_apart(tmp_path, programs):
-    place = Place(tmp_path)
-    kelpie_there = programs / "kelpie"
-    kelpie_there.write_text(kelpie_there.read_text().replace("def5678", "def5678-dirty"))
-    for calls in (4, 4, 8):
-        if calls == 8:
-            (programs / "kelpie-experiments").write_text("#!/bin/sh\n# another build\n")
-        assert place.results(KELPIE_BIN=str(programs)).returncode == 0
-        assert len((programs / "calls").read_text().splitlines()) == calls
-    assert re.search(r"commit\ndef5678-dirty-[0-9a-f]{7}\.", place.page.read_text())
+def test_documents_tests_and_moved_files_make_nothing_stale(place):
+    place.change("docs/ball.md", "Another ball.\n")
+    place.change("vision/README.md", "Finds beacons.\n")
+    place.change("pycode/test_main.py", "pass\n")
+    place.git("add", ".")
+    place.git("mv", "vision/Ball.cpp", "vision/Balls.cpp")
+    assert place.stale() == {}
 
 
-def test_an_experiment_that_fails_is_told_and_the_others_stand(tmp_path, programs):
-    place = Place(tmp_path)
-    (programs / "broken").touch()
-    result = place.results(KELPIE_BIN=str(programs))
+def test_other_trials_and_seeds_and_a_new_row_make_stale(place):
+    for old, new in (("trials = 50", "trials = 51"), ("seeds = [7, 8, 9]", "seeds = [7, 8]")):
+        place.data.write_text(DATA.replace(old, new))
+        assert [why[:11] for why in place.stale().values()] == ["measured by"]
+    place.data.write_text(DATA.replace('what = "plain", key = "error_cm"',
+                                       'what = "plain", key = "views"'))
+    assert place.stale()["objects"].startswith("new rows: views")
+    assert place.measure() == [], "it is in the whole figures of each seed"
+    assert place.row("plain")[1] == "100 cm"
+
+
+def test_the_list_says_how_long_it_takes(fresh):
+    listed = fresh.results("--list").stdout.splitlines()
+    assert listed == ["objects: never measured; 90 s", "distances: never measured; 0 s",
+                      "2 of 2 runs, about 2 minutes of one core"]
+    assert fresh.results("--list", "--only", "distances").stdout.splitlines()[-1] == (
+        "1 of 1 runs, about 0 minutes of one core")
+
+
+# --- measuring -----------------------------------------------------------------------------------
+
+def test_a_row_keeps_the_commit_of_its_figure(place):
+    before = place.head()
+    place.change("robot/Sizes.h", "int size, width;\n")
+    place.commit()
+    place.give("distances", 7, {"rms_cm": 4.4})
+    assert place.measure() == [f"evaluate distances --json {place.tree}/out/results/"
+                               "distances-7.part"]
+    assert before != place.head()
+    assert place.row("recall")[5].split()[0] == before and place.row("recall")[1].startswith("0.9")
+    assert place.row("fit")[5].split()[0] == place.head() and place.row("fit")[1] == "4.4 cm"
+
+
+def test_an_interrupted_call_goes_on_where_it_stopped(fresh):
+    (fresh.bin / "broken-distances").touch()
+    assert fresh.results().returncode == 1
+    (fresh.bin / "broken-distances").unlink()
+    (fresh.tree / "out/results/objects-8.json").unlink()
+    shutil.move(fresh.kept, fresh.kept.with_suffix(".lost"))
+    calls = fresh.measure()
+    assert sorted(re.findall(r"objects|distances|--seed \d+", " ".join(calls))) == [
+        "--seed 8000000", "distances", "distances", "objects", "objects"]
+
+
+def test_figures_of_each_seed_are_of_the_files_that_are_there(place):
+    place.kept.unlink()
+    place.change("vision/Ball.cpp", "int beacon;\n")
+    place.commit()
+    calls = place.measure()
+    assert len(calls) == 3 and all("objects" in call for call in calls)
+
+
+def test_all_is_measured_where_that_is_asked_for(place):
+    assert len(place.measure("--all")) == 4
+    assert len(place.measure("--all", "--only", "distances")) == 1
+
+
+def test_what_all_did_not_come_to_is_stale(place):
+    (place.bin / "broken-objects").touch()
+    assert place.results("--all").returncode == 1
+    assert list(place.stale()) == ["objects"]
+    place.results("--page")
+    assert place.row("recall")[1] == "0.907 (0.880 to 0.950)" and "stale" in place.row("recall")[5]
+
+
+def test_only_runs_that_are_named_are_measured(fresh):
+    calls = fresh.measure("--only", "distances")
+    assert len(calls) == 1 and "distances" in calls[0]
+    assert fresh.row("recall")[1] == "not measured (not run yet)"
+    refused = fresh.results("--only", "distance")
+    assert refused.returncode == 2 and "no such run; one of objects distances" in refused.stderr
+
+
+def test_programs_of_another_tree_are_refused(place):
+    place.change("vision/Ball.cpp", "int beacon;\n")
+    result = place.results()
+    assert result.returncode == 2 and "from which the tree differs in vision" in result.stderr
+    place.git("checkout", "-q", "vision")
+    place.change("pycode/main.py", "x = 1\n")
+    assert len(place.measure()) == 3, "behaviours are read while a program runs"
+    assert place.row("recall")[5].split()[0] == f"{place.head()}-dirty"
+
+
+def test_an_experiment_that_fails_is_said_and_what_was_before_stays(place):
+    place.change("robot/Sizes.h", "int width;\n")
+    place.commit()
+    (place.bin / "broken-distances").touch()
+    result = place.results()
     assert result.returncode == 1
     assert "tools/results: distances: no data" in result.stderr.splitlines()
-    assert place.row("fit")[1] == "not measured (no data)" and place.row("fused")[3] == "met"
+    assert place.row("fit")[1] == "4.1 cm" and place.row("fit")[5].endswith(" stale")
 
 
-def test_chosen_runs_are_told_without_touching_the_page(place):
-    result = place.results("--render", "--only", "^dist")
-    assert result.returncode == 0 and not place.page.exists()
-    assert "| fit |" in result.stdout and "recall" not in result.stdout
-    assert place.results("--render", "--only", "nothing").returncode == 2
+def test_the_page_is_the_same_each_time_it_is_written(place):
+    before = place.page.read_bytes()
+    place.page.unlink()
+    for _ in range(2):
+        assert place.results("--page").returncode == 0 and place.page.read_bytes() == before
 
 
-def test_help_and_wrong_seeds():
-    shown = run("--help")
+def test_help_and_wrong_seeds(fresh):
+    shown = fresh.results("--help")
     assert shown.returncode == 0 and shown.stdout.startswith("usage: tools/results ")
-    wrong = run("--render", "--seeds", "1,1")
+    wrong = fresh.results("--page", "--seeds", "1,1")
     assert wrong.returncode == 2 and "different whole numbers" in wrong.stderr
 
 
-def test_every_experiment_is_on_the_page_or_left_out_with_a_reason():
-    data = tomllib.loads((ROOT / "tools/experiments/results.toml").read_text())
-    listed = kelpie("evaluate", "--list").stdout
-    names = set(re.findall(r"^(\S+)", listed, re.M))
+# --- the data file and the page of this tree -----------------------------------------------------
+
+def data_of_the_tree():
+    return tomllib.loads((ROOT / "tools/experiments/results.toml").read_text())
+
+
+def test_every_experiment_has_a_run_and_rows():
+    data = data_of_the_tree()
+    names = set(re.findall(r"^(\S+)", kelpie("evaluate", "--list").stdout, re.M))
     run_names = {run.get("experiment", name) for name, run in data["run"].items()}
-    assert len(names) > 20 and names == run_names | set(data["left_out"])
-    assert all(reason.strip() for reason in data["left_out"].values())
-    told = {row.get("run", subject.get("run")) for subject in data["subject"]
-            for row in subject["rows"] if "key" in row}
-    assert told == set(data["run"]), "every run is told in some row"
+    assert len(names) > 50 and names == run_names
+    stated = {row.get("run", subject.get("run")) for subject in data["subject"]
+              for row in subject["rows"] if "key" in row}
+    assert stated == set(data["run"]), "every run is stated in some row"
+
+
+def test_what_runs_depend_on_exists():
+    data = data_of_the_tree()
+    sets = data["files"]
+    named = {path for run in data["run"].values() for path in run.get("files", [])}
+    paths = {path for paths in sets.values() for path in paths} | (named - set(sets))
+    assert len(paths) > 10 and [path for path in sorted(paths) if not (ROOT / path).exists()] == []
+
+
+def test_the_page_of_the_tree_is_what_is_kept(tmp_path):
+    """But for what is stale, which each change of a stage changes."""
+    written = subprocess.run([ROOT / "tools/results", "--page", "--out", tmp_path / "page.md"],
+                             capture_output=True, text=True, timeout=60, check=False)
+    assert written.returncode in (0, 1), written.stderr
+
+    def timeless(text):
+        text = re.sub(r"\d+ of \d+ runs are stale", "", text).replace(" stale |", " |")
+        return re.sub(r"\| (changed|measured|new rows)[^|]* \|$", "| - |", text, flags=re.M)
+    page = (ROOT / "docs/results.md").read_text()
+    assert timeless((tmp_path / "page.md").read_text()) == timeless(page)
