@@ -19,7 +19,7 @@ COMPARE = {"<": operator.lt, "<=": operator.le, "=": operator.eq, ">=": operator
 TAKE = {"max": max, "min": min, "sum": sum, "ratio": lambda values: values[0] / values[1]}
 FIELDS = {
     "data file": {"seeds", "files", "run", "subject"},
-    "run": {"experiment", "trials", "options", "seconds", "seeded", "files"},
+    "run": {"experiment", "trials", "options", "seconds", "seeded", "files", "alone"},
     "subject": {"title", "text", "run", "rows"},
     "measured": {"run", "what", "key", "take", "factor", "digits", "unit", "required",
                  "required_says", "reference", "reference_key", "source", "needs_data"},

@@ -66,7 +66,9 @@ if [ -e "$here/broken-$2" ]; then
 fi
 name=$2; seed=7
 while [ "$1" != --json ]; do [ "$1" != --seed ] || seed=${2%000000}; shift; done
+[ ! -e "$here/slow-$name" ] || sleep 0.2
 cp "$here/$name-$seed" "$2"
+echo "$name ended" >>"$here/ends"
 """
 
 
@@ -319,6 +321,15 @@ def test_what_all_did_not_come_to_is_stale(place):
     assert list(place.stale()) == ["objects"]
     place.results("--page")
     assert place.row("recall")[1] == "0.907 (0.880 to 0.950)" and "stale" in place.row("recall")[5]
+
+
+def test_what_times_by_the_clock_is_run_while_nothing_else_is(fresh):
+    alone = "seeded = false\nseconds = 99\nalone = true"
+    fresh.data.write_text(DATA.replace("seeded = false", alone))
+    (fresh.bin / "slow-objects").touch()
+    fresh.measure("--jobs", "4")
+    assert (fresh.bin / "ends").read_text().split() == 3 * ["objects", "ended"] + ["distances",
+                                                                                  "ended"]
 
 
 def test_only_runs_that_are_named_are_measured(fresh):
