@@ -86,7 +86,7 @@ struct FeelingParams {
   FallParams falls;
   HeldBallParams heldBall;
   LiftParams lift;
-  double noLoad = 7.5;            // rad/s of a joint without load (docs/body.md)
+  double noLoad = 7.5;            // rad/s of a joint without load (docs/physical-body.md)
   double weight = 0.162;          // of the robot over a joint's greatest torque, 1/cm: 16 N, 1 N m
   double lever = 10.0;            // cm from the middle to the feet, by which a turn counts
   double legLength = 10.0;        // cm, by which a push is a share of the rotators' currents

@@ -54,7 +54,7 @@ struct BallFilterParams {
   double missedReach = 100.0;      // cm; a ball in the image nearer than this must be seen
   std::uint32_t missedFrames = 5;  // so often in a row it may be missed
   double missedFactor = 4.0;       // how much faster it is given up then
-  double heldAhead = 8.0;          // cm from the neck to a ball that is held (docs/body.md)
+  double heldAhead = 8.0;          // cm from the neck to a held ball (docs/physical-body.md)
   double heldSd = 1.5;             // cm
   DropInParams dropIn;
 

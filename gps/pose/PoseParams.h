@@ -89,7 +89,7 @@ struct ModeParams {
   double repeatedOutlierWeight = 0.3;
   double sightingFade = 0.3;  // s in which a record of sightings falls to 1/e
   // Of the mode added at the centre before each update; 0: none. 1e-12 costs robots among others
-  // 0.4 of 4.7 cm: half hidden beacons win by it (docs/team.md).
+  // 0.4 of 4.7 cm: half hidden beacons win by it (docs/decisions.md).
   double wideWeight = 1e-16;
   double widePositionSd = 250.0;  // cm
   Angle wideHeadingSd = Angle::deg(150.0);

@@ -13,7 +13,7 @@
 
 namespace kelpie::gps {
 
-// Learned in the simulated body (docs/team.md); a robot needs a `free` of its own.
+// Learned in the simulated body (docs/decisions.md); a robot needs a `free` of its own.
 struct ShakeParams {
   bool use = true;
   double meanSeconds = 0.5;   // over which the acceleration's mean is taken: it leans as it walks

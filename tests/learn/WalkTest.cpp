@@ -130,7 +130,7 @@ TEST(Gain, OfAWalkThatFallsOrDiffersBetweenModelsIsLess) {
   EXPECT_LT(gainOf({good, fallen}, {}), best - 0.9);
 }
 
-// A model that no search has seen (docs/body.md tells the figures of five).
+// A model that no search has seen (docs/physical-body.md tells the figures of five).
 TEST(NormalWalk, WalksInEachDirectionAndTellsHowFar) {
   const actuator::ActuatorParams params;
   PhysicalWalker walker(variedModels(654321, 1, 0.002)[0], params, 8);

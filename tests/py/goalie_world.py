@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 # A plane world for goalies: balls roll at the own goal, the goalie's commands are integrated. The
 # field is the complex plane in cm, a heading is a unit number. Legs follow 0.1 s late and motions
-# begin as late; a block covers what docs/body.md says from when it says on; a ball in a kick's
-# place goes where that table says. What the goalie is told of the ball is 0.07 s old, and wrong by
-# `noise` times 2.5 % of its distance and 8 cm/s + 10 % of its speed.
+# begin as late; a block covers what docs/physical-body.md says from when it says on; a ball in a
+# kick's place goes where that table says. What the goalie is told of the ball is 0.07 s old, and
+# wrong by `noise` times 2.5 % of its distance and 8 cm/s + 10 % of its speed.
 import cmath
 import math
 import random

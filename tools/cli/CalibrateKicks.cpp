@@ -22,8 +22,8 @@ constexpr const char* kHelp =
 Plays each kick on varied physical models with the ball at each place of a grid, and held, and
 writes what became of the ball as a Python module. A place's runs lie up to half a step beside it.
 Models and places are drawn from the seed; `kelpie evaluate kick-map` says how right the map is on
-others. Takes minutes; an interrupt ends it and leaves the file as it was. docs/body.md, "The kick
-map".
+others. Takes minutes; an interrupt ends it and leaves the file as it was.
+docs/physical-body.md, "The kick map".
 
   kelpie calibrate kicks --out pycode/data/kick_map.py
   kelpie calibrate kicks --trials 2 --step 4 --out -)";

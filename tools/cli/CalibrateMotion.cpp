@@ -34,7 +34,7 @@ end in the stance. Afterwards it is judged on models and places
 that the search has not seen.
 
 The search begins at the motion as it is, or as the file of --start has it. With --journal a search
-that was broken off goes on. docs/body.md has the aims.
+that was broken off goes on. docs/physical-body.md has the aims.
 
   kelpie calibrate motion hard_forward --out actuator/data/motions/hard_forward.toml
   kelpie calibrate motion upenn_left --trials 2000 --seed 2 --journal upenn.journal --out upenn.toml

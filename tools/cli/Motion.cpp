@@ -25,7 +25,7 @@ Plays one motion on the physical body and says what happened. A kick gets the ba
 `kick` says that it lies, or held under the chin; getting up begins on the side it is for; a ball
 rolls at a block. NAME is one of actuator/data/motions, or the path of such a file: then --as says
 which motion it is (its own name says so too; one that is neither is a kick of a free ball when it
-has `kick`). --film shows it four times slower; docs/body.md tells more.
+has `kick`). --film shows it four times slower; docs/physical-body.md tells more.
 
   kelpie motion upenn_left --film upenn.mp4
   kelpie motion my/sit.toml --picture sit.png --model 3)";

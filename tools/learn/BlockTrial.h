@@ -8,7 +8,7 @@
 namespace kelpie::learn {
 
 constexpr double kBlockSeconds = 0.6;  // after it was asked for, until the ball is there
-// The ball comes to this line, that of the chest (docs/body.md).
+// The ball comes to this line, that of the chest (docs/physical-body.md).
 constexpr double kBlockAhead = 5.0;  // cm before the neck base
 
 bool isBlock(MotionKind kind);

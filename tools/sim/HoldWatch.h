@@ -13,8 +13,8 @@
 
 namespace kelpie::sim {
 
-// Where a held ball's centre is, from the neck base. A grip has it 5 to 10 cm ahead (docs/body.md);
-// the rest is for a ball that bounces in it.
+// Where a held ball's centre is, from the neck base. A grip has it 5 to 10 cm ahead
+// (docs/physical-body.md); the rest is for a ball that bounces in it.
 constexpr double kHeldNearest = 3.0;    // cm
 constexpr double kHeldFurthest = 11.0;  // cm
 constexpr double kHeldAside = 4.0;      // cm

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a physical ERS-7 is made of, beyond the lengths of robot/body: servos as DC motors, masses,
-// contacts, the ball. Decided by walks and kicks of real robots (docs/body.md). SI units.
+// contacts, the ball. Decided by walks and kicks of real robots (docs/physical-body.md). SI units.
 #pragma once
 
 #include "robot/core/Fields.h"
