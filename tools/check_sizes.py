@@ -9,7 +9,7 @@ import sys
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
-HEADER_LINES, SOURCE_LINES, FUNCTION_LINES, README_LINES, COLUMNS = 250, 600, 80, 40, 100
+HEADER_LINES, SOURCE_LINES, FUNCTION_LINES, COLUMNS = 250, 600, 80, 100
 FUNCTION_START = re.compile(r"^(?!\s*(?:namespace|class|struct|enum|union|extern)\b)\S.*\{\s*$")
 
 
@@ -51,10 +51,6 @@ def main():
     for path in tracked("*.h", "*.cpp", "*.py", "*.c"):
         if path not in exceptions:
             found += problems_of(path)
-    for path in tracked("*/README.md"):
-        count = len((ROOT / path).read_text().splitlines())
-        if count > README_LINES:
-            found.append(f"{path}: {count} lines, at most {README_LINES}")
     print("\n".join(found), end="\n" if found else "")
     return 1 if found else 0
 

@@ -11,14 +11,14 @@ namespace {
 
 constexpr const char* kHeading = R"(# What the robot tells and takes
 
-Every joint, sensor and light of a real ERS-7 in its own signs and units, each with the public
-source that says so. The world, the stand-in for the robot and the agent must agree on them, and
-none of them may be its own proof: `tests/openr/ContractTest.cpp` writes this page from
-`robot/openr/Contract.h`, `tests/openr/RawPosesTest.cpp` shows the agent robots that are put
-together from it by hand, and `tests/sim/PublishedPosesTest.cpp` lays a physical robot down by the
-angles that Sony published. `docs/sources.md` says what each source is. Left and right are the
-robot's own. A sign in which Kelpie counts the other way is turned in `robot/agent/Senses.h` and
-nowhere else.
+Reference, for who writes code that speaks to a robot: every joint, sensor and light of a real
+ERS-7 in its own signs and units, each with the public source that says so. The world, the stand-in
+for the robot and the agent must agree on them, and none of them may be its own proof:
+`tests/openr/ContractTest.cpp` writes this page from `robot/openr/Contract.h`,
+`tests/openr/RawPosesTest.cpp` shows the agent robots that are put together from it by hand, and
+`tests/sim/PublishedPosesTest.cpp` lays a physical robot down by the angles that Sony published.
+`docs/sources.md` says what each source is. Left and right are the robot's own. A sign in which
+Kelpie counts the other way is turned in `robot/agent/Senses.h` and nowhere else.
 
 )";
 
