@@ -1,0 +1,120 @@
+# SPDX-License-Identifier: Apache-2.0
+"""docs/howto.md: its recipes of Python are done in a copy of the tree, in the words of the page, and
+every file that a recipe names is there. Nothing is built."""
+
+import ast
+import re
+import shutil
+import subprocess
+import sys
+
+import pytest
+from conftest import ROOT
+
+PAGE = (ROOT / "docs/howto.md").read_text()
+RECIPES = {text.splitlines()[0].removeprefix("## "): text
+           for text in re.split(r"^(?=## )", PAGE, flags=re.M)[1:]}
+# "Write `path`:" or "Add to `path`:", and the block that follows.
+STEP = re.compile(r"(Write|Add to) `([\w./]+)`:\s*```python\n(.*?)```", re.S)
+ENTRY = re.compile(r"add to `SKILLS` of `(pycode/[\w./]+)` a line `([^`]+)`")
+PATH = re.compile(r"`((?:\w+/)+[\w.]*)`")
+# The recipes whose every step is Python, and so is done here. Those of C++ are compiled elsewhere.
+PYTHON_RECIPES = ("A skill", "A number, a parameter")
+
+
+def steps(recipe):
+    return STEP.findall(RECIPES[recipe])
+
+
+def written_by_a_recipe():
+    return {path for text in RECIPES.values() for what, path, _ in STEP.findall(text)
+            if what == "Write"}
+
+
+def named_paths(text):
+    prose = re.sub(r"^```.*?^```", "", text, flags=re.S | re.M)
+    return set(PATH.findall(prose)) - written_by_a_recipe()
+
+
+def run(place, *words):
+    return subprocess.run([sys.executable, *words], cwd=place, capture_output=True, text=True,
+                          timeout=120, check=False)
+
+
+@pytest.fixture(scope="module", name="done")
+def tree_in_which_the_recipes_are_done(tmp_path_factory):
+    place = tmp_path_factory.mktemp("howto")
+    for folder in ("pycode", "tests/py"):
+        shutil.copytree(ROOT / folder, place / folder,
+                        ignore=shutil.ignore_patterns("__pycache__"))
+    for recipe in PYTHON_RECIPES:
+        for what, path, text in steps(recipe):
+            before = (place / path).read_text() if what == "Add to" else ""
+            (place / path).write_text(before + text)
+    register(place)
+    return place
+
+
+def register(place):
+    """The line of SKILLS, and the import that it wants."""
+    path, entry = ENTRY.search(RECIPES["A skill"]).groups()
+    name = entry.split(":")[1].strip(" ,")
+    module = steps("A skill")[0][1].removeprefix("pycode/").removesuffix(".py").replace("/", ".")
+    text = (place / path).read_text()
+    assert text.count("SKILLS = {\n") == 1
+    text = text.replace("SKILLS = {\n", f"SKILLS = {{\n    {entry}\n")
+    (place / path).write_text(text.replace("import kelpie\n",
+                                           f"import kelpie\nfrom {module} import {name}\n", 1))
+
+
+def test_the_page_has_a_recipe_for_each_thing_that_is_added_often():
+    assert list(RECIPES) == ["A skill", "A number, a parameter", "A field of the log", "A kick",
+                             "A role", "An experiment"]
+
+
+@pytest.mark.parametrize("recipe", RECIPES)
+def test_a_file_that_a_recipe_names_is_there(recipe):
+    named = named_paths(RECIPES[recipe])
+    assert len(named) >= 3
+    assert [path for path in sorted(named) if not (ROOT / path).exists()] == []
+
+
+def test_what_a_recipe_writes_is_not_there_yet():
+    assert len(written_by_a_recipe()) == 2
+    assert [path for path in written_by_a_recipe() if (ROOT / path).exists()] == []
+
+
+def test_the_test_of_the_new_skill_passes(done):
+    path = next(path for _, path, _ in steps("A skill") if path.startswith("tests/"))
+    result = run(done, "-m", "pytest", "-q", "-p", "no:cacheprovider", path)
+    assert result.returncode == 0 and "1 passed" in result.stdout, result.stdout
+
+
+def test_the_new_skill_keeps_to_the_layers_and_the_house_rules_of_python(done):
+    result = run(done, "-m", "pytest", "-q", "-p", "no:cacheprovider", "tests/py/test_structure.py")
+    assert result.returncode == 0, result.stdout
+
+
+def test_the_new_skill_can_be_drawn(done):
+    """One frame of it by the player of one skill, as `kelpie vectors` asks for it."""
+    script = """
+import sys
+sys.path[:0] = ["pycode", "tests/py"]
+import kelpie, main
+world = kelpie.WorldFrame(field=kelpie.FIELDS["2006"])
+world.task.player, world.task.skill = kelpie.ONE_SKILL, main.skill_names().index("face_ball")
+world.ball.present, world.ball.heading_deg = True, 40.0
+print(main.decide(world).walk.turn_deg)
+"""
+    result = run(done, "-c", script)
+    assert result.returncode == 0, result.stderr
+    assert float(result.stdout) == pytest.approx(numbers(done)["GAIN"] * 40.0)
+
+
+def numbers(place):
+    """Those of the class that the recipe adds to the tune file."""
+    _, path, text = steps("A number, a parameter")[0]
+    wanted = ast.parse(text).body[0].name
+    tree = ast.parse((place / path).read_text())
+    (cls,) = [node for node in tree.body if isinstance(node, ast.ClassDef) and node.name == wanted]
+    return {node.targets[0].id: ast.literal_eval(node.value) for node in cls.body}
