@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Fails on what the house style bans in every file: no SPDX line, #ifdef for host or robot, #pragma
 to silence a warning, clocks and unseeded randomness in the stages, paths of one machine, and words
-that gave way to the field's own."""
+that gave way to the field's own. In pages it fails on prose that is wider than a terminal, on
+figures of a program that nobody else has, and on commit hashes, which make a guide a diary."""
 
 import re
 import subprocess
@@ -71,6 +72,14 @@ RETIRED = {
     "no number": "NaN, or not finite",
 }
 RETIRED_WORD = re.compile(r"\b(" + "|".join(RETIRED) + r")\b")
+PROSE_COLUMNS, PROSE_HASHES = 100, 5
+# Records, which say of which commit a figure is.
+RECORDS = ("docs/results.md", "docs/decisions.md")
+# Written by a program, which wraps its lines as it can.
+GENERATED = ("docs/results.md",)
+CODE_LINE = re.compile(r" {4}")
+HASH = re.compile(r"\b(?=[0-9]*[a-f])(?=[a-f]*[0-9])[0-9a-f]{7,40}\b")
+NOBODY_HAS_IT = re.compile(r"not\s+in\s+the\s+tree")
 
 
 def tracked(*patterns):
@@ -95,11 +104,64 @@ def retired_words(path):
             yield f"{path}:{number}: '{word}': say {RETIRED[word]}"
 
 
+def lines_beside_code(text):
+    """Line numbers and lines of a page that are not code, tables included."""
+    in_code = False
+    for number, line in enumerate(text.splitlines(), 1):
+        if line.lstrip().startswith("```"):
+            in_code = not in_code
+        elif not in_code and not CODE_LINE.match(line):
+            yield number, line
+
+
+def can_be_broken(line):
+    """A row of a table, and a line that is one link or one word, have no place to break."""
+    words = re.sub(r"\[[^\]]*\]\(", "(", line).removeprefix("- ").split()
+    return len(words) > 1 and not line.startswith("|")
+
+
+def excepted_pages():
+    """Those that tools/size_exceptions lets be wider."""
+    lines = (ROOT / "tools/size_exceptions").read_text().splitlines()
+    return {line.split()[0] for line in lines if line and not line.startswith("#")}
+
+
+def page_problems(path, text, excepted=()):
+    if path not in GENERATED and path not in excepted:
+        for number, line in lines_beside_code(text):
+            if len(line) > PROSE_COLUMNS and can_be_broken(line):
+                yield f"{path}:{number}: prose of {len(line)} columns, at most {PROSE_COLUMNS}"
+    for match in NOBODY_HAS_IT.finditer(text):
+        yield (f"{path}:{text.count(chr(10), 0, match.start()) + 1}: '{match.group()}': "
+               "a figure has a command that repeats it, or is not written")
+
+
+def hashes_in(path, text):
+    """What looks like a commit's hash, of a page that is no record; code shows what a program
+    prints."""
+    if path in RECORDS:
+        return []
+    return [f"{path}:{number}: {commit}" for number, line in lines_beside_code(text)
+            for commit in HASH.findall(line)]
+
+
+def pages_problems(pages, excepted=()):
+    """Of all pages together: path -> text."""
+    found = [p for path, text in pages.items() for p in page_problems(path, text, excepted)]
+    hashes = [h for path, text in pages.items() for h in hashes_in(path, text)]
+    if len(hashes) > PROSE_HASHES:
+        found += [f"{h}: a commit's hash; with the others {len(hashes)} outside "
+                  f"{' and '.join(RECORDS)}, at most {PROSE_HASHES}" for h in hashes]
+    return found
+
+
 def main():
     found = [p for path in tracked("*.h", "*.cpp") for p in code_problems(path)]
     for path in tracked("*.h", "*.cpp", "*.py", "*.md"):
         if path != "tools/check_house.py":
             found += retired_words(path)
+    found += pages_problems({path: (ROOT / path).read_text() for path in tracked("*.md")},
+                            excepted_pages())
     for path in tracked("*.py", "tools/*", "toolchain/*", "*.cmake"):
         if not (ROOT / path).is_file() or path == "tools/check_house.py":
             continue

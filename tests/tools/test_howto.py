@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""docs/howto.md: its recipes of Python are done in a copy of the tree, in the words of the page, and
-every file that a recipe names is there. Nothing is built."""
+"""docs/howto.md: its recipes of Python are done in a copy of the tree as the page says, and every
+file that a recipe names is there. Nothing is built."""
 
 import ast
 import re
