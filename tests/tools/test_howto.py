@@ -2,7 +2,6 @@
 """docs/howto.md: its recipes of Python are done in a copy of the tree as the page says, and every
 file that a recipe names is there. Nothing is built."""
 
-import ast
 import re
 import shutil
 import subprocess
@@ -14,12 +13,21 @@ from conftest import ROOT
 PAGE = (ROOT / "docs/howto.md").read_text()
 RECIPES = {text.splitlines()[0].removeprefix("## "): text
            for text in re.split(r"^(?=## )", PAGE, flags=re.M)[1:]}
-# "Write `path`:" or "Add to `path`:", and the block that follows.
-STEP = re.compile(r"(Write|Add to) `([\w./]+)`:\s*```python\n(.*?)```", re.S)
-ENTRY = re.compile(r"add to `SKILLS` of `(pycode/[\w./]+)` a line `([^`]+)`")
+# "Write `path`:", and the block that follows.
+STEP = re.compile(r"Write\s+`([\w./]+)`:\s*```python\n(.*?)```", re.S)
+ENTRY = re.compile(r"add to `SKILLS` of `(pycode/[\w./]+)` a line\s+`'(\w+)': (.*?(\w+)\(\)),`")
+EDIT = re.compile(r"`([A-Z]+ = [\d.]+)` in place of `([A-Z]+ = [\d.]+)`")
 PATH = re.compile(r"`((?:\w+/)+[\w.]*)`")
-# The recipes whose every step is Python, and so is done here. Those of C++ are compiled elsewhere.
-PYTHON_RECIPES = ("A skill", "A number, a parameter")
+# What `kelpie vectors` asks of one skill: its first step, with the ball 40 deg to the left.
+FIRST_STEP = """
+import sys
+sys.path[:0] = ["pycode", "tests/py"]
+import kelpie, main
+world = kelpie.WorldFrame(field=kelpie.FIELDS["2006"])
+world.task.player, world.task.skill = kelpie.ONE_SKILL, main.skill_names().index(sys.argv[1])
+world.ball.present, world.ball.heading_deg = True, 40.0
+print(main.decide(world).walk.turn_deg)
+"""
 
 
 def steps(recipe):
@@ -27,8 +35,7 @@ def steps(recipe):
 
 
 def written_by_a_recipe():
-    return {path for text in RECIPES.values() for what, path, _ in STEP.findall(text)
-            if what == "Write"}
+    return {path for text in RECIPES.values() for path, _ in STEP.findall(text)}
 
 
 def named_paths(text):
@@ -47,24 +54,28 @@ def tree_in_which_the_recipes_are_done(tmp_path_factory):
     for folder in ("pycode", "tests/py"):
         shutil.copytree(ROOT / folder, place / folder,
                         ignore=shutil.ignore_patterns("__pycache__"))
-    for recipe in PYTHON_RECIPES:
-        for what, path, text in steps(recipe):
-            before = (place / path).read_text() if what == "Add to" else ""
-            (place / path).write_text(before + text)
+    for path, text in steps("A skill"):
+        (place / path).write_text(text)
     register(place)
     return place
 
 
 def register(place):
     """The line of SKILLS, and the import that it wants."""
-    path, entry = ENTRY.search(RECIPES["A skill"]).groups()
-    name = entry.split(":")[1].strip(" ,")
-    module = steps("A skill")[0][1].removeprefix("pycode/").removesuffix(".py").replace("/", ".")
+    path, name, maker, kind = ENTRY.search(RECIPES["A skill"]).groups()
+    module = steps("A skill")[0][0].removeprefix("pycode/").removesuffix(".py").replace("/", ".")
     text = (place / path).read_text()
     assert text.count("SKILLS = {\n") == 1
-    text = text.replace("SKILLS = {\n", f"SKILLS = {{\n    {entry}\n")
+    text = text.replace("SKILLS = {\n", f"SKILLS = {{\n    '{name}': {maker},\n")
     (place / path).write_text(text.replace("import kelpie\n",
-                                           f"import kelpie\nfrom {module} import {name}\n", 1))
+                                           f"import kelpie\nfrom {module} import {kind}\n", 1))
+
+
+def first_step(place):
+    """deg/s of the new skill's first turn, by the player that plays one skill alone."""
+    result = run(place, "-c", FIRST_STEP, ENTRY.search(RECIPES["A skill"]).group(2))
+    assert result.returncode == 0, result.stderr
+    return float(result.stdout)
 
 
 def test_the_page_has_a_recipe_for_each_thing_that_is_added_often():
@@ -85,36 +96,21 @@ def test_what_a_recipe_writes_is_not_there_yet():
 
 
 def test_the_test_of_the_new_skill_passes(done):
-    path = next(path for _, path, _ in steps("A skill") if path.startswith("tests/"))
+    path = next(path for path, _ in steps("A skill") if path.startswith("tests/"))
     result = run(done, "-m", "pytest", "-q", "-p", "no:cacheprovider", path)
     assert result.returncode == 0 and "1 passed" in result.stdout, result.stdout
 
 
-def test_the_new_skill_keeps_to_the_layers_and_the_house_rules_of_python(done):
+def test_the_new_skill_keeps_to_the_house_rules_of_the_behaviours(done):
     result = run(done, "-m", "pytest", "-q", "-p", "no:cacheprovider", "tests/py/test_structure.py")
     assert result.returncode == 0, result.stdout
 
 
-def test_the_new_skill_can_be_drawn(done):
-    """One frame of it by the player of one skill, as `kelpie vectors` asks for it."""
-    script = """
-import sys
-sys.path[:0] = ["pycode", "tests/py"]
-import kelpie, main
-world = kelpie.WorldFrame(field=kelpie.FIELDS["2006"])
-world.task.player, world.task.skill = kelpie.ONE_SKILL, main.skill_names().index("face_ball")
-world.ball.present, world.ball.heading_deg = True, 40.0
-print(main.decide(world).walk.turn_deg)
-"""
-    result = run(done, "-c", script)
-    assert result.returncode == 0, result.stderr
-    assert float(result.stdout) == pytest.approx(numbers(done)["GAIN"] * 40.0)
-
-
-def numbers(place):
-    """Those of the class that the recipe adds to the tune file."""
-    _, path, text = steps("A number, a parameter")[0]
-    wanted = ast.parse(text).body[0].name
-    tree = ast.parse((place / path).read_text())
-    (cls,) = [node for node in tree.body if isinstance(node, ast.ClassDef) and node.name == wanted]
-    return {node.targets[0].id: ast.literal_eval(node.value) for node in cls.body}
+def test_the_new_skill_can_be_drawn_and_a_number_of_it_edited(done):
+    path = done / steps("A skill")[0][0]
+    after, before = EDIT.search(RECIPES["A number, a parameter"]).groups()
+    text = path.read_text()
+    slow = first_step(done)
+    assert slow > 0.0 and text.count(before) == 1
+    path.write_text(text.replace(before, after))
+    assert first_step(done) == pytest.approx(2.0 * slow)
