@@ -3,8 +3,8 @@
 # for how the robot comes to it, against a grab and the aimed kick that follows, by what the ball is
 # worth afterwards (decisions/kick_map_choice.py) less what the time costs. Where the map is used
 # the tree's strikes from an edge, of which every second one left the field, are grabs, and so are
-# all of a contested ball, which brought it 16 cm up-field where a kick from the hold brings 63
-# (docs/team.md).
+# all of a contested ball, which brought it 16 cm up-field where a kick from the hold brings
+# 63.
 import math
 
 import kelpie

@@ -18,7 +18,7 @@ FARTHEST = 80.0                # cm from the tree's place
 PASS_FREE = 90.0  # cm that one goes for a free pass,
 SHOT_FREE = 30.0  # cm for a free shot from there,
 UNMARKED = 40.0   # cm to be unmarked
-KICK = 165.0                   # cm; held kicks go 125 to 205 (docs/body.md)
+KICK = 165.0                   # cm; held kicks go 125 to 205 (docs/physical-body.md)
 PER_CM = 0.3                   # that a cm off that distance counts
 STAYS = 20.0                   # cm, bonus of the place of before
 

@@ -2,7 +2,7 @@
 # The goalie's clearing kicks (thesis 2006 section 4.3.1): which kick, of the ball as it will lie
 # when the motion strikes, sends it far, up-field and past who stands there, and in no case to the
 # own goal. Keeps nothing; what a kick does it reads from the kick map. Fails where the map does:
-# for a ball that an opponent holds against the kick goes anywhere (docs/body.md, Kicks).
+# for a ball that an opponent holds against the kick goes anywhere (docs/physical-body.md, Kicks).
 import math
 
 import kelpie

@@ -40,8 +40,8 @@ HINT_WITHIN = 40.0       # cm; a far ball that is lost need not be where the paw
 START_S = 0.5            # for the motion to begin
 LONGEST_S = 2.0  # s
 PAWS_NEAR = 3.0  # cm,
-PAWS_FAR = 11.0  # cm ahead of the neck: there a gripped ball lies (docs/body.md),
-PAWS_ASIDE = 4.0                  # and so far aside
+PAWS_FAR = 11.0  # cm ahead of the neck: there a gripped ball lies,
+PAWS_ASIDE = 4.0                  # and so far aside (docs/physical-body.md)
 
 
 def walk_kind(away, aside, last):

@@ -28,7 +28,7 @@ BLOCKED_OUT = 1.7       # s of it with somebody ahead, where the kicks of the ma
                         # of five against who is within 25 cm leave the ball in the arms
 FARTHEST = 35.0         # cm from the place of the grab by odometry (rule: 50 cm); a stop takes 6
 SETTLE = 0.13           # s after the grab
-FEEL = 0.5              # s within which a caught ball is felt (docs/body.md: 0.22)
+FEEL = 0.5              # s within which a caught ball is felt (docs/physical-body.md: 0.22)
 STEADY = 0.17           # s that it stands before a kick,
 STEADY_MOST = 0.4       # s at most until it is still:
 STILL = 5.0             # cm/s,
@@ -40,7 +40,6 @@ DELAY = 0.13            # s from a command to the body's turn
 CARRY_UNTIL = 1.8       # [0.9, 3.6] s: later there is no time for a way that matters
 CARRY_TO = 65.0         # [32.5, 130] cm to the goal from which carrying on helps no more: of 52
                         # kicks from up to 90 cm 9 were goals, of 44 from 90 to 120 one
-                        # (docs/team.md)
 CARRY_FROM = 230.0      # [115, 460] and beyond which a kick does not reach the goal anyway
 SEARCH_Y = 400.0        # cm; from here on the goal is turned for more slowly (G39)
 SEARCH_TURN = 50.0  # deg/s,

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 # How a held ball is carried: head, jaw and walk that keep it between chin, chest and forelegs
-# (docs/body.md, Holding the ball), and what the rules allow meanwhile (3 s, 50 cm). A Hold keeps
-# since when and how far the robot has had the ball, by odometry. It fails when the ball slips out
-# and nothing is felt of it for a while.
+# (docs/physical-body.md, Holding the ball), and what the rules allow meanwhile (3 s, 50 cm). A Hold
+# keeps since when and how far the robot has had the ball, by odometry. It fails when the ball slips
+# out and nothing is felt of it for a while.
 import math
 
 import kelpie

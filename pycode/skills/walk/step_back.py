@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # A step back from a ball between the paws, which a referee counts as held whether it is gripped or
-# not (3 s, docs/body.md): it comes into view and lies free. Keeps when it began. Whether the ball
-# was there it cannot tell.
+# not (3 s, docs/physical-body.md): it comes into view and lies free. Keeps when it began. Whether
+# the ball was there it cannot tell.
 import kelpie
 from arbiter.skill import Skill
 
