@@ -87,7 +87,7 @@ def test_the_playing_robot_knows_its_place(tmp_path):
     assert kelpie("evaluate", "localise", "--trials", "1", "--seed", "31", "--traces", tmp_path,
                   "--json", figures).returncode == 0
     values = json.loads(figures.read_text())
-    # 3.5 cm and 1.9 deg over many matches (docs/physical-body.md says why not 3 and 1.2).
+    # 3.5 cm and 1.9 deg over many matches (docs/decisions.md says why not 3 and 1.2).
     assert values["mean_cm"] < 6 and values["mean_deg"] < 3 and values["p95_cm"] < 15
     assert values["both_cm"] == values["mean_cm"] and len(values["by_10_s_cm"]) == 18
     assert len((tmp_path / "localise-31-frames.csv").read_text().splitlines()) == 5401
