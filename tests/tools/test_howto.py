@@ -2,6 +2,7 @@
 """docs/howto.md: its recipes of Python are done in a copy of the tree as the page says, and every
 file that a recipe names is there. Nothing is built."""
 
+import os
 import re
 import shutil
 import subprocess
@@ -10,6 +11,7 @@ import sys
 import pytest
 from conftest import ROOT
 
+BUILD = ROOT / "build/host"    # where the stand-in for the module `kelpie` is
 PAGE = (ROOT / "docs/howto.md").read_text()
 RECIPES = {text.splitlines()[0].removeprefix("## "): text
            for text in re.split(r"^(?=## )", PAGE, flags=re.M)[1:]}
@@ -21,7 +23,7 @@ PATH = re.compile(r"`((?:\w+/)+[\w.]*)`")
 # What `kelpie vectors` asks of one skill: its first step, with the ball 40 deg to the left.
 FIRST_STEP = """
 import sys
-sys.path[:0] = ["pycode", "tests/py"]
+sys.path[:0] = ["pycode", "tests/py", sys.argv[2]]
 import kelpie, main
 world = kelpie.WorldFrame(field=kelpie.FIELDS["2006"])
 world.task.player, world.task.skill = kelpie.ONE_SKILL, main.skill_names().index(sys.argv[1])
@@ -45,7 +47,8 @@ def named_paths(text):
 
 def run(place, *words):
     return subprocess.run([sys.executable, *words], cwd=place, capture_output=True, text=True,
-                          timeout=120, check=False)
+                          timeout=120, check=False,
+                          env={**os.environ, "KELPIE_BUILD": str(BUILD)})
 
 
 @pytest.fixture(scope="module", name="done")
@@ -73,7 +76,8 @@ def register(place):
 
 def first_step(place):
     """deg/s of the new skill's first turn, by the player that plays one skill alone."""
-    result = run(place, "-c", FIRST_STEP, ENTRY.search(RECIPES["A skill"]).group(2))
+    result = run(place, "-c", FIRST_STEP, ENTRY.search(RECIPES["A skill"]).group(2),
+                 BUILD / "generated/python")
     assert result.returncode == 0, result.stderr
     return float(result.stdout)
 
