@@ -36,11 +36,6 @@ def inside(world, walk, margin=MARGIN) -> kelpie.WalkRequest:
                               kind=walk.kind)
 
 
-def inside_box(now, walk) -> kelpie.WalkRequest:
-    """The filter of a goalie."""
-    return inside(now.world, walk)
-
-
 def straight_back(now, walk) -> kelpie.WalkRequest:
     """The filter of a step back: as far as the goal line, straight or not at all. Aside, as the box
     may ask, its legs take the ball along."""
