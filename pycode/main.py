@@ -2,7 +2,7 @@
 # Where the host starts: decide(world) -> Command, once per camera frame. What a robot remembers
 # lives in the player made here; an edited file makes a new one.
 import kelpie
-from decisions.score import goes_forward
+from decisions.roles import goes_forward
 from decisions.tree import rows
 from players.challenger import Challenger
 from players.ellipse_goalie import EllipseGoalie

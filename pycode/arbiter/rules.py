@@ -28,13 +28,12 @@ class RuleMachine(Machine):
         return self.playing in self.COMMITTED
 
     def choose(self, world, now) -> None:
-        """Enters the state of the first rule that holds, unless it is played already."""
-        if self.committed:
-            return
+        """Enters the state of the first rule that holds, unless it is played already. Not to be
+        asked of a state that is committed."""
+        playing = self.state.__name__
         for test, name in self.RULES:
-            reason = test(now, self.playing)
-            if reason is not None:
-                if name != self.playing:
+            if reason := test(now, playing):
+                if name != playing:
                     self.change(world, now, name, reason)
                 return
 

@@ -22,6 +22,7 @@ CHALLENGE_S = 0.15
 HOME_S = 1.0         # [0.5, 2] bonus of the defender of the last frame (facts-2005 section 7.1)
 EVERY_FRAMES = 3     # a tenth of a second: the team is told at 6 Hz
 NAMES = kelpie.ROLE_NAMES
+BEHIND = 3           # goals
 
 Answer = tuple       # whether, the reason, its numbers
 
@@ -170,3 +171,12 @@ class RoleChoice:
 
     def take(self, role, why):
         self.role, self.why = role, tuple(why)
+
+
+def goes_forward(world) -> bool:
+    """Whether a goalie plays as a forward does (thesis 2006 section 5.2): when its team is behind by
+    more than three goals. A switch, since an empty goal costs more than one attacker gains in any
+    closer match."""
+    game, task = world.game, world.task
+    return (task.score_aware and task.player in (kelpie.GOALIE, kelpie.GOALIE_2004) and
+            game.opponent_score - game.own_score > BEHIND)

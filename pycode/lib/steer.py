@@ -37,3 +37,12 @@ def facing(point: Point, aside, near=0.0, speed=SPEED) -> kelpie.WalkRequest:
 def aim_at(x, y, height=BALL_TOP) -> kelpie.HeadRequest:
     """The camera's axis through a point of the robot frame, `height` cm above the carpet."""
     return kelpie.HeadRequest(aim=kelpie.AIM_POINT, target=kelpie.Point3(x=x, y=y, z=height))
+
+
+def filtered(now, walk, filters):
+    """The WalkRequest that is left of a walk: each filter of safety/ is a pure function
+    filter(now, walk) -> walk that takes away what would do harm; `now` is the situation of the
+    frame, of which a filter reads what it names."""
+    for one in filters:
+        walk = one(now, walk)
+    return walk

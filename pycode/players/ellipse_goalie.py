@@ -8,9 +8,9 @@
 import kelpie
 from arbiter.rules import RuleMachine
 from lib.goalie_places import beyond_box, central_place, ellipse_place
+from lib.steer import filtered
 from lib.ways import point_of
 from players.halted import Halted
-from safety.chain import filtered
 from safety.rear_wall import off_wall
 from situation import kick_stand
 from situation.clearance import clearing_kick
@@ -101,7 +101,8 @@ class EllipseGoalie(RuleMachine):
         if self.get_up.needed(world):
             self.reset(world, 'has fallen', self.guard, GuardGoal(OF_2004))
             return kelpie.Command(motion=self.get_up.step(world))
-        self.choose(world, self)
+        if not self.committed:
+            self.choose(world, self)
         return super().step(world)
 
     def idle(self, world) -> kelpie.Command:

@@ -16,27 +16,22 @@ from skills.motion.get_up import GetUp
 from skills.walk.take_place import TakePlace
 
 
-class ForwardSituation:
-    """What a player of the field decides by before its role does."""
-
-    def __init__(self, world, fallen):
-        game = world.game
-        self.world, self.fallen = world, fallen
-        self.before_kick_off = game.state in (kelpie.READY, kelpie.SET) and not game.penalised
-        self.halted = not self.before_kick_off and (game.state != kelpie.PLAYING or game.penalised)
+def is_halted(world, playing):
+    game = world.game
+    if game.state == kelpie.PLAYING and not game.penalised:
+        return None
+    halted = game.penalised or game.state in (kelpie.INITIAL, kelpie.FINISHED)
+    return ('play is halted',) if halted else None
 
 
-def is_halted(now, playing):
-    return ('play is halted',) if now.halted else None
-
-
-def has_fallen(now, playing):
+def has_fallen(world, playing):
     """Who is set may not move."""
-    return ('it has fallen',) if now.fallen and now.world.game.state != kelpie.SET else None
+    falls = world.game.state != kelpie.SET and GetUp.needed(world)
+    return ('it has fallen',) if falls else None
 
 
-def gets_ready(now, playing):
-    return ('the team gets ready',) if now.before_kick_off else None
+def gets_ready(world, playing):
+    return ('the team gets ready',) if world.game.state != kelpie.PLAYING else None
 
 
 class Forward(RuleMachine):
@@ -64,8 +59,8 @@ class Forward(RuleMachine):
 
     def step(self, world) -> kelpie.Command:
         self.memory.update(world)
-        self.choose(world, ForwardSituation(world, self.get_up.needed(world)))
-        command = super().step(world)
+        self.choose(world, world)
+        command = self.state(world)
         self.explain(command.trace)
         return command
 
@@ -103,15 +98,18 @@ class Forward(RuleMachine):
         return command
 
     def explain(self, trace) -> None:
-        branch, why = self.playing, (self.why,)
-        if self.state == self.takes_place and self.place.state == self.place.set:
-            branch, why = 'waits', ('all are set',)
-        elif self.state == self.plays and self.with_mates:
-            branch, why = NAMES[self.choice.role], self.choice.why
-        trace.append((self.LAYER, self.NAME, branch, *why))
-        below = {self.takes_place: self.place, self.plays: self.role}.get(self.state)
-        if below is not None:
-            below.explain(trace)
+        if self.state == self.plays:
+            why = self.choice.why if self.with_mates else (self.why,)
+            branch = NAMES[self.choice.role] if self.with_mates else 'plays'
+            trace.append((self.LAYER, self.NAME, branch, *why))
+            self.role.explain(trace)
+        elif self.state == self.takes_place:
+            waits = self.place.state == self.place.set
+            trace.append((self.LAYER, self.NAME, 'waits', 'all are set') if waits else
+                         (self.LAYER, self.NAME, self.playing, self.why))
+            self.place.explain(trace)
+        else:
+            trace.append((self.LAYER, self.NAME, self.playing, self.why))
 
     def tell(self, world, note):
         """What the team hears of it."""

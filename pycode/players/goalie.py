@@ -8,8 +8,8 @@ from arbiter.rules import RuleMachine
 from decisions import goalie_rules as rules
 from decisions.guard_place import guard_place
 from lib.goalie_places import beside, bisector_place, facing
+from lib.steer import filtered
 from players.halted import Halted
-from safety.chain import filtered
 from safety.own_box import straight_back
 from safety.own_goal import faces_told_ball, hold_position, no_own_goal
 from situation.goalie import GoalieSituation
@@ -93,7 +93,8 @@ class Goalie(RuleMachine):
             self.start_over(world, 'has fallen')
             self.now.fell()
             return kelpie.Command(motion=self.get_up.step(world))
-        self.choose(world, self.now)
+        if not self.committed:
+            self.choose(world, self.now)
         return super().step(world)
 
     def idle(self, world) -> kelpie.Command:

@@ -54,11 +54,8 @@ class AttackerSituation:
         ball = world.ball
         most = LOST_NEAR_FRAMES if ball.present and ball.distance < CHIN else LOST_FRAMES
         self.lost = not ball.present or memory.ball_lost > most
-        # gps has a felt ball as seen; vision must say so, too.
-        self.in_view = not self.lost and ball.seconds_since_seen < SEEN_S
-        self.paw_pushes = self.box_in_the_way = self.may_look = False
-        self.ended = ''        # the leaf whose skill has come to its end
-        self.looked = False    # the look at a landmark is over
+        # What its player adds: paw_pushes, box_in_the_way, the leaf whose skill has come to its end,
+        # and ActiveLocalise, which knows whether a look is needed, or over.
 
 
 def paw_pushes(now, playing):
@@ -71,16 +68,18 @@ def skill_has_ended(now, playing):
 
 
 def looks_on(now, playing):
-    looks = playing == 'localise' and not now.looked and not now.lost
+    looks = playing == 'localise' and not now.landmarks.done and not now.lost
     return ('looks at a landmark',) if looks else None
 
 
 def ball_is_lost(now, playing):
     """Who plays or waits beside the box goes on until it is lost; who looked elsewhere must see it
     again."""
-    goes_on = playing == 'play' or (playing == 'avoid_box' and now.box_in_the_way)
-    if not now.lost and (goes_on or now.in_view):
-        return None
+    if not now.lost:
+        # gps has a felt ball as seen; vision must say so, too.
+        if playing == 'play' or now.world.ball.seconds_since_seen < SEEN_S or (
+                playing == 'avoid_box' and now.box_in_the_way):
+            return None
     if playing == 'play':
         return 'ball unseen for {} frames', float(now.memory.ball_lost)
     return (LEFT.get(playing, 'looks for the ball'),)
@@ -91,7 +90,7 @@ def ball_in_own_box(now, playing):
 
 
 def time_to_look(now, playing):
-    return ('far ball, time to look',) if now.may_look else None
+    return ('far ball, time to look',) if now.landmarks.needed(now.world) else None
 
 
 def ball_is_there(now, playing):
@@ -131,19 +130,17 @@ class Attacker(RuleMachine):
         self.goal.update(world)
         self.contested.update(world, self.memory)
         self.stuck.update(world)
-        self.choose(world, self.situation(world))
+        if not self.committed:
+            self.choose(world, self.situation(world))
         return super().step(world)
 
     def situation(self, world) -> AttackerSituation:
         now = AttackerSituation(world, self.memory)
-        if self.committed:
-            return now
         now.paw_pushes = self.stuck.needed(world)
-        if self.state == self.play and self.skill is not None and self.skill.done:
-            now.ended = self.leaf
-        now.looked = self.localise_skill.done
+        ended = self.state == self.play and self.skill is not None and self.skill.done
+        now.ended = self.leaf if ended else ''
+        now.landmarks = self.localise_skill
         now.box_in_the_way = self.box_in_the_way(world)
-        now.may_look = self.localise_skill.needed(world)
         return now
 
     @property
@@ -202,7 +199,7 @@ class Attacker(RuleMachine):
         return kelpie.Command(walk=walk, head=head)
 
     def play(self, world):
-        if not self.committed and (self.skill is None or world.frame % 2 == 0):
+        if self.skill is None or (world.frame % 2 == 0 and not self.skill.committed):
             self.choose_leaf(world)
         command = self.skill.step(world)
         self.remember(self.skill)

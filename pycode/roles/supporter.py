@@ -10,9 +10,8 @@ from arbiter.rules import RuleMachine
 from decisions.home import Home
 from decisions.roles import NAMES
 from lib.geom import from_field
-from lib.steer import facing
+from lib.steer import facing, filtered
 from lib.ways import aside_of
-from safety.chain import filtered
 from safety.own_box import outside_box
 from situation import keep_off, time_to
 from situation.heard import heard_of

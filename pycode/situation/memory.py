@@ -8,7 +8,7 @@ import kelpie
 
 # Who calls which method, and with it is the writer of what that changes.
 WRITERS = {'spun': 'skills/ball/spin_for_ball', 'saw_close': 'skills/head/track_ball',
-           'looked_for_landmarks': 'skills/head/landmark_look', 'approached': 'roles/attacker',
+           'looked_for_landmarks': 'skills/head/active_localise', 'approached': 'roles/attacker',
            'grabbed': 'roles/attacker', 'set_hint': 'roles/attacker'}
 
 NEVER = 10000           # frames

@@ -51,9 +51,10 @@ TEST(WorldView, ListsHaveTheirLengthAndElements) {
 
 TEST(WorldView, TheShippedQuestionsToTheObstacleMapAreAnswered) {
   const Scripts scripts("return kelpie.Command()");
-  std::filesystem::copy(KELPIE_SOURCE_DIR "/pycode/lib", scripts.path() + "/lib");
+  for (const std::string folder : {"lib", "situation"})
+    std::filesystem::copy(KELPIE_SOURCE_DIR "/pycode/" + folder, scripts.path() + "/" + folder);
   scripts.write("main.py",
-                "import kelpie\nfrom lib import obstacles\n\ndef decide(world):\n"
+                "import kelpie\nfrom situation import obstacles\n\ndef decide(world):\n"
                 "    points = obstacles.points_of(world, heard=False)\n"
                 "    return kelpie.Command(walk=kelpie.WalkRequest(\n"
                 "        forward=obstacles.between(points, (100, 200), (100, 400)),\n"

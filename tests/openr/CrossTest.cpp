@@ -18,7 +18,8 @@ constexpr const char* kCompiler = "mipsel-linux-gnu-g++";
 // The house's warnings and the robot's flags (openr.md 3.2).
 constexpr const char* kFlags =
     " -std=c++17 -march=mips2 -fno-exceptions -fno-rtti -fsyntax-only -Wall -Wextra -Werror"
-    " -Wconversion -Wshadow -Wdouble-promotion -I. -Irobot/openr/include -Irobot/openr/stub -x "
+    " -Wconversion -Wshadow -Wdouble-promotion -I. -I" KELPIE_GENERATED
+    " -Irobot/openr/include -Irobot/openr/stub -x "
     "c++ ";
 
 constexpr const char* kShape = "-include tests/openr/RobotShape.h /dev/null";

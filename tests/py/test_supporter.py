@@ -6,7 +6,7 @@ import math
 
 import kelpie
 import pytest
-from decisions.score import goes_forward
+from decisions.roles import goes_forward
 from lib import kick_off_places, search_places, ways
 from lib.geom import wrap
 from players.ellipse_goalie import EllipseGoalie

@@ -17,7 +17,8 @@ TINY = ("--trials", 1, "--step", 8, "--seed", 3)
 @pytest.fixture
 def kick_table(monkeypatch):
     """The behaviours' own reader, on the stand-in of what the robot gives them."""
-    monkeypatch.setattr(sys, "path", [str(ROOT / "pycode"), str(ROOT / "tests/py"), *sys.path])
+    monkeypatch.setattr(sys, "path", [str(ROOT / "pycode"), str(ROOT / "tests/py"),
+                                     str(ROOT / "build/host/generated/python"), *sys.path])
     from lib import kick_table as table
     return table
 

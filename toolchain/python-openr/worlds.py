@@ -24,7 +24,8 @@ def show(value):
 
 def decide_of_pc():
     sys.dont_write_bytecode = True
-    sys.path[:0] = [str(ROOT / "tests/py"), str(ROOT / "behaviour")]
+    sys.path[:0] = [str(ROOT / "tests/py"), str(ROOT / "behaviour"),
+                    str(ROOT / "build/host/generated/python")]
     import guard
     import kelpie
     return guard.Version(guard.Folder(str(ROOT / "pycode")), kelpie).decide

@@ -7,9 +7,9 @@
 import math
 
 import kelpie
+from arbiter.machine import Machine
 from lib.geom import from_field, heading
 from lib.landmarks import ATTACKER_PAN, choose_landmark, look_at_landmark
-from skills.head.landmark_look import LandmarkLook
 from skills.head.track_ball import TrackBall, believed
 
 SPUN = 60             # frames since a spin that are recent (U02)
@@ -51,6 +51,22 @@ def interval(position_sd) -> float:
     """Frames from look to look: the latest up to GOOD_SD, the soonest from BAD_SD on."""
     share = (position_sd - GOOD_SD) / (BAD_SD - GOOD_SD)
     return DUE_LATEST - min(1.0, max(0.0, share)) * (DUE_LATEST - DUE_SOONEST)
+
+
+class LandmarkLook(Machine):
+    """What all looks at landmarks have in common: for some frames the head is off the ball, and the
+    memory knows since when the last one was."""
+
+    def __init__(self, memory, state):
+        super().__init__(state)
+        self.memory = memory
+        self.mark = None    # the landmark of this look
+        self.frames = 0     # of it so far
+
+    def look_on(self) -> None:
+        """One more frame off the ball."""
+        self.frames += 1
+        self.memory.looked_for_landmarks()
 
 
 class ActiveLocalise(LandmarkLook):

@@ -10,7 +10,7 @@ import math
 import kelpie
 from lib.head import view
 from lib.landmarks import ATTACKER_PAN, in_reach, look_at_landmark
-from skills.head.landmark_look import LandmarkLook
+from skills.head.active_localise import LandmarkLook
 
 EVERY = 70             # frames between looks; 45 to 120 in facts-2005 section 7.2
 EVERY_BAD = 22         # with a bad pose

@@ -14,7 +14,8 @@ class GetUp(Skill):
     def __init__(self):
         self.asked = False
 
-    def needed(self, world) -> bool:
+    @staticmethod
+    def needed(world) -> bool:
         return (world.motion.feeling.fallen in MOTIONS or
                 world.motion.running in MOTIONS.values())
 
