@@ -174,9 +174,9 @@ class RoleChoice:
 
 
 def goes_forward(world) -> bool:
-    """Whether a goalie plays as a forward does (thesis 2006 section 5.2): when its team is behind by
-    more than three goals. A switch, since an empty goal costs more than one attacker gains in any
-    closer match."""
+    """Whether a goalie plays as a forward does (thesis 2006 section 5.2): when its team is behind
+    by more than three goals. A switch, since an empty goal costs more than one attacker gains in
+    any closer match."""
     game, task = world.game, world.task
     return (task.score_aware and task.player in (kelpie.GOALIE, kelpie.GOALIE_2004) and
             game.opponent_score - game.own_score > BEHIND)

@@ -54,8 +54,8 @@ class AttackerSituation:
         ball = world.ball
         most = LOST_NEAR_FRAMES if ball.present and ball.distance < CHIN else LOST_FRAMES
         self.lost = not ball.present or memory.ball_lost > most
-        # What its player adds: paw_pushes, box_in_the_way, the leaf whose skill has come to its end,
-        # and ActiveLocalise, which knows whether a look is needed, or over.
+        # What its player adds: paw_pushes, box_in_the_way, the leaf whose skill has ended, and
+        # ActiveLocalise, which knows whether a look is needed, or over.
 
 
 def paw_pushes(now, playing):
