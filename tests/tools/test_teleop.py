@@ -211,12 +211,12 @@ def test_somebody_drives_at_a_terminal_and_sees_what_the_robot_sees(tmp_path):
     assert terminal.read(20, rb" s  stands")
     terminal.type(b"w\033[A\033[D1")
     assert terminal.read(10, rb"ahead 10 cm/s  turn left 20 deg/s")
-    assert terminal.read(5, rb"kick forward \d")
+    assert terminal.read(5, rb"  kick \d")
     terminal.type(b"x")
     assert terminal.end() == 0, terminal.errors
     rows = re.findall(rb"\033\[(\d+);1H\033\[38;2;\d+;\d+;\d+m\033\[48;2;\d+;\d+;\d+m" + BLOCK,
                       terminal.seen)
-    assert {int(row) for row in rows} == set(range(1, 21))  # 24 rows, four of them text
+    assert {int(row) for row in rows} == set(range(1, 19))  # 24 rows, five of them text
     motions = [frame["command"]["motion"] for frame in frames_of(tmp_path / "teleop.mcap")]
     assert KICK_FORWARD in motions
     assert b"teleop.mcap: log" in terminal.seen.rsplit(b"\033[?1049l", 1)[-1]

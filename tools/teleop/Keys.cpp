@@ -108,8 +108,9 @@ const KeyBinding* bindingOf(char key) {
 
 std::vector<std::string> keyHelp() {
   std::vector<std::string> lines{
-      "w s ahead back  a d turn  q e aside  space stop  i k j l head  m head ahead  o mouth",
-      "u get up  x quit"};
+      "w s ahead back  a d turn  q e aside  space stop  i k j l head  m head ahead  o mouth  u get "
+      "up",
+      "x quit"};
   for (const actuator::ListedMotion& motion : actuator::kMotionList) {
     if (motion.key == 0) continue;
     const std::string text = fmt::format("{} {}", motion.key, motion.word);
