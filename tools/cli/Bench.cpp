@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <chrono>
 #include <memory>
 
@@ -103,28 +102,28 @@ int bench(const BenchOptions& options) {
 
 }  // namespace
 
-void addBench(CLI::App& app, int& code) {
-  auto* command = app.add_subcommand(
+void addBench(CommandLine& app, int& code) {
+  auto command = app.subcommand(
       "bench",
       "Nanoseconds of each stage over the frames of a log; or how fast matches are played");
   auto options = std::make_shared<BenchOptions>();
-  command->add_option("LOG", options->log, "The log to run on")->capture_default_str();
-  command->add_option("--json", options->json, "File for the figures, - for standard output");
-  command->add_option("--pycode", options->pycode, "Behaviours (default: pycode/)")
-      ->check(CLI::ExistingPath);
-  command->add_flag("--match", options->match,
-                    "How many times faster than a clock: one walking physical robot on a core "
-                    "(physics_one), a match with cameras and agents on all (match)");
-  command->add_option("--robots", options->plan.robots, "of that match")
-      ->check(CLI::Range(1, 8))
-      ->capture_default_str();
-  command->add_option("--seconds", options->plan.seconds, "of that match")
-      ->check(inRange(1.0, 1e5))
-      ->capture_default_str();
-  command->add_option("--seed", options->plan.seed, "of that match")->check(inRange(0.0, 1e6));
-  command->add_flag("--physical,!--fast", options->plan.physical,
-                    "with bodies with masses (the default), or kinematic ones");
-  command->callback([options, &code] { code = bench(*options); });
+  command.option("LOG", options->log, "The log to run on").showDefault();
+  command.option("--json", options->json, "File for the figures, - for standard output");
+  command.option("--pycode", options->pycode, "Behaviours (default: pycode/)")
+      .check(existingPath());
+  command.flag("--match", options->match,
+               "How many times faster than a clock: one walking physical robot on a core "
+               "(physics_one), a match with cameras and agents on all (match)");
+  command.option("--robots", options->plan.robots, "of that match")
+      .check(integerInRange(1, 8))
+      .showDefault();
+  command.option("--seconds", options->plan.seconds, "of that match")
+      .check(inRange(1.0, 1e5))
+      .showDefault();
+  command.option("--seed", options->plan.seed, "of that match").check(inRange(0.0, 1e6));
+  command.flag("--physical,!--fast", options->plan.physical,
+               "with bodies with masses (the default), or kinematic ones");
+  command.callback([options, &code] { code = bench(*options); });
 }
 
 }  // namespace kelpie::cli

@@ -3,7 +3,6 @@
 
 #include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <memory>
 
 #include "tools/cli/Commands.h"
@@ -36,22 +35,22 @@ Status checkTarget(const std::string& out, const std::string& input) {
   return Done{};
 }
 
-void addCalibrate(CLI::App& app, int& code) {
-  auto* command = app.add_subcommand(
+void addCalibrate(CommandLine& app, int& code) {
+  auto command = app.subcommand(
       "calibrate", "Make the tables of a robot's camera and a venue's light, learn walks, motions");
-  command->require_subcommand(1);
-  addCalibrateBody(*command, code);
-  addCalibrateRing(*command, code);
-  addCalibrateColour(*command, code);
-  addCalibrateShift(*command, code);
-  addCalibrateWalk(*command, code);
-  addCalibrateMotion(*command, code);
-  addCalibrateFast(*command, code);
-  addCalibrateKicks(*command, code);
-  auto* shown = command->add_subcommand("show", "What a table file says about itself");
+  command.requireSubcommand();
+  addCalibrateBody(command, code);
+  addCalibrateRing(command, code);
+  addCalibrateColour(command, code);
+  addCalibrateShift(command, code);
+  addCalibrateWalk(command, code);
+  addCalibrateMotion(command, code);
+  addCalibrateFast(command, code);
+  addCalibrateKicks(command, code);
+  auto shown = command.subcommand("show", "What a table file says about itself");
   auto path = std::make_shared<std::string>();
-  shown->add_option("FILE", *path)->required();
-  shown->callback([path, &code] { code = show(*path); });
+  shown.option("FILE", *path).required();
+  shown.callback([path, &code] { code = show(*path); });
 }
 
 }  // namespace kelpie::cli

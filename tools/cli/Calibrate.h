@@ -10,14 +10,14 @@
 
 namespace kelpie::cli {
 
-void addCalibrateBody(CLI::App& command, int& code);
-void addCalibrateFast(CLI::App& command, int& code);
-void addCalibrateKicks(CLI::App& command, int& code);
-void addCalibrateMotion(CLI::App& command, int& code);
-void addCalibrateRing(CLI::App& command, int& code);
-void addCalibrateColour(CLI::App& command, int& code);
-void addCalibrateShift(CLI::App& command, int& code);
-void addCalibrateWalk(CLI::App& command, int& code);
+void addCalibrateBody(CommandLine& command, int& code);
+void addCalibrateFast(CommandLine& command, int& code);
+void addCalibrateKicks(CommandLine& command, int& code);
+void addCalibrateMotion(CommandLine& command, int& code);
+void addCalibrateRing(CommandLine& command, int& code);
+void addCalibrateColour(CommandLine& command, int& code);
+void addCalibrateShift(CommandLine& command, int& code);
+void addCalibrateWalk(CommandLine& command, int& code);
 
 // Whether `out` may be written: a plain file or none yet, and not the very input.
 Status checkTarget(const std::string& out, const std::string& input);
@@ -29,7 +29,7 @@ struct ShiftChoice {
   std::string date;
 };
 
-void addShiftOptions(CLI::App& command, ShiftChoice& choice);
+void addShiftOptions(CommandLine& command, ShiftChoice& choice);
 Expected<vision::RobotShift> chosenShift(const ShiftChoice& choice);
 
 }  // namespace kelpie::cli

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
 #include <memory>
@@ -185,19 +184,19 @@ int calibrateBody(const BodyOptions& options) {
 
 }  // namespace
 
-void addCalibrateBody(CLI::App& command, int& code) {
-  auto* body = command.add_subcommand(
+void addCalibrateBody(CommandLine& command, int& code) {
+  auto body = command.subcommand(
       "body", "Lens, neck and lean of a robot from the log of one that stands and looks round");
   auto options = std::make_shared<BodyOptions>();
-  body->add_option("INPUT", options->input,
-                   "Log with images, or folder of sizes measured at known distances")
-      ->required();
-  body->add_option("--out", options->out,
-                   "The file of parameters to write, for --params; - for standard output");
-  body->add_option("--picture", options->picture,
-                   "PNG of how far sightings lie beside, before and after");
-  body->footer(kHelp);
-  body->callback([options, &code] { code = calibrateBody(*options); });
+  body.option("INPUT", options->input,
+              "Log with images, or folder of sizes measured at known distances")
+      .required();
+  body.option("--out", options->out,
+              "The file of parameters to write, for --params; - for standard output");
+  body.option("--picture", options->picture,
+              "PNG of how far sightings lie beside, before and after");
+  body.footer(kHelp);
+  body.callback([options, &code] { code = calibrateBody(*options); });
 }
 
 }  // namespace kelpie::cli

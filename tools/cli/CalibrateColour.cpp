@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
 
@@ -117,7 +116,7 @@ Expected<vision::ColourTable> makeTable(const ColourOptions& options, std::strin
 }
 
 // An option that has nothing to act on is a slip: told, not passed over.
-Status checkUse(const CLI::App& colour, const std::string& input) {
+Status checkUse(const CommandLine& colour, const std::string& input) {
   const bool boxes = endsIn(input, ".txt");
   if (colour.count("--ring") > 0 && !boxes)
     return Error{"--ring: only for a .txt of boxes in images, not for " + input};
@@ -150,26 +149,25 @@ int calibrateColour(const ColourOptions& options) {
 
 }  // namespace
 
-void addCalibrateColour(CLI::App& command, int& code) {
-  auto* colour =
-      command.add_subcommand("colour", "Colour table from labelled pixels, or from another table");
+void addCalibrateColour(CommandLine& command, int& code) {
+  auto colour =
+      command.subcommand("colour", "Colour table from labelled pixels, or from another table");
   auto options = std::make_shared<ColourOptions>();
   colour
-      ->add_option("INPUT", options->input,
-                   ".csv: Y,Cr,Cb,class; .txt: lines \"image left top right bottom class\"; or "
-                   "\"nominal\", a 128^3 table of 2005, or a table of ours")
-      ->required();
-  colour->add_option("--out", options->out, "The colour table to write")->required();
-  colour->add_option("--picture", options->picture, "PNG of slices through the table");
-  colour->add_option("--ring", options->ring, "Correction of the images of a .txt")
-      ->capture_default_str();
-  colour->add_option("--seed", options->seed, "Of the part held out to judge by")
-      ->check(inRange(0.0, kLargestSeed))
-      ->capture_default_str();
-  colour->add_option("--note", options->note, "Robot, venue, date: kept in the table");
-  colour->footer(help());
-  colour->callback([options, colour, &code] {
-    const Status used = checkUse(*colour, options->input);
+      .option("INPUT", options->input,
+              ".csv: Y,Cr,Cb,class; .txt: lines \"image left top right bottom class\"; or "
+              "\"nominal\", a 128^3 table of 2005, or a table of ours")
+      .required();
+  colour.option("--out", options->out, "The colour table to write").required();
+  colour.option("--picture", options->picture, "PNG of slices through the table");
+  colour.option("--ring", options->ring, "Correction of the images of a .txt").showDefault();
+  colour.option("--seed", options->seed, "Of the part held out to judge by")
+      .check(inRange(0.0, kLargestSeed))
+      .showDefault();
+  colour.option("--note", options->note, "Robot, venue, date: kept in the table");
+  colour.footer(help());
+  colour.callback([options, colour, &code] {
+    const Status used = checkUse(colour, options->input);
     code = used ? calibrateColour(*options) : fail(used.error(), kExitBadInput);
   });
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <memory>
 
 #include "tools/cli/Calibrate.h"
@@ -42,18 +41,17 @@ int calibrateFast(const FastOptions& options) {
 
 }  // namespace
 
-void addCalibrateFast(CLI::App& command, int& code) {
-  auto* fast =
-      command.add_subcommand("fast", "Fit the kinematic body's walk to the physical one's");
-  fast->footer(kHelp);
+void addCalibrateFast(CommandLine& command, int& code) {
+  auto fast = command.subcommand("fast", "Fit the kinematic body's walk to the physical one's");
+  fast.footer(kHelp);
   auto options = std::make_shared<FastOptions>();
-  fast->add_option("--seed", options->seed, "of walks and slips")
-      ->check(inRange(0, kLargestSeed))
-      ->capture_default_str();
-  fast->add_option("--walks", options->walks, "even walks to fit to")
-      ->check(inRange(12, 100000))
-      ->capture_default_str();
-  fast->callback([options, &code] { code = calibrateFast(*options); });
+  fast.option("--seed", options->seed, "of walks and slips")
+      .check(inRange(0, kLargestSeed))
+      .showDefault();
+  fast.option("--walks", options->walks, "even walks to fit to")
+      .check(inRange(12, 100000))
+      .showDefault();
+  fast.callback([options, &code] { code = calibrateFast(*options); });
 }
 
 }  // namespace kelpie::cli

@@ -3,7 +3,6 @@
 // that the behaviours choose kicks by.
 #include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <memory>
 
 #include "tools/cli/Calibrate.h"
@@ -70,22 +69,21 @@ int calibrateKicks(const KicksOptions& options) {
 
 }  // namespace
 
-void addCalibrateKicks(CLI::App& command, int& code) {
-  auto* kicks =
-      command.add_subcommand("kicks", "Measure where each kick sends the ball, from where");
-  kicks->footer(kHelp);
+void addCalibrateKicks(CommandLine& command, int& code) {
+  auto kicks = command.subcommand("kicks", "Measure where each kick sends the ball, from where");
+  kicks.footer(kHelp);
   auto options = std::make_shared<KicksOptions>();
-  kicks->add_option("--out", options->out, "Python module to write")->required();
-  kicks->add_option("--trials", options->plan.trials, "at each place, each on another varied model")
-      ->check(inRange(1, 1000))
-      ->capture_default_str();
-  kicks->add_option("--seed", options->plan.seed, "of models and places")
-      ->check(inRange(0, 1e6))
-      ->capture_default_str();
-  kicks->add_option("--step", options->plan.step, "cm between two places")
-      ->check(inRange(1, 8))
-      ->capture_default_str();
-  kicks->callback([options, &code] { code = calibrateKicks(*options); });
+  kicks.option("--out", options->out, "Python module to write").required();
+  kicks.option("--trials", options->plan.trials, "at each place, each on another varied model")
+      .check(inRange(1, 1000))
+      .showDefault();
+  kicks.option("--seed", options->plan.seed, "of models and places")
+      .check(inRange(0, 1e6))
+      .showDefault();
+  kicks.option("--step", options->plan.step, "cm between two places")
+      .check(inRange(1, 8))
+      .showDefault();
+  kicks.callback([options, &code] { code = calibrateKicks(*options); });
 }
 
 }  // namespace kelpie::cli

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <memory>
 
 #include "tools/cli/Calibrate.h"
@@ -175,37 +174,36 @@ int calibrateMotion(const MotionOptions& options) {
 
 }  // namespace
 
-void addCalibrateMotion(CLI::App& command, int& code) {
-  auto* motion =
-      command.add_subcommand("motion", "Search the key frames of a kick, a get-up or a block");
-  motion->footer(kHelp);
+void addCalibrateMotion(CommandLine& command, int& code) {
+  auto motion =
+      command.subcommand("motion", "Search the key frames of a kick, a get-up or a block");
+  motion.footer(kHelp);
   auto options = std::make_shared<MotionOptions>();
-  motion->add_option("NAME", options->name, "the motion, hard_forward for example")->required();
-  motion->add_option("--out", options->out, "motion file to write")->required();
-  motion->add_option("--start", options->start, "motion file that the search begins at");
-  motion->add_option("--trials", options->plan.trials, "of the search")
-      ->check(inRange(1, 1000000))
-      ->capture_default_str();
-  motion->add_option("--seed", options->plan.seed, "of search, models and places")
-      ->check(inRange(0, 1e6))
-      ->capture_default_str();
-  motion->add_option("--models", options->models, "varied models to learn on")
-      ->check(inRange(1, 100))
-      ->capture_default_str();
-  motion->add_option("--places", options->places, "of the ball, on each model")
-      ->check(inRange(1, 100))
-      ->capture_default_str();
-  motion->add_option("--reach", options->reach, "deg that an angle may go from where it starts")
-      ->check(inRange(0.1, 250))
-      ->capture_default_str();
-  motion->add_option("--journal", options->plan.journal,
-                     "file of the trials; goes on where it ends");
-  motion->add_flag("--turned", options->turned,
-                   "kicks of a held ball begin after a turn with it, as in matches");
-  motion->add_flag("--fit", options->onlyFit,
-                   "judges the motion as it is, without a search, and writes what it does");
-  motion->add_option("--picture", options->picture, "PNG of the gain");
-  motion->callback([options, &code] { code = calibrateMotion(*options); });
+  motion.option("NAME", options->name, "the motion, hard_forward for example").required();
+  motion.option("--out", options->out, "motion file to write").required();
+  motion.option("--start", options->start, "motion file that the search begins at");
+  motion.option("--trials", options->plan.trials, "of the search")
+      .check(inRange(1, 1000000))
+      .showDefault();
+  motion.option("--seed", options->plan.seed, "of search, models and places")
+      .check(inRange(0, 1e6))
+      .showDefault();
+  motion.option("--models", options->models, "varied models to learn on")
+      .check(inRange(1, 100))
+      .showDefault();
+  motion.option("--places", options->places, "of the ball, on each model")
+      .check(inRange(1, 100))
+      .showDefault();
+  motion.option("--reach", options->reach, "deg that an angle may go from where it starts")
+      .check(inRange(0.1, 250))
+      .showDefault();
+  motion.option("--journal", options->plan.journal, "file of the trials; goes on where it ends");
+  motion.flag("--turned", options->turned,
+              "kicks of a held ball begin after a turn with it, as in matches");
+  motion.flag("--fit", options->onlyFit,
+              "judges the motion as it is, without a search, and writes what it does");
+  motion.option("--picture", options->picture, "PNG of the gain");
+  motion.callback([options, &code] { code = calibrateMotion(*options); });
 }
 
 }  // namespace kelpie::cli

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
 
@@ -150,26 +149,26 @@ int calibrateRing(const RingOptions& options) {
 
 }  // namespace
 
-void addCalibrateRing(CLI::App& command, int& code) {
-  auto* ring = command.add_subcommand(
+void addCalibrateRing(CommandLine& command, int& code) {
+  auto ring = command.subcommand(
       "ring", "Ring correction from images of evenly coloured sheets, or from a table");
   auto options = std::make_shared<RingOptions>();
-  ring->add_option("INPUT", options->input,
-                   "Folder of .png, .yuv or .bin images or a log, each image one sheet; or "
-                   "\"nominal\", \"none\", \"2006\" or a table")
-      ->required();
-  ring->add_option("--out", options->out, "The ring table to write")->required();
-  ring->add_flag("--surface", options->surface,
-                 "The images show scenes: use the surface that covers most of each");
-  ring->add_option("--prior", options->prior,
-                   "Weight of the 2006 polynomial as a share of all pixels; lets sheets of one "
-                   "colour do")
-      ->check(inRange(0.0, 10.0));
-  ring->add_option("--note", options->note, "Robot, venue, date: kept in the table");
-  addShiftOptions(*ring, options->shift);
-  ring->footer(kHelp);
-  ring->callback([options, ring, &code] {
-    const bool idle = isTable(options->input) && ring->count("--surface") + ring->count("--prior");
+  ring.option("INPUT", options->input,
+              "Folder of .png, .yuv or .bin images or a log, each image one sheet; or "
+              "\"nominal\", \"none\", \"2006\" or a table")
+      .required();
+  ring.option("--out", options->out, "The ring table to write").required();
+  ring.flag("--surface", options->surface,
+            "The images show scenes: use the surface that covers most of each");
+  ring.option("--prior", options->prior,
+              "Weight of the 2006 polynomial as a share of all pixels; lets sheets of one "
+              "colour do")
+      .check(inRange(0.0, 10.0));
+  ring.option("--note", options->note, "Robot, venue, date: kept in the table");
+  addShiftOptions(ring, options->shift);
+  ring.footer(kHelp);
+  ring.callback([options, ring, &code] {
+    const bool idle = isTable(options->input) && ring.count("--surface") + ring.count("--prior");
     code = idle ? fail(options->input + ": is a table: --surface and --prior are for images",
                        kExitBadInput)
                 : calibrateRing(*options);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <cmath>
 #include <memory>
 
@@ -57,12 +56,12 @@ int calibrateShift(const ShiftOptions& options) {
 
 }  // namespace
 
-void addShiftOptions(CLI::App& command, ShiftChoice& choice) {
-  auto* samples = command.add_option("--shift", choice.samples,
-                                     "CSV of pairs of robot and base (see calibrate shift): fold "
-                                     "the robot's shift into the table");
-  command.add_option("--robot", choice.robot, "Its name or address in that file")->needs(samples);
-  command.add_option("--date", choice.date, "Its date, when it stands there twice")->needs(samples);
+void addShiftOptions(CommandLine& command, ShiftChoice& choice) {
+  const auto samples = command.option("--shift", choice.samples,
+                                      "CSV of pairs of robot and base (see calibrate shift): fold "
+                                      "the robot's shift into the table");
+  command.option("--robot", choice.robot, "Its name or address in that file").needs(samples);
+  command.option("--date", choice.date, "Its date, when it stands there twice").needs(samples);
 }
 
 Expected<vision::RobotShift> chosenShift(const ShiftChoice& choice) {
@@ -81,18 +80,18 @@ Expected<vision::RobotShift> chosenShift(const ShiftChoice& choice) {
   return found->shift;
 }
 
-void addCalibrateShift(CLI::App& command, int& code) {
-  auto* shift = command.add_subcommand(
-      "shift", "Straight lines from each robot's colours to the base robot's");
+void addCalibrateShift(CommandLine& command, int& code) {
+  auto shift =
+      command.subcommand("shift", "Straight lines from each robot's colours to the base robot's");
   auto options = std::make_shared<ShiftOptions>();
   shift
-      ->add_option("INPUT", options->samples,
-                   "CSV: date,dog,mac_low4,base_dog,paper,y_dog,y_base_mean,u_...,v_...")
-      ->required();
-  shift->footer(kHelp);
+      .option("INPUT", options->samples,
+              "CSV: date,dog,mac_low4,base_dog,paper,y_dog,y_base_mean,u_...,v_...")
+      .required();
+  shift.footer(kHelp);
   options->out = "-";
-  shift->add_option("--out", options->out, "CSV of gains and offsets, - for standard output");
-  shift->callback([options, &code] { code = calibrateShift(*options); });
+  shift.option("--out", options->out, "CSV of gains and offsets, - for standard output");
+  shift.callback([options, &code] { code = calibrateShift(*options); });
 }
 
 }  // namespace kelpie::cli

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <memory>
 
 #include "robot/core/ParameterFile.h"
@@ -187,32 +186,32 @@ int calibrateWalk(const WalkOptions& options) {
 
 }  // namespace
 
-void addCalibrateWalk(CLI::App& command, int& code) {
-  auto* walk = command.add_subcommand("walk", "Learn a walk on varied physical models");
-  walk->footer(kHelp);
+void addCalibrateWalk(CommandLine& command, int& code) {
+  auto walk = command.subcommand("walk", "Learn a walk on varied physical models");
+  walk.footer(kHelp);
   auto options = std::make_shared<WalkOptions>();
-  walk->add_option("KIND", options->kind, "the walk that is learnt")->required();
-  walk->add_option("--out", options->out, "parameter file to write")->required();
-  walk->add_option("--start", options->start, "parameter file that the search begins at");
-  walk->add_option("--trials", options->plan.trials, "of the search")
-      ->check(inRange(1, 1000000))
-      ->capture_default_str();
-  walk->add_option("--seed", options->plan.seed, "of search and models")
-      ->check(inRange(0, 1e6))
-      ->capture_default_str();
-  walk->add_option("--spread", options->plan.spread,
-                   "where the search begins: a standard deviation, share of each number's range")
-      ->check(inRange(0.001, 1.0))
-      ->capture_default_str();
-  walk->add_option("--models", options->models, "varied models to learn on")
-      ->check(inRange(1, 100))
-      ->capture_default_str();
-  walk->add_option("--journal", options->plan.journal, "file of the trials; goes on where it ends");
-  walk->add_option("--picture", options->picture, "PNG of the gain");
-  walk->add_flag("--keep-stance", options->keepStance,
-                 "searches the gait alone: kicks begin in the stance");
-  walk->add_flag("--fit", options->onlyFit, "calibrates the walk as it is, without a search");
-  walk->callback([options, &code] { code = calibrateWalk(*options); });
+  walk.option("KIND", options->kind, "the walk that is learnt").required();
+  walk.option("--out", options->out, "parameter file to write").required();
+  walk.option("--start", options->start, "parameter file that the search begins at");
+  walk.option("--trials", options->plan.trials, "of the search")
+      .check(inRange(1, 1000000))
+      .showDefault();
+  walk.option("--seed", options->plan.seed, "of search and models")
+      .check(inRange(0, 1e6))
+      .showDefault();
+  walk.option("--spread", options->plan.spread,
+              "where the search begins: a standard deviation, share of each number's range")
+      .check(inRange(0.001, 1.0))
+      .showDefault();
+  walk.option("--models", options->models, "varied models to learn on")
+      .check(inRange(1, 100))
+      .showDefault();
+  walk.option("--journal", options->plan.journal, "file of the trials; goes on where it ends");
+  walk.option("--picture", options->picture, "PNG of the gain");
+  walk.flag("--keep-stance", options->keepStance,
+            "searches the gait alone: kicks begin in the stance");
+  walk.flag("--fit", options->onlyFit, "calibrates the walk as it is, without a search");
+  walk.callback([options, &code] { code = calibrateWalk(*options); });
 }
 
 }  // namespace kelpie::cli

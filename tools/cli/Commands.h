@@ -8,25 +8,25 @@
 
 namespace kelpie::cli {
 
-void addPlay(CLI::App& app, int& code);
-void addGameController(CLI::App& app, int& code);
-void addTeleop(CLI::App& app, int& code);
-void addReplay(CLI::App& app, int& code);
-void addInfo(CLI::App& app, int& code);
-void addRecover(CLI::App& app, int& code);
-void addImport(CLI::App& app, int& code);
-void addCompress(CLI::App& app, int& code);
-void addShow(CLI::App& app, int& code);
-void addWhy(CLI::App& app, int& code);
-void addTree(CLI::App& app, int& code);
-void addVectors(CLI::App& app, int& code);
-void addEvaluate(CLI::App& app, int& code);
-void addFilm(CLI::App& app, int& code);
-void addBench(CLI::App& app, int& code);
-void addLeague(CLI::App& app, int& code);
-void addCalibrate(CLI::App& app, int& code);
-void addMotion(CLI::App& app, int& code);
-void addStick(CLI::App& app, int& code);
-void addEmon(CLI::App& app, int& code);
+void addPlay(CommandLine& app, int& code);
+void addGameController(CommandLine& app, int& code);
+void addTeleop(CommandLine& app, int& code);
+void addReplay(CommandLine& app, int& code);
+void addInfo(CommandLine& app, int& code);
+void addRecover(CommandLine& app, int& code);
+void addImport(CommandLine& app, int& code);
+void addCompress(CommandLine& app, int& code);
+void addShow(CommandLine& app, int& code);
+void addWhy(CommandLine& app, int& code);
+void addTree(CommandLine& app, int& code);
+void addVectors(CommandLine& app, int& code);
+void addEvaluate(CommandLine& app, int& code);
+void addFilm(CommandLine& app, int& code);
+void addBench(CommandLine& app, int& code);
+void addLeague(CommandLine& app, int& code);
+void addCalibrate(CommandLine& app, int& code);
+void addMotion(CommandLine& app, int& code);
+void addStick(CommandLine& app, int& code);
+void addEmon(CommandLine& app, int& code);
 
 }  // namespace kelpie::cli

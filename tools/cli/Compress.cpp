@@ -3,7 +3,6 @@
 // that the stages make of them: a recording small enough to keep, and to compare with later.
 #include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
 
@@ -137,15 +136,15 @@ int compress(const CompressOptions& options) {
 
 }  // namespace
 
-void addCompress(CLI::App& app, int& code) {
-  auto* command = app.add_subcommand(
+void addCompress(CommandLine& app, int& code) {
+  auto command = app.subcommand(
       "compress", "A log with class planes in place of images, and what the stages make of them");
   auto options = std::make_shared<CompressOptions>();
-  command->add_option("LOG", options->log, "The log")->required();
-  command->add_option("--out", options->out, "The log to write")->required();
-  command->add_option("--pycode", options->pycode, "Behaviours (default: pycode/)")
-      ->check(CLI::ExistingPath);
-  command->callback([options, &code] { code = compress(*options); });
+  command.option("LOG", options->log, "The log").required();
+  command.option("--out", options->out, "The log to write").required();
+  command.option("--pycode", options->pycode, "Behaviours (default: pycode/)")
+      .check(existingPath());
+  command.callback([options, &code] { code = compress(*options); });
 }
 
 }  // namespace kelpie::cli

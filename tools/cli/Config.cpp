@@ -3,7 +3,6 @@
 
 #include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <charconv>
 #include <cmath>
 #include <filesystem>
@@ -85,17 +84,17 @@ Status applyCalibration(const ConfigOptions& options, vision::VisionCalibration&
 
 }  // namespace
 
-void addConfigOptions(CLI::App& command, ConfigOptions& options) {
-  command.add_option("--field", options.field, "2006, osaka2005 or 2004");
-  command.add_option("--team", options.team, "red (attacks the blue goal) or blue")
-      ->check(CLI::IsMember({"red", "blue"}));
-  command.add_option("--colour-table", options.colourTable,
-                     "Colour table: Kelpie's own or the 128^3 bytes of 2005");
-  command.add_option("--ring", options.ring, "Ring correction: nominal, none, 2006 or a file");
-  command.add_option("--init", options.initial, "Known start: x,y,heading in cm and degrees");
-  command.add_option("--params", options.params, "TOML files, general to specific");
-  command.add_option("--set", options.set,
-                     "One parameter each, over the files': KEY=NUMBER, or true or false");
+void addConfigOptions(CommandLine& command, ConfigOptions& options) {
+  command.option("--field", options.field, "2006, osaka2005 or 2004");
+  command.option("--team", options.team, "red (attacks the blue goal) or blue")
+      .check(oneOf({"red", "blue"}));
+  command.option("--colour-table", options.colourTable,
+                 "Colour table: Kelpie's own or the 128^3 bytes of 2005");
+  command.option("--ring", options.ring, "Ring correction: nominal, none, 2006 or a file");
+  command.option("--init", options.initial, "Known start: x,y,heading in cm and degrees");
+  command.option("--params", options.params, "TOML files, general to specific");
+  command.option("--set", options.set,
+                 "One parameter each, over the files': KEY=NUMBER, or true or false");
 }
 
 Status applyConfig(const ConfigOptions& options, agent::AgentConfig& config) {

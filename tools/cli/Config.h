@@ -29,7 +29,7 @@ struct ConfigOptions {
 };
 
 // Registers --field, --team, --colour-table, --ring, --init, --params and --set.
-void addConfigOptions(CLI::App& command, ConfigOptions& options);
+void addConfigOptions(CommandLine& command, ConfigOptions& options);
 
 // The values of the parameter files that differ from the defaults, "gps.ball.gate" -> "5 (file:3)",
 // and a hash of the whole set; for the log.

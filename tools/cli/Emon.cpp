@@ -2,7 +2,6 @@
 // Where a robot's program died: the addresses of its EMON.LOG as functions and lines.
 #include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <charconv>
 #include <memory>
 
@@ -78,18 +77,18 @@ int run(const EmonOptions& options) {
 
 }  // namespace
 
-void addEmon(CLI::App& app, int& code) {
-  auto* command =
-      app.add_subcommand("emon", "Where a robot's program died: EMON.LOG as functions and lines");
+void addEmon(CommandLine& app, int& code) {
+  auto command =
+      app.subcommand("emon", "Where a robot's program died: EMON.LOG as functions and lines");
   auto options = std::make_shared<EmonOptions>();
-  command->add_option("FILE", options->log, "The stick's EMON.LOG")->required();
+  command.option("FILE", options->log, "The stick's EMON.LOG").required();
   command
-      ->add_option("--object", options->object,
-                   "The agent.nosnap.elf that was made with the AGENT.BIN on that stick")
-      ->required();
-  command->add_option("--loaded-at", options->loadedAt,
-                      "How far from its linked address it was, hexadecimal (else by gp)");
-  command->callback([options, &code] { code = run(*options); });
+      .option("--object", options->object,
+              "The agent.nosnap.elf that was made with the AGENT.BIN on that stick")
+      .required();
+  command.option("--loaded-at", options->loadedAt,
+                 "How far from its linked address it was, hexadecimal (else by gp)");
+  command.callback([options, &code] { code = run(*options); });
 }
 
 }  // namespace kelpie::cli

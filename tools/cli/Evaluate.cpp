@@ -2,7 +2,6 @@
 // `kelpie evaluate` becomes the program kelpie-experiments, which has the options and the figures.
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <cerrno>
 #include <cstring>
 #include <string>
@@ -31,10 +30,10 @@ int becomeExperiments(std::vector<std::string> words) {
 
 }  // namespace
 
-void addEvaluate(CLI::App& app, int& code) {
-  auto* command = app.add_subcommand("evaluate", "Measure: one JSON object of plain figures");
-  command->prefix_command()->set_help_flag();
-  command->callback([command, &code] { code = becomeExperiments(command->remaining()); });
+void addEvaluate(CommandLine& app, int& code) {
+  auto command = app.subcommand("evaluate", "Measure: one JSON object of plain figures");
+  command.readNothing();
+  command.callback([command, &code] { code = becomeExperiments(command.unread()); });
 }
 
 }  // namespace kelpie::cli

@@ -3,7 +3,6 @@
 
 #include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
 #include <opencv2/imgproc.hpp>
@@ -217,12 +216,12 @@ int film(const FilmOptions& options) {
 
 }  // namespace
 
-void addFilm(CLI::App& app, int& code) {
-  auto* command = app.add_subcommand("film", "A film: camera with overlays beside the field");
+void addFilm(CommandLine& app, int& code) {
+  auto command = app.subcommand("film", "A film: camera with overlays beside the field");
   auto options = std::make_shared<FilmOptions>();
-  command->add_option("LOG", options->log, "The log")->required();
-  command->add_option("OUT", options->out, "The film, for example match.mp4")->required();
-  command->callback([options, &code] { code = film(*options); });
+  command.option("LOG", options->log, "The log").required();
+  command.option("OUT", options->out, "The film, for example match.mp4").required();
+  command.callback([options, &code] { code = film(*options); });
 }
 
 }  // namespace kelpie::cli

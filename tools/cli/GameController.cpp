@@ -5,7 +5,6 @@
 #include <poll.h>
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <memory>
@@ -151,29 +150,29 @@ int control(const ControllerOptions& options) {
 
 }  // namespace
 
-void addGameController(CLI::App& app, int& code) {
-  auto* command = app.add_subcommand(
+void addGameController(CommandLine& app, int& code) {
+  auto command = app.subcommand(
       "gamecontroller", "Rules a match by words on standard input: ready, set, playing, ...");
   auto options = std::make_shared<ControllerOptions>();
-  command->add_option("--port", options->port, "UDP port where it is heard")
-      ->check(CLI::Range(1, 65535))
-      ->capture_default_str();
-  command->add_option("--address", options->address, "Where to; 255.255.255.255 is everybody")
-      ->capture_default_str();
-  command->add_option("--red", options->red, "Number of the red team")
-      ->check(CLI::Range(0, 255))
-      ->capture_default_str();
-  command->add_option("--blue", options->blue, "Number of the blue team")
-      ->check(CLI::Range(0, 255))
-      ->capture_default_str();
-  command->add_option("--half", options->halfMinutes, "Minutes of a half")
-      ->check(inRange(0.1, 60.0))
-      ->capture_default_str();
-  command->footer(
+  command.option("--port", options->port, "UDP port where it is heard")
+      .check(integerInRange(1, 65535))
+      .showDefault();
+  command.option("--address", options->address, "Where to; 255.255.255.255 is everybody")
+      .showDefault();
+  command.option("--red", options->red, "Number of the red team")
+      .check(integerInRange(0, 255))
+      .showDefault();
+  command.option("--blue", options->blue, "Number of the blue team")
+      .check(integerInRange(0, 255))
+      .showDefault();
+  command.option("--half", options->halfMinutes, "Minutes of a half")
+      .check(inRange(0.1, 60.0))
+      .showDefault();
+  command.footer(
       "Words, one line each: initial, ready, set, playing, finished, half (the second begins),\n"
       "kickoff TEAM, goal TEAM, out TEAM, penalise TEAM PLAYER [REASON], back TEAM PLAYER,\n"
       "wait SECONDS, quit. TEAM is red or blue.");
-  command->callback([=, &code] { code = control(*options); });
+  command.callback([=, &code] { code = control(*options); });
 }
 
 }  // namespace kelpie::cli

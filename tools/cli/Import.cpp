@@ -3,7 +3,6 @@
 // stages make of them, so that it can be shown, filmed and checked like the log of a match.
 #include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <memory>
 
 #include "gps/pose/Focal.h"
@@ -125,18 +124,18 @@ int import(const ImportOptions& options) {
 
 }  // namespace
 
-void addImport(CLI::App& app, int& code) {
-  auto* command = app.add_subcommand(
+void addImport(CommandLine& app, int& code) {
+  auto command = app.subcommand(
       "import", "A log of your own frames and joint angles, with what the stages make of them");
   auto options = std::make_shared<ImportOptions>();
-  command->add_option("DIR", options->folder, "Folder with frames/ and sensors.csv, see below")
-      ->required();
-  command->add_option("--out", options->out, "The log to write")->required();
-  command->add_option("--pycode", options->pycode, "Behaviours (default: pycode/)")
-      ->check(CLI::ExistingPath);
-  addConfigOptions(*command, options->config);
-  command->footer(recordingHelp());
-  command->callback([options, &code] { code = import(*options); });
+  command.option("DIR", options->folder, "Folder with frames/ and sensors.csv, see below")
+      .required();
+  command.option("--out", options->out, "The log to write").required();
+  command.option("--pycode", options->pycode, "Behaviours (default: pycode/)")
+      .check(existingPath());
+  addConfigOptions(command, options->config);
+  command.footer(recordingHelp());
+  command.callback([options, &code] { code = import(*options); });
 }
 
 }  // namespace kelpie::cli

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <map>
 #include <memory>
@@ -94,11 +93,11 @@ int info(const std::string& log) {
 
 }  // namespace
 
-void addInfo(CLI::App& app, int& code) {
-  auto* command = app.add_subcommand("info", "What is in a log: topics, types, counts, times");
+void addInfo(CommandLine& app, int& code) {
+  auto command = app.subcommand("info", "What is in a log: topics, types, counts, times");
   auto log = std::make_shared<std::string>();
-  command->add_option("LOG", *log, "The log")->required();
-  command->callback([log, &code] { code = info(*log); });
+  command.option("LOG", *log, "The log").required();
+  command.callback([log, &code] { code = info(*log); });
 }
 
 }  // namespace kelpie::cli

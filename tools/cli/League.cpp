@@ -2,7 +2,6 @@
 // kelpie league: many matches between the folders of several teams, and who plays better.
 #include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -204,45 +203,44 @@ int playLeague(LeagueOptions& options) {
   return shown;
 }
 
-void addOptions(CLI::App& command, LeagueOptions& options) {
+void addOptions(CommandLine& command, LeagueOptions& options) {
   league::LeaguePlan& plan = options.plan;
   plan.matchesAPair = 20;
   command
-      .add_option("TEAM", options.folders,
-                  "Folders of teams: main.py, team.toml or both; their names are the sides'")
-      ->check(CLI::ExistingDirectory);
-  command.add_option("--out", options.out, "Folder of the league: its journal and its tables")
-      ->capture_default_str();
+      .option("TEAM", options.folders,
+              "Folders of teams: main.py, team.toml or both; their names are the sides'")
+      .check(existingFolder());
+  command.option("--out", options.out, "Folder of the league: its journal and its tables")
+      .showDefault();
   command
-      .add_option("--matches", plan.matchesAPair,
-                  "Of each pair, an even number: every seed is played in both colours")
-      ->check(CLI::Range(2, 10000))
-      ->capture_default_str();
-  command.add_option("--minutes", plan.minutes, "Of play, in each match")
-      ->check(inRange(0.1, 60.0))
-      ->capture_default_str();
-  command.add_option("--seed", plan.seed, "The first one")
-      ->check(inRange(0.0, kLargestSeed))
-      ->capture_default_str();
-  command.add_option("--robots", options.robots, "A side")->capture_default_str();
-  command.add_option("--against", plan.reference, "The side that all others play, and they alone");
-  command.add_option("--workers", options.workers, "Matches at a time (one for two cores)")
-      ->check(CLI::Range(1, 256));
-  command.add_flag("--physical,!--fast", options.physical,
-                   "Bodies with masses and servos, or kinematic ones (the default)");
-  command.add_flag("--table", options.table, "Plays nothing: shows what the league has come to");
+      .option("--matches", plan.matchesAPair,
+              "Of each pair, an even number: every seed is played in both colours")
+      .check(integerInRange(2, 10000))
+      .showDefault();
+  command.option("--minutes", plan.minutes, "Of play, in each match")
+      .check(inRange(0.1, 60.0))
+      .showDefault();
+  command.option("--seed", plan.seed, "The first one")
+      .check(inRange(0.0, kLargestSeed))
+      .showDefault();
+  command.option("--robots", options.robots, "A side").showDefault();
+  command.option("--against", plan.reference, "The side that all others play, and they alone");
+  command.option("--workers", options.workers, "Matches at a time (one for two cores)")
+      .check(integerInRange(1, 256));
+  command.flag("--physical,!--fast", options.physical,
+               "Bodies with masses and servos, or kinematic ones (the default)");
+  command.flag("--table", options.table, "Plays nothing: shows what the league has come to");
 }
 
 }  // namespace
 
-void addLeague(CLI::App& app, int& code) {
-  auto* command =
-      app.add_subcommand("league",
-                         "Many matches between teams, and who plays better; goes on where "
-                         "it was stopped");
+void addLeague(CommandLine& app, int& code) {
+  auto command = app.subcommand("league",
+                                "Many matches between teams, and who plays better; goes on where "
+                                "it was stopped");
   auto options = std::make_shared<LeagueOptions>();
-  addOptions(*command, *options);
-  command->callback([=, &code] {
+  addOptions(command, *options);
+  command.callback([=, &code] {
     if (!options->table && options->folders.size() < 2) {
       code = fail("a league needs two teams at least", kExitBadInput);
       return;

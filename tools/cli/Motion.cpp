@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <cmath>
 #include <filesystem>
 #include <memory>
@@ -197,22 +196,22 @@ int play(const MotionOptions& options) {
 
 }  // namespace
 
-void addMotion(CLI::App& app, int& code) {
-  auto* motion = app.add_subcommand("motion", "Play one motion on the physical body, and film it");
-  motion->footer(kHelp);
+void addMotion(CommandLine& app, int& code) {
+  auto motion = app.subcommand("motion", "Play one motion on the physical body, and film it");
+  motion.footer(kHelp);
   auto options = std::make_shared<MotionOptions>();
-  motion->add_option("NAME", options->name, "the motion, hard_forward for example, or its file")
-      ->required();
-  motion->add_option("--as", options->as, "which motion a file is, upenn_left for example");
-  motion->add_option("--film", options->film, "MP4 to write");
-  motion->add_option("--picture", options->picture, "PNG of its key moments to write");
-  motion->add_option("--seed", options->seed, "of the sensors' noise and of how it lies")
-      ->check(inRange(0, kLargestSeed))
-      ->capture_default_str();
-  motion->add_option("--model", options->model, "0: the standard robot; else one varied by it")
-      ->check(inRange(0, kLargestSeed))
-      ->capture_default_str();
-  motion->callback([options, &code] { code = play(*options); });
+  motion.option("NAME", options->name, "the motion, hard_forward for example, or its file")
+      .required();
+  motion.option("--as", options->as, "which motion a file is, upenn_left for example");
+  motion.option("--film", options->film, "MP4 to write");
+  motion.option("--picture", options->picture, "PNG of its key moments to write");
+  motion.option("--seed", options->seed, "of the sensors' noise and of how it lies")
+      .check(inRange(0, kLargestSeed))
+      .showDefault();
+  motion.option("--model", options->model, "0: the standard robot; else one varied by it")
+      .check(inRange(0, kLargestSeed))
+      .showDefault();
+  motion.callback([options, &code] { code = play(*options); });
 }
 
 }  // namespace kelpie::cli

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
 #include <chrono>
@@ -312,56 +311,52 @@ int play(PlayOptions& options) {
   return playInto(*folder, options);
 }
 
-void addTeamOptions(CLI::App& command, PlayOptions& options) {
+void addTeamOptions(CommandLine& command, PlayOptions& options) {
   SessionOptions& session = options.session;
+  command.option("--robots", options.robots, "Teams that play by the rules from a kick-off, as 4v4")
+      .check(notEmpty())
+      .excludes("--opponent")
+      .excludes("--scenario");
+  command.option("--red", options.red, "The red team's folder: main.py, team.toml or both")
+      .check(existingFolder());
+  command.option("--blue", options.blue, "The blue team's folder").check(existingFolder());
+  command.option("--minutes", options.minutes, "The same as 60 --seconds")
+      .check(inRange(0.1, kLongestMatch / 60.0))
+      .excludes("--seconds");
   command
-      .add_option("--robots", options.robots,
-                  "Teams that play by the rules from a kick-off, as 4v4")
-      ->check(notEmpty())
-      ->excludes("--opponent")
-      ->excludes("--scenario");
-  command.add_option("--red", options.red, "The red team's folder: main.py, team.toml or both")
-      ->check(CLI::ExistingDirectory);
-  command.add_option("--blue", options.blue, "The blue team's folder")
-      ->check(CLI::ExistingDirectory);
-  command.add_option("--minutes", options.minutes, "The same as 60 --seconds")
-      ->check(inRange(0.1, kLongestMatch / 60.0))
-      ->excludes("--seconds");
+      .option("--radio", session.radio,
+              "How teams are heard: through the world, not at all (none), or udp of this "
+              "machine (such a match does not replay)")
+      .check(oneOf({"world", "udp", "none"}))
+      .showDefault();
   command
-      .add_option("--radio", session.radio,
-                  "How teams are heard: through the world, not at all (none), or udp of this "
-                  "machine (such a match does not replay)")
-      ->check(CLI::IsMember({"world", "udp", "none"}))
-      ->capture_default_str();
+      .option("--radio-loss", session.radioLoss,
+              "Share of the team's packets that a robot misses (the world's: 0.02)")
+      .check(inRange(0.0, 1.0));
   command
-      .add_option("--radio-loss", session.radioLoss,
-                  "Share of the team's packets that a robot misses (the world's: 0.02)")
-      ->check(inRange(0.0, 1.0));
+      .option("--radio-delay", session.radioDelay,
+              "Seconds that a packet is under way (the world's: 0.01 to 0.04)")
+      .check(inRange(0.0, 10.0));
   command
-      .add_option("--radio-delay", session.radioDelay,
-                  "Seconds that a packet is under way (the world's: 0.01 to 0.04)")
-      ->check(inRange(0.0, 10.0));
+      .option("--logs", options.logs,
+              "Whose logs are kept: watched (match.mcap), or all, of every other robot too "
+              "(red-1.mcap, ...), with --images planes unless that says otherwise of "
+              "match.mcap; at most 150 MB for ten minutes of 4v4")
+      .check(oneOf({"watched", "all"}))
+      .showDefault();
   command
-      .add_option("--logs", options.logs,
-                  "Whose logs are kept: watched (match.mcap), or all, of every other robot too "
-                  "(red-1.mcap, ...), with --images planes unless that says otherwise of "
-                  "match.mcap; at most 150 MB for ten minutes of 4v4")
-      ->check(CLI::IsMember({"watched", "all"}))
-      ->capture_default_str();
-  command
-      .add_option("--game-controller", options.controller,
-                  "udp or udp:PORT: a game controller rules, in real time, in place of the "
-                  "world's referee; port 3838 if none is given (kelpie gamecontroller is one)")
-      ->check(notEmpty());
-  command.add_flag("--end-with-log", session.endWithLog,
-                   "A log that cannot be written any more (a full disk) ends the match; without "
-                   "this it goes on");
-  command.add_flag("--respawn", session.respawn,
-                   "An agent that dies is started again and plays on");
+      .option("--game-controller", options.controller,
+              "udp or udp:PORT: a game controller rules, in real time, in place of the "
+              "world's referee; port 3838 if none is given (kelpie gamecontroller is one)")
+      .check(notEmpty());
+  command.flag("--end-with-log", session.endWithLog,
+               "A log that cannot be written any more (a full disk) ends the match; without "
+               "this it goes on");
+  command.flag("--respawn", session.respawn, "An agent that dies is started again and plays on");
 }
 
 // What was not said follows from what was.
-void settle(const CLI::App& command, PlayOptions& options) {
+void settle(const CommandLine& command, PlayOptions& options) {
   SessionOptions& session = options.session;
   const auto said = [&](const char* option) { return command.count(option) > 0; };
   session.realTime = session.realTime || said("--game-controller");
@@ -376,80 +371,76 @@ void settle(const CLI::App& command, PlayOptions& options) {
 
 }  // namespace
 
-void addPlay(CLI::App& app, int& code) {
-  auto* command =
-      app.add_subcommand("play", "One robot plays in the simulated world, or two teams do");
+void addPlay(CommandLine& app, int& code) {
+  auto command = app.subcommand("play", "One robot plays in the simulated world, or two teams do");
   auto options = std::make_shared<PlayOptions>();
   auto& session = options->session;
   command
-      ->add_option("--out", options->out,
-                   "Folder for match.mcap, match.mp4 and match.png; what a match before left there "
-                   "moves into its folder earlier/ (of out, five are kept)")
-      ->capture_default_str();
-  command->add_option("--seed", session.seed, "Start pose, ball, noise and slip")
-      ->check(inRange(0.0, kLargestSeed))
-      ->capture_default_str();
+      .option("--out", options->out,
+              "Folder for match.mcap, match.mp4 and match.png; what a match before left there "
+              "moves into its folder earlier/ (of out, five are kept)")
+      .showDefault();
+  command.option("--seed", session.seed, "Start pose, ball, noise and slip")
+      .check(inRange(0.0, kLargestSeed))
+      .showDefault();
   command
-      ->add_option("--seconds", session.seconds,
-                   "Simulated time at most; with --robots, time of play")
-      ->check(inRange(1.0, kLongestMatch))
-      ->capture_default_str();
-  command->add_option("--goals", session.goals, "Ends after so many goals")
-      ->check(CLI::Range(1, kMaxGoals))
-      ->capture_default_str();
+      .option("--seconds", session.seconds, "Simulated time at most; with --robots, time of play")
+      .check(inRange(1.0, kLongestMatch))
+      .showDefault();
+  command.option("--goals", session.goals, "Ends after so many goals")
+      .check(integerInRange(1, kMaxGoals))
+      .showDefault();
   command
-      ->add_option("--scenario", session.scenario,
-                   "Who is where at the start: attack (far from the goal; what an "
-                   "opponent keeps to), empty-goal or kickoff")
-      ->check(CLI::IsMember({"attack", "empty-goal", "kickoff"}))
-      ->capture_default_str();
+      .option("--scenario", session.scenario,
+              "Who is where at the start: attack (far from the goal; what an "
+              "opponent keeps to), empty-goal or kickoff")
+      .check(oneOf({"attack", "empty-goal", "kickoff"}))
+      .showDefault();
   command
-      ->add_option("--opponent", options->opponent,
-                   "Who keeps the other goal: none, goalie (of 2006) or goalie-2004")
-      ->check(CLI::IsMember({"none", "goalie", "goalie-2004"}))
-      ->capture_default_str();
-  addStagingOptions(*command, options->staging);
-  command->add_option("--field", session.field, "2006, osaka2005 or 2004")
-      ->check(CLI::IsMember({"2006", "osaka2005", "2004"}))
-      ->capture_default_str();
-  command->add_option("--team", session.team, "red attacks the blue goal")
-      ->check(CLI::IsMember({"red", "blue"}))
-      ->capture_default_str();
-  command->add_option("--pycode", session.pycode, "Folder of behaviours (default: pycode/)")
-      ->check(CLI::ExistingPath);
-  command->add_option("--params", session.params, "TOML files, general to specific")
-      ->check(CLI::ExistingFile);
-  command->add_option("--set", session.set,
-                      "One parameter each, over the files': KEY=NUMBER, or true or false");
-  command->add_option("--colour-table", session.colourTable, "Colour table file")
-      ->check(CLI::ExistingFile);
-  command->add_option("--ring", session.ring, "Ring correction: nominal, none, 2006 or a file")
-      ->capture_default_str();
-  command->add_option("--drop-rate", session.dropRate, "Share of images lost on the way")
-      ->check(inRange(0.0, 1.0));
-  command->add_option("--without", session.artefactsOff, "Camera artefacts switched off")
-      ->check(CLI::IsMember({"ring", "centres", "noise", "shift", "rolling", "blur", "shine",
-                             "own-legs", "spectators"}));
-  command->add_flag("--physical,!--fast", session.physical,
-                    "Bodies with masses, servos and contacts (the default), or kinematic ones");
-  addUnlikeOptions(*command, session.unlike);
-  addLeanOptions(*command, session.unlike);
+      .option("--opponent", options->opponent,
+              "Who keeps the other goal: none, goalie (of 2006) or goalie-2004")
+      .check(oneOf({"none", "goalie", "goalie-2004"}))
+      .showDefault();
+  addStagingOptions(command, options->staging);
+  command.option("--field", session.field, "2006, osaka2005 or 2004")
+      .check(oneOf({"2006", "osaka2005", "2004"}))
+      .showDefault();
+  command.option("--team", session.team, "red attacks the blue goal")
+      .check(oneOf({"red", "blue"}))
+      .showDefault();
+  command.option("--pycode", session.pycode, "Folder of behaviours (default: pycode/)")
+      .check(existingPath());
+  command.option("--params", session.params, "TOML files, general to specific")
+      .check(existingFile());
+  command.option("--set", session.set,
+                 "One parameter each, over the files': KEY=NUMBER, or true or false");
+  command.option("--colour-table", session.colourTable, "Colour table file").check(existingFile());
+  command.option("--ring", session.ring, "Ring correction: nominal, none, 2006 or a file")
+      .showDefault();
+  command.option("--drop-rate", session.dropRate, "Share of images lost on the way")
+      .check(inRange(0.0, 1.0));
+  command.option("--without", session.artefactsOff, "Camera artefacts switched off")
+      .check(oneOf({"ring", "centres", "noise", "shift", "rolling", "blur", "shine", "own-legs",
+                    "spectators"}));
+  command.flag("--physical,!--fast", session.physical,
+               "Bodies with masses, servos and contacts (the default), or kinematic ones");
+  addUnlikeOptions(command, session.unlike);
+  addLeanOptions(command, session.unlike);
   command
-      ->add_option(
-          "--images", options->images,
-          "Which images the log keeps: some (all of the first 20 s, then one in 5 s; the "
-          "others as JPEG pictures; a match of ten minutes takes 160 MB), all (1.3 GB) or "
-          "planes (none, but one frame in fifteen as the colour classes that vision makes of "
-          "it; 16 MB; does not replay)")
-      ->check(CLI::IsMember({"some", "all", "planes"}))
-      ->capture_default_str();
-  command->add_flag("--real-time", session.realTime,
-                    "No faster than a clock, and until Ctrl-C unless --seconds or --goals say "
-                    "otherwise: for editing pycode/ while it plays");
-  addTeamOptions(*command, *options);
-  command->add_flag("--no-film", options->noFilm, "Leave out match.mp4");
-  command->callback([=, &code] {
-    settle(*command, *options);
+      .option("--images", options->images,
+              "Which images the log keeps: some (all of the first 20 s, then one in 5 s; the "
+              "others as JPEG pictures; a match of ten minutes takes 160 MB), all (1.3 GB) or "
+              "planes (none, but one frame in fifteen as the colour classes that vision makes of "
+              "it; 16 MB; does not replay)")
+      .check(oneOf({"some", "all", "planes"}))
+      .showDefault();
+  command.flag("--real-time", session.realTime,
+               "No faster than a clock, and until Ctrl-C unless --seconds or --goals say "
+               "otherwise: for editing pycode/ while it plays");
+  addTeamOptions(command, *options);
+  command.flag("--no-film", options->noFilm, "Leave out match.mp4");
+  command.callback([=, &code] {
+    settle(command, *options);
     code = play(*options);
   });
 }

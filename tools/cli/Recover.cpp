@@ -2,7 +2,6 @@
 // `kelpie recover`: what can be read of a damaged log, or of the logs that a killed match left.
 #include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
 
@@ -59,16 +58,16 @@ int recoverMatch(const RecoverOptions& options) {
 
 }  // namespace
 
-void addRecover(CLI::App& app, int& code) {
-  auto* command = app.add_subcommand(
+void addRecover(CommandLine& app, int& code) {
+  auto command = app.subcommand(
       "recover",
       "Write what can be read of a damaged log, or join the logs that a killed match left");
   auto options = std::make_shared<RecoverOptions>();
-  command->add_option("SOURCE", options->source, "A log, or the folder of a match (its --out)")
-      ->required()
-      ->check(CLI::ExistingPath);
-  command->add_option("--out", options->out, "The new log; nothing that is there is replaced");
-  command->callback([options, &code] {
+  command.option("SOURCE", options->source, "A log, or the folder of a match (its --out)")
+      .required()
+      .check(existingPath());
+  command.option("--out", options->out, "The new log; nothing that is there is replaced");
+  command.callback([options, &code] {
     code = fs::is_directory(options->source) ? recoverMatch(*options) : recoverLog(*options);
   });
 }

@@ -3,7 +3,6 @@
 
 #include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <memory>
 
 #include "tools/cli/Commands.h"
@@ -102,18 +101,16 @@ int replayLog(const ReplayCommand& command) {
 
 }  // namespace
 
-void addReplay(CLI::App& app, int& code) {
-  auto* sub = app.add_subcommand("replay", "Run the stages again on the inputs of a log");
+void addReplay(CommandLine& app, int& code) {
+  auto sub = app.subcommand("replay", "Run the stages again on the inputs of a log");
   auto command = std::make_shared<ReplayCommand>();
-  sub->add_option("LOG", command->log, "The log")->required();
-  sub->add_flag(
-      "--check", command->check,
-      "Compare every output with the recorded one, bit for bit; exit code 1 if any differs");
-  sub->add_option("--jsonl", command->jsonl, "One JSON object a frame; - for standard output");
-  sub->add_option("--pycode", command->pycode, "Behaviours (default: pycode/)")
-      ->check(CLI::ExistingPath);
-  addConfigOptions(*sub, command->config);
-  sub->callback([command, &code] { code = replayLog(*command); });
+  sub.option("LOG", command->log, "The log").required();
+  sub.flag("--check", command->check,
+           "Compare every output with the recorded one, bit for bit; exit code 1 if any differs");
+  sub.option("--jsonl", command->jsonl, "One JSON object a frame; - for standard output");
+  sub.option("--pycode", command->pycode, "Behaviours (default: pycode/)").check(existingPath());
+  addConfigOptions(sub, command->config);
+  sub.callback([command, &code] { code = replayLog(*command); });
 }
 
 }  // namespace kelpie::cli

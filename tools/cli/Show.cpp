@@ -2,7 +2,6 @@
 // One frame of a log or of a folder of images, run through body and vision again and drawn.
 #include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
 
@@ -163,15 +162,14 @@ int show(const ShowOptions& options) {
 
 }  // namespace
 
-void addShow(CLI::App& app, int& code) {
-  auto* command =
-      app.add_subcommand("show", "A picture of one frame and all that vision made of it");
+void addShow(CommandLine& app, int& code) {
+  auto command = app.subcommand("show", "A picture of one frame and all that vision made of it");
   auto options = std::make_shared<ShowOptions>();
-  command->add_option("SOURCE", options->source, "A log, or a folder as for import")->required();
-  command->add_option("--frame", options->frame, "Which frame, from 0")->capture_default_str();
-  command->add_option("--out", options->out, "The picture to write, .png or .jpg")->required();
-  addConfigOptions(*command, options->config);
-  command->callback([options, &code] { code = show(*options); });
+  command.option("SOURCE", options->source, "A log, or a folder as for import").required();
+  command.option("--frame", options->frame, "Which frame, from 0").showDefault();
+  command.option("--out", options->out, "The picture to write, .png or .jpg").required();
+  addConfigOptions(command, options->config);
+  command.callback([options, &code] { code = show(*options); });
 }
 
 }  // namespace kelpie::cli

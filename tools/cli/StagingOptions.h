@@ -7,6 +7,6 @@
 
 namespace kelpie::cli {
 
-void addStagingOptions(CLI::App& command, sim::StagingWords& staging);
+void addStagingOptions(CommandLine& command, sim::StagingWords& staging);
 
 }  // namespace kelpie::cli

@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 #include <sys/stat.h>
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
 
@@ -182,37 +181,35 @@ int run(const StickOptions& options) {
 
 }  // namespace
 
-void addStick(CLI::App& app, int& code) {
-  auto* command = app.add_subcommand("stick",
-                                     "A robot's memory stick: configuration, behaviours, "
-                                     "program (docs/flash.md)");
+void addStick(CommandLine& app, int& code) {
+  auto command = app.subcommand("stick",
+                                "A robot's memory stick: configuration, behaviours, "
+                                "program (docs/flash.md)");
   auto options = std::make_shared<StickOptions>();
-  command->add_option("--robot", options->config.player, "The player's number, 1 to 4")
-      ->required()
-      ->check(CLI::Range(1, 4));
-  addConfigOptions(*command, options->config);
-  command->add_option("--pycode", options->pycode, "Folder of the behaviours")
-      ->capture_default_str();
-  command->add_option("--object", options->object, "The program, AGENT.BIN, linked with the SDK")
-      ->check(notEmpty());
+  command.option("--robot", options->config.player, "The player's number, 1 to 4")
+      .required()
+      .check(integerInRange(1, 4));
+  addConfigOptions(command, options->config);
+  command.option("--pycode", options->pycode, "Folder of the behaviours").showDefault();
+  command.option("--object", options->object, "The program, AGENT.BIN, linked with the SDK")
+      .check(notEmpty());
   command
-      ->add_option("--wlan", options->wlan,
-                   "The radio's settings, KEY=VALUE a line, outside the repository")
-      ->check(notEmpty());
-  command->add_option("--out", options->out, "Folder, or image when it ends in .img")
-      ->check(notEmpty());
-  command->add_option("--diff", options->diff, "Say what would change on the mounted stick")
-      ->check(notEmpty());
-  auto* install = command->add_option("--install", options->install, "Write to the mounted stick")
-                      ->check(notEmpty());
+      .option("--wlan", options->wlan,
+              "The radio's settings, KEY=VALUE a line, outside the repository")
+      .check(notEmpty());
+  command.option("--out", options->out, "Folder, or image when it ends in .img").check(notEmpty());
+  command.option("--diff", options->diff, "Say what would change on the mounted stick")
+      .check(notEmpty());
+  const auto install =
+      command.option("--install", options->install, "Write to the mounted stick").check(notEmpty());
   command
-      ->add_flag("--replace", options->replace,
-                 "Replace another program's files too, and keep them in a folder of the stick")
-      ->needs(install);
-  command->add_flag("--keep-jam-detection", options->keepJamDetection,
-                    "Write no VRCOMM.CFG, which has the robot wait before it takes a joint for "
-                    "jammed");
-  command->callback([options, &code] { code = run(*options); });
+      .flag("--replace", options->replace,
+            "Replace another program's files too, and keep them in a folder of the stick")
+      .needs(install);
+  command.flag("--keep-jam-detection", options->keepJamDetection,
+               "Write no VRCOMM.CFG, which has the robot wait before it takes a joint for "
+               "jammed");
+  command.callback([options, &code] { code = run(*options); });
 }
 
 }  // namespace kelpie::cli

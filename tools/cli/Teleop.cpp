@@ -2,7 +2,6 @@
 #include <fmt/core.h>
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -162,39 +161,39 @@ std::string helpOnKeys() {
 
 }  // namespace
 
-void addTeleop(CLI::App& app, int& code) {
-  auto* command = app.add_subcommand(
+void addTeleop(CommandLine& app, int& code) {
+  auto command = app.subcommand(
       "teleop", "Drive the robot of the simulated world with keys, in a terminal or from a file");
   auto options = std::make_shared<TeleopOptions>();
   auto& session = options->session;
-  command->add_option("--keys", options->keys,
-                      "Keys of a file (- for standard input) in place of the terminal's: lines "
-                      "TIME KEY, seconds and a key or up, down, left, right, space; # begins a "
-                      "comment. Ends at x, or two seconds after the last key");
-  command->add_option("--out", options->out, "Folder for teleop.mcap")->capture_default_str();
-  command->add_option("--seed", session.seed, "Start pose, ball, noise and slip")
-      ->check(inRange(0.0, kLargestSeed))
-      ->capture_default_str();
-  command->add_option("--scenario", session.scenario, "What is on the field at the start")
-      ->check(CLI::IsMember({"empty-goal", "kickoff"}))
-      ->capture_default_str();
-  command->add_option("--field", session.field, "2006, osaka2005 or 2004")
-      ->check(CLI::IsMember({"2006", "osaka2005", "2004"}))
-      ->capture_default_str();
-  command->add_option("--team", session.team, "red attacks the blue goal")
-      ->check(CLI::IsMember({"red", "blue"}))
-      ->capture_default_str();
-  command->add_flag("--physical,!--fast", session.physical,
-                    "A body with masses, servos and contacts (the default), or a kinematic one");
+  command.option("--keys", options->keys,
+                 "Keys of a file (- for standard input) in place of the terminal's: lines "
+                 "TIME KEY, seconds and a key or up, down, left, right, space; # begins a "
+                 "comment. Ends at x, or two seconds after the last key");
+  command.option("--out", options->out, "Folder for teleop.mcap").showDefault();
+  command.option("--seed", session.seed, "Start pose, ball, noise and slip")
+      .check(inRange(0.0, kLargestSeed))
+      .showDefault();
+  command.option("--scenario", session.scenario, "What is on the field at the start")
+      .check(oneOf({"empty-goal", "kickoff"}))
+      .showDefault();
+  command.option("--field", session.field, "2006, osaka2005 or 2004")
+      .check(oneOf({"2006", "osaka2005", "2004"}))
+      .showDefault();
+  command.option("--team", session.team, "red attacks the blue goal")
+      .check(oneOf({"red", "blue"}))
+      .showDefault();
+  command.flag("--physical,!--fast", session.physical,
+               "A body with masses, servos and contacts (the default), or a kinematic one");
   command
-      ->add_option("--images", options->images,
-                   "Which images the log keeps, as play's: some "
-                   "or all")
-      ->check(CLI::IsMember({"some", "all"}))
-      ->capture_default_str();
-  command->add_flag("--no-picture", options->noPicture, "One line instead of the whole screen");
-  command->footer(helpOnKeys());
-  command->callback([options, &code] { code = runTeleop(*options); });
+      .option("--images", options->images,
+              "Which images the log keeps, as play's: some "
+              "or all")
+      .check(oneOf({"some", "all"}))
+      .showDefault();
+  command.flag("--no-picture", options->noPicture, "One line instead of the whole screen");
+  command.footer(helpOnKeys());
+  command.callback([options, &code] { code = runTeleop(*options); });
 }
 
 }  // namespace kelpie::cli

@@ -2,7 +2,6 @@
 // The behaviours' decision tree as a picture, with how often a log's robot took each leaf.
 #include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
 #include <limits>
@@ -97,14 +96,14 @@ int tree(const TreeOptions& options) {
 
 }  // namespace
 
-void addTree(CLI::App& app, int& code) {
-  auto* command = app.add_subcommand("tree", "A picture of the decision tree, with a log's counts");
+void addTree(CommandLine& app, int& code) {
+  auto command = app.subcommand("tree", "A picture of the decision tree, with a log's counts");
   auto options = std::make_shared<TreeOptions>();
-  command->add_option("LOG", options->log, "A log whose leaves are counted");
-  command->add_option("--out", options->out, "The picture to write, a PNG file")->required();
-  command->add_option("--pycode", options->pycode, "Behaviours (default: pycode/)")
-      ->check(CLI::ExistingPath);
-  command->callback([options, &code] { code = tree(*options); });
+  command.option("LOG", options->log, "A log whose leaves are counted");
+  command.option("--out", options->out, "The picture to write, a PNG file").required();
+  command.option("--pycode", options->pycode, "Behaviours (default: pycode/)")
+      .check(existingPath());
+  command.callback([options, &code] { code = tree(*options); });
 }
 
 }  // namespace kelpie::cli

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/cli/UnlikeOptions.h"
 
-#include <CLI/CLI.hpp>
-
 #include "tools/cli/Usage.h"
 
 namespace kelpie::cli {
@@ -12,21 +10,21 @@ constexpr double kLargestLean = 20.0;  // deg
 
 }  // namespace
 
-void addUnlikeOptions(CLI::App& command, UnlikeOptions& options) {
-  auto* seed = command
-                   .add_option("--unlike", options.seed,
-                               "Seed of a world unlike the one that Kelpie was tuned in; 0: like")
-                   ->check(inRange(0.0, kLargestSeed));
+void addUnlikeOptions(CommandLine& command, UnlikeOptions& options) {
+  const auto seed = command
+                        .option("--unlike", options.seed,
+                                "Seed of a world unlike the one that Kelpie was tuned in; 0: like")
+                        .check(inRange(0.0, kLargestSeed));
   command
-      .add_option("--unlike-only", options.only,
-                  "Only these kinds of difference (with --unlike; default: all)")
-      ->check(CLI::IsMember(sim::unlikeKinds()))
-      ->needs(seed);
+      .option("--unlike-only", options.only,
+              "Only these kinds of difference (with --unlike; default: all)")
+      .check(oneOf(sim::unlikeKinds()))
+      .needs(seed);
 }
 
-void addLeanOptions(CLI::App& command, UnlikeOptions& options) {
+void addLeanOptions(CommandLine& command, UnlikeOptions& options) {
   const auto lean = [&](const char* name, double& value, const char* what) {
-    command.add_option(name, value, what)->check(inRange(-kLargestLean, kLargestLean));
+    command.option(name, value, what).check(inRange(-kLargestLean, kLargestLean));
   };
   lean("--tilt-error", options.tiltError, "Degrees that every body's nose is lower than it knows");
   lean("--roll-error", options.rollError, "The same for its left side, higher than it knows");

@@ -20,9 +20,9 @@ struct UnlikeOptions {
 };
 
 // --unlike and --unlike-only.
-void addUnlikeOptions(CLI::App& command, UnlikeOptions& options);
+void addUnlikeOptions(CommandLine& command, UnlikeOptions& options);
 // --tilt-error and --roll-error.
-void addLeanOptions(CLI::App& command, UnlikeOptions& options);
+void addLeanOptions(CommandLine& command, UnlikeOptions& options);
 
 sim::UnlikeParams paramsOf(const UnlikeOptions& options);
 // The words that ask kelpie-world for the same.

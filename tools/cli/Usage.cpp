@@ -4,7 +4,6 @@
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
-#include <charconv>
 
 #include "tools/cli/Version.h"
 
@@ -29,25 +28,8 @@ std::string whatIsWrong(const CLI::App& app, const CLI::Error& error) {
 
 }  // namespace
 
-CLI::Validator notEmpty() {
-  return CLI::Validator(
-      [](std::string& text) -> std::string { return text.empty() ? "an empty word" : ""; }, "");
-}
-
-CLI::Validator inRange(double min, double max) {
-  const std::string range = fmt::format("[{:g} - {:g}]", min, max);
-  return CLI::Validator(
-      [=](std::string& text) -> std::string {
-        double value = 0.0;
-        const auto [rest, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-        const bool whole = error == std::errc() && rest == text.data() + text.size();
-        if (whole && value >= min && value <= max) return {};
-        return fmt::format("{} is not a number in {}", text, range);
-      },
-      range);
-}
-
-int parseOptions(CLI::App& app, int argc, char** argv, bool& done) {
+int parseOptions(CommandLine& line, int argc, char** argv, bool& done) {
+  CLI::App& app = line.app();
   done = true;
   app.set_version_flag("--version", versionLine,
                        "Version, commit and field lists (logs of the same field lists fit)");

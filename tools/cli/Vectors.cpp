@@ -2,7 +2,6 @@
 // The vector field of a skill: an arrow for what it asks the legs at each place of the field.
 #include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -157,27 +156,26 @@ int vectors(const VectorOptions& options) {
 
 }  // namespace
 
-void addVectors(CLI::App& app, int& code) {
-  auto* command =
-      app.add_subcommand("vectors", "What a skill asks the legs at each place of the field");
+void addVectors(CommandLine& app, int& code) {
+  auto command = app.subcommand("vectors", "What a skill asks the legs at each place of the field");
   auto options = std::make_shared<VectorOptions>();
-  command->add_option("SKILL", options->skill, "Its name; a wrong one lists them all")->required();
-  command->add_option("--out", options->out, "The picture to write, a PNG file")->required();
-  command->add_option("--ball", options->ball, "Where the ball lies: x,y in cm (default: middle)");
+  command.option("SKILL", options->skill, "Its name; a wrong one lists them all").required();
+  command.option("--out", options->out, "The picture to write, a PNG file").required();
+  command.option("--ball", options->ball, "Where the ball lies: x,y in cm (default: middle)");
   command
-      ->add_option("--heading", options->heading,
-                   "Of the robot, deg, 90 is up-field (default: it faces the ball)")
-      ->check(inRange(-360.0, 360.0));
-  command->add_option("--step", options->step, "cm between places")
-      ->check(inRange(5.0, 200.0))
-      ->capture_default_str();
-  command->add_option("--pycode", options->pycode, "Behaviours (default: pycode/)")
-      ->check(CLI::ExistingPath);
-  command->add_option("--field", options->config.field, "2006, osaka2005 or 2004");
-  command->add_option("--team", options->config.team, "red (attacks the blue goal) or blue")
-      ->check(CLI::IsMember({"red", "blue"}));
-  command->add_option("--params", options->config.params, "TOML files, general to specific");
-  command->callback([options, &code] { code = vectors(*options); });
+      .option("--heading", options->heading,
+              "Of the robot, deg, 90 is up-field (default: it faces the ball)")
+      .check(inRange(-360.0, 360.0));
+  command.option("--step", options->step, "cm between places")
+      .check(inRange(5.0, 200.0))
+      .showDefault();
+  command.option("--pycode", options->pycode, "Behaviours (default: pycode/)")
+      .check(existingPath());
+  command.option("--field", options->config.field, "2006, osaka2005 or 2004");
+  command.option("--team", options->config.team, "red (attacks the blue goal) or blue")
+      .check(oneOf({"red", "blue"}));
+  command.option("--params", options->config.params, "TOML files, general to specific");
+  command.callback([options, &code] { code = vectors(*options); });
 }
 
 }  // namespace kelpie::cli

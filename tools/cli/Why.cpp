@@ -2,7 +2,6 @@
 // Why the robot did what it did, in sentences, from the traces that a log holds.
 #include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -151,16 +150,16 @@ int why(const WhyOptions& options) {
 
 }  // namespace
 
-void addWhy(CLI::App& app, int& code) {
-  auto* command = app.add_subcommand("why", "Why the robot did what it did, in sentences");
+void addWhy(CommandLine& app, int& code) {
+  auto command = app.subcommand("why", "Why the robot did what it did, in sentences");
   auto options = std::make_shared<WhyOptions>();
-  command->add_option("LOG", options->log, "The log")->required();
-  command->add_option("--at", options->at, "One frame's decision, s, with all of its reasons")
-      ->check(inRange(0.0, kLongest));
-  command->add_option("--from", options->from, "Every change of what was decided, from here, s")
-      ->check(inRange(0.0, kLongest));
-  command->add_option("--to", options->to, "and up to here, s")->check(inRange(0.0, kLongest));
-  command->callback([options, &code] { code = why(*options); });
+  command.option("LOG", options->log, "The log").required();
+  command.option("--at", options->at, "One frame's decision, s, with all of its reasons")
+      .check(inRange(0.0, kLongest));
+  command.option("--from", options->from, "Every change of what was decided, from here, s")
+      .check(inRange(0.0, kLongest));
+  command.option("--to", options->to, "and up to here, s").check(inRange(0.0, kLongest));
+  command.callback([options, &code] { code = why(*options); });
 }
 
 }  // namespace kelpie::cli

@@ -4,7 +4,6 @@
 // kelpie-world.
 #include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <exception>
 #include <memory>
 #include <optional>
@@ -222,45 +221,45 @@ int run(const AgentOptions& options) {
 int main(int argc, char** argv) {
   using kelpie::cli::AgentOptions;
   kelpie::cli::useTargetMaths(argv);
-  CLI::App app{"One robot's brain: joins a simulated world and plays", "kelpie-agent"};
+  kelpie::cli::ProgramLine app{"One robot's brain: joins a simulated world and plays",
+                               "kelpie-agent"};
   AgentOptions options;
-  auto* from = app.add_option_group("source", "where sensors and images come from");
-  from->add_option("--socket", options.socket, "Socket of a simulated world");
-  from->add_option("--recording", options.recording, "Log of an agent, through OPEN-R again");
-  from->require_option(1);
-  app.add_option("--log", options.log, "Log to write");
-  auto* all = app.add_flag("--all-images", options.allImages,
-                           "The log keeps every image, not only those of the beginning");
-  app.add_flag("--no-images", options.noImages,
-               "The log keeps no images and no motion messages, only what the robot knew, decided "
-               "and did in each frame")
-      ->excludes(all);
-  app.add_flag("--planes", options.planes,
-               "The log keeps class planes in place of images, and less of what is between them")
-      ->excludes(all);
-  app.add_flag("--plain-log", options.plainLog,
-               "The log's records go out one by one, uncompressed");
-  app.add_option("--pycode", options.pycode, "Behaviours, folder or zip");
-  app.add_option("--player", options.config.player, "Number in the team")->check(CLI::Range(1, 4));
-  app.add_flag("--physical,!--fast", options.physical,
-               "The body has masses and servos (the default), or is a kinematic one");
-  app.add_option("--drop-rate", options.dropRate, "Share of images lost on the way")
-      ->check(kelpie::cli::inRange(0.0, 1.0));
-  app.add_option("--seed", options.seed, "Of the losses")
-      ->check(kelpie::cli::inRange(0.0, kelpie::cli::kLargestSeed));
-  app.add_option("--driver", options.driver,
-                 "Socket of a driver, who is told what the robot sees and whose commands the body "
-                 "gets; the behaviours are not asked");
-  app.add_option("--radio", options.radio,
-                 "How the team is heard: through the world, or udp of this machine")
-      ->check(CLI::IsMember({"world", "udp"}));
-  app.add_option("--game-controller", options.controller,
-                 "UDP port where a game controller is heard (3838 is the league's); without it "
-                 "through the world")
-      ->check(CLI::Range(1, 65535));
-  app.add_flag("--again", options.again,
-               "The match goes on: scripts that do not load are waited for, not refused");
-  app.add_flag("--status", options.status, "Says twice a second what the robot believes");
+  auto from = app.oneOfGroup("source", "where sensors and images come from");
+  from.option("--socket", options.socket, "Socket of a simulated world");
+  from.option("--recording", options.recording, "Log of an agent, through OPEN-R again");
+  app.option("--log", options.log, "Log to write");
+  const auto all = app.flag("--all-images", options.allImages,
+                            "The log keeps every image, not only those of the beginning");
+  app.flag("--no-images", options.noImages,
+           "The log keeps no images and no motion messages, only what the robot knew, decided "
+           "and did in each frame")
+      .excludes(all);
+  app.flag("--planes", options.planes,
+           "The log keeps class planes in place of images, and less of what is between them")
+      .excludes(all);
+  app.flag("--plain-log", options.plainLog, "The log's records go out one by one, uncompressed");
+  app.option("--pycode", options.pycode, "Behaviours, folder or zip");
+  app.option("--player", options.config.player, "Number in the team")
+      .check(kelpie::cli::integerInRange(1, 4));
+  app.flag("--physical,!--fast", options.physical,
+           "The body has masses and servos (the default), or is a kinematic one");
+  app.option("--drop-rate", options.dropRate, "Share of images lost on the way")
+      .check(kelpie::cli::inRange(0.0, 1.0));
+  app.option("--seed", options.seed, "Of the losses")
+      .check(kelpie::cli::inRange(0.0, kelpie::cli::kLargestSeed));
+  app.option("--driver", options.driver,
+             "Socket of a driver, who is told what the robot sees and whose commands the body "
+             "gets; the behaviours are not asked");
+  app.option("--radio", options.radio,
+             "How the team is heard: through the world, or udp of this machine")
+      .check(kelpie::cli::oneOf({"world", "udp"}));
+  app.option("--game-controller", options.controller,
+             "UDP port where a game controller is heard (3838 is the league's); without it "
+             "through the world")
+      .check(kelpie::cli::integerInRange(1, 65535));
+  app.flag("--again", options.again,
+           "The match goes on: scripts that do not load are waited for, not refused");
+  app.flag("--status", options.status, "Says twice a second what the robot believes");
   addConfigOptions(app, options.config);
   bool done = false;
   const int usage = kelpie::cli::parseOptions(app, argc, argv, done);

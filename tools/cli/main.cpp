@@ -2,7 +2,6 @@
 // kelpie: play, replay, look at, measure.
 #include <fcntl.h>
 
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
 #include <iostream>
@@ -33,12 +32,12 @@ int afterWords(int code) {
 int main(int argc, char** argv) {
   openStandardFiles();
   kelpie::cli::useTargetMaths(argv);
-  CLI::App app{
+  kelpie::cli::ProgramLine app{
       "Kelpie makes the AIBO ERS-7 play soccer. Start with `kelpie play`: one robot in the\n"
       "simulated world looks for the ball and scores; then look at out/match.png, or replay,\n"
       "film and measure what it did.",
       "kelpie"};
-  app.require_subcommand(1);
+  app.requireSubcommand();
   app.footer(
       "Exit codes: 0 done, 1 a check failed, 2 wrong use or input, 3 the machine failed (disk,\n"
       "memory, a process that died), 130 interrupted.");

@@ -3,7 +3,6 @@
 // match with them in lock step, writes what really happened, and ends.
 #include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <array>
 #include <chrono>
 #include <cstdio>
@@ -257,55 +256,54 @@ Status play(const Options& options) {
   return writeResult(options, world);
 }
 
-void describe(CLI::App& app, Options& options) {
-  app.add_option("--socket", options.socket, "Unix socket the agents come to")->required();
-  app.add_option("--robots", options.robots, "agents to wait for")->check(CLI::Range(1, 8));
-  app.add_option("--seed", options.seed, "of everything random")
-      ->check(cli::inRange(0.0, cli::kLargestSeed));
-  app.add_option("--field", options.field, "2006, osaka2005 or 2004")
-      ->check(CLI::IsMember({"2006", "osaka2005", "2004"}));
-  app.add_option("--scenario", options.scenario, "attack, empty-goal or kickoff")
-      ->check(CLI::IsMember({"attack", "empty-goal", "kickoff"}));
+void describe(cli::CommandLine& app, Options& options) {
+  app.option("--socket", options.socket, "Unix socket the agents come to").required();
+  app.option("--robots", options.robots, "agents to wait for").check(cli::integerInRange(1, 8));
+  app.option("--seed", options.seed, "of everything random")
+      .check(cli::inRange(0.0, cli::kLargestSeed));
+  app.option("--field", options.field, "2006, osaka2005 or 2004")
+      .check(cli::oneOf({"2006", "osaka2005", "2004"}));
+  app.option("--scenario", options.scenario, "attack, empty-goal or kickoff")
+      .check(cli::oneOf({"attack", "empty-goal", "kickoff"}));
   cli::addStagingOptions(app, options.staging);
-  app.add_option("--seconds", options.world.referee.seconds,
-                 "length of the match; with --rules of play, half of it in each half")
-      ->check(cli::inRange(0.0, 1e5));
-  app.add_option("--goals", options.world.referee.goals, "of one team end the match; 0 = never")
-      ->check(CLI::Range(0, 100));
-  app.add_option("--truth", options.truth, "log of what really happened (MCAP)");
-  app.add_option("--result", options.result, "result file (JSON)");
-  app.add_flag("--tell-goals", options.tellGoals, "each goal as a line on standard output");
-  app.add_flag("--tell-time", options.tellTime,
-               "with --rules: time, state and score twice a simulated second, so");
-  app.add_flag("--rules", options.world.referee.rules,
-               "a referee who knows more than goals, balls out and the end");
-  app.add_option("--game-controller", options.controller,
-                 "a game controller at this UDP port rules in place of the world's referee")
-      ->check(CLI::Range(1, 65535));
-  app.add_flag("--respawn", options.respawn,
-               "an agent that dies may come back; until then its robot stands");
-  app.add_option("--radio-loss", options.world.radio.loss, "share of packets that are lost")
-      ->check(cli::inRange(0.0, 1.0));
-  app.add_option("--radio-delay", options.world.radio.delay, "s under way at least")
-      ->check(cli::inRange(0.0, 10.0));
-  app.add_option("--radio-range", options.world.radio.range, "cm that a packet reaches")
-      ->check(cli::inRange(0.0, 1e5));
-  app.add_flag("--real-time", options.realTime, "no faster than a clock");
-  app.add_option("--wait", options.wait, "seconds until the agents must be there")
-      ->check(cli::inRange(0.0, 1e5));
-  app.add_flag("--no-ring", options.noRing, "no ring effect");
-  app.add_flag("--no-centres", options.noCentres, "every ring effect centred on the image");
-  app.add_flag("--no-shine", options.noShine,
-               "red uniforms without yellow and pink at their edges");
-  app.add_flag("--no-own-legs", options.noOwnLegs, "no robot sees its own legs");
-  app.add_flag("--no-noise", options.noNoise, "no sensor noise");
-  app.add_flag("--no-shift", options.noShift, "no colour difference between robots");
-  app.add_flag("--no-blur", options.noBlur, "no blur");
-  app.add_flag("--no-rolling", options.noRolling, "all columns exposed at once");
-  app.add_flag("--no-slip", options.noSlip, "feet do not slip");
-  app.add_flag("--no-spectators", options.noSpectators, "nobody around the field");
-  app.add_flag("--physical,!--fast", options.physical,
-               "bodies with masses, servos and contacts (the default), or kinematic ones");
+  app.option("--seconds", options.world.referee.seconds,
+             "length of the match; with --rules of play, half of it in each half")
+      .check(cli::inRange(0.0, 1e5));
+  app.option("--goals", options.world.referee.goals, "of one team end the match; 0 = never")
+      .check(cli::integerInRange(0, 100));
+  app.option("--truth", options.truth, "log of what really happened (MCAP)");
+  app.option("--result", options.result, "result file (JSON)");
+  app.flag("--tell-goals", options.tellGoals, "each goal as a line on standard output");
+  app.flag("--tell-time", options.tellTime,
+           "with --rules: time, state and score twice a simulated second, so");
+  app.flag("--rules", options.world.referee.rules,
+           "a referee who knows more than goals, balls out and the end");
+  app.option("--game-controller", options.controller,
+             "a game controller at this UDP port rules in place of the world's referee")
+      .check(cli::integerInRange(1, 65535));
+  app.flag("--respawn", options.respawn,
+           "an agent that dies may come back; until then its robot stands");
+  app.option("--radio-loss", options.world.radio.loss, "share of packets that are lost")
+      .check(cli::inRange(0.0, 1.0));
+  app.option("--radio-delay", options.world.radio.delay, "s under way at least")
+      .check(cli::inRange(0.0, 10.0));
+  app.option("--radio-range", options.world.radio.range, "cm that a packet reaches")
+      .check(cli::inRange(0.0, 1e5));
+  app.flag("--real-time", options.realTime, "no faster than a clock");
+  app.option("--wait", options.wait, "seconds until the agents must be there")
+      .check(cli::inRange(0.0, 1e5));
+  app.flag("--no-ring", options.noRing, "no ring effect");
+  app.flag("--no-centres", options.noCentres, "every ring effect centred on the image");
+  app.flag("--no-shine", options.noShine, "red uniforms without yellow and pink at their edges");
+  app.flag("--no-own-legs", options.noOwnLegs, "no robot sees its own legs");
+  app.flag("--no-noise", options.noNoise, "no sensor noise");
+  app.flag("--no-shift", options.noShift, "no colour difference between robots");
+  app.flag("--no-blur", options.noBlur, "no blur");
+  app.flag("--no-rolling", options.noRolling, "all columns exposed at once");
+  app.flag("--no-slip", options.noSlip, "feet do not slip");
+  app.flag("--no-spectators", options.noSpectators, "nobody around the field");
+  app.flag("--physical,!--fast", options.physical,
+           "bodies with masses, servos and contacts (the default), or kinematic ones");
   cli::addUnlikeOptions(app, options.unlike);
   cli::addLeanOptions(app, options.unlike);
 }
@@ -315,7 +313,7 @@ void describe(CLI::App& app, Options& options) {
 
 int main(int argc, char** argv) {
   kelpie::sim::Options options;
-  CLI::App app("The simulated world of one match", "kelpie-world");
+  kelpie::cli::ProgramLine app("The simulated world of one match", "kelpie-world");
   kelpie::sim::describe(app, options);
   bool done = false;
   const int usage = kelpie::cli::parseOptions(app, argc, argv, done);

@@ -146,8 +146,9 @@ int main(int argc, char** argv) {
   app.add_flag("--hidden", options.hidden, "no beacons, goals covered");
   app.add_flag("--small", options.small, "208 x 160 pixels, as import takes them");
   app.add_flag("--ideal", options.ideal, "no artefacts");
-  kelpie::cli::addUnlikeOptions(app, options.unlike);
-  kelpie::cli::addLeanOptions(app, options.unlike);
+  kelpie::cli::CommandLine line(&app);
+  kelpie::cli::addUnlikeOptions(line, options.unlike);
+  kelpie::cli::addLeanOptions(line, options.unlike);
   CLI11_PARSE(app, argc, argv);
   return kelpie::sim::run(options);
 }

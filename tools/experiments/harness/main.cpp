@@ -3,7 +3,6 @@
 // longer to compile than everything that a match needs.
 #include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <exception>
 
@@ -45,36 +44,34 @@ int listExperiments(const std::vector<Experiment>& experiments) {
   return cli::kExitDone;
 }
 
-void addOptions(CLI::App& app, EvaluateOptions& options) {
+void addOptions(cli::CommandLine& app, EvaluateOptions& options) {
   Request& request = options.request;
-  app.add_option("NAME", options.name, "The experiment");
-  app.add_option(nameOf(Option::trials), request.trials,
-                 "How often (default: the experiment's own)")
-      ->check(CLI::Range(1, 1000000));
-  app.add_option(nameOf(Option::seed), request.seed, "Seed of the first trial")
-      ->check(cli::inRange(0.0, cli::kLargestSeed))
-      ->capture_default_str();
+  app.option("NAME", options.name, "The experiment");
+  app.option(nameOf(Option::trials), request.trials, "How often (default: the experiment's own)")
+      .check(cli::integerInRange(1, 1000000));
+  app.option(nameOf(Option::seed), request.seed, "Seed of the first trial")
+      .check(cli::inRange(0.0, cli::kLargestSeed))
+      .showDefault();
   cli::addUnlikeOptions(app, request.unlike);
-  app.add_option(nameOf(Option::params), request.params, "The agent's TOML files")
-      ->check(CLI::ExistingFile);
-  app.add_option(nameOf(Option::field), request.field,
-                 "The field: 2006 (the default), osaka2005 or 2004")
-      ->check(CLI::IsMember({"2006", "osaka2005", "2004"}));
-  app.add_option(nameOf(Option::traces), request.traces, "Folder for tables of every frame, as CSV")
-      ->check(CLI::ExistingDirectory);
-  app.add_option(nameOf(Option::pictures), request.pictures,
-                 "Folder for pictures of what went wrong")
-      ->check(CLI::ExistingDirectory);
-  app.add_flag(nameOf(Option::fast), request.fast,
-               "Kinematic bodies in place of those with masses and servos");
-  app.add_option(nameOf(Option::minutes), request.minutes,
-                 "Minutes of play in each match (default: the experiment's own)")
-      ->check(cli::inRange(0.1, 60.0));
-  app.add_option("--json", options.json, "File for the figures, - for standard output");
-  app.add_flag("--list", options.list, "Each experiment with the options that it uses");
+  app.option(nameOf(Option::params), request.params, "The agent's TOML files")
+      .check(cli::existingFile());
+  app.option(nameOf(Option::field), request.field,
+             "The field: 2006 (the default), osaka2005 or 2004")
+      .check(cli::oneOf({"2006", "osaka2005", "2004"}));
+  app.option(nameOf(Option::traces), request.traces, "Folder for tables of every frame, as CSV")
+      .check(cli::existingFolder());
+  app.option(nameOf(Option::pictures), request.pictures, "Folder for pictures of what went wrong")
+      .check(cli::existingFolder());
+  app.flag(nameOf(Option::fast), request.fast,
+           "Kinematic bodies in place of those with masses and servos");
+  app.option(nameOf(Option::minutes), request.minutes,
+             "Minutes of play in each match (default: the experiment's own)")
+      .check(cli::inRange(0.1, 60.0));
+  app.option("--json", options.json, "File for the figures, - for standard output");
+  app.flag("--list", options.list, "Each experiment with the options that it uses");
 }
 
-Options givenOptions(const CLI::App& app) {
+Options givenOptions(const cli::CommandLine& app) {
   Options given;
   for (const Option option : kAllOptions)
     if (app.count(nameOf(option)) > 0) given.add(option);
@@ -122,7 +119,7 @@ int main(int argc, char** argv) {
   cli::useTargetMaths(argv);
   const auto known = experiments::sortedByName(experiments::Registration::all());
   if (!known) return cli::fail(known.error(), cli::kExitBadInput);
-  CLI::App app{"Measure: one JSON object of plain figures", "kelpie evaluate"};
+  cli::ProgramLine app{"Measure: one JSON object of plain figures", "kelpie evaluate"};
   app.footer("Experiments:\n" + experiments::listed(*known));
   experiments::EvaluateOptions options;
   experiments::addOptions(app, options);
