@@ -14,11 +14,11 @@ from players.halted import Halted
 from safety.rear_wall import off_wall
 from situation import kick_stand
 from situation.clearance import clearing_kick
+from situation.goalie import seen
 from situation.memory import Memory
 from skills.ball.attack_ball import AttackBall
 from skills.ball.paw_kick import Paw, PawKick
 from skills.head.ellipse_head import EllipseHead
-from skills.head.goalie_head import seen
 from skills.motion.get_up import GetUp
 from skills.motion.kick import Kick
 from skills.walk.guard_goal import OF_2004, GuardGoal

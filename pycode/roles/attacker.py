@@ -24,7 +24,7 @@ from skills.head.active_localise import LEAVE, ActiveLocalise
 from skills.head.glance import Glance
 from skills.head.track_ball import believed
 from skills.walk.avoid_own_box import AvoidOwnBox
-from skills.walk.paw_stuck import PawStuck
+from skills.walk.paw_stuck import PawStuck, paw_pushes
 
 LOST_FRAMES = 15        # [8, 30] the ball is looked for after so many without a sight,
 LOST_NEAR_FRAMES = 40   # or so many where the chin hides it
@@ -56,10 +56,6 @@ class AttackerSituation:
         self.lost = not ball.present or memory.ball_lost > most
         # What its player adds: paw_pushes, box_in_the_way, the leaf whose skill has ended, and
         # ActiveLocalise, which knows whether a look is needed, or over.
-
-
-def paw_pushes(now, playing):
-    return ('a front paw pushes at something',) if now.paw_pushes else None
 
 
 def skill_has_ended(now, playing):

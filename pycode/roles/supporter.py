@@ -21,7 +21,7 @@ from skills.head.watch_play import WatchPlay
 from skills.walk.avoid_attacker import AvoidAttacker
 from skills.walk.bird_of_prey import BirdOfPrey
 from skills.walk.get_out_of_way import GetOutOfWay
-from skills.walk.paw_stuck import PawStuck
+from skills.walk.paw_stuck import PawStuck, paw_pushes
 
 LOST_FRAMES = 40           # facts-2005 section 7.1: "anywhere"
 FAR = 100.0                # cm from home: Bird of Prey, which ends within
@@ -48,10 +48,6 @@ class SupporterSituation:
     def lane(self, kind, leaves):
         """The attacker's lane of a kind that it stands in, or None. `leaves`: it leaves it."""
         return AvoidAttacker.lane(self.world, self.lanes, kind, leaves)
-
-
-def paw_pushes(now, playing):
-    return ('a front paw pushes at something',) if now.paw_pushes else None
 
 
 def mate_passes(now, playing):

@@ -5,11 +5,10 @@ import math
 
 import kelpie
 from lib.geom import clamp
-from lib.goalie_places import box, to_field, to_robot
+from lib.goalie_places import MARGIN, box, to_field, to_robot
 from lib.ways import point_of
 
 SPEED = 34.0         # cm/s; the walk does 36 to 38 (docs/physical-body.md)
-MARGIN = 10.0        # cm inside the box; the pose is off by 2.6 cm, and others push
 SECONDS = 0.35       # to an edge of the box at least: the legs follow late
 OUTSIDE = 10.0       # cm that the neck base of another stays away from the box,
 NEAR = 45.0          # cm beyond that from which it minds: what the fast walk goes in a second

@@ -22,6 +22,11 @@ HAS_LONGEST = 4.0    # s; the rules let it hold the ball for 3
 TOLD_SD = 5.0        # cm; of vaguer balls of the team one in ten is more than 25 cm off
 
 
+def seen(world, seconds=SEEN) -> bool:
+    """Whether the ball was seen so lately."""
+    return world.ball.present and world.ball.seconds_since_seen < seconds
+
+
 class GoalieSituation:
     def __init__(self, memory):
         self.memory = memory
@@ -96,8 +101,7 @@ class GoalieSituation:
         return point_of(self.world.ball)
 
     def sees(self, seconds=SEEN) -> bool:
-        ball = self.world.ball
-        return ball.present and ball.seconds_since_seen < seconds
+        return seen(self.world, seconds)
 
     @property
     def seen_since_motion(self) -> bool:

@@ -8,7 +8,7 @@ import math
 
 from lib import kick_table
 from lib.geom import wrap
-from lib.goalie_places import UP_FIELD, beyond_box, direction, middle, past_ball
+from lib.goalie_places import MARGIN, UP_FIELD, beyond_box, direction, middle, past_ball
 from lib.ways import point_of
 from situation.clearance import Clearance
 
@@ -23,7 +23,6 @@ MOVED = 6.0         # or cm that the ball has rolled
 LANDMARKS = 75.0    # deg from up-field: three kicks at a ball in the corner, with no landmark in
                     # view, left a heading 30 deg wrong and the box far behind
 FACING = 55.0       # deg from the way out of the goal past the ball, at most
-MARGIN = 10.0       # cm inside the box, as safety/own_box.py keeps the robot
 
 
 class Stand:

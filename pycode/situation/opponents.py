@@ -7,6 +7,7 @@ import math
 
 import kelpie
 from lib.ways import point_of
+from situation.obstacles import OWN_BODY
 
 AT_BALL = 30.0       # cm from the ball to an opponent's neck. Of 38 kicks with one in 25 half left
                      # the ball within 20 cm for 0.4 s, of 53 alone a quarter
@@ -20,7 +21,6 @@ FEET = 24.0          # cm from the ball to feet in the image,
 FEET_LEAST = 2       # points of them at least: there in 60 % of 252 frames with an opponent within
                      # 25 cm, in none of 228 with all beyond 33 cm
 FEET_MATE = 45.0     # cm from the ball to a mate that they may be of
-OWN_BODY = 12.0      # cm; what was seen nearer is the robot itself
 MATE = 30.0          # cm from the ball to a mate's neck that grabs it: both own goals of 20 matches
                      # were kicks of goalies against their own attacker's hold
 

@@ -6,7 +6,8 @@
 import kelpie
 from lib.head import view
 from lib.landmarks import GOALIE_PAN, choose_landmark
-from skills.head.goalie_head import GoalieHead, Look, seen
+from situation.goalie import seen
+from skills.head.goalie_head import GoalieHead, Look
 
 
 class Pan:

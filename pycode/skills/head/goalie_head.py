@@ -11,6 +11,7 @@ from arbiter.machine import Machine
 from lib.geom import from_field
 from lib.head import look_at, view
 from lib.landmarks import GOALIE_PAN, in_reach, look_at_landmark
+from situation.goalie import seen
 from situation.pose_watch import is_sure
 from skills.head.point_scan import Looks, PointScan
 from skills.head.watch import Watch
@@ -38,10 +39,6 @@ class Look:
     LOST = 0.25              # s unseen while it is looked at
     TOLD = 0.5  # s,
     TOLD_EVERY = 2.0  # s of looking to where mates see it, out of so many
-
-
-def seen(world, seconds=Watch.FRESH) -> bool:
-    return world.ball.present and world.ball.seconds_since_seen < seconds
 
 
 def side_of(x) -> float:

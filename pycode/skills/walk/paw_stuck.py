@@ -37,6 +37,11 @@ def blocked(world) -> tuple[bool, bool]:
     return left, right
 
 
+def paw_pushes(now, playing):
+    """The rule of who backs off, of a situation whose `paw_pushes` its player worked out."""
+    return ('a front paw pushes at something',) if now.paw_pushes else None
+
+
 class PawStuck(Machine):
     NAME = 'paw_stuck'
 
