@@ -179,16 +179,11 @@ bool walking(const ActuatorParams& params, const ActuatorState& state) {
   return state.ready && walksOn(params, state) && !standing(state.walk);
 }
 
-bool getsUp(MotionKind kind) {
-  return kind == MotionKind::getUpFront || kind == MotionKind::getUpBack ||
-         kind == MotionKind::getUpLeft || kind == MotionKind::getUpRight;
-}
-
 Footing footing(const ActuatorParams& params, const ActuatorState& state) {
   if (state.found) return Footing::other;
   if (state.lies) return Footing::lies;
   if (state.approach.active) return Footing::standsUp;
-  if (getsUp(state.motion.kind)) return Footing::getsUp;
+  if (isGetUp(state.motion.kind)) return Footing::getsUp;
   return state.ready && walksOn(params, state) ? Footing::stands : Footing::other;
 }
 

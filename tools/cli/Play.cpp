@@ -402,12 +402,7 @@ void addPlay(CommandLine& app, int& code) {
       .check(oneOf({"none", "goalie", "goalie-2004"}))
       .showDefault();
   addStagingOptions(command, options->staging);
-  command.option("--field", session.field, "2006, osaka2005 or 2004")
-      .check(oneOf({"2006", "osaka2005", "2004"}))
-      .showDefault();
-  command.option("--team", session.team, "red attacks the blue goal")
-      .check(oneOf({"red", "blue"}))
-      .showDefault();
+  addSideOptions(command, session.field, session.team);
   command.option("--pycode", session.pycode, "Folder of behaviours (default: pycode/)")
       .check(existingPath());
   command.option("--params", session.params, "TOML files, general to specific")

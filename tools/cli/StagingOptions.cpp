@@ -3,6 +3,15 @@
 
 namespace kelpie::cli {
 
+void addSideOptions(CommandLine& command, std::string& field, std::string& team) {
+  command.option("--field", field, "2006, osaka2005 or 2004")
+      .check(oneOf({"2006", "osaka2005", "2004"}))
+      .showDefault();
+  command.option("--team", team, "red attacks the blue goal")
+      .check(oneOf({"red", "blue"}))
+      .showDefault();
+}
+
 void addStagingOptions(CommandLine& command, sim::StagingWords& staging) {
   command.option("--place", staging.places,
                  "A robot's place beside the scenario's: TEAM:PLAYER:X,Y,DEG of red's field");

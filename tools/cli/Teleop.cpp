@@ -12,6 +12,7 @@
 #include "tools/cli/Commands.h"
 #include "tools/cli/Process.h"
 #include "tools/cli/Progress.h"
+#include "tools/cli/StagingOptions.h"
 #include "tools/cli/Usage.h"
 #include "tools/cli/WholeFile.h"
 #include "tools/cli/Workshop.h"
@@ -177,12 +178,7 @@ void addTeleop(CommandLine& app, int& code) {
   command.option("--scenario", session.scenario, "What is on the field at the start")
       .check(oneOf({"empty-goal", "kickoff"}))
       .showDefault();
-  command.option("--field", session.field, "2006, osaka2005 or 2004")
-      .check(oneOf({"2006", "osaka2005", "2004"}))
-      .showDefault();
-  command.option("--team", session.team, "red attacks the blue goal")
-      .check(oneOf({"red", "blue"}))
-      .showDefault();
+  addSideOptions(command, session.field, session.team);
   command.flag("--physical,!--fast", session.physical,
                "A body with masses, servos and contacts (the default), or a kinematic one");
   command
