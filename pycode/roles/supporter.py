@@ -14,7 +14,7 @@ from lib.steer import facing, filtered
 from lib.ways import aside_of
 from safety.own_box import outside_box
 from situation import keep_off, time_to
-from situation.heard import heard_of
+from situation.time_to import heard_of
 from skills.ball.find_ball import FindBall
 from skills.ball.find_together import FindTogether
 from skills.head.watch_play import WatchPlay

@@ -12,9 +12,9 @@ from situation import kick_stand, opponents
 from situation.ball_at_body import BODY, BallBetweenPaws
 from situation.clearance import clearing_kick
 from situation.facing import Facing
-from situation.heard import heard_of
 from situation.pose_watch import PoseWatch
 from situation.shot_watch import ShotWatch
+from situation.time_to import heard_of
 
 SEEN = 0.4           # s; a ball unseen for longer is not acted on
 HAS_STILL = 0.4      # s for which an opponent has the ball, or presses, on; in all

@@ -2,8 +2,9 @@
 # How long a robot needs to a point or to the ball (thesis 2006 section 4.4.1): straight there and
 # the turn before, more for what stands on the way and for a robot that is stuck. Bonuses of the
 # time to the ball (a sure ball, the attacker of the last frame, a grab) are seconds that are not
-# added, so that it is never negative. Each term more is never less time. Keeps nothing. It fails to
-# see that others move out of the way, and as pose and ball do.
+# added, so that it is never negative. Each term more is never less time. And where the ball is that
+# is gone for, by the own belief or by the team's. Keeps nothing. It fails to see that others move
+# out of the way, and as pose and ball do; a mate with a wrong pose tells of a ball that is nowhere.
 import math
 
 import kelpie
@@ -23,6 +24,9 @@ ATTACKER_S = 0.7         # bonuses of U04
 GRAB_S = 2.0  # s
 NEVER_S = 1000.0         # of who knows no ball (robot/core/TeamNote.h)
 FRESH_S = 1.0            # s; an older ball of the team is not gone for
+LATER_S = 0.4            # s by which a mate saw it later than the robot itself
+OFF = 15.0               # cm beyond the lines; a ball farther off is one of a wrong pose: by one
+                         # 38 cm behind the goal a goalie went the wrong way
 APPROACH = 40.0          # cm, of a grab that is told
 
 
@@ -82,6 +86,18 @@ def ball_of(world, lost_frames):
     if not own and team.present and team.seconds_since_seen < FRESH_S:
         return team.position.x, team.position.y
     return (ball.position.x, ball.position.y) if ball.present else None
+
+
+def heard_of(world):
+    """Where the team has a ball on the field that this robot has not seen as lately; or None."""
+    team, ball = world.team_ball, world.ball
+    own_s = ball.seconds_since_seen if ball.present else math.inf
+    if (len(world.teammates) == 0 or not team.present or team.seconds_since_seen > FRESH_S or
+            own_s < team.seconds_since_seen + LATER_S):
+        return None
+    x, y, field = team.position.x, team.position.y, world.field
+    on_field = -OFF < x < field.width + OFF and -OFF < y < field.length + OFF
+    return (x, y) if on_field else None
 
 
 def unsure(lost_frames) -> float:

@@ -14,8 +14,8 @@ from players.forward import Forward
 from players.goalie import Goalie
 from roles.supporter import Supporter
 from situation import keep_off
-from situation.heard import heard_of
 from situation.memory import Memory
+from situation.time_to import heard_of
 from situations import put_ball, world
 from skills.ball.find_together import FindTogether
 from skills.walk.bird_of_prey import BirdOfPrey

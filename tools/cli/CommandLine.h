@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // A program's command line as the commands describe it: subcommands, options, flags and what their
-// values must be. CLI11 does the work behind it, in CommandLine.cpp and Usage.cpp alone: wherever
-// it is included it takes the compiler 5 s. A mistake in what is typed is found by parseOptions()
-// (Usage.h), a mistake in the description when the program starts.
+// values must be. CLI11 does the work behind it, in CommandLine.cpp and Usage.cpp alone, since it
+// is dear to compile. A mistake in what is typed is found by parseOptions() (Usage.h), a mistake in
+// the description when the program starts.
 #pragma once
 
 #include <functional>

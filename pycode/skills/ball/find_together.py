@@ -12,7 +12,7 @@ from lib import search_places
 from lib.geom import from_field
 from lib.steer import aim_at, towards
 from lib.ways import SILENT_S
-from situation.heard import FRESH_S, heard_of
+from situation.time_to import FRESH_S, heard_of
 from skills.ball.spin_for_ball import SpinForBall
 from skills.head.watch import Scan
 from skills.walk.bird_of_prey import BirdOfPrey
