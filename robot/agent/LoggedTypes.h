@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Schema, encoding and decoding of the messages of an agent's log, compiled once in
-// LoggedTypes.cpp: the field list of AgentConfig alone takes the compiler 10 s wherever it is taken
-// apart. Whoever reads or writes such logs includes this.
+// LoggedTypes.cpp: they need the tables of every struct within, which the compiler would make
+// again wherever a log is read or written. Whoever does that includes this.
 #pragma once
 
 #include "robot/agent/AgentConfig.h"

@@ -19,8 +19,8 @@
 // The range limits each scalar inside the member; Angle ranges are given in degrees.
 #pragma once
 
+#include <cstddef>
 #include <limits>
-#include <tuple>
 #include <type_traits>
 #include <utility>
 
@@ -43,9 +43,48 @@ constexpr FieldOf<Struct, Member> field(const char* name, Member Struct::*member
   return {name, member, unit, min, max};
 }
 
+namespace detail {
+template <std::size_t I, class Field>
+struct FieldAt {
+  Field field;
+};
+template <class Indices, class... Fields>
+struct FieldsAt;
+template <std::size_t... I, class... Fields>
+struct FieldsAt<std::index_sequence<I...>, Fields...> : FieldAt<I, Fields>... {};
+
+template <std::size_t I, class Field>
+constexpr const Field& fieldAt(const FieldAt<I, Field>& at) {
+  return at.field;
+}
+}  // namespace detail
+
+// What fields() returns. A std::tuple would do, but the choice among its constructors, which are
+// made to convert, is most of what the compiler then does with a long list.
 template <class... Fields>
-constexpr std::tuple<Fields...> fieldList(Fields... fields) {
-  return {fields...};
+struct FieldList : detail::FieldsAt<std::index_sequence_for<Fields...>, Fields...> {
+  static constexpr std::size_t kCount = sizeof...(Fields);
+
+  template <std::size_t I>
+  constexpr const auto& get() const {
+    return detail::fieldAt<I>(*this);
+  }
+  // f of all fields at once.
+  template <class F>
+  constexpr auto apply(F&& f) const {
+    return applyAt(f, std::index_sequence_for<Fields...>());
+  }
+
+ private:
+  template <class F, std::size_t... I>
+  constexpr auto applyAt(F&& f, std::index_sequence<I...> /*unused*/) const {
+    return f(static_cast<const detail::FieldAt<I, Fields>&>(*this).field...);
+  }
+};
+
+template <class... Fields>
+constexpr FieldList<Fields...> fieldList(Fields... fields) {
+  return {{{fields}...}};
 }
 
 template <class T, class = void>
@@ -56,14 +95,14 @@ struct HasFields<T, std::void_t<decltype(T::fields())>> : std::true_type {};
 // Calls f(field, object.member) for every field in order. Object may be const.
 template <class Struct, class F>
 void forEachField(Struct& object, F&& f) {
-  std::apply([&](const auto&... fs) { (f(fs, object.*(fs.member)), ...); },
-             std::remove_const_t<Struct>::fields());
+  std::remove_const_t<Struct>::fields().apply(
+      [&](const auto&... fs) { (f(fs, object.*(fs.member)), ...); });
 }
 
 // Calls f(field) for every field of the type, without an object.
 template <class Struct, class F>
 void forEachFieldOf(F&& f) {
-  std::apply([&](const auto&... fs) { (f(fs), ...); }, Struct::fields());
+  Struct::fields().apply([&](const auto&... fs) { (f(fs), ...); });
 }
 
 template <class Struct, class Member>

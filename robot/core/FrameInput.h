@@ -122,11 +122,10 @@ constexpr auto unlessImage(FieldOf<Struct, Member> f) {
 // The field list of a message that has something else in place of the image.
 template <class Fields, class Instead>
 constexpr auto withoutImage(Fields fields, Instead instead) {
-  return std::apply(
-      [instead](auto... fs) {
-        return std::tuple_cat(detail::unlessImage(fs)..., std::make_tuple(instead));
-      },
-      fields);
+  return fields.apply([instead](const auto&... fs) {
+    return std::apply([](const auto&... kept) { return fieldList(kept...); },
+                      std::tuple_cat(detail::unlessImage(fs)..., std::make_tuple(instead)));
+  });
 }
 
 }  // namespace kelpie

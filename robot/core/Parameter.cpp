@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robot/core/Parameter.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
+#include <cstring>
 #include <optional>
 
+#include "robot/core/FieldCheck.h"
 #include "robot/core/Maths.h"
 
 namespace kelpie {
@@ -91,6 +95,64 @@ Expected<double> checked(const Parameter& parameter, double kept, const std::str
   return kept;
 }
 
+Kind kindOf(const MemberType& type) {
+  switch (type.kind) {
+    case MemberKind::boolean: return Kind::boolean;
+    case MemberKind::angle: return Kind::angle;
+    case MemberKind::time: return Kind::time;
+    case MemberKind::real: return Kind::real;
+    case MemberKind::structure: return Kind::list;
+    default: return Kind::whole;
+  }
+}
+
+// What the member's type can hold narrows the field's range. Doubles hold whole numbers exactly up
+// to 2^53.
+void narrowRange(Parameter& parameter, const MemberType& type) {
+  if (parameter.kind != Kind::whole && parameter.kind != Kind::time) return;
+  const int bits = 8 * static_cast<int>(type.size);
+  double low = -9007199254740992.0;
+  double high = 9007199254740992.0;
+  if (parameter.kind == Kind::whole) {
+    low = std::max(low, type.isSigned ? -std::ldexp(1.0, bits - 1) : 0.0);
+    high = std::min(high, std::ldexp(1.0, type.isSigned ? bits - 1 : bits) - 1.0);
+  }
+  parameter.min = std::max(parameter.min, low);
+  parameter.max = std::min(parameter.max, high);
+}
+
+template <class T>
+void writeAs(T value, void* at) {
+  std::memcpy(at, &value, sizeof value);
+}
+
+void writeSigned(double number, std::size_t size, void* at) {
+  if (size == 1) return writeAs(static_cast<std::int8_t>(number), at);
+  if (size == 2) return writeAs(static_cast<std::int16_t>(number), at);
+  if (size == 4) return writeAs(static_cast<std::int32_t>(number), at);
+  writeAs(static_cast<std::int64_t>(number), at);
+}
+
+void writeUnsigned(double number, std::size_t size, void* at) {
+  if (size == 1) return writeAs(static_cast<std::uint8_t>(number), at);
+  if (size == 2) return writeAs(static_cast<std::uint16_t>(number), at);
+  if (size == 4) return writeAs(static_cast<std::uint32_t>(number), at);
+  writeAs(static_cast<std::uint64_t>(number), at);
+}
+
+void writeNumber(const MemberType& type, double number, void* at) {
+  switch (type.kind) {
+    case MemberKind::boolean: return writeAs(number != 0.0, at);
+    case MemberKind::angle: return writeAs(Angle::rad(number), at);
+    case MemberKind::time: return writeSigned(number, type.size, at);
+    case MemberKind::real:
+      return type.size == 4 ? writeAs(static_cast<float>(number), at) : writeAs(number, at);
+    default:
+      return type.isSigned ? writeSigned(number, type.size, at)
+                           : writeUnsigned(number, type.size, at);
+  }
+}
+
 }  // namespace
 
 Expected<double> numberWithUnit(const Parameter& parameter, const std::string& text) {
@@ -141,6 +203,39 @@ std::string valueText(const Parameter& parameter, const std::vector<double>& val
     }
   }
   return parameter.isSequence ? '[' + text + ']' : text;
+}
+
+std::vector<double> Parameter::get() const {
+  if (!isSequence) return {detail::numberOf(*type, member)};
+  const Items items = type->items(member);
+  std::vector<double> values;
+  values.reserve(items.count);
+  for (std::size_t i = 0; i < items.count; ++i)
+    values.push_back(detail::numberOf(*type->item, items.at(i, type->item->size)));
+  return values;
+}
+
+void Parameter::set(const std::vector<double>& values) {
+  if (!isSequence) return writeNumber(*type, values[0], member);
+  if (type->resize != nullptr) type->resize(member, values.size());
+  const Items items = type->items(member);
+  for (std::size_t i = 0; i < values.size(); ++i)
+    writeNumber(*type->item, values[i], const_cast<void*>(items.at(i, type->item->size)));
+}
+
+Parameter parameterOf(const std::string& section, const FieldRow& row, void* member) {
+  Parameter parameter{section + '.' + row.name, row.unit, {}, row.min, row.max};
+  const MemberType& scalar = row.type->isSequence() ? *row.type->item : *row.type;
+  parameter.kind = kindOf(scalar);
+  parameter.type = row.type;
+  parameter.member = member;
+  if (parameter.kind == Kind::list) return parameter;
+  narrowRange(parameter, scalar);
+  parameter.isSequence = row.type->isSequence();
+  if (parameter.isSequence) parameter.maxCount = row.type->capacity;
+  parameter.minCount = row.type->kind == MemberKind::vector ? 0 : parameter.maxCount;
+  parameter.defaults = parameter.get();
+  return parameter;
 }
 
 }  // namespace kelpie

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "robot/core/Checksum.h"
+#include "robot/core/Encoding.h"
 #include "robot/core/Toml.h"
 
 namespace kelpie {
@@ -124,7 +125,33 @@ std::string place(const std::string& path, std::size_t line) {
   return path + ':' + std::to_string(line);
 }
 
+// Lists the parameters of a struct and of those within.
+class Listing final : public MemberVisitor {
+ public:
+  Listing(std::string section, std::vector<Parameter>& parameters)
+      : section_(std::move(section)), parameters_(parameters) {}
+
+  bool member(const FieldRow& row, const void* at) override {
+    if (row.type->kind == MemberKind::structure) {
+      Listing inner(section_ + '.' + row.name, parameters_);
+      return row.type->visit(at, inner);
+    }
+    parameters_.push_back(parameterOf(section_, row, const_cast<void*>(at)));
+    return true;
+  }
+
+ private:
+  std::string section_;
+  std::vector<Parameter>& parameters_;
+};
+
 }  // namespace
+
+void ParameterSet::add(const std::string& section, const MemberType& type, void* params) {
+  Listing listing(section, parameters_);
+  type.visit(params, listing);
+  sections_.push_back({section, &type, params});
+}
 
 Status ParameterSet::overlay(const std::string& path) {
   const Expected<toml::table> file = readToml(path);
@@ -158,7 +185,7 @@ Status ParameterSet::assign(const std::string& key, double number) {
 std::vector<ParameterChange> ParameterSet::changes() const {
   std::vector<ParameterChange> changes;
   for (const Parameter& parameter : parameters_) {
-    if (!parameter.get) continue;
+    if (parameter.kind == Kind::list) continue;
     const std::vector<double> values = parameter.get();
     if (values == parameter.defaults) continue;
     changes.push_back({parameter.key, valueText(parameter, values),
@@ -172,9 +199,10 @@ std::uint64_t ParameterSet::hash() const {
   Fnv1a hash;
   for (const Section& section : sections_) {
     std::vector<std::uint8_t> bytes;
-    section.bytes(bytes);
+    detail::encode(*section.type, section.params, bytes);
+    const std::string schema = detail::schemaText(*section.type);
     hash.add(section.name.data(), section.name.size() + 1);
-    hash.add(section.schema.data(), section.schema.size() + 1);
+    hash.add(schema.data(), schema.size() + 1);
     hash.add(bytes.data(), bytes.size());
   }
   return hash.value();

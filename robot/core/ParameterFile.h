@@ -13,12 +13,11 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <string>
 #include <vector>
 
-#include "robot/core/Encoding.h"
 #include "robot/core/Expected.h"
+#include "robot/core/MemberType.h"
 #include "robot/core/Parameter.h"
 
 namespace kelpie {
@@ -35,14 +34,24 @@ struct ParameterChange {
   }
 };
 
+namespace detail {
+constexpr bool holdsText(const MemberType& type) {
+  for (std::size_t i = 0; i < type.rowCount; ++i) {
+    const MemberType& member = *type.rows[i].type;
+    if (member.kind == MemberKind::text || holdsText(member)) return true;
+  }
+  return false;
+}
+}  // namespace detail
+
 class ParameterSet {
  public:
   // The values of `params` now are its defaults. It must live as long as the set.
   template <class P>
   void add(const std::string& section, P& params) {
-    addStruct(section, params);
-    sections_.push_back({section, schemaText<P>(),
-                         [&params](std::vector<std::uint8_t>& out) { encode(params, out); }});
+    static_assert(!detail::holdsText(memberTypeOf<P>()),
+                  "a parameter is a number: a file could not set a text");
+    add(section, memberTypeOf<P>(), &params);
   }
 
   Status overlay(const std::string& path);
@@ -55,34 +64,11 @@ class ParameterSet {
  private:
   struct Section {
     std::string name;
-    std::string schema;
-    std::function<void(std::vector<std::uint8_t>&)> bytes;
+    const MemberType* type;
+    const void* params;
   };
 
-  template <class S>
-  void addStruct(const std::string& key, S& value) {
-    forEachField(value, [&](const auto& f, auto& member) {
-      addMember(Parameter{key + '.' + f.name, f.unit, {}, f.min, f.max}, member);
-    });
-  }
-
-  template <class M>
-  void addMember(Parameter parameter, M& member) {
-    static_assert(!IsText<M>::value, "a parameter is a number: a file could not set a text");
-    if constexpr (HasFields<M>::value) {
-      return addStruct(parameter.key, member);
-    } else if constexpr (kIsSequence<M>) {
-      if constexpr (HasFields<typename M::value_type>::value) {
-        parameter.kind = Parameter::Kind::list;
-      } else {
-        detail::bindSequence(parameter, member);
-      }
-    } else {
-      detail::bindScalar(parameter, member);
-    }
-    if (parameter.get) parameter.defaults = parameter.get();
-    parameters_.push_back(std::move(parameter));
-  }
+  void add(const std::string& section, const MemberType& type, void* params);
 
   std::vector<Parameter> parameters_;
   std::vector<Section> sections_;

@@ -7,7 +7,6 @@
 
 #include <cstdint>
 #include <string_view>
-#include <tuple>
 
 #include "robot/core/Checksum.h"
 #include "robot/core/FieldTypes.h"
@@ -23,7 +22,7 @@ class FieldListHash {
       number(capacityOf<T>());
       add<typename T::value_type>();
     } else if constexpr (HasFields<T>::value) {
-      addFields<T>(std::make_index_sequence<std::tuple_size_v<decltype(T::fields())>>());
+      addFields<T>(std::make_index_sequence<decltype(T::fields())::kCount>());
       number(3);
     } else {
       number(kindOf<T>());
@@ -36,7 +35,7 @@ class FieldListHash {
   template <class T, std::size_t... I>
   constexpr void addFields(std::index_sequence<I...> /*unused*/) {
     constexpr auto kFields = T::fields();
-    (addField(std::get<I>(kFields)), ...);
+    (addField(kFields.template get<I>()), ...);
   }
   template <class Struct, class Member>
   constexpr void addField(const FieldOf<Struct, Member>& f) {

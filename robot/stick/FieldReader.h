@@ -41,7 +41,7 @@ class FieldReader {
   }
   template <class T>
   bool getStruct(T& value) {
-    return getFields(value, std::make_index_sequence<std::tuple_size_v<decltype(T::fields())>>());
+    return getFields(value, std::make_index_sequence<decltype(T::fields())::kCount>());
   }
 
  private:
@@ -49,16 +49,15 @@ class FieldReader {
   template <class T, std::size_t... I>
   bool getFields(T& value, std::index_sequence<I...> /*unused*/) {
     constexpr auto kFields = T::fields();
-    return (get(value.*(std::get<I>(kFields).member), std::get<I>(kFields).min,
-                std::get<I>(kFields).max) &&
+    return (get(value.*(kFields.template get<I>().member), kFields.template get<I>().min,
+                kFields.template get<I>().max) &&
             ...);
   }
   template <class T>
   bool getScalar(T& value, double min, double max) {
     std::uint8_t bytes[8];
-    const std::size_t size = encodedSize(value);
-    if (!take(bytes, size)) return false;
-    if (!kelpie::detail::WireReader(bytes, size).get(value, min, max))
+    if (!take(bytes, sizeof value)) return false;
+    if (!kelpie::detail::decodeScalar(memberTypeOf<T>(), bytes, sizeof value, min, max, &value))
       return fail(StickFault::undecodable);
     return checkRange(value, min, max);
   }

@@ -193,16 +193,16 @@ StickFault StickReader::readMembers(Part part, agent::AgentConfig& config,
                                     std::index_sequence<I...> /*unused*/) const {
   constexpr auto kFields = agent::AgentConfig::fields();
   FieldReader reader(startOf(part), lengthOf(part));
-  const bool good = ((partOf<decltype(memberType(std::get<I>(kFields)))>() != part ||
-                      reader.get(config.*(std::get<I>(kFields).member), std::get<I>(kFields).min,
-                                 std::get<I>(kFields).max)) &&
+  const bool good = ((partOf<decltype(memberType(kFields.get<I>()))>() != part ||
+                      reader.get(config.*(kFields.get<I>().member), kFields.get<I>().min,
+                                 kFields.get<I>().max)) &&
                      ...);
   if (!good) return reader.fault();
   return reader.atEnd() ? StickFault::none : StickFault::damagedPart;
 }
 
 StickFault StickReader::readPart(Part part, agent::AgentConfig& config) const {
-  constexpr auto kMembers = std::tuple_size_v<decltype(agent::AgentConfig::fields())>;
+  constexpr auto kMembers = decltype(agent::AgentConfig::fields())::kCount;
   return readMembers(part, config, std::make_index_sequence<kMembers>());
 }
 
