@@ -5,7 +5,7 @@
 
 #include "actuator/ActuatorParams.h"
 #include "actuator/ActuatorState.h"
-#include "robot/core/Motion.h"
+#include "robot/core/types/Motion.h"
 
 namespace kelpie::actuator {
 

@@ -5,7 +5,7 @@
 #pragma once
 
 #include "actuator/ActuatorParams.h"
-#include "robot/core/Motion.h"
+#include "robot/core/types/Motion.h"
 
 namespace kelpie::actuator {
 

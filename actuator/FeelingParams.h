@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "robot/core/Angle.h"
-#include "robot/core/Fields.h"
+#include "robot/core/fields/Fields.h"
 
 namespace kelpie::actuator {
 

@@ -5,9 +5,9 @@
 #pragma once
 
 #include "actuator/Phase.h"
-#include "robot/core/Geometry.h"
-#include "robot/core/Joints.h"
 #include "robot/core/Time.h"
+#include "robot/core/types/Geometry.h"
+#include "robot/core/types/Joints.h"
 
 namespace kelpie::actuator {
 

@@ -9,7 +9,7 @@
 
 #include "robot/body/Legs.h"
 #include "robot/body/PlanarMotion.h"
-#include "robot/core/Motion.h"
+#include "robot/core/types/Motion.h"
 
 namespace kelpie::actuator {
 

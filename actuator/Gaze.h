@@ -5,8 +5,8 @@
 // near as they go. Lengths of facts-2005 section 2.2.
 #pragma once
 
-#include "robot/core/Command.h"
-#include "robot/core/Motion.h"
+#include "robot/core/types/Command.h"
+#include "robot/core/types/Motion.h"
 
 namespace kelpie::actuator {
 

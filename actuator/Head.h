@@ -4,8 +4,8 @@
 #pragma once
 
 #include "actuator/ActuatorParams.h"
-#include "robot/core/Command.h"
-#include "robot/core/Joints.h"
+#include "robot/core/types/Command.h"
+#include "robot/core/types/Joints.h"
 
 namespace kelpie::actuator {
 

@@ -8,7 +8,7 @@
 #include <array>
 
 #include "actuator/FeelingParams.h"
-#include "robot/core/Motion.h"
+#include "robot/core/types/Motion.h"
 
 namespace kelpie::actuator {
 

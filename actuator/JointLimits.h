@@ -3,7 +3,7 @@
 // a greatest change in a tick. An angle that is not finite stays where it was.
 #pragma once
 
-#include "robot/core/Joints.h"
+#include "robot/core/types/Joints.h"
 
 namespace kelpie::actuator {
 

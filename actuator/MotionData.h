@@ -6,9 +6,9 @@
 #include <array>
 #include <cstdint>
 
-#include "robot/core/Command.h"
 #include "robot/core/FixedVector.h"
-#include "robot/core/Joints.h"
+#include "robot/core/types/Command.h"
+#include "robot/core/types/Joints.h"
 
 namespace kelpie::actuator {
 

@@ -9,7 +9,7 @@
 #include "actuator/FootMotion.h"
 #include "actuator/Sway.h"
 #include "actuator/Told.h"
-#include "robot/core/Motion.h"
+#include "robot/core/types/Motion.h"
 
 namespace kelpie::actuator {
 

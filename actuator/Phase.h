@@ -5,7 +5,7 @@
 #pragma once
 
 #include "actuator/WalkSet.h"
-#include "robot/core/Joints.h"
+#include "robot/core/types/Joints.h"
 
 namespace kelpie::actuator {
 

@@ -7,7 +7,7 @@
 #pragma once
 
 #include "robot/body/Legs.h"
-#include "robot/core/Motion.h"
+#include "robot/core/types/Motion.h"
 
 namespace kelpie::actuator {
 

@@ -9,7 +9,7 @@
 #include <array>
 
 #include "actuator/SideReach.h"
-#include "robot/core/Motion.h"
+#include "robot/core/types/Motion.h"
 
 namespace kelpie::actuator {
 
@@ -19,7 +19,7 @@ struct Reach {
   SideReach right;
 };
 
-// Squares of what the legs' joints move, rad2, in the order of robot/core/Joints.h.
+// Squares of what the legs' joints move, rad2, in the order of robot/core/types/Joints.h.
 using LegPower = std::array<double, 3 * kLegCount>;
 LegPower movedBy(const JointAngles& from, const JointAngles& to);
 

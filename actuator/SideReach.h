@@ -3,7 +3,7 @@
 // way it tells (WalkOdometry.h).
 #pragma once
 
-#include "robot/core/Fields.h"
+#include "robot/core/fields/Fields.h"
 
 namespace kelpie::actuator {
 

@@ -6,7 +6,7 @@
 #pragma once
 
 #include "actuator/Feet.h"
-#include "robot/core/Motion.h"
+#include "robot/core/types/Motion.h"
 
 namespace kelpie::actuator {
 

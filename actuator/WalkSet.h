@@ -9,7 +9,7 @@
 
 #include "actuator/WalkOdometry.h"
 #include "actuator/WalkSway.h"
-#include "robot/core/Command.h"
+#include "robot/core/types/Command.h"
 
 namespace kelpie::actuator {
 

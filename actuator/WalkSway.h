@@ -3,7 +3,7 @@
 // `kelpie calibrate walk` fits them.
 #pragma once
 
-#include "robot/core/Fields.h"
+#include "robot/core/fields/Fields.h"
 
 namespace kelpie::actuator {
 

@@ -5,8 +5,8 @@
 
 #include "behaviour/PlayerMark.h"
 #include "behaviour/PythonHost.h"
-#include "robot/core/Emptied.h"
-#include "robot/core/FieldCheck.h"
+#include "robot/core/fields/Emptied.h"
+#include "robot/core/fields/FieldCheck.h"
 
 namespace kelpie::behaviour {
 namespace {

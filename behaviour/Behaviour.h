@@ -11,8 +11,8 @@
 #include "behaviour/BehaviourParams.h"
 #include "behaviour/Rows.h"
 #include "behaviour/Told.h"
-#include "robot/core/Command.h"
 #include "robot/core/Expected.h"
+#include "robot/core/types/Command.h"
 
 namespace kelpie::behaviour {
 

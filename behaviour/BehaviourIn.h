@@ -3,9 +3,9 @@
 #pragma once
 
 #include "robot/body/FieldDescription.h"
-#include "robot/core/FrameInput.h"
-#include "robot/core/Percepts.h"
-#include "robot/core/WorldModel.h"
+#include "robot/core/types/FrameInput.h"
+#include "robot/core/types/Percepts.h"
+#include "robot/core/types/WorldModel.h"
 
 namespace kelpie::behaviour {
 

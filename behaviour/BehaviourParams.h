@@ -7,7 +7,7 @@
 
 #include "robot/core/Angle.h"
 #include "robot/core/Enumerations.h"
-#include "robot/core/Fields.h"
+#include "robot/core/fields/Fields.h"
 
 namespace kelpie::behaviour {
 

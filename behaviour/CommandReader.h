@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "behaviour/PythonRef.h"
-#include "robot/core/Command.h"
+#include "robot/core/types/Command.h"
 
 namespace kelpie::behaviour {
 

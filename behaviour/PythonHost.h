@@ -17,8 +17,8 @@
 #include "behaviour/Told.h"
 #include "behaviour/ViewTypes.h"
 #include "behaviour/WorldFrame.h"
-#include "robot/core/Command.h"
 #include "robot/core/Expected.h"
+#include "robot/core/types/Command.h"
 
 namespace kelpie::behaviour {
 

@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "robot/core/FieldTypes.h"
+#include "robot/core/fields/FieldTypes.h"
 
 namespace kelpie::behaviour {
 

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "behaviour/PythonRef.h"
-#include "robot/core/Command.h"
+#include "robot/core/types/Command.h"
 
 namespace kelpie::behaviour {
 

@@ -4,8 +4,8 @@
 // deg since. Takes the rate of the last frame for that time. Covariances stay as they were.
 #pragma once
 
-#include "robot/core/FrameInput.h"
-#include "robot/core/WorldModel.h"
+#include "robot/core/types/FrameInput.h"
+#include "robot/core/types/WorldModel.h"
 
 namespace kelpie::gps {
 

@@ -7,7 +7,7 @@
 #include "gps/OnField.h"
 #include "gps/SamePose.h"
 #include "gps/ball/BallMotion.h"
-#include "robot/core/Emptied.h"
+#include "robot/core/fields/Emptied.h"
 
 namespace kelpie::gps {
 namespace {

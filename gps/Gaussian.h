@@ -5,7 +5,7 @@
 
 #include <Eigen/Dense>
 
-#include "robot/core/WorldModel.h"
+#include "robot/core/types/WorldModel.h"
 
 namespace kelpie::gps {
 

@@ -2,8 +2,8 @@
 // What a step of the localiser is given.
 #pragma once
 
-#include "robot/core/FrameInput.h"
-#include "robot/core/Percepts.h"
+#include "robot/core/types/FrameInput.h"
+#include "robot/core/types/Percepts.h"
 
 namespace kelpie::gps {
 

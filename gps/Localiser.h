@@ -7,7 +7,7 @@
 #include "gps/GpsParams.h"
 #include "gps/GpsState.h"
 #include "gps/PoseSteps.h"
-#include "robot/core/WorldModel.h"
+#include "robot/core/types/WorldModel.h"
 
 namespace kelpie::gps {
 

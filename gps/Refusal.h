@@ -8,8 +8,8 @@
 #include <limits>
 #include <tuple>
 
-#include "robot/core/RefusalNames.h"
-#include "robot/core/WorldModel.h"
+#include "robot/core/types/RefusalNames.h"
+#include "robot/core/types/WorldModel.h"
 
 namespace kelpie::gps {
 

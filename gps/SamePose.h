@@ -2,7 +2,7 @@
 // Whether two poses are one, within so many centimetres and degrees.
 #pragma once
 
-#include "robot/core/Geometry.h"
+#include "robot/core/types/Geometry.h"
 
 namespace kelpie::gps {
 

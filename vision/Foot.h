@@ -5,7 +5,7 @@
 
 #include <optional>
 
-#include "robot/core/Geometry.h"
+#include "robot/core/types/Geometry.h"
 #include "vision/Scene.h"
 
 namespace kelpie::vision {

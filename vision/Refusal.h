@@ -8,8 +8,8 @@
 #include <iterator>
 #include <tuple>
 
-#include "robot/core/Percepts.h"
-#include "robot/core/RefusalNames.h"
+#include "robot/core/types/Percepts.h"
+#include "robot/core/types/RefusalNames.h"
 
 namespace kelpie::vision {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "robot/body/FieldDescription.h"
-#include "robot/core/Percepts.h"
+#include "robot/core/types/Percepts.h"
 #include "vision/blobs/Blobs.h"
 #include "vision/pixels/HorizonFrame.h"
 #include "vision/pixels/Sampler.h"

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "robot/core/Emptied.h"
+#include "robot/core/fields/Emptied.h"
 #include "vision/Refusal.h"
 #include "vision/Scene.h"
 #include "vision/ball/BallFinder.h"

@@ -4,8 +4,8 @@
 #pragma once
 
 #include "robot/body/FieldDescription.h"
-#include "robot/core/FrameInput.h"
-#include "robot/core/Percepts.h"
+#include "robot/core/types/FrameInput.h"
+#include "robot/core/types/Percepts.h"
 #include "vision/VisionParams.h"
 #include "vision/VisionState.h"
 

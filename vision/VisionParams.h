@@ -3,7 +3,7 @@
 #pragma once
 
 #include "robot/body/FieldDescription.h"
-#include "robot/core/Fields.h"
+#include "robot/core/fields/Fields.h"
 #include "vision/ball/BallFinderParams.h"
 #include "vision/beacon/BeaconFinderParams.h"
 #include "vision/edge/FieldEdgeParams.h"

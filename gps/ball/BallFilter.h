@@ -8,8 +8,8 @@
 #include "gps/ball/BallFilterParams.h"
 #include "gps/ball/BallState.h"
 #include "gps/pose/Predict.h"
-#include "robot/core/FrameInput.h"
-#include "robot/core/Percepts.h"
+#include "robot/core/types/FrameInput.h"
+#include "robot/core/types/Percepts.h"
 
 namespace kelpie::gps {
 

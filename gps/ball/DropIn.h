@@ -8,7 +8,7 @@
 #include "gps/ball/BallState.h"
 #include "gps/pose/PoseState.h"
 #include "robot/body/FieldDescription.h"
-#include "robot/core/FrameInput.h"
+#include "robot/core/types/FrameInput.h"
 
 namespace kelpie::gps {
 

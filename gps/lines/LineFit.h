@@ -11,8 +11,8 @@
 #include "gps/Gaussian.h"
 #include "gps/lines/FieldFeatures.h"
 #include "gps/lines/LineUpdateParams.h"
-#include "robot/core/Percepts.h"
 #include "robot/core/ScratchVector.h"
+#include "robot/core/types/Percepts.h"
 
 namespace kelpie::gps {
 

@@ -11,7 +11,7 @@
 #include "gps/lines/LineFit.h"
 #include "gps/lines/LineState.h"
 #include "gps/lines/LinesParams.h"
-#include "robot/core/FrameInput.h"
+#include "robot/core/types/FrameInput.h"
 
 namespace kelpie::gps {
 

@@ -9,7 +9,7 @@
 #include "gps/lines/LinesParams.h"
 #include "gps/lines/PaintedField.h"
 #include "gps/pose/PoseState.h"
-#include "robot/core/FrameInput.h"
+#include "robot/core/types/FrameInput.h"
 
 namespace kelpie::gps {
 

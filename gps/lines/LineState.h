@@ -7,8 +7,8 @@
 #include "gps/lines/FieldFeatures.h"
 #include "gps/pose/PoseSearch.h"
 #include "robot/core/FixedVector.h"
-#include "robot/core/Geometry.h"
-#include "robot/core/Percepts.h"
+#include "robot/core/types/Geometry.h"
+#include "robot/core/types/Percepts.h"
 
 namespace kelpie::gps {
 

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "gps/GpsIn.h"
-#include "robot/core/WorldModel.h"
+#include "robot/core/types/WorldModel.h"
 
 namespace kelpie::gps {
 

@@ -8,7 +8,7 @@
 
 #include "robot/body/FieldDescription.h"
 #include "robot/core/Angle.h"
-#include "robot/core/Fields.h"
+#include "robot/core/fields/Fields.h"
 
 namespace kelpie::gps {
 

@@ -6,10 +6,10 @@
 #include <cstdint>
 
 #include "gps/pose/PoseSearch.h"
-#include "robot/core/Command.h"
 #include "robot/core/FixedVector.h"
-#include "robot/core/Geometry.h"
-#include "robot/core/WorldModel.h"
+#include "robot/core/types/Command.h"
+#include "robot/core/types/Geometry.h"
+#include "robot/core/types/WorldModel.h"
 
 namespace kelpie::gps {
 

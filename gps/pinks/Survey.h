@@ -8,8 +8,8 @@
 #include "gps/pinks/PinkBearing.h"
 #include "gps/pinks/PinkMapParams.h"
 #include "gps/pinks/PinkState.h"
-#include "robot/core/FrameInput.h"
-#include "robot/core/Percepts.h"
+#include "robot/core/types/FrameInput.h"
+#include "robot/core/types/Percepts.h"
 
 namespace kelpie::gps {
 

@@ -12,10 +12,10 @@
 
 #include "gps/players/ObstacleMapParams.h"
 #include "robot/body/FieldDescription.h"
-#include "robot/core/ObstacleCells.h"
-#include "robot/core/Percepts.h"
-#include "robot/core/TeamMessage.h"
-#include "robot/core/WorldModel.h"
+#include "robot/core/types/ObstacleCells.h"
+#include "robot/core/types/Percepts.h"
+#include "robot/core/types/TeamMessage.h"
+#include "robot/core/types/WorldModel.h"
 
 namespace kelpie::gps {
 

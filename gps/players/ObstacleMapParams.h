@@ -3,7 +3,7 @@
 // them, else ours.
 #pragma once
 
-#include "robot/core/Geometry.h"
+#include "robot/core/types/Geometry.h"
 
 namespace kelpie::gps {
 

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "gps/players/ObstacleMapParams.h"
-#include "robot/core/Geometry.h"
+#include "robot/core/types/Geometry.h"
 
 namespace kelpie::gps {
 

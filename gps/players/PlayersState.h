@@ -6,7 +6,7 @@
 #include <cstdint>
 
 #include "gps/players/ObstacleMap.h"
-#include "robot/core/TeamMessage.h"
+#include "robot/core/types/TeamMessage.h"
 
 namespace kelpie::gps {
 

@@ -5,7 +5,7 @@
 
 #include "gps/players/PlayersContext.h"
 #include "gps/players/PlayersState.h"
-#include "robot/core/FrameInput.h"
+#include "robot/core/types/FrameInput.h"
 
 namespace kelpie::gps {
 

@@ -8,9 +8,9 @@
 
 #include "gps/pose/PoseParams.h"
 #include "robot/body/FieldDescription.h"
-#include "robot/core/FrameInput.h"
-#include "robot/core/Percepts.h"
-#include "robot/core/WorldModel.h"
+#include "robot/core/types/FrameInput.h"
+#include "robot/core/types/Percepts.h"
+#include "robot/core/types/WorldModel.h"
 
 namespace kelpie::gps {
 

@@ -7,8 +7,8 @@
 // than usual, for these are not in the innovations.
 #pragma once
 
-#include "robot/core/Fields.h"
-#include "robot/core/WorldModel.h"
+#include "robot/core/fields/Fields.h"
+#include "robot/core/types/WorldModel.h"
 
 namespace kelpie::gps {
 

@@ -5,7 +5,7 @@
 
 #include <cstdint>
 
-#include "robot/core/Geometry.h"
+#include "robot/core/types/Geometry.h"
 
 namespace kelpie::gps {
 

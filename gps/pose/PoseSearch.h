@@ -11,7 +11,7 @@
 #include <optional>
 
 #include "robot/core/FixedVector.h"
-#include "robot/core/Geometry.h"
+#include "robot/core/types/Geometry.h"
 
 namespace kelpie::gps {
 

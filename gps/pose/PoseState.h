@@ -7,8 +7,8 @@
 #include <cstdint>
 
 #include "robot/core/FixedVector.h"
-#include "robot/core/ObjectPercepts.h"
-#include "robot/core/WorldModel.h"
+#include "robot/core/types/ObjectPercepts.h"
+#include "robot/core/types/WorldModel.h"
 
 namespace kelpie::gps {
 

@@ -4,9 +4,9 @@
 #pragma once
 
 #include "gps/pose/PoseParams.h"
-#include "robot/core/FrameInput.h"
-#include "robot/core/Motion.h"
-#include "robot/core/WorldModel.h"
+#include "robot/core/types/FrameInput.h"
+#include "robot/core/types/Motion.h"
+#include "robot/core/types/WorldModel.h"
 
 namespace kelpie::gps {
 

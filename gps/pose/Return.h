@@ -9,8 +9,8 @@
 #include "gps/pose/PoseParams.h"
 #include "gps/pose/PoseState.h"
 #include "robot/body/FieldDescription.h"
-#include "robot/core/Fields.h"
-#include "robot/core/FrameInput.h"
+#include "robot/core/fields/Fields.h"
+#include "robot/core/types/FrameInput.h"
 
 namespace kelpie::gps {
 

@@ -8,8 +8,8 @@
 
 #include "gps/pose/PoseState.h"
 #include "gps/pose/Predict.h"
-#include "robot/core/Fields.h"
-#include "robot/core/FrameInput.h"
+#include "robot/core/fields/Fields.h"
+#include "robot/core/types/FrameInput.h"
 
 namespace kelpie::gps {
 

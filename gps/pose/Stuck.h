@@ -8,7 +8,7 @@
 #include "gps/pose/PoseState.h"
 #include "gps/pose/Predict.h"
 #include "gps/pose/StuckParams.h"
-#include "robot/core/FrameInput.h"
+#include "robot/core/types/FrameInput.h"
 
 namespace kelpie::gps {
 

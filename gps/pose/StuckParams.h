@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "robot/core/Fields.h"
+#include "robot/core/fields/Fields.h"
 
 namespace kelpie::gps {
 

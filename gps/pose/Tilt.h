@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // How much the body leans more than its joints say, as two slow states of every mode beside its
-// pose: tilt and roll (robot/core/CameraModel.h). Landmarks and the ball tell them by how much
-// higher they are seen than they stand (ElevationError), lines by lying better on the painted ones
-// (LineUpdate), and the accelerometer a little. Thesis 2004 has no such state; its robots' tilts
-// were wrong by up to 3 deg (facts-2005 section 2.1). Wrong after the body's stance changes until
-// the next sighting, and while a walking body sways by more than `swaySd`.
+// pose: tilt and roll (robot/core/types/CameraModel.h). Landmarks and the ball tell them by how
+// much higher they are seen than they stand (ElevationError), lines by lying better on the painted
+// ones (LineUpdate), and the accelerometer a little. Thesis 2004 has no such state; its robots'
+// tilts were wrong by up to 3 deg (facts-2005 section 2.1). Wrong after the body's stance changes
+// until the next sighting, and while a walking body sways by more than `swaySd`.
 #pragma once
 
 #include "gps/GpsIn.h"

@@ -9,7 +9,7 @@
 #include "gps/GpsParams.h"
 #include "robot/body/Camera.h"
 #include "robot/body/FieldDescription.h"
-#include "robot/core/FrameInput.h"
+#include "robot/core/types/FrameInput.h"
 #include "robot/net/GameListener.h"
 #include "vision/VisionParams.h"
 #include "vision/pixels/VisionCalibration.h"

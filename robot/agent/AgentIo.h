@@ -11,8 +11,8 @@
 
 #include "robot/agent/PowerReport.h"
 #include "robot/agent/Senses.h"
-#include "robot/core/Image.h"
-#include "robot/core/Motion.h"
+#include "robot/core/types/Image.h"
+#include "robot/core/types/Motion.h"
 #include "robot/openr/Ers7Primitives.h"
 
 namespace kelpie::agent {

@@ -10,7 +10,7 @@
 #include <optional>
 
 #include "robot/agent/PowerReport.h"
-#include "robot/core/Motion.h"
+#include "robot/core/types/Motion.h"
 
 namespace kelpie::agent {
 

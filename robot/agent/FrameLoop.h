@@ -10,8 +10,8 @@
 #include "gps/Localiser.h"
 #include "robot/agent/AgentConfig.h"
 #include "robot/agent/StageObserver.h"
-#include "robot/core/FrameInput.h"
-#include "robot/core/FrameOutput.h"
+#include "robot/core/types/FrameInput.h"
+#include "robot/core/types/FrameOutput.h"
 #include "vision/Vision.h"
 
 namespace kelpie::agent {

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // A frame's input as a log holds it: with the image, with a class plane from which an image is made
-// again (robot/core/PlaneFrame.h, vision/pixels/PlaneImage.h), or with a picture for people only
-// (robot/core/PictureFrame.h).
+// again (robot/core/types/PlaneFrame.h, vision/pixels/PlaneImage.h), or with a picture for people
+// only (robot/core/types/PictureFrame.h).
 #pragma once
 
 #include <string>
 
 #include "robot/agent/LoggedTypes.h"
-#include "robot/core/LogReader.h"
-#include "robot/core/LogTopics.h"
-#include "robot/core/PlaneFrame.h"
+#include "robot/core/log/LogReader.h"
+#include "robot/core/log/LogTopics.h"
+#include "robot/core/types/PlaneFrame.h"
 
 namespace kelpie::agent {
 

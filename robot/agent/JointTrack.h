@@ -7,7 +7,7 @@
 #include <array>
 #include <cstddef>
 
-#include "robot/core/FrameInput.h"
+#include "robot/core/types/FrameInput.h"
 
 namespace kelpie::agent {
 

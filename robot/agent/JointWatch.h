@@ -7,7 +7,7 @@
 #include <array>
 #include <optional>
 
-#include "robot/core/Motion.h"
+#include "robot/core/types/Motion.h"
 
 namespace kelpie::agent {
 

@@ -2,9 +2,9 @@
 // Where the loops put what they read and made. On the robot nobody listens.
 #pragma once
 
-#include "robot/core/FrameInput.h"
-#include "robot/core/FrameOutput.h"
-#include "robot/core/Motion.h"
+#include "robot/core/types/FrameInput.h"
+#include "robot/core/types/FrameOutput.h"
+#include "robot/core/types/Motion.h"
 
 namespace kelpie::agent {
 

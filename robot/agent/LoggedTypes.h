@@ -5,12 +5,12 @@
 #pragma once
 
 #include "robot/agent/AgentConfig.h"
-#include "robot/core/Encoding.h"
-#include "robot/core/FrameInput.h"
-#include "robot/core/FrameOutput.h"
-#include "robot/core/Motion.h"
-#include "robot/core/PictureFrame.h"
-#include "robot/core/PlaneFrame.h"
+#include "robot/core/fields/Encoding.h"
+#include "robot/core/types/FrameInput.h"
+#include "robot/core/types/FrameOutput.h"
+#include "robot/core/types/Motion.h"
+#include "robot/core/types/PictureFrame.h"
+#include "robot/core/types/PlaneFrame.h"
 
 namespace kelpie {
 

@@ -6,10 +6,10 @@
 #include "behaviour/Told.h"
 #include "robot/agent/Motors.h"
 #include "robot/agent/PowerReport.h"
-#include "robot/core/ControlPacket.h"
-#include "robot/core/Image.h"
-#include "robot/core/Motion.h"
-#include "robot/core/Radio.h"
+#include "robot/core/types/ControlPacket.h"
+#include "robot/core/types/Image.h"
+#include "robot/core/types/Motion.h"
+#include "robot/core/types/Radio.h"
 
 namespace kelpie::agent {
 

@@ -16,7 +16,7 @@
 #include <array>
 
 #include "robot/agent/Causes.h"
-#include "robot/core/Motion.h"
+#include "robot/core/types/Motion.h"
 
 namespace kelpie::agent {
 

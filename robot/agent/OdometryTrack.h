@@ -9,7 +9,7 @@
 #include <array>
 #include <cmath>
 
-#include "robot/core/Motion.h"
+#include "robot/core/types/Motion.h"
 
 namespace kelpie::agent {
 

@@ -2,7 +2,7 @@
 // What the battery and the switches last said, in Kelpie's words (OPENR/OPower.h has the bits).
 #pragma once
 
-#include "robot/core/Fields.h"
+#include "robot/core/fields/Fields.h"
 
 namespace kelpie::agent {
 

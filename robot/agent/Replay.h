@@ -13,8 +13,8 @@
 #include "robot/agent/FrameLoop.h"
 #include "robot/agent/LoggedTypes.h"
 #include "robot/agent/MotionLoop.h"
-#include "robot/core/LogReader.h"
-#include "robot/core/LogTopics.h"
+#include "robot/core/log/LogReader.h"
+#include "robot/core/log/LogTopics.h"
 
 namespace kelpie::agent {
 

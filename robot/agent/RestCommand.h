@@ -4,7 +4,7 @@
 #pragma once
 
 #include "robot/body/Lights.h"
-#include "robot/core/Command.h"
+#include "robot/core/types/Command.h"
 
 namespace kelpie::agent {
 

@@ -2,12 +2,12 @@
 // Where the robot counts the other way than Kelpie: the one place in which a raw number changes its
 // sign. docs/robot-contract.md has the sign of every joint and sensor with its public source.
 // Inside Kelpie rotators swing all four legs forward for positive angles, and left and up are
-// positive (robot/body/Legs.h, robot/core/Geometry.h).
+// positive (robot/body/Legs.h, robot/core/types/Geometry.h).
 #pragma once
 
 #include <array>
 
-#include "robot/core/Joints.h"
+#include "robot/core/types/Joints.h"
 
 namespace kelpie::agent {
 

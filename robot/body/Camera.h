@@ -8,9 +8,9 @@
 #include <cstddef>
 #include <optional>
 
-#include "robot/core/FrameInput.h"
-#include "robot/core/Geometry.h"
-#include "robot/core/Percepts.h"
+#include "robot/core/types/FrameInput.h"
+#include "robot/core/types/Geometry.h"
+#include "robot/core/types/Percepts.h"
 
 namespace kelpie::body {
 

@@ -7,7 +7,7 @@
 #include <array>
 #include <cstdint>
 
-#include "robot/core/Joints.h"
+#include "robot/core/types/Joints.h"
 
 namespace kelpie::body {
 

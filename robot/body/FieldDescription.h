@@ -9,10 +9,10 @@
 #include "robot/body/Rules.h"
 #include "robot/core/Expected.h"
 #include "robot/core/FixedVector.h"
-#include "robot/core/FrameInput.h"
-#include "robot/core/Geometry.h"
 #include "robot/core/Maths.h"
-#include "robot/core/Percepts.h"
+#include "robot/core/types/FrameInput.h"
+#include "robot/core/types/Geometry.h"
+#include "robot/core/types/Percepts.h"
 
 namespace kelpie::body {
 

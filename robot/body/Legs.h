@@ -9,9 +9,9 @@
 #include <array>
 #include <optional>
 
-#include "robot/core/Geometry.h"
-#include "robot/core/Joints.h"
-#include "robot/core/Motion.h"
+#include "robot/core/types/Geometry.h"
+#include "robot/core/types/Joints.h"
+#include "robot/core/types/Motion.h"
 
 namespace kelpie {
 struct Torso {};

@@ -27,9 +27,9 @@
 // initial shows none and finished white is chosen, so that no two are alike.
 #pragma once
 
-#include "robot/core/Command.h"
-#include "robot/core/FrameInput.h"
-#include "robot/core/Motion.h"
+#include "robot/core/types/Command.h"
+#include "robot/core/types/FrameInput.h"
+#include "robot/core/types/Motion.h"
 
 namespace kelpie::body {
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "robot/core/Image.h"
+#include "robot/core/types/Image.h"
 #include "robot/host/WorldProtocol.h"
 
 namespace kelpie::host {

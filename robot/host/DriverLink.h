@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "robot/core/FrameOutput.h"
+#include "robot/core/types/FrameOutput.h"
 #include "robot/host/Connection.h"
 #include "robot/host/DriverProtocol.h"
 

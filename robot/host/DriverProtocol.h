@@ -5,8 +5,8 @@
 // and hear the same by wireless network.
 #pragma once
 
-#include "robot/core/FrameInput.h"
-#include "robot/core/Percepts.h"
+#include "robot/core/types/FrameInput.h"
+#include "robot/core/types/Percepts.h"
 
 namespace kelpie::host {
 

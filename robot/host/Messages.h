@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "robot/core/Encoding.h"
+#include "robot/core/fields/Encoding.h"
 #include "robot/host/Connection.h"
 
 namespace kelpie::host {

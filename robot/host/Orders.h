@@ -3,7 +3,7 @@
 // actuator alone, without an OPEN-R object between.
 #pragma once
 
-#include "robot/core/Motion.h"
+#include "robot/core/types/Motion.h"
 #include "robot/host/RawFrame.h"
 #include "robot/host/WorldProtocol.h"
 

@@ -9,7 +9,7 @@
 #include <array>
 #include <cstdint>
 
-#include "robot/core/Motion.h"
+#include "robot/core/types/Motion.h"
 #include "robot/openr/Ers7Primitives.h"
 
 namespace kelpie::host {

@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "robot/core/LogTopics.h"
+#include "robot/core/log/LogTopics.h"
 #include "robot/net/GameControlData.h"
 
 namespace kelpie::host {

@@ -9,7 +9,7 @@
 #include <memory>
 #include <string>
 
-#include "robot/core/LogReader.h"
+#include "robot/core/log/LogReader.h"
 #include "robot/host/Source.h"
 
 namespace kelpie::host {

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "robot/core/Expected.h"
-#include "robot/core/Image.h"
+#include "robot/core/types/Image.h"
 #include "robot/host/WorldProtocol.h"
 
 namespace kelpie::host {

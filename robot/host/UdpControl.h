@@ -4,7 +4,7 @@
 // each robot's log does.
 #pragma once
 
-#include "robot/core/ControlPacket.h"
+#include "robot/core/types/ControlPacket.h"
 #include "robot/host/UdpSocket.h"
 
 namespace kelpie::host {

@@ -8,7 +8,7 @@
 #include <cstdint>
 
 #include "robot/core/Expected.h"
-#include "robot/core/Radio.h"
+#include "robot/core/types/Radio.h"
 #include "robot/host/UdpSocket.h"
 #include "robot/host/WorldProtocol.h"
 

@@ -13,7 +13,7 @@
 #include <deque>
 
 #include "robot/core/Expected.h"
-#include "robot/core/Image.h"
+#include "robot/core/types/Image.h"
 #include "robot/host/WorldProtocol.h"
 #include "robot/openr/ObjectStub.h"
 

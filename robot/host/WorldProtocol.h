@@ -2,18 +2,18 @@
 // What a simulated world and one agent process say to each other over a Unix-domain stream socket.
 // Lock-stepped: the world sends WorldStep (followed by Image when imagePresent), and waits for the
 // AgentReply before its time goes on. Each message is a MessageHeader and a body encoded from its
-// field list (robot/core/Encoding.h). The agent learns here only what the robot's own sensors,
-// camera and game controller would tell it, in the robot's own numbers (RawFrame.h).
+// field list (robot/core/fields/Encoding.h). The agent learns here only what the robot's own
+// sensors, camera and game controller would tell it, in the robot's own numbers (RawFrame.h).
 #pragma once
 
 #include <array>
 #include <cstdint>
 
-#include "robot/core/ControlPacket.h"
 #include "robot/core/FixedVector.h"
-#include "robot/core/FrameInput.h"
-#include "robot/core/Motion.h"
-#include "robot/core/Radio.h"
+#include "robot/core/types/ControlPacket.h"
+#include "robot/core/types/FrameInput.h"
+#include "robot/core/types/Motion.h"
+#include "robot/core/types/Radio.h"
 #include "robot/host/RawFrame.h"
 
 namespace kelpie::host {

@@ -11,7 +11,7 @@
 // too: `backAdvances` off leaves the advance to the head alone, as the rule book has it.
 #pragma once
 
-#include "robot/core/FrameInput.h"
+#include "robot/core/types/FrameInput.h"
 
 namespace kelpie::net {
 

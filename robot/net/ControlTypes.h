@@ -5,7 +5,7 @@
 #include <array>
 #include <cstdint>
 
-#include "robot/core/FrameInput.h"
+#include "robot/core/types/FrameInput.h"
 
 namespace kelpie::net {
 

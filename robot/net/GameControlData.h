@@ -21,7 +21,7 @@
 #include <optional>
 #include <vector>
 
-#include "robot/core/ControlPacket.h"
+#include "robot/core/types/ControlPacket.h"
 #include "robot/net/ControlTypes.h"
 
 namespace kelpie::net {

@@ -6,7 +6,7 @@
 // was just switched on.
 #pragma once
 
-#include "robot/core/ControlPacket.h"
+#include "robot/core/types/ControlPacket.h"
 #include "robot/net/ButtonGame.h"
 #include "robot/net/GameControlData.h"
 

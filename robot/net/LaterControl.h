@@ -27,7 +27,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "robot/core/ControlPacket.h"
+#include "robot/core/types/ControlPacket.h"
 #include "robot/net/ControlTypes.h"
 
 namespace kelpie::net {

@@ -6,7 +6,7 @@
 #include <cstring>
 
 #include "robot/core/Checksum.h"
-#include "robot/core/Encoding.h"
+#include "robot/core/fields/Encoding.h"
 
 namespace kelpie::net {
 namespace {

@@ -8,15 +8,15 @@
 //   6       2      bytes of the whole packet
 //   8       8      sender's clock when the message was made, microseconds (int64)
 //   16      4      CRC-32 (as zlib has it) of all bytes but these four
-//   20      -      the TeamMessage as robot/core/Encoding.h writes it
+//   20      -      the TeamMessage as robot/core/fields/Encoding.h writes it
 //
 // decode() trusts nothing: whatever is wrong is one reason, and no part of the packet is used.
 #pragma once
 
 #include <optional>
 
-#include "robot/core/FrameInput.h"
-#include "robot/core/Radio.h"
+#include "robot/core/types/FrameInput.h"
+#include "robot/core/types/Radio.h"
 
 namespace kelpie::net {
 

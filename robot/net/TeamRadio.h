@@ -8,8 +8,8 @@
 
 #include <array>
 
-#include "robot/core/FrameInput.h"
-#include "robot/core/Radio.h"
+#include "robot/core/types/FrameInput.h"
+#include "robot/core/types/Radio.h"
 
 namespace kelpie::net {
 

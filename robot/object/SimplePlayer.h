@@ -6,7 +6,7 @@
 #pragma once
 
 #include "behaviour/BehaviourIn.h"
-#include "robot/core/Command.h"
+#include "robot/core/types/Command.h"
 
 namespace kelpie::object {
 

@@ -9,7 +9,7 @@
 
 #include <array>
 
-#include "robot/core/Joints.h"
+#include "robot/core/types/Joints.h"
 #include "robot/openr/Ers7Primitives.h"
 
 namespace kelpie::openr {

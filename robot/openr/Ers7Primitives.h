@@ -8,7 +8,7 @@
 #include <array>
 #include <cstddef>
 
-#include "robot/core/Joints.h"
+#include "robot/core/types/Joints.h"
 
 namespace kelpie::openr {
 

@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "robot/core/Checksum.h"
-#include "robot/core/FieldTypes.h"
+#include "robot/core/fields/FieldTypes.h"
 
 namespace kelpie::stick {
 

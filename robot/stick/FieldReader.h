@@ -8,7 +8,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "robot/core/Encoding.h"
+#include "robot/core/fields/Encoding.h"
 #include "robot/stick/StickFault.h"
 
 namespace kelpie::stick {
@@ -92,7 +92,7 @@ class FieldReader {
     // A hash has no range; and a double of it wants __floatundidf, younger than the SDK's compiler.
     if constexpr (std::is_same_v<T, std::uint64_t>) return true;
     double number = 0.0;
-    // Degrees are rounded when made from radians, as in robot/core/FieldCheck.h.
+    // Degrees are rounded when made from radians, as in robot/core/fields/FieldCheck.h.
     constexpr double kSlack = std::is_same_v<T, Angle> ? 1e-9 : 0.0;
     if constexpr (std::is_same_v<T, Angle>) {
       number = value.deg();

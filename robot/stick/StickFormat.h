@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The checked binary of a stick, STICK.BIN: all that is set before the first frame, and a list of
 // the other files with what tells whether they are as they were written. Numbers are little-endian,
-// the structs encoded as in a log (robot/core/Encoding.h):
+// the structs encoded as in a log (robot/core/fields/Encoding.h):
 //
 //   StickHeader | files: StickFileList | parameters | field | calibration | hash, 64 bits
 //

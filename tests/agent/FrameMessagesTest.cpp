@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "robot/agent/FrameMessages.h"
-#include "robot/core/LogWriter.h"
+#include "robot/core/log/LogWriter.h"
 #include "vision/pixels/PlaneImage.h"
 
 namespace kelpie::agent {

@@ -8,7 +8,7 @@
 
 #include "robot/agent/AgentLoops.h"
 #include "robot/agent/Replay.h"
-#include "robot/core/LogWriter.h"
+#include "robot/core/log/LogWriter.h"
 
 namespace kelpie::agent {
 namespace {

@@ -3,10 +3,10 @@
 
 #include <memory>
 
-#include "robot/core/Emptied.h"
-#include "robot/core/FieldCheck.h"
-#include "robot/core/Percepts.h"
-#include "robot/core/WorldModel.h"
+#include "robot/core/fields/Emptied.h"
+#include "robot/core/fields/FieldCheck.h"
+#include "robot/core/types/Percepts.h"
+#include "robot/core/types/WorldModel.h"
 #include "tests/core/RandomValue.h"
 
 namespace kelpie {

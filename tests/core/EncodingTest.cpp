@@ -3,9 +3,9 @@
 
 #include <memory>
 
-#include "robot/core/Encoding.h"
-#include "robot/core/FrameInput.h"
-#include "robot/core/FrameOutput.h"
+#include "robot/core/fields/Encoding.h"
+#include "robot/core/types/FrameInput.h"
+#include "robot/core/types/FrameOutput.h"
 #include "robot/host/WorldProtocol.h"
 #include "tests/core/RandomValue.h"
 

@@ -3,8 +3,8 @@
 
 #include <memory>
 
-#include "robot/core/FieldCheck.h"
-#include "robot/core/FrameOutput.h"
+#include "robot/core/fields/FieldCheck.h"
+#include "robot/core/types/FrameOutput.h"
 #include "tests/core/RandomValue.h"
 
 namespace kelpie {

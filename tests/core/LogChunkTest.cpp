@@ -7,7 +7,7 @@
 #include <filesystem>
 
 #include "robot/core/Checksum.h"
-#include "robot/core/ChunkRoom.h"
+#include "robot/core/log/ChunkRoom.h"
 #include "tests/core/LogFiles.h"
 #include "tests/core/SampleLog.h"
 

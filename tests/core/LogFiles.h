@@ -15,9 +15,9 @@
 #include <string>
 #include <vector>
 
-#include "robot/core/Command.h"
-#include "robot/core/LogReader.h"
-#include "robot/core/LogWriter.h"
+#include "robot/core/log/LogReader.h"
+#include "robot/core/log/LogWriter.h"
+#include "robot/core/types/Command.h"
 
 namespace kelpie {
 

@@ -4,8 +4,8 @@
 #include <fstream>
 #include <limits>
 
-#include "robot/core/Geometry.h"
-#include "robot/core/ParameterFile.h"
+#include "robot/core/parameters/ParameterFile.h"
+#include "robot/core/types/Geometry.h"
 
 namespace kelpie {
 namespace {

@@ -3,9 +3,9 @@
 
 #include <memory>
 
-#include "robot/core/Encoding.h"
-#include "robot/core/PlaneFrame.h"
 #include "robot/core/Random.h"
+#include "robot/core/fields/Encoding.h"
+#include "robot/core/types/PlaneFrame.h"
 #include "tests/core/RandomValue.h"
 
 namespace kelpie {

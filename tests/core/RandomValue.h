@@ -7,8 +7,8 @@
 #include <array>
 #include <string>
 
-#include "robot/core/FieldTypes.h"
 #include "robot/core/Random.h"
+#include "robot/core/fields/FieldTypes.h"
 
 namespace kelpie {
 

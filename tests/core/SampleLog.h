@@ -5,9 +5,9 @@
 #include <memory>
 #include <string>
 
-#include "robot/core/FrameInput.h"
-#include "robot/core/FrameOutput.h"
-#include "robot/core/LogWriter.h"
+#include "robot/core/log/LogWriter.h"
+#include "robot/core/types/FrameInput.h"
+#include "robot/core/types/FrameOutput.h"
 #include "tests/core/RandomValue.h"
 
 namespace kelpie {

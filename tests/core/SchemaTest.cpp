@@ -5,9 +5,9 @@
 #include <sstream>
 
 #include "robot/body/Camera.h"
-#include "robot/core/FrameInput.h"
-#include "robot/core/FrameOutput.h"
-#include "robot/core/Schema.h"
+#include "robot/core/fields/Schema.h"
+#include "robot/core/types/FrameInput.h"
+#include "robot/core/types/FrameOutput.h"
 
 namespace kelpie {
 namespace {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "robot/core/Random.h"
-#include "robot/core/SchemaTranslation.h"
+#include "robot/core/fields/SchemaTranslation.h"
 #include "tests/core/LogFiles.h"
 
 namespace kelpie {

@@ -2,10 +2,10 @@
 // Texts in frame structs: a ROS 1 string on the wire, bounded, and cut off at whole characters.
 #include <gtest/gtest.h>
 
-#include "robot/core/Command.h"
-#include "robot/core/Encoding.h"
 #include "robot/core/Random.h"
-#include "robot/core/SchemaTranslation.h"
+#include "robot/core/fields/Encoding.h"
+#include "robot/core/fields/SchemaTranslation.h"
+#include "robot/core/types/Command.h"
 
 namespace kelpie {
 namespace {

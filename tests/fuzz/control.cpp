@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A packet of a game controller of any version. What is taken is in range, says the same when it is
 // sent on as version 4, and every robot's view of it is in range.
-#include "robot/core/FieldCheck.h"
+#include "robot/core/fields/FieldCheck.h"
 #include "robot/net/GameControlData.h"
 #include "tests/fuzz/Input.h"
 

@@ -3,7 +3,7 @@
 // written and read again; a code of class planes makes a plane whose code makes the same plane.
 #include <memory>
 
-#include "robot/core/PlaneFrame.h"
+#include "robot/core/types/PlaneFrame.h"
 #include "tests/fuzz/Input.h"
 #include "tools/calibrate/Images.h"
 #include "tools/picture/Jpeg.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A log of any bytes. What is read are messages that lie in the file, gaps in the order of the file
 // and a cut; and what `kelpie recover` writes of it is read again whole.
-#include "robot/core/LogReader.h"
+#include "robot/core/log/LogReader.h"
 #include "tests/fuzz/Input.h"
 #include "tools/cli/Logs.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A motion file of any text. What is taken is in range, as is its mirror image, and the text that
 // is written of it, with any words about it, is read again and written alike.
-#include "robot/core/FieldCheck.h"
+#include "robot/core/fields/FieldCheck.h"
 #include "tests/fuzz/Input.h"
 #include "tools/learn/MotionFile.h"
 #include "tools/learn/MotionSpace.h"

@@ -4,8 +4,8 @@
 #include <memory>
 
 #include "robot/agent/AgentConfig.h"
-#include "robot/core/FieldCheck.h"
-#include "robot/core/ParameterFile.h"
+#include "robot/core/fields/FieldCheck.h"
+#include "robot/core/parameters/ParameterFile.h"
 #include "tests/fuzz/Input.h"
 
 namespace {

@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "robot/core/Checksum.h"
-#include "robot/core/FieldCheck.h"
+#include "robot/core/fields/FieldCheck.h"
 #include "robot/net/TeamPacket.h"
 #include "tests/fuzz/Input.h"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // A message with a recorded field list of any text, read as today's: two bytes of the text's
 // length, the text, then the message.
-#include "robot/core/Encoding.h"
-#include "robot/core/FrameOutput.h"
-#include "robot/core/SchemaTranslation.h"
+#include "robot/core/fields/Encoding.h"
+#include "robot/core/fields/SchemaTranslation.h"
+#include "robot/core/types/FrameOutput.h"
 #include "tests/fuzz/Input.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

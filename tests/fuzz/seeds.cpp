@@ -5,9 +5,9 @@
 #include <filesystem>
 #include <memory>
 
-#include "robot/core/Command.h"
-#include "robot/core/LogWriter.h"
-#include "robot/core/PlaneFrame.h"
+#include "robot/core/log/LogWriter.h"
+#include "robot/core/types/Command.h"
+#include "robot/core/types/PlaneFrame.h"
 #include "robot/net/GameControlData.h"
 #include "robot/net/TeamPacket.h"
 #include "tests/core/RandomValue.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Sheets that people write: sensors.csv of a recording, labelled pixels, labelled boxes, by the
 // kind that the first byte says. A refusal is a line that names the file.
-#include "robot/core/FieldCheck.h"
+#include "robot/core/fields/FieldCheck.h"
 #include "tests/fuzz/Input.h"
 #include "tools/calibrate/Labels.h"
 #include "tools/cli/Recording.h"

@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "robot/core/Checksum.h"
-#include "robot/core/FieldCheck.h"
+#include "robot/core/fields/FieldCheck.h"
 #include "robot/stick/FieldListHash.h"
 #include "robot/stick/StickReader.h"
 #include "tests/fuzz/Input.h"

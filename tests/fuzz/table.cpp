@@ -4,7 +4,7 @@
 // classes and allowed centres, and is read again as it is written.
 #include <memory>
 
-#include "robot/core/FieldCheck.h"
+#include "robot/core/fields/FieldCheck.h"
 #include "tests/fuzz/Input.h"
 #include "vision/pixels/ColourTable.h"
 #include "vision/pixels/RingTable.h"

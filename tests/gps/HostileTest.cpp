@@ -3,7 +3,7 @@
 // bring the pose back.
 #include <gtest/gtest.h>
 
-#include "robot/core/FieldCheck.h"
+#include "robot/core/fields/FieldCheck.h"
 #include "tests/core/SpoiltValue.h"
 #include "tools/sim/LocalisingRobot.h"
 

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "robot/core/FieldCheck.h"
+#include "robot/core/fields/FieldCheck.h"
 #include "tools/learn/MotionFile.h"
 #include "tools/learn/MotionSpace.h"
 

@@ -6,8 +6,8 @@
 
 #include "actuator/Told.h"
 #include "actuator/WalkSpeed.h"
-#include "robot/core/ParameterFile.h"
 #include "robot/core/Random.h"
+#include "robot/core/parameters/ParameterFile.h"
 #include "tools/learn/Numbers.h"
 #include "tools/learn/WalkFile.h"
 #include "tools/learn/WalkFit.h"

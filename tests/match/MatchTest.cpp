@@ -7,8 +7,8 @@
 #include <memory>
 
 #include "robot/agent/LoggedTypes.h"
-#include "robot/core/LogTopics.h"
-#include "robot/core/LogWriter.h"
+#include "robot/core/log/LogTopics.h"
+#include "robot/core/log/LogWriter.h"
 #include "tools/match/Match.h"
 #include "tools/sim/Truth.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
-#include "robot/core/FieldCheck.h"
 #include "robot/core/Random.h"
+#include "robot/core/fields/FieldCheck.h"
 #include "robot/net/GameControlData.h"
 
 namespace kelpie::net {

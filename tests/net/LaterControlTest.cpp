@@ -3,8 +3,8 @@
 // comes from a codec of ours.
 #include <gtest/gtest.h>
 
-#include "robot/core/FieldCheck.h"
 #include "robot/core/Random.h"
+#include "robot/core/fields/FieldCheck.h"
 #include "robot/net/GameListener.h"
 
 namespace kelpie::net {

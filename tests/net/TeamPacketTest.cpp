@@ -5,9 +5,9 @@
 #include <cstring>
 
 #include "robot/core/Checksum.h"
-#include "robot/core/Encoding.h"
-#include "robot/core/FieldCheck.h"
 #include "robot/core/Random.h"
+#include "robot/core/fields/Encoding.h"
+#include "robot/core/fields/FieldCheck.h"
 #include "robot/net/TeamPacket.h"
 
 namespace kelpie::net {

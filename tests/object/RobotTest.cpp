@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include "robot/core/FieldCheck.h"
+#include "robot/core/fields/FieldCheck.h"
 #include "robot/object/Robot.h"
 
 namespace kelpie::object {

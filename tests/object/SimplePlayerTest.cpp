@@ -6,7 +6,7 @@
 
 #include "behaviour/Behaviour.h"
 #include "robot/body/Lights.h"
-#include "robot/core/FieldCheck.h"
+#include "robot/core/fields/FieldCheck.h"
 #include "robot/object/SimplePlayer.h"
 
 namespace kelpie::object {

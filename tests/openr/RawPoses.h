@@ -10,7 +10,7 @@
 #include <string>
 
 #include "robot/agent/Senses.h"
-#include "robot/core/Motion.h"
+#include "robot/core/types/Motion.h"
 
 namespace kelpie::openr {
 

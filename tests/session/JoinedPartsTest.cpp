@@ -2,9 +2,9 @@
 // What is told of the logs that a killed match left is what the joined ones hold.
 #include <gtest/gtest.h>
 
-#include "robot/core/LogTopics.h"
-#include "robot/core/PictureFrame.h"
-#include "robot/core/PlaneFrame.h"
+#include "robot/core/log/LogTopics.h"
+#include "robot/core/types/PictureFrame.h"
+#include "robot/core/types/PlaneFrame.h"
 #include "tests/core/LogFiles.h"
 #include "tools/session/MatchFolder.h"
 #include "tools/sim/Truth.h"

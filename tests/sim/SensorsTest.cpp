@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "robot/core/FieldCheck.h"
+#include "robot/core/fields/FieldCheck.h"
 #include "tools/sim/KinematicBodies.h"
 #include "tools/sim/Sensors.h"
 

@@ -6,7 +6,7 @@
 #include <memory>
 #include <thread>
 
-#include "robot/core/Encoding.h"
+#include "robot/core/fields/Encoding.h"
 #include "tools/sim/Server.h"
 
 namespace kelpie::sim {

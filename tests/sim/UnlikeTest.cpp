@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "robot/body/Camera.h"
-#include "robot/core/FieldCheck.h"
+#include "robot/core/fields/FieldCheck.h"
 #include "tools/sim/KinematicBodies.h"
 #include "tools/sim/Unlike.h"
 #include "tools/sim/World.h"

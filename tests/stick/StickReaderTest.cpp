@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "robot/body/Lights.h"
-#include "robot/core/FieldCheck.h"
 #include "robot/core/Random.h"
+#include "robot/core/fields/FieldCheck.h"
 #include "robot/stick/FieldListHash.h"
 #include "robot/stick/StickReader.h"
 #include "tests/AllocationCount.h"

@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "robot/core/FieldCheck.h"
+#include "robot/core/fields/FieldCheck.h"
 #include "tools/teleop/Driver.h"
 #include "tools/teleop/StatusLine.h"
 

@@ -23,7 +23,7 @@ ROOT = Path(__file__).resolve().parents[2]
 TOOLCHAIN = ROOT / "toolchain"
 sys.path.insert(0, str(TOOLCHAIN))
 pytest.importorskip("unicorn", reason="needs the Debian package python3-unicorn")
-# Of the list of robot/core/Command.h.
+# Of the list of robot/core/types/Command.h.
 NOT_LOADED, SCRIPT_ERROR, TIME_LIMIT = 1, 2, 4
 
 

@@ -151,7 +151,7 @@ def test_images_come_thirty_times_a_second_and_joints_every_8_ms(match):
 
 
 def test_the_figures_of_the_robot_are_those_of_the_sources():
-    joints = re.search(r"kJointCount = (\d+);", (ROOT / "robot/core/Joints.h").read_text())
+    joints = re.search(r"kJointCount = (\d+);", (ROOT / "robot/core/types/Joints.h").read_text())
     assert joints.group(1) == "18" and "eighteen joint angles" in README
     budget = re.search(r"BUDGET = ([\d.e]+) / 30",
                        (ROOT / "toolchain/target-cost").read_text()).group(1)

@@ -20,7 +20,7 @@ import pytest
 from conftest import BIN, ROOT, complaint, kelpie
 from test_play import agent_of
 
-# MotionKind and WalkKind of robot/core/Command.h
+# MotionKind and WalkKind of robot/core/types/Command.h
 KICK_FORWARD, GRAB, CHEER = 3, 13, 21
 DRIBBLE = 3
 BLOCK = "\u2580".encode()

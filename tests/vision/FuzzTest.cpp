@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <memory>
 
-#include "robot/core/FieldCheck.h"
+#include "robot/core/fields/FieldCheck.h"
 #include "tests/AllocationCount.h"
 #include "tests/core/SpoiltValue.h"
 #include "tests/vision/Hostile.h"

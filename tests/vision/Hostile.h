@@ -6,9 +6,9 @@
 #include <memory>
 #include <vector>
 
-#include "robot/core/FrameInput.h"
-#include "robot/core/Percepts.h"
 #include "robot/core/Random.h"
+#include "robot/core/types/FrameInput.h"
+#include "robot/core/types/Percepts.h"
 
 namespace kelpie::vision {
 

@@ -6,8 +6,8 @@
 #include <memory>
 #include <vector>
 
-#include "robot/core/FrameInput.h"
-#include "robot/core/Percepts.h"
+#include "robot/core/types/FrameInput.h"
+#include "robot/core/types/Percepts.h"
 #include "vision/VisionParams.h"
 #include "vision/VisionState.h"
 

@@ -4,8 +4,8 @@
 #pragma once
 
 #include "robot/agent/Motors.h"
-#include "robot/core/Image.h"
-#include "robot/core/Motion.h"
+#include "robot/core/types/Image.h"
+#include "robot/core/types/Motion.h"
 
 namespace kelpie::tape {
 

@@ -8,8 +8,8 @@
 
 template class std::basic_string<char>;
 
-// The number in the text of a refusal (robot/core/FieldCheck.h). A packet of the team is refused on
-// the robot too, but its text is read by nobody there: the packet is counted.
+// The number in the text of a refusal (robot/core/fields/FieldCheck.h). A packet of the team is
+// refused on the robot too, but its text is read by nobody there: the packet is counted.
 std::to_chars_result std::to_chars(char* first, char* last, double /*number*/) noexcept {
   if (first == last) return {last, std::errc::value_too_large};
   *first = '?';

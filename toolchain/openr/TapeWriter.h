@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "robot/core/Encoding.h"
+#include "robot/core/fields/Encoding.h"
 
 namespace kelpie::tape {
 

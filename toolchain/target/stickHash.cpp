@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "robot/core/Encoding.h"
+#include "robot/core/fields/Encoding.h"
 #include "robot/stick/StdioFiles.h"
 #include "robot/stick/StickReader.h"
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "robot/body/Camera.h"
-#include "robot/core/FrameInput.h"
+#include "robot/core/types/FrameInput.h"
 #include "tools/calibrate/RobustFit.h"
 #include "tools/calibrate/StandingLog.h"
 

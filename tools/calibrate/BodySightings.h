@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "robot/core/Percepts.h"
+#include "robot/core/types/Percepts.h"
 #include "tools/calibrate/BodyModel.h"
 
 namespace kelpie::calibrate {

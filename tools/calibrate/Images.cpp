@@ -5,9 +5,9 @@
 #include <filesystem>
 #include <fstream>
 
-#include "robot/core/FrameInput.h"
-#include "robot/core/LogReader.h"
-#include "robot/core/LogTopics.h"
+#include "robot/core/log/LogReader.h"
+#include "robot/core/log/LogTopics.h"
+#include "robot/core/types/FrameInput.h"
 #include "tools/picture/CameraPicture.h"
 #include "tools/picture/FileNames.h"
 #include "tools/picture/PngFile.h"

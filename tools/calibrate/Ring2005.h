@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "robot/core/Expected.h"
-#include "robot/core/Image.h"
+#include "robot/core/types/Image.h"
 
 namespace kelpie::calibrate {
 

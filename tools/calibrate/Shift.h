@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "robot/core/Expected.h"
-#include "robot/core/Image.h"
+#include "robot/core/types/Image.h"
 #include "vision/pixels/RingTable.h"
 
 namespace kelpie::calibrate {

@@ -11,7 +11,7 @@
 
 #include "robot/agent/AgentConfig.h"
 #include "robot/core/Expected.h"
-#include "robot/core/FrameInput.h"
+#include "robot/core/types/FrameInput.h"
 
 namespace kelpie::calibrate {
 

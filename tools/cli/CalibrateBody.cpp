@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <memory>
 
-#include "robot/core/FieldCheck.h"
+#include "robot/core/fields/FieldCheck.h"
 #include "tools/calibrate/BodyEstimate.h"
 #include "tools/calibrate/BodyModel.h"
 #include "tools/calibrate/ResidualPicture.h"

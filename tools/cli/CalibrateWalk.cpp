@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "robot/core/ParameterFile.h"
+#include "robot/core/parameters/ParameterFile.h"
 #include "robot/host/OnCores.h"
 #include "tools/cli/Calibrate.h"
 #include "tools/cli/Commands.h"

@@ -8,7 +8,7 @@
 #include <filesystem>
 
 #include "robot/body/FieldDescription.h"
-#include "robot/core/ParameterFile.h"
+#include "robot/core/parameters/ParameterFile.h"
 #include "tools/sim/FastActuator.h"
 
 namespace kelpie::cli {

@@ -4,8 +4,8 @@
 
 #include <string>
 
-#include "robot/core/FrameInput.h"
-#include "robot/core/FrameOutput.h"
+#include "robot/core/types/FrameInput.h"
+#include "robot/core/types/FrameOutput.h"
 
 namespace kelpie::cli {
 

@@ -11,7 +11,7 @@
 #include <string>
 
 #include "behaviour/PythonNames.h"
-#include "robot/core/FieldTypes.h"
+#include "robot/core/fields/FieldTypes.h"
 
 namespace kelpie::cli {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "robot/agent/FrameMessages.h"
-#include "robot/core/LogReader.h"
+#include "robot/core/log/LogReader.h"
 #include "tools/cli/Commands.h"
 
 namespace kelpie::cli {

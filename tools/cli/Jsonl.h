@@ -5,8 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "robot/core/FrameInput.h"
-#include "robot/core/FrameOutput.h"
+#include "robot/core/types/FrameInput.h"
+#include "robot/core/types/FrameOutput.h"
 
 namespace kelpie::cli {
 

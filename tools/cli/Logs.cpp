@@ -10,7 +10,7 @@
 #include <optional>
 
 #include "robot/agent/FrameMessages.h"
-#include "robot/core/LogTopics.h"
+#include "robot/core/log/LogTopics.h"
 #include "tools/cli/Progress.h"
 #include "tools/cli/Version.h"
 #include "tools/cli/WholeFile.h"

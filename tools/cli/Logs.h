@@ -10,8 +10,8 @@
 #include "robot/agent/AgentConfig.h"
 #include "robot/agent/LogSink.h"
 #include "robot/agent/LoggedTypes.h"
-#include "robot/core/LogReader.h"
-#include "robot/core/LogWriter.h"
+#include "robot/core/log/LogReader.h"
+#include "robot/core/log/LogWriter.h"
 #include "tools/cli/ThinLog.h"
 
 namespace kelpie::cli {

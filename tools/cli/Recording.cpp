@@ -9,7 +9,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "robot/core/FieldCheck.h"
+#include "robot/core/fields/FieldCheck.h"
 #include "tools/calibrate/Csv.h"
 #include "tools/picture/FileNames.h"
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "robot/core/Expected.h"
-#include "robot/core/FrameInput.h"
+#include "robot/core/types/FrameInput.h"
 
 namespace kelpie::cli {
 

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "robot/core/FrameInput.h"
-#include "robot/core/FrameOutput.h"
+#include "robot/core/types/FrameInput.h"
+#include "robot/core/types/FrameOutput.h"
 #include "vision/VisionState.h"
 
 namespace kelpie::cli {

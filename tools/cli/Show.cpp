@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "robot/agent/FrameMessages.h"
-#include "robot/core/FieldCheck.h"
+#include "robot/core/fields/FieldCheck.h"
 #include "tools/calibrate/Images.h"
 #include "tools/cli/Commands.h"
 #include "tools/cli/Config.h"

@@ -3,7 +3,7 @@
 
 #include <cstring>
 
-#include "robot/core/LogTopics.h"
+#include "robot/core/log/LogTopics.h"
 #include "tools/sim/Truth.h"
 #include "vision/pixels/ClassPicture.h"
 

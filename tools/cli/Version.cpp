@@ -5,7 +5,7 @@
 
 #include "robot/agent/LoggedTypes.h"
 #include "robot/core/Checksum.h"
-#include "robot/core/LogTopics.h"
+#include "robot/core/log/LogTopics.h"
 #include "tools/cli/Commit.h"
 #include "tools/sim/Unlike.h"
 

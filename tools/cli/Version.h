@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "robot/core/LogFormat.h"
+#include "robot/core/log/LogFormat.h"
 
 namespace kelpie::cli {
 

@@ -9,8 +9,8 @@
 #include <initializer_list>
 
 #include "actuator/MotionList.h"
-#include "robot/core/FieldCheck.h"
-#include "robot/core/Toml.h"
+#include "robot/core/fields/FieldCheck.h"
+#include "robot/core/parameters/Toml.h"
 #include "tools/learn/MotionSpace.h"
 #include "tools/learn/WalkFile.h"
 

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "behaviour/Rows.h"
-#include "robot/core/Command.h"
 #include "robot/core/Expected.h"
+#include "robot/core/types/Command.h"
 
 namespace kelpie::match {
 

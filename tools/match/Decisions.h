@@ -7,9 +7,9 @@
 #include <functional>
 #include <string>
 
-#include "robot/core/Command.h"
 #include "robot/core/Expected.h"
-#include "robot/core/FrameInput.h"
+#include "robot/core/types/Command.h"
+#include "robot/core/types/FrameInput.h"
 
 namespace kelpie::match {
 

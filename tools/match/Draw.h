@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "robot/body/FieldDescription.h"
-#include "robot/core/FrameInput.h"
-#include "robot/core/FrameOutput.h"
+#include "robot/core/types/FrameInput.h"
+#include "robot/core/types/FrameOutput.h"
 
 namespace kelpie::match {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "robot/core/Command.h"
+#include "robot/core/types/Command.h"
 
 namespace kelpie::match {
 

@@ -5,7 +5,7 @@
 
 #include <opencv2/core.hpp>
 
-#include "robot/core/Image.h"
+#include "robot/core/types/Image.h"
 
 namespace kelpie::picture {
 

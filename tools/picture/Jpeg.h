@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "robot/core/Image.h"
+#include "robot/core/types/Image.h"
 
 namespace kelpie::picture {
 

@@ -8,10 +8,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "robot/core/Fields.h"
-#include "robot/core/Geometry.h"
-#include "robot/core/Image.h"
 #include "robot/core/Random.h"
+#include "robot/core/fields/Fields.h"
+#include "robot/core/types/Geometry.h"
+#include "robot/core/types/Image.h"
 #include "tools/sim/RandomTables.h"
 
 namespace kelpie::sim {

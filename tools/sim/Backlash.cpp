@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/sim/Backlash.h"
 
-#include "robot/core/FrameInput.h"
 #include "robot/core/Maths.h"
+#include "robot/core/types/FrameInput.h"
 
 namespace kelpie::sim {
 namespace {

@@ -6,8 +6,8 @@
 
 #include <array>
 
-#include "robot/core/Fields.h"
-#include "robot/core/Joints.h"
+#include "robot/core/fields/Fields.h"
+#include "robot/core/types/Joints.h"
 
 namespace kelpie::sim {
 

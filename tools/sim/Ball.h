@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "robot/body/FieldDescription.h"
-#include "robot/core/Geometry.h"
+#include "robot/core/types/Geometry.h"
 
 namespace kelpie::sim {
 

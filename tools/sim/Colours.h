@@ -4,7 +4,7 @@
 // that table says "none", white or grey.
 #pragma once
 
-#include "robot/core/Image.h"
+#include "robot/core/types/Image.h"
 
 namespace kelpie::sim {
 

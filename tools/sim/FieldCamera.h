@@ -6,7 +6,7 @@
 #include <array>
 #include <optional>
 
-#include "robot/core/Percepts.h"
+#include "robot/core/types/Percepts.h"
 #include "tools/sim/Scene.h"
 
 namespace kelpie::sim {

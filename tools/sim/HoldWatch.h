@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "robot/body/Rules.h"
-#include "robot/core/Geometry.h"
+#include "robot/core/types/Geometry.h"
 
 namespace kelpie::sim {
 

@@ -13,7 +13,7 @@
 
 #include "actuator/MotionData.h"
 #include "robot/core/Expected.h"
-#include "robot/core/Geometry.h"
+#include "robot/core/types/Geometry.h"
 
 namespace kelpie::sim {
 

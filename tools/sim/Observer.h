@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "robot/body/FieldDescription.h"
-#include "robot/core/FrameInput.h"
-#include "robot/core/Percepts.h"
 #include "robot/core/Random.h"
+#include "robot/core/types/FrameInput.h"
+#include "robot/core/types/Percepts.h"
 
 namespace kelpie::sim {
 

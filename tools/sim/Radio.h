@@ -8,10 +8,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "robot/core/Geometry.h"
-#include "robot/core/Radio.h"
 #include "robot/core/Random.h"
 #include "robot/core/Time.h"
+#include "robot/core/types/Geometry.h"
+#include "robot/core/types/Radio.h"
 
 namespace kelpie::sim {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/sim/RandomTables.h"
 
-#include "robot/core/Image.h"
 #include "robot/core/Random.h"
+#include "robot/core/types/Image.h"
 
 namespace kelpie::sim {
 namespace {

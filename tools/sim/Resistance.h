@@ -6,9 +6,9 @@
 // numbers are its own: a robot that nothing holds walks as it would without.
 #pragma once
 
-#include "robot/core/Fields.h"
-#include "robot/core/Geometry.h"
 #include "robot/core/Random.h"
+#include "robot/core/fields/Fields.h"
+#include "robot/core/types/Geometry.h"
 
 namespace kelpie::sim {
 

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "robot/body/FieldDescription.h"
-#include "robot/core/Fields.h"
-#include "robot/core/Geometry.h"
+#include "robot/core/fields/Fields.h"
+#include "robot/core/types/Geometry.h"
 #include "tools/sim/Colours.h"
 
 namespace kelpie::sim {

@@ -5,8 +5,8 @@
 // something.
 #pragma once
 
-#include "robot/core/Motion.h"
 #include "robot/core/Random.h"
+#include "robot/core/types/Motion.h"
 #include "tools/sim/Ball.h"
 #include "tools/sim/Bodies.h"
 

@@ -6,7 +6,7 @@
 #include <thread>
 #include <utility>
 
-#include "robot/core/Encoding.h"
+#include "robot/core/fields/Encoding.h"
 
 namespace kelpie::sim {
 namespace {

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "robot/core/LogWriter.h"
+#include "robot/core/log/LogWriter.h"
 #include "robot/host/Connection.h"
 #include "tools/sim/Crew.h"
 #include "tools/sim/World.h"

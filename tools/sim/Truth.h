@@ -4,10 +4,10 @@
 #pragma once
 
 #include "robot/core/FixedVector.h"
-#include "robot/core/FrameInput.h"
-#include "robot/core/Geometry.h"
-#include "robot/core/Motion.h"
 #include "robot/core/Text.h"
+#include "robot/core/types/FrameInput.h"
+#include "robot/core/types/Geometry.h"
+#include "robot/core/types/Motion.h"
 
 namespace kelpie::sim {
 

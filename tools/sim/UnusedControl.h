@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "robot/core/ControlPacket.h"
+#include "robot/core/types/ControlPacket.h"
 
 namespace kelpie::sim {
 

@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "robot/core/Checksum.h"
-#include "robot/core/FieldCheck.h"
+#include "robot/core/fields/FieldCheck.h"
 #include "robot/stick/FieldReader.h"
 #include "robot/stick/StickFormat.h"
 #include "tools/cli/Process.h"

@@ -5,7 +5,7 @@
 
 #include <memory>
 
-#include "robot/core/FieldCheck.h"
+#include "robot/core/fields/FieldCheck.h"
 #include "robot/stick/StdioFiles.h"
 #include "robot/stick/StickReader.h"
 #include "tools/stick/FormerFiles.h"

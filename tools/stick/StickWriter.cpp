@@ -3,7 +3,7 @@
 
 #include <cstring>
 
-#include "robot/core/Encoding.h"
+#include "robot/core/fields/Encoding.h"
 #include "robot/stick/FieldListHash.h"
 #include "robot/stick/StickFormat.h"
 

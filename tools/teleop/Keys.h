@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "robot/core/Command.h"
 #include "robot/core/Expected.h"
+#include "robot/core/types/Command.h"
 
 namespace kelpie::teleop {
 

@@ -11,7 +11,7 @@
 #include <string>
 
 #include "robot/core/Expected.h"
-#include "robot/core/Image.h"
+#include "robot/core/types/Image.h"
 #include "tools/teleop/Blocks.h"
 
 namespace kelpie::teleop {

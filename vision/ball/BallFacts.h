@@ -3,7 +3,7 @@
 // and shoes look like one in some facts, seldom in all. Weak where the circle has two pixels.
 #pragma once
 
-#include "robot/core/Fields.h"
+#include "robot/core/fields/Fields.h"
 #include "vision/ball/BallCandidate.h"
 
 namespace kelpie::vision {

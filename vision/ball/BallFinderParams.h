@@ -4,7 +4,7 @@
 #pragma once
 
 #include "robot/core/Angle.h"
-#include "robot/core/Fields.h"
+#include "robot/core/fields/Fields.h"
 
 namespace kelpie::vision {
 

@@ -4,9 +4,9 @@
 // pixels is an ellipse. Edge points that lie off the cone are dropped and the rest fitted again.
 #pragma once
 
-#include "robot/core/CameraModel.h"
-#include "robot/core/Geometry.h"
 #include "robot/core/ScratchVector.h"
+#include "robot/core/types/CameraModel.h"
+#include "robot/core/types/Geometry.h"
 
 namespace kelpie::vision {
 

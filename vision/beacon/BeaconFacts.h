@@ -4,7 +4,7 @@
 // where another robot hides the white part.
 #pragma once
 
-#include "robot/core/Fields.h"
+#include "robot/core/fields/Fields.h"
 #include "vision/beacon/BeaconCandidate.h"
 
 namespace kelpie::vision {

@@ -5,7 +5,7 @@
 // (BeaconFacts).
 #pragma once
 
-#include "robot/core/Percepts.h"
+#include "robot/core/types/Percepts.h"
 #include "vision/Scene.h"
 #include "vision/beacon/BeaconCandidate.h"
 #include "vision/beacon/BeaconFinderParams.h"

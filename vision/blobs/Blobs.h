@@ -7,8 +7,8 @@
 #include <cstdint>
 
 #include "robot/core/FixedVector.h"
-#include "robot/core/Geometry.h"
-#include "robot/core/Percepts.h"
+#include "robot/core/types/Geometry.h"
+#include "robot/core/types/Percepts.h"
 #include "vision/pixels/ColourClass.h"
 #include "vision/pixels/Lattice.h"
 #include "vision/pixels/Sampler.h"

@@ -11,7 +11,7 @@
 // obstacle or on something green beyond the carpet.
 #pragma once
 
-#include "robot/core/Percepts.h"
+#include "robot/core/types/Percepts.h"
 #include "vision/edge/EdgeOutline.h"
 
 namespace kelpie::vision {

@@ -6,7 +6,7 @@
 
 #include <cstddef>
 
-#include "robot/core/Geometry.h"
+#include "robot/core/types/Geometry.h"
 #include "vision/pixels/HorizonFrame.h"
 
 namespace kelpie::vision {

@@ -3,7 +3,7 @@
 // each, straight lines through them.
 #pragma once
 
-#include "robot/core/Percepts.h"
+#include "robot/core/types/Percepts.h"
 #include "vision/edge/EdgeFit.h"
 #include "vision/pixels/Sampler.h"
 

@@ -5,8 +5,8 @@
 // No lines when the field cannot be seen: the whole image is above the horizon.
 #pragma once
 
-#include "robot/core/Percepts.h"
 #include "robot/core/ScratchVector.h"
+#include "robot/core/types/Percepts.h"
 #include "vision/edge/FieldEdgeParams.h"
 #include "vision/pixels/HorizonFrame.h"
 #include "vision/pixels/Lattice.h"

@@ -3,8 +3,8 @@
 // GoalFinder makes one of each blob or group of blobs, GoalColumns measures it.
 #pragma once
 
-#include "robot/core/Percepts.h"
 #include "robot/core/ScratchVector.h"
+#include "robot/core/types/Percepts.h"
 #include "vision/ElevationDoubt.h"
 #include "vision/Scene.h"
 #include "vision/goal/GoalFinderParams.h"

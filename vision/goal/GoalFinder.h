@@ -6,7 +6,7 @@
 // outside the image or behind a robot.
 #pragma once
 
-#include "robot/core/Percepts.h"
+#include "robot/core/types/Percepts.h"
 #include "vision/Scene.h"
 #include "vision/goal/GoalCandidate.h"
 #include "vision/goal/GoalFinderParams.h"

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "robot/core/FixedVector.h"
-#include "robot/core/Percepts.h"
+#include "robot/core/types/Percepts.h"
 #include "vision/goal/GoalFacts.h"
 
 namespace kelpie::vision {

@@ -10,8 +10,8 @@
 #include <cstdint>
 #include <optional>
 
-#include "robot/core/Geometry.h"
 #include "robot/core/ScratchVector.h"
+#include "robot/core/types/Geometry.h"
 #include "vision/line/LinePointParams.h"
 #include "vision/pixels/Sampler.h"
 

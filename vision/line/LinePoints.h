@@ -4,7 +4,7 @@
 // (thesis 2004 sections 3.1 and 3.2.1). Nothing while the head turns fast.
 #pragma once
 
-#include "robot/core/Percepts.h"
+#include "robot/core/types/Percepts.h"
 #include "vision/Scene.h"
 #include "vision/line/LinePointParams.h"
 

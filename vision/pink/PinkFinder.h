@@ -4,7 +4,7 @@
 // either only the heading means something, and the variance says so. Call after findBeacons.
 #pragma once
 
-#include "robot/core/Percepts.h"
+#include "robot/core/types/Percepts.h"
 #include "vision/Foot.h"
 #include "vision/Scene.h"
 #include "vision/pink/PinkFinderParams.h"

@@ -2,7 +2,7 @@
 // Places on the straight line between two pixels.
 #pragma once
 
-#include "robot/core/Geometry.h"
+#include "robot/core/types/Geometry.h"
 
 namespace kelpie::vision {
 

@@ -7,7 +7,7 @@
 #include <array>
 #include <cstdint>
 
-#include "robot/core/Image.h"
+#include "robot/core/types/Image.h"
 #include "vision/pixels/ColourClass.h"
 
 namespace kelpie::vision {

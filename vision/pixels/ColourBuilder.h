@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "robot/core/Fields.h"
+#include "robot/core/fields/Fields.h"
 #include "vision/pixels/ColourTable.h"
 
 namespace kelpie::vision {

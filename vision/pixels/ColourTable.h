@@ -11,8 +11,8 @@
 #include <string>
 
 #include "robot/core/Expected.h"
-#include "robot/core/Fields.h"
-#include "robot/core/Image.h"
+#include "robot/core/fields/Fields.h"
+#include "robot/core/types/Image.h"
 #include "vision/pixels/ColourClass.h"
 
 namespace kelpie::vision {

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "robot/body/Camera.h"
-#include "robot/core/Geometry.h"
 #include "robot/core/Maths.h"
+#include "robot/core/types/Geometry.h"
 
 namespace kelpie::vision {
 

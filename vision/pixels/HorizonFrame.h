@@ -10,8 +10,8 @@
 #include <algorithm>
 
 #include "robot/body/Camera.h"
-#include "robot/core/Geometry.h"
-#include "robot/core/Percepts.h"
+#include "robot/core/types/Geometry.h"
+#include "robot/core/types/Percepts.h"
 
 namespace kelpie::vision {
 

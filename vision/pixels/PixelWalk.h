@@ -6,7 +6,7 @@
 
 #include <cstdint>
 
-#include "robot/core/Geometry.h"
+#include "robot/core/types/Geometry.h"
 #include "vision/pixels/FixedPoint.h"
 #include "vision/pixels/HorizonFrame.h"
 

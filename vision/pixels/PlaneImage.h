@@ -5,7 +5,7 @@
 // pixels of an edge, hence places between pixels.
 #pragma once
 
-#include "robot/core/Image.h"
+#include "robot/core/types/Image.h"
 #include "vision/pixels/ClassPicture.h"
 
 namespace kelpie::vision {

@@ -8,8 +8,8 @@
 #include <cstdint>
 #include <cstdlib>
 
-#include "robot/core/Geometry.h"
-#include "robot/core/Image.h"
+#include "robot/core/types/Geometry.h"
+#include "robot/core/types/Image.h"
 #include "vision/pixels/ClassMemory.h"
 #include "vision/pixels/PixelTables.h"
 

@@ -2,7 +2,7 @@
 #include "vision/pixels/SpanWalk.h"
 
 #include "robot/core/Maths.h"
-#include "robot/core/Percepts.h"
+#include "robot/core/types/Percepts.h"
 #include "vision/pixels/Between.h"
 #include "vision/pixels/PixelWalk.h"
 

@@ -3,7 +3,7 @@
 // edge between two pixels where the colour is half-way between inside and outside.
 #pragma once
 
-#include "robot/core/Geometry.h"
+#include "robot/core/types/Geometry.h"
 #include "vision/pixels/HorizonFrame.h"
 #include "vision/pixels/Sampler.h"
 

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "robot/core/Expected.h"
-#include "robot/core/Fields.h"
+#include "robot/core/fields/Fields.h"
 #include "vision/pixels/ColourTable.h"
 #include "vision/pixels/RingTable.h"
 

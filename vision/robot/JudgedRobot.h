@@ -4,7 +4,7 @@
 #pragma once
 
 #include "robot/core/FixedVector.h"
-#include "robot/core/Percepts.h"
+#include "robot/core/types/Percepts.h"
 #include "vision/robot/RobotCurves.h"
 
 namespace kelpie::vision {

@@ -3,7 +3,7 @@
 // 6.4.4).
 #pragma once
 
-#include "robot/core/Fields.h"
+#include "robot/core/fields/Fields.h"
 
 namespace kelpie::vision {
 

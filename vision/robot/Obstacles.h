@@ -5,8 +5,8 @@
 // just below: a fixed grey took a dark carpet for obstacles.
 #pragma once
 
-#include "robot/core/Percepts.h"
 #include "robot/core/ScratchVector.h"
+#include "robot/core/types/Percepts.h"
 #include "vision/Scene.h"
 #include "vision/robot/ObstacleParams.h"
 

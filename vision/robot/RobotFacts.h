@@ -5,7 +5,7 @@
 // one small patch shows at the carpet's edge.
 #pragma once
 
-#include "robot/core/Fields.h"
+#include "robot/core/fields/Fields.h"
 
 namespace kelpie::vision {
 

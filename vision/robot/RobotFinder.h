@@ -4,7 +4,7 @@
 // patches. A robot seen straight from the front or back shows hardly any patch and is missed.
 #pragma once
 
-#include "robot/core/Percepts.h"
+#include "robot/core/types/Percepts.h"
 #include "vision/robot/JudgedRobot.h"
 #include "vision/robot/RobotFacts.h"
 #include "vision/robot/RobotPatch.h"

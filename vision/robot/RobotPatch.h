@@ -4,7 +4,7 @@
 // shade. Where its robot stands is the nearest point at which a column below it meets the carpet.
 #pragma once
 
-#include "robot/core/Percepts.h"
+#include "robot/core/types/Percepts.h"
 #include "vision/Foot.h"
 #include "vision/Scene.h"
 #include "vision/pixels/Extent.h"

@@ -7,8 +7,8 @@
 #include <map>
 #include <numeric>
 
-#include "robot/core/FieldCheck.h"
 #include "robot/core/Random.h"
+#include "robot/core/fields/FieldCheck.h"
 #include "tests/sim/rules/Scenes.h"
 #include "tools/sim/rules/RuledMatch.h"
 

@@ -12,7 +12,7 @@
 #include <memory>
 #include <string>
 
-#include "robot/core/FieldCheck.h"
+#include "robot/core/fields/FieldCheck.h"
 #include "tests/vision/Hostile.h"
 #include "vision/Vision.h"
 

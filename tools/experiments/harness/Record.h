@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// What one trial found, as a struct with a field list (robot/core/Fields.h): toJson() makes it the
-// message of a child process and part of the figures, fromJson() reads the message back. A member
-// is a number, bool, string, std::vector, std::array or a struct with a list of its own. A number
-// that is not finite comes back as NaN, as JSON knows none.
+// What one trial found, as a struct with a field list (robot/core/fields/Fields.h): toJson() makes
+// it the message of a child process and part of the figures, fromJson() reads the message back. A
+// member is a number, bool, string, std::vector, std::array or a struct with a list of its own. A
+// number that is not finite comes back as NaN, as JSON knows none.
 #pragma once
 
 #include <limits>
 #include <type_traits>
 
-#include "robot/core/FieldTypes.h"
-#include "robot/core/Fields.h"
+#include "robot/core/fields/FieldTypes.h"
+#include "robot/core/fields/Fields.h"
 #include "tools/cli/Figures.h"
 
 namespace kelpie::experiments {

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "robot/core/Fields.h"
+#include "robot/core/fields/Fields.h"
 #include "tools/cli/Figures.h"
 
 namespace kelpie::experiments {

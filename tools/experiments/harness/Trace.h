@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A table of what happened in every frame of a trial, as CSV for other programs: one column for
-// each field of the row's list (robot/core/Fields.h), whose name ends in its unit. For --traces.
+// each field of the row's list (robot/core/fields/Fields.h), whose name ends in its unit. For
+// --traces.
 #pragma once
 
 #include <fstream>
@@ -8,8 +9,8 @@
 #include <type_traits>
 
 #include "robot/core/Angle.h"
-#include "robot/core/Fields.h"
 #include "robot/core/Time.h"
+#include "robot/core/fields/Fields.h"
 
 namespace kelpie::experiments {
 

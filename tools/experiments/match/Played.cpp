@@ -7,7 +7,7 @@
 #include <memory>
 
 #include "robot/agent/FrameMessages.h"
-#include "robot/core/FrameOutput.h"
+#include "robot/core/types/FrameOutput.h"
 
 namespace kelpie::experiments {
 namespace {

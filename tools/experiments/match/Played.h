@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "robot/core/Command.h"
 #include "robot/core/Expected.h"
-#include "robot/core/Motion.h"
-#include "robot/core/Percepts.h"
+#include "robot/core/types/Command.h"
+#include "robot/core/types/Motion.h"
+#include "robot/core/types/Percepts.h"
 #include "tools/sim/HoldWatch.h"
 #include "tools/sim/Truth.h"
 

@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "robot/agent/FrameMessages.h"
-#include "robot/core/FrameOutput.h"
+#include "robot/core/types/FrameOutput.h"
 #include "tools/cli/Process.h"
 
 namespace kelpie::experiments {

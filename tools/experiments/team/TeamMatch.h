@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "robot/core/Percepts.h"
-#include "robot/core/TeamNote.h"
+#include "robot/core/types/Percepts.h"
+#include "robot/core/types/TeamNote.h"
 #include "tools/experiments/match/Matches.h"
 #include "tools/session/Teams.h"
 #include "tools/sim/Truth.h"

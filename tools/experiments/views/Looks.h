@@ -4,7 +4,7 @@
 
 #include <functional>
 
-#include "robot/core/Percepts.h"
+#include "robot/core/types/Percepts.h"
 #include "tools/experiments/views/View.h"
 #include "vision/ball/JudgedBall.h"
 #include "vision/beacon/JudgedBeacon.h"

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "robot/core/Percepts.h"
+#include "robot/core/types/Percepts.h"
 #include "tools/experiments/views/Visibility.h"
 
 namespace kelpie::experiments {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "robot/body/FieldDescription.h"
-#include "robot/core/FrameInput.h"
+#include "robot/core/types/FrameInput.h"
 #include "tools/experiments/harness/Trials.h"
 #include "tools/sim/Camera.h"
 #include "tools/sim/Unlike.h"

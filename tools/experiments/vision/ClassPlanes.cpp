@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "robot/body/Camera.h"
-#include "robot/core/PlaneFrame.h"
+#include "robot/core/types/PlaneFrame.h"
 #include "tools/experiments/harness/Statistics.h"
 #include "tools/experiments/views/View.h"
 #include "vision/Vision.h"

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "robot/core/Fields.h"
+#include "robot/core/fields/Fields.h"
 #include "tools/calibrate/CurveFit.h"
 #include "tools/experiments/views/Looks.h"
 #include "tools/experiments/views/Objects.h"

@@ -2,8 +2,8 @@
 // The physical world as MuJoCo's XML: robots by the lengths of robot/body, ball, goals, beacons and
 // carpet by the field description. Axes are Kelpie's: the field's for the world (in m), the torso's
 // (right, ahead, up from the middle of the front shoulder axis) for each robot, so that joint
-// angles and signs are those of robot/core/Joints.h. Robots do not touch themselves; the tail is
-// left out.
+// angles and signs are those of robot/core/types/Joints.h. Robots do not touch themselves; the tail
+// is left out.
 #pragma once
 
 #include <string>

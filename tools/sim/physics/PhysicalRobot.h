@@ -5,7 +5,7 @@
 
 #include <array>
 
-#include "robot/core/Joints.h"
+#include "robot/core/types/Joints.h"
 #include "tools/sim/BodyShape.h"
 #include "tools/sim/physics/Engine.h"
 #include "tools/sim/physics/Mjcf.h"

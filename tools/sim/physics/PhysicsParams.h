@@ -3,8 +3,8 @@
 // contacts, the ball. Decided by walks and kicks of real robots (docs/physical-body.md). SI units.
 #pragma once
 
-#include "robot/core/Fields.h"
-#include "robot/core/Joints.h"
+#include "robot/core/fields/Fields.h"
+#include "robot/core/types/Joints.h"
 
 namespace kelpie::sim {
 
