@@ -3,10 +3,10 @@
 
 #include <cmath>
 
-#include "actuator/Gaze.h"
-#include "actuator/Head.h"
-#include "actuator/JointLimits.h"
-#include "actuator/Lie.h"
+#include "actuator/motion/Gaze.h"
+#include "actuator/motion/Head.h"
+#include "actuator/motion/JointLimits.h"
+#include "actuator/motion/Lie.h"
 #include "robot/body/Legs.h"
 
 namespace kelpie::actuator {

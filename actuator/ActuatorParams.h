@@ -2,9 +2,9 @@
 // What can be tuned in the actuator. Walks and motions are data of their own (actuator/data).
 #pragma once
 
-#include "actuator/FeelingParams.h"
-#include "actuator/MotionData.h"
-#include "actuator/WalkSet.h"
+#include "actuator/feeling/FeelingParams.h"
+#include "actuator/motion/MotionData.h"
+#include "actuator/walk/WalkSet.h"
 
 namespace kelpie::actuator {
 

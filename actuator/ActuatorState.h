@@ -5,13 +5,13 @@
 
 #include <array>
 
-#include "actuator/Approach.h"
-#include "actuator/Effort.h"
-#include "actuator/Feeling.h"
-#include "actuator/HeldBall.h"
-#include "actuator/MotionPlayer.h"
-#include "actuator/Odometry.h"
-#include "actuator/Walk.h"
+#include "actuator/feeling/Effort.h"
+#include "actuator/feeling/Feeling.h"
+#include "actuator/feeling/HeldBall.h"
+#include "actuator/motion/Approach.h"
+#include "actuator/motion/MotionPlayer.h"
+#include "actuator/odometry/Odometry.h"
+#include "actuator/walk/Walk.h"
 
 namespace kelpie::actuator {
 

@@ -162,8 +162,8 @@ def read_motion(path):
 
 def program(walks, folder):
     yield "// Written by actuator/data/compile.py from actuator/data."
-    yield '#include "actuator/MotionData.h"'
-    yield '#include "actuator/WalkSet.h"'
+    yield '#include "actuator/motion/MotionData.h"'
+    yield '#include "actuator/walk/WalkSet.h"'
     yield "namespace kelpie::actuator {"
     listed = ["none", *(one.name for one in registry.motions(folder))]
     names = ", ".join(f'"{name}"' for name in listed)

@@ -12,8 +12,9 @@ namespace kelpie::gps {
 // own: what duty its motors show depends on their wear and on the carpet.
 struct StuckParams {
   bool use = true;
-  // By the load that the body feels (actuator/Feeling.h) in place of the effort: that of servos
-  // with masses to move says nothing (physics.md section 5), that of kinematic ones feels no load.
+  // By the load that the body feels (actuator/feeling/Feeling.h) in place of the effort: that of
+  // servos with masses to move says nothing (physics.md section 5), that of kinematic ones feels no
+  // load.
   bool byLoad = false;
   double freeEffort = 0.13;          // of walking freely and slowly,
   double effortPerSpeed = 0.0029;    // s/cm, more for each cm/s of the feet, up to 60

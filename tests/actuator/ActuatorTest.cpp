@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "actuator/Actuator.h"
-#include "actuator/JointLimits.h"
+#include "actuator/motion/JointLimits.h"
 #include "robot/body/Ers7.h"
 #include "robot/body/Legs.h"
 #include "robot/core/Random.h"

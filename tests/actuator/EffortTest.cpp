@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "Walker.h"
-#include "actuator/Effort.h"
+#include "actuator/feeling/Effort.h"
 
 namespace kelpie::actuator {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "actuator/Falls.h"
+#include "actuator/feeling/Falls.h"
 #include "robot/core/Random.h"
 
 namespace kelpie::actuator {

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "Walker.h"
-#include "actuator/Feeling.h"
+#include "actuator/feeling/Feeling.h"
 #include "robot/core/Random.h"
 
 namespace kelpie::actuator {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
-#include "actuator/Gaze.h"
+#include "actuator/motion/Gaze.h"
 #include "robot/body/Camera.h"
 #include "robot/core/Random.h"
 

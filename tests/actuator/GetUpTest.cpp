@@ -3,7 +3,7 @@
 // `kelpie evaluate fall`.
 #include <gtest/gtest.h>
 
-#include "actuator/MotionData.h"
+#include "actuator/motion/MotionData.h"
 #include "robot/core/Time.h"
 
 namespace kelpie::actuator {

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "actuator/Head.h"
+#include "actuator/motion/Head.h"
 #include "tests/actuator/Walker.h"
 
 namespace kelpie::actuator {

@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "actuator/HeldBall.h"
+#include "actuator/feeling/HeldBall.h"
 
 namespace kelpie::actuator {
 namespace {

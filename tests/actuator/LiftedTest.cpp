@@ -2,7 +2,7 @@
 // When a robot is felt to be lifted and to stand again, by its paws and accelerometer.
 #include <gtest/gtest.h>
 
-#include "actuator/Lifted.h"
+#include "actuator/feeling/Lifted.h"
 
 namespace kelpie::actuator {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "actuator/Locus.h"
+#include "actuator/walk/Locus.h"
 
 namespace kelpie::actuator {
 namespace {

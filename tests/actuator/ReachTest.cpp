@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "actuator/Told.h"
+#include "actuator/odometry/Told.h"
 
 namespace kelpie::actuator {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
-#include "actuator/Sway.h"
+#include "actuator/odometry/Sway.h"
 #include "robot/core/Random.h"
 #include "tests/actuator/Walker.h"
 

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "actuator/WalkSpeed.h"
+#include "actuator/walk/WalkSpeed.h"
 #include "robot/core/Random.h"
 #include "tests/actuator/Walker.h"
 

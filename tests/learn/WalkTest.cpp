@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <fstream>
 
-#include "actuator/Told.h"
-#include "actuator/WalkSpeed.h"
+#include "actuator/odometry/Told.h"
+#include "actuator/walk/WalkSpeed.h"
 #include "robot/core/Random.h"
 #include "robot/core/parameters/ParameterFile.h"
 #include "tools/learn/Numbers.h"

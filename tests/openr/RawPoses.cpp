@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "actuator/Falls.h"
+#include "actuator/feeling/Falls.h"
 #include "robot/body/Camera.h"
 #include "robot/body/Ers7.h"
 #include "robot/body/Legs.h"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "actuator/MotionData.h"
+#include "actuator/motion/MotionData.h"
 #include "tests/sim/Targets.h"
 #include "tools/sim/Ball.h"
 #include "tools/sim/BallContact.h"

@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "actuator/MotionData.h"
+#include "actuator/motion/MotionData.h"
 #include "tools/learn/MotionPlay.h"
 
 namespace kelpie::cli {

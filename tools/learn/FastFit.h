@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "actuator/Feet.h"
+#include "actuator/walk/Feet.h"
 #include "tools/sim/RobotModel.h"
 
 namespace kelpie::learn {

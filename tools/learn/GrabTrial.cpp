@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "actuator/MotionPlayer.h"
+#include "actuator/motion/MotionPlayer.h"
 
 namespace kelpie::learn {
 namespace {

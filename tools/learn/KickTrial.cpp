@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "actuator/MotionList.h"
-#include "actuator/MotionPlayer.h"
+#include "actuator/motion/MotionPlayer.h"
 #include "robot/core/Random.h"
 #include "tools/learn/HeldBall.h"
 

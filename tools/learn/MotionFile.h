@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "actuator/MotionData.h"
+#include "actuator/motion/MotionData.h"
 #include "robot/core/Expected.h"
 
 namespace kelpie::learn {

@@ -3,7 +3,7 @@
 // motion whose legs are alike left and right has one number for both.
 #pragma once
 
-#include "actuator/MotionData.h"
+#include "actuator/motion/MotionData.h"
 #include "tools/learn/Search.h"
 
 namespace kelpie::learn {

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "actuator/WalkSet.h"
+#include "actuator/walk/WalkSet.h"
 
 namespace kelpie::learn {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "actuator/Told.h"
+#include "actuator/odometry/Told.h"
 #include "tools/learn/Numbers.h"
 
 namespace kelpie::learn {

@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
-#include "actuator/Told.h"
-#include "actuator/WalkSpeed.h"
+#include "actuator/odometry/Told.h"
+#include "actuator/walk/WalkSpeed.h"
 #include "robot/core/Random.h"
 #include "tools/learn/HeldBall.h"
 #include "tools/learn/Numbers.h"

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "actuator/MotionData.h"
+#include "actuator/motion/MotionData.h"
 
 namespace kelpie::match {
 namespace {

@@ -11,7 +11,7 @@
 #include <optional>
 #include <vector>
 
-#include "actuator/MotionData.h"
+#include "actuator/motion/MotionData.h"
 #include "robot/core/Random.h"
 #include "tools/sim/Ball.h"
 #include "tools/sim/RobotModel.h"

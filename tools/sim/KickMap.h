@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "actuator/MotionData.h"
+#include "actuator/motion/MotionData.h"
 #include "robot/core/Expected.h"
 #include "robot/core/types/Geometry.h"
 

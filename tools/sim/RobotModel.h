@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "actuator/FootMotion.h"
+#include "actuator/odometry/FootMotion.h"
 #include "robot/body/Legs.h"
 #include "robot/body/PlanarMotion.h"
 #include "robot/core/Random.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the body feels of being held while it walks (actuator/Feeling.h), on physical models varied
-// in friction, armature, contact, servo and mass: how often a hand that holds it, or half of it, is
-// found in time, and how often a robot that walks free, is pushed lightly or stands thinks that it
-// is held.
+// What the body feels of being held while it walks (actuator/feeling/Feeling.h), on physical models
+// varied in friction, armature, contact, servo and mass: how often a hand that holds it, or half of
+// it, is found in time, and how often a robot that walks free, is pushed lightly or stands thinks
+// that it is held.
 #include <array>
 #include <cmath>
 
