@@ -3,7 +3,7 @@
 // and a cut; and what `kelpie recover` writes of it is read again whole.
 #include "robot/core/log/LogReader.h"
 #include "tests/fuzz/Input.h"
-#include "tools/cli/Logs.h"
+#include "tools/cli/log/Logs.h"
 
 namespace {
 

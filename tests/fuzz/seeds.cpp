@@ -13,7 +13,7 @@
 #include "tests/core/RandomValue.h"
 #include "tests/fuzz/Input.h"
 #include "tools/calibrate/Images.h"
-#include "tools/cli/Recording.h"
+#include "tools/cli/log/Recording.h"
 #include "tools/picture/Jpeg.h"
 #include "tools/sim/Unlike.h"
 #include "vision/pixels/TableFile.h"

@@ -4,7 +4,7 @@
 #include "robot/core/fields/FieldCheck.h"
 #include "tests/fuzz/Input.h"
 #include "tools/calibrate/Labels.h"
-#include "tools/cli/Recording.h"
+#include "tools/cli/log/Recording.h"
 
 namespace {
 

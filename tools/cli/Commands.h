@@ -3,8 +3,8 @@
 // `code` is the exit code (Terminal.h).
 #pragma once
 
-#include "tools/cli/CommandLine.h"
 #include "tools/cli/Terminal.h"
+#include "tools/cli/options/CommandLine.h"
 
 namespace kelpie::cli {
 

@@ -17,11 +17,11 @@
 #include "robot/host/WorldSource.h"
 #include "robot/net/GameControlData.h"
 #include "tools/cli/AgentTalk.h"
-#include "tools/cli/Config.h"
-#include "tools/cli/Describe.h"
-#include "tools/cli/Logs.h"
 #include "tools/cli/Process.h"
 #include "tools/cli/WholeFile.h"
+#include "tools/cli/log/Logs.h"
+#include "tools/cli/match/Describe.h"
+#include "tools/cli/options/Config.h"
 #include "tools/sim/UnusedControl.h"
 
 namespace kelpie::cli {

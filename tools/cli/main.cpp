@@ -8,7 +8,7 @@
 
 #include "tools/cli/Commands.h"
 #include "tools/cli/Process.h"
-#include "tools/cli/Usage.h"
+#include "tools/cli/options/Usage.h"
 
 namespace {
 

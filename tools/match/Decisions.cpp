@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "robot/agent/FrameMessages.h"
-#include "tools/cli/Logs.h"
+#include "tools/cli/log/Logs.h"
 
 namespace kelpie::match {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "robot/agent/FrameMessages.h"
 #include "robot/agent/Replay.h"
-#include "tools/cli/Logs.h"
+#include "tools/cli/log/Logs.h"
 #include "tools/sim/Truth.h"
 
 namespace kelpie::match {

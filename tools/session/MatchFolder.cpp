@@ -11,8 +11,8 @@
 #include <regex>
 #include <utility>
 
-#include "tools/cli/ThinLog.h"
 #include "tools/cli/WholeFile.h"
+#include "tools/cli/log/ThinLog.h"
 
 namespace kelpie::cli {
 namespace {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "robot/core/Expected.h"
-#include "tools/cli/Logs.h"
+#include "tools/cli/log/Logs.h"
 
 namespace kelpie::cli {
 

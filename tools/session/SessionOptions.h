@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "tools/cli/Logs.h"
-#include "tools/cli/UnlikeOptions.h"
+#include "tools/cli/log/Logs.h"
+#include "tools/cli/options/UnlikeOptions.h"
 #include "tools/sim/Staging.h"
 
 namespace kelpie::cli {

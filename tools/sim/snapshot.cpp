@@ -8,7 +8,7 @@
 #include <memory>
 #include <opencv2/imgproc.hpp>
 
-#include "tools/cli/UnlikeOptions.h"
+#include "tools/cli/options/UnlikeOptions.h"
 #include "tools/picture/CameraPicture.h"
 #include "tools/picture/PngFile.h"
 #include "tools/sim/BodyShape.h"

@@ -8,8 +8,8 @@
 
 #include "tools/calibrate/BodyEstimate.h"
 #include "tools/calibrate/ResidualPicture.h"
-#include "tools/cli/Logs.h"
 #include "tools/cli/Workshop.h"
+#include "tools/cli/log/Logs.h"
 #include "tools/experiments/harness/ChildProcesses.h"
 #include "tools/experiments/harness/Statistics.h"
 #include "tools/experiments/pose/LocaliseMatch.h"

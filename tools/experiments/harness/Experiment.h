@@ -16,7 +16,7 @@
 
 #include "robot/core/Expected.h"
 #include "tools/cli/Figures.h"
-#include "tools/cli/UnlikeOptions.h"
+#include "tools/cli/options/UnlikeOptions.h"
 
 namespace kelpie::experiments {
 

@@ -10,8 +10,8 @@
 #include "tools/cli/Process.h"
 #include "tools/cli/Progress.h"
 #include "tools/cli/Terminal.h"
-#include "tools/cli/Usage.h"
 #include "tools/cli/WholeFile.h"
+#include "tools/cli/options/Usage.h"
 #include "tools/experiments/harness/Experiment.h"
 
 namespace kelpie::experiments {

@@ -3,7 +3,7 @@
 // the next image comes, over minutes of play on this machine. A wall clock measures the machine as
 // much as the code: a figure of one's own PC, never a test. On the robot instructions are counted
 // instead (toolchain/target-cost).
-#include "tools/cli/Config.h"
+#include "tools/cli/options/Config.h"
 #include "tools/experiments/harness/Statistics.h"
 #include "tools/experiments/harness/Trials.h"
 #include "tools/experiments/pose/LocaliseMatch.h"

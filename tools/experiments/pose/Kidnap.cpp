@@ -7,7 +7,7 @@
 #include <set>
 
 #include "robot/core/Random.h"
-#include "tools/cli/Config.h"
+#include "tools/cli/options/Config.h"
 #include "tools/experiments/harness/ChildProcesses.h"
 #include "tools/experiments/harness/Trace.h"
 #include "tools/experiments/pose/LocaliseFilters.h"

@@ -4,7 +4,7 @@
 // are helped by the truth in one thing; the difference tells what the error comes from.
 #include <algorithm>
 
-#include "tools/cli/Config.h"
+#include "tools/cli/options/Config.h"
 #include "tools/experiments/harness/ChildProcesses.h"
 #include "tools/experiments/pose/LocaliseFilters.h"
 #include "tools/experiments/pose/LocaliseSenses.h"

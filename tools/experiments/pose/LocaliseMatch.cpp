@@ -6,7 +6,7 @@
 #include "robot/body/Ers7.h"
 #include "robot/body/FieldDescription.h"
 #include "robot/host/Orders.h"
-#include "tools/cli/Config.h"
+#include "tools/cli/options/Config.h"
 
 namespace kelpie::experiments {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "robot/core/Random.h"
-#include "tools/cli/Config.h"
+#include "tools/cli/options/Config.h"
 #include "tools/experiments/harness/ChildProcesses.h"
 #include "tools/experiments/pose/LocaliseFilters.h"
 

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+
+#include "robot/core/fields/FieldCheck.h"
+#include "tools/calibrate/BodyEstimate.h"
+#include "tools/calibrate/BodyModel.h"
+#include "tools/calibrate/ResidualPicture.h"
+#include "tools/calibrate/SizeFit.h"
+#include "tools/cli/Commands.h"
+#include "tools/cli/WholeFile.h"
+#include "tools/cli/calibrate/Calibrate.h"
+#include "tools/picture/FileNames.h"
+
+namespace kelpie::cli {
+namespace {
+
+using calibrate::BodyEstimate;
+using calibrate::kUnknownKinds;
+using calibrate::SightKind;
+using calibrate::Told;
+
+constexpr const char* kHelp =
+    R"(
+The robot stands on the field of its configuration and looks round in stops of 0.3 s and more, low
+and high, with its neck bent in several ways: tools/calibrate/looking does so. Frames in which the
+head moves are not used, so that neither the shutter nor late images matter. At least two beacons or
+goals and some lines in view, and ten stops; twenty seconds are plenty.
+
+Said of each parameter: its value and the standard deviation; one that the log cannot tell better
+than robots differ among themselves stays as the log's robot had it. The neck's offset stands for
+the body's tilt as well, which turns the camera in the same way. The play of the neck and the
+shutter's read-out are seen in a moving head only and stay as they are.
+
+A folder of measured sizes (ball_radius.csv, beacon_height_lab.csv, goal_height.csv) tells the focal
+length alone.
+
+  kelpie play --pycode tools/calibrate/looking --seconds 22 --images all --no-film
+  kelpie calibrate body out/match.mcap --out robot3.toml --picture residuals.png
+  kelpie play --params robot3.toml)";
+
+struct BodyOptions {
+  std::string input;
+  std::string out;
+  std::string picture;
+};
+
+// As a file of parameters wants it: a bare number, or number and unit in quotes.
+std::string valueFor(const Told& told) {
+  const std::string unit = kUnknownKinds[told.unknown].unit;
+  return unit.empty() ? fmt::format("{:.4f}", told.value)
+                      : fmt::format("\"{:.3f}{}\"", told.value, unit);
+}
+
+// Lens and body in sections of their own; only what was told.
+std::string parameterFile(const std::vector<Told>& unknowns, const std::string& heading) {
+  const std::string kLens = "lens.";
+  std::string body = "[body]\n";
+  std::string lens;
+  for (const Told& told : unknowns) {
+    if (!told.told || told.unknown >= calibrate::kBodyUnknowns) continue;
+    std::string name = kUnknownKinds[told.unknown].name;
+    const bool ofLens = name.rfind(kLens, 0) == 0;
+    if (ofLens) name.erase(0, kLens.size());
+    (ofLens ? lens : body) += fmt::format("{} = {}  # sd {:.2g}\n", name, valueFor(told), told.sd);
+  }
+  std::string line = heading;  // a name of a file may hold a line break
+  std::replace_if(
+      line.begin(), line.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, '?');
+  return "# " + line + "\n" + body + (lens.empty() ? "" : "\n[body.lens]\n" + lens);
+}
+
+// What a file of parameters may hold (BodyParams::fields): a fit beyond it is no robot's.
+Status checkRanges(const std::vector<Told>& unknowns) {
+  calibrate::Numbers values = calibrate::valuesOf(body::BodyParams{});
+  for (const Told& told : unknowns)
+    if (told.told && told.unknown < calibrate::kBodyUnknowns)
+      values[told.unknown] =
+          told.value / calibrate::inUnit(static_cast<calibrate::Unknown>(told.unknown));
+  std::string why;
+  if (verify(calibrate::paramsWith({}, values), &why)) return Done{};
+  return Error{"what fits best is no robot's: " + why};
+}
+
+void tellOne(const Told& told) {
+  const std::string unit = kUnknownKinds[told.unknown].unit;
+  const std::string name = kUnknownKinds[told.unknown].name + (unit.empty() ? "" : ", " + unit);
+  fmt::print("{:<21} {:9.3f} ", name, told.value);
+  if (!told.told)
+    fmt::print("left as it was: the log cannot tell it\n");
+  else if (told.unknown < calibrate::kBodyUnknowns)
+    fmt::print("+- {:<6.3f} {:8.3f}\n", told.sd, told.recorded);
+  else
+    fmt::print("+- {:.3f}\n", told.sd);
+}
+
+void tell(const BodyEstimate& e) {
+  fmt::print("{:.1f} s of standing, {} stops of the head, {} frames, {} landmarks\n\n", e.seconds,
+             e.stops, e.frames, e.landmarkKinds);
+  fmt::print("{:<21} {:>9}    {:<6} {:>8}\n", "body parameter", "found", "sd", "was");
+  for (const Told& told : e.unknowns) {
+    if (told.unknown == calibrate::kBodyUnknowns)
+      fmt::print("\nfound beside them, in no file of parameters\n");
+    tellOne(told);
+  }
+  fmt::print("\n{:<18} median miss before -> after\n", "sightings");
+  for (std::size_t i = 0; i < calibrate::kSightKindCount; ++i) {
+    const auto kind = static_cast<SightKind>(i);
+    fmt::print("{:<18} {:.2f} -> {:.2f} px\n", calibrate::nameOf(kind), medianMiss(e.before, kind),
+               medianMiss(e.after, kind));
+  }
+}
+
+int write(const BodyOptions& options, const std::string& text) {
+  if (options.out.empty()) return kExitDone;
+  if (!writeWhole(options.out, text))
+    return fail(options.out + ": cannot be written", kExitBadInput);
+  if (options.out != "-") fmt::print("{}: parameters, for --params\n", options.out);
+  return kExitDone;
+}
+
+int fromLog(const BodyOptions& options) {
+  const auto log = calibrate::readStanding(options.input);
+  if (!log) return fail(log.error(), kExitBadInput);
+  const auto estimate = calibrate::estimateBody(*log);
+  if (!estimate) return fail(options.input + ": " + estimate.error(), kExitBadInput);
+  const bool aside = options.out == "-";  // the file is all that standard output gets
+  if (!aside) tell(*estimate);
+  const Status within = checkRanges(estimate->unknowns);
+  if (!within) return fail(within.error(), kExitBadInput);
+  const int code = write(
+      options, parameterFile(estimate->unknowns, "kelpie calibrate body from " + options.input));
+  if (!options.picture.empty()) {
+    const Status drawn = calibrate::writeResidualPicture(*estimate, options.picture);
+    if (!drawn) return fail(drawn.error(), kExitBadInput);
+    if (!aside) fmt::print("{}: how far sightings lie beside, before and after\n", options.picture);
+  }
+  if (log->lacks.empty() || code != kExitDone) return code;
+  return fail(options.input + ": " + log->lacks + "; calibrated with the rest", kExitBadInput);
+}
+
+int fromSizes(const BodyOptions& options) {
+  if (!options.picture.empty())
+    return fail("--picture: only for a log, not for measured sizes", kExitBadInput);
+  const auto fit = calibrate::fitSizes(options.input + "/");
+  if (!fit) return fail(fit.error(), kExitBadInput);
+  constexpr std::array<const char*, calibrate::kSizedObjects> kNames = {"ball", "beacon", "goal"};
+  const bool aside = options.out == "-";  // the file is all that standard output gets
+  for (std::size_t i = 0; i < calibrate::kSizedObjects && !aside; ++i)
+    fmt::print("{:<6} {:3} measured, edge {:5.2f} px, error of distance {:.1f} -> {:.1f} cm\n",
+               kNames[i], fit->measured[i], fit->optics[i].edge, fit->before[i].rms,
+               fit->after[i].rms);
+  if (!aside) fmt::print("lens.focalLength {:9.3f} +- {:.3f} px\n", fit->focalLength, fit->focalSd);
+  Told focal;
+  focal.value = fit->focalLength;
+  focal.sd = fit->focalSd;
+  focal.told = true;
+  const Status within = checkRanges({focal});
+  if (!within) return fail(within.error(), kExitBadInput);
+  return write(options, parameterFile({focal}, "kelpie calibrate body from " + options.input));
+}
+
+int calibrateBody(const BodyOptions& options) {
+  for (const auto& path : {options.out, options.picture}) {
+    const Status target = path == "-" ? Status(Done{}) : checkTarget(path, options.input);
+    if (!target) return fail(target.error(), kExitBadInput);
+    if (!path.empty() && !canWrite(path)) return fail(path + ": cannot be written", kExitBadInput);
+  }
+  std::error_code error;
+  const auto place = [&error](const std::string& path) {
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(path, error), error);
+  };
+  if (!options.out.empty() && !options.picture.empty() &&
+      place(options.out) == place(options.picture))
+    return fail("--out and --picture: both are " + options.out, kExitBadInput);
+  if (!options.picture.empty() && picture::endingOf(options.picture) != ".png")
+    return fail("--picture " + options.picture + ": its name must end with .png", kExitBadInput);
+  return std::filesystem::is_directory(options.input, error) ? fromSizes(options)
+                                                             : fromLog(options);
+}
+
+}  // namespace
+
+void addCalibrateBody(CommandLine& command, int& code) {
+  auto body = command.subcommand(
+      "body", "Lens, neck and lean of a robot from the log of one that stands and looks round");
+  auto options = std::make_shared<BodyOptions>();
+  body.option("INPUT", options->input,
+              "Log with images, or folder of sizes measured at known distances")
+      .required();
+  body.option("--out", options->out,
+              "The file of parameters to write, for --params; - for standard output");
+  body.option("--picture", options->picture,
+              "PNG of how far sightings lie beside, before and after");
+  body.footer(kHelp);
+  body.callback([options, &code] { code = calibrateBody(*options); });
+}
+
+}  // namespace kelpie::cli

@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: Apache-2.0
+// kelpie league: many matches between the folders of several teams, and who plays better.
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <set>
+#include <string>
+#include <thread>
+
+#include "robot/core/Checksum.h"
+#include "tools/cli/Commands.h"
+#include "tools/cli/Process.h"
+#include "tools/cli/Progress.h"
+#include "tools/cli/Version.h"
+#include "tools/cli/options/Config.h"
+#include "tools/cli/options/UnlikeOptions.h"
+#include "tools/league/Run.h"
+#include "tools/league/Table.h"
+#include "tools/session/Session.h"
+#include "tools/session/Teams.h"
+
+namespace kelpie::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct LeagueOptions {
+  std::vector<std::string> folders;
+  std::string out = "out/league";
+  std::string robots = "4v4";
+  league::LeaguePlan plan;
+  int workers = 0;  // 0: one for two cores
+  bool physical = false;
+  bool table = false;
+};
+
+using Folders = std::map<std::string, std::string>;  // of each side
+
+std::string nameOf(const std::string& folder) {
+  fs::path path = fs::path(folder).lexically_normal();
+  if (path.filename().empty()) path = path.parent_path();
+  return path.filename().string();
+}
+
+std::string contentOf(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+}
+
+// A CRC-32 over names and contents of all that a team's folder holds.
+std::string hashOf(const std::string& folder) {
+  std::vector<std::string> files;
+  for (const auto& entry : fs::recursive_directory_iterator(folder))
+    if (entry.is_regular_file() && entry.path().extension() != ".pyc")
+      files.push_back(entry.path().lexically_relative(folder).string());
+  std::sort(files.begin(), files.end());
+  std::string all;
+  for (const std::string& file : files) all += file + '\n' + contentOf(fs::path(folder) / file);
+  const auto* bytes = reinterpret_cast<const std::uint8_t*>(all.data());
+  return fmt::format("{:08x}", crc32(bytes, all.size()));
+}
+
+Status readSides(LeagueOptions& options, Folders& folders) {
+  const auto robots = teamPlan(options.robots);
+  if (!robots) return Error{robots.error()};
+  options.plan.about = versionLine() + ", " + options.robots;
+  for (const std::string& folder : options.folders) {
+    const std::string name = nameOf(folder);
+    TeamPlan alone{1, 0, folder, ""};
+    SessionOptions tried;
+    const Status usable = useTeams(alone, tried);
+    if (!usable) return usable;
+    if (!folders.emplace(name, folder).second) return Error{"two sides are called '" + name + "'"};
+    options.plan.sides.push_back(name);
+    options.plan.about += ", " + name + " " + hashOf(folder);
+  }
+  return Done{};
+}
+
+league::MatchResult voided(const std::string& trouble) {
+  league::MatchResult result;
+  result.trouble = trouble;
+  return result;
+}
+
+// What behaviours complain of, each thing once: a team whose every frame fails would else pass for
+// one that plays badly. Of all workers.
+class Complaints {
+ public:
+  void hear(const league::LeagueMatch& match, const std::string& line) {
+    const std::size_t at = line.find("behaviour: ");
+    if (at == std::string::npos) return;
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (!told_.insert(line.substr(at)).second) return;
+    fmt::print(stderr, "{} - {} (seed {}): {}\n", match.red, match.blue, match.seed, line);
+  }
+
+ private:
+  std::mutex mutex_;
+  std::set<std::string> told_;
+};
+
+// The pure function of a league: processes of its own, nothing kept.
+league::MatchResult playMatch(const league::LeagueMatch& match, const std::string& robots,
+                              const Folders& folders, Complaints& complaints) {
+  league::MatchResult result;
+  auto plan = teamPlan(robots);
+  if (!plan) return voided(plan.error());
+  plan->redFolder = folders.at(match.red);
+  plan->blueFolder = folders.at(match.blue);
+  SessionOptions session;
+  session.seed = match.seed;
+  session.seconds = 60.0 * match.minutes;
+  session.physical = !match.fast;
+  session.set = {kNoReload};
+  const Status used = useTeams(*plan, session);
+  if (!used) return voided(used.error());
+  SessionTalk talk;
+  talk.line = [&](const std::string& line) { complaints.hear(match, line); };
+  const SessionResult played = runSession(session, talk);
+  result.trouble = played.interrupted ? "interrupted" : played.trouble;
+  result.redGoals = static_cast<int>(played.goals.size());
+  result.blueGoals = static_cast<int>(played.ownGoals.size());
+  if (session.team == "blue") std::swap(result.redGoals, result.blueGoals);
+  result.redOwnGoals = played.redOwnGoals;
+  result.blueOwnGoals = played.blueOwnGoals;
+  result.outs = played.outs;
+  result.seconds = played.seconds;
+  return result;
+}
+
+int show(const LeagueOptions& options, const league::Standings& standings) {
+  fmt::print("{}", league::textOf(standings));
+  const Status written = league::writeTables(standings, options.out);
+  if (!written) return fail(written.error(), kExitMachine);
+  fmt::print("{0}/table.txt, table.html and table.png show the same\n", options.out);
+  return kExitDone;
+}
+
+int showOnly(const LeagueOptions& options) {
+  const auto record = league::readLeague(options.out);
+  if (!record) return fail(record.error(), kExitBadInput);
+  return show(options, league::standingsOf(*record));
+}
+
+int workersFor(const LeagueOptions& options) {
+  const int cores = static_cast<int>(std::thread::hardware_concurrency());
+  return options.workers > 0 ? options.workers : std::max(1, cores / 2);
+}
+
+std::string lineOf(const league::LeagueMatch& match, const league::MatchResult& result) {
+  if (!result.trouble.empty())
+    return fmt::format("{} - {} (seed {}): void: {}", match.red, match.blue, match.seed,
+                       result.trouble);
+  return fmt::format("{} {} : {} {} (seed {})", match.red, result.redGoals, result.blueGoals,
+                     match.blue, match.seed);
+}
+
+int playLeague(LeagueOptions& options) {
+  Folders folders;
+  const Status sides = readSides(options, folders);
+  if (!sides) return fail(sides.error(), kExitBadInput);
+  options.plan.fast = !options.physical;
+  auto journal = league::Journal::open(options.out, options.plan);
+  if (!journal) return fail(journal.error(), kExitBadInput);
+  catchInterrupts();
+  const std::size_t all = journal->schedule().size();
+  std::size_t done = 0;
+  for (const auto& result : journal->results()) done += result ? 1 : 0;
+  const int workers = workersFor(options);
+  if (done < all)
+    fmt::print(stderr,
+               "{} of {} matches to play, {} at a time; Ctrl-C stops, the same command goes on\n",
+               all - done, all, workers);
+  league::RunTalk talk;
+  talk.finished = [&](std::size_t match, const league::MatchResult& result) {
+    fmt::print(stderr, "{}/{} {}\n", ++done, all, lineOf(journal->schedule()[match].match, result));
+  };
+  talk.again = [](std::size_t, const std::string& trouble) {
+    fmt::print(stderr, "once more: {}\n", trouble);
+  };
+  talk.stop = interrupted;
+  Complaints complaints;
+  const league::Play play = [&](const league::LeagueMatch& match) {
+    return playMatch(match, options.robots, folders, complaints);
+  };
+  const auto summary = league::runLeague(*journal, play, workers, talk);
+  if (!summary) return fail(summary.error(), kExitMachine);
+  const league::Standings standings = league::standingsOf({journal->plan(), journal->results()});
+  const int shown = show(options, standings);
+  if (summary->stopped)
+    return fail(
+        fmt::format("stopped; {} matches are left, the same command goes on", summary->left),
+        kExitInterrupted);
+  if (standings.voids > 0)  // those of earlier runs, too
+    return fail(fmt::format("{} of {} matches are void", standings.voids, all), kExitCheckFailed);
+  return shown;
+}
+
+void addOptions(CommandLine& command, LeagueOptions& options) {
+  league::LeaguePlan& plan = options.plan;
+  plan.matchesAPair = 20;
+  command
+      .option("TEAM", options.folders,
+              "Folders of teams: main.py, team.toml or both; their names are the sides'")
+      .check(existingFolder());
+  command.option("--out", options.out, "Folder of the league: its journal and its tables")
+      .showDefault();
+  command
+      .option("--matches", plan.matchesAPair,
+              "Of each pair, an even number: every seed is played in both colours")
+      .check(integerInRange(2, 10000))
+      .showDefault();
+  command.option("--minutes", plan.minutes, "Of play, in each match")
+      .check(inRange(0.1, 60.0))
+      .showDefault();
+  command.option("--seed", plan.seed, "The first one")
+      .check(inRange(0.0, kLargestSeed))
+      .showDefault();
+  command.option("--robots", options.robots, "A side").showDefault();
+  command.option("--against", plan.reference, "The side that all others play, and they alone");
+  command.option("--workers", options.workers, "Matches at a time (one for two cores)")
+      .check(integerInRange(1, 256));
+  command.flag("--physical,!--fast", options.physical,
+               "Bodies with masses and servos, or kinematic ones (the default)");
+  command.flag("--table", options.table, "Plays nothing: shows what the league has come to");
+}
+
+}  // namespace
+
+void addLeague(CommandLine& app, int& code) {
+  auto command = app.subcommand("league",
+                                "Many matches between teams, and who plays better; goes on where "
+                                "it was stopped");
+  auto options = std::make_shared<LeagueOptions>();
+  addOptions(command, *options);
+  command.callback([=, &code] {
+    if (!options->table && options->folders.size() < 2) {
+      code = fail("a league needs two teams at least", kExitBadInput);
+      return;
+    }
+    code = options->table ? showOnly(*options) : playLeague(*options);
+  });
+}
+
+}  // namespace kelpie::cli
