@@ -10,7 +10,7 @@
 #include "robot/body/FieldDescription.h"
 #include "robot/host/Orders.h"
 #include "tests/AllocationCount.h"
-#include "tools/sim/World.h"
+#include "tools/sim/world/World.h"
 
 namespace kelpie::agent {
 namespace {

@@ -7,9 +7,9 @@
 #include <memory>
 
 #include "tools/calibrate/StandingLog.h"
-#include "tools/sim/BodyShape.h"
-#include "tools/sim/Camera.h"
-#include "tools/sim/FieldCamera.h"
+#include "tools/sim/bodies/BodyShape.h"
+#include "tools/sim/camera/Camera.h"
+#include "tools/sim/camera/FieldCamera.h"
 #include "vision/pixels/VisionCalibration.h"
 
 namespace kelpie::calibrate {

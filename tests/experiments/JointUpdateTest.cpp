@@ -5,7 +5,7 @@
 #include "gps/pose/Modes.h"
 #include "tools/experiments/baselines/JointUpdate.h"
 #include "tools/experiments/baselines/PoseVariants.h"
-#include "tools/sim/LocalisingRobot.h"
+#include "tools/sim/world/LocalisingRobot.h"
 
 namespace kelpie::gps {
 namespace {

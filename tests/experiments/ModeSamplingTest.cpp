@@ -4,7 +4,7 @@
 
 #include "gps/pose/Modes.h"
 #include "tools/experiments/baselines/ModeSampling.h"
-#include "tools/sim/LocalisingRobot.h"
+#include "tools/sim/world/LocalisingRobot.h"
 
 namespace kelpie::gps {
 namespace {

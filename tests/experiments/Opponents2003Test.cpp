@@ -8,7 +8,7 @@
 #include "gps/players/Opponents.h"
 #include "robot/body/Camera.h"
 #include "tools/experiments/baselines/Opponents2003.h"
-#include "tools/sim/LocalisingRobot.h"
+#include "tools/sim/world/LocalisingRobot.h"
 
 namespace kelpie::gps {
 namespace {

@@ -2,7 +2,7 @@
 // A sighting that no pose near the robot's predicts.
 #pragma once
 
-#include "tools/sim/LocalisingRobot.h"
+#include "tools/sim/world/LocalisingRobot.h"
 
 namespace kelpie::gps {
 

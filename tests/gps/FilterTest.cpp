@@ -8,7 +8,7 @@
 #include "gps/pose/Modes.h"
 #include "gps/pose/Predict.h"
 #include "tests/gps/ModeAndMeasurement.h"
-#include "tools/sim/LocalisingRobot.h"
+#include "tools/sim/world/LocalisingRobot.h"
 
 namespace kelpie::gps {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "robot/core/fields/FieldCheck.h"
 #include "tests/core/SpoiltValue.h"
-#include "tools/sim/LocalisingRobot.h"
+#include "tools/sim/world/LocalisingRobot.h"
 
 namespace kelpie::gps {
 namespace {

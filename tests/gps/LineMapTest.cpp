@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "gps/lines/LineMap.h"
-#include "tools/sim/LocalisingRobot.h"
+#include "tools/sim/world/LocalisingRobot.h"
 
 namespace kelpie::gps {
 namespace {

@@ -5,7 +5,7 @@
 #include "gps/lines/LineMap.h"
 #include "gps/lines/LinePoseSearch.h"
 #include "gps/lines/PaintedField.h"
-#include "tools/sim/LocalisingRobot.h"
+#include "tools/sim/world/LocalisingRobot.h"
 
 namespace kelpie::gps {
 namespace {

@@ -8,7 +8,7 @@
 #include "gps/lines/LineUpdate.h"
 #include "gps/pose/Modes.h"
 #include "tests/gps/Field2006.h"
-#include "tools/sim/LocalisingRobot.h"
+#include "tools/sim/world/LocalisingRobot.h"
 
 namespace kelpie::gps {
 namespace {

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "gps/Refusal.h"
-#include "tools/sim/LocalisingRobot.h"
+#include "tools/sim/world/LocalisingRobot.h"
 
 namespace kelpie::gps {
 namespace {

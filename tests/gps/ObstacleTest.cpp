@@ -10,7 +10,7 @@
 
 #include "gps/players/ObstacleMap.h"
 #include "tests/gps/Field2006.h"
-#include "tools/sim/LocalisingRobot.h"
+#include "tools/sim/world/LocalisingRobot.h"
 
 namespace kelpie::gps {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "gps/pinks/PinkPoseSearch.h"
 #include "gps/pinks/Survey.h"
-#include "tools/sim/LocalisingRobot.h"
+#include "tools/sim/world/LocalisingRobot.h"
 
 namespace kelpie::gps {
 namespace {

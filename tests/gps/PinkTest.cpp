@@ -12,7 +12,7 @@
 #include "gps/pinks/PinkMap.h"
 #include "gps/pinks/PinkUpdate.h"
 #include "robot/body/Camera.h"
-#include "tools/sim/LocalisingRobot.h"
+#include "tools/sim/world/LocalisingRobot.h"
 
 namespace kelpie::gps {
 namespace {

@@ -7,7 +7,7 @@
 #include "gps/players/Information.h"
 #include "gps/players/Team.h"
 #include "gps/players/TeamBall.h"
-#include "tools/sim/LocalisingRobot.h"
+#include "tools/sim/world/LocalisingRobot.h"
 
 namespace kelpie::gps {
 namespace {

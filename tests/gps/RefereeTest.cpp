@@ -4,7 +4,7 @@
 
 #include "gps/ball/BallMotion.h"
 #include "gps/ball/DropIn.h"
-#include "tools/sim/LocalisingRobot.h"
+#include "tools/sim/world/LocalisingRobot.h"
 
 namespace kelpie::gps {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "gps/pose/Return.h"
-#include "tools/sim/LocalisingRobot.h"
+#include "tools/sim/world/LocalisingRobot.h"
 
 namespace kelpie::gps {
 namespace {

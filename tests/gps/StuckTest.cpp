@@ -7,7 +7,7 @@
 
 #include "gps/Refusal.h"
 #include "gps/pose/Stuck.h"
-#include "tools/sim/LocalisingRobot.h"
+#include "tools/sim/world/LocalisingRobot.h"
 
 namespace kelpie::gps {
 namespace {

@@ -7,7 +7,7 @@
 #include "tools/learn/KickLearner.h"
 #include "tools/learn/MotionPlay.h"
 #include "tools/learn/WalkLearner.h"
-#include "tools/sim/WalkingBody.h"
+#include "tools/sim/bodies/WalkingBody.h"
 
 namespace kelpie::learn {
 namespace {

@@ -10,7 +10,7 @@
 #include "robot/core/log/LogTopics.h"
 #include "robot/core/log/LogWriter.h"
 #include "tools/match/Match.h"
-#include "tools/sim/Truth.h"
+#include "tools/sim/world/Truth.h"
 
 namespace kelpie::match {
 namespace {

@@ -7,7 +7,7 @@
 #include "robot/core/types/PlaneFrame.h"
 #include "tests/core/LogFiles.h"
 #include "tools/session/MatchFolder.h"
-#include "tools/sim/Truth.h"
+#include "tools/sim/world/Truth.h"
 
 namespace kelpie::cli {
 namespace {

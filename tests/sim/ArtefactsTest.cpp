@@ -5,7 +5,7 @@
 #include <fstream>
 #include <memory>
 
-#include "tools/sim/Artefacts.h"
+#include "tools/sim/camera/Artefacts.h"
 #include "vision/pixels/RingTable.h"
 
 namespace kelpie::sim {

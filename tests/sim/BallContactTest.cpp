@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "robot/core/Random.h"
-#include "tools/sim/WalkingBody.h"
+#include "tools/sim/bodies/WalkingBody.h"
 
 namespace kelpie::sim {
 namespace {

@@ -7,10 +7,10 @@
 
 #include "actuator/motion/MotionData.h"
 #include "tests/sim/Targets.h"
-#include "tools/sim/Ball.h"
-#include "tools/sim/BallContact.h"
-#include "tools/sim/KinematicBodies.h"
-#include "tools/sim/Referee.h"
+#include "tools/sim/bodies/KinematicBodies.h"
+#include "tools/sim/referee/Referee.h"
+#include "tools/sim/world/Ball.h"
+#include "tools/sim/world/BallContact.h"
 
 namespace kelpie::sim {
 namespace {

@@ -9,8 +9,8 @@
 
 #include "robot/body/Camera.h"
 #include "robot/body/Ers7.h"
-#include "tools/sim/BodyShape.h"
-#include "tools/sim/Camera.h"
+#include "tools/sim/bodies/BodyShape.h"
+#include "tools/sim/camera/Camera.h"
 
 namespace kelpie::sim {
 namespace {

@@ -6,8 +6,8 @@
 #include <memory>
 
 #include "robot/body/Camera.h"
-#include "tools/sim/Camera.h"
-#include "tools/sim/World.h"
+#include "tools/sim/camera/Camera.h"
+#include "tools/sim/world/World.h"
 
 namespace kelpie::sim {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "tools/sim/World.h"
+#include "tools/sim/world/World.h"
 
 namespace kelpie::sim {
 namespace {

@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "tools/sim/Crew.h"
+#include "tools/sim/world/Crew.h"
 
 namespace kelpie::sim {
 namespace {

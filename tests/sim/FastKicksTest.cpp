@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "tools/learn/HeldBall.h"
-#include "tools/sim/WalkingBody.h"
+#include "tools/sim/bodies/WalkingBody.h"
 
 namespace kelpie::sim {
 namespace {

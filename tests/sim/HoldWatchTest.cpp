@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "robot/core/Time.h"
-#include "tools/sim/HoldWatch.h"
+#include "tools/sim/bodies/HoldWatch.h"
 
 namespace kelpie::sim {
 namespace {

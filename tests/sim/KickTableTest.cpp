@@ -2,7 +2,7 @@
 // The compiled kick map against rows of pycode/data/kick_map.py.
 #include <gtest/gtest.h>
 
-#include "tools/sim/KickTable.h"
+#include "tools/sim/kicks/KickTable.h"
 
 namespace kelpie::sim {
 namespace {

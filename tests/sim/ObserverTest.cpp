@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "tools/sim/Observer.h"
+#include "tools/sim/world/Observer.h"
 
 namespace kelpie::sim {
 namespace {

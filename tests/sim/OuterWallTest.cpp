@@ -7,7 +7,7 @@
 #include <memory>
 
 #include "robot/body/Camera.h"
-#include "tools/sim/World.h"
+#include "tools/sim/world/World.h"
 
 namespace kelpie::sim {
 namespace {

@@ -13,7 +13,7 @@
 
 #include "robot/body/Camera.h"
 #include "robot/core/Random.h"
-#include "tools/sim/WalkingBody.h"
+#include "tools/sim/bodies/WalkingBody.h"
 #include "tools/sim/physics/PhysicalBodies.h"
 #include "tools/sim/physics/Variation.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
-#include "tools/sim/Radio.h"
+#include "tools/sim/world/Radio.h"
 
 namespace kelpie::sim {
 namespace {

@@ -2,7 +2,7 @@
 // What a walking robot's body and legs do when something holds it, and with weak legs.
 #include <gtest/gtest.h>
 
-#include "tools/sim/WalkingBody.h"
+#include "tools/sim/bodies/WalkingBody.h"
 
 namespace kelpie::sim {
 namespace {

@@ -6,7 +6,7 @@
 #include "robot/body/Camera.h"
 #include "robot/body/Ers7.h"
 #include "tests/sim/Targets.h"
-#include "tools/sim/RobotModel.h"
+#include "tools/sim/bodies/RobotModel.h"
 
 namespace kelpie::sim {
 namespace {

@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "robot/body/Camera.h"
-#include "tools/sim/Camera.h"
+#include "tools/sim/camera/Camera.h"
 #include "vision/pixels/ClassPicture.h"
 
 namespace kelpie::sim {

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "robot/core/fields/FieldCheck.h"
-#include "tools/sim/KinematicBodies.h"
-#include "tools/sim/Sensors.h"
+#include "tools/sim/bodies/KinematicBodies.h"
+#include "tools/sim/bodies/Sensors.h"
 
 namespace kelpie::sim {
 namespace {

@@ -7,7 +7,7 @@
 #include <thread>
 
 #include "robot/core/fields/Encoding.h"
-#include "tools/sim/Server.h"
+#include "tools/sim/world/Server.h"
 
 namespace kelpie::sim {
 namespace {

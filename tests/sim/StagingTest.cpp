@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "tools/sim/Staging.h"
-#include "tools/sim/World.h"
+#include "tools/sim/staging/Staging.h"
+#include "tools/sim/world/World.h"
 
 namespace kelpie::sim {
 namespace {

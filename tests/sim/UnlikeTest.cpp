@@ -5,9 +5,9 @@
 
 #include "robot/body/Camera.h"
 #include "robot/core/fields/FieldCheck.h"
-#include "tools/sim/KinematicBodies.h"
-#include "tools/sim/Unlike.h"
-#include "tools/sim/World.h"
+#include "tools/sim/bodies/KinematicBodies.h"
+#include "tools/sim/bodies/Unlike.h"
+#include "tools/sim/world/World.h"
 
 namespace kelpie::sim {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <memory>
 
-#include "tools/sim/Camera.h"
-#include "tools/sim/Unlike.h"
+#include "tools/sim/bodies/Unlike.h"
+#include "tools/sim/camera/Camera.h"
 
 namespace kelpie::sim {
 namespace {

@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "tests/sim/Targets.h"
-#include "tools/sim/World.h"
+#include "tools/sim/world/World.h"
 
 namespace kelpie::sim {
 namespace {

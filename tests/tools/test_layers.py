@@ -31,4 +31,4 @@ def test_a_header_and_its_source_are_one_unit_of_a_circle():
 
 def test_tests_take_nothing_from_the_command_line():
     assert check_layers.wrong_include("tests/gps/BallTest.cpp", "tools/cli/log/Logs.h")
-    assert check_layers.wrong_include("tests/gps/BallTest.cpp", "tools/sim/World.h") is None
+    assert check_layers.wrong_include("tests/gps/BallTest.cpp", "tools/sim/world/World.h") is None

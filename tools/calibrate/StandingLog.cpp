@@ -14,7 +14,7 @@ namespace {
 constexpr double kLeastSeconds = 5.0;
 // Half of it for an image that is a frame late, half for a nod that sinks by its play.
 constexpr double kRestSeconds = 0.13;
-// A neck needs 0.17 s for 2.5 deg of play (tools/sim/Backlash.cpp), the image comes on top.
+// A neck needs 0.17 s for 2.5 deg of play (tools/sim/bodies/Backlash.cpp), the image comes on top.
 constexpr double kNeckSeconds = 0.25;
 // A sensed angle spreads by 0.1 deg from frame to frame, a third of a pixel: the more are averaged
 // the better, but not while the head is still coming to rest.

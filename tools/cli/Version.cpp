@@ -7,7 +7,7 @@
 #include "robot/core/Checksum.h"
 #include "robot/core/log/LogTopics.h"
 #include "tools/cli/Commit.h"
-#include "tools/sim/Unlike.h"
+#include "tools/sim/bodies/Unlike.h"
 
 namespace kelpie::cli {
 namespace {

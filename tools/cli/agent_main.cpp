@@ -22,7 +22,7 @@
 #include "tools/cli/log/Logs.h"
 #include "tools/cli/match/Describe.h"
 #include "tools/cli/options/Config.h"
-#include "tools/sim/UnusedControl.h"
+#include "tools/sim/referee/UnusedControl.h"
 
 namespace kelpie::cli {
 namespace {

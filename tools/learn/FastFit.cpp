@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "robot/core/Random.h"
-#include "tools/sim/WalkingBody.h"
+#include "tools/sim/bodies/WalkingBody.h"
 
 namespace kelpie::learn {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "actuator/walk/Feet.h"
-#include "tools/sim/RobotModel.h"
+#include "tools/sim/bodies/RobotModel.h"
 
 namespace kelpie::learn {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Learns a kick map (tools/sim/KickMap.h): of robots that stand, that walk until they kick, and
-// that hold the ball, on varied physical models.
+// Learns a kick map (tools/sim/kicks/KickMap.h): of robots that stand, that walk until they kick,
+// and that hold the ball, on varied physical models.
 #pragma once
 
 #include <cstdint>

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "tools/learn/WalkTrial.h"
-#include "tools/sim/KickMap.h"
+#include "tools/sim/kicks/KickMap.h"
 
 namespace kelpie::learn {
 

@@ -7,7 +7,7 @@
 #include "robot/body/Ers7.h"
 #include "robot/body/FieldDescription.h"
 #include "robot/host/Orders.h"
-#include "tools/sim/Sensors.h"
+#include "tools/sim/bodies/Sensors.h"
 
 namespace kelpie::learn {
 namespace {

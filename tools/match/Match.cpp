@@ -6,7 +6,7 @@
 #include "robot/agent/FrameMessages.h"
 #include "robot/agent/Replay.h"
 #include "tools/cli/log/Logs.h"
-#include "tools/sim/Truth.h"
+#include "tools/sim/world/Truth.h"
 
 namespace kelpie::match {
 namespace {

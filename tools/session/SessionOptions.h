@@ -9,7 +9,7 @@
 
 #include "tools/cli/log/Logs.h"
 #include "tools/cli/options/UnlikeOptions.h"
-#include "tools/sim/Staging.h"
+#include "tools/sim/staging/Staging.h"
 
 namespace kelpie::cli {
 

@@ -8,8 +8,8 @@
 #include <memory>
 
 #include "robot/body/Camera.h"
-#include "tools/sim/BodyShape.h"
-#include "tools/sim/Camera.h"
+#include "tools/sim/bodies/BodyShape.h"
+#include "tools/sim/camera/Camera.h"
 
 namespace kelpie::sim {
 namespace {

@@ -17,9 +17,9 @@
 #include "tools/cli/options/StagingOptions.h"
 #include "tools/cli/options/UnlikeOptions.h"
 #include "tools/cli/options/Usage.h"
-#include "tools/sim/Server.h"
-#include "tools/sim/Staging.h"
-#include "tools/sim/UnusedControl.h"
+#include "tools/sim/referee/UnusedControl.h"
+#include "tools/sim/staging/Staging.h"
+#include "tools/sim/world/Server.h"
 
 namespace kelpie::sim {
 namespace {

@@ -11,9 +11,9 @@
 #include "tools/cli/options/UnlikeOptions.h"
 #include "tools/picture/CameraPicture.h"
 #include "tools/picture/PngFile.h"
-#include "tools/sim/BodyShape.h"
-#include "tools/sim/Camera.h"
-#include "tools/sim/OuterWall.h"
+#include "tools/sim/bodies/BodyShape.h"
+#include "tools/sim/camera/Camera.h"
+#include "tools/sim/camera/OuterWall.h"
 
 namespace kelpie::sim {
 namespace {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/sim/rules/Scenes.h"
-#include "tools/sim/World.h"
+#include "tools/sim/world/World.h"
 
 namespace kelpie::sim {
 namespace {

@@ -15,7 +15,7 @@
 #include "tools/cli/Version.h"
 #include "tools/cli/WholeFile.h"
 #include "tools/picture/Jpeg.h"
-#include "tools/sim/Unlike.h"
+#include "tools/sim/bodies/Unlike.h"
 
 namespace kelpie::cli {
 namespace {

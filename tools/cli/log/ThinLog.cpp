@@ -4,7 +4,7 @@
 #include <cstring>
 
 #include "robot/core/log/LogTopics.h"
-#include "tools/sim/Truth.h"
+#include "tools/sim/world/Truth.h"
 #include "vision/pixels/ClassPicture.h"
 
 namespace kelpie::cli {

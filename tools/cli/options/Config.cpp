@@ -9,7 +9,7 @@
 
 #include "robot/body/FieldDescription.h"
 #include "robot/core/parameters/ParameterFile.h"
-#include "tools/sim/FastActuator.h"
+#include "tools/sim/bodies/FastActuator.h"
 
 namespace kelpie::cli {
 namespace {

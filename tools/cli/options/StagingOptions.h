@@ -6,7 +6,7 @@
 #include <string>
 
 #include "tools/cli/options/CommandLine.h"
-#include "tools/sim/Staging.h"
+#include "tools/sim/staging/Staging.h"
 
 namespace kelpie::cli {
 

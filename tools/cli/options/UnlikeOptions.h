@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which unlike world (tools/sim/Unlike.h) a command line asks for; the same words for play,
+// Which unlike world (tools/sim/bodies/Unlike.h) a command line asks for; the same words for play,
 // evaluate and kelpie-world.
 #pragma once
 
@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "tools/cli/options/CommandLine.h"
-#include "tools/sim/Unlike.h"
+#include "tools/sim/bodies/Unlike.h"
 
 namespace kelpie::cli {
 

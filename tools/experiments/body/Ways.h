@@ -2,7 +2,7 @@
 // What a body really walked, and what its odometry told of it.
 #pragma once
 
-#include "tools/sim/WalkingBody.h"
+#include "tools/sim/bodies/WalkingBody.h"
 
 namespace kelpie::experiments {
 

@@ -13,8 +13,8 @@
 #include "tools/experiments/colour/GenuineFrames.h"
 #include "tools/experiments/harness/Statistics.h"
 #include "tools/experiments/harness/Trials.h"
-#include "tools/sim/Artefacts.h"
-#include "tools/sim/Colours.h"
+#include "tools/sim/camera/Artefacts.h"
+#include "tools/sim/camera/Colours.h"
 #include "vision/pixels/RingTable.h"
 
 namespace kelpie::experiments {

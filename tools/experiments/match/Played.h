@@ -12,8 +12,8 @@
 #include "robot/core/types/Command.h"
 #include "robot/core/types/Motion.h"
 #include "robot/core/types/Percepts.h"
-#include "tools/sim/HoldWatch.h"
-#include "tools/sim/Truth.h"
+#include "tools/sim/bodies/HoldWatch.h"
+#include "tools/sim/world/Truth.h"
 
 namespace kelpie::experiments {
 

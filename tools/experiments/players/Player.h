@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Players of a match without images: robots whose truth is known (tools/sim/Observer.h), opponents
-// that wander about, and the radio between the players.
+// Players of a match without images: robots whose truth is known (tools/sim/world/Observer.h),
+// opponents that wander about, and the radio between the players.
 #pragma once
 
 #include <memory>
 #include <vector>
 
-#include "tools/sim/LocalisingRobot.h"
+#include "tools/sim/world/LocalisingRobot.h"
 
 namespace kelpie::experiments {
 

@@ -6,7 +6,7 @@
 #include "tools/experiments/harness/Statistics.h"
 #include "tools/experiments/harness/Trials.h"
 #include "tools/experiments/players/Player.h"
-#include "tools/sim/Ball.h"
+#include "tools/sim/world/Ball.h"
 
 namespace kelpie::experiments {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "tools/experiments/harness/Statistics.h"
 #include "tools/experiments/harness/Trials.h"
-#include "tools/sim/LocalisingRobot.h"
+#include "tools/sim/world/LocalisingRobot.h"
 
 namespace kelpie::experiments {
 namespace {

@@ -15,7 +15,7 @@
 #include "robot/body/Ers7.h"
 #include "robot/core/Random.h"
 #include "tools/experiments/harness/Experiment.h"
-#include "tools/sim/World.h"
+#include "tools/sim/world/World.h"
 
 namespace kelpie::experiments {
 

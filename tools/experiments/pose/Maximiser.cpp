@@ -9,7 +9,7 @@
 #include "tools/experiments/baselines/MatchTable.h"
 #include "tools/experiments/harness/Statistics.h"
 #include "tools/experiments/harness/Trials.h"
-#include "tools/sim/LocalisingRobot.h"
+#include "tools/sim/world/LocalisingRobot.h"
 
 namespace kelpie::experiments {
 namespace {

@@ -10,7 +10,7 @@
 #include "gps/pose/Modes.h"
 #include "tools/experiments/baselines/ModeSampling.h"
 #include "tools/experiments/harness/Trials.h"
-#include "tools/sim/LocalisingRobot.h"
+#include "tools/sim/world/LocalisingRobot.h"
 
 namespace kelpie::experiments {
 namespace {

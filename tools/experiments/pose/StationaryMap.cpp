@@ -10,7 +10,7 @@
 #include "tools/experiments/harness/Statistics.h"
 #include "tools/experiments/harness/Trials.h"
 #include "tools/experiments/pose/LocaliseFilters.h"
-#include "tools/sim/LocalisingRobot.h"
+#include "tools/sim/world/LocalisingRobot.h"
 
 namespace kelpie::experiments {
 namespace {

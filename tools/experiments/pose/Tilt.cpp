@@ -16,8 +16,8 @@
 #include "tools/experiments/harness/Statistics.h"
 #include "tools/experiments/pose/LocaliseMatch.h"
 #include "tools/experiments/views/Objects.h"
-#include "tools/sim/KinematicBodies.h"
-#include "tools/sim/Observer.h"
+#include "tools/sim/bodies/KinematicBodies.h"
+#include "tools/sim/world/Observer.h"
 #include "vision/Vision.h"
 
 namespace kelpie::experiments {

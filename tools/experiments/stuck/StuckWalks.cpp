@@ -9,7 +9,7 @@
 #include "robot/core/Random.h"
 #include "tools/experiments/harness/Statistics.h"
 #include "tools/experiments/harness/Trials.h"
-#include "tools/sim/WalkingBody.h"
+#include "tools/sim/bodies/WalkingBody.h"
 
 namespace kelpie::experiments {
 namespace {

@@ -12,8 +12,8 @@
 #include "robot/core/types/TeamNote.h"
 #include "tools/experiments/match/Matches.h"
 #include "tools/session/Teams.h"
-#include "tools/sim/Truth.h"
 #include "tools/sim/rules/MatchScene.h"
+#include "tools/sim/world/Truth.h"
 
 namespace kelpie::experiments {
 

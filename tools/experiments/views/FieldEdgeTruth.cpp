@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-#include "tools/sim/Slice.h"
+#include "tools/sim/camera/Slice.h"
 
 namespace kelpie::experiments {
 namespace {

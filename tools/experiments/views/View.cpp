@@ -6,15 +6,15 @@
 
 #include "gps/pose/Tilt.h"
 #include "robot/body/Camera.h"
-#include "tools/sim/BodyShape.h"
-#include "tools/sim/KinematicBodies.h"
+#include "tools/sim/bodies/BodyShape.h"
+#include "tools/sim/bodies/KinematicBodies.h"
 
 namespace kelpie::experiments {
 namespace {
 
 constexpr int kViewsPerCrowd = 25;
 constexpr int kTries = 60;
-constexpr double kJointNoise = 0.0015;    // rad, as tools/sim/RobotModel.h
+constexpr double kJointNoise = 0.0015;    // rad, as tools/sim/bodies/RobotModel.h
 constexpr double kHeightNoise = 0.1;      // cm, of the stance that the legs tell
 constexpr double kTiltNoiseDeg = 0.2;     // the same for the body's tilt
 constexpr double kRateNoise = 0.1;        // rad/s, joint noise over three ticks

@@ -11,8 +11,8 @@
 #include "robot/body/FieldDescription.h"
 #include "robot/core/types/FrameInput.h"
 #include "tools/experiments/harness/Trials.h"
-#include "tools/sim/Camera.h"
-#include "tools/sim/Unlike.h"
+#include "tools/sim/bodies/Unlike.h"
+#include "tools/sim/camera/Camera.h"
 
 namespace kelpie::experiments {
 

@@ -12,7 +12,7 @@
 #include "robot/body/Camera.h"
 #include "robot/core/Random.h"
 #include "tools/experiments/harness/Trials.h"
-#include "tools/sim/Camera.h"
+#include "tools/sim/camera/Camera.h"
 
 namespace kelpie::experiments {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "tools/sim/Bodies.h"
+#include "tools/sim/bodies/Bodies.h"
 #include "tools/sim/physics/RobotXml.h"
 #include "tools/sim/physics/Things.h"
 #include "tools/sim/physics/Units.h"

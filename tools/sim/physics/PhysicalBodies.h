@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "robot/core/Random.h"
-#include "tools/sim/Backlash.h"
-#include "tools/sim/Bodies.h"
-#include "tools/sim/CommandQueue.h"
-#include "tools/sim/Unlike.h"
+#include "tools/sim/bodies/Backlash.h"
+#include "tools/sim/bodies/Bodies.h"
+#include "tools/sim/bodies/CommandQueue.h"
+#include "tools/sim/bodies/Unlike.h"
 #include "tools/sim/physics/Physics.h"
 
 namespace kelpie::sim {

@@ -6,7 +6,7 @@
 #include <array>
 
 #include "robot/core/types/Joints.h"
-#include "tools/sim/BodyShape.h"
+#include "tools/sim/bodies/BodyShape.h"
 #include "tools/sim/physics/Engine.h"
 #include "tools/sim/physics/Mjcf.h"
 

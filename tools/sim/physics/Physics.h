@@ -7,8 +7,8 @@
 #include <optional>
 #include <vector>
 
-#include "tools/sim/Ball.h"
 #include "tools/sim/physics/PhysicalRobot.h"
+#include "tools/sim/world/Ball.h"
 
 namespace kelpie::sim {
 

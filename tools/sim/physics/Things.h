@@ -8,8 +8,8 @@
 
 #include "robot/body/FieldDescription.h"
 #include "robot/core/Expected.h"
-#include "tools/sim/Ball.h"
 #include "tools/sim/physics/Engine.h"
+#include "tools/sim/world/Ball.h"
 
 namespace kelpie::sim {
 

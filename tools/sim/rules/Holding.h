@@ -6,7 +6,7 @@
 
 #include <array>
 
-#include "tools/sim/HoldWatch.h"
+#include "tools/sim/bodies/HoldWatch.h"
 #include "tools/sim/rules/Fouls.h"
 
 namespace kelpie::sim {

@@ -8,8 +8,8 @@
 #include <optional>
 
 #include "robot/body/FieldDescription.h"
-#include "tools/sim/Ball.h"
-#include "tools/sim/Truth.h"
+#include "tools/sim/world/Ball.h"
+#include "tools/sim/world/Truth.h"
 
 namespace kelpie::sim {
 

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/sim/bodies/Unlike.h"
+
+#include <algorithm>
+
+#include "robot/core/Random.h"
+
+namespace kelpie::sim {
+namespace {
+
+struct Kind {
+  const char* name;
+  bool UnlikeParams::*on;
+};
+constexpr std::array<Kind, 12> kKinds{{{"body", &UnlikeParams::body},
+                                       {"physics", &UnlikeParams::physics},
+                                       {"neck", &UnlikeParams::neck},
+                                       {"lens", &UnlikeParams::lens},
+                                       {"shutter", &UnlikeParams::shutter},
+                                       {"lag", &UnlikeParams::lag},
+                                       {"tone", &UnlikeParams::tone},
+                                       {"uniform", &UnlikeParams::uniform},
+                                       {"tape", &UnlikeParams::tape},
+                                       {"carpet", &UnlikeParams::carpet},
+                                       {"light", &UnlikeParams::light},
+                                       {"room", &UnlikeParams::room}}};
+
+enum class Stream : std::uint64_t {
+  body = 1,
+  neck,
+  lens,
+  shutter,
+  lag,
+  tone,
+  uniform,
+  tape,
+  carpet,
+  light,
+  room,
+  physics
+};
+constexpr std::size_t kVenue = kMaxRobots;  // where a robot's number stands otherwise
+
+// Every kind of every robot of every match has its own numbers.
+Random streamOf(const UnlikeParams& params, std::uint64_t match, std::size_t robot, Stream kind) {
+  Random first(params.seed * 0x9e3779b97f4a7c15ULL ^ match);
+  const std::uint64_t part = 100 * (robot + 1) + static_cast<std::uint64_t>(kind);
+  return Random(first.next() ^ part * 0xbf58476d1ce4e5b9ULL);
+}
+
+BodyFaults drawBody(const UnlikeParams& params, Random random) {
+  BodyFaults body;
+  body.lean = {Angle::deg(random.gaussian(0.0, params.leanSdDeg)),
+               Angle::deg(random.gaussian(0.0, params.leanSdDeg))};
+  for (double& bias : body.accelerationBias) bias = random.gaussian(0.0, params.accelerationBias);
+  return body;
+}
+
+NeckPlay drawPlay(const UnlikeParams& params, Random random) {
+  return {Angle::deg(random.uniform(0.0, params.tiltPlayDeg)),
+          Angle::deg(random.uniform(0.0, params.panPlayDeg)),
+          Angle::deg(random.uniform(0.0, params.nodPlayDeg))};
+}
+
+double drawReadout(const UnlikeParams& params, Random random) {
+  if (random.chance(params.globalShutter)) return 0.0;
+  return random.uniform(params.shortestReadout, 1.0);
+}
+
+std::array<double, 3> drawTone(const UnlikeParams& params, Random random) {
+  const auto about1 = [&](double most) { return 1.0 + most * random.uniform(-1.0, 1.0); };
+  const double y = about1(params.toneY);
+  const double cr = about1(params.toneChroma);
+  return {y, cr, about1(params.toneChroma)};
+}
+
+Uniform drawUniform(const UnlikeParams& params, Random random) {
+  Uniform uniform;
+  uniform.fade = random.uniform(0.0, params.fade);
+  uniform.scuffs = random.uniform(0.0, params.scuffs);
+  uniform.gloss = random.uniform(0.0, params.glossiest);
+  return uniform;
+}
+
+void drawCarpet(const UnlikeParams& params, Random random, Venue& venue) {
+  venue.carpet = random.uniform(params.darkestCarpet, params.brightestCarpet);
+  venue.stripes.width = random.uniform(60.0, 200.0);  // cm; carpet is sold in strips of 2 m
+  venue.stripes.contrast = random.uniform(0.0, params.stripeContrast);
+}
+
+SecondLight drawLight(const UnlikeParams& params, Random random) {
+  SecondLight light;
+  light.side = Angle::deg(random.uniform(-180.0, 180.0));
+  light.strength = random.uniform(0.0, params.lightStrength);
+  light.warmth = params.lightWarmth * random.uniform(-1.0, 1.0);
+  return light;
+}
+
+}  // namespace
+
+Venue drawUnlikeVenue(const UnlikeParams& params, std::uint64_t match) {
+  Venue venue;
+  if (params.seed == 0) return venue;
+  const auto stream = [&](Stream kind) { return streamOf(params, match, kVenue, kind); };
+  if (params.tape)
+    venue.tapeWidth = stream(Stream::tape).uniform(params.narrowestTape, params.widestTape);
+  if (params.carpet) drawCarpet(params, stream(Stream::carpet), venue);
+  if (params.light) venue.light = drawLight(params, stream(Stream::light));
+  if (params.room) venue.room = stream(Stream::room).next() | 1U;
+  return venue;
+}
+
+UnlikeRobot drawUnlikeRobot(const UnlikeParams& params, std::uint64_t match, std::size_t robot) {
+  UnlikeRobot drawn;
+  const auto stream = [&](Stream kind) { return streamOf(params, match, robot, kind); };
+  if (params.seed != 0) {
+    if (params.body) drawn.body = drawBody(params, stream(Stream::body));
+    if (params.physics) drawn.physics = stream(Stream::physics).next() | 1U;
+    if (params.neck) drawn.body.play = drawPlay(params, stream(Stream::neck));
+    if (params.lens)
+      drawn.lens.focal *= 1.0 + params.focalShare * stream(Stream::lens).uniform(-1.0, 1.0);
+    if (params.shutter) drawn.readout = drawReadout(params, stream(Stream::shutter));
+    if (params.tone) drawn.tone = drawTone(params, stream(Stream::tone));
+    if (params.uniform) drawn.uniform = drawUniform(params, stream(Stream::uniform));
+    if (params.lag) drawn.lag = stream(Stream::lag).chance(params.lagging) ? 1.0 : 0.0;
+  }
+  drawn.body.lean.tilt = drawn.body.lean.tilt + params.lean.tilt;
+  drawn.body.lean.roll = drawn.body.lean.roll + params.lean.roll;
+  return drawn;
+}
+
+UnlikeWorld drawUnlike(const UnlikeParams& params, std::uint64_t match, std::size_t robots) {
+  UnlikeWorld world;
+  for (std::size_t i = 0; i < std::min(robots, kMaxRobots); ++i)
+    world.robots.push_back(drawUnlikeRobot(params, match, i));
+  world.venue = drawUnlikeVenue(params, match);
+  return world;
+}
+
+std::vector<std::string> unlikeKinds() {
+  std::vector<std::string> names;
+  names.reserve(kKinds.size());
+  for (const Kind& kind : kKinds) names.emplace_back(kind.name);
+  return names;
+}
+
+UnlikeParams unlikeParams(std::uint64_t seed, const std::vector<std::string>& only) {
+  UnlikeParams params;
+  params.seed = seed;
+  for (const Kind& kind : kKinds)
+    params.*kind.on = only.empty() || std::find(only.begin(), only.end(), kind.name) != only.end();
+  return params;
+}
+
+}  // namespace kelpie::sim
