@@ -3,8 +3,8 @@
 // is written of it, with any words about it, is read again and written alike.
 #include "robot/core/fields/FieldCheck.h"
 #include "tests/fuzz/Input.h"
-#include "tools/learn/MotionFile.h"
-#include "tools/learn/MotionSpace.h"
+#include "tools/learn/motion/MotionFile.h"
+#include "tools/learn/motion/MotionSpace.h"
 
 namespace {
 

@@ -6,8 +6,8 @@
 #include <fstream>
 #include <sstream>
 
-#include "tools/learn/KickMapFile.h"
-#include "tools/learn/WalkLearner.h"
+#include "tools/learn/kick/KickMapFile.h"
+#include "tools/learn/walk/WalkLearner.h"
 
 namespace kelpie::learn {
 namespace {

@@ -3,11 +3,11 @@
 
 #include <cmath>
 
-#include "tools/learn/GrabTrial.h"
-#include "tools/learn/HeldBall.h"
-#include "tools/learn/KickLearner.h"
-#include "tools/learn/MotionFile.h"
-#include "tools/learn/WalkLearner.h"
+#include "tools/learn/kick/KickLearner.h"
+#include "tools/learn/motion/GrabTrial.h"
+#include "tools/learn/motion/HeldBall.h"
+#include "tools/learn/motion/MotionFile.h"
+#include "tools/learn/walk/WalkLearner.h"
 
 namespace kelpie::learn {
 namespace {

@@ -2,7 +2,7 @@
 // A robot that rests, on varied physical models: it lies down out of its walk and stands up again.
 #include <gtest/gtest.h>
 
-#include "tools/learn/WalkLearner.h"
+#include "tools/learn/walk/WalkLearner.h"
 
 namespace kelpie::learn {
 namespace {

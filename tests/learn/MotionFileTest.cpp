@@ -5,8 +5,8 @@
 #include <fstream>
 
 #include "robot/core/fields/FieldCheck.h"
-#include "tools/learn/MotionFile.h"
-#include "tools/learn/MotionSpace.h"
+#include "tools/learn/motion/MotionFile.h"
+#include "tools/learn/motion/MotionSpace.h"
 
 namespace kelpie::learn {
 namespace {

@@ -4,9 +4,9 @@
 
 #include <cmath>
 
-#include "tools/learn/KickLearner.h"
-#include "tools/learn/MotionPlay.h"
-#include "tools/learn/WalkLearner.h"
+#include "tools/learn/kick/KickLearner.h"
+#include "tools/learn/motion/MotionPlay.h"
+#include "tools/learn/walk/WalkLearner.h"
 #include "tools/sim/bodies/WalkingBody.h"
 
 namespace kelpie::learn {

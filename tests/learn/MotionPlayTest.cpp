@@ -3,9 +3,9 @@
 // would be told.
 #include <gtest/gtest.h>
 
-#include "tools/learn/BlockTrial.h"
-#include "tools/learn/MotionScene.h"
-#include "tools/learn/WalkLearner.h"
+#include "tools/learn/motion/BlockTrial.h"
+#include "tools/learn/motion/MotionScene.h"
+#include "tools/learn/walk/WalkLearner.h"
 
 namespace kelpie::learn {
 namespace {

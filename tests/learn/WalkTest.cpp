@@ -9,9 +9,9 @@
 #include "robot/core/Random.h"
 #include "robot/core/parameters/ParameterFile.h"
 #include "tools/learn/Numbers.h"
-#include "tools/learn/WalkFile.h"
-#include "tools/learn/WalkFit.h"
-#include "tools/learn/WalkLearner.h"
+#include "tools/learn/walk/WalkFile.h"
+#include "tools/learn/walk/WalkFit.h"
+#include "tools/learn/walk/WalkLearner.h"
 
 namespace kelpie::learn {
 namespace {

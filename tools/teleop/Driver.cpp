@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "tools/learn/HeldBall.h"
+#include "tools/learn/motion/HeldBall.h"
 
 namespace kelpie::teleop {
 namespace {

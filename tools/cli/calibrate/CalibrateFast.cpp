@@ -6,7 +6,7 @@
 #include "tools/cli/Commands.h"
 #include "tools/cli/calibrate/Calibrate.h"
 #include "tools/cli/options/Usage.h"
-#include "tools/learn/FastFit.h"
+#include "tools/learn/walk/FastFit.h"
 
 namespace kelpie::cli {
 namespace {

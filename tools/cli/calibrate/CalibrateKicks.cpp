@@ -11,7 +11,7 @@
 #include "tools/cli/WholeFile.h"
 #include "tools/cli/calibrate/Calibrate.h"
 #include "tools/cli/options/Usage.h"
-#include "tools/learn/KickMapFile.h"
+#include "tools/learn/kick/KickMapFile.h"
 
 namespace kelpie::cli {
 namespace {

@@ -9,11 +9,11 @@
 #include "tools/cli/calibrate/Calibrate.h"
 #include "tools/cli/calibrate/GainPicture.h"
 #include "tools/cli/options/Usage.h"
-#include "tools/learn/BlockTrial.h"
-#include "tools/learn/GetUpTrial.h"
-#include "tools/learn/KickLearner.h"
-#include "tools/learn/MotionFile.h"
-#include "tools/learn/WalkLearner.h"
+#include "tools/learn/kick/KickLearner.h"
+#include "tools/learn/motion/BlockTrial.h"
+#include "tools/learn/motion/GetUpTrial.h"
+#include "tools/learn/motion/MotionFile.h"
+#include "tools/learn/walk/WalkLearner.h"
 
 namespace kelpie::cli {
 namespace {

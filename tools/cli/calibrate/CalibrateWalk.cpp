@@ -11,9 +11,9 @@
 #include "tools/cli/calibrate/Calibrate.h"
 #include "tools/cli/calibrate/GainPicture.h"
 #include "tools/cli/options/Usage.h"
-#include "tools/learn/WalkFile.h"
-#include "tools/learn/WalkFit.h"
-#include "tools/learn/WalkLearner.h"
+#include "tools/learn/walk/WalkFile.h"
+#include "tools/learn/walk/WalkFit.h"
+#include "tools/learn/walk/WalkLearner.h"
 
 namespace kelpie::cli {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "tools/cli/Process.h"
 #include "tools/cli/Workshop.h"
-#include "tools/learn/PhysicalWalker.h"
+#include "tools/learn/walk/PhysicalWalker.h"
 
 namespace kelpie::cli {
 namespace {

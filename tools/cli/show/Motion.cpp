@@ -9,9 +9,9 @@
 #include "tools/cli/WholeFile.h"
 #include "tools/cli/options/Usage.h"
 #include "tools/cli/show/MotionFilm.h"
-#include "tools/learn/BlockTrial.h"
-#include "tools/learn/MotionFile.h"
-#include "tools/learn/MotionScene.h"
+#include "tools/learn/motion/BlockTrial.h"
+#include "tools/learn/motion/MotionFile.h"
+#include "tools/learn/motion/MotionScene.h"
 #include "tools/picture/FileNames.h"
 #include "tools/sim/physics/Variation.h"
 

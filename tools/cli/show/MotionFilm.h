@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Film and picture of one motion on the physical body (tools/learn/MotionPlay.h). Both are written
-// whole or not at all.
+// Film and picture of one motion on the physical body (tools/learn/motion/MotionPlay.h). Both are
+// written whole or not at all.
 #pragma once
 
 #include <string>
 
 #include "actuator/motion/MotionData.h"
-#include "tools/learn/MotionPlay.h"
+#include "tools/learn/motion/MotionPlay.h"
 
 namespace kelpie::cli {
 

@@ -6,7 +6,7 @@
 #include "robot/core/Random.h"
 #include "tools/experiments/body/OnModels.h"
 #include "tools/experiments/harness/Statistics.h"
-#include "tools/learn/BlockTrial.h"
+#include "tools/learn/motion/BlockTrial.h"
 
 namespace kelpie::experiments {
 namespace {

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// A physical robot walks at a ball and grabs it (tools/learn/GrabTrial.h), each trial on another
-// varied model: a ball at rest, one that rolls anywhere at up to 30 cm/s, one that rolls purely
-// across. Who has it turns by half a circle and carries it 50 cm ahead. All the while: does the
-// robot feel rightly whether it has the ball, and soon enough when it is taken away?
+// A physical robot walks at a ball and grabs it (tools/learn/motion/GrabTrial.h), each trial on
+// another varied model: a ball at rest, one that rolls anywhere at up to 30 cm/s, one that rolls
+// purely across. Who has it turns by half a circle and carries it 50 cm ahead. All the while: does
+// the robot feel rightly whether it has the ball, and soon enough when it is taken away?
 #include "robot/core/Random.h"
 #include "robot/host/OnCores.h"
 #include "tools/experiments/harness/Experiment.h"
 #include "tools/experiments/harness/Statistics.h"
-#include "tools/learn/GrabTrial.h"
-#include "tools/learn/WalkLearner.h"
+#include "tools/learn/motion/GrabTrial.h"
+#include "tools/learn/walk/WalkLearner.h"
 
 namespace kelpie::experiments {
 namespace {

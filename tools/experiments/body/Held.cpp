@@ -10,8 +10,8 @@
 #include "tools/experiments/harness/Experiment.h"
 #include "tools/experiments/harness/Statistics.h"
 #include "tools/experiments/harness/Trials.h"
-#include "tools/learn/GetUpTrial.h"
-#include "tools/learn/WalkLearner.h"
+#include "tools/learn/motion/GetUpTrial.h"
+#include "tools/learn/walk/WalkLearner.h"
 
 namespace kelpie::experiments {
 namespace {

@@ -12,9 +12,9 @@
 #include "tools/experiments/harness/Experiment.h"
 #include "tools/experiments/harness/Statistics.h"
 #include "tools/experiments/harness/Trace.h"
-#include "tools/learn/HeldBall.h"
-#include "tools/learn/KickMapFile.h"
-#include "tools/learn/WalkLearner.h"
+#include "tools/learn/kick/KickMapFile.h"
+#include "tools/learn/motion/HeldBall.h"
+#include "tools/learn/walk/WalkLearner.h"
 
 namespace kelpie::experiments {
 namespace {

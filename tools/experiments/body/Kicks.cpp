@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "tools/experiments/harness/Experiment.h"
-#include "tools/learn/KickLearner.h"
-#include "tools/learn/WalkLearner.h"
+#include "tools/learn/kick/KickLearner.h"
+#include "tools/learn/walk/WalkLearner.h"
 
 namespace kelpie::experiments {
 namespace {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "tools/experiments/harness/Experiment.h"
-#include "tools/learn/WalkTrial.h"
+#include "tools/learn/walk/WalkTrial.h"
 #include "tools/sim/physics/Variation.h"
 
 namespace kelpie::experiments {

@@ -12,7 +12,8 @@ using actuator::KeyFrame;
 using actuator::KeyLegs;
 using actuator::MotionData;
 
-// Where a ball is held (tools/learn/HeldBall.h), and where it then lies, from the neck base, cm.
+// Where a ball is held (tools/learn/motion/HeldBall.h), and where it then lies, from the neck base,
+// cm.
 constexpr double kNearest = 3.0;
 constexpr double kFurthest = 10.8;
 constexpr double kAside = 4.5;
