@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "StandMaker.h"
-#include "tools/calibrate/BodyEstimate.h"
+#include "tools/calibrate/body/BodyEstimate.h"
 
 namespace kelpie::calibrate {
 namespace {

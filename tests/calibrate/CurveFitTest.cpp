@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "robot/core/Random.h"
-#include "tools/calibrate/CurveFit.h"
+#include "tools/calibrate/distance/CurveFit.h"
 
 namespace kelpie::calibrate {
 namespace {

@@ -3,7 +3,7 @@
 // its two constants an object to these very data. `kelpie evaluate distances` prints the figures.
 #include <gtest/gtest.h>
 
-#include "tools/calibrate/DistanceData.h"
+#include "tools/calibrate/distance/DistanceData.h"
 
 namespace kelpie::calibrate {
 namespace {

@@ -3,9 +3,9 @@
 
 #include <filesystem>
 
-#include "tools/calibrate/KernelTrainer.h"
 #include "tools/calibrate/SharedData.h"
-#include "tools/calibrate/TablePicture.h"
+#include "tools/calibrate/colour/KernelTrainer.h"
+#include "tools/calibrate/colour/TablePicture.h"
 
 namespace kelpie::calibrate {
 namespace {

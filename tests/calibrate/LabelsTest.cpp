@@ -6,7 +6,7 @@
 
 #include "tests/calibrate/SheetMaker.h"
 #include "tools/calibrate/Images.h"
-#include "tools/calibrate/Labels.h"
+#include "tools/calibrate/colour/Labels.h"
 
 namespace kelpie::calibrate {
 namespace {

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/calibrate/SheetMaker.h"
-#include "tools/calibrate/RingJudge.h"
+#include "tools/calibrate/ring/RingJudge.h"
 
 namespace kelpie::calibrate {
 namespace {

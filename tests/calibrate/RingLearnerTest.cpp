@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "tests/calibrate/SheetMaker.h"
-#include "tools/calibrate/RingLearner.h"
-#include "tools/calibrate/RingSimplex.h"
+#include "tools/calibrate/ring/RingLearner.h"
+#include "tools/calibrate/ring/RingSimplex.h"
 
 namespace kelpie::calibrate {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "robot/core/Random.h"
-#include "tools/calibrate/Sheets.h"
+#include "tools/calibrate/ring/Sheets.h"
 #include "vision/pixels/RingTable.h"
 
 namespace kelpie::calibrate {

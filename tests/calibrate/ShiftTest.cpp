@@ -7,7 +7,7 @@
 #include "robot/core/Random.h"
 #include "tools/calibrate/Csv.h"
 #include "tools/calibrate/SharedData.h"
-#include "tools/calibrate/Shift.h"
+#include "tools/calibrate/colour/Shift.h"
 
 namespace kelpie::calibrate {
 namespace {

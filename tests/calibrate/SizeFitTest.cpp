@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "tools/calibrate/SharedData.h"
-#include "tools/calibrate/SizeFit.h"
+#include "tools/calibrate/distance/SizeFit.h"
 
 namespace kelpie::calibrate {
 namespace {

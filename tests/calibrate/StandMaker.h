@@ -6,7 +6,7 @@
 #include <cmath>
 #include <memory>
 
-#include "tools/calibrate/StandingLog.h"
+#include "tools/calibrate/body/StandingLog.h"
 #include "tools/sim/bodies/BodyShape.h"
 #include "tools/sim/camera/Camera.h"
 #include "tools/sim/camera/FieldCamera.h"

@@ -3,7 +3,7 @@
 // kind that the first byte says. A refusal is a line that names the file.
 #include "robot/core/fields/FieldCheck.h"
 #include "tests/fuzz/Input.h"
-#include "tools/calibrate/Labels.h"
+#include "tools/calibrate/colour/Labels.h"
 #include "tools/cli/log/Recording.h"
 
 namespace {

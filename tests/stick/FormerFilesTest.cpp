@@ -9,9 +9,9 @@
 #include "robot/stick/StdioFiles.h"
 #include "robot/stick/StickReader.h"
 #include "tests/stick/Sticks.h"
-#include "tools/stick/FormerFiles.h"
-#include "tools/stick/StickDifference.h"
 #include "tools/stick/StickWriter.h"
+#include "tools/stick/medium/FormerFiles.h"
+#include "tools/stick/medium/StickDifference.h"
 
 namespace kelpie::stick {
 namespace {

@@ -10,9 +10,9 @@
 #include "robot/stick/StdioFiles.h"
 #include "robot/stick/StickReader.h"
 #include "tests/stick/Sticks.h"
-#include "tools/stick/StickDifference.h"
-#include "tools/stick/StickFolder.h"
-#include "tools/stick/StickImage.h"
+#include "tools/stick/medium/StickDifference.h"
+#include "tools/stick/medium/StickFolder.h"
+#include "tools/stick/medium/StickImage.h"
 
 namespace kelpie::stick {
 namespace {

@@ -13,7 +13,7 @@
 #include "robot/stick/StickFormat.h"
 #include "tools/stick/MakeStick.h"
 #include "tools/stick/Programs.h"
-#include "tools/stick/StickFolder.h"
+#include "tools/stick/medium/StickFolder.h"
 
 namespace kelpie::stick {
 

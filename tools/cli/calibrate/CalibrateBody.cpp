@@ -6,10 +6,10 @@
 #include <memory>
 
 #include "robot/core/fields/FieldCheck.h"
-#include "tools/calibrate/BodyEstimate.h"
-#include "tools/calibrate/BodyModel.h"
-#include "tools/calibrate/ResidualPicture.h"
-#include "tools/calibrate/SizeFit.h"
+#include "tools/calibrate/body/BodyEstimate.h"
+#include "tools/calibrate/body/BodyModel.h"
+#include "tools/calibrate/body/ResidualPicture.h"
+#include "tools/calibrate/distance/SizeFit.h"
 #include "tools/cli/Commands.h"
 #include "tools/cli/WholeFile.h"
 #include "tools/cli/calibrate/Calibrate.h"

@@ -4,9 +4,9 @@
 #include <filesystem>
 #include <memory>
 
-#include "tools/calibrate/KernelTrainer.h"
-#include "tools/calibrate/Labels.h"
-#include "tools/calibrate/TablePicture.h"
+#include "tools/calibrate/colour/KernelTrainer.h"
+#include "tools/calibrate/colour/Labels.h"
+#include "tools/calibrate/colour/TablePicture.h"
 #include "tools/cli/Commands.h"
 #include "tools/cli/WholeFile.h"
 #include "tools/cli/calibrate/Calibrate.h"

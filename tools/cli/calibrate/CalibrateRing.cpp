@@ -5,8 +5,8 @@
 #include <memory>
 
 #include "tools/calibrate/Images.h"
-#include "tools/calibrate/RingJudge.h"
-#include "tools/calibrate/RingLearner.h"
+#include "tools/calibrate/ring/RingJudge.h"
+#include "tools/calibrate/ring/RingLearner.h"
 #include "tools/cli/Commands.h"
 #include "tools/cli/WholeFile.h"
 #include "tools/cli/calibrate/Calibrate.h"

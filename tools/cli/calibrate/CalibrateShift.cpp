@@ -4,7 +4,7 @@
 #include <cmath>
 #include <memory>
 
-#include "tools/calibrate/Shift.h"
+#include "tools/calibrate/colour/Shift.h"
 #include "tools/cli/Commands.h"
 #include "tools/cli/WholeFile.h"
 #include "tools/cli/calibrate/Calibrate.h"

@@ -15,14 +15,14 @@
 #include "tools/picture/FileNames.h"
 #include "tools/stick/Behaviours.h"
 #include "tools/stick/BootReads.h"
-#include "tools/stick/FormerFiles.h"
 #include "tools/stick/MakeStick.h"
 #include "tools/stick/Player.h"
 #include "tools/stick/Programs.h"
-#include "tools/stick/StickDifference.h"
-#include "tools/stick/StickFolder.h"
-#include "tools/stick/StickImage.h"
 #include "tools/stick/WlanFile.h"
+#include "tools/stick/medium/FormerFiles.h"
+#include "tools/stick/medium/StickDifference.h"
+#include "tools/stick/medium/StickFolder.h"
+#include "tools/stick/medium/StickImage.h"
 
 namespace kelpie::cli {
 namespace {

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tools/calibrate/BodyEstimate.h"
-#include "tools/calibrate/ResidualPicture.h"
+#include "tools/calibrate/body/BodyEstimate.h"
+#include "tools/calibrate/body/ResidualPicture.h"
 #include "tools/cli/Workshop.h"
 #include "tools/cli/log/Logs.h"
 #include "tools/experiments/harness/ChildProcesses.h"

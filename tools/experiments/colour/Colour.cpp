@@ -10,9 +10,9 @@
 #include <cmath>
 #include <memory>
 
-#include "tools/calibrate/KernelTrainer.h"
 #include "tools/calibrate/SharedData.h"
-#include "tools/calibrate/Shift.h"
+#include "tools/calibrate/colour/KernelTrainer.h"
+#include "tools/calibrate/colour/Shift.h"
 #include "tools/experiments/harness/Statistics.h"
 #include "tools/experiments/views/View.h"
 #include "vision/pixels/ClassPicture.h"

@@ -2,9 +2,9 @@
 #include "tools/experiments/colour/GenuineFrames.h"
 
 #include "tools/calibrate/Images.h"
-#include "tools/calibrate/Ring2005.h"
-#include "tools/calibrate/RingLearner.h"
 #include "tools/calibrate/SharedData.h"
+#include "tools/calibrate/ring/Ring2005.h"
+#include "tools/calibrate/ring/RingLearner.h"
 
 namespace kelpie::experiments {
 

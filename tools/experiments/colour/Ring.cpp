@@ -8,8 +8,8 @@
 #include <memory>
 
 #include "robot/core/Random.h"
-#include "tools/calibrate/RingLearner.h"
-#include "tools/calibrate/RingSimplex.h"
+#include "tools/calibrate/ring/RingLearner.h"
+#include "tools/calibrate/ring/RingSimplex.h"
 #include "tools/experiments/colour/GenuineFrames.h"
 #include "tools/experiments/harness/Statistics.h"
 #include "tools/experiments/harness/Trials.h"

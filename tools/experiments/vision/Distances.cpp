@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "robot/core/Maths.h"
-#include "tools/calibrate/DistanceData.h"
+#include "tools/calibrate/distance/DistanceData.h"
 #include "tools/experiments/harness/Experiment.h"
 
 namespace kelpie::experiments {

@@ -9,7 +9,7 @@
 #include <cmath>
 
 #include "robot/core/fields/Fields.h"
-#include "tools/calibrate/CurveFit.h"
+#include "tools/calibrate/distance/CurveFit.h"
 #include "tools/experiments/views/Looks.h"
 #include "tools/experiments/views/Objects.h"
 #include "vision/VisionParams.h"
