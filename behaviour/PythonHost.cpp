@@ -3,10 +3,10 @@
 
 #include <algorithm>
 
-#include "behaviour/Console.h"
-#include "behaviour/Heap.h"
-#include "behaviour/HungExit.h"
-#include "behaviour/Watchdog.h"
+#include "behaviour/interpreter/Console.h"
+#include "behaviour/interpreter/Heap.h"
+#include "behaviour/watch/HungExit.h"
+#include "behaviour/watch/Watchdog.h"
 
 namespace kelpie::behaviour {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "behaviour/Console.h"
+#include "behaviour/interpreter/Console.h"
 
 extern "C" {
 #include "behaviour/frozen/Steps.h"

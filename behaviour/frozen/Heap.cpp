@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // All of Python's memory comes from a malloc of its own, which counts (toolchain/python-openr).
-#include "behaviour/Heap.h"
+#include "behaviour/interpreter/Heap.h"
 
 extern "C" {
 #include "behaviour/frozen/Steps.h"

@@ -2,7 +2,7 @@
 // The robot's: Python's own modules are inside the program, and so are behaviours, by the names
 // that toolchain/python-openr/freeze gives. With a path to a zip, which a memory stick has, that
 // one's behaviours play. It is read once; nothing is edited or gone while a robot plays.
-#include "behaviour/Modules.h"
+#include "behaviour/interpreter/Modules.h"
 
 #include <cstdio>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Counts the interpreter's steps in place of CPU seconds. There is nobody to end a long call of
 // Python's own (docs/python-on-robot.md).
-#include "behaviour/Watchdog.h"
+#include "behaviour/watch/Watchdog.h"
 
 #include <algorithm>
 #include <cstdint>

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "behaviour/HungExit.h"
+#include "behaviour/watch/HungExit.h"
 #include "tests/behaviour/Scripts.h"
 
 namespace kelpie::behaviour {

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "behaviour/PrintedLines.h"
+#include "behaviour/interpreter/PrintedLines.h"
 #include "tests/behaviour/Scripts.h"
 
 namespace kelpie::behaviour {

@@ -5,7 +5,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "behaviour/KelpieModule.h"
+#include "behaviour/views/KelpieModule.h"
 #include "tests/behaviour/Scripts.h"
 
 namespace kelpie::behaviour {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "behaviour/HungExit.h"
+#include "behaviour/watch/HungExit.h"
 #include "tools/cli/Process.h"
 #include "tools/cli/Workshop.h"
 #include "tools/session/SessionOptions.h"

@@ -13,7 +13,7 @@
 #include <thread>
 #include <vector>
 
-#include "behaviour/HungExit.h"
+#include "behaviour/watch/HungExit.h"
 #include "tools/cli/AgentTalk.h"
 #include "tools/cli/Process.h"
 #include "tools/cli/Workshop.h"

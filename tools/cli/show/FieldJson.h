@@ -10,7 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "behaviour/PythonNames.h"
+#include "behaviour/views/PythonNames.h"
 #include "robot/core/fields/FieldTypes.h"
 
 namespace kelpie::cli {

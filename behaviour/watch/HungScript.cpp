@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "behaviour/HungScript.h"
+#include "behaviour/watch/HungScript.h"
 
 #include <fcntl.h>
 #include <internal/pycore_traceback.h>

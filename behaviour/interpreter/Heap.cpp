@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "behaviour/Heap.h"
+#include "behaviour/interpreter/Heap.h"
 
 #include <Python.h>
 #include <malloc.h>

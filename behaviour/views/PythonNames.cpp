@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "behaviour/PythonNames.h"
+#include "behaviour/views/PythonNames.h"
 
 #include <string_view>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "behaviour/PrintedLines.h"
+#include "behaviour/interpreter/PrintedLines.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "behaviour/ViewTypes.h"
+#include "behaviour/views/ViewTypes.h"
 
 #include <algorithm>
 #include <cstdint>

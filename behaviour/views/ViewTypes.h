@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "behaviour/PythonNames.h"
 #include "behaviour/PythonRef.h"
+#include "behaviour/views/PythonNames.h"
 
 namespace kelpie::behaviour {
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "behaviour/CommandReader.h"
+#include "behaviour/views/CommandReader.h"
 
 #include <cmath>
 #include <string_view>
 
-#include "behaviour/PythonNames.h"
-#include "behaviour/TraceReader.h"
+#include "behaviour/views/PythonNames.h"
+#include "behaviour/views/TraceReader.h"
 
 namespace kelpie::behaviour {
 namespace {

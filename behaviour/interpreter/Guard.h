@@ -4,6 +4,6 @@
 
 namespace kelpie::behaviour {
 
-const char* guardText();  // the text of behaviour/guard.py
+const char* guardText();  // the text of behaviour/interpreter/guard.py
 
 }  // namespace kelpie::behaviour

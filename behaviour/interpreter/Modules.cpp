@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "behaviour/Modules.h"
+#include "behaviour/interpreter/Modules.h"
 
 #include <filesystem>
 
-#include "behaviour/Guard.h"
-#include "behaviour/KelpieModule.h"
-#include "behaviour/Sources.h"
+#include "behaviour/interpreter/Guard.h"
+#include "behaviour/interpreter/Sources.h"
+#include "behaviour/views/KelpieModule.h"
 
 namespace kelpie::behaviour {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "behaviour/Interpreter.h"
+#include "behaviour/interpreter/Interpreter.h"
 
 #include <Python.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "behaviour/KelpieModule.h"
+#include "behaviour/views/KelpieModule.h"
 
 #include <set>
 #include <sstream>
@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "behaviour/PythonEnumerations.h"
-#include "behaviour/PythonNames.h"
-#include "behaviour/WorldFrame.h"
+#include "behaviour/views/PythonNames.h"
+#include "behaviour/views/WorldFrame.h"
 #include "robot/body/FieldDescription.h"
 
 namespace kelpie::behaviour {

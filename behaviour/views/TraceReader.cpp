@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "behaviour/TraceReader.h"
+#include "behaviour/views/TraceReader.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "behaviour/Watchdog.h"
+#include "behaviour/watch/Watchdog.h"
 
 #include <Python.h>
 #include <sys/time.h>
@@ -7,7 +7,7 @@
 #include <cerrno>
 #include <csignal>
 
-#include "behaviour/HungScript.h"
+#include "behaviour/watch/HungScript.h"
 
 namespace kelpie::behaviour {
 namespace {

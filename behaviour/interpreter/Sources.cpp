@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "behaviour/Sources.h"
+#include "behaviour/interpreter/Sources.h"
 
 #include <sys/stat.h>
 

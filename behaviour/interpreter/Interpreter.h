@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "behaviour/Heap.h"
+#include "behaviour/interpreter/Heap.h"
 #include "robot/core/Expected.h"
 
 namespace kelpie::behaviour {
