@@ -13,8 +13,8 @@
 #include "def.h"
 #include "robot/agent/AgentIo.h"
 #include "robot/agent/AntRadio.h"
-#include "robot/agent/FaultLoops.h"
-#include "robot/agent/Loops.h"
+#include "robot/agent/loops/FaultLoops.h"
+#include "robot/agent/loops/Loops.h"
 #include "robot/body/Ers7.h"
 
 namespace kelpie::agent {

@@ -9,8 +9,8 @@
 
 #include <array>
 
-#include "robot/agent/PowerReport.h"
-#include "robot/agent/Senses.h"
+#include "robot/agent/joints/PowerReport.h"
+#include "robot/agent/joints/Senses.h"
 #include "robot/core/types/Image.h"
 #include "robot/core/types/Motion.h"
 #include "robot/openr/Ers7Primitives.h"

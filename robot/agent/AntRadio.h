@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // The robot's own radio: hears the game controller at its port, and the team at another one, to
 // which it broadcasts what this robot says. The loops get the same packets by it as by the host's
-// sockets (robot/host/UdpRadio, UdpControl).
+// sockets (robot/host/radio/UdpRadio, UdpControl).
 #pragma once
 
 #include "robot/agent/AntEndpoint.h"
-#include "robot/agent/Loops.h"
+#include "robot/agent/loops/Loops.h"
 #include "robot/net/GameControlData.h"
 
 namespace kelpie::agent {

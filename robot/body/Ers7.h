@@ -37,7 +37,7 @@ struct JointRange {
 };
 
 // In the order of Joint. The robot counts a hind rotator from -130 to 115, away from the body
-// (robot/agent/Senses.h); forward positive it has the range of a front one.
+// (robot/agent/joints/Senses.h); forward positive it has the range of a front one.
 constexpr std::array<JointRange, kJointCount> kJointRanges = {{
     {-75, 0},
     {-88, 88},

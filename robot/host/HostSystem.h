@@ -14,9 +14,9 @@
 #include <vector>
 
 #include "robot/core/Random.h"
-#include "robot/host/RobotPrimitives.h"
 #include "robot/host/Source.h"
-#include "robot/host/VirtualRobotComm.h"
+#include "robot/host/primitives/RobotPrimitives.h"
+#include "robot/host/primitives/VirtualRobotComm.h"
 #include "robot/openr/ObjectStub.h"
 
 namespace kelpie::host {

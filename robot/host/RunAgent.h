@@ -7,7 +7,7 @@
 //   const auto summary = runAgent(*world, loops, {}, network);
 #pragma once
 
-#include "robot/agent/Loops.h"
+#include "robot/agent/loops/Loops.h"
 #include "robot/host/HostSystem.h"
 #include "robot/host/Source.h"
 

@@ -5,7 +5,7 @@
 
 #include "robot/core/Expected.h"
 #include "robot/core/types/Image.h"
-#include "robot/host/WorldProtocol.h"
+#include "robot/host/world/WorldProtocol.h"
 
 namespace kelpie::host {
 

@@ -8,8 +8,8 @@
 #include <string>
 
 #include "robot/agent/AgentConfig.h"
-#include "robot/agent/AgentLoops.h"
-#include "robot/agent/FaultLoops.h"
+#include "robot/agent/loops/AgentLoops.h"
+#include "robot/agent/loops/FaultLoops.h"
 
 namespace kelpie::object {
 

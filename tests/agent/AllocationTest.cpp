@@ -5,10 +5,10 @@
 
 #include <memory>
 
-#include "robot/agent/FrameLoop.h"
-#include "robot/agent/MotionLoop.h"
+#include "robot/agent/loops/FrameLoop.h"
+#include "robot/agent/loops/MotionLoop.h"
 #include "robot/body/FieldDescription.h"
-#include "robot/host/Orders.h"
+#include "robot/host/primitives/Orders.h"
 #include "tests/AllocationCount.h"
 #include "tools/sim/world/World.h"
 

@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "robot/agent/FrameMessages.h"
+#include "robot/agent/log/FrameMessages.h"
 #include "robot/core/log/LogWriter.h"
 #include "vision/pixels/PlaneImage.h"
 

@@ -2,8 +2,8 @@
 // When a robot rests and plays again: for its power, for want of images; and that the loops do it.
 #include <gtest/gtest.h>
 
-#include "robot/agent/AgentLoops.h"
-#include "robot/agent/RestCommand.h"
+#include "robot/agent/loops/AgentLoops.h"
+#include "robot/agent/loops/RestCommand.h"
 
 namespace kelpie::agent {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What an attacker found between switching on and switching off: causes that come one upon the
 // other, power that goes and comes at the wrong moment, hands, and a system that refuses.
-#include "robot/agent/FaultLoops.h"
+#include "robot/agent/loops/FaultLoops.h"
 #include "tests/agent/Story.h"
 
 namespace kelpie::agent {

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "robot/agent/AgentLoops.h"
+#include "robot/agent/loops/AgentLoops.h"
 #include "robot/body/Lights.h"
 #include "robot/host/AgentStub.h"
 #include "tools/desk/Stories.h"

@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <fstream>
 
-#include "robot/agent/AgentLoops.h"
-#include "robot/agent/Replay.h"
+#include "robot/agent/log/Replay.h"
+#include "robot/agent/loops/AgentLoops.h"
 #include "robot/core/log/LogWriter.h"
 
 namespace kelpie::agent {

@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "robot/agent/JointTrack.h"
-#include "robot/agent/OdometryTrack.h"
+#include "robot/agent/joints/JointTrack.h"
+#include "robot/agent/joints/OdometryTrack.h"
 #include "robot/core/Random.h"
 
 namespace kelpie::agent {

@@ -6,7 +6,7 @@
 #include "robot/core/fields/Encoding.h"
 #include "robot/core/types/FrameInput.h"
 #include "robot/core/types/FrameOutput.h"
-#include "robot/host/WorldProtocol.h"
+#include "robot/host/world/WorldProtocol.h"
 #include "tests/core/RandomValue.h"
 
 namespace kelpie {

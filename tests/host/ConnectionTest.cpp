@@ -9,7 +9,7 @@
 #include <cstring>
 #include <fstream>
 
-#include "robot/host/Connection.h"
+#include "robot/host/world/Connection.h"
 
 namespace kelpie::host {
 namespace {

@@ -6,8 +6,8 @@
 #include <thread>
 #include <vector>
 
-#include "robot/host/DriverLink.h"
-#include "robot/host/Messages.h"
+#include "robot/host/world/DriverLink.h"
+#include "robot/host/world/Messages.h"
 
 namespace kelpie::host {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "robot/agent/Loops.h"
+#include "robot/agent/loops/Loops.h"
 #include "robot/host/Source.h"
 
 namespace kelpie::host {

@@ -4,7 +4,7 @@
 
 #include <thread>
 
-#include "robot/host/UdpRadio.h"
+#include "robot/host/radio/UdpRadio.h"
 
 namespace kelpie::host {
 namespace {

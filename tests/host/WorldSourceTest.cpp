@@ -6,9 +6,9 @@
 #include <thread>
 
 #include "FakeWorld.h"
-#include "robot/host/Messages.h"
 #include "robot/host/RunAgent.h"
-#include "robot/host/WorldSource.h"
+#include "robot/host/world/Messages.h"
+#include "robot/host/world/WorldSource.h"
 
 namespace kelpie::host {
 namespace {

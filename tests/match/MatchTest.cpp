@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <memory>
 
-#include "robot/agent/LoggedTypes.h"
+#include "robot/agent/log/LoggedTypes.h"
 #include "robot/core/log/LogTopics.h"
 #include "robot/core/log/LogWriter.h"
 #include "tools/match/Match.h"

@@ -4,8 +4,8 @@
 
 #include "actuator/Actuator.h"
 #include "robot/agent/AgentIo.h"
-#include "robot/host/DataVectors.h"
-#include "robot/host/RobotPrimitives.h"
+#include "robot/host/primitives/DataVectors.h"
+#include "robot/host/primitives/RobotPrimitives.h"
 
 namespace kelpie::agent {
 namespace {

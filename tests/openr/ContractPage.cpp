@@ -3,7 +3,7 @@
 
 #include <sstream>
 
-#include "robot/agent/Senses.h"
+#include "robot/agent/joints/Senses.h"
 #include "robot/openr/Contract.h"
 
 namespace kelpie::openr {
@@ -18,7 +18,7 @@ for the robot and the agent must agree on them, and none of them may be its own 
 `tests/openr/RawPosesTest.cpp` shows the agent robots that are put together from it by hand, and
 `tests/sim/PublishedPosesTest.cpp` lays a physical robot down by the angles that Sony published.
 `docs/sources.md` says what each source is. Left and right are the robot's own. A sign in which
-Kelpie counts the other way is turned in `robot/agent/Senses.h` and nowhere else.
+Kelpie counts the other way is turned in `robot/agent/joints/Senses.h` and nowhere else.
 
 )";
 

@@ -8,7 +8,7 @@
 #include <sstream>
 #include <string>
 
-#include "robot/agent/Senses.h"
+#include "robot/agent/joints/Senses.h"
 #include "robot/body/Ers7.h"
 #include "robot/openr/Contract.h"
 #include "tests/openr/ContractPage.h"

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "robot/host/RobotPrimitives.h"
+#include "robot/host/primitives/RobotPrimitives.h"
 
 namespace kelpie::openr {
 

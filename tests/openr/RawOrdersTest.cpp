@@ -9,7 +9,7 @@
 #include <string>
 
 #include "robot/body/Lights.h"
-#include "robot/host/DataVectors.h"
+#include "robot/host/primitives/DataVectors.h"
 #include "tests/openr/OpenedRobot.h"
 
 namespace kelpie::openr {

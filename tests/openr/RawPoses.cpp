@@ -8,7 +8,7 @@
 #include "robot/body/Camera.h"
 #include "robot/body/Ers7.h"
 #include "robot/body/Legs.h"
-#include "robot/host/DataVectors.h"
+#include "robot/host/primitives/DataVectors.h"
 #include "tests/openr/OpenedRobot.h"
 
 namespace kelpie::openr {

@@ -9,7 +9,7 @@
 #include <array>
 #include <string>
 
-#include "robot/agent/Senses.h"
+#include "robot/agent/joints/Senses.h"
 #include "robot/core/types/Motion.h"
 
 namespace kelpie::openr {

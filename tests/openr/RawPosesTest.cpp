@@ -6,8 +6,8 @@
 #include <cstdlib>
 #include <cstring>
 
-#include "robot/host/DataVectors.h"
-#include "robot/host/RawFrame.h"
+#include "robot/host/primitives/DataVectors.h"
+#include "robot/host/primitives/RawFrame.h"
 #include "robot/openr/Contract.h"
 #include "tests/openr/OpenedRobot.h"
 #include "tests/openr/RawPoses.h"

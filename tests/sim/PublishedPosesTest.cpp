@@ -12,7 +12,7 @@
 #include "robot/agent/AgentIo.h"
 #include "robot/body/Ers7.h"
 #include "robot/body/Legs.h"
-#include "robot/host/DataVectors.h"
+#include "robot/host/primitives/DataVectors.h"
 #include "tests/openr/OpenedRobot.h"
 #include "tools/sim/physics/PhysicalBodies.h"
 

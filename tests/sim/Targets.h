@@ -2,7 +2,7 @@
 // An agent's reply that drives all joints, powered and with full gains, to one posture.
 #pragma once
 
-#include "robot/host/WorldProtocol.h"
+#include "robot/host/world/WorldProtocol.h"
 
 namespace kelpie::sim {
 

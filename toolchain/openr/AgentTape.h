@@ -3,7 +3,7 @@
 // tape (objectStories.cpp) and what the emulated image answers (emulated/Probe.cpp).
 #pragma once
 
-#include "robot/agent/Motors.h"
+#include "robot/agent/joints/Motors.h"
 #include "robot/core/types/Image.h"
 #include "robot/core/types/Motion.h"
 

@@ -8,7 +8,7 @@
 #include <memory>
 #include <string>
 
-#include "robot/agent/AgentLoops.h"
+#include "robot/agent/loops/AgentLoops.h"
 #include "robot/host/AgentStub.h"
 #include "toolchain/openr/AgentTape.h"
 #include "toolchain/openr/TapeWriter.h"

@@ -15,9 +15,9 @@
 #include <utility>
 #include <vector>
 
-#include "robot/agent/FrameLoop.h"
-#include "robot/agent/FrameMessages.h"
-#include "robot/agent/MotionLoop.h"
+#include "robot/agent/log/FrameMessages.h"
+#include "robot/agent/loops/FrameLoop.h"
+#include "robot/agent/loops/MotionLoop.h"
 #include "toolchain/openr/TapeWriter.h"
 
 namespace {

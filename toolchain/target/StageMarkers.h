@@ -4,7 +4,7 @@
 // instructions each, counted with the stage.
 #pragma once
 
-#include "robot/agent/StageObserver.h"
+#include "robot/agent/loops/StageObserver.h"
 
 namespace kelpie::target {
 

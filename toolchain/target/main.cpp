@@ -10,7 +10,7 @@
 #include <optional>
 #include <string>
 
-#include "robot/agent/Replay.h"
+#include "robot/agent/log/Replay.h"
 #include "toolchain/target/StageMarkers.h"
 
 namespace {

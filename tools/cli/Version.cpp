@@ -3,7 +3,7 @@
 
 #include <fmt/core.h>
 
-#include "robot/agent/LoggedTypes.h"
+#include "robot/agent/log/LoggedTypes.h"
 #include "robot/core/Checksum.h"
 #include "robot/core/log/LogTopics.h"
 #include "tools/cli/Commit.h"

@@ -8,13 +8,13 @@
 #include <memory>
 #include <optional>
 
-#include "robot/agent/AgentLoops.h"
-#include "robot/host/DriverLink.h"
+#include "robot/agent/loops/AgentLoops.h"
 #include "robot/host/RecordingSource.h"
 #include "robot/host/RunAgent.h"
-#include "robot/host/UdpControl.h"
-#include "robot/host/UdpRadio.h"
-#include "robot/host/WorldSource.h"
+#include "robot/host/radio/UdpControl.h"
+#include "robot/host/radio/UdpRadio.h"
+#include "robot/host/world/DriverLink.h"
+#include "robot/host/world/WorldSource.h"
 #include "robot/net/GameControlData.h"
 #include "tools/cli/AgentTalk.h"
 #include "tools/cli/Process.h"

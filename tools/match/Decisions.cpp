@@ -5,7 +5,7 @@
 
 #include <memory>
 
-#include "robot/agent/FrameMessages.h"
+#include "robot/agent/log/FrameMessages.h"
 #include "tools/cli/log/Logs.h"
 
 namespace kelpie::match {

@@ -3,8 +3,8 @@
 
 #include <memory>
 
-#include "robot/agent/FrameMessages.h"
-#include "robot/agent/Replay.h"
+#include "robot/agent/log/FrameMessages.h"
+#include "robot/agent/log/Replay.h"
 #include "tools/cli/log/Logs.h"
 #include "tools/sim/world/Truth.h"
 

@@ -11,7 +11,7 @@
 #include <thread>
 #include <utility>
 
-#include "robot/host/UdpControl.h"
+#include "robot/host/radio/UdpControl.h"
 #include "tools/cli/AgentTalk.h"
 #include "tools/cli/Process.h"
 #include "tools/cli/options/StagingOptions.h"

@@ -4,7 +4,7 @@
 // it learns from the view. A motion that does not start within three seconds is given up.
 #pragma once
 
-#include "robot/host/DriverProtocol.h"
+#include "robot/host/world/DriverProtocol.h"
 #include "tools/teleop/Keys.h"
 
 namespace kelpie::teleop {

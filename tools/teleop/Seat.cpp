@@ -5,7 +5,7 @@
 
 #include <utility>
 
-#include "robot/host/Messages.h"
+#include "robot/host/world/Messages.h"
 #include "tools/teleop/StatusLine.h"
 
 namespace kelpie::teleop {

@@ -15,7 +15,7 @@
 #include <thread>
 #include <vector>
 
-#include "robot/host/Connection.h"
+#include "robot/host/world/Connection.h"
 #include "tools/teleop/Driver.h"
 #include "tools/teleop/Keys.h"
 #include "tools/teleop/Screen.h"

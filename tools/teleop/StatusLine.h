@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "robot/host/DriverProtocol.h"
+#include "robot/host/world/DriverProtocol.h"
 
 namespace kelpie::teleop {
 

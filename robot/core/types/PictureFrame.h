@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A frame's input with a JPEG picture in place of the image: 2 to 4 KB instead of 100 KB. For
 // people; the stages do not see it. What vision made of the image stands in the frame's output,
-// from which a replay goes on (robot/agent/Replay.h).
+// from which a replay goes on (robot/agent/log/Replay.h).
 #pragma once
 
 #include <tuple>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A frame's input with the image's colour classes in place of the image: 2 to 10 KB instead of
-// 100 KB. Made by `kelpie compress`; robot/agent/FrameMessages.h makes an image of it again.
+// 100 KB. Made by `kelpie compress`; robot/agent/log/FrameMessages.h makes an image of it again.
 //
 // The code: row by row from the top left, runs of equal class that may go on in the next row. A run
 // of n pixels of class c is one byte 16 c + n - 1 for n = 1..15, or the byte 16 c + 15 and a second

@@ -8,10 +8,10 @@
 #include <new>
 #include <string>
 
-#include "robot/agent/AgentLoops.h"
-#include "robot/agent/FrameLoop.h"
-#include "robot/agent/LoggedTypes.h"
-#include "robot/agent/MotionLoop.h"
+#include "robot/agent/log/LoggedTypes.h"
+#include "robot/agent/loops/AgentLoops.h"
+#include "robot/agent/loops/FrameLoop.h"
+#include "robot/agent/loops/MotionLoop.h"
 #include "toolchain/openr/AgentTape.h"
 
 namespace {

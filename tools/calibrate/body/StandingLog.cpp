@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "robot/agent/FrameMessages.h"
+#include "robot/agent/log/FrameMessages.h"
 
 namespace kelpie::calibrate {
 namespace {

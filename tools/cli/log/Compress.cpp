@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <memory>
 
-#include "robot/agent/FrameLoop.h"
-#include "robot/agent/FrameMessages.h"
+#include "robot/agent/log/FrameMessages.h"
+#include "robot/agent/loops/FrameLoop.h"
 #include "tools/cli/Commands.h"
 #include "tools/cli/Process.h"
 #include "tools/cli/Progress.h"

@@ -8,7 +8,7 @@
 #include "gps/pose/Focal.h"
 #include "gps/pose/Lag.h"
 #include "gps/pose/Tilt.h"
-#include "robot/agent/FrameLoop.h"
+#include "robot/agent/loops/FrameLoop.h"
 #include "robot/core/log/LogTopics.h"
 #include "robot/core/log/LogWriter.h"
 #include "tools/calibrate/Images.h"

@@ -9,7 +9,7 @@
 #include <memory>
 #include <optional>
 
-#include "robot/agent/FrameMessages.h"
+#include "robot/agent/log/FrameMessages.h"
 #include "robot/core/log/LogTopics.h"
 #include "tools/cli/Progress.h"
 #include "tools/cli/Version.h"

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "robot/agent/AgentConfig.h"
-#include "robot/agent/LogSink.h"
-#include "robot/agent/LoggedTypes.h"
+#include "robot/agent/log/LogSink.h"
+#include "robot/agent/log/LoggedTypes.h"
 #include "robot/core/log/LogReader.h"
 #include "robot/core/log/LogWriter.h"
 #include "tools/cli/log/ThinLog.h"

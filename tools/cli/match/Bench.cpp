@@ -4,7 +4,7 @@
 #include <chrono>
 #include <memory>
 
-#include "robot/agent/Replay.h"
+#include "robot/agent/log/Replay.h"
 #include "tools/cli/Commands.h"
 #include "tools/cli/Figures.h"
 #include "tools/cli/JsonText.h"

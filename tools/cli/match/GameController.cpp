@@ -11,7 +11,7 @@
 #include <string>
 #include <utility>
 
-#include "robot/host/UdpSocket.h"
+#include "robot/host/radio/UdpSocket.h"
 #include "tools/cli/Commands.h"
 #include "tools/cli/Process.h"
 #include "tools/cli/options/Usage.h"

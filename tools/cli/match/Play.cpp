@@ -8,7 +8,7 @@
 #include <functional>
 #include <memory>
 
-#include "robot/host/UdpControl.h"
+#include "robot/host/radio/UdpControl.h"
 #include "robot/net/GameControlData.h"
 #include "tools/cli/Commands.h"
 #include "tools/cli/Process.h"

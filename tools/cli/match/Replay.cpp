@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "robot/agent/Replay.h"
+#include "robot/agent/log/Replay.h"
 
 #include <fmt/core.h>
 

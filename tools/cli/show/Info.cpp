@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "robot/agent/FrameMessages.h"
+#include "robot/agent/log/FrameMessages.h"
 #include "robot/core/log/LogReader.h"
 #include "tools/cli/Commands.h"
 

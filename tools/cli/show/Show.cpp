@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <memory>
 
-#include "robot/agent/FrameMessages.h"
+#include "robot/agent/log/FrameMessages.h"
 #include "robot/core/fields/FieldCheck.h"
 #include "tools/calibrate/Images.h"
 #include "tools/cli/Commands.h"

@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <memory>
 
-#include "robot/agent/FrameMessages.h"
+#include "robot/agent/log/FrameMessages.h"
 #include "robot/core/types/FrameOutput.h"
 
 namespace kelpie::experiments {

@@ -5,7 +5,7 @@
 
 #include "robot/body/Ers7.h"
 #include "robot/body/FieldDescription.h"
-#include "robot/host/Orders.h"
+#include "robot/host/primitives/Orders.h"
 #include "tools/cli/options/Config.h"
 
 namespace kelpie::experiments {

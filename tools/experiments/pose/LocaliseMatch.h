@@ -11,7 +11,7 @@
 #include <memory>
 #include <string>
 
-#include "robot/agent/AgentLoops.h"
+#include "robot/agent/loops/AgentLoops.h"
 #include "robot/body/Ers7.h"
 #include "robot/core/Random.h"
 #include "tools/experiments/harness/Experiment.h"

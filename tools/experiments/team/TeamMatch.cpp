@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <memory>
 
-#include "robot/agent/FrameMessages.h"
+#include "robot/agent/log/FrameMessages.h"
 #include "robot/core/types/FrameOutput.h"
 #include "tools/cli/Process.h"
 

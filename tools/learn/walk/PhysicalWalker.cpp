@@ -6,7 +6,7 @@
 
 #include "robot/body/Ers7.h"
 #include "robot/body/FieldDescription.h"
-#include "robot/host/Orders.h"
+#include "robot/host/primitives/Orders.h"
 #include "tools/sim/bodies/Sensors.h"
 
 namespace kelpie::learn {

@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "robot/core/Expected.h"
-#include "robot/host/WorldProtocol.h"
+#include "robot/host/world/WorldProtocol.h"
 #include "tools/sim/bodies/BodyShape.h"
 #include "tools/sim/world/Ball.h"
 

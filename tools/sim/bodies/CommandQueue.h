@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <deque>
 
-#include "robot/host/WorldProtocol.h"
+#include "robot/host/world/WorldProtocol.h"
 
 namespace kelpie::sim {
 

@@ -14,7 +14,7 @@
 #include "robot/body/PlanarMotion.h"
 #include "robot/core/Random.h"
 #include "robot/core/types/FrameInput.h"
-#include "robot/host/WorldProtocol.h"
+#include "robot/host/world/WorldProtocol.h"
 #include "tools/sim/bodies/Backlash.h"
 #include "tools/sim/bodies/Bodies.h"
 #include "tools/sim/bodies/BodyShape.h"

@@ -9,7 +9,7 @@
 #include "actuator/Actuator.h"
 #include "robot/body/Ers7.h"
 #include "robot/body/FieldDescription.h"
-#include "robot/host/Orders.h"
+#include "robot/host/primitives/Orders.h"
 #include "tools/sim/bodies/FastActuator.h"
 #include "tools/sim/world/World.h"
 

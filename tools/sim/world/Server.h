@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "robot/core/log/LogWriter.h"
-#include "robot/host/Connection.h"
+#include "robot/host/world/Connection.h"
 #include "tools/sim/world/Crew.h"
 #include "tools/sim/world/World.h"
 

@@ -10,7 +10,7 @@
 
 #include "robot/body/FieldDescription.h"
 #include "robot/core/Expected.h"
-#include "robot/host/WorldProtocol.h"
+#include "robot/host/world/WorldProtocol.h"
 #include "tools/sim/world/Ball.h"
 
 namespace kelpie::sim {

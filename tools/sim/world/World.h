@@ -13,7 +13,7 @@
 
 #include "robot/body/FieldDescription.h"
 #include "robot/core/Expected.h"
-#include "robot/host/WorldProtocol.h"
+#include "robot/host/world/WorldProtocol.h"
 #include "tools/sim/bodies/Bodies.h"
 #include "tools/sim/bodies/Past.h"
 #include "tools/sim/bodies/RobotModel.h"
