@@ -3,18 +3,18 @@
 #pragma once
 
 #include "gps/ball/BallFilterParams.h"
+#include "gps/camera/FocalParams.h"
+#include "gps/camera/LagParams.h"
+#include "gps/camera/TiltParams.h"
 #include "gps/lines/LinesParams.h"
 #include "gps/pinks/PinkMapParams.h"
 #include "gps/players/PlayersParams.h"
 #include "gps/pose/Crossing.h"
-#include "gps/pose/FocalParams.h"
-#include "gps/pose/LagParams.h"
 #include "gps/pose/NoiseScale.h"
 #include "gps/pose/PoseParams.h"
 #include "gps/pose/Return.h"
 #include "gps/pose/Shake.h"
 #include "gps/pose/StuckParams.h"
-#include "gps/pose/TiltParams.h"
 #include "robot/body/FieldDescription.h"
 
 namespace kelpie::gps {

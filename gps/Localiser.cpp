@@ -6,12 +6,12 @@
 #include "gps/PoseSteps.h"
 #include "gps/ball/BallFilter.h"
 #include "gps/ball/DropIn.h"
+#include "gps/camera/Focal.h"
+#include "gps/camera/Lag.h"
+#include "gps/camera/Tilt.h"
 #include "gps/players/BallLandmark.h"
 #include "gps/players/Players.h"
-#include "gps/pose/Focal.h"
-#include "gps/pose/Lag.h"
 #include "gps/pose/Return.h"
-#include "gps/pose/Tilt.h"
 
 namespace kelpie::gps {
 

@@ -4,22 +4,22 @@
 #include <algorithm>
 
 #include "gps/Refusal.h"
+#include "gps/camera/EdgeElevation.h"
+#include "gps/camera/Focal.h"
+#include "gps/camera/Lag.h"
+#include "gps/camera/Tilt.h"
 #include "gps/lines/LineMap.h"
 #include "gps/lines/LinePoseSearch.h"
 #include "gps/lines/LineUpdate.h"
 #include "gps/lines/Lines.h"
 #include "gps/pinks/Pinks.h"
 #include "gps/pose/Crossing.h"
-#include "gps/pose/EdgeElevation.h"
-#include "gps/pose/Focal.h"
-#include "gps/pose/Lag.h"
 #include "gps/pose/Modes.h"
 #include "gps/pose/NoiseScale.h"
 #include "gps/pose/Outliers.h"
 #include "gps/pose/PoseUpdate.h"
 #include "gps/pose/Shake.h"
 #include "gps/pose/Stuck.h"
-#include "gps/pose/Tilt.h"
 
 namespace kelpie::gps {
 namespace {

@@ -30,9 +30,9 @@ MAY_INCLUDE = {
 # The rooms of a stage in their order: a room includes those before it and itself, never its
 # neighbours of the same row. What several rooms share stands at the stage's root.
 ROOMS = {
-    "vision": [["pixels"], ["blobs"], ["edge"],
+    "vision": [["colour"], ["pixels"], ["blobs"], ["edge"],
                ["ball", "beacon", "goal", "line", "pink", "robot"]],
-    "gps": [["pose"], ["ball", "lines"], ["pinks", "players"]],
+    "gps": [["pose"], ["camera"], ["ball", "lines"], ["pinks", "players"]],
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s+([<"])([^>"]+)[>"]', re.M)
 

@@ -6,9 +6,9 @@
 #include "vision/ball/JudgedBall.h"
 #include "vision/beacon/JudgedBeacon.h"
 #include "vision/blobs/Blobs.h"
+#include "vision/colour/VisionCalibration.h"
 #include "vision/goal/JudgedGoal.h"
 #include "vision/pixels/Sampler.h"
-#include "vision/pixels/VisionCalibration.h"
 #include "vision/robot/JudgedRobot.h"
 
 namespace kelpie::vision {

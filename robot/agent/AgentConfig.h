@@ -12,7 +12,7 @@
 #include "robot/core/types/FrameInput.h"
 #include "robot/net/GameListener.h"
 #include "vision/VisionParams.h"
-#include "vision/pixels/VisionCalibration.h"
+#include "vision/colour/VisionCalibration.h"
 
 namespace kelpie::agent {
 

@@ -8,7 +8,7 @@
 
 #include "robot/core/Random.h"
 #include "tools/calibrate/ring/Sheets.h"
-#include "vision/pixels/RingTable.h"
+#include "vision/colour/RingTable.h"
 
 namespace kelpie::calibrate {
 

@@ -10,7 +10,7 @@
 #include "tools/sim/bodies/BodyShape.h"
 #include "tools/sim/camera/Camera.h"
 #include "tools/sim/camera/FieldCamera.h"
-#include "vision/pixels/VisionCalibration.h"
+#include "vision/colour/VisionCalibration.h"
 
 namespace kelpie::calibrate {
 

@@ -7,7 +7,7 @@
 #include "tests/fuzz/Input.h"
 #include "tools/calibrate/Images.h"
 #include "tools/picture/Jpeg.h"
-#include "vision/pixels/ColourClass.h"
+#include "vision/colour/ColourClass.h"
 
 namespace {
 

@@ -16,7 +16,7 @@
 #include "tools/cli/log/Recording.h"
 #include "tools/picture/Jpeg.h"
 #include "tools/sim/bodies/Unlike.h"
-#include "vision/pixels/TableFile.h"
+#include "vision/colour/TableFile.h"
 
 namespace {
 

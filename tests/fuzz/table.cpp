@@ -6,9 +6,9 @@
 
 #include "robot/core/fields/FieldCheck.h"
 #include "tests/fuzz/Input.h"
-#include "vision/pixels/ColourTable.h"
-#include "vision/pixels/RingTable.h"
-#include "vision/pixels/TableFile.h"
+#include "vision/colour/ColourTable.h"
+#include "vision/colour/RingTable.h"
+#include "vision/colour/TableFile.h"
 
 namespace {
 

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "gps/pose/Focal.h"
+#include "gps/camera/Focal.h"
 #include "gps/pose/PoseUpdate.h"
 #include "robot/core/Random.h"
 #include "tests/gps/Field2006.h"

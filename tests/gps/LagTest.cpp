@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "gps/pose/Lag.h"
+#include "gps/camera/Lag.h"
 #include "gps/pose/PoseUpdate.h"
 #include "robot/core/Random.h"
 #include "tests/gps/Field2006.h"

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "gps/Refusal.h"
+#include "gps/camera/EdgeElevation.h"
 #include "gps/lines/LineUpdate.h"
-#include "gps/pose/EdgeElevation.h"
 #include "gps/pose/Modes.h"
 #include "robot/body/Camera.h"
 #include "tests/gps/Field2006.h"

@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "tools/sim/camera/Artefacts.h"
-#include "vision/pixels/RingTable.h"
+#include "vision/colour/RingTable.h"
 
 namespace kelpie::sim {
 namespace {

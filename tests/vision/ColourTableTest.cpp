@@ -8,9 +8,9 @@
 
 #include "robot/core/Random.h"
 #include "tests/vision/Painting.h"
-#include "vision/pixels/ColourBuilder.h"
-#include "vision/pixels/ColourTable.h"
-#include "vision/pixels/TableFile.h"
+#include "vision/colour/ColourBuilder.h"
+#include "vision/colour/ColourTable.h"
+#include "vision/colour/TableFile.h"
 
 namespace kelpie::vision {
 namespace {

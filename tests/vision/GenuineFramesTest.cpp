@@ -11,8 +11,8 @@
 #include "tests/vision/Painting.h"
 #include "tools/picture/PngFile.h"
 #include "vision/Vision.h"
+#include "vision/colour/TableFile.h"
 #include "vision/pixels/ClassPicture.h"
-#include "vision/pixels/TableFile.h"
 
 namespace kelpie::vision {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "robot/core/Random.h"
 #include "vision/Vision.h"
-#include "vision/pixels/RingTable.h"
+#include "vision/colour/RingTable.h"
 
 namespace kelpie::vision {
 namespace {

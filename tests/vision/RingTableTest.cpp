@@ -4,7 +4,7 @@
 #include <cmath>
 #include <memory>
 
-#include "vision/pixels/RingTable.h"
+#include "vision/colour/RingTable.h"
 
 namespace kelpie::vision {
 namespace {

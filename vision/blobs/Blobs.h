@@ -9,7 +9,7 @@
 #include "robot/core/FixedVector.h"
 #include "robot/core/types/Geometry.h"
 #include "robot/core/types/Percepts.h"
-#include "vision/pixels/ColourClass.h"
+#include "vision/colour/ColourClass.h"
 #include "vision/pixels/Lattice.h"
 #include "vision/pixels/Sampler.h"
 

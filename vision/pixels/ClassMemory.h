@@ -8,7 +8,7 @@
 #include <cstdint>
 
 #include "robot/core/types/Image.h"
-#include "vision/pixels/ColourClass.h"
+#include "vision/colour/ColourClass.h"
 
 namespace kelpie::vision {
 

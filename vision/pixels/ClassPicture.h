@@ -6,8 +6,8 @@
 #include <array>
 #include <cstdint>
 
+#include "vision/colour/VisionCalibration.h"
 #include "vision/pixels/Sampler.h"
-#include "vision/pixels/VisionCalibration.h"
 
 namespace kelpie::vision {
 

@@ -3,8 +3,8 @@
 // the distances of all pixels from the ring's centres. Made once, at start-up.
 #pragma once
 
-#include "vision/pixels/RingTable.h"
-#include "vision/pixels/VisionCalibration.h"
+#include "vision/colour/RingTable.h"
+#include "vision/colour/VisionCalibration.h"
 
 namespace kelpie::vision {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robot/agent/loops/AgentLoops.h"
 
-#include "gps/pose/Focal.h"
-#include "gps/pose/Lag.h"
-#include "gps/pose/Tilt.h"
+#include "gps/camera/Focal.h"
+#include "gps/camera/Lag.h"
+#include "gps/camera/Tilt.h"
 #include "robot/agent/loops/RestCommand.h"
 #include "robot/net/TeamPacket.h"
 

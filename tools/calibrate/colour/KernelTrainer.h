@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "tools/calibrate/colour/Labels.h"
-#include "vision/pixels/ColourTable.h"
+#include "vision/colour/ColourTable.h"
 
 namespace kelpie::calibrate {
 

@@ -9,7 +9,7 @@
 
 #include "tools/calibrate/Csv.h"
 #include "tools/calibrate/Images.h"
-#include "vision/pixels/ColourTable.h"
+#include "vision/colour/ColourTable.h"
 
 namespace kelpie::calibrate {
 namespace {

@@ -15,8 +15,8 @@
 
 #include "robot/core/Expected.h"
 #include "robot/core/Random.h"
-#include "vision/pixels/ColourClass.h"
-#include "vision/pixels/RingTable.h"
+#include "vision/colour/ColourClass.h"
+#include "vision/colour/RingTable.h"
 
 namespace kelpie::calibrate {
 

@@ -12,7 +12,7 @@
 
 #include "robot/core/Expected.h"
 #include "robot/core/types/Image.h"
-#include "vision/pixels/RingTable.h"
+#include "vision/colour/RingTable.h"
 
 namespace kelpie::calibrate {
 

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "robot/core/Expected.h"
-#include "vision/pixels/ColourTable.h"
+#include "vision/colour/ColourTable.h"
 
 namespace kelpie::calibrate {
 

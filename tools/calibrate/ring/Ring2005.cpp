@@ -5,7 +5,7 @@
 #include <cstdlib>
 
 #include "tools/calibrate/ring/Sheets.h"
-#include "vision/pixels/TableFile.h"
+#include "vision/colour/TableFile.h"
 
 namespace kelpie::calibrate {
 namespace {

@@ -14,7 +14,7 @@
 
 #include "robot/core/Expected.h"
 #include "tools/calibrate/ring/Sheets.h"
-#include "vision/pixels/RingTable.h"
+#include "vision/colour/RingTable.h"
 
 namespace kelpie::calibrate {
 

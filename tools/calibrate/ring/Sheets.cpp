@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "vision/pixels/RingTable.h"
+#include "vision/colour/RingTable.h"
 #include "vision/pixels/Sampler.h"
 
 namespace kelpie::calibrate {

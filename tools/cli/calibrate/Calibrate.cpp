@@ -7,8 +7,8 @@
 
 #include "tools/cli/Commands.h"
 #include "tools/cli/WholeFile.h"
-#include "vision/pixels/ColourTable.h"
-#include "vision/pixels/TableFile.h"
+#include "vision/colour/ColourTable.h"
+#include "vision/colour/TableFile.h"
 
 namespace kelpie::cli {
 namespace {

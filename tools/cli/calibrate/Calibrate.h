@@ -6,7 +6,7 @@
 
 #include "robot/core/Expected.h"
 #include "tools/cli/options/CommandLine.h"
-#include "vision/pixels/RingTable.h"
+#include "vision/colour/RingTable.h"
 
 namespace kelpie::cli {
 

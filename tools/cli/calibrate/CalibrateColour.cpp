@@ -12,7 +12,7 @@
 #include "tools/cli/calibrate/Calibrate.h"
 #include "tools/cli/options/Usage.h"
 #include "tools/picture/FileNames.h"
-#include "vision/pixels/VisionCalibration.h"
+#include "vision/colour/VisionCalibration.h"
 
 namespace kelpie::cli {
 namespace {

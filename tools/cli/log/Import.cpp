@@ -5,9 +5,9 @@
 
 #include <memory>
 
-#include "gps/pose/Focal.h"
-#include "gps/pose/Lag.h"
-#include "gps/pose/Tilt.h"
+#include "gps/camera/Focal.h"
+#include "gps/camera/Lag.h"
+#include "gps/camera/Tilt.h"
 #include "robot/agent/loops/FrameLoop.h"
 #include "robot/core/log/LogTopics.h"
 #include "robot/core/log/LogWriter.h"

@@ -15,7 +15,7 @@
 #include "tools/experiments/harness/Trials.h"
 #include "tools/sim/camera/Artefacts.h"
 #include "tools/sim/camera/Colours.h"
-#include "vision/pixels/RingTable.h"
+#include "vision/colour/RingTable.h"
 
 namespace kelpie::experiments {
 namespace {

@@ -3,7 +3,7 @@
 // localise-observations from pixels, through body, vision and gps, for several such angles. Errors
 // are means over the last two seconds of each walk; recall is of beacons and goals that show. The
 // walk is kinematic, as there: no legs move, and the accelerometer feels no steps.
-#include "gps/pose/Tilt.h"
+#include "gps/camera/Tilt.h"
 
 #include <algorithm>
 #include <array>

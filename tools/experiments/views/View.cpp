@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gps/pose/Tilt.h"
+#include "gps/camera/Tilt.h"
 #include "robot/body/Camera.h"
 #include "tools/sim/bodies/BodyShape.h"
 #include "tools/sim/bodies/KinematicBodies.h"

@@ -7,8 +7,8 @@
 
 #include "robot/core/Expected.h"
 #include "robot/core/fields/Fields.h"
-#include "vision/pixels/ColourTable.h"
-#include "vision/pixels/RingTable.h"
+#include "vision/colour/ColourTable.h"
+#include "vision/colour/RingTable.h"
 
 namespace kelpie::vision {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "gps/pose/Lag.h"
+#include "gps/camera/Lag.h"
 
 #include <cmath>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "vision/pixels/ColourBuilder.h"
+#include "vision/colour/ColourBuilder.h"
 
 #include <cmath>
 

@@ -7,7 +7,7 @@
 #pragma once
 
 #include "gps/GpsIn.h"
-#include "gps/pose/LagParams.h"
+#include "gps/camera/LagParams.h"
 #include "gps/pose/Landmarks.h"
 
 namespace kelpie::gps {

@@ -7,7 +7,7 @@
 #pragma once
 
 #include "gps/GpsIn.h"
-#include "gps/pose/FocalParams.h"
+#include "gps/camera/FocalParams.h"
 #include "gps/pose/Landmarks.h"
 
 namespace kelpie::gps {

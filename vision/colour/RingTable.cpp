@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "vision/pixels/RingTable.h"
+#include "vision/colour/RingTable.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
 
 #include "robot/core/Maths.h"
-#include "vision/pixels/TableFile.h"
+#include "vision/colour/TableFile.h"
 
 namespace kelpie::vision {
 namespace {

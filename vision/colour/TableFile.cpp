@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "vision/pixels/TableFile.h"
+#include "vision/colour/TableFile.h"
 
 #include <cstring>
 #include <fstream>

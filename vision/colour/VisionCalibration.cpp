@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "vision/pixels/VisionCalibration.h"
+#include "vision/colour/VisionCalibration.h"
 
-#include "vision/pixels/ColourBuilder.h"
+#include "vision/colour/ColourBuilder.h"
 
 namespace kelpie::vision {
 

@@ -13,7 +13,7 @@
 #include "robot/core/Expected.h"
 #include "robot/core/fields/Fields.h"
 #include "robot/core/types/Image.h"
-#include "vision/pixels/ColourClass.h"
+#include "vision/colour/ColourClass.h"
 
 namespace kelpie::vision {
 

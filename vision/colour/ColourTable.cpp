@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "vision/pixels/ColourTable.h"
+#include "vision/colour/ColourTable.h"
 
-#include "vision/pixels/TableFile.h"
+#include "vision/colour/TableFile.h"
 
 namespace kelpie::vision {
 namespace {

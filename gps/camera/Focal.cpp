@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "gps/pose/Focal.h"
+#include "gps/camera/Focal.h"
 
 #include <cmath>
 

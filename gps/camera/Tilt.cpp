@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "gps/pose/Tilt.h"
+#include "gps/camera/Tilt.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "gps/pose/EdgeElevation.h"
+#include "gps/camera/EdgeElevation.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "robot/core/fields/Fields.h"
-#include "vision/pixels/ColourTable.h"
+#include "vision/colour/ColourTable.h"
 
 namespace kelpie::vision {
 

@@ -5,7 +5,7 @@
 #pragma once
 
 #include "gps/GpsIn.h"
-#include "gps/pose/Tilt.h"
+#include "gps/camera/Tilt.h"
 #include "robot/body/FieldDescription.h"
 
 namespace kelpie::gps {

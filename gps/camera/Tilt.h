@@ -8,8 +8,8 @@
 #pragma once
 
 #include "gps/GpsIn.h"
+#include "gps/camera/TiltParams.h"
 #include "gps/pose/PoseState.h"
-#include "gps/pose/TiltParams.h"
 
 namespace kelpie::gps {
 
