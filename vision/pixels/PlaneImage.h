@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // An image made again from its colour classes, one colour a class, so that vision runs unchanged on
 // recorded class planes. loadCalibration("nominal", "none") gives back every class
-// (tests/vision/PlaneImageTest.cpp). Lost: noise, shading and the share of a colour in the mixed
-// pixels of an edge, hence places between pixels.
+// (tests/vision/pixels/PlaneImageTest.cpp). Lost: noise, shading and the share of a colour in the
+// mixed pixels of an edge, hence places between pixels.
 #pragma once
 
 #include "robot/core/types/Image.h"

@@ -5,7 +5,7 @@
 
 #include "gps/pose/PoseUpdate.h"
 #include "robot/core/Random.h"
-#include "tests/gps/ModeAndMeasurement.h"
+#include "tests/gps/pose/ModeAndMeasurement.h"
 
 namespace kelpie::gps {
 namespace {

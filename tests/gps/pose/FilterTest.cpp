@@ -7,7 +7,7 @@
 #include "gps/pose/Landmarks.h"
 #include "gps/pose/Modes.h"
 #include "gps/pose/Predict.h"
-#include "tests/gps/ModeAndMeasurement.h"
+#include "tests/gps/pose/ModeAndMeasurement.h"
 #include "tools/sim/world/LocalisingRobot.h"
 
 namespace kelpie::gps {
