@@ -2,7 +2,8 @@
 // The memory of the robot's Python, from malloc and free of the SDK: nothing else of a C library
 // outside is asked. Each piece stands behind 8 bytes that hold its size, which realloc wants to
 // know. The names are those that `build` gives to Python's own C library. What is asked for is
-// counted, and refused where it would be more than a script may have (behaviour/interpreter/Heap.h).
+// counted, and refused where it would be more than a script may have
+// (behaviour/interpreter/Heap.h).
 #include <stddef.h>
 #include <stdint.h>
 #include <stdlib.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The modules built into the target's Python, in place of the table in libpython3.11.a: what the
-// interpreter and zipimport need to start, what behaviour/interpreter/guard.py and tracebacks use, and math.
-// Leaving out the rest (unicodedata alone is 1.1 MB) is what makes the program fit the stick. zlib
-// is not needed: the zip with the behaviours is stored, not deflated.
+// interpreter and zipimport need to start, what behaviour/interpreter/guard.py and tracebacks use,
+// and math. Leaving out the rest (unicodedata alone is 1.1 MB) is what makes the program fit the
+// stick. zlib is not needed: the zip with the behaviours is stored, not deflated.
 
 struct _object;
 typedef struct _object* InitFunction(void);

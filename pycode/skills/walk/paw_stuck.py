@@ -16,8 +16,9 @@ from situation.headway import Headway
 BACK_S = 0.8          # ours; the body feels a paw for 0.4 s after it was pressed
 BACK_SPEED = -24.0    # cm/s
 SIDE_SPEED = 18.0  # cm/s
-# Whoever was met head on so recently is passed on the right, as it does the same. Of 51 meetings of
-# two discs (tests/py/walk/test_paw_stuck.py) all end within 45 s; 36 do when both back straight again.
+# Whoever was met head on so recently is passed on the right, as it does the same. Of 51 meetings
+# of two discs (tests/py/walk/test_paw_stuck.py) all end within 45 s; 36 do when both back straight
+# again.
 AGAIN_S = 4.0
 FELT_S = 0.5          # what is felt in the first of it is still what held it from ahead
 DEAF_S = 0.5          # between two times of backing: whoever always backs never gets away

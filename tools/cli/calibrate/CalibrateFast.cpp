@@ -14,9 +14,9 @@ namespace {
 constexpr const char* kHelp =
     R"(
 The kinematic world (--fast) has no masses: feet that stand carry the body. Walks are calibrated to
-physical bodies (`kelpie calibrate walk`); this fits the GroundParams of tools/sim/bodies/RobotModel.h so
-that the kinematic robot goes as fast as it is asked to, and prints them with what is left. How far
-its balls go is in the motion files: `kelpie calibrate motion`.
+physical bodies (`kelpie calibrate walk`); this fits the GroundParams of
+tools/sim/bodies/RobotModel.h so that the kinematic robot goes as fast as it is asked to, and prints
+them with what is left. How far its balls go is in the motion files: `kelpie calibrate motion`.
 
   kelpie calibrate fast --seed 11)";
 
